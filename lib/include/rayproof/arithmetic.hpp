@@ -1,0 +1,91 @@
+#pragma once
+/// \file
+/// The vocabulary every kernel is written in, and its meaning in the plain arithmetics `float` and `double`.
+///
+/// A kernel is a template over its number type `T`. It may use `+ - * /`, comparisons (which give a `Mask<T>`),
+/// and the functions of this file, called unqualified so that an arithmetic brings its own by argument-dependent
+/// lookup. A new arithmetic is a type with these operations: see docs/add-an-arithmetic.md.
+
+#include <cmath>
+#include <concepts>
+#include <limits>
+
+namespace rayproof {
+
+/// What a comparison of two `T` gives: `bool`, or one bool per lane of a SIMD pack.
+template <class T>
+using Mask = decltype(T() < T());
+
+/// `yes` where `mask` holds, `no` elsewhere: the branch-free `?:` of the kernels.
+template <std::floating_point T>
+[[nodiscard]] constexpr T select(bool mask, T yes, T no) {
+  return mask ? yes : no;
+}
+
+template <std::floating_point T>
+[[nodiscard]] inline T sqrt(T x) {
+  return std::sqrt(x);
+}
+
+template <std::floating_point T>
+[[nodiscard]] inline T abs(T x) {
+  return std::abs(x);
+}
+
+/// The magnitude of `x` with the sign bit of `sign`; copysign(x, -0) is -x.
+template <std::floating_point T>
+[[nodiscard]] inline T copysign(T x, T sign) {
+  return std::copysign(x, sign);
+}
+
+/// x*y + z, rounded once. Kernels are compiled with contraction off: a fused operation is always written out.
+template <std::floating_point T>
+[[nodiscard]] inline T fma(T x, T y, T z) {
+  return std::fma(x, y, z);
+}
+
+/// The smaller of two numbers; where one is NaN, either may come back.
+template <std::floating_point T>
+[[nodiscard]] constexpr T min(T x, T y) {
+  return y < x ? y : x;
+}
+
+/// The larger of two numbers; where one is NaN, either may come back.
+template <std::floating_point T>
+[[nodiscard]] constexpr T max(T x, T y) {
+  return x < y ? y : x;
+}
+
+/// The exponent e with 2^e <= |x| < 2^(e+1), as a `T`; -infinity for 0, infinity for infinity.
+template <std::floating_point T>
+[[nodiscard]] inline T exponent(T x) {
+  return std::logb(x);
+}
+
+/// x * 2^e for a whole number e, rounded once (only where the result is subnormal) or to infinity.
+template <std::floating_point T>
+[[nodiscard]] inline T scale_exponent(T x, T e) {
+  return std::ldexp(x, static_cast<int>(e));
+}
+
+/// The whole number nearest below `x`.
+template <std::floating_point T>
+[[nodiscard]] inline T floor(T x) {
+  return std::floor(x);
+}
+
+/// The plain type an arithmetic rounds in: `float` for `float`, for a pack of floats, for a recorded float.
+template <class T>
+struct PlainOf {
+  using type = T;
+};
+template <class T>
+using Plain = typename PlainOf<T>::type;
+
+/// Infinity and NaN in the arithmetic `T`.
+template <class T>
+inline constexpr Plain<T> infinity = std::numeric_limits<Plain<T>>::infinity();
+template <class T>
+inline constexpr Plain<T> not_a_number = std::numeric_limits<Plain<T>>::quiet_NaN();
+
+}  // namespace rayproof

@@ -1,0 +1,95 @@
+#pragma once
+/// \file
+/// What a method promises: data beside the kernel, read by the property tests, the listings and the docs.
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <string_view>
+
+namespace rayproof {
+
+/// The claims a method can make; each is one property of the property tests (docs/conventions.md).
+enum class Claim : unsigned {
+  verdict,    ///< hit or miss (or the kind of roots) is the exact one, outside the promised band
+  residual,   ///< every answer satisfies the equation to the promised residual
+  ulp,        ///< every answer is within the promised ulps of the exact one
+  robust,     ///< verdict and residual keep the bound that the best plain methods of the shape keep
+  ascending,  ///< hits come in ascending order, inside the interval, none of them NaN
+  moved,      ///< t is the same after moving object and ray together by an affine map
+  scaled,     ///< scaling by powers of two changes nothing but exponents
+  reversed,   ///< reversing the ray mirrors its hits
+  batch,      ///< a batch gives bit for bit the scalar answers
+  nan,        ///< a NaN anywhere in the input never gives a hit
+  bounded     ///< the running-error arithmetic's bound encloses the exact answer
+};
+inline constexpr std::size_t claim_count = 11;
+
+/// A set of claims.
+class Claims {
+ public:
+  constexpr Claims() = default;
+  constexpr Claims(std::initializer_list<Claim> claims) {
+    for (const Claim claim : claims) bits_ |= bit(claim);
+  }
+  [[nodiscard]] constexpr bool contains(Claim claim) const { return (bits_ & bit(claim)) != 0; }
+  [[nodiscard]] constexpr Claims operator|(Claims other) const {
+    other.bits_ |= bits_;
+    return other;
+  }
+
+ private:
+  static constexpr unsigned bit(Claim claim) { return 1U << static_cast<unsigned>(claim); }
+  unsigned bits_ = 0;
+};
+
+/// An error bound: the worst error ever measured, and the bound that is promised and tested. The unit is the
+/// shape's (`sphere.hpp`, `quadratic.hpp` say which). Where nothing is promised, `promised` is infinite.
+struct Bound {
+  double measured = std::numeric_limits<double>::infinity();
+  double promised = std::numeric_limits<double>::infinity();
+};
+
+/// How far a method is to be trusted.
+enum class Standing {
+  sound,    ///< keeps its contract wherever its domain reaches
+  naive,    ///< the right formula in an arithmetic that can't bear it: `refuted` says where it breaks
+  printed   ///< copied from a lecture with the lecture's error: must be refuted
+};
+
+/// A claim that the method is known to break, and why. `rayproof check` demands the counterexample.
+struct Refutation {
+  Claim claim{};
+  std::string_view because{};
+};
+
+/// The sizes of input for which the bounds hold: every length of the problem (the shape's unit says which) lies
+/// within 2^-reach and 2^reach, so that no intermediate of the formula overflows or loses digits to underflow.
+struct Domain {
+  int reach_float = 28;
+  int reach_double = 240;
+};
+inline constexpr Domain any_finite{1000000, 1000000};
+
+/// The contract of one method.
+struct Contract {
+  Standing standing = Standing::sound;
+  Bound verdict{};   ///< half-width of the band around a change of verdict in which the verdict may be wrong
+  Bound residual{};  ///< residual of every answer
+  Bound ulp{};       ///< error of every answer in ulps of the exact one
+  Domain domain{};
+  Claims holds{};                            ///< claims the property tests hold the method to
+  std::array<Refutation, 3> refuted{};       ///< claims it is known to break; unused entries have no `because`
+};
+
+/// Author, title and year of the formula's source.
+struct Source {
+  std::string_view author;
+  std::string_view title;
+  int year;
+};
+
+/// The claims every method makes, however bad its formula.
+inline constexpr Claims always_claimed{Claim::ascending, Claim::batch, Claim::nan};
+
+}  // namespace rayproof

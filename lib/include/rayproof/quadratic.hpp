@@ -1,0 +1,55 @@
+#pragma once
+/// \file
+/// The quadratic equation ax² + bx + c = 0 and the meaning of its answers.
+
+#include <array>
+#include <cstddef>
+#include <rayproof/roots.hpp>
+
+namespace rayproof {
+
+/// The coefficients of ax² + bx + c = 0.
+///
+/// Units of the contracts: *verdict* is the width of the band |b² - 4ac| <= k·ε·(b² + 4|ac|) in which the kind of
+/// the roots may be wrong; *residual* is |ax² + bx + c| in units of ε·(|ax²| + |bx| + |c|), the backward error of
+/// a root x; *ulp* is in ulps of the exact root. ε is the unit roundoff: 2^-24 in float, 2^-53 in double. *Domain*
+/// speaks of the magnitudes of the nonzero coefficients.
+template <class T>
+struct Quadratic {
+  T a, b, c;
+};
+
+/// The same equation in another arithmetic.
+template <class To, class From>
+[[nodiscard]] constexpr Quadratic<To> convert(const Quadratic<From>& q) {
+  return {To(q.a), To(q.b), To(q.c)};
+}
+
+/// How many real roots there are, and why; the names of the case format.
+enum class RootKind { two, twice, none, linear, constant, everything };
+
+/// A quadratic's answer: its kind, and its real roots ascending in `roots[0 .. count)`.
+template <class T>
+struct QuadraticAnswer {
+  RootKind kind = RootKind::none;
+  std::size_t count = 0;
+  std::array<T, 2> roots{};
+};
+
+/// Reads a kernel's roots as an answer: a = 0 is told apart by the coefficients, everything else by the sign of the
+/// kernel's discriminant. In the linear case the kernel's one finite root is the answer.
+template <class T>
+[[nodiscard]] constexpr QuadraticAnswer<T> read(const Quadratic<T>& q, const Roots<T>& roots) {
+  if (q.a == 0 && q.b == 0) return {q.c == 0 ? RootKind::everything : RootKind::constant};
+  if (q.a == 0) {
+    const bool lo_is_finite = abs(roots.lo) < infinity<T>;
+    const bool hi_is_finite = abs(roots.hi) < infinity<T>;
+    if (lo_is_finite) return {RootKind::linear, 1, {roots.lo}};
+    return {RootKind::linear, hi_is_finite ? 1U : 0U, {roots.hi}};
+  }
+  if (roots.discriminant > 0) return {RootKind::two, 2, {roots.lo, roots.hi}};
+  if (roots.discriminant == 0) return {RootKind::twice, 1, {roots.lo}};
+  return {RootKind::none};
+}
+
+}  // namespace rayproof

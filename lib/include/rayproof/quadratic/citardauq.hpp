@@ -1,0 +1,34 @@
+#pragma once
+#include <rayproof/contract.hpp>
+#include <rayproof/narration.hpp>
+#include <rayproof/quadratic.hpp>
+
+namespace rayproof::quadratic {
+
+/// x = 2c / (-b ∓ √(b² - 4ac)), the quadratic formula upside down, for a near 0.
+///
+/// Keeps one root when a vanishes; its other branch cancels exactly as the textbook formula's does.
+struct Citardauq {
+  static constexpr const char* name = "citardauq";
+  static constexpr const char* title = "the quadratic formula upside down";
+  static constexpr Source source{"R. Bán", "Számítógépes grafika: Raycasting", 2022};
+  static constexpr Contract contract{
+      .standing = Standing::naive,
+      .verdict = {.measured = 0, .promised = 4},
+      .holds = always_claimed | Claims{Claim::verdict, Claim::scaled, Claim::reversed, Claim::bounded},
+      .refuted = {{{Claim::robust, "for b² >> 4ac its other branch divides by what cancellation left"}}}};
+
+  template <class T>
+  [[nodiscard]] static constexpr Roots<T> roots(const Quadratic<T>& q) {
+    step<T>("Form the discriminant");
+    const T D = named("D", q.b * q.b - T(4) * q.a * q.c);
+
+    step<T>("Apply the formula upside down");
+    const T s = named("√D", sqrt(D));
+    const T x0 = named("x₀", T(2) * q.c / (-q.b - s));
+    const T x1 = named("x₁", T(2) * q.c / (-q.b + s));
+    return ascending(D, x0, x1);
+  }
+};
+
+}  // namespace rayproof::quadratic

@@ -1,0 +1,43 @@
+#pragma once
+#include <rayproof/contract.hpp>
+#include <rayproof/narration.hpp>
+#include <rayproof/quadratic.hpp>
+
+namespace rayproof::quadratic {
+
+/// q = -(b + sgn(b)√D)/2, x = q/a and c/q: each root from the branch in which nothing cancels.
+///
+/// Backward stable: every root solves an equation whose coefficients differ by a few ε. Where b² is near 4ac the
+/// roots themselves are as uncertain as that makes them; Kahan's discriminant cures it.
+struct CitardauqViete {
+  static constexpr const char* name = "citardauq_viete";
+  static constexpr const char* title = "the branch that does not cancel, then Viète";
+  static constexpr Source source{"W. Press et al.", "Numerical Recipes, 5.6 Quadratic and Cubic Equations", 1992};
+  static constexpr Contract contract{
+      .verdict = {.measured = 0, .promised = 4},
+      .residual = {.measured = 0, .promised = 8},
+      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::robust, Claim::scaled, Claim::reversed,
+                                       Claim::bounded}};
+
+  template <class T>
+  [[nodiscard]] static constexpr Roots<T> roots(const Quadratic<T>& q) {
+    step<T>("Form the discriminant");
+    const T D = named("D", q.b * q.b - T(4) * q.a * q.c);
+    return roots_from(q, D);
+  }
+
+  /// The two roots once the discriminant is known, however it was formed.
+  template <class T>
+  [[nodiscard]] static constexpr Roots<T> roots_from(const Quadratic<T>& q, const T& D) {
+    step<T>("Add up b and √D where they have one sign");
+    const T w = named("q", T(-0.5) * (q.b + copysign(sqrt(D), q.b)));
+
+    step<T>("Take one root from q and the other from Viète");
+    // b = D = 0 leaves w = 0: both roots are 0 (and 0/0 must not be).
+    const T x0 = named("x₀", w / q.a);
+    const T x1 = named("x₁", select(w == T(0), w / q.a, q.c / w));
+    return ascending(D, x0, x1);
+  }
+};
+
+}  // namespace rayproof::quadratic

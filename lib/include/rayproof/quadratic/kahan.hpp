@@ -1,0 +1,31 @@
+#pragma once
+#include <rayproof/difference_of_products.hpp>
+#include <rayproof/quadratic/citardauq_viete.hpp>
+
+namespace rayproof::quadratic {
+
+/// The discriminant by Kahan's difference of products with FMA, then the roots that do not cancel.
+///
+/// The sign of the discriminant is the exact one, so the kind of the roots is never wrong, and the roots are good to
+/// a few ulps even for b² near 4ac: as long as nothing over- or underflows.
+struct Kahan {
+  static constexpr const char* name = "kahan";
+  static constexpr const char* title = "Kahan's discriminant with FMA";
+  static constexpr Source source{"W. Kahan", "On the Cost of Floating-Point Computation Without Extra-Precise Arithmetic",
+                                 2004};
+  static constexpr Contract contract{
+      .verdict = {.measured = 0, .promised = 0},
+      .residual = {.measured = 0, .promised = 8},
+      .ulp = {.measured = 0, .promised = 4},
+      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::ulp, Claim::robust, Claim::scaled,
+                                       Claim::reversed, Claim::bounded}};
+
+  template <class T>
+  [[nodiscard]] static constexpr Roots<T> roots(const Quadratic<T>& q) {
+    step<T>("Form the discriminant without losing its digits");
+    const T D = named("D", difference_of_products(q.b, q.b, T(4) * q.a, q.c));
+    return CitardauqViete::roots_from(q, D);
+  }
+};
+
+}  // namespace rayproof::quadratic

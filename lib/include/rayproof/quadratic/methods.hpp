@@ -1,0 +1,37 @@
+#pragma once
+/// \file
+/// The methods for the quadratic equation, one line each.
+
+#include <rayproof/quadratic/citardauq.hpp>
+#include <rayproof/quadratic/citardauq_viete.hpp>
+#include <rayproof/quadratic/full_range.hpp>
+#include <rayproof/quadratic/kahan.hpp>
+#include <rayproof/quadratic/textbook.hpp>
+#include <rayproof/type_list.hpp>
+
+namespace rayproof::quadratic {
+
+/// The topic as the registries see it.
+struct Topic {
+  static constexpr const char* name = "quadratic";
+  using Methods = TypeList<Textbook, Citardauq, CitardauqViete, Kahan, FullRange>;
+
+  /// The equation itself.
+  template <class T>
+  struct Problem {
+    Quadratic<T> equation;
+
+    template <class To>
+    [[nodiscard]] constexpr Problem<To> as() const {
+      return {convert<To>(equation)};
+    }
+  };
+
+  /// Runs a method's kernel on a problem, in the problem's arithmetic.
+  template <class Method, class T>
+  [[nodiscard]] static constexpr Roots<T> solve(const Problem<T>& problem) {
+    return Method::roots(problem.equation);
+  }
+};
+
+}  // namespace rayproof::quadratic

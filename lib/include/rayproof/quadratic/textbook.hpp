@@ -1,0 +1,34 @@
+#pragma once
+#include <rayproof/contract.hpp>
+#include <rayproof/narration.hpp>
+#include <rayproof/quadratic.hpp>
+
+namespace rayproof::quadratic {
+
+/// x = (-b ± √(b² - 4ac)) / 2a.
+///
+/// Where b² >> 4ac, √D is nearly |b| and the smaller root is what little their difference leaves.
+struct Textbook {
+  static constexpr const char* name = "textbook";
+  static constexpr const char* title = "the quadratic formula";
+  static constexpr Source source{"R. Bán", "Számítógépes grafika: Raycasting", 2022};
+  static constexpr Contract contract{
+      .standing = Standing::naive,
+      .verdict = {.measured = 0, .promised = 4},
+      .holds = always_claimed | Claims{Claim::verdict, Claim::scaled, Claim::reversed, Claim::bounded},
+      .refuted = {{{Claim::robust, "for b² >> 4ac, -b and √D cancel in the smaller root"}}}};
+
+  template <class T>
+  [[nodiscard]] static constexpr Roots<T> roots(const Quadratic<T>& q) {
+    step<T>("Form the discriminant");
+    const T D = named("D", q.b * q.b - T(4) * q.a * q.c);
+
+    step<T>("Apply the quadratic formula");
+    const T s = named("√D", sqrt(D));
+    const T x0 = named("x₀", (-q.b - s) / (T(2) * q.a));
+    const T x1 = named("x₁", (-q.b + s) / (T(2) * q.a));
+    return ascending(D, x0, x1);
+  }
+};
+
+}  // namespace rayproof::quadratic

@@ -1,0 +1,39 @@
+#pragma once
+/// \file
+/// The sphere, and the meaning of a ray/sphere method's answers.
+
+#include <rayproof/roots.hpp>
+
+namespace rayproof {
+
+/// All points at distance `radius` from `center`; a radius of 0 makes it a point.
+///
+/// Units of the contracts. Let S = |origin - center| + radius, the size of the scene as the ray sees it, and ε the
+/// unit roundoff (2^-24 in float, 2^-53 in double). *Verdict* and *residual* are lengths in units of ε·S·(S/radius)^p
+/// with p = `far_power` of the method: a verdict may be wrong only where a sphere whose radius differs by that length
+/// has the other verdict, and every hit p(t) is within that length of the surface. *Ulp* is in ulps of the exact t.
+/// *Domain* speaks of S and of |direction|. Under a transform, lengths are measured in the sphere's own space and
+/// the unit grows by the transform's condition number.
+template <class T>
+struct Sphere {
+  vec3<T> center;
+  T radius;
+};
+
+/// The same sphere in another arithmetic.
+template <class To, class From>
+[[nodiscard]] constexpr Sphere<To> convert(const Sphere<From>& sphere) {
+  return {convert<To>(sphere.center), To(sphere.radius)};
+}
+
+/// The outward unit normal at a point of the sphere; NaN where the radius is 0.
+template <class T>
+[[nodiscard]] vec3<T> normal_at(const Sphere<T>& sphere, const vec3<T>& point) {
+  const vec3<T> n = point - sphere.center;
+  return (T(1) / sqrt(dot(n, n))) * n;
+}
+
+/// The bound, in the units above with p = 0, that a robust ray/sphere method keeps (Claim::robust).
+inline constexpr double sphere_robust_bound = 8;
+
+}  // namespace rayproof

@@ -1,0 +1,40 @@
+#pragma once
+/// \file
+/// The ray/sphere methods, one line each.
+
+#include <rayproof/sphere/centred.hpp>
+#include <rayproof/sphere/compensated.hpp>
+#include <rayproof/sphere/half_b.hpp>
+#include <rayproof/sphere/printed_2ac.hpp>
+#include <rayproof/sphere/printed_half_b.hpp>
+#include <rayproof/sphere/stable.hpp>
+#include <rayproof/sphere/textbook.hpp>
+#include <rayproof/type_list.hpp>
+
+namespace rayproof::sphere {
+
+/// The topic as the registries see it.
+struct Topic {
+  static constexpr const char* name = "sphere";
+  using Methods = TypeList<Textbook, HalfB, Stable, Centred, Compensated, Printed2ac, PrintedHalfB>;
+
+  /// A ray and the sphere it is put to.
+  template <class T>
+  struct Problem {
+    Ray<T> ray;
+    Sphere<T> shape;
+
+    template <class To>
+    [[nodiscard]] constexpr Problem<To> as() const {
+      return {convert<To>(ray), convert<To>(shape)};
+    }
+  };
+
+  /// Runs a method's kernel on a problem, in the problem's arithmetic.
+  template <class Method, class T>
+  [[nodiscard]] static constexpr Roots<T> solve(const Problem<T>& problem) {
+    return Method::roots(problem.ray, problem.shape);
+  }
+};
+
+}  // namespace rayproof::sphere

@@ -1,0 +1,42 @@
+#pragma once
+#include <rayproof/contract.hpp>
+#include <rayproof/narration.hpp>
+#include <rayproof/sphere.hpp>
+
+namespace rayproof::sphere {
+
+/// The quadratic formula with the denominator 2ac, **as printed** in the source: wrong unless c = 1.
+///
+/// Kept so that the property tests refute it. The right denominator is 2a (see Textbook).
+struct Printed2ac {
+  static constexpr const char* name = "printed_2ac";
+  static constexpr const char* title = "as printed: denominator 2ac";
+  static constexpr Source source{"P. Drábek", "Geometrie pro počítačovou grafiku", 2017};
+  static constexpr int far_power = 0;
+  static constexpr Contract contract{
+      .standing = Standing::printed,
+      .holds = always_claimed,
+      .refuted = {{{Claim::robust, "the denominator must be 2a, not 2ac"},
+                   {Claim::scaled, "2ac has the wrong dimension: t changes when the scene's unit does"}}}};
+
+  template <class T>
+  [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Sphere<T>& sphere) {
+    step<T>("Put the ray into the sphere's equation");
+    const vec3<T> f = named("f", ray.origin - sphere.center);
+    const vec3<T> u = ray.direction;
+    const T a = named("a", dot(u, u));
+    const T b = named("b", T(2) * dot(u, f));
+    const T c = named("c", dot(f, f) - sphere.radius * sphere.radius);
+
+    step<T>("Form the discriminant");
+    const T D = named("D", b * b - T(4) * a * c);
+
+    step<T>("Divide by 2ac, as printed");
+    const T s = named("√D", sqrt(D));
+    const T t0 = named("t₀", (-b - s) / (T(2) * a * c));
+    const T t1 = named("t₁", (-b + s) / (T(2) * a * c));
+    return ascending(D, t0, t1);
+  }
+};
+
+}  // namespace rayproof::sphere

@@ -1,0 +1,41 @@
+#pragma once
+#include <rayproof/contract.hpp>
+#include <rayproof/narration.hpp>
+#include <rayproof/sphere.hpp>
+
+namespace rayproof::sphere {
+
+/// t = -b ± √(b² - c), **as printed** in the source, which does not say that it needs |d| = 1.
+///
+/// Kept so that the property tests refute it on a direction of another length. HalfB is the mended form.
+struct PrintedHalfB {
+  static constexpr const char* name = "printed_half_b";
+  static constexpr const char* title = "as printed: half-b form without |d| = 1";
+  static constexpr Source source{"(lecture)", "Algoritm peresecheniya lucha s prosteishimi ob'ektami", 2022};
+  static constexpr int far_power = 0;
+  static constexpr Contract contract{
+      .standing = Standing::printed,
+      .holds = always_claimed,
+      .refuted = {{{Claim::robust, "holds only for a direction of length 1"},
+                   {Claim::scaled, "a direction twice as long must halve t"}}}};
+
+  template <class T>
+  [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Sphere<T>& sphere) {
+    step<T>("Put the ray into the sphere's equation, taking |d| = 1 for granted");
+    const vec3<T> f = named("f", ray.origin - sphere.center);
+    const vec3<T> d = ray.direction;
+    const T b = named("b", dot(d, f));
+    const T c = named("c", dot(f, f) - sphere.radius * sphere.radius);
+
+    step<T>("Form the discriminant");
+    const T D = named("D", b * b - c);
+
+    step<T>("Apply the formula as printed");
+    const T s = named("√D", sqrt(D));
+    const T t0 = named("t₀", -b - s);
+    const T t1 = named("t₁", -b + s);
+    return ascending(D, t0, t1);
+  }
+};
+
+}  // namespace rayproof::sphere

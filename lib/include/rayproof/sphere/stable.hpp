@@ -1,0 +1,48 @@
+#pragma once
+#include <rayproof/contract.hpp>
+#include <rayproof/narration.hpp>
+#include <rayproof/sphere.hpp>
+
+namespace rayproof::sphere {
+
+/// The textbook's coefficients, but roots that do not cancel: one from the branch where b and √D add up, the other
+/// from Viète's t₀t₁ = c/a.
+///
+/// Cures the small root of a nearby sphere and cures nothing of the discriminant: the rounding of a, b and c is the
+/// error, so far spheres fail as before.
+struct Stable {
+  static constexpr const char* name = "stable";
+  static constexpr const char* title = "stable roots on the textbook's coefficients";
+  static constexpr Source source{"W. Press et al.", "Numerical Recipes, 5.6 Quadratic and Cubic Equations", 1992};
+  static constexpr int far_power = 1;
+  static constexpr Contract contract{
+      .standing = Standing::naive,
+      .verdict = {.measured = 0, .promised = 16},
+      .residual = {.measured = 0, .promised = 16},
+      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::moved, Claim::scaled, Claim::reversed,
+                                       Claim::bounded},
+      .refuted = {{{Claim::robust, "stable roots can't mend coefficients whose rounding already lost the sphere"}}}};
+
+  template <class T>
+  [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Sphere<T>& sphere) {
+    step<T>("Put the ray into the sphere's equation");
+    const vec3<T> f = named("f", ray.origin - sphere.center);
+    const vec3<T> d = ray.direction;
+    const T a = named("a", dot(d, d));
+    const T b = named("b", -dot(d, f));
+    const T c = named("c", dot(f, f) - sphere.radius * sphere.radius);
+
+    step<T>("Form a quarter of the discriminant");
+    const T D = named("D", b * b - a * c);
+
+    step<T>("Add up b and √D where they have one sign");
+    const T q = named("q", b + copysign(sqrt(D), b));
+
+    step<T>("Take one root from q and the other from Viète");
+    const T t1 = named("t₁", q / a);
+    const T t0 = named("t₀", select(q == T(0), q, c / q));
+    return ascending(D, t0, t1);
+  }
+};
+
+}  // namespace rayproof::sphere

@@ -1,0 +1,45 @@
+#pragma once
+#include <rayproof/contract.hpp>
+#include <rayproof/narration.hpp>
+#include <rayproof/sphere.hpp>
+
+namespace rayproof::sphere {
+
+/// Ray and sphere as every lecture has it: at² + bt + c = 0 by the quadratic formula.
+///
+/// Right in real numbers and in scenes of one size. In floats the rounding of b² and 4ac, not the geometry, decides
+/// whether a small far sphere is hit: the error grows with (S/radius)², which is what far_power = 1 says.
+struct Textbook {
+  static constexpr const char* name = "textbook";
+  static constexpr const char* title = "quadratic formula in a, b, c";
+  static constexpr Source source{"R. Bán", "Számítógépes grafika: Raycasting", 2022};
+  static constexpr int far_power = 1;
+  static constexpr Contract contract{
+      .standing = Standing::naive,
+      .verdict = {.measured = 0, .promised = 16},
+      .residual = {.measured = 0, .promised = 16},
+      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::moved, Claim::scaled, Claim::reversed,
+                                       Claim::bounded},
+      .refuted = {{{Claim::robust, "b² and 4ac of a far sphere agree in all the digits that are kept"}}}};
+
+  template <class T>
+  [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Sphere<T>& sphere) {
+    step<T>("Put the ray into the sphere's equation");
+    const vec3<T> f = named("f", ray.origin - sphere.center);
+    const vec3<T> d = ray.direction;
+    const T a = named("a", dot(d, d));
+    const T b = named("b", T(2) * dot(d, f));
+    const T c = named("c", dot(f, f) - sphere.radius * sphere.radius);
+
+    step<T>("Form the discriminant");
+    const T D = named("D", b * b - T(4) * a * c);
+
+    step<T>("Apply the quadratic formula");
+    const T s = named("√D", sqrt(D));
+    const T t0 = named("t₀", (-b - s) / (T(2) * a));
+    const T t1 = named("t₁", (-b + s) / (T(2) * a));
+    return ascending(D, t0, t1);
+  }
+};
+
+}  // namespace rayproof::sphere

@@ -1,0 +1,54 @@
+#pragma once
+/// \file
+/// Vectors of three numbers: GLM's where GLM can hold the number, a small look-alike where it cannot.
+
+#include <concepts>
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <type_traits>
+
+namespace rayproof {
+
+/// Three numbers of any arithmetic, with glm::vec3's member names. GLM's own class keeps its components in
+/// unions, which a pack, a recorded number or an expansion cannot live in.
+template <class T>
+struct Vec3 {
+  T x, y, z;
+};
+
+template <class T>
+constexpr Vec3<T> operator+(const Vec3<T>& a, const Vec3<T>& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class T>
+constexpr Vec3<T> operator-(const Vec3<T>& a, const Vec3<T>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class T>
+constexpr Vec3<T> operator*(const T& s, const Vec3<T>& v) {
+  return {s * v.x, s * v.y, s * v.z};
+}
+
+/// The vector type of arithmetic `T`: `glm::vec3` for float, `glm::dvec3` for double, `Vec3<T>` otherwise.
+template <class T>
+using vec3 = std::conditional_t<std::floating_point<T>, glm::vec<3, T>, Vec3<T>>;
+
+template <class T>
+[[nodiscard]] constexpr T dot(const Vec3<T>& a, const Vec3<T>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/// GLM's own `dot` refuses non-IEEE types and may reorder under its SIMD switches; this one is always x, y, z.
+template <std::floating_point T>
+[[nodiscard]] constexpr T dot(const glm::vec<3, T>& a, const glm::vec<3, T>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/// The same vector in another arithmetic.
+template <class To, class V>
+[[nodiscard]] constexpr vec3<To> convert(const V& v) {
+  return vec3<To>{To(v.x), To(v.y), To(v.z)};
+}
+
+}  // namespace rayproof

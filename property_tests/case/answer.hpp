@@ -1,0 +1,37 @@
+#pragma once
+/// \file
+/// An answer to a case, whoever gave it: the oracle, one of our methods, or somebody else's program.
+
+#include <array>
+#include <cstddef>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <rayproof/quadratic.hpp>
+#include <span>
+#include <variant>
+
+namespace rayproof {
+
+/// How the first hit touches, or why there is none; the names of the case format.
+enum class Contact { crossing, tangent, edge, vertex, rim, in_surface, parallel, degenerate, none };
+
+/// A short list of t, ascending. No shape of the format is met more than four times by a line.
+struct HitList {
+  std::array<double, 4> t{};
+  std::size_t count = 0;
+  void push_back(double value) { t.at(count++) = value; }
+  [[nodiscard]] std::span<const double> view() const { return {t.data(), count}; }
+};
+
+/// The answer to a RayQuestion. The verdict is `hit` where `hits` is not empty.
+struct RayAnswer {
+  Contact contact = Contact::none;
+  HitList hits{};
+  std::optional<glm::dvec3> point{};   ///< of the first hit
+  std::optional<glm::dvec3> normal{};  ///< of the first hit, a unit vector
+};
+
+/// The answer to any case.
+using Answer = std::variant<RayAnswer, QuadraticAnswer<double>>;
+
+}  // namespace rayproof

@@ -1,0 +1,42 @@
+#pragma once
+/// \file
+/// A case: one question with the bits of every input number fixed. The currency of the whole suite.
+
+#include <optional>
+#include <rayproof/quadratic.hpp>
+#include <rayproof/ray.hpp>
+#include <string>
+#include <variant>
+
+#include "case/shapes.hpp"
+
+namespace rayproof {
+
+/// The format a case's numbers and its correctly rounded answers are rounded to.
+enum class Precision { float32, float64 };
+
+/// Where does a ray meet a shape? All numbers are already rounded to the case's precision.
+struct RayQuestion {
+  Ray<double> ray;
+  Shape shape;
+  /// Object to world, column-major as GLM has it, affine and regular; the shape in the world is the shape's image.
+  std::optional<glm::dmat4> transform{};
+};
+
+/// What can be asked. A new kind of question is a line here.
+using Question = std::variant<RayQuestion, Quadratic<double>>;
+
+/// One question, and what it carries along.
+struct Case {
+  /// The `id` as JSON text ("7", "\"far sphere\""), empty where the case has none.
+  std::string id{};
+  Precision precision = Precision::float64;
+  /// Free text that is carried along and never judged.
+  std::string note{};
+  Question question{};
+};
+
+/// The case's topic, as in `sphere/centred`: "quadratic", or the shape's type.
+[[nodiscard]] std::string topic_of(const Case& one);
+
+}  // namespace rayproof

@@ -1,0 +1,25 @@
+#pragma once
+/// \file
+/// Families of cases, each aimed at one kind of difficulty.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "case/case.hpp"
+
+namespace rayproof {
+
+/// A source of random cases of one kind.
+struct Family {
+  std::string topic;        ///< "sphere"
+  std::string name;         ///< "grazing"
+  std::string description;  ///< one line: what makes it hard
+  /// The case that the seed stands for; the same seed always gives the same case.
+  Case (*generate)(std::uint64_t seed, Precision precision) = nullptr;
+};
+
+/// Every family, in the order of the registries.
+[[nodiscard]] const std::vector<Family>& families();
+
+}  // namespace rayproof
