@@ -1,4 +1,4 @@
-# Settings every target shares, and what is found on this machine.
+# Settings every target shares.
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)

@@ -1,0 +1,47 @@
+# How the parts, programs and tests of the laboratory are made. Sources are globbed: adding a file needs no edit.
+include(GNUInstallDirs)
+
+# rayproof_part(NAME FOLDER [LIBRARIES…]): a static library of all sources in FOLDER, linked to LIBRARIES.
+# A folder of headers alone, or one still empty, makes an interface library.
+function(rayproof_part name folder)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
+  if(sources)
+    add_library(${name} STATIC ${sources})
+    target_link_libraries(${name} PRIVATE rayproof_flags)
+    set(scope PUBLIC)
+  else()
+    add_library(${name} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  target_include_directories(${name} ${scope} ${PROJECT_SOURCE_DIR}/property_tests)
+  target_link_libraries(${name} ${scope} rayproof::rayproof ${ARGN})
+endfunction()
+
+# rayproof_program(NAME [LIBRARIES…]): the program rayproof-NAME from NAME.cpp and NAME/*.cpp of the current folder.
+# The front door finds it in the build tree's bin/, or in libexec/rayproof/ once installed.
+function(rayproof_program name)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}.cpp
+       ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  add_executable(rayproof-${name} ${sources})
+  target_include_directories(rayproof-${name} PRIVATE ${PROJECT_SOURCE_DIR}/property_tests)
+  target_link_libraries(rayproof-${name} PRIVATE CLI11::CLI11 fmt::fmt ${ARGN} rayproof_flags)
+  install(TARGETS rayproof-${name} RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/rayproof COMPONENT programs)
+endfunction()
+
+# rayproof_unit_tests(FOLDER [LIBRARIES…]): one executable of the GoogleTests under FOLDER, each a test of CTest.
+# The tests know the programs' folder as RAYPROOF_BIN_DIR and the checkout as RAYPROOF_SOURCE_DIR.
+function(rayproof_unit_tests folder)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  add_executable(unit-${folder} ${sources})
+  target_include_directories(unit-${folder} PRIVATE ${PROJECT_SOURCE_DIR}/property_tests)
+  target_compile_definitions(unit-${folder} PRIVATE RAYPROOF_BIN_DIR="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}"
+                                                    RAYPROOF_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  target_link_libraries(unit-${folder} PRIVATE ${ARGN} GTest::gtest_main rayproof_flags)
+  gtest_discover_tests(unit-${folder} TEST_PREFIX ${folder}/ DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60)
+endfunction()
