@@ -2,9 +2,10 @@
 /// \file
 /// The vocabulary every kernel is written in, and its meaning in the plain arithmetics `float` and `double`.
 ///
-/// A kernel is a template over its number type `T`. It may use `+ - * /`, comparisons (which give a `Mask<T>`),
-/// and the functions of this file, called unqualified so that an arithmetic brings its own by argument-dependent
-/// lookup. A new arithmetic is a type with these operations: see docs/add-an-arithmetic.md.
+/// A kernel is a template over its number type `T`. It may use `+ - * /`, comparisons (which give a
+/// `Mask<T>`), and the functions of this file, called unqualified so that an arithmetic brings its own by
+/// argument-dependent lookup. A new arithmetic is a type with these operations: see
+/// docs/add-an-arithmetic.md.
 
 #include <cmath>
 #include <concepts>
@@ -82,10 +83,12 @@ struct PlainOf {
 template <class T>
 using Plain = typename PlainOf<T>::type;
 
-/// Infinity and NaN in the arithmetic `T`.
+/// Infinity, NaN, and the number of digits of the significand in the arithmetic `T`.
 template <class T>
 inline constexpr Plain<T> infinity = std::numeric_limits<Plain<T>>::infinity();
 template <class T>
 inline constexpr Plain<T> not_a_number = std::numeric_limits<Plain<T>>::quiet_NaN();
+template <class T>
+inline constexpr int digits = std::numeric_limits<Plain<T>>::digits;
 
 }  // namespace rayproof

@@ -17,29 +17,30 @@ struct Vec3 {
   T x, y, z;
 };
 
-template <class T>
-constexpr Vec3<T> operator+(const Vec3<T>& a, const Vec3<T>& b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
+template <class A, class B>
+[[nodiscard]] constexpr auto operator+(const Vec3<A>& a, const Vec3<B>& b) {
+  return Vec3<decltype(a.x + b.x)>{a.x + b.x, a.y + b.y, a.z + b.z};
 }
-template <class T>
-constexpr Vec3<T> operator-(const Vec3<T>& a, const Vec3<T>& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
+template <class A, class B>
+[[nodiscard]] constexpr auto operator-(const Vec3<A>& a, const Vec3<B>& b) {
+  return Vec3<decltype(a.x - b.x)>{a.x - b.x, a.y - b.y, a.z - b.z};
 }
-template <class T>
-constexpr Vec3<T> operator*(const T& s, const Vec3<T>& v) {
-  return {s * v.x, s * v.y, s * v.z};
+template <class S, class A>
+[[nodiscard]] constexpr auto operator*(const S& s, const Vec3<A>& v) {
+  return Vec3<decltype(s * v.x)>{s * v.x, s * v.y, s * v.z};
 }
 
 /// The vector type of arithmetic `T`: `glm::vec3` for float, `glm::dvec3` for double, `Vec3<T>` otherwise.
 template <class T>
 using vec3 = std::conditional_t<std::floating_point<T>, glm::vec<3, T>, Vec3<T>>;
 
-template <class T>
-[[nodiscard]] constexpr T dot(const Vec3<T>& a, const Vec3<T>& b) {
+template <class A, class B>
+[[nodiscard]] constexpr auto dot(const Vec3<A>& a, const Vec3<B>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/// GLM's own `dot` refuses non-IEEE types and may reorder under its SIMD switches; this one is always x, y, z.
+/// GLM's own `dot` refuses non-IEEE types and may reorder under its SIMD switches; this one is always x, y,
+/// z.
 template <std::floating_point T>
 [[nodiscard]] constexpr T dot(const glm::vec<3, T>& a, const glm::vec<3, T>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;

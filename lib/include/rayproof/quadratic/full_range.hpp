@@ -3,29 +3,43 @@
 
 namespace rayproof::quadratic {
 
-/// Kahan's method for coefficients of any finite size: exponents are balanced first, so that nothing on the way
-/// overflows or underflows unless the root itself does.
+/// Kahan's method for coefficients of any finite size: exponents are balanced first, so that nothing on the
+/// way overflows or underflows unless the root itself does.
 ///
-/// With x = 2^k·y, k halfway between the exponents of c and a, the scaled a and c lie within [1, 4); a scaled b whose
-/// square would overflow is so large that √D = |b| to the last digit.
+/// With x = 2^k·y, k halfway between the exponents of c and a, the scaled a and c lie within [1/2, 2). A
+/// scaled b of more than 2^digits would overflow when squared; there √D = |b| to the last digit.
 struct FullRange {
   static constexpr const char* name = "full_range";
   static constexpr const char* title = "Kahan's discriminant on balanced exponents";
-  static constexpr Source source{"F. Goualard", "The Ins and Outs of Solving Quadratic Equations with Floating-Point Arithmetic",
-                                 2023};
+  static constexpr Source source{
+      "F. Goualard", "The Ins and Outs of Solving Quadratic Equations with Floating-Point Arithmetic", 2023};
   static constexpr Contract contract{
       .verdict = {.measured = 0, .promised = 0},
       .residual = {.measured = 0, .promised = 8},
       .ulp = {.measured = 0, .promised = 4},
       .domain = any_finite,
-      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::ulp, Claim::robust, Claim::scaled,
-                                       Claim::reversed}};
+      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::ulp, Claim::robust,
+                                       Claim::scaled, Claim::reversed}};
 
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Quadratic<T>& q) {
     step<T>("Balance the exponents of a and c");
-    // TODO(core)
-    return Kahan::roots(q);
+    const T e_a = exponent(select(q.a == T(0), q.c, q.a));
+    const T e_c = exponent(select(q.c == T(0), q.a, q.c));
+    const T k = floor(T(0.5) * (e_c - e_a));
+    const T e_b = exponent(q.b) + k - e_c;
+    const Quadratic<T> balanced{scale_exponent(q.a, T(2) * k - e_c), scale_exponent(q.b, k - e_c),
+                                scale_exponent(q.c, -e_c)};
+
+    step<T>("Solve the balanced equation and scale its roots back");
+    const Roots<T> y = Kahan::roots(balanced);
+    const T x0 = scale_exponent(y.lo, k);
+    const T x1 = scale_exponent(y.hi, k);
+
+    step<T>("Where b outweighs a and c beyond all digits, take -b/a and -c/b");
+    const Mask<T> b_rules = q.b != T(0) && (q.a == T(0) || q.c == T(0) || T(digits<T>) < e_b);
+    return ascending(select(b_rules, T(1), y.discriminant), select(b_rules, -q.b / q.a, x0),
+                     select(b_rules, -q.c / q.b, x1));
   }
 };
 

@@ -1,0 +1,106 @@
+#pragma once
+/// \file
+/// Expansions: sums, differences and products of floating-point numbers with no rounding at all.
+///
+/// An expansion is an unevaluated sum of floating-point terms that do not overlap, smallest first, none of
+/// them 0.
+/// `+ - *` between expansions are exact as long as no term over- or underflows, so a formula without division
+/// or root has its exact value, and the sign of that value is the sign of the last term. Source: J. R.
+/// Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", 1997.
+
+#include <array>
+#include <cstddef>
+#include <rayproof/arithmetic.hpp>
+#include <rayproof/error_free.hpp>
+#include <rayproof/vec3.hpp>
+
+namespace rayproof {
+
+/// The sum of `terms[0 .. count)`; `Capacity` is the most terms the operations that led here can leave.
+template <std::floating_point T, std::size_t Capacity>
+struct Expansion {
+  std::array<T, Capacity> terms;
+  std::size_t count = 0;
+
+  constexpr Expansion() {}  // NOLINT(modernize-use-equals-default): `terms` beyond `count` stay uninitialised
+  constexpr explicit Expansion(T value) { push(value); }
+
+  /// Appends a term larger than all others; 0 leaves no trace.
+  constexpr void push(T term) {
+    if (term != 0) terms[count++] = term;
+  }
+
+  /// Adds one number exactly (Shewchuk's GROW-EXPANSION with zero elimination).
+  constexpr void add(T value) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto [rounded, rest] = two_sum(terms[i], value);
+      if (rest != 0) terms[kept++] = rest;
+      value = rounded;
+    }
+    count = kept;
+    push(value);
+  }
+};
+
+/// A plain number as an expansion.
+template <std::floating_point T>
+[[nodiscard]] constexpr Expansion<T, 1> exact(T x) {
+  return Expansion<T, 1>(x);
+}
+
+/// A vector of plain numbers as a vector of expansions over `T`, which holds them exactly.
+template <std::floating_point T, class V>
+[[nodiscard]] constexpr Vec3<Expansion<T, 1>> exact_vector(const V& v) {
+  return {exact(T(v.x)), exact(T(v.y)), exact(T(v.z))};
+}
+
+template <class T, std::size_t N>
+[[nodiscard]] constexpr Expansion<T, N> operator-(Expansion<T, N> x) {
+  for (std::size_t i = 0; i < x.count; ++i) x.terms[i] = -x.terms[i];
+  return x;
+}
+
+template <class T, std::size_t N, std::size_t M>
+[[nodiscard]] constexpr Expansion<T, N + M> operator+(const Expansion<T, N>& x, const Expansion<T, M>& y) {
+  Expansion<T, N + M> sum;
+  for (std::size_t i = 0; i < x.count; ++i) sum.push(x.terms[i]);
+  for (std::size_t i = 0; i < y.count; ++i) sum.add(y.terms[i]);
+  return sum;
+}
+
+template <class T, std::size_t N, std::size_t M>
+[[nodiscard]] constexpr Expansion<T, N + M> operator-(const Expansion<T, N>& x, const Expansion<T, M>& y) {
+  return x + (-y);
+}
+
+template <class T, std::size_t N, std::size_t M>
+[[nodiscard]] constexpr Expansion<T, 2 * N * M> operator*(const Expansion<T, N>& x,
+                                                          const Expansion<T, M>& y) {
+  Expansion<T, 2 * N * M> product;
+  for (std::size_t i = 0; i < x.count; ++i) {
+    for (std::size_t j = 0; j < y.count; ++j) {
+      const auto [rounded, rest] = two_product(x.terms[i], y.terms[j]);
+      if (rest != 0) product.add(rest);
+      product.add(rounded);
+    }
+  }
+  return product;
+}
+
+/// The value to within one ulp, with the exact sign; 0 only where the value is 0.
+template <class T, std::size_t N>
+[[nodiscard]] constexpr T estimate(const Expansion<T, N>& x) {
+  T sum = 0;
+  for (std::size_t i = 0; i < x.count; ++i) sum += x.terms[i];
+  return sum;
+}
+
+/// The sign of the exact value: -1, 0 or 1.
+template <class T, std::size_t N>
+[[nodiscard]] constexpr int sign(const Expansion<T, N>& x) {
+  if (x.count == 0) return 0;
+  return x.terms[x.count - 1] > 0 ? 1 : -1;
+}
+
+}  // namespace rayproof

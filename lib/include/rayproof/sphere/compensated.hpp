@@ -1,0 +1,145 @@
+#pragma once
+#include <rayproof/arithmetics/expansion.hpp>
+#include <rayproof/contract.hpp>
+#include <rayproof/narration.hpp>
+#include <rayproof/sphere.hpp>
+#include <rayproof/sphere/centred.hpp>
+
+namespace rayproof::sphere {
+
+/// The textbook's formula with nothing rounded before the square root: a, b, c and the discriminant are exact
+/// expansions in double, so the verdict is the exact one and every t is within one ulp, grazing rays
+/// included.
+///
+/// A ray in float is first put to Centred in double, whose answer stands where it is clear of every rounding;
+/// the expansions decide the rest. An answer is never rounded across an end of the ray's interval. Holds for
+/// all finite floats; for doubles within the domain, beyond which terms of the expansions over- or underflow.
+struct Compensated {
+  static constexpr const char* name = "compensated";
+  static constexpr const char* title = "exact discriminant by expansions";
+  static constexpr Source source{
+      "J. R. Shewchuk", "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates",
+      1997};
+  static constexpr int far_power = 0;
+  static constexpr Contract contract{
+      .verdict = {.measured = 0, .promised = 0},
+      .residual = {.measured = 0, .promised = 2},
+      .ulp = {.measured = 0, .promised = 1},
+      .domain = {.reach_float = 1000, .reach_double = 200},
+      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::ulp, Claim::robust,
+                                       Claim::moved, Claim::scaled, Claim::reversed}};
+
+  template <std::floating_point T>
+  [[nodiscard]] static Roots<T> roots(const Ray<T>& ray, const Sphere<T>& sphere) {
+    if constexpr (sizeof(T) < sizeof(double)) {
+      const Ray<double> wide_ray = convert<double>(ray);
+      const Sphere<double> wide_sphere = convert<double>(sphere);
+      const Roots<double> wide = Centred::roots(wide_ray, wide_sphere);
+      if (is_clear<T>(wide_ray, wide_sphere, wide)) {
+        return {sign_as<T>(wide.discriminant), static_cast<T>(wide.lo), static_cast<T>(wide.hi)};
+      }
+    }
+    return exact_roots(ray, sphere);
+  }
+
+ private:
+  /// The exact quadratic a·t² - 2b·t + c of a ray and a sphere.
+  template <class A, class B, class C>
+  struct Equation {
+    A a;
+    B b;
+    C c;
+
+    [[nodiscard]] auto at(double t) const { return (a * exact(t) - exact(2.0) * b) * exact(t) + c; }
+    [[nodiscard]] auto slope_at(double t) const { return a * exact(t) - b; }
+
+    /// The sign of (root - t) for the lower (side = -1) or upper (side = 1) root, exactly.
+    [[nodiscard]] int compare(int side, double t) const {
+      const int value = sign(at(t));
+      const int slope = sign(slope_at(t));
+      if (value > 0) return slope > 0 ? -1 : 1;  // outside the roots: both lie on one side of t
+      if (value < 0) return side;                // between the roots
+      return slope * side >= 0 ? 0 : side;       // t is a root: this one, or the other
+    }
+  };
+
+  template <class T>
+  static T sign_as(double x) {
+    return static_cast<T>((x > 0) - (x < 0));
+  }
+
+  /// Whether double rounding errors can't have touched the verdict or moved a root by more than 2^-20 float
+  /// ulps.
+  template <class T>
+  static bool is_clear(const Ray<double>& ray, const Sphere<double>& sphere, const Roots<double>& wide) {
+    const glm::dvec3 f = ray.origin - sphere.center;
+    const double rr = sphere.radius * sphere.radius;
+    const double ff = dot(f, f);
+    const double D = wide.discriminant;
+    // Centred's D = r² - l² is off by at most 2^-49·(r + |l|)·(|f| + r); ask for 2^-22 of those lengths.
+    const double ll = rr - D;
+    if (!(D * D >= 0x1p-42 * (rr + ll) * (ff + rr))) return false;
+    if (D < 0) return true;
+    const double smaller = min(abs(wide.lo), abs(wide.hi));
+    const double larger = max(abs(wide.lo), abs(wide.hi));
+    if (!(smaller >= 0x1p-18 * larger && smaller >= static_cast<double>(std::numeric_limits<T>::min())))
+      return false;
+    const auto is_beside = [](double t, double end) { return abs(t - end) <= 0x1p-22 * abs(t); };
+    return !(is_beside(wide.lo, ray.t_min) || is_beside(wide.lo, ray.t_max) ||
+             is_beside(wide.hi, ray.t_min) || is_beside(wide.hi, ray.t_max));
+  }
+
+  template <class T>
+  static Roots<T> exact_roots(const Ray<T>& ray, const Sphere<T>& sphere) {
+    step<T>("Form the coefficients and the discriminant exactly");
+    const auto f = exact_vector<double>(ray.origin) - exact_vector<double>(sphere.center);
+    const auto d = exact_vector<double>(ray.direction);
+    const auto r = exact(static_cast<double>(sphere.radius));
+    const auto a = dot(d, d);
+    const auto b = -dot(f, d);
+    const auto c = dot(f, f) - r * r;
+    const auto D = b * b - a * c;
+    constexpr T nan = not_a_number<T>;
+    if (!(estimate(D) >= 0 && sign(a) > 0)) return {estimate(D) < 0 ? T(-1) : nan, nan, nan};
+
+    step<T>("Take one root from q and the other from Viète");
+    const double s = sqrt(estimate(D));
+    const double q = estimate(b) + copysign(s, estimate(b));
+    const double t1 = q / estimate(a);
+    const double t0 = q == 0 ? q : estimate(c) / q;
+
+    step<T>("Round each root to its own side of the interval's ends");
+    const Equation<decltype(a), decltype(b), decltype(c)> equation{a, b, c};
+    const auto root = [&](int side, double t) {
+      if constexpr (sizeof(T) == sizeof(double)) t = refine(equation, side * s, t);
+      return keep_side(ray, static_cast<T>(t), [&](double end) { return equation.compare(side, end); });
+    };
+    return {sign_as<T>(estimate(D)), root(-1, min(t0, t1)), root(1, max(t0, t1))};
+  }
+
+  /// t less its exact residual over the exact slope between t and the root: rounds once.
+  template <class E>
+  static double refine(const E& equation, double signed_s, double t) {
+    if (!(abs(t) < infinity<double>)) return t;
+    const double slope = estimate(equation.slope_at(t)) + signed_s;
+    return slope == 0 ? t : t - estimate(equation.at(t)) / slope;
+  }
+
+  /// Moves a rounded root by one ulp where rounding carried it onto or across an end of the ray's interval.
+  /// `compare(end)` is the exact sign of (root - end).
+  template <class T, class Compare>
+  static T keep_side(const Ray<T>& ray, T t, Compare&& compare) {
+    for (const T end : {ray.t_min, ray.t_max}) {
+      if (!(abs(end) < infinity<T>)) continue;
+      const bool is_near = std::nextafter(t, end) == end || t == end;
+      if (!is_near) continue;
+      const int side = compare(static_cast<double>(end));
+      if (side == 0) return end;
+      if (side < 0 && !(t < end)) return std::nextafter(end, -infinity<T>);
+      if (side > 0 && !(t > end)) return std::nextafter(end, infinity<T>);
+    }
+    return t;
+  }
+};
+
+}  // namespace rayproof::sphere

@@ -1,0 +1,82 @@
+#pragma once
+/// \file
+/// Transformed objects: the ray goes into the object's own space, the answer comes back out.
+
+#include <rayproof/difference_of_products.hpp>
+#include <rayproof/error_free.hpp>
+#include <rayproof/ray.hpp>
+
+namespace rayproof {
+
+/// The way from the world into an object's space: p ↦ A⁻¹(p - b) for the object-to-world map q ↦ A·q + b.
+///
+/// The entries of A⁻¹ are good to a few ulps each even where A is badly conditioned: cofactors and
+/// determinant are formed without cancelling their rounding errors. What a transformed ray then loses is the
+/// conditioning of A itself.
+template <class T>
+struct ObjectSpace {
+  vec3<T> row_x, row_y, row_z;  ///< the rows of A⁻¹
+  vec3<T> translation;          ///< b
+
+  [[nodiscard]] constexpr vec3<T> direction(const vec3<T>& v) const {
+    return vec3<T>{dot(row_x, v), dot(row_y, v), dot(row_z, v)};
+  }
+  [[nodiscard]] constexpr vec3<T> point(const vec3<T>& p) const { return direction(p - translation); }
+};
+
+/// a·b as if computed in twice the digits and rounded once (T. Ogita, S. M. Rump, S. Oishi, "Accurate Sum and
+/// Dot Product", 2005, algorithm Dot2).
+template <class T>
+[[nodiscard]] constexpr T dot_compensated(const vec3<T>& a, const vec3<T>& b) {
+  const auto x = two_product(a.x, b.x);
+  const auto y = two_product(a.y, b.y);
+  const auto z = two_product(a.z, b.z);
+  const auto xy = two_sum(x.rounded, y.rounded);
+  const auto xyz = two_sum(xy.rounded, z.rounded);
+  return xyz.rounded + (x.rest + y.rest + z.rest + xy.rest + xyz.rest);
+}
+
+/// a × b, every component within 1.5 ulp.
+template <class T>
+[[nodiscard]] constexpr vec3<T> cross(const vec3<T>& a, const vec3<T>& b) {
+  return vec3<T>{difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
+                 difference_of_products(a.x, b.y, a.y, b.x)};
+}
+
+/// The object space of an affine object-to-world matrix (last row 0 0 0 1, which is not looked at). A
+/// singular matrix gives infinities or NaN, and with them a miss.
+template <std::floating_point T>
+[[nodiscard]] ObjectSpace<T> object_space(const glm::mat<4, 4, T>& object_to_world) {
+  const vec3<T> a{object_to_world[0]};
+  const vec3<T> b{object_to_world[1]};
+  const vec3<T> c{object_to_world[2]};
+  const vec3<T> bc = rayproof::cross<T>(b, c);
+  const T determinant = dot_compensated<T>(a, bc);
+  const auto row = [&](const vec3<T>& cofactors) {
+    return vec3<T>{cofactors.x / determinant, cofactors.y / determinant, cofactors.z / determinant};
+  };
+  return {row(bc), row(rayproof::cross<T>(c, a)), row(rayproof::cross<T>(a, b)), vec3<T>{object_to_world[3]}};
+}
+
+/// The ray as the object sees it: origin as a point, direction as a vector, and the same t, since the
+/// direction is not made a unit vector again.
+template <class T>
+[[nodiscard]] constexpr Ray<T> to_object(const ObjectSpace<T>& space, const Ray<T>& ray) {
+  return {space.point(ray.origin), space.direction(ray.direction), ray.t_min, ray.t_max};
+}
+
+/// A normal of the object as the world sees it: by the inverse transpose, then of unit length.
+template <class T>
+[[nodiscard]] vec3<T> normal_to_world(const ObjectSpace<T>& space, const vec3<T>& normal) {
+  const vec3<T> n = normal.x * space.row_x + normal.y * space.row_y + normal.z * space.row_z;
+  return (T(1) / sqrt(dot(n, n))) * n;
+}
+
+/// The same space in another arithmetic.
+template <class To, class From>
+[[nodiscard]] constexpr ObjectSpace<To> convert(const ObjectSpace<From>& space) {
+  return {convert<To>(space.row_x), convert<To>(space.row_y), convert<To>(space.row_z),
+          convert<To>(space.translation)};
+}
+
+}  // namespace rayproof
