@@ -1,0 +1,126 @@
+#pragma once
+/// \file
+/// What a kernel did, operation by operation: the tape that the recording arithmetic writes.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace rayproof {
+
+/// The operations a recording tells apart. `constant` is a number the kernel did not compute: an input (which
+/// has a name) or a literal.
+enum class Operator {
+  constant,
+  negate,
+  add,
+  subtract,
+  multiply,
+  divide,
+  square_root,
+  fused_multiply_add,
+  absolute,
+  copy_sign,
+  exponent,
+  scale_exponent,
+  floor
+};
+
+/// Index of an operation in its recording; `unrecorded` for a number made while nothing was recording.
+using OperationId = std::ptrdiff_t;
+inline constexpr OperationId unrecorded = -1;
+
+/// One operation and what became of the digits in it.
+template <class Shadow>
+struct Operation {
+  Operator op = Operator::constant;
+  std::array<OperationId, 3> operands{unrecorded, unrecorded, unrecorded};
+  double value = 0;           ///< in the rounded arithmetic
+  Shadow exact{};             ///< the same formula on the same path in the shadow arithmetic
+  double error_bound = 0;     ///< running bound on |value - exact|
+  double bits_lost = 0;       ///< log2(1 + error in ulps of the exact value), at most all the digits
+  double bits_lost_here = 0;  ///< the part of it that no operand had lost before
+  std::ptrdiff_t step = -1;   ///< index into the recording's steps; -1 before the first
+  std::string name{};         ///< as the kernel calls it; empty for a part of a formula
+};
+
+/// A number or vector that the kernel named, in the order of naming.
+struct NamedValue {
+  std::string name;
+  std::vector<OperationId> components;  ///< one, or three of a vector
+  std::ptrdiff_t step = -1;
+};
+
+/// Collects what the recorded numbers of this thread do while it lives; recordings nest.
+template <class Shadow>
+class Recording {
+ public:
+  std::vector<Operation<Shadow>> operations{};
+  std::vector<std::string> steps{};
+  std::vector<NamedValue> names{};
+
+  Recording() : outer_(active_) { active_ = this; }
+  ~Recording() { active_ = outer_; }
+  Recording(const Recording&) = delete;
+  Recording& operator=(const Recording&) = delete;
+
+  /// The recording that listens now, or null.
+  [[nodiscard]] static Recording* active() { return active_; }
+
+  OperationId append(Operation<Shadow> operation) {
+    operation.step = current_step();
+    double lost_before = 0;
+    for (const OperationId id : operation.operands) {
+      if (id != unrecorded) lost_before = std::max(lost_before, at(id).bits_lost);
+    }
+    operation.bits_lost_here = operation.bits_lost - lost_before;
+    operations.push_back(std::move(operation));
+    return static_cast<OperationId>(operations.size()) - 1;
+  }
+  void begin_step(const char* title) { steps.emplace_back(title); }
+  void name(const char* name, const std::vector<OperationId>& components) {
+    names.push_back({name, components, current_step()});
+  }
+  [[nodiscard]] const Operation<Shadow>& at(OperationId id) const {
+    return operations.at(static_cast<std::size_t>(id));
+  }
+  [[nodiscard]] Operation<Shadow>& at(OperationId id) { return operations.at(static_cast<std::size_t>(id)); }
+
+ private:
+  [[nodiscard]] std::ptrdiff_t current_step() const { return static_cast<std::ptrdiff_t>(steps.size()) - 1; }
+
+  static inline thread_local Recording* active_ = nullptr;
+  Recording* outer_;
+};
+
+/// log2(1 + u), u the distance of `value` from `exact` in ulps of `exact` as a `T`; 0 for the correctly
+/// rounded neighbours' sake means "exact", 0.58 half an ulp. All the digits of `T` at most: where value and
+/// exact disagree by as much as the exact number, in being NaN, or in being infinite.
+template <class T, class Shadow>
+[[nodiscard]] double bits_lost(T value, const Shadow& exact) {
+  using std::abs;
+  using std::frexp;
+  using std::ldexp;
+  using Limits = std::numeric_limits<T>;
+  constexpr double all = Limits::digits;
+  const bool exact_is_nan = exact != exact;
+  if (value != value || exact_is_nan) return (value != value) == exact_is_nan ? 0 : all;
+  const Shadow most = Shadow(Limits::max());
+  const Shadow beyond = most + ldexp(Shadow(1), Limits::max_exponent - Limits::digits - 1);
+  if (std::isinf(value)) return (value > 0 ? exact >= beyond : exact <= -beyond) ? 0 : all;
+  if (exact > most || exact < -most) return abs(exact) < beyond && abs(value) == Limits::max() ? 0 : all;
+  const Shadow error = abs(Shadow(value) - exact);
+  if (error == 0) return 0;
+  if (exact == 0) return all;
+  int exponent = 0;
+  (void)frexp(exact, &exponent);
+  const int ulp = std::max(exponent, Limits::min_exponent) - Limits::digits;
+  const auto ulps = static_cast<double>(ldexp(error, -ulp));
+  return std::min(all, std::log2(1 + ulps));
+}
+
+}  // namespace rayproof
