@@ -10,6 +10,13 @@
 
 namespace rayproof {
 
+/// How often a family must produce what it is for: at least `share` of its cases bear `label` (see
+/// labels.hpp). Tests fail where a share is missed: a generator that misses its aim tests nothing.
+struct MinimumShare {
+  std::string label;
+  double share = 0;
+};
+
 /// A source of random cases of one kind.
 struct Family {
   std::string topic;        ///< "sphere"
@@ -17,9 +24,14 @@ struct Family {
   std::string description;  ///< one line: what makes it hard
   /// The case that the seed stands for; the same seed always gives the same case.
   Case (*generate)(std::uint64_t seed, Precision precision) = nullptr;
+  std::vector<MinimumShare> shares{};
 };
 
 /// Every family, in the order of the registries.
 [[nodiscard]] const std::vector<Family>& families();
+
+/// The families of one topic; a new topic adds its function here and its line in generators.cpp.
+[[nodiscard]] std::vector<Family> sphere_families();
+[[nodiscard]] std::vector<Family> quadratic_families();
 
 }  // namespace rayproof

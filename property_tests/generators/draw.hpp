@@ -1,0 +1,108 @@
+#pragma once
+/// \file
+/// Draws of single numbers and vectors. Each is exact in the type it is drawn in.
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <rayproof/vec3.hpp>
+#include <type_traits>
+
+#include "generators/random.hpp"
+
+namespace rayproof::draw {
+
+template <class T>
+using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
+
+/// The least and the greatest exponent of a normal number of type `T`: 2^lowest <= |x| < 2^(highest + 1).
+template <class T>
+inline constexpr int lowest_exponent = std::numeric_limits<T>::min_exponent - 1;
+template <class T>
+inline constexpr int highest_exponent = std::numeric_limits<T>::max_exponent - 1;
+
+/// Any finite number, every bit pattern as likely as every other: -0 and subnormals included.
+template <class T>
+[[nodiscard]] T bit_pattern(Random& random) {
+  constexpr Bits<T> exponent = std::bit_cast<Bits<T>>(std::numeric_limits<T>::infinity());
+  constexpr Bits<T> top_of_exponent = exponent & ~(exponent >> 1U) & ~(Bits<T>{1} << (sizeof(T) * 8 - 1));
+  auto bits = static_cast<Bits<T>>(random.bits());
+  if ((bits & exponent) == exponent) bits &= static_cast<Bits<T>>(~top_of_exponent);
+  return std::bit_cast<T>(bits);
+}
+
+/// 2^k for a real k uniform in [low, high], of either sign.
+template <class T>
+[[nodiscard]] T magnitude(Random& random, double low, double high) {
+  const auto x = static_cast<T>(std::exp2(random.uniform(low, high)));
+  return random.one_in(2) ? x : -x;
+}
+
+/// Uniform in [-1, 1].
+template <class T>
+[[nodiscard]] T symmetric(Random& random) {
+  return static_cast<T>(random.uniform(-1, 1));
+}
+
+/// A number that has broken somebody's code before: by name, not by chance.
+template <class T>
+[[nodiscard]] T special(Random& random) {
+  using Limits = std::numeric_limits<T>;
+  static constexpr std::array<T, 12> named{T(0),
+                                           T(1),
+                                           T(2),
+                                           T(3),
+                                           T(0.5),
+                                           T(10),
+                                           Limits::min(),
+                                           Limits::denorm_min(),
+                                           Limits::max(),
+                                           Limits::epsilon(),
+                                           T(1) + Limits::epsilon(),
+                                           Limits::min() - Limits::denorm_min()};
+  const int choice = random.between(0, 15);
+  const T sign = random.one_in(2) ? T(1) : T(-1);
+  if (choice < 12) return sign * named[static_cast<std::size_t>(choice)];
+  if (choice < 14) return sign * std::ldexp(T(1), random.between(lowest_exponent<T>, highest_exponent<T>));
+  return sign * static_cast<T>(random.between(0, 100));
+}
+
+/// `x` moved by so many steps along the floating-point numbers, no further than the greatest finite one.
+template <class T>
+[[nodiscard]] T nudged(T x, int steps) {
+  const T goal = steps < 0 ? std::numeric_limits<T>::lowest() : std::numeric_limits<T>::max();
+  for (int k = std::abs(steps); k > 0; --k) x = std::nextafter(x, goal);
+  return x;
+}
+
+/// Three numbers from one draw.
+template <class Draw>
+[[nodiscard]] auto vector(Draw&& draw) {
+  const auto x = draw();
+  const auto y = draw();
+  const auto z = draw();
+  return glm::vec<3, std::remove_const_t<decltype(x)>>(x, y, z);
+}
+
+/// A direction, uniform on the unit sphere, of length 1 to double rounding.
+[[nodiscard]] inline glm::dvec3 unit_vector(Random& random) {
+  for (;;) {
+    const glm::dvec3 v = vector([&] { return symmetric<double>(random); });
+    const double squared = dot(v, v);
+    if (squared > 0x1p-20 && squared <= 1) return (1 / std::sqrt(squared)) * v;
+  }
+}
+
+/// A unit vector at right angles to the unit vector `n`.
+[[nodiscard]] inline glm::dvec3 perpendicular(Random& random, const glm::dvec3& n) {
+  for (;;) {
+    const glm::dvec3 v = unit_vector(random);
+    const glm::dvec3 across = v - dot(v, n) * n;
+    const double squared = dot(across, across);
+    if (squared > 0x1p-10) return (1 / std::sqrt(squared)) * across;
+  }
+}
+
+}  // namespace rayproof::draw

@@ -1,0 +1,30 @@
+#include "generators/family.hpp"
+#include "generators/sphere_aimed.hpp"
+#include "generators/sphere_bits.hpp"
+#include "generators/sphere_sizes.hpp"
+#include "generators/sphere_transformed.hpp"
+
+namespace rayproof {
+
+std::vector<Family> sphere_families() {
+  using namespace sphere_family;
+  const char* const topic = "sphere";
+  const MinimumShare all_in_reach{"in reach", 1};
+  return {
+      family<Everyday>(topic, {all_in_reach, {"hit", 0.3}, {"miss", 0.2}, {"behind", 0.05}}),
+      family<Far>(topic, {all_in_reach, {"hit", 0.4}, {"miss", 0.1}}),
+      family<Grazing>(topic, {all_in_reach, {"hit", 0.3}, {"miss", 0.2}, {"tangent", 0.05}}),
+      family<Surface>(topic, {all_in_reach, {"hit", 0.3}, {"from inside", 0.2}}),
+      family<Inside>(topic, {all_in_reach, {"hit", 0.99}, {"from inside", 0.99}}),
+      family<Tiny>(topic, {all_in_reach, {"hit", 0.4}, {"miss", 0.1}}),
+      family<Huge>(topic, {all_in_reach, {"hit", 0.4}, {"miss", 0.02}}),
+      family<Cancelling>(topic, {all_in_reach, {"hit", 0.4}, {"from inside", 0.2}}),
+      family<Interval>(topic, {all_in_reach, {"hit", 0.4}, {"cut", 0.2}}),
+      family<Transformed>(topic, {all_in_reach, {"hit", 0.3}, {"miss", 0.1}}),
+      family<Exponents>(topic, {{"hit", 0.1}, {"miss", 0.1}}),
+      family<Special>(topic, {{"hit", 0.02}, {"miss", 0.3}}),
+      family<BitPatterns>(topic, {{"hit", 0.02}, {"miss", 0.5}}),
+  };
+}
+
+}  // namespace rayproof
