@@ -1,0 +1,22 @@
+# cmake -D BUILD=… -D WORK=… -P programs.cmake: installs the programs and asks each of them for help by the front door.
+file(REMOVE_RECURSE ${WORK})
+set(run COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK} --component programs OUTPUT_QUIET ${run})
+
+execute_process(COMMAND ${WORK}/bin/rayproof OUTPUT_VARIABLE listing ${run})
+file(GLOB programs ${WORK}/libexec/rayproof/rayproof-*)
+foreach(program ${programs})
+  string(REGEX REPLACE ".*/rayproof-" "" name ${program})
+  if(NOT listing MATCHES "\n  ${name} +[a-z]")
+    message(FATAL_ERROR "${name} is installed and stands not in cmake/commands.txt:\n${listing}")
+  endif()
+  execute_process(COMMAND ${WORK}/bin/rayproof ${name} --help OUTPUT_VARIABLE help ${run})
+  if(help STREQUAL "")
+    message(FATAL_ERROR "rayproof ${name} --help says nothing")
+  endif()
+endforeach()
+
+execute_process(COMMAND ${WORK}/bin/rayproof no-such-thing RESULT_VARIABLE status ERROR_VARIABLE sentence)
+if(NOT status EQUAL 2 OR NOT sentence MATCHES "there is no subcommand 'no-such-thing'")
+  message(FATAL_ERROR "an unknown subcommand ended with ${status}: ${sentence}")
+endif()
