@@ -63,10 +63,12 @@ template <std::floating_point T>
   return std::logb(x);
 }
 
-/// x * 2^e for a whole number e, rounded once (only where the result is subnormal) or to infinity.
+/// x * 2^e for a whole number e, rounded once (only where the result is subnormal) or to infinity. An e that
+/// is infinite or NaN scales as a very large one does, so that no value of e is undefined.
 template <std::floating_point T>
 [[nodiscard]] inline T scale_exponent(T x, T e) {
-  return std::ldexp(x, static_cast<int>(e));
+  constexpr T beyond_all = 4000;
+  return std::ldexp(x, static_cast<int>(max(-beyond_all, min(beyond_all, e))));
 }
 
 /// The whole number nearest below `x`.

@@ -57,7 +57,7 @@ template <class T, class Abi>
   const N top(Bits::bias);
   const N bottom(Bits::smallest_normal);
   const N step_down(Bits::smallest_normal + std::numeric_limits<T>::digits);
-  N left = max(min(e, N(3) * top), bottom + N(2) * step_down);
+  N left = max(bottom + N(2) * step_down, min(N(3) * top, e));
   N scaled = x;
   for (int i = 0; i < 2; ++i) {
     const N step = select(left > top, top, select(left < bottom, step_down, N(0)));
