@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// The oracle: exact answers to cases, and exact judgement of other people's answers. Slow, final, and independent of
-/// every method it judges: it shares the case, never a formula.
+/// The oracle: exact answers to cases, and exact judgement of other people's answers. Slow, final, and
+/// independent of every method it judges: it shares the case, never a formula.
 
 #include "case/answer.hpp"
 #include "case/case.hpp"
@@ -11,8 +11,9 @@ namespace rayproof::oracle {
 /// The exact answer of a valid case, rounded once at the end as the case format says.
 [[nodiscard]] Answer answer(const Case& one);
 
-/// What the exact truth says of a claimed answer. Lengths are in the units of the topic's contract (sphere.hpp,
-/// quadratic.hpp) with far_power 0. A verdict error and an ulp error are different things and stay apart.
+/// What the exact truth says of a claimed answer. Lengths are in the units of the topic's contract
+/// (sphere.hpp, quadratic.hpp) with far_power 0. A verdict error and an ulp error are different things and
+/// stay apart.
 struct Judgement {
   /// The claimed number of hits (or kind of roots) is not the exact one.
   bool wrong = false;
@@ -31,8 +32,8 @@ struct Judgement {
   double largest = 0;
 };
 
-/// Judges `claimed` against the exact truth of `one`. Certain in every bit that decides a verdict; errors are certain
-/// to 2^-20 of their value or 2^-30 ulp, whichever is larger.
+/// Judges `claimed` against the exact truth of `one`. Certain in every bit that decides a verdict; errors are
+/// certain to 2^-20 of their value or 2^-30 ulp, whichever is larger.
 [[nodiscard]] Judgement judge(const Case& one, const Answer& claimed);
 
 }  // namespace rayproof::oracle

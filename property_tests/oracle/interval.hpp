@@ -1,0 +1,47 @@
+#pragma once
+/// \file
+/// The oracle's first filter: one double and a bound on its error. Decides nearly every verdict in a few
+/// nanoseconds.
+
+#include <cmath>
+#include <optional>
+
+namespace rayproof::oracle {
+
+/// Every real number within `radius` of `middle`; see Ball for overflow and underflow.
+struct Interval {
+  double middle = 0;
+  double radius = 0;
+
+  Interval() = default;
+  Interval(double exactly) : middle(exactly) {}  // NOLINT: every double is an interval
+  Interval(double m, double r) : middle(m), radius(r) {}
+};
+
+/// A rounding is off by at most 2^-53 of the result; 2^-51 also covers the roundings of the radius itself.
+inline constexpr double interval_rounding = 0x1p-51;
+inline constexpr double interval_underflow = 0x1p-1060;
+
+inline Interval operator-(const Interval& x) { return {-x.middle, x.radius}; }
+
+inline Interval operator+(const Interval& x, const Interval& y) {
+  const double sum = x.middle + y.middle;
+  const double radius = x.radius + y.radius;
+  return {sum, radius + interval_rounding * (std::abs(sum) + radius)};
+}
+
+inline Interval operator-(const Interval& x, const Interval& y) { return x + (-y); }
+
+inline Interval operator*(const Interval& x, const Interval& y) {
+  const double product = x.middle * y.middle;
+  const double radius = (std::abs(x.middle) + x.radius) * y.radius + std::abs(y.middle) * x.radius;
+  return {product, radius + interval_rounding * (std::abs(product) + radius) + interval_underflow};
+}
+
+/// The sign where the interval does not touch 0; otherwise nothing.
+[[nodiscard]] inline std::optional<int> certain_sign(const Interval& x) {
+  if (std::abs(x.middle) > 1.001 * x.radius) return x.middle > 0 ? 1 : -1;
+  return std::nullopt;
+}
+
+}  // namespace rayproof::oracle

@@ -1,0 +1,30 @@
+/// \file
+/// The registration of the oracle's layer: each question goes to the overload that knows it. A shape is a
+/// line of includes here.
+
+#include "oracle/oracle.hpp"
+
+#include "oracle/quadratic.hpp"
+#include "oracle/sphere.hpp"
+
+namespace rayproof::oracle {
+
+Answer answer(const Case& one) {
+  if (const auto* equation = std::get_if<Quadratic<double>>(&one.question))
+    return answer(*equation, one.precision);
+  const auto& question = std::get<RayQuestion>(one.question);
+  return std::visit([&](const auto& shape) { return answer(question, shape, one.precision); },
+                    question.shape);
+}
+
+Judgement judge(const Case& one, const Answer& claimed) {
+  if (const auto* equation = std::get_if<Quadratic<double>>(&one.question)) {
+    return judge(*equation, one.precision, std::get<QuadraticAnswer<double>>(claimed));
+  }
+  const auto& question = std::get<RayQuestion>(one.question);
+  return std::visit(
+      [&](const auto& shape) { return judge(question, shape, one.precision, std::get<RayAnswer>(claimed)); },
+      question.shape);
+}
+
+}  // namespace rayproof::oracle

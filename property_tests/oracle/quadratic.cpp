@@ -1,0 +1,106 @@
+#include "oracle/quadratic.hpp"
+
+#include "oracle/rounding.hpp"
+
+namespace rayproof::oracle {
+namespace {
+
+/// ax² + bx + c with a made positive and b halved; for a = 0 the square of bx + c, whose double root is the
+/// root.
+ExactQuadratic exact_form(const Quadratic<double>& q) {
+  const Ring a(q.a), b(q.b), c(q.c);
+  if (q.a == 0) return {b * b, b * c, c * c};
+  const Ring h = b * Ring(0.5);
+  if (q.a < 0) return {-a, -h, -c};
+  return {a, h, c};
+}
+
+RootKind kind_of(const Quadratic<double>& q, const ExactQuadratic& form) {
+  if (q.a == 0 && q.b == 0) return q.c == 0 ? RootKind::everything : RootKind::constant;
+  if (q.a == 0) return RootKind::linear;
+  const int discriminant = sign(form.discriminant());
+  if (discriminant < 0) return RootKind::none;
+  return discriminant == 0 ? RootKind::twice : RootKind::two;
+}
+
+std::size_t count_of(RootKind kind) {
+  if (kind == RootKind::two) return 2;
+  return kind == RootKind::twice || kind == RootKind::linear ? 1 : 0;
+}
+
+/// |ax² + bx + c| in units of ε(|ax²| + |bx| + |c|), the backward error of x.
+double residual(const Quadratic<double>& q, double x, double epsilon) {
+  const Ring axx = Ring(q.a) * Ring(x) * Ring(x);
+  const Ring bx = Ring(q.b) * Ring(x);
+  const Scaled size = abs(approximate(axx)) + abs(approximate(bx)) + abs(Scaled(q.c));
+  if (size.sign() == 0) return 0;
+  return static_cast<double>((abs(approximate(axx + bx + Ring(q.c))) / (Scaled(epsilon) * size)).value());
+}
+
+/// The error of x in ulps of the exact root.
+double error_in_ulps(const ExactRoot& root, double x, Precision precision) {
+  const double nearest = round_correctly(root, precision);
+  if (x == nearest && !std::isfinite(x)) return 0;
+  if (!std::isfinite(x) || !std::isfinite(nearest)) return HUGE_VAL;
+  return static_cast<double>((abs(root.minus(x)) / Scaled(ulp_of(nearest, precision))).value());
+}
+
+/// How near the discriminant is to 0, in units of ε(b² + 4|ac|).
+double margin_of(const Quadratic<double>& q, double epsilon) {
+  const Ring bb = Ring(q.b) * Ring(q.b);
+  const Ring ac4 = Ring(4.0) * Ring(q.a) * Ring(q.c);
+  const Scaled size = approximate(bb) + abs(approximate(ac4));
+  if (size.sign() == 0) return 0;
+  return static_cast<double>((abs(approximate(bb - ac4)) / (Scaled(epsilon) * size)).value());
+}
+
+void note_sizes(const Quadratic<double>& q, Judgement& judgement) {
+  judgement.smallest = HUGE_VAL;
+  judgement.largest = -HUGE_VAL;
+  for (const double coefficient : {q.a, q.b, q.c}) {
+    if (coefficient == 0) continue;
+    judgement.smallest = std::min(judgement.smallest, std::logb(coefficient));
+    judgement.largest = std::max(judgement.largest, std::logb(coefficient));
+  }
+}
+
+}  // namespace
+
+QuadraticAnswer<double> answer(const Quadratic<double>& equation, Precision precision) {
+  const ExactQuadratic form = exact_form(equation);
+  QuadraticAnswer<double> result{kind_of(equation, form)};
+  for (std::size_t i = 0; i < count_of(result.kind); ++i) {
+    result.roots.at(result.count++) = round_correctly(ExactRoot(form, i == 0 ? -1 : 1), precision);
+  }
+  return result;
+}
+
+Judgement judge(const Quadratic<double>& equation, Precision precision,
+                const QuadraticAnswer<double>& claimed) {
+  const ExactQuadratic form = exact_form(equation);
+  const RootKind kind = kind_of(equation, form);
+  const double epsilon = unit_roundoff(precision);
+  Judgement judgement;
+  note_sizes(equation, judgement);
+  judgement.hit = count_of(kind) > 0;
+  judgement.wrong = kind != claimed.kind || claimed.count != count_of(kind);
+  if (judgement.wrong) {
+    judgement.margin = equation.a == 0 ? HUGE_VAL : margin_of(equation, epsilon);
+    judgement.ulp = std::nan("");
+  }
+  const double tiny = precision == Precision::float32 ? 0x1p-126 : 0x1p-1022;
+  for (std::size_t i = 0; i < claimed.count; ++i) {
+    const double x = claimed.roots.at(i);
+    const double ulps =
+        judgement.wrong ? HUGE_VAL : error_in_ulps(ExactRoot(form, i == 0 ? -1 : 1), x, precision);
+    if (!judgement.wrong) judgement.ulp = std::max(judgement.ulp, ulps);
+    // Where the grid of floats itself is coarse or ends, the nearest float is all that can be asked for.
+    const bool grid_ends = !std::isfinite(x) || std::abs(x) < tiny;
+    if (grid_ends && ulps <= 1) continue;
+    judgement.residual =
+        std::max(judgement.residual, std::isfinite(x) ? residual(equation, x, epsilon) : HUGE_VAL);
+  }
+  return judgement;
+}
+
+}  // namespace rayproof::oracle

@@ -1,0 +1,76 @@
+#include "oracle/rounding.hpp"
+
+namespace rayproof::oracle {
+namespace {
+
+/// The floats of type T in order as consecutive integers, so that neighbours and halfway points are
+/// arithmetic.
+template <class T, class Integer>
+struct Grid {
+  static constexpr Integer sign_bit = std::numeric_limits<Integer>::min();
+  static constexpr Integer infinity = std::bit_cast<Integer>(std::numeric_limits<T>::infinity());
+
+  static Integer index(T x) {
+    const auto bits = std::bit_cast<Integer>(x);
+    return bits < 0 ? sign_bit - bits : bits;
+  }
+  static T at(Integer index) { return std::bit_cast<T>(index < 0 ? sign_bit - index : index); }
+
+  /// The number as the ring has it; infinity stands for the power of two that would follow the largest
+  /// number.
+  static Ring exact(Integer index) {
+    if (index == infinity || index == -infinity) {
+      const Ring half = Ring(std::ldexp(1.0, std::numeric_limits<T>::max_exponent - 1));
+      return index > 0 ? half + half : -(half + half);
+    }
+    return Ring(static_cast<double>(at(index)));
+  }
+
+  /// The sign of (root - the point halfway between `index` and its upper neighbour).
+  static int compare_halfway(const ExactRoot& root, Integer index) {
+    return root.compare((exact(index) + exact(index + 1)) * Ring(0.5));
+  }
+
+  /// Whether `index` or its upper neighbour is nearer; a tie goes to the even one.
+  static bool rounds_above(const ExactRoot& root, Integer index) {
+    const int side = compare_halfway(root, index);
+    return side > 0 || (side == 0 && index % 2 != 0);
+  }
+};
+
+template <class T, class Integer>
+double round_in(const ExactRoot& root) {
+  using Floats = Grid<T, Integer>;
+  const auto guess = static_cast<T>(root.estimate().value());
+  Integer low = Floats::index(guess);  // the answer is known to be >= low + 1 or low is the answer
+  // The estimate is nearly always right or one off: walk a few steps, and bisect if that was not enough.
+  for (int step = 0; step < 4; ++step) {
+    if (low < Floats::infinity && Floats::rounds_above(root, low)) {
+      ++low;
+    } else if (low > -Floats::infinity && !Floats::rounds_above(root, low - 1)) {
+      --low;
+    } else {
+      return static_cast<double>(Floats::at(low));
+    }
+  }
+  low = -Floats::infinity;
+  Integer high = Floats::infinity;
+  while (low < high) {
+    const Integer middle = std::midpoint(low, high);
+    if (Floats::rounds_above(root, middle)) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return static_cast<double>(Floats::at(low));
+}
+
+}  // namespace
+
+double round_correctly(const ExactRoot& root, Precision precision) {
+  return precision == Precision::float32 ? round_in<float, std::int32_t>(root)
+                                         : round_in<double, std::int64_t>(root);
+}
+
+}  // namespace rayproof::oracle

@@ -1,0 +1,9 @@
+#include "oracle/scene.hpp"
+
+#include "oracle/exact.hpp"
+
+namespace rayproof::oracle {
+
+bool is_singular(const glm::dmat4& matrix) { return sign(InverseMap<Ring>(matrix).determinant) == 0; }
+
+}  // namespace rayproof::oracle
