@@ -52,4 +52,7 @@ template <class T>
   return {RootKind::none};
 }
 
+/// The bound, in the units above, that a robust method for the quadratic keeps (Claim::robust).
+inline constexpr double quadratic_robust_bound = 8;
+
 }  // namespace rayproof
