@@ -226,7 +226,8 @@ Judgement judge(const RayQuestion& question, const Sphere<double>& sphere, Preci
   const Truth truth = exact_verdict(question, sphere, ball);
   Judgement judgement;
   judgement.hit = truth.count() > 0;
-  judgement.wrong = truth.count() != claimed.hits.count;
+  const std::size_t expected = claimed.nearest_only ? std::min<std::size_t>(truth.count(), 1) : truth.count();
+  judgement.wrong = expected != claimed.hits.count;
   if (!judge_hits(ball, question, sphere, precision, truth, claimed.hits, judgement)) {
     judge_hits(Bench<Ring>(question, sphere), question, sphere, precision, truth, claimed.hits, judgement);
   }

@@ -13,17 +13,19 @@ namespace rayproof {
 
 /// One method put on trial. `answer` computes in the case's own precision.
 struct Subject {
-  std::string topic;   ///< "sphere"
-  std::string name;    ///< "centred"
-  std::string title;   ///< one line on what it does
+  std::string topic;  ///< "sphere"
+  std::string name;   ///< "centred"
+  std::string title;  ///< one line on what it does
   Source source{};
   Contract contract{};
   int far_power = 0;
   /// Answers a case; never throws, whatever the bits (a NaN anywhere gives a miss).
   Answer (*answer)(const Case&) = nullptr;
-  /// The same through the library's batch interface, the case repeated among `lanes` others; null where there is none.
+  /// The same through the library's batch interface, the case repeated among `lanes` others; null where there
+  /// is none.
   Answer (*answer_in_batch)(const Case&) = nullptr;
-  /// The answers in the running-error arithmetic: each hit's t and the bound on its error; null where there is none.
+  /// The answers in the running-error arithmetic: each hit's t and the bound on its error; null where there
+  /// is none.
   std::vector<std::pair<double, double>> (*bounded_hits)(const Case&) = nullptr;
 
   [[nodiscard]] std::string full_name() const { return topic + "/" + name; }

@@ -8,12 +8,14 @@ namespace rayproof {
 
 /// All points at distance `radius` from `center`; a radius of 0 makes it a point.
 ///
-/// Units of the contracts. Let S = |origin - center| + radius, the size of the scene as the ray sees it, and ε the
-/// unit roundoff (2^-24 in float, 2^-53 in double). *Verdict* and *residual* are lengths in units of ε·S·(S/radius)^p
-/// with p = `far_power` of the method: a verdict may be wrong only where a sphere whose radius differs by that length
-/// has the other verdict, and every hit p(t) is within that length of the surface. *Ulp* is in ulps of the exact t.
-/// *Domain* speaks of S and of |direction|. Under a transform, lengths are measured in the sphere's own space and
-/// the unit grows by the transform's condition number.
+/// Units of the contracts. Let S = |origin - center| + radius, the size of the scene as the ray sees it, and
+/// ε the unit roundoff (2^-24 in float, 2^-53 in double). *Verdict* and *residual* are lengths in units of
+/// ε·S·(S/radius)^p with p = `far_power` of the method: a verdict may be wrong only where a sphere whose
+/// radius differs by that length has the other verdict, and every hit p(t) is within that length of the
+/// surface. *Ulp* is in ulps of the exact t. *Domain* speaks of S and of |direction|. Under a transform,
+/// lengths are measured in the sphere's own space, the unit grows by the transform's condition number, no ulp
+/// is promised, and a method that promises less than `sphere_robust_bound` promises just that: the ray has
+/// been rounded before the method sees it.
 template <class T>
 struct Sphere {
   vec3<T> center;

@@ -1,0 +1,48 @@
+#pragma once
+/// \file
+/// A method of the library as a subject.
+
+#include <rayproof/arithmetics/bounded.hpp>
+
+#include "subjects/solve.hpp"
+
+namespace rayproof {
+
+/// The hits in running-error arithmetic: each t with the bound on its error.
+template <class Topic, class Method>
+[[nodiscard]] std::vector<std::pair<double, double>> bounded_case(const Case& one) {
+  const auto run = [&]<class T>(T) {
+    const auto roots = solve_in<Topic, Method, Bounded<T>, T>(one);
+    std::vector<std::pair<double, double>> hits;
+    for (const Bounded<T>& root : {roots.lo, roots.hi}) {
+      if (root.value == root.value) hits.emplace_back(root.value, root.error);
+    }
+    return hits;
+  };
+  return one.precision == Precision::float32 ? run(float{}) : run(double{});
+}
+
+/// What a method is and promises, and how to run it on cases.
+template <class Topic, class Method>
+[[nodiscard]] Subject our_subject() {
+  Subject subject;
+  subject.topic = Topic::name;
+  subject.name = Method::name;
+  subject.title = Method::title;
+  subject.source = Method::source;
+  subject.contract = Method::contract;
+  if constexpr (requires { Method::far_power; }) subject.far_power = Method::far_power;
+  subject.answer = solve_case<Topic, Method>;
+  if constexpr (Method::contract.holds.contains(Claim::bounded))
+    subject.bounded_hits = bounded_case<Topic, Method>;
+  return subject;
+}
+
+/// Every method of a topic, in the order of its list.
+template <class Topic>
+void append_methods(std::vector<Subject>& subjects) {
+  Topic::Methods::for_each(
+      [&]<class Method>(std::type_identity<Method>) { subjects.push_back(our_subject<Topic, Method>()); });
+}
+
+}  // namespace rayproof

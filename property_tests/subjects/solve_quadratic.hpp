@@ -1,0 +1,27 @@
+#pragma once
+/// \file
+/// Quadratic cases as problems of the library, and its roots as answers.
+
+#include <rayproof/quadratic/methods.hpp>
+
+#include "subjects/solve.hpp"
+
+namespace rayproof {
+
+template <>
+struct Reading<quadratic::Topic> {
+  template <class T>
+  [[nodiscard]] static quadratic::Topic::Problem<T> problem(const Case& one) {
+    return {convert<T>(std::get<Quadratic<double>>(one.question))};
+  }
+
+  template <class T>
+  [[nodiscard]] static QuadraticAnswer<double> answer(const Case& one, const Roots<T>& roots) {
+    const QuadraticAnswer<T> narrow = read(problem<T>(one).equation, roots);
+    return {narrow.kind,
+            narrow.count,
+            {static_cast<double>(narrow.roots[0]), static_cast<double>(narrow.roots[1])}};
+  }
+};
+
+}  // namespace rayproof

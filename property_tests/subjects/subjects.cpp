@@ -1,0 +1,29 @@
+/// \file
+/// The registration of the subjects' layer: one line for each topic, one for each guest.
+
+#include "subjects/glm_sphere.hpp"
+#include "subjects/our_subject.hpp"
+#include "subjects/solve_quadratic.hpp"
+#include "subjects/solve_sphere.hpp"
+
+namespace rayproof {
+
+const std::vector<Subject>& subjects() {
+  static const std::vector<Subject> all = [] {
+    std::vector<Subject> list;
+    append_methods<quadratic::Topic>(list);
+    append_methods<sphere::Topic>(list);
+    list.push_back(glm_sphere());
+    return list;
+  }();
+  return all;
+}
+
+const Subject* find_subject(const std::string& full_name) {
+  for (const Subject& subject : subjects()) {
+    if (subject.full_name() == full_name) return &subject;
+  }
+  return nullptr;
+}
+
+}  // namespace rayproof
