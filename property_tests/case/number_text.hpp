@@ -1,0 +1,32 @@
+#pragma once
+/// \file
+/// Numbers as the case format writes them, to and from doubles, the same in every locale.
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "case/case.hpp"
+
+namespace rayproof {
+
+/// The double nearest to a decimal (`-12.5e3`) or a C hex float (`-0x1.8p+1`), ties to even; infinite where
+/// it overflows. Also reads "inf", "-inf" and "nan". Nothing for any other text: blanks, "infinity", "+inf",
+/// "1e".
+[[nodiscard]] std::optional<double> parse_number(std::string_view text);
+
+/// `x` rounded to the nearest number of a precision, ties to even.
+[[nodiscard]] double round_to(Precision precision, double x);
+
+/// The shortest JSON that reads back as exactly `x`: a number, or "inf", "-inf", "nan" in quotes. Minus zero
+/// keeps its sign as -0.0, since -0 is an integer to many readers.
+void append_number(std::string& out, double x);
+
+/// The shortest JSON that a case of this precision reads back as exactly `x`: 0.1, where `append_number`
+/// writes 0.10000000149011612 for the float nearest to 0.1.
+void append_number(std::string& out, double x, Precision precision);
+
+/// `x` as JSON in quotes in the way of printf's %a: "0x1.8p+1", "-0x0p+0", "inf".
+void append_hex(std::string& out, double x);
+
+}  // namespace rayproof

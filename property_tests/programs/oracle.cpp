@@ -1,0 +1,17 @@
+/// \file
+/// rayproof oracle: answers cases exactly.
+
+#include "oracle/oracle.hpp"
+
+#include "programs/command_line.hpp"
+#include "programs/stream/stream_program.hpp"
+
+int main(int argc, char** argv) {
+  CLI::App app("Answers cases exactly: verdict, contact, and every number correctly rounded.",
+               "rayproof oracle");
+  std::string file = "-";
+  app.add_option("FILE", file, "The cases; standard input where left out or -");
+  app.footer(rayproof::stream_help);
+  if (const auto status = rayproof::parse_command_line(app, argc, argv)) return *status;
+  return rayproof::run_stream_program(file, rayproof::oracle::answer);
+}

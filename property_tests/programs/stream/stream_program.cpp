@@ -1,0 +1,34 @@
+#include "programs/stream/stream_program.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <system_error>
+
+namespace rayproof {
+
+const char* const stream_help =
+    "Input: one case a line (JSON Lines). Output: one line for each, in order, in the same format for every\n"
+    "program that answers cases. A refused line gets {\"id\": ..., \"line\": N, \"error\": \"...\"} and the "
+    "rest goes on.\n"
+    "Each line is answered as soon as it arrives, so that another program can ask through a pipe.\n"
+    "\n"
+    "Exit status: 0 where every line was answered, 1 where a line was refused, 2 for a wrong command line or "
+    "a\n"
+    "file that cannot be read.";
+
+int run_stream_program(const std::string& file, const Answerer& answer) {
+  try {
+    const int input = file == "-" ? STDIN_FILENO : ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+    if (input < 0) throw std::system_error(errno, std::generic_category(), file + " cannot be opened");
+    return answer_stream(input, STDOUT_FILENO, answer).refused > 0 ? 1 : 0;
+  } catch (const std::system_error& error) {
+    // A reader who has seen enough (`| head`) is no failure to speak of.
+    if (error.code() != std::errc::broken_pipe) fmt::print(stderr, "rayproof: {}\n", error.what());
+    return 2;
+  }
+}
+
+}  // namespace rayproof
