@@ -43,19 +43,24 @@ template <class T>
                  difference_of_products(a.x, b.y, a.y, b.x)};
 }
 
-/// The object space of an affine object-to-world matrix (last row 0 0 0 1, which is not looked at). A
-/// singular matrix gives infinities or NaN, and with them a miss.
-template <std::floating_point T>
-[[nodiscard]] ObjectSpace<T> object_space(const glm::mat<4, 4, T>& object_to_world) {
-  const vec3<T> a{object_to_world[0]};
-  const vec3<T> b{object_to_world[1]};
-  const vec3<T> c{object_to_world[2]};
+/// The object space of the map with columns a, b, c and a translation. A singular map gives infinities or NaN,
+/// and with them a miss.
+template <class T>
+[[nodiscard]] constexpr ObjectSpace<T> object_space(const vec3<T>& a, const vec3<T>& b, const vec3<T>& c,
+                                                    const vec3<T>& translation) {
   const vec3<T> bc = rayproof::cross<T>(b, c);
   const T determinant = dot_compensated<T>(a, bc);
   const auto row = [&](const vec3<T>& cofactors) {
     return vec3<T>{cofactors.x / determinant, cofactors.y / determinant, cofactors.z / determinant};
   };
-  return {row(bc), row(rayproof::cross<T>(c, a)), row(rayproof::cross<T>(a, b)), vec3<T>{object_to_world[3]}};
+  return {row(bc), row(rayproof::cross<T>(c, a)), row(rayproof::cross<T>(a, b)), translation};
+}
+
+/// The same for an affine object-to-world matrix (last row 0 0 0 1, which is not looked at).
+template <std::floating_point T>
+[[nodiscard]] constexpr ObjectSpace<T> object_space(const glm::mat<4, 4, T>& object_to_world) {
+  return object_space<T>(vec3<T>{object_to_world[0]}, vec3<T>{object_to_world[1]}, vec3<T>{object_to_world[2]},
+                         vec3<T>{object_to_world[3]});
 }
 
 /// The ray as the object sees it: origin as a point, direction as a vector, and the same t, since the
