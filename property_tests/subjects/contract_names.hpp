@@ -1,0 +1,32 @@
+#pragma once
+/// \file
+/// The names that claims and standings have in listings and on command lines.
+
+#include <array>
+#include <rayproof/contract.hpp>
+#include <string_view>
+
+namespace rayproof {
+
+/// In the order of `Claim`.
+inline constexpr std::array<std::string_view, claim_count> claim_names{
+    "verdict", "residual", "ulp",   "robust", "ascending", "moved",
+    "scaled",  "reversed", "batch", "nan",    "bounded"};
+
+[[nodiscard]] constexpr std::string_view claim_name(Claim claim) {
+  return claim_names.at(static_cast<std::size_t>(claim));
+}
+
+[[nodiscard]] constexpr std::string_view standing_name(Standing standing) {
+  switch (standing) {
+    case Standing::naive:
+      return "naive";
+    case Standing::printed:
+      return "printed";
+    case Standing::sound:
+      break;
+  }
+  return "sound";
+}
+
+}  // namespace rayproof
