@@ -1,0 +1,81 @@
+#pragma once
+/// \file
+/// Many rays against one shape, or many equations, at once: bit for bit the answers of the scalar kernels.
+///
+/// \code
+/// std::vector<float> t(count);
+/// nearest_hits<sphere::Centred>(RayBatch<float>{{ox, oy, oz}, {dx, dy, dz}}, Sphere<float>{center, radius},
+/// t); \endcode The kernels are built for several instruction sets, and the widest one this machine has is
+/// chosen at run time.
+
+#include <rayproof/batch/input.hpp>
+#include <rayproof/batch/instruction_set.hpp>
+#include <rayproof/batch/kernels.hpp>
+#include <span>
+#include <stdexcept>
+
+namespace rayproof {
+
+namespace batch {
+
+/// Throws std::invalid_argument unless all arrays are as long as the first; returns that length.
+template <class First, class... Rest>
+std::size_t common_size(const First& first, const Rest&... rest) {
+  if (((rest.size() != first.size()) || ...))
+    throw std::invalid_argument("the arrays of a batch differ in length");
+  return first.size();
+}
+
+/// The method's kernels for `set`, or the baseline's for a method that does not run in packs.
+template <class Method, class T>
+[[nodiscard]] const auto& kernels_for(InstructionSet set) {
+  using Entry = Kernels<TopicOf<Method>, Method, T>;
+  const Entry& wanted = std::get<Entry>(kernel_table(set));
+  return wanted.roots != nullptr ? wanted : std::get<Entry>(kernel_table(InstructionSet::baseline));
+}
+
+/// The bare pointers of a batch of rays, valid as long as `rays`.
+template <class T, class Shape>
+[[nodiscard]] RayLanes<T, Shape> lanes_of(const RayBatch<T>& rays, const Shape& shape) {
+  const auto& [origin, direction, t_min, t_max, space] = rays;
+  const std::size_t size = common_size(origin.x, origin.y, origin.z, direction.x, direction.y, direction.z);
+  return {{origin.x.data(), origin.y.data(), origin.z.data(), direction.x.data(), direction.y.data(),
+           direction.z.data()},
+          size,
+          t_min,
+          t_max,
+          shape,
+          space ? &*space : nullptr};
+}
+
+}  // namespace batch
+
+/// The nearest hit of each ray: the smallest root in [t_min, t_max], or infinity for a miss. `t` is as long
+/// as the batch.
+template <class Method, class T, class Shape>
+void nearest_hits(const RayBatch<T>& rays, const Shape& shape, std::span<T> t,
+                  InstructionSet set = preferred_instruction_set()) {
+  batch::common_size(rays.origin.x, t);
+  batch::kernels_for<Method, T>(set).nearest(batch::lanes_of(rays, shape), {t.data()});
+}
+
+/// Both roots of each ray's problem, before the interval of t is looked at.
+template <class Method, class T, class Shape>
+void batch_roots(const RayBatch<T>& rays, const Shape& shape, const RootArrays<T>& roots,
+                 InstructionSet set = preferred_instruction_set()) {
+  batch::common_size(rays.origin.x, roots.discriminant, roots.lo, roots.hi);
+  batch::kernels_for<Method, T>(set).roots(batch::lanes_of(rays, shape),
+                                           {roots.discriminant.data(), roots.lo.data(), roots.hi.data()});
+}
+
+/// Both roots of each equation.
+template <class Method, class T>
+void batch_roots(const QuadraticBatch<T>& equations, const RootArrays<T>& roots,
+                 InstructionSet set = preferred_instruction_set()) {
+  const auto& [a, b, c] = equations;
+  const std::size_t size = batch::common_size(a, b, c, roots.discriminant, roots.lo, roots.hi);
+  batch::kernels_for<Method, T>(set).roots(batch::QuadraticLanes<T>{{a.data(), b.data(), c.data()}, size},
+                                           {roots.discriminant.data(), roots.lo.data(), roots.hi.data()});
+}
+
+}  // namespace rayproof

@@ -1,0 +1,106 @@
+#pragma once
+/// \file
+/// One problem answered by the batch kernels, among other problems: for tests that a batch equals the scalar
+/// kernels.
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <rayproof/batch.hpp>
+#include <type_traits>
+
+namespace rayproof::batch {
+
+/// More lanes than two of the widest packs have, so that every lane of a pack and of the padded tail is in
+/// reach.
+inline constexpr std::size_t neighbourhood = 37;
+
+/// Columns with one problem's numbers at a lane that depends on their bits, and hard numbers in all other
+/// lanes.
+template <class T, std::size_t Columns>
+struct Neighbourhood {
+  std::array<std::array<T, neighbourhood>, Columns> column;
+  std::size_t lane = 0;
+
+  explicit Neighbourhood(const std::array<T, Columns>& problem) {
+    using Limits = std::numeric_limits<T>;
+    constexpr std::array<T, 9> hard{
+        T(1),          T(0),    -Limits::infinity(), Limits::quiet_NaN(), T(-2), Limits::min(),
+        Limits::max(), T(-0.0), Limits::denorm_min()};
+    using Bits = std::conditional_t<sizeof(T) == sizeof(std::uint32_t), std::uint32_t, std::uint64_t>;
+    std::uint64_t hash = 0;
+    for (std::size_t c = 0; c < Columns; ++c) {
+      for (std::size_t i = 0; i < neighbourhood; ++i) column[c][i] = hard[(c * c + i) % hard.size()];
+      hash = (hash ^ std::bit_cast<Bits>(problem[c])) * 0x9E3779B97F4A7C15U;
+      hash ^= hash >> 32U;
+    }
+    lane = hash % neighbourhood;
+    for (std::size_t c = 0; c < Columns; ++c) column[c][lane] = problem[c];
+  }
+};
+
+/// Three arrays of roots, and the roots of one lane.
+template <class T>
+struct NeighbourhoodRoots {
+  std::array<T, neighbourhood> discriminant{}, lo{}, hi{};
+  [[nodiscard]] RootArrays<T> arrays() { return {discriminant, lo, hi}; }
+  [[nodiscard]] Roots<T> at(std::size_t lane) const { return {discriminant[lane], lo[lane], hi[lane]}; }
+};
+
+/// A ray's neighbourhood as a batch.
+template <class T>
+class RayNeighbourhood {
+ public:
+  RayNeighbourhood(const Ray<T>& ray, const std::optional<ObjectSpace<T>>& space)
+      : lanes_({ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x, ray.direction.y, ray.direction.z}),
+        batch_{{lanes_.column[0], lanes_.column[1], lanes_.column[2]},
+               {lanes_.column[3], lanes_.column[4], lanes_.column[5]},
+               ray.t_min,
+               ray.t_max,
+               space} {}
+  RayNeighbourhood(const RayNeighbourhood&) = delete;
+  RayNeighbourhood& operator=(const RayNeighbourhood&) = delete;
+
+  [[nodiscard]] const RayBatch<T>& batch() const { return batch_; }
+  [[nodiscard]] std::size_t lane() const { return lanes_.lane; }
+
+ private:
+  Neighbourhood<T, 6> lanes_;
+  RayBatch<T> batch_;
+};
+
+/// The roots of one ray's problem, answered in a batch of many. The ray is in the world where `space` is
+/// given.
+template <class Method, class T, class Shape>
+[[nodiscard]] Roots<T> roots_among_neighbours(const Ray<T>& ray, const Shape& shape,
+                                              const std::optional<ObjectSpace<T>>& space = {},
+                                              InstructionSet set = preferred_instruction_set()) {
+  const RayNeighbourhood<T> rays(ray, space);
+  NeighbourhoodRoots<T> roots;
+  batch_roots<Method>(rays.batch(), shape, roots.arrays(), set);
+  return roots.at(rays.lane());
+}
+
+/// The nearest hit of one ray, answered in a batch of many; infinity for a miss.
+template <class Method, class T, class Shape>
+[[nodiscard]] T nearest_among_neighbours(const Ray<T>& ray, const Shape& shape,
+                                         const std::optional<ObjectSpace<T>>& space = {},
+                                         InstructionSet set = preferred_instruction_set()) {
+  const RayNeighbourhood<T> rays(ray, space);
+  std::array<T, neighbourhood> t{};
+  nearest_hits<Method>(rays.batch(), shape, std::span<T>(t), set);
+  return t[rays.lane()];
+}
+
+/// The roots of one equation, answered in a batch of many.
+template <class Method, class T>
+[[nodiscard]] Roots<T> roots_among_neighbours(const Quadratic<T>& q,
+                                              InstructionSet set = preferred_instruction_set()) {
+  const Neighbourhood<T, 3> lanes({q.a, q.b, q.c});
+  NeighbourhoodRoots<T> roots;
+  batch_roots<Method>(QuadraticBatch<T>{lanes.column[0], lanes.column[1], lanes.column[2]}, roots.arrays(),
+                      set);
+  return roots.at(lanes.lane);
+}
+
+}  // namespace rayproof::batch

@@ -1,0 +1,79 @@
+#include <cstdlib>
+#include <rayproof/batch/instruction_set.hpp>
+#include <stdexcept>
+#include <string>
+
+#include "batch_kernels.hpp"
+
+namespace rayproof {
+
+namespace {
+
+bool is_available(InstructionSet set) {
+#ifdef RAYPROOF_X86
+  __builtin_cpu_init();
+  // The flags of lib/CMakeLists.txt: the x86-64-v3 and x86-64-v4 levels.
+  const bool has_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
+                        __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
+  const bool has_avx512 = has_avx2 && __builtin_cpu_supports("avx512f") &&
+                          __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd") &&
+                          __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+  if (set == InstructionSet::avx2) return has_avx2;
+  if (set == InstructionSet::avx512) return has_avx512;
+#endif
+  return set == InstructionSet::baseline;
+}
+
+std::vector<InstructionSet> find_available() {
+  std::vector<InstructionSet> found;
+  for (const InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
+    if (is_available(set)) found.push_back(set);
+  }
+  return found;
+}
+
+InstructionSet choose() {
+  const char* wanted = std::getenv("RAYPROOF_ISA");
+  if (wanted == nullptr || *wanted == '\0') return available_instruction_sets().back();
+  std::string choices;
+  for (const InstructionSet set : available_instruction_sets()) {
+    if (name_of(set) == wanted) return set;
+    choices.append(choices.empty() ? "" : ", ").append(name_of(set));
+  }
+  throw std::runtime_error("RAYPROOF_ISA is '" + std::string(wanted) + "'; this machine and build have " +
+                           choices);
+}
+
+}  // namespace
+
+std::string_view name_of(InstructionSet set) {
+  switch (set) {
+    case InstructionSet::avx2:
+      return "avx2";
+    case InstructionSet::avx512:
+      return "avx512";
+    case InstructionSet::baseline:
+      break;
+  }
+  return "baseline";
+}
+
+const std::vector<InstructionSet>& available_instruction_sets() {
+  static const std::vector<InstructionSet> available = find_available();
+  return available;
+}
+
+InstructionSet preferred_instruction_set() {
+  static const InstructionSet preferred = choose();
+  return preferred;
+}
+
+const batch::KernelTable& batch::kernel_table(InstructionSet set) {
+#ifdef RAYPROOF_X86
+  if (set == InstructionSet::avx2) return built_table<InstructionSet::avx2>();
+  if (set == InstructionSet::avx512) return built_table<InstructionSet::avx512>();
+#endif
+  return built_table<InstructionSet::baseline>();
+}
+
+}  // namespace rayproof
