@@ -69,8 +69,10 @@ double round_in(const ExactRoot& root) {
 }  // namespace
 
 double round_correctly(const ExactRoot& root, Precision precision) {
-  return precision == Precision::float32 ? round_in<float, std::int32_t>(root)
-                                         : round_in<double, std::int64_t>(root);
+  const double rounded = precision == Precision::float32 ? round_in<float, std::int32_t>(root)
+                                                         : round_in<double, std::int64_t>(root);
+  // IEEE 754 rounds a negative number that is too small for its precision to -0.
+  return rounded == 0 && root.compare(Ring(0.0)) < 0 ? -0.0 : rounded;
 }
 
 }  // namespace rayproof::oracle

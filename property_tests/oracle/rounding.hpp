@@ -15,14 +15,19 @@ namespace rayproof::oracle {
 /// `root` rounded to nearest, ties to even, in the case's precision; infinite where it overflows.
 [[nodiscard]] double round_correctly(const ExactRoot& root, Precision precision);
 
+/// The exponent e of a positive number, 2^e <= x < 2^(e+1), read from its bits; -1023 for all subnormals.
+[[nodiscard]] inline int exponent_of(double x) {
+  return static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52) - 1023;
+}
+
 /// The unit in the last place of a number of this size in the precision: the gap to the next larger
 /// magnitude, never less than the smallest subnormal.
-[[nodiscard]] inline double ulp_of(double magnitude, Precision precision) {
+[[nodiscard]] inline double ulp_of(double number, Precision precision) {
   const bool narrow = precision == Precision::float32;
-  const int digits = narrow ? 24 : 53;
-  const int smallest = narrow ? -149 : -1074;
-  if (magnitude == 0) return std::ldexp(1.0, smallest);
-  return std::ldexp(1.0, std::max(std::ilogb(magnitude) - digits + 1, smallest));
+  const int exponent = exponent_of(std::abs(number)) - (narrow ? 23 : 52);
+  if (exponent < -1022) return std::ldexp(1.0, std::max(exponent, -1074));
+  return std::bit_cast<double>(static_cast<std::uint64_t>(std::max(exponent, narrow ? -149 : -1074) + 1023)
+                               << 52);
 }
 
 /// ε, the unit roundoff of the precision.

@@ -15,7 +15,8 @@ namespace {
 
 std::optional<int> certain_sign(const Ring& x) { return sign(x); }
 
-/// Numbers to read values by: doubles for balls, which are used only where doubles do not overflow.
+/// Numbers to read values by: doubles for the filters, which are used only where doubles do not overflow.
+double read(const Interval& x) { return x.middle; }
 double read(const Ball& x) { return x.high; }
 Scaled read(const Ring& x) { return approximate(x); }
 double value(double x) { return x; }
@@ -23,6 +24,7 @@ double value(const Scaled& x) { return static_cast<double>(x.value()); }
 using std::abs, std::sqrt;
 
 /// How far the true value of `x` may lie from read(x).
+double uncertainty(const Interval& x) { return x.radius; }
 double uncertainty(const Ball& x) { return x.radius; }
 double uncertainty(const Ring&) { return 0; }
 
@@ -33,33 +35,87 @@ int compare(int side, int power, int slope) {
   return slope * side >= 0 ? 0 : side;
 }
 
-/// Which roots lie in the ray's interval.
+/// Which roots lie in the ray's interval, and a quarter of the discriminant to one part in 2^20 (an exact 0
+/// is 0).
+template <class Number>
 struct Truth {
   bool lower = false;
   bool upper = false;
+  Number discriminant{0};
+  Number a{0};
+
   [[nodiscard]] std::size_t count() const {
     return static_cast<std::size_t>(lower) + static_cast<std::size_t>(upper);
   }
+  /// The side of the hit that comes `index`-th.
+  [[nodiscard]] int side(std::size_t index) const { return index > 0 || !lower ? 1 : -1; }
 };
 
 /// The exact verdict, or nothing where R can't tell.
 template <class R>
-std::optional<Truth> verdict(const SphereEquation<R>& scene, const Ray<double>& ray) {
+auto verdict(const SphereEquation<R>& scene, const Ray<double>& ray) {
+  using Number = decltype(read(scene.radius));
+  using Maybe = std::optional<Truth<Number>>;
   const R a = scene.a(), h = scene.h(), c = scene.c();
-  const auto discriminant = certain_sign(h * h - a * c);
-  if (!discriminant) return std::nullopt;
-  if (*discriminant < 0) return Truth{};
-  Truth truth{true, *discriminant > 0};
+  const R discriminant = h * h - a * c;
+  const auto discriminant_sign = certain_sign(discriminant);
+  if (!discriminant_sign) return Maybe();
+  Truth<Number> truth{*discriminant_sign >= 0, *discriminant_sign > 0, read(discriminant), read(a)};
+  if (uncertainty(discriminant) > 0x1p-20 * abs(value(truth.discriminant))) return Maybe();
   for (const auto& [end, inside] : {std::pair{ray.t_min, 1}, std::pair{ray.t_max, -1}}) {
     if (std::isinf(end)) continue;
     const PowerAt<R> at = end == 0 ? PowerAt<R>{c, h} : scene.at(end);
     const auto power = certain_sign(at.power);
     const auto slope = certain_sign(at.slope);
-    if (!power || !slope) return std::nullopt;
+    if (!power || !slope) return Maybe();
     truth.lower = truth.lower && compare(-1, *power, *slope) * inside >= 0;
     truth.upper = truth.upper && compare(1, *power, *slope) * inside >= 0;
   }
-  return truth;
+  return Maybe(truth);
+}
+
+/// The error of a claimed t against the root on `side`, and the distance of p(t) from the surface in units of
+/// `unit`.
+struct HitError {
+  double ulp;
+  double residual;
+};
+
+/// The error of a finite t; nothing where R can't tell.
+template <class R, class Number>
+std::optional<HitError> hit_error(const SphereEquation<R>& scene, const Truth<Number>& truth,
+                                  const Number& unit, int side, double t, Precision precision) {
+  const PowerAt<R> at = scene.at(t);
+  const Number power = read(at.power);
+  const Number slope = read(at.slope);
+  const Number w = sqrt(abs(truth.discriminant));
+  const Number u = side > 0 ? slope : -slope;
+  const Number sum = abs(u) + w;
+  const bool is_double = !(Number(0) < w);
+  // root - t, by the branch that does not cancel: from the slope at a double root, from the power beside a
+  // single one.
+  Number to_root = (side > 0 ? w - u : u - w) / truth.a;
+  double doubt = uncertainty(at.slope) / value(truth.a);
+  if (!is_double && Number(0) < u) {
+    to_root = (side > 0 ? -power : power) / sum;
+    doubt = uncertainty(at.power) / value(sum) + 0x1p-20 * uncertainty(at.slope) / value(truth.a);
+    if (uncertainty(at.slope) > 0x1p-20 * value(sum)) return std::nullopt;
+  }
+  const double error = value(to_root);
+  const double ulp = ulp_of(t + error, precision);
+  if (std::is_same_v<R, Ball> && !(doubt <= std::max(0x1p-20 * abs(error), 0x1p-30 * ulp)))
+    return std::nullopt;
+
+  const Number radius = abs(read(scene.radius));
+  const Number distance = sqrt(abs(power + radius * radius));
+  return HitError{abs(error) / ulp, value(abs(power) / ((distance + radius) * unit))};
+}
+
+/// The error of an infinite or NaN t: right only where the exact root rounds to the same infinity.
+HitError infinite_hit_error(const SphereEquation<Ring>& scene, int side, double t, Precision precision) {
+  const ExactRoot root({scene.a(), scene.h(), scene.c()}, side);
+  const bool right = round_correctly(root, precision) == t;
+  return right ? HitError{0, 0} : HitError{HUGE_VAL, HUGE_VAL};
 }
 
 /// The lengths a contract speaks of, in the scale of the equation.
@@ -96,45 +152,6 @@ auto lengths(const SphereEquation<R>& scene, const ObjectRay<R>& ray, const RayQ
   return Lengths<Number>{size, radius, forward * backward / scale, std::min(all), std::max(all)};
 }
 
-/// The error of a claimed t against the root on `side`, and the distance of p(t) from the surface in units of
-/// `unit`.
-struct HitError {
-  double ulp;
-  double residual;
-};
-
-/// The error of a finite t; nothing where R can't tell.
-template <class R, class Unit>
-std::optional<HitError> hit_error(const SphereEquation<R>& scene, const Unit& unit, int side, double t,
-                                  Precision precision) {
-  const PowerAt<R> at = scene.at(t);
-  const R a = scene.a();
-  const R discriminant = at.slope * at.slope - a * at.power;
-  const auto power = read(at.power);
-  const auto D = read(discriminant);
-  using Number = std::remove_cvref_t<decltype(power)>;
-  if (uncertainty(discriminant) > 0x1p-20 * abs(value(D))) return std::nullopt;
-
-  const Number w = sqrt(abs(D));
-  const Number u = side > 0 ? read(at.slope) : -read(at.slope);
-  const Number sum = abs(u) + w;
-  Number to_root{0};
-  if (Number(0) < u) {
-    to_root = (side > 0 ? -power : power) / sum;
-  } else if (Number(0) < sum) {
-    to_root = (side > 0 ? w - u : u - w) / read(a);
-  }
-  const double error = value(to_root);
-  const double ulp = ulp_of(t + error, precision);
-  const double doubt = uncertainty(at.power) == 0 ? 0 : uncertainty(at.power) / value(sum);
-  if (doubt > std::max(0x1p-20 * abs(error), 0x1p-30 * ulp)) return std::nullopt;
-
-  const Number radius = abs(read(scene.radius));
-  const Number distance = sqrt(abs(power + radius * radius));
-  const Number off_surface = abs(power) / (distance + radius);
-  return HitError{abs(error) / ulp, value(off_surface / unit)};
-}
-
 /// How much the radius must change for another verdict, in the scale of the equation.
 Scaled distance_to_other_verdict(const SphereEquation<Ring>& scene, const Ray<double>& ray) {
   const Scaled radius = abs(approximate(scene.radius));
@@ -150,6 +167,10 @@ Scaled distance_to_other_verdict(const SphereEquation<Ring>& scene, const Ray<do
   return nearest;
 }
 
+/// log2, rounded down to a whole number.
+double log2_of(double x) { return x > 0 ? static_cast<double>(exponent_of(x)) : -HUGE_VAL; }
+double log2_of(const Scaled& x) { return x.sign() == 0 ? -HUGE_VAL : static_cast<double>(x.exponent() - 1); }
+
 /// Everything the judge derives from a case in one ring.
 template <class R>
 struct Bench {
@@ -159,79 +180,93 @@ struct Bench {
   Bench(const RayQuestion& question, const Sphere<double>& sphere) : ray(question), scene(ray, sphere) {}
 };
 
-Truth exact_verdict(const RayQuestion& question, const Sphere<double>& sphere, const Bench<Ball>& ball) {
-  if (const auto truth = verdict(Bench<Interval>(question, sphere).scene, question.ray)) return *truth;
-  if (const auto truth = verdict(ball.scene, question.ray)) return *truth;
-  return *verdict(Bench<Ring>(question, sphere).scene, question.ray);
-}
+/// The judgement of one case. Its exact numbers are made only when a filter could not tell.
+class SphereJudge {
+ public:
+  SphereJudge(const RayQuestion& question, const Sphere<double>& sphere, Precision precision)
+      : question_(question), sphere_(sphere), precision_(precision), ball_(question, sphere) {}
 
-/// The error of an infinite or NaN t: right only where the exact root rounds to the same infinity.
-HitError infinite_hit_error(const SphereEquation<Ring>& scene, int side, double t, Precision precision) {
-  const ExactRoot root({scene.a(), scene.h(), scene.c()}, side);
-  const bool right = round_correctly(root, precision) == t;
-  return right ? HitError{0, 0} : HitError{HUGE_VAL, HUGE_VAL};
-}
+  Judgement judge(const RayAnswer& claimed) {
+    const auto sizes = lengths(ball_.scene, ball_.ray, question_, sphere_);
+    note_lengths(sizes);
+    // Doubles serve only far from overflow and underflow (false for NaN too).
+    if (judgement_.smallest > -200 && judgement_.largest < 200) {
+      const Truth<double> truth = filtered_verdict();
+      judge_hits(ball_, truth, sizes, claimed);
+    } else {
+      const auto exact_sizes = lengths(exact().scene, exact().ray, question_, sphere_);
+      note_lengths(exact_sizes);
+      judge_hits(exact(), *verdict(exact().scene, question_.ray), exact_sizes, claimed);
+    }
+    return judgement_;
+  }
 
-double log2_of(double x) { return std::log2(x); }
-double log2_of(const Scaled& x) { return x.sign() == 0 ? -HUGE_VAL : static_cast<double>(x.exponent() - 1); }
+ private:
+  const Bench<Ring>& exact() {
+    if (!exact_) exact_.emplace(question_, sphere_);
+    return *exact_;
+  }
 
-template <class Number>
-void note_lengths(const Lengths<Number>& lengths, Judgement& judgement) {
-  judgement.far = Number(0) < lengths.radius ? value(lengths.size / lengths.radius) : HUGE_VAL;
-  judgement.smallest = log2_of(lengths.smallest);
-  judgement.largest = log2_of(lengths.largest);
-}
+  Truth<double> filtered_verdict() {
+    if (const auto truth = verdict(Bench<Interval>(question_, sphere_).scene, question_.ray)) return *truth;
+    if (const auto truth = verdict(ball_.scene, question_.ray)) return *truth;
+    const auto truth = *verdict(exact().scene, question_.ray);
+    return {truth.lower, truth.upper, value(truth.discriminant), value(truth.a)};
+  }
 
-/// Judges the claimed hits in one ring; nothing where it can't tell.
-template <class R>
-bool judge_hits(const Bench<R>& bench, const RayQuestion& question, const Sphere<double>& sphere,
-                Precision precision, const Truth& truth, const HitList& hits, Judgement& judgement) {
-  const auto sizes = lengths(bench.scene, bench.ray, question, sphere);
-  note_lengths(sizes, judgement);
-  using Number = decltype(sizes.size);
-  // Doubles serve only far from overflow and underflow (false for NaN too).
-  const bool moderate = judgement.smallest > -200 && judgement.largest < 200;
-  if (std::is_same_v<R, Ball> && !moderate) return false;
+  template <class Number>
+  void note_lengths(const Lengths<Number>& sizes) {
+    judgement_.far = Number(0) < sizes.radius ? value(sizes.size / sizes.radius) : HUGE_VAL;
+    judgement_.smallest = log2_of(sizes.smallest);
+    judgement_.largest = log2_of(sizes.largest);
+  }
 
-  const Number unit = sizes.size * sizes.condition * Number(unit_roundoff(precision));
-  const double tiny = precision == Precision::float32 ? 0x1p-126 : 0x1p-1022;
-  judgement.ulp = judgement.residual = 0;
-  for (std::size_t i = 0; i < hits.count; ++i) {
-    const int side = i > 0 || !truth.lower ? 1 : -1;
-    const double t = hits.t.at(i);
-    const auto error = std::isfinite(t)
-                           ? hit_error(bench.scene, unit, side, t, precision)
-                           : infinite_hit_error(Bench<Ring>(question, sphere).scene, side, t, precision);
-    if (!error) return false;
-    judgement.ulp = std::max(judgement.ulp, error->ulp);
+  template <class R, class Number>
+  void judge_hits(const Bench<R>& bench, const Truth<Number>& truth, const Lengths<Number>& sizes,
+                  const RayAnswer& claimed) {
+    const std::size_t expected =
+        claimed.nearest_only ? std::min<std::size_t>(truth.count(), 1) : truth.count();
+    const Number unit = sizes.size * sizes.condition * Number(unit_roundoff(precision_));
+    judgement_.hit = truth.count() > 0;
+    judgement_.wrong = expected != claimed.hits.count;
+    for (std::size_t i = 0; i < claimed.hits.count; ++i) {
+      note_error(claimed.hits.t[i], hit(bench, truth, unit, truth.side(i), claimed.hits.t[i]));
+    }
+    if (!judgement_.wrong) return;
+    judgement_.ulp = std::nan("");
+    judgement_.margin =
+        value(distance_to_other_verdict(exact().scene, question_.ray) / Scaled(static_cast<Scaled>(unit)));
+  }
+
+  template <class R, class Number>
+  HitError hit(const Bench<R>& bench, const Truth<Number>& truth, const Number& unit, int side, double t) {
+    if (!std::isfinite(t)) return infinite_hit_error(exact().scene, side, t, precision_);
+    if (const auto error = hit_error(bench.scene, truth, unit, side, t, precision_)) return *error;
+    const Truth<Scaled> widened{truth.lower, truth.upper, truth.discriminant, truth.a};
+    return *hit_error(exact().scene, widened, Scaled(unit), side, t, precision_);
+  }
+
+  void note_error(double t, const HitError& error) {
+    judgement_.ulp = std::max(judgement_.ulp, error.ulp);
     // Where the grid of floats itself is coarse or ends, the nearest float is all that can be asked for.
+    const double tiny = precision_ == Precision::float32 ? 0x1p-126 : 0x1p-1022;
     const bool grid_ends = !std::isfinite(t) || std::abs(t) < tiny;
-    if (!(grid_ends && error->ulp <= 1)) judgement.residual = std::max(judgement.residual, error->residual);
+    if (!(grid_ends && error.ulp <= 1)) judgement_.residual = std::max(judgement_.residual, error.residual);
   }
-  if (judgement.wrong) {
-    judgement.ulp = std::nan("");
-    const Bench<Ring> exact(question, sphere);
-    const auto exact_sizes = lengths(exact.scene, exact.ray, question, sphere);
-    const Scaled exact_unit = exact_sizes.size * exact_sizes.condition * Scaled(unit_roundoff(precision));
-    judgement.margin = value(distance_to_other_verdict(exact.scene, question.ray) / exact_unit);
-  }
-  return true;
-}
+
+  const RayQuestion& question_;
+  const Sphere<double>& sphere_;
+  Precision precision_;
+  Bench<Ball> ball_;
+  std::optional<Bench<Ring>> exact_;
+  Judgement judgement_;
+};
 
 }  // namespace
 
 Judgement judge(const RayQuestion& question, const Sphere<double>& sphere, Precision precision,
                 const RayAnswer& claimed) {
-  const Bench<Ball> ball(question, sphere);
-  const Truth truth = exact_verdict(question, sphere, ball);
-  Judgement judgement;
-  judgement.hit = truth.count() > 0;
-  const std::size_t expected = claimed.nearest_only ? std::min<std::size_t>(truth.count(), 1) : truth.count();
-  judgement.wrong = expected != claimed.hits.count;
-  if (!judge_hits(ball, question, sphere, precision, truth, claimed.hits, judgement)) {
-    judge_hits(Bench<Ring>(question, sphere), question, sphere, precision, truth, claimed.hits, judgement);
-  }
-  return judgement;
+  return SphereJudge(question, sphere, precision).judge(claimed);
 }
 
 }  // namespace rayproof::oracle

@@ -68,22 +68,26 @@ struct Compensated {
     return static_cast<T>((x > 0) - (x < 0));
   }
 
-  /// Whether double rounding errors can't have touched the verdict or moved a root by more than 2^-20 float
+  /// Whether double rounding errors can't have touched the verdict or moved a root by more than 2^-5 float
   /// ulps.
+  ///
+  /// With E = (r + |l|)·(|f| + r), Centred's D is off by at most 2^-49·E, which moves a root by less than
+  /// 2^-50·E/D of the larger root, and the middle t_c is off by at most 2^-51·(|f| + r)/|d|.
   template <class T>
   static bool is_clear(const Ray<double>& ray, const Sphere<double>& sphere, const Roots<double>& wide) {
     const glm::dvec3 f = ray.origin - sphere.center;
-    const double rr = sphere.radius * sphere.radius;
-    const double ff = dot(f, f);
     const double D = wide.discriminant;
-    // Centred's D = r² - l² is off by at most 2^-49·(r + |l|)·(|f| + r); ask for 2^-22 of those lengths.
-    const double ll = rr - D;
-    if (!(D * D >= 0x1p-42 * (rr + ll) * (ff + rr))) return false;
+    const double rr = sphere.radius * sphere.radius;
+    const double SS = 2 * (dot(f, f) + rr);
+    const double EE = 2 * (rr + (rr - D)) * SS;
+    if (!(D * D >= 0x1p-42 * EE)) return false;
     if (D < 0) return true;
     const double smaller = min(abs(wide.lo), abs(wide.hi));
     const double larger = max(abs(wide.lo), abs(wide.hi));
-    if (!(smaller >= 0x1p-18 * larger && smaller >= static_cast<double>(std::numeric_limits<T>::min())))
-      return false;
+    const double kept = D * (smaller / larger);
+    if (!(kept * kept >= 0x1p-40 * EE)) return false;
+    if (!(smaller * smaller * dot(ray.direction, ray.direction) >= 0x1p-42 * SS)) return false;
+    if (!(smaller >= static_cast<double>(std::numeric_limits<T>::min()))) return false;
     const auto is_beside = [](double t, double end) { return abs(t - end) <= 0x1p-22 * abs(t); };
     return !(is_beside(wide.lo, ray.t_min) || is_beside(wide.lo, ray.t_max) ||
              is_beside(wide.hi, ray.t_min) || is_beside(wide.hi, ray.t_max));
