@@ -12,13 +12,6 @@ namespace {
 
 constexpr bool is_baseline = InstructionSet::RAYPROOF_INSTRUCTION_SET == InstructionSet::baseline;
 
-/// Whether the kernel can be run in arithmetic `N`: a method for plain numbers alone says so in its
-/// constraint.
-template <class Method, class N>
-concept RunsIn = requires {
-  &Method::template roots<N>;
-};
-
 /// Every discriminant and both roots, computed in arithmetic `N`.
 template <class Topic, class Method, class N, class T>
 void all_roots(const Lanes<Topic, T>& in, T* const (&out)[3]) {
@@ -58,7 +51,7 @@ template <class Topic, class Method, class T>
 template <class Topic, class Method, class T>
 constexpr void enter(Kernels<Topic, Method, T>& kernels) {
   constexpr bool has_ray = RayProblem<typename Topic::template Problem<T>>;
-  if constexpr (RunsIn<Method, Pack<T>>) {
+  if constexpr (runs_in_packs<Method>) {
     kernels.roots = all_roots_in_packs<Topic, Method, T>;
     if constexpr (has_ray) kernels.nearest = nearest_roots_in_packs<Topic, Method, T>;
   } else if constexpr (is_baseline) {

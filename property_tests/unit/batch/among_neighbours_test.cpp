@@ -40,9 +40,10 @@ TEST(AmongNeighbours, ARayHasItsScalarRootsAndNearestHitWhateverLiesBesideIt) {
 }
 
 TEST(AmongNeighbours, ProblemsReachEveryLane) {
-  std::vector<int> reached(batch::neighbourhood);
+  constexpr std::size_t lanes = batch::neighbourhood<sphere::Centred>;
+  std::vector<int> reached(lanes);
   for (int i = 0; i < 2000; ++i)
-    ++reached.at(batch::Neighbourhood<float, 3>({static_cast<float>(i), 1.0F, 2.0F}).lane);
+    ++reached.at(batch::Neighbourhood<float, 3, lanes>({static_cast<float>(i), 1.0F, 2.0F}).lane);
   for (const int times : reached) EXPECT_GT(times, 0);
 }
 

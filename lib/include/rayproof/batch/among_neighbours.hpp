@@ -12,14 +12,15 @@
 namespace rayproof::batch {
 
 /// More lanes than two of the widest packs have, so that every lane of a pack and of the padded tail is in
-/// reach.
-inline constexpr std::size_t neighbourhood = 37;
+/// reach. A method that runs one number at a time has no lanes to mix up.
+template <class Method>
+inline constexpr std::size_t neighbourhood = runs_in_packs<Method> ? 37 : 1;
 
 /// Columns with one problem's numbers at a lane that depends on their bits, and hard numbers in all other
 /// lanes.
-template <class T, std::size_t Columns>
+template <class T, std::size_t Columns, std::size_t Lanes>
 struct Neighbourhood {
-  std::array<std::array<T, neighbourhood>, Columns> column;
+  std::array<std::array<T, Lanes>, Columns> column;
   std::size_t lane = 0;
 
   explicit Neighbourhood(const std::array<T, Columns>& problem) {
@@ -30,25 +31,25 @@ struct Neighbourhood {
     using Bits = std::conditional_t<sizeof(T) == sizeof(std::uint32_t), std::uint32_t, std::uint64_t>;
     std::uint64_t hash = 0;
     for (std::size_t c = 0; c < Columns; ++c) {
-      for (std::size_t i = 0; i < neighbourhood; ++i) column[c][i] = hard[(c * c + i) % hard.size()];
+      for (std::size_t i = 0; i < Lanes; ++i) column[c][i] = hard[(c * c + i) % hard.size()];
       hash = (hash ^ std::bit_cast<Bits>(problem[c])) * 0x9E3779B97F4A7C15U;
       hash ^= hash >> 32U;
     }
-    lane = hash % neighbourhood;
+    lane = hash % Lanes;
     for (std::size_t c = 0; c < Columns; ++c) column[c][lane] = problem[c];
   }
 };
 
 /// Three arrays of roots, and the roots of one lane.
-template <class T>
+template <class T, std::size_t Lanes>
 struct NeighbourhoodRoots {
-  std::array<T, neighbourhood> discriminant{}, lo{}, hi{};
+  std::array<T, Lanes> discriminant{}, lo{}, hi{};
   [[nodiscard]] RootArrays<T> arrays() { return {discriminant, lo, hi}; }
   [[nodiscard]] Roots<T> at(std::size_t lane) const { return {discriminant[lane], lo[lane], hi[lane]}; }
 };
 
 /// A ray's neighbourhood as a batch.
-template <class T>
+template <class T, std::size_t Lanes>
 class RayNeighbourhood {
  public:
   RayNeighbourhood(const Ray<T>& ray, const std::optional<ObjectSpace<T>>& space)
@@ -65,7 +66,7 @@ class RayNeighbourhood {
   [[nodiscard]] std::size_t lane() const { return lanes_.lane; }
 
  private:
-  Neighbourhood<T, 6> lanes_;
+  Neighbourhood<T, 6, Lanes> lanes_;
   RayBatch<T> batch_;
 };
 
@@ -75,8 +76,8 @@ template <class Method, class T, class Shape>
 [[nodiscard]] Roots<T> roots_among_neighbours(const Ray<T>& ray, const Shape& shape,
                                               const std::optional<ObjectSpace<T>>& space = {},
                                               InstructionSet set = preferred_instruction_set()) {
-  const RayNeighbourhood<T> rays(ray, space);
-  NeighbourhoodRoots<T> roots;
+  const RayNeighbourhood<T, neighbourhood<Method>> rays(ray, space);
+  NeighbourhoodRoots<T, neighbourhood<Method>> roots;
   batch_roots<Method>(rays.batch(), shape, roots.arrays(), set);
   return roots.at(rays.lane());
 }
@@ -86,8 +87,8 @@ template <class Method, class T, class Shape>
 [[nodiscard]] T nearest_among_neighbours(const Ray<T>& ray, const Shape& shape,
                                          const std::optional<ObjectSpace<T>>& space = {},
                                          InstructionSet set = preferred_instruction_set()) {
-  const RayNeighbourhood<T> rays(ray, space);
-  std::array<T, neighbourhood> t{};
+  const RayNeighbourhood<T, neighbourhood<Method>> rays(ray, space);
+  std::array<T, neighbourhood<Method>> t{};
   nearest_hits<Method>(rays.batch(), shape, std::span<T>(t), set);
   return t[rays.lane()];
 }
@@ -96,8 +97,8 @@ template <class Method, class T, class Shape>
 template <class Method, class T>
 [[nodiscard]] Roots<T> roots_among_neighbours(const Quadratic<T>& q,
                                               InstructionSet set = preferred_instruction_set()) {
-  const Neighbourhood<T, 3> lanes({q.a, q.b, q.c});
-  NeighbourhoodRoots<T> roots;
+  const Neighbourhood<T, 3, neighbourhood<Method>> lanes({q.a, q.b, q.c});
+  NeighbourhoodRoots<T, neighbourhood<Method>> roots;
   batch_roots<Method>(QuadraticBatch<T>{lanes.column[0], lanes.column[1], lanes.column[2]}, roots.arrays(),
                       set);
   return roots.at(lanes.lane);

@@ -51,6 +51,13 @@ struct LanesOf<T, Problem> {
 template <class Topic, class T>
 using Lanes = typename LanesOf<T, typename Topic::template Problem<T>>::type;
 
+/// Whether a method runs in packs, or is for plain numbers alone: then the constraint of its `roots` says so.
+struct AnyNumber {};
+template <class Method>
+inline constexpr bool runs_in_packs = requires {
+  &Method::template roots<AnyNumber>;
+};
+
 /// One method's kernels in one precision. Null where it has none: the baseline's is used then.
 template <class Topic, class Method, class T>
 struct Kernels {
