@@ -140,10 +140,13 @@ template <class T, class S>
   return {Operator::floor, whole, S(whole.value), x.id};
 }
 
+/// An infinite or NaN exponent leaves nothing to scale: the shadow then is what the rounded value is.
 template <class T, class S>
 [[nodiscard]] Recorded<T, S> scale_exponent(const Recorded<T, S>& x, const Recorded<T, S>& e) {
-  const S scaled = ldexp(x.exact, static_cast<int>(e.value()));
-  return {Operator::scale_exponent, scale_exponent(x.bounded, e.bounded), scaled, x.id, e.id};
+  const Bounded<T> rounded = scale_exponent(x.bounded, e.bounded);
+  const bool scales = std::isfinite(e.value());
+  const S scaled = scales ? S(ldexp(x.exact, static_cast<int>(e.value()))) : S(rounded.value);
+  return {Operator::scale_exponent, rounded, scaled, x.id, e.id};
 }
 
 template <class T, class S>

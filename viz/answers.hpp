@@ -1,0 +1,31 @@
+#pragma once
+/// \file
+/// What pictures and texts say of answers, whatever the topic.
+
+#include <string>
+#include <vector>
+
+#include "case/answer.hpp"
+#include "case/case.hpp"
+#include "viz/picture.hpp"
+
+namespace rayproof::viz {
+
+/// The t or x of the answer, ascending; none for a missing answer.
+[[nodiscard]] std::vector<double> values_of(const Answer* answer);
+
+/// "hit at 2 points", "miss", "two roots", "no answer given".
+[[nodiscard]] std::string verdict_of(const Answer* answer);
+
+/// Whether both are given and differ in how many hits or roots there are, or of what kind.
+[[nodiscard]] bool verdicts_differ(const Answer* exact, const Answer* claimed);
+
+/// "exact: hit, claimed: miss" in one line.
+[[nodiscard]] std::string headline(const Answer* exact, const Answer* claimed);
+
+/// A table of the values under each other, one row a value, below `top`: mark, name, exact, claimed,
+/// distance. Returns the height it took.
+double draw_answer_table(Picture& picture, double top, const std::string& symbol, const Case& one,
+                         const Answer* exact, const Answer* claimed);
+
+}  // namespace rayproof::viz

@@ -1,0 +1,104 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <optional>
+
+#include "viz/numbers.hpp"
+#include "viz/tape.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+/// How tightly an expression's outermost operator binds.
+enum Binding { sum, product, sign, atom };
+
+struct Expression {
+  std::string text;
+  Binding binding = atom;
+};
+
+std::string wrapped(const Expression& e, Binding least) {
+  return e.binding < least ? fmt::format("({})", e.text) : e.text;
+}
+
+class FormulaWriter {
+ public:
+  explicit FormulaWriter(const Tape& tape) : tape_(tape) {}
+
+  [[nodiscard]] Expression operand(OperationId id) const {
+    if (id == unrecorded) return {"?", atom};
+    const std::string& name = tape_.at(id).name;
+    if (name.empty()) return write(id);
+    return {name, name.find('/') == std::string::npos ? atom : sum};  // "1/a" wants parentheses in a product
+  }
+
+  [[nodiscard]] Expression write(OperationId id) const {
+    const auto& [op, ids, value, exact, bound, lost, lost_here, step, name] = tape_.at(id);
+    if (const auto short_form = dot_product(id)) return {*short_form, atom};
+    const auto at = [&](std::size_t i) { return operand(ids[i]); };
+    switch (op) {
+      case Operator::constant:
+        return {name.empty() ? rough(value, 17) : name, value < 0 ? sign : atom};
+      case Operator::negate:
+        return {fmt::format("−{}", wrapped(at(0), product)), sign};
+      case Operator::add:
+        return {fmt::format("{} + {}", at(0).text, wrapped(at(1), product)), sum};
+      case Operator::subtract:
+        return {fmt::format("{} − {}", at(0).text, wrapped(at(1), product)), sum};
+      case Operator::multiply:
+        return {fmt::format("{}·{}", wrapped(at(0), product), wrapped(at(1), product)), product};
+      case Operator::divide:
+        return {fmt::format("{} / {}", wrapped(at(0), product), wrapped(at(1), atom)), product};
+      case Operator::square_root:
+        return {fmt::format("√{}", wrapped(at(0), atom)), atom};
+      case Operator::fused_multiply_add:
+        return {fmt::format("fma({}, {}, {})", at(0).text, at(1).text, at(2).text), atom};
+      case Operator::absolute:
+        return {fmt::format("|{}|", at(0).text), atom};
+      case Operator::copy_sign:
+        return {fmt::format("copysign({}, {})", at(0).text, at(1).text), atom};
+      case Operator::exponent:
+        return {fmt::format("exponent({})", at(0).text), atom};
+      case Operator::scale_exponent:
+        return {fmt::format("{}·2^({})", wrapped(at(0), product), at(1).text), product};
+      case Operator::floor:
+        return {fmt::format("floor({})", at(0).text), atom};
+    }
+    return {};
+  }
+
+ private:
+  /// "d" and "f" of d.x·f.x, for the given component.
+  [[nodiscard]] std::optional<std::array<std::string, 2>> factors(OperationId id,
+                                                                  const char* component) const {
+    if (id == unrecorded || tape_.at(id).op != Operator::multiply || !tape_.at(id).name.empty()) return {};
+    std::array<std::string, 2> names;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const OperationId factor = tape_.at(id).operands[i];
+      if (factor == unrecorded || !tape_.at(factor).name.ends_with(component)) return {};
+      names[i] = tape_.at(factor).name.substr(0, tape_.at(factor).name.size() - 2);
+    }
+    return names;
+  }
+
+  /// x·x + y·y + z·z of two named vectors is their dot product.
+  [[nodiscard]] std::optional<std::string> dot_product(OperationId id) const {
+    const auto& all = tape_.at(id);
+    if (all.op != Operator::add || all.operands[0] == unrecorded) return {};
+    const auto& xy = tape_.at(all.operands[0]);
+    if (xy.op != Operator::add || !xy.name.empty()) return {};
+    const auto x = factors(xy.operands[0], ".x");
+    const auto y = factors(xy.operands[1], ".y");
+    const auto z = factors(all.operands[1], ".z");
+    if (!x || x != y || y != z) return {};
+    return fmt::format("dot({}, {})", (*x)[0], (*x)[1]);
+  }
+
+  const Tape& tape_;
+};
+
+}  // namespace
+
+std::string formula_of(const Tape& tape, OperationId id) { return FormulaWriter(tape).write(id).text; }
+
+}  // namespace rayproof::viz

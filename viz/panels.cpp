@@ -1,0 +1,75 @@
+#include "viz/panels.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "viz/answers.hpp"
+#include "viz/numbers.hpp"
+
+namespace rayproof::viz {
+
+Picture begin_picture(const std::string& what, const Case& one, const std::string& headline,
+                      const std::string& geometry) {
+  Picture picture;
+  picture.title = headline;
+  const char* precision = one.precision == Precision::float32 ? "float32" : "float64";
+  picture.description = what + " in " + precision + ". " + geometry;
+  picture.elements.emplace_back(Text{Role::text, {20, 32}, headline, Anchor::start, 20, true});
+  picture.elements.emplace_back(Text{Role::muted, {20, 58}, picture.description, Anchor::start, 13});
+  return picture;
+}
+
+std::string magnification(const View& main, const View& inset) {
+  const Shadow x = inset.scale_x / main.scale_x;
+  const Shadow y = inset.scale_y / main.scale_y;
+  if (inset.scale_x == inset.scale_y && main.scale_x == main.scale_y) return "Magnified ×" + rough(x, 2);
+  return "Magnified ×" + rough(x, 2) + " along, ×" + rough(y, 2) + " across";
+}
+
+void draw_focus(Picture& picture, const View& main, const View& inset) {
+  constexpr double least = 9;
+  const Box& frame = main.frame;
+  const Point at = main.to_pixels(inset.centre);
+  const double half_x = std::max(least, static_cast<double>(inset.half_width() * main.scale_x));
+  const double half_y = std::max(least, static_cast<double>(inset.half_height() * main.scale_y));
+  const double left = std::max(at.x - half_x, frame.left + 1);
+  const double right = std::min(at.x + half_x, frame.right() - 1);
+  const double top = std::max(at.y - half_y, frame.top + 1);
+  const double bottom = std::min(at.y + half_y, frame.bottom() - 1);
+  if (left >= right || top >= bottom) return;
+  picture.elements.emplace_back(
+      Line{Role::muted, {{left, top}, {right, top}, {right, bottom}, {left, bottom}, {left, top}}, 1.5});
+  picture.elements.emplace_back(
+      Line{Role::frame, {{right, top}, {inset.frame.left, inset.frame.top}}, 1, Pattern::dotted});
+  picture.elements.emplace_back(
+      Line{Role::frame, {{right, bottom}, {inset.frame.left, inset.frame.bottom()}}, 1, Pattern::dotted});
+}
+
+void draw_measure(Picture& picture, const View& view, const std::pair<WorldPoint, WorldPoint>& ends,
+                  const std::string& label) {
+  Point a = view.to_pixels(ends.first);
+  Point b = view.to_pixels(ends.second);
+  const bool is_level = std::abs(a.y - b.y) < std::abs(a.x - b.x);
+  const double tick = 5;
+  const double aside = is_level ? 46 : 0;
+  a.y -= aside;
+  b.y -= aside;
+  const double dx = is_level ? 0 : tick;
+  const double dy = is_level ? tick : 0;
+  picture.elements.emplace_back(
+      Line{Role::text,
+           {{a.x - dx, a.y - dy}, {a.x + dx, a.y + dy}, a, b, {b.x - dx, b.y - dy}, {b.x + dx, b.y + dy}},
+           1.5});
+  const Point middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
+  picture.elements.emplace_back(
+      is_level ? Text{Role::text, {middle.x, middle.y - 10}, label, Anchor::middle, 14}
+               : Text{Role::text, {middle.x + 10, middle.y + 5}, label, Anchor::start, 14});
+}
+
+void finish_picture(Picture& picture, const Panels& panels, const std::string& symbol, const Case& one,
+                    const Answer* exact, const Answer* claimed) {
+  const double top = panels.whole.bottom() + 6;
+  picture.height = top + draw_answer_table(picture, top, symbol, one, exact, claimed);
+}
+
+}  // namespace rayproof::viz

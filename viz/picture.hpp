@@ -1,0 +1,75 @@
+#pragma once
+/// \file
+/// A picture as data: lines, areas, marks and text in pixels. SVG and VTK are sinks of it.
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace rayproof::viz {
+
+/// What an element stands for. The sinks give each role one colour, in a light and a dark scheme
+/// (palette.hpp); no meaning rests on colour alone: marks and line patterns differ too.
+enum class Role { background, frame, text, muted, surface, ray, exact, claimed, nearest };
+inline constexpr int role_count = 9;
+
+/// In pixels from the top left corner, y down.
+struct Point {
+  double x = 0;
+  double y = 0;
+};
+struct Box {
+  double left = 0;
+  double top = 0;
+  double width = 0;
+  double height = 0;
+  [[nodiscard]] double right() const { return left + width; }
+  [[nodiscard]] double bottom() const { return top + height; }
+  [[nodiscard]] Point centre() const { return {left + width / 2, top + height / 2}; }
+};
+
+enum class Pattern { solid, dashed, dotted };
+struct Line {
+  Role role = Role::text;
+  std::vector<Point> points{};
+  double width = 1.5;
+  Pattern pattern = Pattern::solid;
+};
+/// A polygon in a light tint of its role's colour.
+struct Area {
+  Role role = Role::surface;
+  std::vector<Point> points{};
+};
+/// One shape a role: a dot begins the ray, a ring is exact, a cross is claimed, a diamond is the nearest
+/// point.
+enum class MarkShape { dot, ring, cross, diamond };
+struct Mark {
+  Role role = Role::text;
+  MarkShape shape = MarkShape::dot;
+  Point at{};
+};
+enum class Anchor { start, middle, end };
+/// `at` is the anchor on the baseline.
+struct Text {
+  Role role = Role::text;
+  Point at{};
+  std::string text{};
+  Anchor anchor = Anchor::start;
+  double size = 14;
+  bool bold = false;
+};
+using Element = std::variant<Area, Line, Mark, Text>;
+
+/// Elements in the order of painting.
+struct Picture {
+  double width = 900;
+  double height = 480;
+  std::string title{};        ///< one line, for screen readers and the window's title
+  std::string description{};  ///< the same as a sentence or two
+  std::vector<Element> elements{};
+};
+
+/// How far marks reach from their centre.
+inline constexpr double mark_radius = 6;
+
+}  // namespace rayproof::viz

@@ -1,0 +1,58 @@
+#pragma once
+/// \file
+/// Runs a method in the recording arithmetic and tells its story.
+
+#include <optional>
+#include <rayproof/arithmetics/recorded.hpp>
+#include <rayproof/roots.hpp>
+#include <string>
+#include <type_traits>
+
+#include "viz/tape.hpp"
+#include "viz/walkthrough.hpp"
+
+namespace rayproof::viz {
+
+/// The story of a tape whose kernel ended in the given numbers.
+struct Ending {
+  OperationId discriminant, lo, hi;
+};
+[[nodiscard]] Walkthrough tell(const Tape& tape, const Ending& ending, Precision precision);
+
+/// A method whose kernel takes any arithmetic; one written for plain floating point alone can't be recorded.
+template <class Method, class T>
+concept Recordable = requires {
+  &Method::template roots<T>;
+};
+
+/// The walkthrough of one method of a topic. `build(std::type_identity<R>{})` gives the topic's problem in
+/// the recording arithmetic R with its inputs named; it is called while the tape runs.
+template <class Topic, class T, class Build>
+[[nodiscard]] std::optional<Walkthrough> walk_in(const std::string& method, Precision precision,
+                                                 Build&& build) {
+  using R = Recorded<T, Shadow>;
+  std::optional<Walkthrough> walk;
+  Topic::Methods::for_each([&]<class Method>(std::type_identity<Method>) {
+    if constexpr (Recordable<Method, R>) {
+      if (method != Method::name) return;
+      Tape tape;
+      const auto problem = build(std::type_identity<R>{});
+      const Roots<R> roots = Topic::template solve<Method>(problem);
+      walk = tell(tape, {roots.discriminant.id, roots.lo.id, roots.hi.id}, precision);
+      walk->title = std::string(Topic::name) + "/" + Method::name + ": " + Method::title;
+      walk->source = std::string(Method::source.author) + ", " + std::string(Method::source.title) + ", " +
+                     std::to_string(Method::source.year);
+    }
+  });
+  return walk;
+}
+
+/// The same in the case's own precision.
+template <class Topic, class Build>
+[[nodiscard]] std::optional<Walkthrough> walk_topic(const std::string& method, Precision precision,
+                                                    Build&& build) {
+  return precision == Precision::float32 ? walk_in<Topic, float>(method, precision, build)
+                                         : walk_in<Topic, double>(method, precision, build);
+}
+
+}  // namespace rayproof::viz

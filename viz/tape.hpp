@@ -1,0 +1,27 @@
+#pragma once
+/// \file
+/// Reading the tape of a recorded kernel: formulas, and the operation in which the digits died.
+
+#include <optional>
+#include <rayproof/arithmetics/recording.hpp>
+#include <string>
+
+#include "viz/shadow.hpp"
+#include "viz/walkthrough.hpp"
+
+namespace rayproof::viz {
+
+using Tape = Recording<Shadow>;
+
+/// What the operation computes, in the names the kernel gave: "b·b − 4·a·c". Does not stop at its own name.
+[[nodiscard]] std::string formula_of(const Tape& tape, OperationId id);
+
+/// The operation that loses most on the way from the inputs to `result`, found by following, from the result
+/// backwards, the operand through which the most error came. Nothing where no operation of that way loses
+/// `noteworthy` bits or more.
+[[nodiscard]] std::optional<Death> find_death(const Tape& tape, OperationId result, double noteworthy);
+
+/// Names the loss of one operation.
+[[nodiscard]] Death describe_loss(const Tape& tape, OperationId id);
+
+}  // namespace rayproof::viz

@@ -1,0 +1,122 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "viz/numbers.hpp"
+#include "viz/record.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+/// Losses below this many bits are the everyday rounding of a few operations.
+constexpr double noteworthy = 3;
+
+WalkValue value_of(const Tape& tape, OperationId id, const std::string& name) {
+  const Operation<Shadow>& o = tape.at(id);
+  const bool is_input = o.op == Operator::constant;
+  const double error = std::abs(static_cast<double>(Shadow(o.value) - o.exact));
+  return {name,       is_input ? "" : formula_of(tape, id), o.value, rough(o.exact, 12), error, o.error_bound,
+          o.bits_lost};
+}
+
+std::vector<WalkValue> values_of(const Tape& tape, const NamedValue& named) {
+  if (named.components.size() == 1) return {value_of(tape, named.components[0], named.name)};
+  std::vector<WalkValue> values;
+  const char* suffix[] = {".x", ".y", ".z"};
+  for (std::size_t i = 0; i < named.components.size(); ++i) {
+    values.push_back(value_of(tape, named.components[i], named.name + suffix[i]));
+  }
+  return values;
+}
+
+std::string caption_of(const Tape& tape, std::ptrdiff_t step, int digits) {
+  OperationId worst = unrecorded;
+  for (std::size_t i = 0; i < tape.operations.size(); ++i) {
+    const auto id = static_cast<OperationId>(i);
+    if (tape.at(id).step != step) continue;
+    if (worst == unrecorded || tape.at(id).bits_lost_here > tape.at(worst).bits_lost_here) worst = id;
+  }
+  if (worst == unrecorded || tape.at(worst).bits_lost_here < noteworthy) return "No digits of note are lost.";
+  const Death loss = describe_loss(tape, worst);
+  return fmt::format("The {} {} {} {:.0f} of {} bits.", loss.kind, loss.formula, loss.effect,
+                     loss.bits_lost_here, digits);
+}
+
+/// Named numbers that a picture of the case can point at.
+void point_out(WalkStep& step) {
+  for (const WalkValue& value : step.values) {
+    const bool is_t = value.name == "t₀" || value.name == "t₁";
+    if (is_t)
+      step.items.push_back(
+          {Role::claimed, value.name, "point at t = " + rough(value.value, 9) + " on the ray"});
+    if (value.name == "t_c") {
+      step.items.push_back(
+          {Role::nearest, "nearest point", "point at t = " + rough(value.value, 9) + " on the ray"});
+    }
+    if (value.name == "x₀" || value.name == "x₁") {
+      step.items.push_back({Role::claimed, value.name, "root at x = " + rough(value.value, 9)});
+    }
+  }
+}
+
+int sign_of(double value) { return (value > 0) - (value < 0); }
+
+/// -1 for no real root (NaN counts so), 0, 1.
+int sign_of_discriminant(double value) { return std::isnan(value) ? -1 : sign_of(value); }
+
+void judge(Walkthrough& walk, const Tape& tape, const Ending& ending) {
+  const Operation<Shadow>& D = tape.at(ending.discriminant);
+  const int rounded = sign_of_discriminant(D.value);
+  const int exact = isnan(D.exact) ? -1 : D.exact.sign();
+  OperationId worst = ending.discriminant;
+  if (rounded != exact) {
+    walk.outcome = Outcome::flipped;
+  } else if (exact < 0) {
+    return;  // a miss in both: nothing hangs on the digits
+  } else {
+    worst = tape.at(ending.lo).bits_lost >= tape.at(ending.hi).bits_lost ? ending.lo : ending.hi;
+    if (tape.at(worst).bits_lost >= noteworthy) walk.outcome = Outcome::inaccurate;
+  }
+  walk.answer_bits_lost = tape.at(worst).bits_lost;
+  if (walk.outcome != Outcome::faithful) walk.death = find_death(tape, worst, noteworthy);
+}
+
+}  // namespace
+
+Walkthrough tell(const Tape& tape, const Ending& ending, Precision precision) {
+  Walkthrough walk;
+  walk.precision = precision;
+  walk.digits = precision == Precision::float32 ? std::numeric_limits<float>::digits
+                                                : std::numeric_limits<double>::digits;
+  for (std::size_t i = 0; i < tape.steps.size(); ++i) {
+    walk.steps.push_back(
+        {tape.steps[i], caption_of(tape, static_cast<std::ptrdiff_t>(i), walk.digits), {}, {}});
+  }
+  for (const NamedValue& named : tape.names) {
+    auto& values = named.step < 0 ? walk.inputs : walk.steps.at(static_cast<std::size_t>(named.step)).values;
+    const auto more = values_of(tape, named);
+    values.insert(values.end(), more.begin(), more.end());
+  }
+  for (WalkStep& step : walk.steps) point_out(step);
+  judge(walk, tape, ending);
+  return walk;
+}
+
+std::string verdict_sentence(const Walkthrough& walk) {
+  if (walk.outcome == Outcome::faithful) {
+    return "No digits died: in real numbers the same formula gives the same answer to within a few ulps.";
+  }
+  const std::string consequence =
+      walk.outcome == Outcome::flipped
+          ? "the discriminant is left with the wrong sign, and the verdict is wrong"
+          : fmt::format("the answer keeps {:.0f} of its {} bits",
+                        std::max(0.0, walk.digits - walk.answer_bits_lost), walk.digits);
+  if (!walk.death) return "No single operation is to blame, but roundings add up: " + consequence + ".";
+  const Death& death = *walk.death;
+  return fmt::format("In step '{}' the {} {} {} {:.0f} of {} bits: {}.", death.step, death.kind,
+                     death.formula, death.effect, death.bits_lost_here, walk.digits, consequence);
+}
+
+}  // namespace rayproof::viz

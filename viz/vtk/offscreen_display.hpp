@@ -1,0 +1,40 @@
+#pragma once
+/// \file
+/// A display for VTK to draw on where nobody looks.
+
+#include <sys/types.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace rayproof::viz {
+
+/// No display could be started; the text says in one sentence what is missing.
+class NoDisplay : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Runs a virtual X server of its own (Xvfb) while it lives, and makes it this process's DISPLAY.
+///
+/// Debian's VTK draws through X11 alone and *aborts* without a display, even off-screen: make one of these
+/// before the first vtkRenderWindow, keep it until the last one is gone. The server takes a free display
+/// number by itself and ends with the object, with the thread that made it, and with the process, however
+/// that ends (Ctrl-C included).
+///
+///     viz::OffscreenDisplay display;
+///     vtkNew<vtkContextView> view;
+///     … view->GetScene()->AddItem(chart); view->GetRenderWindow()->SetSize(1200, 800);
+///     viz::write_png(*view->GetRenderWindow(), "chart.png");   // viz/vtk/write_png.hpp
+class OffscreenDisplay {
+ public:
+  /// Throws NoDisplay where Xvfb is missing or does not answer within ten seconds.
+  OffscreenDisplay();
+  ~OffscreenDisplay();
+  OffscreenDisplay(const OffscreenDisplay&) = delete;
+  OffscreenDisplay& operator=(const OffscreenDisplay&) = delete;
+
+ private:
+  pid_t server_ = -1;
+};
+
+}  // namespace rayproof::viz

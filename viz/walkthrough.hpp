@@ -1,0 +1,74 @@
+#pragma once
+/// \file
+/// A walkthrough: a method's run on one case, told step by step, as data. Text, page and picture are sinks of
+/// it.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "case/case.hpp"
+#include "viz/picture.hpp"
+
+namespace rayproof::viz {
+
+/// A number the formula names, as it was rounded and as it should be.
+struct WalkValue {
+  std::string name;     ///< "D", "f.x"
+  std::string formula;  ///< what it was computed from, in named numbers: "b·b − 4·a·c"; empty for an input
+  double value = 0;     ///< in the method's arithmetic
+  std::string exact;    ///< the same formula in real numbers, to 12 digits
+  double error = 0;     ///< |value - exact|, rounded to double
+  double error_bound = 0;  ///< what running error analysis guarantees without knowing the exact value
+  double bits_lost = 0;    ///< log2(1 + error in ulps), at most the digits there are
+};
+
+/// Something to point at in the picture of a step.
+struct WalkItem {
+  Role role = Role::text;
+  std::string label;     ///< "t₀"
+  std::string geometry;  ///< "point at t = 4 on the ray"
+};
+
+/// One step of the method: its title is the very comment in the kernel's code.
+struct WalkStep {
+  std::string title;
+  std::string caption;  ///< what the step did to the digits, in one sentence
+  std::vector<WalkValue> values{};
+  std::vector<WalkItem> items{};
+};
+
+/// The operation in which digits died.
+struct Death {
+  std::string step;           ///< the step's title
+  std::string kind;           ///< "subtraction", "addition", "multiplication", …
+  std::string effect;         ///< "cancels", "overflows and loses", "loses"
+  std::string formula;        ///< "b·b − 4·a·c"
+  std::string name;           ///< of its result, where it has one: "D"
+  double bits_lost_here = 0;  ///< lost in this operation alone
+  double bits_lost = 0;       ///< lost in its result
+};
+
+/// How the float run came out beside the same formula in real numbers.
+enum class Outcome {
+  faithful,    ///< the answers agree to a few ulps, the verdict with them
+  inaccurate,  ///< the answers have lost digits
+  flipped      ///< the discriminant has the wrong sign: the verdict is noise
+};
+
+struct Walkthrough {
+  std::string title;   ///< "sphere/textbook: quadratic formula in a, b, c"
+  std::string source;  ///< author, title, year
+  Precision precision = Precision::float32;
+  int digits = 24;  ///< of the method's arithmetic
+  std::vector<WalkValue> inputs{};
+  std::vector<WalkStep> steps{};
+  Outcome outcome = Outcome::faithful;
+  double answer_bits_lost = 0;   ///< the worst of the answers', the discriminant's where flipped
+  std::optional<Death> death{};  ///< where they were lost; none where no single operation is to blame
+};
+
+/// "In step 'Form the discriminant' the subtraction b·b − 4·a·c cancels 22 of 24 bits.", or that none died.
+[[nodiscard]] std::string verdict_sentence(const Walkthrough& walk);
+
+}  // namespace rayproof::viz
