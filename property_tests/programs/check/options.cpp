@@ -1,0 +1,68 @@
+#include "programs/check/options.hpp"
+
+namespace rayproof::check {
+
+namespace {
+
+constexpr const char* footer =
+    "Filters may be given several times, or as lists with commas. The corpus of past failures runs first, "
+    "every time.\n"
+    "The same seed gives the same cases whatever the number of jobs.\n"
+    "Exit status: 0 every declared contract holds and every method declared wrong was refuted; 1 not so; 2 "
+    "wrong command\n"
+    "line; 130 interrupted.";
+
+void describe_filters(CLI::App& app, Options& options) {
+  Settings& settings = options.settings;
+  app.add_option("--shape,--topic", settings.shapes, "Only methods of this shape (sphere, quadratic)")
+      ->delimiter(',');
+  app.add_option("--method", settings.methods, "Only this method: centred, or sphere/centred")
+      ->delimiter(',');
+  app.add_option("--property", settings.properties, "Only this property")->delimiter(',');
+  app.add_option("--family", settings.families, "Only this family of cases")->delimiter(',');
+  app.add_option("--precision", options.precision_names, "Only float32 or float64")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"float32", "float64"}));
+}
+
+void describe_outputs(CLI::App& app, Options& options) {
+  app.add_option("--out", options.out, "Folder for the page index.html")
+      ->capture_default_str()
+      ->type_name("DIR");
+  app.add_option("--findings", options.findings, "Write each counterexample as a line of JSON, at once")
+      ->type_name("FILE");
+  app.add_option("--json", options.json, "Write all figures as one JSON object")->type_name("FILE");
+  app.add_option("--junit", options.junit, "Write the outcome as JUnit XML")->type_name("FILE");
+  app.add_option("--replay", options.replay, "Judge just the findings or cases of this file again")
+      ->type_name("FILE");
+  app.add_option("--corpus", options.corpus, "Cases to run first, in place of the built-in corpus")
+      ->type_name("FILE");
+  app.add_flag("--measure", options.measure, "Also print the worst figures as the contracts write them");
+  app.add_flag("--labels", options.labels, "Also print what the families produced");
+}
+
+}  // namespace
+
+void describe(CLI::App& app, Options& options) {
+  Settings& settings = options.settings;
+  app.add_option("--seed", settings.seed, "Where the random cases begin")->capture_default_str();
+  app.add_option("--cases", settings.cases, "Cases for each method, family and precision")
+      ->capture_default_str()
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000'000}));
+  app.add_option("--time", options.seconds, "Stop after so many seconds; every family has its share of them")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--jobs", settings.jobs, "Threads; as many as the machine has where left out")
+      ->check(CLI::Range(1, 1024));
+  describe_filters(app, options);
+  describe_outputs(app, options);
+  app.footer(footer);
+}
+
+void finish(Options& options) {
+  for (const std::string& name : options.precision_names)
+    options.settings.precisions.push_back(name == "float32" ? Precision::float32 : Precision::float64);
+  if (options.seconds > 0) options.settings.time = std::chrono::seconds(options.seconds);
+  options.settings.measure_all = options.measure;
+}
+
+}  // namespace rayproof::check

@@ -1,0 +1,34 @@
+#pragma once
+/// \file
+/// The files that rayproof check writes.
+
+#include <filesystem>
+#include <fstream>
+
+#include "programs/check/options.hpp"
+#include "properties/report/summary.hpp"
+
+namespace rayproof::check {
+
+/// Opens the files at once, so that a bad name is known before the work and nothing is lost when it is cut
+/// short. Throws std::runtime_error with one sentence.
+class Outputs {
+ public:
+  explicit Outputs(const Options& options);
+
+  /// Keeps the case as it was found, before anything else is done with it.
+  void keep_as_found(const Finding& finding);
+  void write(const Finding& finding);
+  void write(const Plan& plan, const RunResult& result, const Summary& summary);
+
+  [[nodiscard]] std::filesystem::path page() const { return folder_ / "index.html"; }
+
+ private:
+  std::filesystem::path folder_;
+  std::ofstream as_found_{};
+  std::ofstream findings_{};
+  std::ofstream json_{};
+  std::ofstream junit_{};
+};
+
+}  // namespace rayproof::check

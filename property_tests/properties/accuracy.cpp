@@ -1,0 +1,136 @@
+/// \file
+/// Properties about error: verdict, residual, ulp, robust, and the running-error bound.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "properties/answers.hpp"
+#include "properties/property.hpp"
+#include "properties/robust_bound.hpp"
+
+namespace rayproof {
+
+namespace {
+
+/// How a wrong verdict reads, from the side of the subject.
+std::string wrong_verdict(Trial& trial) {
+  const oracle::Judgement& judgement = trial.judgement();
+  const char* kind = judgement.hit ? "misses what is there" : "finds what is not there, or not as often";
+  return fmt::format("the method {}, {:.3g} contract units from a change of verdict", kind, judgement.margin);
+}
+
+/// A verdict may be wrong only within the band; a band of width 0 means never.
+Ruling verdict_within(Trial& trial, double bound, int far_power) {
+  if (!trial.in_domain()) return Ruling::outside;
+  const oracle::Judgement& judgement = trial.judgement();
+  if (!judgement.wrong) return Ruling::held;
+  return bound > 0 && judgement.margin <= bound * std::pow(judgement.far, far_power) ? Ruling::held
+                                                                                     : Ruling::broken;
+}
+
+Ruling residual_within(Trial& trial, double bound, int far_power) {
+  if (!trial.in_domain()) return Ruling::outside;
+  const oracle::Judgement& judgement = trial.judgement();
+  return judgement.residual <= bound * std::pow(judgement.far, far_power) ? Ruling::held : Ruling::broken;
+}
+
+Ruling verdict(Trial& trial) {
+  return verdict_within(trial, trial.subject().contract.verdict.promised, trial.subject().far_power);
+}
+
+Ruling residual(Trial& trial) {
+  return residual_within(trial, trial.subject().contract.residual.promised, trial.subject().far_power);
+}
+
+/// Where the verdict is wrong there is nothing to measure: that is the verdict's property.
+Ruling ulp(Trial& trial) {
+  if (!trial.in_domain() || trial.judgement().wrong) return Ruling::outside;
+  return trial.judgement().ulp <= trial.subject().contract.ulp.promised ? Ruling::held : Ruling::broken;
+}
+
+Ruling robust_verdict(Trial& trial) {
+  const std::optional<double> bound = robust_bound(trial.subject().topic);
+  return bound ? verdict_within(trial, *bound, 0) : Ruling::outside;
+}
+
+Ruling robust_residual(Trial& trial) {
+  const std::optional<double> bound = robust_bound(trial.subject().topic);
+  return bound ? residual_within(trial, *bound, 0) : Ruling::outside;
+}
+
+/// The same question to the nearest double, of the whole line: every exact root, none cut off by the
+/// interval.
+Case whole_line_in_double(Case one) {
+  one.precision = Precision::float64;
+  if (auto* asked = std::get_if<RayQuestion>(&one.question)) {
+    asked->ray.t_min = -infinity<double>;
+    asked->ray.t_max = infinity<double>;
+  }
+  return one;
+}
+
+/// The exact roots to double precision; empty where there are none (or everything is one).
+std::vector<double> exact_roots(const Case& one) {
+  const Answer exact = oracle::answer(whole_line_in_double(one));
+  return numbers_in(exact);
+}
+
+/// Running error analysis speaks of the roots that exist: where there are none it claims nothing.
+Ruling bounded(Trial& trial) {
+  if (trial.subject().bounded_hits == nullptr) return Ruling::outside;
+  const auto hits = trial.subject().bounded_hits(trial.question());
+  if (hits.empty()) return Ruling::outside;
+  const std::vector<double> roots = exact_roots(trial.question());
+  if (roots.empty()) return Ruling::outside;
+  return std::all_of(hits.begin(), hits.end(),
+                     [&](const std::pair<double, double>& hit) {
+                       if (!std::isfinite(hit.first) || !std::isfinite(hit.second)) return true;
+                       return std::any_of(roots.begin(), roots.end(), [&](double root) {
+                         const double half_ulp = std::ldexp(std::abs(root), -53) + 0x1p-1074;
+                         return std::abs(hit.first - root) <= hit.second + half_ulp;
+                       });
+                     })
+             ? Ruling::held
+             : Ruling::broken;
+}
+
+Evidence show_bounded(Trial& trial) {
+  std::string text = "the running-error arithmetic claims";
+  for (const auto& [t, bound] : trial.subject().bounded_hits(trial.question()))
+    text += fmt::format(" {} ± {}", t, bound);
+  return show_answer(trial, text);
+}
+
+Evidence show_verdict(Trial& trial) { return show_answer(trial, wrong_verdict(trial)); }
+
+Evidence show_residual(Trial& trial) {
+  return show_answer(trial, fmt::format("the answer misses its equation by {:.3g} contract units",
+                                        trial.judgement().residual));
+}
+
+Evidence show_ulp(Trial& trial) {
+  return show_answer(trial,
+                     fmt::format("the answer is {:.3g} ulp from the exact one", trial.judgement().ulp));
+}
+
+}  // namespace
+
+std::vector<Property> accuracy_properties() {
+  return {
+      {Claim::verdict, "verdict", "the verdict is the exact one outside the promised band", 1, verdict,
+       show_verdict},
+      {Claim::residual, "residual", "every answer satisfies its equation to the promised residual", 1,
+       residual, show_residual},
+      {Claim::ulp, "ulp", "every answer is within the promised ulps of the exact one", 1, ulp, show_ulp},
+      {Claim::robust, "robust-verdict", "the verdict keeps the bound of the topic's best plain methods", 1,
+       robust_verdict, show_verdict},
+      {Claim::robust, "robust-residual", "the residual keeps the bound of the topic's best plain methods", 1,
+       robust_residual, show_residual},
+      {Claim::bounded, "bounded", "the running-error bound encloses the exact answer", 8, bounded,
+       show_bounded},
+  };
+}
+
+}  // namespace rayproof

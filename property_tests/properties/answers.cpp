@@ -1,0 +1,47 @@
+#include "properties/answers.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rayproof {
+
+namespace {
+
+bool same_number(double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); }
+
+}  // namespace
+
+std::vector<double> numbers_in(const Answer& answer) {
+  if (const auto* hits = std::get_if<RayAnswer>(&answer)) {
+    const auto view = hits->hits.view();
+    return {view.begin(), view.end()};
+  }
+  const auto& roots = std::get<QuadraticAnswer<double>>(answer);
+  return {roots.roots.begin(), roots.roots.begin() + static_cast<std::ptrdiff_t>(roots.count)};
+}
+
+bool same(const Answer& a, const Answer& b) {
+  if (a.index() != b.index()) return false;
+  if (const auto* roots = std::get_if<QuadraticAnswer<double>>(&a))
+    if (roots->kind != std::get<QuadraticAnswer<double>>(b).kind) return false;
+  const std::vector<double> x = numbers_in(a);
+  const std::vector<double> y = numbers_in(b);
+  return std::equal(x.begin(), x.end(), y.begin(), y.end(), same_number);
+}
+
+Answer stretched(const Answer& answer, double factor) {
+  std::vector<double> numbers = numbers_in(answer);
+  for (double& x : numbers) x *= factor;
+  if (factor < 0) std::reverse(numbers.begin(), numbers.end());
+  if (const auto* ray = std::get_if<RayAnswer>(&answer)) {
+    RayAnswer result;
+    result.contact = ray->contact;
+    for (const double t : numbers) result.hits.push_back(t);
+    return result;
+  }
+  auto result = std::get<QuadraticAnswer<double>>(answer);
+  std::copy(numbers.begin(), numbers.end(), result.roots.begin());
+  return result;
+}
+
+}  // namespace rayproof

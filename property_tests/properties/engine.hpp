@@ -1,0 +1,52 @@
+#pragma once
+/// \file
+/// The engine: puts every subject to every family under rapidcheck, shrinks what breaks, and adds up.
+
+#include <atomic>
+#include <functional>
+
+#include "properties/finding.hpp"
+#include "properties/labels.hpp"
+#include "properties/plan.hpp"
+#include "properties/tally.hpp"
+
+namespace rayproof {
+
+/// A subject's figures on one family at one precision.
+struct UnitResult {
+  const Subject* subject = nullptr;
+  const Family* family = nullptr;
+  Precision precision{};
+  Tally tally{};
+};
+
+/// What a run has found out so far.
+struct RunResult {
+  std::vector<UnitResult> units{};
+  std::vector<Finding> findings{};
+  std::vector<LabelCount> labels{};
+  std::size_t corpus_cases = 0;
+  bool was_interrupted = false;
+};
+
+/// What is being done, for a progress line.
+struct Progress {
+  std::string what{};
+  double done = 0;  ///< share of the whole run, 0 to 1
+};
+
+/// Whom the engine tells. All are called from the thread that called `run_plan`.
+struct Listener {
+  std::function<void(const Progress&)> progress = [](const Progress&) {};
+  /// A case has broken a property; it is about to be shrunk.
+  std::function<void(const Finding&)> broken = [](const Finding&) {};
+  /// The same, shrunk: what is told to people.
+  std::function<void(const Finding&)> finding = [](const Finding&) {};
+};
+
+/// Runs the plan: the corpus first, then the labels, then the families. Stops early, with what it has, once
+/// `stop` is true. The result is the same for every number of jobs.
+[[nodiscard]] RunResult run_plan(const Plan& plan, const std::vector<Case>& corpus, const Listener& listener,
+                                 const std::atomic<bool>& stop);
+
+}  // namespace rayproof

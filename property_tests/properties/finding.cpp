@@ -1,0 +1,44 @@
+#include "properties/finding.hpp"
+
+#include "case/field.hpp"
+#include "case/json_writer.hpp"
+#include "case/writer.hpp"
+
+namespace rayproof {
+
+std::string write_finding(const Finding& finding) {
+  Case with_note = finding.one;
+  if (!finding.evidence.note.empty()) with_note.note = finding.evidence.note;
+  JsonWriter json;
+  json.open('{');
+  json.member("subject").string(finding.subject->full_name());
+  json.member("shape").string(finding.subject->topic);
+  json.member("method").string(finding.subject->name);
+  json.member("property").string(finding.property->name);
+  json.member("case").raw(write_case(with_note));
+  json.member("got").raw(write_answer(finding.one, finding.evidence.got));
+  json.member("exact").raw(write_answer(finding.one, finding.evidence.exact));
+  json.member("error_ulp");
+  if (finding.evidence.error_ulp) {
+    json.number(*finding.evidence.error_ulp);
+  } else {
+    json.raw("null");
+  }
+  json.close('}');
+  return json.take();
+}
+
+Replayed read_replayed(std::string_view line) {
+  const json::Document document = json::parse(line);
+  const Field whole{.document = &document};
+  ObjectReader reader(whole);
+  const auto nested = reader.find("case");
+  if (!nested) return {{}, {}, read_case(line)};
+  Replayed result;
+  result.subject = read_string(reader.need("subject"));
+  result.property = read_string(reader.need("property"));
+  result.one = read_case(nested->node().text);
+  return result;
+}
+
+}  // namespace rayproof

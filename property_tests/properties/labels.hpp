@@ -1,0 +1,35 @@
+#pragma once
+/// \file
+/// Labels: what a generator really produced, judged by the oracle and not by the generator's intent.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "generators/generators.hpp"
+
+namespace rayproof {
+
+/// What can be said of a case. Of a ray question: "hit" or "miss"; "tangent" (the whole line touches);
+/// "behind" (a miss although the whole line hits); "cut" (the interval leaves out some of the line's hits,
+/// not all); "from inside" (the line hits on either side of t = 0). Of a quadratic: the kind of its roots. Of
+/// either: "in reach" (all lengths within the domain of the bounded contracts).
+[[nodiscard]] std::vector<std::string> labels_of(const Case& one);
+
+/// The labels of a sample of a family's cases.
+struct LabelCount {
+  const Family* family = nullptr;
+  Precision precision{};
+  unsigned cases = 0;
+  std::map<std::string, unsigned> counts{};
+
+  [[nodiscard]] double share(const std::string& label) const;
+  /// The shares the family missed, each as a sentence; empty where all is well.
+  [[nodiscard]] std::vector<std::string> missed() const;
+};
+
+/// Labels `cases` cases of the family.
+[[nodiscard]] LabelCount count_labels(const Family& family, Precision precision, std::uint64_t seed,
+                                      unsigned cases);
+
+}  // namespace rayproof

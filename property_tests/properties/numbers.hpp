@@ -1,0 +1,74 @@
+#pragma once
+/// \file
+/// Every number of a case, by name: what the shrinker makes simpler and the NaN property spoils.
+
+#include <array>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "case/case.hpp"
+#include "case/shape_format.hpp"
+
+namespace rayproof {
+
+/// One number of a case and the value that says nothing, as which it could be left out (0 but for t_max and a
+/// matrix's diagonal).
+struct CaseNumber {
+  std::string_view field;
+  double* value = nullptr;
+  double plain = 0;
+};
+
+namespace detail {
+
+inline void append(std::vector<CaseNumber>& all, std::string_view field, double& x) {
+  all.push_back({field, &x});
+}
+inline void append(std::vector<CaseNumber>& all, std::string_view field, glm::dvec3& v) {
+  for (int axis = 0; axis < 3; ++axis) all.push_back({field, &v[axis]});
+}
+inline void append(std::vector<CaseNumber>& /*all*/, std::string_view /*field*/, bool& /*not a number*/) {}
+template <class T, std::size_t N>
+void append(std::vector<CaseNumber>& all, std::string_view field, std::array<T, N>& values) {
+  for (T& value : values) append(all, field, value);
+}
+template <class T>
+void append(std::vector<CaseNumber>& all, std::string_view field, std::vector<T>& values) {
+  for (T& value : values) append(all, field, value);
+}
+
+inline void append_question(std::vector<CaseNumber>& all, RayQuestion& asked) {
+  append(all, "ray.origin", asked.ray.origin);
+  append(all, "ray.direction", asked.ray.direction);
+  append(all, "ray.t_min", asked.ray.t_min);
+  all.push_back({"ray.t_max", &asked.ray.t_max, infinity<double>});
+  std::visit(
+      [&]<class S>(S& shape) {
+        ShapeFormat<S>::fields(shape, [&](const char* name, auto& value) { append(all, name, value); });
+      },
+      asked.shape);
+  if (!asked.transform) return;
+  for (int column = 0; column < 4; ++column)
+    for (int row = 0; row < 3; ++row)
+      all.push_back({"transform", &(*asked.transform)[column][row], column == row ? 1.0 : 0.0});
+}
+
+inline void append_question(std::vector<CaseNumber>& all, Quadratic<double>& q) {
+  all.push_back({"a", &q.a});
+  all.push_back({"b", &q.b});
+  all.push_back({"c", &q.c});
+}
+
+}  // namespace detail
+
+/// Every number of `one` in the order of the format; the pointers hold as long as `one` does. The last row of
+/// a transform, which is always 0 0 0 1, is left out.
+[[nodiscard]] inline std::vector<CaseNumber> numbers_of(Case& one) {
+  std::vector<CaseNumber> all;
+  all.reserve(21);
+  std::visit([&](auto& asked) { detail::append_question(all, asked); }, one.question);
+  return all;
+}
+
+}  // namespace rayproof

@@ -1,0 +1,88 @@
+#include "properties/plan.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+
+#include "subjects/contract_names.hpp"
+
+namespace rayproof {
+
+namespace {
+
+/// Refuses the first of `wanted` that `known` lacks.
+void check_names(const char* what, const std::vector<std::string>& wanted,
+                 const std::set<std::string>& known) {
+  for (const std::string& name : wanted)
+    if (!known.contains(name))
+      throw UnknownName(
+          fmt::format("there is no {} \"{}\"; there are {}", what, name, fmt::join(known, ", ")));
+}
+
+bool is_wanted(const std::vector<std::string>& wanted, std::initializer_list<std::string_view> names) {
+  return wanted.empty() || std::any_of(names.begin(), names.end(), [&](std::string_view name) {
+           return std::find(wanted.begin(), wanted.end(), name) != wanted.end();
+         });
+}
+
+void check_all_names(const Settings& settings, const std::vector<Subject>& all_subjects) {
+  std::set<std::string> shapes, methods, family_names, property_names;
+  for (const Subject& subject : all_subjects) {
+    shapes.insert(subject.topic);
+    methods.insert(subject.full_name());
+  }
+  std::vector<std::string> wanted_methods = settings.methods;
+  for (std::string& method : wanted_methods)
+    for (const Subject& subject : all_subjects)
+      if (method == subject.name) method = subject.full_name();
+  for (const Family& family : families()) family_names.insert(family.name);
+  for (const Property& property : properties()) {
+    property_names.emplace(property.name);
+    property_names.emplace(claim_name(property.claim));
+  }
+  check_names("shape", settings.shapes, shapes);
+  check_names("method", wanted_methods, methods);
+  check_names("family", settings.families, family_names);
+  check_names("property", settings.properties, property_names);
+}
+
+}  // namespace
+
+const char* name_of(Precision precision) { return precision == Precision::float32 ? "float32" : "float64"; }
+
+bool claims(const Subject& subject, const Property& property) {
+  return subject.contract.holds.contains(property.claim);
+}
+
+bool is_declared_refuted(const Subject& subject, const Property& property) {
+  return std::any_of(
+      subject.contract.refuted.begin(), subject.contract.refuted.end(),
+      [&](const Refutation& one) { return !one.because.empty() && one.claim == property.claim; });
+}
+
+Plan make_plan(const Settings& settings) { return make_plan(settings, subjects()); }
+
+Plan make_plan(const Settings& settings, const std::vector<Subject>& all_subjects) {
+  check_all_names(settings, all_subjects);
+  Plan plan{settings, {}, {}, {}, settings.precisions};
+  if (plan.precisions.empty()) plan.precisions = {Precision::float32, Precision::float64};
+  for (const Subject& subject : all_subjects)
+    if (is_wanted(settings.shapes, {subject.topic}) &&
+        is_wanted(settings.methods, {subject.name, subject.full_name()}))
+      plan.subjects.push_back(&subject);
+  for (const Family& family : families())
+    if (is_wanted(settings.families, {family.name}) &&
+        std::any_of(plan.subjects.begin(), plan.subjects.end(),
+                    [&](const Subject* subject) { return subject->topic == family.topic; }))
+      plan.families.push_back(&family);
+  for (const Property& property : properties())
+    plan.is_wanted.push_back(is_wanted(settings.properties, {property.name, claim_name(property.claim)}));
+  if (plan.subjects.empty() || plan.families.empty())
+    throw UnknownName(
+        "no method and family are left to check: --shape, --method and --family exclude each other");
+  return plan;
+}
+
+}  // namespace rayproof

@@ -1,0 +1,58 @@
+#pragma once
+/// \file
+/// What a run of the property tests is to do.
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generators/generators.hpp"
+#include "properties/property.hpp"
+
+namespace rayproof {
+
+/// Which subjects, families, properties and precisions; how many cases, from which seed. An empty list means
+/// all.
+struct Settings {
+  std::uint64_t seed = 2022;
+  std::uint64_t cases = 100'000;               ///< for each subject, family and precision
+  std::optional<std::chrono::seconds> time{};  ///< stop starting new rounds after this
+  int jobs = 0;                                ///< threads; 0 for as many as the machine has
+  std::vector<std::string> shapes{};
+  std::vector<std::string> methods{};     ///< "centred" or "sphere/centred"
+  std::vector<std::string> properties{};  ///< a property's name, or its claim's
+  std::vector<std::string> families{};
+  std::vector<Precision> precisions{};
+  bool measure_all = false;  ///< measure errors that no property asks for, too
+};
+
+/// The settings in terms of the registries.
+struct Plan {
+  Settings settings{};
+  std::vector<const Subject*> subjects{};
+  std::vector<const Family*> families{};
+  std::vector<bool> is_wanted{};  ///< for each of properties()
+  std::vector<Precision> precisions{};
+};
+
+/// A name that no registry knows: one sentence that says which names there are.
+class UnknownName : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Throws UnknownName, also where the filters together leave nothing to do.
+[[nodiscard]] Plan make_plan(const Settings& settings);
+
+/// The same with other subjects than those of the registry, for tests of the tests.
+[[nodiscard]] Plan make_plan(const Settings& settings, const std::vector<Subject>& all_subjects);
+
+/// Whether the subject holds itself to the property, and whether it is declared to break it.
+[[nodiscard]] bool claims(const Subject& subject, const Property& property);
+[[nodiscard]] bool is_declared_refuted(const Subject& subject, const Property& property);
+
+/// "float32" or "float64".
+[[nodiscard]] const char* name_of(Precision precision);
+
+}  // namespace rayproof

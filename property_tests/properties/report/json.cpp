@@ -1,0 +1,90 @@
+#include "properties/report/json.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "properties/finding.hpp"
+
+namespace rayproof {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// JSON has no infinity: the case format's strings stand for it.
+Json number(double x) {
+  if (std::isfinite(x)) return x;
+  return std::isnan(x) ? "nan" : x > 0 ? "inf" : "-inf";
+}
+
+Json bound(double measured, double promised) {
+  return {{"measured", number(measured)}, {"promised", number(promised)}};
+}
+
+Json worst_errors(const Worst& worst, const Contract& contract) {
+  return {{"verdict", bound(worst.verdict, contract.verdict.promised)},
+          {"residual", bound(worst.residual, contract.residual.promised)},
+          {"ulp", bound(worst.ulp, contract.ulp.promised)},
+          {"wrong_verdicts", worst.wrong},
+          {"cases_in_domain", worst.cases}};
+}
+
+Json row_of(const Row& row) {
+  Json marks = Json::array();
+  for (const Cell& cell : row.cells)
+    if (cell.mark != Mark::unclaimed)
+      marks.push_back({{"property", cell.property->name},
+                       {"mark", word_of(cell.mark)},
+                       {"held", cell.tally.held},
+                       {"broken", cell.tally.broken},
+                       {"outside", cell.tally.outside}});
+  Json json{
+      {"method", row.subject->full_name()}, {"precision", name_of(row.precision)}, {"cases", row.cases}};
+  if (row.is_measured) json["worst"] = worst_errors(row.worst, row.subject->contract);
+  json["properties"] = std::move(marks);
+  return json;
+}
+
+Json unit_of(const UnitResult& unit) {
+  return {{"method", unit.subject->full_name()},
+          {"precision", name_of(unit.precision)},
+          {"family", unit.family->name},
+          {"cases", unit.tally.cases},
+          {"worst", worst_errors(unit.tally.worst, unit.subject->contract)}};
+}
+
+Json shares_of(const LabelCount& labels) {
+  Json shares = Json::object();
+  for (const auto& [label, count] : labels.counts) shares[label] = labels.share(label);
+  return {{"topic", labels.family->topic},
+          {"family", labels.family->name},
+          {"precision", name_of(labels.precision)},
+          {"cases", labels.cases},
+          {"shares", std::move(shares)}};
+}
+
+template <class Items, class Convert>
+Json array_of(const Items& items, Convert&& convert) {
+  Json array = Json::array();
+  for (const auto& item : items) array.push_back(convert(item));
+  return array;
+}
+
+}  // namespace
+
+std::string json_report(const Plan& plan, const RunResult& result, const Summary& summary) {
+  Json json{{"seed", plan.settings.seed},
+            {"cases", plan.settings.cases},
+            {"corpus_cases", result.corpus_cases},
+            {"success", summary.is_success()},
+            {"interrupted", summary.was_interrupted},
+            {"failures", summary.failures()}};
+  json["methods"] = array_of(summary.rows, row_of);
+  json["families"] = array_of(result.units, unit_of);
+  json["labels"] = array_of(result.labels, shares_of);
+  json["findings"] =
+      array_of(result.findings, [](const Finding& finding) { return Json::parse(write_finding(finding)); });
+  return json.dump(2);
+}
+
+}  // namespace rayproof

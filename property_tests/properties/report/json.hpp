@@ -1,0 +1,13 @@
+#pragma once
+#include <string>
+
+#include "properties/report/summary.hpp"
+
+namespace rayproof {
+
+/// All figures of a run as one JSON object: `seed`, `cases`, `success`, `failures`, `methods` (each with its
+/// properties, marks, counts and worst errors), `families` (the worst errors of each method on each),
+/// `labels`, `findings`. Errors that are not finite are the strings of the case format.
+[[nodiscard]] std::string json_report(const Plan& plan, const RunResult& result, const Summary& summary);
+
+}  // namespace rayproof

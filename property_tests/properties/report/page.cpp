@@ -1,0 +1,128 @@
+#include "properties/report/page.hpp"
+
+#include <fmt/format.h>
+
+#include "properties/report/escape.hpp"
+#include "properties/report/page_finding.hpp"
+#include "properties/report/page_style.hpp"
+
+namespace rayproof {
+
+namespace {
+
+const char* class_of(Mark mark) {
+  switch (mark) {
+    case Mark::holds:
+      return "mark holds";
+    case Mark::refuted:
+      return "mark refuted";
+    case Mark::broken:
+    case Mark::unrefuted:
+      return "mark broken";
+    default:
+      return "mark";
+  }
+}
+
+std::string cell(const std::string& text) { return "<td>" + escaped(text) + "</td>"; }
+
+std::string mark_cell(const Cell& one) {
+  return fmt::format("<td class=\"{}\" title=\"{}: {} ({} cases)\">{}</td>", class_of(one.mark),
+                     escaped(one.property->name), escaped(word_of(one.mark)), one.tally.judged(),
+                     sign_of(one.mark));
+}
+
+std::string main_table(const Summary& summary) {
+  std::string head = "<th>method</th><th>precision</th><th>cases</th>";
+  for (const Property& property : properties())
+    head += fmt::format("<th title=\"{}\">{}</th>", escaped(property.statement), escaped(property.name));
+  head += "<th>worst verdict band</th><th>worst residual</th><th>worst ulp</th>";
+  std::string body;
+  for (const Row& row : summary.rows) {
+    const Contract& contract = row.subject->contract;
+    body += fmt::format("<tr><td title=\"{}\">{}</td><td>{}</td><td>{}</td>", escaped(row.subject->title),
+                        escaped(row.subject->full_name()), name_of(row.precision), row.cases);
+    for (const Cell& one : row.cells) body += mark_cell(one);
+    for (const auto& [measured, promised] : {std::pair{row.worst.verdict, contract.verdict.promised},
+                                             std::pair{row.worst.residual, contract.residual.promised},
+                                             std::pair{row.worst.ulp, contract.ulp.promised}})
+      body += cell(row.is_measured ? figure(measured, promised) : "");
+    body += "</tr>\n";
+  }
+  std::string legend;
+  for (const Mark mark :
+       {Mark::holds, Mark::refuted, Mark::broken, Mark::unrefuted, Mark::spared, Mark::untested})
+    legend += fmt::format("<span class=\"{}\">{}</span> {} &emsp; ", class_of(mark), sign_of(mark),
+                          escaped(word_of(mark)));
+  return fmt::format(
+      "<div class=\"wide\"><table><thead><tr>{}</tr></thead><tbody>\n{}</tbody></table></div><p>{}</p>\n",
+      head, body, legend);
+}
+
+std::string family_table(const RunResult& result) {
+  std::string body;
+  for (const UnitResult& unit : result.units) {
+    const Worst& worst = unit.tally.worst;
+    if (worst.cases == 0) continue;
+    body += fmt::format("<tr><td>{}</td><td>{}</td><td class=\"text\">{}</td><td>{}</td><td>{}</td>",
+                        escaped(unit.subject->full_name()), name_of(unit.precision),
+                        escaped(unit.family->name), worst.cases, worst.wrong);
+    body += cell(figure(worst.verdict)) + cell(figure(worst.residual)) + cell(figure(worst.ulp)) + "</tr>\n";
+  }
+  return fmt::format(
+      "<details><summary>Worst errors of each method on each family</summary><div class=\"wide\"><table>"
+      "<thead><tr><th>method</th><th>precision</th><th>family</th><th>cases in domain</th><th>wrong verdicts"
+      "</th><th>verdict band</th><th>residual</th><th>ulp</th></tr></thead><tbody>\n{}</tbody></table></div>"
+      "</details>\n",
+      body);
+}
+
+std::string label_table(const RunResult& result) {
+  std::string body;
+  for (const LabelCount& labels : result.labels) {
+    std::string shares;
+    for (const auto& [label, count] : labels.counts)
+      shares += fmt::format("{}{} {:.1f} %", shares.empty() ? "" : ", ", label, 100 * labels.share(label));
+    body += fmt::format(
+        "<tr><td>{}/{}</td><td>{}</td><td class=\"text\">{}</td><td class=\"text\">{}</td></tr>\n",
+        escaped(labels.family->topic), escaped(labels.family->name), name_of(labels.precision),
+        escaped(labels.family->description), escaped(shares));
+  }
+  return fmt::format(
+      "<details><summary>What the families produced</summary><div class=\"wide\"><table><thead><tr>"
+      "<th>family</th><th>precision</th><th>aim</th><th>labels</th></tr></thead><tbody>\n{}</tbody></table>"
+      "</div></details>\n",
+      body);
+}
+
+std::string outcome(const Summary& summary) {
+  std::string text =
+      fmt::format("<p class=\"verdict {}\">{}</p>\n", summary.is_success() ? "holds" : "broken",
+                  summary.is_success() ? "✓ every contract holds" : "✗ not every contract holds");
+  for (const std::string& failure : summary.failures()) text += "<p>✗ " + escaped(failure) + "</p>\n";
+  if (summary.was_interrupted) text += "<p>The run was interrupted: only what is shown was checked.</p>\n";
+  return text;
+}
+
+}  // namespace
+
+std::string html_page(const Plan& plan, const RunResult& result, const Summary& summary,
+                      const DrawCase& draw) {
+  std::string findings;
+  for (const bool declared : {false, true})
+    for (const Finding& finding : result.findings)
+      if (finding.is_declared == declared) findings += html_finding(finding, draw);
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+      "content=\"width=device-width, initial-scale=1\"><title>rayproof "
+      "check</title><style>{}</style></head><body>\n"
+      "<h1>rayproof check</h1><p class=\"faint\">Seed {}, {} cases for each method, family and precision{}; "
+      "{} corpus "
+      "cases.</p>\n{}<h2>Methods and what they "
+      "claim</h2>\n{}<h2>Counterexamples</h2>\n{}<h2>Figures</h2>\n{}{}</body></html>\n",
+      page_style, plan.settings.seed, plan.settings.cases, plan.settings.time ? " at most" : "",
+      result.corpus_cases, outcome(summary), main_table(summary),
+      findings.empty() ? "<p>None.</p>\n" : findings, family_table(result), label_table(result));
+}
+
+}  // namespace rayproof

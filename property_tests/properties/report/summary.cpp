@@ -1,0 +1,135 @@
+#include "properties/report/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rayproof {
+
+namespace {
+
+bool was_found(const RunResult& result, const Row& row, const Property& property) {
+  return std::any_of(result.findings.begin(), result.findings.end(), [&](const Finding& finding) {
+    return finding.subject == row.subject && finding.one.precision == row.precision &&
+           finding.property == &property;
+  });
+}
+
+bool was_claim_refuted(const RunResult& result, const Row& row, Claim claim) {
+  return std::any_of(properties().begin(), properties().end(), [&](const Property& property) {
+    return property.claim == claim && was_found(result, row, property);
+  });
+}
+
+Mark mark_of(const Plan& plan, const RunResult& result, const Row& row, const Cell& cell) {
+  const bool found = was_found(result, row, *cell.property);
+  if (claims(*row.subject, *cell.property)) {
+    if (found) return Mark::broken;
+    return cell.tally.judged() > 0 ? Mark::holds : Mark::untested;
+  }
+  if (!is_declared_refuted(*row.subject, *cell.property)) return Mark::unclaimed;
+  if (found) return Mark::refuted;
+  if (was_claim_refuted(result, row, cell.property->claim)) return Mark::spared;
+  // Only a full search for a counterexample may be held against the declaration.
+  const bool searched_in_full = plan.settings.families.empty() && !result.was_interrupted;
+  return searched_in_full ? Mark::unrefuted : Mark::untested;
+}
+
+/// Adds up a row's figures over the families.
+void add_up(const RunResult& result, Row& row) {
+  Tally sum;
+  for (const UnitResult& unit : result.units)
+    if (unit.subject == row.subject && unit.precision == row.precision) sum += unit.tally;
+  row.cases = sum.cases;
+  row.worst = sum.worst;
+  row.is_measured = sum.worst.cases > 0;
+  for (std::size_t p = 0; p < row.cells.size() && p < sum.properties.size(); ++p)
+    row.cells[p].tally = sum.properties[p];
+}
+
+}  // namespace
+
+const char* sign_of(Mark mark) {
+  switch (mark) {
+    case Mark::unclaimed:
+      return "";
+    case Mark::holds:
+      return "✓";
+    case Mark::broken:
+      return "✗";
+    case Mark::refuted:
+      return "‡";
+    case Mark::unrefuted:
+      return "?";
+    case Mark::spared:
+      return "·";
+    case Mark::untested:
+      return "–";
+  }
+  return "";
+}
+
+const char* word_of(Mark mark) {
+  switch (mark) {
+    case Mark::unclaimed:
+      return "not claimed";
+    case Mark::holds:
+      return "holds";
+    case Mark::broken:
+      return "BROKEN";
+    case Mark::refuted:
+      return "refuted as declared";
+    case Mark::unrefuted:
+      return "declared broken, NOT REFUTED";
+    case Mark::spared:
+      return "not broken";
+    case Mark::untested:
+      return "not tested";
+  }
+  return "";
+}
+
+Summary summarise(const Plan& plan, const RunResult& result) {
+  Summary summary;
+  summary.was_interrupted = result.was_interrupted;
+  for (const Subject* subject : plan.subjects)
+    for (const Precision precision : plan.precisions) {
+      Row row{subject, precision};
+      for (const Property& property : properties()) row.cells.push_back({&property});
+      add_up(result, row);
+      for (std::size_t p = 0; p < row.cells.size(); ++p)
+        if (plan.is_wanted[p]) row.cells[p].mark = mark_of(plan, result, row, row.cells[p]);
+      summary.rows.push_back(std::move(row));
+    }
+  for (const LabelCount& labels : result.labels)
+    for (const std::string& sentence : labels.missed())
+      summary.missed_shares.push_back(fmt::format("{} {}", name_of(labels.precision), sentence));
+  return summary;
+}
+
+std::vector<std::string> Summary::failures() const {
+  std::vector<std::string> sentences;
+  for (const Row& row : rows)
+    for (const Cell& cell : row.cells)
+      if (is_failure(cell.mark))
+        sentences.push_back(fmt::format("{} {}: {}: {}", row.subject->full_name(), name_of(row.precision),
+                                        cell.property->name, word_of(cell.mark)));
+  sentences.insert(sentences.end(), missed_shares.begin(), missed_shares.end());
+  return sentences;
+}
+
+bool Summary::is_success() const { return failures().empty(); }
+
+std::string figure(double measured) {
+  if (measured == 0) return "0";
+  if (!std::isfinite(measured)) return measured > 0 ? "inf" : "nan";
+  return measured >= 0.01 && measured < 1000 ? fmt::format("{:.3g}", measured)
+                                             : fmt::format("{:.1e}", measured);
+}
+
+std::string figure(double measured, double promised) {
+  return std::isfinite(promised) ? figure(measured) + " of " + figure(promised) : figure(measured);
+}
+
+}  // namespace rayproof

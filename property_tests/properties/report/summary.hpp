@@ -1,0 +1,67 @@
+#pragma once
+/// \file
+/// What a run says of each subject and property: does it keep what it claims?
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "properties/engine.hpp"
+
+namespace rayproof {
+
+/// A subject's standing on a property.
+enum class Mark {
+  unclaimed,  ///< neither claimed nor declared broken
+  holds,      ///< claimed, and never seen broken
+  broken,     ///< claimed, and broken: the contract does not hold
+  refuted,    ///< declared broken, and a counterexample was found
+  unrefuted,  ///< declared broken, but no counterexample was found
+  spared,     ///< declared broken as part of a claim of which another part was refuted
+  untested    ///< claimed, but no case was one the property speaks of
+};
+
+/// A sign and a word for the mark, so that neither colour nor font decides.
+[[nodiscard]] const char* sign_of(Mark mark);
+[[nodiscard]] const char* word_of(Mark mark);
+
+/// Whether a mark makes the run fail.
+[[nodiscard]] inline bool is_failure(Mark mark) { return mark == Mark::broken || mark == Mark::unrefuted; }
+
+/// One property of a row.
+struct Cell {
+  const Property* property = nullptr;
+  Mark mark = Mark::unclaimed;
+  PropertyTally tally{};
+};
+
+/// One subject at one precision, over all families.
+struct Row {
+  const Subject* subject = nullptr;
+  Precision precision{};
+  std::uint64_t cases = 0;
+  Worst worst{};
+  bool is_measured = false;  ///< `worst` was taken
+  std::vector<Cell> cells{};
+};
+
+/// The whole run.
+struct Summary {
+  std::vector<Row> rows{};
+  std::vector<std::string> missed_shares{};
+  bool was_interrupted = false;
+
+  /// Every contract holds, every declared refutation was found, every share of the generators was kept.
+  [[nodiscard]] bool is_success() const;
+  /// The marks that make the run fail, each as a sentence.
+  [[nodiscard]] std::vector<std::string> failures() const;
+};
+
+[[nodiscard]] Summary summarise(const Plan& plan, const RunResult& result);
+
+/// A bound's figures, "0.93 of 8" or "0.93" where nothing is promised.
+[[nodiscard]] std::string figure(double measured, double promised);
+/// An error as people read it: "0", "0.93", "1.2e+05".
+[[nodiscard]] std::string figure(double measured);
+
+}  // namespace rayproof

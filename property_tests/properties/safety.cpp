@@ -1,0 +1,76 @@
+/// \file
+/// Properties every subject claims, however bad its formula: order, NaN, and batch equals scalar.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "properties/answers.hpp"
+#include "properties/numbers.hpp"
+#include "properties/property.hpp"
+
+namespace rayproof {
+
+namespace {
+
+Ruling ascending(Trial& trial) {
+  const std::vector<double> numbers = numbers_in(trial.claimed());
+  const bool in_order = std::is_sorted(numbers.begin(), numbers.end());
+  const auto* asked = std::get_if<RayQuestion>(&trial.question().question);
+  const bool all_count = std::all_of(numbers.begin(), numbers.end(), [&](double x) {
+    return !std::isnan(x) && (asked == nullptr || (asked->ray.t_min <= x && x <= asked->ray.t_max));
+  });
+  return in_order && all_count ? Ruling::held : Ruling::broken;
+}
+
+Evidence show_ascending(Trial& trial) {
+  return show_answer(trial, "a hit is out of order, outside the interval, or NaN");
+}
+
+/// The number of the case that gives a hit when it becomes NaN, and that answer; nothing where none does.
+std::optional<std::pair<CaseNumber, Answer>> hit_from_nan(Trial& trial) {
+  Case spoilt = trial.question();
+  for (const CaseNumber& number : numbers_of(spoilt)) {
+    const double kept = *number.value;
+    *number.value = std::numeric_limits<double>::quiet_NaN();
+    const Answer answer = trial.subject().answer(spoilt);
+    *number.value = kept;
+    if (!numbers_in(answer).empty()) return std::pair{number, answer};
+  }
+  return std::nullopt;
+}
+
+Ruling nan(Trial& trial) { return hit_from_nan(trial) ? Ruling::broken : Ruling::held; }
+
+Evidence show_nan(Trial& trial) {
+  const auto found = hit_from_nan(trial);
+  if (!found) return show_answer(trial, "");
+  Evidence evidence{found->second, oracle::answer(trial.question()), {}, {}};
+  evidence.note = fmt::format("got is the answer with NaN in {}", found->first.field);
+  return evidence;
+}
+
+Ruling batch(Trial& trial) {
+  if (trial.subject().answer_in_batch == nullptr) return Ruling::outside;
+  return same(trial.subject().answer_in_batch(trial.question()), trial.claimed()) ? Ruling::held
+                                                                                  : Ruling::broken;
+}
+
+Evidence show_batch(Trial& trial) {
+  return show_answer(trial.question(), trial.subject().answer_in_batch(trial.question()),
+                     "got is the batch's answer; one ray at a time the method answers otherwise");
+}
+
+}  // namespace
+
+std::vector<Property> safety_properties() {
+  return {
+      {Claim::ascending, "ascending", "hits come in ascending order, inside the interval, none of them NaN",
+       1, ascending, show_ascending},
+      {Claim::batch, "batch", "a batch gives bit for bit the scalar answers", 4, batch, show_batch},
+      {Claim::nan, "nan", "a NaN anywhere in the input never gives a hit", 16, nan, show_nan},
+  };
+}
+
+}  // namespace rayproof

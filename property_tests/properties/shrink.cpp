@@ -1,0 +1,58 @@
+#include "properties/shrink.hpp"
+
+#include "properties/shrink_moves.hpp"
+#include "properties/simplicity.hpp"
+#include "properties/validity.hpp"
+
+namespace rayproof {
+
+namespace {
+
+/// The simplest case so far, and what is left of the budget.
+class Search {
+ public:
+  Search(const Case& start, const std::function<bool(const Case&)>& breaks, const ShrinkBudget& budget)
+      : best_(start),
+        complexity_(complexity(start)),
+        breaks_(breaks),
+        tries_left_(budget.tries),
+        end_(std::chrono::steady_clock::now() + budget.time) {}
+
+  [[nodiscard]] const Case& best() const { return best_; }
+
+  /// Takes the candidate if it is simpler, valid, and still breaks; says so.
+  bool consider(const Case& candidate) {
+    const unsigned how_complex = complexity(candidate);
+    if (how_complex >= complexity_ || is_over() || !is_valid(candidate)) return false;
+    --tries_left_;
+    if (!breaks_(candidate)) return false;
+    best_ = candidate;
+    complexity_ = how_complex;
+    return true;
+  }
+
+  [[nodiscard]] bool is_over() const {
+    return tries_left_ == 0 || (tries_left_ % 64 == 0 && std::chrono::steady_clock::now() > end_);
+  }
+
+ private:
+  Case best_;
+  unsigned complexity_;
+  const std::function<bool(const Case&)>& breaks_;
+  unsigned tries_left_;
+  std::chrono::steady_clock::time_point end_;
+};
+
+}  // namespace
+
+Case shrink(const Case& start, const std::function<bool(const Case&)>& breaks, const ShrinkBudget& budget) {
+  Search search(start, breaks, budget);
+  const shrink_moves::Try attempt = [&](const Case& candidate) { return search.consider(candidate); };
+  for (bool improved = true; improved && !search.is_over();) {
+    improved = false;
+    for (const auto move : shrink_moves::all) improved = move(search.best(), attempt) || improved;
+  }
+  return search.best();
+}
+
+}  // namespace rayproof

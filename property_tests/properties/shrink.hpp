@@ -1,0 +1,27 @@
+#pragma once
+/// \file
+/// The shrinker: from a case that breaks a property to the simplest one like it that a short search finds.
+
+#include <chrono>
+#include <functional>
+
+#include "case/case.hpp"
+
+namespace rayproof {
+
+/// How long to search: cases tried, and a time after which to stop in any case. Within the time the outcome
+/// depends on nothing but the case and the property.
+struct ShrinkBudget {
+  unsigned tries = 60'000;
+  std::chrono::milliseconds time{4000};
+};
+
+/// The simplest case found that is valid and for which `breaks` is still true. `start` itself where none is
+/// simpler: a case that does not break is never returned, provided that `start` does.
+///
+/// It drops what can be left out, makes numbers simpler one at a time, in pairs and all at once, moves the
+/// scene to the origin and scales it. A step is taken only where `complexity` goes down.
+[[nodiscard]] Case shrink(const Case& start, const std::function<bool(const Case&)>& breaks,
+                          const ShrinkBudget& budget = {});
+
+}  // namespace rayproof

@@ -1,0 +1,35 @@
+#pragma once
+/// \file
+/// The shrinker's moves: ways to a simpler case, the boldest first.
+
+#include <array>
+#include <functional>
+
+#include "case/case.hpp"
+
+namespace rayproof::shrink_moves {
+
+/// Offers a candidate; true where it was taken, so that the move goes on from there.
+using Try = std::function<bool(const Case&)>;
+
+/// A move offers candidates made from `best`, which follows what is taken. True where anything was taken.
+using Move = bool (*)(const Case& best, const Try& attempt);
+
+/// Leaves out the transform and the interval.
+bool drop_parts(const Case& best, const Try& attempt);
+/// Moves a point of the shape to the origin, the ray with it.
+bool move_to_origin(const Case& best, const Try& attempt);
+/// Multiplies several numbers at once by one power of two or ten.
+bool rescale(const Case& best, const Try& attempt);
+/// Makes one number simpler.
+bool simplify_one(const Case& best, const Try& attempt);
+/// Makes two numbers simpler at once, or equal.
+bool simplify_two(const Case& best, const Try& attempt);
+/// Rounds all numbers at once to few digits, each with a little luck: for cases in which every digit seems to
+/// count.
+bool round_all(const Case& best, const Try& attempt);
+
+inline constexpr std::array<Move, 6> all{drop_parts,   move_to_origin, rescale,
+                                         simplify_one, simplify_two,   round_all};
+
+}  // namespace rayproof::shrink_moves

@@ -1,0 +1,104 @@
+#include "properties/similarity.hpp"
+
+#include <bit>
+#include <cmath>
+#include <glm/mat3x3.hpp>
+
+#include "case/number_text.hpp"
+#include "generators/random.hpp"
+#include "properties/numbers.hpp"
+#include "properties/similar_shapes.hpp"
+
+namespace rayproof {
+
+namespace {
+
+void scale(RayQuestion& asked, double lengths, double direction) {
+  asked.ray.origin *= lengths;
+  asked.ray.direction *= direction;
+  asked.ray.t_min *= lengths / direction;
+  asked.ray.t_max *= lengths / direction;
+  std::visit([&](auto& shape) { shape = grown(shape, lengths); }, asked.shape);
+  if (asked.transform)
+    for (int axis = 0; axis < 3; ++axis) (*asked.transform)[3][axis] *= lengths;
+}
+
+void reverse(RayQuestion& asked) {
+  asked.ray.direction = -asked.ray.direction;
+  const double t_min = asked.ray.t_min;
+  asked.ray.t_min = -asked.ray.t_max;
+  asked.ray.t_max = -t_min;
+}
+
+/// Affine maps of small numbers: moved, mirrored, turned by a 3-4-5 triangle, stretched, sheared, all of
+/// these.
+glm::dmat4 affine_map(std::uint64_t choice) {
+  const auto map = [](glm::dvec3 x, glm::dvec3 y, glm::dvec3 z, glm::dvec3 by) {
+    return glm::dmat4(glm::dvec4(x, 0), glm::dvec4(y, 0), glm::dvec4(z, 0), glm::dvec4(by, 1));
+  };
+  switch (choice % 6) {
+    case 0:
+      return map({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, -2, 3});
+    case 1:
+      return map({-1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0});
+    case 2:
+      return map({0.75, 1, 0}, {-1, 0.75, 0}, {0, 0, 1.25}, {0, 0, 0});
+    case 3:
+      return map({2, 0, 0}, {0, 1, 0}, {0, 0, 0.5}, {0, 0, 0});
+    case 4:
+      return map({1, 0, 0}, {3, 1, 0}, {0, 0, 1}, {0, 0, 0});
+    default:
+      return map({1, 2, 0}, {0, -3, 1}, {2, 0, 1}, {-4, 5, 6});
+  }
+}
+
+std::uint64_t hash_of(Case one) {
+  std::uint64_t hash = 0;
+  for (const CaseNumber& number : numbers_of(one))
+    hash = combine(hash, std::bit_cast<std::uint64_t>(*number.value));
+  return hash;
+}
+
+glm::dvec3 rounded(Precision precision, const glm::dvec3& v) {
+  return {round_to(precision, v.x), round_to(precision, v.y), round_to(precision, v.z)};
+}
+
+}  // namespace
+
+Twin scaled_twin(const Case& one, const Scaling& by) {
+  Twin twin{one, std::ldexp(1.0, by.lengths)};
+  if (auto* q = std::get_if<Quadratic<double>>(&twin.one.question)) {
+    q->a = std::ldexp(q->a, by.whole);
+    q->b = std::ldexp(q->b, by.whole + by.lengths);
+    q->c = std::ldexp(q->c, by.whole + 2 * by.lengths);
+    return twin;
+  }
+  scale(std::get<RayQuestion>(twin.one.question), std::ldexp(1.0, by.lengths), std::ldexp(1.0, by.whole));
+  twin.factor = std::ldexp(1.0, by.lengths - by.whole);
+  return twin;
+}
+
+Twin reversed_twin(const Case& one) {
+  Twin twin{one, -1};
+  if (auto* q = std::get_if<Quadratic<double>>(&twin.one.question)) {
+    q->b = -q->b;
+  } else {
+    reverse(std::get<RayQuestion>(twin.one.question));
+  }
+  return twin;
+}
+
+std::optional<Case> moved_case(const Case& one) {
+  const auto* still = std::get_if<RayQuestion>(&one.question);
+  if (still == nullptr || still->transform) return std::nullopt;
+  Case moved = one;
+  auto& asked = std::get<RayQuestion>(moved.question);
+  const glm::dmat4 map = affine_map(hash_of(one));
+  const glm::dmat3 linear(map);
+  asked.transform = map;
+  asked.ray.origin = rounded(one.precision, linear * asked.ray.origin + glm::dvec3(map[3]));
+  asked.ray.direction = rounded(one.precision, linear * asked.ray.direction);
+  return moved;
+}
+
+}  // namespace rayproof

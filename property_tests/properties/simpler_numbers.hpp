@@ -1,0 +1,15 @@
+#pragma once
+#include <vector>
+
+#include "case/case.hpp"
+
+namespace rayproof {
+
+/// Numbers near `x` that are easier to read, the easiest first: 0, 1, -1, whole numbers, powers of ten, few
+/// decimal digits, short mantissas, smaller exponents. Each is rounded to the precision.
+[[nodiscard]] std::vector<double> simpler_numbers(double x, Precision precision);
+
+/// `x` to `digits` significant decimal digits, moved by `steps` units of the last of them.
+[[nodiscard]] double to_digits(double x, int digits, int steps, Precision precision);
+
+}  // namespace rayproof

@@ -1,0 +1,79 @@
+#pragma once
+/// \file
+/// What is counted while a subject is put to many cases. Tallies add up in any order to the same sum.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "properties/trial.hpp"
+
+namespace rayproof {
+
+/// How often a property was judged, and what came of it.
+struct PropertyTally {
+  std::uint64_t held = 0;
+  std::uint64_t broken = 0;
+  std::uint64_t outside = 0;
+
+  [[nodiscard]] std::uint64_t judged() const { return held + broken; }
+
+  PropertyTally& operator+=(const PropertyTally& more) {
+    held += more.held;
+    broken += more.broken;
+    outside += more.outside;
+    return *this;
+  }
+};
+
+/// The worst errors met inside the subject's domain, in the units of its contract; what stands there as
+/// `measured`.
+struct Worst {
+  double verdict = 0;  ///< the widest margin at which a verdict was wrong
+  double residual = 0;
+  double ulp = 0;  ///< where the verdict was right
+  std::uint64_t wrong = 0;
+  std::uint64_t cases = 0;
+
+  /// Takes in one trial; a case outside the domain is left out.
+  void add(Trial& trial) {
+    if (!trial.in_domain()) return;
+    ++cases;
+    const oracle::Judgement& judgement = trial.judgement();
+    const double unit = std::pow(judgement.far, trial.subject().far_power);
+    residual = std::max(residual, judgement.residual / unit);
+    if (judgement.wrong) {
+      ++wrong;
+      verdict = std::max(verdict, judgement.margin / unit);
+    } else {
+      ulp = std::max(ulp, judgement.ulp);
+    }
+  }
+
+  Worst& operator+=(const Worst& more) {
+    verdict = std::max(verdict, more.verdict);
+    residual = std::max(residual, more.residual);
+    ulp = std::max(ulp, more.ulp);
+    wrong += more.wrong;
+    cases += more.cases;
+    return *this;
+  }
+};
+
+/// What is counted for one subject, family and precision; `properties` in the order of properties().
+struct Tally {
+  std::uint64_t cases = 0;
+  Worst worst{};
+  std::vector<PropertyTally> properties{};
+
+  Tally& operator+=(const Tally& more) {
+    cases += more.cases;
+    worst += more.worst;
+    properties.resize(std::max(properties.size(), more.properties.size()));
+    for (std::size_t p = 0; p < more.properties.size(); ++p) properties[p] += more.properties[p];
+    return *this;
+  }
+};
+
+}  // namespace rayproof

@@ -1,0 +1,52 @@
+#pragma once
+/// \file
+/// One subject put to one case, and what can be said of it.
+
+#include <optional>
+
+#include "oracle/oracle.hpp"
+#include "subjects/subject.hpp"
+
+namespace rayproof {
+
+/// A subject and a case. The subject's answer and its judgement are computed where a property first asks for
+/// them, and once only, so that properties share them.
+class Trial {
+ public:
+  Trial(const Subject& subject, const Case& one) : subject_(&subject), case_(&one) {}
+
+  [[nodiscard]] const Subject& subject() const { return *subject_; }
+  [[nodiscard]] const Case& question() const { return *case_; }
+
+  [[nodiscard]] const Answer& claimed() {
+    if (!claimed_) claimed_ = subject_->answer(*case_);
+    return *claimed_;
+  }
+  [[nodiscard]] const oracle::Judgement& judgement() {
+    if (!judgement_) judgement_ = oracle::judge(*case_, claimed());
+    return *judgement_;
+  }
+
+  /// Whether every length of the case lies in the domain of the subject's bounds, `spare` powers of two
+  /// inside it.
+  [[nodiscard]] bool in_domain(int spare = 0) { return in_reach(reach() - spare); }
+
+  /// Whether every length of the case lies within 2^±reach.
+  [[nodiscard]] bool in_reach(int reach) {
+    return judgement().smallest >= -reach && judgement().largest <= reach;
+  }
+
+  /// The reach of the subject's domain at the case's precision.
+  [[nodiscard]] int reach() const {
+    const Domain& domain = subject_->contract.domain;
+    return case_->precision == Precision::float32 ? domain.reach_float : domain.reach_double;
+  }
+
+ private:
+  const Subject* subject_;
+  const Case* case_;
+  std::optional<Answer> claimed_{};
+  std::optional<oracle::Judgement> judgement_{};
+};
+
+}  // namespace rayproof
