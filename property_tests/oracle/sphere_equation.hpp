@@ -22,9 +22,13 @@ struct SphereEquation {
   R radius;  ///< scale · radius; its sign does not matter
 
   SphereEquation(const ObjectRay<R>& ray, const Sphere<double>& sphere)
-      : from_center(ray.origin - ray.scale * Vector<R>::from(sphere.center)),
-        direction(ray.direction),
-        radius(ray.scale * R(sphere.radius)) {}
+      : from_center(Vector<R>::from(sphere.center)), direction(ray.direction), radius(sphere.radius) {
+    if (ray.map) {  // nearly never, and four exact products otherwise
+      from_center = ray.scale * from_center;
+      radius = ray.scale * radius;
+    }
+    from_center = ray.origin - from_center;
+  }
 
   [[nodiscard]] R a() const { return dot(direction, direction); }
   [[nodiscard]] R h() const { return dot(from_center, direction); }

@@ -131,8 +131,12 @@ struct Lengths {
 template <class R>
 auto lengths(const SphereEquation<R>& scene, const ObjectRay<R>& ray, const RayQuestion& question,
              const Sphere<double>& sphere) {
-  const auto norm = [](const Vector<R>& v) { return sqrt(abs(read(dot(v, v)))); };
-  using Number = decltype(norm(scene.direction));
+  using Number = decltype(read(scene.radius));
+  const auto squared = [](const Vector<R>& v) {
+    const Number x = read(v.x), y = read(v.y), z = read(v.z);
+    return x * x + y * y + z * z;
+  };
+  const auto norm = [&](const Vector<R>& v) { return sqrt(squared(v)); };
   const Number radius = abs(read(scene.radius));
   const Number direction = norm(Vector<R>::from(question.ray.direction));
   if (!ray.map) {
@@ -141,7 +145,7 @@ auto lengths(const SphereEquation<R>& scene, const ObjectRay<R>& ray, const RayQ
   }
   const auto& m = *question.transform;
   const auto frobenius = [&](const Vector<R>& x, const Vector<R>& y, const Vector<R>& z) {
-    return sqrt(read(dot(x, x)) + read(dot(y, y)) + read(dot(z, z)));
+    return sqrt(squared(x) + squared(y) + squared(z));
   };
   const Number scale = abs(read(ray.scale));
   const Number forward = frobenius(Vector<R>::from(m[0]), Vector<R>::from(m[1]), Vector<R>::from(m[2]));
