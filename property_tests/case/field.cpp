@@ -13,7 +13,7 @@ namespace {
 
 /// Whether a name in quotes is `name`.
 bool names(std::string_view quoted, std::string_view name) {
-  if (quoted.find('\\') != std::string_view::npos) return json::unquoted(quoted) == name;
+  if (quoted.find('\\') != std::string_view::npos) return json::unquote(quoted) == name;
   return quoted.substr(1, quoted.size() - 2) == name;
 }
 
@@ -72,14 +72,14 @@ void ObjectReader::refuse_unknown() const {
 
 std::string read_string(const Field& field) {
   if (field.node().kind != json::Kind::string) field.refuse("must be a string");
-  return json::unquoted(field.node().text);
+  return json::unquote(field.node().text);
 }
 
 double read_number(const Field& field, Precision precision) {
   const json::Node& node = field.node();
   std::optional<double> number;
   if (node.kind == json::Kind::number) number = parse_number(node.text);
-  if (node.kind == json::Kind::string) number = parse_number(json::unquoted(node.text));
+  if (node.kind == json::Kind::string) number = parse_number(json::unquote(node.text));
   if (!number)
     field.refuse(R"(must be a number, or a string like "0x1.8p+1", "1.5", "inf", "-inf" or "nan")");
   return round_to(precision, *number);

@@ -128,7 +128,7 @@ char unescaped(char letter) {
 
 Document parse(std::string_view text) { return Parser(text).parse(); }
 
-std::string unquoted(std::string_view quoted) {
+std::string unquote(std::string_view quoted) {
   const std::string_view inside = quoted.substr(1, quoted.size() - 2);
   std::string out;
   for (std::size_t i = 0; i < inside.size(); ++i) {
@@ -149,7 +149,7 @@ std::string unquoted(std::string_view quoted) {
   return out;
 }
 
-std::string quoted(std::string_view text) {
+std::string quote(std::string_view text) {
   std::string out = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') {

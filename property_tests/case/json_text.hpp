@@ -31,9 +31,9 @@ using Document = std::vector<Node>;
 [[nodiscard]] Document parse(std::string_view text);
 
 /// What a string in quotes, already read by `parse`, stands for, in UTF-8.
-[[nodiscard]] std::string unquoted(std::string_view quoted);
+[[nodiscard]] std::string unquote(std::string_view quoted);
 
 /// A text in quotes: the JSON string that stands for `text`, which is UTF-8.
-[[nodiscard]] std::string quoted(std::string_view text);
+[[nodiscard]] std::string quote(std::string_view text);
 
 }  // namespace rayproof::json

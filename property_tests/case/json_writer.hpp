@@ -42,7 +42,7 @@ class JsonWriter {
   }
 
   void raw(std::string_view json) { out_ += json; }
-  void string(std::string_view text) { out_ += json::quoted(text); }
+  void string(std::string_view text) { out_ += json::quote(text); }
   void hex(double x) { append_hex(out_, x); }
 
   /// A number of an answer: reads back, as a double, as exactly this.

@@ -84,7 +84,7 @@ Question read_question(ObjectReader& reader, Precision precision) {
   if (!query) return read_ray_question(reader, precision);
   const std::string name = read_string(*query);
   if (name == "quadratic") return read_quadratic(reader, precision);
-  query->refuse("is an unknown query, " + json::quoted(name) + R"(; known: "quadratic")");
+  query->refuse("is an unknown query, " + json::quote(name) + R"(; known: "quadratic")");
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ void read_shape(const Field& object, Precision precision, std::variant<Shapes...
   (consider(std::type_identity<Shapes>{}), ...);
 
   if (read == nullptr) {
-    type_field.refuse(fmt::format("is an unknown shape type, {}; known: {}", json::quoted(type),
+    type_field.refuse(fmt::format("is an unknown shape type, {}; known: {}", json::quote(type),
                                   detail::list_of_types<Shapes...>()));
   }
   shape = read(object, precision);

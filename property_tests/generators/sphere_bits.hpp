@@ -64,10 +64,10 @@ struct Exponents {
     scene.radius = std::abs(coordinate());
     scene.origin = draw::vector(coordinate);
     // Aimed at a point of the ball's bounding box, so that about half the rays hit.
-    const double scale = std::exp2(length - size);
+    const auto shift = static_cast<int>(std::floor(length - size));  // 2^shift itself may be no double
     for (int axis = 0; axis < 3; ++axis) {
       const double target = scene.center[axis] + scene.radius * draw::symmetric<double>(random);
-      scene.direction[axis] = (target - scene.origin[axis]) * scale;
+      scene.direction[axis] = std::ldexp(target - scene.origin[axis], shift);
     }
     RayQuestion asked = question<T>(scene);
     if (asked.ray.direction == glm::dvec3(0)) asked.ray.direction.z = std::exp2(std::floor(length));
