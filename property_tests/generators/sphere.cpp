@@ -10,9 +10,10 @@ std::vector<Family> sphere_families() {
   using namespace sphere_family;
   const char* const topic = "sphere";
   const MinimumShare all_in_reach{"in reach", 1};
+  // The first family that breaks a property gives the counterexample: the most telling ones come first.
   return {
-      family<Everyday>(topic, {all_in_reach, {"hit", 0.3}, {"miss", 0.2}, {"behind", 0.05}}),
       family<Far>(topic, {all_in_reach, {"hit", 0.4}, {"miss", 0.1}}),
+      family<Everyday>(topic, {all_in_reach, {"hit", 0.3}, {"miss", 0.2}, {"behind", 0.05}}),
       family<Grazing>(topic, {all_in_reach, {"hit", 0.3}, {"miss", 0.2}, {"tangent", 0.05}}),
       family<Surface>(topic, {all_in_reach, {"hit", 0.3}, {"from inside", 0.2}}),
       family<Inside>(topic, {all_in_reach, {"hit", 0.99}, {"from inside", 0.99}}),

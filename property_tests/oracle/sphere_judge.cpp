@@ -160,6 +160,7 @@ auto lengths(const SphereEquation<R>& scene, const ObjectRay<R>& ray, const RayQ
 Scaled distance_to_other_verdict(const SphereEquation<Ring>& scene, const Ray<double>& ray) {
   const Scaled radius = abs(approximate(scene.radius));
   const auto change = [&](const Scaled& power) {
+    if (power.sign() == 0) return Scaled{};  // A point has no radius to divide by.
     return abs(power) / (sqrt(abs(power + radius * radius)) + radius);
   };
   const Ring a = scene.a(), h = scene.h();

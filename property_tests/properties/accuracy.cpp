@@ -17,7 +17,10 @@ namespace {
 /// How a wrong verdict reads, from the side of the subject.
 std::string wrong_verdict(Trial& trial) {
   const oracle::Judgement& judgement = trial.judgement();
-  const char* kind = judgement.hit ? "misses what is there" : "finds what is not there, or not as often";
+  const bool finds_something = !numbers_in(trial.claimed()).empty();
+  const char* kind = !finds_something ? "misses what is there"
+                     : judgement.hit  ? "finds what is there, but not as often"
+                                      : "finds what is not there";
   return fmt::format("the method {}, {:.3g} contract units from a change of verdict", kind, judgement.margin);
 }
 
@@ -50,14 +53,42 @@ Ruling ulp(Trial& trial) {
   return trial.judgement().ulp <= trial.subject().contract.ulp.promised ? Ruling::held : Ruling::broken;
 }
 
+/// A shape without size (a sphere of radius 0) is no fair counterexample.
+bool has_size(Trial& trial) { return std::isfinite(trial.judgement().far); }
+
 Ruling robust_verdict(Trial& trial) {
   const std::optional<double> bound = robust_bound(trial.subject().topic);
-  return bound ? verdict_within(trial, *bound, 0) : Ruling::outside;
+  return bound && has_size(trial) ? verdict_within(trial, *bound, 0) : Ruling::outside;
 }
 
 Ruling robust_residual(Trial& trial) {
   const std::optional<double> bound = robust_bound(trial.subject().topic);
-  return bound ? residual_within(trial, *bound, 0) : Ruling::outside;
+  return bound && has_size(trial) ? residual_within(trial, *bound, 0) : Ruling::outside;
+}
+
+/// `error` in units of `bound`; where the bound is 0, in units of the contract.
+double excess_of(double error, double bound) { return bound > 0 ? error / bound : error; }
+
+double verdict_excess(Trial& trial) {
+  const double unit = std::pow(trial.judgement().far, trial.subject().far_power);
+  return excess_of(trial.judgement().margin, trial.subject().contract.verdict.promised * unit);
+}
+
+double residual_excess(Trial& trial) {
+  const double unit = std::pow(trial.judgement().far, trial.subject().far_power);
+  return excess_of(trial.judgement().residual, trial.subject().contract.residual.promised * unit);
+}
+
+double ulp_excess(Trial& trial) {
+  return excess_of(trial.judgement().ulp, trial.subject().contract.ulp.promised);
+}
+
+double robust_verdict_excess(Trial& trial) {
+  return excess_of(trial.judgement().margin, robust_bound(trial.subject().topic).value_or(0));
+}
+
+double robust_residual_excess(Trial& trial) {
+  return excess_of(trial.judgement().residual, robust_bound(trial.subject().topic).value_or(0));
 }
 
 /// The same question to the nearest double, of the whole line: every exact root, none cut off by the
@@ -120,14 +151,15 @@ Evidence show_ulp(Trial& trial) {
 std::vector<Property> accuracy_properties() {
   return {
       {Claim::verdict, "verdict", "the verdict is the exact one outside the promised band", 1, verdict,
-       show_verdict},
+       show_verdict, verdict_excess},
       {Claim::residual, "residual", "every answer satisfies its equation to the promised residual", 1,
-       residual, show_residual},
-      {Claim::ulp, "ulp", "every answer is within the promised ulps of the exact one", 1, ulp, show_ulp},
+       residual, show_residual, residual_excess},
+      {Claim::ulp, "ulp", "every answer is within the promised ulps of the exact one", 1, ulp, show_ulp,
+       ulp_excess},
       {Claim::robust, "robust-verdict", "the verdict keeps the bound of the topic's best plain methods", 1,
-       robust_verdict, show_verdict},
+       robust_verdict, show_verdict, robust_verdict_excess},
       {Claim::robust, "robust-residual", "the residual keeps the bound of the topic's best plain methods", 1,
-       robust_residual, show_residual},
+       robust_residual, show_residual, robust_residual_excess},
       {Claim::bounded, "bounded", "the running-error bound encloses the exact answer", 8, bounded,
        show_bounded},
   };

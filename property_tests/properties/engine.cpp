@@ -137,10 +137,7 @@ class Run {
     Trial as_found(*raw.subject, finding.one);
     finding.evidence = property.show(as_found);
     listener_.broken(finding);
-    finding.one = shrink(raw.one, [&](const Case& candidate) {
-      Trial trial(*raw.subject, candidate);
-      return property.rule(trial) == Ruling::broken;
-    });
+    finding.one = shrink(raw.one, striking_break(*raw.subject, property, as_found));
     Trial shrunk(*raw.subject, finding.one);
     finding.evidence = property.show(shrunk);
     listener_.finding(finding);

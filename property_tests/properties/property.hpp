@@ -31,6 +31,9 @@ struct Property {
   unsigned every = 1;
   Ruling (*rule)(Trial&) = nullptr;
   Evidence (*show)(Trial&) = nullptr;
+  /// How badly a broken trial breaks it: its error in units of the bound; null where there is only yes and
+  /// no.
+  double (*excess)(Trial&) = nullptr;
 };
 
 /// Every property, in the order of the claims.

@@ -1,5 +1,7 @@
 #include "properties/shrink.hpp"
 
+#include <algorithm>
+
 #include "properties/shrink_moves.hpp"
 #include "properties/simplicity.hpp"
 #include "properties/validity.hpp"
@@ -53,6 +55,17 @@ Case shrink(const Case& start, const std::function<bool(const Case&)>& breaks, c
     for (const auto move : shrink_moves::all) improved = move(search.best(), attempt) || improved;
   }
   return search.best();
+}
+
+std::function<bool(const Case&)> striking_break(const Subject& subject, const Property& property,
+                                                Trial& as_found) {
+  constexpr double striking = 100;
+  const double wanted = property.excess != nullptr ? std::min(property.excess(as_found), striking) : 0;
+  return [&subject, &property, wanted](const Case& candidate) {
+    Trial trial(subject, candidate);
+    return property.rule(trial) == Ruling::broken &&
+           (property.excess == nullptr || property.excess(trial) >= wanted);
+  };
 }
 
 }  // namespace rayproof

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <functional>
 
-#include "case/case.hpp"
+#include "properties/property.hpp"
 
 namespace rayproof {
 
@@ -23,5 +23,11 @@ struct ShrinkBudget {
 /// scene to the origin and scales it. A step is taken only where `complexity` goes down.
 [[nodiscard]] Case shrink(const Case& start, const std::function<bool(const Case&)>& breaks,
                           const ShrinkBudget& budget = {});
+
+/// What a shrunk case must still do: break the property, and do so strikingly, at least a hundred times over
+/// the bound or as badly as the trial that was found. A case only just over a bound shows nothing to a
+/// reader.
+[[nodiscard]] std::function<bool(const Case&)> striking_break(const Subject& subject,
+                                                              const Property& property, Trial& as_found);
 
 }  // namespace rayproof

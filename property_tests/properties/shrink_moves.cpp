@@ -81,6 +81,24 @@ bool rescale(const Case& best, const Try& attempt) {
   return taken;
 }
 
+bool look_straight(const Case& best, const Try& attempt) {
+  if (!std::holds_alternative<RayQuestion>(best.question)) return false;
+  constexpr int tries_per_distance = 40;
+  Random random(2);
+  bool taken = false;
+  for (int digits = 1; digits <= 3; ++digits)
+    for (int distance = 0; distance <= 12; ++distance)
+      for (int k = 0; k < tries_per_distance; ++k)
+        taken |= attempt_changed(best, attempt, [&](Case& one) {
+          for (const CaseNumber& n : numbers_of(one))
+            *n.value = to_digits(*n.value, digits, random.between(-2, 2), one.precision);
+          auto& ray = std::get<RayQuestion>(one.question).ray;
+          for (int axis = 0; axis < 3; ++axis)
+            ray.origin[axis] = round_to(one.precision, -std::pow(10.0, distance) * ray.direction[axis]);
+        });
+  return taken;
+}
+
 bool simplify_one(const Case& best, const Try& attempt) {
   bool taken = false;
   for (std::size_t i = 0; i < count_numbers(best); ++i)

@@ -23,13 +23,16 @@ bool move_to_origin(const Case& best, const Try& attempt);
 bool rescale(const Case& best, const Try& attempt);
 /// Makes one number simpler.
 bool simplify_one(const Case& best, const Try& attempt);
+/// Puts the origin straight behind the shape, so far away as to make the case simple: a sphere that is far
+/// enough is missed in plain numbers, too.
+bool look_straight(const Case& best, const Try& attempt);
 /// Makes two numbers simpler at once, or equal.
 bool simplify_two(const Case& best, const Try& attempt);
 /// Rounds all numbers at once to few digits, each with a little luck: for cases in which every digit seems to
 /// count.
 bool round_all(const Case& best, const Try& attempt);
 
-inline constexpr std::array<Move, 6> all{drop_parts,   move_to_origin, rescale,
-                                         simplify_one, simplify_two,   round_all};
+inline constexpr std::array<Move, 7> all{drop_parts,    move_to_origin, rescale,  simplify_one,
+                                         look_straight, simplify_two,   round_all};
 
 }  // namespace rayproof::shrink_moves

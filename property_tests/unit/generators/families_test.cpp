@@ -1,0 +1,56 @@
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "case/reader.hpp"
+#include "case/writer.hpp"
+#include "generators/generators.hpp"
+#include "properties/labels.hpp"
+
+namespace rayproof {
+namespace {
+
+constexpr Precision both[] = {Precision::float32, Precision::float64};
+
+TEST(Families, EachProducesWhatItIsFor) {
+  for (const Family& family : families())
+    for (const Precision precision : both)
+      for (const std::uint64_t seed : {1U, 2U})
+        for (const std::string& missed : count_labels(family, precision, seed, 2000).missed())
+          ADD_FAILURE() << missed;
+}
+
+TEST(Families, TheSameSeedGivesTheSameCase) {
+  for (const Family& family : families())
+    for (std::uint64_t seed = 0; seed < 20; ++seed)
+      EXPECT_EQ(write_case(family.generate(seed, Precision::float32)),
+                write_case(family.generate(seed, Precision::float32)));
+}
+
+TEST(Families, EveryCaseIsValidAndExactInItsPrecision) {
+  for (const Family& family : families())
+    for (const Precision precision : both)
+      for (std::uint64_t seed = 0; seed < 300; ++seed) {
+        const Case one = family.generate(seed, precision);
+        const std::string text = write_case(one);
+        // Reading rounds to the precision: what comes back the same was exact.
+        ASSERT_NO_THROW(EXPECT_EQ(write_case(read_case(text)), text)) << family.topic << '/' << family.name;
+        EXPECT_EQ(topic_of(one), family.topic);
+        EXPECT_EQ(one.precision, precision);
+      }
+}
+
+TEST(Families, NoTwoOfATopicShareAName) {
+  std::set<std::string> names;
+  for (const Family& family : families())
+    EXPECT_TRUE(names.insert(family.topic + "/" + family.name).second) << family.name;
+}
+
+TEST(Families, AnExactTangentIsATangent) {
+  for (const Family& family : families())
+    if (family.topic == "sphere" && family.name == "grazing")
+      EXPECT_GT(count_labels(family, Precision::float32, 3, 2000).share("tangent"), 0.1);
+}
+
+}  // namespace
+}  // namespace rayproof

@@ -1,0 +1,41 @@
+#pragma once
+/// \file
+/// Subjects that are wrong on purpose, each in one way: what the properties must notice.
+
+#include <string>
+
+#include "oracle/oracle.hpp"
+#include "properties/plan.hpp"
+
+namespace rayproof::broken {
+
+/// The oracle itself as a subject: it keeps every claim.
+[[nodiscard]] inline Answer exactly(const Case& one) { return oracle::answer(one); }
+
+/// A subject of the topic that holds itself to everything and answers by `answer`.
+[[nodiscard]] inline Subject subject(const std::string& topic, Answer (*answer)(const Case&)) {
+  Subject made;
+  made.topic = topic;
+  made.name = "on_purpose";
+  made.title = "wrong on purpose";
+  made.answer = answer;
+  made.answer_in_batch = answer;
+  const Bound tight{.measured = 0, .promised = 1};
+  made.contract.verdict = {.measured = 0, .promised = 0};
+  made.contract.residual = tight;
+  made.contract.ulp = tight;
+  made.contract.holds =
+      Claims{Claim::verdict, Claim::residual, Claim::ulp,   Claim::robust, Claim::ascending, Claim::moved,
+             Claim::scaled,  Claim::reversed, Claim::batch, Claim::nan,    Claim::bounded};
+  return made;
+}
+
+/// The exact hits changed by `change`, which gets each t.
+template <class Change>
+[[nodiscard]] Answer changed_hits(const Case& one, Change&& change) {
+  auto answer = std::get<RayAnswer>(oracle::answer(one));
+  for (std::size_t i = 0; i < answer.hits.count; ++i) answer.hits.t.at(i) = change(answer.hits.t.at(i));
+  return answer;
+}
+
+}  // namespace rayproof::broken

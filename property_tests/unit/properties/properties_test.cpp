@@ -1,0 +1,172 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "case/reader.hpp"
+#include "properties/numbers.hpp"
+#include "unit/properties/broken_subjects.hpp"
+
+namespace rayproof {
+namespace {
+
+const Case& head_on() {
+  static const Case one = read_case(
+      R"({"precision": "float32", "ray": {"origin": [0.25,0,-5], "direction": [0,0,1]}, "shape": {"type": "sphere", "center": [0,0,0], "radius": 1}})");
+  return one;
+}
+
+Ruling rule(const char* property, Answer (*answer)(const Case&), const Case& one = head_on()) {
+  const Subject subject = broken::subject(topic_of(one), answer);
+  Trial trial(subject, one);
+  return find_property(property)->rule(trial);
+}
+
+float after(double t) { return std::nextafter(static_cast<float>(t), HUGE_VALF); }
+
+TEST(Properties, AllHoldForTheOracleItself) {
+  for (const Property& property : properties())
+    // The oracle refuses NaN and has no running-error arithmetic.
+    if (property.claim != Claim::nan && property.claim != Claim::bounded)
+      EXPECT_EQ(rule(property.name.data(), broken::exactly), Ruling::held) << property.name;
+}
+
+TEST(Properties, EachClaimHasAProperty) {
+  for (std::size_t c = 0; c < claim_count; ++c) {
+    bool found = false;
+    for (const Property& property : properties()) found |= property.claim == static_cast<Claim>(c);
+    EXPECT_TRUE(found) << c;
+  }
+}
+
+TEST(Properties, AMissIsAWrongVerdict) {
+  const auto miss = [](const Case&) -> Answer { return RayAnswer{}; };
+  EXPECT_EQ(rule("verdict", miss), Ruling::broken);
+  EXPECT_EQ(rule("robust-verdict", miss), Ruling::broken);
+}
+
+TEST(Properties, AHitThatIsNotThereIsAWrongVerdict) {
+  Case beside = head_on();
+  std::get<RayQuestion>(beside.question).ray.origin.x = 3;
+  const auto invented = [](const Case&) -> Answer {
+    RayAnswer answer;
+    answer.hits.push_back(5);
+    return answer;
+  };
+  EXPECT_EQ(rule("verdict", invented, beside), Ruling::broken);
+}
+
+TEST(Properties, AFlippedSignBreaksResidualAndUlp) {
+  const auto flipped = [](const Case& one) { return broken::changed_hits(one, [](double t) { return -t; }); };
+  EXPECT_EQ(rule("residual", flipped), Ruling::broken);
+  EXPECT_EQ(rule("ulp", flipped), Ruling::broken);
+  EXPECT_EQ(rule("robust-residual", flipped), Ruling::broken);
+  EXPECT_EQ(rule("ascending", flipped), Ruling::broken);
+}
+
+TEST(Properties, TwoUlpsOffBreakAnUlpContractOfOneButNotTheRobustBound) {
+  const auto off = [](const Case& one) {
+    return broken::changed_hits(one, [](double t) { return after(after(t)); });
+  };
+  EXPECT_EQ(rule("ulp", off), Ruling::broken);
+  EXPECT_EQ(rule("robust-residual", off), Ruling::held);
+}
+
+TEST(Properties, DescendingHitsAndNaNHitsAreNoticed) {
+  const auto descending = [](const Case& one) -> Answer {
+    auto answer = std::get<RayAnswer>(oracle::answer(one));
+    std::swap(answer.hits.t[0], answer.hits.t[1]);
+    return answer;
+  };
+  const auto nan = [](const Case& one) {
+    return broken::changed_hits(one, [](double) { return std::numeric_limits<double>::quiet_NaN(); });
+  };
+  EXPECT_EQ(rule("ascending", descending), Ruling::broken);
+  EXPECT_EQ(rule("ascending", nan), Ruling::broken);
+}
+
+TEST(Properties, AHitOutsideTheIntervalIsNoticed) {
+  Case cut = head_on();
+  std::get<RayQuestion>(cut.question).ray.t_max = 4.5;
+  const auto whole_line = [](const Case& one) {
+    Case uncut = one;
+    std::get<RayQuestion>(uncut.question).ray.t_max = infinity<double>;
+    return oracle::answer(uncut);
+  };
+  EXPECT_EQ(rule("ascending", whole_line, cut), Ruling::broken);
+}
+
+TEST(Properties, AnAbsoluteToleranceIsNotScaleFree) {
+  const auto tolerant = [](const Case& one) {
+    return broken::changed_hits(one, [](double t) { return t + 0.25; });
+  };
+  EXPECT_EQ(rule("scaled", tolerant), Ruling::broken);
+}
+
+TEST(Properties, ABiasAlongTheRayIsNotMirrored) {
+  const auto late = [](const Case& one) {
+    return broken::changed_hits(one, [](double t) { return after(t); });
+  };
+  EXPECT_EQ(rule("reversed", late), Ruling::broken);
+}
+
+TEST(Properties, ATransformThatIsIgnoredIsNoticed) {
+  const auto deaf = [](const Case& one) {
+    Case still = one;
+    std::get<RayQuestion>(still.question).transform.reset();
+    return oracle::answer(still);
+  };
+  EXPECT_EQ(rule("moved", deaf), Ruling::broken);
+}
+
+TEST(Properties, ABatchThatDiffersInTheLastBitIsNoticed) {
+  Subject subject = broken::subject("sphere", broken::exactly);
+  subject.answer_in_batch = [](const Case& one) {
+    return broken::changed_hits(one, [](double t) { return after(t); });
+  };
+  Trial trial(subject, head_on());
+  EXPECT_EQ(find_property("batch")->rule(trial), Ruling::broken);
+}
+
+TEST(Properties, AHitFromNaNIsNoticedAndAMissIsNot) {
+  const auto always = [](const Case&) -> Answer {
+    RayAnswer answer;
+    answer.hits.push_back(1);
+    return answer;
+  };
+  const auto never = [](const Case&) -> Answer { return RayAnswer{}; };
+  EXPECT_EQ(rule("nan", always), Ruling::broken);
+  EXPECT_EQ(rule("nan", never), Ruling::held);
+}
+
+TEST(Properties, ABoundThatEnclosesNothingIsNoticed) {
+  Subject subject = broken::subject("sphere", broken::exactly);
+  const auto bounded = [&](auto hits) {
+    subject.bounded_hits = hits;
+    Trial trial(subject, head_on());
+    return find_property("bounded")->rule(trial);
+  };
+  EXPECT_EQ(bounded([](const Case&) { return std::vector{std::pair{4.0, 1e-9}}; }), Ruling::broken);
+  EXPECT_EQ(bounded([](const Case&) { return std::vector{std::pair{4.0, 0.1}}; }), Ruling::held);
+  EXPECT_EQ(bounded([](const Case&) { return std::vector{std::pair{4.0, HUGE_VAL}}; }), Ruling::held);
+}
+
+TEST(Properties, WhatLiesOutsideTheDomainIsNotJudged) {
+  Case huge = head_on();
+  std::get<RayQuestion>(huge.question).ray.origin.z = -1e30;
+  const auto miss = [](const Case&) -> Answer { return RayAnswer{}; };
+  EXPECT_EQ(rule("verdict", miss, huge), Ruling::outside);
+}
+
+TEST(Numbers, AreAllThereInTheOrderOfTheFormat) {
+  Case one = head_on();
+  EXPECT_EQ(numbers_of(one).size(), 12U);
+  std::get<RayQuestion>(one.question).transform = glm::dmat4(1);
+  const auto all = numbers_of(one);
+  ASSERT_EQ(all.size(), 24U);
+  EXPECT_EQ(all.front().field, "ray.origin");
+  for (std::size_t i = 12; i < 24; ++i) EXPECT_EQ(*all[i].value, all[i].plain);
+}
+
+}  // namespace
+}  // namespace rayproof
