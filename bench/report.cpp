@@ -1,0 +1,65 @@
+/// \file
+/// rayproof report: speed against error, of every method in every arrangement, with GLM and the floor beside
+/// them.
+
+#include <filesystem>
+#include <fstream>
+
+#include "bench/report/json.hpp"
+#include "bench/report/measure.hpp"
+#include "bench/report/page.hpp"
+#include "bench/report/plot.hpp"
+#include "bench/report/progress.hpp"
+#include "bench/report/text.hpp"
+#include "bench/vtk/plot_png.hpp"
+#include "programs/command_line.hpp"
+
+namespace {
+
+using namespace rayproof;
+
+void write_file(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream out(path, std::ios::binary);
+  out << text;
+  out.close();
+  if (!out) throw std::runtime_error(path.string() + " can't be written");
+}
+
+int run(const report::Options& options) {
+  std::filesystem::create_directories(options.out);
+  report::ProgressLine progress;
+  const report::Figures figures =
+      report::measure(options, [&](double done, const std::string& what) { progress.show(done, what); });
+  progress.clear();
+
+  const std::filesystem::path out = options.out;
+  const auto summaries = report::summarise(figures.rows);
+  const std::vector<report::Plot> plots = report::make_plots(summaries);
+  fmt::print("{}", report::to_text(figures, summaries));
+  if (!options.json.empty()) write_file(options.json, report::to_json(figures));
+  write_file(out / "index.html", report::to_page(figures, summaries, plots));
+  fmt::print("page: {}\n", (out / "index.html").string());
+  for (const std::string& line : report::write_pngs(plots, out)) fmt::print("{}\n", line);
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app(
+      "Measures speed against error: every method, one ray at a time and in batches, on every family.",
+      "rayproof report");
+  report::Options options;
+  report::describe(app, options);
+  if (const auto status = parse_command_line(app, argc, argv)) return *status;
+  try {
+    report::validate(options);
+    return run(options);
+  } catch (const report::UnknownName& unknown) {
+    fmt::print(stderr, "rayproof report: {}\n", unknown.what());
+    return 2;
+  } catch (const std::exception& trouble) {
+    fmt::print(stderr, "rayproof report: {}\n", trouble.what());
+    return 1;
+  }
+}

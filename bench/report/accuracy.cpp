@@ -1,0 +1,116 @@
+#include "bench/report/accuracy.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <span>
+
+#include "oracle/oracle.hpp"
+
+namespace rayproof::report {
+
+namespace {
+
+std::span<const double> numbers_of(const Answer& answer) {
+  if (const auto* ray = std::get_if<RayAnswer>(&answer)) return ray->hits.view();
+  const auto& roots = std::get<QuadraticAnswer<double>>(answer);
+  return {roots.roots.data(), roots.count};
+}
+
+bool is_nearest_only(const Answer& answer) {
+  const auto* ray = std::get_if<RayAnswer>(&answer);
+  return ray != nullptr && ray->nearest_only;
+}
+
+bool same_numbers(const Answer& x, const Answer& y) {
+  return std::ranges::equal(numbers_of(x), numbers_of(y)) && x.index() == y.index();
+}
+
+/// The place of a number among all numbers of its format: neighbours differ by 1, -0 and 0 are one.
+template <class T, class Bits>
+std::int64_t place_of(double number) {
+  const auto bits = std::bit_cast<Bits>(static_cast<T>(std::abs(number)));
+  const auto place = static_cast<std::int64_t>(bits);
+  return number < 0 ? -place : place;
+}
+
+double floats_between(double x, double y, Precision precision) {
+  const auto place =
+      precision == Precision::float32 ? place_of<float, std::uint32_t> : place_of<double, std::uint64_t>;
+  return std::abs(static_cast<double>(place(x)) - static_cast<double>(place(y)));
+}
+
+/// Adds up the judgements of one subject in one arrangement.
+class Tally {
+ public:
+  void add(const Answer& claimed, const Answer& exact, const oracle::Judgement& judgement,
+           Precision precision) {
+    ++sum_.cases;
+    const auto claims = numbers_of(claimed);
+    const auto truths = numbers_of(exact);
+    if (judgement.wrong) {
+      const bool has_too_many = is_nearest_only(claimed) ? truths.empty() : claims.size() > truths.size();
+      ++(has_too_many ? sum_.wrong_hits : sum_.wrong_misses);
+      return;
+    }
+    const std::size_t agreed = std::min(claims.size(), truths.size());
+    if (agreed == 0) return;
+    ulps_.push_back(judgement.ulp);
+    sum_.agreed_hits += agreed;
+    for (std::size_t i = 0; i < agreed; ++i)
+      bits_ += std::log2(1 + floats_between(claims[i], truths[i], precision));
+  }
+
+  [[nodiscard]] Accuracy result() {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    std::ranges::sort(ulps_);
+    sum_.max_ulp = ulps_.empty() ? nan : ulps_.back();
+    sum_.p99_ulp = ulps_.empty() ? nan : ulps_[(ulps_.size() - 1) * 99 / 100];
+    sum_.mean_bits = sum_.agreed_hits == 0 ? nan : bits_ / static_cast<double>(sum_.agreed_hits);
+    return sum_;
+  }
+
+ private:
+  Accuracy sum_;
+  std::vector<double> ulps_;
+  double bits_ = 0;
+};
+
+bool is_fair(const Answer& claimed, const Case& one) {
+  if (!is_nearest_only(claimed)) return true;
+  const Ray<double>& ray = std::get<RayQuestion>(one.question).ray;
+  return ray.t_min == 0 && std::isinf(ray.t_max);
+}
+
+}  // namespace
+
+JudgedFamily judged_family(Case (*generate)(std::uint64_t, Precision), Precision precision,
+                           std::size_t count) {
+  JudgedFamily family{std::vector<Case>(count), std::vector<Answer>(count)};
+  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+    family.cases[i] = generate(i, precision);
+    family.exact[i] = oracle::answer(family.cases[i]);
+  });
+  return family;
+}
+
+Accuracies measure(const Subject& subject, const JudgedFamily& family) {
+  Tally scalar;
+  Tally batch;
+  for (std::size_t i = 0; i < family.cases.size(); ++i) {
+    const Case& one = family.cases[i];
+    const Answer claimed = subject.answer(one);
+    if (!is_fair(claimed, one)) continue;
+    const oracle::Judgement judgement = oracle::judge(one, claimed);
+    scalar.add(claimed, family.exact[i], judgement, one.precision);
+    if (subject.answer_in_batch == nullptr) continue;
+    const Answer in_batch = subject.answer_in_batch(one);
+    const bool is_same = same_numbers(claimed, in_batch);
+    batch.add(in_batch, family.exact[i], is_same ? judgement : oracle::judge(one, in_batch), one.precision);
+  }
+  return {scalar.result(), batch.result()};
+}
+
+}  // namespace rayproof::report

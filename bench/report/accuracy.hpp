@@ -1,0 +1,33 @@
+#pragma once
+/// \file
+/// A method's errors over many cases, judged by the oracle.
+
+#include <vector>
+
+#include "bench/report/row.hpp"
+#include "case/answer.hpp"
+#include "subjects/subject.hpp"
+
+namespace rayproof::report {
+
+/// The cases of one family in one precision with their exact answers.
+struct JudgedFamily {
+  std::vector<Case> cases;
+  std::vector<Answer> exact;
+};
+
+/// Generates `count` cases of a family and answers them exactly.
+[[nodiscard]] JudgedFamily judged_family(Case (*generate)(std::uint64_t, Precision), Precision precision,
+                                         std::size_t count);
+
+/// A subject's errors in both arrangements; without cases where the subject has no batch.
+struct Accuracies {
+  Accuracy scalar;
+  Accuracy batch;
+};
+
+/// Judges a subject on a family. A subject that knows of no interval (GLM reports the nearest hit beyond 0)
+/// is judged only on rays whose interval is [0, inf].
+[[nodiscard]] Accuracies measure(const Subject& subject, const JudgedFamily& family);
+
+}  // namespace rayproof::report

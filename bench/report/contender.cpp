@@ -1,0 +1,70 @@
+#include "bench/report/contender.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace rayproof::report {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_of(const Contender& contender, std::size_t count) {
+  const Clock::time_point start = Clock::now();
+  contender.pass(count);
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// As many problems as take a few milliseconds; a first, smaller pass warms up and tells the speed.
+std::size_t affordable(const Contender& contender, std::size_t rays) {
+  constexpr double longest_pass = 4e-3;
+  const std::size_t sample = std::min<std::size_t>(rays, 2048);
+  seconds_of(contender, sample);
+  const double each = seconds_of(contender, sample) / static_cast<double>(sample);
+  return std::min(rays, std::max(sample, static_cast<std::size_t>(longest_pass / each)));
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace
+
+std::vector<double> median_ns(const std::vector<Contender>& contenders, std::size_t rays, double seconds) {
+  constexpr std::size_t fewest_rounds = 5;
+  std::vector<std::size_t> counts;
+  for (const Contender& contender : contenders) counts.push_back(affordable(contender, rays));
+
+  std::vector<std::vector<double>> times(contenders.size());
+  const Clock::time_point start = Clock::now();
+  const auto is_time_left = [&] {
+    return std::chrono::duration<double>(Clock::now() - start).count() < seconds;
+  };
+  for (std::size_t round = 0; round < fewest_rounds || is_time_left(); ++round) {
+    for (std::size_t i = 0; i < contenders.size(); ++i)
+      times[i].push_back(seconds_of(contenders[i], counts[i]));
+  }
+
+  std::vector<double> result;
+  for (std::size_t i = 0; i < contenders.size(); ++i)
+    result.push_back(1e9 * median(times[i]) / static_cast<double>(counts[i]));
+  return result;
+}
+
+std::vector<Contender> contenders(const std::string& topic, const std::vector<Case>& cases,
+                                  Precision precision) {
+  using Make = std::vector<Contender> (*)(const std::vector<Case>&, Precision);
+  constexpr std::pair<const char*, Make> topics[] = {
+      {"quadratic", quadratic_contenders},  //
+      {"sphere", sphere_contenders},        //
+  };
+  for (const auto& [name, make] : topics) {
+    if (topic == name) return make(cases, precision);
+  }
+  return {};
+}
+
+}  // namespace rayproof::report

@@ -1,0 +1,39 @@
+#pragma once
+/// \file
+/// What is timed: a method's pass over many problems that lie in memory as arrays.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "bench/report/row.hpp"
+
+namespace rayproof::report {
+
+/// Answers the first `count` problems of its arrays.
+struct Contender {
+  std::string method;
+  Arrangement arrangement = Arrangement::scalar;
+  std::function<void(std::size_t count)> pass;
+};
+
+/// Every method of the cases' topic in both arrangements, guests and the floor, over problems made from the
+/// cases.
+[[nodiscard]] std::vector<Contender> contenders(const std::string& topic, const std::vector<Case>& cases,
+                                                Precision precision);
+
+/// The contenders of one topic; a new topic adds its function here and its line in contender.cpp.
+[[nodiscard]] std::vector<Contender> sphere_contenders(const std::vector<Case>& cases, Precision precision);
+[[nodiscard]] std::vector<Contender> quadratic_contenders(const std::vector<Case>& cases,
+                                                          Precision precision);
+
+/// The median nanoseconds a problem costs each contender. All take turns, so that a disturbance hits all
+/// alike; a contender for which `rays` problems take long is given fewer. `seconds` is about what all
+/// together may take.
+[[nodiscard]] std::vector<double> median_ns(const std::vector<Contender>& contenders, std::size_t rays,
+                                            double seconds);
+
+/// Keeps the compiler from answering several problems at once where one at a time is to be timed.
+inline void one_at_a_time() { asm volatile("" ::: "memory"); }
+
+}  // namespace rayproof::report

@@ -1,0 +1,21 @@
+#pragma once
+/// \file
+/// The whole measurement: every method on every family, timed and judged.
+
+#include <functional>
+#include <string>
+
+#include "bench/report/options.hpp"
+#include "bench/report/row.hpp"
+
+namespace rayproof::report {
+
+/// Told what is being done and which share of the work lies behind.
+using Listener = std::function<void(double done, const std::string& what)>;
+
+[[nodiscard]] Figures measure(const Options& options, const Listener& listener);
+
+/// The processor, its number of cores, and the instruction set the batches ran in.
+[[nodiscard]] std::string machine_name();
+
+}  // namespace rayproof::report

@@ -1,0 +1,103 @@
+#include "bench/report/options.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bench/report/row.hpp"
+
+namespace rayproof::report {
+
+namespace {
+
+constexpr const char* footer =
+    "Filters may be given several times, or as lists with commas. The page is DIR/index.html, the plots are "
+    "PNG files\n"
+    "beside it. Times are medians; for figures to quote, let the machine do nothing else. "
+    "RAYPROOF_ISA=baseline, avx2 or\n"
+    "avx512 chooses the instruction set of the batches.\n"
+    "Exit status: 0 everything was measured and written; 1 something could not be written; 2 wrong command "
+    "line.";
+
+bool contains(const std::vector<std::string>& list, const std::string& name) {
+  return std::ranges::find(list, name) != list.end();
+}
+
+bool passes(const std::vector<std::string>& filter, const std::string& name) {
+  return filter.empty() || contains(filter, name);
+}
+
+/// Refuses a name on the command line that is not among those there are.
+void demand(const char* option, const std::vector<std::string>& names,
+            const std::vector<std::string>& known) {
+  for (const std::string& name : names) {
+    if (!contains(known, name))
+      throw UnknownName(
+          fmt::format("{}: there is no '{}'; there are {}", option, name, fmt::join(known, ", ")));
+  }
+}
+
+void add_once(std::vector<std::string>& list, const std::string& name) {
+  if (!contains(list, name)) list.push_back(name);
+}
+
+}  // namespace
+
+bool Options::wants_shape(const std::string& shape) const { return passes(shapes, shape); }
+
+bool Options::wants_family(const Family& family) const {
+  return wants_shape(family.topic) && passes(families, family.name);
+}
+
+bool Options::wants_method(const std::string& shape, const std::string& method) const {
+  return passes(methods, method) || contains(methods, shape + "/" + method);
+}
+
+std::vector<Precision> Options::wanted_precisions() const {
+  std::vector<Precision> wanted;
+  for (const Precision precision : {Precision::float32, Precision::float64}) {
+    if (passes(precisions, name_of(precision))) wanted.push_back(precision);
+  }
+  return wanted;
+}
+
+void describe(CLI::App& app, Options& options) {
+  app.add_option("--shape,--topic", options.shapes, "Only this shape (sphere, quadratic)")->delimiter(',');
+  app.add_option("--method", options.methods, "Only this method: centred, or sphere/centred")->delimiter(',');
+  app.add_option("--family", options.families, "Only this family of cases")->delimiter(',');
+  app.add_option("--precision", options.precisions, "Only float32 or float64")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"float32", "float64"}));
+  app.add_option("--rays", options.rays, "Rays (or equations) of each family, judged and timed")
+      ->capture_default_str()
+      ->check(CLI::Range(std::size_t{64}, std::size_t{100'000'000}));
+  app.add_option("--time", options.seconds, "Seconds of timing for each family and precision")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+  app.add_option("--out", options.out, "Folder for the page and the plots")
+      ->capture_default_str()
+      ->type_name("DIR");
+  app.add_option("--json", options.json, "Write all figures as one JSON object")->type_name("FILE");
+  app.footer(footer);
+}
+
+void validate(const Options& options) {
+  std::vector<std::string> shapes;
+  std::vector<std::string> names;
+  for (const Family& family : families()) {
+    add_once(shapes, family.topic);
+    if (options.wants_shape(family.topic)) add_once(names, family.name);
+  }
+  demand("--shape", options.shapes, shapes);
+  demand("--family", options.families, names);
+
+  std::vector<std::string> methods;
+  for (const Subject& subject : subjects()) {
+    if (!options.wants_shape(subject.topic)) continue;
+    add_once(methods, subject.name);
+    add_once(methods, subject.full_name());
+  }
+  demand("--method", options.methods, methods);
+}
+
+}  // namespace rayproof::report

@@ -1,0 +1,39 @@
+#pragma once
+/// \file
+/// The command line of rayproof report.
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "generators/generators.hpp"
+#include "subjects/subject.hpp"
+
+namespace rayproof::report {
+
+/// A name on the command line that nothing has; the text says so and which names there are.
+class UnknownName : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// What is to be measured. An empty filter lets everything through.
+struct Options {
+  std::string json;
+  std::string out = "out/report";
+  std::size_t rays = 65536;
+  double seconds = 0.25;
+  std::vector<std::string> families, methods, shapes, precisions;
+
+  [[nodiscard]] bool wants_shape(const std::string& shape) const;
+  [[nodiscard]] bool wants_family(const Family& family) const;
+  [[nodiscard]] bool wants_method(const std::string& shape, const std::string& method) const;
+  [[nodiscard]] std::vector<Precision> wanted_precisions() const;
+};
+
+/// Describes the options to the command line parser.
+void describe(CLI::App& app, Options& options);
+
+/// Throws UnknownName where a filter names nothing.
+void validate(const Options& options);
+
+}  // namespace rayproof::report

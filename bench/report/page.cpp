@@ -1,0 +1,102 @@
+#include "bench/report/page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bench/report/plot_svg.hpp"
+#include "bench/report/text.hpp"
+#include "generators/generators.hpp"
+#include "properties/report/escape.hpp"
+#include "properties/report/page_style.hpp"
+
+namespace rayproof::report {
+
+namespace {
+
+constexpr const char* plot_style = R"css(
+.plot { width: 100%; height: auto; display: block; font: 14px system-ui, sans-serif; fill: var(--ink); }
+.plot .title { font-weight: 600; } .plot .note, .plot .axis { fill: var(--faint); }
+.plot .frame { fill: none; stroke: var(--ink); } .plot .grid { stroke: var(--line); stroke-width: .6; }
+.plot .floor { stroke: var(--faint); stroke-width: 1.6; stroke-dasharray: 6 4; }
+.plot .front { fill: none; stroke: var(--ink); stroke-width: 1.2; stroke-dasharray: 1.5 3; }
+.plot .solid { fill: var(--m); stroke: var(--m); stroke-width: 2; } .plot .solid .in { stroke: var(--paper); }
+.plot .hollow { fill: var(--paper); stroke: var(--m); stroke-width: 2; }
+tr.floor td { color: var(--faint); } section { break-inside: avoid-page; } figure { break-inside: avoid; }
+@media print { :root { --ink: #1a1a1a; --paper: #fff; --faint: #6b6b6b; --line: #d0d0d0; } }
+)css";
+
+constexpr const char* how_to_read = R"html(
+<p>Every mark is one method over all its families: hollow one ray at a time, solid in batches. Left is faster, down is more
+accurate; the dotted stair is the Pareto front, the dashed line what merely reading the rays and writing the answers costs.</p>
+<p class="faint">Wrong verdicts are cases with a hit too many or too few by the exact oracle. Bits of error are
+log₂(1 + floats between the hit and the correctly rounded one), averaged over the hits that method and oracle agree on; wrong
+verdicts are never averaged in. Times are medians over families of median passes. For timing, each case's ray is moved and scaled
+with its sphere until all lie at one sphere, as a batch needs. GLM reports only the nearest hit beyond 0, so it is judged on rays
+with the interval [0, ∞]; it asks for unit directions, which it was given beforehand, except under a transform, where that can
+only be done for each ray anew.</p>
+)html";
+
+std::string error_cells(const Accuracy& errors, bool is_floor) {
+  if (is_floor) return "<td></td><td></td><td></td><td></td><td></td><td></td>";
+  return fmt::format("<td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>", errors.cases,
+                     errors.wrong_hits, errors.wrong_misses, figure(errors.max_ulp), figure(errors.p99_ulp),
+                     figure(errors.mean_bits));
+}
+
+/// A row of a summary or of a family: both have the same members.
+template <class Line>
+std::string table_row(const Line& one) {
+  return fmt::format(
+      "<tr{}><td>{}</td><td class=\"text\">{}</td><td class=\"text\">{}</td><td>{}</td>{}</tr>\n",
+      one.is_floor() ? " class=\"floor\"" : "", escaped(one.method), name_of(one.precision),
+      name_of(one.arrangement), figure(one.ns_per_ray), error_cells(one.accuracy, one.is_floor()));
+}
+
+template <class Lines, class Wanted>
+std::string table(const Lines& lines, const Wanted& is_wanted) {
+  std::string body;
+  for (const auto& one : lines) {
+    if (is_wanted(one)) body += table_row(one);
+  }
+  return "<div class=\"wide\"><table><thead><tr><th>method</th><th>precision</th><th>arrangement</th><th>ns "
+         "a ray</th>"
+         "<th>cases</th><th>wrong hits</th><th>wrong misses</th><th>max ulp</th><th>p99 ulp</th><th>mean "
+         "bits</th></tr>"
+         "</thead><tbody>\n" +
+         body + "</tbody></table></div>\n";
+}
+
+std::string families_of(const Figures& figures, const std::string& shape) {
+  std::string html;
+  for (const Family& family : families()) {
+    const auto is_own = [&](const Row& row) { return row.shape == shape && row.family == family.name; };
+    if (family.topic != shape || std::ranges::none_of(figures.rows, is_own)) continue;
+    html += fmt::format("<section><h3>{}/{}</h3><p class=\"faint\">{}</p>{}</section>\n", escaped(shape),
+                        escaped(family.name), escaped(family.description), table(figures.rows, is_own));
+  }
+  return html;
+}
+
+}  // namespace
+
+std::string to_page(const Figures& figures, const std::vector<Summary>& summaries,
+                    const std::vector<Plot>& plots) {
+  std::string body =
+      fmt::format("<h1>rayproof report: speed against error</h1><p class=\"faint\">{}; {}</p>\n",
+                  escaped(figures.machine), escaped(figures.compiler));
+  if (const auto found = headline(figures.rows))
+    body += "<p class=\"verdict\">" + escaped(sentence(*found, figures.rays)) + "</p>\n";
+  body += how_to_read;
+  for (const Plot& plot : plots) {
+    body += fmt::format("<h2>{}</h2>\n<figure>{}</figure>\n<h3>Over all families</h3>\n", escaped(plot.shape),
+                        to_svg(plot));
+    body += table(summaries, [&](const Summary& one) { return one.shape == plot.shape; });
+    body += families_of(figures, plot.shape);
+  }
+  return "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+         "content=\"width=device-width\"><title>rayproof report</title><style>" +
+         std::string(page_style) + plot_style + "</style></head>\n<body>\n" + body + "</body></html>\n";
+}
+
+}  // namespace rayproof::report

@@ -1,0 +1,62 @@
+#pragma once
+/// \file
+/// The plot of speed against error as data; SVG (plot_svg.hpp) and VTK (bench/vtk) draw it.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bench/report/summary.hpp"
+
+namespace rayproof::report {
+
+/// A method's mark: the outline, what is inside it, and the colour differ, so that colour is never needed to
+/// tell two methods apart. One ray at a time is drawn hollow, a batch solid.
+enum class Outline { square, circle, diamond };
+enum class Inner { nothing, plus, cross };
+
+struct Mark {
+  std::string method;
+  Outline outline = Outline::square;
+  Inner inner = Inner::nothing;
+  const char* light = "";  ///< colour on white, #rrggbb
+  const char* dark = "";   ///< colour on near-black
+};
+
+/// An axis in plot units; each tick is a position and the text that stands there.
+struct Axis {
+  std::string title;
+  double low = 0;
+  double high = 1;
+  std::vector<std::pair<double, std::string>> ticks;
+};
+
+struct Point {
+  double x = 0;
+  double y = 0;
+  std::size_t mark = 0;  ///< index into Plot::marks
+  Arrangement arrangement = Arrangement::scalar;
+  std::string label;  ///< the figures in words
+};
+
+/// One chart: speed across, one kind of error up.
+struct Panel {
+  std::string title;
+  Axis x, y;
+  std::vector<Point> points;
+  std::vector<std::pair<double, double>>
+      front;           ///< the Pareto front as a stair, from the fastest to the best
+  double floor_x = 0;  ///< where merely streaming the rays lies
+};
+
+/// The charts of one shape: a column for each precision, wrong verdicts above mean bits.
+struct Plot {
+  std::string shape;
+  std::vector<Mark> marks;
+  std::vector<Panel> panels;
+};
+
+/// One plot for each shape.
+[[nodiscard]] std::vector<Plot> make_plots(const std::vector<Summary>& summaries);
+
+}  // namespace rayproof::report

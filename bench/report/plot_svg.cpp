@@ -1,0 +1,148 @@
+#include "bench/report/plot_svg.hpp"
+
+#include <fmt/format.h>
+
+#include "properties/report/escape.hpp"
+
+namespace rayproof::report {
+
+namespace {
+
+constexpr double panel_width = 400, panel_height = 300, left = 92, top = 40, gap_x = 110, gap_y = 96;
+constexpr double legend_width = 210;
+constexpr std::size_t columns = 2;
+
+/// Where plot units lie on the paper.
+struct Frame {
+  const Panel& panel;
+  double x0, y0;
+  [[nodiscard]] double x(double value) const {
+    return x0 + panel_width * (value - panel.x.low) / (panel.x.high - panel.x.low);
+  }
+  [[nodiscard]] double y(double value) const {
+    return y0 + panel_height * (1 - (value - panel.y.low) / (panel.y.high - panel.y.low));
+  }
+};
+
+std::string text(double x, double y, const char* anchor, const std::string& words, const char* more = "") {
+  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" {}>{}</text>\n", x, y, anchor, more,
+                     escaped(words));
+}
+
+std::string line(double x0, double y0, double x1, double y1, const char* style) {
+  return fmt::format("<line class=\"{}\" x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\"/>\n", style,
+                     x0, y0, x1, y1);
+}
+
+std::string outline(Outline shape, double x, double y) {
+  constexpr double r = 7;
+  switch (shape) {
+    case Outline::square:
+      return fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{}\" height=\"{}\"/>", x - r, y - r, 2 * r,
+                         2 * r);
+    case Outline::circle:
+      return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\"/>", x, y, r + 0.5);
+    case Outline::diamond:
+      break;
+  }
+  constexpr double d = r + 2.5;
+  return fmt::format("<path d=\"M{0:.1f} {1:.1f}l{2} {2} {2} -{2} -{2} -{2}z\"/>", x - d, y, d);
+}
+
+std::string inner(Inner sign, double x, double y) {
+  if (sign == Inner::nothing) return "";
+  const double a = sign == Inner::plus ? 5 : 3.5;
+  const double b = sign == Inner::plus ? 0 : 3.5;
+  return fmt::format("<path class=\"in\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>",
+                     x - a, y - b, x + a, y + b, x + b, y - a, x - b, y + a);
+}
+
+std::string mark(const Mark& one, std::size_t index, Arrangement arrangement, double x, double y,
+                 const std::string& label) {
+  const char* fill = arrangement == Arrangement::scalar ? "hollow" : "solid";
+  return fmt::format("<g class=\"m{} {}\"><title>{}</title>{}{}</g>\n", index, fill, escaped(label),
+                     outline(one.outline, x, y), inner(one.inner, x, y));
+}
+
+std::string axes(const Frame& frame) {
+  const double bottom = frame.y0 + panel_height;
+  std::string svg =
+      fmt::format("<rect class=\"frame\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{}\" height=\"{}\"/>\n", frame.x0,
+                  frame.y0, panel_width, panel_height);
+  for (const auto& [place, words] : frame.panel.x.ticks) {
+    svg += line(frame.x(place), frame.y0, frame.x(place), bottom, "grid");
+    svg += text(frame.x(place), bottom + 18, "middle", words);
+  }
+  for (const auto& [place, words] : frame.panel.y.ticks) {
+    svg += line(frame.x0, frame.y(place), frame.x0 + panel_width, frame.y(place), "grid");
+    svg += text(frame.x0 - 8, frame.y(place) + 4.5, "end", words);
+  }
+  svg += text(frame.x0 + panel_width / 2, bottom + 40, "middle", frame.panel.x.title, "class=\"axis\"");
+  svg += text(frame.x0, frame.y0 - 12, "start", frame.panel.title + ": " + frame.panel.y.title,
+              "class=\"title\"");
+  return svg;
+}
+
+std::string chart(const Plot& plot, const Frame& frame) {
+  std::string svg = axes(frame);
+  const double floor = frame.x(frame.panel.floor_x);
+  svg += line(floor, frame.y0, floor, frame.y0 + panel_height, "floor");
+  svg += fmt::format(
+      "<text class=\"note\" transform=\"translate({:.1f} {:.1f}) rotate(-90)\">streaming</text>\n", floor - 5,
+      frame.y0 + panel_height - 6);
+  std::string stair;
+  for (const auto& [x, y] : frame.panel.front) stair += fmt::format("{:.1f},{:.1f} ", frame.x(x), frame.y(y));
+  svg += "<polyline class=\"front\" points=\"" + stair + "\"/>\n";
+  for (const Point& point : frame.panel.points)
+    svg += mark(plot.marks[point.mark], point.mark, point.arrangement, frame.x(point.x), frame.y(point.y),
+                point.label);
+  return svg;
+}
+
+std::string legend(const Plot& plot, double x) {
+  std::string svg = text(x + 8, top + 4, "middle", "one", "class=\"note\"") +
+                    text(x + 48, top + 4, "middle", "batch", "class=\"note\"");
+  double y = top + 26;
+  for (std::size_t i = 0; i < plot.marks.size(); ++i, y += 28) {
+    svg +=
+        mark(plot.marks[i], i, Arrangement::scalar, x + 8, y, plot.marks[i].method + ", one ray at a time");
+    svg += mark(plot.marks[i], i, Arrangement::batch, x + 48, y, plot.marks[i].method + ", in batches");
+    svg += text(x + 72, y + 5, "start", plot.marks[i].method);
+  }
+  svg += line(x, y + 4, x + 56, y + 4, "front") + text(x + 72, y + 9, "start", "Pareto front");
+  svg += line(x, y + 32, x + 56, y + 32, "floor") + text(x + 72, y + 37, "start", "streaming");
+  return svg;
+}
+
+std::string style(const Plot& plot) {
+  std::string light;
+  std::string dark;
+  for (std::size_t i = 0; i < plot.marks.size(); ++i) {
+    light += fmt::format(".{0} .m{1}{{--m:{2}}}", plot.shape, i, plot.marks[i].light);
+    dark += fmt::format(".{0} .m{1}{{--m:{2}}}", plot.shape, i, plot.marks[i].dark);
+  }
+  return "<style>" + light + "@media (prefers-color-scheme:dark){" + dark + "}@media print{" + light +
+         "}</style>\n";
+}
+
+}  // namespace
+
+std::string to_svg(const Plot& plot) {
+  const std::size_t rows = (plot.panels.size() + columns - 1) / columns;
+  const double legend_x = left + 2 * panel_width + gap_x + 36;
+  std::string body;
+  for (std::size_t i = 0; i < plot.panels.size(); ++i) {
+    const auto column = static_cast<double>(i % columns);
+    const auto row = static_cast<double>(i / columns);
+    body += chart(
+        plot, {plot.panels[i], left + column * (panel_width + gap_x), top + row * (panel_height + gap_y)});
+  }
+  return fmt::format(
+      "<svg class=\"plot {0}\" viewBox=\"0 0 {1} {2}\" role=\"img\" xmlns=\"http://www.w3.org/2000/svg\">\n"
+      "<title>Speed against error of the {0} methods</title>\n{3}{4}{5}</svg>\n",
+      escaped(plot.shape), legend_x + legend_width,
+      top + static_cast<double>(rows) * (panel_height + gap_y) - 30, style(plot), body,
+      legend(plot, legend_x));
+}
+
+}  // namespace rayproof::report

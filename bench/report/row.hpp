@@ -1,0 +1,59 @@
+#pragma once
+/// \file
+/// The figures of the report, with the meaning and the names they have in the case format.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "case/case.hpp"
+
+namespace rayproof::report {
+
+enum class Arrangement { scalar, batch };
+
+[[nodiscard]] constexpr const char* name_of(Arrangement arrangement) {
+  return arrangement == Arrangement::scalar ? "scalar" : "batch";
+}
+[[nodiscard]] constexpr const char* name_of(Precision precision) {
+  return precision == Precision::float32 ? "float32" : "float64";
+}
+
+/// How wrong a method's answers to a family of cases are. Wrong verdicts are counted apart, never averaged
+/// in.
+struct Accuracy {
+  std::size_t cases = 0;
+  std::size_t wrong_hits = 0;    ///< cases with a hit (or root) too many
+  std::size_t wrong_misses = 0;  ///< cases with a hit (or root) too few
+  /// The rest is over the hits that method and oracle agree on; NaN where there are none.
+  std::size_t agreed_hits = 0;
+  double max_ulp = 0;
+  double p99_ulp = 0;
+  /// Herbie's measure: the mean of log2(1 + floats between the hit and the correctly rounded one).
+  double mean_bits = 0;
+};
+
+/// One method on one family, in one precision and arrangement. The floor has the method name `streaming` and
+/// no errors.
+struct Row {
+  std::string shape;
+  std::string method;
+  Precision precision = Precision::float32;
+  Arrangement arrangement = Arrangement::scalar;
+  std::string family;
+  double ns_per_ray = 0;
+  Accuracy accuracy{};
+
+  [[nodiscard]] bool is_floor() const { return method == floor_name; }
+  static constexpr const char* floor_name = "streaming";
+};
+
+/// Everything the report knows.
+struct Figures {
+  std::string machine;
+  std::string compiler;
+  std::size_t rays = 0;  ///< how many rays one timed pass takes
+  std::vector<Row> rows;
+};
+
+}  // namespace rayproof::report

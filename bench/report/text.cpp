@@ -1,0 +1,37 @@
+#include "bench/report/text.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace rayproof::report {
+
+std::string figure(double x) {
+  if (std::isnan(x)) return "-";
+  if (std::isinf(x)) return "inf";
+  return fmt::format("{:.3g}", x);
+}
+
+std::string to_text(const Figures& figures, const std::vector<Summary>& summaries) {
+  std::string text = fmt::format("{}; {}\n", figures.machine, figures.compiler);
+  std::string group;
+  for (const Summary& one : summaries) {
+    const std::string own_group = fmt::format("{} {}", one.shape, name_of(one.precision));
+    if (own_group != group) {
+      group = own_group;
+      text += fmt::format("\n{:<18} {:<7} {:>10} {:>9} {:>11} {:>13} {:>9} {:>9} {:>9}\n", group, "",
+                          "ns/ray", "cases", "wrong hits", "wrong misses", "max ulp", "p99 ulp", "mean bits");
+    }
+    text += fmt::format("{:<18} {:<7} {:>10}", one.method, name_of(one.arrangement), figure(one.ns_per_ray));
+    const Accuracy& errors = one.accuracy;
+    if (!one.is_floor())
+      text += fmt::format(" {:>9} {:>11} {:>13} {:>9} {:>9} {:>9}", errors.cases, errors.wrong_hits,
+                          errors.wrong_misses, figure(errors.max_ulp), figure(errors.p99_ulp),
+                          figure(errors.mean_bits));
+    text += '\n';
+  }
+  if (const auto found = headline(figures.rows)) text += fmt::format("\n{}\n", sentence(*found, figures.rays));
+  return text;
+}
+
+}  // namespace rayproof::report
