@@ -1,0 +1,143 @@
+/// \file
+/// The programs as somebody outside meets them: what they print, and how they end.
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+namespace {
+
+struct Outcome {
+  int status = -1;
+  std::string output;  ///< standard output and standard error
+};
+
+/// Runs `rayproof-COMMAND` in a shell.
+Outcome run(const std::string& command) {
+  const std::string line = std::string("{ ") + RAYPROOF_BIN_DIR + "/rayproof-" + command + "; } 2>&1";
+  FILE* const pipe = ::popen(line.c_str(), "r");
+  Outcome result;
+  for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe))
+    result.output.push_back(static_cast<char>(c));
+  const int status = ::pclose(pipe);
+  result.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return result;
+}
+
+/// A file that is there as long as the object.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const std::string& text) { std::ofstream(path_) << text; }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  ~TemporaryFile() { std::filesystem::remove(path_); }
+  [[nodiscard]] const std::string& path() const { return path_; }
+
+ private:
+  std::string path_ = testing::TempDir() + "rayproof_case_" + std::to_string(::getpid()) + ".jsonl";
+};
+
+constexpr auto quadratic_case = R"({"query": "quadratic", "a": 1, "b": -3, "c": 2})";
+constexpr auto sphere_case =
+    R"({"id": 7, "precision": "float32", "ray": {"origin": [0,0,-5], "direction": [0,0,1], "t_min": 0, "t_max": "inf"}, )"
+    R"("shape": {"type": "sphere", "center": [0,0,0], "radius": 1}, "transform": [[2,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]})";
+constexpr auto sphere_answer =
+    R"({"id": 7, "verdict": "hit", "contact": "crossing", "hits": [{"t": 4, "t_hex": "0x1p+2"}, {"t": 6, "t_hex": "0x1.8p+2"}], )"
+    R"("point": [0, 0, -1], "normal": [0, 0, -1]})";
+constexpr auto quadratic_answer =
+    R"({"kind": "two", "roots": [{"x": 1, "x_hex": "0x1p+0"}, {"x": 2, "x_hex": "0x1p+1"}]})";
+
+TEST(oracle_program, answers_a_file_or_standard_input) {
+  const TemporaryFile file(std::string(sphere_case) + "\n" + quadratic_case + "\n");
+  const std::string expected = std::string(sphere_answer) + "\n" + quadratic_answer + "\n";
+  for (const std::string& command :
+       {"oracle " + file.path(), "oracle < " + file.path(), "oracle - < " + file.path()}) {
+    const Outcome answered = run(command);
+    EXPECT_EQ(answered.output, expected) << command;
+    EXPECT_EQ(answered.status, 0) << command;
+  }
+}
+
+TEST(oracle_program, ends_with_1_where_a_line_was_refused) {
+  const TemporaryFile file("nonsense\n" + std::string(quadratic_case) + "\n");
+  const Outcome answered = run("oracle " + file.path());
+  EXPECT_EQ(answered.status, 1);
+  EXPECT_NE(answered.output.find("\"line\": 1, \"error\""), std::string::npos);
+  EXPECT_NE(answered.output.find(quadratic_answer), std::string::npos);
+}
+
+TEST(oracle_program, ends_with_2_and_one_sentence_for_a_wrong_command_line) {
+  for (const std::string command :
+       {"oracle --exact", "oracle /no/such/file", "oracle a b", "oracle /", "intersect < /dev/null",
+        "intersect --method", "methods --xml", "methods sphere"}) {
+    const Outcome answered = run(command);
+    EXPECT_EQ(answered.status, 2) << command;
+    EXPECT_EQ(std::count(answered.output.begin(), answered.output.end(), '\n'), 1) << answered.output;
+  }
+}
+
+TEST(oracle_program, is_quiet_when_its_reader_has_seen_enough) {
+  const TemporaryFile file([] {
+    std::string text;
+    for (int i = 0; i < 20000; ++i) text += std::string(quadratic_case) + "\n";
+    return text;
+  }());
+  EXPECT_EQ(run("oracle " + file.path() + " | head -n 1").output, quadratic_answer + std::string("\n"));
+}
+
+TEST(intersect_program, answers_in_the_oracles_format) {
+  const TemporaryFile file(sphere_case);
+  const Outcome answered = run("intersect --method sphere/compensated " + file.path());
+  EXPECT_EQ(answered.status, 0);
+  EXPECT_EQ(answered.output, std::string(sphere_answer) + "\n");
+}
+
+TEST(intersect_program, refuses_a_case_of_another_topic_by_its_field) {
+  const TemporaryFile file(std::string(sphere_case) + "\n" + quadratic_case + "\n");
+  const Outcome sphere = run("intersect --method sphere/centred " + file.path());
+  EXPECT_EQ(sphere.status, 1);
+  EXPECT_NE(sphere.output.find(R"("line": 2, "error": "query is quadratic, which)"), std::string::npos)
+      << sphere.output;
+  const Outcome quadratic = run("intersect --method quadratic/kahan " + file.path());
+  EXPECT_EQ(quadratic.status, 1);
+  EXPECT_NE(quadratic.output.find(R"({"id": 7, "line": 1, "error": "shape.type is sphere, which)"),
+            std::string::npos)
+      << quadratic.output;
+}
+
+TEST(intersect_program, names_near_methods_for_one_it_does_not_know) {
+  const Outcome answered = run("intersect --method sphere/centered < /dev/null");
+  EXPECT_EQ(answered.status, 2);
+  EXPECT_NE(answered.output.find("did you mean sphere/centred"), std::string::npos) << answered.output;
+}
+
+TEST(methods_program, lists_every_method_with_its_contract) {
+  const nlohmann::json methods = nlohmann::json::parse(run("methods --json").output);
+  ASSERT_GE(methods.size(), 12U);
+  const std::string table = run("methods").output;
+  for (const nlohmann::json& method : methods) {
+    const auto name = method.at("method").get<std::string>();
+    EXPECT_NE(table.find(name), std::string::npos) << name;
+    EXPECT_FALSE(method.at("title").get<std::string>().empty()) << name;
+    EXPECT_GT(method.at("source").at("year"), 1900) << name;
+    EXPECT_TRUE(method.at("contract").at("verdict").contains("promised")) << name;
+    EXPECT_EQ(method.at("standing") == "sound", method.at("contract").at("refuted").empty()) << name;
+  }
+}
+
+TEST(programs, tell_their_options) {
+  for (const std::string program : {"oracle", "intersect", "methods"}) {
+    const Outcome help = run(program + " --help");
+    EXPECT_EQ(help.status, 0) << program;
+    EXPECT_NE(help.output.find("Exit status"), std::string::npos) << program;
+  }
+}
+
+}  // namespace
