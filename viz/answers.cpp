@@ -73,7 +73,7 @@ bool verdicts_differ(const Answer* exact, const Answer* claimed) {
   return tells_all && values_of(exact).size() != values_of(claimed).size();
 }
 
-std::string headline(const Answer* exact, const Answer* claimed) {
+std::string headline_of(const Answer* exact, const Answer* claimed) {
   if (claimed == nullptr) return "Exact answer: " + verdict_of(exact);
   if (exact == nullptr) return "Claimed answer: " + verdict_of(claimed);
   return "Exact: " + verdict_of(exact) + ".  Claimed: " + verdict_of(claimed) +

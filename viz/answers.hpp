@@ -21,7 +21,7 @@ namespace rayproof::viz {
 [[nodiscard]] bool verdicts_differ(const Answer* exact, const Answer* claimed);
 
 /// "exact: hit, claimed: miss" in one line.
-[[nodiscard]] std::string headline(const Answer* exact, const Answer* claimed);
+[[nodiscard]] std::string headline_of(const Answer* exact, const Answer* claimed);
 
 /// A table of the values under each other, one row a value, below `top`: mark, name, exact, claimed,
 /// distance. Returns the height it took.

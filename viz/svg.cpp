@@ -2,34 +2,12 @@
 
 #include <fmt/format.h>
 
+#include "viz/html_text.hpp"
 #include "viz/palette.hpp"
 #include "viz/topics.hpp"
 
 namespace rayproof::viz {
 namespace {
-
-std::string escaped(const std::string& text) {
-  std::string safe;
-  for (const char c : text) {
-    switch (c) {
-      case '<':
-        safe += "&lt;";
-        break;
-      case '>':
-        safe += "&gt;";
-        break;
-      case '&':
-        safe += "&amp;";
-        break;
-      case '"':
-        safe += "&quot;";
-        break;
-      default:
-        if (static_cast<unsigned char>(c) >= 0x20) safe += c;  // XML has no other control characters
-    }
-  }
-  return safe;
-}
 
 std::string css_class(Role role) { return colour_of(role).name; }
 

@@ -100,6 +100,8 @@ Walkthrough tell(const Tape& tape, const Ending& ending, Precision precision) {
     values.insert(values.end(), more.begin(), more.end());
   }
   for (WalkStep& step : walk.steps) point_out(step);
+  walk.lo = tape.at(ending.lo).value;
+  walk.hi = tape.at(ending.hi).value;
   judge(walk, tape, ending);
   return walk;
 }

@@ -63,6 +63,8 @@ struct Walkthrough {
   int digits = 24;  ///< of the method's arithmetic
   std::vector<WalkValue> inputs{};
   std::vector<WalkStep> steps{};
+  double lo = 0;  ///< the roots the method came to, ascending; NaN for none
+  double hi = 0;
   Outcome outcome = Outcome::faithful;
   double answer_bits_lost = 0;   ///< the worst of the answers', the discriminant's where flipped
   std::optional<Death> death{};  ///< where they were lost; none where no single operation is to blame

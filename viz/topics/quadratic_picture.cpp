@@ -114,7 +114,8 @@ Picture quadratic_picture(const Case& one, const Answer* exact, const Answer* cl
   const auto& q = std::get<Quadratic<double>>(one.question);
   const Parabola parabola{convert<Shadow>(q)};
   const auto marks = marks_of("x", exact, claimed, [](double x) { return WorldPoint{x, 0}; });
-  Picture picture = begin_picture("Quadratic", one, headline(exact, claimed), equation_of(q, one.precision));
+  Picture picture =
+      begin_picture("Quadratic", one, headline_of(exact, claimed), equation_of(q, one.precision));
   const Panels panels;
   View main = main_view(parabola, marks, panels.left);
   const auto inset =

@@ -91,7 +91,7 @@ std::string description_of(const SphereScene& scene) {
 
 Picture sphere_picture(const Case& one, const Answer* exact, const Answer* claimed) {
   const SphereScene scene = scene_of(one, exact, claimed);
-  Picture picture = begin_picture("Ray and sphere", one, headline(exact, claimed), description_of(scene));
+  Picture picture = begin_picture("Ray and sphere", one, headline_of(exact, claimed), description_of(scene));
   const Panels panels;
   MainView main = main_view(scene, panels.left);
   const std::optional<Inset> inset = inset_of(scene, main.view, panels.right);

@@ -1,0 +1,78 @@
+#pragma once
+/// \file
+/// Problems for every method of every topic, from tame to the ends of the exponent range.
+
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <rayproof/topics.hpp>
+
+#include "viz/record.hpp"
+
+namespace rayproof::viz {
+
+/// Numbers of either sign whose exponents are uniform within ±reach, some of them whole, some of them 0.
+class CaseSource {
+ public:
+  explicit CaseSource(std::uint64_t seed) : bits_(seed) {}
+
+  double number(int reach) {
+    const auto kind = bits_() % 16;
+    if (kind == 0) return 0;
+    const double sign = bits_() % 2 == 0 ? 1 : -1;
+    if (kind < 4) return sign * static_cast<double>(bits_() % 8);
+    const double significand = 1 + static_cast<double>(bits_() >> 11) * 0x1p-53;
+    const int exponent = static_cast<int>(bits_() % static_cast<unsigned>(2 * reach + 1)) - reach;
+    return sign * std::ldexp(significand, exponent);
+  }
+  /// A number one last bit or so away from another.
+  double beside(double x) { return x * (1 + static_cast<double>(bits_() % 5) * 0x1p-23 - 0x1p-22); }
+
+  template <class T>
+  T rounded(int reach) {
+    return static_cast<T>(number(reach));
+  }
+
+ private:
+  std::mt19937_64 bits_;
+};
+
+template <class T>
+[[nodiscard]] quadratic::Topic::Problem<T> random_problem(quadratic::Topic /*topic*/, CaseSource& source,
+                                                          int reach) {
+  const T b = source.rounded<T>(reach);
+  const T a = source.rounded<T>(reach);
+  const bool is_near_double = source.number(1) > 0 && a != 0;
+  const T c = is_near_double ? static_cast<T>(source.beside(static_cast<double>(b * b / (4 * a))))
+                             : source.rounded<T>(reach);
+  return {{a, b, c}};
+}
+
+template <class T>
+[[nodiscard]] sphere::Topic::Problem<T> random_problem(sphere::Topic /*topic*/, CaseSource& source,
+                                                       int reach) {
+  const auto vector = [&] {
+    return vec3<T>{source.rounded<T>(reach), source.rounded<T>(reach), source.rounded<T>(reach)};
+  };
+  const Ray<T> ray{vector(), vector()};
+  return {ray, {vector(), std::abs(source.rounded<T>(reach))}};
+}
+
+/// Calls `check.operator()<Topic, Method>(problem)` for every method that takes any arithmetic.
+template <class T, class Check>
+void for_every_recordable_method(Check&& check) {
+  Topics::for_each([&]<class Topic>(std::type_identity<Topic>) {
+    Topic::Methods::for_each([&]<class Method>(std::type_identity<Method>) {
+      if constexpr (Recordable<Method, Recorded<T, Shadow>>) {
+        CaseSource source(20);
+        for (const int reach : {0, 4, 20, std::numeric_limits<T>::max_exponent - 1}) {
+          for (int i = 0; i < 400; ++i) {
+            check.template operator()<Topic, Method>(random_problem<T>(Topic{}, source, reach));
+          }
+        }
+      }
+    });
+  });
+}
+
+}  // namespace rayproof::viz

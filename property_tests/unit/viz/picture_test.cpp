@@ -1,0 +1,133 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <regex>
+
+#include "case/reader.hpp"
+#include "generators/generators.hpp"
+#include "oracle/oracle.hpp"
+#include "subjects/subject.hpp"
+#include "unit/viz/markup.hpp"
+#include "viz/clip.hpp"
+#include "viz/dashes.hpp"
+#include "viz/svg.hpp"
+#include "viz/told.hpp"
+#include "viz/topics.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+/// Every number an element has in pixels.
+std::vector<Point> points_of(const Element& element) {
+  struct {
+    std::vector<Point> operator()(const Line& e) const { return e.points; }
+    std::vector<Point> operator()(const Area& e) const { return e.points; }
+    std::vector<Point> operator()(const Mark& e) const { return {e.at}; }
+    std::vector<Point> operator()(const Text& e) const { return {e.at}; }
+  } visitor;
+  return std::visit(visitor, element);
+}
+
+/// The text's width as DejaVu Sans has it, generously.
+double width_of(const Text& text) {
+  const auto characters =
+      std::count_if(text.text.begin(), text.text.end(), [](char c) { return (c & 0xC0) != 0x80; });
+  return static_cast<double>(characters) * text.size * (text.bold ? 0.68 : 0.62);
+}
+
+void expect_in_bounds(const Picture& picture, const std::string& which) {
+  for (const Element& element : picture.elements) {
+    for (const Point& p : points_of(element)) {
+      ASSERT_TRUE(p.x >= 0 && p.x <= picture.width && p.y >= 0 && p.y <= picture.height)
+          << which << ": " << p.x << ' ' << p.y;
+    }
+    if (const auto* text = std::get_if<Text>(&element); text != nullptr && text->anchor == Anchor::start) {
+      ASSERT_LE(text->at.x + width_of(*text), picture.width + 1) << which << ": " << text->text;
+    }
+  }
+}
+
+/// Draws cases of every family as every method answers them.
+template <class Check>
+void for_every_family(Check&& check) {
+  for (const Family& family : families()) {
+    for (const Precision precision : {Precision::float32, Precision::float64}) {
+      for (std::uint64_t seed = 0; seed < 12; ++seed) {
+        const Case one = family.generate(seed, precision);
+        const Answer exact = oracle::answer(one);
+        for (const Subject& subject : subjects()) {
+          if (subject.topic != family.topic) continue;
+          const Answer claimed = subject.answer(one);
+          check(one, exact, claimed, subject.full_name() + " on " + family.name + " " + std::to_string(seed));
+        }
+      }
+    }
+  }
+}
+
+TEST(Picture, NothingLiesOutsideItWhateverTheCase) {
+  for_every_family([](const Case& one, const Answer& exact, const Answer& claimed, const std::string& which) {
+    expect_in_bounds(view_of(one)->picture(one, &exact, &claimed), which);
+  });
+}
+
+TEST(Picture, ItsSvgIsWellFormedAndNeedsNothingFromElsewhere) {
+  for_every_family([](const Case& one, const Answer& exact, const Answer& claimed, const std::string& which) {
+    const std::string svg = svg_of(one, &exact, &claimed);
+    ASSERT_EQ(complaint_about_xml(svg), "") << which;
+    ASSERT_EQ(complaint_about_addresses(svg), "") << which;
+    ASSERT_EQ(svg.find("nan"), std::string::npos) << which;
+    ASSERT_FALSE(std::regex_search(svg, std::regex("=\"[^\"]*\\binf"))) << which;
+  });
+}
+
+TEST(Picture, AnAnswerMayBeMissing) {
+  const Case one = read_case(R"({"query":"quadratic","a":1,"b":-3,"c":2})");
+  EXPECT_EQ(complaint_about_xml(svg_of(one, nullptr, nullptr)), "");
+}
+
+TEST(Picture, AnErrorTooSmallToSeeIsMagnifiedAndLabelled) {
+  const Case one = read_case(R"({"query":"quadratic","precision":"float32","a":1,"b":1000,"c":1})");
+  const Answer exact = oracle::answer(one);
+  const Answer claimed = find_subject("quadratic/textbook")->answer(one);
+  const std::string svg = svg_of(one, &exact, &claimed);
+  EXPECT_NE(svg.find("Magnified"), std::string::npos);
+  EXPECT_NE(svg.find("off by 7.1e-6"), std::string::npos);
+}
+
+TEST(Picture, MarkupInANoteIsText) {
+  const Case one =
+      read_case(R"({"query":"quadratic","a":1,"b":-3,"c":2,"note":"<script>alert(1)</script>"})");
+  const std::string page = html_page({one, oracle::answer(one), "", {}, {}});
+  EXPECT_EQ(page.find("<script>alert"), std::string::npos);
+}
+
+TEST(Page, IsOneFileThatNeedsNothingFromElsewhere) {
+  for_every_family([](const Case& one, const Answer& exact, const Answer& claimed, const std::string& which) {
+    const Told told{one, exact, "a/method", claimed, view_of(one)->walk(one, "textbook")};
+    ASSERT_EQ(complaint_about_addresses(html_page(told)), "") << which;
+  });
+}
+
+TEST(Clip, ALineKeepsOnlyItsPartsInside) {
+  const auto parts = clip_line({{-10, 5}, {20, 5}, {20, 30}, {5, 30}, {5, -5}}, {0, 0, 10, 10});
+  ASSERT_EQ(parts.size(), 2U);
+  EXPECT_EQ(parts[0].front().x, 0);
+  EXPECT_EQ(parts[0].back().x, 10);
+  EXPECT_EQ(parts[1].front().y, 10);
+}
+
+TEST(Clip, AnAreaAroundTheBoxBecomesTheBox) {
+  EXPECT_EQ(clip_area({{-9, -9}, {99, -9}, {99, 99}, {-9, 99}}, {0, 0, 10, 10}).size(), 4U);
+  EXPECT_TRUE(clip_area({{20, 20}, {30, 20}, {30, 30}}, {0, 0, 10, 10}).empty());
+}
+
+TEST(Dashes, CoverTheLineInItsPattern) {
+  const auto dashes = dashes_of({Role::text, {{0, 0}, {24, 0}}, 1, Pattern::dashed});
+  ASSERT_EQ(dashes.size(), 2U);
+  EXPECT_NEAR(dashes[1].front().x, 12, 1e-9);
+  EXPECT_NEAR(dashes[1].back().x, 19, 1e-9);
+}
+
+}  // namespace
+}  // namespace rayproof::viz

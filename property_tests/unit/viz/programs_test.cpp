@@ -1,0 +1,128 @@
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace rayproof::viz {
+namespace {
+
+struct Run {
+  int status;
+  std::string output;  ///< both streams
+};
+
+Run run(const std::string& command) {
+  FILE* const pipe = popen((command + " 2>&1").c_str(), "r");
+  std::string output;
+  std::array<char, 4096> block{};
+  for (std::size_t got = 0; (got = fread(block.data(), 1, block.size(), pipe)) > 0;)
+    output.append(block.data(), got);
+  const int status = pclose(pipe);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), output};
+}
+
+const std::string explain = std::string(RAYPROOF_BIN_DIR) + "/rayproof-explain ";
+const std::string draw = "env -u DISPLAY " RAYPROOF_BIN_DIR "/rayproof-draw ";
+const std::string cancelling = R"('{"query":"quadratic","precision":"float32","a":1,"b":1000,"c":1}' )";
+
+class Programs : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder = std::filesystem::path(testing::TempDir()) / ("rayproof-" + std::to_string(getpid()));
+    std::filesystem::create_directories(folder);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder); }
+  [[nodiscard]] std::string file(const std::string& name) const { return (folder / name).string(); }
+
+  std::filesystem::path folder;
+};
+
+TEST_F(Programs, ExplainNamesTheSubtractionWhereTheDigitsDied) {
+  const Run told = run(explain + cancelling + "--method quadratic/textbook");
+  EXPECT_EQ(told.status, 0) << told.output;
+  EXPECT_NE(
+      told.output.find("In step 'Apply the quadratic formula' the subtraction −b + √D cancels 16 of 24 bits"),
+      std::string::npos)
+      << told.output;
+}
+
+TEST_F(Programs, ExplainTakesAFileAFindingAndStandardInput) {
+  const std::string finding =
+      R"({"subject": "sphere/textbook", "property": "robust", "case": {"ray": {"origin": [0,0,-5], )"
+      R"("direction": [0,0,1]}, "shape": {"type": "sphere", "center": [0,0,0], "radius": 1}}})";
+  std::ofstream(file("findings.jsonl")) << "\n" << finding << "\n" << finding << "\n";
+  for (const std::string& command :
+       {explain + file("findings.jsonl"), explain + file("findings.jsonl") + " --line 2",
+        "cat " + file("findings.jsonl") + " | " + explain + "-"}) {
+    const Run told = run(command);
+    EXPECT_EQ(told.status, 0) << told.output;
+    EXPECT_EQ(told.output.find("sphere/textbook"), 0U) << told.output;
+  }
+}
+
+TEST_F(Programs, ARefusedCaseEndsWith1AndOneSentenceNamingTheField) {
+  const Run told =
+      run(explain + R"('{"query":"quadratic","a":1,"b":"nan","c":1}' --method quadratic/textbook)");
+  EXPECT_EQ(told.status, 1);
+  EXPECT_EQ(told.output.find("rayproof explain: b "), 0U) << told.output;
+}
+
+TEST_F(Programs, AWrongCommandLineEndsWith2AndOneSentence) {
+  for (const std::string& command :
+       {explain + cancelling, explain + cancelling + "--method quadratic/textbok",
+        explain + cancelling + "--method sphere/centred",
+        explain + "no-such-file --method quadratic/textbook",
+        explain + cancelling + "--method quadratic/textbook --precision float16", draw + cancelling,
+        draw + cancelling + "--svg /no/such/folder/a.svg",
+        draw + cancelling + "--png /no/such/folder/a.png"}) {
+    const Run told = run(command);
+    EXPECT_EQ(told.status, 2) << command << "\n" << told.output;
+    EXPECT_EQ(std::count(told.output.begin(), told.output.end(), '\n'), 1) << told.output;
+  }
+}
+
+TEST_F(Programs, DrawWritesAPageAndAnSvg) {
+  const Run told = run(draw + cancelling + "--method quadratic/textbook --svg " + file("a.svg") + " --html " +
+                       file("a.html"));
+  EXPECT_EQ(told.status, 0) << told.output;
+  EXPECT_GT(std::filesystem::file_size(file("a.svg")), 1000U);
+  EXPECT_GT(std::filesystem::file_size(file("a.html")), 5000U);
+}
+
+#ifdef RAYPROOF_HAS_VTK
+/// Width and height from a PNG's header.
+std::array<unsigned, 2> png_size(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  const std::string bytes(std::istreambuf_iterator<char>(in), {});
+  if (bytes.size() < 24 || bytes.substr(1, 3) != "PNG") return {0, 0};
+  const auto number = [&](std::size_t at) {
+    unsigned value = 0;
+    for (std::size_t i = at; i < at + 4; ++i) value = value << 8U | static_cast<unsigned char>(bytes[i]);
+    return value;
+  };
+  return {number(16), number(20)};
+}
+
+TEST_F(Programs, DrawWritesAPngWithoutADisplay) {
+  const Run told = run(draw + cancelling + "--method quadratic/textbook --png " + file("a.png"));
+  EXPECT_EQ(told.status, 0) << told.output;
+  EXPECT_EQ(told.output, "");
+  EXPECT_EQ(png_size(file("a.png"))[0], 1800U);
+  EXPECT_GT(png_size(file("a.png"))[1], 600U);
+  EXPECT_GT(std::filesystem::file_size(file("a.png")), 20000U);
+}
+
+TEST_F(Programs, DrawSaysWhatIsMissingWhereThereIsNoXvfb) {
+  const Run told = run("PATH=/nowhere " + std::string(RAYPROOF_BIN_DIR) + "/rayproof-draw " + cancelling +
+                       "--png " + file("a.png"));
+  EXPECT_EQ(told.status, 2);
+  EXPECT_NE(told.output.find("Debian package xvfb"), std::string::npos) << told.output;
+}
+#endif
+
+}  // namespace
+}  // namespace rayproof::viz

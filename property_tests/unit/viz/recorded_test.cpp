@@ -1,0 +1,96 @@
+#include <gtest/gtest.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
+
+#include "unit/viz/every_method.hpp"
+#include "viz/tape.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+using Rational = boost::multiprecision::cpp_rational;
+
+template <class T>
+bool same_bits(T a, T b) {
+  return (std::isnan(a) && std::isnan(b)) || (a == b && std::signbit(a) == std::signbit(b));
+}
+
+template <class T>
+void expect_plain_results() {
+  for_every_recordable_method<T>([]<class Topic, class Method>(const auto& problem) {
+    const auto plain = Topic::template solve<Method>(problem);
+    const auto recorded = Topic::template solve<Method>(problem.template as<Recorded<T, Shadow>>());
+    const auto bounded = Topic::template solve<Method>(problem.template as<Bounded<T>>());
+    ASSERT_TRUE(same_bits(plain.lo, recorded.lo.value())) << Method::name;
+    ASSERT_TRUE(same_bits(plain.hi, recorded.hi.value())) << Method::name;
+    ASSERT_TRUE(same_bits(plain.discriminant, recorded.discriminant.value())) << Method::name;
+    ASSERT_TRUE(same_bits(plain.lo, bounded.lo.value)) << Method::name;
+    ASSERT_TRUE(same_bits(plain.hi, bounded.hi.value)) << Method::name;
+  });
+}
+
+TEST(Recorded, RoundsBitForBitAsFloat) { expect_plain_results<float>(); }
+TEST(Recorded, RoundsBitForBitAsDouble) { expect_plain_results<double>(); }
+
+TEST(Recorded, TheShadowOfADiscriminantIsItsExactRationalValue) {
+  CaseSource source(3);
+  for (int i = 0; i < 2000; ++i) {
+    const Quadratic<double> q{source.number(30), source.number(30), source.number(30)};
+    Tape tape;
+    const auto roots = quadratic::Textbook::roots(convert<Recorded<double, Shadow>>(q));
+    const Rational exact = Rational(q.b) * Rational(q.b) - 4 * Rational(q.a) * Rational(q.c);
+    EXPECT_EQ(roots.discriminant.exact.convert_to<Rational>(), exact);
+  }
+}
+
+TEST(Recorded, TheShadowOfARootSolvesTheEquationTo200Bits) {
+  CaseSource source(4);
+  for (int i = 0; i < 2000; ++i) {
+    const Quadratic<double> q{source.number(10), source.number(10), source.number(10)};
+    const auto roots = quadratic::CitardauqViete::roots(convert<Recorded<double, Shadow>>(q));
+    if (roots.discriminant.exact < 0) continue;
+    for (const Shadow& x : {roots.lo.exact, roots.hi.exact}) {
+      const Shadow residual = abs((q.a * x + q.b) * x + q.c);
+      EXPECT_LE(residual, ldexp(abs(q.a * x * x) + abs(q.b * x) + abs(Shadow(q.c)), -200));
+    }
+  }
+}
+
+TEST(Recorded, WritesNothingWhileNothingRecords) {
+  const Recorded<float, Shadow> x = 2.0F;
+  EXPECT_EQ((x * x).id, unrecorded);
+}
+
+TEST(Recorded, AnInnerRecordingLeavesTheOuterOneAlone) {
+  Tape outer;
+  const Recorded<float, Shadow> x = 2.0F;
+  {
+    Tape inner;
+    (void)sqrt(x);
+    EXPECT_EQ(inner.operations.size(), 1U);
+  }
+  (void)(x + x);
+  EXPECT_EQ(outer.operations.size(), 2U);
+}
+
+TEST(BitsLost, CountsHalfAnUlpAsLog2OfOneAndAHalf) {
+  const Shadow exact = Shadow(1) + ldexp(Shadow(1), -24);
+  EXPECT_NEAR(bits_lost(1.0F, exact), std::log2(1.5), 1e-6);
+  EXPECT_EQ(bits_lost(1.0F, Shadow(1)), 0);
+}
+
+TEST(BitsLost, IsAllDigitsWhereNothingIsRight) {
+  EXPECT_EQ(bits_lost(1.0F, Shadow(0)), 24);
+  EXPECT_EQ(bits_lost(std::nanf(""), Shadow(1)), 24);
+  EXPECT_EQ(bits_lost(INFINITY, Shadow(1)), 24);
+  EXPECT_EQ(bits_lost(1.0, Shadow(-1e300)), 53);
+}
+
+TEST(BitsLost, IsNothingForACorrectOverflow) {
+  EXPECT_EQ(bits_lost(INFINITY, Shadow(1e39)), 0);
+  EXPECT_EQ(bits_lost(std::nanf(""), Shadow(std::nan(""))), 0);
+}
+
+}  // namespace
+}  // namespace rayproof::viz

@@ -1,0 +1,90 @@
+#include "viz/case_argument.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iostream>
+#include <iterator>
+
+#include "case/field.hpp"
+#include "case/json_text.hpp"
+#include "case/reader.hpp"
+#include "case/shape_format.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+bool is_blank(const std::string& text) { return text.find_first_not_of(" \t\r\n") == std::string::npos; }
+
+bool is_one_json_text(const std::string& text) {
+  try {
+    (void)json::parse(text);
+    return true;
+  } catch (const Refusal&) {
+    return false;
+  }
+}
+
+std::string read_all(const std::string& file) {
+  const auto drain = [](std::istream& in) { return std::string(std::istreambuf_iterator<char>(in), {}); };
+  if (file == "-") return drain(std::cin);
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw UnreadableCase(fmt::format("the file {} can't be read", file));
+  return drain(in);
+}
+
+std::string line_of(const std::string& text, const std::string& file, std::size_t number) {
+  std::size_t seen = 0;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::string line = text.substr(begin, end - begin);
+    if (!is_blank(line) && ++seen == number) return line;
+    begin = end + 1;
+  }
+  throw UnreadableCase(seen == 0 ? fmt::format("{} holds no case", file)
+                                 : fmt::format("{} has no line {}, only {}", file, number, seen));
+}
+
+/// The case's text with another precision in it: its decimals are rounded once, to that.
+std::string with_precision(std::string_view text, Precision precision) {
+  const char* const name = precision == Precision::float32 ? "\"float32\"" : "\"float64\"";
+  const json::Document document = json::parse(text);
+  const Field whole{.document = &document};
+  if (const auto given = ObjectReader(whole).find("precision")) {
+    const std::string_view old = given->node().text;
+    const auto at = static_cast<std::size_t>(old.data() - text.data());
+    return fmt::format("{}{}{}", text.substr(0, at), name, text.substr(at + old.size()));
+  }
+  const std::size_t inside = text.find('{') + 1;
+  const bool is_empty = document.size() == 1;
+  return fmt::format("{}\"precision\": {}{}{}", text.substr(0, inside), name, is_empty ? "" : ", ",
+                     text.substr(inside));
+}
+
+}  // namespace
+
+std::string text_of_case(const std::string& argument, std::size_t line) {
+  const std::size_t first = argument.find_first_not_of(" \t\r\n");
+  if (first != std::string::npos && argument[first] == '{') return argument;
+  const std::string text = read_all(argument);
+  if (line == 1 && is_one_json_text(text)) return text;
+  return line_of(text, argument == "-" ? "standard input" : argument, line);
+}
+
+CaseArgument read_case_argument(std::string_view text, std::optional<Precision> precision) {
+  const json::Document document = json::parse(text);
+  const Field whole{.document = &document};
+  ObjectReader members(whole);
+  CaseArgument result;
+  const auto finding = members.find("case");
+  if (finding) {
+    const auto subject = members.find("subject");
+    result.method = subject ? read_string(*subject)
+                            : read_string(members.need("shape")) + "/" + read_string(members.need("method"));
+    text = finding->node().text;
+  }
+  result.one = precision ? read_case(with_precision(text, *precision)) : read_case(text);
+  return result;
+}
+
+}  // namespace rayproof::viz

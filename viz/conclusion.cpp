@@ -1,0 +1,63 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "viz/answers.hpp"
+#include "viz/told.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+double epsilon(Precision precision) {
+  return precision == Precision::float32 ? static_cast<double>(std::numeric_limits<float>::epsilon())
+                                         : std::numeric_limits<double>::epsilon();
+}
+
+bool is_near(double a, double b, double ulps, Precision precision) {
+  return a == b || std::abs(a - b) <= ulps * epsilon(precision) * std::max(std::abs(a), std::abs(b));
+}
+
+/// Whether a root lies within its own rounding of an end of the ray's interval.
+bool ends_decide(const Told& told) {
+  const auto* question = std::get_if<RayQuestion>(&told.one.question);
+  if (question == nullptr) return false;
+  const auto is_at = [&](double root) {
+    return is_near(root, question->ray.t_min, 16, told.one.precision) ||
+           is_near(root, question->ray.t_max, 16, told.one.precision);
+  };
+  return is_at(told.walk->lo) || is_at(told.walk->hi);
+}
+
+bool answers_agree(const Told& told) {
+  if (verdicts_differ(&told.exact, told.claim())) return false;
+  const auto truth = values_of(&told.exact);
+  const auto claim = values_of(told.claim());
+  for (std::size_t i = 0; i < std::min(truth.size(), claim.size()); ++i) {
+    if (!is_near(truth[i], claim[i], 16, told.one.precision)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::string symbol_of(const Case& one) {
+  return std::holds_alternative<RayQuestion>(one.question) ? "t" : "x";
+}
+
+std::string conclusion_of(const Told& told) {
+  if (told.method.empty()) return "No method was asked, so there is nothing to compare.";
+  const bool agree = answers_agree(told);
+  if (!told.walk) {
+    return told.method + " can't be recorded step by step; its answer is " +
+           (agree ? "right to a few ulps." : "not the exact one.");
+  }
+  const std::string sentence = verdict_sentence(*told.walk);
+  if (agree || told.walk->outcome != Outcome::faithful) return sentence;
+  if (ends_decide(told)) {
+    return sentence +
+           " A root lies so near an end of the ray's interval that the last rounding decides the verdict.";
+  }
+  return sentence + " The answer is wrong all the same: the formula itself is at fault, not its rounding.";
+}
+
+}  // namespace rayproof::viz

@@ -1,0 +1,98 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "viz/answers.hpp"
+#include "viz/numbers.hpp"
+#include "viz/told.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+/// Characters on a terminal; every one of ours is one column wide.
+std::size_t columns(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+std::string padded(const std::string& text, std::size_t width) {
+  return text + std::string(width - std::min(width, columns(text)), ' ');
+}
+
+struct Widths {
+  std::size_t name = 4, value = 5, exact = 5;
+  void fit(const WalkValue& v, Precision precision) {
+    name = std::max(name, columns(v.name));
+    value = std::max(value, columns(shown(v.value, precision)));
+    exact = std::max(exact, columns(v.exact));
+  }
+};
+
+std::string row(const WalkValue& v, const Widths& widths, Precision precision) {
+  return fmt::format("   {}  {}  {}  {}  {}  {}\n", padded(v.name, widths.name),
+                     padded(shown(v.value, precision), widths.value), padded(v.exact, widths.exact),
+                     padded(v.bits_lost < 0.05 ? "-" : fmt::format("{:.1f}", v.bits_lost), 9),
+                     padded(v.error_bound == 0 ? "-" : rough(v.error_bound, 2), 11),
+                     v.formula.empty() || v.formula == v.name ? "" : "= " + v.formula);
+}
+
+std::string table(const std::vector<WalkValue>& values, const Widths& widths, Precision precision) {
+  std::string text;
+  for (const WalkValue& value : values) text += row(value, widths, precision);
+  return text;
+}
+
+std::string steps_of(const Walkthrough& walk) {
+  Widths widths;
+  const char* const arithmetic = walk.precision == Precision::float32 ? "float32" : "float64";
+  widths.value = std::char_traits<char>::length(arithmetic);
+  for (const WalkValue& value : walk.inputs) widths.fit(value, walk.precision);
+  for (const WalkStep& step : walk.steps) {
+    for (const WalkValue& value : step.values) widths.fit(value, walk.precision);
+  }
+  std::string text = fmt::format("   {}  {}  {}  bits lost  error bound\n", padded("name", widths.name),
+                                 padded(arithmetic, widths.value), padded("exact", widths.exact));
+  text += "Inputs\n" + table(walk.inputs, widths, walk.precision);
+  for (std::size_t i = 0; i < walk.steps.size(); ++i) {
+    const WalkStep& step = walk.steps[i];
+    text += fmt::format("{}. {}\n{}   {}\n", i + 1, step.title, table(step.values, widths, walk.precision),
+                        step.caption);
+  }
+  return text;
+}
+
+std::string answer_line(const std::string& who, const std::string& symbol, Precision precision,
+                        const Answer* answer) {
+  std::string text = "   " + padded(who, 24) + "  " + verdict_of(answer);
+  const std::vector<double> values = values_of(answer);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    text +=
+        fmt::format("{} {}{} = {}", i == 0 ? ":" : ",", symbol, subscript(i), shown(values[i], precision));
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string explain_text(const Told& told) {
+  const Precision precision = told.one.precision;
+  const std::string symbol = symbol_of(told.one);
+  std::string text;
+  if (told.walk) {
+    text += fmt::format("{}\n({})\n\n{}", told.walk->title, told.walk->source, steps_of(*told.walk));
+  }
+  text += "Answer\n" + answer_line("exact", symbol, precision, &told.exact);
+  if (told.claimed) {
+    text += answer_line(told.method, symbol, precision, told.claim());
+    const auto truth = values_of(&told.exact);
+    const auto claim = values_of(told.claim());
+    for (std::size_t i = 0; i < std::min(truth.size(), claim.size()); ++i) {
+      const std::string apart = ulps_apart(truth[i], claim[i], precision);
+      text += fmt::format("   {}{} is {}\n", symbol, subscript(i),
+                          apart == "equal" ? "the exact one, correctly rounded" : "off by " + apart);
+    }
+  }
+  return text + "\n" + conclusion_of(told) + "\n";
+}
+
+}  // namespace rayproof::viz

@@ -1,0 +1,95 @@
+#include <fmt/format.h>
+
+#include "case/writer.hpp"
+#include "viz/answers.hpp"
+#include "viz/html_text.hpp"
+#include "viz/numbers.hpp"
+#include "viz/svg.hpp"
+#include "viz/told.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+std::string table(const std::vector<WalkValue>& values, Precision precision) {
+  if (values.empty()) return "";
+  std::string html = fmt::format(
+      "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Values\"><table>\n<tr><th "
+      "scope=\"col\">name</th>"
+      "<th scope=\"col\">{}</th><th scope=\"col\">exact</th><th scope=\"col\">bits lost</th>"
+      "<th scope=\"col\">error bound</th><th scope=\"col\">computed as</th></tr>\n",
+      precision == Precision::float32 ? "float32" : "float64");
+  for (const WalkValue& v : values) {
+    html += fmt::format(
+        "<tr><td><b>{}</b></td><td>{}</td><td>{}</td><td{}>{}</td><td>{}</td><td>{}</td></tr>\n",
+        escaped(v.name), shown(v.value, precision), v.exact, v.bits_lost >= 3 ? " class=\"lost\"" : "",
+        v.bits_lost < 0.05 ? "–" : fmt::format("{:.1f}", v.bits_lost),
+        v.error_bound == 0 ? "–" : rough(v.error_bound, 2), escaped(v.formula == v.name ? "" : v.formula));
+  }
+  return html + "</table></div>\n";
+}
+
+std::string step_section(std::size_t number, const WalkStep& step, bool is_worst, Precision precision) {
+  return fmt::format("<section class=\"step{}\"><h2>{}. {}</h2>\n<p>{}</p>\n{}</section>\n",
+                     is_worst ? " worst" : "", number, escaped(step.title), escaped(step.caption),
+                     table(step.values, precision));
+}
+
+std::string walk_sections(const Walkthrough& walk) {
+  std::string html =
+      fmt::format("<h2>{}</h2>\n<p class=\"soft\">{}</p>\n", escaped(walk.title), escaped(walk.source));
+  html += "<details><summary>The inputs</summary>\n" + table(walk.inputs, walk.precision) + "</details>\n";
+  html +=
+      "<div id=\"walk\">\n<nav aria-label=\"Steps\"><button type=\"button\">First</button><button "
+      "type=\"button\">← "
+      "Back</button><button type=\"button\">Next →</button><span id=\"place\" aria-live=\"polite\"></span>"
+      "<button type=\"button\">All steps</button></nav>\n";
+  for (std::size_t i = 0; i < walk.steps.size(); ++i) {
+    const bool is_worst = walk.death && walk.death->step == walk.steps[i].title;
+    html += step_section(i + 1, walk.steps[i], is_worst, walk.precision);
+  }
+  return html + "</div>\n";
+}
+
+}  // namespace
+
+std::string escaped(const std::string& text) {
+  std::string safe;
+  for (const char c : text) {
+    switch (c) {
+      case '<':
+        safe += "&lt;";
+        break;
+      case '>':
+        safe += "&gt;";
+        break;
+      case '&':
+        safe += "&amp;";
+        break;
+      case '"':
+        safe += "&quot;";
+        break;
+      default:
+        if (static_cast<unsigned char>(c) >= 0x20) safe += c;  // XML has no other control characters
+    }
+  }
+  return safe;
+}
+
+std::string html_page(const Told& told) {
+  const std::string headline = headline_of(&told.exact, told.claim());
+  std::string html = fmt::format(
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, "
+      "initial-scale=1\">\n<title>{0}</title>\n<style>{1}</style>\n"
+      "</head>\n<body>\n<main>\n<h1>{2}</h1>\n",
+      escaped(headline), page_style, escaped(told.method.empty() ? topic_of(told.one) : told.method));
+  if (!told.one.note.empty()) html += fmt::format("<p class=\"soft\">{}</p>\n", escaped(told.one.note));
+  if (!told.method.empty())
+    html += fmt::format("<p class=\"conclusion\">{}</p>\n", escaped(conclusion_of(told)));
+  html += "<figure>\n" + svg_of(told.one, &told.exact, told.claim()) + "</figure>\n";
+  if (told.walk) html += walk_sections(*told.walk);
+  html += fmt::format("<h2>The case</h2>\n<pre>{}</pre>\n", escaped(write_case(told.one)));
+  return html + "</main>\n<script>" + page_script + "</script>\n</body>\n</html>\n";
+}
+
+}  // namespace rayproof::viz

@@ -1,0 +1,68 @@
+/// \file
+/// rayproof draw: draws a case as PNG, SVG or a page.
+
+#include <fstream>
+
+#include "viz/programs/tell_case.hpp"
+#include "viz/svg.hpp"
+#ifdef RAYPROOF_HAS_VTK
+#include "viz/vtk/offscreen_display.hpp"
+#include "viz/vtk/picture_png.hpp"
+#endif
+
+namespace {
+
+using namespace rayproof;
+
+struct Files {
+  std::string png{}, svg{}, html{};
+};
+
+void write_text(const std::string& path, const std::string& text) {
+  std::ofstream out(path, std::ios::binary);
+  out << text << std::flush;
+  if (!out) throw viz::WrongCommand("the file " + path + " can't be written");
+}
+
+void write_picture(const std::string& path, const viz::Picture& picture) {
+#ifdef RAYPROOF_HAS_VTK
+  const viz::OffscreenDisplay display;
+  viz::write_picture(picture, path);
+#else
+  (void)picture;
+  throw viz::WrongCommand("--png " + path +
+                          " needs VTK, which this build was made without; --svg and --html work");
+#endif
+}
+
+void draw(const viz::Told& told, const Files& files) {
+  const viz::TopicView* const view = viz::view_of(told.one);
+  if (view == nullptr)
+    throw viz::WrongCommand("there is no picture for a case about a " + topic_of(told.one));
+  const viz::Picture picture = view->picture(told.one, &told.exact, told.claim());
+  if (!files.svg.empty()) write_text(files.svg, viz::xml_head + viz::to_svg(picture));
+  if (!files.html.empty()) write_text(files.html, viz::html_page(told));
+  if (!files.png.empty()) write_picture(files.png, picture);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Draws a case with its exact answer and, where a method is given, that method's.",
+               "rayproof draw");
+  viz::CaseOptions options;
+  options.add_to(app);
+  Files files;
+  app.add_option("--png", files.png, "Write a PNG, drawn by VTK")->type_name("FILE");
+  app.add_option("--svg", files.svg, "Write an SVG")->type_name("FILE");
+  app.add_option("--html", files.html, "Write a page with the picture and the method's steps")
+      ->type_name("FILE");
+  if (const auto status = parse_command_line(app, argc, argv)) return *status;
+
+  return viz::run_and_report("rayproof draw", [&] {
+    if (files.png.empty() && files.svg.empty() && files.html.empty()) {
+      throw viz::WrongCommand("nothing to write: give --png, --svg or --html and a file");
+    }
+    draw(viz::tell_case(options), files);
+  });
+}

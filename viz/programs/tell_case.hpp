@@ -1,0 +1,97 @@
+#pragma once
+/// \file
+/// What `explain` and `draw` have in common: CASE and --method on the command line, answered.
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "oracle/oracle.hpp"
+#include "programs/command_line.hpp"
+#include "programs/near_names.hpp"
+#include "subjects/subject.hpp"
+#include "viz/case_argument.hpp"
+#include "viz/told.hpp"
+#include "viz/topics.hpp"
+
+namespace rayproof::viz {
+
+/// A mistake in the command line that CLI11 can't see; the program ends with status 2.
+class WrongCommand : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct CaseOptions {
+  std::string text{};  ///< CASE
+  std::size_t line = 1;
+  std::string method{};
+  std::string precision{};
+
+  void add_to(CLI::App& app) {
+    app.add_option("CASE", text,
+                   "A file, - for standard input, one case as JSON, or a finding of rayproof check")
+        ->required();
+    app.add_option("--line", line, "Which line of the file, from 1")->check(CLI::PositiveNumber);
+    app.add_option("--method", method, "The method, as in sphere/textbook; a finding brings its own")
+        ->type_name("SHAPE/METHOD");
+    app.add_option("--precision", precision, "Round the case to this in place of its own precision")
+        ->check(CLI::IsMember({"float32", "float64"}));
+    app.footer("Exit status: 0 done, 1 the case is refused, 2 wrong command line.");
+  }
+};
+
+/// The subject to ask, or a WrongCommand that names the likely ones.
+inline const Subject& subject_for(const Case& one, const std::string& method) {
+  const Subject* const subject = find_subject(method);
+  if (subject != nullptr && subject->topic == topic_of(one)) return *subject;
+  std::vector<std::string> names;
+  for (const Subject& other : subjects()) {
+    if (other.topic == topic_of(one)) names.push_back(other.full_name());
+  }
+  const std::string likely = fmt::format("{}", fmt::join(near_names(method, names, 3), " or "));
+  if (subject != nullptr) {
+    throw WrongCommand(
+        fmt::format("{} does not answer a case about a {}; try {}", method, topic_of(one), likely));
+  }
+  throw WrongCommand(fmt::format("there is no method {}; did you mean {}?", method, likely));
+}
+
+/// Reads the case, asks the oracle and the method. Throws WrongCommand, UnreadableCase or a Refusal.
+[[nodiscard]] inline Told tell_case(const CaseOptions& options) {
+  std::optional<Precision> precision;
+  if (options.precision == "float32") precision = Precision::float32;
+  if (options.precision == "float64") precision = Precision::float64;
+  const auto argument = read_case_argument(text_of_case(options.text, options.line), precision);
+  Told told{argument.one,
+            oracle::answer(argument.one),
+            options.method.empty() ? argument.method : options.method,
+            {},
+            {}};
+  if (told.method.empty()) return told;
+  const Subject& subject = subject_for(told.one, told.method);
+  told.claimed = subject.answer(told.one);
+  if (const TopicView* view = view_of(told.one)) told.walk = view->walk(told.one, subject.name);
+  return told;
+}
+
+/// Runs `body` and turns what it throws into one sentence on standard error and the exit status.
+template <class Body>
+[[nodiscard]] int run_and_report(const char* program, Body&& body) {
+  const auto report = [program](const std::exception& why, int status) {
+    fmt::print(stderr, "{}: {}\n", program, why.what());
+    return status;
+  };
+  try {
+    body();
+    return 0;
+  } catch (const Refusal& refused) {
+    return report(refused, 1);
+  } catch (const std::runtime_error& mistake) {
+    return report(mistake, 2);
+  }
+}
+
+}  // namespace rayproof::viz
