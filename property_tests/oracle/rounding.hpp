@@ -24,10 +24,9 @@ namespace rayproof::oracle {
 /// magnitude, never less than the smallest subnormal.
 [[nodiscard]] inline double ulp_of(double number, Precision precision) {
   const bool narrow = precision == Precision::float32;
-  const int exponent = exponent_of(std::abs(number)) - (narrow ? 23 : 52);
-  if (exponent < -1022) return std::ldexp(1.0, std::max(exponent, -1074));
-  return std::bit_cast<double>(static_cast<std::uint64_t>(std::max(exponent, narrow ? -149 : -1074) + 1023)
-                               << 52);
+  const int exponent = std::max(exponent_of(std::abs(number)) - (narrow ? 23 : 52), narrow ? -149 : -1074);
+  if (exponent < -1022) return std::ldexp(1.0, exponent);
+  return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
 }
 
 /// ε, the unit roundoff of the precision.

@@ -11,15 +11,14 @@ namespace rayproof {
 /// The hits in running-error arithmetic: each t with the bound on its error.
 template <class Topic, class Method>
 [[nodiscard]] std::vector<std::pair<double, double>> bounded_case(const Case& one) {
-  const auto run = [&]<class T>(T) {
-    const auto roots = solve_in<Topic, Method, Bounded<T>, T>(one);
+  return in_precision(one, [&]<class T>(T) {
+    const auto roots = solve_in<Topic, Method, Bounded<T>>(one);
     std::vector<std::pair<double, double>> hits;
     for (const Bounded<T>& root : {roots.lo, roots.hi}) {
       if (root.value == root.value) hits.emplace_back(root.value, root.error);
     }
     return hits;
-  };
-  return one.precision == Precision::float32 ? run(float{}) : run(double{});
+  });
 }
 
 /// What a method is and promises, and how to run it on cases.
@@ -33,6 +32,7 @@ template <class Topic, class Method>
   subject.contract = Method::contract;
   if constexpr (requires { Method::far_power; }) subject.far_power = Method::far_power;
   subject.answer = solve_case<Topic, Method>;
+  subject.answer_in_batch = solve_case_in_batch<Topic, Method>;
   if constexpr (Method::contract.holds.contains(Claim::bounded))
     subject.bounded_hits = bounded_case<Topic, Method>;
   return subject;

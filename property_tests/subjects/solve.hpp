@@ -10,24 +10,40 @@
 namespace rayproof {
 
 /// What a subject's adapter needs of a topic:
-///  - `problem<T>(case)`: the topic's Problem<T>, rays already in object space (T is float or double);
-///  - `answer<T>(case, roots)`: a kernel's roots as an answer to the case.
+///  - `problem<A>(case)`: the topic's Problem<A>, the case's numbers exactly, rays taken to object space in
+///  arithmetic A;
+///  - `answer<T>(case, roots)`: a kernel's roots as an answer to the case (T is float or double);
+///  - `batch_roots<Method, T>(case)`: the roots by the batch kernels, the case placed among other problems.
 template <class Topic>
 struct Reading;
 
-/// Runs a method on a case in arithmetic `A` over the plain type `T`.
-template <class Topic, class Method, class A, class T>
-[[nodiscard]] auto solve_in(const Case& one) {
-  return Topic::template solve<Method, A>(Reading<Topic>::template problem<T>(one).template as<A>());
+/// Runs a method on a case in arithmetic `A`, transform included.
+template <class Topic, class Method, class A>
+[[nodiscard]] Roots<A> solve_in(const Case& one) {
+  return Topic::template solve<Method, A>(Reading<Topic>::template problem<A>(one));
+}
+
+/// `run(T{})` in the case's own precision T.
+template <class Run>
+[[nodiscard]] auto in_precision(const Case& one, Run&& run) {
+  return one.precision == Precision::float32 ? run(float{}) : run(double{});
 }
 
 /// Runs a method on a case in the case's own precision.
 template <class Topic, class Method>
 [[nodiscard]] Answer solve_case(const Case& one) {
-  const auto run = [&]<class T>(T) {
-    return Answer(Reading<Topic>::template answer<T>(one, solve_in<Topic, Method, T, T>(one)));
-  };
-  return one.precision == Precision::float32 ? run(float{}) : run(double{});
+  return in_precision(one, [&]<class T>(T) {
+    return Answer(Reading<Topic>::template answer<T>(one, solve_in<Topic, Method, T>(one)));
+  });
+}
+
+/// The same by the library's batch kernels.
+template <class Topic, class Method>
+[[nodiscard]] Answer solve_case_in_batch(const Case& one) {
+  return in_precision(one, [&]<class T>(T) {
+    return Answer(
+        Reading<Topic>::template answer<T>(one, Reading<Topic>::template batch_roots<Method, T>(one)));
+  });
 }
 
 }  // namespace rayproof

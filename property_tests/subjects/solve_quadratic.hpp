@@ -2,6 +2,7 @@
 /// \file
 /// Quadratic cases as problems of the library, and its roots as answers.
 
+#include <rayproof/batch/among_neighbours.hpp>
 #include <rayproof/quadratic/methods.hpp>
 
 #include "subjects/solve.hpp"
@@ -10,9 +11,14 @@ namespace rayproof {
 
 template <>
 struct Reading<quadratic::Topic> {
-  template <class T>
-  [[nodiscard]] static quadratic::Topic::Problem<T> problem(const Case& one) {
-    return {convert<T>(std::get<Quadratic<double>>(one.question))};
+  template <class A>
+  [[nodiscard]] static quadratic::Topic::Problem<A> problem(const Case& one) {
+    return {convert<A>(convert<Plain<A>>(std::get<Quadratic<double>>(one.question)))};
+  }
+
+  template <class Method, class T>
+  [[nodiscard]] static Roots<T> batch_roots(const Case& one) {
+    return batch::roots_among_neighbours<Method>(problem<T>(one).equation);
   }
 
   template <class T>

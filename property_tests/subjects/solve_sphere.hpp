@@ -2,6 +2,7 @@
 /// \file
 /// Ray/sphere cases as problems of the library, and its roots as answers.
 
+#include <rayproof/batch/among_neighbours.hpp>
 #include <rayproof/sphere/methods.hpp>
 #include <rayproof/transform.hpp>
 
@@ -11,21 +12,33 @@ namespace rayproof {
 
 template <>
 struct Reading<sphere::Topic> {
-  template <class T>
-  using Space = std::optional<ObjectSpace<T>>;
+  template <class A>
+  using Space = std::optional<ObjectSpace<A>>;
 
-  template <class T>
-  [[nodiscard]] static Space<T> space(const RayQuestion& question) {
+  /// The object's space in arithmetic A, computed from the exact matrix in A.
+  template <class A>
+  [[nodiscard]] static Space<A> space(const RayQuestion& question) {
     if (!question.transform) return std::nullopt;
-    return object_space(glm::mat<4, 4, T>(*question.transform));
+    const auto column = [&](int i) {
+      return convert<A>(convert<Plain<A>>(glm::dvec3((*question.transform)[i])));
+    };
+    return object_space<A>(column(0), column(1), column(2), column(3));
   }
 
-  template <class T>
-  [[nodiscard]] static sphere::Topic::Problem<T> problem(const Case& one) {
+  template <class A>
+  [[nodiscard]] static sphere::Topic::Problem<A> problem(const Case& one) {
     const auto& question = std::get<RayQuestion>(one.question);
-    const Space<T> object = space<T>(question);
-    const Ray<T> ray = convert<T>(question.ray);
-    return {object ? to_object(*object, ray) : ray, convert<T>(std::get<Sphere<double>>(question.shape))};
+    const Space<A> object = space<A>(question);
+    const Ray<A> ray = convert<A>(convert<Plain<A>>(question.ray));
+    const auto shape = convert<Plain<A>>(std::get<Sphere<double>>(question.shape));
+    return {object ? to_object(*object, ray) : ray, convert<A>(shape)};
+  }
+
+  template <class Method, class T>
+  [[nodiscard]] static Roots<T> batch_roots(const Case& one) {
+    const auto& question = std::get<RayQuestion>(one.question);
+    return batch::roots_among_neighbours<Method>(
+        convert<T>(question.ray), convert<T>(std::get<Sphere<double>>(question.shape)), space<T>(question));
   }
 
   /// The hits in the ray's interval; point and normal in the world, for the first of them.

@@ -52,9 +52,9 @@ struct Bound {
 
 /// How far a method is to be trusted.
 enum class Standing {
-  sound,    ///< keeps its contract wherever its domain reaches
-  naive,    ///< the right formula in an arithmetic that can't bear it: `refuted` says where it breaks
-  printed   ///< copied from a lecture with the lecture's error: must be refuted
+  sound,   ///< keeps its contract wherever its domain reaches
+  naive,   ///< the right formula in an arithmetic that can't bear it: `refuted` says where it breaks
+  printed  ///< copied from a lecture with the lecture's error: must be refuted
 };
 
 /// A claim that the method is known to break, and why. `rayproof check` demands the counterexample.
@@ -63,8 +63,9 @@ struct Refutation {
   std::string_view because{};
 };
 
-/// The sizes of input for which the bounds hold: every length of the problem (the shape's unit says which) lies
-/// within 2^-reach and 2^reach, so that no intermediate of the formula overflows or loses digits to underflow.
+/// The sizes of input for which the bounds hold: every length of the problem (the shape's unit says which)
+/// lies within 2^-reach and 2^reach, so that no intermediate of the formula overflows or loses digits to
+/// underflow.
 struct Domain {
   int reach_float = 28;
   int reach_double = 240;
@@ -78,8 +79,8 @@ struct Contract {
   Bound residual{};  ///< residual of every answer
   Bound ulp{};       ///< error of every answer in ulps of the exact one
   Domain domain{};
-  Claims holds{};                            ///< claims the property tests hold the method to
-  std::array<Refutation, 3> refuted{};       ///< claims it is known to break; unused entries have no `because`
+  Claims holds{};                       ///< claims the property tests hold the method to
+  std::array<Refutation, 3> refuted{};  ///< claims it is known to break; unused entries have no `because`
 };
 
 /// Author, title and year of the formula's source.

@@ -2,8 +2,8 @@
 /// \file
 /// A kernel tells its own story: `step` and `named` stand where a comment would.
 ///
-/// In the plain arithmetics and in packs they vanish. In the recording arithmetic (arithmetics/recorded.hpp) they
-/// become the steps, labels and values that `rayproof explain` prints and the walkthroughs show.
+/// In the plain arithmetics and in packs they vanish. In the recording arithmetic (arithmetics/recorded.hpp)
+/// they become the steps, labels and values that `rayproof explain` prints and the walkthroughs show.
 
 namespace rayproof {
 

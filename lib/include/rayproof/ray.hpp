@@ -8,7 +8,8 @@
 namespace rayproof {
 
 /// The points p(t) = origin + t * direction for t in the *closed* interval [t_min, t_max].
-/// `direction` need not be a unit vector: t counts direction lengths. A segment is [0, 1]; a whole line [-inf, inf].
+/// `direction` need not be a unit vector: t counts direction lengths. A segment is [0, 1]; a whole line
+/// [-inf, inf].
 template <class T>
 struct Ray {
   vec3<T> origin;

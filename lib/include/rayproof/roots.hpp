@@ -8,9 +8,9 @@
 
 namespace rayproof {
 
-/// Two roots, ascending, and a number with the discriminant's sign: negative (or NaN) for no real root, 0 for one
-/// double root (`lo == hi`), positive for two. Where there is no real root, `lo` and `hi` are NaN, so that every
-/// comparison with them is false.
+/// Two roots, ascending, and a number with the discriminant's sign: negative (or NaN) for no real root, 0 for
+/// one double root (`lo == hi`), positive for two. Where there is no real root, `lo` and `hi` are NaN, so
+/// that every comparison with them is false.
 template <class T>
 struct Roots {
   T discriminant;

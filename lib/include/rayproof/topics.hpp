@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// The registration of the library's layer: one line for each topic (a shape, or a question like the quadratic).
+/// The registration of the library's layer: one line for each topic (a shape, or a question like the
+/// quadratic).
 
 #include <rayproof/quadratic/methods.hpp>
 #include <rayproof/sphere/methods.hpp>
@@ -9,8 +10,7 @@
 namespace rayproof {
 
 /// Every topic the library has methods for. A topic has a `name`, the list `Methods`, and `Problem<T>`.
-using Topics = TypeList<
-    quadratic::Topic,  //
-    sphere::Topic>;
+using Topics = TypeList<quadratic::Topic,  //
+                        sphere::Topic>;
 
 }  // namespace rayproof

@@ -43,8 +43,8 @@ template <class T>
                  difference_of_products(a.x, b.y, a.y, b.x)};
 }
 
-/// The object space of the map with columns a, b, c and a translation. A singular map gives infinities or NaN,
-/// and with them a miss.
+/// The object space of the map with columns a, b, c and a translation. A singular map gives infinities or
+/// NaN, and with them a miss.
 template <class T>
 [[nodiscard]] constexpr ObjectSpace<T> object_space(const vec3<T>& a, const vec3<T>& b, const vec3<T>& c,
                                                     const vec3<T>& translation) {
@@ -59,8 +59,8 @@ template <class T>
 /// The same for an affine object-to-world matrix (last row 0 0 0 1, which is not looked at).
 template <std::floating_point T>
 [[nodiscard]] constexpr ObjectSpace<T> object_space(const glm::mat<4, 4, T>& object_to_world) {
-  return object_space<T>(vec3<T>{object_to_world[0]}, vec3<T>{object_to_world[1]}, vec3<T>{object_to_world[2]},
-                         vec3<T>{object_to_world[3]});
+  return object_space<T>(vec3<T>{object_to_world[0]}, vec3<T>{object_to_world[1]},
+                         vec3<T>{object_to_world[2]}, vec3<T>{object_to_world[3]});
 }
 
 /// The ray as the object sees it: origin as a point, direction as a vector, and the same t, since the

@@ -7,17 +7,18 @@ namespace rayproof::quadratic {
 
 /// q = -(b + sgn(b)√D)/2, x = q/a and c/q: each root from the branch in which nothing cancels.
 ///
-/// Backward stable: every root solves an equation whose coefficients differ by a few ε. Where b² is near 4ac the
-/// roots themselves are as uncertain as that makes them; Kahan's discriminant cures it.
+/// Backward stable: every root solves an equation whose coefficients differ by a few ε. Where b² is near 4ac
+/// the roots themselves are as uncertain as that makes them; Kahan's discriminant cures it.
 struct CitardauqViete {
   static constexpr const char* name = "citardauq_viete";
   static constexpr const char* title = "the branch that does not cancel, then Viète";
-  static constexpr Source source{"W. Press et al.", "Numerical Recipes, 5.6 Quadratic and Cubic Equations", 1992};
+  static constexpr Source source{"W. Press et al.", "Numerical Recipes, 5.6 Quadratic and Cubic Equations",
+                                 1992};
   static constexpr Contract contract{
       .verdict = {.measured = 0, .promised = 4},
       .residual = {.measured = 0, .promised = 8},
-      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::robust, Claim::scaled, Claim::reversed,
-                                       Claim::bounded}};
+      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::robust, Claim::scaled,
+                                       Claim::reversed, Claim::bounded}};
 
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Quadratic<T>& q) {
@@ -33,9 +34,9 @@ struct CitardauqViete {
     const T w = named("q", T(-0.5) * (q.b + copysign(sqrt(D), q.b)));
 
     step<T>("Take one root from q and the other from Viète");
-    // b = D = 0 leaves w = 0: both roots are 0 (and 0/0 must not be).
+    // A double root is one number; b = D = 0 leaves w = 0, and 0/0 must not be.
     const T x0 = named("x₀", w / q.a);
-    const T x1 = named("x₁", select(w == T(0), w / q.a, q.c / w));
+    const T x1 = named("x₁", select(D == T(0), x0, q.c / w));
     return ascending(D, x0, x1);
   }
 };

@@ -38,8 +38,11 @@ struct FullRange {
 
     step<T>("Where b outweighs a and c beyond all digits, take -b/a and -c/b");
     const Mask<T> b_rules = q.b != T(0) && (q.a == T(0) || q.c == T(0) || T(digits<T>) < e_b);
-    return ascending(select(b_rules, T(1), y.discriminant), select(b_rules, -q.b / q.a, x0),
-                     select(b_rules, -q.c / q.b, x1));
+    const T small = -q.c / q.b;
+    const T large = select(q.a == T(0), small, -q.b / q.a);
+    const T positive = T(1) + (q.a - q.a) + (q.c - q.c);  // or NaN where a or c is
+    return ascending(select(b_rules, positive, y.discriminant), select(b_rules, large, x0),
+                     select(b_rules, small, x1));
   }
 };
 

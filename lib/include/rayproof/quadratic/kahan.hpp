@@ -6,19 +6,19 @@ namespace rayproof::quadratic {
 
 /// The discriminant by Kahan's difference of products with FMA, then the roots that do not cancel.
 ///
-/// The sign of the discriminant is the exact one, so the kind of the roots is never wrong, and the roots are good to
-/// a few ulps even for b² near 4ac: as long as nothing over- or underflows.
+/// The sign of the discriminant is the exact one, so the kind of the roots is never wrong, and the roots are
+/// good to a few ulps even for b² near 4ac: as long as nothing over- or underflows.
 struct Kahan {
   static constexpr const char* name = "kahan";
   static constexpr const char* title = "Kahan's discriminant with FMA";
-  static constexpr Source source{"W. Kahan", "On the Cost of Floating-Point Computation Without Extra-Precise Arithmetic",
-                                 2004};
+  static constexpr Source source{
+      "W. Kahan", "On the Cost of Floating-Point Computation Without Extra-Precise Arithmetic", 2004};
   static constexpr Contract contract{
       .verdict = {.measured = 0, .promised = 0},
       .residual = {.measured = 0, .promised = 8},
       .ulp = {.measured = 0, .promised = 4},
-      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::ulp, Claim::robust, Claim::scaled,
-                                       Claim::reversed, Claim::bounded}};
+      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::ulp, Claim::robust,
+                                       Claim::scaled, Claim::reversed, Claim::bounded}};
 
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Quadratic<T>& q) {

@@ -14,9 +14,9 @@ struct Textbook {
   static constexpr Source source{"R. Bán", "Számítógépes grafika: Raycasting", 2022};
   static constexpr Contract contract{
       .standing = Standing::naive,
-      .verdict = {.measured = 0, .promised = 4},
-      .holds = always_claimed | Claims{Claim::verdict, Claim::scaled, Claim::reversed, Claim::bounded},
-      .refuted = {{{Claim::robust, "for b² >> 4ac, -b and √D cancel in the smaller root"}}}};
+      .holds = always_claimed | Claims{Claim::scaled, Claim::reversed, Claim::bounded},
+      .refuted = {{{Claim::robust, "for b² >> 4ac, -b and √D cancel in the smaller root"},
+                   {Claim::verdict, "a = 0 leaves 0/0, though a linear equation has its root"}}}};
 
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Quadratic<T>& q) {

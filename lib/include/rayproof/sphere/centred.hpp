@@ -5,23 +5,25 @@
 
 namespace rayproof::sphere {
 
-/// The discriminant as geometry: r² less the squared distance of the centre from the line, formed at the ray point
-/// nearest the centre; then half a chord to either side of that point.
+/// The discriminant as geometry: r² less the squared distance of the centre from the line, formed at the ray
+/// point nearest the centre; then half a chord to either side of that point.
 ///
-/// As good far away as near by, since nothing as large as |f|² is ever squared and subtracted. The cost is one
-/// division and one square root. Departs from its source in the roots: the source takes c/q from Viète, which for
-/// an origin beside the tangent point divides a rounded c by a q that is all rounding, and can be wrong without bound.
+/// As good far away as near by, since nothing as large as |f|² is ever squared and subtracted. The cost is
+/// one division and one square root. Departs from its source in the roots: the source takes c/q from Viète,
+/// which for an origin beside the tangent point divides a rounded c by a q that is all rounding, and can be
+/// wrong without bound.
 struct Centred {
   static constexpr const char* name = "centred";
   static constexpr const char* title = "discriminant from the ray point nearest the centre";
   static constexpr Source source{"E. Haines, J. Günther, T. Akenine-Möller",
-                                 "Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems ch. 7", 2019};
+                                 "Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems ch. 7",
+                                 2019};
   static constexpr int far_power = 0;
   static constexpr Contract contract{
       .verdict = {.measured = 0, .promised = sphere_robust_bound},
       .residual = {.measured = 0, .promised = sphere_robust_bound},
-      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::robust, Claim::moved, Claim::scaled,
-                                       Claim::reversed, Claim::bounded}};
+      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::robust, Claim::moved,
+                                       Claim::scaled, Claim::reversed, Claim::bounded}};
 
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Sphere<T>& sphere) {

@@ -129,18 +129,18 @@ struct Compensated {
     return slope == 0 ? t : t - estimate(equation.at(t)) / slope;
   }
 
-  /// Moves a rounded root by one ulp where rounding carried it onto or across an end of the ray's interval.
-  /// `compare(end)` is the exact sign of (root - end).
+  /// Puts a rounded root on the exact root's side of each end of the ray's interval, where rounding carried
+  /// it across. `compare(end)` is the exact sign of (root - end).
   template <class T, class Compare>
   static T keep_side(const Ray<T>& ray, T t, Compare&& compare) {
-    for (const T end : {ray.t_min, ray.t_max}) {
-      if (!(abs(end) < infinity<T>)) continue;
-      const bool is_near = std::nextafter(t, end) == end || t == end;
-      if (!is_near) continue;
-      const int side = compare(static_cast<double>(end));
-      if (side == 0) return end;
-      if (side < 0 && !(t < end)) return std::nextafter(end, -infinity<T>);
-      if (side > 0 && !(t > end)) return std::nextafter(end, infinity<T>);
+    const auto is_near = [&](T end) { return abs(end) < infinity<T> && std::nextafter(t, end) == end; };
+    if (is_near(ray.t_min)) {
+      const bool is_inside = compare(static_cast<double>(ray.t_min)) >= 0;
+      t = is_inside ? max(t, ray.t_min) : min(t, std::nextafter(ray.t_min, -infinity<T>));
+    }
+    if (is_near(ray.t_max)) {
+      const bool is_inside = compare(static_cast<double>(ray.t_max)) <= 0;
+      t = is_inside ? min(t, ray.t_max) : max(t, std::nextafter(ray.t_max, infinity<T>));
     }
     return t;
   }

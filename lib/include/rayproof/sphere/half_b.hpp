@@ -5,10 +5,11 @@
 
 namespace rayproof::sphere {
 
-/// Ray and sphere with b halved: at² + 2bt + c = 0, one multiplication and one rounding fewer than the textbook's.
+/// Ray and sphere with b halved: at² + 2bt + c = 0, one multiplication and one rounding fewer than the
+/// textbook's.
 ///
-/// Corrects the printed t = -b ± √(b² - c), which holds only for |d| = 1 (see PrintedHalfB). Fails far spheres as
-/// the textbook formula does.
+/// Corrects the printed t = -b ± √(b² - c), which holds only for |d| = 1 (see PrintedHalfB). Fails far
+/// spheres as the textbook formula does.
 struct HalfB {
   static constexpr const char* name = "half_b";
   static constexpr const char* title = "half-b form, any direction length";
@@ -18,8 +19,8 @@ struct HalfB {
       .standing = Standing::naive,
       .verdict = {.measured = 0, .promised = 16},
       .residual = {.measured = 0, .promised = 16},
-      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::moved, Claim::scaled, Claim::reversed,
-                                       Claim::bounded},
+      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::moved, Claim::scaled,
+                                       Claim::reversed, Claim::bounded},
       .refuted = {{{Claim::robust, "b² and ac of a far sphere agree in all the digits that are kept"}}}};
 
   template <class T>

@@ -5,23 +5,26 @@
 
 namespace rayproof::sphere {
 
-/// The textbook's coefficients, but roots that do not cancel: one from the branch where b and √D add up, the other
-/// from Viète's t₀t₁ = c/a.
+/// The textbook's coefficients, but roots that do not cancel: one from the branch where b and √D add up, the
+/// other from Viète's t₀t₁ = c/a.
 ///
-/// Cures the small root of a nearby sphere and cures nothing of the discriminant: the rounding of a, b and c is the
-/// error, so far spheres fail as before.
+/// Cures the small root of a nearby sphere and cures nothing of the discriminant: the rounding of a, b and c
+/// is the error, so far spheres fail as before. At b = 0 the two roots come from different formulas whichever
+/// way the ray points, so reversing it need not mirror them to the last bit.
 struct Stable {
   static constexpr const char* name = "stable";
   static constexpr const char* title = "stable roots on the textbook's coefficients";
-  static constexpr Source source{"W. Press et al.", "Numerical Recipes, 5.6 Quadratic and Cubic Equations", 1992};
+  static constexpr Source source{"W. Press et al.", "Numerical Recipes, 5.6 Quadratic and Cubic Equations",
+                                 1992};
   static constexpr int far_power = 1;
   static constexpr Contract contract{
       .standing = Standing::naive,
       .verdict = {.measured = 0, .promised = 16},
       .residual = {.measured = 0, .promised = 16},
-      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::moved, Claim::scaled, Claim::reversed,
-                                       Claim::bounded},
-      .refuted = {{{Claim::robust, "stable roots can't mend coefficients whose rounding already lost the sphere"}}}};
+      .holds = always_claimed |
+               Claims{Claim::verdict, Claim::residual, Claim::moved, Claim::scaled, Claim::bounded},
+      .refuted = {
+          {{Claim::robust, "stable roots can't mend coefficients whose rounding already lost the sphere"}}}};
 
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Sphere<T>& sphere) {

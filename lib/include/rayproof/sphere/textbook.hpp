@@ -7,8 +7,9 @@ namespace rayproof::sphere {
 
 /// Ray and sphere as every lecture has it: at² + bt + c = 0 by the quadratic formula.
 ///
-/// Right in real numbers and in scenes of one size. In floats the rounding of b² and 4ac, not the geometry, decides
-/// whether a small far sphere is hit: the error grows with (S/radius)², which is what far_power = 1 says.
+/// Right in real numbers and in scenes of one size. In floats the rounding of b² and 4ac, not the geometry,
+/// decides whether a small far sphere is hit: the error grows with (S/radius)², which is what far_power = 1
+/// says.
 struct Textbook {
   static constexpr const char* name = "textbook";
   static constexpr const char* title = "quadratic formula in a, b, c";
@@ -18,8 +19,8 @@ struct Textbook {
       .standing = Standing::naive,
       .verdict = {.measured = 0, .promised = 16},
       .residual = {.measured = 0, .promised = 16},
-      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::moved, Claim::scaled, Claim::reversed,
-                                       Claim::bounded},
+      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::moved, Claim::scaled,
+                                       Claim::reversed, Claim::bounded},
       .refuted = {{{Claim::robust, "b² and 4ac of a far sphere agree in all the digits that are kept"}}}};
 
   template <class T>
