@@ -74,10 +74,22 @@ def transform(source):
     return rows + [last]
 
 
+def moved(source, rows, vector, w):
+    """The image of a point (w = 1) or direction (w = 0), rounded; exact where the numbers are few and small."""
+    exact = [sum(Fraction(m) * Fraction(x) for m, x in zip(row, [*vector, w])) for row in rows[:3]]
+    return [source.rounded(x) for x in exact]
+
+
 def sphere(source):
     case = source.random.choice([any_sphere, aimed_sphere, tangent_sphere, axis_sphere])(source)
-    if source.random.random() < 0.35:
-        case["transform"] = transform(source)
+    if source.random.random() > 0.4:
+        return case
+    case["transform"] = transform(source)
+    if all(isfinite(x) for row in case["transform"] for x in row) and source.random.random() < 0.85:
+        origin = moved(source, case["transform"], case["ray"]["origin"], 1)
+        direction = moved(source, case["transform"], case["ray"]["direction"], 0)
+        if any(direction) and all(map(isfinite, origin + direction)):
+            case["ray"] = {"origin": origin, "direction": direction}
     return case
 
 
