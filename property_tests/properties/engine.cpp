@@ -1,6 +1,7 @@
 #include "properties/engine.hpp"
 
 #include <fmt/format.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -156,7 +157,11 @@ class Run {
 
 RunResult run_plan(const Plan& plan, const std::vector<Case>& corpus, const Listener& listener,
                    const std::atomic<bool>& stop) {
-  tbb::task_arena arena(plan.settings.jobs > 0 ? plan.settings.jobs : tbb::task_arena::automatic);
+  const int jobs = plan.settings.jobs > 0 ? plan.settings.jobs : tbb::this_task_arena::max_concurrency();
+  // The global limit lets an arena be larger than the machine, which task_arena alone refuses with a warning.
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  static_cast<std::size_t>(jobs));
+  tbb::task_arena arena(jobs);
   return arena.execute([&] { return Run(plan, listener, stop).all(corpus); });
 }
 

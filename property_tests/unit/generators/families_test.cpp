@@ -48,8 +48,9 @@ TEST(Families, NoTwoOfATopicShareAName) {
 
 TEST(Families, AnExactTangentIsATangent) {
   for (const Family& family : families())
-    if (family.topic == "sphere" && family.name == "grazing")
+    if (family.topic == "sphere" && family.name == "grazing") {
       EXPECT_GT(count_labels(family, Precision::float32, 3, 2000).share("tangent"), 0.1);
+    }
 }
 
 }  // namespace

@@ -25,10 +25,11 @@ Ruling rule(const char* property, Answer (*answer)(const Case&), const Case& one
 float after(double t) { return std::nextafter(static_cast<float>(t), HUGE_VALF); }
 
 TEST(Properties, AllHoldForTheOracleItself) {
-  for (const Property& property : properties())
+  for (const Property& property : properties()) {
     // The oracle refuses NaN and has no running-error arithmetic.
-    if (property.claim != Claim::nan && property.claim != Claim::bounded)
-      EXPECT_EQ(rule(property.name.data(), broken::exactly), Ruling::held) << property.name;
+    if (property.claim == Claim::nan || property.claim == Claim::bounded) continue;
+    EXPECT_EQ(rule(property.name.data(), broken::exactly), Ruling::held) << property.name;
+  }
 }
 
 TEST(Properties, EachClaimHasAProperty) {

@@ -1,0 +1,126 @@
+/// \file
+/// rayproof check as somebody outside meets it: what it writes, and how it ends.
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace {
+
+struct Outcome {
+  int status = -1;
+  std::string output;  ///< standard output and standard error
+};
+
+/// A folder of its own for each test, gone with the object.
+class CheckProgram : public testing::Test {
+ protected:
+  void SetUp() override { std::filesystem::create_directories(folder_); }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  [[nodiscard]] std::string text_of(const std::string& name) const {
+    std::ostringstream text;
+    text << std::ifstream(path(name)).rdbuf();
+    return text.str();
+  }
+
+  /// Runs the program in the folder; `before` stands before it on the command line.
+  [[nodiscard]] Outcome check(const std::string& arguments, const std::string& before = "") const {
+    const std::string line = "cd " + folder_.string() + " && { " + before + " " + RAYPROOF_BIN_DIR +
+                             "/rayproof-check " + arguments + "; } 2>&1";
+    FILE* const pipe = ::popen(line.c_str(), "r");
+    Outcome result;
+    for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe))
+      result.output.push_back(static_cast<char>(c));
+    const int status = ::pclose(pipe);
+    result.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return result;
+  }
+
+ private:
+  std::filesystem::path folder_ =
+      std::filesystem::path(testing::TempDir()) / ("rayproof_check_" + std::to_string(::getpid()));
+};
+
+const std::string short_refutation = "--cases 3000 --method printed_2ac --precision float32";
+
+TEST_F(CheckProgram, AMistakeOnTheCommandLineEndsWithTwoAndOneSentence) {
+  for (const char* mistake :
+       {"--no-such-option", "--cases 0", "--method nobody", "--family nowhere", "--property none",
+        "--shape cube", "--precision float16", "--shape quadratic --method centred", "--replay no-such-file",
+        "--corpus no-such-file", "--json no/such/folder/file"}) {
+    const Outcome outcome = check(mistake);
+    EXPECT_EQ(outcome.status, 2) << mistake;
+    EXPECT_EQ(std::count(outcome.output.begin(), outcome.output.end(), '\n'), 1) << outcome.output;
+  }
+}
+
+TEST_F(CheckProgram, HelpEndsWithZero) { EXPECT_EQ(check("--help").status, 0); }
+
+TEST_F(CheckProgram, AMethodDeclaredWrongIsRefutedAndThatIsASuccess) {
+  const Outcome outcome = check(short_refutation + " --findings f.jsonl --junit j.xml --json j.json");
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_NE(outcome.output.find("refuted as declared"), std::string::npos);
+  EXPECT_NE(text_of("f.jsonl").find("\"subject\": \"sphere/printed_2ac\""), std::string::npos);
+  EXPECT_EQ(nlohmann::json::parse(text_of("j.json")).at("success"), true);
+  EXPECT_NE(text_of("j.xml").find("<testsuites"), std::string::npos);
+  EXPECT_NE(text_of("out/check/index.html").find("<svg"), std::string::npos);
+}
+
+TEST_F(CheckProgram, ARefutationThatIsNotFoundIsAFailure) {
+  // One case a family is too few to find a counterexample to every declared claim.
+  EXPECT_EQ(check("--cases 1 --method sphere/textbook --precision float64").status, 1);
+}
+
+TEST_F(CheckProgram, FindingsAreReplayedAsTheyWereFound) {
+  ASSERT_EQ(check(short_refutation + " --findings f.jsonl").status, 0);
+  const Outcome replayed = check("--replay f.jsonl");
+  EXPECT_EQ(replayed.status, 0) << replayed.output;
+  EXPECT_NE(replayed.output.find("still breaks (declared broken)"), std::string::npos);
+  EXPECT_EQ(replayed.output.find("does not break"), std::string::npos);
+}
+
+TEST_F(CheckProgram, AReplayedFindingThatIsNoneAnyMoreIsTold) {
+  std::ofstream(path("f.jsonl"))
+      << R"({"subject": "sphere/centred", "property": "verdict", "case": {"ray": {"origin": [0,0,-5], "direction": [0,0,1]}, "shape": {"type": "sphere", "center": [0,0,0], "radius": 1}}})"
+      << "\n";
+  const Outcome replayed = check("--replay f.jsonl");
+  EXPECT_EQ(replayed.status, 0) << replayed.output;
+  EXPECT_NE(replayed.output.find("does not break"), std::string::npos);
+}
+
+TEST_F(CheckProgram, ALineThatCannotBeReplayedIsNamed) {
+  std::ofstream(path("f.jsonl")) << "{}\n";
+  const Outcome replayed = check("--replay f.jsonl");
+  EXPECT_EQ(replayed.status, 1);
+  EXPECT_NE(replayed.output.find("f.jsonl:1: "), std::string::npos) << replayed.output;
+}
+
+TEST_F(CheckProgram, TheFindingsAreTheSameForEveryNumberOfJobs) {
+  ASSERT_EQ(check(short_refutation + " --jobs 1 --findings one.jsonl").status, 0);
+  ASSERT_EQ(check(short_refutation + " --jobs 2 --findings two.jsonl").status, 0);
+  EXPECT_EQ(text_of("one.jsonl"), text_of("two.jsonl"));
+}
+
+TEST_F(CheckProgram, AnInterruptEndsItCleanlyWithWhatWasFound) {
+  const Outcome outcome =
+      check("--cases 1000000000 --method printed_2ac --findings f.jsonl", "timeout -s INT 3");
+  EXPECT_NE(outcome.output.find("interrupted"), std::string::npos) << outcome.output;
+  EXPECT_NE(text_of("out/check/index.html").find("</html>"), std::string::npos);
+}
+
+TEST_F(CheckProgram, ATimeLimitIsKept) {
+  const Outcome outcome = check("--time 2 --cases 1000000000 --method printed_half_b", "timeout 60");
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+}
+
+}  // namespace
