@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "properties/answers.hpp"
+#include "properties/promise.hpp"
 #include "properties/property.hpp"
 #include "properties/robust_bound.hpp"
 
@@ -25,32 +26,28 @@ std::string wrong_verdict(Trial& trial) {
 }
 
 /// A verdict may be wrong only within the band; a band of width 0 means never.
-Ruling verdict_within(Trial& trial, double bound, int far_power) {
+Ruling verdict_within(Trial& trial, double bound) {
   if (!trial.in_domain()) return Ruling::outside;
   const oracle::Judgement& judgement = trial.judgement();
   if (!judgement.wrong) return Ruling::held;
-  return bound > 0 && judgement.margin <= bound * std::pow(judgement.far, far_power) ? Ruling::held
-                                                                                     : Ruling::broken;
+  return bound > 0 && judgement.margin <= bound ? Ruling::held : Ruling::broken;
 }
 
-Ruling residual_within(Trial& trial, double bound, int far_power) {
+Ruling residual_within(Trial& trial, double bound) {
   if (!trial.in_domain()) return Ruling::outside;
-  const oracle::Judgement& judgement = trial.judgement();
-  return judgement.residual <= bound * std::pow(judgement.far, far_power) ? Ruling::held : Ruling::broken;
+  return trial.judgement().residual <= bound ? Ruling::held : Ruling::broken;
 }
 
-Ruling verdict(Trial& trial) {
-  return verdict_within(trial, trial.subject().contract.verdict.promised, trial.subject().far_power);
-}
+Ruling verdict(Trial& trial) { return verdict_within(trial, promise_for(trial).verdict); }
 
-Ruling residual(Trial& trial) {
-  return residual_within(trial, trial.subject().contract.residual.promised, trial.subject().far_power);
-}
+Ruling residual(Trial& trial) { return residual_within(trial, promise_for(trial).residual); }
 
 /// Where the verdict is wrong there is nothing to measure: that is the verdict's property.
 Ruling ulp(Trial& trial) {
   if (!trial.in_domain() || trial.judgement().wrong) return Ruling::outside;
-  return trial.judgement().ulp <= trial.subject().contract.ulp.promised ? Ruling::held : Ruling::broken;
+  const double promised = promise_for(trial).ulp;
+  if (std::isinf(promised)) return Ruling::outside;
+  return trial.judgement().ulp <= promised ? Ruling::held : Ruling::broken;
 }
 
 /// A shape without size (a sphere of radius 0) is no fair counterexample.
@@ -58,30 +55,26 @@ bool has_size(Trial& trial) { return std::isfinite(trial.judgement().far); }
 
 Ruling robust_verdict(Trial& trial) {
   const std::optional<double> bound = robust_bound(trial.subject().topic);
-  return bound && has_size(trial) ? verdict_within(trial, *bound, 0) : Ruling::outside;
+  return bound && has_size(trial) ? verdict_within(trial, *bound) : Ruling::outside;
 }
 
 Ruling robust_residual(Trial& trial) {
   const std::optional<double> bound = robust_bound(trial.subject().topic);
-  return bound && has_size(trial) ? residual_within(trial, *bound, 0) : Ruling::outside;
+  return bound && has_size(trial) ? residual_within(trial, *bound) : Ruling::outside;
 }
 
 /// `error` in units of `bound`; where the bound is 0, in units of the contract.
 double excess_of(double error, double bound) { return bound > 0 ? error / bound : error; }
 
 double verdict_excess(Trial& trial) {
-  const double unit = std::pow(trial.judgement().far, trial.subject().far_power);
-  return excess_of(trial.judgement().margin, trial.subject().contract.verdict.promised * unit);
+  return excess_of(trial.judgement().margin, promise_for(trial).verdict);
 }
 
 double residual_excess(Trial& trial) {
-  const double unit = std::pow(trial.judgement().far, trial.subject().far_power);
-  return excess_of(trial.judgement().residual, trial.subject().contract.residual.promised * unit);
+  return excess_of(trial.judgement().residual, promise_for(trial).residual);
 }
 
-double ulp_excess(Trial& trial) {
-  return excess_of(trial.judgement().ulp, trial.subject().contract.ulp.promised);
-}
+double ulp_excess(Trial& trial) { return excess_of(trial.judgement().ulp, promise_for(trial).ulp); }
 
 double robust_verdict_excess(Trial& trial) {
   return excess_of(trial.judgement().margin, robust_bound(trial.subject().topic).value_or(0));

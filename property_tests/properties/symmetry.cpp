@@ -9,6 +9,7 @@
 
 #include "properties/answers.hpp"
 #include "properties/numbers.hpp"
+#include "properties/promise.hpp"
 #include "properties/property.hpp"
 #include "properties/similarity.hpp"
 
@@ -42,7 +43,9 @@ bool is_scalable(Trial& trial) {
   Case copy = trial.question();
   for (const CaseNumber& number : numbers_of(copy))
     if (!range.contains(*number.value)) return false;
-  return all_within(range, numbers_in(trial.claimed())) && trial.in_domain(scaling_reach);
+  const std::vector<double> claimed = numbers_in(trial.claimed());
+  const bool overflows = std::any_of(claimed.begin(), claimed.end(), [](double x) { return std::isinf(x); });
+  return !overflows && all_within(range, claimed) && trial.in_domain(scaling_reach);
 }
 
 /// What the subject says of the twin, in the terms of the case itself.
@@ -50,20 +53,30 @@ Answer seen_from(const Twin& twin, const Subject& subject) {
   return stretched(subject.answer(twin.one), 1 / twin.factor);
 }
 
+/// The scaled scene's answer where it differs from the case's, scaled back; nothing where it agrees, or where
+/// the scaled answer itself left the range.
+std::optional<Answer> differs_scaled(Trial& trial, const Scaling& scaling) {
+  const Twin twin = scaled_twin(trial.question(), scaling);
+  if (!all_within(scalable(trial), numbers_in(trial.subject().answer(twin.one)))) return std::nullopt;
+  const Answer got = seen_from(twin, trial.subject());
+  if (same(got, trial.claimed())) return std::nullopt;
+  return got;
+}
+
 Ruling scaled(Trial& trial) {
   if (!is_scalable(trial)) return Ruling::outside;
-  for (const Scaling& scaling : scalings)
-    if (!same(seen_from(scaled_twin(trial.question(), scaling), trial.subject()), trial.claimed()))
-      return Ruling::broken;
-  return Ruling::held;
+  const bool differs = std::any_of(scalings.begin(), scalings.end(), [&](const Scaling& scaling) {
+    return differs_scaled(trial, scaling).has_value();
+  });
+  return differs ? Ruling::broken : Ruling::held;
 }
 
 Evidence show_scaled(Trial& trial) {
   for (const Scaling& scaling : scalings) {
-    const Answer got = seen_from(scaled_twin(trial.question(), scaling), trial.subject());
-    if (same(got, trial.claimed())) continue;
+    const std::optional<Answer> got = differs_scaled(trial, scaling);
+    if (!got) continue;
     return show_answer(
-        trial.question(), got,
+        trial.question(), *got,
         fmt::format("got is the answer after scaling lengths by 2^{} and the direction (or the equation) by "
                     "2^{}, scaled back; without scaling the method answers otherwise",
                     scaling.lengths, scaling.whole));
@@ -72,6 +85,7 @@ Evidence show_scaled(Trial& trial) {
 }
 
 Ruling reversed(Trial& trial) {
+  if (!trial.in_domain()) return Ruling::outside;
   const Answer mirrored = seen_from(reversed_twin(trial.question()), trial.subject());
   return same(mirrored, trial.claimed()) ? Ruling::held : Ruling::broken;
 }
@@ -88,12 +102,10 @@ Ruling moved(Trial& trial) {
   if (!other || !trial.in_domain(scaling_reach)) return Ruling::outside;
   Trial there(trial.subject(), *other);
   if (!there.in_domain()) return Ruling::outside;
-  const Contract& contract = trial.subject().contract;
   const oracle::Judgement& judgement = there.judgement();
-  const double unit = std::pow(judgement.far, trial.subject().far_power);
-  if (judgement.wrong)
-    return judgement.margin <= contract.verdict.promised * unit ? Ruling::held : Ruling::broken;
-  return judgement.residual <= contract.residual.promised * unit ? Ruling::held : Ruling::broken;
+  const Promise promise = promise_for(there);
+  if (judgement.wrong) return judgement.margin <= promise.verdict ? Ruling::held : Ruling::broken;
+  return judgement.residual <= promise.residual ? Ruling::held : Ruling::broken;
 }
 
 Evidence show_moved(Trial& trial) {

@@ -15,6 +15,7 @@ struct Citardauq {
   static constexpr Source source{"R. Bán", "Számítógépes grafika: Raycasting", 2022};
   static constexpr Contract contract{
       .standing = Standing::naive,
+      .verdict = {.promised = 4},
       .holds = always_claimed | Claims{Claim::scaled, Claim::bounded},
       .refuted = {{{Claim::robust, "for b² >> 4ac its other branch divides by what cancellation left"},
                    {Claim::verdict, "b = c = 0 leaves 0/0 for the root 0"}}}};
