@@ -1,5 +1,7 @@
 #include "viz/answers.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "viz/numbers.hpp"
@@ -73,11 +75,27 @@ bool verdicts_differ(const Answer* exact, const Answer* claimed) {
   return tells_all && values_of(exact).size() != values_of(claimed).size();
 }
 
-std::string headline_of(const Answer* exact, const Answer* claimed) {
-  if (claimed == nullptr) return "Exact answer: " + verdict_of(exact);
-  if (exact == nullptr) return "Claimed answer: " + verdict_of(claimed);
-  return "Exact: " + verdict_of(exact) + ".  Claimed: " + verdict_of(claimed) +
-         (verdicts_differ(exact, claimed) ? ", which is wrong." : ".");
+double worst_ulps(const Answer* exact, const Answer* claimed, Precision precision) {
+  const std::vector<double> truth = values_of(exact);
+  const std::vector<double> claim = values_of(claimed);
+  double worst = 0;
+  for (std::size_t i = 0; i < std::min(truth.size(), claim.size()); ++i) {
+    worst = std::max(worst, count_ulps(truth[i], claim[i], precision));
+  }
+  return worst;
+}
+
+std::string headline_of(const Case& one, const Answer* exact, const Answer* claimed) {
+  if (claimed == nullptr) return fmt::format("Exact answer: {}", verdict_of(exact));
+  if (exact == nullptr) return fmt::format("Claimed answer: {}", verdict_of(claimed));
+  std::string remark;
+  const double ulps = worst_ulps(exact, claimed, one.precision);
+  if (verdicts_differ(exact, claimed)) {
+    remark = ", which is wrong";
+  } else if (ulps > 0) {
+    remark = fmt::format(", off by {}", in_ulps(ulps));
+  }
+  return fmt::format("Exact: {}. Claimed: {}{}.", verdict_of(exact), verdict_of(claimed), remark);
 }
 
 double draw_answer_table(Picture& picture, double top, const std::string& symbol, const Case& one,
@@ -104,7 +122,7 @@ double draw_answer_table(Picture& picture, double top, const std::string& symbol
       return i == 0 && answer != nullptr ? verdict_of(answer) : std::string();
     };
     add_row(picture, y, symbol + subscript(i), cell(has_truth, truth, exact), cell(has_claim, claim, claimed),
-            has_truth && has_claim ? ulps_apart(truth[i], claim[i], one.precision) : "");
+            has_truth && has_claim ? apart_in_words(truth[i], claim[i], one.precision) : "");
   }
   return y + row / 2 - top;
 }

@@ -20,8 +20,11 @@ namespace rayproof::viz {
 /// Whether both are given and differ in how many hits or roots there are, or of what kind.
 [[nodiscard]] bool verdicts_differ(const Answer* exact, const Answer* claimed);
 
-/// "exact: hit, claimed: miss" in one line.
-[[nodiscard]] std::string headline_of(const Answer* exact, const Answer* claimed);
+/// The worst distance of a claimed value from the exact one of the same rank, as count_ulps counts.
+[[nodiscard]] double worst_ulps(const Answer* exact, const Answer* claimed, Precision precision);
+
+/// "Exact: hit. Claimed: miss, which is wrong." in one line.
+[[nodiscard]] std::string headline_of(const Case& one, const Answer* exact, const Answer* claimed);
 
 /// A table of the values under each other, one row a value, below `top`: mark, name, exact, claimed,
 /// distance. Returns the height it took.

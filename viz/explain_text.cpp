@@ -87,9 +87,9 @@ std::string explain_text(const Told& told) {
     const auto truth = values_of(&told.exact);
     const auto claim = values_of(told.claim());
     for (std::size_t i = 0; i < std::min(truth.size(), claim.size()); ++i) {
-      const std::string apart = ulps_apart(truth[i], claim[i], precision);
+      const double ulps = count_ulps(truth[i], claim[i], precision);
       text += fmt::format("   {}{} is {}\n", symbol, subscript(i),
-                          apart == "equal" ? "the exact one, correctly rounded" : "off by " + apart);
+                          ulps == 0 ? "the exact one, correctly rounded" : "off by " + in_ulps(ulps));
     }
   }
   return text + "\n" + conclusion_of(told) + "\n";

@@ -76,7 +76,7 @@ std::string escaped(const std::string& text) {
 }
 
 std::string html_page(const Told& told) {
-  const std::string headline = headline_of(&told.exact, told.claim());
+  const std::string headline = headline_of(told.one, &told.exact, told.claim());
   std::string html = fmt::format(
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, "

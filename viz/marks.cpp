@@ -1,5 +1,7 @@
 #include "viz/marks.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -25,11 +27,14 @@ std::optional<std::pair<WorldPoint, WorldPoint>> worst_pair(const Answer* exact,
   const std::vector<double> truth = values_of(exact);
   const std::vector<double> claim = values_of(claimed);
   std::optional<std::pair<WorldPoint, WorldPoint>> worst;
+  double most = 0;
   for (std::size_t i = 0; i < std::min(truth.size(), claim.size()); ++i) {
-    if (!std::isfinite(truth[i]) || !std::isfinite(claim[i]) || truth[i] == claim[i]) continue;
-    const std::pair pair{place(truth[i]), place(claim[i])};
-    const auto length = [](const auto& ends) { return Shadow(abs(ends.first.x - ends.second.x)); };
-    if (!worst || length(pair) > length(*worst)) worst = pair;
+    if (!std::isfinite(truth[i]) || !std::isfinite(claim[i])) continue;
+    // Halves, since the difference itself may overflow.
+    const double relative = std::abs(claim[i] / 2 - truth[i] / 2) / std::abs(truth[i]);
+    if (truth[i] == claim[i] || relative < most) continue;
+    most = relative;
+    worst = {place(truth[i]), place(claim[i])};
   }
   return worst;
 }
@@ -42,11 +47,12 @@ void draw_marks(Picture& picture, const View& view, const std::vector<NamedMark>
       draw_mark(picture, view, role, role == Role::exact ? MarkShape::ring : MarkShape::cross, mark.at);
       Point at = view.to_pixels(mark.at);
       at.x = std::clamp(at.x, view.frame.left + 20, view.frame.right() - 20);
-      at.y += role == Role::exact ? -14 : 26;
+      if (role == Role::claimed) at.x += 10;  // beside what leads down from the line
+      at.y += role == Role::exact ? -14 : 24;
       if (!names.empty() && at.x - names.back().at.x < 34) {
         names.back().text += ", " + mark.label;
       } else {
-        names.push_back({role, at, mark.label, Anchor::middle, 15, true});
+        names.push_back({role, at, mark.label, Anchor::middle, 15, true, true});
       }
     }
     for (Text& name : names) picture.elements.emplace_back(std::move(name));
@@ -64,7 +70,8 @@ void draw_marks_beyond(Picture& picture, const View& view, const std::vector<Nam
     }
     if (names.empty()) continue;
     const Point at{right ? view.frame.right() - 10 : view.frame.left + 10, y};
-    picture.elements.emplace_back(Text{Role::claimed, at, right ? "× " + names + " →" : "← × " + names,
+    picture.elements.emplace_back(Text{Role::claimed, at,
+                                       fmt::format("{}× {}{}", right ? "" : "← ", names, right ? " →" : ""),
                                        right ? Anchor::end : Anchor::start, 14, true});
   }
 }

@@ -25,7 +25,8 @@ struct NamedMark {
                                               const Answer* claimed,
                                               const std::function<WorldPoint(double)>& place);
 
-/// The exact value and the claimed one of the same rank that lie farthest apart; nothing where all agree.
+/// The exact value and the claimed one of the same rank that lie farthest apart in digits; nothing where all
+/// agree.
 [[nodiscard]] std::optional<std::pair<WorldPoint, WorldPoint>> worst_pair(
     const Answer* exact, const Answer* claimed, const std::function<WorldPoint(double)>& place);
 

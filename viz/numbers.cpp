@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace rayproof::viz {
 namespace {
@@ -48,8 +49,14 @@ std::string rough(double value, int digits) {
 std::string rough(const Shadow& value, int digits) {
   if (isnan(value) || isinf(value)) return special(static_cast<double>(value));
   const auto nearest = static_cast<double>(value);
-  const bool is_in_range = value == 0 || (std::isnormal(nearest) && digits <= 15);
-  return is_in_range ? rough(nearest, digits) : without_padding(value.str(digits));
+  if (value == 0 || std::isnormal(nearest)) return rough(nearest, digits);
+  // Beyond double's range: a decimal exponent, and what is left in [1, 10).
+  int binary = 0;
+  (void)frexp(value, &binary);
+  auto exponent = static_cast<int>(std::floor((binary - 1) * std::log10(2.0)));
+  if (abs(value) >= pow(Shadow(10), exponent + 1)) ++exponent;
+  return fmt::format("{}e{}", rough(static_cast<double>(value / pow(Shadow(10), exponent)), digits),
+                     exponent);
 }
 
 std::string subscript(std::size_t index) {
@@ -57,15 +64,23 @@ std::string subscript(std::size_t index) {
   return index < 10 ? digits[index] : std::to_string(index);
 }
 
-std::string ulps_apart(double a, double b, Precision precision) {
-  if (a == b) return "equal";
-  if (std::isnan(a) || std::isnan(b)) return "no number";
-  const double apart = precision == Precision::float32
-                           ? std::abs(ordinal<std::uint32_t>(static_cast<float>(a)) -
-                                      ordinal<std::uint32_t>(static_cast<float>(b)))
-                           : std::abs(ordinal<std::uint64_t>(a) - ordinal<std::uint64_t>(b));
-  if (apart <= 1) return "1 ulp";
-  return (apart < 1e6 ? rough(apart, 6) : rough(apart, 2)) + " ulps";
+double count_ulps(double a, double b, Precision precision) {
+  if (a == b) return 0;
+  if (!std::isfinite(a) || !std::isfinite(b)) return std::numeric_limits<double>::infinity();
+  if (precision == Precision::float64) return std::abs(ordinal<std::uint64_t>(a) - ordinal<std::uint64_t>(b));
+  return std::abs(ordinal<std::uint32_t>(static_cast<float>(a)) -
+                  ordinal<std::uint32_t>(static_cast<float>(b)));
+}
+
+std::string in_ulps(double ulps) {
+  if (std::isinf(ulps)) return "all there is";
+  if (ulps == 1) return "1 ulp";
+  return fmt::format("{} ulps", ulps < 1e6 ? rough(ulps, 6) : rough(ulps, 2));
+}
+
+std::string apart_in_words(double a, double b, Precision precision) {
+  const double ulps = count_ulps(a, b, precision);
+  return ulps == 0 ? "equal" : std::isinf(ulps) ? "infinitely far" : in_ulps(ulps);
 }
 
 }  // namespace rayproof::viz

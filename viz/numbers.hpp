@@ -16,8 +16,12 @@ namespace rayproof::viz {
 [[nodiscard]] std::string rough(const Shadow& value, int digits = 3);
 /// A subscript: ₀, ₁, …
 [[nodiscard]] std::string subscript(std::size_t index);
-/// How many numbers of the precision lie from `a` to `b`, as a sentence reads it: "equal", "1 ulp", "3e7
-/// ulps".
-[[nodiscard]] std::string ulps_apart(double a, double b, Precision precision);
+/// How many numbers of the precision lie from `a` to `b`; infinite where one of two different numbers is not
+/// finite.
+[[nodiscard]] double count_ulps(double a, double b, Precision precision);
+/// "1 ulp", "639 ulps", "3.9e7 ulps"; "all there is" for an infinite distance.
+[[nodiscard]] std::string in_ulps(double ulps);
+/// The distance of two numbers: "equal", "639 ulps", "infinitely far".
+[[nodiscard]] std::string apart_in_words(double a, double b, Precision precision);
 
 }  // namespace rayproof::viz

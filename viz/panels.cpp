@@ -1,5 +1,7 @@
 #include "viz/panels.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,23 +9,41 @@
 #include "viz/numbers.hpp"
 
 namespace rayproof::viz {
+namespace {
+
+/// At most so many characters, the last of them an ellipsis where some are left out.
+std::string shortened(const std::string& text, std::size_t most) {
+  std::size_t characters = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool is_start = (static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U;
+    if (is_start && ++characters == most) return text.substr(0, i) + "…";
+  }
+  return text;
+}
+
+}  // namespace
 
 Picture begin_picture(const std::string& what, const Case& one, const std::string& headline,
                       const std::string& geometry) {
   Picture picture;
   picture.title = headline;
-  const char* precision = one.precision == Precision::float32 ? "float32" : "float64";
-  picture.description = what + " in " + precision + ". " + geometry;
-  picture.elements.emplace_back(Text{Role::text, {20, 32}, headline, Anchor::start, 20, true});
-  picture.elements.emplace_back(Text{Role::muted, {20, 58}, picture.description, Anchor::start, 13});
+  const std::string subject =
+      fmt::format("{} in {}.{}{}", what, one.precision == Precision::float32 ? "float32" : "float64",
+                  one.note.empty() ? "" : " ", one.note);
+  picture.description = subject + " " + geometry;
+  picture.elements.emplace_back(Text{Role::text, {20, 30}, headline, Anchor::start, 20, true});
+  picture.elements.emplace_back(Text{Role::muted, {20, 54}, shortened(subject, 110), Anchor::start, 13});
+  picture.elements.emplace_back(Text{Role::muted, {20, 73}, geometry, Anchor::start, 13});
   return picture;
 }
 
 std::string magnification(const View& main, const View& inset) {
   const Shadow x = inset.scale_x / main.scale_x;
   const Shadow y = inset.scale_y / main.scale_y;
-  if (inset.scale_x == inset.scale_y && main.scale_x == main.scale_y) return "Magnified ×" + rough(x, 2);
-  return "Magnified ×" + rough(x, 2) + " along, ×" + rough(y, 2) + " across";
+  if (inset.scale_x == inset.scale_y && main.scale_x == main.scale_y) {
+    return fmt::format("Magnified ×{}", rough(x, 2));
+  }
+  return fmt::format("Magnified ×{} along, ×{} across", rough(x, 2), rough(y, 2));
 }
 
 void draw_focus(Picture& picture, const View& main, const View& inset) {
@@ -62,8 +82,8 @@ void draw_measure(Picture& picture, const View& view, const std::pair<WorldPoint
            1.5});
   const Point middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
   picture.elements.emplace_back(
-      is_level ? Text{Role::text, {middle.x, middle.y - 10}, label, Anchor::middle, 14}
-               : Text{Role::text, {middle.x + 10, middle.y + 5}, label, Anchor::start, 14});
+      is_level ? Text{Role::text, {middle.x, middle.y - 10}, label, Anchor::middle, 14, false, true}
+               : Text{Role::text, {middle.x - 10, middle.y + 5}, label, Anchor::end, 14, false, true});
 }
 
 void finish_picture(Picture& picture, const Panels& panels, const std::string& symbol, const Case& one,

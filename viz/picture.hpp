@@ -49,7 +49,7 @@ struct Mark {
   Point at{};
 };
 enum class Anchor { start, middle, end };
-/// `at` is the anchor on the baseline.
+/// `at` is the anchor on the baseline. A halo of the background's colour keeps it legible over lines.
 struct Text {
   Role role = Role::text;
   Point at{};
@@ -57,6 +57,7 @@ struct Text {
   Anchor anchor = Anchor::start;
   double size = 14;
   bool bold = false;
+  bool halo = false;
 };
 using Element = std::variant<Area, Line, Mark, Text>;
 

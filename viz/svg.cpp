@@ -56,9 +56,10 @@ std::string draw(const Mark& mark) {
 std::string draw(const Text& text) {
   static constexpr const char* anchors[] = {"start", "middle", "end"};
   return fmt::format(
-      "<text class=\"f {}\" x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{}\" text-anchor=\"{}\"{}>{}</text>\n",
-      css_class(text.role), text.at.x, text.at.y, text.size, anchors[static_cast<std::size_t>(text.anchor)],
-      text.bold ? " font-weight=\"bold\"" : "", escaped(text.text));
+      "<text class=\"f {}{}\" x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{}\" text-anchor=\"{}\"{}>{}</text>\n",
+      css_class(text.role), text.halo ? " h" : "", text.at.x, text.at.y, text.size,
+      anchors[static_cast<std::size_t>(text.anchor)], text.bold ? " font-weight=\"bold\"" : "",
+      escaped(text.text));
 }
 
 /// Every rule begins with the picture's own class: a page's other styles are left alone.
@@ -68,7 +69,10 @@ std::string style() {
       ".rayproof-picture .l{fill:none;stroke:currentColor}"
       ".rayproof-picture .f{fill:currentColor}";
   rules += fmt::format(".rayproof-picture .a{{fill:currentColor;fill-opacity:{}}}", area_opacity);
-  std::string dark;
+  const std::string halo =
+      ".rayproof-picture .h{{paint-order:stroke;stroke:{};stroke-width:4px;stroke-linejoin:round}}";
+  rules += fmt::format(fmt::runtime(halo), colour_of(Role::background).light);
+  std::string dark = fmt::format(fmt::runtime(halo), colour_of(Role::background).dark);
   for (const RoleColour& colour : palette) {
     rules += fmt::format(".rayproof-picture .{}{{color:{}}}", colour.name, colour.light);
     dark += fmt::format(".rayproof-picture .{}{{color:{}}}", colour.name, colour.dark);

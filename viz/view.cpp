@@ -88,7 +88,8 @@ void draw_scale_bars(Picture& picture, const View& view) {
   const double end = x + length * unit;
   picture.elements.emplace_back(
       Line{Role::muted, {{x, y - 4}, {x, y + 4}, {x, y}, {end, y}, {end, y - 4}, {end, y + 4}}});
-  picture.elements.emplace_back(Text{Role::muted, {end + 6, y + 4}, rough(length), Anchor::start, 12});
+  picture.elements.emplace_back(
+      Text{Role::muted, {end + 6, y + 4}, rough(length), Anchor::start, 12, false, true});
   if (view.scale_x == view.scale_y) return;
   const auto unit_y = static_cast<double>(view.scale_y);
   if (!std::isnormal(unit_y) || !std::isnormal(60 / unit_y)) return;
@@ -99,7 +100,7 @@ void draw_scale_bars(Picture& picture, const View& view) {
       Line{Role::muted,
            {{right - 4, y}, {right + 4, y}, {right, y}, {right, top}, {right - 4, top}, {right + 4, top}}});
   picture.elements.emplace_back(
-      Text{Role::muted, {right - 8, (y + top) / 2 + 4}, rough(height), Anchor::end, 12});
+      Text{Role::muted, {right - 8, (y + top) / 2 + 4}, rough(height), Anchor::end, 12, false, true});
 }
 
 /// By the tangent of half the angle from the point F nearest the middle of the view, which is exact without
@@ -113,7 +114,7 @@ std::vector<WorldPoint> circle_outline(const View& view, const WorldPoint& centr
   if (reach >= radius) {
     for (int i = 0; i < 180; ++i) half_tangents.emplace_back(std::tan(std::numbers::pi * (i + 0.5) / 360));
   } else {
-    for (int i = 0; i < 180; ++i) half_tangents.push_back(reach / radius * (i + 0.5) / 180);
+    for (int i = 0; i < 240; ++i) half_tangents.push_back(reach / radius * std::pow((i + 0.5) / 240, 2));
     while (half_tangents.back() < 100) half_tangents.push_back(half_tangents.back() * 2);
   }
   std::vector<WorldPoint> outline;

@@ -1,5 +1,7 @@
 #include "viz/topics/quadratic_picture.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "viz/answers.hpp"
@@ -39,7 +41,7 @@ View looking_at(const Parabola& parabola, const Box& frame, const Shadow& middle
     bottom = std::min<Shadow>(bottom, p.y);
   }
   const Shadow height = top > bottom ? Shadow(top - bottom) : Shadow(1);
-  return {frame, {middle, (top + bottom) / 2}, frame.width / 2 / half_width, frame.height * 0.7 / height};
+  return {frame, {middle, (top + bottom) / 2}, frame.width / 2 / half_width, frame.height * 0.58 / height};
 }
 
 View main_view(const Parabola& parabola, const std::vector<NamedMark>& marks, const Box& frame) {
@@ -53,12 +55,18 @@ View main_view(const Parabola& parabola, const std::vector<NamedMark>& marks, co
   for (const NamedMark& mark : marks) {
     if (mark.role == Role::exact) include(mark.at.x);
   }
+  const bool has_roots =
+      std::any_of(marks.begin(), marks.end(), [](const auto& m) { return m.role == Role::exact; });
+  if (parabola.has_vertex() && !has_roots) {
+    const Shadow opening = sqrt(abs(parabola.at(parabola.vertex()) / parabola.q.a));
+    include(parabola.vertex() - opening);
+    include(parabola.vertex() + opening);
+  }
   const Shadow exact_width = right - left;
   for (const NamedMark& mark : marks) {
     if (mark.role == Role::claimed && (exact_width == 0 || abs(mark.at.x) < 4 * exact_width))
       include(mark.at.x);
   }
-  if (left == right && parabola.has_vertex()) right = sqrt(abs(parabola.q.c / parabola.q.a)) - left;
   if (left == right) right = left + 1;
   return looking_at(parabola, frame, (left + right) / 2, (right - left) * 0.7);
 }
@@ -103,9 +111,9 @@ void draw_scene(Picture& picture, const View& view, const Parabola& parabola,
 
 std::string equation_of(const Quadratic<double>& q, Precision precision) {
   const auto term = [&](double value) {
-    return (value < 0 ? " − " : " + ") + shown(std::abs(value), precision);
+    return fmt::format("{} {}", value < 0 ? "−" : "+", shown(std::abs(value), precision));
   };
-  return shown(q.a, precision) + "·x²" + term(q.b) + "·x" + term(q.c) + " = 0";
+  return fmt::format("{}·x² {}·x {} = 0", shown(q.a, precision), term(q.b), term(q.c));
 }
 
 }  // namespace
@@ -115,13 +123,13 @@ Picture quadratic_picture(const Case& one, const Answer* exact, const Answer* cl
   const Parabola parabola{convert<Shadow>(q)};
   const auto marks = marks_of("x", exact, claimed, [](double x) { return WorldPoint{x, 0}; });
   Picture picture =
-      begin_picture("Quadratic", one, headline_of(exact, claimed), equation_of(q, one.precision));
+      begin_picture("Quadratic", one, headline_of(one, exact, claimed), equation_of(q, one.precision));
   const Panels panels;
   View main = main_view(parabola, marks, panels.left);
   const auto inset =
       inset_of(parabola, main, panels.right, marks, verdicts_differ(exact, claimed), exact, claimed);
   if (!inset) main = main_view(parabola, marks, panels.whole);
-  draw_scene(picture, main, parabola, marks, "The whole parabola");
+  draw_scene(picture, main, parabola, marks, "The whole curve");
   draw_marks_beyond(picture, main, marks);
   if (inset) {
     draw_focus(picture, main, inset->view);

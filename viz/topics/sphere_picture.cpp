@@ -1,5 +1,7 @@
 #include "viz/topics/sphere_picture.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "viz/answers.hpp"
@@ -42,8 +44,8 @@ void draw_nearest(Picture& picture, const View& view, const RayPlane& plane) {
   draw_curve(picture, view, {Role::nearest, {}, 1.5, Pattern::dashed}, {plane.centre(), {0, 0}});
   draw_mark(picture, view, Role::nearest, MarkShape::diamond, plane.centre());
   const Point at = view.to_pixels(plane.centre());
-  picture.elements.emplace_back(Text{
-      Role::nearest, {at.x + 12, at.y + 5}, rough(plane.height, 4) + " from the line", Anchor::start, 13});
+  picture.elements.emplace_back(
+      Text{Role::nearest, {at.x + 12, at.y + 5}, rough(plane.height, 4), Anchor::start, 13, false, true});
 }
 
 /// What can't be shown at this scale: the start beyond a break, hits beyond the frame.
@@ -61,7 +63,7 @@ void draw_beyond(Picture& picture, const View& view, const SphereScene& scene) {
     }
     picture.elements.emplace_back(Text{Role::text,
                                        {x, y - 18},
-                                       "start, " + rough(abs(scene.start().x), 4) + " off",
+                                       fmt::format("start, {} off", rough(abs(scene.start().x), 4)),
                                        is_left ? Anchor::start : Anchor::end,
                                        13});
   }
@@ -77,21 +79,24 @@ void draw_scene(Picture& picture, const View& view, const SphereScene& scene, co
   draw_scale_bars(picture, view);
 }
 
-std::string description_of(const SphereScene& scene) {
+std::string geometry_of(const SphereScene& scene) {
   const RayPlane& plane = scene.plane;
-  std::string text = "Radius " + rough(plane.radius, 6) + "; the ray starts " + rough(plane.distance, 6) +
-                     " from the centre; its line passes " + rough(plane.height, 9) + " from it";
-  if (plane.gap() != 0)
-    text +=
-        ", " + rough(abs(plane.gap()), 3) + (plane.gap() > 0 ? " outside the sphere" : " inside the sphere");
-  return text + (plane.is_transformed ? " (lengths in the sphere's own space)." : ".");
+  std::string gap;
+  if (plane.gap() != 0) {
+    gap =
+        fmt::format(", {} {} the sphere", rough(abs(plane.gap()), 3), plane.gap() > 0 ? "outside" : "inside");
+  }
+  return fmt::format("Radius {}; origin {} from the centre; the line passes {} from it{}.{}",
+                     rough(plane.radius, 6), rough(plane.distance, 6), rough(plane.height, 6), gap,
+                     plane.is_transformed ? " Lengths of the sphere's own space." : "");
 }
 
 }  // namespace
 
 Picture sphere_picture(const Case& one, const Answer* exact, const Answer* claimed) {
   const SphereScene scene = scene_of(one, exact, claimed);
-  Picture picture = begin_picture("Ray and sphere", one, headline_of(exact, claimed), description_of(scene));
+  Picture picture =
+      begin_picture("Ray and sphere", one, headline_of(one, exact, claimed), geometry_of(scene));
   const Panels panels;
   MainView main = main_view(scene, panels.left);
   const std::optional<Inset> inset = inset_of(scene, main.view, panels.right);

@@ -65,7 +65,9 @@ SphereScene scene_of(const Case& one, const Answer* exact, const Answer* claimed
 
 MainView main_view(const SphereScene& scene, const Box& frame) {
   const RayPlane& plane = scene.plane;
-  const Shadow unit = std::max<Shadow>({plane.radius, plane.height, plane.direction_length * Shadow(1e-9)});
+  Shadow unit = std::max<Shadow>(plane.radius, plane.height);
+  if (unit == 0 && scene.has_start()) unit = abs(scene.start().x) / 4;
+  if (unit == 0) unit = plane.direction_length;
   const auto looking_at = [&](Shadow left, Shadow right) {
     const Shadow top = std::max<Shadow>(0, -plane.gap());
     const Shadow bottom = -plane.height - plane.radius;
@@ -83,7 +85,8 @@ MainView main_view(const SphereScene& scene, const Box& frame) {
   if (!scene.has_start()) return {looking_at(left, right), false};
   const Shadow start = scene.start().x;
   const View whole = looking_at(std::min<Shadow>(left, start), std::max<Shadow>(right, start));
-  const bool is_speck = plane.radius * whole.scale_x < speck && whole.scale_x < alone.scale_x / 2;
+  const bool is_speck =
+      plane.radius > 0 && plane.radius * whole.scale_x < speck && whole.scale_x < alone.scale_x / 2;
   return is_speck ? MainView{looking_at(left, right), true} : MainView{whole, false};
 }
 

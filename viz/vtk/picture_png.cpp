@@ -60,23 +60,21 @@ class Painter {
   void operator()(const Text& text) {
     vtkTextProperty& property = *context_.GetTextProp();
     use_legible_font(property, text.bold);
-    unsigned char rgb[3];
-    light_colour(text.role, rgb);
-    property.SetColor(rgb[0] / 255.0, rgb[1] / 255.0, rgb[2] / 255.0);
-    property.SetFontSize(static_cast<int>(std::lround(text.size * png_scale * points_per_pixel)));
+    property.SetFontSize(static_cast<int>(std::lround(text.size * png_scale)));
     property.SetJustification(static_cast<int>(text.anchor));
     property.SetVerticalJustificationToBottom();
-    context_.DrawString(to_x(text.at.x),
-                        to_y(text.at.y) - descent * static_cast<float>(text.size * png_scale),
-                        text.text.c_str());
+    const double y = text.at.y + descent * text.size;
+    if (text.halo) {
+      for (const Point& off : circle({0, 0}, 2))
+        write(Role::background, {text.at.x + off.x, y + off.y}, text.text);
+    }
+    write(text.role, {text.at.x, y}, text.text);
   }
 
  private:
-  /// VTK measures fonts in points at 72 to the inch, as pixels are counted here.
-  static constexpr double points_per_pixel = 1;
   /// VTK puts the bottom of the line at the given point, not the baseline; DejaVu Sans reaches this far
   /// below.
-  static constexpr float descent = 0.0F;
+  static constexpr double descent = 0.21;
 
   [[nodiscard]] static float to_x(double x) { return static_cast<float>(x * png_scale); }
   [[nodiscard]] float to_y(double y) const { return static_cast<float>((height_ - y) * png_scale); }
@@ -95,6 +93,12 @@ class Painter {
       outline.push_back({centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle)});
     }
     return outline;
+  }
+  void write(Role role, const Point& at, const std::string& text) {
+    unsigned char rgb[3];
+    light_colour(role, rgb);
+    context_.GetTextProp()->SetColor(rgb[0] / 255.0, rgb[1] / 255.0, rgb[2] / 255.0);
+    context_.DrawString(to_x(at.x), to_y(at.y), text.c_str());
   }
   void set_brush(Role role, double opacity) {
     unsigned char rgb[3];
@@ -126,9 +130,7 @@ class Painter {
 class PictureItem : public vtkContextItem {
  public:
   static PictureItem* New();
-  vtkTypeMacro(PictureItem, vtkContextItem)
-
-      const Picture* picture = nullptr;
+  const Picture* picture = nullptr;
 
   bool Paint(vtkContext2D* context) override {
     Painter painter(*context, picture->height);
