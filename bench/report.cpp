@@ -5,12 +5,12 @@
 #include <filesystem>
 #include <fstream>
 
-#include "bench/report/json.hpp"
-#include "bench/report/measure.hpp"
-#include "bench/report/page.hpp"
-#include "bench/report/plot.hpp"
-#include "bench/report/progress.hpp"
-#include "bench/report/text.hpp"
+#include "bench/figures/json.hpp"
+#include "bench/figures/measure.hpp"
+#include "bench/figures/page.hpp"
+#include "bench/figures/plot.hpp"
+#include "bench/figures/progress.hpp"
+#include "bench/figures/text.hpp"
 #include "bench/vtk/plot_png.hpp"
 #include "programs/command_line.hpp"
 

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "bench/report/sphere_passes.hpp"
+#include "bench/figures/sphere_passes.hpp"
 #include "generators/generators.hpp"
 
 namespace {

@@ -2,18 +2,15 @@
 
 #include <vtkAxis.h>
 #include <vtkChartXY.h>
+#include <vtkContextActor.h>
 #include <vtkContextScene.h>
-#include <vtkContextView.h>
-#include <vtkDoubleArray.h>
 #include <vtkNew.h>
 #include <vtkPen.h>
 #include <vtkPlotPoints.h>
 #include <vtkRenderer.h>
 #include <vtkRenderWindow.h>
-#include <vtkStringArray.h>
-#include <vtkTable.h>
-#include <vtkTextProperty.h>
 
+#include "bench/vtk/chart_parts.hpp"
 #include "viz/vtk/offscreen_display.hpp"
 #include "viz/vtk/write_png.hpp"
 
@@ -21,58 +18,11 @@ namespace rayproof::report {
 
 namespace {
 
-constexpr float panel_width = 640, panel_height = 440, legend_width = 300;
+constexpr float panel_width = 640, panel_height = 440, legend_width = 300, margin = 12;
 constexpr float marker_size = 17;
 constexpr const char* paper = "#ffffff";
 constexpr const char* ink = "#16181c";
 constexpr const char* faint = "#5a626c";
-
-using Polyline = std::vector<std::pair<double, double>>;
-
-/// "#rrggbb" as the number VTK's pens take.
-void set_colour(vtkPlot& plot, const char* hex) {
-  const unsigned long rgb = std::stoul(hex + 1, nullptr, 16);
-  plot.SetColor(static_cast<unsigned char>(rgb >> 16U), static_cast<unsigned char>(rgb >> 8U & 0xFFU),
-                static_cast<unsigned char>(rgb & 0xFFU), 255);
-}
-
-void set_font(vtkTextProperty& text, int size, bool bold = false) {
-  viz::use_legible_font(text, bold);
-  text.SetFontSize(size);
-  text.SetColor(0.086, 0.094, 0.11);
-}
-
-vtkPlot& add_plot(vtkChartXY& chart, int kind, const Polyline& polyline) {
-  vtkNew<vtkDoubleArray> xs;
-  vtkNew<vtkDoubleArray> ys;
-  xs->SetName("x");
-  ys->SetName("y");
-  for (const auto& [x, y] : polyline) {
-    xs->InsertNextValue(x);
-    ys->InsertNextValue(y);
-  }
-  vtkNew<vtkTable> table;
-  table->AddColumn(xs);
-  table->AddColumn(ys);
-  vtkPlot* plot = chart.AddPlot(kind);
-  plot->SetInputData(table, 0, 1);
-  return *plot;
-}
-
-void add_line(vtkChartXY& chart, const Polyline& polyline, int pattern, const char* colour) {
-  if (polyline.size() < 2) return;
-  vtkPlot& line = add_plot(chart, vtkChart::LINE, polyline);
-  set_colour(line, colour);
-  line.SetWidth(2.0F);
-  line.GetPen()->SetLineType(pattern);
-}
-
-void add_marker(vtkChartXY& chart, double x, double y, int style, float size, const char* colour) {
-  auto& marker = dynamic_cast<vtkPlotPoints&>(add_plot(chart, vtkChart::POINTS, {{x, y}}));
-  marker.SetMarkerStyle(style);
-  marker.SetMarkerSize(size);
-  set_colour(marker, colour);
-}
 
 /// A mark is put together of VTK's few markers: an outline, paper inside it where it is hollow, and a sign on
 /// top.
@@ -81,6 +31,7 @@ void add_mark(vtkChartXY& chart, const Mark& mark, Arrangement arrangement, doub
   const int outline = outlines[static_cast<std::size_t>(mark.outline)];
   const float size = mark.outline == Outline::diamond ? marker_size + 4 : marker_size;
   const bool is_hollow = arrangement == Arrangement::scalar;
+  add_marker(chart, x, y, outline, size + 4, paper);  // parts marks that lie on one another
   add_marker(chart, x, y, outline, size, mark.light);
   if (is_hollow)
     add_marker(chart, x, y, outline, size - (mark.outline == Outline::diamond ? 6.5F : 5), paper);
@@ -89,34 +40,16 @@ void add_mark(vtkChartXY& chart, const Mark& mark, Arrangement arrangement, doub
   add_marker(chart, x, y, sign, 10, is_hollow ? mark.light : paper);
 }
 
-void set_axis(vtkChartXY& chart, int position, const Axis& axis, bool has_grid) {
-  vtkAxis* drawn = chart.GetAxis(position);
-  vtkNew<vtkDoubleArray> places;
-  vtkNew<vtkStringArray> labels;
-  for (const auto& [place, text] : axis.ticks) {
-    places->InsertNextValue(place);
-    labels->InsertNextValue(text);
-  }
-  drawn->SetBehavior(vtkAxis::FIXED);
-  drawn->SetRange(axis.low, axis.high);
-  drawn->SetCustomTickPositions(places, labels);
-  drawn->SetTitle(axis.title);
-  drawn->SetGridVisible(has_grid);
-  drawn->GetGridPen()->SetColor(216, 219, 223, 255);
-  set_font(*drawn->GetLabelProperties(), 15);
-  set_font(*drawn->GetTitleProperties(), 15);
-}
-
-void place(vtkContextView& view, vtkChartXY& chart, float x, float y, float width, float height) {
+void place(vtkContextScene& scene, vtkChartXY& chart, float x, float y, float width, float height) {
   chart.SetAutoSize(false);
   chart.SetSize(vtkRectf(x, y, width, height));
   chart.SetShowLegend(false);
-  view.GetScene()->AddItem(&chart);
+  scene.AddItem(&chart);
 }
 
-void add_panel(vtkContextView& view, const Plot& plot, const Panel& panel, float x, float y) {
+void add_panel(vtkContextScene& scene, const Plot& plot, const Panel& panel, float x, float y) {
   vtkNew<vtkChartXY> chart;
-  place(view, *chart, x, y, panel_width, panel_height);
+  place(scene, *chart, x, y, panel_width, panel_height);
   chart->SetTitle(panel.title + ": " + panel.y.title);
   set_font(*chart->GetTitleProperties(), 17, true);
   set_axis(*chart, vtkAxis::BOTTOM, panel.x, true);
@@ -130,14 +63,14 @@ void add_panel(vtkContextView& view, const Plot& plot, const Panel& panel, float
 }
 
 /// A chart without axes: a row for each method with its hollow and its solid mark.
-void add_legend(vtkContextView& view, const Plot& plot, float x, float height) {
+void add_legend(vtkContextScene& scene, const Plot& plot, float x, float height) {
   const auto rows = static_cast<double>(plot.marks.size()) + 2;
   Axis names{"", -rows + 0.5, 0.5, {{1 - rows, "streaming"}, {2 - rows, "Pareto front"}}};
   for (std::size_t i = 0; i < plot.marks.size(); ++i)
     names.ticks.emplace_back(-static_cast<double>(i), plot.marks[i].method);
   vtkNew<vtkChartXY> chart;
   const float own_height = 34 * static_cast<float>(rows) + 60;
-  place(view, *chart, x, height - own_height - 20, legend_width, own_height);
+  place(scene, *chart, x, height - own_height - 20, legend_width, own_height);
   set_axis(*chart, vtkAxis::BOTTOM, {"", -0.7, 1.7, {{0, "one"}, {1, "batch"}}}, false);
   set_axis(*chart, vtkAxis::LEFT, names, false);
   for (const int position : {vtkAxis::BOTTOM, vtkAxis::LEFT}) {
@@ -154,19 +87,24 @@ void add_legend(vtkContextView& view, const Plot& plot, float x, float height) {
 
 void draw(const Plot& plot, const std::string& path) {
   const auto rows = static_cast<float>((plot.panels.size() + 1) / 2);
-  const float height = rows * panel_height;
-  vtkNew<vtkContextView> view;
-  view->GetRenderer()->SetBackground(1, 1, 1);
-  view->GetRenderWindow()->SetSize(static_cast<int>(2 * panel_width + legend_width),
-                                   static_cast<int>(height));
-  view->GetRenderWindow()->SetMultiSamples(8);
+  const float height = rows * panel_height + margin;
+  vtkNew<vtkContextActor> actor;
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkRenderWindow> window;
+  renderer->SetBackground(1, 1, 1);
+  renderer->AddActor(actor);
+  actor->GetScene()->SetRenderer(renderer);
+  window->AddRenderer(renderer);
+  window->SetSize(static_cast<int>(2 * (panel_width + margin) + legend_width), static_cast<int>(height));
+  window->SetMultiSamples(8);
   for (std::size_t i = 0; i < plot.panels.size(); ++i) {
     const auto row = static_cast<float>(i / 2);
-    add_panel(*view, plot, plot.panels[i], static_cast<float>(i % 2) * panel_width,
-              height - (row + 1) * panel_height);
+    add_panel(*actor->GetScene(), plot, plot.panels[i],
+              margin + static_cast<float>(i % 2) * (panel_width + margin),
+              height - margin - (row + 1) * panel_height);
   }
-  add_legend(*view, plot, 2 * panel_width, height);
-  viz::write_png(*view->GetRenderWindow(), path);
+  add_legend(*actor->GetScene(), plot, 2 * (panel_width + margin), height);
+  viz::write_png(*window, path);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/report/plot.hpp"
+#include "bench/figures/plot.hpp"
 
 namespace rayproof::report {
 

@@ -1,4 +1,4 @@
-#include "bench/report/json.hpp"
+#include "bench/figures/json.hpp"
 
 #include <cmath>
 #include <nlohmann/json.hpp>

@@ -1,10 +1,10 @@
 #pragma once
 /// \file
-/// The figures over all families: what the plots and the first tables show.
+/// The figures over the families of scenes: what the plots and the first tables show.
 
 #include <optional>
 
-#include "bench/report/row.hpp"
+#include "bench/figures/row.hpp"
 
 namespace rayproof::report {
 
@@ -22,7 +22,11 @@ struct Summary {
   [[nodiscard]] double wrong_share() const;
 };
 
-/// In the order of the rows.
+/// Whether a family's numbers are those of scenes. The others are drawn bit by bit or exponent by exponent;
+/// there everything over- and underflows, which says little of a method.
+[[nodiscard]] bool is_of_scenes(const std::string& family);
+
+/// Over the families of scenes, in the order of the rows; over all families where only others were measured.
 [[nodiscard]] std::vector<Summary> summarise(const std::vector<Row>& rows);
 
 /// The headline of issue and docs: how the batch kernel of `sphere/centred` in float compares on the random

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "bench/report/summary.hpp"
+#include "bench/figures/summary.hpp"
 
 namespace rayproof::report {
 

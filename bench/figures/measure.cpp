@@ -1,11 +1,11 @@
-#include "bench/report/measure.hpp"
+#include "bench/figures/measure.hpp"
 
 #include <tbb/parallel_for.h>
 
 #include <map>
 
-#include "bench/report/accuracy.hpp"
-#include "bench/report/contender.hpp"
+#include "bench/figures/accuracy.hpp"
+#include "bench/figures/contender.hpp"
 
 namespace rayproof::report {
 

@@ -1,10 +1,10 @@
-#include "bench/report/options.hpp"
+#include "bench/figures/options.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "bench/report/row.hpp"
+#include "bench/figures/row.hpp"
 
 namespace rayproof::report {
 

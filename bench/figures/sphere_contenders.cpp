@@ -1,7 +1,7 @@
 #include <memory>
 #include <rayproof/sphere/methods.hpp>
 
-#include "bench/report/sphere_passes.hpp"
+#include "bench/figures/sphere_passes.hpp"
 
 namespace rayproof::report {
 

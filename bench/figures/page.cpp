@@ -1,11 +1,11 @@
-#include "bench/report/page.hpp"
+#include "bench/figures/page.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "bench/report/plot_svg.hpp"
-#include "bench/report/text.hpp"
+#include "bench/figures/plot_svg.hpp"
+#include "bench/figures/text.hpp"
 #include "generators/generators.hpp"
 #include "properties/report/escape.hpp"
 #include "properties/report/page_style.hpp"
@@ -21,15 +21,17 @@ constexpr const char* plot_style = R"css(
 .plot .floor { stroke: var(--faint); stroke-width: 1.6; stroke-dasharray: 6 4; }
 .plot .front { fill: none; stroke: var(--ink); stroke-width: 1.2; stroke-dasharray: 1.5 3; }
 .plot .solid { fill: var(--m); stroke: var(--m); stroke-width: 2; } .plot .solid .in { stroke: var(--paper); }
+.plot .halo { fill: var(--paper); stroke: none; }
 .plot .hollow { fill: var(--paper); stroke: var(--m); stroke-width: 2; }
 tr.floor td { color: var(--faint); } section { break-inside: avoid-page; } figure { break-inside: avoid; }
 @media print { :root { --ink: #1a1a1a; --paper: #fff; --faint: #6b6b6b; --line: #d0d0d0; } }
 )css";
 
 constexpr const char* how_to_read = R"html(
-<p>Every mark is one method over all its families: hollow one ray at a time, solid in batches. Left is faster, down is more
+<p>Every mark is one method over the families of scenes: hollow one ray at a time, solid in batches. Left is faster, down is more
 accurate; the dotted stair is the Pareto front, the dashed line what merely reading the rays and writing the answers costs.</p>
-<p class="faint">Wrong verdicts are cases with a hit too many or too few by the exact oracle. Bits of error are
+<p class="faint">The families bit_patterns, exponents and special, in which everything over- and underflows, are left out of the
+plots and the first tables; their own tables stand below. Wrong verdicts are cases with a hit too many or too few by the exact oracle. Bits of error are
 log₂(1 + floats between the hit and the correctly rounded one), averaged over the hits that method and oracle agree on; wrong
 verdicts are never averaged in. Times are medians over families of median passes. For timing, each case's ray is moved and scaled
 with its sphere until all lie at one sphere, as a batch needs. GLM reports only the nearest hit beyond 0, so it is judged on rays
@@ -89,8 +91,8 @@ std::string to_page(const Figures& figures, const std::vector<Summary>& summarie
     body += "<p class=\"verdict\">" + escaped(sentence(*found, figures.rays)) + "</p>\n";
   body += how_to_read;
   for (const Plot& plot : plots) {
-    body += fmt::format("<h2>{}</h2>\n<figure>{}</figure>\n<h3>Over all families</h3>\n", escaped(plot.shape),
-                        to_svg(plot));
+    body += fmt::format("<h2>{}</h2>\n<figure>{}</figure>\n<h3>Over the families of scenes</h3>\n",
+                        escaped(plot.shape), to_svg(plot));
     body += table(summaries, [&](const Summary& one) { return one.shape == plot.shape; });
     body += families_of(figures, plot.shape);
   }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/report/row.hpp"
+#include "bench/figures/row.hpp"
 
 namespace rayproof::report {
 

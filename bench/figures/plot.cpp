@@ -1,4 +1,4 @@
-#include "bench/report/plot.hpp"
+#include "bench/figures/plot.hpp"
 
 #include <fmt/format.h>
 
@@ -45,14 +45,15 @@ Axis bits_axis(const std::vector<Point>& points) {
   return axis;
 }
 
-Axis time_axis(const std::vector<Summary>& summaries) {
+Axis time_axis(const std::vector<Summary>& summaries, Precision precision) {
   double low = 10;
   double high = -10;
   for (const Summary& summary : summaries) {
+    if (summary.precision != precision) continue;
     low = std::min(low, std::log10(summary.ns_per_ray));
     high = std::max(high, std::log10(summary.ns_per_ray));
   }
-  Axis axis{"nanoseconds a ray", low - 0.15, high + 0.15, {}};
+  Axis axis{"nanoseconds a ray", low - 0.25, high + 0.15, {}};
   for (const double ns : {0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1e3, 3e3, 1e4, 3e4, 1e5}) {
     const double place = std::log10(ns);
     const bool is_short = axis.high - axis.low < 3.2;
@@ -121,7 +122,7 @@ Plot make_plot(const std::string& shape, const std::vector<Summary>& summaries) 
         return is_share ? place_of_share(summary.wrong_share()) : summary.accuracy.mean_bits;
       });
       if (panel.points.empty()) continue;
-      panel.x = time_axis(summaries);
+      panel.x = time_axis(summaries, precision);
       panel.y = is_share ? share_axis() : bits_axis(panel.points);
       plot.panels.push_back(std::move(panel));
     }

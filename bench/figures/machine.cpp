@@ -4,7 +4,7 @@
 #include <rayproof/batch/instruction_set.hpp>
 #include <thread>
 
-#include "bench/report/measure.hpp"
+#include "bench/figures/measure.hpp"
 
 namespace rayproof::report {
 

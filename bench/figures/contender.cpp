@@ -1,4 +1,4 @@
-#include "bench/report/contender.hpp"
+#include "bench/figures/contender.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -1,4 +1,4 @@
-#include "bench/report/summary.hpp"
+#include "bench/figures/summary.hpp"
 
 #include <fmt/format.h>
 
@@ -44,10 +44,16 @@ double Summary::wrong_share() const {
          static_cast<double>(accuracy.cases);
 }
 
+bool is_of_scenes(const std::string& family) {
+  return family != "bit_patterns" && family != "exponents" && family != "special";
+}
+
 std::vector<Summary> summarise(const std::vector<Row>& rows) {
+  const bool has_scenes = std::ranges::any_of(rows, is_of_scenes, &Row::family);
   std::vector<Summary> all;
   std::vector<std::vector<double>> times;
   for (const Row& row : rows) {
+    if (has_scenes && !is_of_scenes(row.family)) continue;
     auto place = std::ranges::find_if(all, [&](const Summary& summary) { return is_same(summary, row); });
     const auto index = static_cast<std::size_t>(place - all.begin());
     if (place == all.end()) {

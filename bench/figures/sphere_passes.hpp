@@ -7,8 +7,8 @@
 #include <rayproof/batch.hpp>
 #include <span>
 
-#include "bench/report/contender.hpp"
-#include "bench/report/sphere_rays.hpp"
+#include "bench/figures/contender.hpp"
+#include "bench/figures/sphere_rays.hpp"
 #include "bench/streaming/streaming.hpp"
 
 namespace rayproof::report {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "bench/report/row.hpp"
+#include "bench/figures/row.hpp"
 #include "case/answer.hpp"
 #include "subjects/subject.hpp"
 

@@ -1,4 +1,4 @@
-#include "bench/report/plot_svg.hpp"
+#include "bench/figures/plot_svg.hpp"
 
 #include <fmt/format.h>
 
@@ -34,19 +34,18 @@ std::string line(double x0, double y0, double x1, double y1, const char* style) 
                      x0, y0, x1, y1);
 }
 
-std::string outline(Outline shape, double x, double y) {
-  constexpr double r = 7;
+std::string outline(Outline shape, double x, double y, double r, const char* style) {
   switch (shape) {
     case Outline::square:
-      return fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{}\" height=\"{}\"/>", x - r, y - r, 2 * r,
-                         2 * r);
+      return fmt::format("<rect{} x=\"{:.1f}\" y=\"{:.1f}\" width=\"{}\" height=\"{}\"/>", style, x - r,
+                         y - r, 2 * r, 2 * r);
     case Outline::circle:
-      return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\"/>", x, y, r + 0.5);
+      return fmt::format("<circle{} cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\"/>", style, x, y, r + 0.5);
     case Outline::diamond:
       break;
   }
-  constexpr double d = r + 2.5;
-  return fmt::format("<path d=\"M{0:.1f} {1:.1f}l{2} {2} {2} -{2} -{2} -{2}z\"/>", x - d, y, d);
+  const double d = r + 2.5;
+  return fmt::format("<path{0} d=\"M{1:.1f} {2:.1f}l{3} {3} {3} -{3} -{3} -{3}z\"/>", style, x - d, y, d);
 }
 
 std::string inner(Inner sign, double x, double y) {
@@ -60,8 +59,10 @@ std::string inner(Inner sign, double x, double y) {
 std::string mark(const Mark& one, std::size_t index, Arrangement arrangement, double x, double y,
                  const std::string& label) {
   const char* fill = arrangement == Arrangement::scalar ? "hollow" : "solid";
-  return fmt::format("<g class=\"m{} {}\"><title>{}</title>{}{}</g>\n", index, fill, escaped(label),
-                     outline(one.outline, x, y), inner(one.inner, x, y));
+  constexpr double r = 7;
+  return fmt::format("<g class=\"m{} {}\"><title>{}</title>{}{}{}</g>\n", index, fill, escaped(label),
+                     outline(one.outline, x, y, r + 2.5, " class=\"halo\""),
+                     outline(one.outline, x, y, r, ""), inner(one.inner, x, y));
 }
 
 std::string axes(const Frame& frame) {

@@ -1,4 +1,4 @@
-#include "bench/report/accuracy.hpp"
+#include "bench/figures/accuracy.hpp"
 
 #include <tbb/parallel_for.h>
 

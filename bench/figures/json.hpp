@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "bench/report/row.hpp"
+#include "bench/figures/row.hpp"
 
 namespace rayproof::report {
 

@@ -1,4 +1,4 @@
-#include "bench/report/text.hpp"
+#include "bench/figures/text.hpp"
 
 #include <fmt/format.h>
 
@@ -30,7 +30,8 @@ std::string to_text(const Figures& figures, const std::vector<Summary>& summarie
                           figure(errors.mean_bits));
     text += '\n';
   }
-  if (const auto found = headline(figures.rows)) text += fmt::format("\n{}\n", sentence(*found, figures.rays));
+  if (const auto found = headline(figures.rows))
+    text += fmt::format("\n{}\n", sentence(*found, figures.rays));
   return text;
 }
 

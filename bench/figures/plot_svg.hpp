@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "bench/report/plot.hpp"
+#include "bench/figures/plot.hpp"
 
 namespace rayproof::report {
 

@@ -1,8 +1,8 @@
 #pragma once
 #include <string>
 
-#include "bench/report/row.hpp"
-#include "bench/report/summary.hpp"
+#include "bench/figures/row.hpp"
+#include "bench/figures/summary.hpp"
 
 namespace rayproof::report {
 

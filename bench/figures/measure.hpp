@@ -5,8 +5,8 @@
 #include <functional>
 #include <string>
 
-#include "bench/report/options.hpp"
-#include "bench/report/row.hpp"
+#include "bench/figures/options.hpp"
+#include "bench/figures/row.hpp"
 
 namespace rayproof::report {
 
