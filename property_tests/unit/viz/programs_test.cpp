@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
@@ -10,12 +12,12 @@
 namespace rayproof::viz {
 namespace {
 
-struct Run {
+struct Ended {
   int status;
   std::string output;  ///< both streams
 };
 
-Run run(const std::string& command) {
+Ended run(const std::string& command) {
   FILE* const pipe = popen((command + " 2>&1").c_str(), "r");
   std::string output;
   std::array<char, 4096> block{};
@@ -42,7 +44,7 @@ class Programs : public testing::Test {
 };
 
 TEST_F(Programs, ExplainNamesTheSubtractionWhereTheDigitsDied) {
-  const Run told = run(explain + cancelling + "--method quadratic/textbook");
+  const Ended told = run(explain + cancelling + "--method quadratic/textbook");
   EXPECT_EQ(told.status, 0) << told.output;
   EXPECT_NE(
       told.output.find("In step 'Apply the quadratic formula' the subtraction −b + √D cancels 16 of 24 bits"),
@@ -58,14 +60,14 @@ TEST_F(Programs, ExplainTakesAFileAFindingAndStandardInput) {
   for (const std::string& command :
        {explain + file("findings.jsonl"), explain + file("findings.jsonl") + " --line 2",
         "cat " + file("findings.jsonl") + " | " + explain + "-"}) {
-    const Run told = run(command);
+    const Ended told = run(command);
     EXPECT_EQ(told.status, 0) << told.output;
     EXPECT_EQ(told.output.find("sphere/textbook"), 0U) << told.output;
   }
 }
 
 TEST_F(Programs, ARefusedCaseEndsWith1AndOneSentenceNamingTheField) {
-  const Run told =
+  const Ended told =
       run(explain + R"('{"query":"quadratic","a":1,"b":"nan","c":1}' --method quadratic/textbook)");
   EXPECT_EQ(told.status, 1);
   EXPECT_EQ(told.output.find("rayproof explain: b "), 0U) << told.output;
@@ -79,15 +81,15 @@ TEST_F(Programs, AWrongCommandLineEndsWith2AndOneSentence) {
         explain + cancelling + "--method quadratic/textbook --precision float16", draw + cancelling,
         draw + cancelling + "--svg /no/such/folder/a.svg",
         draw + cancelling + "--png /no/such/folder/a.png"}) {
-    const Run told = run(command);
+    const Ended told = run(command);
     EXPECT_EQ(told.status, 2) << command << "\n" << told.output;
     EXPECT_EQ(std::count(told.output.begin(), told.output.end(), '\n'), 1) << told.output;
   }
 }
 
 TEST_F(Programs, DrawWritesAPageAndAnSvg) {
-  const Run told = run(draw + cancelling + "--method quadratic/textbook --svg " + file("a.svg") + " --html " +
-                       file("a.html"));
+  const Ended told = run(draw + cancelling + "--method quadratic/textbook --svg " + file("a.svg") +
+                         " --html " + file("a.html"));
   EXPECT_EQ(told.status, 0) << told.output;
   EXPECT_GT(std::filesystem::file_size(file("a.svg")), 1000U);
   EXPECT_GT(std::filesystem::file_size(file("a.html")), 5000U);
@@ -108,7 +110,7 @@ std::array<unsigned, 2> png_size(const std::string& path) {
 }
 
 TEST_F(Programs, DrawWritesAPngWithoutADisplay) {
-  const Run told = run(draw + cancelling + "--method quadratic/textbook --png " + file("a.png"));
+  const Ended told = run(draw + cancelling + "--method quadratic/textbook --png " + file("a.png"));
   EXPECT_EQ(told.status, 0) << told.output;
   EXPECT_EQ(told.output, "");
   EXPECT_EQ(png_size(file("a.png"))[0], 1800U);
@@ -117,8 +119,8 @@ TEST_F(Programs, DrawWritesAPngWithoutADisplay) {
 }
 
 TEST_F(Programs, DrawSaysWhatIsMissingWhereThereIsNoXvfb) {
-  const Run told = run("PATH=/nowhere " + std::string(RAYPROOF_BIN_DIR) + "/rayproof-draw " + cancelling +
-                       "--png " + file("a.png"));
+  const Ended told = run("PATH=/nowhere " + std::string(RAYPROOF_BIN_DIR) + "/rayproof-draw " + cancelling +
+                         "--png " + file("a.png"));
   EXPECT_EQ(told.status, 2);
   EXPECT_NE(told.output.find("Debian package xvfb"), std::string::npos) << told.output;
 }
