@@ -18,10 +18,10 @@ set(RAYPROOF_SAME_BITS
     -ffp-contract=off
     $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-fno-tree-slp-vectorize>)
 
-# Warnings for our own targets only; contraction off everywhere so that the same source gives the same bits.
-# g++ 12 sees overlapping copies where std::string concatenates (GCC bug 105651, mended in 13).
+# Warnings for our own targets only. g++ 12 sees overlapping copies where std::string concatenates (GCC bug 105651,
+# mended in 13).
 add_library(rayproof_flags INTERFACE)
 target_compile_options(rayproof_flags INTERFACE
-  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -ffp-contract=off
+  ${RAYPROOF_SAME_BITS} -Wall -Wextra -Wpedantic -Wconversion -Wshadow
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>
   $<$<BOOL:${RAYPROOF_WERROR}>:-Werror>)
