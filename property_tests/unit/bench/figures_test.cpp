@@ -1,0 +1,138 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "bench/figures/accuracy.hpp"
+#include "bench/figures/contender.hpp"
+#include "bench/figures/json.hpp"
+#include "bench/figures/plot.hpp"
+#include "generators/generators.hpp"
+
+namespace rayproof::report {
+
+namespace {
+
+Row row(const char* method, Arrangement arrangement, const char* family, double ns, std::size_t wrong,
+        double bits) {
+  Row one{"sphere", method, Precision::float32, arrangement, family, ns};
+  one.accuracy = {.cases = 1000, .wrong_misses = wrong, .agreed_hits = 100, .mean_bits = bits};
+  return one;
+}
+
+Case unit_sphere_from(double z) {
+  Case one;
+  one.precision = Precision::float32;
+  one.question = RayQuestion{{{0, 0, z}, {0, 0, 1}}, Sphere<double>{{0, 0, 0}, 1}};
+  return one;
+}
+
+JudgedFamily two_cases() {
+  RayAnswer hit;
+  hit.contact = Contact::crossing;
+  hit.hits.push_back(4);
+  hit.hits.push_back(6);
+  return {{unit_sphere_from(-5), unit_sphere_from(5)}, {hit, RayAnswer{}}};
+}
+
+/// A subject that answers every case with hits at 4 and `second`.
+template <int second>
+Answer always(const Case& /*one*/) {
+  RayAnswer answer;
+  answer.hits.push_back(4);
+  answer.hits.push_back(second == 6 ? static_cast<double>(std::nextafter(6.0F, 7.0F)) : second);
+  return answer;
+}
+
+TEST(Accuracy, CountsAHitTooManyAndAveragesOnlyTheHitsThatAreAgreedOn) {
+  Subject subject;
+  subject.answer = always<6>;
+  const Accuracy found = measure(subject, two_cases()).scalar;
+  EXPECT_EQ(found.cases, 2U);
+  EXPECT_EQ(found.wrong_hits, 1U);
+  EXPECT_EQ(found.wrong_misses, 0U);
+  EXPECT_EQ(found.agreed_hits, 2U);
+  EXPECT_NEAR(found.max_ulp, 1, 1e-6);
+  EXPECT_DOUBLE_EQ(found.mean_bits, 0.5);  // one hit is right to the last bit, the other is the next float
+}
+
+TEST(Accuracy, CountsAHitTooFew) {
+  Subject subject;
+  subject.answer = [](const Case&) { return Answer(RayAnswer{}); };
+  const Accuracy found = measure(subject, two_cases()).scalar;
+  EXPECT_EQ(found.wrong_misses, 1U);
+  EXPECT_EQ(found.wrong_hits, 0U);
+  EXPECT_TRUE(std::isnan(found.mean_bits));
+}
+
+TEST(Summary, LeavesOutTheFamiliesThatAreNotOfScenesAndSumsUpTheOthers) {
+  const std::vector<Summary> found =
+      summarise({row("centred", Arrangement::batch, "random", 1, 10, 2),
+                 row("centred", Arrangement::batch, "far", 3, 30, 4),
+                 row("centred", Arrangement::batch, "bit_patterns", 90, 900, 20)});
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_DOUBLE_EQ(found[0].wrong_share(), 0.02);
+  EXPECT_DOUBLE_EQ(found[0].accuracy.mean_bits, 3);
+}
+
+TEST(Headline, IsLeftOutWhereGlmWasNotMeasured) {
+  const std::vector<Row> rows{row("centred", Arrangement::batch, "random", 1, 0, 0),
+                              row(Row::floor_name, Arrangement::batch, "random", 0.5, 0, 0)};
+  EXPECT_FALSE(headline(rows).has_value());
+}
+
+TEST(Plot, HasAFrontOfThePointsThatNoOtherBeats) {
+  const std::vector<Plot> plots =
+      make_plots(summarise({row("fast", Arrangement::batch, "random", 1, 0, 8),
+                            row("beaten", Arrangement::batch, "random", 10, 0, 9),
+                            row("exact", Arrangement::batch, "random", 100, 0, 0)}));
+  ASSERT_EQ(plots.size(), 1U);
+  const auto& front = plots[0].panels.back().front;
+  const std::vector<std::pair<double, double>> stair{{0, 8}, {2, 8}, {2, 0}};
+  EXPECT_EQ(front, stair);
+}
+
+TEST(Plot, TellsAnyTwoMethodsApartWithoutColour) {
+  std::vector<Row> rows;
+  for (const char* method : {"a", "b", "c", "d", "e", "f", "g", "h", "i"})
+    rows.push_back(row(method, Arrangement::batch, "random", 1, 0, 1));
+  const std::vector<Mark> marks = make_plots(summarise(rows)).at(0).marks;
+  for (std::size_t i = 0; i < marks.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      EXPECT_FALSE(marks[i].outline == marks[j].outline && marks[i].inner == marks[j].inner) << i << ' ' << j;
+}
+
+TEST(Json, HasTheKeysOfTheCaseFormatInEveryRow) {
+  Row floor{"sphere", Row::floor_name, Precision::float64, Arrangement::batch, "random", 0.5};
+  const auto json = nlohmann::json::parse(
+      to_json({"machine", "compiler", 64, {row("centred", Arrangement::scalar, "random", 1, 2, 3), floor}}));
+  EXPECT_EQ(json.at("machine"), "machine");
+  for (const auto& one : json.at("rows")) {
+    for (const char* key : {"shape", "method", "precision", "arrangement", "family", "rays", "ns_per_ray",
+                            "wrong_hits", "wrong_misses", "max_ulp", "p99_ulp", "mean_bits"})
+      EXPECT_TRUE(one.contains(key)) << key;
+  }
+  EXPECT_EQ(json["rows"][0]["wrong_misses"], 2);
+  EXPECT_TRUE(json["rows"][1]["max_ulp"].is_null());
+}
+
+TEST(Contenders, CoverEveryMethodInBothArrangementsAndTheFloor) {
+  for (const Family& family : families()) {
+    if (family.name != "random") continue;
+    std::vector<Case> cases;
+    for (std::uint64_t seed = 0; seed < 64; ++seed)
+      cases.push_back(family.generate(seed, Precision::float32));
+    const std::vector<Contender> all = contenders(family.topic, cases, Precision::float32);
+    EXPECT_EQ(all.back().method, Row::floor_name);
+    for (const double ns : median_ns(all, cases.size(), 0.001)) EXPECT_GT(ns, 0);
+    for (const Subject& subject : subjects()) {
+      if (subject.topic != family.topic) continue;
+      const auto own = std::ranges::count(all, subject.name, &Contender::method);
+      EXPECT_EQ(own, subject.answer_in_batch == nullptr ? 1 : 2) << subject.full_name();
+    }
+  }
+}
+
+}  // namespace
+
+}  // namespace rayproof::report
