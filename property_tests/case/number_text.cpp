@@ -1,13 +1,13 @@
 #include "case/number_text.hpp"
 
 #include <fmt/format.h>
-#include <locale.h>
-#include <stdlib.h>
 
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <clocale>
 #include <cmath>
+#include <cstdlib>
 #include <iterator>
 #include <limits>
 
