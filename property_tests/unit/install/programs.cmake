@@ -1,6 +1,8 @@
-# cmake -D BUILD=… -D WORK=… -P programs.cmake: installs the programs and asks each of them for help by the front door.
+# cmake -D BUILD=… -D WORK=… -D MANUAL=… -P programs.cmake: installs the programs and asks each of them for help by the
+# front door. Every option must stand in MANUAL.
 file(REMOVE_RECURSE ${WORK})
 set(run COMMAND_ERROR_IS_FATAL ANY)
+file(READ ${MANUAL} manual)
 execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK} --component programs OUTPUT_QUIET ${run})
 
 execute_process(COMMAND ${WORK}/bin/rayproof OUTPUT_VARIABLE listing ${run})
@@ -14,6 +16,13 @@ foreach(program ${programs})
   if(help STREQUAL "")
     message(FATAL_ERROR "rayproof ${name} --help says nothing")
   endif()
+  string(REGEX MATCHALL "[ ,\n]--[a-z]+" options "${help}")
+  foreach(option ${options})
+    string(REGEX REPLACE "^[ ,\n]" "" option ${option})
+    if(NOT manual MATCHES "`${option}[ `]")
+      message(FATAL_ERROR "rayproof ${name} takes ${option}, which ${MANUAL} does not tell of")
+    endif()
+  endforeach()
 endforeach()
 
 execute_process(COMMAND ${WORK}/bin/rayproof no-such-thing RESULT_VARIABLE status ERROR_VARIABLE sentence)
