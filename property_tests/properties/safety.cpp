@@ -69,7 +69,7 @@ std::vector<Property> safety_properties() {
       {Claim::ascending, "ascending", "hits come in ascending order, inside the interval, none of them NaN",
        1, ascending, show_ascending},
       {Claim::batch, "batch", "a batch gives bit for bit the scalar answers", 4, batch, show_batch},
-      {Claim::nan, "nan", "a NaN anywhere in the input never gives a hit", 16, nan, show_nan},
+      {Claim::nan, "nan", "a NaN anywhere in the input never gives a hit", 128, nan, show_nan},
   };
 }
 

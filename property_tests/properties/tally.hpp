@@ -35,11 +35,14 @@ struct Worst {
   double ulp = 0;  ///< where the verdict was right
   std::uint64_t wrong = 0;
   std::uint64_t cases = 0;
+  std::uint64_t transformed = 0;  ///< of the cases; another promise holds for them (promise.hpp)
 
   /// Takes in one trial; a case outside the domain is left out.
   void add(Trial& trial) {
     if (!trial.in_domain()) return;
     ++cases;
+    const auto* asked = std::get_if<RayQuestion>(&trial.question().question);
+    if (asked != nullptr && asked->transform) ++transformed;
     const oracle::Judgement& judgement = trial.judgement();
     const double unit = std::pow(judgement.far, trial.subject().far_power);
     residual = std::max(residual, judgement.residual / unit);
@@ -57,6 +60,7 @@ struct Worst {
     ulp = std::max(ulp, more.ulp);
     wrong += more.wrong;
     cases += more.cases;
+    transformed += more.transformed;
     return *this;
   }
 };

@@ -55,7 +55,8 @@ std::string main_table(const Summary& summary) {
     legend += fmt::format("<span class=\"{}\">{}</span> {} &emsp; ", class_of(mark), sign_of(mark),
                           escaped(word_of(mark)));
   return fmt::format(
-      "<div class=\"wide\"><table><thead><tr>{}</tr></thead><tbody>\n{}</tbody></table></div><p>{}</p>\n",
+      "<div class=\"wide\"><table><thead><tr>{}</tr></thead><tbody>\n{}</tbody></table></div><p "
+      "class=\"legend\">{}</p>\n",
       head, body, legend);
 }
 

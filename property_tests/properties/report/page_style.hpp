@@ -10,17 +10,19 @@ inline constexpr const char* page_style = R"css(
 @media (prefers-color-scheme: dark) {
   :root { --ink: #e8e8e6; --paper: #161618; --faint: #a0a0a0; --line: #3a3a3e; --panel: #202024;
           --good: #5fd3ae; --known: #e8bb55; --bad: #ff7d9c; } }
-body { font: 16px/1.5 system-ui, sans-serif; color: var(--ink); background: var(--paper); margin: 0 auto; max-width: 76rem;
+body { font: 16px/1.5 system-ui, sans-serif; color: var(--ink); background: var(--paper); margin: 0 auto; max-width: 96rem;
        padding: 1.5rem; }
 h1 { font-size: 1.6rem; margin: 0 0 .25rem; } h2 { font-size: 1.25rem; margin: 2.5rem 0 .75rem; }
 h3 { font-size: 1rem; margin: 0 0 .25rem; }
 p { margin: .25rem 0; } .faint { color: var(--faint); } .wide { overflow-x: auto; }
 table { border-collapse: collapse; font-size: .875rem; font-variant-numeric: tabular-nums; }
-th, td { padding: .25rem .6rem; border-bottom: 1px solid var(--line); text-align: right; white-space: nowrap; }
+th, td { padding: .25rem .5rem; border-bottom: 1px solid var(--line); text-align: right; white-space: nowrap; }
+th { white-space: normal; }
 th:first-child, td:first-child, td.text { text-align: left; } td.mark { text-align: center; font-weight: 600; }
 thead th { vertical-align: bottom; border-bottom: 2px solid var(--ink); }
-.holds { color: var(--good); } .refuted { color: var(--known); outline: 1px dashed; outline-offset: -4px; }
-.broken { color: var(--bad); outline: 2px solid; outline-offset: -3px; }
+.holds { color: var(--good); } .refuted { color: var(--known); } .broken { color: var(--bad); }
+.mark.refuted { outline: 1px dashed; outline-offset: -4px; } .mark.broken { outline: 2px solid; outline-offset: -3px; }
+p.legend { font-size: .875rem; } p.legend span { display: inline-block; min-width: 1.6em; text-align: center; }
 .verdict { font-weight: 600; font-size: 1.1rem; }
 article { border: 1px solid var(--line); border-radius: 6px; padding: 1rem; margin: 0 0 1rem; break-inside: avoid;
           display: grid; grid-template-columns: minmax(0, 3fr) minmax(0, 2fr); gap: 1rem 1.5rem; }

@@ -39,11 +39,13 @@ Mark mark_of(const Plan& plan, const RunResult& result, const Row& row, const Ce
 /// Adds up a row's figures over the families.
 void add_up(const RunResult& result, Row& row) {
   Tally sum;
-  for (const UnitResult& unit : result.units)
-    if (unit.subject == row.subject && unit.precision == row.precision) sum += unit.tally;
+  for (const UnitResult& unit : result.units) {
+    if (unit.subject != row.subject || unit.precision != row.precision) continue;
+    sum += unit.tally;
+    if (unit.tally.worst.transformed == 0) row.worst += unit.tally.worst;
+  }
   row.cases = sum.cases;
-  row.worst = sum.worst;
-  row.is_measured = sum.worst.cases > 0;
+  row.is_measured = row.worst.cases > 0;
   for (std::size_t p = 0; p < row.cells.size() && p < sum.properties.size(); ++p)
     row.cells[p].tally = sum.properties[p];
 }

@@ -40,7 +40,7 @@ struct Row {
   const Subject* subject = nullptr;
   Precision precision{};
   std::uint64_t cases = 0;
-  Worst worst{};
+  Worst worst{};             ///< over the families without transforms: what the contract's bounds speak of
   bool is_measured = false;  ///< `worst` was taken
   std::vector<Cell> cells{};
 };
