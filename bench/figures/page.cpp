@@ -33,7 +33,7 @@ accurate; the dotted stair is the Pareto front, the dashed line what merely read
 <p class="faint">The families bit_patterns, exponents and special, in which everything over- and underflows, are left out of the
 plots and the first tables; their own tables stand below. Wrong verdicts are cases with a hit too many or too few by the exact oracle. Bits of error are
 log₂(1 + floats between the hit and the correctly rounded one), averaged over the hits that method and oracle agree on; wrong
-verdicts are never averaged in. Times are medians over families of median passes. For timing, each case's ray is moved and scaled
+verdicts are never averaged in. Times are processor time, medians over families of median passes. For timing, each case's ray is moved and scaled
 with its sphere until all lie at one sphere, as a batch needs. GLM reports only the nearest hit beyond 0, so it is judged on rays
 with the interval [0, ∞]; it asks for unit directions, which it was given beforehand, except under a transform, where that can
 only be done for each ray anew.</p>
