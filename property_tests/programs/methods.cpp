@@ -33,7 +33,10 @@ Json to_json(const Contract& contract) {
   return {{"verdict", to_json(contract.verdict)},
           {"residual", to_json(contract.residual)},
           {"ulp", to_json(contract.ulp)},
-          {"domain", {{"float32", contract.domain.reach_float}, {"float64", contract.domain.reach_double}}},
+          {"domain",
+           {{"float32", contract.domain.reach_float},
+            {"float64", contract.domain.reach_double},
+            {"every_number", contract.domain.every_number}}},
           {"holds", holds},
           {"refuted", refuted}};
 }

@@ -1,14 +1,15 @@
 #include "properties/robust_bound.hpp"
 
-#include <rayproof/quadratic.hpp>
-#include <rayproof/sphere.hpp>
+#include <rayproof/topics.hpp>
 
 namespace rayproof {
 
 std::optional<double> robust_bound(std::string_view topic) {
-  if (topic == "sphere") return sphere_robust_bound;
-  if (topic == "quadratic") return quadratic_robust_bound;
-  return std::nullopt;
+  std::optional<double> bound;
+  Topics::for_each([&]<class Topic>(std::type_identity<Topic>) {
+    if (topic == Topic::name) bound = Topic::robust_bound;
+  });
+  return bound;
 }
 
 }  // namespace rayproof

@@ -2,9 +2,11 @@
 /// \file
 /// One subject put to one case, and what can be said of it.
 
+#include <cmath>
 #include <optional>
 
 #include "oracle/oracle.hpp"
+#include "properties/numbers.hpp"
 #include "subjects/subject.hpp"
 
 namespace rayproof {
@@ -29,11 +31,25 @@ class Trial {
 
   /// Whether every length of the case lies in the domain of the subject's bounds, `spare` powers of two
   /// inside it.
-  [[nodiscard]] bool in_domain(int spare = 0) { return in_reach(reach() - spare); }
+  [[nodiscard]] bool in_domain(int spare = 0) {
+    const bool every_number = subject_->contract.domain.every_number;
+    return in_reach(reach() - spare) && (!every_number || all_numbers_in_reach(reach() - spare));
+  }
 
   /// Whether every length of the case lies within 2^±reach.
   [[nodiscard]] bool in_reach(int reach) {
     return judgement().smallest >= -reach && judgement().largest <= reach;
+  }
+
+  /// Whether every number of the case that is not 0 (or an infinite end of the interval) lies within
+  /// 2^±reach.
+  [[nodiscard]] bool all_numbers_in_reach(int reach) const {
+    Case copy = *case_;
+    for (const CaseNumber& number : numbers_of(copy)) {
+      const double size = std::abs(*number.value);
+      if (size != 0 && std::isfinite(size) && std::abs(std::log2(size)) > reach) return false;
+    }
+    return true;
   }
 
   /// The reach of the subject's domain at the case's precision.

@@ -69,8 +69,9 @@ struct Refutation {
 struct Domain {
   int reach_float = 28;
   int reach_double = 240;
+  bool every_number = false;  ///< the reach is asked of every number that is not 0, not just of the lengths
 };
-inline constexpr Domain any_finite{1000000, 1000000};
+inline constexpr Domain any_finite{1000000, 1000000, false};
 
 /// The contract of one method.
 struct Contract {

@@ -9,7 +9,8 @@
 
 namespace rayproof {
 
-/// Every topic the library has methods for. A topic has a `name`, the list `Methods`, and `Problem<T>`.
+/// Every topic the library has methods for. A topic has a `name`, a `robust_bound`, the list `Methods`, and
+/// `Problem<T>`.
 using Topics = TypeList<quadratic::Topic,  //
                         sphere::Topic>;
 

@@ -14,6 +14,7 @@ namespace rayproof::quadratic {
 /// The topic as the registries see it.
 struct Topic {
   static constexpr const char* name = "quadratic";
+  static constexpr double robust_bound = quadratic_robust_bound;
   using Methods = TypeList<Textbook, Citardauq, CitardauqViete, Kahan, FullRange>;
 
   /// The equation itself.

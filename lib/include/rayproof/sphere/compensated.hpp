@@ -13,7 +13,8 @@ namespace rayproof::sphere {
 ///
 /// A ray in float is first put to Centred in double, whose answer stands where it is clear of every rounding;
 /// the expansions decide the rest. An answer is never rounded across an end of the ray's interval. Holds for
-/// all finite floats; for doubles within the domain, beyond which terms of the expansions over- or underflow.
+/// all finite floats; for doubles while every number that is not 0 lies within 2^±200, beyond which terms of
+/// the expansions over- or underflow.
 struct Compensated {
   static constexpr const char* name = "compensated";
   static constexpr const char* title = "exact discriminant by expansions";
@@ -25,7 +26,7 @@ struct Compensated {
       .verdict = {.measured = 0, .promised = 0},
       .residual = {.measured = 0, .promised = 2},
       .ulp = {.measured = 0, .promised = 1},
-      .domain = {.reach_float = 1000, .reach_double = 200},
+      .domain = {.reach_float = 1000, .reach_double = 200, .every_number = true},
       .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::ulp, Claim::robust,
                                        Claim::moved, Claim::scaled, Claim::reversed}};
 

@@ -16,6 +16,7 @@ namespace rayproof::sphere {
 /// The topic as the registries see it.
 struct Topic {
   static constexpr const char* name = "sphere";
+  static constexpr double robust_bound = sphere_robust_bound;
   using Methods = TypeList<Textbook, HalfB, Stable, Centred, Compensated, Printed2ac, PrintedHalfB>;
 
   /// A ray and the sphere it is put to.

@@ -43,7 +43,7 @@ struct Stable {
 
     step<T>("Take one root from q and the other from Viète");
     const T t1 = named("t₁", q / a);
-    const T t0 = named("t₀", select(q == T(0), q, c / q));
+    const T t0 = named("t₀", select(q == T(0), t1, c / q));
     return ascending(D, t0, t1);
   }
 };
