@@ -4,14 +4,17 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdio>
 #include <system_error>
 
 namespace rayproof {
 
 const char* const stream_help =
-    "Input: one case a line (JSON Lines). Output: one line for each, in order, in the same format for every\n"
-    "program that answers cases. A refused line gets {\"id\": ..., \"line\": N, \"error\": \"...\"} and the "
+    "Input: one case a line (docs/case-format.md). Output: one line for each, in order, in the same format "
+    "for\n"
+    "every program that answers cases. A refused line gets {\"id\": ..., \"line\": N, \"error\": \"...\"} "
+    "and the "
     "rest goes on.\n"
     "Each line is answered as soon as it arrives, so that another program can ask through a pipe.\n"
     "\n"
