@@ -27,7 +27,7 @@ struct HitList {
 struct RayAnswer {
   Contact contact = Contact::none;
   HitList hits{};
-  bool nearest_only = false;  ///< the subject reports no hit but the first
+  bool nearest_only = false;           ///< the subject reports no hit but the first
   std::optional<glm::dvec3> point{};   ///< of the first hit
   std::optional<glm::dvec3> normal{};  ///< of the first hit, a unit vector
 };

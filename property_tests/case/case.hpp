@@ -19,7 +19,8 @@ enum class Precision { float32, float64 };
 struct RayQuestion {
   Ray<double> ray;
   Shape shape;
-  /// Object to world, column-major as GLM has it, affine and regular; the shape in the world is the shape's image.
+  /// Object to world, column-major as GLM has it, affine and regular; the shape in the world is the shape's
+  /// image.
   std::optional<glm::dmat4> transform{};
 };
 

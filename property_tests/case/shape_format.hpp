@@ -20,8 +20,10 @@ class Refusal : public std::runtime_error {
 
 /// Specialised for each shape, with
 ///  - `type`, the name in the case format;
-///  - `fields(shape, visit)`, which calls `visit("center", shape.center)` for each field in the order of the format;
-///  - `validate(shape)`, which throws a Refusal for a shape that the format refuses; numbers are finite by then.
+///  - `fields(shape, visit)`, which calls `visit("center", shape.center)` for each field in the order of the
+///  format;
+///  - `validate(shape)`, which throws a Refusal for a shape that the format refuses; numbers are finite by
+///  then.
 /// Reading, writing, rounding, shrinking and the NaN property all go through `fields`.
 template <class Shape>
 struct ShapeFormat;

@@ -81,18 +81,14 @@ void print_table() {
 }
 
 constexpr auto footer =
-    "The table: each method's standing (sound; naive: the right formula in an arithmetic that cannot bear "
-    "it;\n"
-    "printed: copied with its source's error) and its error bounds as 'measured of promised'. A verdict may "
-    "be\n"
-    "wrong only in a band of that width around a change of verdict; every answer satisfies its equation to "
-    "that\n"
-    "residual; and is within that many ulps of the exact one. The units stand in rayproof/sphere.hpp and\n"
-    "rayproof/quadratic.hpp; a naive method's grow with the far_power of the JSON listing. A bound holds "
-    "while\n"
-    "the sizes of the input lie within 2^-domain and 2^domain.\n"
-    "\n"
-    "Exit status: 0, or 2 for a wrong command line.";
+    R"(The table: each method's standing (sound; naive: the right formula in an arithmetic that cannot bear it;
+printed: copied with its source's error) and its error bounds as 'measured of promised'. A verdict may be wrong
+only in a band of that width around a change of verdict; every answer satisfies its equation to that residual;
+and is within that many ulps of the exact one. The units stand in rayproof/sphere.hpp and
+rayproof/quadratic.hpp; a naive method's grow with the far_power of the JSON listing. A bound holds while the
+sizes of the input lie within 2^-domain and 2^domain.
+
+Exit status: 0, or 2 for a wrong command line.)";
 
 }  // namespace
 

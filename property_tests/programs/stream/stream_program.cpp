@@ -11,16 +11,12 @@
 namespace rayproof {
 
 const char* const stream_help =
-    "Input: one case a line (docs/case-format.md). Output: one line for each, in order, in the same format "
-    "for\n"
-    "every program that answers cases. A refused line gets {\"id\": ..., \"line\": N, \"error\": \"...\"} "
-    "and the "
-    "rest goes on.\n"
-    "Each line is answered as soon as it arrives, so that another program can ask through a pipe.\n"
-    "\n"
-    "Exit status: 0 where every line was answered, 1 where a line was refused, 2 for a wrong command line or "
-    "a\n"
-    "file that cannot be read.";
+    R"(Input: one case a line (docs/case-format.md). Output: one line for each, in order, in the same format for
+every program that answers cases. A refused line gets {"id": ..., "line": N, "error": "..."} and the rest goes
+on. Each line is answered as soon as it arrives, so that another program can ask through a pipe.
+
+Exit status: 0 where every line was answered, 1 where a line was refused, 2 for a wrong command line or a file
+that cannot be read.)";
 
 int run_stream_program(const std::string& file, const Answerer& answer) {
   try {
