@@ -2,6 +2,7 @@
 /// \file
 /// One subject put to one case, and what can be said of it.
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -52,10 +53,16 @@ class Trial {
     return true;
   }
 
-  /// The reach of the subject's domain at the case's precision.
+  /// The reach of the subject's domain at the case's precision. Under a transform, no further than the usual
+  /// one: the way into object space is plain arithmetic, however careful the method is behind it.
   [[nodiscard]] int reach() const {
-    const Domain& domain = subject_->contract.domain;
-    return case_->precision == Precision::float32 ? domain.reach_float : domain.reach_double;
+    const auto at_precision = [this](const Domain& domain) {
+      return case_->precision == Precision::float32 ? domain.reach_float : domain.reach_double;
+    };
+    const auto* asked = std::get_if<RayQuestion>(&case_->question);
+    const bool is_transformed = asked != nullptr && asked->transform.has_value();
+    const int own = at_precision(subject_->contract.domain);
+    return is_transformed ? std::min(own, at_precision(Domain{})) : own;
   }
 
  private:

@@ -110,7 +110,8 @@ struct Bounded {
     if (y.may_be_zero()) return of(z, infinity<T>);
     if (x.is_exact_zero()) return Bounded(z);
     const T numerator = x.error + (std::abs(z) + 2 * running_error::tiny<T>)*y.error;
-    const T lost_to_underflow = numerator == 0 ? T(0) : 2 * running_error::tiny<T>;
+    const bool is_exact = x.error == 0 && y.error == 0;
+    const T lost_to_underflow = is_exact ? T(0) : 2 * running_error::tiny<T>;
     const T spread = (numerator + lost_to_underflow) / (std::abs(y.value) - y.error);
     return of(z, spread + running_error::of_product(z));
   }
