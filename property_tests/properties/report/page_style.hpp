@@ -15,8 +15,8 @@ body { font: 16px/1.5 system-ui, sans-serif; color: var(--ink); background: var(
 h1 { font-size: 1.6rem; margin: 0 0 .25rem; } h2 { font-size: 1.25rem; margin: 2.5rem 0 .75rem; }
 h3 { font-size: 1rem; margin: 0 0 .25rem; }
 p { margin: .25rem 0; } .faint { color: var(--faint); } .wide { overflow-x: auto; }
-table { border-collapse: collapse; font-size: .875rem; font-variant-numeric: tabular-nums; }
-th, td { padding: .25rem .5rem; border-bottom: 1px solid var(--line); text-align: right; white-space: nowrap; }
+table { border-collapse: collapse; font-size: .8125rem; font-variant-numeric: tabular-nums; }
+th, td { padding: .25rem .375rem; border-bottom: 1px solid var(--line); text-align: right; white-space: nowrap; }
 th { white-space: normal; }
 th:first-child, td:first-child, td.text { text-align: left; } td.mark { text-align: center; font-weight: 600; }
 thead th { vertical-align: bottom; border-bottom: 2px solid var(--ink); }
@@ -33,7 +33,7 @@ pre { background: var(--panel); padding: .6rem .75rem; margin: .4rem 0; overflow
 dl { margin: .5rem 0 0; font-size: .875rem; } dt { color: var(--faint); } dd { margin: 0 0 .4rem; overflow-wrap: anywhere; }
 details summary { cursor: pointer; }
 @media (max-width: 48rem) { article { grid-template-columns: minmax(0, 1fr); } }
-@media print { body { max-width: none; padding: 0; font-size: 11px; } details { display: block; } .wide { overflow: visible; } }
+@media print { body { max-width: none; padding: 0; font-size: 11px; } table { font-size: 7.5px; } details { display: block; } .wide { overflow: visible; } }
 )css";
 
 }  // namespace rayproof
