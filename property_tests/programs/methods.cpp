@@ -53,9 +53,11 @@ Json to_json(const Subject& subject) {
           {"contract", to_json(subject.contract)}};
 }
 
-/// "0.62 of 1": measured of promised; a dash where nothing is promised.
+/// "0.62 of 1": measured of promised; "1" where it was never measured; a dash where nothing is promised.
 std::string in_words(const Bound& bound) {
-  return std::isfinite(bound.promised) ? fmt::format("{:.3g} of {:g}", bound.measured, bound.promised) : "-";
+  if (!std::isfinite(bound.promised)) return "-";
+  if (!std::isfinite(bound.measured)) return fmt::format("{:g}", bound.promised);
+  return fmt::format("{:.3g} of {:g}", bound.measured, bound.promised);
 }
 
 void print_row(const std::string& method, std::string_view standing, const std::string& verdict,
