@@ -23,7 +23,7 @@ constexpr const char* plot_style = R"css(
 .plot .solid { fill: var(--m); stroke: var(--m); stroke-width: 2; } .plot .solid .in { stroke: var(--paper); }
 .plot .halo { fill: var(--paper); stroke: none; }
 .plot .hollow { fill: var(--paper); stroke: var(--m); stroke-width: 2; }
-tr.floor td { color: var(--faint); } section { break-inside: avoid-page; } figure { break-inside: avoid; }
+tr.floor td { color: var(--faint); } section { break-inside: avoid-page; margin-top: 1.5rem; } figure { break-inside: avoid; }
 @media print { :root { --ink: #1a1a1a; --paper: #fff; --faint: #6b6b6b; --line: #d0d0d0; } }
 )css";
 
