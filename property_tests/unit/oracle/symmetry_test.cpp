@@ -45,7 +45,9 @@ TEST(OracleSymmetry, PermutingTheAxesChangesNothingButTheAxes) {
     sphere.center = rotated(sphere.center);
     const RayAnswer after = ray_answer(one);
     expect_same_hits(before, after);
-    if (before.point) EXPECT_EQ(rotated(*before.point), *after.point);
+    if (before.point) {
+      EXPECT_EQ(rotated(*before.point), *after.point);
+    }
   });
 }
 
@@ -89,7 +91,9 @@ TEST(OracleSymmetry, AnIdentityTransformChangesNothing) {
     question.transform = glm::dmat4(1);
     const RayAnswer after = ray_answer(one);
     expect_same_hits(before, after);
-    if (before.point) EXPECT_EQ(*before.point, *after.point);
+    if (before.point) {
+      EXPECT_EQ(*before.point, *after.point);
+    }
   });
 }
 
