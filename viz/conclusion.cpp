@@ -14,7 +14,8 @@ double epsilon(Precision precision) {
 }
 
 bool is_near(double a, double b, double ulps, Precision precision) {
-  return a == b || std::abs(a - b) <= ulps * epsilon(precision) * std::max(std::abs(a), std::abs(b));
+  return a == b || (std::isfinite(b) &&
+                    std::abs(a - b) <= ulps * epsilon(precision) * std::max(std::abs(a), std::abs(b)));
 }
 
 /// Whether a root lies within its own rounding of an end of the ray's interval.

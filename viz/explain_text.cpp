@@ -89,7 +89,7 @@ std::string explain_text(const Told& told) {
     for (std::size_t i = 0; i < std::min(truth.size(), claim.size()); ++i) {
       const double ulps = count_ulps(truth[i], claim[i], precision);
       text += fmt::format("   {}{} is {}\n", symbol, subscript(i),
-                          ulps == 0 ? "the exact one, correctly rounded" : "off by " + in_ulps(ulps));
+                          ulps == 0 ? "the exact one, correctly rounded" : off_by(ulps));
     }
   }
   return text + "\n" + conclusion_of(told) + "\n";

@@ -33,6 +33,12 @@ double ordinal(T value) {
   return std::signbit(value) ? -static_cast<double>(bits) : static_cast<double>(bits);
 }
 
+/// "1 ulp", "639 ulps", "3.9e7 ulps".
+std::string in_ulps(double ulps) {
+  if (ulps == 1) return "1 ulp";
+  return fmt::format("{} ulps", ulps < 1e6 ? rough(ulps, 6) : rough(ulps, 2));
+}
+
 }  // namespace
 
 std::string shown(double value, Precision precision) {
@@ -72,10 +78,8 @@ double count_ulps(double a, double b, Precision precision) {
                   ordinal<std::uint32_t>(static_cast<float>(b)));
 }
 
-std::string in_ulps(double ulps) {
-  if (std::isinf(ulps)) return "all there is";
-  if (ulps == 1) return "1 ulp";
-  return fmt::format("{} ulps", ulps < 1e6 ? rough(ulps, 6) : rough(ulps, 2));
+std::string off_by(double ulps) {
+  return std::isinf(ulps) ? "infinitely far off" : fmt::format("off by {}", in_ulps(ulps));
 }
 
 std::string apart_in_words(double a, double b, Precision precision) {

@@ -19,8 +19,8 @@ namespace rayproof::viz {
 /// How many numbers of the precision lie from `a` to `b`; infinite where one of two different numbers is not
 /// finite.
 [[nodiscard]] double count_ulps(double a, double b, Precision precision);
-/// "1 ulp", "639 ulps", "3.9e7 ulps"; "all there is" for an infinite distance.
-[[nodiscard]] std::string in_ulps(double ulps);
+/// "off by 639 ulps", "infinitely far off".
+[[nodiscard]] std::string off_by(double ulps);
 /// The distance of two numbers: "equal", "639 ulps", "infinitely far".
 [[nodiscard]] std::string apart_in_words(double a, double b, Precision precision);
 

@@ -66,6 +66,16 @@ int sign_of(double value) { return (value > 0) - (value < 0); }
 /// -1 for no real root (NaN counts so), 0, 1.
 int sign_of_discriminant(double value) { return std::isnan(value) ? -1 : sign_of(value); }
 
+/// What an answer has lost; an answer that is rightly infinite, since the exact one is too large, nothing.
+double lost_by_answer(const Operation<Shadow>& o, Precision precision) {
+  const double largest = precision == Precision::float32
+                             ? static_cast<double>(std::numeric_limits<float>::max())
+                             : std::numeric_limits<double>::max();
+  const bool overflows_rightly =
+      std::isinf(o.value) && (o.value > 0 ? o.exact > largest : o.exact < -largest);
+  return overflows_rightly ? 0 : o.bits_lost;
+}
+
 void judge(Walkthrough& walk, const Tape& tape, const Ending& ending) {
   const Operation<Shadow>& D = tape.at(ending.discriminant);
   const int rounded = sign_of_discriminant(D.value);
@@ -76,11 +86,13 @@ void judge(Walkthrough& walk, const Tape& tape, const Ending& ending) {
   } else if (exact < 0) {
     return;  // a miss in both: nothing hangs on the digits
   } else {
-    worst = tape.at(ending.lo).bits_lost >= tape.at(ending.hi).bits_lost ? ending.lo : ending.hi;
-    if (tape.at(worst).bits_lost >= noteworthy) walk.outcome = Outcome::inaccurate;
+    const auto lost = [&](OperationId id) { return lost_by_answer(tape.at(id), walk.precision); };
+    worst = lost(ending.lo) >= lost(ending.hi) ? ending.lo : ending.hi;
+    if (lost(worst) < noteworthy) return;
+    walk.outcome = Outcome::inaccurate;
   }
   walk.answer_bits_lost = tape.at(worst).bits_lost;
-  if (walk.outcome != Outcome::faithful) walk.death = find_death(tape, worst, noteworthy);
+  walk.death = find_death(tape, worst, noteworthy);
 }
 
 }  // namespace

