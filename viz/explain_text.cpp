@@ -29,11 +29,12 @@ struct Widths {
 };
 
 std::string row(const WalkValue& v, const Widths& widths, Precision precision) {
-  return fmt::format("   {}  {}  {}  {}  {}  {}\n", padded(v.name, widths.name),
-                     padded(shown(v.value, precision), widths.value), padded(v.exact, widths.exact),
-                     padded(v.bits_lost < 0.05 ? "-" : fmt::format("{:.1f}", v.bits_lost), 9),
-                     padded(v.error_bound == 0 ? "-" : rough(v.error_bound, 2), 11),
-                     v.formula.empty() || v.formula == v.name ? "" : "= " + v.formula);
+  std::string text = fmt::format(
+      "   {}  {}  {}  {}  {}", padded(v.name, widths.name), padded(shown(v.value, precision), widths.value),
+      padded(v.exact, widths.exact), padded(v.bits_lost < 0.05 ? "-" : fmt::format("{:.1f}", v.bits_lost), 9),
+      padded(v.error_bound == 0 ? "-" : rough(v.error_bound, 2), 11));
+  if (!v.formula.empty() && v.formula != v.name) text += "  = " + v.formula;
+  return text.substr(0, text.find_last_not_of(' ') + 1) + "\n";
 }
 
 std::string table(const std::vector<WalkValue>& values, const Widths& widths, Precision precision) {
