@@ -33,12 +33,12 @@ class FormulaWriter {
   }
 
   [[nodiscard]] Expression write(OperationId id) const {
-    const auto& [op, ids, value, exact, bound, lost, lost_here, step, name] = tape_.at(id);
+    const Operation<Shadow>& o = tape_.at(id);
     if (const auto short_form = dot_product(id)) return {*short_form, atom};
-    const auto at = [&](std::size_t i) { return operand(ids[i]); };
-    switch (op) {
+    const auto at = [&](std::size_t i) { return operand(o.operands[i]); };
+    switch (o.op) {
       case Operator::constant:
-        return {name.empty() ? rough(value, 17) : name, value < 0 ? sign : atom};
+        return {o.name.empty() ? rough(o.value, 17) : o.name, o.value < 0 ? sign : atom};
       case Operator::negate:
         return {fmt::format("−{}", wrapped(at(0), product)), sign};
       case Operator::add:
