@@ -77,8 +77,8 @@ TEST_F(CheckProgram, AMethodDeclaredWrongIsRefutedAndThatIsASuccess) {
 }
 
 TEST_F(CheckProgram, ARefutationThatIsNotFoundIsAFailure) {
-  // One case a family is too few to find a counterexample to every declared claim.
-  EXPECT_EQ(check("--cases 1 --method sphere/textbook --precision float64").status, 1);
+  // One case a family is too few to find the linear equation that refutes the declared claim.
+  EXPECT_EQ(check("--cases 1 --method quadratic/textbook --property verdict").status, 1);
 }
 
 TEST_F(CheckProgram, FindingsAreReplayedAsTheyWereFound) {
