@@ -6,6 +6,14 @@
 
 #include <rayproof/arithmetics/pack.hpp>
 
+/// Puts all that a function calls into the function itself; not under AddressSanitizer, which would take
+/// minutes.
+#ifdef __SANITIZE_ADDRESS__
+#define RAYPROOF_FLAT
+#else
+#define RAYPROOF_FLAT [[gnu::flatten]]
+#endif
+
 namespace rayproof::batch {
 
 namespace {
@@ -36,13 +44,13 @@ void nearest_roots(const Lanes<Topic, T>& in, T* const (&out)[1]) {
   });
 }
 
-/// The same in packs. Flattened, since a pack that is handed to a function out of line goes through memory.
+/// The same in packs, flat, since a pack that is handed to a function out of line goes through memory.
 template <class Topic, class Method, class T>
-[[gnu::flatten]] void all_roots_in_packs(const Lanes<Topic, T>& in, T* const (&out)[3]) {
+RAYPROOF_FLAT void all_roots_in_packs(const Lanes<Topic, T>& in, T* const (&out)[3]) {
   all_roots<Topic, Method, Pack<T>, T>(in, out);
 }
 template <class Topic, class Method, class T>
-[[gnu::flatten]] void nearest_roots_in_packs(const Lanes<Topic, T>& in, T* const (&out)[1]) {
+RAYPROOF_FLAT void nearest_roots_in_packs(const Lanes<Topic, T>& in, T* const (&out)[1]) {
   nearest_roots<Topic, Method, Pack<T>, T>(in, out);
 }
 
