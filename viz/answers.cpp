@@ -9,7 +9,10 @@
 namespace rayproof::viz {
 namespace {
 
-std::string name_of(RootKind kind) {
+std::string name_of(RootKind kind, std::size_t count) {
+  if (count == 0 && (kind == RootKind::two || kind == RootKind::twice || kind == RootKind::linear)) {
+    return "no root that is a number";
+  }
   switch (kind) {
     case RootKind::two:
       return "two roots";
@@ -31,7 +34,7 @@ std::string verdict_of(const RayAnswer& answer) {
   if (answer.hits.count == 0) return "miss";
   return answer.contact == Contact::tangent ? "tangent hit" : "hit";
 }
-std::string verdict_of(const QuadraticAnswer<double>& answer) { return name_of(answer.kind); }
+std::string verdict_of(const QuadraticAnswer<double>& answer) { return name_of(answer.kind, answer.count); }
 
 int kind_of(const RayAnswer& answer) { return answer.hits.count > 0 ? 1 : 0; }
 int kind_of(const QuadraticAnswer<double>& answer) { return static_cast<int>(answer.kind); }

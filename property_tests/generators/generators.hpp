@@ -30,8 +30,4 @@ struct Family {
 /// Every family, in the order of the registries.
 [[nodiscard]] const std::vector<Family>& families();
 
-/// The families of one topic; a new topic adds its function here and its line in generators.cpp.
-[[nodiscard]] std::vector<Family> sphere_families();
-[[nodiscard]] std::vector<Family> quadratic_families();
-
 }  // namespace rayproof
