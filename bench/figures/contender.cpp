@@ -6,6 +6,10 @@
 
 namespace rayproof::report {
 
+// Each in its topic's file; a new topic has its declaration and its line here.
+std::vector<Contender> sphere_contenders(const std::vector<Case>& cases, Precision precision);
+std::vector<Contender> quadratic_contenders(const std::vector<Case>& cases, Precision precision);
+
 namespace {
 
 /// Seconds that this thread has run: the turns that other programs take on the processor don't count.

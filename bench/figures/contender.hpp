@@ -22,11 +22,6 @@ struct Contender {
 [[nodiscard]] std::vector<Contender> contenders(const std::string& topic, const std::vector<Case>& cases,
                                                 Precision precision);
 
-/// The contenders of one topic; a new topic adds its function here and its line in contender.cpp.
-[[nodiscard]] std::vector<Contender> sphere_contenders(const std::vector<Case>& cases, Precision precision);
-[[nodiscard]] std::vector<Contender> quadratic_contenders(const std::vector<Case>& cases,
-                                                          Precision precision);
-
 /// The median nanoseconds a problem costs each contender. All take turns, so that a disturbance hits all
 /// alike; a contender for which `rays` problems take long is given fewer. `seconds` is about what all
 /// together may take.
