@@ -239,6 +239,8 @@ class SphereJudge {
     }
     if (!judgement_.wrong) return;
     judgement_.ulp = std::nan("");
+    if (!(Number(0) < abs(truth.discriminant)))
+      return;  // a tangent: any change of the radius changes the verdict
     judgement_.margin =
         value(distance_to_other_verdict(exact().scene, question_.ray) / Scaled(static_cast<Scaled>(unit)));
   }
