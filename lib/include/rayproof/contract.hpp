@@ -44,7 +44,8 @@ class Claims {
 };
 
 /// An error bound: the worst error ever measured, and the bound that is promised and tested. The unit is the
-/// shape's (`sphere.hpp`, `quadratic.hpp` say which). Where nothing is promised, `promised` is infinite.
+/// shape's (`sphere.hpp`, `quadratic.hpp` say which); docs/nightly.md has the command that measures. Where
+/// nothing is promised, `promised` is infinite.
 struct Bound {
   double measured = std::numeric_limits<double>::infinity();
   double promised = std::numeric_limits<double>::infinity();

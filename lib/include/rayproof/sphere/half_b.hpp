@@ -1,7 +1,6 @@
 #pragma once
 #include <rayproof/contract.hpp>
-#include <rayproof/narration.hpp>
-#include <rayproof/sphere.hpp>
+#include <rayproof/sphere/coefficients.hpp>
 
 namespace rayproof::sphere {
 
@@ -17,20 +16,16 @@ struct HalfB {
   static constexpr int far_power = 1;
   static constexpr Contract contract{
       .standing = Standing::naive,
-      .verdict = {.measured = 0, .promised = 16},
-      .residual = {.measured = 0, .promised = 16},
+      .verdict = {.measured = 3.92, .promised = 16},
+      .residual = {.measured = 4.08, .promised = 16},
       .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::moved, Claim::scaled,
                                        Claim::reversed, Claim::bounded},
       .refuted = {{{Claim::robust, "b² and ac of a far sphere agree in all the digits that are kept"}}}};
 
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Sphere<T>& sphere) {
-    step<T>("Put the ray into the sphere's equation");
-    const vec3<T> f = named("f", ray.origin - sphere.center);
-    const vec3<T> d = ray.direction;
-    const T a = named("a", dot(d, d));
-    const T b = named("b", dot(d, f));
-    const T c = named("c", dot(f, f) - sphere.radius * sphere.radius);
+    const auto [a, half_b, c] = coefficients(ray, sphere);
+    const T b = named("b", half_b);
 
     step<T>("Form a quarter of the discriminant");
     const T D = named("D", b * b - a * c);

@@ -1,7 +1,6 @@
 #pragma once
 #include <rayproof/contract.hpp>
-#include <rayproof/narration.hpp>
-#include <rayproof/sphere.hpp>
+#include <rayproof/sphere/coefficients.hpp>
 
 namespace rayproof::sphere {
 
@@ -21,12 +20,8 @@ struct Printed2ac {
 
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Sphere<T>& sphere) {
-    step<T>("Put the ray into the sphere's equation");
-    const vec3<T> f = named("f", ray.origin - sphere.center);
-    const vec3<T> u = ray.direction;
-    const T a = named("a", dot(u, u));
-    const T b = named("b", T(2) * dot(u, f));
-    const T c = named("c", dot(f, f) - sphere.radius * sphere.radius);
+    const auto [a, half_b, c] = coefficients(ray, sphere);
+    const T b = named("b", T(2) * half_b);
 
     step<T>("Form the discriminant");
     const T D = named("D", b * b - T(4) * a * c);
