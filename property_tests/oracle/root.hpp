@@ -2,6 +2,8 @@
 /// \file
 /// The real roots of an exact quadratic as exact numbers: compared, estimated and rounded without error.
 
+#include <utility>
+
 #include "oracle/exact.hpp"
 
 namespace rayproof::oracle {
@@ -18,8 +20,8 @@ struct ExactQuadratic {
 /// = 1).
 class ExactRoot {
  public:
-  ExactRoot(const ExactQuadratic& quadratic, int side)
-      : quadratic_(quadratic), side_(side), estimate_(estimated()) {}
+  ExactRoot(ExactQuadratic quadratic, int side)
+      : quadratic_(std::move(quadratic)), side_(side), estimate_(estimated()) {}
 
   /// The sign of (root - x), exactly.
   [[nodiscard]] int compare(const Ring& x) const {

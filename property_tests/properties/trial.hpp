@@ -46,11 +46,11 @@ class Trial {
   /// 2^±reach.
   [[nodiscard]] bool all_numbers_in_reach(int reach) const {
     Case copy = *case_;
-    for (const CaseNumber& number : numbers_of(copy)) {
+    const auto fits = [&](const CaseNumber& number) {
       const double size = std::abs(*number.value);
-      if (size != 0 && std::isfinite(size) && std::abs(std::log2(size)) > reach) return false;
-    }
-    return true;
+      return size == 0 || !std::isfinite(size) || std::abs(std::log2(size)) <= reach;
+    };
+    return std::ranges::all_of(numbers_of(copy), fits);
   }
 
   /// The reach of the subject's domain at the case's precision. Under a transform, no further than the usual

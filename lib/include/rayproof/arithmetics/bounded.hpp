@@ -17,7 +17,10 @@ namespace rayproof {
 struct BoundedMask {
   bool value = false;
   bool certain = true;
+  // A plain outcome is a certain one, and the value is the outcome.
+  // NOLINTNEXTLINE(google-explicit-constructor)
   constexpr BoundedMask(bool outcome, bool sure = true) : value(outcome), certain(sure) {}
+  // NOLINTNEXTLINE(google-explicit-constructor): so that masks stand where the kernels have a bool
   constexpr operator bool() const { return value; }
 
   friend constexpr BoundedMask operator!(BoundedMask m) { return {!m.value, m.certain}; }
@@ -71,6 +74,7 @@ struct Bounded {
   /// An exact number, or the nearest `T` to one with the error of that.
   template <class U>
   requires std::is_arithmetic_v<U>
+  // NOLINTNEXTLINE(google-explicit-constructor): kernels mix plain numbers in, as formulas do
   constexpr Bounded(U exact) : value(static_cast<T>(exact)) {
     const auto back = static_cast<double>(value);
     const auto wide = static_cast<double>(exact);
