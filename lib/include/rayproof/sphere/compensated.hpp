@@ -81,7 +81,7 @@ struct Compensated {
     const double rr = sphere.radius * sphere.radius;
     const double SS = 2 * (dot(f, f) + rr);
     const double EE = 2 * (rr + (rr - D)) * SS;
-    if (!(D * D >= 0x1p-42 * EE)) return false;
+    if (!(D * D > 0x1p-42 * EE)) return false;  // not for a point touched: 0 > 0
     if (D < 0) return true;
     const double smaller = min(abs(wide.lo), abs(wide.hi));
     const double larger = max(abs(wide.lo), abs(wide.hi));
