@@ -63,9 +63,10 @@ class Scaled {
 
 /// The value of an exact number of any size to one part in 2^62.
 [[nodiscard]] inline Scaled approximate(const Ring& x) {
+  if (x.is_zero()) return {};
   const double leading = x.to_double();
   const double size = std::abs(leading);
-  if (x.sign() != CGAL::ZERO && !(size > 0x1p-900 && size < 0x1p+1000)) {
+  if (!(size > 0x1p-900 && size < 0x1p+1000)) {
     const int shift = size < 1 ? 900 : -900;
     return approximate(x * Ring(std::ldexp(1.0, shift))) * Scaled(1, -shift);
   }

@@ -51,16 +51,25 @@ struct Truth {
   [[nodiscard]] int side(std::size_t index) const { return index > 0 || !lower ? 1 : -1; }
 };
 
+/// A ring's value as a `Number`: as `read` has it, or rounded to a double where doubles serve.
+template <class Number, class R>
+Number read_as(const R& x) {
+  if constexpr (std::is_same_v<R, Ring> && std::is_same_v<Number, double>)
+    return x.to_double();
+  else
+    return read(x);
+}
+
 /// The exact verdict, or nothing where R can't tell.
-template <class R>
+template <class Number, class R>
 auto verdict(const SphereEquation<R>& scene, const Ray<double>& ray) {
-  using Number = decltype(read(scene.radius));
   using Maybe = std::optional<Truth<Number>>;
   const R a = scene.a(), h = scene.h(), c = scene.c();
   const R discriminant = h * h - a * c;
   const auto discriminant_sign = certain_sign(discriminant);
   if (!discriminant_sign) return Maybe();
-  Truth<Number> truth{*discriminant_sign >= 0, *discriminant_sign > 0, read(discriminant), read(a)};
+  Truth<Number> truth{*discriminant_sign >= 0, *discriminant_sign > 0, read_as<Number>(discriminant),
+                      read_as<Number>(a)};
   if (uncertainty(discriminant) > 0x1p-20 * abs(value(truth.discriminant))) return Maybe();
   for (const auto& [end, inside] : {std::pair{ray.t_min, 1}, std::pair{ray.t_max, -1}}) {
     if (std::isinf(end)) continue;
@@ -201,7 +210,7 @@ class SphereJudge {
     } else {
       const auto exact_sizes = lengths(exact().scene, exact().ray, question_, sphere_);
       note_lengths(exact_sizes);
-      judge_hits(exact(), *verdict(exact().scene, question_.ray), exact_sizes, claimed);
+      judge_hits(exact(), *verdict<Scaled>(exact().scene, question_.ray), exact_sizes, claimed);
     }
     return judgement_;
   }
@@ -213,10 +222,10 @@ class SphereJudge {
   }
 
   Truth<double> filtered_verdict() {
-    if (const auto truth = verdict(Bench<Interval>(question_, sphere_).scene, question_.ray)) return *truth;
-    if (const auto truth = verdict(ball_.scene, question_.ray)) return *truth;
-    const auto truth = *verdict(exact().scene, question_.ray);
-    return {truth.lower, truth.upper, value(truth.discriminant), value(truth.a)};
+    const Bench<Interval> interval(question_, sphere_);
+    if (const auto truth = verdict<double>(interval.scene, question_.ray)) return *truth;
+    if (const auto truth = verdict<double>(ball_.scene, question_.ray)) return *truth;
+    return *verdict<double>(exact().scene, question_.ray);
   }
 
   template <class Number>

@@ -18,6 +18,32 @@ struct Roots {
   T hi;
 };
 
+/// The one hit of a flat figure, and where on it: `u` and `v` are the second and third barycentric coordinate
+/// in a triangle (p = (1-u-v)·a + u·b + v·c), the parameters of a parametric plane (p = point + u·u + v·v).
+/// As roots: discriminant 0 and `lo == hi == t` where there is a hit, -1 and NaN where there is none.
+template <class T>
+struct FlatHit : Roots<T> {
+  T u;
+  T v;
+};
+
+/// A hit at t where `is_hit`, none elsewhere. `is_hit` false and a NaN for t mean the same.
+template <class T>
+[[nodiscard]] constexpr FlatHit<T> flat_hit(const Mask<T>& is_hit, const T& t, const T& u, const T& v) {
+  const T there = select(is_hit, t, T(not_a_number<T>));
+  return {{select(is_hit, T(0), T(-1)), there, there}, u, v};
+}
+
+/// What a convex solid cuts out of the line: [entry, exit] where entry <= exit, nothing where entry > exit or
+/// one of them is NaN. As roots: the discriminant is exit - entry, 0 where the solid is touched at one t.
+template <class T>
+[[nodiscard]] constexpr Roots<T> chord(const T& entry, const T& exit) {
+  const Mask<T> is_hit = entry <= exit;
+  const T D = select(entry == exit, T(0), exit - entry);
+  return {select(is_hit, D, T(-1)), select(is_hit, entry, T(not_a_number<T>)),
+          select(is_hit, exit, T(not_a_number<T>))};
+}
+
 /// Puts two roots in order; NaN roots stay NaN.
 template <class T>
 [[nodiscard]] constexpr Roots<T> ascending(const T& discriminant, const T& x0, const T& x1) {

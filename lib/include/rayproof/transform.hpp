@@ -38,7 +38,7 @@ template <class T>
 
 /// a × b, every component within 1.5 ulp.
 template <class T>
-[[nodiscard]] constexpr vec3<T> cross(const vec3<T>& a, const vec3<T>& b) {
+[[nodiscard]] constexpr vec3<T> cross_compensated(const vec3<T>& a, const vec3<T>& b) {
   return vec3<T>{difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
                  difference_of_products(a.x, b.y, a.y, b.x)};
 }
@@ -48,12 +48,12 @@ template <class T>
 template <class T>
 [[nodiscard]] constexpr ObjectSpace<T> object_space(const vec3<T>& a, const vec3<T>& b, const vec3<T>& c,
                                                     const vec3<T>& translation) {
-  const vec3<T> bc = rayproof::cross<T>(b, c);
+  const vec3<T> bc = cross_compensated<T>(b, c);
   const T determinant = dot_compensated<T>(a, bc);
   const auto row = [&](const vec3<T>& cofactors) {
     return vec3<T>{cofactors.x / determinant, cofactors.y / determinant, cofactors.z / determinant};
   };
-  return {row(bc), row(rayproof::cross<T>(c, a)), row(rayproof::cross<T>(a, b)), translation};
+  return {row(bc), row(cross_compensated<T>(c, a)), row(cross_compensated<T>(a, b)), translation};
 }
 
 /// The same for an affine object-to-world matrix (last row 0 0 0 1, which is not looked at).

@@ -46,6 +46,17 @@ template <std::floating_point T>
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
+/// a × b, rounded operation by operation.
+template <class A, class B>
+[[nodiscard]] constexpr auto cross(const Vec3<A>& a, const Vec3<B>& b) {
+  return Vec3<decltype(a.y * b.z - a.z * b.y)>{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z,
+                                               a.x * b.y - a.y * b.x};
+}
+template <std::floating_point T>
+[[nodiscard]] constexpr glm::vec<3, T> cross(const glm::vec<3, T>& a, const glm::vec<3, T>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
 /// The same vector in another arithmetic.
 template <class To, class V>
 [[nodiscard]] constexpr vec3<To> convert(const V& v) {

@@ -1,6 +1,6 @@
 #pragma once
-#include <rayproof/arithmetics/expansion.hpp>
 #include <rayproof/contract.hpp>
+#include <rayproof/exact_rounding.hpp>
 #include <rayproof/narration.hpp>
 #include <rayproof/sphere.hpp>
 #include <rayproof/sphere/centred.hpp>
@@ -91,7 +91,8 @@ struct Compensated {
     if (!(smaller >= static_cast<double>(std::numeric_limits<T>::min()))) return false;
     const auto is_beside = [](double t, double end) { return abs(t - end) <= 0x1p-22 * abs(t); };
     return !(is_beside(wide.lo, ray.t_min) || is_beside(wide.lo, ray.t_max) ||
-             is_beside(wide.hi, ray.t_min) || is_beside(wide.hi, ray.t_max));
+             is_beside(wide.hi, ray.t_min) || is_beside(wide.hi, ray.t_max) ||
+             is_beside(smaller, infinite_from<T>) || is_beside(larger, infinite_from<T>));
   }
 
   template <class T>
@@ -117,7 +118,8 @@ struct Compensated {
     const Equation<decltype(a), decltype(b), decltype(c)> equation{a, b, c};
     const auto root = [&](int side, double t) {
       if constexpr (sizeof(T) == sizeof(double)) t = refine(equation, side * s, t);
-      return keep_side(ray, static_cast<T>(t), [&](double end) { return equation.compare(side, end); });
+      const auto compare = [&](double x) { return equation.compare(side, x); };
+      return keep_side(ray, narrowed<T>(t, compare), compare);
     };
     return {sign_as<T>(estimate(D)), root(-1, min(t0, t1)), root(1, max(t0, t1))};
   }
@@ -128,22 +130,6 @@ struct Compensated {
     if (!(abs(t) < infinity<double>)) return t;
     const double slope = estimate(equation.slope_at(t)) + signed_s;
     return slope == 0 ? t : t - estimate(equation.at(t)) / slope;
-  }
-
-  /// Puts a rounded root on the exact root's side of each end of the ray's interval, where rounding carried
-  /// it across. `compare(end)` is the exact sign of (root - end).
-  template <class T, class Compare>
-  static T keep_side(const Ray<T>& ray, T t, Compare&& compare) {
-    const auto is_near = [&](T end) { return abs(end) < infinity<T> && std::nextafter(t, end) == end; };
-    if (is_near(ray.t_min)) {
-      const bool is_inside = compare(static_cast<double>(ray.t_min)) >= 0;
-      t = is_inside ? max(t, ray.t_min) : min(t, std::nextafter(ray.t_min, -infinity<T>));
-    }
-    if (is_near(ray.t_max)) {
-      const bool is_inside = compare(static_cast<double>(ray.t_max)) <= 0;
-      t = is_inside ? min(t, ray.t_max) : max(t, std::nextafter(ray.t_max, infinity<T>));
-    }
-    return t;
   }
 };
 

@@ -1,0 +1,30 @@
+#pragma once
+/// \file
+/// The axis-aligned box, and the meaning of a ray/box method's answers.
+
+#include <rayproof/roots.hpp>
+
+namespace rayproof {
+
+/// The closed solid min <= q <= max in every coordinate; zero thickness is allowed. Its answer is the
+/// interval of t inside it, as `chord` has it.
+///
+/// Units of the contracts. A box has six planes, and each meets the ray at a t; everything is a comparison of
+/// two such t, or of one with an end of the ray's interval. *Verdict* is the least |s - t| / (ε·(|s| + |t|))
+/// over the pairs that decide. *Ulp* is in ulps of the exact t. Under a transform both are those of a
+/// parallelepiped. *Domain* speaks of all numbers of the case that are not 0.
+template <class T>
+struct Box {
+  vec3<T> min, max;
+};
+
+/// The same box in another arithmetic.
+template <class To, class From>
+[[nodiscard]] constexpr Box<To> convert(const Box<From>& box) {
+  return {convert<To>(box.min), convert<To>(box.max)};
+}
+
+/// The bound, in the units above, that a robust ray/box method keeps (Claim::robust).
+inline constexpr double box_robust_bound = 8;
+
+}  // namespace rayproof

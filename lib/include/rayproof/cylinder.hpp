@@ -1,0 +1,37 @@
+#pragma once
+/// \file
+/// The elliptic cylinder, and the meaning of a ray/cylinder method's answers.
+
+#include <rayproof/roots.hpp>
+
+namespace rayproof {
+
+/// The surface x²/rx² + y²/ry² = 1, 0 <= z <= height; `capped` adds the two closed elliptic disks.
+///
+/// A line that runs inside the side meets the open cylinder nowhere in particular (no hit) and the capped one
+/// where it passes the two rims. As roots: `lo` and `hi` are the hits of the whole line, ascending, NaN where
+/// there is none (also `lo` alone); the discriminant is 0 where the line touches the side and `lo == hi`,
+/// positive for one or two hits, negative for none.
+///
+/// Units of the contracts. In the plane scaled by (1/rx, 1/ry) the side is the unit circle; let S = |origin|
+/// there + 1, with p = `far_power` and Z(t) = |origin.z| + height + |t||direction.z|. *Residual* of a hit on
+/// the side is its distance from the circle in units of ε·S·S^p; of one on a cap, its distance from the cap's
+/// plane in units of ε·Z(t). *Verdict* is the least change of the circle's radius (units ε·S·S^p) or of a
+/// cap's height (units ε·Z(t)) that changes the number of hits. *Ulp* is in ulps of the exact t. *Domain*
+/// speaks of all numbers of the case that are not 0.
+template <class T>
+struct Cylinder {
+  T rx, ry, height;
+  bool capped;
+};
+
+/// The same cylinder in another arithmetic.
+template <class To, class From>
+[[nodiscard]] constexpr Cylinder<To> convert(const Cylinder<From>& c) {
+  return {To(c.rx), To(c.ry), To(c.height), c.capped};
+}
+
+/// The bound, in the units above with p = 0, that a robust ray/cylinder method keeps (Claim::robust).
+inline constexpr double cylinder_robust_bound = 32;
+
+}  // namespace rayproof

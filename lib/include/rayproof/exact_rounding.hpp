@@ -1,0 +1,74 @@
+#pragma once
+/// \file
+/// The last step of the compensated methods: an exact number, known by an estimate and by exact comparisons,
+/// becomes a plain number on its own side of the interval's ends.
+
+#include <rayproof/arithmetics/expansion.hpp>
+#include <rayproof/ray.hpp>
+
+namespace rayproof {
+
+/// Halfway between the greatest float and the power of two that would follow: what is not below rounds to
+/// infinity. No such double lies within the domain of the bounds in double.
+template <class T>
+inline constexpr double infinite_from = sizeof(T) < sizeof(double) ? 0x1.ffffffp127
+                                                                   : std::numeric_limits<double>::infinity();
+
+/// t in T; beside the greatest float, the exact number says whether it is infinite. `compare(x)` is the exact
+/// sign of (number - x).
+template <class T, class Compare>
+[[nodiscard]] T narrowed(double t, Compare&& compare) {
+  if (!(abs(abs(t) - infinite_from<T>) <= 0x1p-40 * abs(t))) return static_cast<T>(t);
+  const int beyond = compare(copysign(infinite_from<T>, t)) * (t > 0 ? 1 : -1);
+  return static_cast<T>(copysign(beyond < 0 ? double{std::numeric_limits<T>::max()} : infinity<double>, t));
+}
+
+/// Puts a rounded number on the exact number's side of each end of the ray's interval, where rounding carried
+/// it across. `compare(end)` is the exact sign of (number - end).
+template <class T, class Compare>
+[[nodiscard]] T keep_side(const Ray<T>& ray, T t, Compare&& compare) {
+  const auto is_near = [&](T end) { return abs(end) < infinity<T> && std::nextafter(t, end) == end; };
+  if (is_near(ray.t_min)) {
+    const bool is_inside = compare(static_cast<double>(ray.t_min)) >= 0;
+    t = is_inside ? max(t, ray.t_min) : min(t, std::nextafter(ray.t_min, -infinity<T>));
+  }
+  if (is_near(ray.t_max)) {
+    const bool is_inside = compare(static_cast<double>(ray.t_max)) <= 0;
+    t = is_inside ? min(t, ray.t_max) : max(t, std::nextafter(ray.t_max, infinity<T>));
+  }
+  return t;
+}
+
+/// numerator / denominator, both exact expansions; the denominator is not 0.
+template <std::size_t N, std::size_t M>
+struct ExactRatio {
+  Expansion<double, N> numerator;
+  Expansion<double, M> denominator;
+
+  /// The exact sign of (ratio - x) for a finite x.
+  [[nodiscard]] int compare(double x) const {
+    return sign(numerator - denominator * exact(x)) * sign(denominator);
+  }
+  /// The exact sign of (ratio - other).
+  template <std::size_t P, std::size_t Q>
+  [[nodiscard]] int compare(const ExactRatio<P, Q>& other) const {
+    return sign(numerator * other.denominator - other.numerator * denominator) * sign(denominator) *
+           sign(other.denominator);
+  }
+};
+template <std::size_t N, std::size_t M>
+ExactRatio(Expansion<double, N>, Expansion<double, M>) -> ExactRatio<N, M>;
+
+/// The ratio in T, within 0.501 ulp, on its own side of the ends of the ray's interval: in_interval(ray, t)
+/// is what it is for the exact ratio.
+template <std::floating_point T, std::size_t N, std::size_t M>
+[[nodiscard]] T rounded(const Ray<T>& ray, const ExactRatio<N, M>& ratio) {
+  const auto compare = [&](double x) { return ratio.compare(x); };
+  double t = estimate(ratio.numerator) / estimate(ratio.denominator);
+  if (sizeof(T) == sizeof(double) && abs(t) < infinity<double>) {
+    t += estimate(ratio.numerator - ratio.denominator * exact(t)) / estimate(ratio.denominator);
+  }
+  return keep_side(ray, narrowed<T>(t, compare), compare);
+}
+
+}  // namespace rayproof

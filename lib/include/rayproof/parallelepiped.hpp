@@ -1,0 +1,34 @@
+#pragma once
+/// \file
+/// The parallelepiped, and the meaning of a ray/parallelepiped method's answers.
+
+#include <array>
+#include <rayproof/roots.hpp>
+
+namespace rayproof {
+
+/// The closed solid of all corner + r·edges[0] + s·edges[1] + t·edges[2] with r, s, t in [0, 1]. The edges
+/// are independent. Its answer is the interval of t inside it, as `chord` has it.
+///
+/// Units of the contracts. Face pair i has the normal nᵢ = eⱼ×eₖ of size Nᵢ = |eⱼ||eₖ|; S = |origin - corner|
+/// + |e₀| + |e₁| + |e₂| and L(t) = S + |t||direction|. *Residual* is the distance of p(t) from the nearest
+/// face plane: |nᵢ·(p(t) - point of the plane)| / (ε·Nᵢ·L(t)). *Verdict* is the least such number at the ends
+/// of the ray's interval, at the entries and exits of the other face pairs, and, for a face pair that is
+/// nearly parallel to the ray, of |nᵢ·direction| / (ε·Nᵢ·|direction|). *Ulp* is in ulps of the exact t.
+/// *Domain* speaks of all numbers of the case that are not 0.
+template <class T>
+struct Parallelepiped {
+  vec3<T> corner;
+  std::array<vec3<T>, 3> edges;
+};
+
+/// The same solid in another arithmetic.
+template <class To, class From>
+[[nodiscard]] constexpr Parallelepiped<To> convert(const Parallelepiped<From>& p) {
+  return {convert<To>(p.corner), {convert<To>(p.edges[0]), convert<To>(p.edges[1]), convert<To>(p.edges[2])}};
+}
+
+/// The bound, in the units above, that a robust method keeps (Claim::robust).
+inline constexpr double parallelepiped_robust_bound = 16;
+
+}  // namespace rayproof

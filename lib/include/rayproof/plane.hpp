@@ -1,0 +1,42 @@
+#pragma once
+/// \file
+/// The plane in its three forms, and the meaning of a ray/plane method's answers.
+
+#include <rayproof/roots.hpp>
+
+namespace rayproof {
+
+/// How a plane is given.
+enum class PlaneForm {
+  implicit,      ///< normal·q + d = 0
+  point_normal,  ///< normal·(q - point) = 0
+  parametric     ///< q = point + a·u + b·v
+};
+
+/// A plane in one of its forms; the members that the form does not speak of are not looked at.
+///
+/// Units of the contracts. Let N = |normal| (|u||v| in the parametric form), P = |d|/|normal| or |point|, and
+/// L(t) = |origin| + P + |t||direction|. *Residual* is the distance of p(t) from the plane, seen through the
+/// form's numbers: |n·(p(t) - point)| / (ε·N·L(t)). *Verdict* is the least of the same at the ends of the
+/// ray's interval and of |n·direction| / (ε·N·|direction|): how near the ray is to an end of its interval or
+/// to being parallel. *Ulp* is in ulps of the exact t. *Domain* speaks of all numbers of the case that are
+/// not 0.
+template <class T>
+struct Plane {
+  PlaneForm form;
+  vec3<T> point;
+  vec3<T> normal;
+  T d;
+  vec3<T> u, v;
+};
+
+/// The same plane in another arithmetic.
+template <class To, class From>
+[[nodiscard]] constexpr Plane<To> convert(const Plane<From>& p) {
+  return {p.form, convert<To>(p.point), convert<To>(p.normal), To(p.d), convert<To>(p.u), convert<To>(p.v)};
+}
+
+/// The bound, in the units above, that a robust ray/plane method keeps (Claim::robust).
+inline constexpr double plane_robust_bound = 16;
+
+}  // namespace rayproof

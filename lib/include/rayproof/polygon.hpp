@@ -1,0 +1,66 @@
+#pragma once
+/// \file
+/// Polygons: in space, met by rays, and in the plane, holding points.
+
+#include <rayproof/roots.hpp>
+#include <vector>
+
+namespace rayproof {
+
+/// A closed polygon in space by the even-odd rule; it may be concave, cross itself, repeat vertices. Its
+/// plane goes through `vertices[0]` with the Newell normal; hit point and vertices are projected along the
+/// axis where that normal is largest in magnitude (ties: the later axis).
+///
+/// Units of the contracts. Let V = Σ|vᵢ||vᵢ₊₁| (which bounds the Newell normal), P the largest |vᵢ|, and
+/// L(t) = |origin| + P + |t||direction|. *Residual* is |normal·(p(t) - v₀)| / (ε·V·L(t)). *Verdict* is the
+/// least of the same at the ends of the ray's interval, of |normal·direction| / (ε·V·|direction|) (nearly
+/// parallel), and of the distance in the projection from the exact hit point to the polygon's boundary in
+/// units of ε·L(t)·V·|direction| / |normal·direction|. *Ulp* is in ulps of the exact t. *Domain* speaks of
+/// all numbers of the case that are not 0.
+template <class T>
+struct Polygon {
+  std::vector<vec3<T>> vertices;
+};
+
+/// The same polygon in another arithmetic.
+template <class To, class From>
+[[nodiscard]] Polygon<To> convert(const Polygon<From>& polygon) {
+  Polygon<To> other;
+  for (const auto& vertex : polygon.vertices) other.vertices.push_back(convert<To>(vertex));
+  return other;
+}
+
+/// A point or vector of the plane.
+template <class T>
+struct Vec2 {
+  T x, y;
+};
+
+/// A point and a closed polygon of the plane by the even-odd rule.
+///
+/// Units of the contracts. *Verdict* is how near the point is to the boundary or to a line through a side:
+/// the least |orientation(point, vᵢ, vᵢ₊₁)| over the sides whose closed range of y holds the point's y, in
+/// units of ε·(|point| + P)², P the largest |vᵢ|; 0 for a point on the boundary. *Domain* speaks of all
+/// numbers of the case that are not 0.
+template <class T>
+struct PointAndPolygon {
+  Vec2<T> point;
+  std::vector<Vec2<T>> vertices;
+};
+
+/// Where a point lies; the names of the case format.
+enum class Position { outside, boundary, inside };
+
+/// The same question in another arithmetic.
+template <class To, class From>
+[[nodiscard]] PointAndPolygon<To> convert(const PointAndPolygon<From>& from) {
+  PointAndPolygon<To> other{{To(from.point.x), To(from.point.y)}, {}};
+  for (const auto& v : from.vertices) other.vertices.push_back({To(v.x), To(v.y)});
+  return other;
+}
+
+/// The bounds, in the units above, that robust methods keep (Claim::robust).
+inline constexpr double polygon_robust_bound = 16;
+inline constexpr double point_in_polygon_robust_bound = 16;
+
+}  // namespace rayproof
