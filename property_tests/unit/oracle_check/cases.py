@@ -1,7 +1,6 @@
-"""Random cases that are hard to answer: every exponent, tangents, ties, roots at the interval's ends, bad transforms."""
+"""Random spheres and quadratics that are hard to answer: every exponent, tangents, ties, nearly double roots."""
 
-from fractions import Fraction
-from math import inf, isfinite
+from placing import place
 
 PYTHAGOREAN = [(3, 4, 5), (5, 12, 13), (8, 15, 17), (7, 24, 25), (20, 21, 29)]
 
@@ -57,40 +56,8 @@ def axis_sphere(source):
     return sphere_case(origin, direction, center, source.random.choice([0.0, abs(source.short())]))
 
 
-def transform(source):
-    """A random matrix by rows: whole numbers, badly conditioned, of any size, or singular."""
-    random = source.random
-    kind = random.choice([source.whole, source.plain, source.any, source.power, source.bits, source.short])
-    rows = [[kind() for _ in range(4)] for _ in range(3)]
-    flaw = random.random()
-    if flaw < 0.3:  # nearly singular
-        rows[1] = [source.beside(x) for x in rows[0]]
-    elif flaw < 0.35:  # exactly so
-        rows[2] = [source.rounded(2 * Fraction(x)) for x in rows[1]]
-    elif flaw < 0.6:  # a diagonal, mirrored or permuted
-        order = random.sample(range(3), 3)
-        rows = [[kind() if j in (order[i], 3) else 0.0 for j in range(4)] for i in range(3)]
-    last = [0.0, 0.0, 0.0, 1.0] if random.random() < 0.98 else [0.0, 0.0, kind(), 1.0]
-    return rows + [last]
-
-
-def moved(source, rows, vector, w):
-    """The image of a point (w = 1) or direction (w = 0), rounded; exact where the numbers are few and small."""
-    exact = [sum(Fraction(m) * Fraction(x) for m, x in zip(row, [*vector, w])) for row in rows[:3]]
-    return [source.rounded(x) for x in exact]
-
-
 def sphere(source):
-    case = source.random.choice([any_sphere, aimed_sphere, tangent_sphere, axis_sphere])(source)
-    if source.random.random() > 0.4:
-        return case
-    case["transform"] = transform(source)
-    if all(isfinite(x) for row in case["transform"] for x in row) and source.random.random() < 0.85:
-        origin = moved(source, case["transform"], case["ray"]["origin"], 1)
-        direction = moved(source, case["transform"], case["ray"]["direction"], 0)
-        if any(direction) and all(map(isfinite, origin + direction)):
-            case["ray"] = {"origin": origin, "direction": direction}
-    return case
+    return place(source, source.random.choice([any_sphere, aimed_sphere, tangent_sphere, axis_sphere])(source))
 
 
 def quadratic(source):
@@ -105,16 +72,3 @@ def quadratic(source):
         if source.random.random() < 0.5:
             b = source.beside(b)
     return {"query": "quadratic", "a": a, "b": b, "c": c}
-
-
-def with_interval(source, case, hits):
-    """The case with an interval whose ends lie on or beside the hits, which are often themselves hits."""
-    def end():
-        t = source.random.choice(hits) if hits else source.plain()
-        return source.beside(t) if source.random.random() < 0.7 and isfinite(t) else t
-    lower, upper = sorted([end(), end() if source.random.random() < 0.6 else inf])
-    case["ray"]["t_min"] = -inf if source.random.random() < 0.2 or lower == inf else lower
-    case["ray"]["t_max"] = upper
-    if source.random.random() < 0.03:
-        case["ray"]["t_min"], case["ray"]["t_max"] = upper, case["ray"]["t_min"]
-    return case

@@ -1,0 +1,37 @@
+"""A ray and a box or a parallelepiped."""
+
+from algebra import IDENTITY, MISS, Meeting, at, image, inverse, minus, rational
+from rounding import Surd
+
+
+def meet_slabs(o, d, lower, upper, gradients, inside):
+    """A line and lower <= x <= upper, where gradients[k] is the normal of growing x[k]."""
+    spans = []
+    for k in range(3):
+        if d[k] != 0:
+            spans.append(sorted(((lower[k] - o[k]) / d[k], (upper[k] - o[k]) / d[k])))
+        elif not lower[k] <= o[k] <= upper[k]:
+            return MISS
+    enter, leave = max(span[0] for span in spans), min(span[1] for span in spans)
+    if enter > leave:
+        return MISS
+    hits = [t for t in sorted({enter, leave}) if inside(Surd(t))]
+    if not hits:
+        return MISS
+
+    p = at(o, d, hits[0])
+    faces = [[-x for x in gradients[k]] for k in range(3) if p[k] == lower[k]]
+    faces += [gradients[k] for k in range(3) if p[k] == upper[k]]
+    normal = rational(faces[0]) if len(faces) == 1 else None
+    return Meeting("tangent" if enter == leave else "crossing", map(Surd, hits), normal)
+
+
+def meet_box(box, o, d, inside):
+    return meet_slabs(o, d, box["min"], box["max"], IDENTITY, inside)
+
+
+def meet_parallelepiped(solid, o, d, inside):
+    """In the coordinates along the edges the solid is the unit cube."""
+    along = inverse(list(zip(*solid["edges"])))
+    local = image(along, minus(o, solid["corner"]))
+    return meet_slabs(local, image(along, d), [0, 0, 0], [1, 1, 1], along, inside)
