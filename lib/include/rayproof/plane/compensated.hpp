@@ -1,0 +1,91 @@
+#pragma once
+#include <rayproof/contract.hpp>
+#include <rayproof/exact_rounding.hpp>
+#include <rayproof/finite.hpp>
+#include <rayproof/narration.hpp>
+#include <rayproof/plane.hpp>
+
+namespace rayproof::plane {
+
+/// Numerator and denominator of t as exact expansions in double, in the plane's own form: the verdict is the
+/// exact one, t is within 0.501 ulp, and no answer is rounded across an end of the ray's interval.
+///
+/// Holds for all finite floats; for doubles while every number that is not 0 lies within 2^±200, beyond which
+/// terms of the expansions over- or underflow.
+struct Compensated {
+  static constexpr const char* name = "compensated";
+  static constexpr const char* title = "exact numerator and denominator by expansions";
+  static constexpr Source source{
+      "J. R. Shewchuk", "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates",
+      1997};
+  static constexpr int far_power = 0;
+  static constexpr Contract contract{
+      .verdict = {.measured = 0, .promised = 0},
+      .residual = {.promised = 2},
+      .ulp = {.measured = 0.501, .promised = 1},
+      .domain = {.reach_float = 1000, .reach_double = 200, .every_number = true},
+      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::ulp, Claim::robust,
+                                       Claim::moved, Claim::scaled, Claim::reversed}};
+
+  template <std::floating_point T>
+  [[nodiscard]] static FlatHit<T> roots(const Ray<T>& ray, const Plane<T>& plane) {
+    if (!is_finite(ray.origin) || !is_finite(ray.direction)) return no_hit<T>();
+    switch (plane.form) {
+      case PlaneForm::implicit:
+        return meet_implicit(ray, plane);
+      case PlaneForm::point_normal:
+        return meet_point_normal(ray, plane);
+      case PlaneForm::parametric:
+        return meet_parametric(ray, plane);
+    }
+    return no_hit<T>();
+  }
+
+ private:
+  template <class T>
+  static FlatHit<T> no_hit() {
+    return flat_hit(false, T(not_a_number<T>), T(0), T(0));
+  }
+
+  template <class T>
+  static FlatHit<T> meet_implicit(const Ray<T>& ray, const Plane<T>& plane) {
+    if (!is_finite(plane.normal) || !is_finite(plane.d)) return no_hit<T>();
+    step<T>("Put the ray into the plane's equation exactly");
+    const auto n = exact_vector<double>(plane.normal);
+    const auto at_origin = dot(n, exact_vector<double>(ray.origin)) + exact(double{plane.d});
+    const auto along = dot(n, exact_vector<double>(ray.direction));
+    if (sign(along) == 0) return no_hit<T>();
+    return flat_hit(true, rounded(ray, ExactRatio{-at_origin, along}), T(0), T(0));
+  }
+
+  template <class T>
+  static FlatHit<T> meet_point_normal(const Ray<T>& ray, const Plane<T>& plane) {
+    if (!is_finite(plane.normal) || !is_finite(plane.point)) return no_hit<T>();
+    step<T>("Form the way to the plane and the way the ray gains on it exactly");
+    const auto n = exact_vector<double>(plane.normal);
+    const auto w = exact_vector<double>(plane.point) - exact_vector<double>(ray.origin);
+    const auto along = dot(n, exact_vector<double>(ray.direction));
+    if (sign(along) == 0) return no_hit<T>();
+    return flat_hit(true, rounded(ray, ExactRatio{dot(n, w), along}), T(0), T(0));
+  }
+
+  template <class T>
+  static FlatHit<T> meet_parametric(const Ray<T>& ray, const Plane<T>& plane) {
+    if (!is_finite(plane.point) || !is_finite(plane.u) || !is_finite(plane.v)) return no_hit<T>();
+    step<T>("Form the determinants of Cramer's rule exactly");
+    const auto u = exact_vector<double>(plane.u);
+    const auto v = exact_vector<double>(plane.v);
+    const auto d = exact_vector<double>(ray.direction);
+    const auto w = exact_vector<double>(ray.origin) - exact_vector<double>(plane.point);
+    const auto n = cross(u, v);
+    const auto D = dot(n, d);
+    if (sign(D) == 0) return no_hit<T>();
+
+    step<T>("Round each quotient once");
+    return flat_hit(true, rounded(ray, ExactRatio{-dot(n, w), D}),
+                    rounded_alone<T>(ExactRatio{dot(cross(v, d), w), D}),
+                    rounded_alone<T>(ExactRatio{dot(cross(d, u), w), D}));
+  }
+};
+
+}  // namespace rayproof::plane

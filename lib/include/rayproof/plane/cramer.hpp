@@ -1,0 +1,34 @@
+#pragma once
+#include <rayproof/narration.hpp>
+#include <rayproof/ray.hpp>
+
+namespace rayproof::plane {
+
+/// The solution of point + a·u + b·v = o + t·d⃗, and the determinant of the system; all NaN or infinite where
+/// the determinant is 0.
+template <class T>
+struct Meeting {
+  T determinant;
+  T t;
+  T a;
+  T b;
+};
+
+/// Cramer's rule on the 3×3 system with the columns u, v, d⃗ and the unknowns a, b, -t.
+template <class T>
+[[nodiscard]] constexpr Meeting<T> meet_by_cramer(const Ray<T>& ray, const vec3<T>& point, const vec3<T>& u,
+                                                  const vec3<T>& v) {
+  step<T>("Form the determinant of u, v and the direction");
+  const vec3<T> w = named("w", ray.origin - point);
+  const vec3<T> d = ray.direction;
+  const vec3<T> n = named("u×v", cross(u, v));
+  const T D = named("D", dot(n, d));
+
+  step<T>("Put w in the place of each column in turn");
+  const T D_a = named("D_a", dot(cross(w, v), d));
+  const T D_b = named("D_b", dot(cross(u, w), d));
+  const T D_t = named("D_t", dot(n, w));
+  return {D, named("t", -D_t / D), named("a", D_a / D), named("b", D_b / D)};
+}
+
+}  // namespace rayproof::plane

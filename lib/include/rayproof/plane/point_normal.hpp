@@ -1,0 +1,38 @@
+#pragma once
+#include <rayproof/contract.hpp>
+#include <rayproof/plane/forms.hpp>
+
+namespace rayproof::plane {
+
+/// The t at which a ray meets the plane through `point` with the normal `n`: n·(point - o) / (n·d⃗); none
+/// where n·d⃗ = 0.
+template <class T>
+[[nodiscard]] constexpr FlatHit<T> meet(const Ray<T>& ray, const vec3<T>& point, const vec3<T>& n) {
+  step<T>("Compare the way to the plane with the way the ray gains on it");
+  const T distance = named("n·(p - o)", dot(n, point - ray.origin));
+  const T along = named("n·d⃗", dot(n, ray.direction));
+  return flat_hit(along != T(0), named("t", distance / along), T(0), T(0));
+}
+
+/// t = n·(p - o) / (n·d⃗) for a point p of the plane.
+///
+/// A ray with n·d⃗ = 0 is parallel to the plane or runs inside it: a miss.
+struct ByPointAndNormal {
+  static constexpr const char* name = "point_normal";
+  static constexpr const char* title = "a point of the plane and its normal";
+  static constexpr Source source{"R. Bán", "Számítógépes grafika: Raycasting", 2022};
+  static constexpr int far_power = 0;
+  static constexpr Contract contract{
+      .verdict = {.promised = plane_robust_bound},
+      .residual = {.promised = plane_robust_bound},
+      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::robust, Claim::moved,
+                                       Claim::scaled, Claim::reversed, Claim::bounded}};
+
+  template <class T>
+  [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Plane<T>& plane) {
+    const auto [point, normal] = as_point_normal(plane);
+    return meet(ray, point, normal);
+  }
+};
+
+}  // namespace rayproof::plane

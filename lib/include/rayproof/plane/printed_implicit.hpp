@@ -1,0 +1,36 @@
+#pragma once
+#include <rayproof/contract.hpp>
+#include <rayproof/plane/forms.hpp>
+
+namespace rayproof::plane {
+
+/// t = -(x₀ + y₀ + z₀ + D) / (n·d⃗), **as printed** in the source: the coefficients A, B, C are missing in the
+/// numerator.
+///
+/// Kept so that the property tests refute it; right only for A = B = C = 1. ByEquation is the mended form.
+struct PrintedImplicit {
+  static constexpr const char* name = "printed_implicit";
+  static constexpr const char* title = "as printed: no coefficients in the numerator";
+  static constexpr Source source{"R. Bán", "Számítógépes grafika: Raycasting", 2022};
+  static constexpr int far_power = 0;
+  static constexpr Contract contract{
+      .standing = Standing::printed,
+      .holds = always_claimed,
+      .refuted = {{{Claim::robust, "the numerator must be Ax₀ + By₀ + Cz₀ + D"},
+                   {Claim::residual, "the point at t does not lie in the plane"}}}};
+
+  template <class T>
+  [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Plane<T>& plane) {
+    const auto [n, d] = as_implicit(plane);
+
+    step<T>("Put the ray into the plane's equation, as printed");
+    const vec3<T> o = ray.origin;
+    const T at_origin = named("x₀ + y₀ + z₀ + D", o.x + o.y + o.z + d);
+    const T along = named("n·d⃗", dot(n, ray.direction));
+
+    step<T>("Solve it for t");
+    return flat_hit(along != T(0), named("t", -at_origin / along), T(0), T(0));
+  }
+};
+
+}  // namespace rayproof::plane

@@ -1,0 +1,31 @@
+#pragma once
+#include <rayproof/plane/implicit.hpp>
+
+namespace rayproof::plane {
+
+/// The plane's equation, and 'parallel' for every ray with n·d⃗ = 0, **as printed** in the source: a ray that
+/// runs inside the plane is parallel to it and in it.
+///
+/// Hit or miss and t are those of ByEquation; wrong is what a miss is called, which is why the verdict is
+/// refuted.
+struct PrintedParallel {
+  static constexpr const char* name = "printed_parallel";
+  static constexpr const char* title = "as printed: a ray inside the plane is parallel";
+  static constexpr Source source{"(lecture)", "Algoritm peresecheniya lucha s prosteishimi ob'ektami", 2022};
+  static constexpr int far_power = 0;
+  /// A ray inside the plane is reported as parallel to it, not as in the surface.
+  static constexpr bool calls_in_plane_parallel = true;
+  static constexpr Contract contract{
+      .standing = Standing::printed,
+      .residual = {.promised = plane_robust_bound},
+      .holds = always_claimed |
+               Claims{Claim::residual, Claim::moved, Claim::scaled, Claim::reversed, Claim::bounded},
+      .refuted = {{{Claim::verdict, "a ray inside the plane is called parallel"}}}};
+
+  template <class T>
+  [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Plane<T>& plane) {
+    return ByEquation::roots(ray, plane);
+  }
+};
+
+}  // namespace rayproof::plane

@@ -1,0 +1,29 @@
+#pragma once
+#include <rayproof/point_in_polygon/winding.hpp>
+
+namespace rayproof::point_in_polygon {
+
+/// The winding number with exact orientations: always right, boundary included.
+///
+/// Holds for all finite floats; for doubles while every number that is not 0 lies within 2^±400, beyond which
+/// terms of the expansions over- or underflow.
+struct Compensated {
+  static constexpr const char* name = "compensated";
+  static constexpr const char* title = "winding number with exact orientations";
+  static constexpr Source source{
+      "J. R. Shewchuk", "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates",
+      1997};
+  static constexpr Contract contract{
+      .verdict = {.measured = 0, .promised = 0},
+      .domain = {.reach_float = 1000, .reach_double = 400, .every_number = true},
+      .holds = always_claimed | Claims{Claim::verdict, Claim::robust, Claim::scaled}};
+
+  template <std::floating_point T>
+  [[nodiscard]] static Position locate(const PointAndPolygon<T>& question) {
+    if (!polygon::is_finite(question)) return Position::outside;
+    return locate_by_winding(
+        question, [&](const Vec2<T>& a, const Vec2<T>& b) { return orientation_sign(question.point, a, b); });
+  }
+};
+
+}  // namespace rayproof::point_in_polygon

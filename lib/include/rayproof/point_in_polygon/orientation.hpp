@@ -1,0 +1,36 @@
+#pragma once
+/// \file
+/// On which side of a directed line a point lies: in rounded numbers, and exactly.
+
+#include <rayproof/arithmetics/expansion.hpp>
+#include <rayproof/polygon.hpp>
+
+namespace rayproof::point_in_polygon {
+
+/// Twice the area of the triangle point, a, b: positive where the point lies to the left of the way from a to
+/// b. Exactly antisymmetric in a and b.
+template <class T>
+[[nodiscard]] constexpr auto orientation(const Vec2<T>& point, const Vec2<T>& a, const Vec2<T>& b) {
+  return (a.x - point.x) * (b.y - point.y) - (a.y - point.y) * (b.x - point.x);
+}
+
+/// The exact sign of the orientation of numbers that double holds.
+///
+/// A double that is clear of its rounding decides it (Shewchuk's ORIENT2D, stage A); else expansions do.
+template <std::floating_point T>
+[[nodiscard]] int orientation_sign(const Vec2<T>& point, const Vec2<T>& a, const Vec2<T>& b) {
+  const auto wide = [](const Vec2<T>& p) { return Vec2<double>{p.x, p.y}; };
+  const Vec2<double> p = wide(point);
+  const double left = (double{a.x} - p.x) * (double{b.y} - p.y);
+  const double right = (double{a.y} - p.y) * (double{b.x} - p.x);
+  const double bound =
+      0x1.8p-51 * (abs(left) + abs(right));  // 4 roundings of 2^-53 each, and a half to spare
+  if (bound > 0x1p-960 && abs(left - right) > bound) return left > right ? 1 : -1;
+
+  const auto expand = [&](const Vec2<T>& q) {
+    return Vec2<Expansion<double, 1>>{exact(double{q.x}), exact(double{q.y})};
+  };
+  return sign(orientation(expand(point), expand(a), expand(b)));
+}
+
+}  // namespace rayproof::point_in_polygon

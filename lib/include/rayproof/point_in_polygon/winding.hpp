@@ -1,0 +1,56 @@
+#pragma once
+#include <rayproof/contract.hpp>
+#include <rayproof/narration.hpp>
+#include <rayproof/point_in_polygon/orientation.hpp>
+#include <rayproof/polygon/ray_segment.hpp>
+
+namespace rayproof::point_in_polygon {
+
+/// How often the polygon winds about a point, from the sides that pass its height with it on their left
+/// (upward: +1) or on their right (downward: -1); nothing is divided. `side(a, b)` is the orientation of the
+/// point and a side, or its sign.
+///
+/// Inside is where the winding number is odd: the even-odd rule. Where a polygon runs twice about a point,
+/// the point is wound about and yet outside.
+template <std::floating_point T, class Side>
+[[nodiscard]] Position locate_by_winding(const PointAndPolygon<T>& question, Side&& side) {
+  step<T>("Add up the turns of the sides about the point");
+  const Vec2<T> p = question.point;
+  int winding = 0;
+  bool is_on_side = false;
+  polygon::for_each_side(question.vertices, [&](const Vec2<T>& a, const Vec2<T>& b) {
+    const bool is_beside = min(a.y, b.y) <= p.y && p.y <= max(a.y, b.y);
+    if (!is_beside) return;
+    const auto orientation = side(a, b);
+    if (orientation == 0) is_on_side = is_on_side || polygon::is_between(p, a, b);
+    if (!polygon::passes(p.y, a, b)) return;
+    const bool is_upward = a.y < b.y;
+    if (is_upward && orientation > 0) ++winding;
+    if (!is_upward && orientation < 0) --winding;
+  });
+  if (is_on_side) return Position::boundary;
+  return winding % 2 != 0 ? Position::inside : Position::outside;
+}
+
+/// The winding number in rounded numbers, inside where it is odd.
+///
+/// Needs no division. A point whose orientation to a side rounds to 0 between the side's ends is on the
+/// boundary.
+struct Winding {
+  static constexpr const char* name = "winding";
+  static constexpr const char* title = "odd or even winding number, without division";
+  static constexpr Source source{"K. Hormann, A. Agathos",
+                                 "The Point in Polygon Problem for Arbitrary Polygons", 2001};
+  static constexpr Contract contract{
+      .verdict = {.promised = point_in_polygon_robust_bound},
+      .holds = always_claimed | Claims{Claim::verdict, Claim::robust, Claim::scaled}};
+
+  template <std::floating_point T>
+  [[nodiscard]] static Position locate(const PointAndPolygon<T>& question) {
+    if (!polygon::is_finite(question)) return Position::outside;
+    return locate_by_winding(
+        question, [&](const Vec2<T>& a, const Vec2<T>& b) { return orientation(question.point, a, b); });
+  }
+};
+
+}  // namespace rayproof::point_in_polygon

@@ -1,0 +1,60 @@
+#pragma once
+/// \file
+/// Rays along +x and the sides of polygons, in the plane: the raw material of every crossing count.
+
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <rayproof/arithmetic.hpp>
+#include <rayproof/polygon.hpp>
+
+namespace rayproof::polygon {
+
+/// Where the ray point + t·(1, 0) meets the line through a and b, which is at a + s·(b - a). For a horizontal
+/// line s and t are infinite or NaN.
+template <class T>
+struct Crossing {
+  T s;
+  T t;
+};
+
+/// Source: R. Bán, "Számítógépes grafika: Raycasting", 2022.
+template <class T>
+[[nodiscard]] constexpr Crossing<T> cross_side(const Vec2<T>& point, const Vec2<T>& a, const Vec2<T>& b) {
+  const T s = (point.y - a.y) / (b.y - a.y);
+  return {s, (a.x - point.x) + s * (b.x - a.x)};
+}
+
+/// Whether the side from a to b leads from the line y = height, or below it, to above it, or back: a side
+/// holds its lower end and not its upper one, so a chain of sides through the line counts once, one that
+/// touches it twice or not at all, and a horizontal side never.
+template <class T>
+[[nodiscard]] constexpr bool passes(const T& height, const Vec2<T>& a, const Vec2<T>& b) {
+  return (a.y <= height) != (b.y <= height);
+}
+
+/// Whether a point on the line through a and b lies between them, ends included.
+template <class T>
+[[nodiscard]] constexpr bool is_between(const Vec2<T>& point, const Vec2<T>& a, const Vec2<T>& b) {
+  return min(a.x, b.x) <= point.x && point.x <= max(a.x, b.x) && min(a.y, b.y) <= point.y &&
+         point.y <= max(a.y, b.y);
+}
+
+/// Calls `visit(vᵢ, vᵢ₊₁)` for each side, the last one back to vertices[0].
+template <class Vertices, class Visit>
+constexpr void for_each_side(const Vertices& vertices, Visit&& visit) {
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    visit(vertices[i], vertices[i + 1 < vertices.size() ? i + 1 : 0]);
+  }
+}
+
+/// No coordinate is NaN or infinite: a crossing count takes no notice of a side it can't compare.
+template <std::floating_point T>
+[[nodiscard]] bool is_finite(const PointAndPolygon<T>& question) {
+  const auto is_finite_point = [](const Vec2<T>& p) { return std::isfinite(p.x) && std::isfinite(p.y); };
+  bool all = is_finite_point(question.point);
+  for (const Vec2<T>& vertex : question.vertices) all = all && is_finite_point(vertex);
+  return all;
+}
+
+}  // namespace rayproof::polygon

@@ -1,0 +1,34 @@
+#pragma once
+#include <rayproof/contract.hpp>
+#include <rayproof/plane/cramer.hpp>
+#include <rayproof/triangle.hpp>
+
+namespace rayproof::triangle {
+
+/// a + u·(b-a) + v·(c-a) = o + t·d⃗ by Cramer's rule, inside where u >= 0, v >= 0 and u + v <= 1.
+///
+/// Each triangle judges its edges by its own rounded numbers, so a ray can slip between two triangles that
+/// share an edge.
+struct Cramer {
+  static constexpr const char* name = "cramer";
+  static constexpr const char* title = "parametric plane by Cramer's rule";
+  static constexpr Source source{"R. Bán", "Számítógépes grafika: Raycasting", 2022};
+  static constexpr int far_power = 0;
+  static constexpr Contract contract{
+      .verdict = {.promised = triangle_robust_bound},
+      .residual = {.promised = triangle_robust_bound},
+      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::robust, Claim::moved,
+                                       Claim::scaled, Claim::reversed, Claim::bounded}};
+
+  template <class T>
+  [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Triangle<T>& triangle) {
+    const auto [D, t, u, v] = plane::meet_by_cramer(ray, triangle.a, vec3<T>(triangle.b - triangle.a),
+                                                    vec3<T>(triangle.c - triangle.a));
+
+    step<T>("Ask whether the point lies in the triangle");
+    const Mask<T> is_inside = u >= T(0) && v >= T(0) && u + v <= T(1);
+    return flat_hit(D != T(0) && is_inside, t, u, v);
+  }
+};
+
+}  // namespace rayproof::triangle

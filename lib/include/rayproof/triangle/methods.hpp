@@ -1,0 +1,44 @@
+#pragma once
+/// \file
+/// The ray/triangle methods, one line each.
+
+#include <rayproof/triangle/compensated.hpp>
+#include <rayproof/triangle/cramer.hpp>
+#include <rayproof/triangle/moller_trumbore.hpp>
+#include <rayproof/triangle/plane_projection.hpp>
+#include <rayproof/triangle/plucker.hpp>
+#include <rayproof/triangle/printed_lambda2.hpp>
+#include <rayproof/triangle/printed_parallelogram.hpp>
+#include <rayproof/triangle/printed_xy.hpp>
+#include <rayproof/triangle/woop.hpp>
+#include <rayproof/type_list.hpp>
+
+namespace rayproof::triangle {
+
+/// The topic as the registries see it.
+struct Topic {
+  static constexpr const char* name = "triangle";
+  static constexpr double robust_bound = triangle_robust_bound;
+  using Methods = TypeList<Cramer, PlaneProjection, MollerTrumbore, Woop, Pluecker, Compensated,
+                           PrintedParallelogram, PrintedLambda2, PrintedXy>;
+
+  /// A ray and the triangle it is put to.
+  template <class T>
+  struct Problem {
+    Ray<T> ray;
+    Triangle<T> shape;
+
+    template <class To>
+    [[nodiscard]] constexpr Problem<To> as() const {
+      return {convert<To>(ray), convert<To>(shape)};
+    }
+  };
+
+  /// Runs a method's kernel on a problem, in the problem's arithmetic.
+  template <class Method, class T>
+  [[nodiscard]] static constexpr auto solve(const Problem<T>& problem) {
+    return Method::roots(problem.ray, problem.shape);
+  }
+};
+
+}  // namespace rayproof::triangle

@@ -1,0 +1,38 @@
+#pragma once
+#include <rayproof/contract.hpp>
+#include <rayproof/triangle/in_plane.hpp>
+
+namespace rayproof::triangle {
+
+/// The point where the ray meets the triangle's plane, then its barycentric coordinates in the projection
+/// along the normal's largest axis.
+///
+/// t is as good as any; but the rounding of the point, which for a ray that grazes the plane or a triangle
+/// thin as a needle is large beside the triangle, decides whether it counts. Two triangles with one edge
+/// round that point apart, so a ray can slip between them.
+struct PlaneProjection {
+  static constexpr const char* name = "plane_projection";
+  static constexpr const char* title = "plane, then barycentric coordinates in a projection";
+  static constexpr Source source{"R. Bán", "Számítógépes grafika: Raycasting", 2022};
+  static constexpr int far_power = 0;
+  static constexpr Contract contract{
+      .standing = Standing::naive,
+      .residual = {.promised = triangle_robust_bound},
+      .holds = always_claimed |
+               Claims{Claim::residual, Claim::moved, Claim::scaled, Claim::reversed, Claim::bounded},
+      .refuted = {
+          {{Claim::robust, "the rounding of the hit point is large beside a triangle thin as a needle"}}}};
+
+  template <class T>
+  [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Triangle<T>& triangle) {
+    const auto [t, point, normal] = meet_plane(ray, triangle);
+
+    step<T>("Project along the normal's largest axis");
+    const auto [q, a, b, c] = Projected<T>::along_largest(normal, point, triangle.a, triangle.b, triangle.c);
+
+    step<T>("Find the barycentric coordinates in the projection");
+    return hit_inside(t, barycentric(q, a, b, c));
+  }
+};
+
+}  // namespace rayproof::triangle

@@ -1,0 +1,49 @@
+#pragma once
+#include <rayproof/contract.hpp>
+#include <rayproof/narration.hpp>
+#include <rayproof/triangle.hpp>
+#include <rayproof/triangle/same_side.hpp>
+
+namespace rayproof::triangle {
+
+/// On which side the ray passes each edge, by the Plücker side product: the volume of the direction and the
+/// edge's two ends as seen from the origin.
+///
+/// Two triangles that share an edge compute one number for it, with opposite signs, so no ray slips between
+/// them, though rounding may put it on the wrong side.
+struct Pluecker {
+  static constexpr const char* name = "plucker";
+  static constexpr const char* title = "signs of the three Plücker sides";
+  static constexpr Source source{"R. Jones", "Intersecting a Ray and a Triangle with Plücker Coordinates",
+                                 2000};
+  static constexpr int far_power = 0;
+  static constexpr Contract contract{
+      .verdict = {.promised = triangle_robust_bound},
+      .residual = {.promised = triangle_robust_bound},
+      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::robust, Claim::moved,
+                                       Claim::scaled, Claim::reversed, Claim::bounded}};
+
+  template <class T>
+  [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Triangle<T>& triangle) {
+    step<T>("Move the origin of the ray to the origin");
+    const vec3<T> a = named("a", triangle.a - ray.origin);
+    const vec3<T> b = named("b", triangle.b - ray.origin);
+    const vec3<T> c = named("c", triangle.c - ray.origin);
+    const vec3<T> d = ray.direction;
+
+    step<T>("Find the side on which the ray passes each edge");
+    const T U = named("U", dot(d, cross(b, c)));
+    const T V = named("V", dot(d, cross(c, a)));
+    const T W = named("W", dot(d, cross(a, b)));
+
+    step<T>("Meet the plane of the triangle");
+    // By the edges, not as U + V + W: for a small far triangle those cancel.
+    const vec3<T> n = named("n", cross(triangle.b - triangle.a, triangle.c - triangle.a));
+    const T along = named("n·d⃗", dot(n, d));
+    const T t = named("t", dot(n, a) / along);
+    const T sum = named("U+V+W", U + V + W);
+    return flat_hit(along != T(0) && same_side(U, V, W), t, named("u", V / sum), named("v", W / sum));
+  }
+};
+
+}  // namespace rayproof::triangle

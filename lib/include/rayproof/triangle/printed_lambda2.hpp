@@ -1,0 +1,36 @@
+#pragma once
+#include <rayproof/contract.hpp>
+#include <rayproof/triangle/in_plane.hpp>
+
+namespace rayproof::triangle {
+
+/// PlaneProjection with λ₂ = (-(a_y-c_y)(x-c_x) - (a_x-c_x)(y-c_y)) / D, **as printed** in the source: the
+/// second sign must be +.
+///
+/// Kept so that the property tests refute it.
+struct PrintedLambda2 {
+  static constexpr const char* name = "printed_lambda2";
+  static constexpr const char* title = "as printed: a wrong sign in the second barycentric coordinate";
+  static constexpr Source source{"R. Bán", "Számítógépes grafika: Raycasting", 2022};
+  static constexpr int far_power = 0;
+  static constexpr Contract contract{.standing = Standing::printed,
+                                     .residual = {.promised = triangle_robust_bound},
+                                     .holds = always_claimed | Claims{Claim::residual},
+                                     .refuted = {{{Claim::robust, "the second sign in λ₂ must be +"}}}};
+
+  template <class T>
+  [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Triangle<T>& triangle) {
+    const auto [t, point, normal] = meet_plane(ray, triangle);
+
+    step<T>("Project along the normal's largest axis");
+    const auto [q, a, b, c] = Projected<T>::along_largest(normal, point, triangle.a, triangle.b, triangle.c);
+
+    step<T>("Find the barycentric coordinates, the second as printed");
+    const T D = named("D", (b.y - c.y) * (a.x - c.x) - (b.x - c.x) * (a.y - c.y));
+    const T as_printed = named("λ₂", (-(a.y - c.y) * (q.x - c.x) - (a.x - c.x) * (q.y - c.y)) / D);
+    const T alpha = barycentric(q, a, b, c).alpha;
+    return hit_inside(t, Barycentric<T>{alpha, as_printed, T(1) - alpha - as_printed});
+  }
+};
+
+}  // namespace rayproof::triangle

@@ -1,0 +1,35 @@
+#pragma once
+#include <rayproof/contract.hpp>
+#include <rayproof/plane/cramer.hpp>
+#include <rayproof/triangle.hpp>
+
+namespace rayproof::triangle {
+
+/// Cramer with 'inside exactly when 0 <= u <= 1 and 0 <= v <= 1', **as printed** in the source: u + v <= 1 is
+/// missing, and the figure is the parallelogram over the triangle.
+///
+/// Kept so that the property tests refute it.
+struct PrintedParallelogram {
+  static constexpr const char* name = "printed_parallelogram";
+  static constexpr const char* title = "as printed: u and v each in [0, 1], a parallelogram";
+  static constexpr Source source{"R. Bán", "Számítógépes grafika: Raycasting", 2022};
+  static constexpr int far_power = 0;
+  static constexpr Contract contract{
+      .standing = Standing::printed,
+      .residual = {.promised = triangle_robust_bound},
+      .holds = always_claimed | Claims{Claim::residual},
+      .refuted = {
+          {{Claim::robust, "u + v <= 1 is missing: the other half of the parallelogram is hit too"}}}};
+
+  template <class T>
+  [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Triangle<T>& triangle) {
+    const auto [D, t, u, v] = plane::meet_by_cramer(ray, triangle.a, vec3<T>(triangle.b - triangle.a),
+                                                    vec3<T>(triangle.c - triangle.a));
+
+    step<T>("Ask whether u and v lie in [0, 1], as printed");
+    const Mask<T> is_inside = u >= T(0) && u <= T(1) && v >= T(0) && v <= T(1);
+    return flat_hit(D != T(0) && is_inside, t, u, v);
+  }
+};
+
+}  // namespace rayproof::triangle

@@ -1,0 +1,34 @@
+#pragma once
+#include <rayproof/contract.hpp>
+#include <rayproof/triangle/in_plane.hpp>
+
+namespace rayproof::triangle {
+
+/// Barycentric coordinates from the equations of x and y whatever the triangle's attitude, **as printed** in
+/// the source: z is always dropped.
+///
+/// Kept so that the property tests refute it. A triangle perpendicular to the xy plane has no area in x and
+/// y and is never hit; one nearly so is hit at random. PlaneProjection is the mended form.
+struct PrintedXy {
+  static constexpr const char* name = "printed_xy";
+  static constexpr const char* title = "as printed: barycentric coordinates in x and y alone";
+  static constexpr Source source{"P. Drábek", "Geometrie pro počítačovou grafiku", 2017};
+  static constexpr int far_power = 0;
+  static constexpr Contract contract{
+      .standing = Standing::printed,
+      .residual = {.promised = triangle_robust_bound},
+      .holds = always_claimed | Claims{Claim::residual},
+      .refuted = {{{Claim::robust, "a triangle perpendicular to the xy plane has no area in x and y"}}}};
+
+  template <class T>
+  [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Triangle<T>& triangle) {
+    const T t = meet_plane(ray, triangle).t;
+    const vec3<T> q = point_at(ray, t);
+    const auto drop_z = [](const vec3<T>& p) { return Vec2<T>{p.x, p.y}; };
+
+    step<T>("Find the barycentric coordinates in x and y, as printed");
+    return hit_inside(t, barycentric(drop_z(q), drop_z(triangle.a), drop_z(triangle.b), drop_z(triangle.c)));
+  }
+};
+
+}  // namespace rayproof::triangle

@@ -1,0 +1,61 @@
+#pragma once
+#include <rayproof/contract.hpp>
+#include <rayproof/largest_axis.hpp>
+#include <rayproof/narration.hpp>
+#include <rayproof/triangle.hpp>
+#include <rayproof/triangle/edge_function.hpp>
+#include <rayproof/triangle/same_side.hpp>
+
+namespace rayproof::triangle {
+
+/// The scene sheared and scaled so that the ray is the z axis, then the three edge functions of the origin
+/// with their exact signs: watertight.
+///
+/// A vertex is sheared alike for all its triangles and an edge function has the sign of its exact value, so
+/// no ray passes between two triangles that share an edge or all around a vertex that they share. Departs
+/// from its source in that edge functions need no second try in double, and that no axes are swapped to keep
+/// the winding: either side counts.
+struct Woop {
+  static constexpr const char* name = "woop";
+  static constexpr const char* title = "watertight: sheared to the ray, exact edge functions";
+  static constexpr Source source{"S. Woop, C. Benthin, I. Wald", "Watertight Ray/Triangle Intersection",
+                                 2013};
+  static constexpr int far_power = 0;
+  static constexpr Contract contract{
+      .verdict = {.promised = triangle_robust_bound},
+      .residual = {.promised = triangle_robust_bound},
+      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::robust, Claim::moved,
+                                       Claim::scaled, Claim::reversed, Claim::bounded}};
+
+  template <class T>
+  [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Triangle<T>& triangle) {
+    step<T>("Call z the axis along which the ray is longest");
+    const LargestAxisLast<T> turned(ray.direction);
+    const vec3<T> d = named("d", turned(ray.direction));
+    const T shear_x = named("S_x", d.x / d.z);
+    const T shear_y = named("S_y", d.y / d.z);
+
+    step<T>("Shear the vertices so that the ray becomes the z axis");
+    const auto sheared = [&](const vec3<T>& vertex) {
+      const vec3<T> w = turned(vertex - ray.origin);
+      return vec3<T>{w.x - shear_x * w.z, w.y - shear_y * w.z, w.z};
+    };
+    const vec3<T> a = named("a", sheared(triangle.a));
+    const vec3<T> b = named("b", sheared(triangle.b));
+    const vec3<T> c = named("c", sheared(triangle.c));
+
+    step<T>("Find the side on which the ray passes each edge");
+    const T U = named("U", edge_function(c.x, b.y, c.y, b.x));
+    const T V = named("V", edge_function(a.x, c.y, a.y, c.x));
+    const T W = named("W", edge_function(b.x, a.y, b.y, a.x));
+    const T D = named("D", U + V + W);
+
+    step<T>("Weigh the depths of the vertices");
+    const T u = named("u", V / D);
+    const T v = named("v", W / D);
+    const T z = named("z", (U * a.z + V * b.z + W * c.z) / D);
+    return flat_hit(D != T(0) && same_side(U, V, W), named("t", z / d.z), u, v);
+  }
+};
+
+}  // namespace rayproof::triangle
