@@ -1,0 +1,47 @@
+#pragma once
+#include <rayproof/box.hpp>
+#include <rayproof/box/exact_slab.hpp>
+#include <rayproof/contract.hpp>
+#include <rayproof/narration.hpp>
+
+namespace rayproof::box {
+
+/// Slabs with nothing rounded before the last step: two t are compared by their exact cross products, so the
+/// verdict is the exact one, and an edge that is touched counts once.
+///
+/// An answer is never rounded across an end of the ray's interval; entry and exit may round to one number and
+/// are still two, with a discriminant of 1. Holds for all finite floats; for doubles while every number that
+/// is not 0 lies within 2^±480, beyond which the products over- or underflow.
+struct Compensated {
+  static constexpr const char* name = "compensated";
+  static constexpr const char* title = "slabs compared exactly by expansions";
+  static constexpr Source source{
+      "J. R. Shewchuk", "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates",
+      1997};
+  static constexpr int far_power = 0;
+  static constexpr Contract contract{
+      .verdict = {.measured = 0, .promised = 0},
+      .ulp = {.promised = 0.501},
+      .domain = {.reach_float = 1000, .reach_double = 480, .every_number = true},
+      .holds = always_claimed | Claims{Claim::verdict, Claim::ulp, Claim::robust, Claim::moved, Claim::scaled,
+                                       Claim::reversed}};
+
+  template <std::floating_point T>
+  [[nodiscard]] static Roots<T> roots(const Ray<T>& ray, const Box<T>& box) {
+    constexpr T nan = not_a_number<T>;
+    if (!are_finite(ray.origin, ray.direction, box.min, box.max)) return {T(-1), nan, nan};
+
+    step<T>("Form the way to each plane exactly");
+    const auto o = exact_vector<double>(ray.origin);
+    const auto d = exact_vector<double>(ray.direction);
+    const auto below = exact_vector<double>(box.min) - o;
+    const auto above = exact_vector<double>(box.max) - o;
+
+    step<T>("Compare entries and exits by cross products, and round the last and the first");
+    using AxisSlab = ExactSlab<2, 1>;
+    return exact_chord(ray, std::array{AxisSlab(d.x, below.x, above.x), AxisSlab(d.y, below.y, above.y),
+                                       AxisSlab(d.z, below.z, above.z)});
+  }
+};
+
+}  // namespace rayproof::box

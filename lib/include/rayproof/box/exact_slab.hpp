@@ -1,0 +1,72 @@
+#pragma once
+/// \file
+/// Slabs in exact arithmetic: the entries and exits are ratios of expansions, and no comparison is rounded.
+
+#include <array>
+#include <rayproof/exact_rounding.hpp>
+#include <rayproof/roots.hpp>
+
+namespace rayproof::box {
+
+/// Whether every coordinate is a finite number.
+template <class... Vectors>
+[[nodiscard]] bool are_finite(const Vectors&... vectors) {
+  return ((std::isfinite(vectors.x) && std::isfinite(vectors.y) && std::isfinite(vectors.z)) && ...);
+}
+
+/// An exact t, and a double within 2^-50 of its size that spares most comparisons their exact products.
+template <std::size_t N, std::size_t M>
+struct ExactTime {
+  ExactRatio<N, M> ratio;
+  double approximate;
+
+  ExactTime(const Expansion<double, N>& numerator, const Expansion<double, M>& denominator)
+      : ratio{numerator, denominator}, approximate(estimate(numerator) / estimate(denominator)) {}
+
+  /// The exact sign of (this - other).
+  [[nodiscard]] int compare(const ExactTime& other) const {
+    const double difference = approximate - other.approximate;
+    const double doubt = 0x1p-48 * (abs(approximate) + abs(other.approximate));
+    if (abs(difference) > doubt) return difference > 0 ? 1 : -1;
+    return ratio.compare(other.ratio);
+  }
+};
+
+/// When a line is between two parallel planes, as `Slab` has it. Where it runs parallel to them, entry and
+/// exit mean nothing, and it is in the slab for ever or never.
+template <std::size_t N, std::size_t M>
+struct ExactSlab {
+  bool is_parallel;
+  bool is_between;  ///< of the origin
+  ExactTime<N, M> entry, exit;
+
+  /// As `slab_of`: the planes are `below` and `above` ahead of a line that gains `speed` per unit of t.
+  ExactSlab(const Expansion<double, M>& speed, const Expansion<double, N>& below,
+            const Expansion<double, N>& above)
+      : is_parallel(sign(speed) == 0),
+        is_between(sign(below) <= 0 && sign(above) >= 0),
+        entry(sign(speed) > 0 ? below : above, speed),
+        exit(sign(speed) > 0 ? above : below, speed) {}
+};
+
+/// What three slabs have in common, as `chord`: the verdict is exact, and each end is rounded once.
+template <std::floating_point T, std::size_t N, std::size_t M>
+[[nodiscard]] Roots<T> exact_chord(const Ray<T>& ray, const std::array<ExactSlab<N, M>, 3>& slabs) {
+  constexpr Roots<T> miss{T(-1), not_a_number<T>, not_a_number<T>};
+  const ExactTime<N, M>* entry = nullptr;
+  const ExactTime<N, M>* exit = nullptr;
+  for (const ExactSlab<N, M>& slab : slabs) {
+    if (slab.is_parallel && !slab.is_between) return miss;
+    if (slab.is_parallel) continue;
+    if (entry == nullptr || slab.entry.compare(*entry) > 0) entry = &slab.entry;
+    if (exit == nullptr || slab.exit.compare(*exit) < 0) exit = &slab.exit;
+  }
+  if (entry == nullptr) return miss;  // the direction is 0
+  const int length = exit->compare(*entry);
+  if (length < 0) return miss;
+  const T t_entry = rounded(ray, entry->ratio);
+  if (length == 0) return {T(0), t_entry, t_entry};
+  return ascending(T(1), t_entry, rounded(ray, exit->ratio));
+}
+
+}  // namespace rayproof::box

@@ -1,0 +1,39 @@
+#pragma once
+#include <rayproof/box/slabs_inverse.hpp>
+
+namespace rayproof::box {
+
+/// Slabs whose far end is moved two ulps on before it is compared with the near one, so that rounding does
+/// not part a ray from a box that it touches.
+///
+/// What a traversal of a tree of boxes wants, since there a box too many costs time and a box too few a hole.
+/// As an answer about the box it is wrong on purpose: it takes a ray that passes an edge within a few ulps
+/// for a hit, and every exit for later than it is. Two ulps suffice where the roundings of t do not all
+/// conspire; six of 2^-24 are the bound, four are added.
+struct Padded {
+  static constexpr const char* name = "padded";
+  static constexpr const char* title = "slabs with the far end moved two ulps on";
+  static constexpr Source source{"T. Ize", "Robust BVH Ray Traversal", 2013};
+  static constexpr int far_power = 0;
+  static constexpr Contract contract{
+      .standing = Standing::naive,
+      .verdict = {.promised = 8},
+      .ulp = {.promised = 6},
+      .domain = {.reach_float = 48, .reach_double = 480, .every_number = true},
+      .holds = always_claimed | Claims{Claim::ulp, Claim::moved, Claim::scaled, Claim::bounded},
+      .refuted = {
+          {{Claim::robust, "conservative is not exact: a ray that passes an edge within two ulps is a hit"},
+           {Claim::reversed, "only the far end is moved, and reversing the ray makes it the near one"}}}};
+
+  template <class T>
+  [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Box<T>& box) {
+    const auto [entry, exit] = SlabsInverse::common_interval(ray, box);
+
+    step<T>("Move the far end two ulps on");
+    const T two_ulps = T(2 * std::numeric_limits<Plain<T>>::epsilon());
+    const T padded = named("t_padded", exit + two_ulps * abs(exit));
+    return chord(entry, padded);
+  }
+};
+
+}  // namespace rayproof::box

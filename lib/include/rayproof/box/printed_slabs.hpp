@@ -1,0 +1,49 @@
+#pragma once
+#include <rayproof/box.hpp>
+#include <rayproof/box/slab.hpp>
+#include <rayproof/contract.hpp>
+
+namespace rayproof::box {
+
+/// Slabs with a precomputed 1/v and no thought of v = 0, **as printed** in the source.
+///
+/// Kept so that the property tests refute it. Where v = 0 the products are ∞ and -∞, which serve, unless the
+/// origin is in a face's plane: 0·∞ is NaN, with which every comparison is false, and the ray in the face is
+/// lost. SlabsInverse is the mended form.
+struct PrintedSlabs {
+  static constexpr const char* name = "printed_slabs";
+  static constexpr const char* title = "as printed: 0·∞ for a ray in a face";
+  static constexpr Source source{"R. Bán", "Számítógépes grafika: Raycasting", 2022};
+  static constexpr int far_power = 0;
+  static constexpr Contract contract{
+      .standing = Standing::printed,
+      .holds = always_claimed,
+      .refuted = {{{Claim::robust, "a ray that runs in a face meets 0·∞, which is NaN and no hit"}}}};
+
+  template <class T>
+  [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Box<T>& box) {
+    step<T>("Invert the direction");
+    const vec3<T> v = ray.direction;
+    const vec3<T> per_v = named("1/v", vec3<T>{T(1) / v.x, T(1) / v.y, T(1) / v.z});
+
+    step<T>("Meet both planes of each axis, as printed");
+    const vec3<T> below = box.min - ray.origin;
+    const vec3<T> above = box.max - ray.origin;
+    const Slab<T> x = swapped_into_order(below.x * per_v.x, above.x * per_v.x);
+    const Slab<T> y = swapped_into_order(below.y * per_v.y, above.y * per_v.y);
+    const Slab<T> z = swapped_into_order(below.z * per_v.z, above.z * per_v.z);
+    const auto [t_near, t_far] = overlap(x, y, z);
+
+    step<T>("Drop the box behind the ray");
+    return chord(select(t_far < T(0), T(not_a_number<T>), t_near), t_far);
+  }
+
+ private:
+  template <class T>
+  static constexpr Slab<T> swapped_into_order(const T& t1, const T& t2) {
+    const Mask<T> is_swapped = t2 < t1;
+    return {select(is_swapped, t2, t1), select(is_swapped, t1, t2)};
+  }
+};
+
+}  // namespace rayproof::box

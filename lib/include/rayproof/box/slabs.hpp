@@ -1,0 +1,41 @@
+#pragma once
+#include <rayproof/box.hpp>
+#include <rayproof/box/slab.hpp>
+#include <rayproof/contract.hpp>
+
+namespace rayproof::box {
+
+/// Three slabs, a division for each of their six planes; an axis along which the ray does not move is inside
+/// its slab or outside.
+///
+/// Every t has two roundings, the difference's and the quotient's, and is off by no more however far the box
+/// is.
+struct Slabs {
+  static constexpr const char* name = "slabs";
+  static constexpr const char* title = "slabs, a division for each plane";
+  static constexpr Source source{"T. L. Kay, J. T. Kajiya", "Ray Tracing Complex Scenes", 1986};
+  static constexpr int far_power = 0;
+  static constexpr Contract contract{
+      .verdict = {.promised = 4},
+      .ulp = {.promised = 2},
+      .domain = {.reach_float = 48, .reach_double = 480, .every_number = true},
+      .holds = always_claimed | Claims{Claim::verdict, Claim::ulp, Claim::robust, Claim::moved, Claim::scaled,
+                                       Claim::reversed, Claim::bounded}};
+
+  template <class T>
+  [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Box<T>& box) {
+    step<T>("Put the origin in the origin");
+    const vec3<T> below = named("min - o", box.min - ray.origin);
+    const vec3<T> above = named("max - o", box.max - ray.origin);
+    const vec3<T> d = ray.direction;
+
+    step<T>("Meet both planes of each axis");
+    const Slab<T> x = slab_of(d.x, below.x, above.x);
+    const Slab<T> y = slab_of(d.y, below.y, above.y);
+    const Slab<T> z = slab_of(d.z, below.z, above.z);
+    const auto [entry, exit] = overlap(x, y, z);
+    return chord(entry, exit);
+  }
+};
+
+}  // namespace rayproof::box

@@ -1,0 +1,46 @@
+#pragma once
+#include <rayproof/contract.hpp>
+#include <rayproof/cylinder/side.hpp>
+
+namespace rayproof::cylinder {
+
+/// The side by geometry: in the plane where it is the unit circle, 1 less the squared distance of the line
+/// from the axis, formed at the point nearest the axis; then half a chord to either side of that point, and
+/// the heights.
+///
+/// As good far away as near by, as sphere::Centred is.
+struct Centred {
+  static constexpr const char* name = "centred";
+  static constexpr const char* title = "discriminant from the point nearest the axis";
+  static constexpr Source source{"E. Haines, J. Günther, T. Akenine-Möller",
+                                 "Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems ch. 7",
+                                 2019};
+  static constexpr int far_power = 0;
+  static constexpr Contract contract{
+      .verdict = {.promised = cylinder_robust_bound},
+      .residual = {.promised = cylinder_robust_bound},
+      .domain = {.reach_float = 20, .reach_double = 200, .every_number = true},
+      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::robust, Claim::moved,
+                                       Claim::scaled, Claim::reversed, Claim::bounded}};
+
+  template <class T>
+  [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Cylinder<T>& cylinder) {
+    const auto [fx, fy, dx, dy] = scaled_to_circle(ray, cylinder);
+
+    step<T>("Find the point nearest the axis");
+    const T per_a = named("1/a", T(1) / (dx * dx + dy * dy));
+    const T t_c = named("t_c", -(fx * dx + fy * dy) * per_a);
+    const T lx = named("l.x", fx + t_c * dx);
+    const T ly = named("l.y", fy + t_c * dy);
+
+    step<T>("Compare its distance with the radius");
+    const T D = named("D", T(1) - (lx * lx + ly * ly));
+
+    step<T>("Go half a chord to either side");
+    const T h = named("h", sqrt(D * per_a));
+    const Roots<T> side{D, named("t₀", t_c - h), named("t₁", t_c + h)};
+    return hits<T>(ray, cylinder, side, fx * fx + fy * fy <= T(1));
+  }
+};
+
+}  // namespace rayproof::cylinder

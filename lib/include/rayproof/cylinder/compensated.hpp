@@ -1,0 +1,101 @@
+#pragma once
+#include <rayproof/contract.hpp>
+#include <rayproof/cylinder/exact_side.hpp>
+#include <rayproof/cylinder/side.hpp>
+#include <rayproof/narration.hpp>
+
+namespace rayproof::cylinder {
+
+/// The side's equation and discriminant by exact expansions, and every comparison of a root with a height
+/// exact: the verdict is the exact one, tangents and rims that are touched included.
+///
+/// An answer is never rounded across an end of the ray's interval. Holds for all finite floats; for doubles
+/// while every number that is not 0 lies within 2^±100, beyond which the products, of degree six, or a root
+/// itself over- or underflow. Radii of 0 and negative heights make no cylinder and are missed.
+struct Compensated {
+  static constexpr const char* name = "compensated";
+  static constexpr const char* title = "exact discriminant and heights by expansions";
+  static constexpr Source source{
+      "J. R. Shewchuk", "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates",
+      1997};
+  static constexpr int far_power = 0;
+  static constexpr Contract contract{
+      .verdict = {.measured = 0, .promised = 0},
+      .residual = {.promised = 4},
+      .ulp = {.promised = 1},
+      .domain = {.reach_float = 1000, .reach_double = 100, .every_number = true},
+      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::ulp, Claim::robust,
+                                       Claim::moved, Claim::scaled, Claim::reversed}};
+
+  template <std::floating_point T>
+  [[nodiscard]] static Roots<T> roots(const Ray<T>& ray, const Cylinder<T>& cylinder) {
+    const vec3<T> size{cylinder.rx, cylinder.ry, cylinder.height};
+    const bool is_solid = size.x != 0 && size.y != 0 && size.z >= 0;
+    if (!is_solid || !box::are_finite(ray.origin, ray.direction, size)) return miss<T>;
+
+    step<T>("Form the way to both ends exactly");
+    const auto o_z = exact(static_cast<double>(ray.origin.z));
+    const auto height = exact(static_cast<double>(cylinder.height));
+    const Heights heights(exact(static_cast<double>(ray.direction.z)), Expansion<double, 1>() - o_z,
+                          height - o_z);
+    if (heights.is_parallel && !heights.is_between) return miss<T>;
+
+    step<T>("Form the coefficients and the discriminant of the side exactly");
+    const ExactSide side(ray, cylinder);
+    if (sign(side.A) == 0) return along_axis(ray, cylinder, side, heights);
+    if (sign(side.E) < 0) return miss<T>;
+
+    step<T>("Compare the roots with the ends, and round what is hit");
+    const bool is_open = !cylinder.capped || sign(side.E) == 0;  // a tangent meets no cap's inside
+    return is_open ? open(ray, side, heights) : capped(ray, side, heights);
+  }
+
+ private:
+  using Heights = box::ExactSlab<2, 1>;
+  template <class T>
+  static constexpr Roots<T> miss{T(-1), not_a_number<T>, not_a_number<T>};
+
+  /// The signs of (root - entry) and (root - exit) for one root of the side; a line that runs between both
+  /// ends never enters nor leaves.
+  struct Place {
+    int after_entry = 1;
+    int after_exit = -1;
+    [[nodiscard]] bool is_between() const { return after_entry >= 0 && after_exit <= 0; }
+  };
+  static Place place(const ExactSide& side, int which, const Heights& heights) {
+    if (heights.is_parallel) return {};
+    return {side.compare(which, heights.entry), side.compare(which, heights.exit)};
+  }
+
+  template <class T>
+  static Roots<T> along_axis(const Ray<T>& ray, const Cylinder<T>& cylinder, const ExactSide& side,
+                             const Heights& heights) {
+    if (!cylinder.capped || sign(side.C) > 0 || heights.is_parallel) return miss<T>;
+    const Roots<T> both{T(1), rounded(ray, heights.entry.ratio), rounded(ray, heights.exit.ratio)};
+    return kept(both, cylinder.height > 0, true);
+  }
+
+  template <class T>
+  static Roots<T> open(const Ray<T>& ray, const ExactSide& side, const Heights& heights) {
+    const bool is_lo = place(side, -1, heights).is_between();
+    const bool is_hi = place(side, 1, heights).is_between();
+    if (!is_lo && !is_hi) return miss<T>;
+    const Roots<T> both = ascending(T(sign(side.E)), side.root(ray, -1), side.root(ray, 1));
+    return kept(both, is_lo, is_hi);
+  }
+
+  template <class T>
+  static Roots<T> capped(const Ray<T>& ray, const ExactSide& side, const Heights& heights) {
+    const Place lo = place(side, -1, heights);
+    const Place hi = place(side, 1, heights);
+    if (hi.after_entry < 0 || lo.after_exit > 0) return miss<T>;
+    const bool is_flat = !heights.is_parallel && heights.entry.compare(heights.exit) == 0;
+    const bool is_one = hi.after_entry == 0 || lo.after_exit == 0 || is_flat;
+    const T entry = lo.after_entry >= 0 ? side.root(ray, -1) : rounded(ray, heights.entry.ratio);
+    const T exit = hi.after_exit <= 0 ? side.root(ray, 1) : rounded(ray, heights.exit.ratio);
+    const Roots<T> both = ascending(T(1), entry, exit);
+    return kept(both, !is_one, true);
+  }
+};
+
+}  // namespace rayproof::cylinder

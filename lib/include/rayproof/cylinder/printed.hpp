@@ -1,0 +1,31 @@
+#pragma once
+#include <rayproof/cylinder/textbook.hpp>
+
+namespace rayproof::cylinder {
+
+/// The side by the quadratic formula with t in [0, 1] and no caps, **as printed** in the source.
+///
+/// Kept so that the property tests refute it. A t in [0, 1] is a segment's, though the text calls it a ray,
+/// and the ends of a closed cylinder are not named. Textbook is the mended form.
+struct Printed {
+  static constexpr const char* name = "printed";
+  static constexpr const char* title = "as printed: t in [0, 1], no caps";
+  static constexpr Source source{"(lecture)", "Presjek zrake i eliptičnog cilindra", 2020};
+  static constexpr int far_power = 0;
+  static constexpr Contract contract{
+      .standing = Standing::printed,
+      .holds = always_claimed,
+      .refuted = {{{Claim::robust, "what lies beyond the direction's tip is dropped, and so are the caps"},
+                   {Claim::scaled, "a direction twice as long halves t and brings hits into [0, 1]"}}}};
+
+  template <class T>
+  [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Cylinder<T>& cylinder) {
+    const Roots<T> side = side_roots(side_equation(ray, cylinder));
+    const Roots<T> all = open_hits(side, between_heights(ray, cylinder));
+
+    step<T>("Keep what lies on the segment, as printed");
+    return kept<T>(all, T(0) <= all.lo && all.lo <= T(1), T(0) <= all.hi && all.hi <= T(1));
+  }
+};
+
+}  // namespace rayproof::cylinder

@@ -1,0 +1,71 @@
+#pragma once
+/// \file
+/// What the ray/cylinder methods share: the plane in which the side is a circle, and how the hits on the side
+/// and the two heights z = 0 and z = height make up an answer.
+
+#include <rayproof/box/slab.hpp>
+#include <rayproof/cylinder.hpp>
+
+namespace rayproof::cylinder {
+
+/// The ray seen along the axis, in the plane scaled by (1/rx, 1/ry): there the side is the unit circle.
+template <class T>
+struct ScaledRay {
+  T fx, fy;  ///< origin
+  T dx, dy;  ///< direction
+};
+
+template <class T>
+[[nodiscard]] constexpr ScaledRay<T> scaled_to_circle(const Ray<T>& ray, const Cylinder<T>& cylinder) {
+  step<T>("Scale the ellipse to the unit circle");
+  return {named("f.x", ray.origin.x / cylinder.rx), named("f.y", ray.origin.y / cylinder.ry),
+          named("d.x", ray.direction.x / cylinder.rx), named("d.y", ray.direction.y / cylinder.ry)};
+}
+
+/// When the line is between z = 0 and z = height.
+template <class T>
+[[nodiscard]] constexpr box::Slab<T> between_heights(const Ray<T>& ray, const Cylinder<T>& cylinder) {
+  step<T>("Meet the planes of both ends");
+  return box::slab_of(ray.direction.z, -ray.origin.z, cylinder.height - ray.origin.z);
+}
+
+/// Those of two roots that are hits. One alone is the upper.
+template <class T>
+[[nodiscard]] constexpr Roots<T> kept(const Roots<T>& roots, const Mask<T>& is_lo, const Mask<T>& is_hi) {
+  const T nan = T(not_a_number<T>);
+  return {select(is_lo || is_hi, roots.discriminant, T(-1)), select(is_lo && is_hi, roots.lo, nan),
+          select(is_hi, roots.hi, select(is_lo, roots.lo, nan))};
+}
+
+/// The hits of an open cylinder: the roots of its side between both heights.
+template <class T>
+[[nodiscard]] constexpr Roots<T> open_hits(const Roots<T>& side, const box::Slab<T>& heights) {
+  step<T>("Keep the roots between both ends");
+  return kept<T>(side, heights.entry <= side.lo && side.lo <= heights.exit,
+                 heights.entry <= side.hi && side.hi <= heights.exit);
+}
+
+/// The hits of a capped cylinder, which is what is inside the side and between both heights. A single t is
+/// one hit, unless it is the two roots of the side rounded to one number.
+template <class T>
+[[nodiscard]] constexpr Roots<T> capped_hits(const Roots<T>& side, const box::Slab<T>& heights) {
+  const auto [entry, exit] = box::overlap(box::Slab<T>{side.lo, side.hi}, heights);
+  return kept<T>({side.discriminant, entry, exit}, entry < exit || (entry == exit && side.lo == side.hi),
+                 entry <= exit);
+}
+
+/// The hits of either, given the roots of the side; `is_in_circle` is asked of the origin, for a line along
+/// the axis: it is inside the side for ever or never, and no root's formula has anything to say of it.
+template <class T>
+[[nodiscard]] constexpr Roots<T> hits(const Ray<T>& ray, const Cylinder<T>& cylinder, const Roots<T>& side,
+                                      const Mask<T>& is_in_circle) {
+  const box::Slab<T> heights = between_heights(ray, cylinder);
+  if (!cylinder.capped) return open_hits(side, heights);
+  const Mask<T> is_along = ray.direction.x == T(0) && ray.direction.y == T(0);
+  const T end = select(is_in_circle, T(infinity<T>), T(-infinity<T>));
+  const Roots<T> inside{select(is_along, T(1), side.discriminant), select(is_along, -end, side.lo),
+                        select(is_along, end, side.hi)};
+  return capped_hits(inside, heights);
+}
+
+}  // namespace rayproof::cylinder

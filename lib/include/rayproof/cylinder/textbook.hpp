@@ -1,0 +1,59 @@
+#pragma once
+#include <rayproof/contract.hpp>
+#include <rayproof/cylinder/side.hpp>
+
+namespace rayproof::cylinder {
+
+/// A ray put into the equation of the side: a·t² + b·t + c = 0 in the plane where that is the unit circle.
+template <class T>
+struct SideEquation {
+  T a, b, c;
+};
+
+template <class T>
+[[nodiscard]] constexpr SideEquation<T> side_equation(const Ray<T>& ray, const Cylinder<T>& cylinder) {
+  const auto [fx, fy, dx, dy] = scaled_to_circle(ray, cylinder);
+  step<T>("Put the ray into the circle's equation");
+  return {named("a", dx * dx + dy * dy), named("b", T(2) * (dx * fx + dy * fy)),
+          named("c", fx * fx + fy * fy - T(1))};
+}
+
+/// The quadratic formula, as every lecture has it.
+template <class T>
+[[nodiscard]] constexpr Roots<T> side_roots(const SideEquation<T>& equation) {
+  const auto& [a, b, c] = equation;
+  step<T>("Form the discriminant");
+  const T D = named("D", b * b - T(4) * a * c);
+
+  step<T>("Apply the quadratic formula");
+  const T s = named("√D", sqrt(D));
+  const T t0 = named("t₀", (-b - s) / (T(2) * a));
+  const T t1 = named("t₁", (-b + s) / (T(2) * a));
+  return {D, t0, t1};
+}
+
+/// The side by the quadratic formula in x²/rx² + y²/ry² = 1, then the heights.
+///
+/// A far cylinder is lost as a far sphere is: b² and 4ac agree in all the digits that are kept.
+struct Textbook {
+  static constexpr const char* name = "textbook";
+  static constexpr const char* title = "quadratic formula for the side, then the heights";
+  static constexpr Source source{"(lecture)", "Presjek zrake i eliptičnog cilindra", 2020};
+  static constexpr int far_power = 1;
+  static constexpr Contract contract{
+      .standing = Standing::naive,
+      .verdict = {.promised = cylinder_robust_bound},
+      .residual = {.promised = cylinder_robust_bound},
+      .domain = {.reach_float = 12, .reach_double = 110, .every_number = true},
+      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::moved, Claim::scaled,
+                                       Claim::reversed, Claim::bounded},
+      .refuted = {{{Claim::robust, "b² and 4ac of a far cylinder agree in all the digits that are kept"}}}};
+
+  template <class T>
+  [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Cylinder<T>& cylinder) {
+    const SideEquation<T> equation = side_equation(ray, cylinder);
+    return hits<T>(ray, cylinder, side_roots(equation), equation.c <= T(0));
+  }
+};
+
+}  // namespace rayproof::cylinder

@@ -1,0 +1,59 @@
+#pragma once
+#include <rayproof/box/slab.hpp>
+#include <rayproof/contract.hpp>
+#include <rayproof/parallelepiped.hpp>
+
+namespace rayproof::parallelepiped {
+
+/// One pair of parallel faces: with n = eⱼ×eₖ, their planes are n·f and n·f + n·eᵢ ahead of a ray that gains
+/// n·d per unit of t, where f = corner - origin.
+///
+/// Edges of the other handedness make n·eᵢ negative, and the second plane the first. Each pair has its own
+/// n·eᵢ: in real numbers all three are one determinant, but rounded ones may differ in sign.
+template <class T>
+[[nodiscard]] constexpr box::Slab<T> slab_between_faces(const vec3<T>& f, const vec3<T>& d, const vec3<T>& n,
+                                                        const vec3<T>& edge) {
+  const T near_plane = named("n·f", dot(n, f));
+  const T apart = named("n·e", dot(n, edge));
+  const T far_plane = near_plane + apart;
+  const Mask<T> is_mirrored = apart < T(0);
+  return box::slab_of(dot(n, d), select(is_mirrored, far_plane, near_plane),
+                      select(is_mirrored, near_plane, far_plane));
+}
+
+/// Three pairs of parallel planes, met as the slabs of a box are.
+///
+/// Errors are those of the normals: a few ε of the edges' lengths, however flat the solid; what a flat solid
+/// loses in thickness is within the bound.
+struct FacePlanes {
+  static constexpr const char* name = "face_planes";
+  static constexpr const char* title = "three pairs of parallel planes";
+  static constexpr Source source{"E. Haines", "Fast Ray-Convex Polyhedron Intersection, Graphics Gems II",
+                                 1991};
+  static constexpr int far_power = 0;
+  static constexpr Contract contract{
+      .verdict = {.promised = parallelepiped_robust_bound},
+      .residual = {.promised = parallelepiped_robust_bound},
+      .domain = {.reach_float = 16, .reach_double = 150, .every_number = true},
+      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::robust, Claim::moved,
+                                       Claim::scaled, Claim::reversed, Claim::bounded}};
+
+  template <class T>
+  [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Parallelepiped<T>& solid) {
+    step<T>("Take the normals of the faces");
+    const auto& [e0, e1, e2] = solid.edges;
+    const vec3<T> n0 = named("n₀", cross(e1, e2));
+    const vec3<T> n1 = named("n₁", cross(e2, e0));
+    const vec3<T> n2 = named("n₂", cross(e0, e1));
+
+    step<T>("Meet each pair of faces");
+    const vec3<T> f = named("f", solid.corner - ray.origin);
+    const vec3<T> d = ray.direction;
+    const auto [entry, exit] =
+        box::overlap(slab_between_faces<T>(f, d, n0, e0), slab_between_faces<T>(f, d, n1, e1),
+                     slab_between_faces<T>(f, d, n2, e2));
+    return chord(entry, exit);
+  }
+};
+
+}  // namespace rayproof::parallelepiped
