@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <rayproof/polygon.hpp>
 #include <rayproof/quadratic.hpp>
 #include <span>
 #include <variant>
@@ -27,12 +28,13 @@ struct HitList {
 struct RayAnswer {
   Contact contact = Contact::none;
   HitList hits{};
-  bool nearest_only = false;           ///< the subject reports no hit but the first
-  std::optional<glm::dvec3> point{};   ///< of the first hit
-  std::optional<glm::dvec3> normal{};  ///< of the first hit, a unit vector
+  bool nearest_only = false;                ///< the subject reports no hit but the first
+  std::optional<glm::dvec3> point{};        ///< of the first hit
+  std::optional<glm::dvec3> normal{};       ///< of the first hit, a unit vector
+  std::optional<glm::dvec3> barycentric{};  ///< of a triangle's hit, [α, β, γ] of a, b, c
 };
 
 /// The answer to any case.
-using Answer = std::variant<RayAnswer, QuadraticAnswer<double>>;
+using Answer = std::variant<RayAnswer, QuadraticAnswer<double>, Position>;
 
 }  // namespace rayproof

@@ -25,7 +25,7 @@ struct RayQuestion {
 };
 
 /// What can be asked. A new kind of question is a line here.
-using Question = std::variant<RayQuestion, Quadratic<double>>;
+using Question = std::variant<RayQuestion, Quadratic<double>, PointAndPolygon<double>>;
 
 /// One question, and what it carries along.
 struct Case {
@@ -37,7 +37,7 @@ struct Case {
   Question question{};
 };
 
-/// The case's topic, as in `sphere/centred`: "quadratic", or the shape's type.
+/// The case's topic, as in `sphere/centred`: "quadratic", "point_in_polygon", or the shape's type.
 [[nodiscard]] std::string topic_of(const Case& one);
 
 }  // namespace rayproof

@@ -99,6 +99,12 @@ void read_value(const Field& field, Precision precision, glm::dvec3& value) {
     read_value(elements[static_cast<std::size_t>(i)], precision, value[i]);
 }
 
+void read_value(const Field& field, Precision precision, Vec2<double>& value) {
+  const std::vector<Field> elements = field.elements("must be an array of 2 numbers", 2);
+  read_value(elements[0], precision, value.x);
+  read_value(elements[1], precision, value.y);
+}
+
 void read_value(const Field& field, Precision /*precision*/, bool& value) {
   if (field.node().kind != json::Kind::boolean) field.refuse("must be true or false");
   value = field.node().text == "true";

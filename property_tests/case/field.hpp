@@ -62,6 +62,7 @@ class ObjectReader {
 /// of.
 void read_value(const Field& field, Precision precision, double& value);
 void read_value(const Field& field, Precision precision, glm::dvec3& value);
+void read_value(const Field& field, Precision precision, Vec2<double>& value);
 void read_value(const Field& field, Precision precision, bool& value);
 
 template <class T, std::size_t N>

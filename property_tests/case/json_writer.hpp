@@ -55,6 +55,7 @@ class JsonWriter {
   void input(double x, Precision precision) { append_number(out_, x, precision); }
   void input(bool yes, Precision /*precision*/) { raw(yes ? "true" : "false"); }
   void input(const glm::dvec3& v, Precision precision) { input(std::array{v.x, v.y, v.z}, precision); }
+  void input(const Vec2<double>& v, Precision precision) { input(std::array{v.x, v.y}, precision); }
   template <class T, std::size_t N>
   void input(const std::array<T, N>& values, Precision precision) {
     list(values, [&](const T& value) { input(value, precision); });

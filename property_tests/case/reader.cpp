@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "case/field.hpp"
-#include "case/regular.hpp"
+#include "case/independent.hpp"
 #include "case/shape_reader.hpp"
 
 namespace rayproof {
@@ -79,12 +79,21 @@ Quadratic<double> read_quadratic(ObjectReader& reader, Precision precision) {
   return equation;
 }
 
+PointAndPolygon<double> read_point_and_polygon(ObjectReader& reader, Precision precision) {
+  PointAndPolygon<double> question{};
+  read_value(reader.need("point"), precision, question.point);
+  read_value(reader.need("vertices"), precision, question.vertices);
+  validate_vertices(question.vertices.size());
+  return question;
+}
+
 Question read_question(ObjectReader& reader, Precision precision) {
   const auto query = reader.find("query");
   if (!query) return read_ray_question(reader, precision);
   const std::string name = read_string(*query);
   if (name == "quadratic") return read_quadratic(reader, precision);
-  query->refuse("is an unknown query, " + json::quote(name) + R"(; known: "quadratic")");
+  if (name == "point_in_polygon") return read_point_and_polygon(reader, precision);
+  query->refuse("is an unknown query, " + json::quote(name) + R"(; known: "quadratic", "point_in_polygon")");
 }
 
 }  // namespace

@@ -43,6 +43,12 @@ void write(JsonWriter& json, const Quadratic<double>& equation, Precision precis
   json.member("c").input(equation.c, precision);
 }
 
+void write(JsonWriter& json, const PointAndPolygon<double>& question, Precision precision) {
+  json.member("query").string("point_in_polygon");
+  json.member("point").input(question.point, precision);
+  json.member("vertices").input(question.vertices, precision);
+}
+
 const char* name_of(Contact contact) {
   switch (contact) {
     case Contact::crossing:
@@ -85,6 +91,18 @@ const char* name_of(RootKind kind) {
   return "none";
 }
 
+const char* name_of(Position position) {
+  switch (position) {
+    case Position::inside:
+      return "inside";
+    case Position::boundary:
+      return "boundary";
+    case Position::outside:
+      break;
+  }
+  return "outside";
+}
+
 /// A list of numbers, each beside its hex form: {"t": 4, "t_hex": "0x1p+2"}.
 template <class Numbers>
 void write_numbers(JsonWriter& json, const char* name, const char* hex_name, const Numbers& numbers) {
@@ -104,7 +122,10 @@ void write(JsonWriter& json, const RayAnswer& answer) {
   write_numbers(json.member("hits"), "t", "t_hex", answer.hits.view());
   if (answer.point) json.member("point").number(*answer.point);
   if (answer.normal) json.member("normal").number(*answer.normal);
+  if (answer.barycentric) json.member("barycentric").number(*answer.barycentric);
 }
+
+void write(JsonWriter& json, Position position) { json.member("position").string(name_of(position)); }
 
 void write(JsonWriter& json, const QuadraticAnswer<double>& answer) {
   json.member("kind").string(name_of(answer.kind));

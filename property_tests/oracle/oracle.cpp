@@ -4,14 +4,20 @@
 
 #include "oracle/oracle.hpp"
 
+#include "oracle/cylinder.hpp"
+#include "oracle/plane.hpp"
+#include "oracle/polygon.hpp"
 #include "oracle/quadratic.hpp"
+#include "oracle/solid.hpp"
 #include "oracle/sphere.hpp"
+#include "oracle/triangle.hpp"
 
 namespace rayproof::oracle {
 
 Answer answer(const Case& one) {
   if (const auto* equation = std::get_if<Quadratic<double>>(&one.question))
     return answer(*equation, one.precision);
+  if (const auto* asked = std::get_if<PointAndPolygon<double>>(&one.question)) return answer(*asked);
   const auto& question = std::get<RayQuestion>(one.question);
   return std::visit([&](const auto& shape) { return answer(question, shape, one.precision); },
                     question.shape);
@@ -21,6 +27,8 @@ Judgement judge(const Case& one, const Answer& claimed) {
   if (const auto* equation = std::get_if<Quadratic<double>>(&one.question)) {
     return judge(*equation, one.precision, std::get<QuadraticAnswer<double>>(claimed));
   }
+  if (const auto* asked = std::get_if<PointAndPolygon<double>>(&one.question))
+    return judge(*asked, one.precision, std::get<Position>(claimed));
   const auto& question = std::get<RayQuestion>(one.question);
   return std::visit(
       [&](const auto& shape) { return judge(question, shape, one.precision, std::get<RayAnswer>(claimed)); },

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "oracle/exact.hpp"
+#include "oracle/quotient.hpp"
 
 namespace rayproof::oracle {
 
@@ -43,6 +44,22 @@ class ExactRoot {
   /// The root to one part in 2^58, by the branches that do not cancel.
   [[nodiscard]] const Scaled& estimate() const { return estimate_; }
 
+  /// offset + slope·root, as a root itself: of the quadratic that (X - offset)/slope solves. With slope 0 it
+  /// has the double root `offset`.
+  [[nodiscard]] ExactRoot affine_image(const Ring& offset, const Ring& slope) const {
+    const auto& [a, h, c] = quadratic_;
+    const Ring hs = h * slope;
+    const Ring ao = a * offset;
+    const ExactQuadratic image{a, hs - ao, (ao - hs - hs) * offset + c * slope * slope};
+    return {image, sign(slope) < 0 ? -side_ : side_};
+  }
+
+  /// The sign of (root - quotient), exactly.
+  [[nodiscard]] int compare(const Quotient& quotient) const {
+    // The root times the denominator, against the numerator.
+    return affine_image(Ring(0.0), quotient.denominator()).compare(quotient.numerator());
+  }
+
  private:
   [[nodiscard]] Scaled estimated() const {
     const Scaled s = sqrt(approximate(quadratic_.discriminant()));
@@ -57,15 +74,5 @@ class ExactRoot {
   int side_;
   Scaled estimate_;
 };
-
-/// offset + slope·x at a root x of `quadratic`, as a root itself: the quadratic that (X - offset)/slope
-/// solves. With slope 0 it has the double root `offset`.
-[[nodiscard]] inline ExactRoot affine_image(const ExactQuadratic& quadratic, int side, const Ring& offset,
-                                            const Ring& slope) {
-  const Ring hs = quadratic.h * slope;
-  const Ring ao = quadratic.a * offset;
-  const ExactQuadratic image{quadratic.a, hs - ao, (ao - hs - hs) * offset + quadratic.c * slope * slope};
-  return {image, sign(slope) < 0 ? -side : side};
-}
 
 }  // namespace rayproof::oracle

@@ -26,28 +26,30 @@ struct Grid {
     return Ring(static_cast<double>(at(index)));
   }
 
-  /// The sign of (root - the point halfway between `index` and its upper neighbour).
-  static int compare_halfway(const ExactRoot& root, Integer index) {
-    return root.compare((exact(index) + exact(index + 1)) * Ring(0.5));
+  /// The sign of (number - the point halfway between `index` and its upper neighbour).
+  template <class Number>
+  static int compare_halfway(const Number& number, Integer index) {
+    return number.compare((exact(index) + exact(index + 1)) * Ring(0.5));
   }
 
   /// Whether `index` or its upper neighbour is nearer; a tie goes to the even one.
-  static bool rounds_above(const ExactRoot& root, Integer index) {
-    const int side = compare_halfway(root, index);
+  template <class Number>
+  static bool rounds_above(const Number& number, Integer index) {
+    const int side = compare_halfway(number, index);
     return side > 0 || (side == 0 && index % 2 != 0);
   }
 };
 
-template <class T, class Integer>
-double round_in(const ExactRoot& root) {
+template <class T, class Integer, class Number>
+double round_in(const Number& number) {
   using Floats = Grid<T, Integer>;
-  const auto guess = static_cast<T>(root.estimate().value());
+  const auto guess = static_cast<T>(number.estimate().value());
   Integer low = Floats::index(guess);  // the answer is known to be >= low + 1 or low is the answer
   // The estimate is nearly always right or one off: walk a few steps, and bisect if that was not enough.
   for (int step = 0; step < 4; ++step) {
-    if (low < Floats::infinity && Floats::rounds_above(root, low)) {
+    if (low < Floats::infinity && Floats::rounds_above(number, low)) {
       ++low;
-    } else if (low > -Floats::infinity && !Floats::rounds_above(root, low - 1)) {
+    } else if (low > -Floats::infinity && !Floats::rounds_above(number, low - 1)) {
       --low;
     } else {
       return static_cast<double>(Floats::at(low));
@@ -57,7 +59,7 @@ double round_in(const ExactRoot& root) {
   Integer high = Floats::infinity;
   while (low < high) {
     const Integer middle = std::midpoint(low, high);
-    if (Floats::rounds_above(root, middle)) {
+    if (Floats::rounds_above(number, middle)) {
       low = middle + 1;
     } else {
       high = middle;
@@ -66,13 +68,19 @@ double round_in(const ExactRoot& root) {
   return static_cast<double>(Floats::at(low));
 }
 
+template <class Number>
+double round_number(const Number& number, Precision precision) {
+  const double rounded = precision == Precision::float32 ? round_in<float, std::int32_t>(number)
+                                                         : round_in<double, std::int64_t>(number);
+  // IEEE 754 rounds a negative number that is too small for its precision to -0.
+  return rounded == 0 && number.compare(Ring(0.0)) < 0 ? -0.0 : rounded;
+}
+
 }  // namespace
 
-double round_correctly(const ExactRoot& root, Precision precision) {
-  const double rounded = precision == Precision::float32 ? round_in<float, std::int32_t>(root)
-                                                         : round_in<double, std::int64_t>(root);
-  // IEEE 754 rounds a negative number that is too small for its precision to -0.
-  return rounded == 0 && root.compare(Ring(0.0)) < 0 ? -0.0 : rounded;
+double round_correctly(const ExactRoot& root, Precision precision) { return round_number(root, precision); }
+double round_correctly(const Quotient& quotient, Precision precision) {
+  return round_number(quotient, precision);
 }
 
 }  // namespace rayproof::oracle

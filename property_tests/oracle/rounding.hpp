@@ -12,8 +12,9 @@
 
 namespace rayproof::oracle {
 
-/// `root` rounded to nearest, ties to even, in the case's precision; infinite where it overflows.
+/// The number rounded to nearest, ties to even, in the case's precision; infinite where it overflows.
 [[nodiscard]] double round_correctly(const ExactRoot& root, Precision precision);
+[[nodiscard]] double round_correctly(const Quotient& quotient, Precision precision);
 
 /// The exponent e of a positive number, 2^e <= x < 2^(e+1), read from its bits; -1023 for all subnormals.
 [[nodiscard]] inline int exponent_of(double x) {

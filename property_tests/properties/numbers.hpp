@@ -28,6 +28,10 @@ inline void append(std::vector<CaseNumber>& all, std::string_view field, double&
 inline void append(std::vector<CaseNumber>& all, std::string_view field, glm::dvec3& v) {
   for (int axis = 0; axis < 3; ++axis) all.push_back({field, &v[axis]});
 }
+inline void append(std::vector<CaseNumber>& all, std::string_view field, Vec2<double>& v) {
+  all.push_back({field, &v.x});
+  all.push_back({field, &v.y});
+}
 inline void append(std::vector<CaseNumber>& /*all*/, std::string_view /*field*/, bool& /*not a number*/) {}
 template <class T, std::size_t N>
 void append(std::vector<CaseNumber>& all, std::string_view field, std::array<T, N>& values) {
@@ -58,6 +62,11 @@ inline void append_question(std::vector<CaseNumber>& all, Quadratic<double>& q) 
   all.push_back({"a", &q.a});
   all.push_back({"b", &q.b});
   all.push_back({"c", &q.c});
+}
+
+inline void append_question(std::vector<CaseNumber>& all, PointAndPolygon<double>& asked) {
+  append(all, "point", asked.point);
+  append(all, "vertices", asked.vertices);
 }
 
 }  // namespace detail

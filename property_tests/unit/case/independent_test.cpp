@@ -1,4 +1,4 @@
-#include "case/regular.hpp"
+#include "case/independent.hpp"
 
 #include <gtest/gtest.h>
 
@@ -32,6 +32,15 @@ TEST(regular, is_decided_by_the_last_bit) {
   EXPECT_TRUE(is_regular(from_columns({1, 2, 3}, {4, 5, 6}, {7, 8, std::nextafter(9.0, 10.0)})));
   // The determinant is -2^-2000 here, and 0 in doubles.
   EXPECT_TRUE(is_regular(from_columns({0, 0x1p-1000, 0}, {0x1p-1000, 0x1p1000, 0}, {0x1p1000, 0, 1})));
+}
+
+TEST(independent, are_two_vectors_that_differ_in_direction_by_the_last_bit) {
+  const double next = std::nextafter(1.0, 2.0);
+  EXPECT_TRUE(are_independent({1, 1, 0}, {1, next, 0}));
+  EXPECT_TRUE(are_independent({0x1p1000, 0, 0}, {0, 0x1p-1074, 0}));
+  EXPECT_FALSE(are_independent({0.1, 0.2, 0.3}, {0.2, 0.4, 0.6}));
+  EXPECT_FALSE(are_independent({0x1p1000, 0, -0x1p1000}, {-0x1p-1074, 0, 0x1p-1074}));
+  EXPECT_FALSE(are_independent({0, 0, 0}, {1, 2, 3}));
 }
 
 }  // namespace

@@ -1,0 +1,26 @@
+#pragma once
+#include <rayproof/box.hpp>
+
+#include "case/shape_format.hpp"
+
+namespace rayproof {
+
+template <>
+struct ShapeFormat<Box<double>> {
+  static constexpr const char* type = "box";
+
+  template <class S, class Visit>
+  static void fields(S& box, Visit&& visit) {
+    visit("min", box.min);
+    visit("max", box.max);
+  }
+
+  static void validate(const Box<double>& box) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (box.min[axis] > box.max[axis])
+        throw Refusal("min", "the box's min must not be greater than its max on any axis");
+    }
+  }
+};
+
+}  // namespace rayproof

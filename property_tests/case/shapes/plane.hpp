@@ -1,0 +1,88 @@
+#pragma once
+/// \file
+/// The three forms of a plane in the case format. Each is a shape of its own there; the library has one Plane
+/// that knows its form.
+
+#include <rayproof/plane.hpp>
+
+#include "case/independent.hpp"
+#include "case/shape_format.hpp"
+
+namespace rayproof {
+
+/// normal·q + d = 0.
+struct ImplicitPlane {
+  glm::dvec3 normal{};
+  double d{};
+};
+
+/// normal·(q - point) = 0.
+struct PointNormalPlane {
+  glm::dvec3 point{};
+  glm::dvec3 normal{};
+};
+
+/// All point + a·u + b·v.
+struct ParametricPlane {
+  glm::dvec3 point{};
+  glm::dvec3 u{};
+  glm::dvec3 v{};
+};
+
+[[nodiscard]] inline Plane<double> library_shape(const ImplicitPlane& plane) {
+  return {.form = PlaneForm::implicit, .point{}, .normal = plane.normal, .d = plane.d, .u{}, .v{}};
+}
+[[nodiscard]] inline Plane<double> library_shape(const PointNormalPlane& plane) {
+  return {PlaneForm::point_normal, plane.point, plane.normal, {}, {}, {}};
+}
+[[nodiscard]] inline Plane<double> library_shape(const ParametricPlane& plane) {
+  return {PlaneForm::parametric, plane.point, {}, {}, plane.u, plane.v};
+}
+
+template <>
+struct ShapeFormat<ImplicitPlane> {
+  static constexpr const char* type = "plane";
+
+  template <class S, class Visit>
+  static void fields(S& plane, Visit&& visit) {
+    visit("normal", plane.normal);
+    visit("d", plane.d);
+  }
+
+  static void validate(const ImplicitPlane& plane) {
+    if (plane.normal == glm::dvec3(0)) throw Refusal("normal", "the plane's normal must not be zero");
+  }
+};
+
+template <>
+struct ShapeFormat<PointNormalPlane> {
+  static constexpr const char* type = "plane";
+
+  template <class S, class Visit>
+  static void fields(S& plane, Visit&& visit) {
+    visit("point", plane.point);
+    visit("normal", plane.normal);
+  }
+
+  static void validate(const PointNormalPlane& plane) {
+    if (plane.normal == glm::dvec3(0)) throw Refusal("normal", "the plane's normal must not be zero");
+  }
+};
+
+template <>
+struct ShapeFormat<ParametricPlane> {
+  static constexpr const char* type = "plane";
+
+  template <class S, class Visit>
+  static void fields(S& plane, Visit&& visit) {
+    visit("point", plane.point);
+    visit("u", plane.u);
+    visit("v", plane.v);
+  }
+
+  static void validate(const ParametricPlane& plane) {
+    if (!are_independent(plane.u, plane.v)) throw Refusal("u", "the plane's u and v must not be dependent");
+  }
+};
+
+}  // namespace rayproof

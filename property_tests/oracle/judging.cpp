@@ -1,0 +1,121 @@
+#include "oracle/judging.hpp"
+
+#include <algorithm>
+
+namespace rayproof::oracle {
+namespace {
+
+/// The error of t in ulps of the exact number; an infinite or NaN t is right only where the exact number
+/// rounds to the same infinity.
+double error_in_ulps(const ExactNumber& exact, double t, Precision precision) {
+  const auto measure = [&](const auto& number) {
+    const double nearest = round_correctly(number, precision);
+    if (!std::isfinite(t) || !std::isfinite(nearest)) return t == nearest ? 0 : HUGE_VAL;
+    return static_cast<double>((abs(number.minus(t)) / Scaled(ulp_of(nearest, precision))).value());
+  };
+  return std::visit(measure, exact);
+}
+
+template <class T>
+void gather(std::vector<double>& all, const T& value) {
+  if constexpr (std::is_same_v<T, double>) {
+    all.push_back(value);
+  } else if constexpr (std::is_same_v<T, glm::dvec3>) {
+    all.insert(all.end(), {value.x, value.y, value.z});
+  } else if constexpr (!std::is_same_v<T, bool>) {
+    for (const auto& element : value) gather(all, element);
+  }
+}
+
+/// Every number that the domain of a contract speaks of.
+std::vector<double> numbers_of(const RayQuestion& question) {
+  std::vector<double> all;
+  gather(all, question.ray.origin);
+  gather(all, question.ray.direction);
+  std::visit(
+      [&]<class S>(const S& shape) {
+        ShapeFormat<S>::fields(shape, [&](const char*, const auto& value) { gather(all, value); });
+      },
+      question.shape);
+  if (question.transform) {
+    for (int column = 0; column < 4; ++column) gather(all, glm::dvec3((*question.transform)[column]));
+  }
+  return all;
+}
+
+Scaled frobenius(const Vector<Ring>& x, const Vector<Ring>& y, const Vector<Ring>& z) {
+  const Scaled a = norm(x), b = norm(y), c = norm(z);
+  return sqrt(a * a + b * b + c * c);
+}
+
+}  // namespace
+
+Scaled norm(const Vector<Ring>& v) {
+  const Scaled x = approximate(v.x), y = approximate(v.y), z = approximate(v.z);
+  return sqrt(x * x + y * y + z * z);
+}
+Scaled norm(const glm::dvec3& v) {
+  return sqrt(Scaled(v.x) * Scaled(v.x) + Scaled(v.y) * Scaled(v.y) + Scaled(v.z) * Scaled(v.z));
+}
+
+RaySizes::RaySizes(const RayQuestion& question, const ObjectRay<Ring>& ray)
+    : origin(norm(question.ray.origin)), direction(norm(question.ray.direction)) {
+  if (!ray.map) return;
+  const auto& m = *question.transform;
+  const Scaled forward =
+      frobenius(Vector<Ring>::from(m[0]), Vector<Ring>::from(m[1]), Vector<Ring>::from(m[2]));
+  const Scaled backward =
+      frobenius(ray.map->row_x, ray.map->row_y, ray.map->row_z) / abs(approximate(ray.scale));
+  const Scaled growth = backward * forward * backward;
+  origin = growth * (origin + norm(ray.map->translation));
+  direction = growth * direction;
+}
+
+std::vector<double> finite_ends(const Ray<double>& ray) {
+  std::vector<double> ends;
+  for (const double end : {ray.t_min, ray.t_max}) {
+    if (std::isfinite(end)) ends.push_back(end);
+  }
+  return ends;
+}
+
+void note_range(const std::vector<double>& numbers, Judgement& judgement) {
+  judgement.smallest = HUGE_VAL;
+  judgement.largest = -HUGE_VAL;
+  for (const double x : numbers) {
+    if (x == 0) continue;
+    judgement.smallest = std::min(judgement.smallest, std::logb(x));
+    judgement.largest = std::max(judgement.largest, std::logb(x));
+  }
+}
+
+Judgement judge_hits(const RayQuestion& question, const Figure& figure, Precision precision,
+                     const RayAnswer& claimed) {
+  const std::vector<ExactNumber> exact = figure.hits();
+  const Scaled epsilon(unit_roundoff(precision));
+  const auto in_units = [&](const Scaled& error) { return static_cast<double>((error / epsilon).value()); };
+  Judgement judgement;
+  note_range(numbers_of(question), judgement);
+  judgement.far = figure.far();
+  judgement.hit = !exact.empty();
+  const std::size_t expected = claimed.nearest_only ? std::min<std::size_t>(exact.size(), 1) : exact.size();
+  judgement.wrong = expected != claimed.hits.count;
+  if (judgement.wrong) {
+    judgement.margin = in_units(figure.margin());
+    judgement.ulp = std::nan("");
+  }
+  const double tiny = precision == Precision::float32 ? 0x1p-126 : 0x1p-1022;
+  for (std::size_t i = 0; i < claimed.hits.count; ++i) {
+    const double t = claimed.hits.t[i];
+    const double ulps = judgement.wrong ? HUGE_VAL : error_in_ulps(exact[i], t, precision);
+    if (!judgement.wrong) judgement.ulp = std::max(judgement.ulp, ulps);
+    // Where the grid of floats itself is coarse or ends, the nearest float is all that can be asked for.
+    const bool grid_ends = !std::isfinite(t) || std::abs(t) < tiny;
+    if (grid_ends && ulps <= 1) continue;
+    judgement.residual =
+        std::max(judgement.residual, std::isfinite(t) ? in_units(figure.residual(t)) : HUGE_VAL);
+  }
+  return judgement;
+}
+
+}  // namespace rayproof::oracle

@@ -1,0 +1,70 @@
+#pragma once
+/// \file
+/// What the judges of all shapes have in common: the errors of claimed hits against exact ones, and the sizes
+/// that the units of the contracts are made of.
+
+#include <variant>
+#include <vector>
+
+#include "oracle/hit.hpp"
+#include "oracle/oracle.hpp"
+
+namespace rayproof::oracle {
+
+/// An exact t, rational or not.
+using ExactNumber = std::variant<Quotient, ExactRoot>;
+
+/// The lengths of a ray as the shape's own space has them: |origin| and |direction| without a transform, and
+/// with one as large as it can make their parts, times its condition number.
+struct RaySizes {
+  Scaled origin, direction;
+
+  RaySizes(const RayQuestion& question, const ObjectRay<Ring>& ray);
+};
+
+/// What a shape's judge tells of a case. Both measures are in the units of the shape's contract.
+class Figure {
+ public:
+  Figure() = default;
+  Figure(const Figure&) = delete;
+  Figure& operator=(const Figure&) = delete;
+  virtual ~Figure() = default;
+
+  /// The hits in the ray's interval, ascending.
+  [[nodiscard]] virtual std::vector<ExactNumber> hits() const = 0;
+  /// How far p(t) is from the surface.
+  [[nodiscard]] virtual Scaled residual(double t) const = 0;
+  /// How near the case is to a change of verdict.
+  [[nodiscard]] virtual Scaled margin() const = 0;
+  /// The ratio by which naive methods degrade.
+  [[nodiscard]] virtual double far() const { return 1; }
+};
+
+/// Judges claimed hits against the figure's.
+[[nodiscard]] Judgement judge_hits(const RayQuestion& question, const Figure& figure, Precision precision,
+                                   const RayAnswer& claimed);
+
+/// The finite ends of the ray's interval.
+[[nodiscard]] std::vector<double> finite_ends(const Ray<double>& ray);
+
+/// Puts log2 of the smallest and largest nonzero magnitude among `numbers` into the judgement.
+void note_range(const std::vector<double>& numbers, Judgement& judgement);
+
+/// |v|.
+[[nodiscard]] Scaled norm(const Vector<Ring>& v);
+[[nodiscard]] Scaled norm(const glm::dvec3& v);
+
+/// The smaller of two.
+inline void reduce(Scaled& smallest, const Scaled& x) {
+  if (x < smallest) smallest = x;
+}
+
+/// error / unit; an error of 0 is 0 in units of 0, too.
+[[nodiscard]] inline Scaled ratio(const Scaled& error, const Scaled& unit) {
+  return error.sign() == 0 ? error : error / unit;
+}
+
+/// More than any margin that matters.
+[[nodiscard]] inline Scaled endless() { return {1, 1L << 40}; }
+
+}  // namespace rayproof::oracle
