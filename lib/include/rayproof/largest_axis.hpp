@@ -20,7 +20,9 @@ template <class T>
 template <class T>
 class LargestAxisLast {
  public:
-  constexpr explicit LargestAxisLast(const vec3<T>& v)
+  /// `v` may be of another arithmetic than the vectors to be turned: exact, while they are plain.
+  template <class V>
+  constexpr explicit LargestAxisLast(const V& v)
       : x_is_largest_(abs(v.x) > abs(v.y) && abs(v.x) > abs(v.z)), y_is_larger_(abs(v.y) > abs(v.z)) {}
 
   /// The vector's components in this order: (y, z, x), (z, x, y) or (x, y, z).

@@ -7,8 +7,8 @@
 namespace rayproof::point_in_polygon {
 
 /// How often the polygon winds about a point, from the sides that pass its height with it on their left
-/// (upward: +1) or on their right (downward: -1); nothing is divided. `side(a, b)` is the orientation of the
-/// point and a side, or its sign.
+/// (upward: +1) or on their right (downward: -1); nothing is divided. `side(i, j)` is the orientation of the
+/// point and the side from vertex i to vertex j, or its sign.
 ///
 /// Inside is where the winding number is odd: the even-odd rule. Where a polygon runs twice about a point,
 /// the point is wound about and yet outside.
@@ -18,16 +18,19 @@ template <std::floating_point T, class Side>
   const Vec2<T> p = question.point;
   int winding = 0;
   bool is_on_side = false;
-  polygon::for_each_side(question.vertices, [&](const Vec2<T>& a, const Vec2<T>& b) {
+  for (std::size_t i = 0; i < question.vertices.size(); ++i) {
+    const std::size_t j = polygon::next(i, question.vertices.size());
+    const Vec2<T> a = question.vertices[i];
+    const Vec2<T> b = question.vertices[j];
     const bool is_beside = min(a.y, b.y) <= p.y && p.y <= max(a.y, b.y);
-    if (!is_beside) return;
-    const auto orientation = side(a, b);
+    if (!is_beside) continue;
+    const auto orientation = side(i, j);
     if (orientation == 0) is_on_side = is_on_side || polygon::is_between(p, a, b);
-    if (!polygon::passes(p.y, a, b)) return;
+    if (!polygon::passes(p.y, a, b)) continue;
     const bool is_upward = a.y < b.y;
     if (is_upward && orientation > 0) ++winding;
     if (!is_upward && orientation < 0) --winding;
-  });
+  }
   if (is_on_side) return Position::boundary;
   return winding % 2 != 0 ? Position::inside : Position::outside;
 }
@@ -48,8 +51,9 @@ struct Winding {
   template <std::floating_point T>
   [[nodiscard]] static Position locate(const PointAndPolygon<T>& question) {
     if (!polygon::is_finite(question)) return Position::outside;
-    return locate_by_winding(
-        question, [&](const Vec2<T>& a, const Vec2<T>& b) { return orientation(question.point, a, b); });
+    return locate_by_winding(question, [&](std::size_t i, std::size_t j) {
+      return orientation(question.point, question.vertices[i], question.vertices[j]);
+    });
   }
 };
 

@@ -40,11 +40,16 @@ template <class T>
          point.y <= max(a.y, b.y);
 }
 
+/// The vertex after vertex i of a closed polygon.
+[[nodiscard]] constexpr std::size_t next(std::size_t i, std::size_t vertex_count) {
+  return i + 1 < vertex_count ? i + 1 : 0;
+}
+
 /// Calls `visit(vᵢ, vᵢ₊₁)` for each side, the last one back to vertices[0].
 template <class Vertices, class Visit>
 constexpr void for_each_side(const Vertices& vertices, Visit&& visit) {
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    visit(vertices[i], vertices[i + 1 < vertices.size() ? i + 1 : 0]);
+    visit(vertices[i], vertices[next(i, vertices.size())]);
   }
 }
 

@@ -1,0 +1,104 @@
+#pragma once
+/// \file
+/// Exact sums of any length: the expansions of expansion.hpp without a capacity, for formulas that run over
+/// as many terms as a polygon has sides.
+
+#include <algorithm>
+#include <cstddef>
+#include <rayproof/arithmetics/expansion.hpp>
+#include <vector>
+
+namespace rayproof {
+
+/// The sum of `terms`, which do not overlap, smallest first, none of them 0. `+ - *` are exact as long as no
+/// term over- or underflows.
+template <std::floating_point T>
+class GrowingExpansion {
+ public:
+  GrowingExpansion() = default;
+  // NOLINTNEXTLINE(google-explicit-constructor): plain numbers are exact, and formulas mix them in
+  GrowingExpansion(T value) { *this += value; }
+
+  [[nodiscard]] const std::vector<T>& terms() const { return terms_; }
+
+  /// Adds one number exactly (Shewchuk's GROW-EXPANSION with zero elimination).
+  GrowingExpansion& operator+=(T value) {
+    std::size_t kept = 0;
+    for (const T term : terms_) {
+      const auto [rounded, rest] = two_sum(term, value);
+      if (rest != 0) terms_[kept++] = rest;
+      value = rounded;
+    }
+    terms_.resize(kept);
+    if (value != 0) terms_.push_back(value);
+    return *this;
+  }
+
+  friend GrowingExpansion operator-(GrowingExpansion x) {
+    for (T& term : x.terms_) term = -term;
+    return x;
+  }
+  friend GrowingExpansion operator+(GrowingExpansion x, const GrowingExpansion& y) {
+    for (const T term : y.terms_) x += term;
+    return x;
+  }
+  friend GrowingExpansion operator-(GrowingExpansion x, const GrowingExpansion& y) {
+    for (const T term : y.terms_) x += -term;
+    return x;
+  }
+  friend GrowingExpansion operator*(const GrowingExpansion& x, const GrowingExpansion& y) {
+    GrowingExpansion product;
+    for (const T x_term : x.terms_) {
+      for (const T y_term : y.terms_) {
+        const auto [rounded, rest] = two_product(x_term, y_term);
+        product += rest;
+        product += rounded;
+      }
+    }
+    return product;
+  }
+
+ private:
+  std::vector<T> terms_;
+};
+
+/// The sign of the exact value: -1, 0 or 1.
+template <class T>
+[[nodiscard]] int sign(const GrowingExpansion<T>& x) {
+  if (x.terms().empty()) return 0;
+  return x.terms().back() > 0 ? 1 : -1;
+}
+
+/// The magnitude, exactly.
+template <class T>
+[[nodiscard]] GrowingExpansion<T> abs(const GrowingExpansion<T>& x) {
+  return sign(x) < 0 ? -x : x;
+}
+
+template <class T>
+[[nodiscard]] bool operator>(const GrowingExpansion<T>& x, const GrowingExpansion<T>& y) {
+  return sign(x - y) > 0;
+}
+
+/// The exact value in an expansion of fixed capacity, which may be too small: each term but the last then
+/// holds all digits that fit, and what is lost is below the last of them. A value whose digits lie within
+/// 2^±500 has at most 20 terms.
+template <std::size_t Capacity, class T>
+[[nodiscard]] Expansion<T, Capacity> compressed(const GrowingExpansion<T>& x) {
+  // From the largest term down, each rounded sum is as long as a number can be (Shewchuk's COMPRESS).
+  std::vector<T> long_terms;
+  T sum = 0;
+  for (std::size_t i = x.terms().size(); i-- > 0;) {
+    const auto [rounded, rest] = two_sum(sum, x.terms()[i]);
+    sum = rounded;
+    if (rest == 0) continue;
+    long_terms.push_back(rounded);
+    sum = rest;
+  }
+  long_terms.push_back(sum);
+  Expansion<T, Capacity> result;
+  for (std::size_t i = std::min(long_terms.size(), Capacity); i-- > 0;) result.push(long_terms[i]);
+  return result;
+}
+
+}  // namespace rayproof

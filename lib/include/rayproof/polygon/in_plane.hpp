@@ -1,0 +1,39 @@
+#pragma once
+#include <rayproof/finite.hpp>
+#include <rayproof/largest_axis.hpp>
+#include <rayproof/narration.hpp>
+#include <rayproof/plane/point_normal.hpp>
+#include <rayproof/polygon/newell.hpp>
+
+namespace rayproof::polygon {
+
+/// Every coordinate of the vertices is a number.
+template <std::floating_point T>
+[[nodiscard]] bool is_finite(const Polygon<T>& polygon) {
+  bool all = !polygon.vertices.empty();
+  for (const vec3<T>& vertex : polygon.vertices) all = all && rayproof::is_finite(vertex);
+  return all;
+}
+
+/// A hit where the ray's point in the polygon's plane, projected along the largest axis of the Newell normal,
+/// is inside the projected polygon or on its boundary by `Locator::locate`, a method of point_in_polygon.
+template <class Locator, std::floating_point T>
+[[nodiscard]] FlatHit<T> meet_by(const Ray<T>& ray, const Polygon<T>& polygon) {
+  if (!is_finite(polygon)) return flat_hit(false, T(not_a_number<T>), T(0), T(0));
+  step<T>("Form the Newell normal");
+  const vec3<T> n = named("n", newell_normal<T>(polygon.vertices));
+  const T t = plane::meet(ray, polygon.vertices.front(), n).lo;
+
+  step<T>("Project along the normal's largest axis");
+  const LargestAxisLast<T> turned(n);
+  const auto drop = [&](const vec3<T>& p) {
+    const vec3<T> last_is_largest = turned(p);
+    return Vec2<T>{last_is_largest.x, last_is_largest.y};
+  };
+  PointAndPolygon<T> question{drop(point_at(ray, t)), {}};
+  question.vertices.reserve(polygon.vertices.size());
+  for (const vec3<T>& vertex : polygon.vertices) question.vertices.push_back(drop(vertex));
+  return flat_hit(Locator::locate(question) != Position::outside, t, T(0), T(0));
+}
+
+}  // namespace rayproof::polygon
