@@ -17,9 +17,11 @@ TINY = "0x1p-1074"  # 0 in float32
 # (field, value, precisions in which it must be refused, naming the field or one of the further names)
 BOTH, SINGLE, NEVER = ("float32", "float64"), ("float32",), ()
 RULES = {
-    "plane by d": [("normal", [0, 0, 0], BOTH), ("normal", [0, TINY, 1e-46], SINGLE),
+    "plane by d": [("normal", [0, 0, 0], BOTH),
+                   ("normal", [0, TINY, 1e-46], SINGLE),
                    ("normal", [0, 0, 1e-45], NEVER),
-                   ("normal", ..., BOTH, "point"), ("d", ..., BOTH, "point"), ("point", [0, 0, 1], BOTH, "d", "normal")],
+                   ("normal", ..., BOTH, "point"), ("d", ..., BOTH, "point"),
+                   ("point", [0, 0, 1], BOTH, "d", "normal")],
     "plane by a normal": [("normal", [0, "-0", 0], BOTH), ("normal", [1e-50, 0, 0], SINGLE),
                           ("u", [1, 0, 0], BOTH, "normal", "v"), ("point", ..., BOTH, "d"),
                           ("normal", ..., BOTH, "u", "v")],

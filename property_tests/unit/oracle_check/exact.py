@@ -1,7 +1,7 @@
 """Exact answers to cases, straight from the case format's definitions. The cases must be free of faults."""
 
 from fractions import Fraction
-from math import inf
+from math import inf, isfinite
 
 from algebra import IDENTITY, dot, image, inverse, minus, roots, unit_normal, within
 from cylinder import meet_cylinder
@@ -21,9 +21,7 @@ def exactly(value):
         return {key: exactly(x) for key, x in value.items()}
     if isinstance(value, list):
         return [exactly(x) for x in value]
-    if isinstance(value, (str, bool)) or abs(value) == inf:
-        return value
-    return Fraction(value)
+    return value if isinstance(value, (str, bool)) or not isfinite(value) else Fraction(value)
 
 
 def answer_quadratic(case, precision):

@@ -27,7 +27,8 @@ def position(p, vertices):
 
 
 def newell(vertices):
-    """Twice the area vector. Summed as cross products about the first vertex, as good as any point for a closed chain."""
+    """Twice the area vector. Summed as cross products about the first vertex: a closed chain's sum is the same about
+    any point."""
     first = vertices[0]
     arms = [[x - y for x, y in zip(vertex, first)] for vertex in vertices]
     return [sum(part) for part in zip(*(cross(a, b) for a, b in sides(arms)))]
