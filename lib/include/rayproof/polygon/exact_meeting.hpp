@@ -17,7 +17,8 @@ class ExactMeeting {
   using Exact = GrowingExpansion<double>;
 
   ExactMeeting(const Ray<double>& ray, const Polygon<double>& polygon) {
-    const Vec3<Exact> n = newell_normal<Exact>(convert<Exact>(polygon).vertices);
+    const Vec3<Exact> n =
+        newell_normal<Exact>(convert<Exact>(polygon).vertices, convert<Exact>(polygon.vertices.front()));
     denominator_ = dot(n, convert<Exact>(ray.direction));
     if (is_parallel()) return;
     numerator_ = dot(n, convert<Exact>(polygon.vertices.front()) - convert<Exact>(ray.origin));

@@ -21,7 +21,7 @@ template <class Locator, std::floating_point T>
 [[nodiscard]] FlatHit<T> meet_by(const Ray<T>& ray, const Polygon<T>& polygon) {
   if (!is_finite(polygon)) return flat_hit(false, T(not_a_number<T>), T(0), T(0));
   step<T>("Form the Newell normal");
-  const vec3<T> n = named("n", newell_normal<T>(polygon.vertices));
+  const vec3<T> n = named("n", newell_normal<T>(polygon.vertices, nearest_the_origin(polygon.vertices)));
   const T t = plane::meet(ray, polygon.vertices.front(), n).lo;
 
   step<T>("Project along the normal's largest axis");
