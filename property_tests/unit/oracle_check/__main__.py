@@ -52,12 +52,12 @@ def run(oracle, topic, cases, seed):
 
 
 def run_refusals(oracle, topics):
-    """Has the lines answered that must be refused, each beside a sound one; gives their count and the complaints."""
+    """Has the lines answered that must be refused or nearly; gives their count and the complaints."""
     cases = [case for case in refused_lines() if case.topic in topics]
     answers, complaints = ask(oracle, [case.line for case in cases])
     for i, (case, got) in enumerate(zip(cases, answers)):
-        found = (refusal_complaint(got, i + 1, case.names) if case.names is not None
-                 else "refused without cause" if "error" in got else None)
+        found = (complaint(case.line, i + 1, got, case.precision) if case.names is None
+                 else refusal_complaint(got, i + 1, case.names))
         if found:
             complaints.append(f"{case.line}\n  {json.dumps(got)}\n  {found}")
     return len(cases), complaints

@@ -51,7 +51,8 @@ def axis_sphere(source):
     axis = source.random.randrange(3)
     direction, origin, center = [0.0] * 3, [source.short()] * 3, [0.0] * 3
     center = list(origin)
-    origin[axis], center[axis] = source.short(), source.short()
+    center[axis], start = source.tie() if source.random.random() < 0.5 else (source.short(), source.short())
+    origin[axis] = -start
     direction[axis] = source.random.choice([1.0, -1.0, 2.0, 0.5, 3.0])
     return sphere_case(origin, direction, center, source.random.choice([0.0, abs(source.short())]))
 

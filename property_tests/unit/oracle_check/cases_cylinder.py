@@ -5,14 +5,17 @@ from cases import PYTHAGOREAN
 
 
 def tie_cylinder(source):
-    """A ray along the axis towards an end, or along x through the axis: t is a sum of short numbers."""
+    """A ray along the axis towards an end, or along x through the axis: t is often half way between two floats."""
     rx, ry, height = (abs(source.short()) for _ in range(3))
     pace = source.random.choice([1.0, -1.0, 2.0, 0.5, 3.0])
     inside = source.random.choice([[0.0, 0.0], [rx, 0.0], [0.0, -ry], [rx / 2, ry / 2]])
+    size, start = source.tie()
     if source.random.random() < 0.5:
-        ray = inside + [source.short()], [0.0, 0.0, pace]
+        height = abs(size)
+        ray = [*inside, start if size < 0 else -start], [0.0, 0.0, pace]
     else:
-        ray = [source.short(), 0.0, source.random.choice([0.0, height, height / 2])], [pace, 0.0, 0.0]
+        rx = abs(size)
+        ray = [start if size < 0 else -start, 0.0, source.random.choice([0.0, height, height / 2])], [pace, 0.0, 0.0]
     return scene(*ray, "cylinder", rx=rx, ry=ry, height=height)
 
 
@@ -29,15 +32,23 @@ def aimed_cylinder(source):
     part = random.choice([1, 1, 1, 0, 0.5, 2])  # of the way from the axis: the side, the axis, inside, outside
     level = height * random.choice([0, 0, 1, 1, 0.25, 0.5, 1.25, -0.25])
     target = [part * side[0], part * side[1], level]
-    direction = random.choice([
-        *[[-m * y * flip[1], n * x * flip[0], random.randint(-2, 2)]] * 2,  # a tangent of the side
+    if random.random() < 0.25:  # a tangent of the side
+        target = [*side, level if random.random() < 0.4 else height * random.choice([0.25, 0.5, 0.75])]
+        direction = [-m * y * flip[1], n * x * flip[0], random.randint(-2, 2)]
+    else:
+        direction = other_direction(source, side, height)
+    return aimed_at(source, target, "cylinder", [float(x) for x in direction],
+                    rx=float(m * z), ry=float(n * z), height=height)
+
+
+def other_direction(source, side, height):
+    random = source.random
+    return random.choice([
         [0, 0, random.choice([-2, -1, 1, 3])],  # along the axis
         [*whole_vector(source)[:2], 0],  # level
         # to another such point
         [-2 * side[0], random.choice([0, -2]) * side[1], random.choice([0, height, -height, 1])],
         whole_vector(source), whole_vector(source)])
-    return aimed_at(source, target, "cylinder", [float(x) for x in direction],
-                    rx=float(m * z), ry=float(n * z), height=height)
 
 
 def plain_cylinder(source):

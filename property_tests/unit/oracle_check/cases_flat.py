@@ -1,11 +1,43 @@
 """Random planes and triangles: rays in the plane, beside it and through edges and vertices; numbers of every size."""
 
 from aiming import aimed_at, along, finished, random_numbers, scene, whole_vector
+from rounding import FORMATS
+
+
+def tie_plane(source):
+    """A ray along an axis: t is the sum of two floats, often half way between two others."""
+    axis = source.random.randrange(3)
+    normal, direction, other = [0.0] * 3, [0.0] * 3, source.random.choice([1.0, -2.0, 0.25])
+    normal[axis], direction[axis] = other, source.random.choice([1.0, -1.0, 2.0, 0.5, 3.0])
+    origin, point = ([source.short() for _ in range(3)] for _ in range(2))
+    point[axis], origin[axis] = source.tie()
+    form = source.random.choice([{"normal": normal, "d": -other * point[axis]}, {"normal": normal, "point": point}])
+    origin[axis] *= -1
+    return scene(origin, direction, "plane", **form)
+
+
+def tie_triangle(source):
+    """Seen along an axis and half a square: t or a barycentric coordinate is often half way between two floats."""
+    random = source.random
+    size, (level, height) = 2.0 ** random.randint(-3, 3), source.tie()
+    half_ulp = 2.0 ** -(FORMATS[source.precision][0] + 1)  # of a number from 1/2 to 1
+    corners = [[0.0, 0.0, level], [size, 0.0, level], [0.0, size, level]]
+    random.shuffle(corners)
+    order = random.sample(range(3), 3)
+    origin = [size * random.choice([0, 1, 3, 5]) * half_ulp, size * random.choice([0.0, 0.25, 0.125]), -height]
+    if random.random() < 0.3:
+        origin = [abs(source.short()) / 4, abs(source.short()) / 4, source.short()]
+    direction = [random.choice([0.0, 0.0, 0.0, 0.125, -0.25]), 0.0, random.choice([1.0, -1.0])]
+    origin, direction, *corners = ([vector[i] for i in order] for vector in (origin, direction, *corners))
+    return scene(origin, direction, "triangle", **dict(zip("abc", corners)))
 
 
 def plane(source):
     random = source.random
-    if random.random() < 0.25:
+    kind = random.random()
+    if kind < 0.15:
+        return finished(source, tie_plane(source))
+    if kind < 0.4:
         numbers = random_numbers(source)
         form = random.choice([{"normal": 3, "d": 0}, {"point": 3, "normal": 3}, {"point": 3, "u": 3, "v": 3}])
         return finished(source, scene(numbers(3), numbers(3), "plane", **{k: numbers(n) for k, n in form.items()}))
@@ -27,7 +59,10 @@ def plane(source):
 
 def triangle(source):
     random = source.random
-    if random.random() < 0.2:
+    kind = random.random()
+    if kind < 0.15:
+        return finished(source, tie_triangle(source))
+    if kind < 0.35:
         numbers = random_numbers(source)
         return finished(source, scene(*(numbers(3) for _ in range(2)), "triangle", **{k: numbers(3) for k in "abc"}))
 

@@ -20,6 +20,7 @@ QUERIES = {
 
 class Line(NamedTuple):
     topic: str
+    precision: str
     line: str
     names: set  # one of which the error must name; empty where any error will do, None where there must be none
 
@@ -91,7 +92,7 @@ def refused_lines():
         name = topic.split()[0]
         for precision in ("float32", "float64"):
             case = {"precision": precision, "note": "sound", **sound}
-            yield Line(name, json.dumps(case), None)
+            yield Line(name, precision, json.dumps(case), None)
             changes = [*common_changes(case), *number_changes(case, precision)]
             if "ray" in case:
                 changes += [*ray_changes(), *shape_changes(case["shape"], precision)]
@@ -99,6 +100,6 @@ def refused_lines():
                 changes += [(("vertices",), [[0, 0], [4, 0]], {"vertices"}), (("vertices",), [[0, 0]] * 3, None),
                             (("vertices",), [[0, 0], [4, 0], [0, 4, 1]], {"vertices"}), (("point",), [1], {"point"})]
             for path, value, names in changes:
-                yield Line(name, json.dumps(put(case, path, value)), names)
+                yield Line(name, precision, json.dumps(put(case, path, value)), names)
     for line in ("", "{", "[]", "5", "null", '"sphere"', "nonsense", "{}", '{"id": 1}', '{"query": "cube"}'):
-        yield Line("quadratic", line, set())
+        yield Line("quadratic", "float64", line, set())

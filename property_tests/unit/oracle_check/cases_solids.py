@@ -9,12 +9,15 @@ def quarters(source):
 
 
 def tie_box(source):
-    """A ray along an axis: t is a sum of two short numbers, often half way between two floats."""
+    """A ray along an axis: t is the sum of two floats, often half way between two others."""
     axis = source.random.randrange(3)
     lower, upper = ([source.short() for _ in range(3)] for _ in range(2))
     lower, upper = map(list, zip(*(sorted(ends) for ends in zip(lower, upper))))
     origin, direction = list(source.random.choice([lower, upper])), [0.0] * 3
-    origin[axis], direction[axis] = source.short(), source.random.choice([1.0, -1.0, 2.0, 0.5, 3.0])
+    direction[axis] = source.random.choice([1.0, -1.0, 2.0, 0.5, 3.0])
+    end, origin[axis] = source.tie()
+    lower[axis], upper[axis] = sorted([end, source.random.choice([end, 2 * end, 0.0])])
+    origin[axis] *= -1
     return scene(origin, direction, "box", min=lower, max=upper)
 
 

@@ -4,7 +4,7 @@ from fractions import Fraction
 from math import inf, isfinite, nextafter
 import struct
 
-from rounding import nearest
+from rounding import FORMATS, nearest
 
 
 class Source:
@@ -36,6 +36,14 @@ class Source:
         """Few bits, some way apart: sums of these are often exact ties."""
         reach = 26 if self.precision == "float32" else 55
         return self.random.choice([-1, 1]) * self.random.randint(1, 3) * 2.0 ** -self.random.randint(0, reach)
+
+    def tie(self):
+        """x and y such that x + y lies half way between two floats, or a hair beside."""
+        bits = FORMATS[self.precision][0]
+        unit = 2.0 ** self.random.randint(-40, 20)
+        half = self.random.choice([unit, -unit, 3 * unit]) / 2
+        x = self.random.choice([1, -1]) * self.random.randrange(2 ** (bits - 1), 2**bits) * unit
+        return x, half if self.random.random() < 0.6 else self.beside(half)
 
     def power(self):
         reach = 40 if self.precision == "float32" else 300
