@@ -36,9 +36,13 @@ std::string verdict_of(const RayAnswer& answer) {
 }
 std::string verdict_of(const QuadraticAnswer<double>& answer) { return name_of(answer.kind, answer.count); }
 
+std::string verdict_of(Position position) { return rayproof::name_of(position); }
+
+int kind_of(Position position) { return static_cast<int>(position); }
 int kind_of(const RayAnswer& answer) { return answer.hits.count > 0 ? 1 : 0; }
 int kind_of(const QuadraticAnswer<double>& answer) { return static_cast<int>(answer.kind); }
 
+std::vector<double> list_of(Position /*has no numbers*/) { return {}; }
 std::vector<double> list_of(const RayAnswer& answer) {
   const auto hits = answer.hits.view();
   return {hits.begin(), hits.end()};

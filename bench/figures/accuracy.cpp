@@ -15,8 +15,15 @@ namespace {
 
 std::span<const double> numbers_of(const Answer& answer) {
   if (const auto* ray = std::get_if<RayAnswer>(&answer)) return ray->hits.view();
+  if (std::holds_alternative<Position>(answer)) return {};
   const auto& roots = std::get<QuadraticAnswer<double>>(answer);
   return {roots.roots.data(), roots.count};
+}
+
+/// How much an answer finds: so many hits or roots, or how far inside a place is.
+std::size_t count_found(const Answer& answer) {
+  if (const auto* position = std::get_if<Position>(&answer)) return static_cast<std::size_t>(*position);
+  return numbers_of(answer).size();
 }
 
 bool is_nearest_only(const Answer& answer) {
@@ -25,7 +32,8 @@ bool is_nearest_only(const Answer& answer) {
 }
 
 bool same_numbers(const Answer& x, const Answer& y) {
-  return std::ranges::equal(numbers_of(x), numbers_of(y)) && x.index() == y.index();
+  return x.index() == y.index() && count_found(x) == count_found(y) &&
+         std::ranges::equal(numbers_of(x), numbers_of(y));
 }
 
 /// The place of a number among all numbers of its format: neighbours differ by 1, -0 and 0 are one.
@@ -51,7 +59,8 @@ class Tally {
     const auto claims = numbers_of(claimed);
     const auto truths = numbers_of(exact);
     if (judgement.wrong) {
-      const bool has_too_many = is_nearest_only(claimed) ? truths.empty() : claims.size() > truths.size();
+      const bool has_too_many =
+          is_nearest_only(claimed) ? truths.empty() : count_found(claimed) > count_found(exact);
       ++(has_too_many ? sum_.wrong_hits : sum_.wrong_misses);
       return;
     }

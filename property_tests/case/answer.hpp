@@ -34,6 +34,12 @@ struct RayAnswer {
   std::optional<glm::dvec3> barycentric{};  ///< of a triangle's hit, [α, β, γ] of a, b, c
 };
 
+/// The name of the case format.
+[[nodiscard]] constexpr const char* name_of(Position position) {
+  if (position == Position::inside) return "inside";
+  return position == Position::boundary ? "boundary" : "outside";
+}
+
 /// The answer to any case.
 using Answer = std::variant<RayAnswer, QuadraticAnswer<double>, Position>;
 

@@ -91,18 +91,6 @@ const char* name_of(RootKind kind) {
   return "none";
 }
 
-const char* name_of(Position position) {
-  switch (position) {
-    case Position::inside:
-      return "inside";
-    case Position::boundary:
-      return "boundary";
-    case Position::outside:
-      break;
-  }
-  return "outside";
-}
-
 /// A list of numbers, each beside its hex form: {"t": 4, "t_hex": "0x1p+2"}.
 template <class Numbers>
 void write_numbers(JsonWriter& json, const char* name, const char* hex_name, const Numbers& numbers) {

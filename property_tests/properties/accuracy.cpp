@@ -18,10 +18,9 @@ namespace {
 /// How a wrong verdict reads, from the side of the subject.
 std::string wrong_verdict(Trial& trial) {
   const oracle::Judgement& judgement = trial.judgement();
-  const bool finds_something = !numbers_in(trial.claimed()).empty();
-  const char* kind = !finds_something ? "misses what is there"
-                     : judgement.hit  ? "finds what is there, but not as often"
-                                      : "finds what is not there";
+  const char* kind = !finds_something(trial.claimed()) ? "misses what is there"
+                     : judgement.hit                   ? "finds what is there, but not as often"
+                                                       : "finds what is not there";
   return fmt::format("the method {}, {:.3g} contract units from a change of verdict", kind, judgement.margin);
 }
 
@@ -97,8 +96,7 @@ Case whole_line_in_double(Case one) {
 
 /// The exact roots to double precision; empty where there are none (or everything is one).
 std::vector<double> exact_roots(const Case& one) {
-  const Answer exact = oracle::answer(whole_line_in_double(one));
-  return numbers_in(exact);
+  return numbers_in(oracle::answer(whole_line_in_double(one)));
 }
 
 /// Running error analysis speaks of the roots that exist: where there are none it claims nothing.

@@ -16,20 +16,28 @@ std::vector<double> numbers_in(const Answer& answer) {
     const auto view = hits->hits.view();
     return {view.begin(), view.end()};
   }
+  if (std::holds_alternative<Position>(answer)) return {};
   const auto& roots = std::get<QuadraticAnswer<double>>(answer);
   return {roots.roots.begin(), roots.roots.begin() + static_cast<std::ptrdiff_t>(roots.count)};
+}
+
+bool finds_something(const Answer& answer) {
+  if (const auto* position = std::get_if<Position>(&answer)) return *position != Position::outside;
+  return !numbers_in(answer).empty();
 }
 
 bool same(const Answer& a, const Answer& b) {
   if (a.index() != b.index()) return false;
   if (const auto* roots = std::get_if<QuadraticAnswer<double>>(&a))
     if (roots->kind != std::get<QuadraticAnswer<double>>(b).kind) return false;
+  if (const auto* position = std::get_if<Position>(&a)) return *position == std::get<Position>(b);
   const std::vector<double> x = numbers_in(a);
   const std::vector<double> y = numbers_in(b);
   return std::equal(x.begin(), x.end(), y.begin(), y.end(), same_number);
 }
 
 Answer stretched(const Answer& answer, double factor) {
+  if (std::holds_alternative<Position>(answer)) return answer;  // a place has no length
   std::vector<double> numbers = numbers_in(answer);
   for (double& x : numbers) x *= factor;
   if (factor < 0) std::reverse(numbers.begin(), numbers.end());

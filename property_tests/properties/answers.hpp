@@ -8,8 +8,11 @@
 
 namespace rayproof {
 
-/// The t of the hits, or the roots, ascending.
+/// The t of the hits, or the roots, ascending; none for a position.
 [[nodiscard]] std::vector<double> numbers_in(const Answer& answer);
+
+/// Whether the answer has a hit, a root, or a place that is not outside.
+[[nodiscard]] bool finds_something(const Answer& answer);
 
 /// Whether two answers are the same: the kind, the count, and every number (0 equals -0, NaN equals NaN).
 [[nodiscard]] bool same(const Answer& a, const Answer& b);

@@ -2,16 +2,38 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include <rayproof/contract.hpp>
-#include "generators/random.hpp"
 
+#include "generators/random.hpp"
 #include "oracle/oracle.hpp"
 
 namespace rayproof {
 
 namespace {
+
+/// What the format's name for a contact says beyond hit or miss; nothing where it says no more.
+const char* label_of(Contact contact) {
+  switch (contact) {
+    case Contact::tangent:
+      return "tangent";
+    case Contact::edge:
+      return "edge";
+    case Contact::vertex:
+      return "vertex";
+    case Contact::rim:
+      return "rim";
+    case Contact::in_surface:
+      return "in surface";
+    case Contact::parallel:
+      return "parallel";
+    case Contact::degenerate:
+      return "degenerate";
+    case Contact::crossing:
+    case Contact::none:
+      return nullptr;
+  }
+  return nullptr;
+}
 
 std::vector<std::string> labels_of(const Case& one, const RayAnswer& exact) {
   Case whole_line = one;
@@ -22,7 +44,8 @@ std::vector<std::string> labels_of(const Case& one, const RayAnswer& exact) {
   const auto t = line.hits.view();
 
   std::vector<std::string> labels{exact.hits.count > 0 ? "hit" : "miss"};
-  if (line.contact == Contact::tangent) labels.emplace_back("tangent");
+  if (const char* contact = label_of(line.contact)) labels.emplace_back(contact);
+  if (line.hits.count > 0 && !line.normal) labels.emplace_back("sharp");
   if (exact.hits.count == 0 && line.hits.count > 0) labels.emplace_back("behind");
   if (exact.hits.count > 0 && exact.hits.count < line.hits.count) labels.emplace_back("cut");
   if (line.hits.count > 1 && t.front() < 0 && t.back() > 0) labels.emplace_back("from inside");
@@ -43,6 +66,18 @@ std::vector<std::string> labels_of(const Case& /*one*/, const QuadraticAnswer<do
       return {"constant"};
     case RootKind::everything:
       return {"everything"};
+  }
+  return {};
+}
+
+std::vector<std::string> labels_of(const Case& /*one*/, Position exact) {
+  switch (exact) {
+    case Position::outside:
+      return {"outside"};
+    case Position::boundary:
+      return {"boundary"};
+    case Position::inside:
+      return {"inside"};
   }
   return {};
 }

@@ -10,10 +10,12 @@
 
 namespace rayproof {
 
-/// What can be said of a case. Of a ray question: "hit" or "miss"; "tangent" (the whole line touches);
-/// "behind" (a miss although the whole line hits); "cut" (the interval leaves out some of the line's hits,
-/// not all); "from inside" (the line hits on either side of t = 0). Of a quadratic: the kind of its roots. Of
-/// either: "in reach" (all lengths within the domain of the bounded contracts).
+/// What can be said of a case. Of a ray question: "hit" or "miss"; how the whole line's first hit touches, or
+/// why there is none: "tangent", "edge", "vertex", "rim", "in surface", "parallel", "degenerate"; "sharp"
+/// (the surface has no normal there: a solid's edge or corner, a rim); "behind" (a miss although the whole
+/// line hits); "cut" (the interval leaves out some of the line's hits, not all); "from inside" (the line hits
+/// on either side of t = 0). Of a quadratic: the kind of its roots. Of a point and a polygon: "inside",
+/// "outside" or "boundary". Of any: "in reach" (all lengths within the domain of the bounded contracts).
 [[nodiscard]] std::vector<std::string> labels_of(const Case& one);
 
 /// The labels of a sample of a family's cases.

@@ -36,7 +36,7 @@ std::optional<std::pair<CaseNumber, Answer>> hit_from_nan(Trial& trial) {
     *number.value = std::numeric_limits<double>::quiet_NaN();
     const Answer answer = trial.subject().answer(spoilt);
     *number.value = kept;
-    if (!numbers_in(answer).empty()) return std::pair{number, answer};
+    if (finds_something(answer)) return std::pair{number, answer};
   }
   return std::nullopt;
 }
@@ -62,10 +62,26 @@ Evidence show_batch(Trial& trial) {
                      "got is the batch's answer; one ray at a time the method answers otherwise");
 }
 
+/// Of misses alone: where a hit is claimed or missed, that is the verdict's property.
+Ruling contact(Trial& trial) {
+  if (trial.judgement().wrong || trial.judgement().hit) return Ruling::outside;
+  const auto* claimed = std::get_if<RayAnswer>(&trial.claimed());
+  if (claimed == nullptr) return Ruling::outside;
+  const Answer exact = oracle::answer(trial.question());
+  return claimed->contact == std::get<RayAnswer>(exact).contact ? Ruling::held : Ruling::broken;
+}
+
+Evidence show_contact(Trial& trial) {
+  return show_answer(trial, "the ray misses, but not for the reason that is given");
+}
+
 }  // namespace
 
 std::vector<Property> safety_properties() {
   return {
+      {Claim::contact, "contact",
+       "why a ray misses is told rightly: parallel, inside the surface, or neither", 1, contact,
+       show_contact},
       {Claim::ascending, "ascending", "hits come in ascending order, inside the interval, none of them NaN",
        1, ascending, show_ascending},
       {Claim::batch, "batch", "a batch gives bit for bit the scalar answers", 4, batch, show_batch},

@@ -73,6 +73,10 @@ Twin scaled_twin(const Case& one, const Scaling& by) {
     q->c = std::ldexp(q->c, by.whole + 2 * by.lengths);
     return twin;
   }
+  if (auto* place = std::get_if<PointAndPolygon<double>>(&twin.one.question)) {
+    *place = grown(*place, std::ldexp(1.0, by.lengths));
+    return twin;
+  }
   scale(std::get<RayQuestion>(twin.one.question), std::ldexp(1.0, by.lengths), std::ldexp(1.0, by.whole));
   twin.factor = std::ldexp(1.0, by.lengths - by.whole);
   return twin;
@@ -82,8 +86,8 @@ Twin reversed_twin(const Case& one) {
   Twin twin{one, -1};
   if (auto* q = std::get_if<Quadratic<double>>(&twin.one.question)) {
     q->b = -q->b;
-  } else {
-    reverse(std::get<RayQuestion>(twin.one.question));
+  } else if (auto* asked = std::get_if<RayQuestion>(&twin.one.question)) {
+    reverse(*asked);
   }
   return twin;
 }

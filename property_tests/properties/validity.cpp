@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "case/regular.hpp"
+#include "case/independent.hpp"
 #include "properties/numbers.hpp"
 
 namespace rayproof {
@@ -10,6 +10,8 @@ namespace rayproof {
 namespace {
 
 bool is_valid_question(const Quadratic<double>& /*any finite numbers will do*/) { return true; }
+
+bool is_valid_question(const PointAndPolygon<double>& asked) { return asked.vertices.size() >= 3; }
 
 bool is_valid_question(const RayQuestion& asked) {
   if (asked.ray.direction == glm::dvec3(0) || !(asked.ray.t_min <= asked.ray.t_max)) return false;

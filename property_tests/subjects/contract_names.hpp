@@ -11,7 +11,7 @@ namespace rayproof {
 /// In the order of `Claim`.
 inline constexpr std::array<std::string_view, claim_count> claim_names{
     "verdict", "residual", "ulp",   "robust", "ascending", "moved",
-    "scaled",  "reversed", "batch", "nan",    "bounded"};
+    "scaled",  "reversed", "batch", "nan",    "bounded",   "contact"};
 
 [[nodiscard]] constexpr std::string_view claim_name(Claim claim) {
   return claim_names.at(static_cast<std::size_t>(claim));

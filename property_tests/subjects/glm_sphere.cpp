@@ -3,7 +3,7 @@
 
 #include <glm/gtx/intersect.hpp>
 
-#include "subjects/solve_sphere.hpp"
+#include "subjects/solve_shapes.hpp"
 
 namespace rayproof {
 namespace {

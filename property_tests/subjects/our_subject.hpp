@@ -4,6 +4,8 @@
 
 #include <rayproof/arithmetics/bounded.hpp>
 
+#include <rayproof/topics.hpp>
+
 #include "subjects/solve.hpp"
 
 namespace rayproof {
@@ -32,7 +34,7 @@ template <class Topic, class Method>
   subject.contract = Method::contract;
   if constexpr (requires { Method::far_power; }) subject.far_power = Method::far_power;
   subject.answer = solve_case<Topic, Method>;
-  subject.answer_in_batch = solve_case_in_batch<Topic, Method>;
+  if constexpr (is_batched<Topic>) subject.answer_in_batch = solve_case_in_batch<Topic, Method>;
   if constexpr (Method::contract.holds.contains(Claim::bounded))
     subject.bounded_hits = bounded_case<Topic, Method>;
   return subject;

@@ -12,14 +12,16 @@ namespace rayproof {
 /// What a subject's adapter needs of a topic:
 ///  - `problem<A>(case)`: the topic's Problem<A>, the case's numbers exactly, rays taken to object space in
 ///  arithmetic A;
-///  - `answer<T>(case, roots)`: a kernel's roots as an answer to the case (T is float or double);
-///  - `batch_roots<Method, T>(case)`: the roots by the batch kernels, the case placed among other problems.
+///  - `answer<Method, T>(case, result)`: what a kernel returned as an answer to the case (T is float or
+///  double);
+///  - `batch_roots<Method, T>(case)`: the roots by the batch kernels, the case placed among other problems;
+///  only of a batched topic.
 template <class Topic>
 struct Reading;
 
 /// Runs a method on a case in arithmetic `A`, transform included.
 template <class Topic, class Method, class A>
-[[nodiscard]] Roots<A> solve_in(const Case& one) {
+[[nodiscard]] auto solve_in(const Case& one) {
   return Topic::template solve<Method, A>(Reading<Topic>::template problem<A>(one));
 }
 
@@ -33,7 +35,7 @@ template <class Run>
 template <class Topic, class Method>
 [[nodiscard]] Answer solve_case(const Case& one) {
   return in_precision(one, [&]<class T>(T) {
-    return Answer(Reading<Topic>::template answer<T>(one, solve_in<Topic, Method, T>(one)));
+    return Answer(Reading<Topic>::template answer<Method, T>(one, solve_in<Topic, Method, T>(one)));
   });
 }
 
@@ -41,8 +43,8 @@ template <class Topic, class Method>
 template <class Topic, class Method>
 [[nodiscard]] Answer solve_case_in_batch(const Case& one) {
   return in_precision(one, [&]<class T>(T) {
-    return Answer(
-        Reading<Topic>::template answer<T>(one, Reading<Topic>::template batch_roots<Method, T>(one)));
+    return Answer(Reading<Topic>::template answer<Method, T>(
+        one, Reading<Topic>::template batch_roots<Method, T>(one)));
   });
 }
 

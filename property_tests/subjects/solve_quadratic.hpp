@@ -21,7 +21,7 @@ struct Reading<quadratic::Topic> {
     return batch::roots_among_neighbours<Method>(problem<T>(one).equation);
   }
 
-  template <class T>
+  template <class Method, class T>
   [[nodiscard]] static QuadraticAnswer<double> answer(const Case& one, const Roots<T>& roots) {
     const QuadraticAnswer<T> narrow = read(problem<T>(one).equation, roots);
     return {narrow.kind,

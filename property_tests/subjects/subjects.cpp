@@ -1,18 +1,18 @@
 /// \file
-/// The registration of the subjects' layer: one line for each topic, one for each guest.
+/// The registration of the subjects' layer: every topic of the library, and one line for each guest.
 
 #include "subjects/glm_sphere.hpp"
 #include "subjects/our_subject.hpp"
+#include "subjects/solve_point_in_polygon.hpp"
 #include "subjects/solve_quadratic.hpp"
-#include "subjects/solve_sphere.hpp"
+#include "subjects/solve_shapes.hpp"
 
 namespace rayproof {
 
 const std::vector<Subject>& subjects() {
   static const std::vector<Subject> all = [] {
     std::vector<Subject> list;
-    append_methods<quadratic::Topic>(list);
-    append_methods<sphere::Topic>(list);
+    Topics::for_each([&]<class Topic>(std::type_identity<Topic>) { append_methods<Topic>(list); });
     list.push_back(glm_sphere());
     return list;
   }();

@@ -21,9 +21,10 @@ enum class Claim : unsigned {
   reversed,   ///< reversing the ray mirrors its hits
   batch,      ///< a batch gives bit for bit the scalar answers
   nan,        ///< a NaN anywhere in the input never gives a hit
-  bounded     ///< the running-error arithmetic's bound encloses the exact answer
+  bounded,    ///< the running-error arithmetic's bound encloses the exact answer
+  contact     ///< why a ray misses is told rightly: parallel to the surface, inside it, or neither
 };
-inline constexpr std::size_t claim_count = 11;
+inline constexpr std::size_t claim_count = 12;
 
 /// A set of claims.
 class Claims {

@@ -18,6 +18,7 @@ std::string in_words(const Answer& answer) {
     if (!list.empty()) list += ", ";
     append_number(list, x);
   }
+  if (const auto* position = std::get_if<Position>(&answer)) return name_of(*position);
   if (std::holds_alternative<RayAnswer>(answer)) return list.empty() ? "miss" : "hit at t = " + list;
   return list.empty() ? "no root" : "roots " + list;
 }

@@ -69,11 +69,11 @@ struct Kernels {
 
 template <class Topic, class... Methods>
 auto kernels_of_topic(TypeList<Methods...>) -> decltype(std::tuple_cat(
-    std::tuple<Kernels<Topic, Methods, float>, Kernels<Topic, Methods, double>>{}...));
+    std::tuple<>{}, std::tuple<Kernels<Topic, Methods, float>, Kernels<Topic, Methods, double>>{}...));
 template <class... All>
-auto kernels_of_topics(TypeList<All...>)
-    -> decltype(std::tuple_cat(kernels_of_topic<All>(typename All::Methods{})...));
-/// Every method of every topic in both precisions.
+auto kernels_of_topics(TypeList<All...>) -> decltype(std::tuple_cat(
+    kernels_of_topic<All>(std::conditional_t<is_batched<All>, typename All::Methods, TypeList<>>{})...));
+/// Every method of every batched topic in both precisions.
 using KernelTable = decltype(kernels_of_topics(Topics{}));
 
 /// The table built for an instruction set that is available.

@@ -6,7 +6,7 @@ namespace rayproof::plane {
 /// The plane's equation, and 'parallel' for every ray with n·d⃗ = 0, **as printed** in the source: a ray that
 /// runs inside the plane is parallel to it and in it.
 ///
-/// Hit or miss and t are those of ByEquation; wrong is what a miss is called, which is why the verdict is
+/// Hit or miss and t are those of ByEquation; wrong is what a miss is called, which is why the contact is
 /// refuted.
 struct PrintedParallel {
   static constexpr const char* name = "printed_parallel";
@@ -20,7 +20,7 @@ struct PrintedParallel {
       .residual = {.promised = plane_robust_bound},
       .holds = always_claimed |
                Claims{Claim::residual, Claim::moved, Claim::scaled, Claim::reversed, Claim::bounded},
-      .refuted = {{{Claim::verdict, "a ray inside the plane is called parallel"}}}};
+      .refuted = {{{Claim::contact, "a ray inside the plane is called parallel"}}}};
 
   template <class T>
   [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Plane<T>& plane) {

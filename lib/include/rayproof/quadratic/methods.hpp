@@ -15,6 +15,7 @@ namespace rayproof::quadratic {
 struct Topic {
   static constexpr const char* name = "quadratic";
   static constexpr double robust_bound = quadratic_robust_bound;
+  static constexpr bool is_batched = true;
   using Methods = TypeList<Textbook, Citardauq, CitardauqViete, Kahan, FullRange>;
 
   /// The equation itself.

@@ -17,6 +17,7 @@ namespace rayproof::sphere {
 struct Topic {
   static constexpr const char* name = "sphere";
   static constexpr double robust_bound = sphere_robust_bound;
+  static constexpr bool is_batched = true;
   using Methods = TypeList<Textbook, HalfB, Stable, Centred, Compensated, Printed2ac, PrintedHalfB>;
 
   /// A ray and the sphere it is put to.
