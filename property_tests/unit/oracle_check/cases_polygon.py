@@ -5,6 +5,7 @@ from fractions import Fraction
 from math import cos, pi, sin
 
 from aiming import aimed_at, finished, random_numbers, scene, whole_vector
+from cases_flat import tie_triangle
 from placing import nudge, resized
 
 
@@ -77,7 +78,12 @@ def point_in_polygon(source):
 
 def polygon(source):
     random = source.random
-    if random.random() < 0.12:
+    kind = random.random()
+    if kind < 0.06:
+        case = tie_triangle(source)
+        case["shape"] = {"type": "polygon", "vertices": [case["shape"][name] for name in "abc"]}
+        return finished(source, case)
+    if kind < 0.16:
         numbers = random_numbers(source)
         vertices = [numbers(3) for _ in range(random.choice([2, 3, 3, 4, 5, 9]))]
         return finished(source, scene(numbers(3), numbers(3), "polygon", vertices=vertices))

@@ -43,7 +43,14 @@ def box(source):
 
 def parallelepiped(source):
     random = source.random
-    if random.random() < 0.15:
+    kind = random.random()
+    if kind < 0.1:
+        case = tie_box(source)
+        lower, upper = case["shape"]["min"], case["shape"]["max"]
+        edges = [[(upper[i] - lower[i] or 1.0) if i == j else 0.0 for j in range(3)] for i in range(3)]
+        case["shape"] = {"type": "parallelepiped", "corner": lower, "edges": edges}
+        return finished(source, case)
+    if kind < 0.22:
         numbers = random_numbers(source)
         edges = [numbers(3) for _ in range(3)]
         return finished(source, scene(numbers(3), numbers(3), "parallelepiped", corner=numbers(3), edges=edges))
