@@ -1,6 +1,8 @@
 #include "generators/family.hpp"
+#include "generators/layout.hpp"
+#include "generators/number_by_number.hpp"
 #include "generators/sphere_aimed.hpp"
-#include "generators/sphere_bits.hpp"
+#include "generators/sphere_exponents.hpp"
 #include "generators/sphere_sizes.hpp"
 #include "generators/sphere_transformed.hpp"
 
@@ -21,10 +23,10 @@ std::vector<Family> sphere_families() {
       family<Huge>(topic, {all_in_reach, {"hit", 0.4}, {"miss", 0.02}}),
       family<Cancelling>(topic, {all_in_reach, {"hit", 0.4}, {"from inside", 0.2}}),
       family<Interval>(topic, {all_in_reach, {"hit", 0.4}, {"cut", 0.2}}),
-      family<Transformed>(topic, {all_in_reach, {"hit", 0.3}, {"miss", 0.1}}),
+      family<Transformed<NearItsOrigin>>(topic, {all_in_reach, {"hit", 0.3}, {"miss", 0.1}}),
       family<Exponents>(topic, {{"hit", 0.1}, {"miss", 0.1}}),
-      family<Special>(topic, {{"hit", 0.02}, {"miss", 0.3}}),
-      family<BitPatterns>(topic, {{"hit", 0.02}, {"miss", 0.5}}),
+      family<Special<Sphere<double>>>(topic, {{"hit", 0.02}, {"miss", 0.3}}),
+      family<BitPatterns<Sphere<double>>>(topic, {{"hit", 0.02}, {"miss", 0.5}}),
   };
 }
 

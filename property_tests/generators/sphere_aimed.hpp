@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "generators/scene.hpp"
+#include "generators/sphere_scene.hpp"
 
 namespace rayproof::sphere_family {
 
@@ -19,8 +19,7 @@ struct Everyday {
     const glm::dvec3 n = draw::unit_vector(random);
     const glm::dvec3 target = scene.center + scene.radius * random.uniform(0, 1.6) * n;
     look_at(scene, target, draw::unit_vector(random), random.uniform(0, 20), direction_length(random));
-    if (random.one_in(5)) scene.direction = -scene.direction;
-    if (random.one_in(4)) scene.t_min = -std::numeric_limits<double>::infinity();
+    loosen(random, scene);
     return question<T>(scene);
   }
 };

@@ -2,7 +2,7 @@
 /// \file
 /// Sphere families of unlike sizes: far away, tiny, huge, and an origin so near the surface that b² >> 4ac.
 
-#include "generators/scene.hpp"
+#include "generators/sphere_scene.hpp"
 
 namespace rayproof::sphere_family {
 

@@ -1,0 +1,104 @@
+#include "generators/family.hpp"
+#include "generators/outline_layouts.hpp"
+#include "generators/scene.hpp"
+#include "properties/similar_shapes.hpp"
+
+namespace rayproof {
+
+namespace point_in_polygon_family {
+
+using Plan = PointAndPolygon<double>;
+
+/// The plan with every number rounded to `T`.
+template <class T>
+[[nodiscard]] Question question(const Plan& plan) {
+  return Plan{rounded<T>(plan.point), rounded<T>(plan.vertices)};
+}
+
+/// The layout as it is.
+template <class Layout>
+struct AsPlanned : Layout {
+  template <class T>
+  [[nodiscard]] static Question ask(Random& random) {
+    return question<T>(Layout::plan(random));
+  }
+};
+
+struct Many {
+  static constexpr const char* name = "many";
+  static constexpr const char* description = "30 to 200 vertices, half of them on a small grid";
+
+  [[nodiscard]] static Plan plan(Random& random) {
+    const int count = random.between(30, 200);
+    if (random.one_in(2)) return {whole_place(random, 8), scattered(random, count, 8)};
+    const double x = random.uniform(-4, 4);
+    return {{x, random.uniform(-4, 4)}, star(random, count)};
+  }
+};
+
+struct Exponents {
+  static constexpr const char* name = "exponents";
+  static constexpr const char* description = "polygons of one size, of any exponent the format has";
+
+  template <class T>
+  [[nodiscard]] static Question ask(Random& random) {
+    const double size = random.uniform(draw::lowest_exponent<T> + 8, draw::highest_exponent<T> - 8);
+    return question<T>(grown(outline_layout::Everyday::plan(random), std::exp2(size)));
+  }
+};
+
+template <class Number>
+[[nodiscard]] Plan from_numbers(Random& random, Number&& number) {
+  Plan plan{{}, Outline(static_cast<std::size_t>(random.between(3, 8)))};
+  const auto fill = [&](double& x) { x = static_cast<double>(number()); };
+  each_number(plan.point, fill);
+  each_number(plan.vertices, fill);
+  return plan;
+}
+
+struct Special {
+  static constexpr const char* name = "special";
+  static constexpr const char* description =
+      "0, -0, ±1, subnormals, the greatest number, powers of two, small integers";
+
+  template <class T>
+  [[nodiscard]] static Question ask(Random& random) {
+    return from_numbers(random, [&] { return draw::special<T>(random); });
+  }
+};
+
+struct BitPatterns {
+  static constexpr const char* name = "bit_patterns";
+  static constexpr const char* description = "every finite bit pattern as likely as every other";
+
+  template <class T>
+  [[nodiscard]] static Question ask(Random& random) {
+    return from_numbers(random, [&] { return draw::bit_pattern<T>(random); });
+  }
+};
+
+}  // namespace point_in_polygon_family
+
+std::vector<Family> point_in_polygon_families() {
+  using namespace point_in_polygon_family;
+  namespace layout = outline_layout;
+  const char* const topic = "point_in_polygon";
+  const MinimumShare in_reach{"in reach", 0.95};
+  // The first family that breaks a property gives the counterexample: the most telling ones come first.
+  return {
+      family<AsPlanned<layout::Level>>(topic, {in_reach}),
+      family<AsPlanned<layout::Everyday>>(topic, {in_reach}),
+      family<AsPlanned<layout::Boundary>>(topic, {in_reach}),
+      family<AsPlanned<layout::NearBoundary>>(topic, {in_reach}),
+      family<AsPlanned<layout::Crossing>>(topic, {in_reach}),
+      family<AsPlanned<layout::Repeated>>(topic, {in_reach}),
+      family<AsPlanned<layout::NoArea>>(topic, {in_reach}),
+      family<AsPlanned<layout::Far>>(topic, {in_reach}),
+      family<AsPlanned<Many>>(topic, {in_reach}),
+      family<Exponents>(topic, {}),
+      family<Special>(topic, {}),
+      family<BitPatterns>(topic, {}),
+  };
+}
+
+}  // namespace rayproof

@@ -1,0 +1,96 @@
+#pragma once
+/// \file
+/// Triangle families of unlike shapes and places: slivers, far away, of no area, seen edge on.
+
+#include "generators/triangle_scenes.hpp"
+
+namespace rayproof::triangle_family {
+
+struct Slivers {
+  static constexpr const char* name = "slivers";
+  static constexpr const char* description = "the third vertex is 2^-3 to 2^-18 lengths beside an edge";
+
+  [[nodiscard]] static Scene scene(Random& random, int /*digits*/) {
+    Triangle<double> triangle = in_a_room(random);
+    const double thinness = std::exp2(random.uniform(-18, -3));
+    triangle.c = triangle.a + random.uniform(-0.2, 1.2) * (triangle.b - triangle.a) + thinness * triangle.c;
+    Scene scene;
+    look_at(random, scene, in_or_beside(random, triangle));
+    scene.shape = triangle;
+    return scene;
+  }
+};
+
+struct Far {
+  static constexpr const char* name = "far";
+  static constexpr const char* description =
+      "the triangle is 1e2 to 1e6 sizes away, half the time aimed near an edge";
+
+  [[nodiscard]] static Scene scene(Random& random, int /*digits*/) {
+    const Triangle<double> triangle = in_a_room(random, 1);
+    Scene scene;
+    const glm::dvec3 target =
+        random.one_in(2) ? on_the_rim(random, triangle) : in_or_beside(random, triangle);
+    look_from_afar(random, scene, target, 1);
+    scene.shape = triangle;
+    return scene;
+  }
+};
+
+struct Degenerate {
+  static constexpr const char* name = "degenerate";
+  static constexpr const char* description =
+      "no area: vertices in a line, or two or three of them in one point; also almost so";
+
+  [[nodiscard]] static Scene scene(Random& random, int /*digits*/) {
+    const glm::dvec3 a = whole_point(random, 8);
+    const glm::dvec3 way = whole_vector(random, 3);
+    Triangle<double> triangle{a, a + double{1} * random.between(-2, 2) * way,
+                              a + double{1} * random.between(-2, 2) * way};
+    if (random.one_in(4)) {  // Rounding lifts the third vertex off the line by an ulp, if at all.
+      triangle.a = point_in_a_room(random);
+      triangle.b = point_in_a_room(random);
+      triangle.c = triangle.a + random.uniform(-1, 2) * (triangle.b - triangle.a);
+    }
+    Scene scene;
+    look_exactly(random, scene, exactly_on_the_rim(random, triangle));
+    scene.shape = triangle;
+    return scene;
+  }
+};
+
+struct Coplanar {
+  static constexpr const char* name = "coplanar";
+  static constexpr const char* description =
+      "in whole numbers: the ray runs in the triangle's plane, or parallel to it";
+
+  [[nodiscard]] static Scene scene(Random& random, int /*digits*/) {
+    const Triangle<double> triangle = whole(random);
+    const auto step = [&] { return double{1} * random.between(-2, 2); };
+    const double beta = step(), gamma = step();
+    Scene scene;
+    scene.origin = at(triangle, beta, gamma);
+    scene.direction = at(triangle, step(), random.one_in(2) ? 1 : 2) - triangle.a;
+    if (random.one_in(3)) scene.origin += whole_vector(random, 2);
+    scene.shape = triangle;
+    return scene;
+  }
+};
+
+struct NearCoplanar {
+  static constexpr const char* name = "near_coplanar";
+  static constexpr const char* description = "the ray comes in at 2^-4 to an ulp off the triangle's plane";
+
+  [[nodiscard]] static Scene scene(Random& random, int digits) {
+    const Triangle<double> triangle = in_a_room(random);
+    const glm::dvec3 in_plane = inside(random, triangle) - triangle.a;
+    const glm::dvec3 slope = draw::magnitude<double>(random, -digits, -4) * draw::unit_vector(random);
+    const double length = std::sqrt(dot(in_plane, in_plane));
+    Scene scene;
+    look_at(scene, in_or_beside(random, triangle), 1 / length * in_plane + slope, random.uniform(0, 20), 1);
+    scene.shape = triangle;
+    return scene;
+  }
+};
+
+}  // namespace rayproof::triangle_family
