@@ -1,12 +1,21 @@
 #pragma once
+#include <rayproof/arithmetics/wide.hpp>
 #include <rayproof/difference_of_products.hpp>
 
 namespace rayproof::triangle {
 
-/// ab - cd with its exact sign, 0 included, as long as nothing underflows.
+/// ab - cd with its exact sign, 0 included.
+///
+/// In an arithmetic of floats by exact products in double, whatever the size of the floats; in one of doubles
+/// by fused multiply-adds, as long as nothing underflows.
 template <class T>
 [[nodiscard]] constexpr T edge_function(const T& a, const T& b, const T& c, const T& d) {
-  return difference_of_products(a, b, c, d);
+  using W = Wide<T>;
+  if constexpr (W::exists) {
+    return W::narrow(W::widen(a) * W::widen(b) - W::widen(c) * W::widen(d));
+  } else {
+    return difference_of_products(a, b, c, d);
+  }
 }
 
 }  // namespace rayproof::triangle
