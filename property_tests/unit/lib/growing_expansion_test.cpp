@@ -10,9 +10,9 @@ using Exact = GrowingExpansion<double>;
 
 TEST(GrowingExpansion, KeepsEveryTermOfALongSum) {
   Exact sum;
-  for (int i = -500; i <= 500; i += 50) sum += std::ldexp(1.0, i);
-  EXPECT_EQ(sum.terms().size(), 21U);
-  for (int i = 500; i >= -500; i -= 50) sum += -std::ldexp(1.0, i);
+  for (int i = -480; i <= 480; i += 60) sum += std::ldexp(1.0, i);
+  EXPECT_EQ(sum.terms().size(), 17U);
+  for (int i = 480; i >= -480; i -= 60) sum += -std::ldexp(1.0, i);
   EXPECT_EQ(sign(sum), 0);
 }
 
