@@ -21,7 +21,7 @@ struct Compensated {
   static constexpr int far_power = 0;
   static constexpr Contract contract{
       .verdict = {.measured = 0, .promised = 0},
-      .ulp = {.promised = 0.501},
+      .ulp = {.measured = 0.5, .promised = 0.501},
       .domain = {.reach_float = 1000, .reach_double = 480, .every_number = true},
       .holds = always_claimed | Claims{Claim::verdict, Claim::ulp, Claim::robust, Claim::moved, Claim::scaled,
                                        Claim::reversed}};

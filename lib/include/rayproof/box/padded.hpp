@@ -8,8 +8,9 @@ namespace rayproof::box {
 ///
 /// What a traversal of a tree of boxes wants, since there a box too many costs time and a box too few a hole.
 /// As an answer about the box it is wrong on purpose: it takes a ray that passes an edge within a few ulps
-/// for a hit, and every exit for later than it is. Two ulps suffice where the roundings of t do not all
-/// conspire; six of 2^-24 are the bound, four are added.
+/// for a hit, and every exit for later than it is, even past the end of the ray's interval. The roundings of
+/// two t may add up to 6ε and the two ulps are 4ε, so the proof has a gap; a search of millions of touched
+/// edges found no box lost in it.
 struct Padded {
   static constexpr const char* name = "padded";
   static constexpr const char* title = "slabs with the far end moved two ulps on";
@@ -17,8 +18,7 @@ struct Padded {
   static constexpr int far_power = 0;
   static constexpr Contract contract{
       .standing = Standing::naive,
-      .verdict = {.promised = 8},
-      .ulp = {.promised = 6},
+      .ulp = {.measured = 5.6, .promised = 7},
       .domain = {.reach_float = 48, .reach_double = 480, .every_number = true},
       .holds = always_claimed | Claims{Claim::ulp, Claim::moved, Claim::scaled, Claim::bounded},
       .refuted = {

@@ -16,15 +16,15 @@ struct Slabs {
   static constexpr Source source{"T. L. Kay, J. T. Kajiya", "Ray Tracing Complex Scenes", 1986};
   static constexpr int far_power = 0;
   static constexpr Contract contract{
-      .verdict = {.promised = 4},
-      .ulp = {.promised = 2},
+      .verdict = {.measured = 0.84, .promised = 4},
+      .ulp = {.measured = 1.39, .promised = 2},
       .domain = {.reach_float = 48, .reach_double = 480, .every_number = true},
       .holds = always_claimed | Claims{Claim::verdict, Claim::ulp, Claim::robust, Claim::moved, Claim::scaled,
                                        Claim::reversed, Claim::bounded}};
 
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Box<T>& box) {
-    step<T>("Put the origin in the origin");
+    step<T>("Measure the planes from the ray's origin");
     const vec3<T> below = named("min - o", box.min - ray.origin);
     const vec3<T> above = named("max - o", box.max - ray.origin);
     const vec3<T> d = ray.direction;

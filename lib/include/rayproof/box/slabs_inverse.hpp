@@ -17,8 +17,8 @@ struct SlabsInverse {
                                  "An Efficient and Robust Ray-Box Intersection Algorithm", 2005};
   static constexpr int far_power = 0;
   static constexpr Contract contract{
-      .verdict = {.promised = 4},
-      .ulp = {.promised = 3},
+      .verdict = {.measured = 1.14, .promised = 4},
+      .ulp = {.measured = 1.86, .promised = 3},
       .domain = {.reach_float = 48, .reach_double = 480, .every_number = true},
       .holds = always_claimed | Claims{Claim::verdict, Claim::ulp, Claim::robust, Claim::moved, Claim::scaled,
                                        Claim::reversed, Claim::bounded}};
@@ -36,7 +36,7 @@ struct SlabsInverse {
     const vec3<T> d = ray.direction;
     const vec3<T> per_d = named("1/d", vec3<T>{T(1) / d.x, T(1) / d.y, T(1) / d.z});
 
-    step<T>("Put the origin in the origin");
+    step<T>("Measure the planes from the ray's origin");
     const vec3<T> below = named("min - o", box.min - ray.origin);
     const vec3<T> above = named("max - o", box.max - ray.origin);
 

@@ -10,7 +10,7 @@ namespace rayproof::cylinder {
 struct Printed {
   static constexpr const char* name = "printed";
   static constexpr const char* title = "as printed: t in [0, 1], no caps";
-  static constexpr Source source{"(lecture)", "Presjek zrake i eliptičnog cilindra", 2020};
+  static constexpr Source source{"A. Marić", "3D računalna grafika: 1. zadaća", 2023};
   static constexpr int far_power = 0;
   static constexpr Contract contract{
       .standing = Standing::printed,

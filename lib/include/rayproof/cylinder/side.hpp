@@ -29,12 +29,15 @@ template <class T>
   return box::slab_of(ray.direction.z, -ray.origin.z, cylinder.height - ray.origin.z);
 }
 
-/// Those of two roots that are hits. One alone is the upper.
+/// Those of two roots that are hits; none where the discriminant is negative or NaN. One alone is the upper.
 template <class T>
 [[nodiscard]] constexpr Roots<T> kept(const Roots<T>& roots, const Mask<T>& is_lo, const Mask<T>& is_hi) {
   const T nan = T(not_a_number<T>);
-  return {select(is_lo || is_hi, roots.discriminant, T(-1)), select(is_lo && is_hi, roots.lo, nan),
-          select(is_hi, roots.hi, select(is_lo, roots.lo, nan))};
+  const Mask<T> is_real = T(0) <= roots.discriminant;
+  const Mask<T> is_any = is_real && (is_lo || is_hi);
+  const T upper = select(is_hi, roots.hi, roots.lo);
+  return {select(is_any, roots.discriminant, T(-1)), select(is_real && is_lo && is_hi, roots.lo, nan),
+          select(is_any, upper, nan)};
 }
 
 /// The hits of an open cylinder: the roots of its side between both heights.
