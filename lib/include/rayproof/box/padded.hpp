@@ -9,8 +9,8 @@ namespace rayproof::box {
 /// What a traversal of a tree of boxes wants, since there a box too many costs time and a box too few a hole.
 /// As an answer about the box it is wrong on purpose: it takes a ray that passes an edge within a few ulps
 /// for a hit, and every exit for later than it is, even past the end of the ray's interval. The roundings of
-/// two t may add up to 6ε and the two ulps are 4ε, so the proof has a gap; a search of millions of touched
-/// edges found no box lost in it.
+/// two t may add up to 6ε and the two ulps are 4ε, so the proof has a gap; a search among millions of rays
+/// aimed at edges found no box lost in it.
 struct Padded {
   static constexpr const char* name = "padded";
   static constexpr const char* title = "slabs with the far end moved two ulps on";
