@@ -68,7 +68,8 @@ struct Rims {
 
 struct Caps {
   static constexpr const char* name = "caps";
-  static constexpr const char* description = "the line passes through an end disk, near its rim half the time";
+  static constexpr const char* description =
+      "the line passes through an end disk, near its rim half the time";
 
   [[nodiscard]] static Scene scene(Random& random, int /*digits*/) {
     const Tube tube = in_a_room(random);

@@ -104,7 +104,8 @@ struct Cut {
     const Tube tube = exactly ? whole(random) : in_a_room(random);
     Scene scene;
     if (exactly)
-      look_exactly(random, scene, exactly_at(tube, whole_turn(random), tube.height * random.between(0, 4) / 4));
+      look_exactly(random, scene,
+                   exactly_at(tube, whole_turn(random), tube.height * random.between(0, 4) / 4));
     else
       look_at(random, scene, at(tube, any_turn(random), 1, tube.height * random.unit()));
     scene.shape = tube;

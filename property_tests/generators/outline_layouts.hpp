@@ -26,7 +26,8 @@ using Plan = PointAndPolygon<double>;
 
 struct Everyday {
   static constexpr const char* name = "random";
-  static constexpr const char* description = "a star of 3 to 24 corners, seldom more; about half the points inside";
+  static constexpr const char* description =
+      "a star of 3 to 24 corners, seldom more; about half the points inside";
   static constexpr bool exact = false;
 
   [[nodiscard]] static Plan plan(Random& random) {

@@ -63,7 +63,8 @@ struct Surface {
     const bool exactly = random.one_in(3);
     const Sheet sheet = exactly ? whole(random) : in_a_room(random);
     Scene scene;
-    scene.origin = exactly ? at(sheet, random.between(-3, 3), random.between(-3, 3)) : somewhere(random, sheet);
+    scene.origin =
+        exactly ? at(sheet, random.between(-3, 3), random.between(-3, 3)) : somewhere(random, sheet);
     scene.direction = direction_length(random) * draw::unit_vector(random);
     scene.shape = in_some_form(random, sheet);
     return scene;

@@ -24,6 +24,19 @@ struct AsPlanned : Layout {
   }
 };
 
+struct NearLevel {
+  static constexpr const char* name = "near_level";
+  static constexpr const char* description =
+      "the point is level with a vertex, or an ulp or a little more off";
+
+  [[nodiscard]] static Plan plan(Random& random) {
+    const Outline vertices = star(random, vertex_count(random));
+    const double y = some_vertex(random, vertices).y;
+    const double off = random.one_in(2) ? 0 : draw::magnitude<double>(random, -52, -16);
+    return {{random.uniform(-8, 8), y * (1 + off)}, vertices};
+  }
+};
+
 struct Many {
   static constexpr const char* name = "many";
   static constexpr const char* description = "30 to 200 vertices, half of them on a small grid";
@@ -86,18 +99,24 @@ std::vector<Family> point_in_polygon_families() {
   const MinimumShare in_reach{"in reach", 0.95};
   // The first family that breaks a property gives the counterexample: the most telling ones come first.
   return {
-      family<AsPlanned<layout::Level>>(topic, {in_reach}),
-      family<AsPlanned<layout::Everyday>>(topic, {in_reach}),
-      family<AsPlanned<layout::Boundary>>(topic, {in_reach}),
-      family<AsPlanned<layout::NearBoundary>>(topic, {in_reach}),
-      family<AsPlanned<layout::Crossing>>(topic, {in_reach}),
-      family<AsPlanned<layout::Repeated>>(topic, {in_reach}),
-      family<AsPlanned<layout::NoArea>>(topic, {in_reach}),
-      family<AsPlanned<layout::Far>>(topic, {in_reach}),
-      family<AsPlanned<Many>>(topic, {in_reach}),
-      family<Exponents>(topic, {}),
-      family<Special>(topic, {}),
-      family<BitPatterns>(topic, {}),
+      family<AsPlanned<layout::Level>>(topic,
+                                       {in_reach, {"inside", 0.14}, {"outside", 0.39}, {"boundary", 0.3}}),
+      family<AsPlanned<layout::Everyday>>(topic, {in_reach, {"inside", 0.47}, {"outside", 0.37}}),
+      family<AsPlanned<layout::Boundary>>(topic, {in_reach, {"boundary", 0.95}}),
+      family<AsPlanned<layout::NearBoundary>>(
+          topic, {in_reach, {"inside", 0.3}, {"outside", 0.3}, {"boundary", 0.21}}),
+      family<AsPlanned<layout::Crossing>>(topic, {in_reach, {"inside", 0.3}, {"outside", 0.54}}),
+      family<AsPlanned<layout::Repeated>>(
+          topic, {in_reach, {"inside", 0.09}, {"outside", 0.67}, {"boundary", 0.06}}),
+      family<AsPlanned<layout::NoArea>>(topic,
+                                        {in_reach, {"inside", 0.09}, {"outside", 0.15}, {"boundary", 0.6}}),
+      family<AsPlanned<layout::Far>>(topic,
+                                     {in_reach, {"inside", 0.38}, {"outside", 0.35}, {"boundary", 0.1}}),
+      family<AsPlanned<NearLevel>>(topic, {in_reach, {"inside", 0.26}, {"outside", 0.58}}),
+      family<AsPlanned<Many>>(topic, {in_reach, {"inside", 0.4}, {"outside", 0.21}, {"boundary", 0.22}}),
+      family<Exponents>(topic, {{"inside", 0.46}, {"outside", 0.38}}),
+      family<Special>(topic, {{"inside", 0.15}, {"outside", 0.68}, {"boundary", 0.003}}),
+      family<BitPatterns>(topic, {{"inside", 0.17}, {"outside", 0.66}}),
   };
 }
 

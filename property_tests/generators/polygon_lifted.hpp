@@ -81,8 +81,8 @@ struct FarOff {
       "the ray comes from 1e2 to 1e6 away, half the time near the boundary";
 
   [[nodiscard]] static Scene scene(Random& random, int /*digits*/) {
-    const Plan plan =
-        random.one_in(2) ? outline_layout::Everyday::plan(random) : outline_layout::NearBoundary::plan(random);
+    const Plan plan = random.one_in(2) ? outline_layout::Everyday::plan(random)
+                                       : outline_layout::NearBoundary::plan(random);
     const Sheet sheet = any_sheet(random);
     Scene scene;
     look_from_afar(random, scene, sheet.at(plan.point), 1);
@@ -101,7 +101,8 @@ struct Coplanar {
     const Sheet sheet = whole_sheet(random);
     Scene scene;
     scene.origin = sheet.at(plan.point);
-    scene.direction = double{1} * random.between(-3, 3) * sheet.u + double{1} * random.between(1, 3) * sheet.v;
+    scene.direction =
+        double{1} * random.between(-3, 3) * sheet.u + double{1} * random.between(1, 3) * sheet.v;
     if (random.one_in(3)) scene.origin += whole_vector(random, 2);
     scene.shape = lifted(sheet, plan.vertices);
     return scene;
