@@ -4,9 +4,11 @@
 #include <ctime>
 #include <utility>
 
+#include "bench/figures/problem_contenders.hpp"
+
 namespace rayproof::report {
 
-// Each in its topic's file; a new topic has its declaration and its line here.
+// The topics with batch kernels, each in its own file; all others come from the library's list.
 std::vector<Contender> sphere_contenders(const std::vector<Case>& cases, Precision precision);
 std::vector<Contender> quadratic_contenders(const std::vector<Case>& cases, Precision precision);
 
@@ -71,7 +73,13 @@ std::vector<Contender> contenders(const std::string& topic, const std::vector<Ca
   for (const auto& [name, make] : topics) {
     if (topic == name) return make(cases, precision);
   }
-  return {};
+  std::vector<Contender> all;
+  Topics::for_each([&]<class Topic>(std::type_identity<Topic>) {
+    if constexpr (!is_batched<Topic>) {
+      if (topic == Topic::name) all = problem_contenders<Topic>(cases, precision);
+    }
+  });
+  return all;
 }
 
 }  // namespace rayproof::report
