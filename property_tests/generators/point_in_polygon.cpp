@@ -1,4 +1,5 @@
 #include "generators/family.hpp"
+#include "generators/number_by_number.hpp"
 #include "generators/outline_layouts.hpp"
 #include "generators/scene.hpp"
 #include "properties/similar_shapes.hpp"
@@ -69,21 +70,14 @@ template <class Number>
   return plan;
 }
 
-struct Special {
-  static constexpr const char* name = "special";
-  static constexpr const char* description =
-      "0, -0, ±1, subnormals, the greatest number, powers of two, small integers";
-
+struct SpecialPlaces : SpecialText {
   template <class T>
   [[nodiscard]] static Question ask(Random& random) {
     return from_numbers(random, [&] { return draw::special<T>(random); });
   }
 };
 
-struct BitPatterns {
-  static constexpr const char* name = "bit_patterns";
-  static constexpr const char* description = "every finite bit pattern as likely as every other";
-
+struct AnyBits : BitPatternsText {
   template <class T>
   [[nodiscard]] static Question ask(Random& random) {
     return from_numbers(random, [&] { return draw::bit_pattern<T>(random); });
@@ -115,8 +109,8 @@ std::vector<Family> point_in_polygon_families() {
       family<AsPlanned<NearLevel>>(topic, {in_reach, {"inside", 0.26}, {"outside", 0.58}}),
       family<AsPlanned<Many>>(topic, {in_reach, {"inside", 0.4}, {"outside", 0.21}, {"boundary", 0.22}}),
       family<Exponents>(topic, {{"inside", 0.46}, {"outside", 0.38}}),
-      family<Special>(topic, {{"inside", 0.15}, {"outside", 0.68}, {"boundary", 0.003}}),
-      family<BitPatterns>(topic, {{"inside", 0.17}, {"outside", 0.66}}),
+      family<SpecialPlaces>(topic, {{"inside", 0.15}, {"outside", 0.68}, {"boundary", 0.003}}),
+      family<AnyBits>(topic, {{"inside", 0.17}, {"outside", 0.66}}),
   };
 }
 

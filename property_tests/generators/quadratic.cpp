@@ -1,5 +1,6 @@
 #include "generators/draw.hpp"
 #include "generators/family.hpp"
+#include "generators/number_by_number.hpp"
 
 namespace rayproof {
 
@@ -112,11 +113,7 @@ struct Exponents {
   }
 };
 
-struct Special {
-  static constexpr const char* name = "special";
-  static constexpr const char* description =
-      "0, -0, ±1, subnormals, the greatest number, powers of two, small integers";
-
+struct SpecialCoefficients : SpecialText {
   template <class T>
   [[nodiscard]] static Question ask(Random& random) {
     const T a = draw::special<T>(random), b = draw::special<T>(random), c = draw::special<T>(random);
@@ -124,10 +121,7 @@ struct Special {
   }
 };
 
-struct BitPatterns {
-  static constexpr const char* name = "bit_patterns";
-  static constexpr const char* description = "every finite bit pattern as likely as every other";
-
+struct AnyBits : BitPatternsText {
   template <class T>
   [[nodiscard]] static Question ask(Random& random) {
     const T a = draw::bit_pattern<T>(random), b = draw::bit_pattern<T>(random),
@@ -150,8 +144,8 @@ std::vector<Family> quadratic_families() {
       family<SmallA>(topic, {all_in_reach, {"linear", 0.15}, {"two", 0.4}, {"constant", 0.005}}),
       family<Integers>(topic, {all_in_reach, {"two", 0.5}, {"double", 0.1}, {"none", 0.1}}),
       family<Exponents>(topic, {{"two", 0.5}, {"none", 0.05}}),
-      family<Special>(topic, {{"two", 0.2}, {"none", 0.1}, {"linear", 0.02}, {"double", 0.001}}),
-      family<BitPatterns>(topic, {{"two", 0.3}, {"none", 0.1}}),
+      family<SpecialCoefficients>(topic, {{"two", 0.2}, {"none", 0.1}, {"linear", 0.02}, {"double", 0.001}}),
+      family<AnyBits>(topic, {{"two", 0.3}, {"none", 0.1}}),
   };
 }
 
