@@ -22,6 +22,7 @@ std::vector<Family> triangle_families() {
                                       {"vertex", 0.47},
                                       {"in surface", 0.04},
                                       {"degenerate", 0.02}}),
+      family<AsLaidOut<Upright>>(topic, {in_reach, {"hit", 0.8}, {"edge", 0.3}}),
       family<AsLaidOut<Slivers>>(topic, {in_reach, {"hit", 0.44}, {"miss", 0.4}}),
       family<AsLaidOut<Far>>(topic, {in_reach, {"hit", 0.38}, {"miss", 0.45}}),
       family<AsLaidOut<Coplanar>>(topic,

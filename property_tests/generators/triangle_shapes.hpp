@@ -21,6 +21,26 @@ struct Slivers {
   }
 };
 
+struct Upright {
+  static constexpr const char* name = "upright";
+  static constexpr const char* description =
+      "in whole numbers: perpendicular to a coordinate plane or two, hit inside or on an edge";
+
+  [[nodiscard]] static Scene scene(Random& random, int /*digits*/) {
+    Triangle<double> triangle = whole(random);
+    const glm::dvec3 way = triangle.b - triangle.a;
+    const int axis = random.between(0, 2);
+    triangle.c = triangle.a;  // across the others' way, straight along an axis
+    triangle.c[axis] += random.one_in(2) ? 4 : -3;
+    if (way[(axis + 1) % 3] == 0 && way[(axis + 2) % 3] == 0) triangle.b[(axis + 1) % 3] += 5;
+    Scene scene;
+    const glm::dvec3 on_edge = exactly_on_the_rim(random, triangle);
+    look_exactly(random, scene, random.one_in(2) ? on_edge : eighth_between(random, on_edge, triangle.c));
+    scene.shape = triangle;
+    return scene;
+  }
+};
+
 struct Far {
   static constexpr const char* name = "far";
   static constexpr const char* description =

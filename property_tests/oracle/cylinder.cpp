@@ -7,7 +7,8 @@ namespace {
 
 /// A miss: whether the line runs inside an open cylinder's side.
 Contact miss_contact(const CylinderEquation& equation) {
-  const bool is_inside_side = !equation.capped && equation.is_axis_parallel() && sign(equation.side().c) == 0;
+  const bool is_inside_side = !equation.capped && sign(equation.height) != 0 && equation.is_axis_parallel() &&
+                              sign(equation.side().c) == 0;
   return is_inside_side ? Contact::in_surface : Contact::none;
 }
 

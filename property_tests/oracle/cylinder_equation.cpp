@@ -31,7 +31,8 @@ ExactQuadratic CylinderEquation::side() const {
 /// The hit with the cap's plane that the line passes on its way in, or out, where it lies inside the rim. (On
 /// the rim it is the side's hit, unless the line runs inside the side.)
 void CylinderEquation::add_caps(std::vector<CylinderHit>& hits, bool of_entry) const {
-  if (!capped || sign(direction.z) == 0) return;
+  const bool is_ring = sign(height) == 0;  // an open cylinder of no height is all rim
+  if (!(capped || is_ring) || sign(direction.z) == 0) return;
   const bool is_lower = (sign(direction.z) > 0) == of_entry;
   const Quotient t(is_lower ? -origin.z : height - origin.z, direction.z);
   const Ring x = origin.x * t.denominator() + direction.x * t.numerator();
@@ -39,7 +40,7 @@ void CylinderEquation::add_caps(std::vector<CylinderHit>& hits, bool of_entry) c
   const Ring r = radius * t.denominator();
   const int outside = sign(x * x + y * y - r * r);
   const bool is_rim_of_own = outside == 0 && is_axis_parallel();
-  if (outside < 0 || is_rim_of_own) hits.push_back({t, false, is_rim_of_own, is_lower ? -1 : 1});
+  if ((capped && outside < 0) || is_rim_of_own) hits.push_back({t, false, is_rim_of_own, is_lower ? -1 : 1});
 }
 
 void CylinderEquation::add_side(std::vector<CylinderHit>& hits) const {

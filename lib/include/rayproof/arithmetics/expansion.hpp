@@ -16,6 +16,34 @@
 
 namespace rayproof {
 
+/// Packs the digits of an expansion into as few terms as hold them, in place, and returns how many those are
+/// (Shewchuk's COMPRESS). Sums leave many short terms, and a product takes time for each pair of them.
+template <std::floating_point T>
+[[nodiscard]] constexpr std::size_t compress(T* terms, std::size_t count) {
+  if (count < 2) return count;
+  std::size_t bottom = count - 1;
+  T sum = terms[bottom];
+  for (std::size_t i = count - 1; i-- > 0;) {
+    const auto [rounded, rest] = two_sum(sum, terms[i]);
+    sum = rounded;
+    if (rest == 0) continue;
+    terms[bottom--] = rounded;
+    sum = rest;
+  }
+  terms[bottom] = sum;
+  std::size_t kept = 0;
+  for (std::size_t i = bottom + 1; i < count; ++i) {
+    const auto [rounded, rest] = two_sum(terms[i], sum);
+    sum = rounded;
+    if (rest != 0) terms[kept++] = rest;
+  }
+  terms[kept] = sum;
+  return kept + 1;
+}
+
+/// Few terms are not worth packing.
+inline constexpr std::size_t few_terms = 4;
+
 /// The sum of `terms[0 .. count)`; `Capacity` is the most terms the operations that led here can leave.
 template <std::floating_point T, std::size_t Capacity>
 struct Expansion {
@@ -28,6 +56,11 @@ struct Expansion {
   /// Appends a term larger than all others; 0 leaves no trace.
   constexpr void push(T term) {
     if (term != 0) terms[count++] = term;
+  }
+
+  /// Packs the digits into as few terms as hold them, where there are more than a few.
+  constexpr void tidy() {
+    if (count > few_terms) count = compress(terms.data(), count);
   }
 
   /// Adds one number exactly (Shewchuk's GROW-EXPANSION with zero elimination).
@@ -66,6 +99,7 @@ template <class T, std::size_t N, std::size_t M>
   Expansion<T, N + M> sum;
   for (std::size_t i = 0; i < x.count; ++i) sum.push(x.terms[i]);
   for (std::size_t i = 0; i < y.count; ++i) sum.add(y.terms[i]);
+  sum.tidy();
   return sum;
 }
 
@@ -85,6 +119,7 @@ template <class T, std::size_t N, std::size_t M>
       product.add(rounded);
     }
   }
+  product.tidy();
   return product;
 }
 

@@ -34,16 +34,23 @@ class GrowingExpansion {
     return *this;
   }
 
+  /// Packs the digits into as few terms as hold them, where there are more than a few.
+  void tidy() {
+    if (terms_.size() > few_terms) terms_.resize(compress(terms_.data(), terms_.size()));
+  }
+
   friend GrowingExpansion operator-(GrowingExpansion x) {
     for (T& term : x.terms_) term = -term;
     return x;
   }
   friend GrowingExpansion operator+(GrowingExpansion x, const GrowingExpansion& y) {
     for (const T term : y.terms_) x += term;
+    x.tidy();
     return x;
   }
   friend GrowingExpansion operator-(GrowingExpansion x, const GrowingExpansion& y) {
     for (const T term : y.terms_) x += -term;
+    x.tidy();
     return x;
   }
   friend GrowingExpansion operator*(const GrowingExpansion& x, const GrowingExpansion& y) {
@@ -54,6 +61,7 @@ class GrowingExpansion {
         product += rest;
         product += rounded;
       }
+      product.tidy();
     }
     return product;
   }
@@ -85,19 +93,11 @@ template <class T>
 /// 2^±500 has at most 20 terms.
 template <std::size_t Capacity, class T>
 [[nodiscard]] Expansion<T, Capacity> compressed(const GrowingExpansion<T>& x) {
-  // From the largest term down, each rounded sum is as long as a number can be (Shewchuk's COMPRESS).
-  std::vector<T> long_terms;
-  T sum = 0;
-  for (std::size_t i = x.terms().size(); i-- > 0;) {
-    const auto [rounded, rest] = two_sum(sum, x.terms()[i]);
-    sum = rounded;
-    if (rest == 0) continue;
-    long_terms.push_back(rounded);
-    sum = rest;
-  }
-  long_terms.push_back(sum);
+  std::vector<T> packed = x.terms();
+  packed.resize(compress(packed.data(), packed.size()));
   Expansion<T, Capacity> result;
-  for (std::size_t i = std::min(long_terms.size(), Capacity); i-- > 0;) result.push(long_terms[i]);
+  for (std::size_t i = packed.size() - std::min(packed.size(), Capacity); i < packed.size(); ++i)
+    result.push(packed[i]);
   return result;
 }
 

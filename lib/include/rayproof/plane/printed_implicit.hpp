@@ -16,8 +16,7 @@ struct PrintedImplicit {
   static constexpr Contract contract{
       .standing = Standing::printed,
       .holds = always_claimed,
-      .refuted = {{{Claim::robust, "the numerator must be Ax₀ + By₀ + Cz₀ + D"},
-                   {Claim::residual, "the point at t does not lie in the plane"}}}};
+      .refuted = {{{Claim::robust, "the numerator must be Ax₀ + By₀ + Cz₀ + D"}}}};
 
   template <class T>
   [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Plane<T>& plane) {
