@@ -128,7 +128,8 @@ double draw_answer_table(Picture& picture, double top, const std::string& symbol
       if (has) return shown(list[i], one.precision);
       return i == 0 && answer != nullptr ? verdict_of(answer) : std::string();
     };
-    add_row(picture, y, symbol + subscript(i), cell(has_truth, truth, exact), cell(has_claim, claim, claimed),
+    add_row(picture, y, symbol.empty() ? "" : symbol + subscript(i), cell(has_truth, truth, exact),
+            cell(has_claim, claim, claimed),
             has_truth && has_claim ? apart_in_words(truth[i], claim[i], one.precision) : "");
   }
   return y + row / 2 - top;

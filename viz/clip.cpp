@@ -7,39 +7,57 @@
 namespace rayproof::viz {
 namespace {
 
-/// A side of the box as the half-plane nx·x + ny·y <= limit.
+/// A side of a box as the half-plane nx·x + ny·y <= limit, in the numbers of a point type.
+template <class P>
 struct Side {
-  double nx, ny, limit;
-  [[nodiscard]] double outside(const Point& p) const { return nx * p.x + ny * p.y - limit; }
+  using Number = decltype(P::x);
+  int nx, ny;
+  Number limit;
+  [[nodiscard]] Number outside(const P& p) const { return nx * p.x + ny * p.y - limit; }
 };
 
-std::array<Side, 4> sides_of(const Box& box) {
+template <class P>
+using Sides = std::array<Side<P>, 4>;
+
+Sides<Point> sides_of(const Box& box) {
   return {{{-1, 0, -box.left}, {1, 0, box.right()}, {0, -1, -box.top}, {0, 1, box.bottom()}}};
 }
 
-Point mix(const Point& a, const Point& b, double s) { return {a.x + s * (b.x - a.x), a.y + s * (b.y - a.y)}; }
+/// A few frames around the view's own: what a curve does farther out can't be seen.
+Sides<WorldPoint> sides_around(const View& view) {
+  const Shadow x = 4 * view.half_width();
+  const Shadow y = 4 * view.half_height();
+  const WorldPoint& c = view.centre;
+  return {{{-1, 0, x - c.x}, {1, 0, x + c.x}, {0, -1, y - c.y}, {0, 1, y + c.y}}};
+}
 
-/// The part [enter, leave] of the segment inside the box (Liang and Barsky); empty where enter > leave.
-std::array<double, 2> inside(const Point& a, const Point& b, const Box& box) {
-  double enter = 0;
-  double leave = 1;
-  for (const Side& side : sides_of(box)) {
-    const double from = side.outside(a);
-    const double to = side.outside(b);
+template <class P, class Number>
+P mix(const P& a, const P& b, const Number& s) {
+  return {a.x + s * (b.x - a.x), a.y + s * (b.y - a.y)};
+}
+
+/// The part [enter, leave] of the segment inside the sides (Liang and Barsky); empty where enter > leave.
+template <class P>
+std::array<decltype(P::x), 2> inside(const P& a, const P& b, const Sides<P>& sides) {
+  using Number = decltype(P::x);
+  Number enter = 0;
+  Number leave = 1;
+  for (const Side<P>& side : sides) {
+    const Number from = side.outside(a);
+    const Number to = side.outside(b);
     if (from > 0 && to > 0) return {1, 0};
-    if (from > 0) enter = std::max(enter, from / (from - to));
-    if (to > 0) leave = std::min(leave, from / (from - to));
+    if (from > 0) enter = std::max<Number>(enter, from / (from - to));
+    if (to > 0) leave = std::min<Number>(leave, from / (from - to));
   }
   return {enter, leave};
 }
 
-}  // namespace
-
-std::vector<std::vector<Point>> clip_line(const std::vector<Point>& line, const Box& box) {
-  std::vector<std::vector<Point>> parts;
+template <class P>
+std::vector<std::vector<P>> line_inside(const std::vector<P>& line, const Sides<P>& sides) {
+  std::vector<std::vector<P>> parts;
   bool is_open = false;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    const auto [enter, leave] = inside(line[i], line[i + 1], box);
+    const auto [enter, leave] = inside(line[i], line[i + 1], sides);
     if (enter > leave) {
       is_open = false;
       continue;
@@ -51,20 +69,42 @@ std::vector<std::vector<Point>> clip_line(const std::vector<Point>& line, const 
   return parts;
 }
 
-std::vector<Point> clip_area(std::vector<Point> area, const Box& box) {
-  for (const Side& side : sides_of(box)) {
-    std::vector<Point> kept;
+template <class P>
+std::vector<P> area_inside(std::vector<P> area, const Sides<P>& sides) {
+  using Number = decltype(P::x);
+  for (const Side<P>& side : sides) {
+    std::vector<P> kept;
     for (std::size_t i = 0; i < area.size(); ++i) {
-      const Point& a = area[i];
-      const Point& b = area[(i + 1) % area.size()];
-      const double from = side.outside(a);
-      const double to = side.outside(b);
+      const P& a = area[i];
+      const P& b = area[(i + 1) % area.size()];
+      const Number from = side.outside(a);
+      const Number to = side.outside(b);
       if (from <= 0) kept.push_back(a);
-      if ((from < 0 && to > 0) || (from > 0 && to < 0)) kept.push_back(mix(a, b, from / (from - to)));
+      if ((from < 0 && to > 0) || (from > 0 && to < 0)) {
+        kept.push_back(mix(a, b, Number(from / (from - to))));
+      }
     }
     area = std::move(kept);
   }
   return area;
+}
+
+}  // namespace
+
+std::vector<std::vector<Point>> clip_line(const std::vector<Point>& line, const Box& box) {
+  return line_inside(line, sides_of(box));
+}
+
+std::vector<Point> clip_area(std::vector<Point> area, const Box& box) {
+  return area_inside(std::move(area), sides_of(box));
+}
+
+std::vector<std::vector<WorldPoint>> clip_line_near(const std::vector<WorldPoint>& line, const View& view) {
+  return line_inside(line, sides_around(view));
+}
+
+std::vector<WorldPoint> clip_area_near(std::vector<WorldPoint> area, const View& view) {
+  return area_inside(std::move(area), sides_around(view));
 }
 
 }  // namespace rayproof::viz

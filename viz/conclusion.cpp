@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -34,6 +36,17 @@ bool answers_agree(const Told& told) {
   return worst_ulps(&told.exact, told.claim(), told.one.precision) <= 16;
 }
 
+/// Of a wrong verdict to which the digits of no answer lead: no number's sign decided it, but comparisons.
+std::string blame_of(const Walkthrough& walk) {
+  std::string blame = "The verdict is wrong: ";
+  if (!walk.known_fault.empty()) return blame + walk.known_fault + ".";
+  blame += "a comparison is so near a tie that rounding takes the wrong side of it";
+  if (!walk.worst_loss) return blame + ".";
+  const Death& loss = *walk.worst_loss;
+  return blame + fmt::format("; most is lost in step '{}', where the {} {} {} {:.0f} of {} bits.", loss.step,
+                             loss.kind, loss.formula, loss.effect, loss.bits_lost_here, walk.digits);
+}
+
 }  // namespace
 
 std::string symbol_of(const Case& one) {
@@ -45,7 +58,9 @@ std::string conclusion_of(const Told& told) {
   const bool agree = answers_agree(told);
   if (!told.walk) {
     return told.method + " can't be recorded step by step; its answer is " +
-           (agree ? "right to a few ulps." : "not the exact one.");
+           (!agree                                         ? "not the exact one."
+            : std::holds_alternative<Position>(told.exact) ? "right."
+                                                           : "right to a few ulps.");
   }
   const std::string sentence = verdict_sentence(*told.walk);
   if (agree || told.walk->outcome != Outcome::faithful) return sentence;
@@ -53,7 +68,11 @@ std::string conclusion_of(const Told& told) {
     return sentence +
            " A root lies so near an end of the ray's interval that the last rounding decides the verdict.";
   }
-  return sentence + " The answer is wrong all the same: the formula itself is at fault, not its rounding.";
+  if (!told.walk->is_printed && verdicts_differ(&told.exact, told.claim()) && told.walk->decider.empty())
+    return blame_of(*told.walk);
+  const std::string why = told.walk->is_printed ? ": " + told.walk->known_fault + "." : ".";
+  return sentence + " The answer is wrong all the same: the formula itself is at fault, not its rounding" +
+         why;
 }
 
 }  // namespace rayproof::viz

@@ -9,10 +9,14 @@
 namespace rayproof::viz {
 namespace {
 
-/// Characters on a terminal; every one of ours is one column wide.
+/// Characters on a terminal; every one of ours is one column wide, but the arrow over a letter, which has no
+/// width.
 std::size_t columns(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(
+  std::size_t count = static_cast<std::size_t>(std::count_if(
       text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+  const std::string arrow = "\u20d7";
+  for (std::size_t at = text.find(arrow); at != std::string::npos; at = text.find(arrow, at + 1)) --count;
+  return count;
 }
 
 std::string padded(const std::string& text, std::size_t width) {

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <rayproof/arithmetics/recorded.hpp>
+#include <rayproof/contract.hpp>
 #include <rayproof/roots.hpp>
 #include <string>
 #include <type_traits>
@@ -40,6 +41,8 @@ template <class Topic, class T, class Build>
       const Roots<R> roots = Topic::template solve<Method>(problem);
       walk = tell(tape, {roots.discriminant.id, roots.lo.id, roots.hi.id}, precision);
       walk->title = std::string(Topic::name) + "/" + Method::name + ": " + Method::title;
+      walk->known_fault = std::string(Method::contract.refuted.front().because);
+      walk->is_printed = Method::contract.standing == Standing::printed;
       walk->source = std::string(Method::source.author) + ", " + std::string(Method::source.title) + ", " +
                      std::to_string(Method::source.year);
     }

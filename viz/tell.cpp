@@ -31,17 +31,33 @@ std::vector<WalkValue> values_of(const Tape& tape, const NamedValue& named) {
   return values;
 }
 
-std::string caption_of(const Tape& tape, std::ptrdiff_t step, int digits) {
+/// The operation that loses most of those that `counts`; nothing where none loses a noteworthy number of
+/// bits.
+template <class Counts>
+std::optional<Death> worst_loss_of(const Tape& tape, Counts&& counts) {
   OperationId worst = unrecorded;
   for (std::size_t i = 0; i < tape.operations.size(); ++i) {
     const auto id = static_cast<OperationId>(i);
-    if (tape.at(id).step != step) continue;
+    if (!counts(tape.at(id))) continue;
     if (worst == unrecorded || tape.at(id).bits_lost_here > tape.at(worst).bits_lost_here) worst = id;
   }
-  if (worst == unrecorded || tape.at(worst).bits_lost_here < noteworthy) return "No digits of note are lost.";
-  const Death loss = describe_loss(tape, worst);
-  return fmt::format("The {} {} {} {:.0f} of {} bits.", loss.kind, loss.formula, loss.effect,
-                     loss.bits_lost_here, digits);
+  if (worst == unrecorded || tape.at(worst).bits_lost_here < noteworthy) return std::nullopt;
+  return describe_loss(tape, worst);
+}
+
+std::string caption_of(const Tape& tape, std::ptrdiff_t step, int digits) {
+  const auto loss = worst_loss_of(tape, [&](const auto& operation) { return operation.step == step; });
+  if (!loss) return "No digits of note are lost.";
+  return fmt::format("The {} {} {} {:.0f} of {} bits.", loss->kind, loss->formula, loss->effect,
+                     loss->bits_lost_here, digits);
+}
+
+/// What decides the verdict: a discriminant, an unnamed difference, or, where the sign is a mere flag,
+/// nothing but the comparisons on the way to it.
+std::string decider_of(const Tape& tape, OperationId id) {
+  const Operation<Shadow>& o = tape.at(id);
+  if (o.op == Operator::constant) return "";
+  return o.name.empty() ? formula_of(tape, id) : "the discriminant";
 }
 
 /// Named numbers that a picture of the case can point at.
@@ -114,6 +130,8 @@ Walkthrough tell(const Tape& tape, const Ending& ending, Precision precision) {
   for (WalkStep& step : walk.steps) point_out(step);
   walk.lo = tape.at(ending.lo).value;
   walk.hi = tape.at(ending.hi).value;
+  walk.decider = decider_of(tape, ending.discriminant);
+  walk.worst_loss = worst_loss_of(tape, [](const auto& operation) { return operation.step >= 0; });
   judge(walk, tape, ending);
   return walk;
 }
@@ -124,7 +142,7 @@ std::string verdict_sentence(const Walkthrough& walk) {
   }
   const std::string consequence =
       walk.outcome == Outcome::flipped
-          ? "the discriminant is left with the wrong sign, and the verdict is wrong"
+          ? walk.decider + " is left with the wrong sign, and the verdict is wrong"
           : fmt::format("the answer keeps {:.0f} of its {} bits",
                         std::max(0.0, walk.digits - walk.answer_bits_lost), walk.digits);
   if (!walk.death) return "No single operation is to blame, but roundings add up: " + consequence + ".";

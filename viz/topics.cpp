@@ -3,13 +3,21 @@
 namespace rayproof::viz {
 
 // Each in topics/NAME.cpp.
-TopicView sphere_view();
 TopicView quadratic_view();
+TopicView point_in_polygon_view();
+TopicView plane_view();
+TopicView triangle_view();
+TopicView polygon_view();
+TopicView sphere_view();
+TopicView box_view();
+TopicView parallelepiped_view();
+TopicView cylinder_view();
 
 const std::vector<TopicView>& topic_views() {
   static const std::vector<TopicView> views{
-      quadratic_view(),
-      sphere_view(),
+      quadratic_view(), point_in_polygon_view(), plane_view(),
+      triangle_view(),  polygon_view(),          sphere_view(),
+      box_view(),       parallelepiped_view(),   cylinder_view(),
   };
   return views;
 }

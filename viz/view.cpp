@@ -55,14 +55,16 @@ View View::around(const Box& frame, const WorldPoint& centre, const Shadow& half
 }
 
 void draw_curve(Picture& picture, const View& view, Line line, const std::vector<WorldPoint>& points) {
-  for (auto& part : clip_line(all_to_pixels(view, points), view.frame)) {
-    line.points = std::move(part);
-    picture.elements.emplace_back(line);
+  for (const auto& near_part : clip_line_near(points, view)) {
+    for (auto& part : clip_line(all_to_pixels(view, near_part), view.frame)) {
+      line.points = std::move(part);
+      picture.elements.emplace_back(line);
+    }
   }
 }
 
 void draw_area(Picture& picture, const View& view, Role role, const std::vector<WorldPoint>& points) {
-  auto inside = clip_area(all_to_pixels(view, points), view.frame);
+  auto inside = clip_area(all_to_pixels(view, clip_area_near(points, view)), view.frame);
   if (!inside.empty()) picture.elements.emplace_back(Area{role, std::move(inside)});
 }
 

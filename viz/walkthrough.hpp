@@ -53,7 +53,7 @@ struct Death {
 enum class Outcome {
   faithful,    ///< the answers agree to a few ulps, the verdict with them
   inaccurate,  ///< the answers have lost digits
-  flipped      ///< the discriminant has the wrong sign: the verdict is noise
+  flipped      ///< the number whose sign decides has the wrong one: the verdict is noise
 };
 
 struct Walkthrough {
@@ -66,8 +66,12 @@ struct Walkthrough {
   double lo = 0;  ///< the roots the method came to, ascending; NaN for none
   double hi = 0;
   Outcome outcome = Outcome::faithful;
+  std::string decider = "the discriminant";  ///< the number whose sign decides; empty where comparisons do
+  std::string known_fault{};                 ///< why the method is known to go wrong; empty for a sound one
+  bool is_printed = false;                   ///< copied from a source together with the source's error
   double answer_bits_lost = 0;   ///< of the worst answer, or of the flipped discriminant; 0 where faithful
   std::optional<Death> death{};  ///< where they were lost; none where no single operation is to blame
+  std::optional<Death> worst_loss{};  ///< the operation that lost most, whether or not the answer hangs on it
 };
 
 /// "In step 'Form the discriminant' the subtraction b·b − 4·a·c cancels 22 of 24 bits.", or that none died.

@@ -95,8 +95,9 @@ TEST(Stories, OfEveryRecordableMethodEndInTheKernelsOwnNumbersBitForBit) {
 TEST(Stories, NameTheInputsByTheLettersOfTheFormat) {
   const auto names = [](const std::string& shape, const std::string& method) {
     const Case one = with_shape(shape);
+    const Walkthrough told = view_of(one)->walk(one, method).value();
     std::string all;
-    for (const WalkValue& value : view_of(one)->walk(one, method)->inputs) all += value.name + ' ';
+    for (const WalkValue& value : told.inputs) all += value.name + ' ';
     return all;
   };
   EXPECT_EQ(names(shapes()[0], "implicit"), "o.x o.y o.z d⃗.x d⃗.y d⃗.z n.x n.y n.z d ");
@@ -163,8 +164,8 @@ TEST(Wireframe, AGapTooNarrowToSeeIsMagnified) {
   wrong.hits.push_back(5);
   const Answer claimed = wrong;
   bool is_told = false;
-  for (const Text& text : elements<Text>(view_of(one)->picture(one, &exact, &claimed)))
-    is_told = is_told || text.text == "1e-9 between";
+  const Picture picture = view_of(one)->picture(one, &exact, &claimed);
+  for (const Text& text : elements<Text>(picture)) is_told = is_told || text.text == "1e-9 between";
   EXPECT_TRUE(is_told);
 }
 

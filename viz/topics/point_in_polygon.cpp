@@ -1,0 +1,18 @@
+#include <rayproof/point_in_polygon/methods.hpp>
+
+#include "viz/record.hpp"
+#include "viz/topics.hpp"
+#include "viz/topics/point_in_polygon_picture.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+/// Its methods count crossings in plain numbers: none of them can be recorded.
+std::optional<Walkthrough> walk(const Case& /*one*/, const std::string& /*method*/) { return std::nullopt; }
+
+}  // namespace
+
+TopicView point_in_polygon_view();
+TopicView point_in_polygon_view() { return {point_in_polygon::Topic::name, point_in_polygon_picture, walk}; }
+
+}  // namespace rayproof::viz

@@ -1,0 +1,145 @@
+#include "viz/topics/wireframe_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "viz/answers.hpp"
+#include "viz/numbers.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+/// Two things nearer than this, in pixels, can't be told apart.
+constexpr double apart = 24;
+
+std::optional<Shadow> first_hit(const Answer* exact, const Answer* claimed) {
+  for (const Answer* answer : {exact, claimed}) {
+    for (const double t : values_of(answer)) {
+      if (std::isfinite(t)) return Shadow(t);
+    }
+  }
+  return std::nullopt;
+}
+
+/// The unit normal at the first exact hit; nothing where it has none.
+std::optional<Place> exact_normal(const WireframeScene& scene) {
+  const auto* answer = scene.exact == nullptr ? nullptr : std::get_if<RayAnswer>(scene.exact);
+  if (answer == nullptr || !answer->normal) return std::nullopt;
+  return unit(convert<Shadow>(*answer->normal));
+}
+
+/// Across the ray and, where there is a normal, along the surface: it is then seen as a line.
+Place toward_for(const WireframeScene& scene, const std::optional<Place>& normal, const Camera& main) {
+  const Place across = normal ? cross(scene.along_ray, *normal) : cross(scene.along_ray, main.up);
+  const bool is_clear = length(across) > Shadow(1e-12);
+  const Place toward = is_clear ? unit(across) : some_perpendicular(scene.along_ray);
+  return dot(toward, main.toward) < 0 ? Place(Shadow(-1) * toward) : toward;
+}
+
+/// A look at the stretch of the ray between two t.
+WireframeInset stretch_inset(const WireframeScene& scene, const Camera& main, const Box& frame,
+                             const std::pair<Shadow, Shadow>& ends, const std::string& label) {
+  const std::optional<Place> normal = exact_normal(scene);
+  const Place middle = scene.at((ends.first + ends.second) / 2);
+  const Camera camera = Camera::from(middle, toward_for(scene, normal, main), scene.along_ray);
+  const WorldPoint from = camera.see(scene.at(ends.first));
+  const WorldPoint to = camera.see(scene.at(ends.second));
+  const Shadow size = abs(to.x - from.x);
+  WireframeInset inset{camera, View::around(frame, {0, 0}, size * Shadow(1.6), size * Shadow(0.01)), middle};
+  inset.measured = {from, to};
+  inset.label = label;
+  if (normal && scene.sight.first_t) {
+    const Shadow reach = inset.view.half_width() * 3;
+    const Place slope = unit(cross(*normal, camera.toward));
+    const Place hit = scene.at(*scene.sight.first_t);
+    inset.surface = {hit - reach * slope, hit + reach * slope};
+  }
+  return inset;
+}
+
+/// A look at the gap between the ray and the outline, which is seen as a line below the ray.
+WireframeInset gap_inset(const WireframeScene& scene, const Box& frame, const Nearest& nearest) {
+  const Place up = unit(nearest.on_ray - nearest.on_outline);
+  const Camera camera{nearest.on_ray, scene.along_ray, up, cross(scene.along_ray, up)};
+  const View view = View::around(frame, {0, -nearest.gap / 2}, nearest.gap, nearest.gap * Shadow(1.8));
+  WireframeInset inset{camera, view, nearest.on_ray};
+  inset.measured = {{0, 0}, {0, -nearest.gap}};
+  inset.label = rough(nearest.gap, 2) + " between";
+  return inset;
+}
+
+}  // namespace
+
+std::vector<NamedMark> WireframeScene::marks(const Camera& camera) const {
+  return marks_of("t", exact, claimed, [&](double t) { return WorldPoint{camera.see(at(t)).x, 0}; });
+}
+
+RayLine WireframeScene::line(const Camera& camera) const {
+  RayLine line;
+  if (isfinite(sight.ray.t_min)) line.start = camera.see(at(sight.ray.t_min)).x;
+  if (isfinite(sight.ray.t_max)) line.end = camera.see(at(sight.ray.t_max)).x;
+  return line;
+}
+
+Camera WireframeScene::main_camera() const {
+  Place middle{0, 0, 0};
+  for (const Place& p : figure.extent) middle = middle + p;
+  middle = Shadow(1) / static_cast<unsigned>(figure.extent.size()) * middle;
+  const Shadow t = dot(middle - sight.ray.origin, along_ray) / direction_size;
+  return Camera::chosen(at(t), along_ray, figure.normals);
+}
+
+WireframeScene scene_of(Figure (*maker)(const Sight&), const Case& one, const Answer* exact,
+                        const Answer* claimed) {
+  const auto& question = std::get<RayQuestion>(one.question);
+  const Sight sight{question, World(question), convert<Shadow>(question.ray), first_hit(exact, claimed)};
+  const Place& d = sight.ray.direction;
+  return {sight, maker(sight), unit(d), length(d), exact, claimed};
+}
+
+std::optional<Nearest> nearest_of(const WireframeScene& scene) {
+  const Ray<Shadow>& ray = scene.sight.ray;
+  const auto across = [&](const Place& v) { return v - dot(v, scene.along_ray) * scene.along_ray; };
+  std::optional<Nearest> nearest;
+  for (const std::vector<Place>& border : scene.figure.borders) {
+    for (std::size_t i = 0; i + 1 < border.size(); ++i) {
+      const Place side = border[i + 1] - border[i];
+      const Place from_ray = across(border[i] - ray.origin);
+      const Place side_across = across(side);
+      const Shadow square = dot(side_across, side_across);
+      const Shadow part = square == 0 ? Shadow(0) : Shadow(-dot(from_ray, side_across) / square);
+      const Place on_outline = border[i] + std::clamp<Shadow>(part, 0, 1) * side;
+      const Shadow t = dot(on_outline - ray.origin, scene.along_ray) / scene.direction_size;
+      const Place on_ray = scene.at(t);
+      const Shadow gap = length(on_outline - on_ray);
+      if (in_interval(ray, t) && (!nearest || gap < nearest->gap)) nearest = {on_ray, on_outline, t, gap};
+    }
+  }
+  return nearest;
+}
+
+std::optional<WireframeInset> inset_of(const WireframeScene& scene, const Camera& camera, const View& main,
+                                       const Box& frame) {
+  const std::optional<Nearest> nearest = nearest_of(scene);
+  const Shadow pixel = 1 / main.scale_x;
+  // A gap of 2^-200 of the scene is the rounding of the picture's own numbers: the ray meets the outline.
+  const bool has_gap = nearest && nearest->gap > ldexp(pixel, -200);
+  const bool hides_gap = has_gap && nearest->gap < 8 * pixel;
+  if (hides_gap && verdicts_differ(scene.exact, scene.claimed)) return gap_inset(scene, frame, *nearest);
+  const auto on_axis = [](double t) { return WorldPoint{t, 0}; };
+  if (const auto worst = worst_pair(scene.exact, scene.claimed, on_axis)) {
+    const auto& [truth, claim] = *worst;
+    const Shadow error = abs(truth.x - claim.x) * scene.direction_size;
+    if (error > apart * pixel) return {};
+    return stretch_inset(scene, camera, frame, {truth.x, claim.x}, "off by " + rough(error, 2));
+  }
+  if (hides_gap) return gap_inset(scene, frame, *nearest);
+  if (!isfinite(scene.sight.ray.t_min) || !scene.sight.first_t) return {};
+  const Shadow t_min = scene.sight.ray.t_min;
+  const Shadow from_start = abs(*scene.sight.first_t - t_min) * scene.direction_size;
+  if (from_start == 0 || from_start > apart * pixel) return {};
+  return stretch_inset(scene, camera, frame, {t_min, *scene.sight.first_t},
+                       rough(from_start, 2) + " from the start");
+}
+
+}  // namespace rayproof::viz

@@ -1,0 +1,56 @@
+#pragma once
+/// \file
+/// What a picture of a ray and a figure has to show, from which side, and from how near.
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "case/answer.hpp"
+#include "viz/marks.hpp"
+#include "viz/topics/figure.hpp"
+#include "viz/topics/fit.hpp"
+#include "viz/topics/ray_line.hpp"
+
+namespace rayproof::viz {
+
+/// The question in the world, with everybody's hits.
+struct WireframeScene {
+  Sight sight;
+  Figure figure;
+  Place along_ray;  ///< the direction, of unit length
+  Shadow direction_size;
+  const Answer* exact;
+  const Answer* claimed;
+
+  [[nodiscard]] Place at(const Shadow& t) const { return point_at(sight.ray, t); }
+  [[nodiscard]] std::vector<NamedMark> marks(const Camera& camera) const;
+  [[nodiscard]] RayLine line(const Camera& camera) const;
+  [[nodiscard]] Camera main_camera() const;
+};
+[[nodiscard]] WireframeScene scene_of(Figure (*maker)(const Sight&), const Case& one, const Answer* exact,
+                                      const Answer* claimed);
+
+/// Where the ray's line passes nearest to the outline.
+struct Nearest {
+  Place on_ray, on_outline;
+  Shadow t;
+  Shadow gap;
+};
+[[nodiscard]] std::optional<Nearest> nearest_of(const WireframeScene& scene);
+
+/// A look through the magnifying glass, from a side of its own.
+struct WireframeInset {
+  Camera camera;
+  View view;
+  Place middle;  ///< what it looks at
+  std::optional<std::pair<WorldPoint, WorldPoint>> measured{};
+  std::string label{};
+  std::optional<std::pair<Place, Place>> surface{};  ///< where it cuts the surface that is hit
+};
+/// Nothing where the main view shows everything.
+[[nodiscard]] std::optional<WireframeInset> inset_of(const WireframeScene& scene, const Camera& camera,
+                                                     const View& main, const Box& frame);
+
+}  // namespace rayproof::viz
