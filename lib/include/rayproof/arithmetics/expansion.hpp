@@ -23,6 +23,10 @@ template <std::floating_point T>
   if (count < 2) return count;
   std::size_t bottom = count - 1;
   T sum = terms[bottom];
+  if (!(abs(sum) < infinity<T>)) {  // an overflow has no digits to keep, and would breed terms without end
+    terms[0] = not_a_number<T>;
+    return 1;
+  }
   for (std::size_t i = count - 1; i-- > 0;) {
     const auto [rounded, rest] = two_sum(sum, terms[i]);
     sum = rounded;
