@@ -28,8 +28,7 @@ std::vector<Family> cylinder_families() {
       family<AsLaidOut<Surface>>(
           topic,
           {in_reach, {"hit", 0.66}, {"miss", 0.18}, {"rim", 0.1}, {"cut", 0.24}, {"from inside", 0.1}}),
-      family<AsLaidOut<NoHeight>>(
-          topic, {in_reach, {"hit", 0.56}, {"miss", 0.28}, {"rim", 0.38}, {"in surface", 0.02}}),
+      family<AsLaidOut<NoHeight>>(topic, {in_reach, {"hit", 0.56}, {"miss", 0.28}, {"rim", 0.38}}),
       family<CutShort<Cut>>(topic, {in_reach,
                                     {"hit", 0.58},
                                     {"miss", 0.25},

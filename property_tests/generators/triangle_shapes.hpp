@@ -8,11 +8,12 @@ namespace rayproof::triangle_family {
 
 struct Slivers {
   static constexpr const char* name = "slivers";
-  static constexpr const char* description = "the third vertex is 2^-3 to 2^-18 lengths beside an edge";
+  static constexpr const char* description =
+      "the third vertex is 2^-3 lengths beside an edge, or down to 3/4 of the digits";
 
-  [[nodiscard]] static Scene scene(Random& random, int /*digits*/) {
+  [[nodiscard]] static Scene scene(Random& random, int digits) {
     Triangle<double> triangle = in_a_room(random);
-    const double thinness = std::exp2(random.uniform(-18, -3));
+    const double thinness = std::exp2(random.uniform(-0.75 * digits, -3));
     triangle.c = triangle.a + random.uniform(-0.2, 1.2) * (triangle.b - triangle.a) + thinness * triangle.c;
     Scene scene;
     look_at(random, scene, in_or_beside(random, triangle));

@@ -32,9 +32,7 @@ Scaled distance_to_side(const PlanePoint& point, const Ring& weight, const Plane
 class PolygonFigure final : public FlatFigure {
  public:
   PolygonFigure(const RayQuestion& question, const Polygon<double>& polygon)
-      : FlatFigure(question, plane_of(polygon), size_of(polygon), distance(polygon)),
-        projection_(plane_of(polygon).normal),
-        vertices_(projected(polygon, projection_)) {}
+      : PolygonFigure(question, polygon, plane_of(polygon)) {}
 
   [[nodiscard]] Scaled margin() const override {
     Scaled nearest = FlatFigure::margin();
@@ -57,6 +55,11 @@ class PolygonFigure final : public FlatFigure {
   }
 
  private:
+  PolygonFigure(const RayQuestion& question, const Polygon<double>& polygon, const FlatEquation& plane)
+      : FlatFigure(question, plane, size_of(polygon), distance(polygon)),
+        projection_(plane.normal),
+        vertices_(projected(polygon, projection_)) {}
+
   /// The point in which the line meets the plane, in the projection, times a positive weight.
   [[nodiscard]] std::pair<PlanePoint, Ring> meeting_point() const {
     const Quotient t = meeting().t();

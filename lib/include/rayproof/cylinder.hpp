@@ -8,10 +8,10 @@ namespace rayproof {
 
 /// The surface x²/rx² + y²/ry² = 1, 0 <= z <= height; `capped` adds the two closed elliptic disks.
 ///
-/// A line that runs inside the side meets the open cylinder nowhere in particular (no hit) and the capped one
-/// where it passes the two rims. As roots: `lo` and `hi` are the hits of the whole line, ascending, NaN where
-/// there is none (also `lo` alone); the discriminant is 0 where the line touches the side and `lo == hi`,
-/// positive for one or two hits, negative for none.
+/// A line that runs inside the side meets the open cylinder nowhere in particular (no hit; the ring that is
+/// left at height 0 it meets once) and the capped one where it passes the two rims. As roots: `lo` and `hi`
+/// are the hits of the whole line, ascending, NaN where there is none (also `lo` alone); the discriminant is
+/// 0 where the line touches the side and `lo == hi`, positive for one or two hits, negative for none.
 ///
 /// Units of the contracts. In the plane scaled by (1/rx, 1/ry) the side is the unit circle; let S = |origin|
 /// there + 1, with p = `far_power` and Z(t) = |origin.z| + height + |t||direction.z|. *Residual* of a hit on

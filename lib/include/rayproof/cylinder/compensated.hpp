@@ -70,9 +70,11 @@ struct Compensated {
   template <class T>
   static Roots<T> along_axis(const Ray<T>& ray, const Cylinder<T>& cylinder, const ExactSide& side,
                              const Heights& heights) {
-    if (!cylinder.capped || sign(side.C) > 0 || heights.is_parallel) return miss<T>;
+    const bool is_ring = cylinder.height == 0;  // an open cylinder of no height is all rim
+    const bool meets = cylinder.capped ? sign(side.C) <= 0 : is_ring && sign(side.C) == 0;
+    if (!meets || heights.is_parallel) return miss<T>;
     const Roots<T> both{T(1), rounded(ray, heights.entry.ratio), rounded(ray, heights.exit.ratio)};
-    return kept(both, cylinder.height > 0, true);
+    return kept(both, !is_ring, true);
   }
 
   template <class T>

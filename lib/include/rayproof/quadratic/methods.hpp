@@ -6,6 +6,7 @@
 #include <rayproof/quadratic/citardauq_viete.hpp>
 #include <rayproof/quadratic/full_range.hpp>
 #include <rayproof/quadratic/kahan.hpp>
+#include <rayproof/quadratic/printed_b_4ac.hpp>
 #include <rayproof/quadratic/textbook.hpp>
 #include <rayproof/type_list.hpp>
 
@@ -16,7 +17,7 @@ struct Topic {
   static constexpr const char* name = "quadratic";
   static constexpr double robust_bound = quadratic_robust_bound;
   static constexpr bool is_batched = true;
-  using Methods = TypeList<Textbook, Citardauq, CitardauqViete, Kahan, FullRange>;
+  using Methods = TypeList<Textbook, Citardauq, CitardauqViete, Kahan, FullRange, PrintedB4ac>;
 
   /// The equation itself.
   template <class T>

@@ -7,6 +7,7 @@
 #include <rayproof/sphere/half_b.hpp>
 #include <rayproof/sphere/printed_2ac.hpp>
 #include <rayproof/sphere/printed_half_b.hpp>
+#include <rayproof/sphere/printed_unit_direction.hpp>
 #include <rayproof/sphere/stable.hpp>
 #include <rayproof/sphere/textbook.hpp>
 #include <rayproof/type_list.hpp>
@@ -18,7 +19,8 @@ struct Topic {
   static constexpr const char* name = "sphere";
   static constexpr double robust_bound = sphere_robust_bound;
   static constexpr bool is_batched = true;
-  using Methods = TypeList<Textbook, HalfB, Stable, Centred, Compensated, Printed2ac, PrintedHalfB>;
+  using Methods =
+      TypeList<Textbook, HalfB, Stable, Centred, Compensated, Printed2ac, PrintedHalfB, PrintedUnitDirection>;
 
   /// A ray and the sphere it is put to.
   template <class T>
