@@ -31,8 +31,34 @@ std::string name_of(RootKind kind, std::size_t count) {
 }
 
 std::string verdict_of(const RayAnswer& answer) {
-  if (answer.hits.count == 0) return "miss";
-  return answer.contact == Contact::tangent ? "tangent hit" : "hit";
+  const bool is_hit = answer.hits.count > 0;
+  switch (answer.contact) {
+    case Contact::tangent:
+      return is_hit ? "tangent hit" : "miss";
+    case Contact::edge:
+      return "hit on an edge";
+    case Contact::vertex:
+      return "hit on a vertex";
+    case Contact::rim:
+      return "hit on the rim";
+    case Contact::in_surface:
+      return "miss (in the surface)";
+    case Contact::parallel:
+      return "miss (parallel)";
+    case Contact::degenerate:
+      return "miss (no area)";
+    default:
+      return is_hit ? "hit" : "miss";
+  }
+}
+
+/// Two misses, each with a reason, and not the same.
+bool reasons_differ(const Answer& exact, const Answer& claimed) {
+  const auto* truth = std::get_if<RayAnswer>(&exact);
+  const auto* claim = std::get_if<RayAnswer>(&claimed);
+  if (truth == nullptr || claim == nullptr || truth->hits.count + claim->hits.count > 0) return false;
+  return truth->contact != Contact::none && claim->contact != Contact::none &&
+         truth->contact != claim->contact;
 }
 std::string verdict_of(const QuadraticAnswer<double>& answer) { return name_of(answer.kind, answer.count); }
 
@@ -76,7 +102,7 @@ bool verdicts_differ(const Answer* exact, const Answer* claimed) {
   const auto kind = [](const Answer& answer) {
     return std::visit([](const auto& one) { return kind_of(one); }, answer);
   };
-  if (kind(*exact) != kind(*claimed)) return true;
+  if (kind(*exact) != kind(*claimed) || reasons_differ(*exact, *claimed)) return true;
   const auto* ray_answer = std::get_if<RayAnswer>(claimed);
   const bool tells_all = ray_answer == nullptr || !ray_answer->nearest_only;
   return tells_all && values_of(exact).size() != values_of(claimed).size();

@@ -14,10 +14,11 @@ namespace rayproof::viz {
 /// The t or x of the answer, ascending; none for a missing answer.
 [[nodiscard]] std::vector<double> values_of(const Answer* answer);
 
-/// "hit at 2 points", "miss", "two roots", "no answer given".
+/// "hit on an edge", "miss (parallel)", "two roots", "inside", "not given".
 [[nodiscard]] std::string verdict_of(const Answer* answer);
 
-/// Whether both are given and differ in how many hits or roots there are, or of what kind.
+/// Whether both are given and differ in how many hits or roots there are, of what kind, or in why there is
+/// none.
 [[nodiscard]] bool verdicts_differ(const Answer* exact, const Answer* claimed);
 
 /// The worst distance of a claimed value from the exact one of the same rank, as count_ulps counts.

@@ -31,7 +31,8 @@ Picture begin_picture(const std::string& what, const Case& one, const std::strin
       fmt::format("{} in {}.{}{}", what, one.precision == Precision::float32 ? "float32" : "float64",
                   one.note.empty() ? "" : " ", one.note);
   picture.description = subject + " " + geometry;
-  picture.elements.emplace_back(Text{Role::text, {20, 30}, headline, Anchor::start, 20, true});
+  const double size = headline.size() > 62 ? 17 : 20;  // a long one has to fit, too
+  picture.elements.emplace_back(Text{Role::text, {20, 30}, headline, Anchor::start, size, true});
   picture.elements.emplace_back(Text{Role::muted, {20, 54}, shortened(subject, 110), Anchor::start, 13});
   picture.elements.emplace_back(Text{Role::muted, {20, 73}, geometry, Anchor::start, 13});
   return picture;

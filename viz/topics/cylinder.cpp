@@ -65,9 +65,10 @@ std::vector<WorldPoint> all_around(const Tube& tube) {
   for (int i = -119; i < 120; ++i) half_tangents.emplace_back(std::tan(std::numbers::pi * i / 240));
   const auto thicken = [&](const Shadow& around) {
     half_tangents.push_back(around);
-    for (int k = 6; k < 200; k += 2) {
-      half_tangents.push_back(around - ldexp(Shadow(1), -k));
-      half_tangents.push_back(around + ldexp(Shadow(1), -k));
+    for (int i = 20; i < 240; ++i) {  // a quarter of an octave apart
+      const Shadow step = std::exp2(-i / 4.0);
+      half_tangents.push_back(around - step);
+      half_tangents.push_back(around + step);
     }
   };
   thicken(0);
@@ -118,6 +119,18 @@ void append_sides(std::vector<Stroke>& strokes, const Tube& tube, const Place& t
   add(0, -1, false);
 }
 
+/// Of the side or of an end, whichever is nearer by its own measure: the radius, the axis.
+Place normal_of(const Tube& tube, const Place& place) {
+  const Place p = place - tube.base;
+  const Shadow c = dot(p, tube.normal_x) / dot(tube.x, tube.normal_x);
+  const Shadow s = dot(p, tube.normal_y) / dot(tube.y, tube.normal_y);
+  const Shadow from_side = abs(sqrt(c * c + s * s) - 1);
+  const Shadow whole = dot(tube.axis, tube.end_normal);
+  const Shadow part = whole == 0 ? Shadow(0) : Shadow(dot(p, tube.end_normal) / whole);
+  const bool is_on_side = from_side < std::min<Shadow>(abs(part), abs(part - 1));
+  return is_on_side ? unit(c * tube.normal_x + s * tube.normal_y) : tube.end_normal;
+}
+
 Figure figure_of(const Sight& sight) {
   const Tube tube = tube_of(sight);
   Figure figure;
@@ -131,6 +144,7 @@ Figure figure_of(const Sight& sight) {
                     {nearest, nearest + tube.axis}};
   figure.normals = {tube.end_normal, unit(tube.axis + tube.x)};
   figure.labels = {{"z = 0", tube.base}};
+  figure.normal_at = [tube](const Place& p) { return normal_of(tube, p); };
   figure.strokes = [tube](const Place& toward) {
     std::vector<Stroke> strokes;
     append_rim(strokes, tube, false, toward);

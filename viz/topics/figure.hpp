@@ -53,6 +53,8 @@ struct Figure {
   std::vector<std::pair<std::string, Place>> labels{};
   /// The lines that a ray must pass by to change its verdict: edges, rims, the side's line nearest the ray.
   std::vector<std::vector<Place>> borders{};
+  /// The unit normal of the surface at a hit; where left out, it is the first of `normals` everywhere.
+  std::function<Place(const Place& hit)> normal_at{};
   /// The outline as it is seen from far away in the direction `toward`.
   std::function<std::vector<Stroke>(const Place& toward)> strokes{};
 };

@@ -76,10 +76,8 @@ void draw_panel(Picture& picture, const View& view, const Plan& plan, const std:
 std::string geometry_of(const Plan& plan) {
   const std::size_t count = plan.crossings.size();
   return fmt::format(
-      "The ray to the right crosses {} side{}, each with its lower end and without its upper one; the "
-      "boundary "
-      "is {}.",
-      count, count == 1 ? "" : "s", plan.gap == 0 ? "at the point" : rough(plan.gap, 3) + " from the point");
+      "The ray to the right crosses {} side{} (lower ends count, upper ones don't); the boundary is {}.",
+      count, count == 1 ? "" : "s", plan.gap == 0 ? "here" : rough(plan.gap, 3) + " off");
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "viz/topics/solid_figure.hpp"
 
+#include <algorithm>
+
 namespace rayproof::viz {
 namespace {
 
@@ -36,6 +38,21 @@ std::vector<Stroke> strokes_of(const Solid& solid, const Place& toward) {
   return strokes;
 }
 
+/// Of the face nearest to a point, by the measure of the edges.
+Place normal_of(const Solid& solid, const Place& place) {
+  std::size_t best = 0;
+  Shadow least = -1;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Shadow whole = dot(solid.normals[i], solid.edges[i]);
+    const Shadow part = whole == 0 ? Shadow(0) : Shadow(dot(solid.normals[i], place - solid.corner) / whole);
+    const Shadow off = std::min<Shadow>(abs(part), abs(part - 1));
+    if (least >= 0 && off >= least) continue;
+    least = off;
+    best = i;
+  }
+  return solid.normals[best];
+}
+
 }  // namespace
 
 Figure solid_figure(const Place& corner, const std::array<Place, 3>& edges) {
@@ -48,6 +65,7 @@ Figure solid_figure(const Place& corner, const std::array<Place, 3>& edges) {
   for (unsigned set = 0; set < 8; ++set) figure.extent.push_back(solid.at(set));
   figure.normals.assign(solid.normals.begin(), solid.normals.end());
   for (const Stroke& edge : strokes_of(solid, {0, 0, 1})) figure.borders.push_back(edge.points);
+  figure.normal_at = [solid](const Place& place) { return normal_of(solid, place); };
   figure.strokes = [solid](const Place& toward) { return strokes_of(solid, toward); };
   return figure;
 }

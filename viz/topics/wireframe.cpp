@@ -60,8 +60,9 @@ void draw_panel(Picture& picture, const View& view, const WireframeScene& scene,
 
 void draw_inset(Picture& picture, const WireframeInset& inset, const WireframeScene& scene,
                 const View& main) {
+  const bool is_stretched = inset.view.scale_x != inset.view.scale_y;
   draw_panel(picture, inset.view, scene, inset.camera,
-             magnification(main, inset.view) + ", seen from another side");
+             magnification(main, inset.view) + (is_stretched ? ", turned" : ", seen from another side"));
   if (inset.surface) {
     const auto& [from, to] = *inset.surface;
     draw_curve(picture, inset.view, {Role::surface, {}, 2}, {inset.camera.see(from), inset.camera.see(to)});
@@ -74,7 +75,7 @@ std::string geometry_of(const WireframeScene& scene, const Camera& camera) {
   const Extent extent = Extent::of(camera.see(scene.figure.extent));
   std::string text = fmt::format("Direction of length {}", rough(scene.direction_size, 4));
   if (scene.figure.borders.empty()) return text + "; a patch of the plane is drawn.";
-  text += fmt::format("; the figure is {} across as it is seen", rough(2 * extent.half_size(), 3));
+  text += fmt::format("; the figure is seen {} across", rough(2 * extent.half_size(), 3));
   if (const auto nearest = nearest_of(scene)) {
     text += nearest->gap > ldexp(extent.half_size(), -200)
                 ? fmt::format("; the ray passes {} from its outline", rough(nearest->gap, 3))

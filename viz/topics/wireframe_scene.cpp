@@ -21,47 +21,51 @@ std::optional<Shadow> first_hit(const Answer* exact, const Answer* claimed) {
   return std::nullopt;
 }
 
-/// The unit normal at the first exact hit; nothing where it has none.
-std::optional<Place> exact_normal(const WireframeScene& scene) {
-  const auto* answer = scene.exact == nullptr ? nullptr : std::get_if<RayAnswer>(scene.exact);
-  if (answer == nullptr || !answer->normal) return std::nullopt;
-  return unit(convert<Shadow>(*answer->normal));
-}
-
-/// Across the ray and, where there is a normal, along the surface: it is then seen as a line.
-Place toward_for(const WireframeScene& scene, const std::optional<Place>& normal, const Camera& main) {
-  const Place across = normal ? cross(scene.along_ray, *normal) : cross(scene.along_ray, main.up);
+/// Across the ray and along the surface with the given normal: it is then seen as a line.
+Place toward_for(const WireframeScene& scene, const Place& normal, const Camera& main) {
+  const Place across = cross(scene.along_ray, normal);
   const bool is_clear = length(across) > Shadow(1e-12);
   const Place toward = is_clear ? unit(across) : some_perpendicular(scene.along_ray);
   return dot(toward, main.toward) < 0 ? Place(Shadow(-1) * toward) : toward;
 }
 
-/// A look at the stretch of the ray between two t.
+/// A look at the stretch of the ray between a hit and another t.
 WireframeInset stretch_inset(const WireframeScene& scene, const Camera& main, const Box& frame,
-                             const std::pair<Shadow, Shadow>& ends, const std::string& label) {
-  const std::optional<Place> normal = exact_normal(scene);
-  const Place middle = scene.at((ends.first + ends.second) / 2);
+                             const Shadow& hit_t, const Shadow& other_t, const std::string& label) {
+  const Place hit = scene.at(hit_t);
+  const Place normal = scene.figure.normal_at ? scene.figure.normal_at(hit) : scene.figure.normals.front();
+  const Place middle = scene.at((hit_t + other_t) / 2);
   const Camera camera = Camera::from(middle, toward_for(scene, normal, main), scene.along_ray);
-  const WorldPoint from = camera.see(scene.at(ends.first));
-  const WorldPoint to = camera.see(scene.at(ends.second));
+  const WorldPoint from = camera.see(hit);
+  const WorldPoint to = camera.see(scene.at(other_t));
   const Shadow size = abs(to.x - from.x);
   WireframeInset inset{camera, View::around(frame, {0, 0}, size * Shadow(1.6), size * Shadow(0.01)), middle};
   inset.measured = {from, to};
   inset.label = label;
-  if (normal && scene.sight.first_t) {
-    const Shadow reach = inset.view.half_width() * 3;
-    const Place slope = unit(cross(*normal, camera.toward));
-    const Place hit = scene.at(*scene.sight.first_t);
-    inset.surface = {hit - reach * slope, hit + reach * slope};
-  }
+  const Place slope = unit(cross(normal, camera.toward));
+  const Shadow reach = inset.view.half_width() * 3;
+  inset.surface = {hit - reach * slope, hit + reach * slope};
   return inset;
 }
 
-/// A look at the gap between the ray and the outline, which is seen as a line below the ray.
-WireframeInset gap_inset(const WireframeScene& scene, const Box& frame, const Nearest& nearest) {
+/// A look along the outline at the gap between it and the ray: there the outline is a point below the ray,
+/// and what meets in it, faces or a round side, is seen in profile. Hits too near to be told apart otherwise
+/// are shown, too, if need be by stretching.
+WireframeInset gap_inset(const WireframeScene& scene, const View& main, const Box& frame,
+                         const Nearest& nearest) {
   const Place up = unit(nearest.on_ray - nearest.on_outline);
-  const Camera camera{nearest.on_ray, scene.along_ray, up, cross(scene.along_ray, up)};
-  const View view = View::around(frame, {0, -nearest.gap / 2}, nearest.gap, nearest.gap * Shadow(1.8));
+  const bool runs_along = length(cross(nearest.side, scene.along_ray)) < Shadow(1e-3);
+  Place toward = runs_along ? cross(scene.along_ray, up) : nearest.side;
+  if (dot(cross(toward, scene.along_ray), up) < 0) toward = Shadow(-1) * toward;
+  const Camera camera = Camera::from(nearest.on_ray, toward, scene.along_ray);
+  Shadow half_width = nearest.gap;
+  for (const NamedMark& hit : scene.marks(camera)) {
+    if (abs(hit.at.x) * main.scale_x < 3 * apart)
+      half_width = std::max<Shadow>(half_width, abs(hit.at.x) * 1.3);
+  }
+  const Shadow half_height = nearest.gap * Shadow(1.8);
+  View view = View::around(frame, {0, -nearest.gap / 2}, half_width, half_height);
+  if (half_width > 4 * half_height) view.scale_y = frame.height / 2 / half_height;
   WireframeInset inset{camera, view, nearest.on_ray};
   inset.measured = {{0, 0}, {0, -nearest.gap}};
   inset.label = rough(nearest.gap, 2) + " between";
@@ -112,7 +116,8 @@ std::optional<Nearest> nearest_of(const WireframeScene& scene) {
       const Shadow t = dot(on_outline - ray.origin, scene.along_ray) / scene.direction_size;
       const Place on_ray = scene.at(t);
       const Shadow gap = length(on_outline - on_ray);
-      if (in_interval(ray, t) && (!nearest || gap < nearest->gap)) nearest = {on_ray, on_outline, t, gap};
+      if (in_interval(ray, t) && (!nearest || gap < nearest->gap))
+        nearest = {on_ray, on_outline, unit(side), gap};
     }
   }
   return nearest;
@@ -125,20 +130,21 @@ std::optional<WireframeInset> inset_of(const WireframeScene& scene, const Camera
   // A gap of 2^-200 of the scene is the rounding of the picture's own numbers: the ray meets the outline.
   const bool has_gap = nearest && nearest->gap > ldexp(pixel, -200);
   const bool hides_gap = has_gap && nearest->gap < 8 * pixel;
-  if (hides_gap && verdicts_differ(scene.exact, scene.claimed)) return gap_inset(scene, frame, *nearest);
+  if (hides_gap && verdicts_differ(scene.exact, scene.claimed))
+    return gap_inset(scene, main, frame, *nearest);
   const auto on_axis = [](double t) { return WorldPoint{t, 0}; };
   if (const auto worst = worst_pair(scene.exact, scene.claimed, on_axis)) {
     const auto& [truth, claim] = *worst;
     const Shadow error = abs(truth.x - claim.x) * scene.direction_size;
     if (error > apart * pixel) return {};
-    return stretch_inset(scene, camera, frame, {truth.x, claim.x}, "off by " + rough(error, 2));
+    return stretch_inset(scene, camera, frame, truth.x, claim.x, "off by " + rough(error, 2));
   }
-  if (hides_gap) return gap_inset(scene, frame, *nearest);
+  if (hides_gap) return gap_inset(scene, main, frame, *nearest);
   if (!isfinite(scene.sight.ray.t_min) || !scene.sight.first_t) return {};
   const Shadow t_min = scene.sight.ray.t_min;
   const Shadow from_start = abs(*scene.sight.first_t - t_min) * scene.direction_size;
   if (from_start == 0 || from_start > apart * pixel) return {};
-  return stretch_inset(scene, camera, frame, {t_min, *scene.sight.first_t},
+  return stretch_inset(scene, camera, frame, *scene.sight.first_t, t_min,
                        rough(from_start, 2) + " from the start");
 }
 

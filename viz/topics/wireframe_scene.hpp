@@ -35,7 +35,7 @@ struct WireframeScene {
 /// Where the ray's line passes nearest to the outline.
 struct Nearest {
   Place on_ray, on_outline;
-  Shadow t;
+  Place side;  ///< the outline's direction there, of unit length or 0
   Shadow gap;
 };
 [[nodiscard]] std::optional<Nearest> nearest_of(const WireframeScene& scene);
