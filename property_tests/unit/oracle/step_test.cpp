@@ -1,0 +1,112 @@
+/// \file
+/// The oracle judged by itself: scenes of short numbers moved by whole ones, which rounds nothing, and the
+/// cylinder, whose axis is fixed, in the motions that are its own.
+
+#include "unit/oracle/every_case.hpp"
+#include "unit/oracle/motions.hpp"
+
+namespace rayproof::oracle::test {
+namespace {
+
+using OracleStep = EveryShape;
+INSTANTIATE_TEST_SUITE_P(Of, OracleStep, testing::ValuesIn(ray_topics), topic_name);
+
+constexpr std::uint64_t cases_per_family = 100;
+
+void step(Sphere<double>& sphere, const glm::dvec3& by) { sphere.center += by; }
+void step(ImplicitPlane& plane, const glm::dvec3& by) { plane.d -= glm::dot(plane.normal, by); }
+void step(PointNormalPlane& plane, const glm::dvec3& by) { plane.point += by; }
+void step(ParametricPlane& plane, const glm::dvec3& by) { plane.point += by; }
+void step(Parallelepiped<double>& solid, const glm::dvec3& by) { solid.corner += by; }
+void step(Cylinder<double>& /*at the origin*/, const glm::dvec3& /*by*/) {}
+/// All vectors of a box, a triangle or a polygon are places.
+template <class S>
+void step(S& shape, const glm::dvec3& by) {
+  each_vector(shape, [&](glm::dvec3& v) { v += by; });
+}
+
+/// All but the point, which is rounded again in its new place.
+void expect_same_but_for_the_point(const RayAnswer& before, const RayAnswer& after) {
+  EXPECT_TRUE(std::ranges::equal(before.hits.view(), after.hits.view()));
+  EXPECT_EQ(before.contact, after.contact);
+  EXPECT_EQ(before.barycentric, after.barycentric);
+  EXPECT_EQ(before.normal, after.normal);
+}
+
+TEST_P(OracleStep, MovingAWholeSceneByWholeNumbersKeepsTheMeeting) {
+  const bool is_fixed = std::string(GetParam()) == "cylinder";
+  const glm::dvec3 by(1000, -77, 1 << 20);
+  std::size_t hits = 0;
+  for_each_case(GetParam(), cases_per_family, [&](Case one) {
+    if (!is_short(one)) return;
+    const RayAnswer before = ray_answer(one);
+    if (before.hits.count > 0) ++hits;
+    const RayQuestion& still = question_of(one);
+    RayQuestion by_transform = still;
+    by_transform.ray.origin += by;
+    by_transform.transform = still.transform.value_or(glm::dmat4(1));
+    (*by_transform.transform)[3] += glm::dvec4(by, 0);
+    expect_same_but_for_the_point(before, ray_answer({.precision = one.precision, .question = by_transform}));
+    if (is_fixed || still.transform) return;
+    RayQuestion by_fields = still;
+    by_fields.ray.origin += by;
+    std::visit([&](auto& shape) { step(shape, by); }, by_fields.shape);
+    expect_same_but_for_the_point(before, ray_answer({.precision = one.precision, .question = by_fields}));
+  });
+  EXPECT_GT(hits, 250U);
+}
+
+TEST(CylinderMotion, ExchangingItsRadiiExchangesXAndY) {
+  const Motion exchange{{1, 0, 2}, {1, 1, 1}};
+  for_each_case("cylinder", cases_per_family, [&](Case one) {
+    RayQuestion& asked = question_of(one);
+    if (asked.transform) return;
+    const RayAnswer before = ray_answer(one);
+    asked.ray = moved(asked.ray, exchange);
+    auto& tube = std::get<Cylinder<double>>(asked.shape);
+    std::swap(tube.rx, tube.ry);
+    const RayAnswer after = ray_answer(one);
+    EXPECT_TRUE(std::ranges::equal(before.hits.view(), after.hits.view()));
+    EXPECT_EQ(before.contact, after.contact);
+    if (before.point && after.point) {
+      EXPECT_EQ(exchange(*before.point), *after.point);
+    }
+  });
+}
+
+TEST(CylinderMotion, MirroringXAndYChangesNothingButThePoint) {
+  const Motion mirror{{0, 1, 2}, {-1, -1, 1}};
+  for_each_case("cylinder", cases_per_family, [&](Case one) {
+    RayQuestion& asked = question_of(one);
+    if (asked.transform) return;
+    const RayAnswer before = ray_answer(one);
+    asked.ray = moved(asked.ray, mirror);
+    const RayAnswer after = ray_answer(one);
+    EXPECT_TRUE(std::ranges::equal(before.hits.view(), after.hits.view()));
+    EXPECT_EQ(before.contact, after.contact);
+    ASSERT_EQ(before.normal.has_value(), after.normal.has_value());
+    if (before.normal) {
+      EXPECT_EQ(mirror(*before.normal), *after.normal);
+    }
+  });
+}
+
+TEST(CylinderMotion, TurningItUpsideDownChangesNothingButThePoint) {
+  for_each_case("cylinder", cases_per_family, [&](Case one) {
+    RayQuestion& asked = question_of(one);
+    if (asked.transform || !is_short(one)) return;
+    const RayAnswer before = ray_answer(one);
+    asked.ray.origin.z = std::get<Cylinder<double>>(asked.shape).height - asked.ray.origin.z;
+    asked.ray.direction.z = -asked.ray.direction.z;
+    const RayAnswer after = ray_answer(one);
+    EXPECT_TRUE(std::ranges::equal(before.hits.view(), after.hits.view()));
+    EXPECT_EQ(before.contact, after.contact);
+    ASSERT_EQ(before.normal.has_value(), after.normal.has_value());
+    if (before.normal) {
+      EXPECT_EQ(*before.normal * glm::dvec3(1, 1, -1), *after.normal);
+    }
+  });
+}
+
+}  // namespace
+}  // namespace rayproof::oracle::test
