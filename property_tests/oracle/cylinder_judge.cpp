@@ -71,8 +71,11 @@ class CylinderFigure final : public Figure {
       reduce(nearest, off_caps(at));
     }
     if (sign(equation_.direction.z) != 0) {
-      for (const Ring& cap : {Ring(0.0), equation_.height})
-        reduce(nearest, off_circle(Quotient(cap - equation_.origin.z, equation_.direction.z)));
+      for (const Ring& cap : {Ring(0.0), equation_.height}) {
+        const Quotient t(cap - equation_.origin.z, equation_.direction.z);
+        reduce(nearest, off_circle(t));
+        reduce(nearest, ratio(height_, level() + abs(t.estimate()) * climb()));  // two caps met at one t
+      }
     }
     if (!equation_.is_axis_parallel()) reduce_by_roots(nearest);
     return nearest;

@@ -1,6 +1,8 @@
 /// \file
 /// The judges for box and parallelepiped.
 
+#include <algorithm>
+
 #include "oracle/judging.hpp"
 #include "oracle/slabs.hpp"
 #include "oracle/solid.hpp"
@@ -48,19 +50,28 @@ class SolidFigure : public Figure {
         reduce(nearest, distance(i, met_[j].entry()));
         reduce(nearest, distance(i, met_[j].exit()));
       }
+      reduce(nearest, thickness(i));
     }
     return nearest;
   }
 
  protected:
-  /// How far p(t) is from the nearer plane of a slab, in the contract's units.
-  [[nodiscard]] virtual Scaled distance(std::size_t slab, const Quotient& t) const {
+  /// How far p(t) is from one plane of a slab, in the contract's units.
+  [[nodiscard]] virtual Scaled distance(std::size_t slab, const Ring& bound, const Quotient& t) const {
     const Scaled scale = abs(approximate(ray_.scale));
     const Scaled reach = sizes_.origin + solid_.position + abs(t.estimate()) * sizes_.direction;
-    Scaled nearest = endless();
-    for (const Ring* bound : {&met_[slab].low, &met_[slab].high})
-      reduce(nearest, ratio(gap(slab, *bound, t), scale * solid_.normal[slab] * reach));
-    return nearest;
+    return ratio(gap(slab, bound, t), scale * solid_.normal[slab] * reach);
+  }
+  /// The same from the nearer plane.
+  [[nodiscard]] Scaled distance(std::size_t slab, const Quotient& t) const {
+    return std::min(distance(slab, met_[slab].low, t), distance(slab, met_[slab].high, t));
+  }
+  /// How far the two planes of a slab are apart where the line meets them: two hits may round to one.
+  [[nodiscard]] Scaled thickness(std::size_t slab) const {
+    const SlabMeeting& met = met_[slab];
+    if (met.is_parallel()) return endless();
+    const bool is_upward = sign(met.speed) > 0;
+    return distance(slab, is_upward ? met.high : met.low, met.entry());
   }
 
   [[nodiscard]] const SlabMeetings& met() const { return met_; }
@@ -86,15 +97,11 @@ class BoxFigure final : public SolidFigure {
   using SolidFigure::SolidFigure;
 
  protected:
-  [[nodiscard]] Scaled distance(std::size_t slab, const Quotient& t) const override {
+  [[nodiscard]] Scaled distance(std::size_t slab, const Ring& bound, const Quotient& t) const override {
     const SlabMeeting& axis = met()[slab];
     const Scaled run = abs(approximate(axis.speed) * t.estimate());
-    Scaled nearest = endless();
-    for (const Ring* bound : {&axis.low, &axis.high}) {
-      const Scaled rise = abs(approximate(*bound - axis.position));
-      reduce(nearest, ratio(gap(slab, *bound, t), run + rise));
-    }
-    return nearest;
+    const Scaled rise = abs(approximate(bound - axis.position));
+    return ratio(gap(slab, bound, t), run + rise);
   }
 };
 

@@ -11,7 +11,7 @@ namespace rayproof {
 ///
 /// Units of the contracts. A box has six planes, and each meets the ray at a t; everything is a comparison of
 /// two such t, or of one with an end of the ray's interval. *Verdict* is the least |s - t| / (ε·(|s| + |t|))
-/// over the pairs that decide. *Ulp* is in ulps of the exact t. Under a transform both are those of a
+/// over the pairs that decide, an entry and its own exit among them. *Ulp* is in ulps of the exact t. Under a transform both are those of a
 /// parallelepiped. *Domain* speaks of all numbers of the case that are not 0.
 template <class T>
 struct Box {
