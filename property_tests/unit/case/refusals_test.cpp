@@ -68,13 +68,14 @@ TEST(reader, refuses_values_of_the_wrong_kind) {
       {"\"2\"", "[2]", "shape.center[1]", "shape.center[1]" + number},
       {"\"2\"", "\"infinity\"", "shape.center[1]", "shape.center[1]" + number},
       {"\"sphere\"", "\"triangel\"", "shape.type",
-       "shape.type is an unknown shape type, \"triangel\"; known: \"sphere\""},
+       R"(shape.type is an unknown shape type, "triangel"; known: "sphere", "plane", "triangle", "polygon", "box", )"
+       R"("parallelepiped", "cylinder")"},
       {"\"sphere\"", "null", "shape.type", "shape.type must be a string"},
       {"\"caf\\u00e9\"", "5", "note", "note must be a string"},
   });
   expect_refused(R"({"ray": 1})", "ray", "ray must be a JSON object");
   expect_refused(R"({"query": "Quadratic"})", "query",
-                 R"(query is an unknown query, "Quadratic"; known: "quadratic")");
+                 R"(query is an unknown query, "Quadratic"; known: "quadratic", "point_in_polygon")");
   expect_refused(R"({"query": 1})", "query", "query must be a string");
 }
 
