@@ -99,6 +99,7 @@ class BoxFigure final : public SolidFigure {
  protected:
   [[nodiscard]] Scaled distance(std::size_t slab, const Ring& bound, const Quotient& t) const override {
     const SlabMeeting& axis = met()[slab];
+    if (axis.is_parallel()) return endless();  // inside or outside is told without rounding
     const Scaled run = abs(approximate(axis.speed) * t.estimate());
     const Scaled rise = abs(approximate(bound - axis.position));
     return ratio(gap(slab, bound, t), run + rise);

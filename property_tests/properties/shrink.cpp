@@ -16,6 +16,7 @@ class Search {
   Search(const Case& start, const std::function<bool(const Case&)>& breaks, const ShrinkBudget& budget)
       : best_(start),
         complexity_(complexity(start)),
+        stays_proper_(is_proper(start)),
         breaks_(breaks),
         tries_left_(budget.tries),
         end_(std::chrono::steady_clock::now() + budget.time) {}
@@ -26,6 +27,7 @@ class Search {
   bool consider(const Case& candidate) {
     const unsigned how_complex = complexity(candidate);
     if (how_complex >= complexity_ || is_over() || !is_valid(candidate)) return false;
+    if (stays_proper_ && !is_proper(candidate)) return false;
     --tries_left_;
     if (!breaks_(candidate)) return false;
     best_ = candidate;
@@ -40,6 +42,7 @@ class Search {
  private:
   Case best_;
   unsigned complexity_;
+  bool stays_proper_;
   const std::function<bool(const Case&)>& breaks_;
   unsigned tries_left_;
   std::chrono::steady_clock::time_point end_;

@@ -42,6 +42,34 @@ bool drop_parts(const Case& best, const Try& attempt) {
   return taken;
 }
 
+bool drop_vertices(const Case& best, const Try& attempt) {
+  // Calls `change` with the list of vertices, if the case has one.
+  const auto with_vertices = [](Case& one, const auto& change) {
+    if (auto* place = std::get_if<PointAndPolygon<double>>(&one.question)) return change(place->vertices);
+    auto* asked = std::get_if<RayQuestion>(&one.question);
+    auto* polygon = asked == nullptr ? nullptr : std::get_if<Polygon<double>>(&asked->shape);
+    if (polygon != nullptr) change(polygon->vertices);
+  };
+  const auto count = [&] {
+    std::size_t size = 0;
+    Case copy = best;
+    with_vertices(copy, [&](const auto& vertices) { size = vertices.size(); });
+    return size;
+  };
+  bool taken = false;
+  for (std::size_t run = count() / 2; run > 0; run /= 2) {
+    for (std::size_t i = 0; i + run <= count(); ++i) {
+      taken |= attempt_changed(best, attempt, [&](Case& one) {
+        with_vertices(one, [&](auto& vertices) {
+          const auto from = vertices.begin() + static_cast<std::ptrdiff_t>(i);
+          vertices.erase(from, from + static_cast<std::ptrdiff_t>(run));
+        });
+      });
+    }
+  }
+  return taken;
+}
+
 bool move_to_origin(const Case& best, const Try& attempt) {
   if (!std::holds_alternative<RayQuestion>(best.question)) return false;
   bool taken = false;

@@ -17,6 +17,8 @@ using Move = bool (*)(const Case& best, const Try& attempt);
 
 /// Leaves out the transform and the interval.
 bool drop_parts(const Case& best, const Try& attempt);
+/// Leaves out vertices of a polygon: half of them, then one by one.
+bool drop_vertices(const Case& best, const Try& attempt);
 /// Moves a point of the shape to the origin, the ray with it.
 bool move_to_origin(const Case& best, const Try& attempt);
 /// Multiplies several numbers at once by one power of two or ten.
@@ -32,7 +34,7 @@ bool simplify_two(const Case& best, const Try& attempt);
 /// count.
 bool round_all(const Case& best, const Try& attempt);
 
-inline constexpr std::array<Move, 7> all{drop_parts,    move_to_origin, rescale,  simplify_one,
-                                         look_straight, simplify_two,   round_all};
+inline constexpr std::array<Move, 8> all{drop_parts,   drop_vertices, move_to_origin, rescale,
+                                         simplify_one, look_straight, simplify_two,   round_all};
 
 }  // namespace rayproof::shrink_moves

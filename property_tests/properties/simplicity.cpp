@@ -41,6 +41,7 @@ Decimal decimal(double x, Precision precision) {
 constexpr unsigned too_many_digits = 1000;
 constexpr unsigned a_transform = 60;
 constexpr unsigned a_digit = 8;
+constexpr unsigned a_number = 20;  // so that a polygon gets simpler by losing a vertex
 
 unsigned cost(const CaseNumber& number, Precision precision) {
   const double x = *number.value;
@@ -64,7 +65,7 @@ unsigned complexity(const Case& one) {
   unsigned sum = 0;
   std::vector<double> different;
   for (const CaseNumber& number : numbers_of(copy)) {
-    sum += cost(number, one.precision);
+    sum += a_number + cost(number, one.precision);
     const double size = std::abs(*number.value);
     if (size != 0 && std::find(different.begin(), different.end(), size) == different.end())
       different.push_back(size);

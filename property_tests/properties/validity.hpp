@@ -7,4 +7,8 @@ namespace rayproof {
 /// transform.
 [[nodiscard]] bool is_valid(const Case& one);
 
+/// Whether the case's figure is a proper one of its kind: of a polygon, that neighbouring vertices differ and
+/// that they enclose an area. A shrinker that starts from a proper figure keeps it so.
+[[nodiscard]] bool is_proper(const Case& one);
+
 }  // namespace rayproof

@@ -11,8 +11,10 @@ namespace rayproof {
 ///
 /// Units of the contracts. A box has six planes, and each meets the ray at a t; everything is a comparison of
 /// two such t, or of one with an end of the ray's interval. *Verdict* is the least |s - t| / (ε·(|s| + |t|))
-/// over the pairs that decide, an entry and its own exit among them. *Ulp* is in ulps of the exact t. Under a transform both are those of a
-/// parallelepiped. *Domain* speaks of all numbers of the case that are not 0.
+/// over the pairs that decide, an entry and its own exit among them; whether
+/// a ray along an axis is inside the slabs of the others is decided without rounding, and no band excuses it.
+/// *Ulp* is in ulps of the exact t. Under a transform both are those of a parallelepiped. *Domain* speaks of
+/// all numbers of the case that are not 0.
 template <class T>
 struct Box {
   vec3<T> min, max;

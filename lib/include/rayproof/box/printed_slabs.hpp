@@ -34,8 +34,8 @@ struct PrintedSlabs {
     const Slab<T> z = swapped_into_order(below.z * per_v.z, above.z * per_v.z);
     const auto [t_near, t_far] = overlap(x, y, z);
 
-    step<T>("Drop the box behind the ray");
-    return chord(select(t_far < T(0), T(not_a_number<T>), t_near), t_far);
+    step<T>("Drop the box behind the ray, which begins at t_min");
+    return chord(select(t_far < ray.t_min, T(not_a_number<T>), t_near), t_far);
   }
 
  private:
