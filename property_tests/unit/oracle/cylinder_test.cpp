@@ -84,6 +84,7 @@ TEST(CylinderOracle, TakesOneOfNoHeightForItsRimOrDisk) {
   expect_hits(met({{3, 8, -1}, {0, 0, 1}}, ring), Contact::rim, {1});  // an axis-parallel line through it
   expect_hits(met({{3, 8, -1}, {0, 0, 1}}, disk), Contact::rim, {1});
   expect_miss(met({{1, 1, -1}, {0, 0, 1}}, ring), Contact::none);
+  expect_miss(met({{3, 8, 1}, {0, 0, 1}}, ring), Contact::none);  // through it behind the origin
   const RayAnswer flat = met({{1, 1, -1}, {0, 0, 1}}, disk);
   expect_hits(flat, Contact::crossing, {1});
   EXPECT_FALSE(flat.normal.has_value());  // both caps are there, and neither is outward

@@ -104,7 +104,7 @@ std::vector<RoundHit> hits_of(const UnitRay& ray, bool capped) {
         std::none_of(hits.begin(), hits.end(), [&](const RoundHit& hit) { return hit.t == t; });
     if (is_new) hits.push_back({Surd(t), on_rim ? Contact::rim : Contact::crossing});
   }
-  // In the order of the line; surds of one root are compared as they are, and others through no more than
+  // In the order of the line. No two that are compared have different roots: the caps' t have none.
   // one.
   std::sort(hits.begin(), hits.end(), [](const RoundHit& a, const RoundHit& b) { return a.t < b.t; });
   return hits;
