@@ -65,14 +65,25 @@ bool is_proper_polygon(const std::vector<glm::dvec3>& vertices) {
   return has_area && !have_repeated_neighbours(vertices, [](const auto& a, const auto& b) { return a == b; });
 }
 
+template <class Shape>
+bool is_proper_shape(const Shape& /*always so*/) {
+  return true;
+}
+bool is_proper_shape(const Polygon<double>& polygon) { return is_proper_polygon(polygon.vertices); }
+bool is_proper_shape(const Triangle<double>& t) { return are_independent(t.b - t.a, t.c - t.a); }
+bool is_proper_shape(const Cylinder<double>& cylinder) { return cylinder.height > 0; }
+bool is_proper_shape(const Box<double>& box) {
+  return box.min.x < box.max.x && box.min.y < box.max.y && box.min.z < box.max.z;
+}
+
 }  // namespace
 
 bool is_proper(const Case& one) {
   if (const auto* place = std::get_if<PointAndPolygon<double>>(&one.question))
     return is_proper_polygon(place->vertices);
   const auto* asked = std::get_if<RayQuestion>(&one.question);
-  const auto* polygon = asked == nullptr ? nullptr : std::get_if<Polygon<double>>(&asked->shape);
-  return polygon == nullptr || is_proper_polygon(polygon->vertices);
+  return asked == nullptr ||
+         std::visit([](const auto& shape) { return is_proper_shape(shape); }, asked->shape);
 }
 
 bool is_valid(const Case& one) {

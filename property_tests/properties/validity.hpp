@@ -8,7 +8,8 @@ namespace rayproof {
 [[nodiscard]] bool is_valid(const Case& one);
 
 /// Whether the case's figure is a proper one of its kind: of a polygon, that neighbouring vertices differ and
-/// that they enclose an area. A shrinker that starts from a proper figure keeps it so.
+/// that they enclose an area; of a triangle the same; of a box or cylinder, that it is not flat. A shrinker
+/// that starts from a proper figure keeps it so.
 [[nodiscard]] bool is_proper(const Case& one);
 
 }  // namespace rayproof
