@@ -27,6 +27,6 @@ template <class To, class From>
 }
 
 /// The bound, in the units above, that a robust ray/box method keeps (Claim::robust).
-inline constexpr double box_robust_bound = 8;
+inline constexpr double box_robust_bound = 4;
 
 }  // namespace rayproof

@@ -32,6 +32,6 @@ template <class To, class From>
 }
 
 /// The bound, in the units above with p = 0, that a robust ray/cylinder method keeps (Claim::robust).
-inline constexpr double cylinder_robust_bound = 32;
+inline constexpr double cylinder_robust_bound = 8;
 
 }  // namespace rayproof

@@ -29,6 +29,6 @@ template <class To, class From>
 }
 
 /// The bound, in the units above, that a robust method keeps (Claim::robust).
-inline constexpr double parallelepiped_robust_bound = 16;
+inline constexpr double parallelepiped_robust_bound = 8;
 
 }  // namespace rayproof

@@ -37,6 +37,6 @@ template <class To, class From>
 }
 
 /// The bound, in the units above, that a robust ray/plane method keeps (Claim::robust).
-inline constexpr double plane_robust_bound = 16;
+inline constexpr double plane_robust_bound = 4;
 
 }  // namespace rayproof

@@ -60,7 +60,7 @@ template <class To, class From>
 }
 
 /// The bounds, in the units above, that robust methods keep (Claim::robust).
-inline constexpr double polygon_robust_bound = 16;
-inline constexpr double point_in_polygon_robust_bound = 16;
+inline constexpr double polygon_robust_bound = 4;
+inline constexpr double point_in_polygon_robust_bound = 4;
 
 }  // namespace rayproof

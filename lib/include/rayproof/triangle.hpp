@@ -26,6 +26,6 @@ template <class To, class From>
 }
 
 /// The bound, in the units above, that a robust ray/triangle method keeps (Claim::robust).
-inline constexpr double triangle_robust_bound = 16;
+inline constexpr double triangle_robust_bound = 4;
 
 }  // namespace rayproof

@@ -17,8 +17,8 @@ struct Centred {
                                  2019};
   static constexpr int far_power = 0;
   static constexpr Contract contract{
-      .verdict = {.measured = 1.67, .promised = 16},
-      .residual = {.measured = 4.19, .promised = 16},
+      .verdict = {.measured = 1.67, .promised = cylinder_robust_bound},
+      .residual = {.measured = 4.19, .promised = cylinder_robust_bound},
       .domain = {.reach_float = 20, .reach_double = 200, .every_number = true},
       .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::robust, Claim::moved,
                                        Claim::scaled, Claim::reversed, Claim::bounded}};

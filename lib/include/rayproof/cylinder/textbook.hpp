@@ -42,7 +42,7 @@ struct Textbook {
   static constexpr int far_power = 1;
   static constexpr Contract contract{
       .standing = Standing::naive,
-      .verdict = {.measured = 1.6, .promised = 16},
+      .verdict = {.measured = 2.2, .promised = 16},
       .residual = {.measured = 2.55, .promised = 16},
       .domain = {.reach_float = 12, .reach_double = 110, .every_number = true},
       .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::moved, Claim::scaled,

@@ -33,8 +33,8 @@ struct FacePlanes {
                                  1991};
   static constexpr int far_power = 0;
   static constexpr Contract contract{
-      .verdict = {.measured = 0.7, .promised = 8},
-      .residual = {.measured = 1.38, .promised = 8},
+      .verdict = {.measured = 0.712, .promised = 8},
+      .residual = {.measured = 1.77, .promised = 8},
       .domain = {.reach_float = 16, .reach_double = 150, .every_number = true},
       .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::robust, Claim::moved,
                                        Claim::scaled, Claim::reversed, Claim::bounded}};
