@@ -24,7 +24,6 @@ class Outcome:
     """What became of one method, mutated or not."""
 
     properties: tuple = ()  # those that were broken; () where every contract holds
-    families: tuple = ()  # the families of cases that broke them
     cases: str = ""  # the budget that was needed, for each family and precision
     seconds: float = 0.0
 
@@ -74,9 +73,8 @@ class Laboratory:
             status, text = self.put_to_check(method, shared_object, cases, folder)
             if status == 1:
                 break
-        found = re.findall(r"^BROKEN: \S+ (.+?) \(([^)]*)\): ", text, re.MULTILINE)
+        found = re.findall(r"^BROKEN: \S+ (.+?) \([^)]*\): ", text, re.MULTILINE)
         if (status == 1) != bool(found):
             raise Broken(f"check ended with {status}, but with {len(found)} counterexamples")
-        return Outcome(tuple(dict.fromkeys(name for name, _ in found)),
-                       tuple(dict.fromkeys(family for _, family in found)),
-                       "default" if cases is None else f"{cases:,}", time.monotonic() - start)
+        return Outcome(tuple(dict.fromkeys(found)), "default" if cases is None else f"{cases:,}",
+                       time.monotonic() - start)

@@ -17,13 +17,13 @@ def table(results):
     killed = [(mutant, outcome) for mutant, outcome in results if not mutant.survives]
     survivors = [mutant for mutant, _ in results if mutant.survives]
     lines = [f"{len(killed)} mutants are killed, {len(survivors)} survive and are explained below.", "",
-             "| mutant | place | instead of | put | kind | first killed by | cases |",
+             "| mutant | place | instead of | put | kind | killed by | cases |",
              "| --- | --- | --- | --- | --- | --- | --- |"]
     for mutant, outcome in killed:
         lines.append(f"| {mutant.id} | {mutant.file}:{mutant.line} | {cell(mutant.find)} | {cell(mutant.put)} | "
-                     f"{mutant.kind} | {outcome.properties[0]} ({outcome.families[0]}) | {outcome.cases} |")
+                     f"{mutant.kind} | {', '.join(outcome.properties)} | {outcome.cases} |")
     if survivors:
-        lines += ["", "| survivor | place | instead of | put | why no check can kill it |",
+        lines += ["", "| survivor | place | instead of | put | why no check kills it |",
                   "| --- | --- | --- | --- | --- |"]
         for mutant in survivors:
             lines.append(f"| {mutant.id} | {mutant.file}:{mutant.line} | {cell(mutant.find)} | {cell(mutant.put)} | "
