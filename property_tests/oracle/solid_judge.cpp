@@ -69,7 +69,8 @@ class SolidFigure : public Figure {
   /// How far the two planes of a slab are apart where the line meets them: two hits may round to one.
   [[nodiscard]] Scaled thickness(std::size_t slab) const {
     const SlabMeeting& met = met_[slab];
-    if (met.is_parallel()) return endless();
+    // A slab of no thickness is met at one t by any method: its two planes are the same number.
+    if (met.is_parallel() || sign(met.high - met.low) == 0) return endless();
     const bool is_upward = sign(met.speed) > 0;
     return distance(slab, is_upward ? met.high : met.low, met.entry());
   }
