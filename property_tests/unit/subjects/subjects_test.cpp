@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-
 #include <cmath>
 #include <set>
 
@@ -37,7 +36,9 @@ TEST(Subjects, PromiseNoLessThanWasMeasured) {
       });
     };
     const auto expect_kept = [&](Claim claim, const Bound& bound) {
-      if (is_claimed(claim) && std::isfinite(bound.measured)) EXPECT_LE(bound.measured, bound.promised);
+      if (is_claimed(claim) && std::isfinite(bound.measured)) {
+        EXPECT_LE(bound.measured, bound.promised);
+      }
     };
     expect_kept(Claim::verdict, subject.contract.verdict);
     expect_kept(Claim::residual, subject.contract.residual);
