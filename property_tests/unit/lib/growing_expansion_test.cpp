@@ -10,9 +10,9 @@ using Exact = GrowingExpansion<double>;
 
 TEST(GrowingExpansion, KeepsEveryTermOfALongSum) {
   Exact sum;
-  for (int i = -480; i <= 480; i += 60) sum += std::ldexp(1.0, i);
+  for (int i = -480; i <= 480; i += 60) sum.add(std::ldexp(1.0, i));
   EXPECT_EQ(sum.terms().size(), 17U);
-  for (int i = 480; i >= -480; i -= 60) sum += -std::ldexp(1.0, i);
+  for (int i = 480; i >= -480; i -= 60) sum.add(-std::ldexp(1.0, i));
   EXPECT_EQ(sign(sum), 0);
 }
 
@@ -32,11 +32,11 @@ TEST(GrowingExpansion, ComparesMagnitudesExactly) {
 
 TEST(GrowingExpansion, CompressedKeepsTheValueInFewTerms) {
   Exact sum;
-  for (int i = 0; i < 100; ++i) sum += std::ldexp(1.0, -i);  // one run of a hundred ones
+  for (int i = 0; i < 100; ++i) sum.add(std::ldexp(1.0, -i));  // one run of a hundred ones
   const auto compact = compressed<4>(sum);
   EXPECT_LE(compact.count, 2U);
   Exact rest = sum;
-  for (std::size_t i = 0; i < compact.count; ++i) rest += -compact.terms[i];
+  for (std::size_t i = 0; i < compact.count; ++i) rest.add(-compact.terms[i]);
   EXPECT_EQ(sign(rest), 0);
   EXPECT_EQ(compressed<4>(Exact()).count, 0U);
 }

@@ -45,6 +45,28 @@ template <std::floating_point T>
   return kept + 1;
 }
 
+/// Adds one number to an expansion exactly, in place, and returns how many terms there are then; there must
+/// be room for one more (Shewchuk's GROW-EXPANSION with zero elimination).
+template <std::floating_point T>
+[[nodiscard]] constexpr std::size_t grow(T* terms, std::size_t count, T value) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto [rounded, rest] = two_sum(terms[i], value);
+    if (rest != 0) terms[kept++] = rest;
+    value = rounded;
+  }
+  if (value != 0) terms[kept++] = value;
+  return kept;
+}
+
+/// Adds x·y to a sum exactly.
+template <class Sum, std::floating_point T>
+constexpr void add_product(Sum& sum, T x, T y) {
+  const auto [rounded, rest] = two_product(x, y);
+  if (rest != 0) sum.add(rest);
+  sum.add(rounded);
+}
+
 /// Few terms are not worth packing.
 inline constexpr std::size_t few_terms = 4;
 
@@ -67,17 +89,8 @@ struct Expansion {
     if (count > few_terms) count = compress(terms.data(), count);
   }
 
-  /// Adds one number exactly (Shewchuk's GROW-EXPANSION with zero elimination).
-  constexpr void add(T value) {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto [rounded, rest] = two_sum(terms[i], value);
-      if (rest != 0) terms[kept++] = rest;
-      value = rounded;
-    }
-    count = kept;
-    push(value);
-  }
+  /// Adds one number exactly.
+  constexpr void add(T value) { count = grow(terms.data(), count, value); }
 };
 
 /// A plain number as an expansion.
@@ -117,11 +130,7 @@ template <class T, std::size_t N, std::size_t M>
                                                           const Expansion<T, M>& y) {
   Expansion<T, 2 * N * M> product;
   for (std::size_t i = 0; i < x.count; ++i) {
-    for (std::size_t j = 0; j < y.count; ++j) {
-      const auto [rounded, rest] = two_product(x.terms[i], y.terms[j]);
-      if (rest != 0) product.add(rest);
-      product.add(rounded);
-    }
+    for (std::size_t j = 0; j < y.count; ++j) add_product(product, x.terms[i], y.terms[j]);
   }
   product.tidy();
   return product;

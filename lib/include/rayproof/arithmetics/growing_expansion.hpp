@@ -17,21 +17,15 @@ class GrowingExpansion {
  public:
   GrowingExpansion() = default;
   // NOLINTNEXTLINE(google-explicit-constructor): plain numbers are exact, and formulas mix them in
-  GrowingExpansion(T value) { *this += value; }
+  GrowingExpansion(T value) { add(value); }
 
   [[nodiscard]] const std::vector<T>& terms() const { return terms_; }
 
-  /// Adds one number exactly (Shewchuk's GROW-EXPANSION with zero elimination).
-  GrowingExpansion& operator+=(T value) {
-    std::size_t kept = 0;
-    for (const T term : terms_) {
-      const auto [rounded, rest] = two_sum(term, value);
-      if (rest != 0) terms_[kept++] = rest;
-      value = rounded;
-    }
-    terms_.resize(kept);
-    if (value != 0) terms_.push_back(value);
-    return *this;
+  /// Adds one number exactly.
+  void add(T value) {
+    const std::size_t count = terms_.size();
+    terms_.resize(count + 1);
+    terms_.resize(grow(terms_.data(), count, value));
   }
 
   /// Packs the digits into as few terms as hold them, where there are more than a few.
@@ -44,23 +38,19 @@ class GrowingExpansion {
     return x;
   }
   friend GrowingExpansion operator+(GrowingExpansion x, const GrowingExpansion& y) {
-    for (const T term : y.terms_) x += term;
+    for (const T term : y.terms_) x.add(term);
     x.tidy();
     return x;
   }
   friend GrowingExpansion operator-(GrowingExpansion x, const GrowingExpansion& y) {
-    for (const T term : y.terms_) x += -term;
+    for (const T term : y.terms_) x.add(-term);
     x.tidy();
     return x;
   }
   friend GrowingExpansion operator*(const GrowingExpansion& x, const GrowingExpansion& y) {
     GrowingExpansion product;
     for (const T x_term : x.terms_) {
-      for (const T y_term : y.terms_) {
-        const auto [rounded, rest] = two_product(x_term, y_term);
-        product += rest;
-        product += rounded;
-      }
+      for (const T y_term : y.terms_) add_product(product, x_term, y_term);
       product.tidy();
     }
     return product;
