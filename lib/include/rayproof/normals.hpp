@@ -4,6 +4,7 @@
 
 #include <rayproof/box.hpp>
 #include <rayproof/cylinder.hpp>
+#include <rayproof/normalized.hpp>
 #include <rayproof/parallelepiped.hpp>
 #include <rayproof/plane/forms.hpp>
 #include <rayproof/polygon/newell.hpp>
@@ -11,12 +12,6 @@
 #include <rayproof/triangle.hpp>
 
 namespace rayproof {
-
-/// v / |v|; NaN where v is 0.
-template <class T>
-[[nodiscard]] vec3<T> normalized(const vec3<T>& v) {
-  return (T(1) / sqrt(dot(v, v))) * v;
-}
 
 /// Along the given normal, or u × v.
 template <std::floating_point T>

@@ -2,6 +2,7 @@
 /// \file
 /// The sphere, and the meaning of a ray/sphere method's answers.
 
+#include <rayproof/normalized.hpp>
 #include <rayproof/roots.hpp>
 
 namespace rayproof {
@@ -31,8 +32,7 @@ template <class To, class From>
 /// The outward unit normal at a point of the sphere; NaN where the radius is 0.
 template <class T>
 [[nodiscard]] vec3<T> normal_at(const Sphere<T>& sphere, const vec3<T>& point) {
-  const vec3<T> n = point - sphere.center;
-  return (T(1) / sqrt(dot(n, n))) * n;
+  return normalized<T>(point - sphere.center);
 }
 
 /// The bound, in the units above with p = 0, that a robust ray/sphere method keeps (Claim::robust).

@@ -4,6 +4,7 @@
 
 #include <rayproof/difference_of_products.hpp>
 #include <rayproof/error_free.hpp>
+#include <rayproof/normalized.hpp>
 #include <rayproof/ray.hpp>
 
 namespace rayproof {
@@ -73,8 +74,7 @@ template <class T>
 /// A normal of the object as the world sees it: by the inverse transpose, then of unit length.
 template <class T>
 [[nodiscard]] vec3<T> normal_to_world(const ObjectSpace<T>& space, const vec3<T>& normal) {
-  const vec3<T> n = normal.x * space.row_x + normal.y * space.row_y + normal.z * space.row_z;
-  return (T(1) / sqrt(dot(n, n))) * n;
+  return normalized<T>(normal.x * space.row_x + normal.y * space.row_y + normal.z * space.row_z);
 }
 
 /// The same space in another arithmetic.
