@@ -2,6 +2,7 @@
 #include <rayproof/box.hpp>
 #include <rayproof/box/slab.hpp>
 #include <rayproof/contract.hpp>
+#include <rayproof/sources.hpp>
 
 namespace rayproof::box {
 
@@ -13,7 +14,7 @@ namespace rayproof::box {
 struct PrintedSlabs {
   static constexpr const char* name = "printed_slabs";
   static constexpr const char* title = "as printed: 0·∞ for a ray in a face";
-  static constexpr Source source{"R. Bán", "Számítógépes grafika: Raycasting", 2022};
+  static constexpr Source source = sources::ban;
   static constexpr int far_power = 0;
   static constexpr Contract contract{
       .standing = Standing::printed,

@@ -1,6 +1,7 @@
 #pragma once
 #include <rayproof/contract.hpp>
 #include <rayproof/cylinder/side.hpp>
+#include <rayproof/sources.hpp>
 
 namespace rayproof::cylinder {
 
@@ -12,9 +13,7 @@ namespace rayproof::cylinder {
 struct Centred {
   static constexpr const char* name = "centred";
   static constexpr const char* title = "discriminant from the point nearest the axis";
-  static constexpr Source source{"E. Haines, J. Günther, T. Akenine-Möller",
-                                 "Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems ch. 7",
-                                 2019};
+  static constexpr Source source = sources::haines_2019;
   static constexpr int far_power = 0;
   static constexpr Contract contract{
       .verdict = {.measured = 1.67, .promised = cylinder_robust_bound},

@@ -1,5 +1,6 @@
 #pragma once
 #include <rayproof/cylinder/textbook.hpp>
+#include <rayproof/sources.hpp>
 
 namespace rayproof::cylinder {
 
@@ -10,7 +11,7 @@ namespace rayproof::cylinder {
 struct Printed {
   static constexpr const char* name = "printed";
   static constexpr const char* title = "as printed: t in [0, 1], no caps";
-  static constexpr Source source{"A. Marić", "3D računalna grafika: 1. zadaća", 2023};
+  static constexpr Source source = sources::maric;
   static constexpr int far_power = 0;
   static constexpr Contract contract{
       .standing = Standing::printed,

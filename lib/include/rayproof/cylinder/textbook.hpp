@@ -1,6 +1,7 @@
 #pragma once
 #include <rayproof/contract.hpp>
 #include <rayproof/cylinder/side.hpp>
+#include <rayproof/sources.hpp>
 
 namespace rayproof::cylinder {
 
@@ -38,7 +39,7 @@ template <class T>
 struct Textbook {
   static constexpr const char* name = "textbook";
   static constexpr const char* title = "quadratic formula for the side, then the heights";
-  static constexpr Source source{"A. Marić", "3D računalna grafika: 1. zadaća", 2023};
+  static constexpr Source source = sources::maric;
   static constexpr int far_power = 1;
   static constexpr Contract contract{
       .standing = Standing::naive,

@@ -3,6 +3,7 @@
 #include <rayproof/contract.hpp>
 #include <rayproof/narration.hpp>
 #include <rayproof/parallelepiped.hpp>
+#include <rayproof/sources.hpp>
 
 namespace rayproof::parallelepiped {
 
@@ -16,9 +17,7 @@ namespace rayproof::parallelepiped {
 struct Compensated {
   static constexpr const char* name = "compensated";
   static constexpr const char* title = "face planes compared exactly by expansions";
-  static constexpr Source source{
-      "J. R. Shewchuk", "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates",
-      1997};
+  static constexpr Source source = sources::shewchuk;
   static constexpr int far_power = 0;
   static constexpr Contract contract{
       .verdict = {.measured = 0, .promised = 0},

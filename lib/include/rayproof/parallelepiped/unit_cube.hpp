@@ -2,6 +2,7 @@
 #include <rayproof/box/slabs.hpp>
 #include <rayproof/contract.hpp>
 #include <rayproof/parallelepiped.hpp>
+#include <rayproof/sources.hpp>
 
 namespace rayproof::parallelepiped {
 
@@ -13,7 +14,7 @@ namespace rayproof::parallelepiped {
 struct UnitCube {
   static constexpr const char* name = "unit_cube";
   static constexpr const char* title = "mapped to the unit cube";
-  static constexpr Source source{"R. Bán", "Számítógépes grafika: Raycasting", 2022};
+  static constexpr Source source = sources::ban;
   static constexpr int far_power = 0;
   static constexpr Contract contract{
       .verdict = {.measured = 0.712, .promised = 8},

@@ -4,6 +4,7 @@
 #include <rayproof/finite.hpp>
 #include <rayproof/narration.hpp>
 #include <rayproof/plane.hpp>
+#include <rayproof/sources.hpp>
 
 namespace rayproof::plane {
 
@@ -15,9 +16,7 @@ namespace rayproof::plane {
 struct Compensated {
   static constexpr const char* name = "compensated";
   static constexpr const char* title = "exact numerator and denominator by expansions";
-  static constexpr Source source{
-      "J. R. Shewchuk", "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates",
-      1997};
+  static constexpr Source source = sources::shewchuk;
   static constexpr int far_power = 0;
   static constexpr Contract contract{
       .verdict = {.measured = 0, .promised = 0},

@@ -1,6 +1,7 @@
 #pragma once
 #include <rayproof/contract.hpp>
 #include <rayproof/plane/forms.hpp>
+#include <rayproof/sources.hpp>
 
 namespace rayproof::plane {
 
@@ -10,7 +11,7 @@ namespace rayproof::plane {
 struct ByEquation {
   static constexpr const char* name = "implicit";
   static constexpr const char* title = "the ray in the plane's equation";
-  static constexpr Source source{"R. Bán", "Számítógépes grafika: Raycasting", 2022};
+  static constexpr Source source = sources::ban;
   static constexpr int far_power = 0;
   static constexpr Contract contract{
       .verdict = {.measured = 1.68, .promised = plane_robust_bound},

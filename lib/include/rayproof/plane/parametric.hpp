@@ -2,6 +2,7 @@
 #include <rayproof/contract.hpp>
 #include <rayproof/plane/cramer.hpp>
 #include <rayproof/plane/forms.hpp>
+#include <rayproof/sources.hpp>
 
 namespace rayproof::plane {
 
@@ -12,7 +13,7 @@ namespace rayproof::plane {
 struct ByParameters {
   static constexpr const char* name = "parametric";
   static constexpr const char* title = "a system of three equations by Cramer's rule";
-  static constexpr Source source{"R. Bán", "Számítógépes grafika: Raycasting", 2022};
+  static constexpr Source source = sources::ban;
   static constexpr int far_power = 0;
   static constexpr Contract contract{
       .verdict = {.measured = 1.68, .promised = plane_robust_bound},

@@ -1,6 +1,7 @@
 #pragma once
 #include <rayproof/contract.hpp>
 #include <rayproof/plane/forms.hpp>
+#include <rayproof/sources.hpp>
 
 namespace rayproof::plane {
 
@@ -20,7 +21,7 @@ template <class T>
 struct ByPointAndNormal {
   static constexpr const char* name = "point_normal";
   static constexpr const char* title = "a point of the plane and its normal";
-  static constexpr Source source{"R. Bán", "Számítógépes grafika: Raycasting", 2022};
+  static constexpr Source source = sources::ban;
   static constexpr int far_power = 0;
   static constexpr Contract contract{
       .verdict = {.measured = 1.68, .promised = plane_robust_bound},

@@ -1,6 +1,7 @@
 #pragma once
 #include <rayproof/contract.hpp>
 #include <rayproof/plane/forms.hpp>
+#include <rayproof/sources.hpp>
 
 namespace rayproof::plane {
 
@@ -11,7 +12,7 @@ namespace rayproof::plane {
 struct PrintedImplicit {
   static constexpr const char* name = "printed_implicit";
   static constexpr const char* title = "as printed: no coefficients in the numerator";
-  static constexpr Source source{"R. Bán", "Számítógépes grafika: Raycasting", 2022};
+  static constexpr Source source = sources::ban;
   static constexpr int far_power = 0;
   static constexpr Contract contract{
       .standing = Standing::printed,

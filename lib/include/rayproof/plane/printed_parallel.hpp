@@ -1,5 +1,6 @@
 #pragma once
 #include <rayproof/plane/implicit.hpp>
+#include <rayproof/sources.hpp>
 
 namespace rayproof::plane {
 
@@ -11,7 +12,7 @@ namespace rayproof::plane {
 struct PrintedParallel {
   static constexpr const char* name = "printed_parallel";
   static constexpr const char* title = "as printed: a ray inside the plane is parallel";
-  static constexpr Source source{"(lecture)", "Algoritm peresecheniya lucha s prosteishimi ob'ektami", 2022};
+  static constexpr Source source = sources::lecture_001;
   static constexpr int far_power = 0;
   /// A ray inside the plane is reported as parallel to it, not as in the surface.
   static constexpr bool calls_in_plane_parallel = true;

@@ -1,5 +1,6 @@
 #pragma once
 #include <rayproof/point_in_polygon/winding.hpp>
+#include <rayproof/sources.hpp>
 
 namespace rayproof::point_in_polygon {
 
@@ -10,9 +11,7 @@ namespace rayproof::point_in_polygon {
 struct Compensated {
   static constexpr const char* name = "compensated";
   static constexpr const char* title = "winding number with exact orientations";
-  static constexpr Source source{
-      "J. R. Shewchuk", "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates",
-      1997};
+  static constexpr Source source = sources::shewchuk;
   static constexpr Contract contract{
       .verdict = {.measured = 0, .promised = 0},
       .domain = {.reach_float = 1000, .reach_double = 400, .every_number = true},

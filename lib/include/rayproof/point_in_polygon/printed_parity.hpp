@@ -2,6 +2,7 @@
 #include <rayproof/contract.hpp>
 #include <rayproof/narration.hpp>
 #include <rayproof/polygon/ray_segment.hpp>
+#include <rayproof/sources.hpp>
 
 namespace rayproof::point_in_polygon {
 
@@ -12,7 +13,7 @@ namespace rayproof::point_in_polygon {
 struct PrintedParity {
   static constexpr const char* name = "printed_parity";
   static constexpr const char* title = "as printed: sides closed at both ends";
-  static constexpr Source source{"R. Bán", "Számítógépes grafika: Raycasting", 2022};
+  static constexpr Source source = sources::ban;
   static constexpr Contract contract{
       .standing = Standing::printed,
       .holds = always_claimed | Claims{Claim::scaled},

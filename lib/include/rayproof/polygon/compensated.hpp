@@ -4,6 +4,7 @@
 #include <rayproof/narration.hpp>
 #include <rayproof/polygon/exact_meeting.hpp>
 #include <rayproof/polygon/in_plane.hpp>
+#include <rayproof/sources.hpp>
 
 namespace rayproof::polygon {
 
@@ -15,9 +16,7 @@ namespace rayproof::polygon {
 struct Compensated {
   static constexpr const char* name = "compensated";
   static constexpr const char* title = "exact plane and exact winding number";
-  static constexpr Source source{
-      "J. R. Shewchuk", "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates",
-      1997};
+  static constexpr Source source = sources::shewchuk;
   static constexpr int far_power = 0;
   static constexpr Contract contract{
       .verdict = {.measured = 0, .promised = 0},

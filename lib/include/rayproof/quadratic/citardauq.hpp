@@ -2,6 +2,7 @@
 #include <rayproof/contract.hpp>
 #include <rayproof/narration.hpp>
 #include <rayproof/quadratic.hpp>
+#include <rayproof/sources.hpp>
 
 namespace rayproof::quadratic {
 
@@ -12,7 +13,7 @@ namespace rayproof::quadratic {
 struct Citardauq {
   static constexpr const char* name = "citardauq";
   static constexpr const char* title = "the quadratic formula upside down";
-  static constexpr Source source{"R. Bán", "Számítógépes grafika: Raycasting", 2022};
+  static constexpr Source source = sources::ban;
   static constexpr Contract contract{
       .standing = Standing::naive,
       .verdict = {.promised = 4},

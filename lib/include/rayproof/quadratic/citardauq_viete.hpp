@@ -2,6 +2,7 @@
 #include <rayproof/contract.hpp>
 #include <rayproof/narration.hpp>
 #include <rayproof/quadratic.hpp>
+#include <rayproof/sources.hpp>
 
 namespace rayproof::quadratic {
 
@@ -12,8 +13,7 @@ namespace rayproof::quadratic {
 struct CitardauqViete {
   static constexpr const char* name = "citardauq_viete";
   static constexpr const char* title = "the branch that does not cancel, then Viète";
-  static constexpr Source source{"W. Press et al.", "Numerical Recipes, 5.6 Quadratic and Cubic Equations",
-                                 1992};
+  static constexpr Source source = sources::press;
   static constexpr Contract contract{
       .verdict = {.measured = 0.969, .promised = 4},
       .residual = {.measured = 2.95, .promised = 8},

@@ -1,6 +1,7 @@
 #pragma once
 #include <rayproof/quadratic/citardauq_viete.hpp>
 #include <rayproof/quadratic/textbook.hpp>
+#include <rayproof/sources.hpp>
 
 namespace rayproof::quadratic {
 
@@ -11,7 +12,7 @@ namespace rayproof::quadratic {
 struct PrintedB4ac {
   static constexpr const char* name = "printed_b_4ac";
   static constexpr const char* title = "as printed: the careful branch only for b ≫ 4ac";
-  static constexpr Source source{"R. Bán", "Számítógépes grafika: Raycasting", 2022};
+  static constexpr Source source = sources::ban;
   static constexpr Contract contract{
       .standing = Standing::printed,
       .holds = always_claimed,

@@ -2,6 +2,7 @@
 #include <rayproof/contract.hpp>
 #include <rayproof/narration.hpp>
 #include <rayproof/quadratic.hpp>
+#include <rayproof/sources.hpp>
 
 namespace rayproof::quadratic {
 
@@ -11,7 +12,7 @@ namespace rayproof::quadratic {
 struct Textbook {
   static constexpr const char* name = "textbook";
   static constexpr const char* title = "the quadratic formula";
-  static constexpr Source source{"R. Bán", "Számítógépes grafika: Raycasting", 2022};
+  static constexpr Source source = sources::ban;
   static constexpr Contract contract{
       .standing = Standing::naive,
       .verdict = {.promised = 4},

@@ -1,6 +1,7 @@
 #pragma once
 #include <rayproof/contract.hpp>
 #include <rayproof/narration.hpp>
+#include <rayproof/sources.hpp>
 #include <rayproof/sphere.hpp>
 
 namespace rayproof::sphere {
@@ -15,9 +16,7 @@ namespace rayproof::sphere {
 struct Centred {
   static constexpr const char* name = "centred";
   static constexpr const char* title = "discriminant from the ray point nearest the centre";
-  static constexpr Source source{"E. Haines, J. Günther, T. Akenine-Möller",
-                                 "Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems ch. 7",
-                                 2019};
+  static constexpr Source source = sources::haines_2019;
   static constexpr int far_power = 0;
   static constexpr Contract contract{
       .verdict = {.measured = 4.97, .promised = sphere_robust_bound},

@@ -2,6 +2,7 @@
 #include <rayproof/contract.hpp>
 #include <rayproof/exact_rounding.hpp>
 #include <rayproof/narration.hpp>
+#include <rayproof/sources.hpp>
 #include <rayproof/sphere.hpp>
 #include <rayproof/sphere/centred.hpp>
 
@@ -18,9 +19,7 @@ namespace rayproof::sphere {
 struct Compensated {
   static constexpr const char* name = "compensated";
   static constexpr const char* title = "exact discriminant by expansions";
-  static constexpr Source source{
-      "J. R. Shewchuk", "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates",
-      1997};
+  static constexpr Source source = sources::shewchuk;
   static constexpr int far_power = 0;
   static constexpr Contract contract{
       .verdict = {.measured = 0, .promised = 0},

@@ -2,6 +2,7 @@
 /// \file
 /// The ray/sphere methods, one line each.
 
+#include <rayproof/ray_topic.hpp>
 #include <rayproof/sphere/centred.hpp>
 #include <rayproof/sphere/compensated.hpp>
 #include <rayproof/sphere/half_b.hpp>
@@ -15,30 +16,12 @@
 namespace rayproof::sphere {
 
 /// The topic as the registries see it.
-struct Topic {
+struct Topic : RayTopic<Sphere> {
   static constexpr const char* name = "sphere";
   static constexpr double robust_bound = sphere_robust_bound;
   static constexpr bool is_batched = true;
   using Methods =
       TypeList<Textbook, HalfB, Stable, Centred, Compensated, Printed2ac, PrintedHalfB, PrintedUnitDirection>;
-
-  /// A ray and the sphere it is put to.
-  template <class T>
-  struct Problem {
-    Ray<T> ray;
-    Sphere<T> shape;
-
-    template <class To>
-    [[nodiscard]] constexpr Problem<To> as() const {
-      return {convert<To>(ray), convert<To>(shape)};
-    }
-  };
-
-  /// Runs a method's kernel on a problem, in the problem's arithmetic.
-  template <class Method, class T>
-  [[nodiscard]] static constexpr Roots<T> solve(const Problem<T>& problem) {
-    return Method::roots(problem.ray, problem.shape);
-  }
 };
 
 }  // namespace rayproof::sphere

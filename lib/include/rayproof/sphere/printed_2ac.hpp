@@ -1,5 +1,6 @@
 #pragma once
 #include <rayproof/contract.hpp>
+#include <rayproof/sources.hpp>
 #include <rayproof/sphere/coefficients.hpp>
 
 namespace rayproof::sphere {
@@ -10,7 +11,7 @@ namespace rayproof::sphere {
 struct Printed2ac {
   static constexpr const char* name = "printed_2ac";
   static constexpr const char* title = "as printed: denominator 2ac";
-  static constexpr Source source{"P. Drábek", "Geometrie pro počítačovou grafiku", 2017};
+  static constexpr Source source = sources::drabek;
   static constexpr int far_power = 0;
   static constexpr Contract contract{
       .standing = Standing::printed,

@@ -1,6 +1,7 @@
 #pragma once
 #include <rayproof/contract.hpp>
 #include <rayproof/narration.hpp>
+#include <rayproof/sources.hpp>
 #include <rayproof/sphere.hpp>
 
 namespace rayproof::sphere {
@@ -11,7 +12,7 @@ namespace rayproof::sphere {
 struct PrintedHalfB {
   static constexpr const char* name = "printed_half_b";
   static constexpr const char* title = "as printed: half-b form without |d| = 1";
-  static constexpr Source source{"(lecture)", "Algoritm peresecheniya lucha s prosteishimi ob'ektami", 2022};
+  static constexpr Source source = sources::lecture_001;
   static constexpr int far_power = 0;
   static constexpr Contract contract{
       .standing = Standing::printed,

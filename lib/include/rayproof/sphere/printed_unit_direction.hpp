@@ -1,4 +1,5 @@
 #pragma once
+#include <rayproof/sources.hpp>
 #include <rayproof/sphere/centred.hpp>
 
 namespace rayproof::sphere {
@@ -10,7 +11,7 @@ namespace rayproof::sphere {
 struct PrintedUnitDirection {
   static constexpr const char* name = "printed_unit_direction";
   static constexpr const char* title = "as printed: t as a distance in object space";
-  static constexpr Source source{"R. Bán", "Számítógépes grafika: Raycasting", 2022};
+  static constexpr Source source = sources::ban;
   static constexpr int far_power = 0;
   static constexpr Contract contract{
       .standing = Standing::printed,

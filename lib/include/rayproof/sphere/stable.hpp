@@ -1,5 +1,6 @@
 #pragma once
 #include <rayproof/contract.hpp>
+#include <rayproof/sources.hpp>
 #include <rayproof/sphere/coefficients.hpp>
 
 namespace rayproof::sphere {
@@ -13,8 +14,7 @@ namespace rayproof::sphere {
 struct Stable {
   static constexpr const char* name = "stable";
   static constexpr const char* title = "stable roots on the textbook's coefficients";
-  static constexpr Source source{"W. Press et al.", "Numerical Recipes, 5.6 Quadratic and Cubic Equations",
-                                 1992};
+  static constexpr Source source = sources::press;
   static constexpr int far_power = 1;
   static constexpr Contract contract{
       .standing = Standing::naive,

@@ -1,5 +1,6 @@
 #pragma once
 #include <rayproof/contract.hpp>
+#include <rayproof/sources.hpp>
 #include <rayproof/sphere/coefficients.hpp>
 
 namespace rayproof::sphere {
@@ -12,7 +13,7 @@ namespace rayproof::sphere {
 struct Textbook {
   static constexpr const char* name = "textbook";
   static constexpr const char* title = "quadratic formula in a, b, c";
-  static constexpr Source source{"R. Bán", "Számítógépes grafika: Raycasting", 2022};
+  static constexpr Source source = sources::ban;
   static constexpr int far_power = 1;
   static constexpr Contract contract{
       .standing = Standing::naive,

@@ -3,6 +3,7 @@
 #include <rayproof/exact_rounding.hpp>
 #include <rayproof/finite.hpp>
 #include <rayproof/narration.hpp>
+#include <rayproof/sources.hpp>
 #include <rayproof/triangle.hpp>
 #include <rayproof/triangle/clear_sides.hpp>
 
@@ -18,9 +19,7 @@ namespace rayproof::triangle {
 struct Compensated {
   static constexpr const char* name = "compensated";
   static constexpr const char* title = "exact signs of the three sides by expansions";
-  static constexpr Source source{
-      "J. R. Shewchuk", "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates",
-      1997};
+  static constexpr Source source = sources::shewchuk;
   static constexpr int far_power = 0;
   static constexpr Contract contract{
       .verdict = {.measured = 0, .promised = 0},

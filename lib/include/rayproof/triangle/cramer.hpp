@@ -1,6 +1,7 @@
 #pragma once
 #include <rayproof/contract.hpp>
 #include <rayproof/plane/cramer.hpp>
+#include <rayproof/sources.hpp>
 #include <rayproof/triangle.hpp>
 
 namespace rayproof::triangle {
@@ -12,7 +13,7 @@ namespace rayproof::triangle {
 struct Cramer {
   static constexpr const char* name = "cramer";
   static constexpr const char* title = "parametric plane by Cramer's rule";
-  static constexpr Source source{"R. Bán", "Számítógépes grafika: Raycasting", 2022};
+  static constexpr Source source = sources::ban;
   static constexpr int far_power = 0;
   static constexpr Contract contract{
       .verdict = {.measured = 0.916, .promised = triangle_robust_bound},

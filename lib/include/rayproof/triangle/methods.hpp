@@ -2,6 +2,7 @@
 /// \file
 /// The ray/triangle methods, one line each.
 
+#include <rayproof/ray_topic.hpp>
 #include <rayproof/triangle/compensated.hpp>
 #include <rayproof/triangle/cramer.hpp>
 #include <rayproof/triangle/moller_trumbore.hpp>
@@ -16,29 +17,11 @@
 namespace rayproof::triangle {
 
 /// The topic as the registries see it.
-struct Topic {
+struct Topic : RayTopic<Triangle> {
   static constexpr const char* name = "triangle";
   static constexpr double robust_bound = triangle_robust_bound;
   using Methods = TypeList<Cramer, PlaneProjection, MollerTrumbore, Woop, Pluecker, Compensated,
                            PrintedParallelogram, PrintedLambda2, PrintedXy>;
-
-  /// A ray and the triangle it is put to.
-  template <class T>
-  struct Problem {
-    Ray<T> ray;
-    Triangle<T> shape;
-
-    template <class To>
-    [[nodiscard]] constexpr Problem<To> as() const {
-      return {convert<To>(ray), convert<To>(shape)};
-    }
-  };
-
-  /// Runs a method's kernel on a problem, in the problem's arithmetic.
-  template <class Method, class T>
-  [[nodiscard]] static constexpr auto solve(const Problem<T>& problem) {
-    return Method::roots(problem.ray, problem.shape);
-  }
 };
 
 }  // namespace rayproof::triangle

@@ -1,5 +1,6 @@
 #pragma once
 #include <rayproof/contract.hpp>
+#include <rayproof/sources.hpp>
 #include <rayproof/triangle/in_plane.hpp>
 
 namespace rayproof::triangle {
@@ -13,7 +14,7 @@ namespace rayproof::triangle {
 struct PlaneProjection {
   static constexpr const char* name = "plane_projection";
   static constexpr const char* title = "plane, then barycentric coordinates in a projection";
-  static constexpr Source source{"R. Bán", "Számítógépes grafika: Raycasting", 2022};
+  static constexpr Source source = sources::ban;
   static constexpr int far_power = 0;
   static constexpr Contract contract{
       .standing = Standing::naive,

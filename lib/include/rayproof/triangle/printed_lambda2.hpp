@@ -1,5 +1,6 @@
 #pragma once
 #include <rayproof/contract.hpp>
+#include <rayproof/sources.hpp>
 #include <rayproof/triangle/in_plane.hpp>
 
 namespace rayproof::triangle {
@@ -11,7 +12,7 @@ namespace rayproof::triangle {
 struct PrintedLambda2 {
   static constexpr const char* name = "printed_lambda2";
   static constexpr const char* title = "as printed: a wrong sign in the second barycentric coordinate";
-  static constexpr Source source{"R. Bán", "Számítógépes grafika: Raycasting", 2022};
+  static constexpr Source source = sources::ban;
   static constexpr int far_power = 0;
   static constexpr Contract contract{.standing = Standing::printed,
                                      .residual = {.measured = 1.03, .promised = triangle_robust_bound},

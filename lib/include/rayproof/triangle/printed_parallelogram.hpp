@@ -1,6 +1,7 @@
 #pragma once
 #include <rayproof/contract.hpp>
 #include <rayproof/plane/cramer.hpp>
+#include <rayproof/sources.hpp>
 #include <rayproof/triangle.hpp>
 
 namespace rayproof::triangle {
@@ -12,7 +13,7 @@ namespace rayproof::triangle {
 struct PrintedParallelogram {
   static constexpr const char* name = "printed_parallelogram";
   static constexpr const char* title = "as printed: u and v each in [0, 1], a parallelogram";
-  static constexpr Source source{"R. Bán", "Számítógépes grafika: Raycasting", 2022};
+  static constexpr Source source = sources::ban;
   static constexpr int far_power = 0;
   static constexpr Contract contract{
       .standing = Standing::printed,

@@ -1,5 +1,6 @@
 #pragma once
 #include <rayproof/contract.hpp>
+#include <rayproof/sources.hpp>
 #include <rayproof/triangle/in_plane.hpp>
 
 namespace rayproof::triangle {
@@ -12,7 +13,7 @@ namespace rayproof::triangle {
 struct PrintedXy {
   static constexpr const char* name = "printed_xy";
   static constexpr const char* title = "as printed: barycentric coordinates in x and y alone";
-  static constexpr Source source{"P. Drábek", "Geometrie pro počítačovou grafiku", 2017};
+  static constexpr Source source = sources::drabek;
   static constexpr int far_power = 0;
   static constexpr Contract contract{
       .standing = Standing::printed,
