@@ -12,16 +12,17 @@ namespace rayproof {
 /// Calls `act(number)` for every number of `value`: a number, a vector, a list of them, or a shape.
 template <class V, class Act>
 void each_number(V& value, Act&& act) {
-  if constexpr (std::is_same_v<V, double>) {
+  using Value = std::remove_const_t<V>;
+  if constexpr (std::is_same_v<Value, double>) {
     act(value);
-  } else if constexpr (std::is_same_v<V, glm::dvec3>) {
+  } else if constexpr (std::is_same_v<Value, glm::dvec3>) {
     for (int axis = 0; axis < 3; ++axis) act(value[axis]);
-  } else if constexpr (std::is_same_v<V, Vec2<double>>) {
+  } else if constexpr (std::is_same_v<Value, Vec2<double>>) {
     act(value.x);
     act(value.y);
-  } else if constexpr (requires { ShapeFormat<V>::type; }) {
-    ShapeFormat<V>::fields(value, [&](const char* /*name*/, auto& field) { each_number(field, act); });
-  } else if constexpr (!std::is_same_v<V, bool>) {
+  } else if constexpr (requires { ShapeFormat<Value>::type; }) {
+    ShapeFormat<Value>::fields(value, [&](const char* /*name*/, auto& field) { each_number(field, act); });
+  } else if constexpr (!std::is_same_v<Value, bool>) {
     for (auto& element : value) each_number(element, act);
   }
 }

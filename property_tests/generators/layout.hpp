@@ -4,10 +4,10 @@
 /// `static Scene scene(Random&, int digits)`, which puts a ray and a shape together for numbers of so many
 /// digits. The same layout can be asked as it is, cut short, moved by a map, or in another size.
 
+#include "case/similar_shapes.hpp"
 #include "generators/accepted.hpp"
 #include "generators/affine.hpp"
 #include "generators/aim.hpp"
-#include "properties/similar_shapes.hpp"
 
 namespace rayproof {
 

@@ -1,8 +1,8 @@
+#include "case/similar_shapes.hpp"
 #include "generators/family.hpp"
 #include "generators/number_by_number.hpp"
 #include "generators/outline_layouts.hpp"
 #include "generators/scene.hpp"
-#include "properties/similar_shapes.hpp"
 
 namespace rayproof {
 

@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "case/case.hpp"
+#include "case/each_number.hpp"
 #include "generators/draw.hpp"
-#include "generators/each_number.hpp"
 
 namespace rayproof {
 

@@ -27,34 +27,39 @@ Contact contact_of(const CylinderHit& hit, const CylinderEquation& equation) {
   return is_double ? Contact::tangent : Contact::crossing;
 }
 
+/// None on a rim, and none of a cylinder of no height: both its caps are in one plane, and neither is
+/// outward.
+std::optional<glm::dvec3> normal_of(const CylinderHit& hit, const ObjectRay<Ring>& ray,
+                                    const CylinderEquation& equation, const Cylinder<double>& cylinder,
+                                    Precision precision) {
+  if (hit.is_on_rim) return std::nullopt;
+  if (hit.is_on_side) return side_normal(ray, equation, cylinder, std::get<ExactRoot>(hit.t), precision);
+  if (cylinder.height == 0) return std::nullopt;
+  const Vector<Ring> axis{Ring(0.0), Ring(0.0), Ring(static_cast<double>(hit.cap))};
+  return unit_vector(normal_to_world(ray, axis), precision);
+}
+
 }  // namespace
 
 RayAnswer answer(const RayQuestion& question, const Cylinder<double>& cylinder, Precision precision) {
   const ObjectRay<Ring> ray(question);
   const CylinderEquation equation(ray, cylinder);
+  const std::vector<CylinderHit> on_line = equation.hits();
+  const CylinderHit* first = nullptr;
   RayAnswer result;
-  for (const CylinderHit& hit : equation.hits()) {
-    const auto note = [&](const auto& t) {
-      if (!is_in_interval(t, question.ray)) return;
-      const bool is_first = result.hits.count == 0;
-      result.hits.push_back(round_correctly(t, precision));
-      if (!is_first) return;
-      result.contact = contact_of(hit, equation);
-      result.point = exact_point(question.ray, t, precision);
-    };
-    const bool was_empty = result.hits.count == 0;
-    std::visit(note, hit.t);
-    const bool is_first = was_empty && result.hits.count == 1;
-    if (!is_first || hit.is_on_rim) continue;
-    const bool is_flat = cylinder.height == 0;  // both caps are here, and neither is outward
-    if (hit.is_on_side) {
-      result.normal = side_normal(ray, equation, cylinder, std::get<ExactRoot>(hit.t), precision);
-    } else if (!is_flat) {
-      const Vector<Ring> axis{Ring(0.0), Ring(0.0), Ring(static_cast<double>(hit.cap))};
-      result.normal = unit_vector(normal_to_world(ray, axis), precision);
-    }
+  for (const CylinderHit& hit : on_line) {
+    const auto counts = [&](const auto& t) { return is_in_interval(t, question.ray); };
+    if (!std::visit(counts, hit.t)) continue;
+    if (first == nullptr) first = &hit;
+    result.hits.push_back(std::visit([&](const auto& t) { return round_correctly(t, precision); }, hit.t));
   }
-  if (result.hits.count == 0) result.contact = miss_contact(equation);
+  if (first == nullptr) {
+    result.contact = miss_contact(equation);
+    return result;
+  }
+  result.contact = contact_of(*first, equation);
+  result.point = std::visit([&](const auto& t) { return exact_point(question.ray, t, precision); }, first->t);
+  result.normal = normal_of(*first, ray, equation, cylinder, precision);
   return result;
 }
 

@@ -2,43 +2,20 @@
 
 #include <algorithm>
 
+#include "case/each_number.hpp"
+
 namespace rayproof::oracle {
 namespace {
-
-/// The error of t in ulps of the exact number; an infinite or NaN t is right only where the exact number
-/// rounds to the same infinity.
-double error_in_ulps(const ExactNumber& exact, double t, Precision precision) {
-  const auto measure = [&](const auto& number) {
-    const double nearest = round_correctly(number, precision);
-    if (!std::isfinite(t) || !std::isfinite(nearest)) return t == nearest ? 0 : HUGE_VAL;
-    return static_cast<double>((abs(number.minus(t)) / Scaled(ulp_of(nearest, precision))).value());
-  };
-  return std::visit(measure, exact);
-}
-
-template <class T>
-void gather(std::vector<double>& all, const T& value) {
-  if constexpr (std::is_same_v<T, double>) {
-    all.push_back(value);
-  } else if constexpr (std::is_same_v<T, glm::dvec3>) {
-    all.insert(all.end(), {value.x, value.y, value.z});
-  } else if constexpr (!std::is_same_v<T, bool>) {
-    for (const auto& element : value) gather(all, element);
-  }
-}
 
 /// Every number that the domain of a contract speaks of.
 std::vector<double> numbers_of(const RayQuestion& question) {
   std::vector<double> all;
-  gather(all, question.ray.origin);
-  gather(all, question.ray.direction);
-  std::visit(
-      [&]<class S>(const S& shape) {
-        ShapeFormat<S>::fields(shape, [&](const char*, const auto& value) { gather(all, value); });
-      },
-      question.shape);
+  const auto gather = [&](const auto& value) { each_number(value, [&](double x) { all.push_back(x); }); };
+  gather(question.ray.origin);
+  gather(question.ray.direction);
+  std::visit(gather, question.shape);
   if (question.transform) {
-    for (int column = 0; column < 4; ++column) gather(all, glm::dvec3((*question.transform)[column]));
+    for (int column = 0; column < 4; ++column) gather(glm::dvec3((*question.transform)[column]));
   }
   return all;
 }
@@ -79,7 +56,7 @@ std::vector<double> finite_ends(const Ray<double>& ray) {
   return ends;
 }
 
-void note_range(const std::vector<double>& numbers, Judgement& judgement) {
+void note_range(std::span<const double> numbers, Judgement& judgement) {
   judgement.smallest = HUGE_VAL;
   judgement.largest = -HUGE_VAL;
   for (const double x : numbers) {
@@ -104,14 +81,12 @@ Judgement judge_hits(const RayQuestion& question, const Figure& figure, Precisio
     judgement.margin = in_units(figure.margin());
     judgement.ulp = std::nan("");
   }
-  const double tiny = precision == Precision::float32 ? 0x1p-126 : 0x1p-1022;
   for (std::size_t i = 0; i < claimed.hits.count; ++i) {
     const double t = claimed.hits.t[i];
-    const double ulps = judgement.wrong ? HUGE_VAL : error_in_ulps(exact[i], t, precision);
+    const auto ulps_from = [&](const auto& number) { return error_in_ulps(number, t, precision); };
+    const double ulps = judgement.wrong ? HUGE_VAL : std::visit(ulps_from, exact[i]);
     if (!judgement.wrong) judgement.ulp = std::max(judgement.ulp, ulps);
-    // Where the grid of floats itself is coarse or ends, the nearest float is all that can be asked for.
-    const bool grid_ends = !std::isfinite(t) || std::abs(t) < tiny;
-    if (grid_ends && ulps <= 1) continue;
+    if (is_best_on_grid(t, ulps, precision)) continue;
     judgement.residual =
         std::max(judgement.residual, std::isfinite(t) ? in_units(figure.residual(t)) : HUGE_VAL);
   }

@@ -3,6 +3,8 @@
 /// What the judges of all shapes have in common: the errors of claimed hits against exact ones, and the sizes
 /// that the units of the contracts are made of.
 
+#include <cmath>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -47,8 +49,24 @@ class Figure {
 /// The finite ends of the ray's interval.
 [[nodiscard]] std::vector<double> finite_ends(const Ray<double>& ray);
 
+/// The error of x in ulps of the exact number; an infinite or NaN x is right only where the exact number
+/// rounds to the same infinity.
+template <class Number>
+[[nodiscard]] double error_in_ulps(const Number& exact, double x, Precision precision) {
+  const double nearest = round_correctly(exact, precision);
+  if (!std::isfinite(x) || !std::isfinite(nearest)) return x == nearest ? 0 : HUGE_VAL;
+  return static_cast<double>((abs(exact.minus(x)) / Scaled(ulp_of(nearest, precision))).value());
+}
+
+/// Whether no residual can be asked of x: it is as good as the nearest number where the grid of floats itself
+/// is coarse or ends.
+[[nodiscard]] inline bool is_best_on_grid(double x, double ulps, Precision precision) {
+  const double smallest_normal = precision == Precision::float32 ? 0x1p-126 : 0x1p-1022;
+  return ulps <= 1 && (!std::isfinite(x) || std::abs(x) < smallest_normal);
+}
+
 /// Puts log2 of the smallest and largest nonzero magnitude among `numbers` into the judgement.
-void note_range(const std::vector<double>& numbers, Judgement& judgement);
+void note_range(std::span<const double> numbers, Judgement& judgement);
 
 /// |v|.
 [[nodiscard]] Scaled norm(const Vector<Ring>& v);

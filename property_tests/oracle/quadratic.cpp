@@ -1,6 +1,8 @@
 #include "oracle/quadratic.hpp"
 
-#include "oracle/rounding.hpp"
+#include <array>
+
+#include "oracle/judging.hpp"
 
 namespace rayproof::oracle {
 namespace {
@@ -37,14 +39,6 @@ double residual(const Quadratic<double>& q, double x, double epsilon) {
   return static_cast<double>((abs(approximate(axx + bx + Ring(q.c))) / (Scaled(epsilon) * size)).value());
 }
 
-/// The error of x in ulps of the exact root.
-double error_in_ulps(const ExactRoot& root, double x, Precision precision) {
-  const double nearest = round_correctly(root, precision);
-  if (x == nearest && !std::isfinite(x)) return 0;
-  if (!std::isfinite(x) || !std::isfinite(nearest)) return HUGE_VAL;
-  return static_cast<double>((abs(root.minus(x)) / Scaled(ulp_of(nearest, precision))).value());
-}
-
 /// How near the discriminant is to 0, in units of ε(b² + 4|ac|).
 double margin_of(const Quadratic<double>& q, double epsilon) {
   const Ring bb = Ring(q.b) * Ring(q.b);
@@ -52,16 +46,6 @@ double margin_of(const Quadratic<double>& q, double epsilon) {
   const Scaled size = approximate(bb) + abs(approximate(ac4));
   if (size.sign() == 0) return 0;
   return static_cast<double>((abs(approximate(bb - ac4)) / (Scaled(epsilon) * size)).value());
-}
-
-void note_sizes(const Quadratic<double>& q, Judgement& judgement) {
-  judgement.smallest = HUGE_VAL;
-  judgement.largest = -HUGE_VAL;
-  for (const double coefficient : {q.a, q.b, q.c}) {
-    if (coefficient == 0) continue;
-    judgement.smallest = std::min(judgement.smallest, std::logb(coefficient));
-    judgement.largest = std::max(judgement.largest, std::logb(coefficient));
-  }
 }
 
 }  // namespace
@@ -81,22 +65,19 @@ Judgement judge(const Quadratic<double>& equation, Precision precision,
   const RootKind kind = kind_of(equation, form);
   const double epsilon = unit_roundoff(precision);
   Judgement judgement;
-  note_sizes(equation, judgement);
+  note_range(std::array{equation.a, equation.b, equation.c}, judgement);
   judgement.hit = count_of(kind) > 0;
   judgement.wrong = kind != claimed.kind || claimed.count != count_of(kind);
   if (judgement.wrong) {
     judgement.margin = equation.a == 0 ? HUGE_VAL : margin_of(equation, epsilon);
     judgement.ulp = std::nan("");
   }
-  const double tiny = precision == Precision::float32 ? 0x1p-126 : 0x1p-1022;
   for (std::size_t i = 0; i < claimed.count; ++i) {
     const double x = claimed.roots.at(i);
     const double ulps =
         judgement.wrong ? HUGE_VAL : error_in_ulps(ExactRoot(form, i == 0 ? -1 : 1), x, precision);
     if (!judgement.wrong) judgement.ulp = std::max(judgement.ulp, ulps);
-    // Where the grid of floats itself is coarse or ends, the nearest float is all that can be asked for.
-    const bool grid_ends = !std::isfinite(x) || std::abs(x) < tiny;
-    if (grid_ends && ulps <= 1) continue;
+    if (is_best_on_grid(x, ulps, precision)) continue;
     judgement.residual =
         std::max(judgement.residual, std::isfinite(x) ? residual(equation, x, epsilon) : HUGE_VAL);
   }

@@ -4,6 +4,7 @@
 #include "oracle/sphere_equation.hpp"
 
 namespace rayproof::oracle {
+
 RayAnswer answer(const RayQuestion& question, const Sphere<double>& sphere, Precision precision) {
   const ObjectRay<Ring> ray(question);
   const SphereEquation<Ring> scene(ray, sphere);

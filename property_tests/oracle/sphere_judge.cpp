@@ -1,12 +1,13 @@
 /// \file
-/// The judge for ray and sphere. Every formula stands here once, over a ring R; it runs over Interval and
-/// Ball, which know when they can't tell, and then over the exact Ring, which always can.
+/// The judge for ray and sphere. Every formula stands here once, over a ring R; it runs over Interval, Ball
+/// and Pair, which know when they can't tell, and then over the exact Ring, which always can.
 
 #include <algorithm>
 
 #include "oracle/ball.hpp"
 #include "oracle/interval.hpp"
-#include "oracle/rounding.hpp"
+#include "oracle/judging.hpp"
+#include "oracle/pair.hpp"
 #include "oracle/sphere.hpp"
 #include "oracle/sphere_equation.hpp"
 
@@ -18,6 +19,7 @@ std::optional<int> certain_sign(const Ring& x) { return sign(x); }
 /// Numbers to read values by: doubles for the filters, which are used only where doubles do not overflow.
 double read(const Interval& x) { return x.middle; }
 double read(const Ball& x) { return x.high; }
+double read(const Pair& x) { return x.high; }
 Scaled read(const Ring& x) { return approximate(x); }
 double value(double x) { return x; }
 double value(const Scaled& x) { return static_cast<double>(x.value()); }
@@ -26,6 +28,7 @@ using std::abs, std::sqrt;
 /// How far the true value of `x` may lie from read(x).
 double uncertainty(const Interval& x) { return x.radius; }
 double uncertainty(const Ball& x) { return x.radius; }
+double uncertainty(const Pair&) { return 0; }
 double uncertainty(const Ring&) { return 0; }
 
 /// The sign of (root - t) for the root on `side`, from the signs at t; a > 0.
@@ -225,6 +228,8 @@ class SphereJudge {
     const Bench<Interval> interval(question_, sphere_);
     if (const auto truth = verdict<double>(interval.scene, question_.ray)) return *truth;
     if (const auto truth = verdict<double>(ball_.scene, question_.ray)) return *truth;
+    if (const auto truth = verdict<double>(Bench<Pair>(question_, sphere_).scene, question_.ray))
+      return *truth;
     return *verdict<double>(exact().scene, question_.ray);
   }
 
@@ -264,10 +269,8 @@ class SphereJudge {
 
   void note_error(double t, const HitError& error) {
     judgement_.ulp = std::max(judgement_.ulp, error.ulp);
-    // Where the grid of floats itself is coarse or ends, the nearest float is all that can be asked for.
-    const double tiny = precision_ == Precision::float32 ? 0x1p-126 : 0x1p-1022;
-    const bool grid_ends = !std::isfinite(t) || std::abs(t) < tiny;
-    if (!(grid_ends && error.ulp <= 1)) judgement_.residual = std::max(judgement_.residual, error.residual);
+    if (!is_best_on_grid(t, error.ulp, precision_))
+      judgement_.residual = std::max(judgement_.residual, error.residual);
   }
 
   const RayQuestion& question_;

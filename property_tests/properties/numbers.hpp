@@ -2,13 +2,12 @@
 /// \file
 /// Every number of a case, by name: what the shrinker makes simpler and the NaN property spoils.
 
-#include <array>
 #include <string_view>
 #include <variant>
 #include <vector>
 
 #include "case/case.hpp"
-#include "case/shape_format.hpp"
+#include "case/each_number.hpp"
 
 namespace rayproof {
 
@@ -22,24 +21,9 @@ struct CaseNumber {
 
 namespace detail {
 
-inline void append(std::vector<CaseNumber>& all, std::string_view field, double& x) {
-  all.push_back({field, &x});
-}
-inline void append(std::vector<CaseNumber>& all, std::string_view field, glm::dvec3& v) {
-  for (int axis = 0; axis < 3; ++axis) all.push_back({field, &v[axis]});
-}
-inline void append(std::vector<CaseNumber>& all, std::string_view field, Vec2<double>& v) {
-  all.push_back({field, &v.x});
-  all.push_back({field, &v.y});
-}
-inline void append(std::vector<CaseNumber>& /*all*/, std::string_view /*field*/, bool& /*not a number*/) {}
-template <class T, std::size_t N>
-void append(std::vector<CaseNumber>& all, std::string_view field, std::array<T, N>& values) {
-  for (T& value : values) append(all, field, value);
-}
-template <class T>
-void append(std::vector<CaseNumber>& all, std::string_view field, std::vector<T>& values) {
-  for (T& value : values) append(all, field, value);
+template <class V>
+void append(std::vector<CaseNumber>& all, std::string_view field, V& value) {
+  each_number(value, [&](double& x) { all.push_back({field, &x}); });
 }
 
 inline void append_question(std::vector<CaseNumber>& all, RayQuestion& asked) {

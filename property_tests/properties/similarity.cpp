@@ -5,9 +5,9 @@
 #include <glm/mat3x3.hpp>
 
 #include "case/number_text.hpp"
+#include "case/similar_shapes.hpp"
 #include "generators/random.hpp"
 #include "properties/numbers.hpp"
-#include "properties/similar_shapes.hpp"
 
 namespace rayproof {
 

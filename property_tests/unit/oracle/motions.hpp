@@ -7,10 +7,10 @@
 
 #include "case/answer.hpp"
 #include "case/case.hpp"
+#include "case/each_number.hpp"
 #include "case/independent.hpp"
-#include "generators/each_number.hpp"
+#include "case/similar_shapes.hpp"
 #include "properties/numbers.hpp"
-#include "properties/similar_shapes.hpp"
 
 namespace rayproof::oracle::test {
 
