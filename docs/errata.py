@@ -98,6 +98,24 @@ def section(bin_dir, method, finding):
 """
 
 
+def camera_section(bin_dir):
+    """The camera answers no cases: its counterexample is what rapidcheck shrinks to in a unit test, which must pass."""
+    test = "Camera.ThePrintedPixelCornersAreRefutedBySymmetry"
+    told = run(bin_dir / "unit-lib", f"--gtest_filter={test}")
+    mark = "printed_pixel_corner: "
+    counterexample = next(line[len(mark):] for line in told.splitlines() if line.startswith(mark))
+    return f"""
+## camera/printed_pixel_corner
+
+**as printed: through the corners of the pixels** — R. Bán, *Számítógépes grafika: Raycasting*, 2022. Why it is wrong: the text sends the
+ray through the pixel's centre; i - width/2 and height/2 - j are its top left corner, so that mirrored pixels do not see mirrored rays. It must
+be i + ½ and j + ½.
+
+The camera is no question of the case format; `./rayproof test -R {test}` refutes it by that symmetry. What rapidcheck shrinks
+it to: {counterexample}, where the image's only pixel must look straight ahead, x = 0.
+"""
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     parser.add_argument("--bin", type=pathlib.Path, default=DOCS.parent / "build" / "release" / "bin")
@@ -108,6 +126,7 @@ def main():
     if missing:
         sys.exit(f"not refuted: {', '.join(missing)}")
     sections = [section(bin_dir, method, findings[method["method"]]) for method in methods]
+    sections.append(camera_section(bin_dir))
     (DOCS / "errata.md").write_text(HEAD + "".join(sections), encoding="utf-8")
     print(f"{DOCS / 'errata.md'}: {len(sections)} errata")
 
