@@ -9,10 +9,10 @@
 #include "bench/figures/measure.hpp"
 #include "bench/figures/page.hpp"
 #include "bench/figures/plot.hpp"
-#include "bench/figures/progress.hpp"
 #include "bench/figures/text.hpp"
 #include "bench/vtk/plot_png.hpp"
 #include "programs/command_line.hpp"
+#include "programs/progress_line.hpp"
 
 namespace {
 
@@ -27,7 +27,7 @@ void write_file(const std::filesystem::path& path, const std::string& text) {
 
 int run(const report::Options& options) {
   std::filesystem::create_directories(options.out);
-  report::ProgressLine progress;
+  ProgressLine progress;
   const report::Figures figures =
       report::measure(options, [&](double done, const std::string& what) { progress.show(done, what); });
   progress.clear();

@@ -17,6 +17,7 @@
 
 #include "viz/dashes.hpp"
 #include "viz/palette.hpp"
+#include "viz/vtk/raster_png.hpp"
 #include "viz/vtk/write_png.hpp"
 
 namespace rayproof::viz {
@@ -140,9 +141,9 @@ class PictureItem : public vtkContextItem {
 };
 vtkStandardNewMacro(PictureItem)
 
-}  // namespace
-
-void write_picture(const Picture& picture, const std::string& path) {
+    /// Calls `use` with an off-screen window that shows the picture.
+    template <class Use>
+    void in_window(const Picture& picture, Use&& use) {
   vtkNew<PictureItem> item;
   item->picture = &picture;
   vtkNew<vtkContextActor> actor;
@@ -158,7 +159,19 @@ void write_picture(const Picture& picture, const std::string& path) {
   window->SetSize(static_cast<int>(std::lround(picture.width * png_scale)),
                   static_cast<int>(std::lround(picture.height * png_scale)));
   window->AddRenderer(renderer);
-  write_png(*window, path);
+  use(*window);
+}
+
+}  // namespace
+
+void write_picture(const Picture& picture, const std::string& path) {
+  in_window(picture, [&path](vtkRenderWindow& window) { write_png(window, path); });
+}
+
+Raster draw_picture(const Picture& picture) {
+  Raster raster;
+  in_window(picture, [&raster](vtkRenderWindow& window) { raster = pixels_of(window); });
+  return raster;
 }
 
 }  // namespace rayproof::viz

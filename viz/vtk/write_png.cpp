@@ -1,11 +1,13 @@
 #include "viz/vtk/write_png.hpp"
 
+#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 #include <vtkRenderWindow.h>
 #include <vtkTextProperty.h>
 #include <vtkWindowToImageFilter.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -26,6 +28,25 @@ void write_png(vtkRenderWindow& window, const std::string& path) {
   writer->SetFileName(path.c_str());
   writer->SetInputConnection(image->GetOutputPort());
   writer->Write();
+}
+
+Raster pixels_of(vtkRenderWindow& window) {
+  window.SetOffScreenRendering(1);
+  window.Render();
+  vtkNew<vtkWindowToImageFilter> filter;
+  filter->SetInput(&window);
+  filter->SetInputBufferTypeToRGB();
+  filter->ReadFrontBufferOff();
+  filter->Update();
+  vtkImageData& image = *filter->GetOutput();
+  const int* const size = image.GetDimensions();
+  Raster raster(size[0], size[1], {});
+  for (int y = 0; y < raster.height; ++y) {
+    // VTK's first row is the lowest.
+    const auto* row = static_cast<const unsigned char*>(image.GetScalarPointer(0, raster.height - 1 - y, 0));
+    for (int x = 0; x < raster.width; ++x, row += 3) std::copy_n(row, 3, raster.at(x, y).begin());
+  }
+  return raster;
 }
 
 void use_legible_font(vtkTextProperty& text, bool bold) {

@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <string>
 
-namespace rayproof::report {
+namespace rayproof {
 
 class ProgressLine {
  public:
@@ -34,4 +34,4 @@ class ProgressLine {
   std::chrono::steady_clock::time_point last_{};
 };
 
-}  // namespace rayproof::report
+}  // namespace rayproof

@@ -1,0 +1,40 @@
+#pragma once
+/// \file
+/// The command line of rayproof render.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "programs/command_line.hpp"
+#include "viz/scene/scene_reader.hpp"
+#include "viz/scene/shading.hpp"
+
+namespace rayproof::render {
+
+/// A mistake in the command line that CLI11 can't see; the program ends with status 2.
+class WrongCommand : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// What is asked for.
+enum class Mode { picture, exact_picture, error, compare, pixel };
+
+struct Options {
+  std::string scene{}, out{}, precision{}, size{}, shade = "normal";
+  std::vector<std::string> methods{}, error{}, compare{};
+  std::vector<int> pixel{};
+  bool is_exact = false, is_error = false;
+  int jobs = 0;
+
+  void add_to(CLI::App& app);
+
+  /// Throws WrongCommand where the options do not go together.
+  [[nodiscard]] Mode mode() const;
+  [[nodiscard]] SceneOverrides overrides() const;
+  [[nodiscard]] Shade shading() const { return shade == "flat" ? Shade::flat : Shade::normal; }
+  /// The default methods, with --method's and then `more` in their places. Throws WrongCommand.
+  [[nodiscard]] Methods chosen_methods(const std::vector<std::string>& more = {}) const;
+};
+
+}  // namespace rayproof::render

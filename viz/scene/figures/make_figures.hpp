@@ -1,0 +1,63 @@
+#pragma once
+/// \file
+/// What every shape's figures are made by: the method's kernel inlined in the loop over the rays.
+
+#include "subjects/solve_shapes.hpp"
+#include "viz/scene/figures.hpp"
+
+namespace rayproof::render {
+
+template <class Topic, class Method, class T>
+class MethodFigures final : public Figures<T> {
+ public:
+  explicit MethodFigures(const Members& members) {
+    figures_.reserve(members.objects.size());
+    for (const ObjectIndex index : members.objects) {
+      const Object& object = members.scene->objects[index];
+      const RayQuestion question{{}, object.shape, object.transform};
+      figures_.push_back(
+          {convert<T>(Reading<Topic>::shape(question)), Reading<Topic>::template space<T>(question), index});
+    }
+  }
+
+  void meet_all(std::span<const Ray<T>> rays, std::span<Nearest<T>> nearest) const override {
+    for (const Figure& figure : figures_) {
+      if (figure.space) {
+        for (std::size_t i = 0; i < rays.size(); ++i)
+          nearest[i].offer(first_hit(figure, to_object(*figure.space, rays[i])), figure.object);
+      } else {
+        for (std::size_t i = 0; i < rays.size(); ++i)
+          nearest[i].offer(first_hit(figure, rays[i]), figure.object);
+      }
+    }
+  }
+
+  void meet(std::size_t figure, const Ray<T>& ray, Nearest<T>& nearest) const override {
+    const Figure& asked = figures_[figure];
+    nearest.offer(first_hit(asked, asked.space ? to_object(*asked.space, ray) : ray), asked.object);
+  }
+
+ private:
+  struct Figure {
+    decltype(Topic::template Problem<T>::shape) shape;
+    std::optional<ObjectSpace<T>> space;
+    ObjectIndex object;
+  };
+
+  [[nodiscard]] static T first_hit(const Figure& figure, const Ray<T>& ray) {
+    return rayproof::nearest<T>(ray, Method::roots(ray, figure.shape));
+  }
+
+  std::vector<Figure> figures_{};
+};
+
+template <class Topic, class T>
+std::unique_ptr<Figures<T>> make_figures(std::string_view method, const Members& members) {
+  std::unique_ptr<Figures<T>> figures;
+  Topic::Methods::for_each([&]<class Method>(std::type_identity<Method>) {
+    if (method == Method::name) figures = std::make_unique<MethodFigures<Topic, Method, T>>(members);
+  });
+  return figures;
+}
+
+}  // namespace rayproof::render

@@ -1,0 +1,161 @@
+#include "viz/scene/scene_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+
+#include "case/independent.hpp"
+#include "case/number_text.hpp"
+#include "case/shape_reader.hpp"
+#include "case/shared_fields.hpp"
+#include "viz/scene/value_at.hpp"
+
+namespace rayproof::render {
+namespace {
+
+std::string read_text(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string text(std::istreambuf_iterator<char>(in), {});
+  // A folder opens, too, and only then can't be read.
+  if (!in || std::filesystem::is_directory(file))
+    throw UnreadableFile(fmt::format("the file {} can't be read", file.string()));
+  return text;
+}
+
+double read_angle(const Field& field) {
+  double degrees{};
+  read_value(field, Precision::float64, degrees);
+  if (!(degrees > 0 && degrees < 180)) field.refuse("must be more than 0 and less than 180 degrees");
+  return degrees;
+}
+
+Camera<double> read_camera(const Field& object, Precision precision) {
+  ObjectReader reader(object);
+  Camera<double> camera{};
+  const Field center = reader.need("center"), up = reader.need("up");
+  read_value(reader.need("eye"), precision, camera.eye);
+  read_value(center, precision, camera.center);
+  read_value(up, precision, camera.up);
+  camera.half_width = round_to(precision, half_extent(read_angle(reader.need("fov_x"))));
+  camera.half_height = round_to(precision, half_extent(read_angle(reader.need("fov_y"))));
+  reader.refuse_unknown();
+  if (camera.eye == camera.center) center.refuse("must not be the camera's eye");
+  if (!are_independent(camera.up, camera.eye - camera.center))
+    up.refuse("must not point along the camera's view");
+  return camera;
+}
+
+int read_side(const Field& field) {
+  double pixels{};
+  read_value(field, Precision::float64, pixels);
+  if (!(pixels >= 1 && pixels <= largest_side && pixels == std::floor(pixels)))
+    field.refuse(fmt::format("must be a whole number of pixels from 1 to {}", largest_side));
+  return static_cast<int>(pixels);
+}
+
+double rounded(const Field& field, Precision precision, double x) {
+  const double number = round_to(precision, x);
+  if (!std::isfinite(number))
+    field.refuse("names a mesh with a coordinate that is not finite in this precision");
+  return number;
+}
+
+/// Reads `shapes`.
+class ObjectsReader {
+ public:
+  ObjectsReader(Scene& scene, const ReadMesh& read_mesh) : scene_(scene), read_mesh_(read_mesh) {}
+
+  void read(const Field& shapes) {
+    const std::vector<Field> entries = shapes.elements("must be an array of shapes and meshes");
+    scene_.objects.reserve(entries.size());
+    for (const Field& entry : entries) {
+      ObjectReader reader(entry);
+      const auto mesh = reader.find("mesh");
+      const Field shape = mesh ? *mesh : reader.need("shape");
+      std::optional<glm::dmat4> transform;
+      if (const auto field = reader.find("transform")) transform = read_transform(*field, scene_.precision);
+      reader.refuse_unknown();
+      if (mesh)
+        add_mesh(shape, transform, *entry.position);
+      else
+        add_shape(shape, transform, *entry.position);
+    }
+  }
+
+ private:
+  void add_shape(const Field& field, const std::optional<glm::dmat4>& transform, std::size_t entry) {
+    Object& object = scene_.objects.emplace_back(Object{{}, transform, entry});
+    try {
+      read_shape(field, scene_.precision, object.shape);
+    } catch (const Refusal& why) {
+      // A shape that does not hold together is refused by its own field, without the way there.
+      const std::string path = field.path();
+      if (why.field().starts_with(path)) throw;
+      throw Refusal(path + "." + why.field(), fmt::format("{}.{}: {}", path, why.field(), why.what()));
+    }
+  }
+
+  void add_mesh(const Field& field, const std::optional<glm::dmat4>& transform, std::size_t entry) {
+    const std::filesystem::path beside = std::filesystem::path(scene_.file).parent_path();
+    const auto vertex = [&](const glm::dvec3& v) {
+      return glm::dvec3(rounded(field, scene_.precision, v.x), rounded(field, scene_.precision, v.y),
+                        rounded(field, scene_.precision, v.z));
+    };
+    for (const Triangle<double>& t : read_mesh_(beside / read_string(field)))
+      scene_.objects.push_back({Triangle<double>{vertex(t.a), vertex(t.b), vertex(t.c)}, transform, entry});
+  }
+
+  Scene& scene_;
+  const ReadMesh& read_mesh_;
+};
+
+void read_size(Scene& scene, ObjectReader& reader, const SceneOverrides& overrides) {
+  const Field field = reader.need("size");
+  const std::vector<Field> sides = field.elements("must be an array of 2 numbers, width and height", 2);
+  scene.width = read_side(sides[0]);
+  scene.height = read_side(sides[1]);
+  if (overrides.size) std::tie(scene.width, scene.height) = *overrides.size;
+}
+
+void read_members(Scene& scene, const json::Document& document, const ReadMesh& read_mesh,
+                  const SceneOverrides& overrides) {
+  const Field whole{.document = &document};
+  ObjectReader reader(whole);
+  scene.precision = read_precision(reader);
+  if (overrides.precision) scene.precision = *overrides.precision;
+  read_size(scene, reader, overrides);
+  scene.camera = read_camera(reader.need("camera"), scene.precision);
+  const Field shapes = reader.need("shapes");
+  if (const auto note = reader.find("note")) static_cast<void>(read_string(*note));
+  reader.refuse_unknown();
+  ObjectsReader(scene, read_mesh).read(shapes);
+}
+
+/// The case reader's sentence, with the file before it and the value behind it.
+std::string sentence_about(const std::string& file, const Refusal& why, const std::string& value) {
+  constexpr std::string_view the_case = "the case ";
+  std::string sentence = why.what();
+  if (sentence.starts_with(the_case)) sentence.replace(0, the_case.size(), "the scene ");
+  return fmt::format("{}: {}{}", file, sentence, value.empty() ? "" : fmt::format(" (here: {})", value));
+}
+
+}  // namespace
+
+Scene read_scene(const std::filesystem::path& file, const ReadMesh& read_mesh,
+                 const SceneOverrides& overrides) {
+  const std::string text = read_text(file);
+  Scene scene;
+  scene.file = file.string();
+  json::Document document;
+  try {
+    document = json::parse(text);
+    read_members(scene, document, read_mesh, overrides);
+  } catch (const Refusal& why) {
+    throw Refusal(why.field(), sentence_about(scene.file, why, value_at(document, why.field())));
+  }
+  return scene;
+}
+
+}  // namespace rayproof::render

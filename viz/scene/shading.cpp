@@ -1,0 +1,57 @@
+#include "viz/scene/shading.hpp"
+
+#include <cmath>
+
+#include "subjects/solve_shapes.hpp"
+#include "viz/scene/colours.hpp"
+#include "viz/scene/tiles.hpp"
+
+namespace rayproof::render {
+namespace {
+
+/// The unit normal in the world at t, either way round; NaN where the figure has none.
+glm::dvec3 normal_at_hit(const Object& object, const Ray<double>& ray, double t) {
+  const auto own_normal = [&object](const glm::dvec3& point) {
+    return std::visit([&](const auto& shape) { return glm::dvec3(normal_at(library_shape(shape), point)); },
+                      object.shape);
+  };
+  if (!object.transform) return own_normal(point_at(ray, t));
+  const ObjectSpace<double> space = object_space<double>(*object.transform);
+  return normal_to_world(space, own_normal(point_at(to_object(space, ray), t)));
+}
+
+/// How much of a colour the eye gets: 1 where it looks straight down on the surface.
+double brightness(const Object& object, const Ray<double>& ray, double t) {
+  constexpr double least = 0.25;
+  const glm::dvec3 normal = normal_at_hit(object, ray, t);
+  const double cosine = std::abs(dot(normal, ray.direction)) / std::sqrt(dot(ray.direction, ray.direction));
+  return std::isfinite(cosine) ? least + (1 - least) * std::min(cosine, 1.0) : least;
+}
+
+Rgb dimmed(const Rgb& colour, double by) {
+  Rgb dim{};
+  for (std::size_t i = 0; i < 3; ++i) dim[i] = static_cast<std::uint8_t>(std::lround(colour[i] * by));
+  return dim;
+}
+
+}  // namespace
+
+viz::Raster shaded(const Scene& scene, const HitImage& hits, Shade shade, const Work& work) {
+  viz::Raster raster(hits.width, hits.height, background);
+  for_each_tile(hits.width, hits.height, work, [&](const Tile& tile) {
+    for (int y = tile.top; y < tile.bottom; ++y) {
+      for (int x = tile.left; x < tile.right; ++x) {
+        const std::size_t i = hits.index(x, y);
+        if (hits.object[i] == no_object) continue;
+        const Object& object = scene.objects[hits.object[i]];
+        const Rgb colour = object_colours[object.entry % object_colours.size()];
+        raster.at(x, y) = shade == Shade::flat
+                              ? colour
+                              : dimmed(colour, brightness(object, pixel_ray(scene, x, y), hits.t[i]));
+      }
+    }
+  });
+  return raster;
+}
+
+}  // namespace rayproof::render

@@ -1,0 +1,18 @@
+#pragma once
+/// \file
+/// Hits as a picture of the scene.
+
+#include "viz/raster.hpp"
+#include "viz/scene/hits.hpp"
+
+namespace rayproof::render {
+
+enum class Shade {
+  normal,  ///< an object's colour, the darker the more the surface turns away from the eye
+  flat     ///< an object's colour
+};
+
+/// One pixel a hit, each shape (or mesh) of the scene in a colour of its own.
+[[nodiscard]] viz::Raster shaded(const Scene& scene, const HitImage& hits, Shade shade, const Work& work);
+
+}  // namespace rayproof::render

@@ -1,0 +1,162 @@
+/// \file
+/// Hits by float methods.
+
+#include <algorithm>
+#include <array>
+
+#include "subjects/solve_shapes.hpp"
+#include "viz/scene/figures.hpp"
+#include "viz/scene/hits.hpp"
+#include "viz/scene/tiles.hpp"
+
+namespace rayproof::render {
+namespace {
+
+/// The topics a ray can be put to: those with a figure.
+template <class Topic>
+constexpr bool is_about_rays = requires(typename Topic::template Problem<float> problem) {
+  problem.ray.t_min;
+};
+
+template <class Visit>
+void for_each_ray_topic(Visit&& visit) {
+  Topics::for_each([&]<class Topic>(std::type_identity<Topic> topic) {
+    if constexpr (is_about_rays<Topic>) visit(topic);
+  });
+}
+
+std::string type_of(const Shape& shape) {
+  return std::visit([]<class S>(const S&) { return std::string(ShapeFormat<S>::type); }, shape);
+}
+
+/// All figures of a scene, by shape.
+template <class T>
+class AllFigures {
+ public:
+  AllFigures(const Scene& scene, const Methods& methods) : places_(scene.objects.size()) {
+    std::map<std::string, Members> by_shape;
+    for (ObjectIndex i = 0; i < scene.objects.size(); ++i) {
+      Members& members =
+          by_shape.try_emplace(type_of(scene.objects[i].shape), Members{&scene, {}}).first->second;
+      places_[i].figure = static_cast<std::uint32_t>(members.objects.size());
+      members.objects.push_back(i);
+    }
+    for_each_ray_topic([&]<class Topic>(std::type_identity<Topic>) {
+      const auto members = by_shape.find(Topic::name);
+      if (members == by_shape.end()) return;
+      for (const ObjectIndex object : members->second.objects)
+        places_[object].group = static_cast<std::uint32_t>(groups_.size());
+      groups_.push_back(make_figures<Topic, T>(methods.at(Topic::name), members->second));
+    });
+  }
+
+  void meet_all(std::span<const Ray<T>> rays, std::span<Nearest<T>> nearest) const {
+    for (const auto& group : groups_) group->meet_all(rays, nearest);
+  }
+  void meet(ObjectIndex object, const Ray<T>& ray, Nearest<T>& nearest) const {
+    groups_[places_[object].group]->meet(places_[object].figure, ray, nearest);
+  }
+
+ private:
+  struct Place {
+    std::uint32_t group = 0, figure = 0;
+  };
+  std::vector<Place> places_;
+  std::vector<std::unique_ptr<Figures<T>>> groups_{};
+};
+
+/// Puts the rays to all objects, or to those in their neighbourhood.
+template <class T>
+std::vector<Nearest<T>> meet(const AllFigures<T>& figures, const Neighbourhood* neighbourhood,
+                             std::span<const Ray<T>> rays) {
+  std::vector<Nearest<T>> nearest(rays.size());
+  if (neighbourhood == nullptr) {
+    figures.meet_all(rays, nearest);
+    return nearest;
+  }
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    auto ask = [&](ObjectIndex object) {
+      figures.meet(object, rays[i], nearest[i]);
+      return static_cast<double>(nearest[i].t);
+    };
+    neighbourhood->visit(convert<double>(rays[i]), ask);
+  }
+  return nearest;
+}
+
+template <class T>
+HitImage trace_in(const Scene& scene, const Methods& methods, const Neighbourhood* neighbourhood,
+                  const Work& work) {
+  HitImage image(scene.width, scene.height);
+  const AllFigures<T> figures(scene, methods);
+  const PixelRays<T> pixel_rays(scene);
+  for_each_tile(scene.width, scene.height, work, [&](const Tile& tile) {
+    std::vector<Ray<T>> rays;
+    for (int y = tile.top; y < tile.bottom; ++y) {
+      for (int x = tile.left; x < tile.right; ++x) rays.push_back(pixel_rays(x, y));
+    }
+    const std::vector<Nearest<T>> nearest = meet<T>(figures, neighbourhood, rays);
+    std::size_t next = 0;
+    for (int y = tile.top; y < tile.bottom; ++y) {
+      for (int x = tile.left; x < tile.right; ++x, ++next) {
+        image.t[image.index(x, y)] = static_cast<double>(nearest[next].t);
+        image.object[image.index(x, y)] = nearest[next].object;
+      }
+    }
+  });
+  return image;
+}
+
+}  // namespace
+
+Methods default_methods() {
+  return {{"sphere", "centred"},  {"plane", "implicit"}, {"triangle", "woop"},
+          {"polygon", "winding"}, {"box", "slabs"},      {"parallelepiped", "face_planes"},
+          {"cylinder", "centred"}};
+}
+
+std::vector<std::string> renderable_methods() {
+  std::vector<std::string> names;
+  for_each_ray_topic([&]<class Topic>(std::type_identity<Topic>) {
+    Topic::Methods::for_each([&]<class Method>(std::type_identity<Method>) {
+      names.push_back(std::string(Topic::name) + "/" + Method::name);
+    });
+  });
+  return names;
+}
+
+ObjectBounds bounds_for_methods(const Scene& scene) {
+  const ObjectBounds exact(scene);
+  double largest = 0;
+  const auto note = [&largest](const glm::dvec3& p) {
+    for (int axis = 0; axis < 3; ++axis) largest = std::max(largest, std::abs(p[axis]));
+  };
+  note(scene.camera.eye);
+  for (const Bounds& box : exact.boxes) {
+    note(box.low);
+    note(box.high);
+  }
+  return ObjectBounds(scene, method_margin * largest);
+}
+
+HitImage trace(const Scene& scene, const Methods& methods, const Neighbourhood* neighbourhood,
+               const Work& work) {
+  return scene.precision == Precision::float32 ? trace_in<float>(scene, methods, neighbourhood, work)
+                                               : trace_in<double>(scene, methods, neighbourhood, work);
+}
+
+ObjectIndex nearest_at(const Scene& scene, const Methods& methods, const Neighbourhood* neighbourhood, int x,
+                       int y) {
+  const auto in = [&]<class T>(T) {
+    const std::array<Ray<T>, 1> ray{PixelRays<T>(scene)(x, y)};
+    return meet<T>(AllFigures<T>(scene, methods), neighbourhood, ray).front().object;
+  };
+  return scene.precision == Precision::float32 ? in(float{}) : in(double{});
+}
+
+Ray<double> pixel_ray(const Scene& scene, int x, int y) {
+  return scene.precision == Precision::float32 ? convert<double>(PixelRays<float>(scene)(x, y))
+                                               : PixelRays<double>(scene)(x, y);
+}
+
+}  // namespace rayproof::render

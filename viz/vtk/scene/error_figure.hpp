@@ -1,0 +1,22 @@
+#pragma once
+/// \file
+/// Error images with their legend and totals, side by side on one scale.
+
+#include <string>
+
+#include "viz/raster.hpp"
+#include "viz/scene/errors.hpp"
+
+namespace rayproof::render {
+
+/// One panel of the figure.
+struct ErrorPanel {
+  std::string title{};  ///< the methods
+  ErrorImage errors{};
+};
+
+/// The panels beside each other, the legend with each panel's counts below. Needs a display
+/// (viz::OffscreenDisplay).
+[[nodiscard]] viz::Raster error_figure(const std::string& title, const std::vector<ErrorPanel>& panels);
+
+}  // namespace rayproof::render
