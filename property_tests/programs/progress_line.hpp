@@ -31,7 +31,9 @@ class ProgressLine {
 
  private:
   bool is_terminal_ = isatty(STDERR_FILENO) != 0;
-  std::chrono::steady_clock::time_point last_{};
+  /// On a terminal the first line comes at once, elsewhere only where the work takes long.
+  std::chrono::steady_clock::time_point last_ =
+      is_terminal_ ? std::chrono::steady_clock::time_point{} : std::chrono::steady_clock::now();
 };
 
 }  // namespace rayproof

@@ -84,16 +84,16 @@ class Render {
     const viz::OffscreenDisplay display;
     const HitImage exact = exactly();
     std::vector<ErrorPanel> panels;
-    told_.clear();
+    std::string told;
     for (const auto& [name, methods] : asked) {
       const HitImage claimed = by_methods(methods, name);
       panels.push_back({name, find_errors(scene_, exact, claimed, work("comparing"))});
       const Totals& totals = panels.back().errors.totals;
-      told_ += fmt::format(
-          "{}{}: {} wrong hits, {} wrong misses, {} wrong objects, of {} hits t is off by {:.0f} ulp at most",
-          told_.empty() ? "" : "; ", name, totals.wrong_hits, totals.wrong_misses, totals.wrong_objects,
-          totals.hits, totals.worst_ulps);
+      told += fmt::format(
+          "\n  {}: {} wrong hits, {} wrong misses, {} wrong objects; t of {} hits, {:.0f} ulp off at most",
+          name, totals.wrong_hits, totals.wrong_misses, totals.wrong_objects, totals.hits, totals.worst_ulps);
     }
+    told_ = "against the exact image" + told;
     progress_.clear();
     const char* const precision = scene_.precision == Precision::float32 ? "float32" : "float64";
     return error_figure(fmt::format("Errors in {}, against the exact image", precision), panels);

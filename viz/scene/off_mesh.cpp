@@ -24,7 +24,9 @@ class OffReader {
     const std::size_t vertex_count = take_count("vertices"), face_count = take_count("faces");
     for (std::size_t i = 0; i < vertex_count; ++i) {
       next_line();
-      vertices_.emplace_back(take_number(), take_number(), take_number());
+      // One after another: the order of a call's arguments is nobody's promise.
+      const double x = take_number(), y = take_number(), z = take_number();
+      vertices_.emplace_back(x, y, z);
     }
     for (std::size_t i = 0; i < face_count; ++i) {
       next_line();

@@ -17,11 +17,10 @@ namespace {
 
 std::string read_text(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
-  std::string text(std::istreambuf_iterator<char>(in), {});
   // A folder opens, too, and only then can't be read.
   if (!in || std::filesystem::is_directory(file))
     throw UnreadableFile(fmt::format("the file {} can't be read", file.string()));
-  return text;
+  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 double read_angle(const Field& field) {
@@ -135,9 +134,10 @@ void read_members(Scene& scene, const json::Document& document, const ReadMesh& 
 
 /// The case reader's sentence, with the file before it and the value behind it.
 std::string sentence_about(const std::string& file, const Refusal& why, const std::string& value) {
-  constexpr std::string_view the_case = "the case ";
   std::string sentence = why.what();
-  if (sentence.starts_with(the_case)) sentence.replace(0, the_case.size(), "the scene ");
+  for (const std::string_view whole : {"the case ", "the line "}) {
+    if (sentence.starts_with(whole)) sentence.replace(0, whole.size(), "the scene ");
+  }
   return fmt::format("{}: {}{}", file, sentence, value.empty() ? "" : fmt::format(" (here: {})", value));
 }
 

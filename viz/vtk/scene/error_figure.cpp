@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "viz/scene/colours.hpp"
 #include "viz/vtk/picture_png.hpp"
@@ -23,6 +24,8 @@ constexpr double margin = 20, gap = 24, row_height = 22, swatch_width = 34, swat
 constexpr double label_width = 300, count_width = 170;
 /// Small images are magnified by a whole number, so that single pixels can be seen.
 constexpr int least_panel = 420;
+/// Device pixels that VTK draws at most.
+constexpr int widest = 8192;
 
 /// 1234567 as "1 234 567".
 std::string grouped(std::size_t number) {
@@ -86,9 +89,11 @@ class Legend {
   Legend(Picture& picture, const Layout& layout, const std::vector<ErrorPanel>& panels, double top)
       : picture_(picture), layout_(layout), panels_(panels), y_(top) {}
 
-  void heading(const std::string& text) {
+  void heading(const std::string& text, const std::vector<std::string>& columns = {}) {
     y_ += 8;
     write(Role::text, margin, text, Anchor::start, true);
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      write(Role::text, layout_.count_right(i), columns[i], Anchor::end, true);
     y_ += row_height;
   }
   template <class CountOf>
@@ -101,11 +106,6 @@ class Legend {
   /// The top of the swatch of the row that comes next.
   [[nodiscard]] double swatch_top() const { return y_ + (row_height - swatch_height) / 2; }
   [[nodiscard]] double bottom() const { return y_; }
-
-  void titles() {
-    for (std::size_t i = 0; i < panels_.size() && panels_.size() > 1; ++i)
-      write(Role::text, layout_.count_right(i), i == 0 ? "left" : "right", Anchor::end, true);
-  }
 
  private:
   void write(Role role, double x, const std::string& text, Anchor anchor, bool bold) {
@@ -124,10 +124,10 @@ struct Swatch {
   std::function<Rgb(int, int)> colour;
 };
 
-std::vector<Swatch> write_legend(Legend& legend) {
+std::vector<Swatch> write_legend(Legend& legend, bool is_compared) {
   std::vector<Swatch> swatches;
-  legend.titles();
-  legend.heading("Verdicts, pixels");
+  legend.heading("Verdicts, pixels",
+                 is_compared ? std::vector<std::string>{"left", "right"} : std::vector<std::string>{});
   legend.row("all pixels", [](const Totals& t) { return grouped(t.pixels); });
   legend.row("exact hits", [](const Totals& t) { return grouped(t.exact_hits); });
   for (const VerdictStyle& style : verdict_styles) {
@@ -168,6 +168,11 @@ void frame(Picture& picture, double left, double top, double width, double heigh
 
 Raster error_figure(const std::string& title, const std::vector<ErrorPanel>& panels) {
   const Layout layout(panels);
+  if (layout.width * png_scale > widest) {
+    throw std::runtime_error(fmt::format(
+        "an error image of {} x {} pixels is too wide to be drawn with its legend; {} pixels across work",
+        panels.size(), panels.front().errors.width, widest));
+  }
   Picture picture;
   picture.width = layout.width;
   picture.elements.push_back(
@@ -179,7 +184,7 @@ Raster error_figure(const std::string& title, const std::vector<ErrorPanel>& pan
     frame(picture, left, layout.panels_top, layout.panel_width, layout.panel_height);
   }
   Legend legend(picture, layout, panels, layout.panels_top + layout.panel_height + 14);
-  const std::vector<Swatch> swatches = write_legend(legend);
+  const std::vector<Swatch> swatches = write_legend(legend, panels.size() > 1);
   picture.height = std::ceil(legend.bottom() + margin);
 
   Raster canvas = viz::draw_picture(picture);

@@ -1,0 +1,36 @@
+#include "viz/scene/tiles.hpp"
+
+#include <gtest/gtest.h>
+
+namespace rayproof::render {
+namespace {
+
+TEST(Tiles, CoverEveryPixelOnce) {
+  for (const auto& [width, height] :
+       {std::pair(1, 1), std::pair(32, 32), std::pair(33, 31), std::pair(100, 7), std::pair(1, 97)}) {
+    std::vector<int> covered(static_cast<std::size_t>(width * height));
+    for (const Tile& tile : tiles_of(width, height)) {
+      EXPECT_LE(tile.right, width);
+      EXPECT_LE(tile.bottom, height);
+      for (int y = tile.top; y < tile.bottom; ++y)
+        for (int x = tile.left; x < tile.right; ++x) ++covered[static_cast<std::size_t>(y * width + x)];
+    }
+    EXPECT_EQ(covered, std::vector<int>(covered.size(), 1)) << width << 'x' << height;
+  }
+}
+
+TEST(Tiles, TellOfAllTheWorkAndEndWhenStopped) {
+  double told = 0;
+  std::atomic<bool> stop = false;
+  Work work{1, &stop, [&](double done) { told = done; }};
+  std::atomic<int> tiles = 0;
+  for_each_tile(200, 100, work, [&](const Tile&) { ++tiles; });
+  EXPECT_EQ(tiles, 28);
+  EXPECT_EQ(told, 1);
+  const auto stop_at_third = [&](const Tile&) { stop = ++tiles == 31; };
+  EXPECT_THROW(for_each_tile(200, 100, work, stop_at_third), Stopped);
+  EXPECT_EQ(tiles, 31);
+}
+
+}  // namespace
+}  // namespace rayproof::render
