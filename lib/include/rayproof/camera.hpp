@@ -3,9 +3,10 @@
 /// The camera of raycasting: one ray through each pixel of an image.
 
 #include <numbers>
-#include <rayproof/contract.hpp>
 #include <rayproof/narration.hpp>
+#include <rayproof/normalized.hpp>
 #include <rayproof/ray.hpp>
+#include <rayproof/sources.hpp>
 
 namespace rayproof {
 
@@ -45,14 +46,12 @@ namespace camera {
 /// infinite where `up` is along w, or a square overflows. Source: R. Bán, "Számítógépes grafika: Raycasting",
 /// 2022.
 template <class T>
-[[nodiscard]] constexpr CameraAxes<T> axes(const Camera<T>& camera) {
-  const auto unit = [](const vec3<T>& a) { return (T(1) / sqrt(dot(a, a))) * a; };
-
+[[nodiscard]] CameraAxes<T> axes(const Camera<T>& camera) {
   step<T>("Look along -w, from the eye to the centre");
-  const vec3<T> w = named("w", vec3<T>(unit(camera.eye - camera.center)));
+  const vec3<T> w = named("w", normalized<T>(camera.eye - camera.center));
 
   step<T>("Turn u to the right of both up and w");
-  const vec3<T> u = named("u", vec3<T>(unit(cross(camera.up, w))));
+  const vec3<T> u = named("u", normalized<T>(cross(camera.up, w)));
 
   step<T>("Complete the right-handed axes by v");
   const vec3<T> v = named("v", vec3<T>(cross(w, u)));
@@ -82,7 +81,7 @@ template <class T>
 struct PixelCentre {
   static constexpr const char* name = "pixel_centre";
   static constexpr const char* title = "through the centres of the pixels";
-  static constexpr Source source{"R. Bán", "Számítógépes grafika: Raycasting", 2022};
+  static constexpr Source source = sources::ban;
 
   template <class T>
   [[nodiscard]] static constexpr Ray<T> ray(const Camera<T>& camera, const CameraAxes<T>& axes,
