@@ -67,9 +67,10 @@ void judge_certain(const RootEnclosure<double>& one, const std::vector<ExactRoot
     return;
   }
   ++judgement.certain;
-  if (one.lo == one.hi) return;
   const double ulp = ulp_of(round_correctly(inside.front(), precision), precision);
-  judgement.widest = std::max(judgement.widest, (one.hi - one.lo) / ulp);
+  const double width = one.lo == one.hi ? 0 : (one.hi - one.lo) / ulp;
+  if (width <= 4) ++judgement.narrow;
+  judgement.widest = std::max(judgement.widest, width);
 }
 
 }  // namespace
