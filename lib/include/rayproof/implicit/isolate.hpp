@@ -55,7 +55,7 @@ class Isolation {
       return nothing();
     }
     const Interval<T> slope = g.slope.is_empty() ? Interval<T>::whole() : g.slope;
-    if (!slope.contains(T(0))) {
+    if (!slope.contains(T(0)) && range.is_bounded()) {
       const Contracted<T> left = settle_monotone(g_, range, slope, spent_);
       if (!left.range.is_empty())
         add(left.range, left.has_root ? RootStatus::certain : RootStatus::undecided);
