@@ -69,7 +69,7 @@ void judge_certain(const RootEnclosure<double>& one, const std::vector<ExactRoot
   ++judgement.certain;
   const double ulp = ulp_of(round_correctly(inside.front(), precision), precision);
   const double width = one.lo == one.hi ? 0 : (one.hi - one.lo) / ulp;
-  if (width <= 4) ++judgement.narrow;
+  if (width <= 64) ++judgement.narrow;
   judgement.widest = std::max(judgement.widest, width);
 }
 

@@ -39,7 +39,7 @@ struct EnclosureJudgement {
   std::size_t known = 0;             ///< exact roots in the ray's interval
   std::size_t tangents = 0;          ///< of the known, double ones
   std::size_t certain = 0;           ///< of the known, in certain enclosures
-  std::size_t narrow = 0;            ///< of these, in enclosures of at most 4 ulps
+  std::size_t narrow = 0;            ///< of these, in enclosures of at most 64 ulps
   std::size_t idle = 0;              ///< undecided enclosures that hold no root
   double widest = 0;                 ///< width of the widest certain enclosure, in ulps of its root
 

@@ -20,7 +20,7 @@ struct Dual {
   template <class U>
   requires std::is_arithmetic_v<U>
   // NOLINTNEXTLINE(google-explicit-constructor): kernels mix plain numbers in, as formulas do
-  constexpr Dual(U constant) : value(constant), slope(0) {}
+  constexpr Dual(U constant) : value(T(constant)), slope(0) {}
   constexpr Dual(const T& v, const T& s) : value(v), slope(s) {}
 
   friend Dual operator-(const Dual& x) { return {-x.value, -x.slope}; }

@@ -116,7 +116,8 @@ template <std::floating_point T>
 }
 template <std::floating_point T>
 [[nodiscard]] inline T root_up(T x) {
-  if (x == 0 || x == infinity<T>) return x;
+  if (x == 0) return 0;
+  if (x == infinity<T>) return x;
   return up(sqrt(x), rest_of_root(x, sqrt(x)));
 }
 

@@ -24,7 +24,8 @@ struct Search {
 /// sign;
 /// - what cannot be told apart is one `undecided` enclosure: tangents, near tangents within rounding, roots
 ///   within rounding of an end of the interval, and whatever is left when the budget is spent;
-/// - at most `budget` evaluations of f, give or take a hundred for each enclosure, are made;
+/// - the search ends after `budget` evaluations of f, the settling of what it found after twice as many, each
+///   give or take the 150 of a range begun;
 /// - a zero direction, an infinite or NaN number in the ray, and a NaN coefficient have no root. (A zero
 ///   direction is a miss even on the surface, as for every shape of this library.)
 ///
@@ -71,7 +72,7 @@ template <class Surface, std::floating_point T>
   } else {
     Isolation(along, budget, result.evaluations, found).search(range);
   }
-  result.roots = Settlement(along, range, result.evaluations).of(std::move(found));
+  result.roots = Settlement(along, range, 2 * budget, result.evaluations).of(std::move(found));
   return result;
 }
 

@@ -12,8 +12,8 @@ namespace rayproof::implicit {
 template <class T, class G>
 class Settlement {
  public:
-  Settlement(const G& g, const Interval<T>& range, std::size_t& spent)
-      : g_(g), range_(range), spent_(spent) {}
+  Settlement(const G& g, const Interval<T>& range, std::size_t budget, std::size_t& spent)
+      : g_(g), range_(range), budget_(budget), spent_(spent) {}
 
   [[nodiscard]] EnclosedRoots<T> of(EnclosedRoots<T> found) {
     std::erase_if(found, [&](RootEnclosure<T>& one) { return !clip(one); });
@@ -48,7 +48,9 @@ class Settlement {
         continue;
       }
       RootEnclosure<T>& last = united.back();
-      const bool are_alike = last.lo == one.lo && last.hi == one.hi && last.status == one.status;
+      // The same point found from both sides. (Equal ranges are not enough: beyond the greatest number there
+      // is one range for all.)
+      const bool are_alike = last.lo == one.hi && last.status == one.status;
       const bool are_apart = last.hi == one.lo && last.lo != last.hi && one.lo != one.hi &&
                              last.status == RootStatus::certain && one.status == RootStatus::certain;
       const bool are_everywhere =
@@ -66,7 +68,7 @@ class Settlement {
   /// Tries to tighten what is certain and to decide what is not; takes out (as NaN) what holds no root.
   void settle(EnclosedRoots<T>& all, std::size_t i) {
     RootEnclosure<T>& one = all[i];
-    if (one.status == RootStatus::everywhere) return;
+    if (one.status == RootStatus::everywhere || spent_ >= budget_) return;
     Interval<T> wider = range_of(one);
     if (!g_(wider).contains(T(0))) {
       one.lo = not_a_number<T>;
@@ -100,6 +102,7 @@ class Settlement {
 
   const G& g_;
   Interval<T> range_;
+  std::size_t budget_;
   std::size_t& spent_;
 };
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <iostream>
 #include <rayproof/arithmetics/interval.hpp>
 
 #include "generators/draw.hpp"
@@ -58,13 +59,21 @@ bool holds(const Interval<T>& range, const Exact& exact) {
   return above && (range.hi == infinity<T> || (range.hi > -infinity<T> && exact.compare(range.hi) <= 0));
 }
 
-/// Runs `check(Random&)` under rapidcheck. A property of rapidcheck fails by an exception.
+/// Runs `check(Random&)` under rapidcheck on fixed seeds; RC_PARAMS has no say. A property fails by an
+/// exception.
 template <class Check>
 void for_all(Check&& check) {
-  EXPECT_TRUE(rc::check([&] {
+  rc::detail::TestParams params;
+  params.seed = 2022;
+  params.maxSuccess = 100;
+  const auto run = [&] {
     Random random(*rc::gen::noShrink(rc::gen::arbitrary<std::uint64_t>()));
     for (int i = 0; i < 100; ++i) check(random);  // one seed, many draws: rapidcheck's own cost is larger
-  }));
+  };
+  const auto result = rc::detail::checkTestable(run, rc::detail::TestMetadata(), params);
+  rc::detail::SuccessResult success;
+  EXPECT_TRUE(result.match(success));
+  if (!result.match(success)) rc::detail::printResultMessage(result, std::cerr);
 }
 
 template <class T>

@@ -1,0 +1,60 @@
+#pragma once
+#include <rayproof/contract.hpp>
+#include <rayproof/narration.hpp>
+#include <rayproof/parametric/bezier.hpp>
+#include <rayproof/quadratic/kahan.hpp>
+
+namespace rayproof::parametric {
+
+/// A hit of the closed form: NaN where there is none.
+template <class T>
+struct BilinearHit {
+  T t, u, v;
+};
+
+/// The bilinear patch in closed form: the line through the two points that u marks on the edges v = 0 and
+/// v = 1 meets the ray where their volume with the direction is 0, a quadratic in u.
+///
+/// Plain and fast; no contract but what `parametric::hits` on the same patch says of it. Where the ray lies
+/// in a ruling, or the volume is 0 for every u, it has no answer.
+struct BilinearQuadratic {
+  static constexpr const char* name = "bilinear_quadratic";
+  static constexpr Source source{"A. Reshetov",
+                                 "Cool Patches: A Geometric Approach to Ray/Bilinear Patch Intersections, "
+                                 "Ray Tracing Gems ch. 8",
+                                 2019};
+
+  /// Both solutions, by ascending u, each with u and v in [0, 1] and t in the ray's interval or NaN.
+  template <class T>
+  [[nodiscard]] static std::array<BilinearHit<T>, 2> roots(const Ray<T>& ray, const BilinearPatch<T>& patch) {
+    step<T>("Move the ray's origin to the origin");
+    const vec3<T> d = ray.direction;
+    const vec3<T> a = patch.points[0][0] - ray.origin;
+    const vec3<T> a_u = patch.points[1][0] - patch.points[0][0];
+    const vec3<T> e = patch.points[0][1] - patch.points[0][0];
+    const vec3<T> e_u = (patch.points[1][1] - patch.points[1][0]) - e;
+
+    step<T>("Let the volume of direction, edge point and ruling be 0");
+    const Quadratic<T> volume{dot(cross(a_u, d), e_u), dot(cross(a, d), e_u) + dot(cross(a_u, d), e),
+                              dot(cross(a, d), e)};
+    const Roots<T> u = quadratic::Kahan::roots(volume);
+    return {on_ruling(ray, a + u.lo * a_u, e + u.lo * e_u, u.lo),
+            on_ruling(ray, a + u.hi * a_u, e + u.hi * e_u, u.hi)};
+  }
+
+ private:
+  /// Where the ray meets the line p + v·e.
+  template <class T>
+  static BilinearHit<T> on_ruling(const Ray<T>& ray, const vec3<T>& p, const vec3<T>& e, const T& u) {
+    step<T>("Meet the ruling in the plane that it and the ray span");
+    const vec3<T> n = cross(ray.direction, e);
+    const T nn = dot(n, n);
+    const T t = named("t", dot(cross(p, e), n) / nn);
+    const T v = named("v", dot(cross(p, ray.direction), n) / nn);
+    const Mask<T> is_hit = T(0) <= u && u <= T(1) && T(0) <= v && v <= T(1) && in_interval(ray, t);
+    const T none = not_a_number<T>;
+    return {select(is_hit, t, none), select(is_hit, u, none), select(is_hit, v, none)};
+  }
+};
+
+}  // namespace rayproof::parametric

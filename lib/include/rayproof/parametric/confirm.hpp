@@ -1,0 +1,58 @@
+#pragma once
+/// \file
+/// A root of a patch and a line found by plain Newton steps, and the proof that it is one.
+
+#include <rayproof/parametric/krawczyk.hpp>
+
+namespace rayproof::parametric {
+
+/// A proven root: just one lies in `only_one`, and it lies in `root`, a part of that.
+template <class T>
+struct Confirmed {
+  Rectangle<T> root, only_one;
+};
+
+/// A surface put to a line, in plain numbers and in intervals.
+template <class Surface, std::floating_point T>
+struct Meeting {
+  using I = Interval<T>;
+  const Surface& r;
+  const Line<T>& line;
+
+  [[nodiscard]] Seen<I> seen(const I& u, const I& v) const { return line(r(u, v)); }
+  [[nodiscard]] Jet<I> jet(const Rectangle<T>& X) const { return jet_of(r, line, X.u, X.v); }
+
+  /// Whether the functions are one to one over a rectangle, which then holds one root at most.
+  [[nodiscard]] bool is_injective(const Rectangle<T>& X) const {
+    const auto p = precondition(jet(X));
+    return p && p->is_injective();
+  }
+
+  /// A few plain Newton steps; the last (u, v) before they leave the numbers.
+  [[nodiscard]] std::pair<T, T> polished(T u, T v) const {
+    for (int step = 0; step < 8; ++step) {
+      const Jet<T> at = jet_of(r, line, u, v);
+      const T per = T(1) / (at.F_u * at.G_v - at.F_v * at.G_u);
+      const T u_next = u - per * (at.G_v * at.value.F - at.F_v * at.value.G);
+      const T v_next = v - per * (at.F_u * at.value.G - at.G_u * at.value.F);
+      if (!(abs(u_next) < 4 && abs(v_next) < 4) || (u_next == u && v_next == v)) break;
+      u = u_next;
+      v = v_next;
+    }
+    return {u, v};
+  }
+
+  /// Rectangles about a polished root, each larger than the one before, until Krawczyk's test proves one.
+  [[nodiscard]] std::optional<Confirmed<T>> confirmed(T u, T v) const {
+    for (T reach = 16 * std::numeric_limits<T>::epsilon(); reach < T(0.01); reach *= 16) {
+      const Rectangle<T> X{I::between(u - reach, u + reach), I::between(v - reach, v + reach)};
+      const auto p = precondition(jet(X));
+      if (!p) return std::nullopt;
+      const Rectangle<T> image = krawczyk(X, *p, seen(I(X.u.middle()), I(X.v.middle())));
+      if (p->is_injective() && X.surrounds(image)) return Confirmed<T>{image, X};
+    }
+    return std::nullopt;
+  }
+};
+
+}  // namespace rayproof::parametric
