@@ -40,7 +40,7 @@ class Settlement {
   }
 
   /// Two that overlap, or touch where one of them is undecided, may share a root.
-  static EnclosedRoots<T> unite(const EnclosedRoots<T>& found) {
+  [[nodiscard]] EnclosedRoots<T> unite(const EnclosedRoots<T>& found) const {
     EnclosedRoots<T> united;
     for (const RootEnclosure<T>& one : found) {
       if (united.empty() || united.back().hi < one.lo) {
@@ -51,8 +51,8 @@ class Settlement {
       // The same point found from both sides. (Equal ranges are not enough: beyond the greatest number there
       // is one range for all.)
       const bool are_alike = last.lo == one.hi && last.status == one.status;
-      const bool are_apart = last.hi == one.lo && last.lo != last.hi && one.lo != one.hi &&
-                             last.status == RootStatus::certain && one.status == RootStatus::certain;
+      const bool are_apart = last.hi == one.lo && last.status == RootStatus::certain &&
+                             one.status == RootStatus::certain && !may_be_root(one.lo);
       const bool are_everywhere =
           last.status == RootStatus::everywhere && one.status == RootStatus::everywhere;
       if (are_apart) {
@@ -64,6 +64,8 @@ class Settlement {
     }
     return united;
   }
+
+  [[nodiscard]] bool may_be_root(T t) const { return g_(Interval<T>(t)).contains(T(0)); }
 
   /// Tries to tighten what is certain and to decide what is not; takes out (as NaN) what holds no root.
   void settle(EnclosedRoots<T>& all, std::size_t i) {

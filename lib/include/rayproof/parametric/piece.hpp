@@ -65,7 +65,8 @@ struct Piece<BezierPatch<P, Degree>, P> {
 
   [[nodiscard]] std::pair<Piece, Piece> halves() const {
     std::pair<Piece, Piece> both{*this, *this};
-    auto& [lower, upper] = both;
+    Piece& lower = both.first;
+    Piece& upper = both.second;
     if (is_longer_in_u(u, v)) {
       lower.u.hi = upper.u.lo = u.middle();
       for (Net Piece::*const net : {&Piece::F, &Piece::G, &Piece::ahead})
