@@ -26,6 +26,21 @@ concept Recordable = requires {
   &Method::template roots<T>;
 };
 
+/// The walkthrough of a method in the recording arithmetic R; see walk_in.
+template <class Topic, class Method, class R, class Build>
+[[nodiscard]] Walkthrough walk_of(Precision precision, Build&& build) {
+  Tape tape;
+  const auto problem = build(std::type_identity<R>{});
+  const Roots<R> roots = Topic::template solve<Method>(problem);
+  Walkthrough walk = tell(tape, {roots.discriminant.id, roots.lo.id, roots.hi.id}, precision);
+  walk.title = std::string(Topic::name) + "/" + Method::name + ": " + Method::title;
+  walk.known_fault = std::string(Method::contract.refuted.front().because);
+  walk.is_printed = Method::contract.standing == Standing::printed;
+  walk.source = std::string(Method::source.author) + ", " + std::string(Method::source.title) + ", " +
+                std::to_string(Method::source.year);
+  return walk;
+}
+
 /// The walkthrough of one method of a topic. `build(std::type_identity<R>{})` gives the topic's problem in
 /// the recording arithmetic R with its inputs named; it is called while the tape runs.
 template <class Topic, class T, class Build>
@@ -35,16 +50,9 @@ template <class Topic, class T, class Build>
   std::optional<Walkthrough> walk;
   Topic::Methods::for_each([&]<class Method>(std::type_identity<Method>) {
     if constexpr (Recordable<Method, R>) {
-      if (method != Method::name) return;
-      Tape tape;
-      const auto problem = build(std::type_identity<R>{});
-      const Roots<R> roots = Topic::template solve<Method>(problem);
-      walk = tell(tape, {roots.discriminant.id, roots.lo.id, roots.hi.id}, precision);
-      walk->title = std::string(Topic::name) + "/" + Method::name + ": " + Method::title;
-      walk->known_fault = std::string(Method::contract.refuted.front().because);
-      walk->is_printed = Method::contract.standing == Standing::printed;
-      walk->source = std::string(Method::source.author) + ", " + std::string(Method::source.title) + ", " +
-                     std::to_string(Method::source.year);
+      // In a function of its own: what does not depend on the method is compiled for topics that no method of
+      // takes R.
+      if (method == Method::name) walk = walk_of<Topic, Method, R>(precision, build);
     }
   });
   return walk;

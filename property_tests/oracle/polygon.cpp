@@ -44,8 +44,8 @@ FlatEquation plane_of(const Polygon<double>& polygon) {
 
 Projection::Projection(const Vector<Ring>& normal) : x(0), y(1) {
   const std::array<Ring, 3> sizes{magnitude(normal.x), magnitude(normal.y), magnitude(normal.z)};
-  int largest = 0;
-  for (int axis = 1; axis < 3; ++axis) {
+  std::size_t largest = 0;
+  for (std::size_t axis = 1; axis < 3; ++axis) {
     if (sign(sizes[axis] - sizes[largest]) >= 0) largest = axis;
   }
   x = largest == 0 ? 1 : 0;

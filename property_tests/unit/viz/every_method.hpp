@@ -114,18 +114,24 @@ template <class T>
   });
 }
 
-/// Calls `check.operator()<Topic, Method>(problem)` for every method that takes any arithmetic.
+/// Calls `check.operator()<Topic, Method>(problem)` with many problems.
+template <class T, class Topic, class Method, class Check>
+void put_problems(Check&& check) {
+  CaseSource source(20);
+  for (const int reach : {0, 4, 20, std::numeric_limits<T>::max_exponent - 1}) {
+    for (int i = 0; i < 400; ++i) {
+      check.template operator()<Topic, Method>(random_problem<T>(Topic{}, source, reach));
+    }
+  }
+}
+
+/// The same for every method that takes any arithmetic.
 template <class T, class Check>
 void for_every_recordable_method(Check&& check) {
   Topics::for_each([&]<class Topic>(std::type_identity<Topic>) {
     Topic::Methods::for_each([&]<class Method>(std::type_identity<Method>) {
       if constexpr (Recordable<Method, Recorded<T, Shadow>>) {
-        CaseSource source(20);
-        for (const int reach : {0, 4, 20, std::numeric_limits<T>::max_exponent - 1}) {
-          for (int i = 0; i < 400; ++i) {
-            check.template operator()<Topic, Method>(random_problem<T>(Topic{}, source, reach));
-          }
-        }
+        put_problems<T, Topic, Method>(check);
       }
     });
   });
