@@ -39,7 +39,7 @@ inline constexpr std::array<VerdictStyle, 3> verdict_styles{{
     {Verdict::wrong_miss, rgb_of("#f5e14a"), rgb_of("#5c5200"), Hatching::falling,
      "wrong miss: something is there"},
     {Verdict::wrong_object, rgb_of("#d88fb7"), rgb_of("#661f48"), Hatching::dotted,
-     "wrong object: another one is nearer"},
+     "wrong object: another comes first"},
 }};
 
 /// The colour of a device pixel of the pattern.

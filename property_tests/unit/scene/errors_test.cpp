@@ -43,8 +43,7 @@ TEST_F(Errors, TheCompensatedSphereAgreesWithTheOracleOnEveryPixelOfTheFarSphere
 
 TEST_F(Errors, TheTextbookSphereIsWrongFarAway) {
   const ErrorImage errors = errors_of(far_sphere({160, 120}), "sphere", "textbook");
-  EXPECT_GT(errors.totals.wrong_hits, 100U);
-  EXPECT_GT(errors.totals.wrong_misses, 100U);
+  EXPECT_GT(errors.totals.wrong_hits, 1000U);
   expect_totals_add_up(errors);
 }
 
