@@ -66,7 +66,7 @@ TYPED_TEST(ExactPatchHits, KeepTheirResidual) {
       certain += hit.is_certain ? 1 : 0;
     }
   };
-  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
     Random random(combine(seed, 41));
     const auto number = [&] { return draw::symmetric<T>(random); };
     const double scale = std::exp2(random.uniform(-10, 10));
@@ -81,7 +81,7 @@ TYPED_TEST(ExactPatchHits, KeepTheirResidual) {
 /// aimed at is in one of the answers.
 TYPED_TEST(ExactPatchHits, FindThePointThatTheRayWasAimedAt) {
   using T = TypeParam;
-  for (std::uint64_t seed = 0; seed < 500; ++seed) {
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
     Random random(combine(seed, 42));
     const auto whole = [&] { return T(random.between(-16, 16)); };
     const auto patch = patch_of<BicubicPatch<T>>(whole);
@@ -174,12 +174,16 @@ bool holds(const Interval<T>& range, const Surd& x) {
 TYPED_TEST(ExactPatchHits, OfABilinearPatchAreThoseOfItsExactQuadratic) {
   using T = TypeParam;
   std::size_t known = 0, certain = 0, undecided = 0, closed = 0;
-  for (std::uint64_t seed = 0; seed < 3000; ++seed) {
+  for (std::uint64_t seed = 0; seed < 800; ++seed) {
     SCOPED_TRACE(seed);
     Random random(combine(seed, 43));
     const auto whole = [&] { return T(random.between(-5, 5)); };
     const auto patch = patch_of<BilinearPatch<T>>(whole);
     Ray<T> ray{draw::vector(whole), draw::vector(whole)};
+    if (!random.one_in(4)) {  // towards the middle of the patch, and a little beside it
+      const auto& p = patch.points;
+      ray.direction += p[0][0] + p[0][1] + p[1][0] + p[1][1] - T(4) * ray.origin;
+    }
     if (ray.direction == vec3<T>(0)) ray.direction.z = 1;
     const ExactHits exact = exact_hits(ray, patch);
     if (!exact.is_regular) continue;
