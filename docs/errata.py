@@ -101,6 +101,8 @@ def section(bin_dir, method, finding):
 def camera_section(bin_dir):
     """The camera answers no cases: its counterexample is what rapidcheck shrinks to in a unit test, which must pass."""
     test = "Camera.ThePrintedPixelCornersAreRefutedBySymmetry"
+    if not (bin_dir / "unit-lib").exists():
+        sys.exit(f"{bin_dir / 'unit-lib'} is missing: ./rayproof test builds it")
     told = run(bin_dir / "unit-lib", f"--gtest_filter={test}")
     mark = "printed_pixel_corner: "
     counterexample = next(line[len(mark):] for line in told.splitlines() if line.startswith(mark))
