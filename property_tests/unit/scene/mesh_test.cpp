@@ -69,6 +69,17 @@ TEST_F(Mesh, ObjStlPlyAndOffGiveTheSameTriangles) {
   EXPECT_EQ(corners(read_mesh(write("a.off", off_square))), square_in_two);
 }
 
+TEST_F(Mesh, AMeshThatNamesPointsItDoesNotHaveIsRefusedAndCrashesNothing) {
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n2 0 0\n2 2 0.5\n";
+  for (const std::string& file :
+       {write("far.obj", "v 0 0 0\nv 2 0 0\nv 2 2 0.5\nf 1 2 99999999\n"),
+        write("far.ply", ply + "3 0 1 99999999\n"), write("before.ply", ply + "3 0 1 -7\n"),
+        write("short.ply", ply), write("none.ply", "ply\n")})
+    EXPECT_THROW(static_cast<void>(read_mesh(file)), UnreadableFile) << file;
+}
+
 TEST_F(Mesh, WhatIsNoMeshIsRefusedByItsName) {
   for (const std::string& file :
        {write("a.txt", off_square), write("empty.obj", ""), write("junk.ply", "ply\nnonsense\n"),

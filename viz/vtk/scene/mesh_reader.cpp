@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 #include <vtkCellArray.h>
-#include <vtkErrorCode.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
-#include <vtkObject.h>
 #include <vtkOBJReader.h>
 #include <vtkPLYReader.h>
 #include <vtkPolyData.h>
@@ -13,31 +11,35 @@
 #include <vtkTriangleFilter.h>
 
 #include <fstream>
+#include <stdexcept>
 
 #include "viz/scene/mesh_file.hpp"
 #include "viz/scene/off_mesh.hpp"
 #include "viz/scene/scene_reader.hpp"
+#include "viz/vtk/scene/apart.hpp"
 
 namespace rayproof::render {
 namespace {
 
-/// VTK's own words about a bad file would come between ours.
-class Silence {
- public:
-  Silence() : was_loud_(vtkObject::GetGlobalWarningDisplay()) { vtkObject::GlobalWarningDisplayOff(); }
-  ~Silence() { vtkObject::SetGlobalWarningDisplay(was_loud_); }
-  Silence(const Silence&) = delete;
-  Silence& operator=(const Silence&) = delete;
-
- private:
-  int was_loud_;
-};
+/// Throws where a cell names a point that is not there: VTK's filters do not ask.
+void check_points(vtkCellArray& cells, vtkIdType count) {
+  vtkNew<vtkIdList> points;
+  for (vtkIdType cell = 0; cell < cells.GetNumberOfCells(); ++cell) {
+    cells.GetCellAtId(cell, points);
+    for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i) {
+      if (points->GetId(i) < 0 || points->GetId(i) >= count)
+        throw std::out_of_range("a cell names a point that is not there");
+    }
+  }
+}
 
 template <class Reader>
 std::vector<Triangle<double>> read_by(const std::filesystem::path& file) {
-  const Silence silence;
   vtkNew<Reader> reader;
   reader->SetFileName(file.c_str());
+  reader->Update();
+  check_points(*reader->GetOutput()->GetPolys(), reader->GetOutput()->GetNumberOfPoints());
+  check_points(*reader->GetOutput()->GetStrips(), reader->GetOutput()->GetNumberOfPoints());
   vtkNew<vtkTriangleFilter> triangles;
   triangles->PassLinesOff();
   triangles->PassVertsOff();
@@ -58,14 +60,25 @@ std::vector<Triangle<double>> read_by(const std::filesystem::path& file) {
   return all;
 }
 
+/// VTK's reader of the format; null where it has none.
+std::vector<Triangle<double>> (*reader_of(const std::string& ending))(const std::filesystem::path&) {
+  if (ending == "obj") return read_by<vtkOBJReader>;
+  if (ending == "stl") return read_by<vtkSTLReader>;
+  return ending == "ply" ? read_by<vtkPLYReader> : nullptr;
+}
+
 std::vector<Triangle<double>> read_by_name(const std::filesystem::path& file) {
   const std::string ending = ending_of(file);
-  if (ending == "obj") return read_by<vtkOBJReader>(file);
-  if (ending == "stl") return read_by<vtkSTLReader>(file);
-  if (ending == "ply") return read_by<vtkPLYReader>(file);
   if (ending == "off") return read_off(file);
-  throw UnreadableFile(fmt::format(
-      "{} is no mesh that can be read: its name must end in .obj, .stl, .ply or .off", file.string()));
+  const auto read = reader_of(ending);
+  if (read == nullptr) {
+    throw UnreadableFile(fmt::format(
+        "{} is no mesh that can be read: its name must end in .obj, .stl, .ply or .off", file.string()));
+  }
+  // Some files that are not well-formed crash VTK 9.1's readers: let that be another process's end.
+  const auto triangles = made_apart([&] { return read(file); });
+  if (!triangles) throw UnreadableFile(fmt::format("{} is no well-formed {} file", file.string(), ending));
+  return *triangles;
 }
 
 }  // namespace
