@@ -82,8 +82,10 @@ class Render {
 
   viz::Raster errors_of(const std::vector<std::pair<std::string, Methods>>& asked) {
     const viz::OffscreenDisplay display;
+    std::vector<ErrorPanel> panels(asked.size(), {{}, {scene_.width, scene_.height, {}, {}, {}}});
+    check_size(panels);  // before the long work
+    panels.clear();
     const HitImage exact = exactly();
-    std::vector<ErrorPanel> panels;
     std::string told;
     for (const auto& [name, methods] : asked) {
       const HitImage claimed = by_methods(methods, name);

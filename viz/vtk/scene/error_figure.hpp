@@ -15,6 +15,10 @@ struct ErrorPanel {
   ErrorImage errors{};
 };
 
+/// Throws std::runtime_error with one sentence where panels of this number and size are too large for one
+/// figure.
+void check_size(const std::vector<ErrorPanel>& panels);
+
 /// The panels beside each other, the legend with each panel's counts below. Needs a display
 /// (viz::OffscreenDisplay).
 [[nodiscard]] viz::Raster error_figure(const std::string& title, const std::vector<ErrorPanel>& panels);
