@@ -12,8 +12,6 @@ namespace {
 using oracle::Interval;
 using IntervalPoint = std::array<Interval, 3>;
 
-constexpr double largest = 0x1p+500;
-
 double below(const Interval& x) { return std::nextafter(x.middle - x.radius, -HUGE_VAL); }
 double above(const Interval& x) { return std::nextafter(x.middle + x.radius, HUGE_VAL); }
 
@@ -28,7 +26,7 @@ class Hull {
       bounds_.low[axis] = std::min(bounds_.low[axis], below(x));
       bounds_.high[axis] = std::max(bounds_.high[axis], above(x));
       // Also false for NaN.
-      is_sound_ = is_sound_ && below(x) > -largest && above(x) < largest;
+      is_sound_ = is_sound_ && below(x) > -largest_sound && above(x) < largest_sound;
     }
   }
   void add(const glm::dvec3& p) { add(IntervalPoint{p.x, p.y, p.z}); }
@@ -151,37 +149,6 @@ std::optional<Bounds> bounds_of(const Object& object) {
         }
       },
       object.shape);
-}
-
-RayAgainstBoxes::RayAgainstBoxes(const Ray<double>& ray) : ray_(ray) {
-  for (int i = 0; i < 3; ++i) {
-    const double o = std::abs(ray.origin[i]), d = std::abs(ray.direction[i]);
-    const bool is_sound = o < largest && d < largest && (d > 1 / largest || d == 0);
-    axes_[static_cast<std::size_t>(i)] = !is_sound ? Axis::unknown : d == 0 ? Axis::parallel : Axis::crossed;
-    inverse_[i] = 1 / ray.direction[i];
-  }
-}
-
-std::optional<double> RayAgainstBoxes::entry(const Bounds& bounds, double t_max) const {
-  const auto doubt = [](double t) { return 0x1p-50 * std::abs(t) + 0x1p-1000; };
-  double first = ray_.t_min;
-  double last = std::min(ray_.t_max, t_max);
-  for (int i = 0; i < 3; ++i) {
-    const double low = bounds.low[i], high = bounds.high[i], o = ray_.origin[i];
-    const Axis axis = axes_[static_cast<std::size_t>(i)];
-    if (axis == Axis::unknown) continue;
-    if (axis == Axis::parallel) {
-      if (o < low || high < o) return std::nullopt;
-      continue;
-    }
-    const bool is_upward = inverse_[i] > 0;
-    const double in = ((is_upward ? low : high) - o) * inverse_[i];
-    const double out = ((is_upward ? high : low) - o) * inverse_[i];
-    first = std::max(first, in - doubt(in));
-    last = std::min(last, out + doubt(out));
-  }
-  if (first > last) return std::nullopt;
-  return first;
 }
 
 }  // namespace rayproof::render

@@ -8,6 +8,9 @@
 
 namespace rayproof::render {
 
+/// No larger numbers are reasoned about: their products could overflow.
+inline constexpr double largest_sound = 0x1p+500;
+
 /// All points from low to high, bounds included.
 struct Bounds {
   glm::dvec3 low{}, high{};

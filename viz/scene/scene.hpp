@@ -33,10 +33,9 @@ struct Scene {
 using ObjectIndex = std::uint32_t;
 inline constexpr ObjectIndex no_object = 0xFFFFFFFF;
 
-/// The scene's camera in arithmetic T, which holds its numbers exactly.
+/// The camera in arithmetic T, which holds its numbers exactly.
 template <class T>
-[[nodiscard]] Camera<T> camera_in(const Scene& scene) {
-  const Camera<double>& c = scene.camera;
+[[nodiscard]] Camera<T> camera_in(const Camera<double>& c) {
   return {convert<T>(c.eye), convert<T>(c.center), convert<T>(c.up), T(c.half_width), T(c.half_height)};
 }
 
@@ -45,7 +44,7 @@ template <class T>
 class PixelRays {
  public:
   explicit PixelRays(const Scene& scene)
-      : camera_(camera_in<T>(scene)),
+      : camera_(camera_in<T>(scene.camera)),
         axes_(camera::axes(camera_)),
         image_{static_cast<T>(scene.width), static_cast<T>(scene.height)} {}
 

@@ -30,6 +30,17 @@ double read_angle(const Field& field) {
   return degrees;
 }
 
+/// Whether the camera's axes come out as numbers in its precision: no square overflows, and what is exactly
+/// independent is so after rounding.
+bool has_axes(const Camera<double>& camera, Precision precision) {
+  const auto is_unit = [](const auto& v) { return dot(v, v) > 0.5F && dot(v, v) < 2; };  // false for NaN
+  const auto are_units = [&](const auto& axes) {
+    return is_unit(axes.u) && is_unit(axes.v) && is_unit(axes.w);
+  };
+  return precision == Precision::float32 ? are_units(camera::axes(camera_in<float>(camera)))
+                                         : are_units(camera::axes(camera));
+}
+
 Camera<double> read_camera(const Field& object, Precision precision) {
   ObjectReader reader(object);
   Camera<double> camera{};
@@ -43,6 +54,8 @@ Camera<double> read_camera(const Field& object, Precision precision) {
   if (camera.eye == camera.center) center.refuse("must not be the camera's eye");
   if (!are_independent(camera.up, camera.eye - camera.center))
     up.refuse("must not point along the camera's view");
+  if (!has_axes(camera, precision))
+    object.refuse("has numbers too large, too small or too nearly along a line for axes in this precision");
   return camera;
 }
 

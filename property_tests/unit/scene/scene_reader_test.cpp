@@ -73,7 +73,7 @@ std::string with_camera(const std::string& camera) {
   return R"({"size": [4, 3], "camera": )" + camera + R"(, "shapes": []})";
 }
 
-const std::array<BadScene, 19> bad_scenes{{
+const std::array<BadScene, 21> bad_scenes{{
     {"not JSON", "{\"size\": [4, 3],", "line", "scene.json: the scene is not JSON"},
     {"not an object", "[]", "", "the scene must be a JSON object"},
     {"no camera", R"({"size": [4, 3], "shapes": []})", "camera", "camera is missing"},
@@ -118,6 +118,12 @@ const std::array<BadScene, 19> bad_scenes{{
     {"up along the view",
      with_camera(R"({"eye": [0,0,1], "center": [0,0,0], "up": [0,0,2], "fov_x": 60, "fov_y": 45})"),
      "camera.up", "must not point along the camera's view"},
+    {"a camera whose squares overflow in float32",
+     R"({"precision": "float32", "size": [4, 3], "camera": {"eye": [0,0,1e25], "center": [0,0,0], "up": [0,1,0], "fov_x": 60, "fov_y": 45}, "shapes": []})",
+     "camera", "camera has numbers too large"},
+    {"an up that is along the view once rounded",
+     R"({"precision": "float32", "size": [4, 3], "camera": {"eye": [0,0,1], "center": [0,0,0], "up": [1e-30,0,1], "fov_x": 60, "fov_y": 45}, "shapes": []})",
+     "camera", "too nearly along a line"},
 }};
 
 TEST_F(SceneReader, RefusesABadSceneByFileFieldAndValue) {

@@ -77,6 +77,9 @@ Mode Options::mode() const {
                     static_cast<int>(!compare.empty()) + static_cast<int>(!pixel.empty());
   if (kinds > 1)
     throw WrongCommand("only one of --exact, --error, --compare and --case can be done at a time");
+  if (is_exact && !methods.empty()) throw WrongCommand("--exact asks no method: leave --method out");
+  if (!pixel.empty() && !out.empty())
+    throw WrongCommand("--case prints a case and draws no image: leave --out out");
   if (pixel.empty() && out.empty()) throw WrongCommand("nothing to write: give --out and a file");
   if (!pixel.empty()) return Mode::pixel;
   if (!compare.empty()) return Mode::compare;

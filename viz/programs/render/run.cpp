@@ -1,0 +1,156 @@
+#include "viz/programs/render/run.hpp"
+
+#include <chrono>
+
+#include "case/writer.hpp"
+#include "programs/progress_line.hpp"
+#include "viz/programs/render/partial_file.hpp"
+#include "viz/scene/pixel_case.hpp"
+#include "viz/vtk/offscreen_display.hpp"
+#include "viz/vtk/raster_png.hpp"
+#include "viz/vtk/scene/error_figure.hpp"
+#include "viz/vtk/scene/mesh_reader.hpp"
+
+namespace rayproof::render {
+namespace {
+
+/// One run of the program over its scene.
+class Render {
+ public:
+  Render(const Options& options, const std::atomic<bool>& stop)
+      : options_(options),
+        stop_(stop),
+        mode_(options.mode()),
+        scene_(read_scene(options.scene, read_mesh, options.overrides())) {}
+
+  void run() {
+    if (mode_ == Mode::pixel) return print_case();
+    PartialFile file(options_.out);
+    viz::write_png(image(), file.path());
+    if (stop_) throw Stopped();
+    file.keep();
+    fmt::print("{}: {}x{} pixels, {} {}, {}\n", options_.out, scene_.width, scene_.height,
+               scene_.objects.size(), scene_.objects.size() == 1 ? "object" : "objects", told_);
+  }
+
+ private:
+  [[nodiscard]] Work work(std::string what) {
+    return {options_.jobs, &stop_, [this, what](double done) { progress_.show(done, what); }};
+  }
+
+  viz::Raster image() {
+    if (mode_ == Mode::picture) {
+      const HitImage hits = by_methods(options_.chosen_methods(), "by the methods");
+      return shaded(scene_, hits, options_.shading(), work("shading"));
+    }
+    if (mode_ == Mode::exact_picture) return shaded(scene_, exactly(), options_.shading(), work("shading"));
+    std::vector<std::pair<std::string, Methods>> panels;
+    if (mode_ == Mode::compare) {
+      for (const std::string& method : options_.compare)
+        panels.emplace_back(method, options_.chosen_methods({method}));
+    } else {
+      const Methods chosen = options_.chosen_methods(options_.error);
+      panels.emplace_back(names_of(chosen), chosen);
+    }
+    return errors_of(panels);
+  }
+
+  /// The methods of the shapes that are in the scene.
+  [[nodiscard]] std::string names_of(const Methods& methods) const {
+    std::map<std::string, bool> shapes;
+    for (const Object& object : scene_.objects)
+      shapes[std::visit([]<class S>(const S&) { return std::string(ShapeFormat<S>::type); }, object.shape)] =
+          true;
+    std::vector<std::string> names;
+    for (const auto& [shape, is_there] : shapes) names.push_back(shape + "/" + methods.at(shape));
+    return fmt::format("{}", fmt::join(names, ", "));
+  }
+
+  viz::Raster errors_of(const std::vector<std::pair<std::string, Methods>>& asked) {
+    const viz::OffscreenDisplay display;
+    std::vector<ErrorPanel> panels(asked.size(), {{}, {scene_.width, scene_.height, {}, {}, {}}});
+    check_size(panels);  // before the long work
+    panels.clear();
+    const HitImage exact = exactly();
+    std::string told;
+    for (const auto& [name, methods] : asked) {
+      const HitImage claimed = by_methods(methods, name);
+      panels.push_back({name, find_errors(scene_, exact, claimed, work("comparing"))});
+      const Totals& totals = panels.back().errors.totals;
+      told += fmt::format(
+          "\n  {}: {} wrong hits, {} wrong misses, {} wrong objects; t of {} hits, {:.0f} ulp off at most",
+          name, totals.wrong_hits, totals.wrong_misses, totals.wrong_objects, totals.hits, totals.worst_ulps);
+    }
+    told_ = "against the exact image" + told;
+    progress_.clear();
+    const char* const precision = scene_.precision == Precision::float32 ? "float32" : "float64";
+    return error_figure(fmt::format("Errors in {}, against the exact image", precision), panels);
+  }
+
+  HitImage by_methods(const Methods& methods, const std::string& what) {
+    const auto start = std::chrono::steady_clock::now();
+    const HitImage hits = trace(scene_, methods, near_methods(), work(what));
+    tell_time(names_of(methods), start);
+    return hits;
+  }
+
+  HitImage exactly() {
+    const auto start = std::chrono::steady_clock::now();
+    const auto tree = bounds_tree(ObjectBounds(scene_));
+    const HitImage hits = trace_exactly(scene_, *tree, work("exactly"));
+    tell_time("exactly", start);
+    return hits;
+  }
+
+  void tell_time(const std::string& what, std::chrono::steady_clock::time_point start) {
+    progress_.clear();
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+    told_ = fmt::format("{}, {:.2f} s", what, taken.count());
+  }
+
+  /// Whom to ask in a scene of many objects; null where all are asked.
+  const Neighbourhood* near_methods() {
+    if (scene_.objects.size() < many_objects) return nullptr;
+    if (!near_) {
+      near_ = embree_tree(bounds_for_methods(scene_));
+      if (!near_) {
+        fmt::print(stderr,
+                   "rayproof render: without Embree in this build, {} objects are searched more slowly\n",
+                   scene_.objects.size());
+        near_ = bounds_tree(bounds_for_methods(scene_));
+      }
+    }
+    return near_.get();
+  }
+
+  void print_case() {
+    const int x = options_.pixel[0], y = options_.pixel[1];
+    if (x < 0 || x >= scene_.width || y < 0 || y >= scene_.height) {
+      throw WrongCommand(fmt::format("--case {} {} is outside the image of {}x{} pixels", x, y, scene_.width,
+                                     scene_.height));
+    }
+    const PixelHits hits = hits_at(scene_, x, y, options_.chosen_methods());
+    const ObjectIndex object = object_of(hits);
+    if (object == no_object) {
+      throw WrongCommand(
+          fmt::format("the ray of pixel {} {} meets nothing, neither exactly nor by the methods, so that "
+                      "there is no case to print",
+                      x, y));
+    }
+    fmt::print("{}\n", write_case(pixel_case(scene_, x, y, object, hits)));
+  }
+
+  const Options& options_;
+  const std::atomic<bool>& stop_;
+  Mode mode_;
+  Scene scene_;
+  ProgressLine progress_{};
+  std::string told_{};
+  std::unique_ptr<Neighbourhood> near_{};
+};
+
+}  // namespace
+
+void run(const Options& options, const std::atomic<bool>& stop) { Render(options, stop).run(); }
+
+}  // namespace rayproof::render
