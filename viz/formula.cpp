@@ -23,12 +23,15 @@ std::string wrapped(const Expression& e, Binding least) {
 
 class FormulaWriter {
  public:
-  explicit FormulaWriter(const Tape& tape) : tape_(tape) {}
+  /// With numbers of the given precision in the place of names, where one is given.
+  explicit FormulaWriter(const Tape& tape, std::optional<Precision> numbers = {})
+      : tape_(tape), numbers_(numbers) {}
 
   [[nodiscard]] Expression operand(OperationId id) const {
     if (id == unrecorded) return {"?", atom};
     const std::string& name = tape_.at(id).name;
     if (name.empty()) return write(id);
+    if (numbers_) return number(id);
     return {name, name.find('/') == std::string::npos ? atom : sum};  // "1/a" wants parentheses in a product
   }
 
@@ -38,6 +41,7 @@ class FormulaWriter {
     const auto at = [&](std::size_t i) { return operand(o.operands[i]); };
     switch (o.op) {
       case Operator::constant:
+        if (numbers_) return number(id);
         return {o.name.empty() ? rough(o.value, 17) : o.name, o.value < 0 ? sign : atom};
       case Operator::negate:
         return {fmt::format("−{}", wrapped(at(0), product)), sign};
@@ -68,6 +72,12 @@ class FormulaWriter {
   }
 
  private:
+  [[nodiscard]] Expression number(OperationId id) const {
+    const double value = tape_.at(id).value;
+    // A negative number stands in parentheses wherever an operator is next to it.
+    return {shown(value, *numbers_), value < 0 ? sum : atom};
+  }
+
   /// "d" and "f" of d.x·f.x, for the given component.
   [[nodiscard]] std::optional<std::array<std::string, 2>> factors(OperationId id,
                                                                   const char* component) const {
@@ -91,14 +101,27 @@ class FormulaWriter {
     const auto y = factors(xy.operands[1], ".y");
     const auto z = factors(all.operands[1], ".z");
     if (!x || x != y || y != z) return {};
-    return fmt::format("dot({}, {})", (*x)[0], (*x)[1]);
+    if (!numbers_) return fmt::format("dot({}, {})", (*x)[0], (*x)[1]);
+    const std::array<OperationId, 3> terms{xy.operands[0], xy.operands[1], all.operands[1]};
+    return fmt::format("dot({}, {})", vector(terms, 0), vector(terms, 1));
+  }
+
+  /// One factor of each of a dot product's terms: "(1, 2, 3)".
+  [[nodiscard]] std::string vector(const std::array<OperationId, 3>& terms, std::size_t factor) const {
+    const auto at = [&](std::size_t i) { return number(tape_.at(terms[i]).operands[factor]).text; };
+    return fmt::format("({}, {}, {})", at(0), at(1), at(2));
   }
 
   const Tape& tape_;
+  std::optional<Precision> numbers_;
 };
 
 }  // namespace
 
 std::string formula_of(const Tape& tape, OperationId id) { return FormulaWriter(tape).write(id).text; }
+
+std::string numbers_of(const Tape& tape, OperationId id, Precision precision) {
+  return FormulaWriter(tape, precision).write(id).text;
+}
 
 }  // namespace rayproof::viz

@@ -27,6 +27,8 @@ inline constexpr std::array<RoleColour, role_count> palette{{
     {"exact", "#00734f", "#2fc99a"},
     {"claimed", "#b84a00", "#ff8f4d"},
     {"nearest", "#9c4a7f", "#e29ac6"},
+    {"normal", "#7d5c00", "#e8c547"},
+    {"edge", "#00527f", "#8ecbf0"},
 }};
 
 [[nodiscard]] constexpr const RoleColour& colour_of(Role role) {

@@ -10,8 +10,8 @@ namespace rayproof::viz {
 
 /// What an element stands for. The sinks give each role one colour, in a light and a dark scheme
 /// (palette.hpp); no meaning rests on colour alone: marks and line patterns differ too.
-enum class Role { background, frame, text, muted, surface, ray, exact, claimed, nearest };
-inline constexpr int role_count = 9;
+enum class Role { background, frame, text, muted, surface, ray, exact, claimed, nearest, normal, edge };
+inline constexpr int role_count = 11;
 
 /// In pixels from the top left corner, y down.
 struct Point {

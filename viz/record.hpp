@@ -20,6 +20,9 @@ struct Ending {
 };
 [[nodiscard]] Walkthrough tell(const Tape& tape, const Ending& ending, Precision precision);
 
+/// The same of a tape that ends in no answer: its inputs, its steps, and where most was lost.
+[[nodiscard]] Walkthrough tell_steps(const Tape& tape, Precision precision);
+
 /// A method whose kernel takes any arithmetic; one written for plain floating point alone can't be recorded.
 template <class Method, class T>
 concept Recordable = requires {

@@ -13,20 +13,29 @@ namespace {
 /// Losses below this many bits are the everyday rounding of a few operations.
 constexpr double noteworthy = 3;
 
-WalkValue value_of(const Tape& tape, OperationId id, const std::string& name) {
+WalkValue value_of(const Tape& tape, OperationId id, const std::string& name, Precision precision) {
   const Operation<Shadow>& o = tape.at(id);
   const bool is_input = o.op == Operator::constant;
-  const double error = std::abs(static_cast<double>(Shadow(o.value) - o.exact));
-  return {name,       is_input ? "" : formula_of(tape, id), o.value, rough(o.exact, 12), error, o.error_bound,
-          o.bits_lost};
+  WalkValue value;
+  value.name = name;
+  value.value = o.value;
+  value.exact = rough(o.exact, 12);
+  value.exact_value = static_cast<double>(o.exact);
+  value.error = std::abs(static_cast<double>(Shadow(o.value) - o.exact));
+  value.error_bound = o.error_bound;
+  value.bits_lost = o.bits_lost;
+  if (is_input) return value;
+  value.formula = formula_of(tape, id);
+  value.put_in = numbers_of(tape, id, precision);
+  return value;
 }
 
-std::vector<WalkValue> values_of(const Tape& tape, const NamedValue& named) {
-  if (named.components.size() == 1) return {value_of(tape, named.components[0], named.name)};
+std::vector<WalkValue> values_of(const Tape& tape, const NamedValue& named, Precision precision) {
+  if (named.components.size() == 1) return {value_of(tape, named.components[0], named.name, precision)};
   std::vector<WalkValue> values;
   const char* suffix[] = {".x", ".y", ".z"};
   for (std::size_t i = 0; i < named.components.size(); ++i) {
-    values.push_back(value_of(tape, named.components[i], named.name + suffix[i]));
+    values.push_back(value_of(tape, named.components[i], named.name + suffix[i], precision));
   }
   return values;
 }
@@ -113,7 +122,7 @@ void judge(Walkthrough& walk, const Tape& tape, const Ending& ending) {
 
 }  // namespace
 
-Walkthrough tell(const Tape& tape, const Ending& ending, Precision precision) {
+Walkthrough tell_steps(const Tape& tape, Precision precision) {
   Walkthrough walk;
   walk.precision = precision;
   walk.digits = precision == Precision::float32 ? std::numeric_limits<float>::digits
@@ -124,14 +133,19 @@ Walkthrough tell(const Tape& tape, const Ending& ending, Precision precision) {
   }
   for (const NamedValue& named : tape.names) {
     auto& values = named.step < 0 ? walk.inputs : walk.steps.at(static_cast<std::size_t>(named.step)).values;
-    const auto more = values_of(tape, named);
+    const auto more = values_of(tape, named, precision);
     values.insert(values.end(), more.begin(), more.end());
   }
   for (WalkStep& step : walk.steps) point_out(step);
+  walk.worst_loss = worst_loss_of(tape, [](const auto& operation) { return operation.step >= 0; });
+  return walk;
+}
+
+Walkthrough tell(const Tape& tape, const Ending& ending, Precision precision) {
+  Walkthrough walk = tell_steps(tape, precision);
   walk.lo = tape.at(ending.lo).value;
   walk.hi = tape.at(ending.hi).value;
   walk.decider = decider_of(tape, ending.discriminant);
-  walk.worst_loss = worst_loss_of(tape, [](const auto& operation) { return operation.step >= 0; });
   judge(walk, tape, ending);
   return walk;
 }

@@ -18,6 +18,8 @@ struct Told {
   std::string method{};             ///< "sphere/textbook"; empty where no method was asked
   std::optional<Answer> claimed{};  ///< the method's answer
   std::optional<Walkthrough> walk{};
+  /// For a float32 case, the exact answer to 53 bits: where between two floats it lies. Else left out.
+  std::optional<Answer> finer{};
 
   [[nodiscard]] const Answer* claim() const { return claimed ? &*claimed : nullptr; }
 };

@@ -13,6 +13,9 @@
 
 namespace rayproof::viz {
 
+struct Figure;
+struct Sight;
+
 /// A topic's pictures and walkthroughs.
 struct TopicView {
   std::string name;  ///< "sphere"
@@ -20,6 +23,8 @@ struct TopicView {
   Picture (*picture)(const Case& one, const Answer* exact, const Answer* claimed) = nullptr;
   /// The method's run on the case; nothing where the topic has no such method, or one that can't be recorded.
   std::optional<Walkthrough> (*walk)(const Case& one, const std::string& method) = nullptr;
+  /// What the shape looks like in space; null for a question about no shape.
+  Figure (*figure)(const Sight& sight) = nullptr;
 };
 
 /// Every topic with a view, in the order of the registries.

@@ -21,6 +21,8 @@ struct WalkValue {
   double error = 0;     ///< |value - exact|, rounded to double
   double error_bound = 0;  ///< what running error analysis guarantees without knowing the exact value
   double bits_lost = 0;    ///< log2(1 + error in ulps), at most the digits there are
+  double exact_value = 0;  ///< `exact`, rounded to double
+  std::string put_in{};    ///< the formula with the numbers in the names' place: "3·3 − 4·1·2"
 };
 
 /// Something to point at in the picture of a step.

@@ -9,13 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "oracle/oracle.hpp"
 #include "programs/command_line.hpp"
 #include "programs/near_names.hpp"
 #include "subjects/subject.hpp"
 #include "viz/case_argument.hpp"
-#include "viz/told.hpp"
-#include "viz/topics.hpp"
+#include "viz/programs/told_of.hpp"
 
 namespace rayproof::viz {
 
@@ -65,16 +63,8 @@ inline const Subject& subject_for(const Case& one, const std::string& method) {
   if (options.precision == "float32") precision = Precision::float32;
   if (options.precision == "float64") precision = Precision::float64;
   const auto argument = read_case_argument(text_of_case(options.text, options.line), precision);
-  Told told{argument.one,
-            oracle::answer(argument.one),
-            options.method.empty() ? argument.method : options.method,
-            {},
-            {}};
-  if (told.method.empty()) return told;
-  const Subject& subject = subject_for(told.one, told.method);
-  told.claimed = subject.answer(told.one);
-  if (const TopicView* view = view_of(told.one)) told.walk = view->walk(told.one, subject.name);
-  return told;
+  const std::string method = options.method.empty() ? argument.method : options.method;
+  return told_of(argument.one, method.empty() ? nullptr : &subject_for(argument.one, method));
 }
 
 /// Runs `body` and turns what it throws into one sentence on standard error and the exit status.

@@ -50,6 +50,8 @@ struct Figure {
   std::vector<Place> extent{};   ///< points whose convex hull is the figure's outline as it is seen
   std::vector<Place> normals{};  ///< unit normals of the surfaces that ought not to be seen edge-on
   std::vector<Place> ring{};  ///< a polygon's vertices, filled by the even-odd rule; else the hull is filled
+  std::vector<Place>
+      ellipsoid{};  ///< of a round figure: its centre and the tips of three conjugate semi-axes
   std::vector<std::pair<std::string, Place>> labels{};
   /// The lines that a ray must pass by to change its verdict: edges, rims, the side's line nearest the ray.
   std::vector<std::vector<Place>> borders{};

@@ -23,7 +23,7 @@ template <class Topic, FigureMaker figure>
           [](const Case& one, const Answer* exact, const Answer* claimed) {
             return wireframe_picture(figure, one, exact, claimed);
           },
-          walk_ray<Topic>};
+          walk_ray<Topic>, figure};
 }
 
 }  // namespace rayproof::viz

@@ -32,7 +32,8 @@ void light_colour(Role role, unsigned char rgb[3]) {
 /// Paints a picture's elements with VTK's two-dimensional painter, whose y points up.
 class Painter {
  public:
-  Painter(vtkContext2D& context, double height) : context_(context), height_(height) {}
+  Painter(vtkContext2D& context, double height, double scale)
+      : context_(context), height_(height), scale_(scale) {}
 
   void operator()(const Area& area) {
     set_brush(area.role, area_opacity);
@@ -61,7 +62,7 @@ class Painter {
   void operator()(const Text& text) {
     vtkTextProperty& property = *context_.GetTextProp();
     use_legible_font(property, text.bold);
-    property.SetFontSize(static_cast<int>(std::lround(text.size * png_scale)));
+    property.SetFontSize(static_cast<int>(std::lround(text.size * scale_)));
     property.SetJustification(static_cast<int>(text.anchor));
     property.SetVerticalJustificationToBottom();
     const double y = text.at.y + descent * text.size;
@@ -77,8 +78,8 @@ class Painter {
   /// below.
   static constexpr double descent = 0.21;
 
-  [[nodiscard]] static float to_x(double x) { return static_cast<float>(x * png_scale); }
-  [[nodiscard]] float to_y(double y) const { return static_cast<float>((height_ - y) * png_scale); }
+  [[nodiscard]] float to_x(double x) const { return static_cast<float>(x * scale_); }
+  [[nodiscard]] float to_y(double y) const { return static_cast<float>((height_ - y) * scale_); }
   [[nodiscard]] std::vector<float> flat(const std::vector<Point>& points) const {
     std::vector<float> xy;
     for (const Point& p : points) {
@@ -118,13 +119,14 @@ class Painter {
     light_colour(role, rgb);
     context_.GetPen()->SetLineType(vtkPen::SOLID_LINE);
     context_.GetPen()->SetColor(rgb[0], rgb[1], rgb[2], 255);
-    context_.GetPen()->SetWidth(static_cast<float>(width * png_scale));
+    context_.GetPen()->SetWidth(static_cast<float>(width * scale_));
     auto xy = flat(points);
     context_.DrawPoly(xy.data(), static_cast<int>(points.size()));
   }
 
   vtkContext2D& context_;
   double height_;
+  double scale_;
 };
 
 /// The picture as an item of a VTK scene.
@@ -132,9 +134,10 @@ class PictureItem : public vtkContextItem {
  public:
   static PictureItem* New();
   const Picture* picture = nullptr;
+  double scale = png_scale;
 
   bool Paint(vtkContext2D* context) override {
-    Painter painter(*context, picture->height);
+    Painter painter(*context, picture->height, scale);
     for (const Element& element : picture->elements) std::visit(painter, element);
     return true;
   }
@@ -143,9 +146,10 @@ vtkStandardNewMacro(PictureItem)
 
     /// Calls `use` with an off-screen window that shows the picture.
     template <class Use>
-    void in_window(const Picture& picture, Use&& use) {
+    void in_window(const Picture& picture, double scale, Use&& use) {
   vtkNew<PictureItem> item;
   item->picture = &picture;
+  item->scale = scale;
   vtkNew<vtkContextActor> actor;
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkRenderWindow> window;
@@ -156,21 +160,21 @@ vtkStandardNewMacro(PictureItem)
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(8);
   window->SetDPI(72);
-  window->SetSize(static_cast<int>(std::lround(picture.width * png_scale)),
-                  static_cast<int>(std::lround(picture.height * png_scale)));
+  window->SetSize(static_cast<int>(std::lround(picture.width * scale)),
+                  static_cast<int>(std::lround(picture.height * scale)));
   window->AddRenderer(renderer);
   use(*window);
 }
 
 }  // namespace
 
-void write_picture(const Picture& picture, const std::string& path) {
-  in_window(picture, [&path](vtkRenderWindow& window) { write_png(window, path); });
+void write_picture(const Picture& picture, const std::string& path, double scale) {
+  in_window(picture, scale, [&path](vtkRenderWindow& window) { write_png(window, path); });
 }
 
 Raster draw_picture(const Picture& picture) {
   Raster raster;
-  in_window(picture, [&raster](vtkRenderWindow& window) { raster = pixels_of(window); });
+  in_window(picture, png_scale, [&raster](vtkRenderWindow& window) { raster = pixels_of(window); });
   return raster;
 }
 

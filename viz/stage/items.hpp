@@ -1,0 +1,50 @@
+#pragma once
+/// \file
+/// Items in few words, and what a topic has to say about how its named values look.
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "viz/stage/numbers_by_name.hpp"
+#include "viz/stage/stage.hpp"
+
+namespace rayproof::viz {
+
+using Items = std::vector<StageItem>;
+
+[[nodiscard]] inline StageItem point(Role role, const glm::dvec3& at, std::string label = {}) {
+  return {role, Form::point, {at}, std::move(label)};
+}
+[[nodiscard]] inline StageItem segment(Role role, const glm::dvec3& from, const glm::dvec3& to,
+                                       std::string label = {}, Pattern pattern = Pattern::solid) {
+  return {role, Form::segment, {from, to}, std::move(label), pattern};
+}
+[[nodiscard]] inline StageItem arrow(Role role, const glm::dvec3& from, const glm::dvec3& to,
+                                     std::string label = {}) {
+  return {role, Form::arrow, {from, to}, std::move(label)};
+}
+[[nodiscard]] inline StageItem polygon(Role role, std::vector<glm::dvec3> corners, std::string label = {}) {
+  return {role, Form::polygon, std::move(corners), std::move(label)};
+}
+[[nodiscard]] inline StageItem polyline(Role role, std::vector<glm::dvec3> points, std::string label = {},
+                                        Pattern pattern = Pattern::solid) {
+  return {role, Form::polyline, std::move(points), std::move(label), pattern};
+}
+
+/// How a named value looks: the items it becomes, given all numbers known by then, in the space in which the
+/// kernel works. A name is as the kernel has it, a vector's without ".x".
+struct Binding {
+  std::string name;
+  std::function<Items(const NumbersByName& n)> draw;
+};
+
+/// How a topic's named values look, by a method's own table, or by the topic's.
+[[nodiscard]] const std::vector<Binding>& bindings_of(const std::string& topic);
+
+/// A method's answers, which look alike in every topic: points on the ray where the rounded arithmetic has
+/// them.
+[[nodiscard]] Items answer_item(const NumbersByName& n, const std::string& name);
+
+}  // namespace rayproof::viz

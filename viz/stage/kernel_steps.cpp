@@ -1,0 +1,149 @@
+#include "viz/stage/kernel_steps.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "viz/answers.hpp"
+#include "viz/numbers.hpp"
+#include "viz/stage/vector_formula.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+/// "f" and 'x' of "f.x".
+bool is_component(const std::string& name, char axis) {
+  return name.size() > 2 && name[name.size() - 2] == '.' && name.back() == axis;
+}
+
+std::vector<std::string> formulas_of(const StageValue& value) {
+  std::vector<std::string> formulas;
+  for (const WalkValue& component : value.components) formulas.push_back(component.formula);
+  return formulas;
+}
+
+/// The rounded number or vector of a name known by this step, as it stands in a formula.
+std::string number_for(const NumbersByName& n, const std::string& name, Precision precision) {
+  if (n.has(name)) {
+    const std::string text = shown(n.rounded(name), precision);
+    return text.starts_with('-') ? "(" + text + ")" : text;
+  }
+  if (!n.has_vector(name)) return {};
+  const auto at = [&](const char* axis) { return shown(n.rounded(name + axis), precision); };
+  return n.has(name + ".z") ? fmt::format("({}, {}, {})", at(".x"), at(".y"), at(".z"))
+                            : fmt::format("({}, {})", at(".x"), at(".y"));
+}
+
+/// Gives vectors one formula for all their components, and the numbers in it.
+void complete(StageValue& value, const NumbersByName& n, Precision precision) {
+  if (value.components.size() == 1) {
+    value.formula = value.components[0].formula;
+    value.put_in = value.components[0].put_in;
+    return;
+  }
+  value.formula = vector_formula(formulas_of(value));
+  value.put_in =
+      put_in(value.formula, [&](const std::string& name) { return number_for(n, name, precision); });
+}
+
+/// In each step one value is what the step is for: the last that has a formula.
+const StageValue* aim_of(const std::vector<StageValue>& values) {
+  const StageValue* aim = nullptr;
+  for (const StageValue& value : values) {
+    if (!value.formula.empty() && value.formula != value.name) aim = &value;
+  }
+  return aim;
+}
+
+/// Of a step that names nothing: what it came to.
+std::string decision_of(const Told& told) {
+  std::string text = fmt::format("The numbers so far decide: {}", verdict_of(told.claim()));
+  const std::vector<double> values = values_of(told.claim());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    text += fmt::format("{} {}{} = {}", i == 0 ? "" : ",", symbol_of(told.one), subscript(i),
+                        shown(values[i], told.one.precision));
+  }
+  return text + ".";
+}
+
+void place_items(StageStep& step, const NumbersByName& n, const std::string& topic, const Setting& setting) {
+  for (const StageValue& value : step.values) {
+    Items items = answer_item(n, value.name);
+    for (const Binding& binding : bindings_of(topic)) {
+      if (binding.name != value.name) continue;
+      for (StageItem& item : binding.draw(n)) items.push_back(std::move(item));
+    }
+    for (StageItem& item : items) {
+      for (glm::dvec3& p : item.points) p = setting.to_world(p);
+      const bool is_placed = std::all_of(item.points.begin(), item.points.end(), [](const glm::dvec3& p) {
+        return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+      });
+      if (is_placed) step.items.push_back(std::move(item));
+    }
+  }
+}
+
+/// The wide view for a step that shows something far from the shape.
+StageView view_of(const StageStep& step, const Setting& setting) {
+  for (const StageItem& item : step.items) {
+    for (const glm::dvec3& p : item.points) {
+      if (glm::length(p - setting.near.centre) > 1.5 * setting.near.radius) return setting.wide;
+    }
+  }
+  return setting.near;
+}
+
+}  // namespace
+
+std::vector<StageValue> grouped(const std::vector<WalkValue>& values) {
+  std::vector<StageValue> groups;
+  for (const WalkValue& value : values) {
+    const bool continues = !groups.empty() && !groups.back().components.empty() &&
+                           (is_component(value.name, 'y') || is_component(value.name, 'z')) &&
+                           value.name.substr(0, value.name.size() - 2) == groups.back().name;
+    if (continues) {
+      groups.back().components.push_back(value);
+      continue;
+    }
+    StageValue group;
+    group.name = is_component(value.name, 'x') ? value.name.substr(0, value.name.size() - 2) : value.name;
+    group.components = {value};
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+std::string shown(const StageValue& value, Precision precision) {
+  std::string text;
+  for (const WalkValue& component : value.components) {
+    text += (text.empty() ? "" : ", ") + shown(component.value, precision);
+  }
+  return value.components.size() > 1 ? "(" + text + ")" : text;
+}
+
+std::string equation_of(const StageValue& value, Precision precision) {
+  std::string text = value.name;
+  if (!value.formula.empty() && value.formula != value.name) text += " = " + value.formula;
+  const std::string result = shown(value, precision);
+  const bool has_numbers = !value.put_in.empty() && value.put_in != result && value.put_in != value.formula;
+  if (has_numbers) text += " = " + value.put_in;
+  return text + " = " + result;
+}
+
+StageStep kernel_step(const Told& told, const Walkthrough& walk, std::size_t index, const Setting& setting) {
+  const WalkStep& told_step = walk.steps[index];
+  const NumbersByName n(walk, index);
+  StageStep step;
+  step.title = told_step.title;
+  step.digits = told_step.caption;
+  step.values = grouped(told_step.values);
+  for (StageValue& value : step.values) complete(value, n, told.one.precision);
+  const StageValue* const aim = aim_of(step.values);
+  step.caption = aim == nullptr ? decision_of(told) : equation_of(*aim, told.one.precision);
+  place_items(step, n, topic_of(told.one), setting);
+  step.view = view_of(step, setting);
+  return step;
+}
+
+}  // namespace rayproof::viz

@@ -1,0 +1,40 @@
+#pragma once
+/// \file
+/// Finding places for labels beside what they name, so that nothing is covered.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viz/picture.hpp"
+
+namespace rayproof::viz {
+
+/// About how wide a line of DejaVu Sans is; combining marks have no width.
+[[nodiscard]] double text_width(const std::string& text, double size, bool bold = false);
+
+/// The text in lines of at most so many pixels, broken at spaces; a word too long for a line is broken in
+/// two.
+[[nodiscard]] std::vector<std::string> wrapped(const std::string& text, double width, double size);
+
+/// Keeps account of what of a frame is taken.
+class LabelPlaces {
+ public:
+  explicit LabelPlaces(const Box& frame) : frame_(frame) {}
+
+  /// A mark, which no label may cover.
+  void take(const Point& at, double radius);
+  /// A line, which labels rather do not cover.
+  void avoid(const std::vector<Point>& line);
+  /// A place for a label beside `at`, which is then taken; nothing where all are taken and `must` is false.
+  [[nodiscard]] std::optional<Text> put(const std::string& label, const Point& at, double size, bool must);
+
+ private:
+  [[nodiscard]] double cost_of(const Box& box) const;
+
+  Box frame_;
+  std::vector<Box> taken_{};
+  std::vector<Point> avoided_{};
+};
+
+}  // namespace rayproof::viz

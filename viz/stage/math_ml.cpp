@@ -1,0 +1,206 @@
+#include "viz/stage/math_ml.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cctype>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "viz/html_text.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, const char*>, 14> subscripts{{{"₀", "0"},
+                                                                               {"₁", "1"},
+                                                                               {"₂", "2"},
+                                                                               {"₃", "3"},
+                                                                               {"₄", "4"},
+                                                                               {"₅", "5"},
+                                                                               {"₆", "6"},
+                                                                               {"₇", "7"},
+                                                                               {"₈", "8"},
+                                                                               {"₉", "9"},
+                                                                               {"ₓ", "x"},
+                                                                               {"ᵢ", "i"},
+                                                                               {"ⱼ", "j"},
+                                                                               {"ₖ", "k"}}};
+constexpr std::string_view arrow_above = "\u20d7";
+
+/// Signs that end a name, each with the operator that it stands for.
+constexpr std::array<std::pair<std::string_view, const char*>, 12> operators{{{"+", "+"},
+                                                                              {"−", "−"},
+                                                                              {"-", "−"},
+                                                                              {"·", "·"},
+                                                                              {"×", "×"},
+                                                                              {"=", "="},
+                                                                              {"≤", "≤"},
+                                                                              {"≥", "≥"},
+                                                                              {"<", "&lt;"},
+                                                                              {">", "&gt;"},
+                                                                              {",", ","},
+                                                                              {"±", "±"}}};
+
+std::string row(const std::string& inside) { return "<mrow>" + inside + "</mrow>"; }
+std::string identifier(const std::string& text) {
+  return fmt::format("<mi{}>{}</mi>", text.size() > 1 ? " mathvariant=\"normal\"" : "", escaped(text));
+}
+
+/// A name: its letters, then ".x" or "_x" or "₀" as a subscript, and an arrow above.
+std::string name(std::string text) {
+  std::string below;
+  const auto take_suffix = [&](std::size_t at, std::size_t length) {
+    below = escaped(text.substr(at + length)) + below;
+    text.erase(at);
+  };
+  if (const std::size_t dot = text.rfind('.'); dot != std::string::npos && dot > 0) take_suffix(dot, 1);
+  if (const std::size_t low = text.find('_'); low != std::string::npos && low > 0) take_suffix(low, 1);
+  for (const auto& [sign, plain] : subscripts) {
+    if (text.size() > sign.size() && text.ends_with(sign)) {
+      below = plain + below;
+      text.erase(text.size() - sign.size());
+    }
+  }
+  const std::size_t arrow = text.find(arrow_above);
+  if (arrow != std::string::npos) text.erase(arrow, arrow_above.size());
+  std::string result = identifier(text);
+  if (arrow != std::string::npos) result = fmt::format("<mover>{}<mo>→</mo></mover>", result);
+  return below.empty() ? result : fmt::format("<msub>{}<mi>{}</mi></msub>", result, below);
+}
+
+/// Recursive descent over sums of products of atoms; whatever it does not know it takes for a letter.
+class Typesetter {
+ public:
+  explicit Typesetter(std::string_view text) : text_(text) {}
+
+  std::string all() {
+    std::string result = sum();
+    while (at_ < text_.size()) {  // a stray closing parenthesis
+      result += fmt::format("<mo>{}</mo>", escaped(std::string(1, text_[at_])));
+      ++at_;
+      result += sum();
+    }
+    return row(result);
+  }
+
+ private:
+  void skip_spaces() {
+    while (at_ < text_.size() && text_[at_] == ' ') ++at_;
+  }
+  [[nodiscard]] bool is_next(std::string_view sign) const { return text_.substr(at_).starts_with(sign); }
+  bool take(std::string_view sign) {
+    if (!is_next(sign)) return false;
+    at_ += sign.size();
+    return true;
+  }
+
+  /// Everything up to a closing sign: terms and operators one after another.
+  std::string sum() {
+    std::string result;
+    while (true) {
+      skip_spaces();
+      if (at_ >= text_.size() || is_next(")") || is_next("|")) return result;
+      if (const char* sign = take_operator()) {
+        result += fmt::format("<mo>{}</mo>", sign);
+      } else {
+        result += quotient();
+      }
+    }
+  }
+
+  const char* take_operator() {
+    for (const auto& [sign, typeset] : operators) {
+      if (take(sign)) return typeset;
+    }
+    return nullptr;
+  }
+
+  std::string quotient() {
+    std::string result = atom();
+    while (true) {
+      skip_spaces();
+      if (!take("/")) return result;
+      skip_spaces();
+      result = fmt::format("<mfrac>{}{}</mfrac>", bare_, atom());
+      bare_ = result;
+    }
+  }
+
+  /// One operand; `bare_` is the same without the parentheses that a fraction's bar makes needless.
+  std::string atom() {
+    std::string result = simple_atom();
+    const std::string inside = bare_;
+    if (is_next("^(") || is_next("²")) {
+      const bool is_square = take("²");
+      if (!is_square) take("^");
+      const std::string power = is_square ? "<mn>2</mn>" : atom();
+      result = fmt::format("<msup>{}{}</msup>", row(result), power);
+      bare_ = result;
+    } else {
+      bare_ = inside;
+    }
+    return result;
+  }
+
+  std::string simple_atom() {
+    if (take("√")) {
+      (void)atom();
+      const std::string inside = bare_;
+      return bare_ = fmt::format("<msqrt>{}</msqrt>", inside);
+    }
+    if (take("(")) {
+      const std::string inside = row(sum());
+      take(")");
+      const std::string result = fmt::format("<mo>(</mo>{}<mo>)</mo>", inside);
+      bare_ = inside;
+      return row(result);
+    }
+    if (take("|")) {
+      const std::string inside = row(sum());
+      take("|");
+      return bare_ = row(fmt::format("<mo>|</mo>{}<mo>|</mo>", inside));
+    }
+    return bare_ = word();
+  }
+
+  std::string word() {
+    const std::size_t begin = at_;
+    while (at_ < text_.size() && !ends_word()) ++at_;
+    if (at_ == begin) ++at_;  // a sign of no meaning here
+    const std::string text(text_.substr(begin, at_ - begin));
+    const bool is_number = std::isdigit(static_cast<unsigned char>(text[0])) != 0;
+    if (is_number) return fmt::format("<mn>{}</mn>", escaped(text));
+    if (!is_next("(")) return name(text);
+    const std::string argument = simple_atom();  // a function's
+    return row(fmt::format("<mi mathvariant=\"normal\">{}</mi>{}", escaped(text), argument));
+  }
+
+  [[nodiscard]] bool ends_word() const {
+    // The sign of a number's exponent belongs to the number: "1.5e-7".
+    const bool is_exponent = at_ > 1 && text_[at_ - 1] == 'e' &&
+                             std::isdigit(static_cast<unsigned char>(text_[at_ - 2])) != 0;
+    if (is_next("-") && is_exponent) return false;
+    for (const auto& [sign, typeset] : operators) {
+      (void)typeset;
+      if (is_next(sign)) return true;
+    }
+    for (const std::string_view sign : {" ", "(", ")", "/", "|", "√", "^(", "²"}) {
+      if (is_next(sign)) return true;
+    }
+    return false;
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+  std::string bare_{};
+};
+
+}  // namespace
+
+std::string math_ml(const std::string& formula) {
+  return "<math>" + Typesetter(formula).all() + "</math>";
+}
+
+}  // namespace rayproof::viz

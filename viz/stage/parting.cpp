@@ -1,0 +1,163 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "viz/answers.hpp"
+#include "viz/numbers.hpp"
+#include "viz/stage/setting.hpp"
+#include "viz/topics.hpp"
+#include "viz/topics/wireframe_scene.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+/// An exact value and the method's of the same rank.
+struct Pair {
+  std::size_t rank = 0;
+  double exact = 0;  ///< to 53 bits
+  double claimed = 0;
+  double ulps = 0;
+};
+
+const Answer& finest(const Told& told) { return told.finer ? *told.finer : told.exact; }
+
+/// The pair that lies farthest apart; nothing where there is none to compare.
+std::optional<Pair> worst_pair_of(const Told& told) {
+  const std::vector<double> correct = values_of(&told.exact);
+  const std::vector<double> fine = values_of(&finest(told));
+  const std::vector<double> claimed = values_of(told.claim());
+  std::optional<Pair> worst;
+  for (std::size_t i = 0; i < std::min({correct.size(), claimed.size(), fine.size()}); ++i) {
+    if (!std::isfinite(correct[i]) || !std::isfinite(claimed[i])) continue;
+    const double ulps = count_ulps(correct[i], claimed[i], told.one.precision);
+    if (!worst || ulps > worst->ulps) worst = {i, fine[i], claimed[i], ulps};
+  }
+  return worst;
+}
+
+/// The number of the precision that follows x, upward or downward.
+double neighbour(double x, double toward, Precision precision) {
+  return precision == Precision::float32
+             ? static_cast<double>(std::nextafter(static_cast<float>(x), static_cast<float>(toward)))
+             : std::nextafter(x, toward);
+}
+
+/// Where t lies on the magnified ray, in units of `unit` from the exact hit.
+struct Magnifier {
+  double exact, unit;
+  glm::dvec3 along;
+  [[nodiscard]] glm::dvec3 at(double t) const { return (t - exact) / unit * along; }
+};
+
+/// A dot for each number of the precision around the exact hit: between them there is nothing for an answer.
+Items grid_of(const Magnifier& magnifier, double around, Precision precision) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  constexpr double reach = 3.2;
+  Items items;
+  for (const double toward : {-infinite, infinite}) {
+    double t = toward > 0 ? neighbour(around, infinite, precision) : around;
+    for (int i = 0; i < 8 && std::abs(t - magnifier.exact) <= reach * magnifier.unit; ++i) {
+      items.push_back(point(Role::muted, magnifier.at(t)));
+      t = neighbour(t, toward, precision);
+    }
+  }
+  return items;
+}
+
+/// A patch of the surface's tangent plane at the exact hit.
+Items patch_of(const glm::dvec3& normal) {
+  const glm::dvec3 other = std::abs(normal.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
+  const glm::dvec3 u = 1.6 * glm::normalize(glm::cross(normal, other));
+  const glm::dvec3 v = 1.6 * glm::normalize(glm::cross(normal, u));
+  return {polygon(Role::surface, {u + v, u - v, -u - v, v - u}),
+          polyline(Role::surface, {u + v, u - v, -u - v, v - u, u + v})};
+}
+
+std::string shown_fine(double value, const Told& told) {
+  return told.finer ? rough(value, 15) : shown(value, told.one.precision);
+}
+
+/// The stretch of the ray around one hit, so near that single numbers can be told apart.
+void magnify(StageStep& step, const Told& told, const Pair& pair, const std::string& symbol,
+             const Setting& setting) {
+  const bool is_ray = std::holds_alternative<RayQuestion>(told.one.question);
+  const double up = neighbour(pair.claimed, std::numeric_limits<double>::infinity(), told.one.precision);
+  const double ulp = up - pair.claimed;
+  const double gap = std::abs(pair.claimed - pair.exact);
+  const double unit = std::max(gap / 2, ulp);
+  const double speed = is_ray ? glm::length(setting.slider->direction) : 1;
+  const Magnifier magnifier{pair.exact, unit,
+                            is_ray ? glm::normalize(setting.slider->direction) : glm::dvec3(1, 0, 0)};
+  step.is_apart = true;
+  step.magnification = 1 / (unit * speed);
+  step.view = {{0, 0, 0}, 3};
+  const auto* answer = std::get_if<RayAnswer>(&told.exact);
+  if (answer != nullptr && answer->normal && pair.rank == 0) step.items = patch_of(*answer->normal);
+  step.items.push_back(arrow(Role::ray, -3.3 * magnifier.along, 3.3 * magnifier.along));
+  if (ulp > unit / 6)
+    for (StageItem& dot : grid_of(magnifier, pair.claimed, told.one.precision)) step.items.push_back(dot);
+  const std::string name = symbol + subscript(pair.rank);
+  step.items.push_back(point(Role::exact, {0, 0, 0}, name + " exact"));
+  step.items.push_back(point(Role::claimed, magnifier.at(pair.claimed), name + " as computed"));
+}
+
+std::string part_in_words(const Told& told, const Pair& pair, const std::string& symbol) {
+  const std::string name = symbol + subscript(pair.rank);
+  const std::string numbers =
+      fmt::format("exactly {} = {}, computed {} = {}", name, shown_fine(pair.exact, told), name,
+                  shown(pair.claimed, told.one.precision));
+  if (pair.ulps == 0) {
+    return fmt::format(
+        "They do not part: the computed number is the exact one, rounded once; each dot is a number "
+        "that there is: {}.",
+        numbers);
+  }
+  return fmt::format("The answer is {}: {}.", off_by(pair.ulps), numbers);
+}
+
+/// Both answers at their places in the scene, where there is nothing to magnify.
+void show_all(StageStep& step, const Told& told, const std::string& symbol, const Setting& setting) {
+  if (!setting.slider) return;
+  const auto at = [&](double t) { return setting.slider->origin + t * setting.slider->direction; };
+  for (const auto& [role, answer, word] : {std::tuple{Role::exact, &finest(told), "exact"},
+                                           std::tuple{Role::claimed, told.claim(), "as computed"}}) {
+    const std::vector<double> values = values_of(answer);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (std::isfinite(values[i]))
+        step.items.push_back(point(role, at(values[i]), fmt::format("{}{} {}", symbol, subscript(i), word)));
+    }
+  }
+}
+
+std::string verdict_in_words(const Told& told) {
+  const std::string exact = verdict_of(&told.exact);
+  if (told.claim() == nullptr) return fmt::format("The exact answer: {}.", exact);
+  const std::string claimed = verdict_of(told.claim());
+  const bool differ = verdicts_differ(&told.exact, told.claim());
+  return differ ? fmt::format("They part altogether: exactly a {}, computed a {}.", exact, claimed)
+                : fmt::format("They do not part: {} by both.", exact);
+}
+
+}  // namespace
+
+StageStep parting_step(const Told& told, const Setting& setting) {
+  const std::string symbol = symbol_of(told.one);
+  StageStep step;
+  step.title = told.claim() == nullptr ? "The exact answer" : "Where float and exact part";
+  step.view = setting.near;
+  step.digits = conclusion_of(told);
+  const bool differ = verdicts_differ(&told.exact, told.claim());
+  const std::optional<Pair> pair = worst_pair_of(told);
+  if (!differ && pair) {
+    magnify(step, told, *pair, symbol, setting);
+    step.caption = part_in_words(told, *pair, symbol);
+    return step;
+  }
+  show_all(step, told, symbol, setting);
+  step.caption = verdict_in_words(told);
+  return step;
+}
+
+}  // namespace rayproof::viz

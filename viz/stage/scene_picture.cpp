@@ -1,0 +1,176 @@
+#include <algorithm>
+#include <cmath>
+
+#include "viz/clip.hpp"
+#include "viz/even_odd.hpp"
+#include "viz/stage/label_places.hpp"
+#include "viz/stage/projection.hpp"
+#include "viz/stage/stage_picture.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+/// How an item is drawn: of the step itself, of a step before, or of the scene.
+enum class Emphasis { scene, dimmed, bright };
+
+double width_of(const StageItem& item, Emphasis emphasis) {
+  if (emphasis == Emphasis::bright) return item.role == Role::frame ? 1 : 2.8;
+  if (emphasis == Emphasis::dimmed) return 1.2;
+  return item.role == Role::frame          ? 1
+         : item.role == Role::ray          ? 2
+         : item.pattern == Pattern::dashed ? 1.2
+                                           : 1.8;
+}
+
+class Painter {
+ public:
+  Painter(Picture& picture, const Projection& projection)
+      : picture_(picture), projection_(projection), places_(projection.frame) {}
+
+  void fill(const StageItem& item, Emphasis emphasis) {
+    if (emphasis == Emphasis::dimmed) return;
+    if (item.form == Form::polygon) return fill_polygon(item);
+    if (item.form != Form::hull && item.form != Form::ellipsoid) return;
+    const auto inside = clip_area(outline_of(item), projection_.frame);
+    if (!inside.empty()) picture_.elements.emplace_back(Area{item.role, inside});
+  }
+
+  void stroke(const StageItem& item, Emphasis emphasis) {
+    if (item.form == Form::point || item.form == Form::polygon) return;
+    Line line{role_of(item, emphasis), {}, width_of(item, emphasis), item.pattern};
+    for (auto& part : clip_line(outline_of(item), projection_.frame)) {
+      if (emphasis != Emphasis::dimmed) places_.avoid(part);
+      line.points = std::move(part);
+      picture_.elements.emplace_back(line);
+    }
+    if (item.form == Form::arrow) draw_head(item, line);
+  }
+
+  void mark(const StageItem& item, Emphasis emphasis) {
+    if (item.form != Form::point || item.role == Role::surface) return;
+    const Point at = projection_.to_pixels(item.points.at(0));
+    if (!shows(at)) return;
+    picture_.elements.emplace_back(Mark{role_of(item, emphasis), mark_of(item.role), at});
+    places_.take(at, mark_radius + 1);
+  }
+
+  void label(const StageItem& item, Emphasis emphasis) {
+    if (item.label.empty()) return;
+    const auto at = anchor_of(item);
+    if (!at) return;
+    const bool is_bright = emphasis == Emphasis::bright;
+    auto text = places_.put(item.label, *at, is_bright ? 16 : 13, is_bright);
+    if (!text) return;
+    text->role = role_of(item, emphasis);
+    text->bold = is_bright;
+    picture_.elements.emplace_back(*text);
+  }
+
+ private:
+  static Role role_of(const StageItem& item, Emphasis emphasis) {
+    return emphasis == Emphasis::dimmed ? Role::muted : item.role;
+  }
+  [[nodiscard]] bool shows(const Point& p) const {
+    const Box& f = projection_.frame;
+    return p.x >= f.left && p.x <= f.right() && p.y >= f.top && p.y <= f.bottom();
+  }
+
+  [[nodiscard]] std::vector<Point> outline_of(const StageItem& item) const {
+    if (item.form == Form::ellipsoid) return ellipsoid_outline(projection_, item.points);
+    std::vector<Point> points = projection_.to_pixels(item.points);
+    if (item.form != Form::hull) return points;
+    points = hull_outline(points);
+    if (!points.empty()) points.push_back(points.front());
+    return points;
+  }
+
+  void fill_polygon(const StageItem& item) {
+    // In pixels already: a view that changes nothing but the direction of y.
+    const View pixels{projection_.frame, {projection_.frame.centre().x, -projection_.frame.centre().y}, 1, 1};
+    std::vector<WorldPoint> ring;
+    for (const Point& p : projection_.to_pixels(item.points)) ring.push_back({p.x, -p.y});
+    draw_even_odd(picture_, pixels, item.role, ring);
+  }
+
+  void draw_head(const StageItem& item, Line line) {
+    const Point from = projection_.to_pixels(item.points.at(0));
+    const Point to = projection_.to_pixels(item.points.at(1));
+    const double length = std::hypot(to.x - from.x, to.y - from.y);
+    if (!shows(to) || length < 2) return;
+    const double size = std::min(11.0, length / 2);
+    const Point along{(to.x - from.x) / length * size, (to.y - from.y) / length * size};
+    const auto barb = [&](double side) {
+      return Point{to.x - along.x - side * along.y * 0.5, to.y - along.y + side * along.x * 0.5};
+    };
+    line.pattern = Pattern::solid;
+    line.points = {barb(1), to, barb(-1)};
+    picture_.elements.emplace_back(line);
+  }
+
+  /// Where a label belongs: the point, or the middle of what is seen of a line.
+  [[nodiscard]] std::optional<Point> anchor_of(const StageItem& item) const {
+    const std::vector<Point> points = projection_.to_pixels(item.points);
+    if (item.form == Form::point) return shows(points[0]) ? std::optional(points[0]) : std::nullopt;
+    if (item.form == Form::polygon || item.form == Form::hull) {
+      Point middle{};
+      for (const Point& p : points) {
+        middle.x += p.x / static_cast<double>(points.size());
+        middle.y += p.y / static_cast<double>(points.size());
+      }
+      return shows(middle) ? std::optional(middle) : std::nullopt;
+    }
+    const auto parts = clip_line(points, projection_.frame);
+    if (parts.empty()) return std::nullopt;
+    const std::vector<Point>& part = parts.back();
+    if (item.role == Role::ray || part.size() > 2) return part.back();
+    return Point{(part.front().x + part.back().x) / 2, (part.front().y + part.back().y) / 2};
+  }
+
+  Picture& picture_;
+  const Projection& projection_;
+  LabelPlaces places_;
+};
+
+struct Shown {
+  const StageItem* item;
+  Emphasis emphasis;
+};
+
+/// In the order of painting: the scene, what was, what is new.
+std::vector<Shown> shown_in(const Stage& stage, std::size_t step) {
+  std::vector<Shown> shown;
+  const bool is_apart = stage.steps[step].is_apart;
+  if (!is_apart) {
+    for (const StageItem& item : stage.scene) shown.push_back({&item, Emphasis::scene});
+    for (std::size_t before = 0; before < step; ++before) {
+      if (stage.steps[before].is_apart) continue;
+      for (const StageItem& item : stage.steps[before].items) shown.push_back({&item, Emphasis::dimmed});
+    }
+  }
+  for (const StageItem& item : stage.steps[step].items) shown.push_back({&item, Emphasis::bright});
+  return shown;
+}
+
+}  // namespace
+
+void draw_scene(Picture& picture, const Box& frame, const Stage& stage, std::size_t step) {
+  const Projection projection{stage.camera, stage.steps[step].view, frame};
+  const std::vector<Shown> shown = shown_in(stage, step);
+  Painter painter(picture, projection);
+  for (const auto& [item, emphasis] : shown) painter.fill(*item, emphasis);
+  for (const auto& [item, emphasis] : shown) painter.stroke(*item, emphasis);
+  for (const auto& [item, emphasis] : shown) painter.mark(*item, emphasis);
+  for (auto it = shown.rbegin(); it != shown.rend(); ++it) painter.label(*it->item, it->emphasis);
+}
+
+Picture scene_picture(const Stage& stage, std::size_t step, double width, double height) {
+  Picture picture;
+  picture.width = width;
+  picture.height = height;
+  picture.title = stage.steps[step].title;
+  picture.description = stage.steps[step].caption;
+  draw_scene(picture, {0, 0, width, height}, stage, step);
+  return picture;
+}
+
+}  // namespace rayproof::viz

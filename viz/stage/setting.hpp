@@ -1,0 +1,36 @@
+#pragma once
+/// \file
+/// What all steps of a stage have in common: the scene, and from where it is seen.
+
+#include <functional>
+
+#include "viz/stage/items.hpp"
+#include "viz/told.hpp"
+#include "viz/topics/camera.hpp"
+
+namespace rayproof::viz {
+
+/// The place of a stage's steps.
+struct Setting {
+  Items scene{};
+  StageCamera camera{};
+  std::optional<StageSlider> slider{};
+  StageView near{};  ///< the shape
+  StageView wide{};  ///< the shape and the ray's start, where that is not too far to show both
+  /// From the space in which the kernel works to the world; the identity where there is no transform.
+  std::function<glm::dvec3(const glm::dvec3&)> to_world{};
+};
+
+[[nodiscard]] Setting setting_of(const Told& told);
+
+[[nodiscard]] glm::dvec3 rounded(const Place& p);
+[[nodiscard]] Place place(const glm::dvec3& p);
+
+/// The smallest upright ball around points that are finite: around their bounding box.
+[[nodiscard]] StageView view_around(const std::vector<glm::dvec3>& points);
+
+/// The step "Where float and exact part": what the exact answer says beside the method's, magnified where
+/// they are too near to be told apart.
+[[nodiscard]] StageStep parting_step(const Told& told, const Setting& setting);
+
+}  // namespace rayproof::viz

@@ -1,0 +1,191 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "viz/numbers.hpp"
+#include "viz/stage/kernel_steps.hpp"
+#include "viz/stage/label_places.hpp"
+#include "viz/stage/stage_picture.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+constexpr double slide_width = 960;
+constexpr double slide_height = 540;
+constexpr double margin = 24;
+/// The scene at the left, the numbers in the column at its right.
+constexpr Box scene_frame{margin, 64, 590, 350};
+constexpr double column = 634;
+
+void write(Picture& picture, Role role, const Point& at, const std::string& text, double size,
+           bool bold = false) {
+  picture.elements.emplace_back(Text{role, at, text, Anchor::start, size, bold});
+}
+
+std::string cut(const std::string& text, double width, double size) {
+  const auto lines = wrapped(text, width, size);
+  return lines.size() < 2 ? text : lines.front() + "…";
+}
+
+/// Below each name the rounded number, the exact one, and the bits lost where they are worth a word.
+void draw_values(Picture& picture, const Stage& stage, const StageStep& step) {
+  const bool is_float = stage.precision == Precision::float32;
+  const double width = slide_width - margin - column;
+  const double row = step.values.size() > 5 ? 17 : 19;
+  double y = scene_frame.top + 14;
+  for (const StageValue& value : step.values) {
+    if (y > scene_frame.bottom() - 2 * row) {
+      write(picture, Role::muted, {column, y}, "… and more, in the page", 12);
+      return;
+    }
+    const std::string head = value.formula.empty() || value.formula == value.name
+                                 ? value.name
+                                 : fmt::format("{} = {}", value.name, value.formula);
+    write(picture, Role::text, {column, y}, cut(head, width, 14), 14, true);
+    y += row;
+    const auto put = [&](Role role, const char* what, const std::string& text) {
+      write(picture, Role::muted, {column + 8, y}, what, 12);
+      write(picture, role, {column + 62, y}, cut(text, width - 62, 13), 13);
+      y += row;
+    };
+    put(Role::claimed, is_float ? "float" : "double", shown(value, stage.precision));
+    double lost = 0;
+    std::string exact;
+    for (const WalkValue& v : value.components) {
+      lost = std::max(lost, v.bits_lost);
+      exact += (exact.empty() ? "" : ", ") + v.exact;
+    }
+    if (lost >= 0.05) {
+      put(Role::exact, "exact", value.components.size() > 1 ? "(" + exact + ")" : exact);
+      put(Role::muted, "lost", fmt::format("{:.1f} of {} bits", lost, stage.digits));
+    }
+    y += 5;
+  }
+}
+
+void draw_caption(Picture& picture, const StageStep& step) {
+  double y = scene_frame.bottom() + 26;
+  const double width = slide_width - 2 * margin;
+  const double size = text_width(step.caption, 16) > 2 * width ? 13 : 16;
+  for (const std::string& line : wrapped(step.caption, width, size)) {
+    write(picture, Role::text, {margin, y}, line, size);
+    y += size * 1.3;
+    if (y > slide_height - 58) break;
+  }
+  if (step.digits.empty()) return;
+  for (const std::string& line : wrapped(step.digits, width, 13)) {
+    if (y > slide_height - 40) break;
+    write(picture, Role::muted, {margin, y}, line, 13);
+    y += 17;
+  }
+}
+
+void draw_legend(Picture& picture, const Stage& stage) {
+  double x = margin;
+  const double y = slide_height - 16;
+  for (const LegendEntry& entry : legend_of(stage)) {
+    if (entry.is_mark) {
+      picture.elements.emplace_back(Mark{entry.role, mark_of(entry.role), {x + 6, y - 4}});
+    } else {
+      picture.elements.emplace_back(Line{entry.role, {{x - 3, y - 4}, {x + 15, y - 4}}, 2.6});
+    }
+    write(picture, Role::muted, {x + 20, y}, entry.text, 12);
+    x += 20 + text_width(entry.text, 12) + 18;
+  }
+}
+
+void move(Element& element, double dx, double dy) {
+  const auto shift = [&](Point& p) {
+    p.x += dx;
+    p.y += dy;
+  };
+  std::visit(
+      [&](auto& one) {
+        if constexpr (requires { one.points; }) {
+          for (Point& p : one.points) shift(p);
+        } else {
+          shift(one.at);
+        }
+      },
+      element);
+}
+
+}  // namespace
+
+std::vector<LegendEntry> legend_of(const Stage& stage) {
+  static const std::vector<LegendEntry> all{
+      {Role::ray, false, "ray"},
+      {Role::surface, false, "surface"},
+      {Role::edge, false, "edge, part"},
+      {Role::normal, false, "normal"},
+      {Role::nearest, true, "nearest"},
+      {Role::exact, true, "exact hit"},
+      {Role::claimed, true, "as computed"},
+      {Role::muted, false, "earlier step"},
+  };
+  std::vector<LegendEntry> used;
+  const auto is_used = [&](Role role) {
+    const auto has = [&](const StageItem& item) { return item.role == role; };
+    bool any = std::any_of(stage.scene.begin(), stage.scene.end(), has);
+    for (const StageStep& step : stage.steps)
+      any = any || std::any_of(step.items.begin(), step.items.end(), has);
+    return any;
+  };
+  for (const LegendEntry& entry : all) {
+    if (entry.role == Role::muted || is_used(entry.role)) used.push_back(entry);
+  }
+  return used;
+}
+
+Picture slide_picture(const Stage& stage, std::size_t number) {
+  const StageStep& step = stage.steps.at(number);
+  Picture picture;
+  picture.width = slide_width;
+  picture.height = slide_height;
+  picture.title = fmt::format("{}: {}", stage.title, step.title);
+  picture.description = step.caption;
+  const std::string place = fmt::format("{} of {}", number + 1, stage.steps.size());
+  write(picture, Role::text, {margin, 34}, fmt::format("{}. {}", number + 1, step.title), 22, true);
+  write(picture, Role::muted, {margin, 54}, cut(stage.title, 700, 13), 13);
+  picture.elements.emplace_back(Text{Role::muted, {slide_width - margin, 34}, place, Anchor::end, 14});
+  draw_scene(picture, scene_frame, stage, number);
+  if (step.is_apart) {
+    picture.elements.emplace_back(Text{Role::muted,
+                                       {scene_frame.left, scene_frame.bottom() - 4},
+                                       fmt::format("Magnified ×{}", rough(step.magnification, 2)),
+                                       Anchor::start,
+                                       13});
+  }
+  draw_values(picture, stage, step);
+  draw_caption(picture, step);
+  draw_legend(picture, stage);
+  return picture;
+}
+
+Picture contact_sheet(const Stage& stage) {
+  constexpr double gap = 12;
+  const std::size_t columns = stage.steps.size() > 4 ? 3 : 2;
+  const std::size_t rows = (stage.steps.size() + columns - 1) / columns;
+  Picture sheet;
+  sheet.title = stage.title;
+  sheet.width = gap + static_cast<double>(columns) * (slide_width + gap);
+  const double top = 70;
+  sheet.height = top + static_cast<double>(rows) * (slide_height + gap);
+  write(sheet, Role::text, {gap + margin, 46}, stage.title, 30, true);
+  for (std::size_t i = 0; i < stage.steps.size(); ++i) {
+    const double x = gap + static_cast<double>(i % columns) * (slide_width + gap);
+    const double y = top + static_cast<double>(i / columns) * (slide_height + gap);
+    sheet.elements.emplace_back(Line{
+        Role::frame,
+        {{x, y}, {x + slide_width, y}, {x + slide_width, y + slide_height}, {x, y + slide_height}, {x, y}},
+        1.5});
+    for (Element& element : slide_picture(stage, i).elements) {
+      move(element, x, y);
+      sheet.elements.push_back(std::move(element));
+    }
+  }
+  return sheet;
+}
+
+}  // namespace rayproof::viz

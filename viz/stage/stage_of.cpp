@@ -1,0 +1,85 @@
+#include "viz/stage/stage_of.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "viz/answers.hpp"
+#include "viz/numbers.hpp"
+#include "viz/stage/kernel_steps.hpp"
+#include "viz/stage/setting.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+std::string with_article(const std::string& topic) { return (topic == "implicit" ? "an " : "a ") + topic; }
+
+std::string first_title(const Case& one) {
+  if (std::holds_alternative<Quadratic<double>>(one.question)) return "Look at the equation";
+  if (std::holds_alternative<PointAndPolygon<double>>(one.question))
+    return "Look at the point and the polygon";
+  return fmt::format("Look at the ray and the {}", topic_of(one));
+}
+
+/// "o = (0, 0, -5), d = (0, 0, 1), C = (0, 0, 0), r = 1"
+std::string inputs_in_words(const std::vector<StageValue>& values, Precision precision) {
+  std::string text;
+  for (const StageValue& value : values) {
+    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", value.name, shown(value, precision));
+  }
+  return text;
+}
+
+StageStep first_step(const Told& told, const Setting& setting) {
+  StageStep step;
+  step.title = first_title(told.one);
+  if (told.walk) step.values = grouped(told.walk->inputs);
+  step.caption = "What is given";
+  step.caption += step.values.empty() ? "." : ": " + inputs_in_words(step.values, told.one.precision) + ".";
+  step.view = setting.wide;
+  return step;
+}
+
+std::string title_of(const Told& told) {
+  if (!told.walk) return told.method.empty() ? "The exact answer" : told.method;
+  const std::string& title = told.walk->title;
+  const std::size_t colon = title.find(": ");
+  return fmt::format("{}: {}", topic_of(told.one),
+                     colon == std::string::npos ? title : title.substr(colon + 2));
+}
+
+std::string name_of(const Told& told) {
+  std::string name = told.method.empty() ? topic_of(told.one) : told.method;
+  std::replace(name.begin(), name.end(), '/', '-');
+  return name;
+}
+
+}  // namespace
+
+Stage stage_of(const Told& told) {
+  const Setting setting = setting_of(told);
+  Stage stage;
+  stage.name = name_of(told);
+  stage.title = title_of(told);
+  stage.sentence = told.one.note.empty() ? headline_of(told.one, &told.exact, told.claim()) : told.one.note;
+  stage.method = told.method;
+  stage.conclusion = conclusion_of(told);
+  stage.one = told.one;
+  stage.precision = told.one.precision;
+  stage.digits = told.one.precision == Precision::float32 ? 24 : 53;
+  stage.scene = setting.scene;
+  stage.slider = setting.slider;
+  stage.camera = setting.camera;
+  stage.steps.push_back(first_step(told, setting));
+  if (told.walk) {
+    stage.source = told.walk->source;
+    for (std::size_t i = 0; i < told.walk->steps.size(); ++i) {
+      stage.steps.push_back(kernel_step(told, *told.walk, i, setting));
+    }
+  }
+  stage.steps.push_back(parting_step(told, setting));
+  return stage;
+}
+
+}  // namespace rayproof::viz

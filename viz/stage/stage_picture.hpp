@@ -1,0 +1,34 @@
+#pragma once
+/// \file
+/// A step of a stage as a picture: the scene alone, for a page, or a whole slide with title, numbers and
+/// legend.
+
+#include <cstddef>
+#include <vector>
+
+#include "viz/picture.hpp"
+#include "viz/stage/stage.hpp"
+
+namespace rayproof::viz {
+
+/// Draws a step's scene into a frame of a picture, its own items bright and those of the steps before dimmed.
+void draw_scene(Picture& picture, const Box& frame, const Stage& stage, std::size_t step);
+
+/// The scene with the step's own items bright and those of the steps before dimmed.
+[[nodiscard]] Picture scene_picture(const Stage& stage, std::size_t step, double width, double height);
+
+/// A slide of 960 by 540.
+[[nodiscard]] Picture slide_picture(const Stage& stage, std::size_t step);
+
+/// All slides of a stage side by side.
+[[nodiscard]] Picture contact_sheet(const Stage& stage);
+
+/// The roles that a stage's pictures use, with a word on each.
+struct LegendEntry {
+  Role role;
+  bool is_mark;  ///< a mark, else a line
+  const char* text;
+};
+[[nodiscard]] std::vector<LegendEntry> legend_of(const Stage& stage);
+
+}  // namespace rayproof::viz
