@@ -6,6 +6,7 @@
 
 #include "viz/programs/tell_case.hpp"
 #include "viz/stage/lesson.hpp"
+#include "viz/stage/page.hpp"
 #include "viz/stage/stage_json.hpp"
 #include "viz/stage/stage_of.hpp"
 #include "viz/stage/stage_picture.hpp"
@@ -22,28 +23,65 @@ struct Options {
   std::string topic{};
   viz::CaseOptions one{};
   std::string png{};
+  std::string html{};
   bool is_list = false;
   bool is_json = false;
 };
 
-std::vector<viz::Stage> stages_for(const Options& options) {
-  if (!options.one.text.empty()) return {viz::stage_of(viz::tell_case(options.one))};
+/// A walkthrough and the group under which a gallery shows it.
+struct Walk {
+  std::string group;
+  viz::Stage stage;
+};
+
+std::vector<Walk> walks_for(const Options& options) {
+  if (!options.one.text.empty()) return {{"Cases", viz::stage_of(viz::tell_case(options.one))}};
   const auto found = viz::lessons_of(options.topic);
-  if (found.empty())
-    throw viz::WrongCommand("there is no topic " + options.topic + "; see rayproof walk --list");
-  std::vector<viz::Stage> stages;
-  for (const viz::Lesson* lesson : found) {
-    stages.push_back(viz::stage_of(
-        *lesson, [](const Case& one, const std::string& method) { return viz::told_of(one, method); }));
+  if (found.empty()) {
+    throw viz::WrongCommand(
+        fmt::format("there is no topic '{}'; rayproof walk --list names them", options.topic));
   }
-  return stages;
+  std::vector<Walk> walks;
+  for (const viz::Lesson* lesson : found) {
+    walks.push_back({lesson->group, viz::stage_of(*lesson, [](const Case& one, const std::string& method) {
+                       return viz::told_of(one, method);
+                     })});
+  }
+  return walks;
 }
 
-void write_pngs(const std::vector<viz::Stage>& stages, const std::string& folder) {
+void write_text(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream out(path, std::ios::binary);
+  out << text << std::flush;
+  if (!out) throw viz::WrongCommand("the file " + path.string() + " can't be written");
+}
+
+void make_folder(const std::string& folder) {
+  std::error_code failure;
+  std::filesystem::create_directories(folder, failure);
+  if (failure) throw viz::WrongCommand("the folder " + folder + " can't be made");
+}
+
+/// One page where the path is that of a page; else a folder of pages with a gallery.
+void write_pages(const std::vector<Walk>& walks, const std::string& path) {
+  if (walks.size() == 1 && path.ends_with(".html"))
+    return write_text(path, viz::stage_page(walks.front().stage));
+  make_folder(path);
+  const std::filesystem::path folder = path;
+  std::vector<viz::GalleryEntry> gallery;
+  for (const auto& [group, stage] : walks) {
+    const std::string file = stage.name + ".html";
+    write_text(folder / file, viz::stage_page(stage, "index.html"));
+    gallery.push_back({group, file, &stage});
+  }
+  write_text(folder / "index.html", viz::gallery_page(gallery));
+}
+
+void write_pngs(const std::vector<Walk>& walks, const std::string& folder) {
 #ifdef RAYPROOF_HAS_VTK
   const viz::OffscreenDisplay display;
-  std::filesystem::create_directories(folder);
-  for (const viz::Stage& stage : stages) {
+  make_folder(folder);
+  for (const auto& [group, stage] : walks) {
     for (std::size_t i = 0; i < stage.steps.size(); ++i) {
       viz::write_picture(viz::slide_picture(stage, i),
                          fmt::format("{}/{}-{}.png", folder, stage.name, i + 1));
@@ -51,7 +89,7 @@ void write_pngs(const std::vector<viz::Stage>& stages, const std::string& folder
     viz::write_picture(viz::contact_sheet(stage), fmt::format("{}/{}.png", folder, stage.name), 2.0 / 3);
   }
 #else
-  (void)stages;
+  (void)walks;
   throw viz::WrongCommand("--png " + folder + " needs VTK, which this build was made without; --html works");
 #endif
 }
@@ -71,6 +109,8 @@ int main(int argc, char** argv) {
       ->check(CLI::IsMember({"float32", "float64"}));
   app.add_option("--png", options.png, "Write a PNG for each step and a contact sheet, drawn by VTK")
       ->type_name("DIR");
+  app.add_option("--html", options.html, "Write a page for each walkthrough, and a gallery of them")
+      ->type_name("DIR or FILE.html");
   app.add_flag("--json", options.is_json, "Print the data of each walkthrough as a line of JSON");
   app.add_flag("--list", options.is_list, "List the topics");
   app.footer("Exit status: 0 done, 1 the case is refused, 2 wrong command line.");
@@ -81,10 +121,11 @@ int main(int argc, char** argv) {
       for (const viz::Lesson& lesson : viz::lessons()) fmt::print("{:<28}{}\n", lesson.name, lesson.title);
       return;
     }
-    const auto stages = stages_for(options);
+    const auto walks = walks_for(options);
     if (options.is_json) {
-      for (const viz::Stage& stage : stages) fmt::print("{}\n", viz::stage_json(stage));
+      for (const Walk& walk : walks) fmt::print("{}\n", viz::stage_json(walk.stage));
     }
-    if (!options.png.empty()) write_pngs(stages, options.png);
+    if (!options.html.empty()) write_pages(walks, options.html);
+    if (!options.png.empty()) write_pngs(walks, options.png);
   });
 }

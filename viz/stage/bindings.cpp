@@ -1,13 +1,19 @@
+#include "viz/stage/bindings.hpp"
+
 #include <cmath>
 #include <map>
-
-#include "viz/stage/bindings.hpp"
 
 namespace rayproof::viz {
 
 const std::vector<Binding>& bindings_of(const std::string& topic) {
   static const std::map<std::string, std::vector<Binding>> tables{
+      {"plane", plane_bindings()},
+      {"triangle", triangle_bindings()},
       {"sphere", sphere_bindings()},
+      {"cylinder", cylinder_bindings()},
+      {"box", box_bindings()},
+      {"parallelepiped", parallelepiped_bindings()},
+      {"quadratic", quadratic_bindings()},
   };
   static const std::vector<Binding> none;
   const auto found = tables.find(topic);
@@ -17,6 +23,16 @@ const std::vector<Binding>& bindings_of(const std::string& topic) {
 Items answer_item(const NumbersByName& n, const std::string& name) {
   if (name != "t" && name != "t₀" && name != "t₁" && name != "t_entry" && name != "t_exit") return {};
   return {point(Role::claimed, n.at(n.rounded(name)), name)};
+}
+
+glm::dvec3 resized(const glm::dvec3& v, double length) {
+  const double size = glm::length(v);
+  return size > 0 ? v * (length / size) : v;
+}
+
+glm::dvec3 across(const glm::dvec3& v) {
+  const glm::dvec3 other = std::abs(v.z) < 0.9 * glm::length(v) ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
+  return resized(glm::cross(v, other), glm::length(v));
 }
 
 }  // namespace rayproof::viz

@@ -7,6 +7,18 @@
 
 namespace rayproof::viz {
 
+[[nodiscard]] std::vector<Binding> plane_bindings();
+[[nodiscard]] std::vector<Binding> triangle_bindings();
 [[nodiscard]] std::vector<Binding> sphere_bindings();
+[[nodiscard]] std::vector<Binding> cylinder_bindings();
+[[nodiscard]] std::vector<Binding> box_bindings();
+[[nodiscard]] std::vector<Binding> parallelepiped_bindings();
+[[nodiscard]] std::vector<Binding> quadratic_bindings();
+
+/// `v` with the length `length`: of what has the direction of an arrow but, being an area, no length.
+[[nodiscard]] glm::dvec3 resized(const glm::dvec3& v, double length);
+
+/// A vector at right angles to `v`, of the same length.
+[[nodiscard]] glm::dvec3 across(const glm::dvec3& v);
 
 }  // namespace rayproof::viz

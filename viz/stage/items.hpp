@@ -34,7 +34,8 @@ using Items = std::vector<StageItem>;
 }
 
 /// How a named value looks: the items it becomes, given all numbers known by then, in the space in which the
-/// kernel works. A name is as the kernel has it, a vector's without ".x".
+/// kernel works. A name is as the kernel has it, a vector's without ".x"; or it is a step's title, for what a
+/// step shows whatever it names.
 struct Binding {
   std::string name;
   std::function<Items(const NumbersByName& n)> draw;

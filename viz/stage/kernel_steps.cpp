@@ -67,20 +67,26 @@ std::string decision_of(const Told& told) {
   return text + ".";
 }
 
-void place_items(StageStep& step, const NumbersByName& n, const std::string& topic, const Setting& setting) {
+void add_placed(StageStep& step, Items items, const Setting& setting) {
+  for (StageItem& item : items) {
+    for (glm::dvec3& p : item.points) p = setting.to_world(p);
+    const bool is_placed = std::all_of(item.points.begin(), item.points.end(), [](const glm::dvec3& p) {
+      return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+    });
+    if (is_placed) step.items.push_back(std::move(item));
+  }
+}
+
+void place_items(StageStep& step, const NumbersByName& n, const Setting& setting) {
+  const auto add_bound = [&](const std::string& name) {
+    for (const Binding& binding : setting.bindings) {
+      if (binding.name == name) add_placed(step, binding.draw(n), setting);
+    }
+  };
+  add_bound(step.title);
   for (const StageValue& value : step.values) {
-    Items items = answer_item(n, value.name);
-    for (const Binding& binding : bindings_of(topic)) {
-      if (binding.name != value.name) continue;
-      for (StageItem& item : binding.draw(n)) items.push_back(std::move(item));
-    }
-    for (StageItem& item : items) {
-      for (glm::dvec3& p : item.points) p = setting.to_world(p);
-      const bool is_placed = std::all_of(item.points.begin(), item.points.end(), [](const glm::dvec3& p) {
-        return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-      });
-      if (is_placed) step.items.push_back(std::move(item));
-    }
+    add_bound(value.name);
+    add_placed(step, answer_item(n, value.name), setting);
   }
 }
 
@@ -141,7 +147,7 @@ StageStep kernel_step(const Told& told, const Walkthrough& walk, std::size_t ind
   for (StageValue& value : step.values) complete(value, n, told.one.precision);
   const StageValue* const aim = aim_of(step.values);
   step.caption = aim == nullptr ? decision_of(told) : equation_of(*aim, told.one.precision);
-  place_items(step, n, topic_of(told.one), setting);
+  place_items(step, n, setting);
   step.view = view_of(step, setting);
   return step;
 }

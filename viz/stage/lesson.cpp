@@ -9,7 +9,9 @@ namespace rayproof::viz {
 const std::vector<Lesson>& lessons() {
   static const std::vector<Lesson> all = [] {
     std::vector<Lesson> list;
-    for (const auto& group : {sphere_lessons()}) list.insert(list.end(), group.begin(), group.end());
+    for (const auto& group : {ray_lessons(), plane_lessons(), triangle_lessons(), polygon_lessons(),
+                              quadratic_lessons(), sphere_lessons(), solid_lessons()})
+      list.insert(list.end(), group.begin(), group.end());
     return list;
   }();
   return all;

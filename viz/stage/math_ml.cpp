@@ -179,8 +179,8 @@ class Typesetter {
 
   [[nodiscard]] bool ends_word() const {
     // The sign of a number's exponent belongs to the number: "1.5e-7".
-    const bool is_exponent = at_ > 1 && text_[at_ - 1] == 'e' &&
-                             std::isdigit(static_cast<unsigned char>(text_[at_ - 2])) != 0;
+    const bool is_exponent =
+        at_ > 1 && text_[at_ - 1] == 'e' && std::isdigit(static_cast<unsigned char>(text_[at_ - 2])) != 0;
     if (is_next("-") && is_exponent) return false;
     for (const auto& [sign, typeset] : operators) {
       (void)typeset;
@@ -199,8 +199,6 @@ class Typesetter {
 
 }  // namespace
 
-std::string math_ml(const std::string& formula) {
-  return "<math>" + Typesetter(formula).all() + "</math>";
-}
+std::string math_ml(const std::string& formula) { return "<math>" + Typesetter(formula).all() + "</math>"; }
 
 }  // namespace rayproof::viz

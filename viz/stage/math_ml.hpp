@@ -6,8 +6,8 @@
 
 namespace rayproof::viz {
 
-/// A `<math>` element: "(−b − √D) / (2·a)" becomes a fraction with a root in it, "t₀" and "S_x" get subscripts,
-/// "d⃗" an arrow. Text that is no formula comes back as it stands, escaped.
+/// A `<math>` element: "(−b − √D) / (2·a)" becomes a fraction with a root in it, "t₀" and "S_x" get
+/// subscripts, "d⃗" an arrow. Text that is no formula comes back as it stands, escaped.
 [[nodiscard]] std::string math_ml(const std::string& formula);
 
 }  // namespace rayproof::viz

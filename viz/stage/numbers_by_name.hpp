@@ -26,6 +26,9 @@ class NumbersByName {
   [[nodiscard]] glm::dvec3 vector(const std::string& name) const;
   [[nodiscard]] bool has_vector(const std::string& name) const { return has(name + ".x"); }
 
+  /// The same of a name that was given twice as it was at first: the case's own.
+  [[nodiscard]] glm::dvec3 input(const std::string& name) const { return first_vector(name); }
+
   /// The ray as the kernel sees it: in the shape's own space where the case has a transform.
   [[nodiscard]] glm::dvec3 origin() const;
   [[nodiscard]] glm::dvec3 direction() const;

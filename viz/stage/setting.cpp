@@ -166,8 +166,10 @@ StageView view_around(const std::vector<glm::dvec3>& points) {
 
 Setting setting_of(const Told& told) {
   const TopicView* const view = view_of(told.one);
-  if (view != nullptr && view->figure != nullptr) return ray_setting(told, view->figure);
-  return flat_setting(told);
+  const bool is_in_space = view != nullptr && view->figure != nullptr;
+  Setting setting = is_in_space ? ray_setting(told, view->figure) : flat_setting(told);
+  setting.bindings = bindings_of(topic_of(told.one));
+  return setting;
 }
 
 }  // namespace rayproof::viz

@@ -19,6 +19,7 @@ struct Setting {
   StageView wide{};  ///< the shape and the ray's start, where that is not too far to show both
   /// From the space in which the kernel works to the world; the identity where there is no transform.
   std::function<glm::dvec3(const glm::dvec3&)> to_world{};
+  std::vector<Binding> bindings{};  ///< how the named values look: the topic's, or a lesson's own
 };
 
 [[nodiscard]] Setting setting_of(const Told& told);

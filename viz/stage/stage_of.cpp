@@ -7,13 +7,12 @@
 
 #include "viz/answers.hpp"
 #include "viz/numbers.hpp"
+#include "viz/stage/compose.hpp"
 #include "viz/stage/kernel_steps.hpp"
 #include "viz/stage/setting.hpp"
 
 namespace rayproof::viz {
 namespace {
-
-std::string with_article(const std::string& topic) { return (topic == "implicit" ? "an " : "a ") + topic; }
 
 std::string first_title(const Case& one) {
   if (std::holds_alternative<Quadratic<double>>(one.question)) return "Look at the equation";
@@ -31,10 +30,10 @@ std::string inputs_in_words(const std::vector<StageValue>& values, Precision pre
   return text;
 }
 
-StageStep first_step(const Told& told, const Setting& setting) {
+StageStep first_step(const Told& told, const Walkthrough* walk, const Setting& setting) {
   StageStep step;
   step.title = first_title(told.one);
-  if (told.walk) step.values = grouped(told.walk->inputs);
+  if (walk != nullptr) step.values = grouped(walk->inputs);
   step.caption = "What is given";
   step.caption += step.values.empty() ? "." : ": " + inputs_in_words(step.values, told.one.precision) + ".";
   step.view = setting.wide;
@@ -55,10 +54,8 @@ std::string name_of(const Told& told) {
   return name;
 }
 
-}  // namespace
-
-Stage stage_of(const Told& told) {
-  const Setting setting = setting_of(told);
+/// All but the steps.
+Stage bare_stage(const Told& told, const Setting& setting) {
   Stage stage;
   stage.name = name_of(told);
   stage.title = title_of(told);
@@ -71,14 +68,31 @@ Stage stage_of(const Told& told) {
   stage.scene = setting.scene;
   stage.slider = setting.slider;
   stage.camera = setting.camera;
-  stage.steps.push_back(first_step(told, setting));
-  if (told.walk) {
-    stage.source = told.walk->source;
-    for (std::size_t i = 0; i < told.walk->steps.size(); ++i) {
-      stage.steps.push_back(kernel_step(told, *told.walk, i, setting));
-    }
+  return stage;
+}
+
+void add_steps(Stage& stage, const Told& told, const Walkthrough& walk, const Setting& setting) {
+  stage.source = walk.source;
+  for (std::size_t i = 0; i < walk.steps.size(); ++i) {
+    stage.steps.push_back(kernel_step(told, walk, i, setting));
   }
+}
+
+}  // namespace
+
+Stage stage_of(const Told& told) {
+  const Setting setting = setting_of(told);
+  Stage stage = bare_stage(told, setting);
+  stage.steps.push_back(first_step(told, told.walk ? &*told.walk : nullptr, setting));
+  if (told.walk) add_steps(stage, told, *told.walk, setting);
   stage.steps.push_back(parting_step(told, setting));
+  return stage;
+}
+
+Stage composed_stage(const Told& told, const Walkthrough& walk, const Setting& setting) {
+  Stage stage = bare_stage(told, setting);
+  stage.steps.push_back(first_step(told, &walk, setting));
+  add_steps(stage, told, walk, setting);
   return stage;
 }
 

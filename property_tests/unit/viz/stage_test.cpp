@@ -1,0 +1,192 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <rayproof/topics.hpp>
+#include <set>
+
+#include "case/reader.hpp"
+#include "unit/viz/heard.hpp"
+#include "viz/programs/told_of.hpp"
+#include "viz/stage/kernel_steps.hpp"
+#include "viz/stage/lesson.hpp"
+#include "viz/stage/stage_json.hpp"
+#include "viz/stage/stage_of.hpp"
+#include "viz/topics/ray_walk.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+Told tell(const Case& one, const std::string& method) { return told_of(one, method); }
+
+bool same_bits(double a, double b) {
+  return std::memcmp(&a, &b, sizeof a) == 0 || (std::isnan(a) && std::isnan(b));
+}
+
+double number_in(const nlohmann::json& json) {
+  if (json.is_number()) return json.get<double>();
+  return json == "inf" ? INFINITY : json == "-inf" ? -INFINITY : NAN;
+}
+
+using NamedNumbers = std::vector<std::pair<std::string, double>>;
+
+/// What a method's kernel names in plain T, of the problem that a case puts.
+template <class Topic, class T>
+NamedNumbers heard_in(const Case& one, const std::string& method) {
+  NamedNumbers names;
+  Topic::Methods::for_each([&]<class Method>(std::type_identity<Method>) {
+    if constexpr (Recordable<Method, Heard<T>>) {
+      if (method != std::string(Topic::name) + "/" + Method::name) return;
+      using Problem = typename Topic::template Problem<Heard<T>>;
+      const auto problem = [&]() -> Problem {
+        if constexpr (std::is_same_v<Topic, quadratic::Topic>) {
+          return {convert<Heard<T>>(std::get<Quadratic<double>>(one.question))};
+        } else {
+          const auto& question = std::get<RayQuestion>(one.question);
+          using Shape = decltype(Problem::shape);
+          return {convert<Heard<T>>(question.ray), recorded_shape<Shape, Heard<T>>(question)};
+        }
+      }();
+      Heard<T>::names.clear();
+      (void)Topic::template solve<Method>(problem);
+      names = Heard<T>::names;
+    }
+  });
+  return names;
+}
+
+NamedNumbers heard(const Case& one, const std::string& method) {
+  NamedNumbers names;
+  Topics::for_each([&]<class Topic>(std::type_identity<Topic>) {
+    if (Topic::name != topic_of(one)) return;
+    names = one.precision == Precision::float32 ? heard_in<Topic, float>(one, method)
+                                                : heard_in<Topic, double>(one, method);
+  });
+  return names;
+}
+
+/// Every number of the kernel's steps in a stage's data, components one by one.
+NamedNumbers shown_in(const std::string& json_text) {
+  const auto json = nlohmann::json::parse(json_text);
+  NamedNumbers shown;
+  for (std::size_t i = 1; i < json.at("steps").size(); ++i) {
+    for (const auto& value : json["steps"][i]["values"]) {
+      const auto& components = value["components"];
+      for (std::size_t k = 0; k < components.size(); ++k) {
+        const std::string axis = components.size() == 1 ? "" : std::string(".") + "xyz"[k];
+        shown.emplace_back(value["name"].get<std::string>() + axis, number_in(components[k]["value"]));
+      }
+    }
+  }
+  return shown;
+}
+
+TEST(Stage, ShowsTheNumbersOfThePlainKernelBitForBit) {
+  int compared = 0;
+  for (const Lesson& lesson : lessons()) {
+    if (lesson.compose != nullptr) continue;
+    for (const char* precision : {"float32", "float64"}) {
+      Case one = read_case(lesson.case_text);
+      one.precision = std::string(precision) == "float32" ? Precision::float32 : Precision::float64;
+      const Told told = tell(one, lesson.method);
+      const auto& question = one.question;
+      const bool is_moved = std::holds_alternative<RayQuestion>(question) &&
+                            std::get<RayQuestion>(question).transform.has_value();
+      if (is_moved) continue;
+      const NamedNumbers plain = heard(one, lesson.method);
+      const NamedNumbers shown = shown_in(stage_json(stage_of(told)));
+      ASSERT_EQ(plain.size(), shown.size()) << lesson.name;
+      for (std::size_t i = 0; i < plain.size(); ++i) {
+        EXPECT_EQ(plain[i].first, shown[i].first) << lesson.name;
+        EXPECT_TRUE(same_bits(plain[i].second, shown[i].second))
+            << lesson.name << ": " << plain[i].first << " is " << plain[i].second << ", shown as "
+            << shown[i].second;
+        ++compared;
+      }
+    }
+  }
+  EXPECT_GT(compared, 200);
+}
+
+TEST(Stage, ShowsDecimalsThatReadBackAsTheNumber) {
+  for (const Lesson& lesson : lessons()) {
+    const auto json = nlohmann::json::parse(stage_json(stage_of(lesson, tell)));
+    for (const auto& step : json["steps"]) {
+      for (const auto& value : step["values"]) {
+        for (const auto& component : value["components"]) {
+          const double exact = number_in(component["value"]);
+          if (!std::isfinite(exact)) continue;
+          const std::string text = component["shown"];
+          const double read =
+              json["precision"] == "float32" ? static_cast<double>(std::stof(text)) : std::stod(text);
+          EXPECT_EQ(read, exact) << lesson.name << ": " << value["name"] << " is shown as " << text;
+        }
+      }
+    }
+  }
+}
+
+TEST(Stage, EveryLessonHasFourToNineStepsAndEndsWhereFloatAndExactPart) {
+  std::set<std::string> names;
+  for (const Lesson& lesson : lessons()) {
+    EXPECT_TRUE(names.insert(lesson.name).second) << lesson.name << " is there twice";
+    const Stage stage = stage_of(lesson, tell);
+    EXPECT_GE(stage.steps.size(), 4U) << lesson.name;
+    EXPECT_LE(stage.steps.size(), 9U) << lesson.name;
+    EXPECT_EQ(stage.steps.back().title, "Where float and exact part") << lesson.name;
+    EXPECT_FALSE(stage.conclusion.empty()) << lesson.name;
+    EXPECT_FALSE(stage.scene.empty()) << lesson.name;
+    for (const StageStep& step : stage.steps) {
+      EXPECT_FALSE(step.title.empty()) << lesson.name;
+      EXPECT_FALSE(step.caption.empty()) << lesson.name << ": " << step.title;
+      EXPECT_GT(step.view.radius, 0) << lesson.name << ": " << step.title;
+    }
+  }
+}
+
+TEST(Stage, EveryItemHasAsManyPointsAsItsFormTakesAllOfThemFinite) {
+  for (const Lesson& lesson : lessons()) {
+    const Stage stage = stage_of(lesson, tell);
+    const auto check = [&](const StageItem& item) {
+      const std::size_t least = item.form == Form::point                                ? 1
+                                : item.form == Form::polygon || item.form == Form::hull ? 3
+                                : item.form == Form::ellipsoid                          ? 4
+                                                                                        : 2;
+      EXPECT_GE(item.points.size(), least) << lesson.name << ": " << item.label;
+      for (const glm::dvec3& p : item.points) {
+        EXPECT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) << lesson.name;
+      }
+    };
+    for (const StageItem& item : stage.scene) check(item);
+    for (const StageStep& step : stage.steps) {
+      for (const StageItem& item : step.items) check(item);
+    }
+  }
+}
+
+TEST(Stage, TheTitlesOfAKernelsStepsAreTheCommentsInItsCode) {
+  const Case one = read_case(lessons_of("sphere").front()->case_text);
+  const Stage stage = stage_of(tell(one, "sphere/centred"));
+  ASSERT_EQ(stage.steps.size(), 6U);
+  EXPECT_EQ(stage.steps[2].title, "Find the ray point nearest the centre");
+  EXPECT_NE(stage.steps[4].caption.find("t₁ = t_c + h = 2.8512821 + 0.90387434 = 3.7551565"),
+            std::string::npos);
+}
+
+TEST(Stage, ACaseWithoutAMethodHasTheSceneAndTheExactAnswer) {
+  const Case one = read_case(lessons_of("sphere").front()->case_text);
+  const Stage stage = stage_of(tell(one, ""));
+  ASSERT_EQ(stage.steps.size(), 2U);
+  EXPECT_EQ(stage.steps.back().title, "The exact answer");
+}
+
+TEST(Lessons, AreFoundByNameByGroupAndAllTogether) {
+  EXPECT_EQ(lessons_of("sphere").size(), 1U);
+  EXPECT_GT(lessons_of("triangles").size(), 2U);
+  EXPECT_EQ(lessons_of("all").size(), lessons().size());
+  EXPECT_TRUE(lessons_of("no such topic").empty());
+}
+
+}  // namespace
+}  // namespace rayproof::viz

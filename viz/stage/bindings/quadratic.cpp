@@ -1,0 +1,64 @@
+#include <cmath>
+#include <limits>
+
+#include "viz/stage/bindings.hpp"
+#include "viz/stage/flat_settings.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+Quadratic<double> equation_of(const NumbersByName& n) { return {n["a"], n["b"], n["c"]}; }
+
+/// The frame that the scene is drawn in, from the same numbers.
+ParabolaFrame frame_of(const NumbersByName& n) {
+  const auto [a, b, c] = equation_of(n);
+  std::vector<double> roots;
+  const double D = b * b - 4 * a * c;
+  if (D >= 0 && a != 0) {
+    const double q = -0.5 * (b + std::copysign(std::sqrt(D), b));
+    roots = {q / a};
+    if (q != 0) roots.push_back(c / q);
+  }
+  return parabola_frame(equation_of(n), roots);
+}
+
+/// −D/4a: how far the vertex lies from the axis.
+Items discriminant(const NumbersByName& n) {
+  const auto [a, b, c] = equation_of(n);
+  const double x = -b / (2 * a);
+  const ParabolaFrame frame = frame_of(n);
+  return {segment(Role::nearest, frame.at(x, 0), frame.at(x, c - b * b / (4 * a)), "−D/4a")};
+}
+
+Items half_distance(const NumbersByName& n) {
+  const auto [a, b, c] = equation_of(n);
+  const ParabolaFrame frame = frame_of(n);
+  const double x = -b / (2 * a);
+  const double s = std::sqrt(b * b - 4 * a * c) / (2 * a);
+  const glm::dvec3 below{0, -0.12, 0};
+  return {segment(Role::edge, frame.at(x, 0) + below, frame.at(x + s, 0) + below, "√D/2a"),
+          segment(Role::edge, frame.at(x, 0) + below, frame.at(x - s, 0) + below, "√D/2a")};
+}
+
+Binding root(const char* name) {
+  return {name, [=](const NumbersByName& n) {
+            return Items{point(Role::claimed, frame_of(n).at(n.rounded(name), 0), name)};
+          }};
+}
+
+Items vertex(const NumbersByName& n) {
+  const auto [a, b, c] = equation_of(n);
+  const ParabolaFrame frame = frame_of(n);
+  const double x = -b / (2 * a);
+  const double far_root = n["q"] / a;
+  return {segment(Role::edge, frame.at(x, 0) + glm::dvec3(0, -0.12, 0),
+                  frame.at(far_root, 0) + glm::dvec3(0, -0.12, 0), "−b/2a to the far root")};
+}
+
+}  // namespace
+
+std::vector<Binding> quadratic_bindings() {
+  return {{"D", discriminant}, {"√D", half_distance}, {"q", vertex}, root("x₀"), root("x₁")};
+}
+
+}  // namespace rayproof::viz

@@ -1,0 +1,214 @@
+#include "viz/stage/page.hpp"
+
+#include <fmt/format.h>
+
+#include "case/writer.hpp"
+#include "viz/html_text.hpp"
+#include "viz/numbers.hpp"
+#include "viz/palette.hpp"
+#include "viz/stage/kernel_steps.hpp"
+#include "viz/stage/math_ml.hpp"
+#include "viz/stage/page_scene.hpp"
+#include "viz/stage/page_script.hpp"
+#include "viz/stage/page_style.hpp"
+#include "viz/stage/stage_json.hpp"
+#include "viz/stage/stage_picture.hpp"
+#include "viz/svg.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+constexpr double scene_width = 640;
+constexpr double scene_height = 430;
+
+/// The colours of the roles for the live scene and the legend, light and dark.
+std::string role_style() {
+  std::string light;
+  std::string dark;
+  for (const RoleColour& colour : palette) {
+    light += fmt::format(".paint .{}{{color:{}}}", colour.name, colour.light);
+    dark += fmt::format(".paint .{}{{color:{}}}", colour.name, colour.dark);
+  }
+  const auto halo = [](const char* colour) {
+    return fmt::format(".paint .h{{paint-order:stroke;stroke:{};stroke-width:4px;stroke-linejoin:round}}",
+                       colour);
+  };
+  return fmt::format(
+      ".paint .l{{fill:none;stroke:currentColor}}.paint .f{{fill:currentColor}}"
+      ".paint .a{{fill:currentColor;fill-opacity:{}}}{}{}"
+      "@media screen and (prefers-color-scheme:dark){{{}{}}}",
+      area_opacity, light, halo(colour_of(Role::background).light), dark,
+      halo(colour_of(Role::background).dark));
+}
+
+/// Name, formula, numbers put in, and result, typeset.
+std::string equation(const StageValue& value, Precision precision) {
+  const bool has_formula = !value.formula.empty() && value.formula != value.name;
+  std::string html = math_ml(value.name);
+  if (has_formula) html += " = " + math_ml(value.formula);
+  if (has_formula && !value.put_in.empty() && value.put_in != value.formula)
+    html += " = " + math_ml(value.put_in);
+  return fmt::format("<div class=\"equation\">{} = <b class=\"claimed\">{}</b></div>\n", html,
+                     escaped(shown(value, precision)));
+}
+
+std::string row(const std::string& name, const WalkValue& v, Precision precision) {
+  return fmt::format(
+      "<tr><th scope=\"row\">{}</th><td class=\"claimed\">{}</td><td "
+      "class=\"exact\">{}</td><td{}>{}</td></tr>\n",
+      math_ml(name), shown(v.value, precision), v.exact, v.bits_lost >= 3 ? " class=\"lost\"" : "",
+      v.bits_lost < 0.05 ? "–" : fmt::format("{:.1f}", v.bits_lost));
+}
+
+std::string table(const std::vector<StageValue>& values, Precision precision) {
+  if (values.empty()) return "";
+  std::string html = fmt::format(
+      "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Values\"><table><thead><tr><th "
+      "scope=\"col\">name</th>"
+      "<th scope=\"col\">{}</th><th scope=\"col\">exact</th><th scope=\"col\">bits "
+      "lost</th></tr></thead><tbody>\n",
+      precision == Precision::float32 ? "float32" : "float64");
+  for (const StageValue& value : values) {
+    for (const WalkValue& v : value.components) html += row(v.name, v, precision);
+  }
+  return html + "</tbody></table></div>\n";
+}
+
+std::string section(const Stage& stage, std::size_t number) {
+  const StageStep& step = stage.steps[number];
+  std::string html = fmt::format(
+      "<section class=\"step\" aria-labelledby=\"title-{0}\">\n<h2 id=\"title-{0}\">{0}. {1}</h2>\n",
+      number + 1, escaped(step.title));
+  html += "<figure>" + to_svg(scene_picture(stage, number, scene_width, scene_height)) + "</figure>\n";
+  html += fmt::format("<p>{}</p>\n", escaped(step.caption));
+  if (number > 0) {
+    for (const StageValue& value : step.values) html += equation(value, stage.precision);
+  }
+  if (!step.digits.empty()) html += fmt::format("<p class=\"soft\">{}</p>\n", escaped(step.digits));
+  return html + table(step.values, stage.precision) + "</section>\n";
+}
+
+std::string legend(const Stage& stage) {
+  std::string html = "<ul class=\"legend paint\" aria-label=\"Legend\">\n";
+  for (const LegendEntry& entry : legend_of(stage)) {
+    Picture sign;
+    sign.width = 22;
+    sign.height = 16;
+    std::string drawing;
+    const char* const role = colour_of(entry.role).name;
+    if (!entry.is_mark) {
+      drawing = fmt::format("<path class=\"l {}\" stroke-width=\"3\" d=\"M1 8h20\"/>", role);
+    } else if (mark_of(entry.role) == MarkShape::ring) {
+      drawing = fmt::format("<circle class=\"l {}\" stroke-width=\"2.6\" cx=\"11\" cy=\"8\" r=\"6\"/>", role);
+    } else if (mark_of(entry.role) == MarkShape::cross) {
+      drawing = fmt::format("<path class=\"l {}\" stroke-width=\"2.6\" d=\"M5 2l12 12m0-12l-12 12\"/>", role);
+    } else {
+      drawing = fmt::format("<path class=\"f {}\" d=\"M5 8l6 6l6-6l-6-6Z\"/>", role);
+    }
+    html += fmt::format("<li><svg width=\"22\" height=\"16\" aria-hidden=\"true\">{}</svg>{}</li>\n", drawing,
+                        entry.text);
+  }
+  if (stage.slider) {
+    html +=
+        "<li><svg width=\"22\" height=\"16\" aria-hidden=\"true\"><path class=\"f ray\" d=\"M11 2l-6 "
+        "11h12Z\"/></svg>the slider's point</li>\n";
+  }
+  return html + "</ul>\n";
+}
+
+std::string slider(const Stage& stage) {
+  if (!stage.slider) return "";
+  return fmt::format(
+      "<div class=\"slide\"><input id=\"slider\" type=\"range\" min=\"0\" max=\"1000\" step=\"1\" "
+      "aria-label=\"{0} along the "
+      "{1}\"><output id=\"t\" for=\"slider\"></output></div>\n<div class=\"wide\"><table><thead><tr><th "
+      "scope=\"col\">at this {0}</th>"
+      "<th scope=\"col\">{2}</th><th scope=\"col\">{3}</th></tr></thead><tbody "
+      "id=\"live\"></tbody></table></div>\n",
+      stage.slider->symbol, stage.slider->symbol == "t" ? "ray" : "axis",
+      stage.precision == Precision::float32 ? "float32" : "float64",
+      stage.precision == Precision::float32 ? "in double" : "");
+}
+
+/// What only a script can fill.
+std::string live_part(const Stage& stage) {
+  return fmt::format(
+      "<div id=\"live-part\"><nav class=\"bar\" aria-label=\"Steps\"><button type=\"button\" id=\"back\" "
+      "aria-label=\"Step "
+      "back\">←</button><span id=\"steps\"></span><button type=\"button\" id=\"next\" aria-label=\"Next "
+      "step\">→</button>"
+      "<button type=\"button\" id=\"reset\">Reset view</button></nav><p id=\"place\" "
+      "aria-live=\"polite\"></p>\n"
+      "<svg id=\"scene\" class=\"paint\" viewBox=\"0 0 640 430\" role=\"img\" tabindex=\"0\"></svg>\n"
+      "<p id=\"magnified\" class=\"soft\"></p>\n{}{}</div>\n",
+      slider(stage), legend(stage));
+}
+
+std::string in_script(std::string json) {
+  for (std::size_t at = json.find("</"); at != std::string::npos; at = json.find("</", at))
+    json.replace(at, 2, "<\\/");
+  return json;
+}
+
+std::string head(const std::string& title) {
+  return fmt::format(
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<link rel=\"icon\" "
+      "href=\"data:,\">\n"
+      "<title>{}</title>\n<style>{}{}</style>\n</head>\n",
+      escaped(title), stage_style, role_style());
+}
+
+}  // namespace
+
+std::string stage_page(const Stage& stage, const std::string& gallery) {
+  std::string html = head(stage.title);
+  html += fmt::format("<body{}>\n<main>\n", stage.camera.is_flat ? " class=\"flat\"" : "");
+  if (!gallery.empty())
+    html += fmt::format("<p class=\"screen\"><a href=\"{}\">All walkthroughs</a></p>\n", escaped(gallery));
+  html +=
+      fmt::format("<h1>{}</h1>\n<p class=\"lesson\">{}</p>\n", escaped(stage.title), escaped(stage.sentence));
+  if (!stage.method.empty()) {
+    html += fmt::format("<p class=\"soft\">{} in {}{}</p>\n", escaped(stage.method),
+                        stage.precision == Precision::float32 ? "float32" : "float64",
+                        stage.source.empty() ? "" : ". Source: " + escaped(stage.source));
+  }
+  html += "<div id=\"walk\">\n" + live_part(stage) + "<div>\n";
+  for (std::size_t i = 0; i < stage.steps.size(); ++i) html += section(stage, i);
+  html += fmt::format("</div>\n</div>\n<p class=\"conclusion\">{}</p>\n", escaped(stage.conclusion));
+  html +=
+      "<details class=\"screen\"><summary>Keys</summary><p><kbd>←</kbd> <kbd>→</kbd> step back and on, "
+      "<kbd>Home</kbd> <kbd>End</kbd> "
+      "first and last, <kbd>1</kbd> to <kbd>9</kbd> that step. With the picture in focus: arrows look from "
+      "another side, "
+      "<kbd>+</kbd> <kbd>-</kbd> nearer and farther. With the slider in focus: arrows move the "
+      "point.</p></details>\n";
+  html += fmt::format("<details class=\"screen\"><summary>The case</summary><pre>{}</pre></details>\n",
+                      escaped(write_case(stage.one)));
+  html += "</main>\n<script type=\"application/json\" id=\"stage\">" + in_script(stage_json(stage)) +
+          "</script>\n";
+  return html + "<script>\n{" + page_scene + page_controls + "}</script>\n</body>\n</html>\n";
+}
+
+std::string gallery_page(const std::vector<GalleryEntry>& entries) {
+  std::string html =
+      head("Walkthroughs") +
+      "<body>\n<main>\n<h1>Walkthroughs</h1>\n<p class=\"lesson\">A ray meets a shape, step by "
+      "step, to the last digit. Every number is what the code itself computes.</p>\n";
+  std::string group;
+  for (const GalleryEntry& entry : entries) {
+    if (entry.group != group) {
+      html += fmt::format("{}<h2>{}</h2>\n<ul class=\"gallery\">\n", group.empty() ? "" : "</ul>\n",
+                          escaped(entry.group));
+      group = entry.group;
+    }
+    const std::size_t middle = entry.stage->steps.size() / 2;
+    html += fmt::format("<li><a href=\"{}\">{}<b>{}</b><br><span class=\"soft\">{}</span></a></li>\n",
+                        escaped(entry.file),
+                        to_svg(scene_picture(*entry.stage, middle, scene_width, scene_height)),
+                        escaped(entry.stage->title), escaped(entry.stage->sentence));
+  }
+  return html + (group.empty() ? "" : "</ul>\n") + "</main>\n</body>\n</html>\n";
+}
+
+}  // namespace rayproof::viz

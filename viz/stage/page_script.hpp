@@ -1,0 +1,129 @@
+#pragma once
+/// \file
+/// The page's script, second part: drawing a step, the slider, and the ways to move about.
+
+namespace rayproof::viz {
+
+inline constexpr const char* page_controls = R"js(
+const steps = data.steps, sections = [...document.querySelectorAll('.step')], slider = document.getElementById('slider');
+let t = data.slider ? number(data.slider.start) : 0;
+const escape = s => s.replace(/[&<>"]/g, c => ({'&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;'})[c]);
+const path = points => points.map((p, i) => (i ? 'L' : 'M') + p[0].toFixed(1) + ' ' + p[1].toFixed(1)).join('');
+const dashes = {dashed: ' stroke-dasharray="7 5"', dotted: ' stroke-dasharray="1.5 5" stroke-linecap="round"'};
+function markAt(role, shape, [x, y]) {
+  const at = `${x.toFixed(1)} ${y.toFixed(1)}`, line = d => `<path class="l ${role}" stroke-width="2.6" d="${d}"/>`;
+  if (shape === 'exact') return `<circle class="l ${role}" stroke-width="2.6" cx="${x.toFixed(1)}" cy="${y.toFixed(1)}" r="6"/>`;
+  if (shape === 'claimed') return line(`M${at}m-6-6l12 12m0-12l-12 12`);
+  if (shape === 'nearest') return `<path class="f ${role}" d="M${at}m-6 0l6 6l6-6l-6-6Z"/>`;
+  return `<circle class="f ${role}" cx="${x.toFixed(1)}" cy="${y.toFixed(1)}" r="4.5"/>`;
+}
+function draw() {
+  const step = steps[place], apart = step.magnification !== undefined, centre = step.view.centre.map(number);
+  const scale = zoom * 0.92 * Math.min(W * 0.62, H) / 2 / number(step.view.radius);
+  const seen = p => { const q = plus(p.map(number), centre, -1); return [W/2 + scale * dot(q, eye.right), H/2 - scale * dot(q, eye.up)]; };
+  const all = apart ? [] : data.scene.map(item => [item, 'scene']);
+  if (!apart) for (let i = 0; i < place; ++i) if (steps[i].magnification === undefined) all.push(...steps[i].items.map(item => [item, 'dimmed']));
+  all.push(...step.items.map(item => [item, 'bright']));
+  const places = new Places(), fills = [], strokes = [], marks = [], labels = [];
+  for (const [item, how] of all) {
+    const role = how === 'dimmed' ? 'muted' : item.role, points = item.points.map(seen);
+    const inside = p => p[0] >= 0 && p[0] <= W && p[1] >= 0 && p[1] <= H;
+    let outline = points, anchor = points[points.length - 1];
+    if (item.form === 'point') {
+      if (item.role !== 'surface' && inside(points[0])) { marks.push(markAt(role, item.role, points[0])); places.take(points[0], 7); }
+    } else {
+      if (item.form === 'ellipsoid') outline = ellipse(points);
+      if (item.form === 'hull') { outline = hullOf(points); outline.push(outline[0]); }
+      if (['ellipsoid', 'hull', 'polygon'].includes(item.form) && how !== 'dimmed') fills.push(`<path class="a ${role}" fill-rule="evenodd" d="${path(outline)}Z"/>`);
+      if (item.form !== 'polygon') {
+        const width = how === 'bright' ? (item.role === 'frame' ? 1 : 2.8) : how === 'dimmed' ? 1.2 : item.role === 'frame' ? 1 : item.role === 'ray' ? 2 : 1.8;
+        const parts = [];
+        for (let i = 0; i + 1 < outline.length; ++i) {
+          const part = inFrame(outline[i], outline[i+1]);
+          if (!part) continue;
+          parts.push(part);
+          if (how !== 'dimmed') places.avoid(...part);
+        }
+        const joined = parts.map((p, i) => (i && parts[i-1][1][0] === p[0][0] && parts[i-1][1][1] === p[0][1] ? '' : 'M' + p[0][0].toFixed(1) + ' ' + p[0][1].toFixed(1)) + 'L' + p[1][0].toFixed(1) + ' ' + p[1][1].toFixed(1)).join('');
+        const hidden = item.pattern === 'dashed' && how === 'scene' && moved();  // what was hidden is so no more
+        strokes.push(`<path class="l ${role}" stroke-width="${hidden ? 1.2 : width}"${hidden ? '' : dashes[item.pattern] || ''} d="${joined}"/>`);
+        if (parts.length) {
+          const last = parts[parts.length - 1];
+          anchor = item.role === 'ray' || parts.length > 1 ? last[1] : [(last[0][0] + last[1][0]) / 2, (last[0][1] + last[1][1]) / 2];
+        } else anchor = null;
+        const length = Math.hypot(points[1][0] - points[0][0], points[1][1] - points[0][1]);
+        if (item.form === 'arrow' && length > 2 && inside(points[1])) {
+          const size = Math.min(11, length / 2), a = [(points[1][0]-points[0][0]) / length * size, (points[1][1]-points[0][1]) / length * size];
+          const barb = side => [points[1][0] - a[0] - side * a[1] / 2, points[1][1] - a[1] + side * a[0] / 2];
+          strokes.push(`<path class="l ${role}" stroke-width="${width}" d="${path([barb(1), points[1], barb(-1)])}"/>`);
+        }
+      } else anchor = points.reduce((sum, p) => [sum[0] + p[0] / points.length, sum[1] + p[1] / points.length], [0, 0]);
+    }
+    if (item.label && anchor && inside(anchor)) labels.push([item.label, anchor, role, how]);
+  }
+  if (data.slider && !apart) {
+    const s = data.slider, at = seen(plus(s.origin.map(number), s.direction.map(number), t));
+    if (at[0] >= 0 && at[0] <= W && at[1] >= 0 && at[1] <= H) { marks.push(`<path id="runner" class="f ray" d="M${at[0].toFixed(1)} ${at[1].toFixed(1)}m0 4l-6 11h12Z"/>`); places.take([at[0], at[1] + 10], 7); }
+  }
+  const texts = labels.reverse().map(([label, at, role, how]) => {
+    const bright = how === 'bright', size = bright ? 17 : 14, spot = places.put(label, at, size, bright);
+    return spot ? `<text class="f h ${role}" text-anchor="middle" font-size="${size}"${bright ? ' font-weight="bold"' : ''} x="${spot[0].toFixed(1)}" y="${spot[1].toFixed(1)}">${escape(label)}</text>` : '';
+  });
+  figure.innerHTML = fills.join('') + strokes.join('') + marks.join('') + texts.join('');
+  figure.setAttribute('aria-label', `${step.title}. ${step.caption}`);
+  document.getElementById('magnified').textContent = apart ? `Magnified ×${number(step.magnification).toPrecision(2)}` : data.camera.flat ? '' : 'Drag, or focus the picture and use the arrow keys, to look from another side';
+}
+function show(to) {
+  place = Math.min(Math.max(to, 0), steps.length - 1);
+  sections.forEach((section, i) => section.classList.toggle('shown', i === place));
+  [...document.querySelectorAll('#steps button')].forEach((button, i) => button.setAttribute('aria-current', i === place ? 'step' : 'false'));
+  document.getElementById('back').disabled = place === 0;
+  document.getElementById('next').disabled = place === steps.length - 1;
+  document.getElementById('place').textContent = `Step ${place + 1} of ${steps.length}: ${steps[place].title}`;
+  draw();
+}
+function run(to) {
+  const s = data.slider, single = data.precision === 'float32', round = single ? Math.fround : x => x;
+  t = round(to);
+  const along = (round, i) => round(round(number(s.origin[i])) + round(t * number(s.direction[i])));
+  const horner = (round, list) => list.reduceRight((sum, c) => round(round(sum * t) + round(number(c))), 0);
+  const show = x => String(single && Math.fround(x) === x ? shortest(x) : x);
+  const rows = s.shows_point ? [['p(t)', '(' + [0, 1, 2].map(i => show(along(round, i))).join(', ') + ')', single ? '(' + [0, 1, 2].map(i => Number(along(x => x, i).toPrecision(12))).join(', ') + ')' : '']] : [];
+  for (const r of s.readouts) rows.push([r.label, show(horner(round, r.coefficients)), single ? String(Number(horner(x => x, r.coefficients).toPrecision(12))) : '']);
+  document.getElementById('t').textContent = `${s.symbol} = ${show(t)}`;
+  document.getElementById('live').innerHTML = rows.map(([label, value, fine]) => `<tr><th scope="row">${escape(label)}</th><td class="claimed">${value}</td><td class="exact">${fine}</td></tr>`).join('');
+  slider.setAttribute('aria-valuetext', `${s.symbol} = ${show(t)}`);
+  draw();
+}
+/** The shortest decimal that reads back as the same float. */
+function shortest(x) { for (let digits = 1; digits < 10; ++digits) { const text = x.toPrecision(digits); if (Math.fround(text) === x) return Number(text); } return x; }
+const fraction = () => { const s = data.slider; return (t - number(s.from)) / (number(s.to) - number(s.from)); };
+document.getElementById('steps').innerHTML = steps.map((step, i) => `<button type="button" title="${escape(step.title)}" aria-label="Step ${i + 1}: ${escape(step.title)}">${i + 1}</button>`).join('');
+[...document.querySelectorAll('#steps button')].forEach((button, i) => button.onclick = () => show(i));
+document.getElementById('back').onclick = () => show(place - 1);
+document.getElementById('next').onclick = () => show(place + 1);
+document.getElementById('reset').onclick = () => { eye = first(); zoom = 1; if (slider) { run(number(data.slider.start)); slider.value = 1000 * fraction(); } draw(); };
+let held = null;
+figure.addEventListener('pointerdown', event => { held = [event.clientX, event.clientY]; figure.setPointerCapture(event.pointerId); });
+figure.addEventListener('pointermove', event => {
+  if (!held) return;
+  turn((held[0] - event.clientX) * -0.01, (held[1] - event.clientY) * -0.01);
+  held = [event.clientX, event.clientY];
+});
+for (const end of ['pointerup', 'pointercancel']) figure.addEventListener(end, () => held = null);
+document.addEventListener('keydown', event => {
+  if (event.altKey || event.ctrlKey || event.metaKey) return;
+  const orbit = {ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1]}[event.key];
+  if (event.target === figure && orbit && !data.camera.flat) { turn(...orbit); event.preventDefault(); return; }
+  if (event.target === figure && (event.key === '+' || event.key === '-')) { zoom = Math.min(8, Math.max(0.25, zoom * (event.key === '+' ? 1.25 : 0.8))); draw(); return; }
+  if (event.target === slider) return;
+  const to = {ArrowLeft: place - 1, ArrowRight: place + 1, PageUp: place - 1, PageDown: place + 1, Home: 0, End: steps.length - 1}[event.key];
+  if (to !== undefined) { show(to); event.preventDefault(); }
+  else if (/^[1-9]$/.test(event.key) && Number(event.key) <= steps.length) show(Number(event.key) - 1);
+});
+document.documentElement.classList.add('live');
+show(Math.max(0, location.hash.startsWith('#') ? Number(location.hash.slice(1)) - 1 || 0 : 0));
+if (slider) { slider.value = 1000 * fraction(); slider.oninput = () => { const s = data.slider; run(number(s.from) + slider.value / 1000 * (number(s.to) - number(s.from))); }; run(t); }
+)js";
+
+}  // namespace rayproof::viz

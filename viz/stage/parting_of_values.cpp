@@ -1,0 +1,69 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "viz/numbers.hpp"
+#include "viz/stage/compose.hpp"
+#include "viz/stage/kernel_steps.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+double lost_by(const StageValue& value) {
+  double most = 0;
+  for (const WalkValue& v : value.components) most = std::max(most, v.bits_lost);
+  return most;
+}
+
+/// Of the run's values that are computed, the one that lost most.
+std::optional<StageValue> worst_of(const Walkthrough& walk) {
+  std::optional<StageValue> worst;
+  for (const WalkStep& step : walk.steps) {
+    for (const StageValue& value : grouped(step.values)) {
+      if (!value.components.front().formula.empty() && (!worst || lost_by(value) > lost_by(*worst)))
+        worst = value;
+    }
+  }
+  return worst;
+}
+
+/// How far the value is off, as an arrow in the world or along the picture's right.
+glm::dvec3 error_of(const StageValue& value, const Setting& setting) {
+  const auto error = [&](std::size_t i) {
+    return i < value.components.size() ? value.components[i].value - value.components[i].exact_value : 0.0;
+  };
+  if (value.components.size() > 1) return {error(0), error(1), error(2)};
+  return error(0) * setting.camera.right;
+}
+
+}  // namespace
+
+StageStep parting_of_values(const Walkthrough& walk, const Setting& setting, Precision precision) {
+  StageStep step;
+  step.title = "Where float and exact part";
+  step.view = {{0, 0, 0}, 2.4};
+  step.is_apart = true;
+  const auto worst = worst_of(walk);
+  const glm::dvec3 error = worst ? error_of(*worst, setting) : glm::dvec3(0);
+  const double size = glm::length(error);
+  if (!worst || !(size > 0) || !std::isfinite(size)) {
+    step.caption = "They do not part: no value of this run is rounded, or what is lost is not a number.";
+    step.view = setting.near;
+    step.is_apart = false;
+    return step;
+  }
+  step.magnification = 1.5 / size;
+  const glm::dvec3 tip = 1.5 / size * error;
+  step.items = {segment(Role::edge, {0, 0, 0}, tip, "off by " + rough(size, 3)),
+                point(Role::exact, {0, 0, 0}, worst->name + " exact"),
+                point(Role::claimed, tip, worst->name + " as computed")};
+  std::string exact;
+  for (const WalkValue& v : worst->components) exact += (exact.empty() ? "" : ", ") + v.exact;
+  step.caption = fmt::format(
+      "Of all values {} lost most, {:.1f} of {} bits: exactly {}, computed {}.", worst->name, lost_by(*worst),
+      walk.digits, worst->components.size() > 1 ? "(" + exact + ")" : exact, shown(*worst, precision));
+  return step;
+}
+
+}  // namespace rayproof::viz
