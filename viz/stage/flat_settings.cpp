@@ -30,7 +30,7 @@ Setting quadratic_setting(const Told& told) {
   Setting setting;
   setting.scene = parabola_items(q, frame);
   setting.camera.is_flat = true;
-  setting.near = setting.wide = {{0, 0, 0}, 1.15};
+  setting.near = setting.wide = {{0, 0, 0}, 0.8};
   StageSlider slider;
   slider.symbol = "x";
   const double per_x = 2 / (frame.right - frame.left);

@@ -8,6 +8,7 @@
 #include "viz/answers.hpp"
 #include "viz/numbers.hpp"
 #include "viz/stage/vector_formula.hpp"
+#include "viz/stage/words.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -94,7 +95,7 @@ void place_items(StageStep& step, const NumbersByName& n, const Setting& setting
 StageView view_of(const StageStep& step, const Setting& setting) {
   for (const StageItem& item : step.items) {
     for (const glm::dvec3& p : item.points) {
-      if (glm::length(p - setting.near.centre) > 1.5 * setting.near.radius) return setting.wide;
+      if (glm::length(p - setting.near.centre) > 1.6 * view_aspect * setting.near.radius) return setting.wide;
     }
   }
   return setting.near;
@@ -146,7 +147,9 @@ StageStep kernel_step(const Told& told, const Walkthrough& walk, std::size_t ind
   step.values = grouped(told_step.values);
   for (StageValue& value : step.values) complete(value, n, told.one.precision);
   const StageValue* const aim = aim_of(step.values);
-  step.caption = aim == nullptr ? decision_of(told) : equation_of(*aim, told.one.precision);
+  step.words = words_for(step.title);
+  const std::string numbers = aim == nullptr ? decision_of(told) : equation_of(*aim, told.one.precision);
+  step.caption = step.words.empty() ? numbers : step.words + " " + numbers;
   place_items(step, n, setting);
   step.view = view_of(step, setting);
   return step;

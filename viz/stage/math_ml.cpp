@@ -153,14 +153,15 @@ class Typesetter {
     if (take("(")) {
       const std::string inside = row(sum());
       take(")");
-      const std::string result = fmt::format("<mo>(</mo>{}<mo>)</mo>", inside);
+      const std::string result =
+          fmt::format("<mo stretchy=\"false\">(</mo>{}<mo stretchy=\"false\">)</mo>", inside);
       bare_ = inside;
       return row(result);
     }
     if (take("|")) {
       const std::string inside = row(sum());
       take("|");
-      return bare_ = row(fmt::format("<mo>|</mo>{}<mo>|</mo>", inside));
+      return bare_ = row(fmt::format("<mo stretchy=\"false\">|</mo>{}<mo stretchy=\"false\">|</mo>", inside));
     }
     return bare_ = word();
   }
@@ -173,8 +174,31 @@ class Typesetter {
     const bool is_number = std::isdigit(static_cast<unsigned char>(text[0])) != 0;
     if (is_number) return fmt::format("<mn>{}</mn>", escaped(text));
     if (!is_next("(")) return name(text);
+    if (text == "dot") return dot_product();
     const std::string argument = simple_atom();  // a function's
     return row(fmt::format("<mi mathvariant=\"normal\">{}</mi>{}", escaped(text), argument));
+  }
+
+  /// "dot(a, b)" as a·b.
+  std::string dot_product() {
+    take("(");
+    const std::string first = argument();
+    take(",");
+    skip_spaces();
+    const std::string second = argument();
+    take(")");
+    return row(first + "<mo>·</mo>" + second);
+  }
+
+  /// Up to the comma or parenthesis that ends it.
+  std::string argument() {
+    std::string result;
+    while (true) {
+      skip_spaces();
+      if (at_ >= text_.size() || is_next(")") || is_next(",")) return row(result);
+      const char* const sign = take_operator();
+      result += sign != nullptr ? fmt::format("<mo>{}</mo>", sign) : quotient();
+    }
   }
 
   [[nodiscard]] bool ends_word() const {

@@ -44,11 +44,11 @@ std::string role_style() {
 /// Name, formula, numbers put in, and result, typeset.
 std::string equation(const StageValue& value, Precision precision) {
   const bool has_formula = !value.formula.empty() && value.formula != value.name;
-  std::string html = math_ml(value.name);
-  if (has_formula) html += " = " + math_ml(value.formula);
-  if (has_formula && !value.put_in.empty() && value.put_in != value.formula)
-    html += " = " + math_ml(value.put_in);
-  return fmt::format("<div class=\"equation\">{} = <b class=\"claimed\">{}</b></div>\n", html,
+  const auto part = [](const std::string& text) { return fmt::format("<span>= {}</span> ", math_ml(text)); };
+  std::string html = math_ml(value.name) + " ";
+  if (has_formula) html += part(value.formula);
+  if (has_formula && !value.put_in.empty() && value.put_in != value.formula) html += part(value.put_in);
+  return fmt::format("<div class=\"equation\">{}= <b class=\"claimed\">{}</b></div>\n", html,
                      escaped(shown(value, precision)));
 }
 
@@ -80,10 +80,12 @@ std::string section(const Stage& stage, std::size_t number) {
       "<section class=\"step\" aria-labelledby=\"title-{0}\">\n<h2 id=\"title-{0}\">{0}. {1}</h2>\n",
       number + 1, escaped(step.title));
   html += "<figure>" + to_svg(scene_picture(stage, number, scene_width, scene_height)) + "</figure>\n";
-  html += fmt::format("<p>{}</p>\n", escaped(step.caption));
-  if (number > 0) {
-    for (const StageValue& value : step.values) html += equation(value, stage.precision);
-  }
+  std::string equations;
+  for (const StageValue& value : step.values) equations += equation(value, stage.precision);
+  const bool is_typeset = number > 0 && !equations.empty();
+  const std::string& words = is_typeset ? step.words : step.caption;
+  if (!words.empty()) html += fmt::format("<p>{}</p>\n", escaped(words));
+  if (is_typeset) html += equations;
   if (!step.digits.empty()) html += fmt::format("<p class=\"soft\">{}</p>\n", escaped(step.digits));
   return html + table(step.values, stage.precision) + "</section>\n";
 }

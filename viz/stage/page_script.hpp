@@ -19,7 +19,7 @@ function markAt(role, shape, [x, y]) {
 }
 function draw() {
   const step = steps[place], apart = step.magnification !== undefined, centre = step.view.centre.map(number);
-  const scale = zoom * 0.92 * Math.min(W * 0.62, H) / 2 / number(step.view.radius);
+  const scale = zoom * Math.min(W / 1.4 - 40, H - 40) / 2 / number(step.view.radius);
   const seen = p => { const q = plus(p.map(number), centre, -1); return [W/2 + scale * dot(q, eye.right), H/2 - scale * dot(q, eye.up)]; };
   const all = apart ? [] : data.scene.map(item => [item, 'scene']);
   if (!apart) for (let i = 0; i < place; ++i) if (steps[i].magnification === undefined) all.push(...steps[i].items.map(item => [item, 'dimmed']));

@@ -26,7 +26,7 @@ button:disabled{opacity:.45;cursor:default}:focus-visible{outline:3px solid var(
 .slide output{font-weight:bold;font-variant-numeric:tabular-nums;min-width:9em}
 .step{border:1px solid var(--line);border-radius:6px;padding:12px 16px;margin:0 0 12px;break-inside:avoid}
 .step figure{margin:0 0 8px;max-width:640px}.step figure svg{display:block;width:100%;height:auto}
-.equation{margin:.5rem 0;overflow-x:auto;overflow-y:hidden;padding:2px 0}math{font-size:1.12em}
+.equation{margin:.5rem 0;line-height:1.9}.equation span{display:inline-block;max-width:100%;overflow-x:auto;overflow-y:hidden;vertical-align:middle}math{font-size:1.12em}
 .wide{overflow-x:auto}table{border-collapse:collapse;font-variant-numeric:tabular-nums;font-size:.875rem}
 th,td{text-align:left;padding:3px 16px 3px 0;white-space:nowrap;font-weight:normal;vertical-align:top}thead th{color:var(--soft);border-bottom:1px solid var(--line)}
 tbody th{font-weight:bold}td.lost{color:var(--mark);font-weight:bold}.claimed{color:var(--mark)}.exact{color:var(--good)}

@@ -10,9 +10,9 @@
 namespace rayproof::viz {
 
 double Projection::pixels_per_length() const {
-  constexpr double margin = 0.92;  // for marks and labels at the ball's rim
-  const double half = std::min(frame.width * 0.62, frame.height) / 2;
-  return margin * half / view.radius;
+  constexpr double margin = 40;  // pixels, for marks and labels
+  const double half = std::min(frame.width / view_aspect - margin, frame.height - margin) / 2;
+  return half / view.radius;
 }
 
 Point Projection::to_pixels(const glm::dvec3& p) const {

@@ -64,7 +64,25 @@ struct Views {
   StageView near, wide;
 };
 
-Views views_of(const WireframeScene& scene, const Told& told) {
+/// The view that just holds the points as they are seen at first.
+StageView fitted(const std::vector<glm::dvec3>& points, const StageCamera& camera) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  glm::dvec3 least(infinite);
+  glm::dvec3 most(-infinite);
+  for (const glm::dvec3& p : points) {
+    if (!is_finite(p)) continue;
+    const glm::dvec3 seen{glm::dot(p, camera.right), glm::dot(p, camera.up), glm::dot(p, camera.toward)};
+    least = glm::min(least, seen);
+    most = glm::max(most, seen);
+  }
+  if (!(least.x <= most.x)) return {};
+  const glm::dvec3 half = (most - least) * 0.5;
+  const glm::dvec3 middle = least + half;
+  const double radius = std::max(half.x / view_aspect, half.y);
+  return {middle.x * camera.right + middle.y * camera.up + middle.z * camera.toward, radius > 0 ? radius : 1};
+}
+
+Views views_of(const WireframeScene& scene, const Told& told, const StageCamera& camera) {
   std::vector<glm::dvec3> points = rounded(scene.figure.extent);
   const StageView figure = view_around(points);
   const auto add_if_near = [&](const glm::dvec3& p, double radii) {
@@ -78,9 +96,20 @@ Views views_of(const WireframeScene& scene, const Told& told) {
   const bool starts = isfinite(scene.sight.ray.t_min);
   const glm::dvec3 start = viz::rounded(starts ? scene.at(scene.sight.ray.t_min) : scene.sight.ray.origin);
   add_if_near(start, 6);
-  const StageView near = view_around(points);
+  if (!scene.figure.ellipsoid.empty()) {
+    const Place& centre = scene.figure.ellipsoid.front();
+    for (std::size_t i = 1; i < scene.figure.ellipsoid.size(); ++i) {
+      // The box around an ellipsoid's axes holds the ellipsoid.
+      const double size = static_cast<double>(length(scene.figure.ellipsoid[i] - centre));
+      for (const glm::dvec3& axis : {camera.right, camera.up}) {
+        points.push_back(viz::rounded(centre) + size * axis);
+        points.push_back(viz::rounded(centre) - size * axis);
+      }
+    }
+  }
+  const StageView near = fitted(points, camera);
   points.push_back(start);
-  return {near, view_around(points)};
+  return {near, fitted(points, camera)};
 }
 
 /// What is 0 where the ray meets the shape, where that is a polynomial in t.
@@ -129,7 +158,7 @@ Setting ray_setting(const Told& told, Figure (*figure)(const Sight&)) {
   const Camera camera = scene.main_camera();
   Setting setting;
   setting.camera = {viz::rounded(camera.right), viz::rounded(camera.up), viz::rounded(camera.toward)};
-  const Views views = views_of(scene, told);
+  const Views views = views_of(scene, told, setting.camera);
   setting.near = views.near;
   setting.wide = views.wide;
   setting.scene = items_of(scene.figure, camera.toward, setting.near.radius);

@@ -46,8 +46,10 @@ void draw_values(Picture& picture, const Stage& stage, const StageStep& step) {
     y += row;
     const auto put = [&](Role role, const char* what, const std::string& text) {
       write(picture, Role::muted, {column + 8, y}, what, 12);
-      write(picture, role, {column + 62, y}, cut(text, width - 62, 13), 13);
-      y += row;
+      for (const std::string& line : wrapped(text, width - 62, 13)) {
+        write(picture, role, {column + 62, y}, line, 13);
+        y += row;
+      }
     };
     put(Role::claimed, is_float ? "float" : "double", shown(value, stage.precision));
     double lost = 0;

@@ -59,7 +59,11 @@ struct StageValue {
   std::vector<WalkValue> components{};  ///< one of a number, two or three of a vector
 };
 
-/// Which part of the world is shown: a ball.
+/// How much wider than high the part of the world is that a view shows.
+inline constexpr double view_aspect = 1.4;
+
+/// Which part of the world is shown: what lies, as it is seen, no more than `radius` above or below the
+/// centre and view_aspect times that to its sides. Sinks leave a margin for marks and labels.
 struct StageView {
   glm::dvec3 centre{};
   double radius = 1;
@@ -69,7 +73,8 @@ struct StageView {
 /// `is_apart`.
 struct StageStep {
   std::string title;    ///< the very comment in the kernel's code
-  std::string caption;  ///< what to see, ending in the numbers put in
+  std::string words;    ///< what to see, in a sentence; may be empty
+  std::string caption;  ///< the same and the numbers put in: "… D = b·b − 4·a·c = 3·3 − 4·1·2 = 1"
   std::string digits;   ///< what the step did to the digits, in one sentence; may be empty
   std::vector<StageValue> values{};
   std::vector<StageItem> items{};

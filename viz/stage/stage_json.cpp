@@ -60,7 +60,8 @@ Json values(const std::vector<StageValue>& list, Precision precision) {
 Json steps(const Stage& stage) {
   Json all = Json::array();
   for (const StageStep& step : stage.steps) {
-    Json one{{"title", step.title}, {"caption", step.caption}, {"digits", step.digits}};
+    Json one{
+        {"title", step.title}, {"words", step.words}, {"caption", step.caption}, {"digits", step.digits}};
     one["values"] = values(step.values, stage.precision);
     one["items"] = items(step.items);
     one["view"] = {{"centre", vector(step.view.centre)}, {"radius", number(step.view.radius)}};

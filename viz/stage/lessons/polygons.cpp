@@ -81,10 +81,10 @@ Stage counted_stage(const Told& told, const Counting& counting) {
       step.items.push_back(point(is_counted ? Role::claimed : Role::muted, p + glm::dvec3(t.value, 0, 0),
                                  is_counted ? fmt::format("crossing {}", count) : "not counted"));
     }
-    step.caption =
-        fmt::format("{}, {}. {} Crossings so far: {}.", equation_of(step.values[0], told.one.precision),
-                    equation_of(step.values[1], told.one.precision),
-                    is_counted ? "It counts." : "It does not count.", count);
+    step.words =
+        fmt::format("{} Crossings so far: {}.", is_counted ? "It counts." : "It does not count.", count);
+    step.caption = fmt::format("{} {}, {}.", step.words, equation_of(step.values[0], told.one.precision),
+                               equation_of(step.values[1], told.one.precision));
   }
   StageStep last;
   last.title = "Where float and exact part";
