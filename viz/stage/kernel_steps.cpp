@@ -78,17 +78,14 @@ void add_placed(StageStep& step, Items items, const Setting& setting) {
   }
 }
 
-void place_items(StageStep& step, const NumbersByName& n, const Setting& setting) {
-  const auto add_bound = [&](const std::string& name) {
-    for (const Binding& binding : setting.bindings) {
-      if (binding.name == name) add_placed(step, binding.draw(n), setting);
-    }
-  };
-  add_bound(step.title);
-  for (const StageValue& value : step.values) {
-    add_bound(value.name);
-    add_placed(step, answer_item(n, value.name), setting);
+Items items_of(const std::string& name, const NumbersByName& n, const Setting& setting) {
+  Items items;
+  for (const Binding& binding : setting.bindings) {
+    if (binding.name != name) continue;
+    for (StageItem& item : binding.draw(n)) items.push_back(std::move(item));
   }
+  for (StageItem& item : answer_item(n, name)) items.push_back(std::move(item));
+  return items;
 }
 
 /// The wide view for a step that shows something far from the shape.
@@ -138,21 +135,63 @@ std::string equation_of(const StageValue& value, Precision precision) {
   return text + " = " + result;
 }
 
-StageStep kernel_step(const Told& told, const Walkthrough& walk, std::size_t index, const Setting& setting) {
-  const WalkStep& told_step = walk.steps[index];
-  const NumbersByName n(walk, index);
-  StageStep step;
-  step.title = told_step.title;
-  step.digits = told_step.caption;
-  step.values = grouped(told_step.values);
-  for (StageValue& value : step.values) complete(value, n, told.one.precision);
+namespace {
+
+/// The values of a step in runs that each end in one that is drawn: a new thing a part.
+std::vector<std::vector<StageValue>> parts_of(const std::vector<StageValue>& values, const NumbersByName& n,
+                                              const Setting& setting) {
+  std::vector<std::vector<StageValue>> parts{{}};
+  bool is_drawn = false;
+  for (const StageValue& value : values) {
+    const bool draws = !items_of(value.name, n, setting).empty();
+    if (is_drawn && draws) parts.emplace_back();
+    is_drawn = is_drawn || draws;
+    parts.back().push_back(value);
+  }
+  return parts;
+}
+
+void caption(StageStep& step, const Told& told) {
   const StageValue* const aim = aim_of(step.values);
-  step.words = words_for(step.title);
   const std::string numbers = aim == nullptr ? decision_of(told) : equation_of(*aim, told.one.precision);
   step.caption = step.words.empty() ? numbers : step.words + " " + numbers;
-  place_items(step, n, setting);
-  step.view = view_of(step, setting);
-  return step;
+}
+
+std::vector<StageValue> values_of(const Walkthrough& walk, std::size_t index, const NumbersByName& n,
+                                  Precision precision) {
+  std::vector<StageValue> values = grouped(walk.steps[index].values);
+  for (StageValue& value : values) complete(value, n, precision);
+  return values;
+}
+
+}  // namespace
+
+std::size_t count_parts(const Told& told, const Walkthrough& walk, std::size_t index,
+                        const Setting& setting) {
+  const NumbersByName n(walk, index);
+  return parts_of(values_of(walk, index, n, told.one.precision), n, setting).size();
+}
+
+std::vector<StageStep> kernel_steps(const Told& told, const Walkthrough& walk, std::size_t index,
+                                    const Setting& setting, bool is_split) {
+  const NumbersByName n(walk, index);
+  const std::string& title = walk.steps[index].title;
+  const std::vector<StageValue> values = values_of(walk, index, n, told.one.precision);
+  const auto parts = is_split ? parts_of(values, n, setting) : std::vector<std::vector<StageValue>>{values};
+  std::vector<StageStep> steps;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    StageStep step;
+    step.title = parts.size() == 1 ? title : fmt::format("{} ({} of {})", title, i + 1, parts.size());
+    step.values = parts[i];
+    if (i == 0) step.words = words_for(title);
+    if (i == 0) add_placed(step, items_of(title, n, setting), setting);
+    for (const StageValue& value : step.values) add_placed(step, items_of(value.name, n, setting), setting);
+    if (i + 1 == parts.size()) step.digits = walk.steps[index].caption;
+    caption(step, told);
+    step.view = view_of(step, setting);
+    steps.push_back(std::move(step));
+  }
+  return steps;
 }
 
 }  // namespace rayproof::viz

@@ -15,8 +15,12 @@ namespace rayproof::viz {
 /// "D = b·b − 4·a·c = 3·3 − 4·1·2 = 1"
 [[nodiscard]] std::string equation_of(const StageValue& value, Precision precision);
 
-/// Step `index` of the walkthrough on the setting's stage.
-[[nodiscard]] StageStep kernel_step(const Told& told, const Walkthrough& walk, std::size_t index,
-                                    const Setting& setting);
+/// Into how many parts step `index` of the walkthrough can be split, each of which draws one new thing.
+[[nodiscard]] std::size_t count_parts(const Told& told, const Walkthrough& walk, std::size_t index,
+                                      const Setting& setting);
+
+/// Step `index` of the walkthrough on the setting's stage, whole or in its parts.
+[[nodiscard]] std::vector<StageStep> kernel_steps(const Told& told, const Walkthrough& walk,
+                                                  std::size_t index, const Setting& setting, bool is_split);
 
 }  // namespace rayproof::viz

@@ -1,5 +1,7 @@
 #include "viz/stage/lesson.hpp"
 
+#include <algorithm>
+
 #include "case/reader.hpp"
 #include "viz/stage/lessons.hpp"
 #include "viz/stage/stage_of.hpp"
@@ -9,9 +11,22 @@ namespace rayproof::viz {
 const std::vector<Lesson>& lessons() {
   static const std::vector<Lesson> all = [] {
     std::vector<Lesson> list;
-    for (const auto& group : {ray_lessons(), plane_lessons(), triangle_lessons(), polygon_lessons(),
-                              quadratic_lessons(), sphere_lessons(), solid_lessons()})
+    for (const auto& group : {ray_lessons(), camera_lessons(), plane_lessons(), triangle_lessons(),
+                              polygon_lessons(), quadratic_lessons(), sphere_lessons(), solid_lessons(),
+                              transform_lessons(), plot_lessons(), leak_lessons()}) {
       list.insert(list.end(), group.begin(), group.end());
+    }
+    // Groups together, in the order in which they first appear.
+    std::vector<std::string> groups;
+    for (const Lesson& lesson : list) {
+      if (std::find(groups.begin(), groups.end(), lesson.group) == groups.end())
+        groups.push_back(lesson.group);
+    }
+    const auto rank = [&](const Lesson& lesson) {
+      return std::find(groups.begin(), groups.end(), lesson.group);
+    };
+    std::stable_sort(list.begin(), list.end(),
+                     [&](const Lesson& a, const Lesson& b) { return rank(a) < rank(b); });
     return list;
   }();
   return all;

@@ -7,11 +7,15 @@
 namespace rayproof::viz {
 
 [[nodiscard]] std::vector<Lesson> ray_lessons();
+[[nodiscard]] std::vector<Lesson> camera_lessons();
 [[nodiscard]] std::vector<Lesson> plane_lessons();
 [[nodiscard]] std::vector<Lesson> triangle_lessons();
 [[nodiscard]] std::vector<Lesson> polygon_lessons();
 [[nodiscard]] std::vector<Lesson> quadratic_lessons();
 [[nodiscard]] std::vector<Lesson> sphere_lessons();
 [[nodiscard]] std::vector<Lesson> solid_lessons();
+[[nodiscard]] std::vector<Lesson> transform_lessons();
+[[nodiscard]] std::vector<Lesson> plot_lessons();
+[[nodiscard]] std::vector<Lesson> leak_lessons();
 
 }  // namespace rayproof::viz

@@ -71,10 +71,21 @@ Stage bare_stage(const Told& told, const Setting& setting) {
   return stage;
 }
 
-void add_steps(Stage& stage, const Told& told, const Walkthrough& walk, const Setting& setting) {
+/// More steps than this, with the first and the last, nobody follows.
+constexpr std::size_t most_steps = 8;
+
+/// Splits steps that draw several things, from the first on, as long as there is room.
+void add_steps(Stage& stage, const Told& told, const Walkthrough& walk, const Setting& setting,
+               bool may_split) {
   stage.source = walk.source;
+  const std::size_t needed = walk.steps.size() + 2;
+  std::size_t room = may_split && needed < most_steps ? most_steps - needed : 0;
   for (std::size_t i = 0; i < walk.steps.size(); ++i) {
-    stage.steps.push_back(kernel_step(told, walk, i, setting));
+    const std::size_t more = count_parts(told, walk, i, setting) - 1;
+    const bool is_split = more <= room;
+    if (is_split) room -= more;
+    for (StageStep& step : kernel_steps(told, walk, i, setting, is_split))
+      stage.steps.push_back(std::move(step));
   }
 }
 
@@ -84,7 +95,7 @@ Stage stage_of(const Told& told) {
   const Setting setting = setting_of(told);
   Stage stage = bare_stage(told, setting);
   stage.steps.push_back(first_step(told, told.walk ? &*told.walk : nullptr, setting));
-  if (told.walk) add_steps(stage, told, *told.walk, setting);
+  if (told.walk) add_steps(stage, told, *told.walk, setting, true);
   stage.steps.push_back(parting_step(told, setting));
   return stage;
 }
@@ -92,7 +103,7 @@ Stage stage_of(const Told& told) {
 Stage composed_stage(const Told& told, const Walkthrough& walk, const Setting& setting) {
   Stage stage = bare_stage(told, setting);
   stage.steps.push_back(first_step(told, &walk, setting));
-  add_steps(stage, told, walk, setting);
+  add_steps(stage, told, walk, setting, false);
   return stage;
 }
 

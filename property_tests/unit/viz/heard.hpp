@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <rayproof/arithmetic.hpp>
+#include <rayproof/arithmetics/wide.hpp>
 #include <rayproof/narration.hpp>
 #include <rayproof/vec3.hpp>
 #include <string>
@@ -40,6 +41,13 @@ struct Heard {
 template <class T>
 struct PlainOf<Heard<T>> {
   using type = T;
+};
+
+template <>
+struct Wide<Heard<float>> {
+  static constexpr bool exists = true;
+  static Heard<double> widen(Heard<float> x) { return x.value; }
+  static Heard<float> narrow(Heard<double> x) { return static_cast<float>(x.value); }
 };
 
 template <class T>

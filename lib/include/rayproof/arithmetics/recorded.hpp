@@ -88,11 +88,29 @@ struct Narrator<Recorded<T, S>> {
   }
 };
 
+/// Brings an operation's record up to its number, which may have been narrowed since (arithmetics/wide.hpp):
+/// what is named and shown is the number that the kernel goes on with.
+template <class T, class S>
+void settle(Recording<S>& tape, const Recorded<T, S>& number) {
+  Operation<S>& operation = tape.at(number.id);
+  const auto value = static_cast<double>(number.value());
+  if (operation.value == value || value != value) return;
+  operation.value = value;
+  operation.bits_lost = bits_lost(number.value(), operation.exact);
+  operation.bits_lost_here = operation.bits_lost;
+  for (const OperationId id : operation.operands) {
+    if (id == unrecorded) continue;
+    operation.bits_lost_here =
+        std::min(operation.bits_lost_here, operation.bits_lost - tape.at(id).bits_lost);
+  }
+}
+
 /// Writes the name beside the number on the tape.
 template <class T, class S>
 [[nodiscard]] Recorded<T, S> named(const char* name, Recorded<T, S> value) {
   Recording<S>* tape = Recording<S>::active();
   if (tape == nullptr || value.id == unrecorded) return value;
+  settle(*tape, value);
   tape->at(value.id).name = name;
   tape->name(name, {value.id});
   return value;
@@ -103,6 +121,7 @@ template <class T, class S>
 [[nodiscard]] Vec3<Recorded<T, S>> named(const char* name, Vec3<Recorded<T, S>> value) {
   Recording<S>* tape = Recording<S>::active();
   if (tape == nullptr || value.x.id == unrecorded) return value;
+  for (const Recorded<T, S>& component : {value.x, value.y, value.z}) settle(*tape, component);
   tape->at(value.x.id).name = std::string(name) + ".x";
   tape->at(value.y.id).name = std::string(name) + ".y";
   tape->at(value.z.id).name = std::string(name) + ".z";
