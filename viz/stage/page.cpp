@@ -189,7 +189,7 @@ std::string stage_page(const Stage& stage, const std::string& gallery) {
                       escaped(write_case(stage.one)));
   html += "</main>\n<script type=\"application/json\" id=\"stage\">" + in_script(stage_json(stage)) +
           "</script>\n";
-  return html + "<script>\n{" + page_scene + page_controls + "}</script>\n</body>\n</html>\n";
+  return html + "<script>" + page_scene + page_controls + "</script>\n</body>\n</html>\n";
 }
 
 std::string gallery_page(const std::vector<GalleryEntry>& entries) {

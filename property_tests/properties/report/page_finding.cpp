@@ -5,6 +5,7 @@
 #include "case/number_text.hpp"
 #include "case/writer.hpp"
 #include "properties/answers.hpp"
+#include "properties/report/commands.hpp"
 #include "properties/report/escape.hpp"
 
 namespace rayproof {
@@ -28,17 +29,12 @@ std::string error_in_words(const Evidence& evidence) {
                             : "the verdict itself is wrong, or nothing was promised";
 }
 
-/// The commands that look into the case; the case stands between single quotes, which JSON of ours never
-/// holds.
+/// The commands that look into the case.
 std::string commands(const Finding& finding) {
-  std::string quoted;
-  for (const char letter : write_case(finding.one))
-    quoted += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
-  const std::string method = finding.subject->full_name();
   return fmt::format(
-      "./rayproof explain '{0}' --method {1}\n./rayproof draw '{0}' --method {1} --html case.html\n"
-      "echo '{0}' > case.jsonl && ./rayproof check --replay case.jsonl",
-      quoted, method);
+      "./rayproof explain {0} --method {1}\n./rayproof draw {0} --method {1} --html case.html\n"
+      "echo {0} > case.jsonl && ./rayproof check --replay case.jsonl",
+      quoted_case(finding), finding.subject->full_name());
 }
 
 std::string because(const Finding& finding) {
@@ -59,13 +55,15 @@ std::string html_finding(const Finding& finding, const DrawCase& draw) {
 <p>{}: {}</p>{}<p>{}.</p>
 <dl><dt>Answer</dt><dd>{}</dd><dt>Exact</dt><dd>{}</dd><dt>Error</dt><dd>{}</dd><dt>Found in</dt><dd>{}</dd></dl>
 </div><div style="grid-column: 1 / -1"><pre>{}</pre>
+<p>Walk it step by step:</p><pre>{}</pre>
 <details><summary>Explain, draw, replay</summary><pre>{}</pre></details></div></article>
 )",
       finding.is_declared ? "declared" : "undeclared", draw(finding.one, &evidence.exact, &evidence.got),
       escaped(finding.subject->full_name()), name_of(finding.one.precision), state,
       escaped(finding.property->statement), because(finding), escaped(evidence.note),
       escaped(in_words(evidence.got)), escaped(in_words(evidence.exact)), escaped(error_in_words(evidence)),
-      escaped(finding.family), escaped(write_case(finding.one)), escaped(commands(finding)));
+      escaped(finding.family), escaped(write_case(finding.one)), escaped(walk_command(finding)),
+      escaped(commands(finding)));
 }
 
 }  // namespace rayproof

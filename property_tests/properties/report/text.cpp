@@ -6,6 +6,7 @@
 #include <array>
 
 #include "case/writer.hpp"
+#include "properties/report/commands.hpp"
 #include "properties/report/grid.hpp"
 
 namespace rayproof {
@@ -105,9 +106,10 @@ std::string text_labels(const RunResult& result) {
 }
 
 std::string text_finding(const Finding& finding) {
-  return fmt::format("{} {} {} ({}): {}\n  {}\n",
+  return fmt::format("{} {} {} ({}): {}\n  {}\n  {}\n",
                      finding.is_declared ? "refuted as declared:" : "BROKEN:", finding.subject->full_name(),
-                     finding.property->name, finding.family, finding.evidence.note, write_case(finding.one));
+                     finding.property->name, finding.family, finding.evidence.note, write_case(finding.one),
+                     walk_command(finding));
 }
 
 std::string text_measured(const Summary& summary) {
