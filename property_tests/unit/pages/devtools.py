@@ -1,5 +1,6 @@
 """A browser without a window, driven over the DevTools protocol on a pipe; the standard library alone."""
 
+import fcntl
 import json
 import os
 import select
@@ -24,11 +25,15 @@ class Browser:
         out_read, self.out = os.pipe()
         self.back, back_write = os.pipe()
         # Above 4 first, so that neither end is overwritten by the other's move.
-        high = [os.dup2(end, number) for end, number in ((out_read, 103), (back_write, 104))]
-        self.process = subprocess.Popen(
-            ["/bin/sh", "-c", 'exec "$@" 3<&103 4>&104 103<&- 104>&-', "sh", program, *FLAGS,
-             f"--user-data-dir={self.profile}"],
-            pass_fds=high, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        high = [fcntl.fcntl(end, fcntl.F_DUPFD, 10) for end in (out_read, back_write)]
+
+        def hand_over():
+            os.dup2(high[0], 3)
+            os.dup2(high[1], 4)
+
+        self.process = subprocess.Popen([program, *FLAGS, f"--user-data-dir={self.profile}"], pass_fds=(3, 4),
+                                        preexec_fn=hand_over, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                                        stderr=subprocess.DEVNULL)
         for end in (out_read, back_write, *high):
             os.close(end)
         self.text, self.last, self.events = b"", 0, []

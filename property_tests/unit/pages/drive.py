@@ -79,7 +79,9 @@ class Test:
         page = self.page
         if not page.run("!!data.slider"):
             return
-        page.run("show(1); document.getElementById('slider').focus()")
+        # Of the steps in the world, the one that looks from nearest: from far off no step of the slider would show.
+        page.run("show(steps.map((s, i) => [s.magnification === undefined ? number(s.view.radius) : Infinity, i])"
+                 ".sort((a, b) => a[0] - b[0])[0][1]); document.getElementById('slider').focus()")
         before, scene = page.run("t"), page.run(SCENE)
         page.press("ArrowRight")
         page.press("ArrowRight")
