@@ -78,6 +78,17 @@ TEST_F(RenderProgram, DrawsErrorsWithTheirTotals) {
   }
 }
 
+TEST_F(RenderProgram, TheSceneMayStandAnywhere) {
+  const std::string scene = write("scene.json", scene_text(sphere_entry));
+  const std::string png = "--out " + out("a.png");
+  for (const std::string& command : {png + " --method sphere/textbook " + scene, png + " --error " + scene,
+                                     "--error sphere/half_b " + scene + " " + png,
+                                     "--compare sphere/half_b sphere/centred " + scene + " " + png}) {
+    const Ended ended = run(render + command);
+    EXPECT_EQ(ended.status, 0) << command << "\n" << ended.output;
+  }
+}
+
 TEST_F(RenderProgram, APixelsCaseGoesToExplain) {
   const std::string scene = write("scene.json", scene_text(sphere_entry));
   const std::string explain = RAYPROOF_BIN_DIR "/rayproof-explain";

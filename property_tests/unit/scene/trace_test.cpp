@@ -104,6 +104,18 @@ TEST_F(Trace, TheExactImageIsTheOraclesWithNobodyLeftOut) {
   }
 }
 
+TEST_F(Trace, FortyThousandObjectsAreSearchedThroughATree) {
+  const Scene crowd = scene(scene_text(many_spheres(200), "[64, 48]"));
+  ASSERT_EQ(crowd.objects.size(), 40'000U);
+  const auto tree = bounds_tree(ObjectBounds(crowd));
+  const auto near = bounds_tree(bounds_for_methods(crowd));
+  const ErrorImage errors = find_errors(crowd, trace_exactly(crowd, *tree, {}),
+                                        trace(crowd, default_methods(), near.get(), {}), {});
+  EXPECT_GT(errors.totals.exact_hits, 1000U);
+  EXPECT_EQ(errors.totals.wrong_hits, 0U);
+  EXPECT_LT(errors.totals.wrong(), 10U);
+}
+
 TEST_F(Trace, AnEmptySceneSeesNothing) {
   const Scene empty = scene(scene_text(""));
   const auto tree = bounds_tree(ObjectBounds(empty));

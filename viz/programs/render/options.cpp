@@ -37,11 +37,12 @@ void choose(Methods& methods, const std::string& full_name) {
 }  // namespace
 
 void Options::add_to(CLI::App& app) {
-  app.add_option("SCENE", scene, "The scene, a JSON file (docs/raycasting.md)")->required();
+  app.add_option("SCENE", scene, "The scene, a JSON file (docs/raycasting.md)");
   app.add_option("--out", out, "The image to write, a PNG")->type_name("IMAGE");
   app.add_option("--method", methods,
                  "The method for a shape, as in sphere/textbook; several times for several shapes")
-      ->type_name("SHAPE/METHOD");
+      ->type_name("SHAPE/METHOD")
+      ->allow_extra_args(false);
   app.add_option("--precision", precision, "Round the scene to this in place of its own precision")
       ->check(CLI::IsMember({"float32", "float64"}));
   app.add_option("--size", size, "The image's size in place of the scene's own")->type_name("WIDTHxHEIGHT");
@@ -56,16 +57,25 @@ void Options::add_to(CLI::App& app) {
              "--error", error,
              "Draw where and how much the methods differ from the exact image; one more may be given here")
           ->type_name("[SHAPE/METHOD]")
-          ->expected(0, 1);
+          ->expected(0, 1)
+          ->allow_extra_args(false);
   app.add_option("--compare", compare, "Draw the errors of two methods side by side")
       ->type_name("SHAPE/METHOD")
-      ->expected(2);
+      ->expected(2)
+      ->allow_extra_args(false);
   app.add_option("--case", pixel, "Print the case of the pixel in column X and row Y, from 0 at the top left")
       ->type_name("X Y")
-      ->expected(2);
+      ->expected(2)
+      ->allow_extra_args(false);
   app.final_callback([this, asked] {
     is_error = asked->count() > 0;
     std::erase(error, "");
+    // What stands behind --error may also be the scene.
+    if (scene.empty() && !error.empty()) {
+      scene = error.back();
+      error.pop_back();
+    }
+    if (scene.empty()) throw CLI::RequiredError("SCENE");
   });
   app.footer(
       "Exit status: 0 done, 1 the scene is refused, 2 wrong command line or a file can't be read, 130 "
