@@ -28,7 +28,7 @@ class EmbreeTree final : public Neighbourhood {
  public:
   explicit EmbreeTree(ObjectBounds bounds)
       : bounds_(std::move(bounds)), device_(rtcNewDevice(nullptr)), scene_(rtcNewScene(device_)) {
-    const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_USER);
+    RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_USER);
     rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(bounds_.boxes.size()));
     rtcSetGeometryUserData(geometry, &bounds_);
     rtcSetGeometryBoundsFunction(geometry, bound, nullptr);

@@ -1,6 +1,7 @@
 #include "viz/programs/render/run.hpp"
 
 #include <chrono>
+#include <set>
 
 #include "case/writer.hpp"
 #include "programs/progress_line.hpp"
@@ -34,7 +35,7 @@ class Render {
   }
 
  private:
-  [[nodiscard]] Work work(std::string what) {
+  [[nodiscard]] Work work(const std::string& what) {
     return {options_.jobs, &stop_, [this, what](double done) { progress_.show(done, what); }};
   }
 
@@ -57,12 +58,12 @@ class Render {
 
   /// The methods of the shapes that are in the scene.
   [[nodiscard]] std::string names_of(const Methods& methods) const {
-    std::map<std::string, bool> shapes;
-    for (const Object& object : scene_.objects)
-      shapes[std::visit([]<class S>(const S&) { return std::string(ShapeFormat<S>::type); }, object.shape)] =
-          true;
-    std::vector<std::string> names;
-    for (const auto& [shape, is_there] : shapes) names.push_back(shape + "/" + methods.at(shape));
+    std::set<std::string> names;
+    for (const Object& object : scene_.objects) {
+      const std::string shape =
+          std::visit([]<class S>(const S&) { return std::string(ShapeFormat<S>::type); }, object.shape);
+      names.insert(shape + "/" + methods.at(shape));
+    }
     return fmt::format("{}", fmt::join(names, ", "));
   }
 
@@ -89,7 +90,7 @@ class Render {
 
   HitImage by_methods(const Methods& methods, const std::string& what) {
     const auto start = std::chrono::steady_clock::now();
-    const HitImage hits = trace(scene_, methods, near_methods(), work(what));
+    HitImage hits = trace(scene_, methods, near_methods(), work(what));
     tell_time(names_of(methods), start);
     return hits;
   }
@@ -97,7 +98,7 @@ class Render {
   HitImage exactly() {
     const auto start = std::chrono::steady_clock::now();
     const auto tree = bounds_tree(ObjectBounds(scene_));
-    const HitImage hits = trace_exactly(scene_, *tree, work("exactly"));
+    HitImage hits = trace_exactly(scene_, *tree, work("exactly"));
     tell_time("exactly", start);
     return hits;
   }

@@ -55,7 +55,7 @@ void paint_swatch(Raster& canvas, const Swatch& swatch) {
 
 void frame(Picture& picture, double left, double top, double width, double height) {
   const double l = left - 1, t = top - 1, r = left + width + 1, b = top + height + 1;
-  picture.elements.push_back(viz::Line{Role::frame, {{l, t}, {r, t}, {r, b}, {l, b}, {l, t}}, 1.5});
+  picture.elements.emplace_back(viz::Line{Role::frame, {{l, t}, {r, t}, {r, b}, {l, b}, {l, t}}, 1.5});
 }
 
 }  // namespace
@@ -75,20 +75,20 @@ Raster error_figure(const std::string& title, const std::vector<ErrorPanel>& pan
   const ErrorLayout layout(panels);
   Picture picture;
   picture.width = layout.width;
-  picture.elements.push_back(
+  picture.elements.emplace_back(
       viz::Text{Role::text, {margin, margin + 14}, title, Anchor::start, 16, true, false});
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const double left = layout.panel_left(i);
     double baseline = margin + row_height + 18;
     for (const std::string& line : layout.titles[i]) {
-      picture.elements.push_back(
+      picture.elements.emplace_back(
           viz::Text{Role::text, {left, baseline}, line, Anchor::start, 14, false, false});
       baseline += row_height;
     }
     frame(picture, left, layout.panels_top, layout.panel_width, layout.panel_height);
   }
   const std::vector<Swatch> swatches =
-      write_legend(picture, layout, panels, layout.panels_top + layout.panel_height + 14);
+      write_legend(picture, panels, layout.panels_top + layout.panel_height + 14);
 
   Raster canvas = viz::draw_picture(picture);
   for (std::size_t i = 0; i < panels.size(); ++i) {

@@ -34,10 +34,12 @@ struct ErrorLayout {
   [[nodiscard]] double panel_left(std::size_t i) const {
     return margin + static_cast<double>(i) * (panel_width + gap);
   }
-  [[nodiscard]] double count_right(std::size_t i) const {
-    return margin + swatch_width + 10 + label_width + static_cast<double>(i + 1) * count_width;
-  }
 };
+
+/// Where the counts of panel i end in the legend.
+[[nodiscard]] inline double count_right(std::size_t i) {
+  return margin + swatch_width + 10 + label_width + static_cast<double>(i + 1) * count_width;
+}
 
 /// A swatch of the legend, to be painted once the picture is pixels.
 struct Swatch {
@@ -47,7 +49,7 @@ struct Swatch {
 
 /// Writes the legend and each panel's totals into the picture from `top` on, and gives back its swatches; the
 /// picture becomes as high as that takes.
-[[nodiscard]] std::vector<Swatch> write_legend(viz::Picture& picture, const ErrorLayout& layout,
-                                               const std::vector<ErrorPanel>& panels, double top);
+[[nodiscard]] std::vector<Swatch> write_legend(viz::Picture& picture, const std::vector<ErrorPanel>& panels,
+                                               double top);
 
 }  // namespace rayproof::render

@@ -27,21 +27,21 @@ std::string ulps_in_words(double ulps) {
 /// Writes the legend's rows into a picture and notes where its swatches are to be painted.
 class Legend {
  public:
-  Legend(Picture& picture, const ErrorLayout& layout, const std::vector<ErrorPanel>& panels, double top)
-      : picture_(picture), layout_(layout), panels_(panels), y_(top) {}
+  Legend(Picture& picture, const std::vector<ErrorPanel>& panels, double top)
+      : picture_(picture), panels_(panels), y_(top) {}
 
   void heading(const std::string& text, const std::vector<std::string>& columns = {}) {
     y_ += 8;
     write(Role::text, margin, text, Anchor::start, true);
     for (std::size_t i = 0; i < columns.size(); ++i)
-      write(Role::text, layout_.count_right(i), columns[i], Anchor::end, true);
+      write(Role::text, count_right(i), columns[i], Anchor::end, true);
     y_ += row_height;
   }
   template <class CountOf>
   void row(const std::string& label, CountOf&& count_of) {
     write(Role::text, margin + swatch_width + 10, label, Anchor::start, false);
     for (std::size_t i = 0; i < panels_.size(); ++i)
-      write(Role::text, layout_.count_right(i), count_of(panels_[i].errors.totals), Anchor::end, false);
+      write(Role::text, count_right(i), count_of(panels_[i].errors.totals), Anchor::end, false);
     y_ += row_height;
   }
   /// The top of the swatch of the row that comes next.
@@ -50,11 +50,10 @@ class Legend {
 
  private:
   void write(Role role, double x, const std::string& text, Anchor anchor, bool bold) {
-    picture_.elements.push_back(viz::Text{role, {x, y_ + row_height - 6}, text, anchor, 14, bold, false});
+    picture_.elements.emplace_back(viz::Text{role, {x, y_ + row_height - 6}, text, anchor, 14, bold, false});
   }
 
   Picture& picture_;
-  const ErrorLayout& layout_;
   const std::vector<ErrorPanel>& panels_;
   double y_;
 };
@@ -91,9 +90,8 @@ ErrorLayout::ErrorLayout(const std::vector<ErrorPanel>& panels) {
   panels_top = margin + row_height * static_cast<double>(1 + lines) + 8;
 }
 
-std::vector<Swatch> write_legend(viz::Picture& picture, const ErrorLayout& layout,
-                                 const std::vector<ErrorPanel>& panels, double top) {
-  Legend legend(picture, layout, panels, top);
+std::vector<Swatch> write_legend(viz::Picture& picture, const std::vector<ErrorPanel>& panels, double top) {
+  Legend legend(picture, panels, top);
   const bool is_compared = panels.size() > 1;
   std::vector<Swatch> swatches;
   legend.heading("Verdicts, pixels",
