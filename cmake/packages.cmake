@@ -17,8 +17,8 @@ find_package(Boost REQUIRED)
 rayproof_find(CGAL "the oracle and the programs that ask it")
 rayproof_find(rapidcheck "the property tests (rayproof check)")
 rayproof_find(GTest "the unit tests")
-rayproof_find(VTK "PNG pictures" COMPONENTS CommonCore CommonDataModel FiltersSources RenderingOpenGL2
-              RenderingFreeType RenderingAnnotation RenderingContextOpenGL2 ChartsCore IOImage IOGeometry IOPLY
-              FiltersCore)
+rayproof_find(VTK "PNG pictures and the window" COMPONENTS CommonCore CommonDataModel FiltersSources RenderingOpenGL2
+              RenderingFreeType RenderingAnnotation RenderingContextOpenGL2 RenderingUI InteractionStyle ChartsCore IOImage
+              IOGeometry IOPLY FiltersCore)
 rayproof_find(embree "the quick search through scenes of many objects" 3)
 rayproof_find(benchmark "rayproof-bench")

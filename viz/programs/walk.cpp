@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "viz/programs/tell_case.hpp"
+#include "viz/programs/walk/window.hpp"
 #include "viz/stage/lesson.hpp"
 #include "viz/stage/page.hpp"
 #include "viz/stage/stage_json.hpp"
@@ -24,6 +25,7 @@ struct Options {
   viz::CaseOptions one{};
   std::string png{};
   std::string html{};
+  bool is_window = false;
   bool is_list = false;
   bool is_json = false;
 };
@@ -111,6 +113,8 @@ int main(int argc, char** argv) {
       ->type_name("DIR");
   app.add_option("--html", options.html, "Write a page for each walkthrough, and a gallery of them")
       ->type_name("DIR or FILE.html");
+  app.add_flag("--window", options.is_window,
+               "Show it in a window: steps by key, t by a slider, the ray by dragging");
   app.add_flag("--json", options.is_json, "Print the data of each walkthrough as a line of JSON");
   app.add_flag("--list", options.is_list, "List the topics");
   app.footer("Exit status: 0 done, 1 the case is refused, 2 wrong command line.");
@@ -127,5 +131,9 @@ int main(int argc, char** argv) {
     }
     if (!options.html.empty()) write_pages(walks, options.html);
     if (!options.png.empty()) write_pngs(walks, options.png);
+    if (options.is_window) {
+      viz::show_window(options.one.text.empty() ? viz::plays_of(options.topic)
+                                                : viz::plays_of(walks.front().stage));
+    }
   });
 }

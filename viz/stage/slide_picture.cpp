@@ -14,8 +14,7 @@ namespace {
 constexpr double slide_width = 960;
 constexpr double slide_height = 540;
 constexpr double margin = 24;
-/// The scene at the left, the numbers in the column at its right.
-constexpr Box scene_frame{margin, 64, 590, 350};
+constexpr Box scene_frame = slide_scene;
 constexpr double column = 634;
 
 void write(Picture& picture, Role role, const Point& at, const std::string& text, double size,

@@ -16,7 +16,7 @@ namespace {
 constexpr int answer_within_ms = 10'000;
 
 /// In the child: becomes Xvfb, which writes its display's number to `answer`. Only async-signal-safe calls.
-[[noreturn]] void become_server(int answer, const char* answer_text, pid_t parent) {
+[[noreturn]] void become_server(int answer, const char* answer_text, const char* screen, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (getppid() != parent) _exit(1);  // the parent was gone before it could be watched
   // A group of its own: Ctrl-C reaches the drawing program, whose end then ends the server in good order.
@@ -25,8 +25,8 @@ constexpr int answer_within_ms = 10'000;
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (stream != answer) dup2(null, stream);
   }
-  execlp("Xvfb", "Xvfb", "-displayfd", answer_text, "-screen", "0", "320x240x24", "-nolisten", "tcp",
-         "-noreset", static_cast<char*>(nullptr));
+  execlp("Xvfb", "Xvfb", "-displayfd", answer_text, "-screen", "0", screen, "-nolisten", "tcp", "-noreset",
+         static_cast<char*>(nullptr));
   _exit(127);
 }
 
@@ -45,13 +45,14 @@ std::string read_number(int answer) {
 
 }  // namespace
 
-OffscreenDisplay::OffscreenDisplay() {
+OffscreenDisplay::OffscreenDisplay(const char* screen) {
+  if (const char* const before = std::getenv("DISPLAY")) display_before_ = before;
   std::array<int, 2> ends{};
   if (pipe(ends.data()) != 0) throw NoDisplay("no pipe could be opened to start Xvfb");
   const std::string answer_text = std::to_string(ends[1]);
   const pid_t parent = getpid();
   server_ = fork();
-  if (server_ == 0) become_server(ends[1], answer_text.c_str(), parent);
+  if (server_ == 0) become_server(ends[1], answer_text.c_str(), screen, parent);
   close(ends[1]);
   const std::string number = server_ > 0 ? read_number(ends[0]) : std::string();
   close(ends[0]);
@@ -70,6 +71,11 @@ OffscreenDisplay::OffscreenDisplay() {
 }
 
 OffscreenDisplay::~OffscreenDisplay() {
+  if (display_before_) {
+    setenv("DISPLAY", display_before_->c_str(), 1);
+  } else {
+    unsetenv("DISPLAY");
+  }
   kill(server_, SIGTERM);
   waitpid(server_, nullptr, 0);
 }

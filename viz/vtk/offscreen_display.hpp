@@ -4,6 +4,7 @@
 
 #include <sys/types.h>
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -14,7 +15,8 @@ class NoDisplay : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Runs a virtual X server of its own (Xvfb) while it lives, and makes it this process's DISPLAY.
+/// Runs a virtual X server of its own (Xvfb) while it lives, and makes it this process's DISPLAY; afterwards
+/// DISPLAY is again what it was.
 ///
 /// Debian's VTK draws through X11 alone and *aborts* without a display, even off-screen: make one of these
 /// before the first vtkRenderWindow, keep it until the last one is gone. The server takes a free display
@@ -28,13 +30,15 @@ class NoDisplay : public std::runtime_error {
 class OffscreenDisplay {
  public:
   /// Throws NoDisplay where Xvfb is missing or does not answer within ten seconds.
-  OffscreenDisplay();
+  /// `screen` is its width, height and depth: of what is drawn off-screen the size does not depend on it.
+  explicit OffscreenDisplay(const char* screen = "320x240x24");
   ~OffscreenDisplay();
   OffscreenDisplay(const OffscreenDisplay&) = delete;
   OffscreenDisplay& operator=(const OffscreenDisplay&) = delete;
 
  private:
   pid_t server_ = -1;
+  std::optional<std::string> display_before_{};
 };
 
 }  // namespace rayproof::viz

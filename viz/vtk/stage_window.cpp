@@ -1,0 +1,156 @@
+#include "viz/vtk/stage_window.hpp"
+
+#include <fmt/format.h>
+#include <vtkCallbackCommand.h>
+#include <vtkContextActor.h>
+#include <vtkContextScene.h>
+#include <vtkNew.h>
+#include <vtkRenderer.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderWindowInteractor.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "case/writer.hpp"
+#include "viz/vtk/picture_item.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+constexpr int milliseconds_between_frames = 15;
+
+constexpr unsigned long heard[] = {vtkCommand::KeyPressEvent,           vtkCommand::LeftButtonPressEvent,
+                                   vtkCommand::MouseMoveEvent,          vtkCommand::LeftButtonReleaseEvent,
+                                   vtkCommand::MouseWheelForwardEvent,  vtkCommand::TimerEvent,
+                                   vtkCommand::MouseWheelBackwardEvent, vtkCommand::ConfigureEvent};
+
+}  // namespace
+
+/// Ends in the window's own order: the interactor first, the window last.
+class StageWindow::Parts {
+ public:
+  Parts(Player& shown, int width, int height) : player(shown) {
+    actor->GetScene()->AddItem(item);
+    actor->GetScene()->SetRenderer(renderer);
+    renderer->SetBackground(1, 1, 1);
+    renderer->AddActor(actor);
+    window->SetMultiSamples(8);
+    window->SetDPI(72);
+    window->AddRenderer(renderer);
+    if (width <= 0 || height <= 0) {
+      const int* screen = window->GetScreenSize();
+      const double scale = std::min({1.5, 0.9 * screen[0] / player_width, 0.85 * screen[1] / player_height});
+      width = static_cast<int>(std::lround(scale * player_width));
+      height = static_cast<int>(std::lround(scale * player_height));
+    }
+    window->SetSize(width, height);
+    interactor->SetRenderWindow(window);
+    interactor->SetInteractorStyle(nullptr);
+    item->picture = &picture;
+    callback->SetClientData(this);
+    callback->SetCallback(
+        [](vtkObject*, unsigned long event, void* self, void*) { static_cast<Parts*>(self)->hear(event); });
+    for (const unsigned long event : heard) interactor->AddObserver(event, callback);
+  }
+
+  void open() {
+    fit();
+    interactor->Initialize();
+    repaint();
+    interactor->CreateRepeatingTimer(milliseconds_between_frames);
+  }
+
+  void repaint() {
+    is_stale = false;
+    picture = player.picture();
+    window->SetWindowName(("rayproof walk: " + player.stage().name).c_str());
+    fit();
+    window->Render();
+  }
+
+  /// Scale and place of the picture in the window.
+  void fit() {
+    const int* size = window->GetSize();
+    item->scale = std::min(size[0] / player_width, size[1] / player_height);
+    item->left = (size[0] - item->scale * player_width) / 2;
+    item->bottom = (size[1] - item->scale * player_height) / 2;
+  }
+
+  [[nodiscard]] Point pointer() const {
+    const int* at = interactor->GetEventPosition();
+    return {(at[0] - item->left) / item->scale, player_height - (at[1] - item->bottom) / item->scale};
+  }
+
+  void hear(unsigned long event) {
+    Request request = Request::none;
+    switch (event) {
+      case vtkCommand::TimerEvent:
+        if (is_stale) repaint();
+        return;
+      case vtkCommand::ConfigureEvent:
+        fit();
+        break;
+      case vtkCommand::KeyPressEvent:
+        request = press_key();
+        break;
+      case vtkCommand::LeftButtonPressEvent:
+        request = player.press(pointer());
+        is_down = true;
+        break;
+      case vtkCommand::MouseMoveEvent:
+        if (!is_down) return;
+        player.drag_to(pointer());
+        break;
+      case vtkCommand::LeftButtonReleaseEvent:
+        player.release();
+        is_down = false;
+        break;
+      default:
+        player.turn_wheel(event == vtkCommand::MouseWheelForwardEvent ? 1 : -1);
+    }
+    is_stale = true;
+    if (request == Request::quit) interactor->TerminateApp();
+    if (request == Request::print_case) {
+      fmt::print("{}\n", write_case(player.stage().one));
+      std::fflush(stdout);
+    }
+  }
+
+  Request press_key() {
+    const char* key = interactor->GetKeySym();
+    const bool has_modifier = interactor->GetControlKey() != 0 || interactor->GetAltKey() != 0;
+    if (key == nullptr || has_modifier) return Request::none;
+    return player.press_key(key, interactor->GetShiftKey() != 0);
+  }
+
+  Player& player;
+  Picture picture{};
+  bool is_down = false;
+  bool is_stale = false;
+  vtkNew<vtkRenderWindow> window;
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkContextActor> actor;
+  vtkNew<PictureItem> item;
+  vtkNew<vtkCallbackCommand> callback;
+  vtkNew<vtkRenderWindowInteractor> interactor;
+};
+
+StageWindow::StageWindow(Player& player, int width, int height)
+    : parts_(std::make_unique<Parts>(player, width, height)) {
+  parts_->open();
+}
+StageWindow::~StageWindow() = default;
+
+void StageWindow::run() { parts_->interactor->Start(); }
+void StageWindow::repaint() { parts_->repaint(); }
+vtkRenderWindow& StageWindow::window() { return *parts_->window; }
+vtkRenderWindowInteractor& StageWindow::interactor() { return *parts_->interactor; }
+
+Point StageWindow::to_window(const Point& p) const {
+  const PictureItem& item = *parts_->item;
+  return {item.left + p.x * item.scale, item.bottom + (player_height - p.y) * item.scale};
+}
+
+}  // namespace rayproof::viz

@@ -1,0 +1,44 @@
+#pragma once
+/// \file
+/// A window that shows a player (viz/stage/player.hpp) and hands it keys and mouse.
+
+#include <memory>
+#include <string>
+
+#include "viz/stage/player.hpp"
+
+class vtkRenderWindow;
+class vtkRenderWindowInteractor;
+
+namespace rayproof::viz {
+
+/// Throws NoDisplay (viz/vtk/offscreen_display.hpp) with one sentence where the user's DISPLAY can't show a
+/// window of VTK's: VTK itself would abort the process.
+void require_display();
+
+/// The window is made with the object and gone with it. Call require_display() first. The player's picture is
+/// as large as the window allows, in its middle, its proportions kept.
+class StageWindow {
+ public:
+  /// The player must outlive the window. With no size the window is as large as the screen comfortably holds.
+  explicit StageWindow(Player& player, int width = 0, int height = 0);
+  ~StageWindow();
+  StageWindow(const StageWindow&) = delete;
+  StageWindow& operator=(const StageWindow&) = delete;
+
+  /// Until the user quits or closes the window.
+  void run();
+  /// Shows the player as it is now. Events do so by themselves, once for all that have come.
+  void repaint();
+
+  [[nodiscard]] vtkRenderWindow& window();
+  [[nodiscard]] vtkRenderWindowInteractor& interactor();
+  /// From the picture's pixels to the window's, whose y points up, as VTK's events have them.
+  [[nodiscard]] Point to_window(const Point& p) const;
+
+ private:
+  class Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace rayproof::viz
