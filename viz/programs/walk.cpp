@@ -132,8 +132,8 @@ int main(int argc, char** argv) {
     if (!options.html.empty()) write_pages(walks, options.html);
     if (!options.png.empty()) write_pngs(walks, options.png);
     if (options.is_window) {
-      viz::show_window(options.one.text.empty() ? viz::plays_of(options.topic)
-                                                : viz::plays_of(walks.front().stage));
+      const bool is_case = !options.one.text.empty();
+      viz::show_window(is_case ? std::optional(walks.front().stage) : std::nullopt, options.topic);
     }
   });
 }

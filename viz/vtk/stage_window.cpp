@@ -15,15 +15,17 @@
 
 #include "case/writer.hpp"
 #include "viz/vtk/picture_item.hpp"
+#include "viz/vtk/x_display.hpp"
 
 namespace rayproof::viz {
 namespace {
 
-constexpr int milliseconds_between_frames = 15;
+/// The window wakes up by events alone; this is for those that came while it drew.
+constexpr int longest_sleep_ms = 250;
 
 constexpr unsigned long heard[] = {vtkCommand::KeyPressEvent,           vtkCommand::LeftButtonPressEvent,
                                    vtkCommand::MouseMoveEvent,          vtkCommand::LeftButtonReleaseEvent,
-                                   vtkCommand::MouseWheelForwardEvent,  vtkCommand::TimerEvent,
+                                   vtkCommand::MouseWheelForwardEvent,  vtkCommand::ExitEvent,
                                    vtkCommand::MouseWheelBackwardEvent, vtkCommand::ConfigureEvent};
 
 }  // namespace
@@ -59,7 +61,6 @@ class StageWindow::Parts {
     fit();
     interactor->Initialize();
     repaint();
-    interactor->CreateRepeatingTimer(milliseconds_between_frames);
   }
 
   void repaint() {
@@ -86,8 +87,8 @@ class StageWindow::Parts {
   void hear(unsigned long event) {
     Request request = Request::none;
     switch (event) {
-      case vtkCommand::TimerEvent:
-        if (is_stale) repaint();
+      case vtkCommand::ExitEvent:
+        is_over = true;
         return;
       case vtkCommand::ConfigureEvent:
         fit();
@@ -111,7 +112,7 @@ class StageWindow::Parts {
         player.turn_wheel(event == vtkCommand::MouseWheelForwardEvent ? 1 : -1);
     }
     is_stale = true;
-    if (request == Request::quit) interactor->TerminateApp();
+    if (request == Request::quit) is_over = true;
     if (request == Request::print_case) {
       fmt::print("{}\n", write_case(player.stage().one));
       std::fflush(stdout);
@@ -129,6 +130,7 @@ class StageWindow::Parts {
   Picture picture{};
   bool is_down = false;
   bool is_stale = false;
+  bool is_over = false;
   vtkNew<vtkRenderWindow> window;
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkContextActor> actor;
@@ -143,7 +145,19 @@ StageWindow::StageWindow(Player& player, int width, int height)
 }
 StageWindow::~StageWindow() = default;
 
-void StageWindow::run() { parts_->interactor->Start(); }
+void StageWindow::handle_events() {
+  dispatch_events(*parts_->interactor);
+  // Once for all that have come: a drag makes more events than pictures can be drawn.
+  if (parts_->is_stale && !parts_->is_over) parts_->repaint();
+}
+
+// VTK 9.1's own loops are left aside: once told to end they never return, or read from a closed connection.
+void StageWindow::run() {
+  while (!parts_->is_over) {
+    handle_events();
+    if (!parts_->is_over) wait_for_events(*parts_->interactor, longest_sleep_ms);
+  }
+}
 void StageWindow::repaint() { parts_->repaint(); }
 vtkRenderWindow& StageWindow::window() { return *parts_->window; }
 vtkRenderWindowInteractor& StageWindow::interactor() { return *parts_->interactor; }

@@ -12,12 +12,8 @@ class vtkRenderWindowInteractor;
 
 namespace rayproof::viz {
 
-/// Throws NoDisplay (viz/vtk/offscreen_display.hpp) with one sentence where the user's DISPLAY can't show a
-/// window of VTK's: VTK itself would abort the process.
-void require_display();
-
-/// The window is made with the object and gone with it. Call require_display() first. The player's picture is
-/// as large as the window allows, in its middle, its proportions kept.
+/// The window is made with the object and gone with it. Call require_display() first (viz/vtk/x_display.hpp).
+/// The player's picture is as large as the window allows, in its middle, its proportions kept.
 class StageWindow {
  public:
   /// The player must outlive the window. With no size the window is as large as the screen comfortably holds.
@@ -28,7 +24,9 @@ class StageWindow {
 
   /// Until the user quits or closes the window.
   void run();
-  /// Shows the player as it is now. Events do so by themselves, once for all that have come.
+  /// Hands the player all events that have come, and shows what became of it.
+  void handle_events();
+  /// Shows the player as it is now.
   void repaint();
 
   [[nodiscard]] vtkRenderWindow& window();

@@ -2,20 +2,15 @@
 /// \file
 /// `rayproof walk --window`: walkthroughs in a window, made again of every case that a drag makes.
 
+#include <optional>
 #include <string>
-#include <vector>
 
-#include "viz/stage/player.hpp"
+#include "viz/stage/stage.hpp"
 
 namespace rayproof::viz {
 
-/// The lessons of a topic; again with the lesson's method.
-[[nodiscard]] std::vector<Play> plays_of(const std::string& topic);
-/// The stage of any case; again with the same method.
-[[nodiscard]] std::vector<Play> plays_of(const Stage& stage);
-
-/// Returns when the user quits. Throws std::runtime_error with one sentence where there is no display to show
-/// a window, or no VTK to make one.
-void show_window(std::vector<Play> plays);
+/// Shows the stage of one case, or else the lessons of a topic; returns when the user quits. Throws
+/// std::runtime_error with one sentence where there is no display to show a window, or no VTK to make one.
+void show_window(const std::optional<Stage>& one, const std::string& topic);
 
 }  // namespace rayproof::viz

@@ -1,0 +1,78 @@
+#ifdef RAYPROOF_HAS_VTK
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "unit/viz/player.hpp"
+#include "unit/viz/x_client.hpp"
+#include "viz/vtk/offscreen_display.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+const std::string walk = RAYPROOF_BIN_DIR "/rayproof-walk ";
+
+/// A program that runs beside the test, a minute at most.
+class Running {
+ public:
+  explicit Running(const std::string& command)
+      : pipe_(popen(("timeout 60 " + command + " 2>&1").c_str(), "r")) {}
+
+  /// Both streams; `status` is there afterwards.
+  std::string wait() {
+    std::string output;
+    std::array<char, 4096> block{};
+    for (std::size_t got = 0; (got = fread(block.data(), 1, block.size(), pipe_)) > 0;)
+      output.append(block.data(), got);
+    const int ended = pclose(pipe_);
+    status = WIFEXITED(ended) ? WEXITSTATUS(ended) : 128 + WTERMSIG(ended);
+    return output;
+  }
+  int status = -1;
+
+ private:
+  FILE* pipe_;
+};
+
+TEST(WindowProgram, NoDisplayIsOneSentenceAndStatus2) {
+  for (const std::string& display : {std::string("-u DISPLAY "), std::string("DISPLAY= "),
+                                     std::string("DISPLAY=:31999 "), std::string("DISPLAY=nonsense ")}) {
+    Running program("env " + display + walk + "sphere --window");
+    const std::string output = program.wait();
+    EXPECT_EQ(program.status, 2) << display << output;
+    EXPECT_EQ(std::count(output.begin(), output.end(), '\n'), 1) << output;
+    EXPECT_NE(output.find("isplay"), std::string::npos) << output;
+  }
+}
+
+TEST(WindowProgram, AWrongTopicOrCaseIsToldBeforeAnyWindow) {
+  Running topic("env -u DISPLAY " + walk + "no-such-topic --window");
+  EXPECT_NE(topic.wait().find("no-such-topic"), std::string::npos);
+  EXPECT_EQ(topic.status, 2);
+  Running refused("env -u DISPLAY " + walk + R"(--window --case '{"query":"quadratic","a":1,"b":2}')");
+  (void)refused.wait();
+  EXPECT_EQ(refused.status, 1);
+}
+
+TEST(WindowProgram, ItRunsUntilQAndPrintsTheCaseThatWasDragged) {
+  const OffscreenDisplay display("1280x900x24");
+  Running program(walk + "--window --method sphere/centred --case '" + sphere_case + "'");
+  XClient user;
+  ASSERT_TRUE(user.find_window());
+  // Four Tabs put the arrow keys on the arrow's tip.
+  for (const char* key : {"Tab", "Tab", "Tab", "Tab", "Up", "c", "q"}) user.press_key(key);
+  const std::string output = program.wait();
+  EXPECT_EQ(program.status, 0) << output;
+  ASSERT_EQ(std::count(output.begin(), output.end(), '\n'), 1) << output;
+  const Case moved = read_case(output.substr(0, output.size() - 1));
+  const auto ray = [](const Case& one) { return std::get<RayQuestion>(one.question).ray; };
+  EXPECT_EQ(ray(moved).origin, ray(read_case(sphere_case)).origin);
+  EXPECT_NE(ray(moved).direction, ray(read_case(sphere_case)).direction);
+}
+
+}  // namespace
+}  // namespace rayproof::viz
+#endif

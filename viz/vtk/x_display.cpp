@@ -1,0 +1,57 @@
+#include "viz/vtk/x_display.hpp"
+
+#include <poll.h>
+#include <vtkRenderWindow.h>
+#include <vtkXRenderWindowInteractor.h>
+
+#include <cstdlib>
+#include <string>
+
+#include "viz/vtk/offscreen_display.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+Display* display_of(vtkRenderWindowInteractor& interactor) {
+  return static_cast<Display*>(interactor.GetRenderWindow()->GetGenericDisplayId());
+}
+
+}  // namespace
+
+void require_display() {
+  const char* const name = std::getenv("DISPLAY");
+  if (name == nullptr || *name == '\0') {
+    throw NoDisplay("a window needs a display, and DISPLAY is not set; --html or --png need none");
+  }
+  Display* const display = XOpenDisplay(nullptr);
+  if (display == nullptr) {
+    throw NoDisplay(std::string("the display ") + name +
+                    " of DISPLAY can't be opened; --html or --png need none");
+  }
+  int ignored = 0;
+  const bool draws_opengl = XQueryExtension(display, "GLX", &ignored, &ignored, &ignored) != 0;
+  XCloseDisplay(display);
+  if (!draws_opengl) {
+    throw NoDisplay(std::string("the display ") + name +
+                    " can't show OpenGL (it lacks GLX); --html or --png work");
+  }
+}
+
+void dispatch_events(vtkRenderWindowInteractor& interactor) {
+  Display* const display = display_of(interactor);
+  auto* const x = vtkXRenderWindowInteractor::SafeDownCast(&interactor);
+  while (XPending(display) > 0) {
+    XEvent event;
+    XNextEvent(display, &event);
+    x->DispatchEvent(&event);
+  }
+}
+
+void wait_for_events(vtkRenderWindowInteractor& interactor, int milliseconds) {
+  Display* const display = display_of(interactor);
+  if (XPending(display) > 0) return;
+  pollfd connection{ConnectionNumber(display), POLLIN, 0};
+  poll(&connection, 1, milliseconds);
+}
+
+}  // namespace rayproof::viz
