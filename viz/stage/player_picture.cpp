@@ -17,7 +17,7 @@ namespace {
 
 constexpr double margin = 24;
 constexpr double rounded_column = 214;
-constexpr double exact_column = 560;
+constexpr double exact_column = 520;
 
 void write(Picture& picture, Role role, const Point& at, const std::string& text, double size,
            bool is_bold = false, Anchor anchor = Anchor::start) {

@@ -30,8 +30,10 @@ TEST(PlayerSlider, ItStandsAtTheFirstHitAtFirst) {
 
 TEST(PlayerSlider, ItMovesThePointAlongTheRay) {
   Player player = sphere_player();
-  for (const double t : {0.0, 1.0, 2.5, 4.0}) {
-    player.set_t(t);
+  for (const double wanted : {1.0, 1.5, 2.5, 3.25}) {
+    player.set_t(wanted);
+    const double t = player.t();
+    EXPECT_EQ(t, wanted);
     const Ray<double>& ray = ray_of(player);
     const Point expected = player.projection().to_pixels(ray.origin + t * ray.direction);
     const Point tip = runner_of(player.picture());
