@@ -12,7 +12,8 @@ class vtkRenderWindowInteractor;
 
 namespace rayproof::viz {
 
-/// The window is made with the object and gone with it. Call require_display() first (viz/vtk/x_display.hpp).
+/// The window is made with the object and gone with it. A UserDisplay (viz/vtk/x_display.hpp)
+/// or an OffscreenDisplay must be there before.
 /// The player's picture is as large as the window allows, in its middle, its proportions kept.
 class StageWindow {
  public:

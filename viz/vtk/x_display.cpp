@@ -18,7 +18,7 @@ Display* display_of(vtkRenderWindowInteractor& interactor) {
 
 }  // namespace
 
-void require_display() {
+UserDisplay::UserDisplay() {
   const char* const name = std::getenv("DISPLAY");
   if (name == nullptr || *name == '\0') {
     throw NoDisplay("a window needs a display, and DISPLAY is not set; --html or --png need none");
@@ -29,13 +29,15 @@ void require_display() {
                     " of DISPLAY can't be opened; --html or --png need none");
   }
   int ignored = 0;
-  const bool draws_opengl = XQueryExtension(display, "GLX", &ignored, &ignored, &ignored) != 0;
-  XCloseDisplay(display);
-  if (!draws_opengl) {
+  if (XQueryExtension(display, "GLX", &ignored, &ignored, &ignored) == 0) {
+    XCloseDisplay(display);
     throw NoDisplay(std::string("the display ") + name +
                     " can't show OpenGL (it lacks GLX); --html or --png work");
   }
+  connection_ = display;
 }
+
+UserDisplay::~UserDisplay() { XCloseDisplay(static_cast<Display*>(connection_)); }
 
 void dispatch_events(vtkRenderWindowInteractor& interactor) {
   Display* const display = display_of(interactor);

@@ -13,13 +13,12 @@
 namespace rayproof::viz {
 namespace {
 
-const std::string walk = RAYPROOF_BIN_DIR "/rayproof-walk ";
+const std::string walk = "timeout 60 " RAYPROOF_BIN_DIR "/rayproof-walk ";
 
-/// A program that runs beside the test, a minute at most.
+/// A command that runs beside the test.
 class Running {
  public:
-  explicit Running(const std::string& command)
-      : pipe_(popen(("timeout 60 " + command + " 2>&1").c_str(), "r")) {}
+  explicit Running(const std::string& command) : pipe_(popen(("(" + command + ") 2>&1").c_str(), "r")) {}
 
   /// Both streams; `status` is there afterwards.
   std::string wait() {

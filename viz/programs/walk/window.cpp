@@ -12,7 +12,7 @@ namespace rayproof::viz {
 
 #ifdef RAYPROOF_HAS_VTK
 void show_window(const std::optional<Stage>& one, const std::string& topic) {
-  require_display();
+  const UserDisplay display;
   Player player(one ? plays_of(*one) : plays_of(topic));
   StageWindow window(player);
   window.run();
