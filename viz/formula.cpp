@@ -21,6 +21,20 @@ std::string wrapped(const Expression& e, Binding least) {
   return e.binding < least ? fmt::format("({})", e.text) : e.text;
 }
 
+/// A name may be a formula itself: "1/a" and "n·o + d" want parentheses in a product.
+Binding binding_of(const std::string& name) {
+  int depth = 0;
+  Binding loosest = atom;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    depth += name[i] == '(' ? 1 : name[i] == ')' ? -1 : 0;
+    if (depth > 0) continue;
+    const bool is_sum = name[i] == '/' || name.compare(i, 3, " + ") == 0 || name.compare(i, 3, " - ") == 0;
+    if (is_sum) return sum;
+    if (name.compare(i, 2, "·") == 0) loosest = product;
+  }
+  return loosest;
+}
+
 class FormulaWriter {
  public:
   /// With numbers of the given precision in the place of names, where one is given.
@@ -32,7 +46,7 @@ class FormulaWriter {
     const std::string& name = tape_.at(id).name;
     if (name.empty()) return write(id);
     if (numbers_) return number(id);
-    return {name, name.find('/') == std::string::npos ? atom : sum};  // "1/a" wants parentheses in a product
+    return {name, binding_of(name)};
   }
 
   [[nodiscard]] Expression write(OperationId id) const {

@@ -30,6 +30,10 @@ struct Options {
   bool is_json = false;
 };
 
+/// Slides are 1600 pixels wide, contact sheets about 2000.
+constexpr double slide_scale = 5.0 / 3;
+constexpr double sheet_scale = 2.0 / 3;
+
 /// A walkthrough and the group under which a gallery shows it.
 struct Walk {
   std::string group;
@@ -39,6 +43,7 @@ struct Walk {
 std::vector<Walk> walks_for(const Options& options) {
   if (!options.one.text.empty()) return {{"Cases", viz::stage_of(viz::tell_case(options.one))}};
   const auto found = viz::lessons_of(options.topic);
+  if (options.topic.empty()) throw viz::WrongCommand("which walkthrough? Give a topic, --case or --list");
   if (found.empty()) {
     throw viz::WrongCommand(
         fmt::format("there is no topic '{}'; rayproof walk --list names them", options.topic));
@@ -85,10 +90,11 @@ void write_pngs(const std::vector<Walk>& walks, const std::string& folder) {
   make_folder(folder);
   for (const auto& [group, stage] : walks) {
     for (std::size_t i = 0; i < stage.steps.size(); ++i) {
-      viz::write_picture(viz::slide_picture(stage, i),
-                         fmt::format("{}/{}-{}.png", folder, stage.name, i + 1));
+      viz::write_picture(viz::slide_picture(stage, i), fmt::format("{}/{}-{}.png", folder, stage.name, i + 1),
+                         slide_scale);
     }
-    viz::write_picture(viz::contact_sheet(stage), fmt::format("{}/{}.png", folder, stage.name), 2.0 / 3);
+    viz::write_picture(viz::contact_sheet(stage), fmt::format("{}/{}.png", folder, stage.name), sheet_scale);
+    fmt::print(stderr, "{}: {} slides and a contact sheet\n", stage.name, stage.steps.size());
   }
 #else
   (void)walks;
@@ -125,7 +131,11 @@ int main(int argc, char** argv) {
       for (const viz::Lesson& lesson : viz::lessons()) fmt::print("{:<28}{}\n", lesson.name, lesson.title);
       return;
     }
+    if (!options.topic.empty() && !options.one.text.empty())
+      throw viz::WrongCommand("give a topic or --case, not both");
     const auto walks = walks_for(options);
+    if (!options.is_json && options.html.empty() && options.png.empty())
+      throw viz::WrongCommand("nothing to write: give --html, --png or --json");
     if (options.is_json) {
       for (const Walk& walk : walks) fmt::print("{}\n", viz::stage_json(walk.stage));
     }

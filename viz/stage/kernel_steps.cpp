@@ -152,7 +152,8 @@ std::vector<std::vector<StageValue>> parts_of(const std::vector<StageValue>& val
 }
 
 void caption(StageStep& step, const Told& told) {
-  const StageValue* const aim = aim_of(step.values);
+  const StageValue* aim = aim_of(step.values);
+  if (aim == nullptr && !step.values.empty()) aim = &step.values.back();
   const std::string numbers = aim == nullptr ? decision_of(told) : equation_of(*aim, told.one.precision);
   step.caption = step.words.empty() ? numbers : step.words + " " + numbers;
 }

@@ -28,7 +28,7 @@ double width_of(char32_t point) {
   static const std::u32string wide = U"mwMW—∞@%+−=<>≤≥×→";
   if (narrow.find(point) != std::u32string::npos) return 0.4;
   if (wide.find(point) != std::u32string::npos) return 0.88;
-  return point < 0x80 && std::isupper(static_cast<int>(point)) != 0 ? 0.7 : 0.63;
+  return point < 0x80 && std::isupper(static_cast<int>(point)) != 0 ? 0.7 : 0.65;
 }
 
 double overlap(const Box& a, const Box& b) {

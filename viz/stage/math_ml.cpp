@@ -123,7 +123,9 @@ class Typesetter {
       skip_spaces();
       if (!take("/")) return result;
       skip_spaces();
-      result = fmt::format("<mfrac>{}{}</mfrac>", bare_, atom());
+      const std::string above = bare_;
+      (void)atom();
+      result = fmt::format("<mfrac>{}{}</mfrac>", above, bare_);
       bare_ = result;
     }
   }

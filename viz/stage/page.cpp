@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
+
 #include "case/writer.hpp"
 #include "viz/html_text.hpp"
 #include "viz/numbers.hpp"
@@ -152,6 +154,11 @@ std::string in_script(std::string json) {
   return json;
 }
 
+std::string capitalised(std::string word) {
+  if (!word.empty()) word[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(word[0])));
+  return word;
+}
+
 std::string head(const std::string& title) {
   return fmt::format(
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
@@ -201,7 +208,7 @@ std::string gallery_page(const std::vector<GalleryEntry>& entries) {
   for (const GalleryEntry& entry : entries) {
     if (entry.group != group) {
       html += fmt::format("{}<h2>{}</h2>\n<ul class=\"gallery\">\n", group.empty() ? "" : "</ul>\n",
-                          escaped(entry.group));
+                          escaped(capitalised(entry.group)));
       group = entry.group;
     }
     const std::size_t middle = entry.stage->steps.size() / 2;

@@ -65,13 +65,14 @@ function draw() {
     const s = data.slider, at = seen(plus(s.origin.map(number), s.direction.map(number), t));
     if (at[0] >= 0 && at[0] <= W && at[1] >= 0 && at[1] <= H) { marks.push(`<path id="runner" class="f ray" d="M${at[0].toFixed(1)} ${at[1].toFixed(1)}m0 4l-6 11h12Z"/>`); places.take([at[0], at[1] + 10], 7); }
   }
+  const k = Math.min(1.6, Math.max(1, 500 / (figure.clientWidth || W)));  // as large on a phone as on a desk
   const texts = labels.reverse().map(([label, at, role, how]) => {
-    const bright = how === 'bright', size = bright ? 17 : 14, spot = places.put(label, at, size, bright);
+    const bright = how === 'bright', size = Math.round(k * (bright ? 17 : 14)), spot = places.put(label, at, size, bright);
     return spot ? `<text class="f h ${role}" text-anchor="middle" font-size="${size}"${bright ? ' font-weight="bold"' : ''} x="${spot[0].toFixed(1)}" y="${spot[1].toFixed(1)}">${escape(label)}</text>` : '';
   });
   figure.innerHTML = fills.join('') + strokes.join('') + marks.join('') + texts.join('');
   figure.setAttribute('aria-label', `${step.title}. ${step.caption}`);
-  document.getElementById('magnified').textContent = apart ? `Magnified ×${number(step.magnification).toPrecision(2)}` : data.camera.flat ? '' : 'Drag, or focus the picture and use the arrow keys, to look from another side';
+  document.getElementById('magnified').textContent = apart && step.magnification !== 1 ? `Magnified ×${number(step.magnification).toPrecision(2)}` : data.camera.flat ? '' : 'Drag, or focus the picture and use the arrow keys, to look from another side';
 }
 function show(to) {
   place = Math.min(Math.max(to, 0), steps.length - 1);

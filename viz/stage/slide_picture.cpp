@@ -147,11 +147,13 @@ Picture slide_picture(const Stage& stage, std::size_t number) {
   picture.title = fmt::format("{}: {}", stage.title, step.title);
   picture.description = step.caption;
   const std::string place = fmt::format("{} of {}", number + 1, stage.steps.size());
-  write(picture, Role::text, {margin, 34}, fmt::format("{}. {}", number + 1, step.title), 22, true);
+  const std::string title = fmt::format("{}. {}", number + 1, step.title);
+  const double title_size = std::clamp(22 * 800 / text_width(title, 22, true), 14.0, 22.0);
+  write(picture, Role::text, {margin, 34}, title, title_size, true);
   write(picture, Role::muted, {margin, 54}, cut(stage.title, 700, 13), 13);
   picture.elements.emplace_back(Text{Role::muted, {slide_width - margin, 34}, place, Anchor::end, 14});
   draw_scene(picture, scene_frame, stage, number);
-  if (step.is_apart) {
+  if (step.is_apart && step.magnification != 1) {
     picture.elements.emplace_back(Text{Role::muted,
                                        {scene_frame.left, scene_frame.bottom() - 4},
                                        fmt::format("Magnified ×{}", rough(step.magnification, 2)),

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "viz/answers.hpp"
 #include "viz/numbers.hpp"
@@ -89,6 +90,39 @@ void add_steps(Stage& stage, const Told& told, const Walkthrough& walk, const Se
   }
 }
 
+/// Lets every near step see a little more where a step's items reach beyond the shape's own view: the same
+/// for all of them, so that nothing jumps.
+void widen_views(Stage& stage, const Setting& setting) {
+  constexpr double most = 2.4;  // more would make the shape a speck; such a step looks from wide off
+  const auto needed = [&](const StageView& view, const StageStep& step) {
+    double radius = view.radius;
+    for (const StageItem& item : step.items) {
+      for (const glm::dvec3& p : item.points) {
+        const glm::dvec3 off = p - view.centre;
+        radius = std::max({radius, std::abs(glm::dot(off, stage.camera.right)) / view_aspect,
+                           std::abs(glm::dot(off, stage.camera.up))});
+      }
+    }
+    return radius;
+  };
+  double radius = setting.near.radius;
+  for (StageStep& step : stage.steps) {
+    const double reach = step.is_apart ? 0 : needed(setting.near, step);
+    if (reach <= most * setting.near.radius) radius = std::max(radius, reach);
+  }
+  for (StageStep& step : stage.steps) {
+    if (step.is_apart) continue;
+    const bool is_near = needed(setting.near, step) <= most * setting.near.radius &&
+                         setting.wide.radius <= most * setting.near.radius;
+    const bool is_at_shape = step.view.radius == setting.near.radius;
+    if (is_near || is_at_shape) {
+      step.view = {setting.near.centre, radius};
+    } else {
+      step.view.radius = needed(step.view, step);
+    }
+  }
+}
+
 }  // namespace
 
 Stage stage_of(const Told& told) {
@@ -97,6 +131,7 @@ Stage stage_of(const Told& told) {
   stage.steps.push_back(first_step(told, told.walk ? &*told.walk : nullptr, setting));
   if (told.walk) add_steps(stage, told, *told.walk, setting, true);
   stage.steps.push_back(parting_step(told, setting));
+  widen_views(stage, setting);
   return stage;
 }
 
@@ -104,6 +139,7 @@ Stage composed_stage(const Told& told, const Walkthrough& walk, const Setting& s
   Stage stage = bare_stage(told, setting);
   stage.steps.push_back(first_step(told, &walk, setting));
   add_steps(stage, told, walk, setting, false);
+  widen_views(stage, setting);
   return stage;
 }
 

@@ -176,6 +176,40 @@ TEST(Stage, TheTitlesOfAKernelsStepsAreTheCommentsInItsCode) {
       << stage.steps[5].caption;
 }
 
+TEST(Stage, PutsParenthesesAroundNamesThatAreSums) {
+  const Stage stage = stage_of(*lessons_of("plane-implicit").front(), tell);
+  const std::string& caption = stage.steps.at(stage.steps.size() - 2).caption;
+  EXPECT_NE(caption.find("t = −(n·o + d) / (n·d\u20d7)"), std::string::npos) << caption;
+}
+
+TEST(Stage, CountsTheBitsLostOfANarrowedNumberInItsOwnPrecision) {
+  const Stage stage = stage_of(*lessons_of("woop").front(), tell);
+  for (const StageStep& step : stage.steps) {
+    for (const StageValue& value : step.values) {
+      for (const WalkValue& v : value.components) EXPECT_LE(v.bits_lost, 24) << v.name;
+    }
+  }
+}
+
+TEST(Stage, ShowsTheWholeOfEveryStepsOwnItems) {
+  for (const Lesson& lesson : lessons()) {
+    const Stage stage = stage_of(lesson, tell);
+    if (lesson.compose != nullptr) continue;
+    for (const StageStep& step : stage.steps) {
+      if (step.is_apart) continue;
+      for (const StageItem& item : step.items) {
+        for (const glm::dvec3& p : item.points) {
+          const glm::dvec3 off = p - step.view.centre;
+          EXPECT_LE(std::abs(glm::dot(off, stage.camera.up)), step.view.radius * 1.001)
+              << lesson.name << ": " << step.title << ": " << item.label;
+          EXPECT_LE(std::abs(glm::dot(off, stage.camera.right)), step.view.radius * view_aspect * 1.001)
+              << lesson.name << ": " << step.title << ": " << item.label;
+        }
+      }
+    }
+  }
+}
+
 TEST(Stage, ACaseWithoutAMethodHasTheSceneAndTheExactAnswer) {
   const Case one = read_case(lessons_of("sphere").front()->case_text);
   const Stage stage = stage_of(tell(one, ""));

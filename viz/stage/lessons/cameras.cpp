@@ -242,7 +242,11 @@ Stage loop_stage(const Case& one, const TellCase& tell) {
       const int ball = nearest_ball(i, j);
       if (ball < 0) continue;
       ++hits;
-      image.push_back(pixel(ball == 0 ? Role::edge : Role::claimed, i, j));
+      const StageItem filled = pixel(ball == 0 ? Role::edge : Role::claimed, i, j);
+      image.push_back(filled);
+      std::vector<glm::dvec3> outline = filled.points;
+      outline.push_back(outline.front());
+      image.push_back(polyline(filled.role, outline));
     }
   }
   stage.steps.push_back(loop_step("Colour every pixel by its nearest object",

@@ -153,6 +153,8 @@ Stage digits_stage(const Case& one, const TellCase& tell) {
     setting.scene.push_back(point(Role::surface, {x(bits), -0.72, 0}, rough(bits) + " bits"));
   }
   Stage stage = composed_stage(told, *told.walk, setting);
+  // What the roots are on the ray has no place in this drawing.
+  for (StageStep& step : stage.steps) step.items.clear();
   std::size_t row = 0;
   for (std::size_t i = 0; i < told.walk->steps.size(); ++i) {
     for (const WalkValue& value : told.walk->steps[i].values) {

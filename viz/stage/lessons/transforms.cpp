@@ -27,6 +27,7 @@ Stage transformed_stage(const Case& one, const TellCase& tell) {
       arrow(Role::ray, put(n.origin()), put(n.at(n["t₁"] * 1.25)), "o′ + t·d′"),
       point(Role::ray, put(n.origin()), "o′"),
       point(Role::nearest, put({0, 0, 0}), "the object's own space")};
+  step.items.insert(step.items.begin(), stage.scene.begin(), stage.scene.end());
   step.view = {step.view.centre + 1.3 * size * stage.camera.right, 1.9 * size};
   return stage;
 }

@@ -93,9 +93,7 @@ struct Narrator<Recorded<T, S>> {
 template <class T, class S>
 void settle(Recording<S>& tape, const Recorded<T, S>& number) {
   Operation<S>& operation = tape.at(number.id);
-  const auto value = static_cast<double>(number.value());
-  if (operation.value == value || value != value) return;
-  operation.value = value;
+  operation.value = static_cast<double>(number.value());
   operation.bits_lost = bits_lost(number.value(), operation.exact);
   operation.bits_lost_here = operation.bits_lost;
   for (const OperationId id : operation.operands) {
