@@ -169,6 +169,7 @@ class Typesetter {
   }
 
   std::string word() {
+    if (at_ >= text_.size()) return "<mrow></mrow>";
     const std::size_t begin = at_;
     while (at_ < text_.size() && !ends_word()) ++at_;
     if (at_ == begin) ++at_;  // a sign of no meaning here
