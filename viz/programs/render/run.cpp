@@ -106,7 +106,7 @@ class Render {
   void tell_time(const std::string& what, std::chrono::steady_clock::time_point start) {
     progress_.clear();
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-    told_ = fmt::format("{}, {:.2f} s", what, taken.count());
+    told_ = fmt::format("{}{}{:.2f} s", what, what.empty() ? "" : ", ", taken.count());
   }
 
   /// Whom to ask in a scene of many objects; null where all are asked.
