@@ -131,8 +131,9 @@ TEST_F(RenderProgram, AWrongCommandLineEndsWith2AndOneSentence) {
 
 TEST_F(RenderProgram, CtrlCLeavesNoFileAndEndsWith130) {
   const std::string scene = write("scene.json", scene_text(mixed_entries, "[8000, 6000]"));
-  const Ended ended =
-      run("timeout --preserve-status -s INT 1 " + render + scene + " --exact --out " + out("a.png"));
+  // In the foreground, or else timeout signals twice, and the second Ctrl-C is to end the program at once.
+  const Ended ended = run("timeout --foreground --preserve-status -s INT 1 " + render + scene +
+                          " --exact --out " + out("a.png"));
   EXPECT_EQ(ended.status, 130) << ended.output;
   EXPECT_EQ(count_files(), 0U);
 }
