@@ -94,6 +94,7 @@ template <class T, class S>
 void settle(Recording<S>& tape, const Recorded<T, S>& number) {
   Operation<S>& operation = tape.at(number.id);
   operation.value = static_cast<double>(number.value());
+  operation.error_bound = static_cast<double>(number.bounded.error);
   operation.bits_lost = bits_lost(number.value(), operation.exact);
   operation.bits_lost_here = operation.bits_lost;
   for (const OperationId id : operation.operands) {
