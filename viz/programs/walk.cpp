@@ -134,8 +134,8 @@ int main(int argc, char** argv) {
     if (!options.topic.empty() && !options.one.text.empty())
       throw viz::WrongCommand("give a topic or --case, not both");
     const auto walks = walks_for(options);
-    if (!options.is_json && options.html.empty() && options.png.empty())
-      throw viz::WrongCommand("nothing to write: give --html, --png or --json");
+    if (!options.is_json && !options.is_window && options.html.empty() && options.png.empty())
+      throw viz::WrongCommand("nothing to do: give --html, --png, --json or --window");
     if (options.is_json) {
       for (const Walk& walk : walks) fmt::print("{}\n", viz::stage_json(walk.stage));
     }
