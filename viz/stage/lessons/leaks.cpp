@@ -46,6 +46,11 @@ Stage leak_stage(const Case& one, const TellCase& tell) {
   setting.scene.push_back(polygon(Role::surface, {triangle.a, triangle.b, triangle.c}));
   setting.scene.push_back(polyline(Role::surface, {triangle.b, triangle.c, triangle.a}));
   setting.scene.push_back(point(Role::surface, triangle.c, "d"));
+  // The second triangle reaches beyond the view of the first.
+  const RayQuestion& asked = std::get<RayQuestion>(one.question);
+  setting.near = view_around(
+      {triangle.a, triangle.b, triangle.c, std::get<Triangle<double>>(asked.shape).c, asked.ray.origin});
+  setting.wide = setting.near;
   Stage stage = stage_of(first);
   stage.scene = setting.scene;
   stage.steps.resize(1);
