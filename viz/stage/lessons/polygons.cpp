@@ -89,7 +89,8 @@ Stage counted_stage(const Told& told, const Counting& counting) {
   StageStep last;
   last.title = "Where float and exact part";
   last.view = setting.near;
-  last.caption = fmt::format("{} crossings are {}: the point is {}. Exactly it is {}.", count,
+  last.caption = fmt::format("{} {} {}: the point is {}. Exactly it is {}.", count,
+                             count == 1 ? "crossing is" : "crossings are",
                              count % 2 == 1 ? "an odd number" : "an even number",
                              count % 2 == 1 ? "inside" : "outside", name_of(std::get<Position>(told.exact)));
   last.items.push_back(
