@@ -13,12 +13,8 @@ import subprocess
 import sys
 
 sys.path.insert(0, str(Path(__file__).parent.parent / "oracle_check"))
-from cases import quadratic, sphere  # noqa: E402
-from lines import as_json  # noqa: E402
 from source import Source  # noqa: E402
-
-
-QUESTIONS = {"quadratic": quadratic, "sphere": sphere}
+from topics import make_line  # noqa: E402
 
 
 def make_lines(topic, count, seed):
@@ -27,7 +23,7 @@ def make_lines(topic, count, seed):
     for number in range(count):
         precision = generator.choice(["float32", "float64"])
         source = Source(generator, precision)
-        yield as_json(source, {**QUESTIONS[topic](source), "id": number, "precision": precision})
+        yield make_line(source, topic, number)
 
 
 def answers(folder, method, lines):
