@@ -2,14 +2,72 @@
 /// \file
 /// The arithmetic that stands in for real numbers in walkthroughs and pictures.
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#include <cstdint>
+#include <compare>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
 
 namespace rayproof::viz {
 
-/// 320 significant bits (267 more than double) and an exponent range that no product of doubles leaves.
-using Shadow = boost::multiprecision::number<
-    boost::multiprecision::cpp_bin_float<320, boost::multiprecision::digit_base_2, void, std::int32_t>,
-    boost::multiprecision::et_off>;
+/// 320 significant bits (267 more than double) and an exponent range that no product of doubles leaves; with
+/// infinities and NaN. What it is made of stays in shadow.cpp: half of the time to compile this folder would
+/// go to it.
+class Shadow {
+ public:
+  Shadow() : Shadow(0.0) {}
+  Shadow(const Shadow& x);
+  Shadow& operator=(const Shadow& x);
+  /// Exact; whole numbers up to 2^53.
+  template <class Number>
+  requires std::is_arithmetic_v<Number> Shadow(Number value) : Shadow(Exactly{static_cast<double>(value)}) {}
+
+  /// The nearest one, halfway to even.
+  explicit operator double() const;
+  explicit operator float() const;
+
+  friend Shadow operator-(const Shadow& x);
+  friend Shadow operator+(const Shadow& x, const Shadow& y);
+  friend Shadow operator-(const Shadow& x, const Shadow& y);
+  friend Shadow operator*(const Shadow& x, const Shadow& y);
+  friend Shadow operator/(const Shadow& x, const Shadow& y);
+  Shadow& operator+=(const Shadow& x) { return *this = *this + x; }
+  Shadow& operator-=(const Shadow& x) { return *this = *this - x; }
+  Shadow& operator*=(const Shadow& x) { return *this = *this * x; }
+  Shadow& operator/=(const Shadow& x) { return *this = *this / x; }
+
+  friend bool operator==(const Shadow& x, const Shadow& y);
+  friend std::partial_ordering operator<=>(const Shadow& x, const Shadow& y);
+
+  friend bool isfinite(const Shadow& x);
+  friend bool isinf(const Shadow& x);
+  friend bool isnan(const Shadow& x);
+
+  friend Shadow abs(const Shadow& x);
+  /// x·y + z, rounded once.
+  friend Shadow fma(const Shadow& x, const Shadow& y, const Shadow& z);
+  friend Shadow sqrt(const Shadow& x);
+  friend Shadow pow(const Shadow& x, int n);
+  friend Shadow ldexp(const Shadow& x, int e);
+  friend Shadow frexp(const Shadow& x, int* e);
+
+ private:
+  struct Exactly {
+    double value;
+  };
+  explicit Shadow(Exactly exactly);
+  struct Unset {};
+  explicit Shadow(Unset) {}
+  friend struct Inside;
+
+  /// Where the number is; it owns nothing outside, so that nothing need be done at its end.
+  alignas(16) std::byte room_[80];
+};
 
 }  // namespace rayproof::viz
+
+template <>
+struct std::numeric_limits<rayproof::viz::Shadow> {
+  static constexpr bool is_specialized = true;
+  static rayproof::viz::Shadow infinity() { return std::numeric_limits<double>::infinity(); }
+  static rayproof::viz::Shadow quiet_NaN() { return std::numeric_limits<double>::quiet_NaN(); }
+};

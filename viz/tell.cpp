@@ -86,10 +86,12 @@ void point_out(WalkStep& step) {
   }
 }
 
-int sign_of(double value) { return (value > 0) - (value < 0); }
-
 /// -1 for no real root (NaN counts so), 0, 1.
-int sign_of_discriminant(double value) { return std::isnan(value) ? -1 : sign_of(value); }
+template <class T>
+int sign_of_discriminant(const T& value) {
+  if (value > 0) return 1;
+  return value == 0 ? 0 : -1;
+}
 
 /// What an answer has lost; an answer that is rightly infinite, since the exact one is too large, nothing.
 double lost_by_answer(const Operation<Shadow>& o, Precision precision) {
@@ -104,7 +106,7 @@ double lost_by_answer(const Operation<Shadow>& o, Precision precision) {
 void judge(Walkthrough& walk, const Tape& tape, const Ending& ending) {
   const Operation<Shadow>& D = tape.at(ending.discriminant);
   const int rounded = sign_of_discriminant(D.value);
-  const int exact = isnan(D.exact) ? -1 : D.exact.sign();
+  const int exact = sign_of_discriminant(D.exact);
   OperationId worst = ending.discriminant;
   if (rounded != exact) {
     walk.outcome = Outcome::flipped;

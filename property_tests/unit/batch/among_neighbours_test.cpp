@@ -1,6 +1,6 @@
 #include <rayproof/batch/among_neighbours.hpp>
 
-#include "unit/batch/same_bits.hpp"
+#include "unit/batch/hard_numbers.hpp"
 
 namespace rayproof {
 

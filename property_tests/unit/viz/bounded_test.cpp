@@ -13,7 +13,8 @@ testing::AssertionResult encloses(const Operation<Shadow>& o) {
   const Shadow error = abs(Shadow(o.value) - o.exact);
   if (error <= o.error_bound) return testing::AssertionSuccess();
   return testing::AssertionFailure() << "operation " << static_cast<int>(o.op) << ": " << o.value
-                                     << " is off by " << error << ", bound " << o.error_bound;
+                                     << " is off by " << static_cast<double>(error) << ", bound "
+                                     << o.error_bound;
 }
 
 template <class T>

@@ -9,6 +9,7 @@
 #include "subjects/solve_point_in_polygon.hpp"
 #include "subjects/solve_quadratic.hpp"
 #include "subjects/solve_shapes.hpp"
+#include "unit/bits.hpp"
 #include "unit/viz/every_shape.hpp"
 #include "viz/record.hpp"
 #include "viz/told.hpp"
@@ -16,10 +17,6 @@
 
 namespace rayproof::viz {
 namespace {
-
-bool same_bits(double a, double b) {
-  return (std::isnan(a) && std::isnan(b)) || (a == b && std::signbit(a) == std::signbit(b));
-}
 
 TEST(Stories, OfEveryRecordableMethodEndInTheKernelsOwnNumbersBitForBit) {
   std::size_t told = 0;
@@ -32,8 +29,8 @@ TEST(Stories, OfEveryRecordableMethodEndInTheKernelsOwnNumbersBitForBit) {
         if constexpr (Recordable<Method, Recorded<float, Shadow>>) {
           ASSERT_TRUE(walk) << Topic::name << '/' << Method::name;
           const auto roots = solve_in<Topic, Method, float>(one);
-          EXPECT_TRUE(same_bits(walk->lo, roots.lo)) << Topic::name << '/' << Method::name;
-          EXPECT_TRUE(same_bits(walk->hi, roots.hi)) << Topic::name << '/' << Method::name;
+          EXPECT_TRUE(same_bits<double>(walk->lo, roots.lo)) << Topic::name << '/' << Method::name;
+          EXPECT_TRUE(same_bits<double>(walk->hi, roots.hi)) << Topic::name << '/' << Method::name;
           EXPECT_FALSE(walk->steps.empty()) << Topic::name << '/' << Method::name;
           ++told;
         } else {

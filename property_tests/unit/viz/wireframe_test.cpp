@@ -95,8 +95,8 @@ TEST(Wireframe, ACallOfParallelForARayInThePlaneIsWrong) {
 }
 
 TEST(Camera, SeesNeitherTheRayEndOnNorAFigureEdgeOn) {
-  for (const Place& ray : {Place{0, 0, 1}, Place{1, 0, 0}, unit({1, 2, 3}), unit({0, -1, 1e-9})}) {
-    for (const Place& normal : {Place{0, 0, 1}, Place{0, 1, 0}, unit({1, -1, 1})}) {
+  for (const Place& ray : {Place{0, 0, 1}, Place{1, 0, 0}, unit(Place{1, 2, 3}), unit(Place{0, -1, 1e-9})}) {
+    for (const Place& normal : {Place{0, 0, 1}, Place{0, 1, 0}, unit(Place{1, -1, 1})}) {
       const Camera camera = Camera::chosen({0, 0, 0}, ray, {normal});
       EXPECT_LT(abs(dot(camera.toward, ray)), Shadow(0.75));
       EXPECT_GT(abs(dot(camera.toward, normal)), Shadow(0.4));

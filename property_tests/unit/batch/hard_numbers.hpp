@@ -1,12 +1,9 @@
 #pragma once
 /// \file
-/// Comparing numbers bit for bit, and hard numbers to compare them on.
+/// Hard numbers to compare kernels on, and the kernels.
 
 #include <gtest/gtest.h>
 
-#include <bit>
-#include <cmath>
-#include <cstdint>
 #include <limits>
 #include <rayproof/batch.hpp>
 #include <rayproof/topics.hpp>
@@ -16,15 +13,9 @@
 
 #include "generators/draw.hpp"
 #include "generators/random.hpp"
+#include "unit/bits.hpp"
 
 namespace rayproof {
-
-/// The same bits, so that -0 is not 0; any NaN is as good as another.
-template <class T>
-[[nodiscard]] bool same_bits(T x, T y) {
-  using Bits = draw::Bits<T>;
-  return (std::isnan(x) && std::isnan(y)) || std::bit_cast<Bits>(x) == std::bit_cast<Bits>(y);
-}
 
 /// A coordinate: mostly of a usual scene, else any bits, a number by name, an infinity or NaN.
 template <class T>
