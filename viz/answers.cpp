@@ -30,7 +30,7 @@ std::string name_of(RootKind kind, std::size_t count) {
   return "";
 }
 
-std::string verdict_of(const RayAnswer& answer) {
+std::string words_of(const RayAnswer& answer) {
   const bool is_hit = answer.hits.count > 0;
   switch (answer.contact) {
     case Contact::tangent:
@@ -60,9 +60,9 @@ bool reasons_differ(const Answer& exact, const Answer& claimed) {
   return truth->contact != Contact::none && claim->contact != Contact::none &&
          truth->contact != claim->contact;
 }
-std::string verdict_of(const QuadraticAnswer<double>& answer) { return name_of(answer.kind, answer.count); }
+std::string words_of(const QuadraticAnswer<double>& answer) { return name_of(answer.kind, answer.count); }
 
-std::string verdict_of(Position position) { return rayproof::name_of(position); }
+std::string words_of(Position position) { return rayproof::name_of(position); }
 
 int kind_of(Position position) { return static_cast<int>(position); }
 int kind_of(const RayAnswer& answer) { return answer.hits.count > 0 ? 1 : 0; }
@@ -94,7 +94,7 @@ std::vector<double> values_of(const Answer* answer) {
 
 std::string verdict_of(const Answer* answer) {
   if (answer == nullptr) return "not given";
-  return std::visit([](const auto& one) { return verdict_of(one); }, *answer);
+  return std::visit([](const auto& one) { return words_of(one); }, *answer);
 }
 
 bool verdicts_differ(const Answer* exact, const Answer* claimed) {

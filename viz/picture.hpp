@@ -26,6 +26,10 @@ struct Box {
   [[nodiscard]] double right() const { return left + width; }
   [[nodiscard]] double bottom() const { return top + height; }
   [[nodiscard]] Point centre() const { return {left + width / 2, top + height / 2}; }
+  /// Its border counts.
+  [[nodiscard]] bool holds(const Point& p) const {
+    return p.x >= left && p.x <= right() && p.y >= top && p.y <= bottom();
+  }
 };
 
 enum class Pattern { solid, dashed, dotted };

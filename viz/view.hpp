@@ -10,6 +10,9 @@
 
 namespace rayproof::viz {
 
+/// Two things nearer to each other than this, in pixels, can't be told apart.
+inline constexpr double told_apart = 24;
+
 /// A point of the scene. Shadow numbers, since a picture may look at 1e-30 of a length of 1e30.
 struct WorldPoint {
   Shadow x, y;

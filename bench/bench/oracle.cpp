@@ -79,7 +79,7 @@ void add(const char* name, const char* topic, const char* family, const char* me
   }
 }
 
-[[maybe_unused]] const bool is_registered = [] {
+[[maybe_unused]] const bool oracle_is_registered = [] {
   const auto all = [](const Case&) { return true; };
   add("sphere/random", "sphere", "random", "sphere/centred", all);
   add("sphere/tangent", "sphere", "grazing", "sphere/centred", is_tangent);

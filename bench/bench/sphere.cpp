@@ -58,6 +58,6 @@ void add_all() {
            [set](Rays& rays) { report::only_stream(rays, ray_count, set); });
 }
 
-[[maybe_unused]] const bool is_registered = (add_all<float>(), add_all<double>(), true);
+[[maybe_unused]] const bool sphere_is_registered = (add_all<float>(), add_all<double>(), true);
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <ctime>
 #include <utility>
 
+#include "bench/figures/median.hpp"
 #include "bench/figures/problem_contenders.hpp"
 
 namespace rayproof::report {
@@ -34,12 +35,6 @@ std::size_t affordable(const Contender& contender, std::size_t rays) {
   seconds_of(contender, sample);
   const double each = seconds_of(contender, sample) / static_cast<double>(sample);
   return std::min(rays, std::max(sample, static_cast<std::size_t>(longest_pass / each)));
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 }  // namespace

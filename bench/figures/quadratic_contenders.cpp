@@ -51,7 +51,7 @@ struct Equations {
 };
 
 template <class T>
-std::vector<Contender> contenders_in(const std::vector<Case>& cases) {
+std::vector<Contender> quadratic_contenders_in(const std::vector<Case>& cases) {
   const auto equations = std::make_shared<Equations<T>>(cases);
   std::vector<Contender> all;
   quadratic::Topic::Methods::for_each([&]<class Method>(std::type_identity<Method>) {
@@ -68,7 +68,8 @@ std::vector<Contender> contenders_in(const std::vector<Case>& cases) {
 }  // namespace
 
 std::vector<Contender> quadratic_contenders(const std::vector<Case>& cases, Precision precision) {
-  return precision == Precision::float32 ? contenders_in<float>(cases) : contenders_in<double>(cases);
+  return precision == Precision::float32 ? quadratic_contenders_in<float>(cases)
+                                         : quadratic_contenders_in<double>(cases);
 }
 
 }  // namespace rayproof::report

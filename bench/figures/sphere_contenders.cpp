@@ -8,7 +8,7 @@ namespace rayproof::report {
 namespace {
 
 template <class T>
-std::vector<Contender> contenders_in(const std::vector<Case>& cases) {
+std::vector<Contender> sphere_contenders_in(const std::vector<Case>& cases) {
   const auto rays = std::make_shared<SphereRays<T>>(cases);
   std::vector<Contender> all;
   sphere::Topic::Methods::for_each([&]<class Method>(std::type_identity<Method>) {
@@ -26,7 +26,8 @@ std::vector<Contender> contenders_in(const std::vector<Case>& cases) {
 }  // namespace
 
 std::vector<Contender> sphere_contenders(const std::vector<Case>& cases, Precision precision) {
-  return precision == Precision::float32 ? contenders_in<float>(cases) : contenders_in<double>(cases);
+  return precision == Precision::float32 ? sphere_contenders_in<float>(cases)
+                                         : sphere_contenders_in<double>(cases);
 }
 
 }  // namespace rayproof::report

@@ -7,6 +7,8 @@
 #include <map>
 #include <tuple>
 
+#include "bench/figures/median.hpp"
+
 namespace rayproof::report {
 
 namespace {
@@ -29,11 +31,6 @@ void add(Accuracy& sum, const Accuracy& one) {
 bool is_same(const Summary& summary, const Row& row) {
   return summary.shape == row.shape && summary.method == row.method && summary.precision == row.precision &&
          summary.arrangement == row.arrangement;
-}
-
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  return values[values.size() / 2];
 }
 
 }  // namespace

@@ -35,4 +35,16 @@ glm::dvec3 across(const glm::dvec3& v) {
   return resized(glm::cross(v, other), glm::length(v));
 }
 
+Items half_chords(const NumbersByName& n) {
+  const glm::dvec3 middle = n.at(n["t_c"]);
+  return {segment(Role::edge, middle, n.at(n["t_c"] - n["h"]), "h"),
+          segment(Role::edge, middle, n.at(n["t_c"] + n["h"]), "h")};
+}
+
+Items way_to_plane(const NumbersByName& n, const glm::dvec3& normal, const glm::dvec3& on_plane) {
+  const glm::dvec3 along = resized(normal, 1);
+  const glm::dvec3 foot = n.origin() - along * glm::dot(along, n.origin() - on_plane);
+  return {segment(Role::nearest, n.origin(), foot, "the way to the plane"), point(Role::nearest, foot)};
+}
+
 }  // namespace rayproof::viz

@@ -21,4 +21,11 @@ namespace rayproof::viz {
 /// A vector at right angles to `v`, of the same length.
 [[nodiscard]] glm::dvec3 across(const glm::dvec3& v);
 
+/// The chord of a round shape, as the centred methods have it: t_c in its middle, h to either side.
+[[nodiscard]] Items half_chords(const NumbersByName& n);
+
+/// From the ray's origin straight to the plane through `on_plane`.
+[[nodiscard]] Items way_to_plane(const NumbersByName& n, const glm::dvec3& normal,
+                                 const glm::dvec3& on_plane);
+
 }  // namespace rayproof::viz

@@ -37,10 +37,6 @@ double overlap(const Box& a, const Box& b) {
   return x > 0 && y > 0 ? x * y : 0;
 }
 
-bool holds(const Box& box, const Point& p) {
-  return p.x >= box.left && p.x <= box.right() && p.y >= box.top && p.y <= box.bottom();
-}
-
 }  // namespace
 
 double text_width(const std::string& text, double size, bool bold) {
@@ -102,7 +98,7 @@ double LabelPlaces::cost_of(const Box& box) const {
   double cost = box.width * box.height - overlap(box, frame_);  // outside of the frame
   cost *= 20;
   for (const Box& other : taken_) cost += 10 * overlap(box, other);
-  for (const Point& p : avoided_) cost += holds(box, p) ? 12 : 0;
+  for (const Point& p : avoided_) cost += box.holds(p) ? 12 : 0;
   return cost;
 }
 

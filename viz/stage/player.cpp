@@ -83,9 +83,9 @@ std::vector<Button> Player::buttons() const {
 
 Request Player::press(const Point& at) {
   for (const Button& button : buttons()) {
-    if (holds(button.box, at)) return button.is_enabled ? press_key(button.key) : Request::none;
+    if (button.box.holds(at)) return button.is_enabled ? press_key(button.key) : Request::none;
   }
-  if (stage_.slider && holds(slider_track, at)) {
+  if (stage_.slider && slider_track.holds(at)) {
     drag_ = Drag::slider;
     set_t(t_on_track(*stage_.slider, at.x));
     return Request::none;
@@ -94,7 +94,7 @@ Request Player::press(const Point& at) {
     is_help_shown_ = false;
     return Request::none;
   }
-  if (!holds(slide_scene, at)) return Request::none;
+  if (!slide_scene.holds(at)) return Request::none;
   held_at_ = at;
   drag_ = Drag::orbit;
   const Projection seen = projection();

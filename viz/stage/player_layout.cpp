@@ -5,7 +5,6 @@
 namespace rayproof::viz {
 namespace {
 
-constexpr double margin = 24;
 constexpr double top = controls_top + 10;
 constexpr double height = 28;
 constexpr double gap = 4;
@@ -15,7 +14,7 @@ constexpr double square = 32;
 
 std::vector<Button> buttons_of(const ButtonState& state) {
   std::vector<Button> buttons;
-  double x = margin;
+  double x = slide_margin;
   // Many steps share the room that is left of the buttons at the right.
   const double room = (state.stage_count > 1 ? 560.0 : 640.0) / (static_cast<double>(state.step_count) + 2);
   const double step_width = std::min(square, room - gap);
@@ -33,7 +32,7 @@ std::vector<Button> buttons_of(const ButtonState& state) {
 
   constexpr double wide = 72;
   const double right = 3 * wide + 2 * gap + (state.stage_count > 1 ? 2 * (square + gap) : 0);
-  x = player_width - margin - right;
+  x = player_width - slide_margin - right;
   if (state.stage_count > 1) {
     add("«", "p", square).is_enabled = state.stage > 0;
     add("»", "n", square).is_enabled = state.stage + 1 < state.stage_count;

@@ -37,10 +37,6 @@ struct ButtonState {
 /// A row of buttons: back, each step, forth, and at the right the other walkthroughs, reset, help and quit.
 [[nodiscard]] std::vector<Button> buttons_of(const ButtonState& state);
 
-[[nodiscard]] constexpr bool holds(const Box& box, const Point& p) {
-  return p.x >= box.left && p.x <= box.right() && p.y >= box.top && p.y <= box.bottom();
-}
-
 /// Between t and the slider's track.
 [[nodiscard]] double x_on_track(const StageSlider& slider, double t);
 [[nodiscard]] double t_on_track(const StageSlider& slider, double x);

@@ -15,7 +15,6 @@
 namespace rayproof::viz {
 namespace {
 
-constexpr double margin = 24;
 constexpr double rounded_column = 214;
 constexpr double exact_column = 520;
 
@@ -49,8 +48,8 @@ void draw_button(Picture& picture, const Button& button) {
 void draw_slider(Picture& picture, const StageSlider& slider, double t, Precision precision,
                  bool is_focused) {
   const double y = slider_track.centre().y;
-  write(picture, Role::text, {margin, y + 5}, fmt::format("{} = {}", slider.symbol, shown(t, precision)), 16,
-        true);
+  write(picture, Role::text, {slide_margin, y + 5},
+        fmt::format("{} = {}", slider.symbol, shown(t, precision)), 16, true);
   picture.elements.emplace_back(Line{Role::frame, {{slider_track.left, y}, {slider_track.right(), y}}, 3});
   const double x = x_on_track(slider, t);
   picture.elements.emplace_back(Line{Role::text, {{x, y - 11}, {x, y + 11}}, 7});
@@ -66,7 +65,7 @@ void draw_live_values(Picture& picture, const StageSlider& slider, double t, Pre
   if (is_float) write(picture, Role::muted, {exact_column, y}, "exact", 12);
   for (const LiveValue& value : live_values(slider, t, precision)) {
     y += 18;
-    write(picture, Role::text, {margin, y}, value.label, 13, true);
+    write(picture, Role::text, {slide_margin, y}, value.label, 13, true);
     write(picture, Role::claimed, {rounded_column, y}, value.rounded, 13);
     write(picture, Role::exact, {exact_column, y}, value.exact, 13);
   }
@@ -100,7 +99,7 @@ const char* name_of(Focus focus) {
 void Player::draw_runner(Picture& picture) const {
   if (!stage_.slider || stage_.steps[step_].is_apart) return;
   const Point p = projection().to_pixels(stage_.slider->origin + t_ * stage_.slider->direction);
-  if (!holds(slide_scene, p)) return;
+  if (!slide_scene.holds(p)) return;
   const Point left{p.x - 7, p.y + 16};
   const Point right{p.x + 7, p.y + 16};
   picture.elements.emplace_back(Area{Role::ray, {p, right, left}});
@@ -126,10 +125,10 @@ void Player::draw_controls(Picture& picture) const {
     draw_slider(picture, *stage_.slider, t_, stage_.precision, focus_ == Focus::slider);
     draw_live_values(picture, *stage_.slider, t_, stage_.precision);
   }
-  const Point bottom{margin, player_height - 12};
+  const Point bottom{slide_margin, player_height - 12};
   if (!complaint_.empty()) {
-    write(picture, Role::claimed, bottom, wrapped(complaint_, player_width - 2 * margin, 13).front(), 13,
-          true);
+    write(picture, Role::claimed, bottom, wrapped(complaint_, player_width - 2 * slide_margin, 13).front(),
+          13, true);
     return;
   }
   std::string hint = fmt::format("The arrow keys move {} (Tab: the next).", name_of(focus_));

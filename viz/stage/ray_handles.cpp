@@ -22,10 +22,6 @@ bool shows_ray(const StageSlider& slider, const Ray<double>& ray) {
   return slider.shows_point && slider.origin == ray.origin && slider.direction == ray.direction;
 }
 
-bool holds(const Box& frame, const Point& p) {
-  return p.x >= frame.left && p.x <= frame.right() && p.y >= frame.top && p.y <= frame.bottom();
-}
-
 /// The last t up to `to` at which the ray is inside the frame, where that is beyond `from`.
 std::optional<double> last_t_in(const Box& frame, const Projection& projection, const Ray<double>& ray,
                                 double from, double to) {
@@ -45,7 +41,7 @@ std::vector<Handle> ray_handles(const Ray<double>& ray, const StageSlider& slide
   const Box frame{projection.frame.left + inset, projection.frame.top + inset,
                   projection.frame.width - 2 * inset, projection.frame.height - 2 * inset};
   std::vector<Handle> handles;
-  if (holds(frame, projection.to_pixels(ray.origin))) handles.push_back({Grip::origin, ray.origin, 0});
+  if (frame.holds(projection.to_pixels(ray.origin))) handles.push_back({Grip::origin, ray.origin, 0});
   const double from = std::isfinite(ray.t_min) ? ray.t_min : slider.from;
   const auto t = last_t_in(frame, projection, ray, from, std::max(slider.to, from));
   if (t && *t != 0) handles.push_back({Grip::tip, ray.origin + *t * ray.direction, *t});
@@ -78,7 +74,7 @@ std::vector<Handle> handles_of(const Stage& stage, const Projection& projection)
   }
   if (const auto* asked = std::get_if<PointAndPolygon<double>>(&stage.one.question)) {
     const glm::dvec3 p(asked->point.x, asked->point.y, 0);
-    if (holds(projection.frame, projection.to_pixels(p))) return {{Grip::point, p, 0}};
+    if (projection.frame.holds(projection.to_pixels(p))) return {{Grip::point, p, 0}};
   }
   return {};
 }

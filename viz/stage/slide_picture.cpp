@@ -13,7 +13,7 @@ namespace {
 
 constexpr double slide_width = 960;
 constexpr double slide_height = 540;
-constexpr double margin = 24;
+constexpr double margin = slide_margin;
 constexpr Box scene_frame = slide_scene;
 constexpr double column = 634;
 

@@ -6,7 +6,7 @@
 namespace rayproof::viz {
 namespace {
 
-Figure figure_of(const Sight& sight) {
+Figure box_figure(const Sight& sight) {
   const auto box = convert<Shadow>(std::get<rayproof::Box<double>>(sight.question.shape));
   const Place size = box.max - box.min;
   const World& world = sight.world;
@@ -20,6 +20,6 @@ Figure figure_of(const Sight& sight) {
 }  // namespace
 
 TopicView box_view();
-TopicView box_view() { return wireframe_view<box::Topic, figure_of>(); }
+TopicView box_view() { return wireframe_view<box::Topic, box_figure>(); }
 
 }  // namespace rayproof::viz

@@ -131,7 +131,7 @@ Place normal_of(const Tube& tube, const Place& place) {
   return is_on_side ? unit(c * tube.normal_x + s * tube.normal_y) : tube.end_normal;
 }
 
-Figure figure_of(const Sight& sight) {
+Figure cylinder_figure(const Sight& sight) {
   const Tube tube = tube_of(sight);
   Figure figure;
   std::vector<Place> rim;
@@ -158,6 +158,6 @@ Figure figure_of(const Sight& sight) {
 }  // namespace
 
 TopicView cylinder_view();
-TopicView cylinder_view() { return wireframe_view<cylinder::Topic, figure_of>(); }
+TopicView cylinder_view() { return wireframe_view<cylinder::Topic, cylinder_figure>(); }
 
 }  // namespace rayproof::viz

@@ -6,7 +6,7 @@
 namespace rayproof::viz {
 namespace {
 
-Figure figure_of(const Sight& sight) {
+Figure parallelepiped_figure(const Sight& sight) {
   const auto solid = convert<Shadow>(std::get<Parallelepiped<double>>(sight.question.shape));
   const Place corner = sight.world.point(solid.corner);
   std::array<Place, 3> edges;
@@ -20,6 +20,6 @@ Figure figure_of(const Sight& sight) {
 }  // namespace
 
 TopicView parallelepiped_view();
-TopicView parallelepiped_view() { return wireframe_view<parallelepiped::Topic, figure_of>(); }
+TopicView parallelepiped_view() { return wireframe_view<parallelepiped::Topic, parallelepiped_figure>(); }
 
 }  // namespace rayproof::viz

@@ -59,7 +59,7 @@ std::vector<Stroke> grid_of(const Patch& patch) {
   return strokes;
 }
 
-Figure figure_of(const Sight& sight) {
+Figure plane_figure(const Sight& sight) {
   const Level plane = level_of(sight);
   const Patch patch = patch_of(sight, plane);
   Figure figure;
@@ -75,6 +75,6 @@ Figure figure_of(const Sight& sight) {
 }  // namespace
 
 TopicView plane_view();
-TopicView plane_view() { return wireframe_view<plane::Topic, figure_of>(); }
+TopicView plane_view() { return wireframe_view<plane::Topic, plane_figure>(); }
 
 }  // namespace rayproof::viz

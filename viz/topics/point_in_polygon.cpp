@@ -8,11 +8,15 @@ namespace rayproof::viz {
 namespace {
 
 /// Its methods count crossings in plain numbers: none of them can be recorded.
-std::optional<Walkthrough> walk(const Case& /*one*/, const std::string& /*method*/) { return std::nullopt; }
+std::optional<Walkthrough> no_walk(const Case& /*one*/, const std::string& /*method*/) {
+  return std::nullopt;
+}
 
 }  // namespace
 
 TopicView point_in_polygon_view();
-TopicView point_in_polygon_view() { return {point_in_polygon::Topic::name, point_in_polygon_picture, walk}; }
+TopicView point_in_polygon_view() {
+  return {point_in_polygon::Topic::name, point_in_polygon_picture, no_walk};
+}
 
 }  // namespace rayproof::viz

@@ -10,7 +10,7 @@ namespace {
 /// More names than this would hide the polygon.
 constexpr std::size_t most_names = 8;
 
-Figure figure_of(const Sight& sight) {
+Figure polygon_figure(const Sight& sight) {
   const auto& polygon = std::get<Polygon<double>>(sight.question.shape);
   std::vector<Place> vertices;
   std::vector<std::string> names;
@@ -24,6 +24,6 @@ Figure figure_of(const Sight& sight) {
 }  // namespace
 
 TopicView polygon_view();
-TopicView polygon_view() { return wireframe_view<polygon::Topic, figure_of>(); }
+TopicView polygon_view() { return wireframe_view<polygon::Topic, polygon_figure>(); }
 
 }  // namespace rayproof::viz

@@ -7,7 +7,7 @@
 namespace rayproof::viz {
 namespace {
 
-std::optional<Walkthrough> walk(const Case& one, const std::string& method) {
+std::optional<Walkthrough> walk_quadratic(const Case& one, const std::string& method) {
   return walk_topic<quadratic::Topic>(method, one.precision, [&]<class R>(std::type_identity<R>) {
     const auto q = convert<R>(std::get<Quadratic<double>>(one.question));
     return quadratic::Topic::Problem<R>{{named("a", q.a), named("b", q.b), named("c", q.c)}};
@@ -17,6 +17,6 @@ std::optional<Walkthrough> walk(const Case& one, const std::string& method) {
 }  // namespace
 
 TopicView quadratic_view();
-TopicView quadratic_view() { return {quadratic::Topic::name, quadratic_picture, walk}; }
+TopicView quadratic_view() { return {quadratic::Topic::name, quadratic_picture, walk_quadratic}; }
 
 }  // namespace rayproof::viz

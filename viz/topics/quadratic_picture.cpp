@@ -12,9 +12,6 @@
 namespace rayproof::viz {
 namespace {
 
-/// Two things nearer than this, in pixels, can't be told apart.
-constexpr double apart = 24;
-
 struct Parabola {
   Quadratic<Shadow> q;
   [[nodiscard]] Shadow at(const Shadow& x) const { return (q.a * x + q.b) * x + q.c; }
@@ -78,24 +75,25 @@ Shadow half_opening(const Parabola& parabola, const std::vector<NamedMark>& mark
   return half * 1.5;
 }
 
-struct Inset {
+struct ParabolaInset {
   View view;
   std::optional<std::pair<WorldPoint, WorldPoint>> measured;
 };
 
-std::optional<Inset> inset_of(const Parabola& parabola, const View& main, const Box& frame,
-                              const std::vector<NamedMark>& marks, bool verdicts_differ, const Answer* exact,
-                              const Answer* claimed) {
+std::optional<ParabolaInset> inset_of(const Parabola& parabola, const View& main, const Box& frame,
+                                      const std::vector<NamedMark>& marks, bool verdicts_differ,
+                                      const Answer* exact, const Answer* claimed) {
   const auto on_axis = [](double x) { return WorldPoint{x, 0}; };
   if (const auto worst = worst_pair(exact, claimed, on_axis); worst && !verdicts_differ) {
     const Shadow error = abs(worst->first.x - worst->second.x);
-    if (error * main.scale_x > apart) return {};
-    return Inset{looking_at(parabola, frame, (worst->first.x + worst->second.x) / 2, error * 1.6), worst};
+    if (error * main.scale_x > told_apart) return {};
+    return ParabolaInset{looking_at(parabola, frame, (worst->first.x + worst->second.x) / 2, error * 1.6),
+                         worst};
   }
   if (!parabola.has_vertex()) return {};
   const Shadow half = half_opening(parabola, marks);
-  if (half == 0 || half * main.scale_x > 3 * apart) return {};
-  return Inset{looking_at(parabola, frame, parabola.vertex(), half), {}};
+  if (half == 0 || half * main.scale_x > 3 * told_apart) return {};
+  return ParabolaInset{looking_at(parabola, frame, parabola.vertex(), half), {}};
 }
 
 void draw_scene(Picture& picture, const View& view, const Parabola& parabola,

@@ -9,9 +9,8 @@
 namespace rayproof::viz {
 namespace {
 
-/// A sphere smaller than this, in pixels, is a speck; two things nearer than this can't be told apart.
+/// A sphere smaller than this, in pixels, is a speck.
 constexpr double speck = 26;
-constexpr double apart = 24;
 
 Inset error_inset(const SphereScene& scene, const Box& frame) {
   const auto& [truth, claim] = *scene.worst;
@@ -92,18 +91,18 @@ MainView main_view(const SphereScene& scene, const Box& frame) {
 
 std::optional<Inset> inset_of(const SphereScene& scene, const View& main, const Box& frame) {
   const RayPlane& plane = scene.plane;
-  const bool hides_gap = abs(plane.gap()) * main.scale_y < apart / 2 && plane.radius > 0;
+  const bool hides_gap = abs(plane.gap()) * main.scale_y < told_apart / 2 && plane.radius > 0;
   if (scene.verdicts_differ && hides_gap && half_stretch(scene) > 0) return gap_inset(scene, frame);
   if (scene.worst) {
     const auto& [truth, claim] = *scene.worst;
-    if (abs(truth.x - claim.x) * main.scale_x < apart) return error_inset(scene, frame);
+    if (abs(truth.x - claim.x) * main.scale_x < told_apart) return error_inset(scene, frame);
     return {};
   }
   if (hides_gap && plane.gap() != 0) return gap_inset(scene, frame);
   for (const NamedMark& hit : scene.hits) {
     if (!scene.has_start()) break;
     const Shadow from_start = abs(hit.at.x - scene.start().x);
-    if (from_start == 0 || from_start * main.scale_x > apart) continue;
+    if (from_start == 0 || from_start * main.scale_x > told_apart) continue;
     const WorldPoint middle{(hit.at.x + scene.start().x) / 2, 0};
     return Inset{View::around(frame, middle, from_start * 1.6, from_start * 0.01),
                  {{scene.start(), hit.at}},

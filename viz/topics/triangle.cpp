@@ -6,7 +6,7 @@
 namespace rayproof::viz {
 namespace {
 
-Figure figure_of(const Sight& sight) {
+Figure triangle_figure(const Sight& sight) {
   const auto& triangle = std::get<Triangle<double>>(sight.question.shape);
   const Place a = sight.world.point(triangle.a);
   const Place b = sight.world.point(triangle.b);
@@ -17,6 +17,6 @@ Figure figure_of(const Sight& sight) {
 }  // namespace
 
 TopicView triangle_view();
-TopicView triangle_view() { return wireframe_view<triangle::Topic, figure_of>(); }
+TopicView triangle_view() { return wireframe_view<triangle::Topic, triangle_figure>(); }
 
 }  // namespace rayproof::viz

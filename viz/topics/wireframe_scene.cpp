@@ -9,9 +9,6 @@
 namespace rayproof::viz {
 namespace {
 
-/// Two things nearer than this, in pixels, can't be told apart.
-constexpr double apart = 24;
-
 std::optional<Shadow> first_hit(const Answer* exact, const Answer* claimed) {
   for (const Answer* answer : {exact, claimed}) {
     for (const double t : values_of(answer)) {
@@ -60,7 +57,7 @@ WireframeInset gap_inset(const WireframeScene& scene, const View& main, const Bo
   const Camera camera = Camera::from(nearest.on_ray, toward, scene.along_ray);
   Shadow half_width = nearest.gap;
   for (const NamedMark& hit : scene.marks(camera)) {
-    if (abs(hit.at.x) * main.scale_x < 3 * apart)
+    if (abs(hit.at.x) * main.scale_x < 3 * told_apart)
       half_width = std::max<Shadow>(half_width, abs(hit.at.x) * 1.3);
   }
   const Shadow half_height = nearest.gap * Shadow(1.8);
@@ -136,14 +133,14 @@ std::optional<WireframeInset> inset_of(const WireframeScene& scene, const Camera
   if (const auto worst = worst_pair(scene.exact, scene.claimed, on_axis)) {
     const auto& [truth, claim] = *worst;
     const Shadow error = abs(truth.x - claim.x) * scene.direction_size;
-    if (error > apart * pixel) return {};
+    if (error > told_apart * pixel) return {};
     return stretch_inset(scene, camera, frame, truth.x, claim.x, "off by " + rough(error, 2));
   }
   if (hides_gap) return gap_inset(scene, main, frame, *nearest);
   if (!isfinite(scene.sight.ray.t_min) || !scene.sight.first_t) return {};
   const Shadow t_min = scene.sight.ray.t_min;
   const Shadow from_start = abs(*scene.sight.first_t - t_min) * scene.direction_size;
-  if (from_start == 0 || from_start > apart * pixel) return {};
+  if (from_start == 0 || from_start > told_apart * pixel) return {};
   return stretch_inset(scene, camera, frame, *scene.sight.first_t, t_min,
                        rough(from_start, 2) + " from the start");
 }

@@ -13,8 +13,6 @@
 namespace rayproof {
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity();
-
 std::string written(double x) {
   std::string out;
   append_number(out, x);
@@ -53,15 +51,15 @@ TEST(number_text, is_read_as_the_nearest_double) {
            {"+1.5e+1", 15},
            {".5", 0.5},
            {"5.", 5},
-           {"inf", inf},
-           {"-inf", -inf},
-           {"1e999", inf},
-           {"-1e99999999999999999999", -inf},
+           {"inf", infinity<double>},
+           {"-inf", -infinity<double>},
+           {"1e999", infinity<double>},
+           {"-1e99999999999999999999", -infinity<double>},
            {"1e-999", 0},
            {"-1e-99999999999999999999", -0.0},
            {"0e99999999999999999999", 0},
            {"1.7976931348623158e308", std::numeric_limits<double>::max()},
-           {"1.7976931348623159e308", inf},  // from halfway to 2^1024 on
+           {"1.7976931348623159e308", infinity<double>},  // from halfway to 2^1024 on
            {"4.9e-324", 0x1p-1074},
            {"2.4703282292062328e-324", 0x1p-1074},  // above half the smallest subnormal
            {"2.4703282292062327e-324", 0},          // below it
@@ -75,10 +73,10 @@ TEST(number_text, is_read_as_the_nearest_double) {
            {"-0x0.0p+0", -0.0},
            {"0x1.8", 1.5},
            {"0x.8p0", 0.5},
-           {"0x1p1024", inf},
-           {"-0x1p99999999999999999999", -inf},
+           {"0x1p1024", infinity<double>},
+           {"-0x1p99999999999999999999", -infinity<double>},
            {"0x1.fffffffffffff7p1023", std::numeric_limits<double>::max()},
-           {"0x1.fffffffffffff8p1023", inf},
+           {"0x1.fffffffffffff8p1023", infinity<double>},
            {"0x1p-1074", 0x1p-1074},
            {"0x1p-1075", 0},  // a tie, to even
            {"0x1.0000000000001p-1075", 0x1p-1074},
@@ -109,8 +107,8 @@ TEST(number_text, is_written_as_json_that_reads_back_bit_for_bit) {
   EXPECT_EQ(written(-0.0), "-0.0");
   EXPECT_EQ(written(static_cast<double>(0.1F)), "0.10000000149011612");
   EXPECT_EQ(written(1e300), "1e+300");
-  EXPECT_EQ(written(inf), "\"inf\"");
-  EXPECT_EQ(written(-inf), "\"-inf\"");
+  EXPECT_EQ(written(infinity<double>), "\"inf\"");
+  EXPECT_EQ(written(-infinity<double>), "\"-inf\"");
   EXPECT_EQ(written(std::nan("")), "\"nan\"");
   std::mt19937_64 random(1);
   for (int i = 0; i < 20000; ++i) {
@@ -142,7 +140,7 @@ TEST(number_text, in_hex_is_written_as_printf_does) {
     std::snprintf(expected.data(), expected.size(), "\"%a\"", x);
     EXPECT_EQ(written_hex(x), expected.data());
   }
-  EXPECT_EQ(written_hex(inf), "\"inf\"");
+  EXPECT_EQ(written_hex(infinity<double>), "\"inf\"");
 }
 
 }  // namespace

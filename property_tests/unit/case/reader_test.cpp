@@ -9,8 +9,6 @@
 namespace rayproof {
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity();
-
 const RayQuestion& ray_question(const Case& one) { return std::get<RayQuestion>(one.question); }
 
 TEST(reader, reads_every_field_and_rounds_it_to_the_precision) {
@@ -22,7 +20,7 @@ TEST(reader, reads_every_field_and_rounds_it_to_the_precision) {
   EXPECT_EQ(question.ray.origin, glm::dvec3(0, 0, -5));
   EXPECT_EQ(question.ray.direction, glm::dvec3(0, 0, 1));
   EXPECT_EQ(question.ray.t_min, static_cast<double>(0.1F));
-  EXPECT_EQ(question.ray.t_max, inf);
+  EXPECT_EQ(question.ray.t_max, infinity<double>);
   const auto& sphere = std::get<Sphere<double>>(question.shape);
   EXPECT_EQ(sphere.center, glm::dvec3(static_cast<double>(0.1F), 2, 3));
   EXPECT_EQ(sphere.radius, 1);
@@ -38,7 +36,7 @@ TEST(reader, takes_the_defaults_of_what_is_left_out) {
   EXPECT_EQ(one.precision, Precision::float64);
   EXPECT_EQ(one.note, "");
   EXPECT_EQ(ray_question(one).ray.t_min, 0);
-  EXPECT_EQ(ray_question(one).ray.t_max, inf);
+  EXPECT_EQ(ray_question(one).ray.t_max, infinity<double>);
   EXPECT_FALSE(ray_question(one).transform);
 }
 
@@ -82,9 +80,9 @@ TEST(reader, judges_numbers_after_rounding_them) {
   EXPECT_NO_THROW(static_cast<void>(read_case(replaced(far_sphere, "\"inf\"", "0.09999999999"))));
   EXPECT_NO_THROW(
       static_cast<void>(read_case(replaced(far_sphere, "[0,0,0,1]", "[0,0,1e-60,1.00000000001]"))));
-  EXPECT_EQ(ray_question(read_case(replaced(far_sphere, "\"inf\"", "1e39"))).ray.t_max, inf);
-  EXPECT_EQ(ray_question(read_case(replaced(far_sphere, "\"inf\"", "1e999"))).ray.t_max, inf);
-  EXPECT_EQ(ray_question(read_case(replaced(far_sphere, "0.1", "-1e999"))).ray.t_min, -inf);
+  EXPECT_EQ(ray_question(read_case(replaced(far_sphere, "\"inf\"", "1e39"))).ray.t_max, infinity<double>);
+  EXPECT_EQ(ray_question(read_case(replaced(far_sphere, "\"inf\"", "1e999"))).ray.t_max, infinity<double>);
+  EXPECT_EQ(ray_question(read_case(replaced(far_sphere, "0.1", "-1e999"))).ray.t_min, -infinity<double>);
 }
 
 }  // namespace

@@ -10,7 +10,6 @@
 namespace rayproof {
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 Case with_id(std::string id) {
@@ -34,8 +33,8 @@ TEST(writer, leaves_out_what_an_answer_has_not) {
 }
 
 TEST(writer, writes_infinities_as_strings) {
-  RayAnswer answer{Contact::tangent, {}, false, glm::dvec3(-inf, 0, inf), {}};
-  answer.hits.push_back(inf);
+  RayAnswer answer{Contact::tangent, {}, false, glm::dvec3(-infinity<double>, 0, infinity<double>), {}};
+  answer.hits.push_back(infinity<double>);
   EXPECT_EQ(write_answer(with_id("[1]"), answer),
             R"({"id": [1], "verdict": "hit", "contact": "tangent", "hits": [{"t": "inf", "t_hex": "inf"}], )"
             R"("point": ["-inf", 0, "inf"]})");
@@ -74,7 +73,7 @@ TEST(writer, writes_a_case_with_the_fewest_digits_that_read_back) {
       R"({"id": 1, "precision": "float32", "ray": {"origin": [0, 0, -5], "direction": [0.1, 0, 1], )"
       R"("t_min": 0, "t_max": "inf"}, "shape": {"type": "sphere", "center": [1, 2, 3], "radius": 1}, )"
       R"("transform": [[2, 0, 0, 7], [0, 2, 0, 8], [0, 0, 2, 9], [0, 0, 0, 1]], "note": "a \"note\""})");
-  EXPECT_EQ(write_case({"", Precision::float64, "", Quadratic<double>{1, nan, -inf}}),
+  EXPECT_EQ(write_case({"", Precision::float64, "", Quadratic<double>{1, nan, -infinity<double>}}),
             R"({"precision": "float64", "query": "quadratic", "a": 1, "b": "nan", "c": "-inf"})");
 }
 

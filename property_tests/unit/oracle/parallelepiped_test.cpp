@@ -65,8 +65,8 @@ TEST(ParallelepipedOracle, IncludesBothEndsOfTheInterval) {
 }
 
 TEST(ParallelepipedOracle, AgreesWithTheBoxThatItIs) {
-  const Parallelepiped<double> brick{{0, 0, 0}, {glm::dvec3{2, 0, 0}, {0, 4, 0}, {0, 0, 6}}};
-  const RayAnswer found = met({{1, 1, -3}, {0, 0, 1}}, brick);
+  const Parallelepiped<double> upright{{0, 0, 0}, {glm::dvec3{2, 0, 0}, {0, 4, 0}, {0, 0, 6}}};
+  const RayAnswer found = met({{1, 1, -3}, {0, 0, 1}}, upright);
   expect_hits(found, Contact::crossing, {3, 9});
   EXPECT_EQ(*found.normal, glm::dvec3(0, 0, -1));
 }

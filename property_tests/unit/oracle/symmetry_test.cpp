@@ -10,7 +10,7 @@ namespace {
 using OracleSymmetry = EveryShape;
 INSTANTIATE_TEST_SUITE_P(Of, OracleSymmetry, testing::ValuesIn(ray_topics), topic_name);
 
-constexpr std::uint64_t cases_per_family = 150;
+constexpr std::uint64_t cases_a_symmetry = 150;
 
 void expect_same_hits(const RayAnswer& a, const RayAnswer& b) {
   ASSERT_EQ(a.hits.count, b.hits.count);
@@ -19,7 +19,7 @@ void expect_same_hits(const RayAnswer& a, const RayAnswer& b) {
 }
 
 TEST_P(OracleSymmetry, MirroringTheDirectionMirrorsTheHits) {
-  for_each_case(GetParam(), cases_per_family, [](Case one) {
+  for_each_case(GetParam(), cases_a_symmetry, [](Case one) {
     RayQuestion& question = question_of(one);
     const RayAnswer before = ray_answer(one);
     question.ray.direction = -question.ray.direction;
@@ -34,7 +34,7 @@ TEST_P(OracleSymmetry, MirroringTheDirectionMirrorsTheHits) {
 
 TEST_P(OracleSymmetry, ScalingTheDirectionByAPowerOfTwoScalesT) {
   std::size_t tried = 0;
-  for_each_case(GetParam(), cases_per_family, [&](Case one) {
+  for_each_case(GetParam(), cases_a_symmetry, [&](Case one) {
     RayQuestion& question = question_of(one);
     const RayAnswer before = ray_answer(one);
     if (!is_scalable(one, before)) return;
@@ -50,7 +50,7 @@ TEST_P(OracleSymmetry, ScalingTheDirectionByAPowerOfTwoScalesT) {
 }
 
 TEST_P(OracleSymmetry, AnIdentityTransformChangesNothing) {
-  for_each_case(GetParam(), cases_per_family, [](Case one) {
+  for_each_case(GetParam(), cases_a_symmetry, [](Case one) {
     RayQuestion& question = question_of(one);
     if (question.transform) return;
     const RayAnswer before = ray_answer(one);
@@ -66,7 +66,7 @@ TEST_P(OracleSymmetry, AnIdentityTransformChangesNothing) {
 // Two ways to one answer: the judge finds its error from the power of the point p(t) in filtered arithmetic,
 // the answer its t from the roots of the exact quadratic.
 TEST_P(OracleSymmetry, TheJudgeAcceptsTheExactAnswerWithinHalfAnUlp) {
-  for_each_case(GetParam(), cases_per_family, [](const Case& one) {
+  for_each_case(GetParam(), cases_a_symmetry, [](const Case& one) {
     const Judgement judgement = judge(one, answer(one));
     EXPECT_FALSE(judgement.wrong);
     EXPECT_LE(judgement.ulp, 0.5 + 0x1p-20);
@@ -74,7 +74,7 @@ TEST_P(OracleSymmetry, TheJudgeAcceptsTheExactAnswerWithinHalfAnUlp) {
 }
 
 TEST_P(OracleSymmetry, TheJudgeSeesAStepToTheNextFloat) {
-  for_each_case(GetParam(), cases_per_family, [](const Case& one) {
+  for_each_case(GetParam(), cases_a_symmetry, [](const Case& one) {
     RayAnswer claimed = ray_answer(one);
     if (claimed.hits.count == 0 || !std::isfinite(claimed.hits.t[0])) return;
     const bool narrow = one.precision == Precision::float32;

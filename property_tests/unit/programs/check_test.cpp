@@ -2,22 +2,20 @@
 /// rayproof check as somebody outside meets it: what it writes, and how it ends.
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "unit/command.hpp"
+
+namespace rayproof {
 namespace {
 
-struct Outcome {
-  int status = -1;
-  std::string output;  ///< standard output and standard error
-};
+using test::Ended;
 
 /// A folder of its own for each test, gone with the object.
 class CheckProgram : public testing::Test {
@@ -34,16 +32,9 @@ class CheckProgram : public testing::Test {
   }
 
   /// Runs the program in the folder; `before` stands before it on the command line.
-  [[nodiscard]] Outcome check(const std::string& arguments, const std::string& before = "") const {
-    const std::string line = "cd " + folder_.string() + " && { " + before + " " + RAYPROOF_BIN_DIR +
-                             "/rayproof-check " + arguments + "; } 2>&1";
-    FILE* const pipe = ::popen(line.c_str(), "r");
-    Outcome result;
-    for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe))
-      result.output.push_back(static_cast<char>(c));
-    const int status = ::pclose(pipe);
-    result.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    return result;
+  [[nodiscard]] Ended check(const std::string& arguments, const std::string& before = "") const {
+    return test::run("cd " + folder_.string() + " && " + before + " " + RAYPROOF_BIN_DIR +
+                     "/rayproof-check " + arguments);
   }
 
  private:
@@ -58,7 +49,7 @@ TEST_F(CheckProgram, AMistakeOnTheCommandLineEndsWithTwoAndOneSentence) {
        {"--no-such-option", "--cases 0", "--method nobody", "--family nowhere", "--property none",
         "--shape cube", "--precision float16", "--shape quadratic --method centred", "--replay no-such-file",
         "--corpus no-such-file", "--json no/such/folder/file"}) {
-    const Outcome outcome = check(mistake);
+    const Ended outcome = check(mistake);
     EXPECT_EQ(outcome.status, 2) << mistake;
     EXPECT_EQ(std::count(outcome.output.begin(), outcome.output.end(), '\n'), 1) << outcome.output;
   }
@@ -67,7 +58,7 @@ TEST_F(CheckProgram, AMistakeOnTheCommandLineEndsWithTwoAndOneSentence) {
 TEST_F(CheckProgram, HelpEndsWithZero) { EXPECT_EQ(check("--help").status, 0); }
 
 TEST_F(CheckProgram, AMethodDeclaredWrongIsRefutedAndThatIsASuccess) {
-  const Outcome outcome = check(short_refutation + " --findings f.jsonl --junit j.xml --json j.json");
+  const Ended outcome = check(short_refutation + " --findings f.jsonl --junit j.xml --json j.json");
   EXPECT_EQ(outcome.status, 0) << outcome.output;
   EXPECT_NE(outcome.output.find("refuted as declared"), std::string::npos);
   EXPECT_NE(text_of("f.jsonl").find("\"subject\": \"sphere/printed_2ac\""), std::string::npos);
@@ -83,7 +74,7 @@ TEST_F(CheckProgram, ARefutationThatIsNotFoundIsAFailure) {
 
 TEST_F(CheckProgram, FindingsAreReplayedAsTheyWereFound) {
   ASSERT_EQ(check(short_refutation + " --findings f.jsonl").status, 0);
-  const Outcome replayed = check("--replay f.jsonl");
+  const Ended replayed = check("--replay f.jsonl");
   EXPECT_EQ(replayed.status, 0) << replayed.output;
   EXPECT_NE(replayed.output.find("still breaks (declared broken)"), std::string::npos);
   EXPECT_EQ(replayed.output.find("does not break"), std::string::npos);
@@ -93,14 +84,14 @@ TEST_F(CheckProgram, AReplayedFindingThatIsNoneAnyMoreIsTold) {
   std::ofstream(path("f.jsonl"))
       << R"({"subject": "sphere/centred", "property": "verdict", "case": {"ray": {"origin": [0,0,-5], "direction": [0,0,1]}, "shape": {"type": "sphere", "center": [0,0,0], "radius": 1}}})"
       << "\n";
-  const Outcome replayed = check("--replay f.jsonl");
+  const Ended replayed = check("--replay f.jsonl");
   EXPECT_EQ(replayed.status, 0) << replayed.output;
   EXPECT_NE(replayed.output.find("does not break"), std::string::npos);
 }
 
 TEST_F(CheckProgram, ALineThatCannotBeReplayedIsNamed) {
   std::ofstream(path("f.jsonl")) << "{}\n";
-  const Outcome replayed = check("--replay f.jsonl");
+  const Ended replayed = check("--replay f.jsonl");
   EXPECT_EQ(replayed.status, 1);
   EXPECT_NE(replayed.output.find("f.jsonl:1: "), std::string::npos) << replayed.output;
 }
@@ -112,15 +103,16 @@ TEST_F(CheckProgram, TheFindingsAreTheSameForEveryNumberOfJobs) {
 }
 
 TEST_F(CheckProgram, AnInterruptEndsItCleanlyWithWhatWasFound) {
-  const Outcome outcome =
+  const Ended outcome =
       check("--cases 1000000000 --method printed_2ac --findings f.jsonl", "timeout -s INT 3");
   EXPECT_NE(outcome.output.find("interrupted"), std::string::npos) << outcome.output;
   EXPECT_NE(text_of("out/check/index.html").find("</html>"), std::string::npos);
 }
 
 TEST_F(CheckProgram, ATimeLimitIsKept) {
-  const Outcome outcome = check("--time 2 --cases 1000000000 --method printed_half_b", "timeout 60");
+  const Ended outcome = check("--time 2 --cases 1000000000 --method printed_half_b", "timeout 60");
   EXPECT_EQ(outcome.status, 0) << outcome.output;
 }
 
 }  // namespace
+}  // namespace rayproof

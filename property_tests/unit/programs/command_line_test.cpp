@@ -2,33 +2,24 @@
 /// The programs as somebody outside meets them: what they print, and how they end.
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "unit/command.hpp"
+
+namespace rayproof {
 namespace {
 
-struct Outcome {
-  int status = -1;
-  std::string output;  ///< standard output and standard error
-};
+using test::Ended;
 
-/// Runs `rayproof-COMMAND` in a shell.
-Outcome run(const std::string& command) {
-  const std::string line = std::string("{ ") + RAYPROOF_BIN_DIR + "/rayproof-" + command + "; } 2>&1";
-  FILE* const pipe = ::popen(line.c_str(), "r");
-  Outcome result;
-  for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe))
-    result.output.push_back(static_cast<char>(c));
-  const int status = ::pclose(pipe);
-  result.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  return result;
+/// Runs `rayproof-COMMAND`.
+Ended run(const std::string& command) {
+  return test::run(std::string(RAYPROOF_BIN_DIR) + "/rayproof-" + command);
 }
 
 /// A file that is there as long as the object.
@@ -59,7 +50,7 @@ TEST(oracle_program, answers_a_file_or_standard_input) {
   const std::string expected = std::string(sphere_answer) + "\n" + quadratic_answer + "\n";
   for (const std::string& command :
        {"oracle " + file.path(), "oracle < " + file.path(), "oracle - < " + file.path()}) {
-    const Outcome answered = run(command);
+    const Ended answered = run(command);
     EXPECT_EQ(answered.output, expected) << command;
     EXPECT_EQ(answered.status, 0) << command;
   }
@@ -67,7 +58,7 @@ TEST(oracle_program, answers_a_file_or_standard_input) {
 
 TEST(oracle_program, ends_with_1_where_a_line_was_refused) {
   const TemporaryFile file("nonsense\n" + std::string(quadratic_case) + "\n");
-  const Outcome answered = run("oracle " + file.path());
+  const Ended answered = run("oracle " + file.path());
   EXPECT_EQ(answered.status, 1);
   EXPECT_NE(answered.output.find("\"line\": 1, \"error\""), std::string::npos);
   EXPECT_NE(answered.output.find(quadratic_answer), std::string::npos);
@@ -77,7 +68,7 @@ TEST(oracle_program, ends_with_2_and_one_sentence_for_a_wrong_command_line) {
   for (const std::string command :
        {"oracle --exact", "oracle /no/such/file", "oracle a b", "oracle /", "intersect < /dev/null",
         "intersect --method", "methods --xml", "methods sphere"}) {
-    const Outcome answered = run(command);
+    const Ended answered = run(command);
     EXPECT_EQ(answered.status, 2) << command;
     EXPECT_EQ(std::count(answered.output.begin(), answered.output.end(), '\n'), 1) << answered.output;
   }
@@ -94,18 +85,18 @@ TEST(oracle_program, is_quiet_when_its_reader_has_seen_enough) {
 
 TEST(intersect_program, answers_in_the_oracles_format) {
   const TemporaryFile file(sphere_case);
-  const Outcome answered = run("intersect --method sphere/compensated " + file.path());
+  const Ended answered = run("intersect --method sphere/compensated " + file.path());
   EXPECT_EQ(answered.status, 0);
   EXPECT_EQ(answered.output, std::string(sphere_answer) + "\n");
 }
 
 TEST(intersect_program, refuses_a_case_of_another_topic_by_its_field) {
   const TemporaryFile file(std::string(sphere_case) + "\n" + quadratic_case + "\n");
-  const Outcome sphere = run("intersect --method sphere/centred " + file.path());
+  const Ended sphere = run("intersect --method sphere/centred " + file.path());
   EXPECT_EQ(sphere.status, 1);
   EXPECT_NE(sphere.output.find(R"("line": 2, "error": "query is quadratic, which)"), std::string::npos)
       << sphere.output;
-  const Outcome quadratic = run("intersect --method quadratic/kahan " + file.path());
+  const Ended quadratic = run("intersect --method quadratic/kahan " + file.path());
   EXPECT_EQ(quadratic.status, 1);
   EXPECT_NE(quadratic.output.find(R"({"id": 7, "line": 1, "error": "shape.type is sphere, which)"),
             std::string::npos)
@@ -113,7 +104,7 @@ TEST(intersect_program, refuses_a_case_of_another_topic_by_its_field) {
 }
 
 TEST(intersect_program, names_near_methods_for_one_it_does_not_know) {
-  const Outcome answered = run("intersect --method sphere/centered < /dev/null");
+  const Ended answered = run("intersect --method sphere/centered < /dev/null");
   EXPECT_EQ(answered.status, 2);
   EXPECT_NE(answered.output.find("did you mean sphere/centred"), std::string::npos) << answered.output;
 }
@@ -134,10 +125,11 @@ TEST(methods_program, lists_every_method_with_its_contract) {
 
 TEST(programs, tell_their_options) {
   for (const std::string program : {"oracle", "intersect", "methods"}) {
-    const Outcome help = run(program + " --help");
+    const Ended help = run(program + " --help");
     EXPECT_EQ(help.status, 0) << program;
     EXPECT_NE(help.output.find("Exit status"), std::string::npos) << program;
   }
 }
 
 }  // namespace
+}  // namespace rayproof

@@ -30,8 +30,8 @@ struct ShortRun {
     settings.cases = 500;
     settings.families = {"random"};
     plan = make_plan(settings, all);
-    const std::atomic<bool> go_on{false};
-    result = run_plan(plan, {}, {}, go_on);
+    const std::atomic<bool> is_interrupted{false};
+    result = run_plan(plan, {}, {}, is_interrupted);
     summary = summarise(plan, result);
   }
 };

@@ -177,7 +177,7 @@ TEST(PlayerDrag, AnOriginOutOfSightCanNotBeTakenHoldOf) {
   player.press_key("2");
   for (const Handle& handle : player.handles()) {
     const Point p = seen(player, handle);
-    EXPECT_TRUE(holds(slide_scene, p)) << p.x << ' ' << p.y;
+    EXPECT_TRUE(slide_scene.holds(p)) << p.x << ' ' << p.y;
   }
 }
 

@@ -1,31 +1,18 @@
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
+#include "unit/command.hpp"
+
 namespace rayproof::viz {
 namespace {
 
-struct Ended {
-  int status;
-  std::string output;  ///< both streams
-};
-
-Ended run(const std::string& command) {
-  FILE* const pipe = popen((command + " 2>&1").c_str(), "r");
-  std::string output;
-  std::array<char, 4096> block{};
-  for (std::size_t got = 0; (got = fread(block.data(), 1, block.size(), pipe)) > 0;)
-    output.append(block.data(), got);
-  const int status = pclose(pipe);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), output};
-}
+using test::Ended;
+using test::run;
 
 const std::string explain = std::string(RAYPROOF_BIN_DIR) + "/rayproof-explain ";
 const std::string draw = "env -u DISPLAY " RAYPROOF_BIN_DIR "/rayproof-draw ";

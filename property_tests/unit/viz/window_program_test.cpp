@@ -1,11 +1,9 @@
 #ifdef RAYPROOF_HAS_VTK
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 
+#include "unit/command.hpp"
 #include "unit/viz/player.hpp"
 #include "unit/viz/x_client.hpp"
 #include "viz/vtk/offscreen_display.hpp"
@@ -15,33 +13,15 @@ namespace {
 
 const std::string walk = "timeout 60 " RAYPROOF_BIN_DIR "/rayproof-walk ";
 
-/// A command that runs beside the test.
-class Running {
- public:
-  explicit Running(const std::string& command) : pipe_(popen(("(" + command + ") 2>&1").c_str(), "r")) {}
-
-  /// Both streams; `status` is there afterwards.
-  std::string wait() {
-    std::string output;
-    std::array<char, 4096> block{};
-    for (std::size_t got = 0; (got = fread(block.data(), 1, block.size(), pipe_)) > 0;)
-      output.append(block.data(), got);
-    const int ended = pclose(pipe_);
-    status = WIFEXITED(ended) ? WEXITSTATUS(ended) : 128 + WTERMSIG(ended);
-    return output;
-  }
-  int status = -1;
-
- private:
-  FILE* pipe_;
-};
+using test::Ended;
+using test::Running;
 
 TEST(WindowProgram, NoDisplayIsOneSentenceAndStatus2) {
   for (const std::string& display : {std::string("-u DISPLAY "), std::string("DISPLAY= "),
                                      std::string("DISPLAY=:31999 "), std::string("DISPLAY=nonsense ")}) {
     Running program("env " + display + walk + "sphere --window");
-    const std::string output = program.wait();
-    EXPECT_EQ(program.status, 2) << display << output;
+    const auto [status, output] = program.wait();
+    EXPECT_EQ(status, 2) << display << output;
     EXPECT_EQ(std::count(output.begin(), output.end(), '\n'), 1) << output;
     EXPECT_NE(output.find("isplay"), std::string::npos) << output;
   }
@@ -49,11 +29,11 @@ TEST(WindowProgram, NoDisplayIsOneSentenceAndStatus2) {
 
 TEST(WindowProgram, AWrongTopicOrCaseIsToldBeforeAnyWindow) {
   Running topic("env -u DISPLAY " + walk + "no-such-topic --window");
-  EXPECT_NE(topic.wait().find("no-such-topic"), std::string::npos);
-  EXPECT_EQ(topic.status, 2);
+  const Ended unknown = topic.wait();
+  EXPECT_NE(unknown.output.find("no-such-topic"), std::string::npos);
+  EXPECT_EQ(unknown.status, 2);
   Running refused("env -u DISPLAY " + walk + R"(--window --case '{"query":"quadratic","a":1,"b":2}')");
-  (void)refused.wait();
-  EXPECT_EQ(refused.status, 1);
+  EXPECT_EQ(refused.wait().status, 1);
 }
 
 TEST(WindowProgram, ItRunsUntilQAndPrintsTheCaseThatWasDragged) {
@@ -63,8 +43,8 @@ TEST(WindowProgram, ItRunsUntilQAndPrintsTheCaseThatWasDragged) {
   ASSERT_TRUE(user.find_window());
   // Four Tabs put the arrow keys on the arrow's tip.
   for (const char* key : {"Tab", "Tab", "Tab", "Tab", "Up", "c", "q"}) user.press_key(key);
-  const std::string output = program.wait();
-  EXPECT_EQ(program.status, 0) << output;
+  const auto [status, output] = program.wait();
+  EXPECT_EQ(status, 0) << output;
   ASSERT_EQ(std::count(output.begin(), output.end(), '\n'), 1) << output;
   const Case moved = read_case(output.substr(0, output.size() - 1));
   const auto ray = [](const Case& one) { return std::get<RayQuestion>(one.question).ray; };

@@ -25,12 +25,7 @@ Items normal(const NumbersByName& n) {
       point(Role::edge, foot, "p")};
 }
 
-/// From the origin straight to the plane.
-Items height(const NumbersByName& n) {
-  const glm::dvec3 along = resized(normal_of(n), 1);
-  const glm::dvec3 foot = n.origin() - along * glm::dot(along, n.origin() - point_of(n));
-  return {segment(Role::nearest, n.origin(), foot, "the way to the plane"), point(Role::nearest, foot)};
-}
+Items height_above_plane(const NumbersByName& n) { return way_to_plane(n, normal_of(n), point_of(n)); }
 
 /// How much of it one unit of t goes.
 Items gain(const NumbersByName& n) {
@@ -59,8 +54,8 @@ std::vector<Binding> plane_bindings() {
   return {
       {"Put the ray into the plane's equation", normal},
       {"Compare the way to the plane with the way the ray gains on it", normal},
-      {"n·o + d", height},
-      {"n·(p - o)", height},
+      {"n·o + d", height_above_plane},
+      {"n·(p - o)", height_above_plane},
       {"n·d⃗", gain},
       {"v", spanning},
       {"w", [](const NumbersByName& n) { return Items{arrow(Role::edge, point_of(n), n.origin(), "w")}; }},

@@ -71,12 +71,6 @@ Items nearest_the_axis(const NumbersByName& n) {
   return {point(Role::nearest, nearest, "t_c"), segment(Role::nearest, {0, 0, nearest.z}, nearest, "l")};
 }
 
-Items half_chords(const NumbersByName& n) {
-  const glm::dvec3 middle = n.at(n["t_c"]);
-  return {segment(Role::edge, middle, n.at(n["t_c"] - n["h"]), "h"),
-          segment(Role::edge, middle, n.at(n["t_c"] + n["h"]), "h")};
-}
-
 }  // namespace
 
 std::vector<Binding> box_bindings() {

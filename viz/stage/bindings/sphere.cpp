@@ -10,12 +10,6 @@ glm::dvec3 nearest_on_sphere(const NumbersByName& n) {
   return n.vector("C") + resized(out, n["r"]);
 }
 
-Items half_chords(const NumbersByName& n) {
-  const glm::dvec3 middle = n.at(n["t_c"]);
-  return {segment(Role::edge, middle, n.at(n["t_c"] - n["h"]), "h"),
-          segment(Role::edge, middle, n.at(n["t_c"] + n["h"]), "h")};
-}
-
 /// The legs r and l of the right triangle whose third side is half the chord.
 Items radius_and_distance(const NumbersByName& n) {
   if (!n.has_vector("l")) return {};

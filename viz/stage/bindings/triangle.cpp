@@ -48,11 +48,9 @@ Items both_parameters(const NumbersByName& n) {
           segment(Role::edge, corner, corner + n["b"] * (tri.c - tri.a), "b·(c − a)")};
 }
 
-Items height(const NumbersByName& n) {
+Items height_above_triangle(const NumbersByName& n) {
   const Corners tri = corners_of(n);
-  const glm::dvec3 along = resized(tri.normal(), 1);
-  const glm::dvec3 foot = n.origin() - along * glm::dot(along, n.origin() - tri.a);
-  return {segment(Role::nearest, n.origin(), foot, "the way to the plane"), point(Role::nearest, foot)};
+  return way_to_plane(n, tri.normal(), tri.a);
 }
 
 /// The shadow that the triangle and the hit cast along the axis where the normal is largest.
@@ -121,7 +119,7 @@ std::vector<Binding> triangle_bindings() {
       {"u", first_weight},
       {"v", second_weight},
       {"b", both_parameters},
-      {"n·(p - o)", height},
+      {"n·(p - o)", height_above_triangle},
       {"Project along the normal's largest axis", projection},
       {"γ", weights},
       side("U", 1, 2),

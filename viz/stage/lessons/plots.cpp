@@ -146,7 +146,7 @@ Stage digits_stage(const Case& one, const TellCase& tell) {
   const double digits = one.precision == Precision::float32 ? 24 : 53;
   std::size_t rows = 0;
   for (const WalkStep& step : told.walk->steps) rows += step.values.size();
-  const double height = 1.3 / static_cast<double>(rows);
+  const double row_height = 1.3 / static_cast<double>(rows);
   const auto x = [&](double bits) { return -0.7 + 1.7 * bits / digits; };
   for (const double bits : {0.0, digits / 4, digits / 2, 3 * digits / 4, digits}) {
     setting.scene.push_back(segment(Role::frame, {x(bits), -0.7, 0}, {x(bits), 0.68, 0}));
@@ -158,7 +158,7 @@ Stage digits_stage(const Case& one, const TellCase& tell) {
   std::size_t row = 0;
   for (std::size_t i = 0; i < told.walk->steps.size(); ++i) {
     for (const WalkValue& value : told.walk->steps[i].values) {
-      const double y = 0.6 - height * static_cast<double>(row++);
+      const double y = 0.6 - row_height * static_cast<double>(row++);
       const double kept = std::max(0.0, digits - value.bits_lost);
       Items& items = stage.steps.at(i + 1).items;
       items.push_back(segment(Role::exact, {x(0), y, 0}, {x(kept), y, 0}));

@@ -42,7 +42,7 @@ Sample<T> sample(Random& random) {
 }
 
 /// numerator / denominator, exactly, but never divided.
-struct Exact {
+struct ExactQuotient {
   Ring numerator;
   Ring denominator = Ring(1.0);
 
@@ -53,7 +53,7 @@ struct Exact {
 };
 
 template <class T>
-bool holds(const Interval<T>& range, const Exact& exact) {
+bool holds(const Interval<T>& range, const ExactQuotient& exact) {
   if (range.is_empty()) return false;
   const bool above = range.lo == -infinity<T> || (range.lo < infinity<T> && exact.compare(range.lo) >= 0);
   return above && (range.hi == infinity<T> || (range.hi > -infinity<T> && exact.compare(range.hi) <= 0));
@@ -148,7 +148,7 @@ TYPED_TEST(IntervalOf, IsNoWiderThanPromised) {
     for (; count > 0; --count) x = outward::above(x);
     return x;
   };
-  const auto is_tight = [&](const Interval<TypeParam>& z, const Exact& exact) {
+  const auto is_tight = [&](const Interval<TypeParam>& z, const ExactQuotient& exact) {
     if (!z.is_bounded()) return true;
     return z.is_point() || (exact.compare(steps(z.lo, 2)) <= 0 && exact.compare(-steps(-z.hi, 2)) >= 0);
   };
