@@ -10,21 +10,21 @@ namespace rayproof::viz {
 namespace {
 
 /// How tightly an expression's outermost operator binds.
-enum Binding { sum, product, sign, atom };
+enum Strength { sum, product, sign, atom };
 
 struct Expression {
   std::string text;
-  Binding binding = atom;
+  Strength strength = atom;
 };
 
-std::string wrapped(const Expression& e, Binding least) {
-  return e.binding < least ? fmt::format("({})", e.text) : e.text;
+std::string wrapped(const Expression& e, Strength least) {
+  return e.strength < least ? fmt::format("({})", e.text) : e.text;
 }
 
 /// A name may be a formula itself: "1/a" and "n·o + d" want parentheses in a product.
-Binding binding_of(const std::string& name) {
+Strength strength_of(const std::string& name) {
   int depth = 0;
-  Binding loosest = atom;
+  Strength loosest = atom;
   for (std::size_t i = 0; i < name.size(); ++i) {
     depth += name[i] == '(' ? 1 : name[i] == ')' ? -1 : 0;
     if (depth > 0) continue;
@@ -46,7 +46,7 @@ class FormulaWriter {
     const std::string& name = tape_.at(id).name;
     if (name.empty()) return write(id);
     if (numbers_) return number(id);
-    return {name, binding_of(name)};
+    return {name, strength_of(name)};
   }
 
   [[nodiscard]] Expression write(OperationId id) const {

@@ -26,7 +26,7 @@ struct Ending {
 /// A method whose kernel takes any arithmetic; one written for plain floating point alone can't be recorded.
 template <class Method, class T>
 concept Recordable = requires {
-  &Method::template roots<T>;
+  typename std::type_identity<decltype(&Method::template roots<T>)>::type;
 };
 
 /// The walkthrough of a method in the recording arithmetic R; see walk_in.

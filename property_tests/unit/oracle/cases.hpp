@@ -40,6 +40,9 @@ inline glm::dmat4 stretch(double x, double y, double z) {
   return map;
 }
 
+/// The ray straight down on (x, y).
+inline Ray<double> down(double x, double y) { return {{x, y, 2}, {0, 0, -1}}; }
+
 /// Whether the answer's hits are just these.
 inline bool hits_at(const RayAnswer& found, const std::vector<double>& expected) {
   const auto view = found.hits.view();

@@ -17,7 +17,7 @@ INSTANTIATE_TEST_SUITE_P(Of, OracleMotionOfFields,
                          testing::Values("sphere", "plane", "triangle", "polygon", "box", "parallelepiped"),
                          topic_name);
 
-constexpr std::uint64_t cases_per_family = 60;
+constexpr std::uint64_t cases_a_motion = 60;
 
 void expect_same_meeting(const RayAnswer& before, const RayAnswer& after) {
   EXPECT_TRUE(std::ranges::equal(before.hits.view(), after.hits.view()));
@@ -50,7 +50,7 @@ bool has_handed_normal(const Shape& shape) {
 }
 
 TEST_P(OracleMotion, ExchangingAndMirroringAxesByTheTransformMovesNothingElse) {
-  for_each_case(GetParam(), cases_per_family, [](Case one) {
+  for_each_case(GetParam(), cases_a_motion, [](Case one) {
     for (const Motion& motion : motions)
       expect_moved(one, moved_by_transform(question_of(one), motion), motion, 1);
   });
@@ -58,7 +58,7 @@ TEST_P(OracleMotion, ExchangingAndMirroringAxesByTheTransformMovesNothingElse) {
 
 TEST_P(OracleMotionOfFields, ExchangingAndMirroringAxesOfTheFieldsMovesNothingElse) {
   std::size_t exchanged = 0;
-  for_each_case(GetParam(), cases_per_family, [&](Case one) {
+  for_each_case(GetParam(), cases_a_motion, [&](Case one) {
     const RayQuestion& asked = question_of(one);
     const auto* polygon = std::get_if<Polygon<double>>(&asked.shape);
     const bool may_exchange = polygon == nullptr || (is_short(one) && is_flat(*polygon));
@@ -92,7 +92,7 @@ RayQuestion scaled(RayQuestion asked, double factor, bool by_transform) {
 
 TEST_P(OracleMotion, ScalingASceneByAPowerOfTwoScalesNothingButItsPoint) {
   std::size_t tried = 0;
-  for_each_case(GetParam(), cases_per_family, [&](Case one) {
+  for_each_case(GetParam(), cases_a_motion, [&](Case one) {
     const RayAnswer before = ray_answer(one);
     if (!is_scalable(one, before)) return;
     ++tried;

@@ -8,8 +8,6 @@
 namespace rayproof::oracle::test {
 namespace {
 
-Ray<double> down(double x, double y) { return {{x, y, 2}, {0, 0, -1}}; }
-
 /// A square of side 4 with a notch that reaches down to its middle: concave at (2, 2).
 const Polygon<double> notched{{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {2, 2, 0}, {0, 4, 0}}};
 

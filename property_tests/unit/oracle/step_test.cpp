@@ -11,7 +11,7 @@ namespace {
 using OracleStep = EveryShape;
 INSTANTIATE_TEST_SUITE_P(Of, OracleStep, testing::ValuesIn(ray_topics), topic_name);
 
-constexpr std::uint64_t cases_per_family = 100;
+constexpr std::uint64_t cases_a_step = 100;
 
 void step(Sphere<double>& sphere, const glm::dvec3& by) { sphere.center += by; }
 void step(ImplicitPlane& plane, const glm::dvec3& by) { plane.d -= glm::dot(plane.normal, by); }
@@ -37,7 +37,7 @@ TEST_P(OracleStep, MovingAWholeSceneByWholeNumbersKeepsTheMeeting) {
   const bool is_fixed = std::string(GetParam()) == "cylinder";
   const glm::dvec3 by(1000, -77, 1 << 20);
   std::size_t hits = 0;
-  for_each_case(GetParam(), cases_per_family, [&](Case one) {
+  for_each_case(GetParam(), cases_a_step, [&](Case one) {
     if (!is_short(one)) return;
     const RayAnswer before = ray_answer(one);
     if (before.hits.count > 0) ++hits;
@@ -58,7 +58,7 @@ TEST_P(OracleStep, MovingAWholeSceneByWholeNumbersKeepsTheMeeting) {
 
 TEST(CylinderMotion, ExchangingItsRadiiExchangesXAndY) {
   const Motion exchange{{1, 0, 2}, {1, 1, 1}};
-  for_each_case("cylinder", cases_per_family, [&](Case one) {
+  for_each_case("cylinder", cases_a_step, [&](Case one) {
     RayQuestion& asked = question_of(one);
     if (asked.transform) return;
     const RayAnswer before = ray_answer(one);
@@ -76,7 +76,7 @@ TEST(CylinderMotion, ExchangingItsRadiiExchangesXAndY) {
 
 TEST(CylinderMotion, MirroringXAndYChangesNothingButThePoint) {
   const Motion mirror{{0, 1, 2}, {-1, -1, 1}};
-  for_each_case("cylinder", cases_per_family, [&](Case one) {
+  for_each_case("cylinder", cases_a_step, [&](Case one) {
     RayQuestion& asked = question_of(one);
     if (asked.transform) return;
     const RayAnswer before = ray_answer(one);
@@ -92,7 +92,7 @@ TEST(CylinderMotion, MirroringXAndYChangesNothingButThePoint) {
 }
 
 TEST(CylinderMotion, TurningItUpsideDownChangesNothingButThePoint) {
-  for_each_case("cylinder", cases_per_family, [&](Case one) {
+  for_each_case("cylinder", cases_a_step, [&](Case one) {
     RayQuestion& asked = question_of(one);
     if (asked.transform || !is_short(one)) return;
     const RayAnswer before = ray_answer(one);

@@ -10,9 +10,6 @@ namespace {
 
 const Triangle<double> right_angled{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
 
-/// The ray straight down on (x, y).
-Ray<double> down(double x, double y) { return {{x, y, 2}, {0, 0, -1}}; }
-
 TEST(TriangleOracle, MeetsTheInsideWithItsBarycentricCoordinates) {
   const RayAnswer found = met(down(1, 2), right_angled);
   expect_hits(found, Contact::crossing, {2});

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "case/reader.hpp"
+#include "unit/bits.hpp"
 #include "unit/viz/heard.hpp"
 #include "viz/programs/told_of.hpp"
 #include "viz/stage/kernel_steps.hpp"
@@ -19,10 +20,6 @@ namespace rayproof::viz {
 namespace {
 
 Told tell(const Case& one, const std::string& method) { return told_of(one, method); }
-
-bool same_bits(double a, double b) {
-  return std::memcmp(&a, &b, sizeof a) == 0 || (std::isnan(a) && std::isnan(b));
-}
 
 double number_in(const nlohmann::json& json) {
   if (json.is_number()) return json.get<double>();

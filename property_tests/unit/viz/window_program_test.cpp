@@ -11,7 +11,7 @@
 namespace rayproof::viz {
 namespace {
 
-const std::string walk = "timeout 60 " RAYPROOF_BIN_DIR "/rayproof-walk ";
+const std::string walk_for_a_minute = "timeout 60 " RAYPROOF_BIN_DIR "/rayproof-walk ";
 
 using test::Ended;
 using test::Running;
@@ -19,7 +19,7 @@ using test::Running;
 TEST(WindowProgram, NoDisplayIsOneSentenceAndStatus2) {
   for (const std::string& display : {std::string("-u DISPLAY "), std::string("DISPLAY= "),
                                      std::string("DISPLAY=:31999 "), std::string("DISPLAY=nonsense ")}) {
-    Running program("env " + display + walk + "sphere --window");
+    Running program("env " + display + walk_for_a_minute + "sphere --window");
     const auto [status, output] = program.wait();
     EXPECT_EQ(status, 2) << display << output;
     EXPECT_EQ(std::count(output.begin(), output.end(), '\n'), 1) << output;
@@ -28,17 +28,18 @@ TEST(WindowProgram, NoDisplayIsOneSentenceAndStatus2) {
 }
 
 TEST(WindowProgram, AWrongTopicOrCaseIsToldBeforeAnyWindow) {
-  Running topic("env -u DISPLAY " + walk + "no-such-topic --window");
+  Running topic("env -u DISPLAY " + walk_for_a_minute + "no-such-topic --window");
   const Ended unknown = topic.wait();
   EXPECT_NE(unknown.output.find("no-such-topic"), std::string::npos);
   EXPECT_EQ(unknown.status, 2);
-  Running refused("env -u DISPLAY " + walk + R"(--window --case '{"query":"quadratic","a":1,"b":2}')");
+  Running refused("env -u DISPLAY " + walk_for_a_minute +
+                  R"(--window --case '{"query":"quadratic","a":1,"b":2}')");
   EXPECT_EQ(refused.wait().status, 1);
 }
 
 TEST(WindowProgram, ItRunsUntilQAndPrintsTheCaseThatWasDragged) {
   const OffscreenDisplay display("1280x900x24");
-  Running program(walk + "--window --method sphere/centred --case '" + sphere_case + "'");
+  Running program(walk_for_a_minute + "--window --method sphere/centred --case '" + sphere_case + "'");
   XClient user;
   ASSERT_TRUE(user.find_window());
   // Four Tabs put the arrow keys on the arrow's tip.

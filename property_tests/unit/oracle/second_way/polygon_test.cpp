@@ -10,7 +10,7 @@ namespace rayproof::oracle::test {
 namespace {
 
 using Point2 = Kernel::Point_2;
-using Outline = std::vector<Point2>;
+using ExactOutline = std::vector<Point2>;
 
 bool is_on_side(const Point2& p, const Point2& a, const Point2& b) {
   return a == b ? p == a : Kernel::Segment_2(a, b).has_on(p);
@@ -18,7 +18,7 @@ bool is_on_side(const Point2& p, const Point2& a, const Point2& b) {
 
 /// Whether p, which lies on no line through the apex and a vertex, is in an odd number of the triangles of
 /// the apex and a side.
-bool is_in_odd_number(const Point2& p, const Point2& apex, const Outline& vertices) {
+bool is_in_odd_number(const Point2& p, const Point2& apex, const ExactOutline& vertices) {
   bool odd = false;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const Point2 &a = vertices[i], &b = vertices[(i + 1) % vertices.size()];
@@ -32,7 +32,7 @@ bool is_in_odd_number(const Point2& p, const Point2& apex, const Outline& vertic
 
 /// An apex from which p is seen in line with no vertex: of the points of a parabola, which no line meets more
 /// than twice, one of the first few will do.
-Point2 clear_apex(const Point2& p, const Outline& vertices) {
+Point2 clear_apex(const Point2& p, const ExactOutline& vertices) {
   for (int k = 1;; ++k) {
     const Point2 apex(p.x() + k, p.y() + 7 * k * k + 1);
     const bool is_clear = std::none_of(vertices.begin(), vertices.end(),
@@ -42,7 +42,7 @@ Point2 clear_apex(const Point2& p, const Outline& vertices) {
 }
 
 /// The contact of a point with the closed polygon, `none` outside.
-Contact contact_with(const Point2& p, const Outline& vertices) {
+Contact contact_with(const Point2& p, const ExactOutline& vertices) {
   if (std::find(vertices.begin(), vertices.end(), p) != vertices.end()) return Contact::vertex;
   for (std::size_t i = 0; i < vertices.size(); ++i)
     if (is_on_side(p, vertices[i], vertices[(i + 1) % vertices.size()])) return Contact::edge;
@@ -81,7 +81,7 @@ Meeting meet(const RationalRay& ray, const Ray<double>& interval, const Polygon<
   const Rational t = gap / slope;
   const int axis = dropped_axis(normal);
   const auto flat = [&](const Point& p) { return Point2(p[axis == 0 ? 1 : 0], p[axis == 2 ? 1 : 2]); };
-  Outline outline;
+  ExactOutline outline;
   for (const Point& v : vertices) outline.push_back(flat(v));
   const Contact contact = contact_with(flat(ray.origin + t * ray.direction), outline);
   if (contact == Contact::none || !is_within(t, interval)) return {};
@@ -100,7 +100,7 @@ TEST(SecondWay, TrianglesAboutAnApexAgreeWithPointInPolygon) {
   for_each_case("point_in_polygon", second_way_cases, [](const Case& one) {
     const auto& asked = std::get<PointAndPolygon<double>>(one.question);
     const auto point = [](const Vec2<double>& v) { return Point2(Rational(v.x), Rational(v.y)); };
-    Outline outline;
+    ExactOutline outline;
     for (const Vec2<double>& v : asked.vertices) outline.push_back(point(v));
     const Contact contact = contact_with(point(asked.point), outline);
     const Position expected = contact == Contact::none       ? Position::outside

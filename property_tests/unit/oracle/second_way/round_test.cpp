@@ -92,14 +92,14 @@ std::vector<RoundHit> side_hits(const UnitRay& ray) {
 }
 
 /// Every hit of the line: with the side, and with what of its two ends is not on the side already.
-std::vector<RoundHit> hits_of(const UnitRay& ray, bool capped) {
+std::vector<RoundHit> hits_of(const UnitRay& ray, bool has_caps) {
   std::vector<RoundHit> hits = side_hits(ray);
   if (ray.dz == 0) return hits;
   for (const Rational& z : {Rational(0), ray.height}) {
     const Rational t = (z - ray.oz) / ray.dz;
     const Rational power = ray.power(t);
-    const bool on_rim = power == 0 && (capped || ray.height == 0);
-    if (!on_rim && !(capped && power < 0)) continue;
+    const bool on_rim = power == 0 && (has_caps || ray.height == 0);
+    if (!on_rim && !(has_caps && power < 0)) continue;
     const bool is_new =
         std::none_of(hits.begin(), hits.end(), [&](const RoundHit& hit) { return hit.t == t; });
     if (is_new) hits.push_back({Surd(t), on_rim ? Contact::rim : Contact::crossing});
