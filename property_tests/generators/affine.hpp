@@ -38,8 +38,11 @@ namespace rayproof {
     }
     case 3:
       return stretch(random, std::pow(10, random.uniform(0, 2)));
-    default:
-      return rotation(random) * stretch(random, std::pow(10, random.uniform(0, 6))) * rotation(random);
+    default: {
+      const glm::dmat3 first = rotation(random);
+      const glm::dmat3 second = stretch(random, std::pow(10, random.uniform(0, 6)));
+      return rotation(random) * second * first;
+    }
   }
 }
 

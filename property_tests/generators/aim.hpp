@@ -21,15 +21,29 @@ inline void look_at(RayScene& scene, const glm::dvec3& target, const glm::dvec3&
   return random.one_in(2) ? 1 : std::exp2(random.uniform(-3, 3));
 }
 
+/// A direction, any one as likely as every other.
+[[nodiscard]] inline glm::dvec3 any_direction(Random& random) {
+  const glm::dvec3 sight = draw::unit_vector(random);
+  return direction_length(random) * sight;
+}
+
+/// Looks at `target` along `sight` from within `farthest` of it.
+inline void look_along(Random& random, RayScene& scene, const glm::dvec3& target, const glm::dvec3& sight,
+                       double farthest) {
+  const double length = direction_length(random), distance = random.uniform(0, farthest);
+  look_at(scene, target, sight, distance, length);
+}
+
 /// Looks at `target` from anywhere within 20 of it.
 inline void look_at(Random& random, RayScene& scene, const glm::dvec3& target) {
-  look_at(scene, target, draw::unit_vector(random), random.uniform(0, 20), direction_length(random));
+  const double length = direction_length(random), distance = random.uniform(0, 20);
+  look_at(scene, target, draw::unit_vector(random), distance, length);
 }
 
 /// Looks at `target` from 1e2 to 1e6 times `size` away.
 inline void look_from_afar(Random& random, RayScene& scene, const glm::dvec3& target, double size) {
-  look_at(scene, target, draw::unit_vector(random), size * std::pow(10, random.uniform(2, 6)),
-          direction_length(random));
+  const double length = direction_length(random), distance = size * std::pow(10, random.uniform(2, 6));
+  look_at(scene, target, draw::unit_vector(random), distance, length);
 }
 
 /// Turns a fifth of the rays round and makes a quarter whole lines.

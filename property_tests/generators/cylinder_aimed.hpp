@@ -14,7 +14,8 @@ struct Everyday {
     const Tube tube = in_a_room(random);
     Scene scene;
     const double share = random.uniform(0, 1.8);
-    look_at(random, scene, at(tube, any_turn(random), share, tube.height * random.uniform(-0.5, 1.5)));
+    const double z = tube.height * random.uniform(-0.5, 1.5);
+    look_at(random, scene, at(tube, any_turn(random), share, z));
     loosen(random, scene);
     scene.shape = tube;
     return scene;
@@ -41,8 +42,8 @@ struct Grazing {
     const Turn turn = any_turn(random);
     const double beside = 1 + draw::magnitude<double>(random, 2 - digits, -10);
     const glm::dvec3 sight = 0.5 * tangent(tube, turn) + glm::dvec3(0, 0, random.uniform(-1, 1));
-    look_at(scene, at(tube, turn, beside, tube.height * random.unit()), sight, random.uniform(0, 10),
-            direction_length(random));
+    const double length = direction_length(random), distance = random.uniform(0, 10);
+    look_at(scene, at(tube, turn, beside, tube.height * random.unit()), sight, distance, length);
     scene.shape = tube;
     return scene;
   }
@@ -56,11 +57,12 @@ struct Rims {
   [[nodiscard]] static Scene scene(Random& random, int /*digits*/) {
     const bool exactly = random.one_in(2);
     const Tube tube = exactly ? whole(random) : in_a_room(random);
+    const double z = some_end(random, tube);
     Scene scene;
     if (exactly)
-      look_exactly(random, scene, exactly_at(tube, whole_turn(random), some_end(random, tube)));
+      look_exactly(random, scene, exactly_at(tube, whole_turn(random), z));
     else
-      look_at(random, scene, at(tube, any_turn(random), 1, some_end(random, tube)));
+      look_at(random, scene, at(tube, any_turn(random), 1, z));
     scene.shape = tube;
     return scene;
   }
@@ -76,7 +78,8 @@ struct Caps {
     Scene scene;
     const double share =
         random.one_in(2) ? random.uniform(0, 1.2) : 1 + draw::magnitude<double>(random, -20, -6);
-    look_at(random, scene, at(tube, any_turn(random), share, some_end(random, tube)));
+    const double z = some_end(random, tube);
+    look_at(random, scene, at(tube, any_turn(random), share, z));
     scene.shape = tube;
     return scene;
   }
@@ -94,7 +97,8 @@ struct AxisParallel {
     Scene scene;
     scene.origin = in_side ? exactly_at(tube, whole_turn(random), 0) : at(tube, any_turn(random), share, 0);
     scene.origin.z = double{1} * random.between(-4, 12);
-    scene.direction = {0, 0, (random.one_in(2) ? 1 : -1) * direction_length(random)};
+    const double sign = random.one_in(2) ? 1 : -1;
+    scene.direction = {0, 0, sign * direction_length(random)};
     if (random.one_in(4)) scene.direction.x = draw::magnitude<double>(random, -digits, -4);
     scene.shape = tube;
     return scene;
@@ -111,12 +115,13 @@ struct CapPlanes {
     const double z = some_end(random, tube);
     Scene scene;
     if (exactly) {
-      look_exactly(random, scene, exactly_at(tube, whole_turn(random), z),
-                   {double{1} * random.between(1, 4), double{1} * random.between(-4, 4), 0});
+      const glm::dvec3 sight{random.between(1, 4), random.between(-4, 4), 0};
+      look_exactly(random, scene, exactly_at(tube, whole_turn(random), z), sight);
     } else {
       const Turn sight = any_turn(random);
-      look_at(scene, at(tube, any_turn(random), random.uniform(0, 1.3), z), {sight.cosine, sight.sine, 0},
-              random.uniform(0, 20), direction_length(random));
+      const double length = direction_length(random), distance = random.uniform(0, 20);
+      const double share = random.uniform(0, 1.3);
+      look_at(scene, at(tube, any_turn(random), share, z), {sight.cosine, sight.sine, 0}, distance, length);
     }
     scene.shape = tube;
     return scene;

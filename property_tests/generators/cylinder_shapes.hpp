@@ -14,14 +14,15 @@ struct Far {
 
   [[nodiscard]] static Scene scene(Random& random, int /*digits*/) {
     const Tube tube = in_a_room(random);
-    const glm::dvec3 target = at(tube, any_turn(random), random.uniform(0, 1.1), tube.height * random.unit());
+    const double z = tube.height * random.unit(), share = random.uniform(0, 1.1);
+    const glm::dvec3 target = at(tube, any_turn(random), share, z);
     Scene scene;
     look_from_afar(random, scene, target, 1);
     if (random.one_in(2)) {  // Turned so that it touches the side where it was aimed at.
       const Turn turn = any_turn(random);
       const glm::dvec3 sight = 0.5 * tangent(tube, turn) + glm::dvec3(0, 0, random.uniform(-0.1, 0.1));
-      look_at(scene, at(tube, turn, random.uniform(0.99, 1.01), tube.height * random.unit()), sight,
-              scene.aimed_at, 1);
+      const double height = tube.height * random.unit();
+      look_at(scene, at(tube, turn, random.uniform(0.99, 1.01), height), sight, scene.aimed_at, 1);
     }
     scene.shape = tube;
     return scene;
@@ -37,7 +38,8 @@ struct FlatEllipses {
     (random.one_in(2) ? tube.rx : tube.ry) *= std::pow(10, random.uniform(-4, 4));
     Scene scene;
     const double share = random.one_in(2) ? random.uniform(0, 1.5) : random.uniform(0.999, 1.001);
-    look_at(random, scene, at(tube, any_turn(random), share, tube.height * random.uniform(-0.2, 1.2)));
+    const double z = tube.height * random.uniform(-0.2, 1.2);
+    look_at(random, scene, at(tube, any_turn(random), share, z));
     scene.shape = tube;
     return scene;
   }
@@ -51,8 +53,9 @@ struct Inside {
     const Tube tube = in_a_room(random);
     Scene scene;
     const double share = random.one_in(8) ? 0 : random.uniform(0, 0.999);
-    scene.origin = at(tube, any_turn(random), share, tube.height * random.uniform(0.001, 0.999));
-    scene.direction = direction_length(random) * draw::unit_vector(random);
+    const double z = tube.height * random.uniform(0.001, 0.999);
+    scene.origin = at(tube, any_turn(random), share, z);
+    scene.direction = any_direction(random);
     scene.shape = tube;
     return scene;
   }
@@ -67,13 +70,17 @@ struct Surface {
     const bool exactly = random.one_in(3);
     const Tube tube = exactly ? whole(random) : in_a_room(random);
     Scene scene;
-    if (exactly)
-      scene.origin = exactly_at(tube, whole_turn(random), random.between(0, static_cast<int>(tube.height)));
-    else if (random.one_in(2))
-      scene.origin = at(tube, any_turn(random), 1, tube.height * random.unit());
-    else
-      scene.origin = at(tube, any_turn(random), random.unit(), some_end(random, tube));
-    scene.direction = direction_length(random) * draw::unit_vector(random);
+    if (exactly) {
+      const double z = random.between(0, static_cast<int>(tube.height));
+      scene.origin = exactly_at(tube, whole_turn(random), z);
+    } else if (random.one_in(2)) {
+      const double z = tube.height * random.unit();
+      scene.origin = at(tube, any_turn(random), 1, z);
+    } else {
+      const double z = some_end(random, tube), share = random.unit();
+      scene.origin = at(tube, any_turn(random), share, z);
+    }
+    scene.direction = any_direction(random);
     scene.shape = tube;
     return scene;
   }
@@ -88,10 +95,12 @@ struct NoHeight {
     Tube tube = exactly ? whole(random) : in_a_room(random);
     tube.height = random.one_in(2) ? 0 : std::exp2(random.uniform(-20, -4));
     Scene scene;
-    if (exactly)
+    if (exactly) {
       look_exactly(random, scene, exactly_at(tube, whole_turn(random), 0));
-    else
-      look_at(random, scene, at(tube, any_turn(random), random.uniform(0, 1.2), 0));
+    } else {
+      const double share = random.uniform(0, 1.2);
+      look_at(random, scene, at(tube, any_turn(random), share, 0));
+    }
     scene.shape = tube;
     return scene;
   }
@@ -102,12 +111,12 @@ struct Cut {
   [[nodiscard]] static Scene scene(Random& random, int /*digits*/) {
     const bool exactly = random.one_in(2);
     const Tube tube = exactly ? whole(random) : in_a_room(random);
+    const double z = tube.height * (exactly ? random.between(0, 4) / 4.0 : random.unit());
     Scene scene;
     if (exactly)
-      look_exactly(random, scene,
-                   exactly_at(tube, whole_turn(random), tube.height * random.between(0, 4) / 4));
+      look_exactly(random, scene, exactly_at(tube, whole_turn(random), z));
     else
-      look_at(random, scene, at(tube, any_turn(random), 1, tube.height * random.unit()));
+      look_at(random, scene, at(tube, any_turn(random), 1, z));
     scene.shape = tube;
     return scene;
   }

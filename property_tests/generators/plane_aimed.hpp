@@ -29,8 +29,11 @@ struct NearParallel {
     const Sheet sheet = in_a_room(random);
     const double angle = draw::magnitude<double>(random, -digits, -4);
     Scene scene;
-    scene.origin = somewhere(random, sheet) + random.uniform(-1, 1) * draw::unit_vector(random);
-    scene.direction = random.uniform(-2, 2) * sheet.u + sheet.v + angle * draw::unit_vector(random);
+    const glm::dvec3 any_way = draw::unit_vector(random);
+    const glm::dvec3 off = random.uniform(-1, 1) * any_way;
+    scene.origin = somewhere(random, sheet) + off;
+    const glm::dvec3 slope = angle * draw::unit_vector(random);
+    scene.direction = random.uniform(-2, 2) * sheet.u + sheet.v + slope;
     scene.shape = in_some_form(random, sheet);
     return scene;
   }
@@ -47,7 +50,8 @@ struct InPlane {
     const double a = step(), b = step();
     Scene scene;
     scene.origin = at(sheet, a, b);
-    scene.direction = step() * sheet.u + double{1} * random.between(1, 3) * sheet.v;
+    const double along_v = random.between(1, 3);
+    scene.direction = step() * sheet.u + along_v * sheet.v;
     if (random.one_in(3)) scene.origin += whole_vector(random, 2);
     scene.shape = in_some_form(random, sheet);
     return scene;
@@ -63,9 +67,8 @@ struct Surface {
     const bool exactly = random.one_in(3);
     const Sheet sheet = exactly ? whole(random) : in_a_room(random);
     Scene scene;
-    scene.origin =
-        exactly ? at(sheet, random.between(-3, 3), random.between(-3, 3)) : somewhere(random, sheet);
-    scene.direction = direction_length(random) * draw::unit_vector(random);
+    scene.origin = exactly ? exactly_somewhere(random, sheet) : somewhere(random, sheet);
+    scene.direction = any_direction(random);
     scene.shape = in_some_form(random, sheet);
     return scene;
   }
@@ -85,7 +88,8 @@ struct Far {
       look_from_afar(random, scene, target, 1);
     } else {
       look_at(random, scene, target);
-      sheet.point = at(sheet, distance * random.uniform(-1, 1), distance * random.uniform(-1, 1));
+      const double b = distance * random.uniform(-1, 1);
+      sheet.point = at(sheet, distance * random.uniform(-1, 1), b);
     }
     scene.shape = in_some_form(random, sheet);
     return scene;
@@ -115,7 +119,7 @@ struct Cut {
     const Sheet sheet = exactly ? whole(random) : in_a_room(random);
     Scene scene;
     if (exactly)
-      look_exactly(random, scene, at(sheet, random.between(-3, 3), random.between(-3, 3)));
+      look_exactly(random, scene, exactly_somewhere(random, sheet));
     else
       look_at(random, scene, somewhere(random, sheet));
     scene.shape = in_some_form(random, sheet);

@@ -31,7 +31,8 @@ using Sheet = ParametricPlane;
 /// A plane in a room; u and v are 1/4 to 4 long and at no small angle.
 [[nodiscard]] inline Sheet in_a_room(Random& random) {
   const glm::dvec3 u = draw::unit_vector(random);
-  const glm::dvec3 v = draw::perpendicular(random, u) + random.uniform(-1, 1) * u;
+  const double slant = random.uniform(-1, 1);
+  const glm::dvec3 v = draw::perpendicular(random, u) + slant * u;
   const double length = std::exp2(random.uniform(-2, 2));
   return {point_in_a_room(random), length * u, std::exp2(random.uniform(-2, 2)) * v};
 }
@@ -48,6 +49,12 @@ using Sheet = ParametricPlane;
 [[nodiscard]] inline glm::dvec3 somewhere(Random& random, const Sheet& sheet) {
   const double a = random.uniform(-4, 4);
   return at(sheet, a, random.uniform(-4, 4));
+}
+
+/// The same, exact for a plane of whole numbers.
+[[nodiscard]] inline glm::dvec3 exactly_somewhere(Random& random, const Sheet& sheet) {
+  const double b = random.between(-3, 3);
+  return at(sheet, random.between(-3, 3), b);
 }
 
 }  // namespace rayproof::plane_family

@@ -101,8 +101,8 @@ struct Coplanar {
     const Sheet sheet = whole_sheet(random);
     Scene scene;
     scene.origin = sheet.at(plan.point);
-    scene.direction =
-        double{1} * random.between(-3, 3) * sheet.u + double{1} * random.between(1, 3) * sheet.v;
+    const double along_v = random.between(1, 3), along_u = random.between(-3, 3);
+    scene.direction = along_u * sheet.u + along_v * sheet.v;
     if (random.one_in(3)) scene.origin += whole_vector(random, 2);
     scene.shape = lifted(sheet, plan.vertices);
     return scene;

@@ -59,7 +59,8 @@ struct NearDouble {
     }
     const double a = draw::magnitude<double>(random, -3, 3);
     const double x = draw::magnitude<double>(random, -3, 3);
-    return equation<T>(nudge(a), nudge(-2 * a * x), nudge(a * x * x));
+    const double c = nudge(a * x * x), b = nudge(-2 * a * x);
+    return equation<T>(nudge(a), b, c);
   }
 };
 

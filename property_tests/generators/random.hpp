@@ -22,6 +22,10 @@ namespace rayproof {
 }
 
 /// SplitMix64: the state is a counter, so that a generator is made in no time for every case.
+///
+/// Whoever draws twice in one expression draws in an order that each compiler chooses for itself, be it for
+/// the arguments of a call or for the two sides of a sum: there the draws have names, or stand in braces,
+/// which are filled from the left. (Unit test `TheCasesOfASeed` holds every family to it.)
 class Random {
  public:
   explicit constexpr Random(std::uint64_t seed) : counter_(scramble(seed)) {}

@@ -92,8 +92,7 @@ struct Surface : SurfaceText {
     const int at_an_end = random.one_in(2) ? 1 : random.between(2, 3);
     Scene scene;
     scene.origin = at(frame, exactly ? exact_place(random, at_an_end) : place(random, at_an_end));
-    scene.direction =
-        random.one_in(3) ? whole_vector(random, 3) : direction_length(random) * draw::unit_vector(random);
+    scene.direction = random.one_in(3) ? whole_vector(random, 3) : any_direction(random);
     scene.shape = Kind::shape(frame);
     return scene;
   }

@@ -54,7 +54,10 @@ struct Oblique {
 
   [[nodiscard]] static Frame in_a_room(Random& random) {
     const glm::dvec3 corner = point_in_a_room(random);
-    const auto edge = [&] { return random.uniform(0.1, 5) * draw::unit_vector(random); };
+    const auto edge = [&] {
+      const glm::dvec3 way = draw::unit_vector(random);
+      return random.uniform(0.1, 5) * way;
+    };
     const glm::dvec3 first = edge(), second = edge();
     return {corner, {first, second, edge()}};
   }
@@ -68,8 +71,8 @@ struct Oblique {
   [[nodiscard]] static Frame flat(Random& random) {
     Frame flat = in_a_room(random);
     const double thinness = std::exp2(random.uniform(-18, -4));
-    flat.edges[2] = random.uniform(-1, 1) * flat.edges[0] + random.uniform(-1, 1) * flat.edges[1] +
-                    thinness * flat.edges[2];
+    const double second = random.uniform(-1, 1), first = random.uniform(-1, 1);
+    flat.edges[2] = first * flat.edges[0] + second * flat.edges[1] + thinness * flat.edges[2];
     return flat;
   }
   [[nodiscard]] static Shape shape(const Frame& frame) { return frame; }

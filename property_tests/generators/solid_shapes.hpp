@@ -22,7 +22,7 @@ struct AxisParallel : AxisParallelText {
     const int first = random.between(0, 2);
     for (int k = random.between(1, 2); k > 0; --k) sight[(first + k) % 3] *= 0;
     Scene scene;
-    look_at(scene, target, sight, random.uniform(0, 20), direction_length(random));
+    look_along(random, scene, target, sight, 20);
     scene.shape = Kind::shape(frame);
     return scene;
   }
@@ -39,7 +39,7 @@ struct Flat : FlatText {
     Scene scene;
     const glm::dvec3 target = at(frame, draw::vector([&] { return random.uniform(-0.2, 1.2); }));
     const glm::dvec3 sight = random.one_in(4) ? whole_vector(random, 1) : draw::unit_vector(random);
-    look_at(scene, target, sight, random.uniform(0, 20), direction_length(random));
+    look_along(random, scene, target, sight, 20);
     scene.shape = Kind::shape(frame);
     return scene;
   }
@@ -55,8 +55,7 @@ struct Inside : InsideText {
     const Frame frame = Kind::in_a_room(random);
     Scene scene;
     scene.origin = at(frame, draw::vector([&] { return random.uniform(0.001, 0.999); }));
-    scene.direction =
-        random.one_in(3) ? whole_vector(random, 3) : direction_length(random) * draw::unit_vector(random);
+    scene.direction = random.one_in(3) ? whole_vector(random, 3) : any_direction(random);
     scene.shape = Kind::shape(frame);
     return scene;
   }

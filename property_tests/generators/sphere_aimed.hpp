@@ -18,7 +18,7 @@ struct Everyday {
     SphereScene scene = sphere_in_a_room(random);
     const glm::dvec3 n = draw::unit_vector(random);
     const glm::dvec3 target = scene.center + scene.radius * random.uniform(0, 1.6) * n;
-    look_at(scene, target, draw::unit_vector(random), random.uniform(0, 20), direction_length(random));
+    look_at(random, scene, target);
     loosen(random, scene);
     return question<T>(scene);
   }
@@ -53,8 +53,9 @@ struct Grazing {
     const glm::dvec3 n = draw::unit_vector(random);
     const double few_ulps = std::numeric_limits<T>::digits - 2;
     const double beside = draw::magnitude<double>(random, -few_ulps, -10);
-    look_at(scene, scene.center + scene.radius * (1 + beside) * n, draw::perpendicular(random, n),
-            random.uniform(0, 20), direction_length(random));
+    const double length = direction_length(random), distance = random.uniform(0, 20);
+    look_at(scene, scene.center + scene.radius * (1 + beside) * n, draw::perpendicular(random, n), distance,
+            length);
     return question<T>(scene);
   }
 };
@@ -70,7 +71,7 @@ struct Surface {
     scene.origin = scene.center + scene.radius * draw::unit_vector(random);
     for (int axis = 0; axis < 3; ++axis)
       scene.origin[axis] = draw::nudged<T>(static_cast<T>(scene.origin[axis]), random.between(-2, 2));
-    scene.direction = direction_length(random) * draw::unit_vector(random);
+    scene.direction = any_direction(random);
     return question<T>(scene);
   }
 };
@@ -84,7 +85,7 @@ struct Inside {
     SphereScene scene = sphere_in_a_room(random);
     const double share = random.one_in(16) ? 0 : random.uniform(0, 0.999);
     scene.origin = scene.center + scene.radius * share * draw::unit_vector(random);
-    scene.direction = direction_length(random) * draw::unit_vector(random);
+    scene.direction = any_direction(random);
     return question<T>(scene);
   }
 };

@@ -62,7 +62,8 @@ struct Huge {
       scene.center = -scene.radius * up;
       scene.origin = height * up;
     }
-    scene.direction = direction_length(random) * (draw::unit_vector(random) - up);
+    const glm::dvec3 sight = draw::unit_vector(random) - up;
+    scene.direction = direction_length(random) * sight;
     if (scene.direction == glm::dvec3(0)) scene.direction = -up;
     return question<T>(scene);
   }
@@ -78,7 +79,8 @@ struct Cancelling {
     const glm::dvec3 up = draw::unit_vector(random);
     const double height = draw::magnitude<double>(random, -std::numeric_limits<T>::digits, -4);
     scene.origin = scene.center + scene.radius * (1 + height) * up;
-    const glm::dvec3 sight = (random.one_in(2) ? 1.0 : -1.0) * up + 0.7 * draw::unit_vector(random);
+    const glm::dvec3 slant = 0.7 * draw::unit_vector(random);
+    const glm::dvec3 sight = (random.one_in(2) ? 1.0 : -1.0) * up + slant;
     scene.direction = direction_length(random) * sight;
     return question<T>(scene);
   }

@@ -91,7 +91,8 @@ struct Coplanar {
     const double beta = step(), gamma = step();
     Scene scene;
     scene.origin = at(triangle, beta, gamma);
-    scene.direction = at(triangle, step(), random.one_in(2) ? 1 : 2) - triangle.a;
+    const double towards_c = random.one_in(2) ? 1 : 2;
+    scene.direction = at(triangle, step(), towards_c) - triangle.a;
     if (random.one_in(3)) scene.origin += whole_vector(random, 2);
     scene.shape = triangle;
     return scene;
@@ -105,10 +106,12 @@ struct NearCoplanar {
   [[nodiscard]] static Scene scene(Random& random, int digits) {
     const Triangle<double> triangle = in_a_room(random);
     const glm::dvec3 in_plane = inside(random, triangle) - triangle.a;
-    const glm::dvec3 slope = draw::magnitude<double>(random, -digits, -4) * draw::unit_vector(random);
+    const glm::dvec3 any_way = draw::unit_vector(random);
+    const glm::dvec3 slope = draw::magnitude<double>(random, -digits, -4) * any_way;
     const double length = std::sqrt(dot(in_plane, in_plane));
     Scene scene;
-    look_at(scene, in_or_beside(random, triangle), 1 / length * in_plane + slope, random.uniform(0, 20), 1);
+    const double distance = random.uniform(0, 20);
+    look_at(scene, in_or_beside(random, triangle), 1 / length * in_plane + slope, distance, 1);
     scene.shape = triangle;
     return scene;
   }

@@ -26,10 +26,11 @@ TEST(AmongNeighbours, ARayHasItsScalarRootsAndNearestHitWhateverLiesBesideIt) {
   for_each_kernel<sphere::Topic>([]<class Method, class T>(std::type_identity<Method>, T,
                                                            InstructionSet set) {
     Random random(6);
-    const auto vector = [&] { return vec3<T>(draw::symmetric<T>(random), draw::symmetric<T>(random), T(1)); };
+    const auto vector = [&] { return vec3<T>{draw::symmetric<T>(random), draw::symmetric<T>(random), T(1)}; };
     for (int i = 0; i < problems; ++i) {
-      const Ray<T> ray{T(3) * vector(), vector() - T(2) * vector()};
-      const Sphere<T> sphere{vector(), T(1)};
+      const vec3<T> origin = vector(), beside = vector(), target = vector(), center = vector();
+      const Ray<T> ray{T(3) * origin, target - T(2) * beside};
+      const Sphere<T> sphere{center, T(1)};
       const Roots<T> scalar = Method::roots(ray, sphere);
       const Roots<T> batch = batch::roots_among_neighbours<Method>(ray, sphere, {}, set);
       EXPECT_TRUE(same_bits(scalar.lo, batch.lo) && same_bits(scalar.hi, batch.hi));

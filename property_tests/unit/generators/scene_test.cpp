@@ -36,7 +36,8 @@ TEST(Scenes, RoundingLeavesFloatsAloneAndMakesFloatsOfOtherNumbers) {
 TEST(Aim, AnExactLookPassesThroughItsTargetInFloat) {
   Random random(1);
   for (int k = 0; k < 1000; ++k) {
-    const glm::dvec3 target = eighth_between(random, whole_point(random, 8), whole_point(random, 8));
+    const glm::dvec3 b = whole_point(random, 8), a = whole_point(random, 8);
+    const glm::dvec3 target = eighth_between(random, a, b);
     RayScene scene;
     look_exactly(random, scene, target);
     EXPECT_EQ(rounded<float>(scene.origin), scene.origin);

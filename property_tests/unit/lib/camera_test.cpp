@@ -110,7 +110,7 @@ double largest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v
 /// A camera of float's numbers, and the sine of the angle between its up and its view.
 std::pair<Camera<double>, double> random_camera(Random& random) {
   const auto number = [&] { return double(float(random.uniform(-1, 1))); };
-  const auto vector = [&] { return glm::dvec3(number(), number(), number()); };
+  const auto vector = [&] { return glm::dvec3{number(), number(), number()}; };
   const Camera<double> camera{vector(), vector(), vector(), 0.25 + std::abs(number()),
                               0.25 + std::abs(number())};
   const glm::dvec3 back = camera.eye - camera.center, across = cross(camera.up, back);

@@ -50,7 +50,8 @@ TEST(Pair, agrees_with_the_exact_ring_wherever_it_knows) {
   std::mt19937_64 random(2022);
   const auto number = [&] {
     const auto bits = static_cast<double>(random() >> (11 + random() % 50));
-    return std::ldexp(random() % 2 == 0 ? bits : -bits, static_cast<int>(random() % 40) - 20);
+    const double sign = random() % 2 == 0 ? 1 : -1;
+    return sign * std::ldexp(bits, static_cast<int>(random() % 40) - 20);
   };
   int known = 0;
   for (int i = 0; i < 20000; ++i) {

@@ -101,7 +101,8 @@ void rename_a_field(Random& random, std::string& line) {
 
 std::string mutated(Random& random) {
   const Family& family = pick(random, families());
-  Case one = family.generate(random(), random() % 2 == 0 ? Precision::float32 : Precision::float64);
+  const Precision precision = random() % 2 == 0 ? Precision::float32 : Precision::float64;
+  Case one = family.generate(random(), precision);
   one.id = std::to_string(random());
   if (random() % 3 == 0) one.note = "é\"\\\n";
   std::string line = write_case(one);
