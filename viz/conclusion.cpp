@@ -57,10 +57,11 @@ std::string conclusion_of(const Told& told) {
   if (told.method.empty()) return "No method was asked, so there is nothing to compare.";
   const bool agree = answers_agree(told);
   if (!told.walk) {
+    // A miss or a place has no ulps.
     return told.method + " can't be recorded step by step; its answer is " +
-           (!agree                                         ? "not the exact one."
-            : std::holds_alternative<Position>(told.exact) ? "right."
-                                                           : "right to a few ulps.");
+           (!agree                           ? "not the exact one."
+            : values_of(&told.exact).empty() ? "right."
+                                             : "right to a few ulps.");
   }
   const std::string sentence = verdict_sentence(*told.walk);
   if (agree || told.walk->outcome != Outcome::faithful) return sentence;

@@ -95,6 +95,24 @@ TEST(Explain, TheConclusionBlamesTheFormulaWhereNoDigitsDied) {
   EXPECT_NE(conclusion_of(told).find("the formula itself is at fault"), std::string::npos);
 }
 
+/// What is said of an answer whose method can't be recorded.
+std::string conclusion_of_unrecorded(const char* line, const Answer& exact, const Answer& claimed) {
+  return conclusion_of(Told{read_case(line), exact, "sphere/compensated", claimed});
+}
+
+TEST(Explain, OnlyNumbersAreRightToAFewUlps) {
+  RayAnswer hit{Contact::crossing};
+  hit.hits.push_back(4);
+  const RayAnswer miss{};
+  const std::string unrecorded = "sphere/compensated can't be recorded step by step; its answer is ";
+  EXPECT_EQ(conclusion_of_unrecorded(tame_sphere, hit, hit), unrecorded + "right to a few ulps.");
+  EXPECT_EQ(conclusion_of_unrecorded(tame_sphere, miss, miss), unrecorded + "right.");
+  EXPECT_EQ(conclusion_of_unrecorded(tame_sphere, Position::inside, Position::inside), unrecorded + "right.");
+  EXPECT_EQ(conclusion_of_unrecorded(small_root, QuadraticAnswer<double>{}, QuadraticAnswer<double>{}),
+            unrecorded + "right.");
+  EXPECT_EQ(conclusion_of_unrecorded(tame_sphere, hit, miss), unrecorded + "not the exact one.");
+}
+
 TEST(Explain, TheJsonHoldsStepsValuesAndTheDeath) {
   const Case one = read_case(small_root);
   const Told told{one, QuadraticAnswer<double>{}, "quadratic/textbook", QuadraticAnswer<double>{},
