@@ -20,30 +20,14 @@ std::vector<double> numbers_of(const RayQuestion& question) {
   return all;
 }
 
-Scaled frobenius(const Vector<Ring>& x, const Vector<Ring>& y, const Vector<Ring>& z) {
-  const Scaled a = norm(x), b = norm(y), c = norm(z);
-  return sqrt(a * a + b * b + c * c);
-}
-
 }  // namespace
-
-Scaled norm(const Vector<Ring>& v) {
-  const Scaled x = approximate(v.x), y = approximate(v.y), z = approximate(v.z);
-  return sqrt(x * x + y * y + z * z);
-}
-Scaled norm(const glm::dvec3& v) {
-  return sqrt(Scaled(v.x) * Scaled(v.x) + Scaled(v.y) * Scaled(v.y) + Scaled(v.z) * Scaled(v.z));
-}
 
 RaySizes::RaySizes(const RayQuestion& question, const ObjectRay<Ring>& ray)
     : origin(norm(question.ray.origin)), direction(norm(question.ray.direction)) {
   if (!ray.map) return;
-  const auto& m = *question.transform;
-  const Scaled forward =
-      frobenius(Vector<Ring>::from(m[0]), Vector<Ring>::from(m[1]), Vector<Ring>::from(m[2]));
-  const Scaled backward =
-      frobenius(ray.map->row_x, ray.map->row_y, ray.map->row_z) / abs(approximate(ray.scale));
-  const Scaled growth = backward * forward * backward;
+  const MapSizes<Ring> map(*question.transform, *ray.map);
+  const Scaled backward = map.backward / abs(approximate(ray.scale));
+  const Scaled growth = backward * map.forward * backward;
   origin = growth * (origin + norm(ray.map->translation));
   direction = growth * direction;
 }

@@ -10,6 +10,7 @@
 
 #include "oracle/hit.hpp"
 #include "oracle/oracle.hpp"
+#include "oracle/sizes.hpp"
 
 namespace rayproof::oracle {
 
@@ -67,10 +68,6 @@ template <class Number>
 
 /// Puts log2 of the smallest and largest nonzero magnitude among `numbers` into the judgement.
 void note_range(std::span<const double> numbers, Judgement& judgement);
-
-/// |v|.
-[[nodiscard]] Scaled norm(const Vector<Ring>& v);
-[[nodiscard]] Scaled norm(const glm::dvec3& v);
 
 /// The smaller of two.
 inline void reduce(Scaled& smallest, const Scaled& x) {

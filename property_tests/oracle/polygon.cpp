@@ -1,5 +1,6 @@
 #include "oracle/polygon.hpp"
 
+#include "oracle/newell.hpp"
 #include "oracle/polygon_plane.hpp"
 #include "oracle/triangle_volumes.hpp"
 
@@ -31,14 +32,7 @@ Place place_of(const ObjectRay<Ring>& ray, const Polygon<double>& polygon, const
 }  // namespace
 
 FlatEquation plane_of(const Polygon<double>& polygon) {
-  const Ring zero(0.0);
-  Vector<Ring> normal{zero, zero, zero};
-  auto from = Vector<Ring>::from(polygon.vertices.back());
-  for (const glm::dvec3& vertex : polygon.vertices) {
-    const auto to = Vector<Ring>::from(vertex);
-    normal = normal + cross(from, to);
-    from = to;
-  }
+  const auto normal = newell_normal<Ring>(polygon);
   return {normal, dot(normal, Vector<Ring>::from(polygon.vertices.front()))};
 }
 

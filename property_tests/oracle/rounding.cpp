@@ -1,5 +1,10 @@
 #include "oracle/rounding.hpp"
 
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
 namespace rayproof::oracle {
 namespace {
 

@@ -4,10 +4,7 @@
 
 #include <algorithm>
 
-#include "oracle/ball.hpp"
-#include "oracle/interval.hpp"
 #include "oracle/judging.hpp"
-#include "oracle/pair.hpp"
 #include "oracle/sphere.hpp"
 #include "oracle/sphere_equation.hpp"
 
@@ -16,11 +13,7 @@ namespace {
 
 std::optional<int> certain_sign(const Ring& x) { return sign(x); }
 
-/// Numbers to read values by: doubles for the filters, which are used only where doubles do not overflow.
-double read(const Interval& x) { return x.middle; }
-double read(const Ball& x) { return x.high; }
-double read(const Pair& x) { return x.high; }
-Scaled read(const Ring& x) { return approximate(x); }
+/// What was read (`sizes.hpp`) as a double.
 double value(double x) { return x; }
 double value(const Scaled& x) { return static_cast<double>(x.value()); }
 using std::abs, std::sqrt;
@@ -143,29 +136,20 @@ struct Lengths {
 template <class R>
 auto lengths(const SphereEquation<R>& scene, const ObjectRay<R>& ray, const RayQuestion& question,
              const Sphere<double>& sphere) {
-  using Number = decltype(read(scene.radius));
-  const auto squared = [](const Vector<R>& v) {
-    const Number x = read(v.x), y = read(v.y), z = read(v.z);
-    return x * x + y * y + z * z;
-  };
-  const auto norm = [&](const Vector<R>& v) { return sqrt(squared(v)); };
+  using Number = NumberOf<R>;
   const Number radius = abs(read(scene.radius));
   const Number direction = norm(Vector<R>::from(question.ray.direction));
   if (!ray.map) {
     const Number size = norm(scene.from_center) + radius;
     return Lengths<Number>{size, radius, Number(1), std::min(size, direction), std::max(size, direction)};
   }
-  const auto& m = *question.transform;
-  const auto frobenius = [&](const Vector<R>& x, const Vector<R>& y, const Vector<R>& z) {
-    return sqrt(squared(x) + squared(y) + squared(z));
-  };
+  const MapSizes<R> map(*question.transform, *ray.map);
   const Number scale = abs(read(ray.scale));
-  const Number forward = frobenius(Vector<R>::from(m[0]), Vector<R>::from(m[1]), Vector<R>::from(m[2]));
-  const Number backward = frobenius(ray.map->row_x, ray.map->row_y, ray.map->row_z);  // times the determinant
   const Number to_origin = norm(Vector<R>::from(question.ray.origin)) + norm(ray.map->translation);
-  const Number size = backward * to_origin + scale * norm(Vector<R>::from(sphere.center)) + radius;
-  const auto all = {size / scale, direction, forward, scale / backward, norm(scene.direction) / scale};
-  return Lengths<Number>{size, radius, forward * backward / scale, std::min(all), std::max(all)};
+  const Number size = map.backward * to_origin + scale * norm(Vector<R>::from(sphere.center)) + radius;
+  const auto all = {size / scale, direction, map.forward, scale / map.backward,
+                    norm(scene.direction) / scale};
+  return Lengths<Number>{size, radius, map.forward * map.backward / scale, std::min(all), std::max(all)};
 }
 
 /// How much the radius must change for another verdict, in the scale of the equation.
