@@ -3,22 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "oracle/ulp.hpp"
 #include "viz/scene/tiles.hpp"
 
 namespace rayproof::render {
 namespace {
 
-/// The gap from a number's magnitude to the next larger float of the precision.
-double ulp_at(double t, Precision precision) {
-  if (precision == Precision::float64) return std::nextafter(std::abs(t), HUGE_VAL) - std::abs(t);
-  const float size = std::abs(static_cast<float>(t));
-  return static_cast<double>(std::nextafter(size, HUGE_VALF)) - static_cast<double>(size);
-}
-
 double error_in_ulps(double exact, double claimed, Precision precision) {
   if (exact == claimed) return 0;
   if (std::isinf(exact)) return HUGE_VAL;
-  return std::abs(claimed - exact) / ulp_at(exact, precision);
+  return std::abs(claimed - exact) / oracle::ulp_of(exact, precision);
 }
 
 /// Whether another object than the exact one is met at the same rounded t: as good an answer.
@@ -76,14 +70,12 @@ ErrorImage find_errors(const Scene& scene, const HitImage& exact, const HitImage
     return is_right ? Verdict::hit : Verdict::wrong_object;
   };
   for_each_tile(exact.width, exact.height, work, [&](const Tile& tile) {
-    for (int y = tile.top; y < tile.bottom; ++y) {
-      for (int x = tile.left; x < tile.right; ++x) {
-        const std::size_t i = exact.index(x, y);
-        errors.verdicts[i] = judge(x, y);
-        if (errors.verdicts[i] == Verdict::hit)
-          errors.ulps[i] = error_in_ulps(exact.t[i], claimed.t[i], scene.precision);
-      }
-    }
+    for_each_pixel(tile, [&](int x, int y) {
+      const std::size_t i = exact.index(x, y);
+      errors.verdicts[i] = judge(x, y);
+      if (errors.verdicts[i] == Verdict::hit)
+        errors.ulps[i] = error_in_ulps(exact.t[i], claimed.t[i], scene.precision);
+    });
   });
   errors.totals = count(errors, exact);
   return errors;

@@ -6,24 +6,9 @@
 #include <span>
 #include <string_view>
 
-#include "viz/scene/scene.hpp"
+#include "viz/scene/hits.hpp"
 
 namespace rayproof::render {
-
-/// The nearest hit of a ray so far; of two at the same t, that of the object which stands first in the scene.
-template <class T>
-struct Nearest {
-  T t = T(infinity<T>);
-  ObjectIndex object = no_object;
-
-  void offer(T other, ObjectIndex index) {
-    // Both comparisons are false where `other` is NaN. A miss is infinite and never less.
-    if (other < t || (other == t && other < T(infinity<T>) && index < object)) {
-      t = other;
-      object = index;
-    }
-  }
-};
 
 template <class T>
 class Figures {

@@ -3,6 +3,7 @@
 /// What each pixel of an image sees: the nearest hit over all objects, by float methods or exactly.
 
 #include <atomic>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <span>
@@ -11,6 +12,25 @@
 #include "viz/scene/neighbourhood.hpp"
 
 namespace rayproof::render {
+
+/// The nearest hit of a ray so far; of two at the same t, that of the object which stands first in the scene.
+template <class T>
+struct Nearest {
+  T t = T(infinity<T>);
+  ObjectIndex object = no_object;
+
+  /// A hit, which may have rounded to infinity.
+  void take(T hit, ObjectIndex index) {
+    if (hit < t || (hit == t && index < object)) {
+      t = hit;
+      object = index;
+    }
+  }
+  /// What a method answers: a miss is infinite, and NaN is no hit either.
+  void offer(T answer, ObjectIndex index) {
+    if (answer < T(infinity<T>)) take(answer, index);
+  }
+};
 
 /// For each pixel, by rows from the top, the nearest hit's t and object.
 struct HitImage {
@@ -27,6 +47,11 @@ struct HitImage {
 
   [[nodiscard]] std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+  }
+  template <class T>
+  void set(int x, int y, const Nearest<T>& nearest) {
+    t[index(x, y)] = static_cast<double>(nearest.t);
+    object[index(x, y)] = nearest.object;
   }
 };
 
@@ -84,6 +109,12 @@ struct ExactHit {
   double t = HUGE_VAL;
 };
 [[nodiscard]] ExactHit exact_hit(const Scene& scene, ObjectIndex object, const Ray<double>& ray);
+
+/// Not below any exact t that rounds to `t`, be it in float: a normal float's neighbour is at most 2^-23 of
+/// it away, and the others are 2^-149 apart.
+[[nodiscard]] inline double beyond_rounding(double t) {
+  return std::isinf(t) ? HUGE_VAL : t + std::abs(t) * 0x1p-22 + 0x1p-148;
+}
 
 /// The ray of a pixel, in the scene's precision.
 [[nodiscard]] Ray<double> pixel_ray(const Scene& scene, int x, int y);

@@ -39,17 +39,15 @@ Rgb dimmed(const Rgb& colour, double by) {
 viz::Raster shaded(const Scene& scene, const HitImage& hits, Shade shade, const Work& work) {
   viz::Raster raster(hits.width, hits.height, background);
   for_each_tile(hits.width, hits.height, work, [&](const Tile& tile) {
-    for (int y = tile.top; y < tile.bottom; ++y) {
-      for (int x = tile.left; x < tile.right; ++x) {
-        const std::size_t i = hits.index(x, y);
-        if (hits.object[i] == no_object) continue;
-        const Object& object = scene.objects[hits.object[i]];
-        const Rgb colour = object_colours[object.entry % object_colours.size()];
-        raster.at(x, y) = shade == Shade::flat
-                              ? colour
-                              : dimmed(colour, brightness(object, pixel_ray(scene, x, y), hits.t[i]));
-      }
-    }
+    for_each_pixel(tile, [&](int x, int y) {
+      const std::size_t i = hits.index(x, y);
+      if (hits.object[i] == no_object) return;
+      const Object& object = scene.objects[hits.object[i]];
+      const Rgb colour = object_colours[object.entry % object_colours.size()];
+      raster.at(x, y) = shade == Shade::flat
+                            ? colour
+                            : dimmed(colour, brightness(object, pixel_ray(scene, x, y), hits.t[i]));
+    });
   });
   return raster;
 }

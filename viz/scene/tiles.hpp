@@ -16,6 +16,14 @@ inline constexpr int tile_side = 32;
 /// The tiles of an image by rows: every pixel is in one of them, and in only one.
 [[nodiscard]] std::vector<Tile> tiles_of(int width, int height);
 
+/// Calls `body(x, y)` for each pixel of a tile, by rows.
+template <class Body>
+void for_each_pixel(const Tile& tile, Body&& body) {
+  for (int y = tile.top; y < tile.bottom; ++y) {
+    for (int x = tile.left; x < tile.right; ++x) body(x, y);
+  }
+}
+
 /// Calls `body` for each tile, on several threads. Throws Stopped.
 void for_each_tile(int width, int height, const Work& work, const std::function<void(const Tile&)>& body);
 

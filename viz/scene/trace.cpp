@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "case/shape_name.hpp"
 #include "subjects/solve_shapes.hpp"
 #include "viz/scene/figures.hpp"
 #include "viz/scene/hits.hpp"
@@ -25,10 +26,6 @@ void for_each_ray_topic(Visit&& visit) {
   });
 }
 
-std::string type_of(const Shape& shape) {
-  return std::visit([]<class S>(const S&) { return std::string(ShapeFormat<S>::type); }, shape);
-}
-
 /// All figures of a scene, by shape.
 template <class T>
 class AllFigures {
@@ -37,7 +34,7 @@ class AllFigures {
     std::map<std::string, Members> by_shape;
     for (ObjectIndex i = 0; i < scene.objects.size(); ++i) {
       Members& members =
-          by_shape.try_emplace(type_of(scene.objects[i].shape), Members{&scene, {}}).first->second;
+          by_shape.try_emplace(shape_name(scene.objects[i].shape), Members{&scene, {}}).first->second;
       places_[i].figure = static_cast<std::uint32_t>(members.objects.size());
       members.objects.push_back(i);
     }
@@ -92,17 +89,10 @@ HitImage trace_in(const Scene& scene, const Methods& methods, const Neighbourhoo
   const PixelRays<T> pixel_rays(scene);
   for_each_tile(scene.width, scene.height, work, [&](const Tile& tile) {
     std::vector<Ray<T>> rays;
-    for (int y = tile.top; y < tile.bottom; ++y) {
-      for (int x = tile.left; x < tile.right; ++x) rays.push_back(pixel_rays(x, y));
-    }
+    for_each_pixel(tile, [&](int x, int y) { rays.push_back(pixel_rays(x, y)); });
     const std::vector<Nearest<T>> nearest = meet<T>(figures, neighbourhood, rays);
     std::size_t next = 0;
-    for (int y = tile.top; y < tile.bottom; ++y) {
-      for (int x = tile.left; x < tile.right; ++x, ++next) {
-        image.t[image.index(x, y)] = static_cast<double>(nearest[next].t);
-        image.object[image.index(x, y)] = nearest[next].object;
-      }
-    }
+    for_each_pixel(tile, [&](int x, int y) { image.set(x, y, nearest[next++]); });
   });
   return image;
 }

@@ -1,8 +1,6 @@
 /// \file
 /// Hits by the oracle.
 
-#include <cmath>
-
 #include "oracle/oracle.hpp"
 #include "viz/scene/hits.hpp"
 #include "viz/scene/tiles.hpp"
@@ -10,48 +8,27 @@
 namespace rayproof::render {
 namespace {
 
-/// Asks objects one after another, keeping the nearest.
-class ExactNearest {
- public:
-  ExactNearest(const Scene& scene, const Ray<double>& ray) : scene_(scene), ray_(ray) {}
-
-  /// Gives back a t beyond which no exact hit can round to less than the nearest.
-  double operator()(ObjectIndex object) {
-    const ExactHit hit = exact_hit(scene_, object, ray_);
-    const bool is_nearer =
-        hit.is_hit && (object_ == no_object || hit.t < t_ || (hit.t == t_ && object < object_));
-    if (is_nearer) {
-      t_ = hit.t;
-      object_ = object;
-    }
-    // A float's neighbour is at most 2^-23 away; below the normal floats they are 2^-149 apart.
-    return t_ + std::abs(t_) * 0x1p-22 + 0x1p-148;
-  }
-
-  [[nodiscard]] double t() const { return t_; }
-  [[nodiscard]] ObjectIndex object() const { return object_; }
-
- private:
-  const Scene& scene_;
-  const Ray<double>& ray_;
-  double t_ = HUGE_VAL;
-  ObjectIndex object_ = no_object;
-};
+/// Asks the objects near the ray one after another, keeping the nearest.
+Nearest<double> exact_nearest(const Scene& scene, const Neighbourhood& neighbourhood,
+                              const Ray<double>& ray) {
+  Nearest<double> nearest;
+  auto ask = [&](ObjectIndex object) {
+    const ExactHit hit = exact_hit(scene, object, ray);
+    if (hit.is_hit) nearest.take(hit.t, object);
+    return beyond_rounding(nearest.t);
+  };
+  neighbourhood.visit(ray, ask);
+  return nearest;
+}
 
 template <class T>
 HitImage trace_exactly_in(const Scene& scene, const Neighbourhood& neighbourhood, const Work& work) {
   HitImage image(scene.width, scene.height);
   const PixelRays<T> pixel_rays(scene);
   for_each_tile(scene.width, scene.height, work, [&](const Tile& tile) {
-    for (int y = tile.top; y < tile.bottom; ++y) {
-      for (int x = tile.left; x < tile.right; ++x) {
-        const Ray<double> ray = convert<double>(pixel_rays(x, y));
-        ExactNearest nearest(scene, ray);
-        neighbourhood.visit(ray, nearest);
-        image.t[image.index(x, y)] = nearest.t();
-        image.object[image.index(x, y)] = nearest.object();
-      }
-    }
+    for_each_pixel(tile, [&](int x, int y) {
+      image.set(x, y, exact_nearest(scene, neighbourhood, convert<double>(pixel_rays(x, y))));
+    });
   });
   return image;
 }
@@ -67,10 +44,7 @@ ExactHit exact_hit(const Scene& scene, ObjectIndex object, const Ray<double>& ra
 }
 
 ObjectIndex exact_nearest_at(const Scene& scene, const Neighbourhood& neighbourhood, int x, int y) {
-  const Ray<double> ray = pixel_ray(scene, x, y);
-  ExactNearest nearest(scene, ray);
-  neighbourhood.visit(ray, nearest);
-  return nearest.object();
+  return exact_nearest(scene, neighbourhood, pixel_ray(scene, x, y)).object;
 }
 
 HitImage trace_exactly(const Scene& scene, const Neighbourhood& neighbourhood, const Work& work) {

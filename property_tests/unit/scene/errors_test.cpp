@@ -87,6 +87,14 @@ TEST_F(Errors, VerdictsAndUlpsAreToldApart) {
   EXPECT_EQ(errors.totals.steps[step_of(3)], 1U);
 }
 
+TEST_F(Errors, TheGreatestFloatHasAnUlpToo) {
+  const Scene one = scene(scene_text(sphere_entry, "[1, 1]"), {Precision::float32, {}});
+  HitImage exact(1, 1), claimed(1, 1);
+  exact.set(0, 0, Nearest<float>{std::numeric_limits<float>::max(), 0});
+  claimed.set(0, 0, Nearest<float>{std::nextafter(std::numeric_limits<float>::max(), 0.0F), 0});
+  EXPECT_EQ(find_errors(one, exact, claimed, {}).totals.worst_ulps, 1);
+}
+
 TEST(UlpSteps, HoldWhatTheirLabelsSay) {
   EXPECT_EQ(step_of(0), 0U);
   EXPECT_EQ(step_of(1), 1U);

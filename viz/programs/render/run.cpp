@@ -3,6 +3,7 @@
 #include <chrono>
 #include <set>
 
+#include "case/shape_name.hpp"
 #include "case/writer.hpp"
 #include "programs/progress_line.hpp"
 #include "viz/programs/render/partial_file.hpp"
@@ -60,8 +61,7 @@ class Render {
   [[nodiscard]] std::string names_of(const Methods& methods) const {
     std::set<std::string> names;
     for (const Object& object : scene_.objects) {
-      const std::string shape =
-          std::visit([]<class S>(const S&) { return std::string(ShapeFormat<S>::type); }, object.shape);
+      const std::string shape = shape_name(object.shape);
       names.insert(shape + "/" + methods.at(shape));
     }
     return fmt::format("{}", fmt::join(names, ", "));
