@@ -89,6 +89,19 @@ inline void look_exactly(Random& random, RayScene& scene, const glm::dvec3& targ
   look_exactly(random, scene, target, whole_vector(random, 4));
 }
 
+/// A shape looked at, at `target` from anywhere within 20 of it.
+[[nodiscard]] inline Scene looked_at(Random& random, const Shape& shape, const glm::dvec3& target) {
+  Scene scene{{}, shape};
+  look_at(random, scene, target);
+  return scene;
+}
+/// The same from whole steps away, so that no number is rounded.
+[[nodiscard]] inline Scene looked_at_exactly(Random& random, const Shape& shape, const glm::dvec3& target) {
+  Scene scene{{}, shape};
+  look_exactly(random, scene, target);
+  return scene;
+}
+
 /// A point on the segment from `a` to `b`, at an eighth of the way or one of the ends: exact for whole ends.
 [[nodiscard]] inline glm::dvec3 eighth_between(Random& random, const glm::dvec3& a, const glm::dvec3& b) {
   return a + (random.between(0, 8) / 8.0) * (b - a);

@@ -12,12 +12,10 @@ struct Everyday {
 
   [[nodiscard]] static Scene scene(Random& random, int /*digits*/) {
     const Tube tube = in_a_room(random);
-    Scene scene;
     const double share = random.uniform(0, 1.8);
     const double z = tube.height * random.uniform(-0.5, 1.5);
-    look_at(random, scene, at(tube, any_turn(random), share, z));
+    Scene scene = looked_at(random, tube, at(tube, any_turn(random), share, z));
     loosen(random, scene);
-    scene.shape = tube;
     return scene;
   }
 };
@@ -58,13 +56,8 @@ struct Rims {
     const bool exactly = random.one_in(2);
     const Tube tube = exactly ? whole(random) : in_a_room(random);
     const double z = some_end(random, tube);
-    Scene scene;
-    if (exactly)
-      look_exactly(random, scene, exactly_at(tube, whole_turn(random), z));
-    else
-      look_at(random, scene, at(tube, any_turn(random), 1, z));
-    scene.shape = tube;
-    return scene;
+    return exactly ? looked_at_exactly(random, tube, exactly_at(tube, whole_turn(random), z))
+                   : looked_at(random, tube, at(tube, any_turn(random), 1, z));
   }
 };
 
@@ -75,13 +68,10 @@ struct Caps {
 
   [[nodiscard]] static Scene scene(Random& random, int /*digits*/) {
     const Tube tube = in_a_room(random);
-    Scene scene;
     const double share =
         random.one_in(2) ? random.uniform(0, 1.2) : 1 + draw::magnitude<double>(random, -20, -6);
     const double z = some_end(random, tube);
-    look_at(random, scene, at(tube, any_turn(random), share, z));
-    scene.shape = tube;
-    return scene;
+    return looked_at(random, tube, at(tube, any_turn(random), share, z));
   }
 };
 

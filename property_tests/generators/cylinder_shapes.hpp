@@ -36,12 +36,9 @@ struct FlatEllipses {
   [[nodiscard]] static Scene scene(Random& random, int /*digits*/) {
     Tube tube = in_a_room(random);
     (random.one_in(2) ? tube.rx : tube.ry) *= std::pow(10, random.uniform(-4, 4));
-    Scene scene;
     const double share = random.one_in(2) ? random.uniform(0, 1.5) : random.uniform(0.999, 1.001);
     const double z = tube.height * random.uniform(-0.2, 1.2);
-    look_at(random, scene, at(tube, any_turn(random), share, z));
-    scene.shape = tube;
-    return scene;
+    return looked_at(random, tube, at(tube, any_turn(random), share, z));
   }
 };
 
@@ -94,15 +91,9 @@ struct NoHeight {
     const bool exactly = random.one_in(2);
     Tube tube = exactly ? whole(random) : in_a_room(random);
     tube.height = random.one_in(2) ? 0 : std::exp2(random.uniform(-20, -4));
-    Scene scene;
-    if (exactly) {
-      look_exactly(random, scene, exactly_at(tube, whole_turn(random), 0));
-    } else {
-      const double share = random.uniform(0, 1.2);
-      look_at(random, scene, at(tube, any_turn(random), share, 0));
-    }
-    scene.shape = tube;
-    return scene;
+    if (exactly) return looked_at_exactly(random, tube, exactly_at(tube, whole_turn(random), 0));
+    const double share = random.uniform(0, 1.2);
+    return looked_at(random, tube, at(tube, any_turn(random), share, 0));
   }
 };
 
@@ -112,13 +103,8 @@ struct Cut {
     const bool exactly = random.one_in(2);
     const Tube tube = exactly ? whole(random) : in_a_room(random);
     const double z = tube.height * (exactly ? random.between(0, 4) / 4.0 : random.unit());
-    Scene scene;
-    if (exactly)
-      look_exactly(random, scene, exactly_at(tube, whole_turn(random), z));
-    else
-      look_at(random, scene, at(tube, any_turn(random), 1, z));
-    scene.shape = tube;
-    return scene;
+    return exactly ? looked_at_exactly(random, tube, exactly_at(tube, whole_turn(random), z))
+                   : looked_at(random, tube, at(tube, any_turn(random), 1, z));
   }
 };
 

@@ -15,11 +15,9 @@ template <class Kind>
 struct Everyday : EverydayText {
   [[nodiscard]] static Scene scene(Random& random, int /*digits*/) {
     const Frame frame = Kind::in_a_room(random);
-    Scene scene;
     const glm::dvec3 target = at(frame, draw::vector([&] { return random.uniform(-0.3, 1.3); }));
-    look_at(random, scene, target);
+    Scene scene = looked_at(random, Kind::shape(frame), target);
     loosen(random, scene);
-    scene.shape = Kind::shape(frame);
     return scene;
   }
 };
@@ -33,10 +31,8 @@ template <class Kind>
 struct Edges : EdgesText {
   [[nodiscard]] static Scene scene(Random& random, int /*digits*/) {
     const Frame frame = Kind::whole(random);
-    Scene scene;
-    look_exactly(random, scene, at(frame, exact_place(random, random.between(2, 3))));
-    scene.shape = Kind::shape(frame);
-    return scene;
+    return looked_at_exactly(random, Kind::shape(frame),
+                             at(frame, exact_place(random, random.between(2, 3))));
   }
 };
 
@@ -48,10 +44,7 @@ template <class Kind>
 struct NearEdges : NearEdgesText {
   [[nodiscard]] static Scene scene(Random& random, int /*digits*/) {
     const Frame frame = Kind::in_a_room(random);
-    Scene scene;
-    look_at(random, scene, at(frame, place(random, random.one_in(4) ? 3 : 2)));
-    scene.shape = Kind::shape(frame);
-    return scene;
+    return looked_at(random, Kind::shape(frame), at(frame, place(random, random.one_in(4) ? 3 : 2)));
   }
 };
 
@@ -104,13 +97,8 @@ struct Faces {
   [[nodiscard]] static Scene scene(Random& random, int /*digits*/) {
     const bool exactly = random.one_in(2);
     const Frame frame = exactly ? Kind::whole(random) : Kind::in_a_room(random);
-    Scene scene;
-    if (exactly)
-      look_exactly(random, scene, at(frame, exact_place(random, 1)));
-    else
-      look_at(random, scene, at(frame, place(random, 1)));
-    scene.shape = Kind::shape(frame);
-    return scene;
+    return exactly ? looked_at_exactly(random, Kind::shape(frame), at(frame, exact_place(random, 1)))
+                   : looked_at(random, Kind::shape(frame), at(frame, place(random, 1)));
   }
 };
 

@@ -12,10 +12,8 @@ struct Everyday {
 
   [[nodiscard]] static Scene scene(Random& random, int /*digits*/) {
     const Triangle<double> triangle = in_a_room(random);
-    Scene scene;
-    look_at(random, scene, in_or_beside(random, triangle));
+    Scene scene = looked_at(random, triangle, in_or_beside(random, triangle));
     loosen(random, scene);
-    scene.shape = triangle;
     return scene;
   }
 };
@@ -27,10 +25,7 @@ struct Edges {
 
   [[nodiscard]] static Scene scene(Random& random, int /*digits*/) {
     const Triangle<double> triangle = whole(random);
-    Scene scene;
-    look_exactly(random, scene, exactly_on_the_rim(random, triangle));
-    scene.shape = triangle;
-    return scene;
+    return looked_at_exactly(random, triangle, exactly_on_the_rim(random, triangle));
   }
 };
 
@@ -40,10 +35,7 @@ struct NearEdges {
 
   [[nodiscard]] static Scene scene(Random& random, int /*digits*/) {
     const Triangle<double> triangle = in_a_room(random);
-    Scene scene;
-    look_at(random, scene, on_the_rim(random, triangle));
-    scene.shape = triangle;
-    return scene;
+    return looked_at(random, triangle, on_the_rim(random, triangle));
   }
 };
 
@@ -72,13 +64,8 @@ struct Cut {
   [[nodiscard]] static Scene scene(Random& random, int /*digits*/) {
     const bool exactly = random.one_in(3);
     const Triangle<double> triangle = exactly ? whole(random) : in_a_room(random);
-    Scene scene;
-    if (exactly)
-      look_exactly(random, scene, at(triangle, 0.25, random.between(0, 3) / 4.0));
-    else
-      look_at(random, scene, inside(random, triangle));
-    scene.shape = triangle;
-    return scene;
+    return exactly ? looked_at_exactly(random, triangle, at(triangle, 0.25, random.between(0, 3) / 4.0))
+                   : looked_at(random, triangle, inside(random, triangle));
   }
 };
 

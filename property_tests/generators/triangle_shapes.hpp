@@ -15,10 +15,7 @@ struct Slivers {
     Triangle<double> triangle = in_a_room(random);
     const double thinness = std::exp2(random.uniform(-0.75 * digits, -3));
     triangle.c = triangle.a + random.uniform(-0.2, 1.2) * (triangle.b - triangle.a) + thinness * triangle.c;
-    Scene scene;
-    look_at(random, scene, in_or_beside(random, triangle));
-    scene.shape = triangle;
-    return scene;
+    return looked_at(random, triangle, in_or_beside(random, triangle));
   }
 };
 
@@ -34,11 +31,9 @@ struct Upright {
     triangle.c = triangle.a;  // across the others' way, straight along an axis
     triangle.c[axis] += random.one_in(2) ? 4 : -3;
     if (way[(axis + 1) % 3] == 0 && way[(axis + 2) % 3] == 0) triangle.b[(axis + 1) % 3] += 5;
-    Scene scene;
     const glm::dvec3 on_edge = exactly_on_the_rim(random, triangle);
-    look_exactly(random, scene, random.one_in(2) ? on_edge : eighth_between(random, on_edge, triangle.c));
-    scene.shape = triangle;
-    return scene;
+    return looked_at_exactly(random, triangle,
+                             random.one_in(2) ? on_edge : eighth_between(random, on_edge, triangle.c));
   }
 };
 
@@ -73,10 +68,7 @@ struct Degenerate {
       triangle.b = point_in_a_room(random);
       triangle.c = triangle.a + random.uniform(-1, 2) * (triangle.b - triangle.a);
     }
-    Scene scene;
-    look_exactly(random, scene, exactly_on_the_rim(random, triangle));
-    scene.shape = triangle;
-    return scene;
+    return looked_at_exactly(random, triangle, exactly_on_the_rim(random, triangle));
   }
 };
 
