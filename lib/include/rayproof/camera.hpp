@@ -40,10 +40,13 @@ struct ImageSize {
 
 namespace camera {
 
+/// In units of ε/sin(up, w), ε the unit roundoff.
+inline constexpr Bound axes_error{.measured = 4.30, .promised = 8};
+
 /// w = (eye - center)/|eye - center|, u = (up × w)/|up × w|, v = w × u.
 ///
-/// Every component is within 8·ε/sin(up, w) of the true one, ε the unit roundoff (measured: 3.94); NaN or
-/// infinite where `up` is along w, or a square overflows. Source: R. Bán, "Számítógépes grafika: Raycasting",
+/// Every component is within `axes_error` of the true one; NaN or infinite where `up` is along w, or a square
+/// overflows. Source: R. Bán, "Számítógépes grafika: Raycasting",
 /// 2022.
 template <class T>
 [[nodiscard]] CameraAxes<T> axes(const Camera<T>& camera) {
@@ -75,13 +78,15 @@ template <class T>
 ///
 /// The grid is symmetric about the camera's axis bit for bit: the pixels i and width-1-i have α of the same
 /// magnitude and opposite signs, and so for j. Given the rounded camera and axes, every component of the
-/// direction is within 4·ε·(1 + half_width + half_height) (measured: 1.21). Sizes up to 2^23 in float.
+/// direction is within `error`. Sizes up to 2^23 in float.
 /// Source: R. Bán, "Számítógépes grafika: Raycasting", 2022, in its words ("through the centre of each
 /// pixel"), not its formula.
 struct PixelCentre {
   static constexpr const char* name = "pixel_centre";
   static constexpr const char* title = "through the centres of the pixels";
   static constexpr Source source = sources::ban;
+  /// In units of ε·(1 + half_width + half_height).
+  static constexpr Bound error{.measured = 1.29, .promised = 4};
 
   template <class T>
   [[nodiscard]] static constexpr Ray<T> ray(const Camera<T>& camera, const CameraAxes<T>& axes,
