@@ -8,6 +8,7 @@
 /// end is searched to the end; see implicit/roots.hpp.
 
 #include <cstddef>
+#include <rayproof/contract.hpp>
 #include <rayproof/ray.hpp>
 #include <vector>
 
@@ -32,6 +33,17 @@ struct RootEnclosure {
 /// outside of them is a root.
 template <class T>
 using EnclosedRoots = std::vector<RootEnclosure<T>>;
+
+/// The contract of `implicit::search` as far as it can be counted (its words stand with the function).
+/// Measured: of the rays of docs/surfaces.md.
+struct SearchContract {
+  Bound missed;   ///< roots in the ray's interval that lie in no enclosure
+  Bound wrong;    ///< certain enclosures that do not hold exactly one crossing
+  Bound overrun;  ///< evaluations of f beyond twice the budget
+};
+inline constexpr SearchContract search_contract{.missed = {.measured = 0, .promised = 0},
+                                                .wrong = {.measured = 0, .promised = 0},
+                                                .overrun = {.measured = 2, .promised = 150}};
 
 /// How often f may be evaluated for one ray, when nothing else is said. Few rays need a tenth of it
 /// (docs/surfaces.md); what is left when it is spent comes back as undecided.

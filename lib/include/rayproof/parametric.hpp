@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <rayproof/arithmetics/dual.hpp>
+#include <rayproof/contract.hpp>
 #include <rayproof/ray.hpp>
 #include <vector>
 
@@ -27,7 +28,23 @@ struct PatchHit {
 template <class T>
 using PatchHits = std::vector<PatchHit<T>>;
 
-/// How many pieces of a patch are looked at for one ray, when nothing else is said.
+/// The contract of `parametric::hits` as far as it can be counted (its words stand with the function).
+/// Measured: of the patches of docs/surfaces.md.
+struct HitsContract {
+  Bound missed;    ///< hits that lie in the ranges of no answer
+  Bound wrong;     ///< certain answers whose ranges do not hold exactly one hit
+  Bound residual;  ///< |r(u, v) - p(t)| in units of the answer's own `residual`
+};
+inline constexpr HitsContract hits_contract{.missed = {.measured = 0, .promised = 0},
+                                            .wrong = {.measured = 0, .promised = 0},
+                                            .residual = {.measured = 1, .promised = 1}};
+
+/// How many pieces of a patch are cut in two for one ray, when nothing else is said.
 inline constexpr std::size_t default_pieces = 2048;
+
+/// No piece narrower than this is cut. About the square root of ε: as fine as a tangent can be told from its
+/// neighbours.
+template <class T>
+inline constexpr T finest_piece = sizeof(T) == 4 ? T(0x1p-12) : T(0x1p-26);
 
 }  // namespace rayproof

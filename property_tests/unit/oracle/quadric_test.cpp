@@ -77,7 +77,7 @@ TEST(QuadricOracle, CatchesEveryWayToBeWrong) {
 struct Tally {
   std::size_t rays = 0, known = 0, tangents = 0, certain = 0, narrow = 0, idle = 0, evaluations = 0,
               spent = 0;
-  double widest = 0;
+  double widest = 0, overrun = 0;
 };
 
 EnclosedRoots<double> widened(const EnclosedRoots<float>& roots) {
@@ -93,15 +93,18 @@ implicit::Quadric<double> widened(const implicit::Quadric<T>& q) {
 }
 
 template <class T>
-void put(const QuadricScene<T>& scene, Tally& tally) {
+void put(const QuadricScene<T>& scene, Tally& tally, std::size_t budget = default_budget) {
   constexpr Precision precision = sizeof(T) == 4 ? Precision::float32 : Precision::float64;
-  const implicit::Search<T> found = implicit::search(scene.ray, scene.quadric);
+  const implicit::Search<T> found = implicit::search(scene.ray, scene.quadric, budget);
   const EnclosureJudgement judgement =
       judge(convert<double>(scene.ray), widened(scene.quadric), precision, widened(found.roots));
-  EXPECT_FALSE(judgement.has_missed);
-  EXPECT_FALSE(judgement.is_wrong_certain);
+  EXPECT_LE(judgement.has_missed ? 1 : 0, search_contract.missed.promised);
+  EXPECT_LE(judgement.is_wrong_certain ? 1 : 0, search_contract.wrong.promised);
   EXPECT_FALSE(judgement.is_wrong_everywhere);
   EXPECT_TRUE(judgement.is_ordered);
+  const double overrun = static_cast<double>(found.evaluations) - 2 * static_cast<double>(budget);
+  EXPECT_LE(overrun, search_contract.overrun.promised);
+  tally.overrun = std::max(tally.overrun, overrun);
   ++tally.rays;
   tally.known += judgement.known;
   tally.tangents += judgement.tangents;
@@ -140,6 +143,21 @@ TYPED_TEST(GuaranteedRoots, HoldEveryRootTheExactQuadricKnows) {
                tally.known - tally.certain, tally.idle, evaluations, tally.spent, tally.widest);
     std::fflush(stdout);  // a million rays take minutes
   }
+}
+
+TYPED_TEST(GuaranteedRoots, AreHeldWhateverTheBudget) {
+  Tally tally;
+  for (const std::size_t budget : {0U, 1U, 2U, 5U, 20U, 80U}) {
+    for (const auto& family : quadric_families<TypeParam>) {
+      for (std::uint64_t seed = 0; seed < 300 && !this->HasFailure(); ++seed) {
+        SCOPED_TRACE(fmt::format("{} {}, budget {}", family.name, seed, budget));
+        Random random(combine(seed, 2022));
+        put(family.draw(random), tally, budget);
+      }
+    }
+  }
+  EXPECT_GT(tally.overrun, 0) << "no budget was spent";
+  fmt::print("{} evaluations of f beyond twice the budget\n", tally.overrun);
 }
 
 /// Ray 9041 of the wild family in float: two roots, each certain in 1/t, became one certain root where both

@@ -16,13 +16,11 @@ struct AlongRay {
 
   template <class T>
   [[nodiscard]] T operator()(const T& t) const {
-    const vec3<P>& o = ray.origin;
-    const vec3<P>& d = ray.direction;
-    const T x = T(o.x) + t * T(d.x), y = T(o.y) + t * T(d.y), z = T(o.z) + t * T(d.z);
+    const vec3<T> p = point_at(convert<T>(ray), t);
     if constexpr (Homogeneous<Surface, T>) {
-      return f(x, y, z, T(1));
+      return f(p.x, p.y, p.z, T(1));
     } else {
-      return f(x, y, z);
+      return f(p.x, p.y, p.z);
     }
   }
 };
@@ -36,9 +34,8 @@ struct NearInfinity {
 
   template <class T>
   [[nodiscard]] T operator()(const T& s) const {
-    const vec3<P>& o = ray.origin;
-    const vec3<P>& d = ray.direction;
-    return f(s * T(o.x) + T(d.x), s * T(o.y) + T(d.y), s * T(o.z) + T(d.z), s);
+    const vec3<T> p = s * convert<T>(ray.origin) + convert<T>(ray.direction);
+    return f(p.x, p.y, p.z, s);
   }
 };
 

@@ -54,7 +54,7 @@ class Isolation {
       add(range, RootStatus::everywhere);
       return nothing();
     }
-    const Interval<T> slope = g.slope.is_empty() ? Interval<T>::whole() : g.slope;
+    const Interval<T> slope = slope_of(g);
     if (!slope.contains(T(0)) && range.is_bounded()) {
       const Contracted<T> left = settle_monotone(g_, range, slope, spent_);
       if (!left.range.is_empty())

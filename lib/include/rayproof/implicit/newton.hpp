@@ -16,11 +16,15 @@ struct Contracted {
   bool has_root = false;
 };
 
-/// The derivative of g over `range`; everything where it has none.
+/// The derivative over a range, as g gives it with the value; everything where it has none.
+template <class T>
+[[nodiscard]] Interval<T> slope_of(const Dual<Interval<T>>& over_range) {
+  return over_range.slope.is_empty() ? Interval<T>::whole() : over_range.slope;
+}
+/// The derivative of g over `range`.
 template <class T, class G>
 [[nodiscard]] Interval<T> slope_over(const G& g, const Interval<T>& range) {
-  const Interval<T> slope = g(variable(range)).slope;
-  return slope.is_empty() ? Interval<T>::whole() : slope;
+  return slope_of(g(variable(range)));
 }
 
 /// Shrinks a range on which g is monotone to the root it holds, if any, quadratically:

@@ -2,10 +2,10 @@
 /// \file
 /// All hits of a ray with a surface f(x, y, z) = 0, none of them missed.
 
-#include <rayproof/finite.hpp>
 #include <rayproof/implicit/along_ray.hpp>
 #include <rayproof/implicit/isolate.hpp>
 #include <rayproof/implicit/settle.hpp>
+#include <rayproof/searchable.hpp>
 
 namespace rayproof::implicit {
 
@@ -18,14 +18,15 @@ struct Search {
 
 /// Every t of the ray's interval with f(p(t)) = 0, enclosed in ascending order.
 ///
-/// Contract, for every finite ray and any f over the operations of Interval<T>:
+/// Contract, for every finite ray and any f over the operations of Interval<T>; what of it can be counted is
+/// `search_contract`:
 /// - no root is missed: a t in [t_min, t_max] outside of all enclosures is no root of the exact function;
 /// - a `certain` enclosure lies inside [t_min, t_max] and holds exactly one root, at which f changes its
 /// sign;
 /// - what cannot be told apart is one `undecided` enclosure: tangents, near tangents within rounding, roots
 ///   within rounding of an end of the interval, and whatever is left when the budget is spent;
-/// - the search ends after `budget` evaluations of f, the settling of what it found after twice as many, each
-///   give or take the 150 of a range begun;
+/// - the search begins no range after `budget` evaluations of f, the settling of what it found none after
+///   twice as many: `search_contract.overrun` is what the last range may take beyond that;
 /// - a zero direction, an infinite or NaN number in the ray, and a NaN coefficient have no root. (A zero
 ///   direction is a miss even on the surface, as for every shape of this library.)
 ///
@@ -40,10 +41,7 @@ struct Search {
 template <class Surface, std::floating_point T>
 [[nodiscard]] Search<T> search(const Ray<T>& ray, const Surface& f, std::size_t budget = default_budget) {
   Search<T> result;
-  const bool is_still = ray.direction.x == 0 && ray.direction.y == 0 && ray.direction.z == 0;
-  if (is_still || !is_finite(ray.origin) || !is_finite(ray.direction) || !(ray.t_min <= ray.t_max)) {
-    return result;
-  }
+  if (!is_searchable(ray)) return result;
   const AlongRay<Surface, T> along{f, ray};
   const auto range = Interval<T>::between(ray.t_min, ray.t_max);
   EnclosedRoots<T> found;

@@ -22,6 +22,11 @@ struct Meeting {
   [[nodiscard]] Seen<I> seen(const I& u, const I& v) const { return line(r(u, v)); }
   [[nodiscard]] Jet<I> jet(const Rectangle<T>& X) const { return jet_of(r, line, X.u, X.v); }
 
+  /// Krawczyk's image of a rectangle.
+  [[nodiscard]] Rectangle<T> image_of(const Rectangle<T>& X, const Preconditioned<T>& p) const {
+    return krawczyk(X, p, seen(I(X.u.middle()), I(X.v.middle())));
+  }
+
   /// Whether the functions are one to one over a rectangle, which then holds one root at most.
   [[nodiscard]] bool is_injective(const Rectangle<T>& X) const {
     const auto p = precondition(jet(X));
@@ -32,9 +37,10 @@ struct Meeting {
   [[nodiscard]] std::pair<T, T> polished(T u, T v) const {
     for (int step = 0; step < 8; ++step) {
       const Jet<T> at = jet_of(r, line, u, v);
-      const T per = T(1) / (at.F_u * at.G_v - at.F_v * at.G_u);
-      const T u_next = u - per * (at.G_v * at.value.F - at.F_v * at.value.G);
-      const T v_next = v - per * (at.F_u * at.value.G - at.G_u * at.value.F);
+      const auto Y = inverse_of(at.F_u, at.F_v, at.G_u, at.G_v);
+      if (!Y) break;
+      const T u_next = u - Y->u(at.value.F, at.value.G);
+      const T v_next = v - Y->v(at.value.F, at.value.G);
       if (!(abs(u_next) < 4 && abs(v_next) < 4) || (u_next == u && v_next == v)) break;
       u = u_next;
       v = v_next;
@@ -48,7 +54,7 @@ struct Meeting {
       const Rectangle<T> X{I::between(u - reach, u + reach), I::between(v - reach, v + reach)};
       const auto p = precondition(jet(X));
       if (!p) return std::nullopt;
-      const Rectangle<T> image = krawczyk(X, *p, seen(I(X.u.middle()), I(X.v.middle())));
+      const Rectangle<T> image = image_of(X, *p);
       if (p->is_injective() && X.surrounds(image)) return Confirmed<T>{image, X};
     }
     return std::nullopt;

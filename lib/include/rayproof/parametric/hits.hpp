@@ -3,9 +3,9 @@
 /// All hits of a ray with a surface r(u, v) over the unit square, none of them missed.
 
 #include <algorithm>
-#include <rayproof/finite.hpp>
 #include <rayproof/parametric/confirm.hpp>
 #include <rayproof/parametric/piece.hpp>
+#include <rayproof/searchable.hpp>
 
 namespace rayproof::parametric {
 
@@ -24,7 +24,7 @@ class HitSearch {
       const Rectangle<T> X{piece.u, piece.v};
       const Jet<I> jet = piece.bounds();
       if (!may_hit(jet.value) || is_settled(X, jet)) continue;
-      if (next >= budget || X.u.width() <= smallest || X.v.width() <= smallest) {
+      if (next >= budget || X.u.width() <= finest_piece<T> || X.v.width() <= finest_piece<T>) {
         add_undecided(X);
       } else {
         auto [lower, upper] = piece.halves();
@@ -36,9 +36,6 @@ class HitSearch {
   }
 
  private:
-  /// About the square root of ε: as fine as a tangent can be told from its neighbours.
-  static constexpr T smallest = sizeof(T) == 4 ? T(0x1p-12) : T(0x1p-26);
-
   struct Found {
     Rectangle<T> root, only_one;
     bool is_certain;
@@ -56,8 +53,7 @@ class HitSearch {
   bool is_settled(const Rectangle<T>& X, const Jet<I>& jet) {
     const auto p = precondition(jet);
     if (!p) return false;
-    const Rectangle<T> left =
-        intersection(X, krawczyk(X, *p, meeting_.seen(I(X.u.middle()), I(X.v.middle()))));
+    const Rectangle<T> left = intersection(X, meeting_.image_of(X, *p));
     if (left.is_empty()) return true;
     if (!p->is_injective()) return false;
     const auto [u, v] = meeting_.polished(left.u.middle(), left.v.middle());
@@ -107,12 +103,8 @@ class HitSearch {
 
   /// The distance of r(u, v) from p(t), rounded up.
   [[nodiscard]] T residual(const PatchHit<T>& hit) const {
-    const Vec3<I> r = r_(I(hit.u), I(hit.v));
-    const I t(hit.t);
-    const I x = r.x - (I(ray_.origin.x) + t * I(ray_.direction.x));
-    const I y = r.y - (I(ray_.origin.y) + t * I(ray_.direction.y));
-    const I z = r.z - (I(ray_.origin.z) + t * I(ray_.direction.z));
-    return sqrt(square(x) + square(y) + square(z)).hi;
+    const Vec3<I> off = r_(I(hit.u), I(hit.v)) - point_at(convert<I>(ray_), I(hit.t));
+    return sqrt(square(off.x) + square(off.y) + square(off.z)).hi;
   }
 
   const Ray<T>& ray_;
@@ -124,13 +116,13 @@ class HitSearch {
 
 /// Every hit of a ray with r over the closed unit square, ascending by t.
 ///
-/// Contract, for every finite ray and surface:
+/// Contract, for every finite ray and surface; what of it can be counted is `hits_contract`:
 /// - no hit is missed: each p(t) = r(u, v) with t in [t_min, t_max] has its (t, u, v) in the ranges of one of
 ///   the answers;
 /// - the ranges of a certain one hold exactly one, and lie inside the ray's interval and the unit square;
 /// - what cannot be told apart is undecided: hits on the square's edge or at an end of the interval within
-///   rounding, silhouettes, lines in the surface, self-intersections closer than 2^-26 (float: 2^-12), and
-///   whatever is left after `budget` pieces;
+///   rounding, silhouettes, lines in the surface, hits closer than `finest_piece`, and whatever is left when
+///   `budget` pieces have been cut in two;
 /// - of each, |r(u, v) - p(t)| is not larger than `residual`;
 /// - a zero direction, and a NaN or infinite number in the ray or a NaN in the surface, has no hit.
 ///
@@ -139,8 +131,7 @@ class HitSearch {
 /// converges).
 template <class Surface, std::floating_point T>
 [[nodiscard]] PatchHits<T> hits(const Ray<T>& ray, const Surface& r, std::size_t budget = default_pieces) {
-  const bool is_still = ray.direction.x == 0 && ray.direction.y == 0 && ray.direction.z == 0;
-  if (is_still || !is_finite(ray.origin) || !is_finite(ray.direction) || !(ray.t_min <= ray.t_max)) return {};
+  if (!is_searchable(ray)) return {};
   return HitSearch<Surface, T>(ray, r).within(budget);
 }
 

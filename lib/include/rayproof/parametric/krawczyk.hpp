@@ -34,11 +34,35 @@ template <class T>
   return {hull(a.u, b.u), hull(a.v, b.v)};
 }
 
+/// The inverse of a Jacobian of F and G by u and v, rounded.
+template <class T>
+struct InverseJacobian {
+  T u_F, u_G, v_F, v_G;
+
+  /// Its rows times (F, G), in any arithmetic.
+  template <class X>
+  [[nodiscard]] X u(const X& F, const X& G) const {
+    return X(u_F) * F + X(u_G) * G;
+  }
+  template <class X>
+  [[nodiscard]] X v(const X& F, const X& G) const {
+    return X(v_F) * F + X(v_G) * G;
+  }
+};
+
+/// By Cramer's rule; nothing where there is none that is a number.
+template <class T>
+[[nodiscard]] std::optional<InverseJacobian<T>> inverse_of(T F_u, T F_v, T G_u, T G_v) {
+  const T per = T(1) / (F_u * G_v - F_v * G_u);
+  if (!(abs(per) > 0 && abs(per) < infinity<T>)) return std::nullopt;
+  return InverseJacobian<T>{G_v * per, -F_v * per, -G_u * per, F_u * per};
+}
+
 /// The rounded inverse Y of the Jacobian in the middle of its bounds, and I - Y·J for all Jacobians J within
 /// them.
 template <class T>
 struct Preconditioned {
-  T Y_uF, Y_uG, Y_vF, Y_vG;
+  InverseJacobian<T> Y;
   Interval<T> R_uu, R_uv, R_vu, R_vv;
 
   /// Two points of the rectangle can't both be roots: I - Y·J shrinks every vector, so J is never singular.
@@ -52,15 +76,10 @@ struct Preconditioned {
 template <class T>
 [[nodiscard]] std::optional<Preconditioned<T>> precondition(const Jet<Interval<T>>& jet) {
   using I = Interval<T>;
-  const T a = jet.F_u.middle(), b = jet.F_v.middle(), c = jet.G_u.middle(), d = jet.G_v.middle();
-  const T per = T(1) / (a * d - b * c);
-  if (!(abs(per) > 0 && abs(per) < infinity<T>)) return std::nullopt;
-  Preconditioned<T> p{d * per, -b * per, -c * per, a * per, {}, {}, {}, {}};
-  p.R_uu = I(1) - (I(p.Y_uF) * jet.F_u + I(p.Y_uG) * jet.G_u);
-  p.R_uv = -(I(p.Y_uF) * jet.F_v + I(p.Y_uG) * jet.G_v);
-  p.R_vu = -(I(p.Y_vF) * jet.F_u + I(p.Y_vG) * jet.G_u);
-  p.R_vv = I(1) - (I(p.Y_vF) * jet.F_v + I(p.Y_vG) * jet.G_v);
-  return p;
+  const auto Y = inverse_of(jet.F_u.middle(), jet.F_v.middle(), jet.G_u.middle(), jet.G_v.middle());
+  if (!Y) return std::nullopt;
+  return Preconditioned<T>{*Y, I(1) - Y->u(jet.F_u, jet.G_u), -Y->u(jet.F_v, jet.G_v),
+                           -Y->v(jet.F_u, jet.G_u), I(1) - Y->v(jet.F_v, jet.G_v)};
 }
 
 /// Krawczyk's image c - Y·f(c) + (I - Y·J)·(X - c) of the rectangle X with middle c: it holds every root that
@@ -71,8 +90,8 @@ template <class T>
   using I = Interval<T>;
   const I c_u(X.u.middle()), c_v(X.v.middle());
   const I du = X.u - c_u, dv = X.v - c_v;
-  return {c_u - (I(p.Y_uF) * at_middle.F + I(p.Y_uG) * at_middle.G) + (p.R_uu * du + p.R_uv * dv),
-          c_v - (I(p.Y_vF) * at_middle.F + I(p.Y_vG) * at_middle.G) + (p.R_vu * du + p.R_vv * dv)};
+  return {c_u - p.Y.u(at_middle.F, at_middle.G) + (p.R_uu * du + p.R_uv * dv),
+          c_v - p.Y.v(at_middle.F, at_middle.G) + (p.R_vu * du + p.R_vv * dv)};
 }
 
 }  // namespace rayproof::parametric

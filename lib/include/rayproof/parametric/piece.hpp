@@ -7,11 +7,15 @@
 
 namespace rayproof::parametric {
 
-/// Where a rectangle is cut: across its longer side. The ends are whole multiples of powers of two, and so
-/// exact.
-template <class P>
-[[nodiscard]] bool is_longer_in_u(const Interval<P>& u, const Interval<P>& v) {
-  return u.hi - u.lo >= v.hi - v.lo;
+/// Leaves to two copies of a piece a half each, cut across the longer side; whether that is u. The ends are
+/// whole multiples of powers of two, and so exact.
+template <class Piece>
+bool share_out(Piece& lower, Piece& upper) {
+  const bool is_u = lower.u.hi - lower.u.lo >= lower.v.hi - lower.v.lo;
+  auto Piece::*const side = is_u ? &Piece::u : &Piece::v;
+  (upper.*side).lo = (lower.*side).middle();
+  (lower.*side).hi = (upper.*side).lo;
+  return is_u;
 }
 
 /// Any surface: the bounds are what its formula gives in interval arithmetic.
@@ -28,11 +32,7 @@ struct Piece {
 
   [[nodiscard]] std::pair<Piece, Piece> halves() const {
     std::pair<Piece, Piece> both{*this, *this};
-    if (is_longer_in_u(u, v)) {
-      both.first.u.hi = both.second.u.lo = u.middle();
-    } else {
-      both.first.v.hi = both.second.v.lo = v.middle();
-    }
+    share_out(both.first, both.second);
     return both;
   }
 };
@@ -60,30 +60,28 @@ struct Piece<BezierPatch<P, Degree>, P> {
   }
 
   [[nodiscard]] Jet<I> bounds() const {
-    return {{hull_of(F), hull_of(G), hull_of(ahead)}, slope_u(F), slope_v(F), slope_u(G), slope_v(G)};
+    return {{hull_of(F), hull_of(G), hull_of(ahead)},
+            slope(F, true),
+            slope(F, false),
+            slope(G, true),
+            slope(G, false)};
   }
 
   [[nodiscard]] std::pair<Piece, Piece> halves() const {
     std::pair<Piece, Piece> both{*this, *this};
-    Piece& lower = both.first;
-    Piece& upper = both.second;
-    if (is_longer_in_u(u, v)) {
-      lower.u.hi = upper.u.lo = u.middle();
-      for (Net Piece::*const net : {&Piece::F, &Piece::G, &Piece::ahead})
-        for (std::size_t j = 0; j <= Degree; ++j)
-          halve([&](std::size_t i) -> I& { return (lower.*net)[i][j]; },
-                [&](std::size_t i) -> I& { return (upper.*net)[i][j]; });
-    } else {
-      lower.v.hi = upper.v.lo = v.middle();
-      for (Net Piece::*const net : {&Piece::F, &Piece::G, &Piece::ahead})
-        for (std::size_t i = 0; i <= Degree; ++i)
-          halve([&](std::size_t j) -> I& { return (lower.*net)[i][j]; },
-                [&](std::size_t j) -> I& { return (upper.*net)[i][j]; });
-    }
+    const bool in_u = share_out(both.first, both.second);
+    for (Net Piece::*const net : {&Piece::F, &Piece::G, &Piece::ahead})
+      for (std::size_t k = 0; k <= Degree; ++k)
+        halve(row_of(both.first.*net, in_u, k), row_of(both.second.*net, in_u, k));
     return both;
   }
 
  private:
+  /// The k-th row of a net along u or v, as a function of the place in it.
+  template <class AnyNet>
+  static auto row_of(AnyNet& net, bool in_u, std::size_t k) {
+    return [&net, in_u, k ](std::size_t i) -> auto& { return in_u ? net[i][k] : net[k][i]; };
+  }
   /// De Casteljau at 1/2: the first points of each round make the lower half, what is left the upper one.
   template <class Lower, class Upper>
   static void halve(Lower&& lower, Upper&& upper) {
@@ -102,17 +100,15 @@ struct Piece<BezierPatch<P, Degree>, P> {
     }
     return all;
   }
-  [[nodiscard]] I slope_u(const Net& net) const {
-    I all = net[1][0] - net[0][0];
-    for (std::size_t i = 0; i < Degree; ++i)
-      for (std::size_t j = 0; j <= Degree; ++j) all = hull(all, net[i + 1][j] - net[i][j]);
-    return I(Degree) * all / I(u.hi - u.lo);
-  }
-  [[nodiscard]] I slope_v(const Net& net) const {
-    I all = net[0][1] - net[0][0];
-    for (std::size_t i = 0; i <= Degree; ++i)
-      for (std::size_t j = 0; j < Degree; ++j) all = hull(all, net[i][j + 1] - net[i][j]);
-    return I(Degree) * all / I(v.hi - v.lo);
+  /// Bounds of the derivative along u or v: Degree times the differences of neighbours.
+  [[nodiscard]] I slope(const Net& net, bool in_u) const {
+    I all = I::empty();
+    for (std::size_t k = 0; k <= Degree; ++k) {
+      const auto b = row_of(net, in_u, k);
+      for (std::size_t i = 0; i < Degree; ++i) all = hull(all, b(i + 1) - b(i));
+    }
+    const I& side = in_u ? u : v;
+    return I(Degree) * all / I(side.hi - side.lo);
   }
 };
 

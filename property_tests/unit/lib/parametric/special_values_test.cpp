@@ -72,6 +72,7 @@ TYPED_TEST(PatchHitsOf, AreUndecidedOnTheEdgeAndTheCorner) {
   for (const auto& [x, y] : {std::pair<TypeParam, TypeParam>{0, 0.5}, {1, 0.5}, {0.5, 0}, {1, 1}, {0, 0}}) {
     const auto found = hits(Ray<TypeParam>{{x, y, 3}, {0, 0, -1}}, this->saddle_);
     ASSERT_EQ(found.size(), 1U);
+    this->expect_undecided(found);
     EXPECT_NEAR(found[0].t, 3 - x * y, 1e-5);
     EXPECT_TRUE(found[0].u_range.contains(x) && found[0].v_range.contains(y));
   }
@@ -90,6 +91,7 @@ TYPED_TEST(PatchHitsOf, CountAnEndOfTheIntervalAsUndecided) {
   ray.t_max = 2.875;
   const auto found = hits(ray, this->saddle_);
   ASSERT_EQ(found.size(), 1U);
+  this->expect_undecided(found);
   EXPECT_TRUE(found[0].t_range.contains(TypeParam(2.875)));
   EXPECT_LE(found[0].t, ray.t_max);
 }
@@ -99,6 +101,7 @@ TYPED_TEST(PatchHitsOf, StartOnTheSurface) {
   ray.origin.z = 0.125;
   const auto found = hits(ray, this->saddle_);
   ASSERT_EQ(found.size(), 1U);
+  this->expect_undecided(found);
   EXPECT_TRUE(found[0].t_range.contains(TypeParam(0)));
 }
 
