@@ -12,8 +12,7 @@ TEST(Tiles, CoverEveryPixelOnce) {
     for (const Tile& tile : tiles_of(width, height)) {
       EXPECT_LE(tile.right, width);
       EXPECT_LE(tile.bottom, height);
-      for (int y = tile.top; y < tile.bottom; ++y)
-        for (int x = tile.left; x < tile.right; ++x) ++covered[static_cast<std::size_t>(y * width + x)];
+      for_each_pixel(tile, [&](int x, int y) { ++covered[static_cast<std::size_t>(y * width + x)]; });
     }
     EXPECT_EQ(covered, std::vector<int>(covered.size(), 1)) << width << 'x' << height;
   }
