@@ -43,7 +43,7 @@ struct SearchContract {
 };
 inline constexpr SearchContract search_contract{.missed = {.measured = 0, .promised = 0},
                                                 .wrong = {.measured = 0, .promised = 0},
-                                                .overrun = {.measured = 2, .promised = 150}};
+                                                .overrun = {.measured = 129, .promised = 150}};
 
 /// How often f may be evaluated for one ray, when nothing else is said. Few rays need a tenth of it
 /// (docs/surfaces.md); what is left when it is spent comes back as undecided.
