@@ -12,7 +12,8 @@ TEST(Tiles, CoverEveryPixelOnce) {
     for (const Tile& tile : tiles_of(width, height)) {
       EXPECT_LE(tile.right, width);
       EXPECT_LE(tile.bottom, height);
-      for_each_pixel(tile, [&](int x, int y) { ++covered[static_cast<std::size_t>(y * width + x)]; });
+      for_each_pixel(tile,
+                     [&, row = width](int x, int y) { ++covered[static_cast<std::size_t>(y * row + x)]; });
     }
     EXPECT_EQ(covered, std::vector<int>(covered.size(), 1)) << width << 'x' << height;
   }
