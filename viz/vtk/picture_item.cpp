@@ -4,23 +4,17 @@
 #include <vtkContext2D.h>
 #include <vtkObjectFactory.h>
 #include <vtkPen.h>
-#include <vtkTextProperty.h>
 
 #include <cmath>
 #include <numbers>
 
 #include "viz/dashes.hpp"
 #include "viz/palette.hpp"
-#include "viz/vtk/write_png.hpp"
+#include "viz/raster.hpp"
+#include "viz/vtk/picture_text.hpp"
 
 namespace rayproof::viz {
 namespace {
-
-/// "#rrggbb" to three bytes.
-void light_colour(Role role, unsigned char rgb[3]) {
-  const unsigned long value = std::stoul(colour_of(role).light + 1, nullptr, 16);
-  for (int i = 0; i < 3; ++i) rgb[i] = static_cast<unsigned char>(value >> (16 - 8 * i));
-}
 
 /// Paints a picture's elements with VTK's two-dimensional painter, whose y points up.
 class Painter {
@@ -56,24 +50,10 @@ class Painter {
     }
   }
   void operator()(const Text& text) {
-    vtkTextProperty& property = *context_.GetTextProp();
-    use_legible_font(property, text.bold);
-    property.SetFontSize(static_cast<int>(std::lround(text.size * scale_)));
-    property.SetJustification(static_cast<int>(text.anchor));
-    property.SetVerticalJustificationToBottom();
-    const double y = text.at.y + descent * text.size;
-    if (text.halo) {
-      for (const Point& off : circle({0, 0}, 2))
-        write(Role::background, {text.at.x + off.x, y + off.y}, text.text);
-    }
-    write(text.role, {text.at.x, y}, text.text);
+    paint_text(context_, text, left_ + text.at.x * scale_, top_ - text.at.y * scale_, scale_);
   }
 
  private:
-  /// VTK puts the bottom of the line at the given point, not the baseline; DejaVu Sans reaches this far
-  /// below.
-  static constexpr double descent = 0.21;
-
   [[nodiscard]] float to_x(double x) const { return static_cast<float>(left_ + x * scale_); }
   [[nodiscard]] float to_y(double y) const { return static_cast<float>(top_ - y * scale_); }
   [[nodiscard]] std::vector<float> flat(const std::vector<Point>& points) const {
@@ -92,17 +72,9 @@ class Painter {
     }
     return outline;
   }
-  void write(Role role, const Point& at, const std::string& text) {
-    unsigned char rgb[3];
-    light_colour(role, rgb);
-    context_.GetTextProp()->SetColor(rgb[0] / 255.0, rgb[1] / 255.0, rgb[2] / 255.0);
-    context_.DrawString(to_x(at.x), to_y(at.y), text.c_str());
-  }
   void set_brush(Role role, double opacity) {
-    unsigned char rgb[3];
-    light_colour(role, rgb);
-    context_.GetBrush()->SetColor(rgb[0], rgb[1], rgb[2],
-                                  static_cast<unsigned char>(std::lround(255 * opacity)));
+    const auto [red, green, blue] = rgb_of(colour_of(role).light);
+    context_.GetBrush()->SetColor(red, green, blue, static_cast<unsigned char>(std::lround(255 * opacity)));
   }
   void fill(Role role, const std::vector<Point>& points) {
     set_brush(role, 1);
@@ -111,10 +83,9 @@ class Painter {
     context_.DrawPolygon(xy.data(), static_cast<int>(points.size()));
   }
   void stroke(Role role, const std::vector<Point>& points, double width) {
-    unsigned char rgb[3];
-    light_colour(role, rgb);
+    const auto [red, green, blue] = rgb_of(colour_of(role).light);
     context_.GetPen()->SetLineType(vtkPen::SOLID_LINE);
-    context_.GetPen()->SetColor(rgb[0], rgb[1], rgb[2], 255);
+    context_.GetPen()->SetColor(red, green, blue, 255);
     context_.GetPen()->SetWidth(static_cast<float>(width * scale_));
     auto xy = flat(points);
     context_.DrawPoly(xy.data(), static_cast<int>(points.size()));
@@ -127,9 +98,9 @@ class Painter {
 
 }  // namespace
 
-vtkStandardNewMacro(PictureItem)
+vtkStandardNewMacro(PictureItem);
 
-    bool PictureItem::Paint(vtkContext2D* context) {
+bool PictureItem::Paint(vtkContext2D* context) {
   Painter painter(*context, *this);
   for (const Element& element : picture->elements) std::visit(painter, element);
   return true;

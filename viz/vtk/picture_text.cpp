@@ -1,0 +1,154 @@
+#include "viz/vtk/picture_text.hpp"
+
+#include <vtkContext2D.h>
+#include <vtkNew.h>
+#include <vtkPen.h>
+#include <vtkStdString.h>
+#include <vtkTextProperty.h>
+#include <vtkTextRenderer.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string_view>
+
+#include "viz/palette.hpp"
+#include "viz/raster.hpp"
+#include "viz/vtk/write_png.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+/// VTK puts the bottom of the line at the given point, not the baseline; DejaVu Sans reaches so far below,
+/// in em.
+constexpr double descent = 0.21;
+
+/// What stands above a letter, as combining characters say it.
+struct Accent {
+  std::size_t letter;  ///< where the letter begins in the plain text
+  bool is_arrow;       ///< else a hat
+};
+
+struct Accented {
+  std::string plain;
+  std::vector<Accent> accents;
+};
+
+Accented without_accents(std::string_view text) {
+  constexpr std::string_view arrow = "\u20d7";
+  constexpr std::string_view hat = "\u0302";
+  Accented result;
+  std::size_t letter = 0;
+  while (!text.empty()) {
+    const bool is_arrow = text.starts_with(arrow);
+    if (is_arrow || text.starts_with(hat)) {
+      result.accents.push_back({letter, is_arrow});
+      text.remove_prefix(is_arrow ? arrow.size() : hat.size());
+      continue;
+    }
+    const bool begins_letter = (static_cast<unsigned char>(text[0]) & 0xc0U) != 0x80U;
+    if (begins_letter) letter = result.plain.size();
+    result.plain += text[0];
+    text.remove_prefix(1);
+  }
+  return result;
+}
+
+/// Keeps VTK from mixing fonts within a word. VTK remembers each font by the property that first asked for
+/// it, and asks that property again when its cache of 30 fonts, sizes and colours overflows: a painter's own
+/// property may by then stand for another font. A copy that nobody changes is registered before.
+void register_font(vtkTextProperty& property) {
+  vtkNew<vtkTextProperty> copy;
+  copy->ShallowCopy(&property);
+  std::array<int, 4> ignored{};
+  vtkTextRenderer::GetInstance()->GetBoundingBox(copy, vtkStdString("x"), ignored.data(), 72);
+}
+
+class TextPainter {
+ public:
+  TextPainter(vtkContext2D& context, const Text& text, double scale)
+      : context_(context), text_(text), em_(text.size * scale), accented_(without_accents(text.text)) {
+    vtkTextProperty& property = *context.GetTextProp();
+    use_legible_font(property, text.bold);
+    property.SetFontSize(static_cast<int>(std::lround(em_)));
+    property.SetJustification(static_cast<int>(text.anchor));
+    property.SetVerticalJustificationToBottom();
+  }
+
+  void paint(double x, double y, double scale) {
+    if (text_.halo) {
+      constexpr int copies = 12;
+      for (int i = 0; i < copies; ++i) {
+        const double angle = 2 * std::numbers::pi * i / copies;
+        write(Role::background, x + 2 * scale * std::cos(angle), y + 2 * scale * std::sin(angle));
+      }
+    }
+    write(text_.role, x, y);
+    for (const Accent& accent : accented_.accents) draw(accent, x, y);
+  }
+
+ private:
+  void write(Role role, double x, double y) {
+    const auto [red, green, blue] = rgb_of(colour_of(role).light);
+    vtkTextProperty& property = *context_.GetTextProp();
+    property.SetColor(red / 255.0, green / 255.0, blue / 255.0);
+    register_font(property);
+    context_.DrawString(static_cast<float>(x), static_cast<float>(y - descent * em_),
+                        accented_.plain.c_str());
+  }
+
+  [[nodiscard]] double width_of(const std::string& text) const {
+    std::array<float, 4> box{};
+    context_.ComputeStringBounds(text.c_str(), box.data());
+    return static_cast<double>(box[2]);
+  }
+
+  /// Above the letter, in the text's colour.
+  void draw(const Accent& accent, double x, double y) {
+    const std::string& plain = accented_.plain;
+    std::size_t end = accent.letter + 1;
+    while (end < plain.size() && (static_cast<unsigned char>(plain[end]) & 0xc0U) == 0x80U) ++end;
+    const std::string letter = plain.substr(accent.letter, end - accent.letter);
+    const double part = text_.anchor == Anchor::start ? 0 : text_.anchor == Anchor::middle ? 0.5 : 1;
+    const double right = x - part * width_of(plain) + width_of(plain.substr(0, end));
+    const double middle = right - width_of(letter) / 2;
+    const bool is_low = letter.find_first_of("acegmnopqrsuvwxyz") == 0;
+    const double base = y + (is_low ? 0.7 : 0.94) * em_;
+    const double half = 0.3 * em_;
+    const double barb = 0.13 * em_;
+    if (accent.is_arrow) {
+      stroke({{middle - half, base}, {middle + half, base}});
+      stroke(
+          {{middle + half - barb, base + barb}, {middle + half, base}, {middle + half - barb, base - barb}});
+    } else {
+      stroke({{middle - 0.7 * half, base - barb}, {middle, base + barb}, {middle + 0.7 * half, base - barb}});
+    }
+  }
+
+  void stroke(const std::vector<Point>& points) {
+    const auto [red, green, blue] = rgb_of(colour_of(text_.role).light);
+    vtkPen& pen = *context_.GetPen();
+    pen.SetLineType(vtkPen::SOLID_LINE);
+    pen.SetColor(red, green, blue, 255);
+    pen.SetWidth(static_cast<float>((text_.bold ? 0.11 : 0.075) * em_));
+    std::vector<float> xy;
+    for (const Point& p : points) {
+      xy.push_back(static_cast<float>(p.x));
+      xy.push_back(static_cast<float>(p.y));
+    }
+    context_.DrawPoly(xy.data(), static_cast<int>(points.size()));
+  }
+
+  vtkContext2D& context_;
+  const Text& text_;
+  double em_;
+  Accented accented_;
+};
+
+}  // namespace
+
+void paint_text(vtkContext2D& context, const Text& text, double x, double y, double scale) {
+  TextPainter(context, text, scale).paint(x, y, scale);
+}
+
+}  // namespace rayproof::viz

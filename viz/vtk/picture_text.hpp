@@ -1,0 +1,16 @@
+#pragma once
+/// \file
+/// A picture's text, painted by VTK's two-dimensional painter.
+
+#include "viz/picture.hpp"
+
+class vtkContext2D;
+
+namespace rayproof::viz {
+
+/// Paints the text with its anchor at (x, y) of the context, whose y points up; `scale` of the context's
+/// pixels stand for each of the picture's. Arrows and hats above letters ("d⃗", "d̂") are strokes: VTK knows
+/// no combining characters.
+void paint_text(vtkContext2D& context, const Text& text, double x, double y, double scale);
+
+}  // namespace rayproof::viz
