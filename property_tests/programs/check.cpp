@@ -9,9 +9,9 @@
 #include "programs/check/corpus.hpp"
 #include "programs/check/options.hpp"
 #include "programs/check/outputs.hpp"
-#include "programs/check/progress.hpp"
 #include "programs/check/replay.hpp"
 #include "programs/command_line.hpp"
+#include "programs/progress_line.hpp"
 #include "properties/report/text.hpp"
 
 namespace {
@@ -50,12 +50,12 @@ int run(const check::Options& options) {
   const Plan plan = make_plan(options.settings);
   const std::vector<Case> corpus = corpus_of(options);
   check::Outputs outputs(options);
-  check::ProgressLine progress;
+  ProgressLine progress;
   fmt::print("seed {}, {} cases for each method, family and precision{}\n", options.settings.seed,
              options.settings.cases, options.settings.time ? " at most" : "");
 
   Listener listener;
-  listener.progress = [&](const Progress& now) { progress.show(now); };
+  listener.progress = [&](const Progress& now) { progress.show(now.done, now.what); };
   listener.broken = [&](const Finding& finding) { outputs.keep_as_found(finding); };
   listener.finding = [&](const Finding& finding) {
     progress.clear();

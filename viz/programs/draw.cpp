@@ -1,9 +1,7 @@
 /// \file
 /// rayproof draw: draws a case as PNG, SVG or a page.
 
-#include <fstream>
-
-#include "viz/programs/tell_case.hpp"
+#include "viz/programs/files.hpp"
 #include "viz/svg.hpp"
 #ifdef RAYPROOF_HAS_VTK
 #include "viz/vtk/offscreen_display.hpp"
@@ -18,16 +16,10 @@ struct Files {
   std::string png{}, svg{}, html{};
 };
 
-void write_text(const std::string& path, const std::string& text) {
-  std::ofstream out(path, std::ios::binary);
-  out << text << std::flush;
-  if (!out) throw viz::WrongCommand("the file " + path + " can't be written");
-}
-
 void write_picture(const std::string& path, const viz::Picture& picture) {
 #ifdef RAYPROOF_HAS_VTK
   const viz::OffscreenDisplay display;
-  viz::write_picture(picture, path);
+  viz::PictureCanvas().write(picture, path);
 #else
   (void)picture;
   throw viz::WrongCommand("--png " + path +
@@ -40,8 +32,8 @@ void draw(const viz::Told& told, const Files& files) {
   if (view == nullptr)
     throw viz::WrongCommand("there is no picture for a case about a " + topic_of(told.one));
   const viz::Picture picture = view->picture(told.one, &told.exact, told.claim());
-  if (!files.svg.empty()) write_text(files.svg, viz::xml_head + viz::to_svg(picture));
-  if (!files.html.empty()) write_text(files.html, viz::html_page(told));
+  if (!files.svg.empty()) viz::write_text(files.svg, viz::xml_head + viz::to_svg(picture));
+  if (!files.html.empty()) viz::write_text(files.html, viz::html_page(told));
   if (!files.png.empty()) write_picture(files.png, picture);
 }
 

@@ -2,9 +2,9 @@
 /// rayproof walk: a ray meets a shape, step by step, to the last digit.
 
 #include <filesystem>
-#include <fstream>
 
-#include "viz/programs/tell_case.hpp"
+#include "programs/progress_line.hpp"
+#include "viz/programs/files.hpp"
 #include "viz/programs/walk/window.hpp"
 #include "viz/stage/lesson.hpp"
 #include "viz/stage/page.hpp"
@@ -34,13 +34,17 @@ struct Options {
 constexpr double slide_scale = 5.0 / 3;
 constexpr double sheet_scale = 2.0 / 3;
 
+double share(std::size_t done, std::size_t all) {
+  return static_cast<double>(done) / static_cast<double>(all);
+}
+
 /// A walkthrough and the group under which a gallery shows it.
 struct Walk {
   std::string group;
   viz::Stage stage;
 };
 
-std::vector<Walk> walks_for(const Options& options) {
+std::vector<Walk> walks_for(const Options& options, ProgressLine& progress) {
   if (!options.one.text.empty()) return {{"Cases", viz::stage_of(viz::tell_case(options.one))}};
   const auto found = viz::lessons_of(options.topic);
   if (options.topic.empty()) throw viz::WrongCommand("which walkthrough? Give a topic, --case or --list");
@@ -50,6 +54,7 @@ std::vector<Walk> walks_for(const Options& options) {
   }
   std::vector<Walk> walks;
   for (const viz::Lesson* lesson : found) {
+    progress.show(share(walks.size(), found.size()), lesson->name + " is computed");
     walks.push_back({lesson->group, viz::stage_of(*lesson, [](const Case& one, const std::string& method) {
                        return viz::told_of(one, method);
                      })});
@@ -57,47 +62,42 @@ std::vector<Walk> walks_for(const Options& options) {
   return walks;
 }
 
-void write_text(const std::filesystem::path& path, const std::string& text) {
-  std::ofstream out(path, std::ios::binary);
-  out << text << std::flush;
-  if (!out) throw viz::WrongCommand("the file " + path.string() + " can't be written");
-}
-
-void make_folder(const std::string& folder) {
-  std::error_code failure;
-  std::filesystem::create_directories(folder, failure);
-  if (failure) throw viz::WrongCommand("the folder " + folder + " can't be made");
-}
-
 /// One page where the path is that of a page; else a folder of pages with a gallery.
-void write_pages(const std::vector<Walk>& walks, const std::string& path) {
+void write_pages(const std::vector<Walk>& walks, const std::string& path, ProgressLine& progress) {
   if (walks.size() == 1 && path.ends_with(".html"))
-    return write_text(path, viz::stage_page(walks.front().stage));
-  make_folder(path);
+    return viz::write_text(path, viz::stage_page(walks.front().stage));
+  viz::make_folder(path);
   const std::filesystem::path folder = path;
   std::vector<viz::GalleryEntry> gallery;
   for (const auto& [group, stage] : walks) {
     const std::string file = stage.name + ".html";
-    write_text(folder / file, viz::stage_page(stage, "index.html"));
+    progress.show(share(gallery.size(), walks.size()), "page " + file);
+    viz::write_text(folder / file, viz::stage_page(stage, "index.html"));
     gallery.push_back({group, file, &stage});
   }
-  write_text(folder / "index.html", viz::gallery_page(gallery));
+  viz::write_text(folder / "index.html", viz::gallery_page(gallery));
 }
 
-void write_pngs(const std::vector<Walk>& walks, const std::string& folder) {
+void write_pngs(const std::vector<Walk>& walks, const std::string& folder, ProgressLine& progress) {
 #ifdef RAYPROOF_HAS_VTK
   const viz::OffscreenDisplay display;
-  make_folder(folder);
+  viz::PictureCanvas canvas;
+  viz::make_folder(folder);
+  std::size_t all = 0;
+  for (const Walk& walk : walks) all += walk.stage.steps.size() + 1;
+  std::size_t done = 0;
+  const auto draw = [&](const viz::Picture& picture, const std::string& name, double scale) {
+    progress.show(share(done++, all), fmt::format("picture {}.png", name));
+    canvas.write(picture, fmt::format("{}/{}.png", folder, name), scale);
+  };
   for (const auto& [group, stage] : walks) {
-    for (std::size_t i = 0; i < stage.steps.size(); ++i) {
-      viz::write_picture(viz::slide_picture(stage, i), fmt::format("{}/{}-{}.png", folder, stage.name, i + 1),
-                         slide_scale);
-    }
-    viz::write_picture(viz::contact_sheet(stage), fmt::format("{}/{}.png", folder, stage.name), sheet_scale);
-    fmt::print(stderr, "{}: {} slides and a contact sheet\n", stage.name, stage.steps.size());
+    for (std::size_t i = 0; i < stage.steps.size(); ++i)
+      draw(viz::slide_picture(stage, i), fmt::format("{}-{}", stage.name, i + 1), slide_scale);
+    draw(viz::contact_sheet(stage), stage.name, sheet_scale);
   }
 #else
   (void)walks;
+  (void)progress;
   throw viz::WrongCommand("--png " + folder + " needs VTK, which this build was made without; --html works");
 #endif
 }
@@ -133,14 +133,17 @@ int main(int argc, char** argv) {
     }
     if (!options.topic.empty() && !options.one.text.empty())
       throw viz::WrongCommand("give a topic or --case, not both");
-    const auto walks = walks_for(options);
+    ProgressLine progress;
+    const auto walks = walks_for(options, progress);
+    progress.clear();
     if (!options.is_json && !options.is_window && options.html.empty() && options.png.empty())
       throw viz::WrongCommand("nothing to do: give --html, --png, --json or --window");
     if (options.is_json) {
       for (const Walk& walk : walks) fmt::print("{}\n", viz::stage_json(walk.stage));
     }
-    if (!options.html.empty()) write_pages(walks, options.html);
-    if (!options.png.empty()) write_pngs(walks, options.png);
+    if (!options.html.empty()) write_pages(walks, options.html, progress);
+    if (!options.png.empty()) write_pngs(walks, options.png, progress);
+    progress.clear();
     if (options.is_window) {
       const bool is_case = !options.one.text.empty();
       viz::show_window(is_case ? std::optional(walks.front().stage) : std::nullopt, options.topic);

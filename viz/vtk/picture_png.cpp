@@ -9,44 +9,48 @@
 #include <cmath>
 
 #include "viz/vtk/picture_item.hpp"
-#include "viz/vtk/raster_png.hpp"
 #include "viz/vtk/write_png.hpp"
 
 namespace rayproof::viz {
-namespace {
 
-/// Calls `use` with an off-screen window that shows the picture.
-template <class Use>
-void in_window(const Picture& picture, double scale, Use&& use) {
-  vtkNew<PictureItem> item;
-  item->picture = &picture;
-  item->scale = scale;
-  vtkNew<vtkContextActor> actor;
-  vtkNew<vtkRenderer> renderer;
-  vtkNew<vtkRenderWindow> window;
-  actor->GetScene()->AddItem(item);
-  actor->GetScene()->SetRenderer(renderer);
-  renderer->SetBackground(1, 1, 1);
-  renderer->AddActor(actor);
-  window->SetOffScreenRendering(1);
-  window->SetMultiSamples(8);
-  window->SetDPI(72);
-  window->SetSize(static_cast<int>(std::lround(picture.width * scale)),
-                  static_cast<int>(std::lround(picture.height * scale)));
-  window->AddRenderer(renderer);
-  use(*window);
+class PictureCanvas::Parts {
+ public:
+  Parts() {
+    actor_->GetScene()->AddItem(item_);
+    actor_->GetScene()->SetRenderer(renderer_);
+    renderer_->SetBackground(1, 1, 1);
+    renderer_->AddActor(actor_);
+    window_->SetOffScreenRendering(1);
+    window_->SetMultiSamples(8);
+    window_->SetDPI(72);
+    window_->AddRenderer(renderer_);
+  }
+
+  /// The window with the picture in it; it shows the picture when it is rendered.
+  [[nodiscard]] vtkRenderWindow& window_of(const Picture& picture, double scale) {
+    item_->picture = &picture;
+    item_->scale = scale;
+    window_->SetSize(static_cast<int>(std::lround(picture.width * scale)),
+                     static_cast<int>(std::lround(picture.height * scale)));
+    return *window_;
+  }
+
+ private:
+  vtkNew<PictureItem> item_;
+  vtkNew<vtkContextActor> actor_;
+  vtkNew<vtkRenderer> renderer_;
+  vtkNew<vtkRenderWindow> window_;
+};
+
+PictureCanvas::PictureCanvas() : parts_(std::make_unique<Parts>()) {}
+PictureCanvas::~PictureCanvas() = default;
+
+void PictureCanvas::write(const Picture& picture, const std::string& path, double scale) {
+  write_png(parts_->window_of(picture, scale), path);
 }
 
-}  // namespace
-
-void write_picture(const Picture& picture, const std::string& path, double scale) {
-  in_window(picture, scale, [&path](vtkRenderWindow& window) { write_png(window, path); });
-}
-
-Raster draw_picture(const Picture& picture) {
-  Raster raster;
-  in_window(picture, png_scale, [&raster](vtkRenderWindow& window) { raster = pixels_of(window); });
-  return raster;
+Raster PictureCanvas::draw(const Picture& picture, double scale) {
+  return pixels_of(parts_->window_of(picture, scale));
 }
 
 }  // namespace rayproof::viz

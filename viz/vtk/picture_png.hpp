@@ -2,17 +2,35 @@
 /// \file
 /// VTK as a sink of pictures.
 
+#include <memory>
 #include <string>
 
 #include "viz/picture.hpp"
+#include "viz/raster.hpp"
 
 namespace rayproof::viz {
 
 /// Pixels of the PNG for each of the picture's: sharp on paper and on dense screens.
 inline constexpr int png_scale = 2;
 
-/// Draws the picture in its light colours and writes it as a PNG of `scale` times its size. Needs a display
-/// (OffscreenDisplay). Throws std::runtime_error with one sentence where the file can't be written.
-void write_picture(const Picture& picture, const std::string& path, double scale = png_scale);
+/// An off-screen window in which pictures are drawn one after another, in their light colours: to open one
+/// takes longer than to draw in it. Needs a display (OffscreenDisplay) that outlives it.
+class PictureCanvas {
+ public:
+  PictureCanvas();
+  ~PictureCanvas();
+  PictureCanvas(const PictureCanvas&) = delete;
+  PictureCanvas& operator=(const PictureCanvas&) = delete;
+
+  /// Writes the picture as a PNG of `scale` times its size. Throws std::runtime_error with one sentence where
+  /// the file can't be written.
+  void write(const Picture& picture, const std::string& path, double scale = png_scale);
+  /// The pixels of the same.
+  [[nodiscard]] Raster draw(const Picture& picture, double scale = png_scale);
+
+ private:
+  class Parts;
+  std::unique_ptr<Parts> parts_;
+};
 
 }  // namespace rayproof::viz

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "viz/scene/colours.hpp"
-#include "viz/vtk/raster_png.hpp"
+#include "viz/vtk/picture_png.hpp"
 #include "viz/vtk/scene/error_layout.hpp"
 
 namespace rayproof::render {
@@ -90,7 +90,7 @@ Raster error_figure(const std::string& title, const std::vector<ErrorPanel>& pan
   const std::vector<Swatch> swatches =
       write_legend(picture, panels, layout.panels_top + layout.panel_height + 14);
 
-  Raster canvas = viz::draw_picture(picture);
+  Raster canvas = viz::PictureCanvas().draw(picture);
   for (std::size_t i = 0; i < panels.size(); ++i) {
     paint_panel(canvas, panels[i].errors, layout.zoom, static_cast<int>(layout.panel_left(i) * png_scale),
                 static_cast<int>(layout.panels_top * png_scale));

@@ -1,0 +1,27 @@
+#pragma once
+/// \file
+/// Writing files for a user, who is told in one sentence where it can't be done.
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "viz/programs/tell_case.hpp"
+
+namespace rayproof::viz {
+
+/// Throws WrongCommand where the file can't be written.
+inline void write_text(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream out(path, std::ios::binary);
+  out << text << std::flush;
+  if (!out) throw WrongCommand("the file " + path.string() + " can't be written");
+}
+
+/// With all folders above it. Throws WrongCommand where it can't be made.
+inline void make_folder(const std::filesystem::path& folder) {
+  std::error_code failure;
+  std::filesystem::create_directories(folder, failure);
+  if (failure) throw WrongCommand("the folder " + folder.string() + " can't be made");
+}
+
+}  // namespace rayproof::viz
