@@ -42,9 +42,8 @@ std::string blame_of(const Walkthrough& walk) {
   if (!walk.known_fault.empty()) return blame + walk.known_fault + ".";
   blame += "a comparison is so near a tie that rounding takes the wrong side of it";
   if (!walk.worst_loss) return blame + ".";
-  const Death& loss = *walk.worst_loss;
-  return blame + fmt::format("; most is lost in step '{}', where the {} {} {} {:.0f} of {} bits.", loss.step,
-                             loss.kind, loss.formula, loss.effect, loss.bits_lost_here, walk.digits);
+  return blame + fmt::format("; most is lost in step '{}', where {}.", walk.worst_loss->step,
+                             in_words(*walk.worst_loss));
 }
 
 }  // namespace

@@ -107,6 +107,7 @@ Death describe_loss(const Tape& tape, OperationId id) {
   death.name = o.name;
   death.bits_lost_here = o.bits_lost_here;
   death.bits_lost = o.bits_lost;
+  death.digits = o.digits;
   return death;
 }
 

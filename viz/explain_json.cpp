@@ -53,7 +53,7 @@ Json death(const Walkthrough& walk) {
           {"result", death.name},
           {"bits_lost_here", death.bits_lost_here},
           {"bits_lost", death.bits_lost},
-          {"digits", walk.digits}};
+          {"digits", death.digits}};
 }
 
 }  // namespace

@@ -4,14 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "viz/losses.hpp"
 #include "viz/numbers.hpp"
 #include "viz/record.hpp"
 
 namespace rayproof::viz {
 namespace {
-
-/// Losses below this many bits are the everyday rounding of a few operations.
-constexpr double noteworthy = 3;
 
 WalkValue value_of(const Tape& tape, OperationId id, const std::string& name, Precision precision) {
   const Operation<Shadow>& o = tape.at(id);
@@ -27,6 +25,7 @@ WalkValue value_of(const Tape& tape, OperationId id, const std::string& name, Pr
   if (is_input) return value;
   value.formula = formula_of(tape, id);
   value.put_in = numbers_of(tape, id, precision);
+  value.loss = worst_loss_of(tape, operations_of_value(tape, id));
   return value;
 }
 
@@ -38,27 +37,6 @@ std::vector<WalkValue> values_of(const Tape& tape, const NamedValue& named, Prec
     values.push_back(value_of(tape, named.components[i], named.name + suffix[i], precision));
   }
   return values;
-}
-
-/// The operation that loses most of those that `counts`; nothing where none loses a noteworthy number of
-/// bits.
-template <class Counts>
-std::optional<Death> worst_loss_of(const Tape& tape, Counts&& counts) {
-  OperationId worst = unrecorded;
-  for (std::size_t i = 0; i < tape.operations.size(); ++i) {
-    const auto id = static_cast<OperationId>(i);
-    if (!counts(tape.at(id))) continue;
-    if (worst == unrecorded || tape.at(id).bits_lost_here > tape.at(worst).bits_lost_here) worst = id;
-  }
-  if (worst == unrecorded || tape.at(worst).bits_lost_here < noteworthy) return std::nullopt;
-  return describe_loss(tape, worst);
-}
-
-std::string caption_of(const Tape& tape, std::ptrdiff_t step, int digits) {
-  const auto loss = worst_loss_of(tape, [&](const auto& operation) { return operation.step == step; });
-  if (!loss) return "No digits of note are lost.";
-  return fmt::format("The {} {} {} {:.0f} of {} bits.", loss->kind, loss->formula, loss->effect,
-                     loss->bits_lost_here, digits);
 }
 
 /// What decides the verdict: a discriminant, an unnamed difference, or, where the sign is a mere flag,
@@ -129,9 +107,11 @@ Walkthrough tell_steps(const Tape& tape, Precision precision) {
   walk.precision = precision;
   walk.digits = precision == Precision::float32 ? std::numeric_limits<float>::digits
                                                 : std::numeric_limits<double>::digits;
+  std::vector<OperationId> all;
   for (std::size_t i = 0; i < tape.steps.size(); ++i) {
-    walk.steps.push_back(
-        {tape.steps[i], caption_of(tape, static_cast<std::ptrdiff_t>(i), walk.digits), {}, {}});
+    const auto operations = operations_of_step(tape, static_cast<std::ptrdiff_t>(i));
+    walk.steps.push_back({tape.steps[i], loss_sentence(worst_loss_of(tape, operations)), {}, {}});
+    all.insert(all.end(), operations.begin(), operations.end());
   }
   for (const NamedValue& named : tape.names) {
     auto& values = named.step < 0 ? walk.inputs : walk.steps.at(static_cast<std::size_t>(named.step)).values;
@@ -139,7 +119,7 @@ Walkthrough tell_steps(const Tape& tape, Precision precision) {
     values.insert(values.end(), more.begin(), more.end());
   }
   for (WalkStep& step : walk.steps) point_out(step);
-  walk.worst_loss = worst_loss_of(tape, [](const auto& operation) { return operation.step >= 0; });
+  walk.worst_loss = worst_loss_of(tape, all);
   return walk;
 }
 
@@ -162,9 +142,7 @@ std::string verdict_sentence(const Walkthrough& walk) {
           : fmt::format("the answer keeps {:.0f} of its {} bits",
                         std::max(0.0, walk.digits - walk.answer_bits_lost), walk.digits);
   if (!walk.death) return "No single operation is to blame, but roundings add up: " + consequence + ".";
-  const Death& death = *walk.death;
-  return fmt::format("In step '{}' the {} {} {} {:.0f} of {} bits: {}.", death.step, death.kind,
-                     death.formula, death.effect, death.bits_lost_here, walk.digits, consequence);
+  return fmt::format("In step '{}' {}: {}.", walk.death->step, in_words(*walk.death), consequence);
 }
 
 }  // namespace rayproof::viz

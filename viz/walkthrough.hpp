@@ -12,6 +12,24 @@
 
 namespace rayproof::viz {
 
+/// The operation in which digits died.
+struct Death {
+  std::string step;           ///< the step's title
+  std::string kind;           ///< "subtraction", "addition", "multiplication", …
+  std::string effect;         ///< "cancels", "overflows and loses", "loses"
+  std::string formula;        ///< "b·b − 4·a·c"
+  std::string name;           ///< of its result, where it has one: "D"
+  double bits_lost_here = 0;  ///< lost in this operation alone
+  double bits_lost = 0;       ///< lost in its result
+  int digits = 24;            ///< of the result's own format: a float kernel may compute a part in double
+};
+
+/// "the subtraction b·b − 4·a·c cancels 22 of 24 bits"
+[[nodiscard]] std::string in_words(const Death& loss);
+
+/// The same as a sentence, or that no digits of note are lost.
+[[nodiscard]] std::string loss_sentence(const std::optional<Death>& loss);
+
 /// A number the formula names, as it was rounded and as it should be.
 struct WalkValue {
   std::string name;     ///< "D", "f.x"
@@ -19,10 +37,11 @@ struct WalkValue {
   double value = 0;     ///< in the method's arithmetic
   std::string exact;    ///< the same formula in real numbers, to 12 digits
   double error = 0;     ///< |value - exact|, rounded to double
-  double error_bound = 0;  ///< what running error analysis guarantees without knowing the exact value
-  double bits_lost = 0;    ///< log2(1 + error in ulps), at most the digits there are
-  double exact_value = 0;  ///< `exact`, rounded to double
-  std::string put_in{};    ///< the formula with the numbers in the names' place: "3·3 − 4·1·2"
+  double error_bound = 0;       ///< what running error analysis guarantees without knowing the exact value
+  double bits_lost = 0;         ///< log2(1 + error in ulps), at most the digits there are
+  double exact_value = 0;       ///< `exact`, rounded to double
+  std::string put_in{};         ///< the formula with the numbers in the names' place: "3·3 − 4·1·2"
+  std::optional<Death> loss{};  ///< the operation of its formula that loses most; none where none is worth it
 };
 
 /// Something to point at in the picture of a step.
@@ -38,17 +57,6 @@ struct WalkStep {
   std::string caption;  ///< what the step did to the digits, in one sentence
   std::vector<WalkValue> values{};
   std::vector<WalkItem> items{};
-};
-
-/// The operation in which digits died.
-struct Death {
-  std::string step;           ///< the step's title
-  std::string kind;           ///< "subtraction", "addition", "multiplication", …
-  std::string effect;         ///< "cancels", "overflows and loses", "loses"
-  std::string formula;        ///< "b·b − 4·a·c"
-  std::string name;           ///< of its result, where it has one: "D"
-  double bits_lost_here = 0;  ///< lost in this operation alone
-  double bits_lost = 0;       ///< lost in its result
 };
 
 /// How the float run came out beside the same formula in real numbers.

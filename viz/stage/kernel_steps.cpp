@@ -158,6 +158,18 @@ void caption(StageStep& step, const Told& told) {
   step.caption = step.words.empty() ? numbers : step.words + " " + numbers;
 }
 
+/// What the values' own formulas lost, whatever else the step lost in other parts.
+std::optional<Death> worst_loss_of(const std::vector<StageValue>& values) {
+  std::optional<Death> worst;
+  for (const StageValue& value : values) {
+    for (const WalkValue& component : value.components) {
+      const auto& loss = component.loss;
+      if (loss && (!worst || loss->bits_lost_here > worst->bits_lost_here)) worst = loss;
+    }
+  }
+  return worst;
+}
+
 std::vector<StageValue> values_of(const Walkthrough& walk, std::size_t index, const NumbersByName& n,
                                   Precision precision) {
   std::vector<StageValue> values = grouped(walk.steps[index].values);
@@ -187,7 +199,7 @@ std::vector<StageStep> kernel_steps(const Told& told, const Walkthrough& walk, s
     if (i == 0) step.words = words_for(title);
     if (i == 0) add_placed(step, items_of(title, n, setting), setting);
     for (const StageValue& value : step.values) add_placed(step, items_of(value.name, n, setting), setting);
-    if (i + 1 == parts.size()) step.digits = walk.steps[index].caption;
+    step.digits = parts.size() == 1 ? walk.steps[index].caption : loss_sentence(worst_loss_of(parts[i]));
     caption(step, told);
     step.view = view_of(step, setting);
     steps.push_back(std::move(step));

@@ -60,6 +60,20 @@ TEST(Recorded, TheShadowOfARootSolvesTheEquationTo200Bits) {
   }
 }
 
+TEST(Recorded, AWidenedNumberLosesNothingOnTheWay) {
+  using R = Recorded<float, Shadow>;
+  Tape tape;
+  const R third = R(1.0F) / R(3.0F);
+  const auto wide = Wide<R>::widen(third) * Wide<R>::widen(R(3.0F));
+  const Operation<Shadow>& product = tape.at(wide.id);
+  EXPECT_EQ(product.digits, 53);
+  EXPECT_GT(product.bits_lost, 25) << "the third's error, in ulps of double";
+  EXPECT_LT(product.bits_lost_here, 3);
+  const R narrow = named("one", Wide<R>::narrow(wide));
+  EXPECT_EQ(tape.at(narrow.id).digits, 24);
+  EXPECT_LE(tape.at(narrow.id).bits_lost, 1);
+}
+
 TEST(Recorded, WritesNothingWhileNothingRecords) {
   const Recorded<float, Shadow> x = 2.0F;
   EXPECT_EQ((x * x).id, unrecorded);

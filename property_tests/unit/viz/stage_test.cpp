@@ -188,6 +188,33 @@ TEST(Stage, CountsTheBitsLostOfANarrowedNumberInItsOwnPrecision) {
   }
 }
 
+TEST(Stage, ASlideOfAStepInPartsTellsWhatItsOwnNumbersLost) {
+  const Stage stage = stage_of(*lessons_of("quadratic-cancellation").front(), tell);
+  int slides_that_lose = 0;
+  for (const StageStep& step : stage.steps) {
+    if (step.is_apart || !step.title.starts_with("Apply the quadratic formula")) continue;
+    const bool cancels = step.digits.find("cancels") != std::string::npos;
+    slides_that_lose += cancels ? 1 : 0;
+    // b is negative: −b and √D cancel in their difference, x₀.
+    EXPECT_EQ(cancels, step.values.back().name == "x₀") << step.title << ": " << step.digits;
+  }
+  EXPECT_EQ(slides_that_lose, 1);
+}
+
+TEST(Stage, NoNumberLosesMoreBitsThanItsFormatHas) {
+  for (const Lesson& lesson : lessons()) {
+    const Stage stage = stage_of(lesson, tell);
+    std::vector<std::string> sentences{stage.conclusion};
+    for (const StageStep& step : stage.steps) sentences.push_back(step.digits);
+    for (const std::string& sentence : sentences) {
+      const std::size_t of = sentence.find(" of 24 bits");
+      if (of == std::string::npos) continue;
+      const std::size_t begin = sentence.rfind(' ', of - 1) + 1;
+      EXPECT_LE(std::stod(sentence.substr(begin)), 24) << lesson.name << ": " << sentence;
+    }
+  }
+}
+
 TEST(Stage, ShowsTheWholeOfEveryPointAndArrowOfAStep) {
   for (const Lesson& lesson : lessons()) {
     const Stage stage = stage_of(lesson, tell);

@@ -71,6 +71,7 @@ struct Recorded {
       operation.exact = exact;
       operation.error_bound = static_cast<double>(bounded.error);
       operation.bits_lost = bits_lost(bounded.value, exact);
+      operation.digits = std::numeric_limits<T>::digits;
       id = tape->append(std::move(operation));
     }
   }
@@ -96,12 +97,8 @@ void settle(Recording<S>& tape, const Recorded<T, S>& number) {
   operation.value = static_cast<double>(number.value());
   operation.error_bound = static_cast<double>(number.bounded.error);
   operation.bits_lost = bits_lost(number.value(), operation.exact);
-  operation.bits_lost_here = operation.bits_lost;
-  for (const OperationId id : operation.operands) {
-    if (id == unrecorded) continue;
-    operation.bits_lost_here =
-        std::min(operation.bits_lost_here, operation.bits_lost - tape.at(id).bits_lost);
-  }
+  operation.digits = std::numeric_limits<T>::digits;
+  operation.bits_lost_here = operation.bits_lost - tape.lost_before(operation);
 }
 
 /// Writes the name beside the number on the tape.

@@ -44,9 +44,39 @@ struct Operation {
   double error_bound = 0;     ///< running bound on |value - exact|
   double bits_lost = 0;       ///< log2(1 + error in ulps of the exact value), at most all the digits
   double bits_lost_here = 0;  ///< the part of it that no operand had lost before
+  int digits = 0;             ///< of the format that it was rounded to
   std::ptrdiff_t step = -1;   ///< index into the recording's steps; -1 before the first
   std::string name{};         ///< as the kernel calls it; empty for a part of a formula
 };
+
+/// log2(1 + u), u the distance of `value` from `exact` in ulps of `exact` as a `T`: 0 for the exact value,
+/// 0.58 for half an ulp. All the digits of `T` at most, and where one of the two is NaN or infinite and the
+/// other is not: what has overflowed has no digits left, even where the exact value is too large for `T`.
+template <class T, class Shadow>
+[[nodiscard]] double bits_lost(T value, const Shadow& exact) {
+  using std::abs;
+  using std::frexp;
+  using std::ldexp;
+  using Limits = std::numeric_limits<T>;
+  constexpr double all = Limits::digits;
+  const bool both_are_nan = value != value && exact != exact;
+  const Shadow rounded = value;
+  if (both_are_nan || rounded == exact) return 0;
+  const Shadow error = abs(rounded - exact);
+  if (!std::isfinite(value) || exact == 0 || !(error < std::numeric_limits<Shadow>::infinity())) return all;
+  int exponent = 0;
+  (void)frexp(exact, &exponent);
+  const int ulp = std::max(exponent, Limits::min_exponent) - Limits::digits;
+  const auto ulps = static_cast<double>(ldexp(error, -ulp));
+  return std::min(all, std::log2(1 + ulps));
+}
+
+/// The same of a number that a double holds, in the format of so many digits: float or double.
+template <class Shadow>
+[[nodiscard]] double bits_lost_in(int digits, double value, const Shadow& exact) {
+  return digits == std::numeric_limits<float>::digits ? bits_lost(static_cast<float>(value), exact)
+                                                      : bits_lost(value, exact);
+}
 
 /// A number or vector that the kernel named, in the order of naming.
 struct NamedValue {
@@ -74,13 +104,18 @@ class Recording {
 
   OperationId append(Operation<Shadow> operation) {
     operation.step = current_step();
-    double lost_before = 0;
-    for (const OperationId id : operation.operands) {
-      if (id != unrecorded) lost_before = std::max(lost_before, at(id).bits_lost);
-    }
-    operation.bits_lost_here = operation.bits_lost - lost_before;
+    operation.bits_lost_here = operation.bits_lost - lost_before(operation);
     operations.push_back(std::move(operation));
     return static_cast<OperationId>(operations.size()) - 1;
+  }
+  /// What the operation's operands had lost at most, counted in its own format: of a float that was widened
+  /// to double, many a bit more than in float.
+  [[nodiscard]] double lost_before(const Operation<Shadow>& operation) const {
+    double lost = 0;
+    for (const OperationId id : operation.operands) {
+      if (id != unrecorded) lost = std::max(lost, bits_lost_in(operation.digits, at(id).value, at(id).exact));
+    }
+    return lost;
   }
   void begin_step(const char* title) { steps.emplace_back(title); }
   void name(const char* name, const std::vector<OperationId>& components) {
@@ -97,27 +132,5 @@ class Recording {
   static inline thread_local Recording* active_ = nullptr;
   Recording* outer_;
 };
-
-/// log2(1 + u), u the distance of `value` from `exact` in ulps of `exact` as a `T`: 0 for the exact value,
-/// 0.58 for half an ulp. All the digits of `T` at most, and where one of the two is NaN or infinite and the
-/// other is not: what has overflowed has no digits left, even where the exact value is too large for `T`.
-template <class T, class Shadow>
-[[nodiscard]] double bits_lost(T value, const Shadow& exact) {
-  using std::abs;
-  using std::frexp;
-  using std::ldexp;
-  using Limits = std::numeric_limits<T>;
-  constexpr double all = Limits::digits;
-  const bool both_are_nan = value != value && exact != exact;
-  const Shadow rounded = value;
-  if (both_are_nan || rounded == exact) return 0;
-  const Shadow error = abs(rounded - exact);
-  if (!std::isfinite(value) || exact == 0 || !(error < std::numeric_limits<Shadow>::infinity())) return all;
-  int exponent = 0;
-  (void)frexp(exact, &exponent);
-  const int ulp = std::max(exponent, Limits::min_exponent) - Limits::digits;
-  const auto ulps = static_cast<double>(ldexp(error, -ulp));
-  return std::min(all, std::log2(1 + ulps));
-}
 
 }  // namespace rayproof

@@ -1,0 +1,27 @@
+#pragma once
+/// \file
+/// What the operations of a tape lost: those of a step, and those of one number's own formula.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viz/tape.hpp"
+
+namespace rayproof::viz {
+
+/// Losses below this many bits are the everyday rounding of a few operations.
+inline constexpr double noteworthy = 3;
+
+/// The operations of a step, from 0.
+[[nodiscard]] std::vector<OperationId> operations_of_step(const Tape& tape, std::ptrdiff_t step);
+
+/// The operations of the number's own formula, itself first: from it back to numbers that have a name, to
+/// inputs, and to earlier steps.
+[[nodiscard]] std::vector<OperationId> operations_of_value(const Tape& tape, OperationId value);
+
+/// The operation that loses most; nothing where none loses a noteworthy number of bits.
+[[nodiscard]] std::optional<Death> worst_loss_of(const Tape& tape,
+                                                 const std::vector<OperationId>& operations);
+
+}  // namespace rayproof::viz
