@@ -24,9 +24,20 @@ std::vector<OperationId> operations_of_value(const Tape& tape, OperationId value
   return operations;
 }
 
+namespace {
+
+/// A product's own rounding error, computed on purpose: in real numbers it is 0, so that it has no digits to
+/// lose.
+bool is_error_term(const Operation<Shadow>& operation) {
+  return operation.op == Operator::fused_multiply_add && operation.exact == 0;
+}
+
+}  // namespace
+
 std::optional<Death> worst_loss_of(const Tape& tape, const std::vector<OperationId>& operations) {
   OperationId worst = unrecorded;
   for (const OperationId id : operations) {
+    if (is_error_term(tape.at(id))) continue;
     if (worst == unrecorded || tape.at(id).bits_lost_here > tape.at(worst).bits_lost_here) worst = id;
   }
   if (worst == unrecorded || tape.at(worst).bits_lost_here < noteworthy) return std::nullopt;
