@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace rayproof::viz {
@@ -82,42 +83,47 @@ void LabelPlaces::take(const Point& at, double radius) {
   taken_.push_back({at.x - radius, at.y - radius, 2 * radius, 2 * radius});
 }
 
-void LabelPlaces::avoid(const std::vector<Point>& line) {
+void LabelPlaces::avoid(const std::vector<Point>& line, double cost) {
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     const double length = std::hypot(line[i + 1].x - line[i].x, line[i + 1].y - line[i].y);
     const int pieces = std::clamp(static_cast<int>(length / 5), 1, 400);
     for (int k = 0; k <= pieces; ++k) {
       const double part = static_cast<double>(k) / pieces;
       avoided_.push_back(
-          {line[i].x + part * (line[i + 1].x - line[i].x), line[i].y + part * (line[i + 1].y - line[i].y)});
+          {{line[i].x + part * (line[i + 1].x - line[i].x), line[i].y + part * (line[i + 1].y - line[i].y)},
+           cost});
     }
   }
 }
 
-double LabelPlaces::cost_of(const Box& box) const {
-  double cost = box.width * box.height - overlap(box, frame_);  // outside of the frame
-  cost *= 20;
+double LabelPlaces::cost_of(const Box& box, double most) const {
+  double cost = 20 * (box.width * box.height - overlap(box, frame_));  // outside of the frame
   for (const Box& other : taken_) cost += 10 * overlap(box, other);
-  for (const Point& p : avoided_) cost += box.holds(p) ? 12 : 0;
+  if (cost >= most) return cost;
+  for (const auto& [at, extra] : avoided_) cost += box.holds(at) ? extra : 0;
   return cost;
 }
 
-std::optional<Text> LabelPlaces::put(const std::string& label, const Point& at, double size, bool must) {
+std::optional<Text> LabelPlaces::put(const std::string& label, const std::vector<Point>& anchors, double size,
+                                     bool must) {
   const double width = text_width(label, size, true) + 4;
   const double height = size * 1.15;
   Box best{};
-  double least = -1;
-  for (const double away : {13.0, 22.0, 34.0, 48.0}) {
-    for (int i = 0; i < 16; ++i) {
-      // Beginning above at the right, where a reader looks for it first.
-      const double angle = std::numbers::pi * (0.25 + i / 8.0);
-      const Point middle{at.x + (away + width / 2) * std::cos(angle),
-                         at.y - (away + height / 4) * std::sin(angle)};
-      const Box box{middle.x - width / 2, middle.y - height / 2, width, height};
-      const double cost = cost_of(box) + away * 1.5 + i * 0.4;
-      if (least >= 0 && cost >= least) continue;
-      least = cost;
-      best = box;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < anchors.size(); ++k) {
+    for (const double away : {13.0, 22.0, 34.0, 48.0}) {
+      for (int i = 0; i < 16; ++i) {
+        // Beginning above at the right, where a reader looks for it first.
+        const double angle = std::numbers::pi * (0.25 + i / 8.0);
+        const Point middle{anchors[k].x + (away + width / 2) * std::cos(angle),
+                           anchors[k].y - (away + height / 4) * std::sin(angle)};
+        const Box box{middle.x - width / 2, middle.y - height / 2, width, height};
+        const double way = away * 1.5 + i * 0.4 + static_cast<double>(k) * 5;
+        const double cost = way + cost_of(box, least - way);
+        if (cost >= least) continue;
+        least = cost;
+        best = box;
+      }
     }
   }
   if (!must && least > 150) return std::nullopt;

@@ -24,17 +24,24 @@ class LabelPlaces {
 
   /// A mark, which no label may cover.
   void take(const Point& at, double radius);
-  /// A line, which labels rather do not cover.
-  void avoid(const std::vector<Point>& line);
-  /// A place for a label beside `at`, which is then taken; nothing where all are taken and `must` is false.
-  [[nodiscard]] std::optional<Text> put(const std::string& label, const Point& at, double size, bool must);
+  /// A line, which labels rather do not cover; `cost` for each place on it that one does.
+  void avoid(const std::vector<Point>& line, double cost);
+  /// A place for a label beside one of the anchors, of which the first are the best; it is then taken.
+  /// Nothing where all are taken and `must` is false.
+  [[nodiscard]] std::optional<Text> put(const std::string& label, const std::vector<Point>& anchors,
+                                        double size, bool must);
 
  private:
-  [[nodiscard]] double cost_of(const Box& box) const;
+  /// What a label there costs; at least `most` where that is clear early.
+  [[nodiscard]] double cost_of(const Box& box, double most) const;
 
   Box frame_;
   std::vector<Box> taken_{};
-  std::vector<Point> avoided_{};
+  struct Avoided {
+    Point at;
+    double cost;
+  };
+  std::vector<Avoided> avoided_{};
 };
 
 }  // namespace rayproof::viz

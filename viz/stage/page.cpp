@@ -196,7 +196,8 @@ std::string stage_page(const Stage& stage, const std::string& gallery) {
                       escaped(write_case(stage.one)));
   html += "</main>\n<script type=\"application/json\" id=\"stage\">" + in_script(stage_json(stage)) +
           "</script>\n";
-  return html + "<script>" + page_scene + page_controls + "</script>\n</body>\n</html>\n";
+  return html + fmt::format("<script>\nconst aspect = {};", view_aspect) + page_scene + page_controls +
+         "</script>\n</body>\n</html>\n";
 }
 
 std::string gallery_page(const std::vector<GalleryEntry>& entries) {

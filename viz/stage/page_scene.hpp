@@ -16,15 +16,13 @@ const unit = v => { const n = Math.hypot(...v) || 1; return v.map(x => x / n); }
 const first = () => ({right: data.camera.right.map(number), up: data.camera.up.map(number), toward: data.camera.toward.map(number)});
 let eye = first(), zoom = 1, place = 0;
 const moved = () => dot(eye.toward, first().toward) < 0.9999 || dot(eye.up, first().up) < 0.9999;
-function turn(sideways, upward) {
+/** The scene turned before the eye: what is nearest moves by so many radians to the right and upward. */
+function turn(rightward, upward) {
   if (data.camera.flat) return;
-  const rotate = (v, axis, angle) => {
-    const c = Math.cos(angle), s = Math.sin(angle), k = dot(axis, v) * (1 - c), w = cross(axis, v);
-    return [0, 1, 2].map(i => v[i]*c + w[i]*s + axis[i]*k);
-  };
-  const up = eye.up, right = eye.right;
-  for (const name of ['right', 'up', 'toward']) eye[name] = rotate(rotate(eye[name], up, sideways), right, upward);
-  eye.toward = unit(eye.toward);
+  const mix = (a, b, angle) => plus(a.map(x => x * Math.cos(angle)), b, Math.sin(angle));
+  const {right, up, toward} = eye;
+  eye.right = mix(right, toward, rightward);
+  eye.toward = unit(mix(mix(toward, right, -rightward), up, -upward));
   eye.right = unit(plus(eye.right, eye.toward, -dot(eye.right, eye.toward)));
   eye.up = cross(eye.toward, eye.right);
   draw();
@@ -67,25 +65,26 @@ const textWidth = (text, size) => [...text].reduce((sum, c) => sum + (/[ ,.'|iIj
 class Places {
   taken = []; avoided = [];
   take(p, r) { this.taken.push([p[0]-r, p[1]-r, p[0]+r, p[1]+r]); }
-  avoid(a, b) {
+  avoid(a, b, cost) {
     const n = Math.min(200, Math.max(1, Math.round(Math.hypot(b[0]-a[0], b[1]-a[1]) / 6)));
-    for (let i = 0; i <= n; ++i) this.avoided.push([a[0] + (b[0]-a[0])*i/n, a[1] + (b[1]-a[1])*i/n]);
+    for (let i = 0; i <= n; ++i) this.avoided.push([a[0] + (b[0]-a[0])*i/n, a[1] + (b[1]-a[1])*i/n, cost]);
   }
-  cost(box) {
+  cost(box, most) {
     const shared = (a, b) => Math.max(0, Math.min(a[2], b[2]) - Math.max(a[0], b[0])) * Math.max(0, Math.min(a[3], b[3]) - Math.max(a[1], b[1]));
     let cost = 20 * ((box[2]-box[0]) * (box[3]-box[1]) - shared(box, [4, 4, W-4, H-4]));
     for (const other of this.taken) cost += 10 * shared(box, other);
-    for (const [x, y] of this.avoided) if (x >= box[0] && x <= box[2] && y >= box[1] && y <= box[3]) cost += 12;
+    if (cost >= most) return cost;
+    for (const [x, y, extra] of this.avoided) if (x >= box[0] && x <= box[2] && y >= box[1] && y <= box[3]) cost += extra;
     return cost;
   }
-  put(text, at, size, must) {
+  put(text, anchors, size, must) {
     const w = textWidth(text, size) * 1.1 + 4, h = size * 1.15;
     let best = null, least = Infinity;
-    for (const away of [13, 22, 34, 48]) for (let i = 0; i < 16; ++i) {
+    anchors.forEach((at, k) => { for (const away of [13, 22, 34, 48]) for (let i = 0; i < 16; ++i) {
       const angle = Math.PI * (0.25 + i / 8), x = at[0] + (away + w/2) * Math.cos(angle), y = at[1] - (away + h/4) * Math.sin(angle);
-      const box = [x - w/2, y - h/2, x + w/2, y + h/2], cost = this.cost(box) + away * 1.5 + i * 0.4;
+      const box = [x - w/2, y - h/2, x + w/2, y + h/2], way = away * 1.5 + i * 0.4 + k * 5, cost = way + this.cost(box, least - way);
       if (cost < least) { least = cost; best = box; }
-    }
+    } });
     if (!must && least > 150) return null;
     this.taken.push(best);
     return [(best[0] + best[2]) / 2, best[3] - size * 0.27];

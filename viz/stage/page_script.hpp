@@ -19,18 +19,20 @@ function markAt(role, shape, [x, y]) {
 }
 function draw() {
   const step = steps[place], apart = step.magnification !== undefined, centre = step.view.centre.map(number);
-  const scale = zoom * Math.min(W / 1.4 - 40, H - 40) / 2 / number(step.view.radius);
+  const scale = zoom * Math.min(W / aspect - 40, H - 40) / 2 / number(step.view.radius);
   const seen = p => { const q = plus(p.map(number), centre, -1); return [W/2 + scale * dot(q, eye.right), H/2 - scale * dot(q, eye.up)]; };
   const all = apart ? [] : data.scene.map(item => [item, 'scene']);
-  if (!apart) for (let i = 0; i < place; ++i) if (steps[i].magnification === undefined) all.push(...steps[i].items.map(item => [item, 'dimmed']));
+  let begun = place;
+  while (begun > 0 && !steps[begun].anew) --begun;
+  if (!apart) for (let i = begun; i < place; ++i) if (steps[i].magnification === undefined) all.push(...steps[i].items.map(item => [item, 'dimmed']));
   all.push(...step.items.map(item => [item, 'bright']));
   const places = new Places(), fills = [], strokes = [], marks = [], labels = [];
   for (const [item, how] of all) {
     const role = how === 'dimmed' ? 'muted' : item.role, points = item.points.map(seen);
     const inside = p => p[0] >= 0 && p[0] <= W && p[1] >= 0 && p[1] <= H;
-    let outline = points, anchor = points[points.length - 1];
+    let outline = points, anchors = [points[points.length - 1]];
     if (item.form === 'point') {
-      if (item.role !== 'surface' && inside(points[0])) { marks.push(markAt(role, item.role, points[0])); places.take(points[0], 7); }
+      if (!['surface', 'text'].includes(item.role) && inside(points[0])) { marks.push(markAt(role, item.role, points[0])); places.take(points[0], 7); }
     } else {
       if (item.form === 'ellipsoid') outline = ellipse(points);
       if (item.form === 'hull') { outline = hullOf(points); outline.push(outline[0]); }
@@ -42,32 +44,33 @@ function draw() {
           const part = inFrame(outline[i], outline[i+1]);
           if (!part) continue;
           parts.push(part);
-          if (how !== 'dimmed') places.avoid(...part);
+          places.avoid(...part, how === 'dimmed' ? 8 : 12);
         }
         const joined = parts.map((p, i) => (i && parts[i-1][1][0] === p[0][0] && parts[i-1][1][1] === p[0][1] ? '' : 'M' + p[0][0].toFixed(1) + ' ' + p[0][1].toFixed(1)) + 'L' + p[1][0].toFixed(1) + ' ' + p[1][1].toFixed(1)).join('');
         const hidden = item.pattern === 'dashed' && how === 'scene' && moved();  // what was hidden is so no more
         strokes.push(`<path class="l ${role}" stroke-width="${hidden ? 1.2 : width}"${hidden ? '' : dashes[item.pattern] || ''} d="${joined}"/>`);
         if (parts.length) {
-          const last = parts[parts.length - 1];
-          anchor = item.role === 'ray' || parts.length > 1 ? last[1] : [(last[0][0] + last[1][0]) / 2, (last[0][1] + last[1][1]) / 2];
-        } else anchor = null;
+          const [from, to] = parts[parts.length - 1];
+          anchors = item.role === 'ray' || parts.length > 1 ? [to] : [0.5, 0.35, 0.65, 0.2, 0.8].map(part => [from[0] + part * (to[0] - from[0]), from[1] + part * (to[1] - from[1])]);
+        } else anchors = [];
         const length = Math.hypot(points[1][0] - points[0][0], points[1][1] - points[0][1]);
         if (item.form === 'arrow' && length > 2 && inside(points[1])) {
           const size = Math.min(11, length / 2), a = [(points[1][0]-points[0][0]) / length * size, (points[1][1]-points[0][1]) / length * size];
           const barb = side => [points[1][0] - a[0] - side * a[1] / 2, points[1][1] - a[1] + side * a[0] / 2];
           strokes.push(`<path class="l ${role}" stroke-width="${width}" d="${path([barb(1), points[1], barb(-1)])}"/>`);
         }
-      } else anchor = points.reduce((sum, p) => [sum[0] + p[0] / points.length, sum[1] + p[1] / points.length], [0, 0]);
+      } else anchors = [points.reduce((sum, p) => [sum[0] + p[0] / points.length, sum[1] + p[1] / points.length], [0, 0])];
     }
-    if (item.label && anchor && inside(anchor)) labels.push([item.label, anchor, role, how]);
+    anchors = anchors.filter(inside);
+    if (item.label && anchors.length) labels.push([item.label, anchors, role, how]);
   }
   if (data.slider && !apart) {
     const s = data.slider, at = seen(plus(s.origin.map(number), s.direction.map(number), t));
     if (at[0] >= 0 && at[0] <= W && at[1] >= 0 && at[1] <= H) { marks.push(`<path id="runner" class="f ray" d="M${at[0].toFixed(1)} ${at[1].toFixed(1)}m0 4l-6 11h12Z"/>`); places.take([at[0], at[1] + 10], 7); }
   }
   const k = Math.min(1.6, Math.max(1, 500 / (figure.clientWidth || W)));  // as large on a phone as on a desk
-  const texts = labels.reverse().map(([label, at, role, how]) => {
-    const bright = how === 'bright', size = Math.round(k * (bright ? 17 : 14)), spot = places.put(label, at, size, bright);
+  const texts = labels.reverse().map(([label, anchors, role, how]) => {
+    const bright = how === 'bright', size = Math.round(k * (bright ? 17 : 14)), spot = places.put(label, anchors, size, bright);
     return spot ? `<text class="f h ${role}" text-anchor="middle" font-size="${size}"${bright ? ' font-weight="bold"' : ''} x="${spot[0].toFixed(1)}" y="${spot[1].toFixed(1)}">${escape(label)}</text>` : '';
   });
   figure.innerHTML = fills.join('') + strokes.join('') + marks.join('') + texts.join('');
@@ -108,13 +111,13 @@ let held = null;
 figure.addEventListener('pointerdown', event => { held = [event.clientX, event.clientY]; figure.setPointerCapture(event.pointerId); });
 figure.addEventListener('pointermove', event => {
   if (!held) return;
-  turn((held[0] - event.clientX) * -0.01, (held[1] - event.clientY) * -0.01);
+  turn((event.clientX - held[0]) * 0.01, (held[1] - event.clientY) * 0.01);
   held = [event.clientX, event.clientY];
 });
 for (const end of ['pointerup', 'pointercancel']) figure.addEventListener(end, () => held = null);
 document.addEventListener('keydown', event => {
   if (event.altKey || event.ctrlKey || event.metaKey) return;
-  const orbit = {ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1]}[event.key];
+  const orbit = {ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, 0.1], ArrowDown: [0, -0.1]}[event.key];
   if (event.target === figure && orbit && !data.camera.flat) { turn(...orbit); event.preventDefault(); return; }
   if (event.target === figure && (event.key === '+' || event.key === '-')) { zoom = Math.min(8, Math.max(0.25, zoom * (event.key === '+' ? 1.25 : 0.8))); draw(); return; }
   if (event.target === slider) return;

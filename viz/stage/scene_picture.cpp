@@ -39,7 +39,7 @@ class Painter {
     if (item.form == Form::point || item.form == Form::polygon) return;
     Line line{role_of(item, emphasis), {}, width_of(item, emphasis), item.pattern};
     for (auto& part : clip_line(outline_of(item), projection_.frame)) {
-      if (emphasis != Emphasis::dimmed) places_.avoid(part);
+      places_.avoid(part, emphasis == Emphasis::dimmed ? faint : plain);
       line.points = std::move(part);
       picture_.elements.emplace_back(line);
     }
@@ -47,7 +47,7 @@ class Painter {
   }
 
   void mark(const StageItem& item, Emphasis emphasis) {
-    if (item.form != Form::point || item.role == Role::surface) return;
+    if (item.form != Form::point || !has_mark(item.role)) return;
     const Point at = projection_.to_pixels(item.points.at(0));
     if (!shows(at)) return;
     picture_.elements.emplace_back(Mark{role_of(item, emphasis), mark_of(item.role), at});
@@ -56,10 +56,10 @@ class Painter {
 
   void label(const StageItem& item, Emphasis emphasis) {
     if (item.label.empty()) return;
-    const auto at = anchor_of(item);
-    if (!at) return;
+    const std::vector<Point> anchors = anchors_of(item);
+    if (anchors.empty()) return;
     const bool is_bright = emphasis == Emphasis::bright;
-    auto text = places_.put(item.label, *at, is_bright ? 16 : 13, is_bright);
+    auto text = places_.put(item.label, anchors, is_bright ? 16 : 13, is_bright);
     if (!text) return;
     text->role = role_of(item, emphasis);
     text->bold = is_bright;
@@ -107,24 +107,37 @@ class Painter {
     picture_.elements.emplace_back(line);
   }
 
-  /// Where a label belongs: the point, or the middle of what is seen of a line.
-  [[nodiscard]] std::optional<Point> anchor_of(const StageItem& item) const {
+  /// Where a label belongs, best first: the point, or places along what is seen of a line, from its middle.
+  [[nodiscard]] std::vector<Point> anchors_of(const StageItem& item) const {
     const std::vector<Point> points = projection_.to_pixels(item.points);
-    if (item.form == Form::point) return shows(points[0]) ? std::optional(points[0]) : std::nullopt;
+    if (item.form == Form::point) return where_shown(points[0]);
     if (item.form == Form::polygon || item.form == Form::hull) {
       Point middle{};
       for (const Point& p : points) {
         middle.x += p.x / static_cast<double>(points.size());
         middle.y += p.y / static_cast<double>(points.size());
       }
-      return shows(middle) ? std::optional(middle) : std::nullopt;
+      return where_shown(middle);
     }
     const auto parts = clip_line(points, projection_.frame);
-    if (parts.empty()) return std::nullopt;
+    if (parts.empty()) return {};
     const std::vector<Point>& part = parts.back();
-    if (item.role == Role::ray || part.size() > 2) return part.back();
-    return Point{(part.front().x + part.back().x) / 2, (part.front().y + part.back().y) / 2};
+    if (item.role == Role::ray || part.size() > 2) return {part.back()};
+    std::vector<Point> along;
+    for (const double share : {0.5, 0.35, 0.65, 0.2, 0.8}) {
+      along.push_back({part.front().x + share * (part.back().x - part.front().x),
+                       part.front().y + share * (part.back().y - part.front().y)});
+    }
+    return along;
   }
+
+  [[nodiscard]] std::vector<Point> where_shown(const Point& p) const {
+    return shows(p) ? std::vector<Point>{p} : std::vector<Point>{};
+  }
+
+  /// What it costs a label to cover a place on a line.
+  static constexpr double plain = 12;
+  static constexpr double faint = 8;
 
   Picture& picture_;
   const Projection& projection_;
@@ -142,7 +155,9 @@ std::vector<Shown> shown_in(const Stage& stage, std::size_t step) {
   const bool is_apart = stage.steps[step].is_apart;
   if (!is_apart) {
     for (const StageItem& item : stage.scene) shown.push_back({&item, Emphasis::scene});
-    for (std::size_t before = 0; before < step; ++before) {
+    std::size_t first = step;
+    while (first > 0 && !stage.steps[first].begins_anew) --first;
+    for (std::size_t before = first; before < step; ++before) {
       if (stage.steps[before].is_apart) continue;
       for (const StageItem& item : stage.steps[before].items) shown.push_back({&item, Emphasis::dimmed});
     }

@@ -51,6 +51,9 @@ struct StageItem {
                                  : MarkShape::dot;
 }
 
+/// Points of the surface and of mere text are places for a label, without a mark.
+[[nodiscard]] constexpr bool has_mark(Role role) { return role != Role::surface && role != Role::text; }
+
 /// A number or vector that the kernel names.
 struct StageValue {
   std::string name;     ///< "f"
@@ -60,7 +63,7 @@ struct StageValue {
 };
 
 /// How much wider than high the part of the world is that a view shows.
-inline constexpr double view_aspect = 1.4;
+inline constexpr double view_aspect = 1.6;
 
 /// Which part of the world is shown: what lies, as it is seen, no more than `radius` above or below the
 /// centre and view_aspect times that to its sides. Sinks leave a margin for marks and labels.
@@ -70,7 +73,7 @@ struct StageView {
 };
 
 /// One step. Its items are the new ones; those of the steps before are to be shown dimmed, unless
-/// `is_apart`.
+/// `is_apart`, and back to the last step that `begins_anew`.
 struct StageStep {
   std::string title;    ///< the very comment in the kernel's code
   std::string words;    ///< what to see, in a sentence; may be empty
@@ -83,6 +86,8 @@ struct StageStep {
   /// lengths are the world's times `magnification`, from a point of the world's own.
   bool is_apart = false;
   double magnification = 1;
+  /// From this step on, the items of the steps before are shown no more.
+  bool begins_anew = false;
 };
 
 /// A number that lives on the slider: a polynomial in t, or in x where the slider moves along an x axis.

@@ -65,6 +65,7 @@ Json steps(const Stage& stage) {
     one["values"] = values(step.values, stage.precision);
     one["items"] = items(step.items);
     one["view"] = {{"centre", vector(step.view.centre)}, {"radius", number(step.view.radius)}};
+    if (step.begins_anew) one["anew"] = true;
     if (step.is_apart) one["magnification"] = number(step.magnification);
     all.push_back(one);
   }

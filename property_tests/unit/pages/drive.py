@@ -68,10 +68,13 @@ class Test:
         page.mouse("mouseReleased", x + 60, y + 25)
         is_flat = page.run("data.camera.flat")
         self.expect((page.run(SCENE) == before) == is_flat, "dragging ought to turn what is not flat, and nothing else")
+        right, up = page.run("[dot(first().toward, eye.right), dot(first().toward, eye.up)]")
+        self.expect(is_flat or (right > 0.1 and up < -0.1), "what is nearest to the eye ought to follow the pointer, right and down")
         page.run("document.getElementById('reset').click()")
         self.expect(page.run(SCENE) == before, "Reset view ought to bring the first view back")
         page.run("document.getElementById('scene').focus()")
         page.press("ArrowUp")
+        self.expect(is_flat or page.run("dot(first().toward, eye.up)") > 0.05, "the key ↑ ought to move what is nearest upward")
         self.expect((page.run(SCENE) == before) == is_flat, "arrow keys ought to turn the picture in focus")
         page.run("document.getElementById('reset').click(); document.activeElement.blur()")
 
