@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "viz/answers.hpp"
+#include "viz/stage/fit_view.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -53,14 +54,15 @@ Setting polygon_setting(const Told& told) {
   std::vector<glm::dvec3> all = ring;
   all.push_back(p);
   Setting setting;
-  setting.near = setting.wide = view_around(all);
   setting.camera.is_flat = true;
+  setting.near = setting.wide = view_of(all, setting.camera);
   setting.scene.push_back(polygon(Role::surface, ring));
   for (std::size_t i = 0; i < ring.size(); ++i) {
     setting.scene.push_back(segment(Role::surface, ring[i], ring[(i + 1) % ring.size()]));
   }
   const glm::dvec3 end =
-      p + glm::dvec3(1, 0, 0) * std::max(0.2, setting.near.centre.x + 1.05 * setting.near.radius - p.x);
+      p + glm::dvec3(1, 0, 0) *
+              std::max(0.2, setting.near.centre.x + 0.95 * view_aspect * setting.near.radius - p.x);
   setting.scene.push_back(arrow(Role::ray, p, end, "+x"));
   setting.scene.push_back(point(Role::ray, p, "p"));
   return setting;

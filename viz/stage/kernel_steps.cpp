@@ -151,11 +151,15 @@ std::vector<std::vector<StageValue>> parts_of(const std::vector<StageValue>& val
   return parts;
 }
 
-void caption(StageStep& step, const Told& told) {
+void caption(StageStep& step, const Told& told, bool is_last) {
   const StageValue* aim = aim_of(step.values);
   if (aim == nullptr && !step.values.empty()) aim = &step.values.back();
-  const std::string numbers = aim == nullptr ? decision_of(told) : equation_of(*aim, told.one.precision);
-  step.caption = step.words.empty() ? numbers : step.words + " " + numbers;
+  const std::string numbers = aim != nullptr ? equation_of(*aim, told.one.precision)
+                              : is_last      ? decision_of(told)
+                                             : "";
+  const bool is_both = !step.words.empty() && !numbers.empty();
+  step.caption = step.words + (is_both ? " " : "") + numbers;
+  if (step.caption.empty()) step.caption = step.title + ".";
 }
 
 /// What the values' own formulas lost, whatever else the step lost in other parts.
@@ -200,7 +204,7 @@ std::vector<StageStep> kernel_steps(const Told& told, const Walkthrough& walk, s
     if (i == 0) add_placed(step, items_of(title, n, setting), setting);
     for (const StageValue& value : step.values) add_placed(step, items_of(value.name, n, setting), setting);
     step.digits = parts.size() == 1 ? walk.steps[index].caption : loss_sentence(worst_loss_of(parts[i]));
-    caption(step, told);
+    caption(step, told, index + 1 == walk.steps.size());
     step.view = view_of(step, setting);
     steps.push_back(std::move(step));
   }

@@ -6,6 +6,8 @@
 
 #include "viz/answers.hpp"
 #include "viz/numbers.hpp"
+#include "viz/stage/magnifier.hpp"
+#include "viz/stage/parting_gap.hpp"
 #include "viz/stage/setting.hpp"
 #include "viz/topics.hpp"
 #include "viz/topics/wireframe_scene.hpp"
@@ -37,35 +39,6 @@ std::optional<Pair> worst_pair_of(const Told& told) {
   return worst;
 }
 
-/// The number of the precision that follows x, upward or downward.
-double neighbour(double x, double toward, Precision precision) {
-  return precision == Precision::float32
-             ? static_cast<double>(std::nextafter(static_cast<float>(x), static_cast<float>(toward)))
-             : std::nextafter(x, toward);
-}
-
-/// Where t lies on the magnified ray, in units of `unit` from the exact hit.
-struct Magnifier {
-  double exact, unit;
-  glm::dvec3 along;
-  [[nodiscard]] glm::dvec3 at(double t) const { return (t - exact) / unit * along; }
-};
-
-/// A dot for each number of the precision around the exact hit: between them there is nothing for an answer.
-Items grid_of(const Magnifier& magnifier, double around, Precision precision) {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
-  constexpr double reach = 3.2;
-  Items items;
-  for (const double toward : {-infinite, infinite}) {
-    double t = toward > 0 ? neighbour(around, infinite, precision) : around;
-    for (int i = 0; i < 8 && std::abs(t - magnifier.exact) <= reach * magnifier.unit; ++i) {
-      items.push_back(point(Role::muted, magnifier.at(t)));
-      t = neighbour(t, toward, precision);
-    }
-  }
-  return items;
-}
-
 /// A patch of the surface's tangent plane at the exact hit.
 Items patch_of(const glm::dvec3& normal) {
   const glm::dvec3 other = std::abs(normal.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
@@ -92,12 +65,12 @@ void magnify(StageStep& step, const Told& told, const Pair& pair, const std::str
                             is_ray ? glm::normalize(setting.slider->direction) : glm::dvec3(1, 0, 0)};
   step.is_apart = true;
   step.magnification = 1 / (unit * speed);
-  step.view = {{0, 0, 0}, 3};
+  step.view = magnified_view;
   const auto* answer = std::get_if<RayAnswer>(&told.exact);
   if (answer != nullptr && answer->normal && pair.rank == 0) step.items = patch_of(*answer->normal);
   step.items.push_back(arrow(Role::ray, -3.3 * magnifier.along, 3.3 * magnifier.along));
   if (ulp > unit / 6)
-    for (StageItem& dot : grid_of(magnifier, pair.claimed, told.one.precision)) step.items.push_back(dot);
+    for (StageItem& dot : dots_of(magnifier, pair.claimed, told.one.precision)) step.items.push_back(dot);
   const std::string name = symbol + subscript(pair.rank);
   step.items.push_back(point(Role::exact, {0, 0, 0}, name + " exact"));
   step.items.push_back(point(Role::claimed, magnifier.at(pair.claimed), name + " as computed"));
@@ -153,6 +126,11 @@ StageStep parting_step(const Told& told, const Setting& setting) {
   if (!differ && pair) {
     magnify(step, told, *pair, symbol, setting);
     step.caption = part_in_words(told, *pair, symbol);
+    return step;
+  }
+  if (const auto gap = gap_of(told)) {
+    show_gap(step, *gap, told.one.precision, setting);
+    step.caption = verdict_in_words(told) + " " + in_words(*gap);
     return step;
   }
   show_all(step, told, symbol, setting);

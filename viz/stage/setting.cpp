@@ -4,14 +4,13 @@
 #include <cmath>
 
 #include "viz/answers.hpp"
+#include "viz/stage/fit_view.hpp"
 #include "viz/stage/flat_settings.hpp"
 #include "viz/topics.hpp"
 #include "viz/topics/wireframe_scene.hpp"
 
 namespace rayproof::viz {
 namespace {
-
-bool is_finite(const glm::dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
 std::vector<glm::dvec3> rounded(const std::vector<Place>& places) {
   std::vector<glm::dvec3> points;
@@ -31,19 +30,20 @@ std::vector<glm::dvec3> thinned(const std::vector<glm::dvec3>& points, double si
   return kept;
 }
 
+/// The lines on the figure, then its outline over them.
 Items items_of(const Figure& figure, const Place& toward, double size) {
   Items items;
+  for (const Stroke& stroke : figure.strokes(toward)) {
+    const Role role = stroke.is_edge ? Role::surface : Role::frame;
+    items.push_back(polyline(role, thinned(rounded(stroke.points), size), {},
+                             stroke.is_hidden ? Pattern::dashed : Pattern::solid));
+  }
   if (!figure.ellipsoid.empty()) {
     items.push_back({Role::surface, Form::ellipsoid, rounded(figure.ellipsoid)});
   } else if (!figure.ring.empty()) {
     items.push_back(polygon(Role::surface, rounded(figure.ring)));
   } else {
     items.push_back({Role::surface, Form::hull, thinned(rounded(figure.extent), size)});
-  }
-  for (const Stroke& stroke : figure.strokes(toward)) {
-    const Role role = stroke.is_edge ? Role::surface : Role::frame;
-    items.push_back(polyline(role, thinned(rounded(stroke.points), size), {},
-                             stroke.is_hidden ? Pattern::dashed : Pattern::solid));
   }
   for (const auto& [name, at] : figure.labels) items.push_back(point(Role::surface, viz::rounded(at), name));
   return items;
@@ -54,7 +54,7 @@ Items items_of(const Figure& figure, const Place& toward, double size) {
 std::pair<double, double> stretch_in(const StageView& view, const Ray<double>& ray) {
   const double square = glm::dot(ray.direction, ray.direction);
   const double middle = glm::dot(view.centre - ray.origin, ray.direction) / square;
-  const double half = 1.25 * view.radius / std::sqrt(square);
+  const double half = view_aspect * view.radius / std::sqrt(square);
   const double from = std::max(middle - half, ray.t_min);
   const double to = std::min(middle + half, ray.t_max);
   return from < to ? std::pair{from, to} : std::pair{middle - half, middle + half};
@@ -64,52 +64,27 @@ struct Views {
   StageView near, wide;
 };
 
-/// The view that just holds the points as they are seen at first.
-StageView fitted(const std::vector<glm::dvec3>& points, const StageCamera& camera) {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
-  glm::dvec3 least(infinite);
-  glm::dvec3 most(-infinite);
-  for (const glm::dvec3& p : points) {
-    if (!is_finite(p)) continue;
-    const glm::dvec3 seen{glm::dot(p, camera.right), glm::dot(p, camera.up), glm::dot(p, camera.toward)};
-    least = glm::min(least, seen);
-    most = glm::max(most, seen);
-  }
-  if (!(least.x <= most.x)) return {};
-  const glm::dvec3 half = (most - least) * 0.5;
-  const glm::dvec3 middle = least + half;
-  const double radius = std::max(half.x / view_aspect, half.y);
-  return {middle.x * camera.right + middle.y * camera.up + middle.z * camera.toward, radius > 0 ? radius : 1};
-}
-
 Views views_of(const WireframeScene& scene, const Told& told, const StageCamera& camera) {
   std::vector<glm::dvec3> points = rounded(scene.figure.extent);
-  const StageView figure = view_around(points);
-  const auto add_if_near = [&](const glm::dvec3& p, double radii) {
-    if (glm::length(p - figure.centre) <= radii * figure.radius) points.push_back(p);
+  const StageView figure = view_of(points, camera);
+  const auto add_if_near = [&](const glm::dvec3& p) {
+    if (glm::length(p - figure.centre) <= 8 * figure.radius) points.push_back(p);
   };
   for (const Answer* answer : {&told.exact, told.claim()}) {
     for (const double t : values_of(answer)) {
-      if (std::isfinite(t)) add_if_near(viz::rounded(scene.at(t)), 6);
+      if (std::isfinite(t)) add_if_near(viz::rounded(scene.at(t)));
     }
   }
   const bool starts = isfinite(scene.sight.ray.t_min);
   const glm::dvec3 start = viz::rounded(starts ? scene.at(scene.sight.ray.t_min) : scene.sight.ray.origin);
-  add_if_near(start, 6);
+  add_if_near(start);
   if (!scene.figure.ellipsoid.empty()) {
-    const Place& centre = scene.figure.ellipsoid.front();
-    for (std::size_t i = 1; i < scene.figure.ellipsoid.size(); ++i) {
-      // The box around an ellipsoid's axes holds the ellipsoid.
-      const double size = static_cast<double>(length(scene.figure.ellipsoid[i] - centre));
-      for (const glm::dvec3& axis : {camera.right, camera.up}) {
-        points.push_back(viz::rounded(centre) + size * axis);
-        points.push_back(viz::rounded(centre) - size * axis);
-      }
-    }
+    const StageItem ellipsoid{Role::surface, Form::ellipsoid, rounded(scene.figure.ellipsoid)};
+    for (const glm::dvec3& p : extent_of(ellipsoid, camera)) points.push_back(p);
   }
-  const StageView near = fitted(points, camera);
+  const StageView near = view_of(points, camera);
   points.push_back(start);
-  return {near, fitted(points, camera)};
+  return {near, view_of(points, camera)};
 }
 
 /// What is 0 where the ray meets the shape, where that is a polynomial in t.
@@ -175,23 +150,6 @@ glm::dvec3 rounded(const Place& p) {
   return {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
 }
 Place place(const glm::dvec3& p) { return convert<Shadow>(p); }
-
-StageView view_around(const std::vector<glm::dvec3>& points) {
-  glm::dvec3 least(std::numeric_limits<double>::infinity());
-  glm::dvec3 most(-std::numeric_limits<double>::infinity());
-  for (const glm::dvec3& p : points) {
-    if (!is_finite(p)) continue;
-    least = glm::min(least, p);
-    most = glm::max(most, p);
-  }
-  if (!(least.x <= most.x)) return {};
-  const glm::dvec3 centre = least + (most - least) * 0.5;
-  double radius = 0;
-  for (const glm::dvec3& p : points) {
-    if (is_finite(p)) radius = std::max(radius, glm::length(p - centre));
-  }
-  return {centre, radius > 0 ? radius : 1};
-}
 
 Setting setting_of(const Told& told) {
   const TopicView* const view = view_of(told.one);

@@ -27,9 +27,6 @@ struct Setting {
 [[nodiscard]] glm::dvec3 rounded(const Place& p);
 [[nodiscard]] Place place(const glm::dvec3& p);
 
-/// The smallest upright ball around points that are finite: around their bounding box.
-[[nodiscard]] StageView view_around(const std::vector<glm::dvec3>& points);
-
 /// The step "Where float and exact part": what the exact answer says beside the method's, magnified where
 /// they are too near to be told apart.
 [[nodiscard]] StageStep parting_step(const Told& told, const Setting& setting);

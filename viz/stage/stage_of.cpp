@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
 
 #include "viz/answers.hpp"
 #include "viz/numbers.hpp"
 #include "viz/stage/compose.hpp"
+#include "viz/stage/fit_view.hpp"
 #include "viz/stage/kernel_steps.hpp"
 #include "viz/stage/setting.hpp"
 
@@ -95,15 +94,7 @@ void add_steps(Stage& stage, const Told& told, const Walkthrough& walk, const Se
 void widen_views(Stage& stage, const Setting& setting) {
   constexpr double most = 2.4;  // more would make the shape a speck; such a step looks from wide off
   const auto needed = [&](const StageView& view, const StageStep& step) {
-    double radius = view.radius;
-    for (const StageItem& item : step.items) {
-      for (const glm::dvec3& p : item.points) {
-        const glm::dvec3 off = p - view.centre;
-        radius = std::max({radius, std::abs(glm::dot(off, stage.camera.right)) / view_aspect,
-                           std::abs(glm::dot(off, stage.camera.up))});
-      }
-    }
-    return radius;
+    return radius_for(view, step.items, stage.camera);
   };
   double radius = setting.near.radius;
   for (StageStep& step : stage.steps) {

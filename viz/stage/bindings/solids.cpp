@@ -13,7 +13,7 @@ Items slabs(const NumbersByName& n) {
   const glm::dvec3 below = n.vector("min - o");
   const glm::dvec3 above = n.vector("max - o");
   const glm::dvec3 d = n.direction();
-  const glm::dvec3 aside = resized(across(d), 0.1 * glm::length(above - below));
+  const glm::dvec3 aside = resized(across(d), 0.14 * glm::length(above - below));
   constexpr std::array<const char*, 3> names{"x", "y", "z"};
   Items items;
   for (int axis = 0; axis < 3; ++axis) {
@@ -21,15 +21,16 @@ Items slabs(const NumbersByName& n) {
     const double first = below[axis] / d[axis];
     const double second = above[axis] / d[axis];
     const glm::dvec3 off = (axis + 1.0) * aside;
-    items.push_back(
-        segment(Role::edge, n.at(std::min(first, second)) + off, n.at(std::max(first, second)) + off,
-                std::string("between the ") + names.at(static_cast<std::size_t>(axis)) + " planes"));
+    items.push_back(segment(Role::edge, n.at(std::min(first, second)) + off,
+                            n.at(std::max(first, second)) + off,
+                            std::string(names.at(static_cast<std::size_t>(axis))) + " slab"));
   }
   return items;
 }
 
-/// The stretch that all have in common.
+/// The stretch that all have in common, where there is one.
 Items overlap(const NumbersByName& n) {
+  if (!(n["t_entry"] < n["t_exit"])) return {};
   return {segment(Role::nearest, n.at(n["t_entry"]), n.at(n["t_exit"]), "in all of them")};
 }
 

@@ -82,7 +82,7 @@ Items weights(const NumbersByName& n) {
   for (const auto& [corner, name] : {std::pair{tri.a, "α"}, {tri.b, "β"}, {tri.c, "γ"}}) {
     items.push_back(segment(Role::edge, q, corner));
     const glm::dvec3 far_side = (tri.a + tri.b + tri.c - corner + q) / 3.0;  // the middle of what faces it
-    items.push_back(polyline(Role::edge, {far_side, far_side}, name));
+    items.push_back(point(Role::text, far_side, name));
   }
   return items;
 }

@@ -1,9 +1,14 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <stdexcept>
 
 #include "viz/answers.hpp"
+#include "viz/numbers.hpp"
 #include "viz/stage/compose.hpp"
+#include "viz/stage/fit_view.hpp"
 #include "viz/stage/kernel_steps.hpp"
 #include "viz/stage/lessons.hpp"
 #include "viz/stage/stage_of.hpp"
@@ -28,13 +33,76 @@ void add_steps(Stage& stage, const Told& told, const Setting& setting, const std
                const std::string& who) {
   for (std::size_t i = 0; i < told.walk->steps.size(); ++i) {
     if (!told.walk->steps[i].title.starts_with(title)) continue;
+    const bool is_of_another = !stage.steps.back().title.starts_with(who);
     for (StageStep& step : kernel_steps(told, *told.walk, i, setting, false)) {
+      step.begins_anew = is_of_another;
       step.title = who + ": " + step.title;
       step.words = fmt::format("{} says: {}.", who, verdict_of(told.claim()));
       step.caption = step.words + " " + step.caption;
       stage.steps.push_back(std::move(step));
     }
   }
+}
+
+/// A triangle of the two, what is told of it, and how far beyond the shared edge its own numbers put the ray.
+struct Side {
+  const char* name;
+  const Told& told;
+  const Triangle<double>& triangle;
+
+  /// v is the share of the height over the edge at which the ray passes: negative beyond it.
+  [[nodiscard]] const WalkValue& v() const {
+    for (const WalkStep& step : told.walk->steps) {
+      for (const WalkValue& value : step.values) {
+        if (value.name == "v") return value;
+      }
+    }
+    throw std::logic_error("the kernel of the leak names no v");
+  }
+  [[nodiscard]] double height() const {
+    const glm::dvec3 edge = triangle.b - triangle.a;
+    return glm::length(glm::cross(edge, triangle.c - triangle.a)) / glm::length(edge);
+  }
+};
+
+/// The last step: across the edge, from so near that one sees on which side each triangle puts the ray.
+StageStep edge_step(const std::array<Side, 2>& sides, const Setting& setting) {
+  const std::array<double, 2> sign{-1, 1};  // the first triangle lies at the left
+  double farthest = 0;
+  for (const Side& side : sides) farthest = std::max(farthest, std::abs(side.v().value) * side.height());
+  const auto at = [&](std::size_t i, double v, double up) {
+    return sign.at(i) * v * sides.at(i).height() / farthest * 2 * setting.camera.right +
+           up * setting.camera.up;
+  };
+  const auto corner = [&](double x, double y) { return x * setting.camera.right + y * setting.camera.up; };
+  StageStep step;
+  step.title = "Where float and exact part";
+  step.is_apart = true;
+  step.magnification = 2 / farthest;
+  step.view = {{0, 0, 0}, 1.9};
+  step.items = {
+      polygon(Role::surface, {corner(-2.6, -1.6), corner(0, -1.6), corner(0, 1.6), corner(-2.6, 1.6)}),
+      polygon(Role::surface, {corner(2.6, -1.6), corner(0, -1.6), corner(0, 1.6), corner(2.6, 1.6)}),
+      segment(Role::surface, corner(0, -1.7), corner(0, 1.7), "the shared edge"),
+      point(Role::text, corner(-1.6, -1.3), "the first triangle"),
+      point(Role::text, corner(1.6, -1.3), "the second triangle")};
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const WalkValue& v = sides.at(i).v();
+    const double up = i == 0 ? 0.8 : -0.4;
+    step.items.push_back(point(Role::exact, at(i, v.exact_value, up), "the ray, exactly"));
+    step.items.push_back(
+        point(Role::claimed, at(i, v.value, up), fmt::format("as the {} computes it", sides.at(i).name)));
+  }
+  const auto measured = [](const Side& side) {
+    const double v = side.v().value;
+    return fmt::format("the {} computes {}, {}", side.name, rough(v, 3), v < 0 ? "beyond it" : "on its side");
+  };
+  step.caption =
+      fmt::format("Each triangle measures v, the way from the edge as a share of its height: {}; {}.",
+                  measured(sides[0]), measured(sides[1]));
+  const bool is_lost = sides[0].v().value < 0 && sides[1].v().value < 0;
+  if (is_lost) step.caption += " So neither takes the ray.";
+  return step;
 }
 
 Stage leak_stage(const Case& one, const TellCase& tell) {
@@ -47,9 +115,10 @@ Stage leak_stage(const Case& one, const TellCase& tell) {
   setting.scene.push_back(polyline(Role::surface, {triangle.b, triangle.c, triangle.a}));
   setting.scene.push_back(point(Role::surface, triangle.c, "d"));
   // The second triangle reaches beyond the view of the first.
-  const RayQuestion& asked = std::get<RayQuestion>(one.question);
-  setting.near = view_around(
-      {triangle.a, triangle.b, triangle.c, std::get<Triangle<double>>(asked.shape).c, asked.ray.origin});
+  const auto& asked = std::get<RayQuestion>(one.question);
+  const auto& triangle_one = std::get<Triangle<double>>(asked.shape);
+  setting.near =
+      view_of({triangle.a, triangle.b, triangle.c, triangle_one.c, asked.ray.origin}, setting.camera);
   setting.wide = setting.near;
   Stage stage = stage_of(first);
   stage.scene = setting.scene;
@@ -63,15 +132,23 @@ Stage leak_stage(const Case& one, const TellCase& tell) {
   const Told woop_second = tell(other, "triangle/woop");
   add_steps(stage, woop_first, setting, "Find the side", "Woop, the first");
   add_steps(stage, woop_second, setting, "Find the side", "Woop, the second");
-  // Of the two, the one that wrongly says miss.
-  StageStep last = parting_step(verdicts_differ(&first.exact, first.claim()) ? first : second, setting);
-  last.view = setting.near;
-  stage.steps.push_back(last);
+  stage.steps.push_back(edge_step({{{"first", first, triangle_one}, {"second", second, triangle}}}, setting));
+  // One view for all, so that nothing jumps.
+  StageView view = setting.near;
+  for (const StageStep& step : stage.steps) {
+    if (!step.is_apart) view.radius = radius_for(view, step.items, setting.camera);
+  }
+  for (StageStep& step : stage.steps) {
+    if (!step.is_apart) step.view = view;
+  }
   stage.method = "triangle/moller_trumbore";
-  stage.conclusion = fmt::format(
-      "Exactly: {} and {}. Möller–Trumbore: {} and {}; the ray slips between. Woop: {} and {}.",
-      verdict_of(&first.exact), verdict_of(&second.exact), verdict_of(first.claim()),
-      verdict_of(second.claim()), verdict_of(woop_first.claim()), verdict_of(woop_second.claim()));
+  const bool is_lost =
+      verdicts_differ(&first.exact, first.claim()) || verdicts_differ(&second.exact, second.claim());
+  stage.conclusion =
+      fmt::format("Exactly: {} and {}. Möller–Trumbore: {} and {}{}. Woop: {} and {}.",
+                  verdict_of(&first.exact), verdict_of(&second.exact), verdict_of(first.claim()),
+                  verdict_of(second.claim()), is_lost ? "; the ray slips between" : "",
+                  verdict_of(woop_first.claim()), verdict_of(woop_second.claim()));
   stage.steps.back().digits = stage.conclusion;
   return stage;
 }

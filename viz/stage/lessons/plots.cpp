@@ -7,6 +7,7 @@
 
 #include "viz/numbers.hpp"
 #include "viz/stage/compose.hpp"
+#include "viz/stage/fit_view.hpp"
 #include "viz/stage/lessons.hpp"
 #include "viz/stage/stage_of.hpp"
 
@@ -117,7 +118,7 @@ Stage barycentric_stage(const Case& one, const TellCase& tell) {
                    polyline(Role::surface, {triangle.a, triangle.b, triangle.c, triangle.a}),
                    point(Role::surface, triangle.a, "a"), point(Role::surface, triangle.b, "b"),
                    point(Role::surface, triangle.c, "c")};
-  setting.near = setting.wide = view_around({triangle.a, triangle.b, triangle.c});
+  setting.near = setting.wide = view_of({triangle.a, triangle.b, triangle.c}, setting.camera);
   setting.slider.reset();
   const glm::dvec3 q{question.ray.origin.x, question.ray.origin.y, 0};
   setting.scene.push_back(point(Role::nearest, q, "q"));
@@ -134,7 +135,11 @@ Stage barycentric_stage(const Case& one, const TellCase& tell) {
   stage.steps.front().title = "Look at the triangle and the point";
   stage.method = "triangle::barycentric";
   stage.steps.push_back(parting_of_values(walk, setting, one.precision));
-  stage.conclusion = "All three are positive, so the point is inside: q = α·a + β·b + γ·c.";
+  const bool is_inside = std::none_of(values.begin(), values.end(),
+                                      [](const WalkValue& v) { return v.name != "D" && v.value < 0; });
+  stage.conclusion =
+      fmt::format("{}: q = α·a + β·b + γ·c.", is_inside ? "None is negative, so the point is in the triangle"
+                                                        : "One is negative, so the point is outside");
   return stage;
 }
 
@@ -165,7 +170,7 @@ Stage digits_stage(const Case& one, const TellCase& tell) {
       items.push_back(segment(Role::exact, {x(0), y, 0}, {x(kept), y, 0}));
       if (value.bits_lost >= 0.5)
         items.push_back(segment(Role::claimed, {x(kept), y, 0}, {x(digits), y, 0}, {}, Pattern::dotted));
-      items.push_back(polyline(Role::text, {{x(0) - 0.12, y, 0}, {x(0) - 0.119, y, 0}}, value.name));
+      items.push_back(point(Role::text, {x(0) - 0.12, y, 0}, value.name));
     }
   }
   stage.steps.front().title = "Every number begins with all its digits";

@@ -32,6 +32,7 @@ Stage ray_stage(const Case& one, const TellCase& tell) {
   const Walkthrough walk = record(one.precision, [&]<class R>(std::type_identity<R>) { walk_along<R>(ray); });
   Setting setting = setting_of(told);
   setting.near = setting.wide;
+  setting.slider->from = setting.slider->start = ray.t_min;  // where the first step begins
   setting.bindings = {
       stop("p(0)"),
       stop("p(1)"),

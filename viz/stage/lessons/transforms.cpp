@@ -2,6 +2,7 @@
 
 #include "viz/stage/bindings.hpp"
 #include "viz/stage/compose.hpp"
+#include "viz/stage/fit_view.hpp"
 #include "viz/stage/lessons.hpp"
 #include "viz/stage/stage_of.hpp"
 
@@ -19,16 +20,24 @@ Stage transformed_stage(const Case& one, const TellCase& tell) {
   Stage stage = stage_of(told);
   const NumbersByName n(*told.walk, told.walk->steps.size() - 1);
   StageStep& step = stage.steps.at(1);
-  const double size = step.view.radius;
-  const glm::dvec3 aside = step.view.centre + 2.6 * size * stage.camera.right;
-  const auto put = [&](const glm::dvec3& p) { return p + aside; };
-  step.items = {
-      {Role::surface, Form::ellipsoid, {put({0, 0, 0}), put({1, 0, 0}), put({0, 1, 0}), put({0, 0, 1})}},
-      arrow(Role::ray, put(n.origin()), put(n.at(n["t₁"] * 1.25)), "o′ + t·d′"),
-      point(Role::ray, put(n.origin()), "o′"),
-      point(Role::nearest, put({0, 0, 0}), "the object's own space")};
-  step.items.insert(step.items.begin(), stage.scene.begin(), stage.scene.end());
-  step.view = {step.view.centre + 1.3 * size * stage.camera.right, 1.9 * size};
+  step.items = {{Role::surface, Form::ellipsoid, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
+                arrow(Role::ray, n.origin(), n.at(n["t₁"] * 1.25), "o′ + t·d′"),
+                point(Role::ray, n.origin(), "o′"),
+                point(Role::text, {0, 0, 0}, "the object's own space")};
+  // At the right of what there is in the world.
+  const auto reach = [&](const Items& items) {
+    return view_of(extent_of(items, stage.camera), stage.camera);
+  };
+  const StageView world = reach(stage.scene);
+  const StageView own = reach(step.items);
+  const double way = view_aspect * (world.radius + own.radius);
+  for (StageItem& item : step.items) {
+    for (glm::dvec3& p : item.points) p += world.centre - own.centre + way * stage.camera.right;
+  }
+  Items all = stage.scene;
+  all.insert(all.end(), step.items.begin(), step.items.end());
+  step.view = reach(all);
+  stage.steps.at(2).begins_anew = true;  // in the world alone
   return stage;
 }
 

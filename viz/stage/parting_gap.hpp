@@ -1,0 +1,28 @@
+#pragma once
+/// \file
+/// A solid that a ray just misses, or just meets: rounding decides, and only from very near it is to be seen.
+
+#include <optional>
+#include <string>
+
+#include "viz/stage/setting.hpp"
+
+namespace rayproof::viz {
+
+/// Where the exact interval of t inside a solid begins and ends, and where the computed one does; an interval
+/// that ends before it begins is empty.
+struct Gap {
+  double entry, exit;
+  double computed_entry, computed_exit;
+};
+
+/// The gap of a run that names both ends, where it is narrow.
+[[nodiscard]] std::optional<Gap> gap_of(const Told& told);
+
+/// Both intervals beside the ray, magnified.
+void show_gap(StageStep& step, const Gap& gap, Precision precision, const Setting& setting);
+
+/// "Exactly the ray is in at 1, out at 0.999999886; …"
+[[nodiscard]] std::string in_words(const Gap& gap);
+
+}  // namespace rayproof::viz
