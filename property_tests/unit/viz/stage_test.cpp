@@ -1,20 +1,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 #include <nlohmann/json.hpp>
-#include <rayproof/topics.hpp>
 #include <set>
 
 #include "case/reader.hpp"
-#include "unit/bits.hpp"
-#include "unit/viz/heard.hpp"
 #include "viz/programs/told_of.hpp"
-#include "viz/stage/kernel_steps.hpp"
 #include "viz/stage/lesson.hpp"
 #include "viz/stage/stage_json.hpp"
 #include "viz/stage/stage_of.hpp"
-#include "viz/topics/ray_walk.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -24,86 +18,6 @@ Told tell(const Case& one, const std::string& method) { return told_of(one, meth
 double number_in(const nlohmann::json& json) {
   if (json.is_number()) return json.get<double>();
   return json == "inf" ? INFINITY : json == "-inf" ? -INFINITY : NAN;
-}
-
-using NamedNumbers = std::vector<std::pair<std::string, double>>;
-
-/// What a method's kernel names in plain T, of the problem that a case puts.
-template <class Topic, class T>
-NamedNumbers heard_in(const Case& one, const std::string& method) {
-  NamedNumbers names;
-  Topic::Methods::for_each([&]<class Method>(std::type_identity<Method>) {
-    if constexpr (Recordable<Method, Heard<T>> && !std::is_same_v<Topic, point_in_polygon::Topic>) {
-      if (method != std::string(Topic::name) + "/" + Method::name) return;
-      using Problem = typename Topic::template Problem<Heard<T>>;
-      const auto problem = [&]() -> Problem {
-        if constexpr (std::is_same_v<Topic, quadratic::Topic>) {
-          return {convert<Heard<T>>(std::get<Quadratic<double>>(one.question))};
-        } else {
-          const auto& question = std::get<RayQuestion>(one.question);
-          using Shape = decltype(Problem::shape);
-          return {convert<Heard<T>>(question.ray), recorded_shape<Shape, Heard<T>>(question)};
-        }
-      }();
-      Heard<T>::names.clear();
-      (void)Topic::template solve<Method>(problem);
-      names = Heard<T>::names;
-    }
-  });
-  return names;
-}
-
-NamedNumbers heard(const Case& one, const std::string& method) {
-  NamedNumbers names;
-  Topics::for_each([&]<class Topic>(std::type_identity<Topic>) {
-    if (Topic::name != topic_of(one)) return;
-    names = one.precision == Precision::float32 ? heard_in<Topic, float>(one, method)
-                                                : heard_in<Topic, double>(one, method);
-  });
-  return names;
-}
-
-/// Every number of the kernel's steps in a stage's data, components one by one.
-NamedNumbers shown_in(const std::string& json_text) {
-  const auto json = nlohmann::json::parse(json_text);
-  NamedNumbers shown;
-  for (std::size_t i = 1; i < json.at("steps").size(); ++i) {
-    for (const auto& value : json["steps"][i]["values"]) {
-      const auto& components = value["components"];
-      for (std::size_t k = 0; k < components.size(); ++k) {
-        const std::string axis = components.size() == 1 ? "" : std::string(".") + "xyz"[k];
-        shown.emplace_back(value["name"].get<std::string>() + axis, number_in(components[k]["value"]));
-      }
-    }
-  }
-  return shown;
-}
-
-TEST(Stage, ShowsTheNumbersOfThePlainKernelBitForBit) {
-  int compared = 0;
-  for (const Lesson& lesson : lessons()) {
-    if (lesson.compose != nullptr) continue;
-    for (const char* precision : {"float32", "float64"}) {
-      Case one = read_case(lesson.case_text);
-      one.precision = std::string(precision) == "float32" ? Precision::float32 : Precision::float64;
-      const Told told = tell(one, lesson.method);
-      const auto& question = one.question;
-      const bool is_moved = std::holds_alternative<RayQuestion>(question) &&
-                            std::get<RayQuestion>(question).transform.has_value();
-      if (is_moved) continue;
-      const NamedNumbers plain = heard(one, lesson.method);
-      const NamedNumbers shown = shown_in(stage_json(stage_of(told)));
-      ASSERT_EQ(plain.size(), shown.size()) << lesson.name;
-      for (std::size_t i = 0; i < plain.size(); ++i) {
-        EXPECT_EQ(plain[i].first, shown[i].first) << lesson.name;
-        EXPECT_TRUE(same_bits(plain[i].second, shown[i].second))
-            << lesson.name << ": " << plain[i].first << " is " << plain[i].second << ", shown as "
-            << shown[i].second;
-        ++compared;
-      }
-    }
-  }
-  EXPECT_GT(compared, 200);
 }
 
 TEST(Stage, ShowsDecimalsThatReadBackAsTheNumber) {

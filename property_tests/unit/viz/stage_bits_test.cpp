@@ -1,0 +1,260 @@
+/// \file
+/// The numbers that walkthroughs show, bit for bit those of the same code run in plain floating point.
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <rayproof/box/slab.hpp>
+#include <rayproof/camera.hpp>
+#include <rayproof/polygon/ray_segment.hpp>
+#include <rayproof/topics.hpp>
+#include <rayproof/transform.hpp>
+#include <rayproof/triangle/barycentric.hpp>
+
+#include "case/reader.hpp"
+#include "unit/viz/heard.hpp"
+#include "viz/numbers.hpp"
+#include "viz/programs/told_of.hpp"
+#include "viz/stage/lesson.hpp"
+#include "viz/stage/stage_json.hpp"
+#include "viz/stage/stage_of.hpp"
+#include "viz/topics/ray_walk.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+using Json = nlohmann::json;
+using NamedNumbers = std::vector<std::pair<std::string, double>>;
+
+Told tell(const Case& one, const std::string& method) { return told_of(one, method); }
+
+bool same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) ||
+         (std::isnan(a) && std::isnan(b));
+}
+
+double number_in(const Json& json) {
+  if (json.is_number()) return json.get<double>();
+  return json == "inf" ? INFINITY : json == "-inf" ? -INFINITY : NAN;
+}
+
+/// Every number that a step shows, components one by one.
+NamedNumbers shown_in(const Json& step) {
+  NamedNumbers shown;
+  for (const auto& value : step["values"]) {
+    const auto& components = value["components"];
+    for (std::size_t k = 0; k < components.size(); ++k) {
+      const std::string axis = components.size() == 1 ? "" : std::string(".") + "xyz"[k];
+      shown.emplace_back(value["name"].get<std::string>() + axis, number_in(components[k]["value"]));
+    }
+  }
+  return shown;
+}
+
+/// What a method's kernel names in plain T, of the problem that a case puts.
+template <class Topic, class T>
+NamedNumbers heard_in(const Case& one, const std::string& method) {
+  using H = Heard<T>;
+  NamedNumbers names;
+  Topic::Methods::for_each([&]<class Method>(std::type_identity<Method>) {
+    if constexpr (Recordable<Method, H> && !std::is_same_v<Topic, point_in_polygon::Topic>) {
+      if (method != std::string(Topic::name) + "/" + Method::name) return;
+      using Problem = typename Topic::template Problem<H>;
+      const auto problem = [&]() -> Problem {
+        if constexpr (std::is_same_v<Topic, quadratic::Topic>) {
+          return {convert<H>(std::get<Quadratic<double>>(one.question))};
+        } else {
+          const auto& question = std::get<RayQuestion>(one.question);
+          using Shape = decltype(Problem::shape);
+          const auto shape = recorded_shape<Shape, H>(question);
+          H::names.clear();
+          if (!question.transform) return {convert<H>(question.ray), shape};
+          const auto ray =
+              in_object_space<H>(convert<H>(question.ray), *question.transform, "d", Topic::name);
+          H::names.erase(H::names.begin(), H::names.begin() + 12);  // the map's columns are inputs
+          return {ray, shape};
+        }
+      }();
+      if (std::is_same_v<Topic, quadratic::Topic>) H::names.clear();
+      (void)Topic::template solve<Method>(problem);
+      names = H::names;
+    }
+  });
+  return names;
+}
+
+NamedNumbers heard(const Case& one, const std::string& method) {
+  NamedNumbers names;
+  Topics::for_each([&]<class Topic>(std::type_identity<Topic>) {
+    if (Topic::name != topic_of(one)) return;
+    names = one.precision == Precision::float32 ? heard_in<Topic, float>(one, method)
+                                                : heard_in<Topic, double>(one, method);
+  });
+  return names;
+}
+
+/// The library's own functions that a composed lesson shows, run in plain T; by the lesson's name, or by the
+/// beginning of it.
+template <class T>
+class PlainRuns {
+ public:
+  using H = Heard<T>;
+  PlainRuns(const Case& one, const Json& data) : one_(one), data_(data) { H::names.clear(); }
+
+  NamedNumbers of(const std::string& lesson, const std::string& title) {
+    if (lesson == "digits") return heard(one_, "sphere/textbook");
+    if (lesson == "transformed") return heard(one_, "sphere/centred");
+    if (lesson == "raycasting") return of_ball(title);
+    if (lesson == "leak") return of_leak(title);
+    if (lesson == "ray") along_ray();
+    if (lesson == "camera") camera();
+    if (lesson == "barycentric") barycentric();
+    if (lesson == "slab-intervals") slabs();
+    if (lesson == "transformed-normal") normal();
+    if (lesson.starts_with("polygon") || lesson == "ray-segment") sides();
+    return H::names;
+  }
+
+ private:
+  [[nodiscard]] const RayQuestion& asked() const { return std::get<RayQuestion>(one_.question); }
+  /// A vector that the first step shows.
+  [[nodiscard]] vec3<H> given(const std::string& name) const {
+    for (const auto& value : data_["steps"][0]["values"]) {
+      if (value["name"] != name) continue;
+      const auto at = [&](std::size_t i) { return H(number_in(value["components"][i]["value"])); };
+      return value["components"].size() == 3 ? vec3<H>{at(0), at(1), at(2)} : vec3<H>{at(0), H(0), H(0)};
+    }
+    return {H(NAN), H(NAN), H(NAN)};
+  }
+
+  void along_ray() {
+    const Ray<H> ray = convert<H>(asked().ray);
+    (void)named("p(0)", point_at(ray, H(0)));
+    (void)named("p(1)", point_at(ray, H(1)));
+    (void)named("p(2.5)", point_at(ray, H(2.5)));
+    const H length = named("|d|", sqrt(dot(ray.direction, ray.direction)));
+    (void)named("way", H(2.5) * length);
+  }
+  void camera() {
+    const rayproof::Camera<H> camera{given("eye"), given("center"), given("up"), given("half_w").x,
+                                     given("half_h").x};
+    const auto axes = camera::axes(camera);
+    (void)camera::PixelCentre::ray(camera, axes, ImageSize<H>{H(8), H(6)}, H(4), H(2));
+  }
+  void barycentric() {
+    const auto flat = [](const glm::dvec3& p) { return Vec2<H>{H(p.x), H(p.y)}; };
+    const auto& triangle = std::get<Triangle<double>>(asked().shape);
+    (void)triangle::barycentric(flat(asked().ray.origin), flat(triangle.a), flat(triangle.b),
+                                flat(triangle.c));
+  }
+  void slabs() {
+    const Ray<H> ray = convert<H>(asked().ray);
+    const auto box = convert<H>(std::get<rayproof::Box<double>>(asked().shape));
+    const auto slab = [&](H vec3<H>::*axis, const std::string& name) {
+      const auto one = box::slab_of(ray.direction.*axis, box.min.*axis - ray.origin.*axis,
+                                    box.max.*axis - ray.origin.*axis);
+      (void)named((name + "_in").c_str(), one.entry);
+      (void)named((name + "_out").c_str(), one.exit);
+      return one;
+    };
+    const auto x = slab(&vec3<H>::x, "x");
+    const auto y = slab(&vec3<H>::y, "y");
+    const auto z = slab(&vec3<H>::z, "z");
+    (void)box::overlap(x, y, z);
+  }
+  void normal() {
+    const auto column = [&](int i) { return convert<H>(glm::dvec3((*asked().transform)[i])); };
+    const auto space = object_space<H>(column(0), column(1), column(2), column(3));
+    const double t = std::get<RayAnswer>(oracle::answer(one_)).hits.t[0];
+    const vec3<H> q = named("q", point_at(to_object(space, convert<H>(asked().ray)), H(t)));
+    (void)named("n", q);
+    (void)named("A·n", vec3<H>(q.x * column(0) + q.y * column(1) + q.z * column(2)));
+    (void)named("m", vec3<H>(q.x * space.row_x + q.y * space.row_y + q.z * space.row_z));
+  }
+  void sides() {
+    const auto question = convert<H>(std::get<PointAndPolygon<double>>(one_.question));
+    const auto& v = question.vertices;
+    for (std::size_t i = 0; i < v.size(); ++i) {
+      const auto [s, t] = polygon::cross_side(question.point, v[i], v[polygon::next(i, v.size())]);
+      (void)named(("s" + subscript(i)).c_str(), s);
+      (void)named(("t" + subscript(i)).c_str(), t);
+    }
+  }
+  NamedNumbers of_ball(const std::string& title) {
+    Case with_ball = one_;
+    const bool is_first = title == "Meet the first object";
+    std::get<RayQuestion>(with_ball.question).shape =
+        is_first ? Sphere<double>{{0, 0, 0.2}, 0.75} : Sphere<double>{{1.2, -0.4, 0.6}, 0.4};
+    return heard(with_ball, "sphere/centred");
+  }
+  NamedNumbers of_leak(const std::string& title) {
+    Case judged = one_;
+    auto& triangle = std::get<Triangle<double>>(std::get<RayQuestion>(judged.question).shape);
+    const bool is_second = title.starts_with("The second") || title.starts_with("Woop, the second");
+    if (is_second) triangle = {triangle.b, triangle.a, {2.5, static_cast<double>(1.8F), 1.5}};
+    return heard(judged, title.starts_with("Woop") ? "triangle/woop" : "triangle/moller_trumbore");
+  }
+
+  const Case& one_;
+  const Json& data_;
+};
+
+TEST(StageBits, AMethodsStepsShowTheNumbersOfThePlainKernel) {
+  int compared = 0;
+  for (const Lesson& lesson : lessons()) {
+    if (lesson.compose != nullptr) continue;
+    for (const Precision precision : {Precision::float32, Precision::float64}) {
+      Case one = read_case(lesson.case_text);
+      one.precision = precision;
+      const Json data = Json::parse(stage_json(stage_of(tell(one, lesson.method))));
+      const NamedNumbers plain = heard(one, lesson.method);
+      NamedNumbers shown;
+      for (std::size_t i = 1; i < data["steps"].size(); ++i) {
+        const NamedNumbers more = shown_in(data["steps"][i]);
+        shown.insert(shown.end(), more.begin(), more.end());
+      }
+      ASSERT_EQ(plain.size(), shown.size()) << lesson.name;
+      for (std::size_t i = 0; i < plain.size(); ++i) {
+        EXPECT_EQ(plain[i].first, shown[i].first) << lesson.name;
+        EXPECT_TRUE(same_bits(plain[i].second, shown[i].second))
+            << lesson.name << ": " << plain[i].first << " is " << plain[i].second << ", shown as "
+            << shown[i].second;
+        ++compared;
+      }
+    }
+  }
+  EXPECT_GT(compared, 200);
+}
+
+TEST(StageBits, AComposedLessonShowsTheNumbersOfTheLibrarysFunctions) {
+  for (const Lesson& lesson : lessons()) {
+    if (lesson.compose == nullptr) continue;
+    for (const Precision precision : {Precision::float32, Precision::float64}) {
+      Case one = read_case(lesson.case_text);
+      one.precision = precision;
+      const Json data = Json::parse(stage_json(lesson.compose(one, tell)));
+      int compared = 0;
+      for (std::size_t i = 1; i < data["steps"].size(); ++i) {
+        const Json& step = data["steps"][i];
+        const NamedNumbers plain = precision == Precision::float32
+                                       ? PlainRuns<float>(one, data).of(lesson.name, step["title"])
+                                       : PlainRuns<double>(one, data).of(lesson.name, step["title"]);
+        for (const auto& [name, value] : shown_in(step)) {
+          const auto same = std::find_if(plain.begin(), plain.end(),
+                                         [&name = name](const auto& one_of) { return one_of.first == name; });
+          ASSERT_NE(same, plain.end()) << lesson.name << " shows " << name << ", which no plain run names";
+          EXPECT_TRUE(same_bits(same->second, value))
+              << lesson.name << ": " << name << " is " << same->second << ", shown as " << value;
+          ++compared;
+        }
+      }
+      EXPECT_GT(compared, 1) << lesson.name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace rayproof::viz
