@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
+
 namespace rayproof::viz {
 
 std::vector<OperationId> operations_of_step(const Tape& tape, std::ptrdiff_t step) {
@@ -45,12 +47,19 @@ std::optional<Death> worst_loss_of(const Tape& tape, const std::vector<Operation
 }
 
 std::string in_words(const Death& loss) {
-  return fmt::format("the {} {} {} {:.0f} of {} bits", loss.kind, loss.formula, loss.effect,
-                     loss.bits_lost_here, loss.digits);
+  constexpr std::size_t longest = 90;  // bytes: more of a formula nobody reads
+  const bool is_vowel = loss.kind.find_first_of("aeiou") == 0;
+  const std::string what = loss.formula.size() <= longest
+                               ? fmt::format("the {} {}", loss.kind, loss.formula)
+                               : fmt::format("{} {}", is_vowel ? "an" : "a", loss.kind);
+  return fmt::format("{} {} {:.0f} of {} bits", what, loss.effect, loss.bits_lost_here, loss.digits);
 }
 
 std::string loss_sentence(const std::optional<Death>& loss) {
-  return loss ? "T" + in_words(*loss).substr(1) + "." : "No digits of note are lost.";
+  if (!loss) return "No digits of note are lost.";
+  std::string sentence = in_words(*loss) + ".";
+  sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
+  return sentence;
 }
 
 }  // namespace rayproof::viz

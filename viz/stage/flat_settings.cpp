@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "viz/answers.hpp"
+#include "viz/numbers.hpp"
 #include "viz/stage/fit_view.hpp"
 
 namespace rayproof::viz {
@@ -31,7 +32,7 @@ Setting quadratic_setting(const Told& told) {
   Setting setting;
   setting.scene = parabola_items(q, frame);
   setting.camera.is_flat = true;
-  setting.near = setting.wide = {{0, 0, 0}, 0.8};
+  setting.near = setting.wide = view_of(extent_of(setting.scene, setting.camera), setting.camera);
   StageSlider slider;
   slider.symbol = "x";
   const double per_x = 2 / (frame.right - frame.left);
@@ -57,6 +58,8 @@ Setting polygon_setting(const Told& told) {
   setting.camera.is_flat = true;
   setting.near = setting.wide = view_of(all, setting.camera);
   setting.scene.push_back(polygon(Role::surface, ring));
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    setting.scene.push_back(point(Role::surface, ring[i], "v" + subscript(i)));
   for (std::size_t i = 0; i < ring.size(); ++i) {
     setting.scene.push_back(segment(Role::surface, ring[i], ring[(i + 1) % ring.size()]));
   }

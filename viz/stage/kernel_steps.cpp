@@ -74,7 +74,9 @@ void add_placed(StageStep& step, Items items, const Setting& setting) {
     const bool is_placed = std::all_of(item.points.begin(), item.points.end(), [](const glm::dvec3& p) {
       return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
     });
-    if (is_placed) step.items.push_back(std::move(item));
+    const bool is_point =
+        item.form != Form::point && item.points.size() == 2 && item.points[0] == item.points[1];
+    if (is_placed && !is_point) step.items.push_back(std::move(item));
   }
 }
 
@@ -203,7 +205,10 @@ std::vector<StageStep> kernel_steps(const Told& told, const Walkthrough& walk, s
     if (i == 0) step.words = words_for(title);
     if (i == 0) add_placed(step, items_of(title, n, setting), setting);
     for (const StageValue& value : step.values) add_placed(step, items_of(value.name, n, setting), setting);
-    step.digits = parts.size() == 1 ? walk.steps[index].caption : loss_sentence(worst_loss_of(parts[i]));
+    const bool names_nothing = step.values.empty() && walk.steps[index].caption == loss_sentence({});
+    step.digits = names_nothing       ? ""
+                  : parts.size() == 1 ? walk.steps[index].caption
+                                      : loss_sentence(worst_loss_of(parts[i]));
     caption(step, told, index + 1 == walk.steps.size());
     step.view = view_of(step, setting);
     steps.push_back(std::move(step));

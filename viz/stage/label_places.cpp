@@ -38,6 +38,12 @@ double overlap(const Box& a, const Box& b) {
   return x > 0 && y > 0 ? x * y : 0;
 }
 
+Box box_around(const Point& middle, const std::string& label, double size) {
+  const double width = text_width(label, size, true) + 4;
+  const double height = size * 1.15;
+  return {middle.x - width / 2, middle.y - height / 2, width, height};
+}
+
 }  // namespace
 
 double text_width(const std::string& text, double size, bool bold) {
@@ -104,10 +110,19 @@ double LabelPlaces::cost_of(const Box& box, double most) const {
   return cost;
 }
 
+Text LabelPlaces::take(const Box& box, const std::string& label, double size) {
+  taken_.push_back(box);
+  return {Role::text, {box.centre().x, box.bottom() - size * 0.27}, label, Anchor::middle, size, true, true};
+}
+
+Text LabelPlaces::put_at(const std::string& label, const Point& middle, double size) {
+  const Box box = box_around(middle, label, size);
+  return take(box, label, size);
+}
+
 std::optional<Text> LabelPlaces::put(const std::string& label, const std::vector<Point>& anchors, double size,
                                      bool must) {
-  const double width = text_width(label, size, true) + 4;
-  const double height = size * 1.15;
+  const Box own = box_around({0, 0}, label, size);
   Box best{};
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < anchors.size(); ++k) {
@@ -115,9 +130,9 @@ std::optional<Text> LabelPlaces::put(const std::string& label, const std::vector
       for (int i = 0; i < 16; ++i) {
         // Beginning above at the right, where a reader looks for it first.
         const double angle = std::numbers::pi * (0.25 + i / 8.0);
-        const Point middle{anchors[k].x + (away + width / 2) * std::cos(angle),
-                           anchors[k].y - (away + height / 4) * std::sin(angle)};
-        const Box box{middle.x - width / 2, middle.y - height / 2, width, height};
+        const Point middle{anchors[k].x + (away + own.width / 2) * std::cos(angle),
+                           anchors[k].y - (away + own.height / 4) * std::sin(angle)};
+        const Box box = box_around(middle, label, size);
         const double way = away * 1.5 + i * 0.4 + static_cast<double>(k) * 5;
         const double cost = way + cost_of(box, least - way);
         if (cost >= least) continue;
@@ -127,9 +142,7 @@ std::optional<Text> LabelPlaces::put(const std::string& label, const std::vector
     }
   }
   if (!must && least > 150) return std::nullopt;
-  taken_.push_back(best);
-  return Text{Role::text, {best.centre().x, best.bottom() - size * 0.27}, label, Anchor::middle, size, true,
-              true};
+  return take(best, label, size);
 }
 
 }  // namespace rayproof::viz

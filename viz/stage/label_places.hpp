@@ -26,12 +26,15 @@ class LabelPlaces {
   void take(const Point& at, double radius);
   /// A line, which labels rather do not cover; `cost` for each place on it that one does.
   void avoid(const std::vector<Point>& line, double cost);
+  /// Puts a label there and nowhere else.
+  [[nodiscard]] Text put_at(const std::string& label, const Point& middle, double size);
   /// A place for a label beside one of the anchors, of which the first are the best; it is then taken.
   /// Nothing where all are taken and `must` is false.
   [[nodiscard]] std::optional<Text> put(const std::string& label, const std::vector<Point>& anchors,
                                         double size, bool must);
 
  private:
+  [[nodiscard]] Text take(const Box& box, const std::string& label, double size);
   /// What a label there costs; at least `most` where that is clear early.
   [[nodiscard]] double cost_of(const Box& box, double most) const;
 

@@ -77,6 +77,11 @@ class Places {
     for (const [x, y, extra] of this.avoided) if (x >= box[0] && x <= box[2] && y >= box[1] && y <= box[3]) cost += extra;
     return cost;
   }
+  putAt(text, at, size) {
+    const w = textWidth(text, size) * 1.1 + 4, h = size * 1.15;
+    this.taken.push([at[0] - w/2, at[1] - h/2, at[0] + w/2, at[1] + h/2]);
+    return [at[0], at[1] + h/2 - size * 0.27];
+  }
   put(text, anchors, size, must) {
     const w = textWidth(text, size) * 1.1 + 4, h = size * 1.15;
     let best = null, least = Infinity;

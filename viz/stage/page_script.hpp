@@ -19,7 +19,7 @@ function markAt(role, shape, [x, y]) {
 }
 function draw() {
   const step = steps[place], apart = step.magnification !== undefined, centre = step.view.centre.map(number);
-  const scale = zoom * Math.min(W / aspect - 40, H - 40) / 2 / number(step.view.radius);
+  const scale = zoom * Math.min(W / aspect - 56, H - 56) / 2 / number(step.view.radius);
   const seen = p => { const q = plus(p.map(number), centre, -1); return [W/2 + scale * dot(q, eye.right), H/2 - scale * dot(q, eye.up)]; };
   const all = apart ? [] : data.scene.map(item => [item, 'scene']);
   let begun = place;
@@ -62,15 +62,15 @@ function draw() {
       } else anchors = [points.reduce((sum, p) => [sum[0] + p[0] / points.length, sum[1] + p[1] / points.length], [0, 0])];
     }
     anchors = anchors.filter(inside);
-    if (item.label && anchors.length) labels.push([item.label, anchors, role, how]);
+    if (item.label && anchors.length) labels.push([item.label, anchors, role, how, item.form === 'point' && item.role === 'text']);
   }
   if (data.slider && !apart) {
     const s = data.slider, at = seen(plus(s.origin.map(number), s.direction.map(number), t));
     if (at[0] >= 0 && at[0] <= W && at[1] >= 0 && at[1] <= H) { marks.push(`<path id="runner" class="f ray" d="M${at[0].toFixed(1)} ${at[1].toFixed(1)}m0 4l-6 11h12Z"/>`); places.take([at[0], at[1] + 10], 7); }
   }
   const k = Math.min(1.6, Math.max(1, 500 / (figure.clientWidth || W)));  // as large on a phone as on a desk
-  const texts = labels.reverse().map(([label, anchors, role, how]) => {
-    const bright = how === 'bright', size = Math.round(k * (bright ? 17 : 14)), spot = places.put(label, anchors, size, bright);
+  const texts = labels.reverse().sort((a, b) => b[4] - a[4]).map(([label, anchors, role, how, isText]) => {
+    const bright = how === 'bright', size = Math.round(k * (bright ? 17 : 14)), spot = isText ? places.putAt(label, anchors[0], size) : places.put(label, anchors, size, bright);
     return spot ? `<text class="f h ${role}" text-anchor="middle" font-size="${size}"${bright ? ' font-weight="bold"' : ''} x="${spot[0].toFixed(1)}" y="${spot[1].toFixed(1)}">${escape(label)}</text>` : '';
   });
   figure.innerHTML = fills.join('') + strokes.join('') + marks.join('') + texts.join('');

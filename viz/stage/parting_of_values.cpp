@@ -42,7 +42,6 @@ glm::dvec3 error_of(const StageValue& value, const Setting& setting) {
 StageStep parting_of_values(const Walkthrough& walk, const Setting& setting, Precision precision) {
   StageStep step;
   step.title = "Where float and exact part";
-  step.view = {{0, 0, 0}, 2.4};
   step.is_apart = true;
   const auto worst = worst_of(walk);
   const glm::dvec3 error = worst ? error_of(*worst, setting) : glm::dvec3(0);
@@ -55,6 +54,7 @@ StageStep parting_of_values(const Walkthrough& walk, const Setting& setting, Pre
   }
   step.magnification = 1.5 / size;
   const glm::dvec3 tip = 1.5 / size * error;
+  step.view = {0.5 * tip, 1.1};
   step.items = {segment(Role::edge, {0, 0, 0}, tip, "off by " + rough(size, 3)),
                 point(Role::exact, {0, 0, 0}, worst->name + " exact"),
                 point(Role::claimed, tip, worst->name + " as computed")};

@@ -10,7 +10,7 @@
 namespace rayproof::viz {
 
 double Projection::pixels_per_length() const {
-  constexpr double margin = 40;  // pixels, for marks and labels
+  constexpr double margin = 56;  // pixels, for marks and labels
   const double half = std::min(frame.width / view_aspect - margin, frame.height - margin) / 2;
   return half / view.radius;
 }

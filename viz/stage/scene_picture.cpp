@@ -22,6 +22,9 @@ double width_of(const StageItem& item, Emphasis emphasis) {
                                            : 1.8;
 }
 
+/// A text that stands at its point.
+bool is_text(const StageItem& item) { return item.form == Form::point && item.role == Role::text; }
+
 class Painter {
  public:
   Painter(Picture& picture, const Projection& projection)
@@ -59,7 +62,9 @@ class Painter {
     const std::vector<Point> anchors = anchors_of(item);
     if (anchors.empty()) return;
     const bool is_bright = emphasis == Emphasis::bright;
-    auto text = places_.put(item.label, anchors, is_bright ? 16 : 13, is_bright);
+    const double size = is_bright ? 16 : 13;
+    auto text = is_text(item) ? places_.put_at(item.label, anchors[0], size)
+                              : places_.put(item.label, anchors, size, is_bright);
     if (!text) return;
     text->role = role_of(item, emphasis);
     text->bold = is_bright;
@@ -175,7 +180,12 @@ void draw_scene(Picture& picture, const Box& frame, const Stage& stage, std::siz
   for (const auto& [item, emphasis] : shown) painter.fill(*item, emphasis);
   for (const auto& [item, emphasis] : shown) painter.stroke(*item, emphasis);
   for (const auto& [item, emphasis] : shown) painter.mark(*item, emphasis);
-  for (auto it = shown.rbegin(); it != shown.rend(); ++it) painter.label(*it->item, it->emphasis);
+  // What has but one place takes it first, then what is newest.
+  for (const bool is_mere_text : {true, false}) {
+    for (auto it = shown.rbegin(); it != shown.rend(); ++it) {
+      if (is_text(*it->item) == is_mere_text) painter.label(*it->item, it->emphasis);
+    }
+  }
 }
 
 Picture scene_picture(const Stage& stage, std::size_t step, double width, double height) {

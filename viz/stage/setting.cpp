@@ -54,7 +54,7 @@ Items items_of(const Figure& figure, const Place& toward, double size) {
 std::pair<double, double> stretch_in(const StageView& view, const Ray<double>& ray) {
   const double square = glm::dot(ray.direction, ray.direction);
   const double middle = glm::dot(view.centre - ray.origin, ray.direction) / square;
-  const double half = view_aspect * view.radius / std::sqrt(square);
+  const double half = 1.1 * view_aspect * view.radius / std::sqrt(square);  // a little beyond the view
   const double from = std::max(middle - half, ray.t_min);
   const double to = std::min(middle + half, ray.t_max);
   return from < to ? std::pair{from, to} : std::pair{middle - half, middle + half};

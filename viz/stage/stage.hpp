@@ -51,7 +51,7 @@ struct StageItem {
                                  : MarkShape::dot;
 }
 
-/// Points of the surface and of mere text are places for a label, without a mark.
+/// Points of the surface bear a label beside them and no mark; points of mere text are where the text stands.
 [[nodiscard]] constexpr bool has_mark(Role role) { return role != Role::surface && role != Role::text; }
 
 /// A number or vector that the kernel names.

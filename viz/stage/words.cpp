@@ -9,8 +9,8 @@ std::string words_for(const std::string& title) {
       {"Move the centre to the origin", "Only the way from the centre to the ray's start matters."},
       {"Find the ray point nearest the centre",
        "At t_c the way l from the centre stands at right angles to the ray."},
-      {"Compare its distance with the radius", "If l is shorter than r, the ray comes inside."},
-      {"Go half a chord to either side", "Both hits lie h before and after the nearest point."},
+      {"Compare its distance with the radius", "If l is shorter than the radius, the ray comes inside."},
+      {"Go half a chord to either side", "Hits lie h before and h after the nearest point."},
       {"Put the ray into the sphere's equation", "|o + t·d − C|² = r² is a quadratic equation in t."},
       {"Form the discriminant",
        "Its sign says how many roots there are; its digits are what is left of two large numbers."},
@@ -32,7 +32,7 @@ std::string words_for(const std::string& title) {
       {"Put w in the place of each column in turn",
        "Cramer's rule: each unknown is a quotient of two volumes."},
       {"Ask whether the point lies in the triangle",
-       "Both parameters are at least 0 and their sum at most 1."},
+       "It does where both parameters are at least 0 and their sum is at most 1."},
       {"Form the normal of the triangle", "At right angles to both edges; twice the area long."},
       {"Project along the normal's largest axis",
        "Leave out the coordinate in which the normal is largest: the shadow keeps most of the area."},
@@ -59,7 +59,7 @@ std::string words_for(const std::string& title) {
       {"Meet each pair of faces", "Two planes with one normal are a slab."},
       {"Scale the ellipse to the unit circle", "Divided by its semi-axes, the side is a circle of radius 1."},
       {"Find the point nearest the axis", "As with the sphere, in the plane across the axis."},
-      {"Meet the planes of both ends", "Between them the height is right."},
+      {"Meet the planes of both ends", "Between the two planes the ray is at the cylinder's height."},
       {"Keep the roots between both ends", "A root of the endless side counts only there."},
   };
   const auto found = all.find(title);

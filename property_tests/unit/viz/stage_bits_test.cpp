@@ -3,9 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <rayproof/box/slab.hpp>
 #include <rayproof/camera.hpp>
@@ -15,9 +13,10 @@
 #include <rayproof/triangle/barycentric.hpp>
 
 #include "case/reader.hpp"
+#include "unit/bits.hpp"
 #include "unit/viz/heard.hpp"
+#include "unit/viz/stage_data.hpp"
 #include "viz/numbers.hpp"
-#include "viz/programs/told_of.hpp"
 #include "viz/stage/lesson.hpp"
 #include "viz/stage/stage_json.hpp"
 #include "viz/stage/stage_of.hpp"
@@ -28,18 +27,6 @@ namespace {
 
 using Json = nlohmann::json;
 using NamedNumbers = std::vector<std::pair<std::string, double>>;
-
-Told tell(const Case& one, const std::string& method) { return told_of(one, method); }
-
-bool same_bits(double a, double b) {
-  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) ||
-         (std::isnan(a) && std::isnan(b));
-}
-
-double number_in(const Json& json) {
-  if (json.is_number()) return json.get<double>();
-  return json == "inf" ? INFINITY : json == "-inf" ? -INFINITY : NAN;
-}
 
 /// Every number that a step shows, components one by one.
 NamedNumbers shown_in(const Json& step) {
@@ -209,7 +196,7 @@ TEST(StageBits, AMethodsStepsShowTheNumbersOfThePlainKernel) {
     for (const Precision precision : {Precision::float32, Precision::float64}) {
       Case one = read_case(lesson.case_text);
       one.precision = precision;
-      const Json data = Json::parse(stage_json(stage_of(tell(one, lesson.method))));
+      const Json data = Json::parse(stage_json(stage_of(tell_lesson(one, lesson.method))));
       const NamedNumbers plain = heard(one, lesson.method);
       NamedNumbers shown;
       for (std::size_t i = 1; i < data["steps"].size(); ++i) {
@@ -235,7 +222,7 @@ TEST(StageBits, AComposedLessonShowsTheNumbersOfTheLibrarysFunctions) {
     for (const Precision precision : {Precision::float32, Precision::float64}) {
       Case one = read_case(lesson.case_text);
       one.precision = precision;
-      const Json data = Json::parse(stage_json(lesson.compose(one, tell)));
+      const Json data = Json::parse(stage_json(lesson.compose(one, tell_lesson)));
       int compared = 0;
       for (std::size_t i = 1; i < data["steps"].size(); ++i) {
         const Json& step = data["steps"][i];

@@ -8,6 +8,7 @@
 #include "viz/numbers.hpp"
 #include "viz/stage/bindings.hpp"
 #include "viz/stage/compose.hpp"
+#include "viz/stage/fit_view.hpp"
 #include "viz/stage/lessons.hpp"
 #include "viz/stage/stage_of.hpp"
 
@@ -96,7 +97,11 @@ Stage camera_stage(const Case& one, const TellCase& tell) {
   setting.scene = grid();
   setting.scene.push_back(point(Role::ray, eye().eye, "eye"));
   setting.camera = beside_the_camera();
-  setting.near = setting.wide = {eye().eye - 0.55 * camera::axes(eye()).w, 0.72};
+  Items reach = setting.scene;
+  const CameraAxes<double> axes = camera::axes(eye());
+  for (const glm::dvec3& way : {axes.u, axes.v, axes.w})
+    reach.push_back(arrow(Role::edge, eye().eye, eye().eye + 0.6 * way));
+  setting.near = setting.wide = view_of(extent_of(reach, setting.camera), setting.camera);
   setting.slider->origin = eye().eye;
   setting.slider->from = 0;
   setting.slider->to = 1.4;
@@ -217,7 +222,7 @@ Stage loop_stage(const Case& one, const TellCase& tell) {
   for (const Ball& ball : balls) setting.scene.push_back(ball_item(ball));
   setting.scene.push_back(point(Role::ray, eye().eye, "eye"));
   setting.camera = beside_the_camera();
-  const StageView view{{1.55, -0.9, 0.75}, 1.75};
+  const StageView view = view_of(extent_of(setting.scene, setting.camera), setting.camera);
   setting.near = setting.wide = view;
   Stage stage = stage_of(told);
   stage.scene = setting.scene;

@@ -72,7 +72,7 @@ Stage intervals_stage(const Case& one, const TellCase& tell) {
   for (int t = static_cast<int>(std::ceil(axis.from)); t <= axis.to; ++t) {
     const double x = axis.at(t);
     setting.scene.push_back(segment(Role::frame, {x, -0.62, 0}, {x, 0.6, 0}));
-    setting.scene.push_back(point(Role::surface, {x, -0.66, 0}, std::to_string(t)));
+    setting.scene.push_back(point(Role::text, {x, -0.69, 0}, std::to_string(t)));
   }
   setting.bindings = {interval(axis, "x_in", "x_out", 0.45, Role::edge),
                       interval(axis, "y_in", "y_out", 0.15, Role::edge),
@@ -156,7 +156,7 @@ Stage digits_stage(const Case& one, const TellCase& tell) {
   const auto x = [&](double bits) { return -0.7 + 1.7 * bits / digits; };
   for (const double bits : {0.0, digits / 4, digits / 2, 3 * digits / 4, digits}) {
     setting.scene.push_back(segment(Role::frame, {x(bits), -0.7, 0}, {x(bits), 0.68, 0}));
-    setting.scene.push_back(point(Role::surface, {x(bits), -0.72, 0}, rough(bits) + " bits"));
+    setting.scene.push_back(point(Role::text, {x(bits), -0.75, 0}, rough(bits) + " bits"));
   }
   Stage stage = composed_stage(told, *told.walk, setting);
   // What the roots are on the ray has no place in this drawing.
@@ -170,7 +170,7 @@ Stage digits_stage(const Case& one, const TellCase& tell) {
       items.push_back(segment(Role::exact, {x(0), y, 0}, {x(kept), y, 0}));
       if (value.bits_lost >= 0.5)
         items.push_back(segment(Role::claimed, {x(kept), y, 0}, {x(digits), y, 0}, {}, Pattern::dotted));
-      items.push_back(point(Role::text, {x(0) - 0.12, y, 0}, value.name));
+      items.push_back(point(Role::text, {x(0) - 0.1, y, 0}, value.name));
     }
   }
   stage.steps.front().title = "Every number begins with all its digits";

@@ -23,7 +23,7 @@ Stage transformed_stage(const Case& one, const TellCase& tell) {
   step.items = {{Role::surface, Form::ellipsoid, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
                 arrow(Role::ray, n.origin(), n.at(n["t₁"] * 1.25), "o′ + t·d′"),
                 point(Role::ray, n.origin(), "o′"),
-                point(Role::text, {0, 0, 0}, "the object's own space")};
+                point(Role::text, -1.25 * stage.camera.up, "the object's own space")};
   // At the right of what there is in the world.
   const auto reach = [&](const Items& items) {
     return view_of(extent_of(items, stage.camera), stage.camera);
