@@ -110,7 +110,8 @@ Walkthrough tell_steps(const Tape& tape, Precision precision) {
   std::vector<OperationId> all;
   for (std::size_t i = 0; i < tape.steps.size(); ++i) {
     const auto operations = operations_of_step(tape, static_cast<std::ptrdiff_t>(i));
-    walk.steps.push_back({tape.steps[i], loss_sentence(worst_loss_of(tape, operations)), {}, {}});
+    const auto loss = worst_loss_of(tape, operations);
+    walk.steps.push_back({tape.steps[i], loss_sentence(loss), {}, {}, loss});
     all.insert(all.end(), operations.begin(), operations.end());
   }
   for (const NamedValue& named : tape.names) {

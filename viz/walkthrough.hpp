@@ -57,6 +57,7 @@ struct WalkStep {
   std::string caption;  ///< what the step did to the digits, in one sentence
   std::vector<WalkValue> values{};
   std::vector<WalkItem> items{};
+  std::optional<Death> loss{};  ///< what the caption tells; none where none is worth it
 };
 
 /// How the float run came out beside the same formula in real numbers.

@@ -4,14 +4,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <rayproof/finite.hpp>
 
 namespace rayproof::viz {
-namespace {
-
-bool is_finite(const glm::dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
-
-}  // namespace
-
 std::vector<glm::dvec3> extent_of(const StageItem& item, const StageCamera& camera) {
   if (item.form != Form::ellipsoid) return item.points;
   const glm::dvec3& centre = item.points.at(0);
@@ -45,7 +40,7 @@ StageView view_of(const std::vector<glm::dvec3>& points, const StageCamera& came
   glm::dvec3 least(std::numeric_limits<double>::infinity());
   glm::dvec3 most = -least;
   for (const glm::dvec3& p : points) {
-    if (!is_finite(p)) continue;
+    if (!rayproof::is_finite(p)) continue;
     const glm::dvec3 seen{glm::dot(p, camera.right), glm::dot(p, camera.up), glm::dot(p, camera.toward)};
     least = glm::min(least, seen);
     most = glm::max(most, seen);

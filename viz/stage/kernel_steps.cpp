@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "viz/answers.hpp"
+#include "viz/losses.hpp"
 #include "viz/numbers.hpp"
 #include "viz/stage/vector_formula.hpp"
 #include "viz/stage/words.hpp"
@@ -176,6 +177,18 @@ std::optional<Death> worst_loss_of(const std::vector<StageValue>& values) {
   return worst;
 }
 
+/// What became of the digits; nothing to say of a step that names no number and loses none.
+std::string digits_of(const std::vector<StageValue>& values, const std::optional<Death>& loss) {
+  if (loss) return loss_sentence(loss);
+  if (values.empty()) return "";
+  const bool is_spoilt = std::any_of(values.begin(), values.end(), [](const StageValue& value) {
+    return std::any_of(value.components.begin(), value.components.end(),
+                       [](const WalkValue& component) { return component.bits_lost >= noteworthy; });
+  });
+  return is_spoilt ? "No more digits of note are lost here; those lost before stay lost."
+                   : loss_sentence(loss);
+}
+
 std::vector<StageValue> values_of(const Walkthrough& walk, std::size_t index, const NumbersByName& n,
                                   Precision precision) {
   std::vector<StageValue> values = grouped(walk.steps[index].values);
@@ -205,10 +218,8 @@ std::vector<StageStep> kernel_steps(const Told& told, const Walkthrough& walk, s
     if (i == 0) step.words = words_for(title);
     if (i == 0) add_placed(step, items_of(title, n, setting), setting);
     for (const StageValue& value : step.values) add_placed(step, items_of(value.name, n, setting), setting);
-    const bool names_nothing = step.values.empty() && walk.steps[index].caption == loss_sentence({});
-    step.digits = names_nothing       ? ""
-                  : parts.size() == 1 ? walk.steps[index].caption
-                                      : loss_sentence(worst_loss_of(parts[i]));
+    step.digits =
+        digits_of(step.values, parts.size() == 1 ? walk.steps[index].loss : worst_loss_of(parts[i]));
     caption(step, told, index + 1 == walk.steps.size());
     step.view = view_of(step, setting);
     steps.push_back(std::move(step));

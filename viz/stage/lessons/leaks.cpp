@@ -45,7 +45,7 @@ void add_steps(Stage& stage, const Told& told, const Setting& setting, const std
 }
 
 /// A triangle of the two, what is told of it, and how far beyond the shared edge its own numbers put the ray.
-struct Side {
+struct Judge {
   const char* name;
   const Told& told;
   const Triangle<double>& triangle;
@@ -66,10 +66,10 @@ struct Side {
 };
 
 /// The last step: across the edge, from so near that one sees on which side each triangle puts the ray.
-StageStep edge_step(const std::array<Side, 2>& sides, const Setting& setting) {
+StageStep edge_step(const std::array<Judge, 2>& sides, const Setting& setting) {
   const std::array<double, 2> sign{-1, 1};  // the first triangle lies at the left
   double farthest = 0;
-  for (const Side& side : sides) farthest = std::max(farthest, std::abs(side.v().value) * side.height());
+  for (const Judge& side : sides) farthest = std::max(farthest, std::abs(side.v().value) * side.height());
   const auto at = [&](std::size_t i, double v, double up) {
     return sign.at(i) * v * sides.at(i).height() / farthest * 2 * setting.camera.right +
            up * setting.camera.up;
@@ -93,7 +93,7 @@ StageStep edge_step(const std::array<Side, 2>& sides, const Setting& setting) {
     step.items.push_back(
         point(Role::claimed, at(i, v.value, up), fmt::format("as the {} computes it", sides.at(i).name)));
   }
-  const auto measured = [](const Side& side) {
+  const auto measured = [](const Judge& side) {
     const double v = side.v().value;
     return fmt::format("the {} computes {}, {}", side.name, rough(v, 3), v < 0 ? "beyond it" : "on its side");
   };

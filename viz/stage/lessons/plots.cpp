@@ -112,7 +112,7 @@ Stage barycentric_stage(const Case& one, const TellCase& tell) {
                                            "β is the part opposite b", "γ is what is left for c"};
   walk.steps.clear();
   for (std::size_t i = 0; i < values.size(); ++i)
-    walk.steps.push_back({titles[i], loss_sentence(values[i].loss), {values[i]}, {}});
+    walk.steps.push_back({titles[i], loss_sentence(values[i].loss), {values[i]}, {}, values[i].loss});
   Setting setting = plot_setting(told);
   setting.scene = {polygon(Role::surface, {triangle.a, triangle.b, triangle.c}),
                    polyline(Role::surface, {triangle.a, triangle.b, triangle.c, triangle.a}),
