@@ -34,20 +34,18 @@ Picture help_picture(const Stage& stage) {
   Picture picture;
   picture.title = stage.title;
   picture.description = "What the keys and the mouse do.";
-  const auto write = [&](Role role, const Point& at, const std::string& text, double size, bool is_bold) {
-    picture.elements.emplace_back(Text{role, at, text, Anchor::start, size, is_bold});
-  };
-  write(Role::text, {margin, 44}, "What the keys and the mouse do", 22, true);
+  add_text(picture, Role::text, {margin, 44}, "What the keys and the mouse do", 22, true);
   double y = 90;
   for (const Help& one : help) {
-    write(Role::text, {margin, y}, one.keys, 14, true);
-    write(Role::text, {column, y}, one.what, 14, false);
+    add_text(picture, Role::text, {margin, y}, one.keys, 14, true);
+    add_text(picture, Role::text, {column, y}, one.what, 14, false);
     y += 31;
   }
-  write(Role::muted, {margin, y + 8},
-        "The numbers are the run's own: each drag makes a case and runs the method and the exact answer on "
-        "it again.",
-        13, false);
+  add_text(
+      picture, Role::muted, {margin, y + 8},
+      "The numbers are the run's own: each drag makes a case and runs the method and the exact answer on "
+      "it again.",
+      13, false);
   return picture;
 }
 

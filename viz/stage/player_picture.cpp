@@ -18,11 +18,6 @@ namespace {
 constexpr double rounded_column = 214;
 constexpr double exact_column = 520;
 
-void write(Picture& picture, Role role, const Point& at, const std::string& text, double size,
-           bool is_bold = false, Anchor anchor = Anchor::start) {
-  picture.elements.emplace_back(Text{role, at, text, anchor, size, is_bold});
-}
-
 void outline(Picture& picture, Role role, const Box& box, double width, Pattern pattern = Pattern::solid) {
   picture.elements.emplace_back(Line{role,
                                      {{box.left, box.top},
@@ -39,35 +34,35 @@ Box around(const Point& p, double radius) { return {p.x - radius, p.y - radius, 
 void draw_button(Picture& picture, const Button& button) {
   outline(picture, button.is_current ? Role::text : Role::frame, button.box, button.is_current ? 2.5 : 1.2);
   const double size = button.box.width < 24 ? 11 : 14;
-  write(picture, button.is_enabled ? Role::text : Role::frame,
-        {button.box.centre().x, button.box.centre().y + size * 0.36}, button.text, size, button.is_current,
-        Anchor::middle);
+  add_text(picture, button.is_enabled ? Role::text : Role::frame,
+           {button.box.centre().x, button.box.centre().y + size * 0.36}, button.text, size, button.is_current,
+           Anchor::middle);
 }
 
 /// The whole range with its ends, and a bar where t stands.
 void draw_slider(Picture& picture, const StageSlider& slider, double t, Precision precision,
                  bool is_focused) {
   const double y = slider_track.centre().y;
-  write(picture, Role::text, {slide_margin, y + 5},
-        fmt::format("{} = {}", slider.symbol, shown(t, precision)), 16, true);
+  add_text(picture, Role::text, {slide_margin, y + 5},
+           fmt::format("{} = {}", slider.symbol, shown(t, precision)), 16, true);
   picture.elements.emplace_back(Line{Role::frame, {{slider_track.left, y}, {slider_track.right(), y}}, 3});
   const double x = x_on_track(slider, t);
   picture.elements.emplace_back(Line{Role::text, {{x, y - 11}, {x, y + 11}}, 7});
   if (is_focused) outline(picture, Role::claimed, {x - 8, y - 15, 16, 30}, 2);
-  write(picture, Role::muted, {slider_track.left, y + 24}, rough(slider.from), 11);
-  write(picture, Role::muted, {slider_track.right(), y + 24}, rough(slider.to), 11, false, Anchor::end);
+  add_text(picture, Role::muted, {slider_track.left, y + 24}, rough(slider.from), 11);
+  add_text(picture, Role::muted, {slider_track.right(), y + 24}, rough(slider.to), 11, false, Anchor::end);
 }
 
 void draw_live_values(Picture& picture, const StageSlider& slider, double t, Precision precision) {
   const bool is_float = precision == Precision::float32;
   double y = controls_top + 106;
-  write(picture, Role::muted, {rounded_column, y}, is_float ? "float" : "double", 12);
-  if (is_float) write(picture, Role::muted, {exact_column, y}, "exact", 12);
+  add_text(picture, Role::muted, {rounded_column, y}, is_float ? "float" : "double", 12);
+  if (is_float) add_text(picture, Role::muted, {exact_column, y}, "exact", 12);
   for (const LiveValue& value : live_values(slider, t, precision)) {
     y += 18;
-    write(picture, Role::text, {slide_margin, y}, value.label, 13, true);
-    write(picture, Role::claimed, {rounded_column, y}, value.rounded, 13);
-    write(picture, Role::exact, {exact_column, y}, value.exact, 13);
+    add_text(picture, Role::text, {slide_margin, y}, value.label, 13, true);
+    add_text(picture, Role::claimed, {rounded_column, y}, value.rounded, 13);
+    add_text(picture, Role::exact, {exact_column, y}, value.exact, 13);
   }
 }
 
@@ -127,14 +122,14 @@ void Player::draw_controls(Picture& picture) const {
   }
   const Point bottom{slide_margin, player_height - 12};
   if (!complaint_.empty()) {
-    write(picture, Role::claimed, bottom, wrapped(complaint_, player_width - 2 * slide_margin, 13).front(),
-          13, true);
+    add_text(picture, Role::claimed, bottom, wrapped(complaint_, player_width - 2 * slide_margin, 13).front(),
+             13, true);
     return;
   }
   std::string hint = fmt::format("The arrow keys move {} (Tab: the next).", name_of(focus_));
   if (!handles().empty()) hint += " Drag a square to move it";
   if (!camera_.is_flat) hint += handles().empty() ? " Drag to look around." : ", elsewhere to look around.";
-  write(picture, Role::muted, bottom, hint, 12);
+  add_text(picture, Role::muted, bottom, hint, 12);
 }
 
 Picture Player::picture() const {

@@ -18,11 +18,6 @@ constexpr double margin = slide_margin;
 constexpr Box scene_frame = slide_scene;
 constexpr double column = 634;
 
-void write(Picture& picture, Role role, const Point& at, const std::string& text, double size,
-           bool bold = false) {
-  picture.elements.emplace_back(Text{role, at, text, Anchor::start, size, bold});
-}
-
 std::string cut(const std::string& text, double width, double size) {
   const auto lines = wrapped(text, width, size);
   return lines.size() < 2 ? text : lines.front() + "…";
@@ -80,9 +75,9 @@ void draw_values(Picture& picture, const Stage& stage, const StageStep& step) {
   double y = scene_frame.top + 14;
   for (const auto& lines : values) {
     for (const ValueLine& line : lines) {
-      if (*line.what != '\0') write(picture, Role::muted, {column + 8, y}, line.what, 12);
-      write(picture, line.role, {line.is_name ? column : column + 62, y}, line.text, line.is_name ? 14 : 13,
-            line.is_name);
+      if (*line.what != '\0') add_text(picture, Role::muted, {column + 8, y}, line.what, 12);
+      add_text(picture, line.role, {line.is_name ? column : column + 62, y}, line.text,
+               line.is_name ? 14 : 13, line.is_name);
       y += row;
     }
     y += 5;
@@ -94,14 +89,14 @@ void draw_caption(Picture& picture, const StageStep& step) {
   const double width = slide_width - 2 * margin;
   const double size = text_width(step.caption, 16) > 2 * width ? 13 : 16;
   for (const std::string& line : wrapped(step.caption, width, size)) {
-    write(picture, Role::text, {margin, y}, line, size);
+    add_text(picture, Role::text, {margin, y}, line, size);
     y += size * 1.3;
     if (y > slide_height - 58) break;
   }
   if (step.digits.empty()) return;
   for (const std::string& line : wrapped(step.digits, width, 13)) {
     if (y > slide_height - 40) break;
-    write(picture, Role::muted, {margin, y}, line, 13);
+    add_text(picture, Role::muted, {margin, y}, line, 13);
     y += 17;
   }
 }
@@ -115,7 +110,7 @@ void draw_legend(Picture& picture, const Stage& stage) {
     } else {
       picture.elements.emplace_back(Line{entry.role, {{x - 3, y - 4}, {x + 15, y - 4}}, 2.6});
     }
-    write(picture, Role::muted, {x + 20, y}, entry.text, 12);
+    add_text(picture, Role::muted, {x + 20, y}, entry.text, 12);
     x += 20 + text_width(entry.text, 12) + 18;
   }
 }
@@ -173,8 +168,8 @@ Picture slide_picture(const Stage& stage, std::size_t number) {
   const std::string place = fmt::format("{} of {}", number + 1, stage.steps.size());
   const std::string title = fmt::format("{}. {}", number + 1, step.title);
   const double title_size = std::clamp(22 * 800 / text_width(title, 22, true), 14.0, 22.0);
-  write(picture, Role::text, {margin, 34}, title, title_size, true);
-  write(picture, Role::muted, {margin, 54}, cut(stage.title, 700, 13), 13);
+  add_text(picture, Role::text, {margin, 34}, title, title_size, true);
+  add_text(picture, Role::muted, {margin, 54}, cut(stage.title, 700, 13), 13);
   picture.elements.emplace_back(Text{Role::muted, {slide_width - margin, 34}, place, Anchor::end, 14});
   draw_scene(picture, scene_frame, stage, number);
   if (step.is_apart && step.magnification != 1) {
@@ -199,7 +194,7 @@ Picture contact_sheet(const Stage& stage) {
   sheet.width = gap + static_cast<double>(columns) * (slide_width + gap);
   const double top = 70;
   sheet.height = top + static_cast<double>(rows) * (slide_height + gap);
-  write(sheet, Role::text, {gap + margin, 46}, stage.title, 30, true);
+  add_text(sheet, Role::text, {gap + margin, 46}, stage.title, 30, true);
   for (std::size_t i = 0; i < stage.steps.size(); ++i) {
     const double x = gap + static_cast<double>(i % columns) * (slide_width + gap);
     const double y = top + static_cast<double>(i / columns) * (slide_height + gap);

@@ -11,6 +11,12 @@
 
 namespace rayproof::viz {
 
+/// Writes a line of text into a picture.
+inline void add_text(Picture& picture, Role role, const Point& at, const std::string& text, double size,
+                     bool is_bold = false, Anchor anchor = Anchor::start) {
+  picture.elements.emplace_back(Text{role, at, text, anchor, size, is_bold});
+}
+
 /// Draws a step's scene into a frame of a picture, its own items bright and those of the steps before dimmed.
 void draw_scene(Picture& picture, const Box& frame, const Stage& stage, std::size_t step);
 
