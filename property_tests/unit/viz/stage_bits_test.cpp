@@ -41,35 +41,38 @@ NamedNumbers shown_in(const Json& step) {
   return shown;
 }
 
-/// What a method's kernel names in plain T, of the problem that a case puts.
+/// The problem that a case puts, in an arithmetic that hears names: only the kernel's own are left.
+template <class Topic, class H>
+typename Topic::template Problem<H> heard_problem(const Case& one) {
+  if constexpr (std::is_same_v<Topic, quadratic::Topic>) {
+    H::names.clear();
+    return {convert<H>(std::get<Quadratic<double>>(one.question))};
+  } else {
+    const auto& question = std::get<RayQuestion>(one.question);
+    using Shape = decltype(Topic::template Problem<H>::shape);
+    const auto shape = recorded_shape<Shape, H>(question);
+    H::names.clear();
+    if (!question.transform) return {convert<H>(question.ray), shape};
+    const auto ray = in_object_space<H>(convert<H>(question.ray), *question.transform, "d", Topic::name);
+    H::names.erase(H::names.begin(), H::names.begin() + 12);  // the map's columns are inputs
+    return {ray, shape};
+  }
+}
+
+/// What a method's kernel names in plain T.
 template <class Topic, class T>
 NamedNumbers heard_in(const Case& one, const std::string& method) {
   using H = Heard<T>;
   NamedNumbers names;
-  Topic::Methods::for_each([&]<class Method>(std::type_identity<Method>) {
-    if constexpr (Recordable<Method, H> && !std::is_same_v<Topic, point_in_polygon::Topic>) {
-      if (method != std::string(Topic::name) + "/" + Method::name) return;
-      using Problem = typename Topic::template Problem<H>;
-      const auto problem = [&]() -> Problem {
-        if constexpr (std::is_same_v<Topic, quadratic::Topic>) {
-          return {convert<H>(std::get<Quadratic<double>>(one.question))};
-        } else {
-          const auto& question = std::get<RayQuestion>(one.question);
-          using Shape = decltype(Problem::shape);
-          const auto shape = recorded_shape<Shape, H>(question);
-          H::names.clear();
-          if (!question.transform) return {convert<H>(question.ray), shape};
-          const auto ray =
-              in_object_space<H>(convert<H>(question.ray), *question.transform, "d", Topic::name);
-          H::names.erase(H::names.begin(), H::names.begin() + 12);  // the map's columns are inputs
-          return {ray, shape};
-        }
-      }();
-      if (std::is_same_v<Topic, quadratic::Topic>) H::names.clear();
-      (void)Topic::template solve<Method>(problem);
-      names = H::names;
-    }
-  });
+  if constexpr (!std::is_same_v<Topic, point_in_polygon::Topic>) {
+    Topic::Methods::for_each([&]<class Method>(std::type_identity<Method>) {
+      if constexpr (Recordable<Method, H>) {
+        if (method != std::string(Topic::name) + "/" + Method::name) return;
+        (void)Topic::template solve<Method>(heard_problem<Topic, H>(one));
+        names = H::names;
+      }
+    });
+  }
   return names;
 }
 
