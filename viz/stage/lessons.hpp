@@ -8,6 +8,7 @@ namespace rayproof::viz {
 
 [[nodiscard]] std::vector<Lesson> ray_lessons();
 [[nodiscard]] std::vector<Lesson> camera_lessons();
+[[nodiscard]] std::vector<Lesson> raycasting_lessons();
 [[nodiscard]] std::vector<Lesson> plane_lessons();
 [[nodiscard]] std::vector<Lesson> triangle_lessons();
 [[nodiscard]] std::vector<Lesson> polygon_lessons();
