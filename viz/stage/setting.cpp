@@ -52,9 +52,9 @@ Items items_of(const Figure& figure, const Place& toward, double size) {
 /// The stretch of t on which the ray's line is in the view, within the ray's interval where it reaches so
 /// far.
 std::pair<double, double> stretch_in(const StageView& view, const Ray<double>& ray) {
-  const double square = glm::dot(ray.direction, ray.direction);
-  const double middle = glm::dot(view.centre - ray.origin, ray.direction) / square;
-  const double half = 1.1 * view_aspect * view.radius / std::sqrt(square);  // a little beyond the view
+  const double speed = glm::length(ray.direction);
+  const double middle = glm::dot(view.centre - ray.origin, ray.direction) / (speed * speed);
+  const double half = 1.1 * view_aspect * view.radius / speed;  // a little beyond the view
   const double from = std::max(middle - half, ray.t_min);
   const double to = std::min(middle + half, ray.t_max);
   return from < to ? std::pair{from, to} : std::pair{middle - half, middle + half};
@@ -145,11 +145,6 @@ Setting ray_setting(const Told& told, Figure (*figure)(const Sight&)) {
 }
 
 }  // namespace
-
-glm::dvec3 rounded(const Place& p) {
-  return {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
-}
-Place place(const glm::dvec3& p) { return convert<Shadow>(p); }
 
 Setting setting_of(const Told& told) {
   const TopicView* const view = view_of(told.one);

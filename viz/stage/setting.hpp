@@ -24,9 +24,6 @@ struct Setting {
 
 [[nodiscard]] Setting setting_of(const Told& told);
 
-[[nodiscard]] glm::dvec3 rounded(const Place& p);
-[[nodiscard]] Place place(const glm::dvec3& p);
-
 /// The step "Where float and exact part": what the exact answer says beside the method's, magnified where
 /// they are too near to be told apart.
 [[nodiscard]] StageStep parting_step(const Told& told, const Setting& setting);

@@ -20,10 +20,6 @@ std::vector<glm::dvec3> all_around() {
   return directions;
 }
 
-glm::dvec3 rounded(const Place& v) {
-  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
-}
-
 /// How well the ray and the worst seen surface are seen, 1 being well enough; among equals, the world's z
 /// axis rather points up, and the eye is rather in front of the first surface.
 double score(const glm::dvec3& toward, const glm::dvec3& ray, const std::vector<glm::dvec3>& normals) {
@@ -42,6 +38,10 @@ double score(const glm::dvec3& toward, const glm::dvec3& ray, const std::vector<
 }
 
 }  // namespace
+
+glm::dvec3 rounded(const Place& v) {
+  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
 
 Shadow length(const Place& v) { return sqrt(dot(v, v)); }
 

@@ -13,6 +13,7 @@ namespace rayproof::viz {
 /// A point or vector of the world.
 using Place = vec3<Shadow>;
 
+[[nodiscard]] glm::dvec3 rounded(const Place& v);
 [[nodiscard]] Shadow length(const Place& v);
 /// Of length 1; 0 stays 0.
 [[nodiscard]] Place unit(const Place& v);
