@@ -1,6 +1,6 @@
-#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "case/json_number.hpp"
 #include "case/writer.hpp"
 #include "viz/told.hpp"
 
@@ -9,22 +9,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// JSON has no infinities: they are the strings of the case format.
-Json number(double value) {
-  if (std::isnan(value)) return "nan";
-  if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
-  return value;
-}
-
 Json values(const std::vector<WalkValue>& list) {
   Json all = Json::array();
   for (const WalkValue& v : list) {
     all.push_back({{"name", v.name},
                    {"formula", v.formula},
-                   {"value", number(v.value)},
+                   {"value", json_number(v.value)},
                    {"exact", v.exact},
-                   {"error", number(v.error)},
-                   {"error_bound", number(v.error_bound)},
+                   {"error", json_number(v.error)},
+                   {"error_bound", json_number(v.error_bound)},
                    {"bits_lost", v.bits_lost}});
   }
   return all;

@@ -17,7 +17,7 @@ struct Expression {
   Strength strength = atom;
 };
 
-std::string wrapped(const Expression& e, Strength least) {
+std::string bracketed(const Expression& e, Strength least) {
   return e.strength < least ? fmt::format("({})", e.text) : e.text;
 }
 
@@ -58,17 +58,17 @@ class FormulaWriter {
         if (numbers_) return number(id);
         return {o.name.empty() ? rough(o.value, 17) : o.name, o.value < 0 ? sign : atom};
       case Operator::negate:
-        return {fmt::format("−{}", wrapped(at(0), product)), sign};
+        return {fmt::format("−{}", bracketed(at(0), product)), sign};
       case Operator::add:
-        return {fmt::format("{} + {}", at(0).text, wrapped(at(1), product)), sum};
+        return {fmt::format("{} + {}", at(0).text, bracketed(at(1), product)), sum};
       case Operator::subtract:
-        return {fmt::format("{} − {}", at(0).text, wrapped(at(1), product)), sum};
+        return {fmt::format("{} − {}", at(0).text, bracketed(at(1), product)), sum};
       case Operator::multiply:
-        return {fmt::format("{}·{}", wrapped(at(0), product), wrapped(at(1), product)), product};
+        return {fmt::format("{}·{}", bracketed(at(0), product), bracketed(at(1), product)), product};
       case Operator::divide:
-        return {fmt::format("{} / {}", wrapped(at(0), product), wrapped(at(1), atom)), product};
+        return {fmt::format("{} / {}", bracketed(at(0), product), bracketed(at(1), atom)), product};
       case Operator::square_root:
-        return {fmt::format("√{}", wrapped(at(0), atom)), atom};
+        return {fmt::format("√{}", bracketed(at(0), atom)), atom};
       case Operator::fused_multiply_add:
         return {fmt::format("fma({}, {}, {})", at(0).text, at(1).text, at(2).text), atom};
       case Operator::absolute:
@@ -78,7 +78,7 @@ class FormulaWriter {
       case Operator::exponent:
         return {fmt::format("exponent({})", at(0).text), atom};
       case Operator::scale_exponent:
-        return {fmt::format("{}·2^({})", wrapped(at(0), product), at(1).text), product};
+        return {fmt::format("{}·2^({})", bracketed(at(0), product), at(1).text), product};
       case Operator::floor:
         return {fmt::format("floor({})", at(0).text), atom};
     }

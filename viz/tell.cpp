@@ -29,7 +29,7 @@ WalkValue value_of(const Tape& tape, OperationId id, const std::string& name, Pr
   return value;
 }
 
-std::vector<WalkValue> values_of(const Tape& tape, const NamedValue& named, Precision precision) {
+std::vector<WalkValue> named_values(const Tape& tape, const NamedValue& named, Precision precision) {
   if (named.components.size() == 1) return {value_of(tape, named.components[0], named.name, precision)};
   std::vector<WalkValue> values;
   const char* suffix[] = {".x", ".y", ".z"};
@@ -116,7 +116,7 @@ Walkthrough tell_steps(const Tape& tape, Precision precision) {
   }
   for (const NamedValue& named : tape.names) {
     auto& values = named.step < 0 ? walk.inputs : walk.steps.at(static_cast<std::size_t>(named.step)).values;
-    const auto more = values_of(tape, named, precision);
+    const auto more = named_values(tape, named, precision);
     values.insert(values.end(), more.begin(), more.end());
   }
   for (WalkStep& step : walk.steps) point_out(step);

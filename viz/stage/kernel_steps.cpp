@@ -189,8 +189,8 @@ std::string digits_of(const std::vector<StageValue>& values, const std::optional
                    : loss_sentence(loss);
 }
 
-std::vector<StageValue> values_of(const Walkthrough& walk, std::size_t index, const NumbersByName& n,
-                                  Precision precision) {
+std::vector<StageValue> step_values(const Walkthrough& walk, std::size_t index, const NumbersByName& n,
+                                    Precision precision) {
   std::vector<StageValue> values = grouped(walk.steps[index].values);
   for (StageValue& value : values) complete(value, n, precision);
   return values;
@@ -201,14 +201,14 @@ std::vector<StageValue> values_of(const Walkthrough& walk, std::size_t index, co
 std::size_t count_parts(const Told& told, const Walkthrough& walk, std::size_t index,
                         const Setting& setting) {
   const NumbersByName n(walk, index);
-  return parts_of(values_of(walk, index, n, told.one.precision), n, setting).size();
+  return parts_of(step_values(walk, index, n, told.one.precision), n, setting).size();
 }
 
 std::vector<StageStep> kernel_steps(const Told& told, const Walkthrough& walk, std::size_t index,
                                     const Setting& setting, bool is_split) {
   const NumbersByName n(walk, index);
   const std::string& title = walk.steps[index].title;
-  const std::vector<StageValue> values = values_of(walk, index, n, told.one.precision);
+  const std::vector<StageValue> values = step_values(walk, index, n, told.one.precision);
   const auto parts = is_split ? parts_of(values, n, setting) : std::vector<std::vector<StageValue>>{values};
   std::vector<StageStep> steps;
   for (std::size_t i = 0; i < parts.size(); ++i) {

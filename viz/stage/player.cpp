@@ -12,7 +12,7 @@ namespace rayproof::viz {
 namespace {
 
 /// How near a handle the button must go down to take hold of it.
-constexpr double reach = 13;
+constexpr double grip_reach = 13;
 constexpr double radians_per_pixel = 0.01;
 
 }  // namespace
@@ -98,7 +98,7 @@ Request Player::press(const Point& at) {
   held_at_ = at;
   drag_ = Drag::orbit;
   const Projection seen = projection();
-  double nearest = reach;
+  double nearest = grip_reach;
   for (const Handle& handle : handles()) {
     const Point p = seen.to_pixels(handle.at);
     const double distance = std::hypot(p.x - at.x, p.y - at.y);

@@ -5,10 +5,10 @@
 namespace rayproof::viz {
 namespace {
 
-constexpr double top = controls_top + 10;
-constexpr double height = 28;
-constexpr double gap = 4;
-constexpr double square = 32;
+constexpr double row_top = controls_top + 10;
+constexpr double button_height = 28;
+constexpr double button_gap = 4;
+constexpr double square_button = 32;
 
 }  // namespace
 
@@ -17,10 +17,10 @@ std::vector<Button> buttons_of(const ButtonState& state) {
   double x = slide_margin;
   // Many steps share the room that is left of the buttons at the right.
   const double room = (state.stage_count > 1 ? 560.0 : 640.0) / (static_cast<double>(state.step_count) + 2);
-  const double step_width = std::min(square, room - gap);
+  const double step_width = std::min(square_button, room - button_gap);
   const auto add = [&](const std::string& text, const std::string& key, double width) -> Button& {
-    buttons.push_back({{x, top, width, height}, text, key});
-    x += width + gap;
+    buttons.push_back({{x, row_top, width, button_height}, text, key});
+    x += width + button_gap;
     return buttons.back();
   };
   add("◀", "Left", step_width).is_enabled = state.step > 0;
@@ -31,11 +31,12 @@ std::vector<Button> buttons_of(const ButtonState& state) {
   add("▶", "Right", step_width).is_enabled = state.step + 1 < state.step_count;
 
   constexpr double wide = 72;
-  const double right = 3 * wide + 2 * gap + (state.stage_count > 1 ? 2 * (square + gap) : 0);
+  const double right =
+      3 * wide + 2 * button_gap + (state.stage_count > 1 ? 2 * (square_button + button_gap) : 0);
   x = player_width - slide_margin - right;
   if (state.stage_count > 1) {
-    add("«", "p", square).is_enabled = state.stage > 0;
-    add("»", "n", square).is_enabled = state.stage + 1 < state.stage_count;
+    add("«", "p", square_button).is_enabled = state.stage > 0;
+    add("»", "n", square_button).is_enabled = state.stage + 1 < state.stage_count;
   }
   add("Reset r", "r", wide);
   add("Help h", "h", wide).is_current = state.is_help_shown;

@@ -15,7 +15,7 @@ namespace rayproof::viz {
 namespace {
 
 /// Room that a handle wants at the frame's border.
-constexpr double inset = 14;
+constexpr double frame_inset = 14;
 
 /// Whether the stage's slider runs along the ray of its case, so that the scene shows that ray.
 bool shows_ray(const StageSlider& slider, const Ray<double>& ray) {
@@ -38,8 +38,8 @@ std::optional<double> last_t_in(const Box& frame, const Projection& projection, 
 
 std::vector<Handle> ray_handles(const Ray<double>& ray, const StageSlider& slider,
                                 const Projection& projection) {
-  const Box frame{projection.frame.left + inset, projection.frame.top + inset,
-                  projection.frame.width - 2 * inset, projection.frame.height - 2 * inset};
+  const Box frame{projection.frame.left + frame_inset, projection.frame.top + frame_inset,
+                  projection.frame.width - 2 * frame_inset, projection.frame.height - 2 * frame_inset};
   std::vector<Handle> handles;
   if (frame.holds(projection.to_pixels(ray.origin))) handles.push_back({Grip::origin, ray.origin, 0});
   const double from = std::isfinite(ray.t_min) ? ray.t_min : slider.from;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "case/json_number.hpp"
 #include "case/writer.hpp"
 #include "viz/numbers.hpp"
 #include "viz/palette.hpp"
@@ -13,14 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// JSON has no infinities: they are the strings of the case format.
-Json number(double value) {
-  if (std::isnan(value)) return "nan";
-  if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
-  return value;
-}
-
-Json vector(const glm::dvec3& p) { return {number(p.x), number(p.y), number(p.z)}; }
+Json vector(const glm::dvec3& p) { return {json_number(p.x), json_number(p.y), json_number(p.z)}; }
 
 Json items(const std::vector<StageItem>& list) {
   static constexpr std::array<const char*, 7> forms{"point",   "segment", "arrow",    "polyline",
@@ -44,7 +38,7 @@ Json values(const std::vector<StageValue>& list, Precision precision) {
   for (const StageValue& value : list) {
     Json components = Json::array();
     for (const WalkValue& v : value.components) {
-      components.push_back({{"value", number(v.value)},
+      components.push_back({{"value", json_number(v.value)},
                             {"shown", shown(v.value, precision)},
                             {"exact", v.exact},
                             {"bits_lost", v.bits_lost}});
@@ -64,9 +58,9 @@ Json steps(const Stage& stage) {
         {"title", step.title}, {"words", step.words}, {"caption", step.caption}, {"digits", step.digits}};
     one["values"] = values(step.values, stage.precision);
     one["items"] = items(step.items);
-    one["view"] = {{"centre", vector(step.view.centre)}, {"radius", number(step.view.radius)}};
+    one["view"] = {{"centre", vector(step.view.centre)}, {"radius", json_number(step.view.radius)}};
     if (step.begins_anew) one["anew"] = true;
-    if (step.is_apart) one["magnification"] = number(step.magnification);
+    if (step.is_apart) one["magnification"] = json_number(step.magnification);
     all.push_back(one);
   }
   return all;
@@ -76,15 +70,15 @@ Json slider(const StageSlider& slider) {
   Json readouts = Json::array();
   for (const StageReadout& readout : slider.readouts) {
     Json coefficients = Json::array();
-    for (const double c : readout.coefficients) coefficients.push_back(number(c));
+    for (const double c : readout.coefficients) coefficients.push_back(json_number(c));
     readouts.push_back({{"label", readout.label}, {"coefficients", coefficients}});
   }
   return {{"symbol", slider.symbol},
           {"origin", vector(slider.origin)},
           {"direction", vector(slider.direction)},
-          {"from", number(slider.from)},
-          {"to", number(slider.to)},
-          {"start", number(slider.start)},
+          {"from", json_number(slider.from)},
+          {"to", json_number(slider.to)},
+          {"start", json_number(slider.start)},
           {"shows_point", slider.shows_point},
           {"readouts", readouts}};
 }

@@ -5,8 +5,8 @@
 namespace rayproof::viz {
 namespace {
 
-/// A figure smaller than this, in pixels, is a speck.
-constexpr double speck = 40;
+/// A figure smaller than this, in pixels, is too small to see.
+constexpr double least_shown = 40;
 
 View around(const Box& frame, const Extent& e) {
   const Shadow unit = e.half_size();
@@ -36,7 +36,9 @@ Fitted fit(const Box& frame, const Extent& figure, const RayLine& ray, const std
   const Shadow middle = (figure.left + figure.right) / 2;
   Extent shown = figure;
   Shadow size = figure.half_size() * 2;
-  const auto is_speck = [&](const Extent& e) { return size > 0 && size * around(frame, e).scale_x < speck; };
+  const auto is_speck = [&](const Extent& e) {
+    return size > 0 && size * around(frame, e).scale_x < least_shown;
+  };
   Extent with_line = figure;
   with_line.include({std::clamp<Shadow>(0, figure.left, figure.right), 0});
   if (is_speck(with_line)) return {around(frame, figure), false, true};

@@ -1,4 +1,5 @@
 #include "properties/report/json.hpp"
+#include "case/json_number.hpp"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -11,14 +12,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// JSON has no infinity: the case format's strings stand for it.
-Json number(double x) {
-  if (std::isfinite(x)) return x;
-  return std::isnan(x) ? "nan" : x > 0 ? "inf" : "-inf";
-}
-
 Json bound(double measured, double promised) {
-  return {{"measured", number(measured)}, {"promised", number(promised)}};
+  return {{"measured", json_number(measured)}, {"promised", json_number(promised)}};
 }
 
 Json worst_errors(const Worst& worst, const Contract& contract) {

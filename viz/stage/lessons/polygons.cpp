@@ -36,12 +36,12 @@ void cross_sides(const PointAndPolygon<double>& question, Takes&& takes) {
   }
 }
 
-struct Side {
+struct PolygonSide {
   glm::dvec3 a, b;
   std::string name;
 };
 
-Side side_of(const PointAndPolygon<double>& question, std::size_t i) {
+PolygonSide polygon_side(const PointAndPolygon<double>& question, std::size_t i) {
   const std::size_t count = question.vertices.size();
   const auto& a = question.vertices[i];
   const auto& b = question.vertices[polygon::next(i, count)];
@@ -67,7 +67,7 @@ Stage counted_stage(const Told& told, const Counting& counting) {
   const glm::dvec3 p(question.point.x, question.point.y, 0);
   for (std::size_t i = 0; i < question.vertices.size(); ++i) {
     StageStep& step = stage.steps[i + 1];
-    const Side side = side_of(question, i);
+    const PolygonSide side = polygon_side(question, i);
     step.items.push_back(segment(Role::edge, side.a, side.b, side.name));
     if (step.values.empty()) {
       step.caption = fmt::format("{}: {} Crossings so far: {}.", side.name, counting.because, count);
