@@ -36,10 +36,11 @@ bool is_error_term(const Operation<Shadow>& operation) {
 
 }  // namespace
 
-std::optional<Death> worst_loss_of(const Tape& tape, const std::vector<OperationId>& operations) {
+std::optional<Death> worst_loss_of(const Tape& tape, const std::vector<OperationId>& operations,
+                                   double arrived) {
   OperationId worst = unrecorded;
   for (const OperationId id : operations) {
-    if (is_error_term(tape.at(id))) continue;
+    if (is_error_term(tape.at(id)) || tape.at(id).bits_lost > arrived + 1) continue;
     if (worst == unrecorded || tape.at(id).bits_lost_here > tape.at(worst).bits_lost_here) worst = id;
   }
   if (worst == unrecorded || tape.at(worst).bits_lost_here < noteworthy) return std::nullopt;

@@ -65,6 +65,11 @@ std::string rough(const Shadow& value, int digits) {
                      exponent);
 }
 
+std::string scale_in_words(const Shadow& times) {
+  return times < 1 ? fmt::format("Reduced to 1/{}", rough(1 / times, 2))
+                   : fmt::format("Magnified ×{}", rough(times, 2));
+}
+
 std::string subscript(std::size_t index) {
   static constexpr const char* digits[] = {"₀", "₁", "₂", "₃", "₄", "₅", "₆", "₇", "₈", "₉"};
   return index < 10 ? digits[index] : std::to_string(index);

@@ -14,6 +14,8 @@ namespace rayproof::viz {
 /// Up to `digits` significant digits.
 [[nodiscard]] std::string rough(double value, int digits = 3);
 [[nodiscard]] std::string rough(const Shadow& value, int digits = 3);
+/// What a drawing at `times` the size of the thing says of itself: "Magnified ×20", "Reduced to 1/20".
+[[nodiscard]] std::string scale_in_words(const Shadow& times);
 /// A subscript: ₀, ₁, …
 [[nodiscard]] std::string subscript(std::size_t index);
 /// How many numbers of the precision lie from `a` to `b`; infinite where one of two different numbers is not

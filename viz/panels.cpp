@@ -42,7 +42,7 @@ std::string magnification(const View& main, const View& inset) {
   const Shadow x = inset.scale_x / main.scale_x;
   const Shadow y = inset.scale_y / main.scale_y;
   if (inset.scale_x == inset.scale_y && main.scale_x == main.scale_y) {
-    return fmt::format("Magnified ×{}", rough(x, 2));
+    return scale_in_words(x);
   }
   return fmt::format("Magnified ×{} along, ×{} across", rough(x, 2), rough(y, 2));
 }

@@ -25,7 +25,7 @@ WalkValue value_of(const Tape& tape, OperationId id, const std::string& name, Pr
   if (is_input) return value;
   value.formula = formula_of(tape, id);
   value.put_in = numbers_of(tape, id, precision);
-  value.loss = worst_loss_of(tape, operations_of_value(tape, id));
+  value.loss = worst_loss_of(tape, operations_of_value(tape, id), o.bits_lost);
   return value;
 }
 
@@ -62,6 +62,13 @@ void point_out(WalkStep& step) {
       step.items.push_back({Role::claimed, value.name, "root at x = " + rough(value.value, 9)});
     }
   }
+}
+
+/// What the worst of a step's numbers has lost; where it has none, anything may have been.
+double lost_by(const WalkStep& step) {
+  double most = step.values.empty() ? infinity<double> : 0;
+  for (const WalkValue& value : step.values) most = std::max(most, value.bits_lost);
+  return most;
 }
 
 /// -1 for no real root (NaN counts so), 0, 1.
@@ -107,19 +114,21 @@ Walkthrough tell_steps(const Tape& tape, Precision precision) {
   walk.precision = precision;
   walk.digits = precision == Precision::float32 ? std::numeric_limits<float>::digits
                                                 : std::numeric_limits<double>::digits;
-  std::vector<OperationId> all;
-  for (std::size_t i = 0; i < tape.steps.size(); ++i) {
-    const auto operations = operations_of_step(tape, static_cast<std::ptrdiff_t>(i));
-    const auto loss = worst_loss_of(tape, operations);
-    walk.steps.push_back({tape.steps[i], loss_sentence(loss), {}, {}, loss});
-    all.insert(all.end(), operations.begin(), operations.end());
-  }
+  for (const std::string& title : tape.steps) walk.steps.push_back({title, {}, {}, {}, {}});
   for (const NamedValue& named : tape.names) {
     auto& values = named.step < 0 ? walk.inputs : walk.steps.at(static_cast<std::size_t>(named.step)).values;
     const auto more = named_values(tape, named, precision);
     values.insert(values.end(), more.begin(), more.end());
   }
-  for (WalkStep& step : walk.steps) point_out(step);
+  std::vector<OperationId> all;
+  for (std::size_t i = 0; i < walk.steps.size(); ++i) {
+    WalkStep& step = walk.steps[i];
+    const auto operations = operations_of_step(tape, static_cast<std::ptrdiff_t>(i));
+    step.loss = worst_loss_of(tape, operations, lost_by(step));
+    step.caption = loss_sentence(step.loss);
+    point_out(step);
+    all.insert(all.end(), operations.begin(), operations.end());
+  }
   walk.worst_loss = worst_loss_of(tape, all);
   return walk;
 }

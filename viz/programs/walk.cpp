@@ -5,11 +5,11 @@
 
 #include "programs/progress_line.hpp"
 #include "viz/programs/files.hpp"
+#include "viz/programs/walk/walks.hpp"
 #include "viz/programs/walk/window.hpp"
 #include "viz/stage/lesson.hpp"
 #include "viz/stage/page.hpp"
 #include "viz/stage/stage_json.hpp"
-#include "viz/stage/stage_of.hpp"
 #include "viz/stage/stage_picture.hpp"
 #ifdef RAYPROOF_HAS_VTK
 #include "viz/vtk/offscreen_display.hpp"
@@ -34,36 +34,8 @@ struct Options {
 constexpr double slide_scale = 5.0 / 3;
 constexpr double sheet_scale = 2.0 / 3;
 
-double share(std::size_t done, std::size_t all) {
-  return static_cast<double>(done) / static_cast<double>(all);
-}
-
-/// A walkthrough and the group under which a gallery shows it.
-struct Walk {
-  std::string group;
-  viz::Stage stage;
-};
-
-std::vector<Walk> walks_for(const Options& options, ProgressLine& progress) {
-  if (!options.one.text.empty()) return {{"Cases", viz::stage_of(viz::tell_case(options.one))}};
-  const auto found = viz::lessons_of(options.topic);
-  if (options.topic.empty()) throw viz::WrongCommand("which walkthrough? Give a topic, --case or --list");
-  if (found.empty()) {
-    throw viz::WrongCommand(
-        fmt::format("there is no topic '{}'; rayproof walk --list names them", options.topic));
-  }
-  std::vector<Walk> walks;
-  for (const viz::Lesson* lesson : found) {
-    progress.show(share(walks.size(), found.size()), lesson->name + " is computed");
-    walks.push_back({lesson->group, viz::stage_of(*lesson, [](const Case& one, const std::string& method) {
-                       return viz::told_of(one, method);
-                     })});
-  }
-  return walks;
-}
-
 /// One page where the path is that of a page; else a folder of pages with a gallery.
-void write_pages(const std::vector<Walk>& walks, const std::string& path, ProgressLine& progress) {
+void write_pages(const std::vector<viz::Walk>& walks, const std::string& path, ProgressLine& progress) {
   if (walks.size() == 1 && path.ends_with(".html"))
     return viz::write_text(path, viz::stage_page(walks.front().stage));
   viz::make_folder(path);
@@ -71,23 +43,23 @@ void write_pages(const std::vector<Walk>& walks, const std::string& path, Progre
   std::vector<viz::GalleryEntry> gallery;
   for (const auto& [group, stage] : walks) {
     const std::string file = stage.name + ".html";
-    progress.show(share(gallery.size(), walks.size()), "page " + file);
+    progress.show(viz::share(gallery.size(), walks.size()), "page " + file);
     viz::write_text(folder / file, viz::stage_page(stage, "index.html"));
     gallery.push_back({group, file, &stage});
   }
   viz::write_text(folder / "index.html", viz::gallery_page(gallery));
 }
 
-void write_pngs(const std::vector<Walk>& walks, const std::string& folder, ProgressLine& progress) {
+void write_pngs(const std::vector<viz::Walk>& walks, const std::string& folder, ProgressLine& progress) {
 #ifdef RAYPROOF_HAS_VTK
   const viz::OffscreenDisplay display;
   viz::PictureCanvas canvas;
   viz::make_folder(folder);
   std::size_t all = 0;
-  for (const Walk& walk : walks) all += walk.stage.steps.size() + 1;
+  for (const viz::Walk& walk : walks) all += walk.stage.steps.size() + 1;
   std::size_t done = 0;
   const auto draw = [&](const viz::Picture& picture, const std::string& name, double scale) {
-    progress.show(share(done++, all), fmt::format("picture {}.png", name));
+    progress.show(viz::share(done++, all), fmt::format("picture {}.png", name));
     canvas.write(picture, fmt::format("{}/{}.png", folder, name), scale);
   };
   for (const auto& [group, stage] : walks) {
@@ -108,12 +80,18 @@ int main(int argc, char** argv) {
   CLI::App app("Shows a ray meeting a shape, step by step, to the last digit.", "rayproof walk");
   Options options;
   app.add_option("TOPIC", options.topic, "A topic of --list, a group of them, or all");
-  app.add_option("--case", options.one.text,
-                 "Any case: a file, -, the case as JSON, or a finding of rayproof check");
-  app.add_option("--line", options.one.line, "Which line of the file, from 1")->check(CLI::PositiveNumber);
-  app.add_option("--method", options.one.method, "The method for --case; a finding brings its own")
+  auto* const one = app.add_option("--case", options.one.text,
+                                   "Any case: a file, -, the case as JSON, or a finding of rayproof check");
+  app.add_option("--line", options.one.line, "Which line of the file, from 1")
+      ->needs(one)
+      ->check(CLI::PositiveNumber);
+  app.add_option(
+         "--method", options.one.method,
+         "The method for --case; a finding brings its own, any other case takes a sound one of its topic")
+      ->needs(one)
       ->type_name("SHAPE/METHOD");
   app.add_option("--precision", options.one.precision, "Round the case to this in place of its own precision")
+      ->needs(one)
       ->check(CLI::IsMember({"float32", "float64"}));
   app.add_option("--png", options.png, "Write a PNG for each step and a contact sheet, drawn by VTK")
       ->type_name("DIR");
@@ -134,12 +112,12 @@ int main(int argc, char** argv) {
     if (!options.topic.empty() && !options.one.text.empty())
       throw viz::WrongCommand("give a topic or --case, not both");
     ProgressLine progress;
-    const auto walks = walks_for(options, progress);
+    const auto walks = viz::walks_for(options.topic, options.one, progress);
     progress.clear();
     if (!options.is_json && !options.is_window && options.html.empty() && options.png.empty())
       throw viz::WrongCommand("nothing to do: give --html, --png, --json or --window");
     if (options.is_json) {
-      for (const Walk& walk : walks) fmt::print("{}\n", viz::stage_json(walk.stage));
+      for (const viz::Walk& walk : walks) fmt::print("{}\n", viz::stage_json(walk.stage));
     }
     if (!options.html.empty()) write_pages(walks, options.html, progress);
     if (!options.png.empty()) write_pngs(walks, options.png, progress);

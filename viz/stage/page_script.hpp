@@ -75,7 +75,7 @@ function draw() {
   });
   figure.innerHTML = fills.join('') + strokes.join('') + marks.join('') + texts.join('');
   figure.setAttribute('aria-label', `${step.title}. ${step.caption}`);
-  document.getElementById('magnified').textContent = apart && step.magnification !== 1 ? `Magnified ×${number(step.magnification).toPrecision(2)}` : data.camera.flat ? '' : 'Drag, or focus the picture and use the arrow keys, to look from another side';
+  document.getElementById('magnified').textContent = apart && step.magnification !== 1 ? step.scale : data.camera.flat ? '' : 'Drag, or focus the picture and use the arrow keys, to look from another side';
 }
 function show(to) {
   place = Math.min(Math.max(to, 0), steps.length - 1);

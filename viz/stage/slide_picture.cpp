@@ -107,7 +107,7 @@ Picture slide_picture(const Stage& stage, std::size_t number) {
   if (step.is_apart && step.magnification != 1) {
     picture.elements.emplace_back(Text{Role::muted,
                                        {scene_frame.left, scene_frame.bottom() - 4},
-                                       fmt::format("Magnified ×{}", rough(step.magnification, 2)),
+                                       scale_in_words(step.magnification),
                                        Anchor::start,
                                        13});
   }

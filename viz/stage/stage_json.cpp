@@ -60,7 +60,10 @@ Json steps(const Stage& stage) {
     one["items"] = items(step.items);
     one["view"] = {{"centre", vector(step.view.centre)}, {"radius", json_number(step.view.radius)}};
     if (step.begins_anew) one["anew"] = true;
-    if (step.is_apart) one["magnification"] = json_number(step.magnification);
+    if (step.is_apart) {
+      one["magnification"] = json_number(step.magnification);
+      one["scale"] = scale_in_words(step.magnification);
+    }
     all.push_back(one);
   }
   return all;

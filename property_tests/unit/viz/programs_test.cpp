@@ -17,6 +17,7 @@ using test::Ended;
 using test::run;
 
 const std::string explain = std::string(RAYPROOF_BIN_DIR) + "/rayproof-explain ";
+const std::string walk_program = "env -u DISPLAY " RAYPROOF_BIN_DIR "/rayproof-walk ";
 const std::string draw = "env -u DISPLAY " RAYPROOF_BIN_DIR "/rayproof-draw ";
 const std::string cancelling = R"('{"query":"quadratic","precision":"float32","a":1,"b":1000,"c":1}' )";
 
@@ -116,6 +117,27 @@ TEST_F(Programs, TheCommandThatCheckPrintsBesideAFindingWalksIt) {
   EXPECT_EQ(drawn.status, 0) << drawn.output;
   EXPECT_GT(std::filesystem::file_size(file("slides/sphere-printed_2ac-1.png")), 10000U);
 #endif
+}
+
+TEST_F(Programs, WalkTakesASoundMethodWhereACaseBringsNone) {
+  const Ended told = run(walk_program + "--json --case " + cancelling);
+  EXPECT_EQ(told.status, 0) << told.output;
+  EXPECT_NE(told.output.find(R"("method":"quadratic/citardauq_viete")"), std::string::npos)
+      << told.output.substr(0, 300);
+}
+
+TEST_F(Programs, WalkRefusesAMethodForATopic) {
+  for (const char* option : {"--method sphere/textbook", "--precision float32", "--line 2"}) {
+    const Ended told = run(walk_program + "sphere --json " + option);
+    EXPECT_EQ(told.status, 2) << told.output;
+    EXPECT_NE(told.output.find("--case"), std::string::npos) << told.output;
+  }
+}
+
+TEST_F(Programs, TheStepsOfACompensatedFormulaLoseNothingThatTheyPutBack) {
+  const Ended told = run(walk_program + "--json transformed");
+  EXPECT_EQ(told.status, 0) << told.output;
+  EXPECT_EQ(told.output.find("cancels 23 of 24 bits"), std::string::npos);
 }
 
 #ifdef RAYPROOF_HAS_VTK

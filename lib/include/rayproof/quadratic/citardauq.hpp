@@ -28,9 +28,9 @@ struct Citardauq {
 
     step<T>("Apply the formula upside down");
     const T s = named("√D", sqrt(D));
-    const T x0 = named("x₀", T(2) * q.c / (-q.b - s));
-    const T x1 = named("x₁", T(2) * q.c / (-q.b + s));
-    return ascending(D, x0, x1);
+    const T x1 = named("x₁", T(2) * q.c / (-q.b - s));
+    const T x0 = named("x₀", T(2) * q.c / (-q.b + s));
+    return ascending(D, x1, x0);
   }
 };
 

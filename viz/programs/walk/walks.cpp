@@ -1,0 +1,44 @@
+#include "viz/programs/walk/walks.hpp"
+
+#include <fmt/format.h>
+
+#include "viz/programs/told_of.hpp"
+#include "viz/stage/lesson.hpp"
+#include "viz/stage/stage_of.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+/// The case as told by its method; without one, by the first sound one of its topic whose steps can be
+/// recorded.
+Told told_for(const CaseOptions& options) {
+  Told exactly = tell_case(options);
+  if (!exactly.method.empty()) return exactly;
+  for (const Subject& subject : subjects()) {
+    if (subject.topic != topic_of(exactly.one) || subject.contract.standing != Standing::sound) continue;
+    Told told = told_of(exactly.one, &subject);
+    if (told.walk) return told;
+  }
+  return exactly;
+}
+
+}  // namespace
+
+std::vector<Walk> walks_for(const std::string& topic, const CaseOptions& one, ProgressLine& progress) {
+  if (!one.text.empty()) return {{"Cases", stage_of(told_for(one))}};
+  const auto found = lessons_of(topic);
+  if (topic.empty()) throw WrongCommand("which walkthrough? Give a topic, --case or --list");
+  if (found.empty()) {
+    throw WrongCommand(fmt::format("there is no topic '{}'; rayproof walk --list names them", topic));
+  }
+  std::vector<Walk> walks;
+  for (const Lesson* lesson : found) {
+    progress.show(share(walks.size(), found.size()), lesson->name + " is computed");
+    walks.push_back({lesson->group, stage_of(*lesson, [](const Case& asked, const std::string& method) {
+                       return told_of(asked, method);
+                     })});
+  }
+  return walks;
+}
+
+}  // namespace rayproof::viz
