@@ -2,6 +2,7 @@
 
 #include <rapidcheck.h>
 
+#include <exception>
 #include <functional>
 
 #include "generators/random.hpp"
@@ -68,12 +69,20 @@ Tally Hunt::run() {
                                       precision == Precision::float32 ? 32U : 64U);
   const std::string name = subject.full_name() + " on " + family.name;
   std::uint64_t done = 0;
+  std::exception_ptr failure;
   const auto test_block = [&](std::uint64_t block_seed) {
-    if (*stop) return;
+    if (*stop || failure) return;
     const auto size = static_cast<unsigned>(std::min<std::uint64_t>(cases_in_block, cases - done));
     const Block block{
         &subject, &family, precision, block_seed, size, active, measure || needs_judgement(active)};
-    const BlockResult result = rayproof::run(block);
+    BlockResult result;
+    try {
+      result = rayproof::run(block);
+    } catch (...) {  // rapidcheck would take it for a broken property, and the same block would come again
+                     // for ever
+      failure = std::current_exception();
+      return;
+    }
     tally += result.tally;
     done += size;
     progress(static_cast<double>(done) / static_cast<double>(cases));
@@ -85,8 +94,9 @@ Tally Hunt::run() {
     }
     if (is_new) RC_FAIL(name);
   };
-  for (std::uint64_t attempt = 0; done < cases && !*stop; ++attempt)
+  for (std::uint64_t attempt = 0; done < cases && !*stop && !failure; ++attempt)
     check(name, combine(start, attempt), (cases - done + cases_in_block - 1) / cases_in_block, test_block);
+  if (failure) std::rethrow_exception(failure);
   return tally;
 }
 

@@ -2,15 +2,24 @@
 /// \file
 /// Subjects that are wrong on purpose, each in one way: what the properties must notice.
 
+#include <cmath>
 #include <string>
 
 #include "oracle/oracle.hpp"
+#include "properties/numbers.hpp"
 #include "properties/plan.hpp"
 
 namespace rayproof::broken {
 
-/// The oracle itself as a subject: it keeps every claim.
-[[nodiscard]] inline Answer exactly(const Case& one) { return oracle::answer(one); }
+/// The oracle itself as a subject: it keeps every claim. It knows finite numbers alone, so NaN is a miss
+/// here.
+[[nodiscard]] inline Answer exactly(const Case& asked) {
+  Case one = asked;
+  for (const CaseNumber& number : numbers_of(one)) {
+    if (std::isnan(*number.value)) return {};
+  }
+  return oracle::answer(one);
+}
 
 /// A subject of the topic that holds itself to everything and answers by `answer`.
 [[nodiscard]] inline Subject subject(const std::string& topic, Answer (*answer)(const Case&)) {
@@ -33,7 +42,7 @@ namespace rayproof::broken {
 /// The exact hits changed by `change`, which gets each t.
 template <class Change>
 [[nodiscard]] Answer changed_hits(const Case& one, Change&& change) {
-  auto answer = std::get<RayAnswer>(oracle::answer(one));
+  auto answer = std::get<RayAnswer>(exactly(one));
   for (std::size_t i = 0; i < answer.hits.count; ++i) answer.hits.t.at(i) = change(answer.hits.t.at(i));
   return answer;
 }

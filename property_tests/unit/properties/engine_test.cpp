@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
 #include <thread>
 
 #include "case/writer.hpp"
@@ -24,6 +25,12 @@ Settings small_run() {
 }
 
 RunResult run(const Plan& plan) { return run_plan(plan, {}, {}, go_on); }
+
+TEST(Engine, ASubjectThatThrowsEndsTheRun) {
+  const std::vector<Subject> all{
+      broken::subject("sphere", [](const Case&) -> Answer { throw std::runtime_error("no answer"); })};
+  EXPECT_THROW((void)run(make_plan(small_run(), all)), std::runtime_error);
+}
 
 TEST(Engine, FindsNothingInTheOracle) {
   const std::vector<Subject> all{broken::subject("sphere", broken::exactly)};
