@@ -22,6 +22,7 @@ WalkValue value_of(const Tape& tape, OperationId id, const std::string& name, Pr
   value.error = std::abs(static_cast<double>(Shadow(o.value) - o.exact));
   value.error_bound = o.error_bound;
   value.bits_lost = o.bits_lost;
+  value.digits = o.digits;
   if (is_input) return value;
   value.formula = formula_of(tape, id);
   value.put_in = numbers_of(tape, id, precision);
@@ -120,16 +121,15 @@ Walkthrough tell_steps(const Tape& tape, Precision precision) {
     const auto more = named_values(tape, named, precision);
     values.insert(values.end(), more.begin(), more.end());
   }
-  std::vector<OperationId> all;
   for (std::size_t i = 0; i < walk.steps.size(); ++i) {
     WalkStep& step = walk.steps[i];
     const auto operations = operations_of_step(tape, static_cast<std::ptrdiff_t>(i));
     step.loss = worst_loss_of(tape, operations, lost_by(step));
     step.caption = loss_sentence(step.loss);
     point_out(step);
-    all.insert(all.end(), operations.begin(), operations.end());
+    const double worst = walk.worst_loss ? walk.worst_loss->bits_lost_here : 0;
+    if (step.loss && step.loss->bits_lost_here > worst) walk.worst_loss = step.loss;
   }
-  walk.worst_loss = worst_loss_of(tape, all);
   return walk;
 }
 

@@ -38,7 +38,8 @@ struct WalkValue {
   std::string exact;    ///< the same formula in real numbers, to 12 digits
   double error = 0;     ///< |value - exact|, rounded to double
   double error_bound = 0;       ///< what running error analysis guarantees without knowing the exact value
-  double bits_lost = 0;         ///< log2(1 + error in ulps), at most the digits there are
+  double bits_lost = 0;         ///< log2(1 + error in ulps), at most `digits`
+  int digits = 24;              ///< of the value's own format: a float kernel may compute a part in double
   double exact_value = 0;       ///< `exact`, rounded to double
   std::string put_in{};         ///< the formula with the numbers in the names' place: "3·3 − 4·1·2"
   std::optional<Death> loss{};  ///< the operation of its formula that loses most; none where none is worth it

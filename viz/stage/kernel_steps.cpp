@@ -8,46 +8,11 @@
 #include "viz/answers.hpp"
 #include "viz/losses.hpp"
 #include "viz/numbers.hpp"
-#include "viz/stage/vector_formula.hpp"
+#include "viz/stage/stage_values.hpp"
 #include "viz/stage/words.hpp"
 
 namespace rayproof::viz {
 namespace {
-
-/// "f" and 'x' of "f.x".
-bool is_component(const std::string& name, char axis) {
-  return name.size() > 2 && name[name.size() - 2] == '.' && name.back() == axis;
-}
-
-std::vector<std::string> formulas_of(const StageValue& value) {
-  std::vector<std::string> formulas;
-  for (const WalkValue& component : value.components) formulas.push_back(component.formula);
-  return formulas;
-}
-
-/// The rounded number or vector of a name known by this step, as it stands in a formula.
-std::string number_for(const NumbersByName& n, const std::string& name, Precision precision) {
-  if (n.has(name)) {
-    const std::string text = shown(n.rounded(name), precision);
-    return text.starts_with('-') ? "(" + text + ")" : text;
-  }
-  if (!n.has_vector(name)) return {};
-  const auto at = [&](const char* axis) { return shown(n.rounded(name + axis), precision); };
-  return n.has(name + ".z") ? fmt::format("({}, {}, {})", at(".x"), at(".y"), at(".z"))
-                            : fmt::format("({}, {})", at(".x"), at(".y"));
-}
-
-/// Gives vectors one formula for all their components, and the numbers in it.
-void complete(StageValue& value, const NumbersByName& n, Precision precision) {
-  if (value.components.size() == 1) {
-    value.formula = value.components[0].formula;
-    value.put_in = value.components[0].put_in;
-    return;
-  }
-  value.formula = vector_formula(formulas_of(value));
-  value.put_in =
-      put_in(value.formula, [&](const std::string& name) { return number_for(n, name, precision); });
-}
 
 /// In each step one value is what the step is for: the last that has a formula.
 const StageValue* aim_of(const std::vector<StageValue>& values) {
@@ -101,45 +66,6 @@ StageView view_of(const StageStep& step, const Setting& setting) {
   return setting.near;
 }
 
-}  // namespace
-
-std::vector<StageValue> grouped(const std::vector<WalkValue>& values) {
-  std::vector<StageValue> groups;
-  for (const WalkValue& value : values) {
-    const bool continues = !groups.empty() && !groups.back().components.empty() &&
-                           (is_component(value.name, 'y') || is_component(value.name, 'z')) &&
-                           value.name.substr(0, value.name.size() - 2) == groups.back().name;
-    if (continues) {
-      groups.back().components.push_back(value);
-      continue;
-    }
-    StageValue group;
-    group.name = is_component(value.name, 'x') ? value.name.substr(0, value.name.size() - 2) : value.name;
-    group.components = {value};
-    groups.push_back(std::move(group));
-  }
-  return groups;
-}
-
-std::string shown(const StageValue& value, Precision precision) {
-  std::string text;
-  for (const WalkValue& component : value.components) {
-    text += (text.empty() ? "" : ", ") + shown(component.value, precision);
-  }
-  return value.components.size() > 1 ? "(" + text + ")" : text;
-}
-
-std::string equation_of(const StageValue& value, Precision precision) {
-  std::string text = value.name;
-  if (!value.formula.empty() && value.formula != value.name) text += " = " + value.formula;
-  const std::string result = shown(value, precision);
-  const bool has_numbers = !value.put_in.empty() && value.put_in != result && value.put_in != value.formula;
-  if (has_numbers) text += " = " + value.put_in;
-  return text + " = " + result;
-}
-
-namespace {
-
 /// The values of a step in runs that each end in one that is drawn: a new thing a part.
 std::vector<std::vector<StageValue>> parts_of(const std::vector<StageValue>& values, const NumbersByName& n,
                                               const Setting& setting) {
@@ -165,18 +91,6 @@ void caption(StageStep& step, const Told& told, bool is_last) {
   if (step.caption.empty()) step.caption = step.title + ".";
 }
 
-/// What the values' own formulas lost, whatever else the step lost in other parts.
-std::optional<Death> worst_loss_of(const std::vector<StageValue>& values) {
-  std::optional<Death> worst;
-  for (const StageValue& value : values) {
-    for (const WalkValue& component : value.components) {
-      const auto& loss = component.loss;
-      if (loss && (!worst || loss->bits_lost_here > worst->bits_lost_here)) worst = loss;
-    }
-  }
-  return worst;
-}
-
 /// What became of the digits; nothing to say of a step that names no number and loses none.
 std::string digits_of(const std::vector<StageValue>& values, const std::optional<Death>& loss) {
   if (loss) return loss_sentence(loss);
@@ -192,7 +106,7 @@ std::string digits_of(const std::vector<StageValue>& values, const std::optional
 std::vector<StageValue> step_values(const Walkthrough& walk, std::size_t index, const NumbersByName& n,
                                     Precision precision) {
   std::vector<StageValue> values = grouped(walk.steps[index].values);
-  for (StageValue& value : values) complete(value, n, precision);
+  for (StageValue& value : values) put_numbers_in(value, n, precision);
   return values;
 }
 

@@ -8,13 +8,13 @@
 #include "viz/html_text.hpp"
 #include "viz/numbers.hpp"
 #include "viz/palette.hpp"
-#include "viz/stage/kernel_steps.hpp"
 #include "viz/stage/math_ml.hpp"
 #include "viz/stage/page_scene.hpp"
 #include "viz/stage/page_script.hpp"
 #include "viz/stage/page_style.hpp"
 #include "viz/stage/stage_json.hpp"
 #include "viz/stage/stage_picture.hpp"
+#include "viz/stage/stage_values.hpp"
 #include "viz/svg.hpp"
 
 namespace rayproof::viz {

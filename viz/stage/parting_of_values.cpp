@@ -5,16 +5,12 @@
 
 #include "viz/numbers.hpp"
 #include "viz/stage/compose.hpp"
-#include "viz/stage/kernel_steps.hpp"
+#include "viz/stage/stage_values.hpp"
 
 namespace rayproof::viz {
 namespace {
 
-double lost_by(const StageValue& value) {
-  double most = 0;
-  for (const WalkValue& v : value.components) most = std::max(most, v.bits_lost);
-  return most;
-}
+double lost_by(const StageValue& value) { return worst_component(value).bits_lost; }
 
 /// Of the run's values that are computed, the one that lost most.
 std::optional<StageValue> worst_of(const Walkthrough& walk) {
@@ -58,11 +54,9 @@ StageStep parting_of_values(const Walkthrough& walk, const Setting& setting, Pre
   step.items = {segment(Role::edge, {0, 0, 0}, tip, "off by " + rough(size, 3)),
                 point(Role::exact, {0, 0, 0}, worst->name + " exact"),
                 point(Role::claimed, tip, worst->name + " as computed")};
-  std::string exact;
-  for (const WalkValue& v : worst->components) exact += (exact.empty() ? "" : ", ") + v.exact;
-  step.caption = fmt::format(
-      "Of all values {} lost most, {:.1f} of {} bits: exactly {}, computed {}.", worst->name, lost_by(*worst),
-      walk.digits, worst->components.size() > 1 ? "(" + exact + ")" : exact, shown(*worst, precision));
+  step.caption = fmt::format("Of all values {} lost most, {:.1f} of {} bits: exactly {}, computed {}.",
+                             worst->name, lost_by(*worst), worst_component(*worst).digits, exact_of(*worst),
+                             shown(*worst, precision));
   return step;
 }
 

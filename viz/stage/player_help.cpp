@@ -29,20 +29,19 @@ constexpr std::array help{
 }  // namespace
 
 Picture help_picture(const Stage& stage) {
-  constexpr double margin = 24;
   constexpr double column = 260;
   Picture picture;
   picture.title = stage.title;
   picture.description = "What the keys and the mouse do.";
-  add_text(picture, Role::text, {margin, 44}, "What the keys and the mouse do", 22, true);
+  add_text(picture, Role::text, {slide_margin, 44}, "What the keys and the mouse do", 22, true);
   double y = 90;
   for (const Help& one : help) {
-    add_text(picture, Role::text, {margin, y}, one.keys, 14, true);
+    add_text(picture, Role::text, {slide_margin, y}, one.keys, 14, true);
     add_text(picture, Role::text, {column, y}, one.what, 14, false);
     y += 31;
   }
   add_text(
-      picture, Role::muted, {margin, y + 8},
+      picture, Role::muted, {slide_margin, y + 8},
       "The numbers are the run's own: each drag makes a case and runs the method and the exact answer on "
       "it again.",
       13, false);

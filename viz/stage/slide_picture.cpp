@@ -11,30 +11,25 @@
 namespace rayproof::viz {
 namespace {
 
-constexpr double slide_width = 960;
-constexpr double slide_height = 540;
-constexpr double margin = slide_margin;
-constexpr Box scene_frame = slide_scene;
-
 void draw_caption(Picture& picture, const StageStep& step) {
-  double y = scene_frame.bottom() + 26;
-  const double width = slide_width - 2 * margin;
+  double y = slide_scene.bottom() + 26;
+  const double width = slide_width - 2 * slide_margin;
   const double size = text_width(step.caption, 16) > 2 * width ? 13 : 16;
   for (const std::string& line : wrapped(step.caption, width, size)) {
-    add_text(picture, Role::text, {margin, y}, line, size);
+    add_text(picture, Role::text, {slide_margin, y}, line, size);
     y += size * 1.3;
     if (y > slide_height - 58) break;
   }
   if (step.digits.empty()) return;
   for (const std::string& line : wrapped(step.digits, width, 13)) {
     if (y > slide_height - 40) break;
-    add_text(picture, Role::muted, {margin, y}, line, 13);
+    add_text(picture, Role::muted, {slide_margin, y}, line, 13);
     y += 17;
   }
 }
 
 void draw_legend(Picture& picture, const Stage& stage) {
-  double x = margin;
+  double x = slide_margin;
   const double y = slide_height - 16;
   for (const LegendEntry& entry : legend_of(stage)) {
     if (entry.is_mark) {
@@ -100,13 +95,13 @@ Picture slide_picture(const Stage& stage, std::size_t number) {
   const std::string place = fmt::format("{} of {}", number + 1, stage.steps.size());
   const std::string title = fmt::format("{}. {}", number + 1, step.title);
   const double title_size = std::clamp(22 * 800 / text_width(title, 22, true), 14.0, 22.0);
-  add_text(picture, Role::text, {margin, 34}, title, title_size, true);
-  add_text(picture, Role::muted, {margin, 54}, cut(stage.title, 700, 13), 13);
-  picture.elements.emplace_back(Text{Role::muted, {slide_width - margin, 34}, place, Anchor::end, 14});
-  draw_scene(picture, scene_frame, stage, number);
+  add_text(picture, Role::text, {slide_margin, 34}, title, title_size, true);
+  add_text(picture, Role::muted, {slide_margin, 54}, cut(stage.title, 700, 13), 13);
+  picture.elements.emplace_back(Text{Role::muted, {slide_width - slide_margin, 34}, place, Anchor::end, 14});
+  draw_scene(picture, slide_scene, stage, number);
   if (step.is_apart && step.magnification != 1) {
     picture.elements.emplace_back(Text{Role::muted,
-                                       {scene_frame.left, scene_frame.bottom() - 4},
+                                       {slide_scene.left, slide_scene.bottom() - 4},
                                        scale_in_words(step.magnification),
                                        Anchor::start,
                                        13});
@@ -126,7 +121,7 @@ Picture contact_sheet(const Stage& stage) {
   sheet.width = gap + static_cast<double>(columns) * (slide_width + gap);
   const double top = 70;
   sheet.height = top + static_cast<double>(rows) * (slide_height + gap);
-  add_text(sheet, Role::text, {gap + margin, 46}, stage.title, 30, true);
+  add_text(sheet, Role::text, {gap + slide_margin, 46}, stage.title, 30, true);
   for (std::size_t i = 0; i < stage.steps.size(); ++i) {
     const double x = gap + static_cast<double>(i % columns) * (slide_width + gap);
     const double y = top + static_cast<double>(i / columns) * (slide_height + gap);

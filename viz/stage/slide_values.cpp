@@ -6,14 +6,14 @@
 
 #include "viz/losses.hpp"
 #include "viz/numbers.hpp"
-#include "viz/stage/kernel_steps.hpp"
 #include "viz/stage/label_places.hpp"
+#include "viz/stage/stage_values.hpp"
 
 namespace rayproof::viz {
 namespace {
 
 constexpr double value_column = 634;
-constexpr double value_width = 960 - slide_margin - value_column;
+constexpr double value_width = slide_width - slide_margin - value_column;
 
 /// A line of the column of values: a name, or a number and in grey before it what it is.
 struct ValueLine {
@@ -37,15 +37,10 @@ std::vector<ValueLine> lines_of(const StageValue& value, const Stage& stage, boo
     }
   };
   add(Role::claimed, is_float ? "float" : "double", shown(value, stage.precision));
-  double lost = 0;
-  std::string exact;
-  for (const WalkValue& v : value.components) {
-    lost = std::max(lost, v.bits_lost);
-    exact += (exact.empty() ? "" : ", ") + v.exact;
-  }
-  if (lost < (is_short ? noteworthy : 0.05)) return lines;
-  add(Role::exact, "exact", value.components.size() > 1 ? "(" + exact + ")" : exact);
-  add(Role::muted, "lost", fmt::format("{:.1f} of {} bits", lost, stage.digits));
+  const WalkValue& worst = worst_component(value);
+  if (worst.bits_lost < (is_short ? noteworthy : 0.05)) return lines;
+  add(Role::exact, "exact", exact_of(value));
+  add(Role::muted, "lost", fmt::format("{:.1f} of {} bits", worst.bits_lost, worst.digits));
   return lines;
 }
 

@@ -10,6 +10,7 @@
 #include "viz/stage/fit_view.hpp"
 #include "viz/stage/kernel_steps.hpp"
 #include "viz/stage/setting.hpp"
+#include "viz/stage/stage_values.hpp"
 
 namespace rayproof::viz {
 namespace {

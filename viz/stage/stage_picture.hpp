@@ -23,12 +23,12 @@ void draw_scene(Picture& picture, const Box& frame, const Stage& stage, std::siz
 /// The scene with the step's own items bright and those of the steps before dimmed.
 [[nodiscard]] Picture scene_picture(const Stage& stage, std::size_t step, double width, double height);
 
-/// What stays free along a slide's border.
-inline constexpr double slide_margin = 24;
+/// A slide's size, and what stays free along its border.
+inline constexpr double slide_width = 960, slide_height = 540, slide_margin = 24;
 /// Where a slide's scene lies; the numbers stand in the column at its right.
 inline constexpr Box slide_scene{slide_margin, 64, 590, 350};
 
-/// A slide of 960 by 540.
+/// A slide of slide_width by slide_height.
 [[nodiscard]] Picture slide_picture(const Stage& stage, std::size_t step);
 
 /// All slides of a stage side by side.

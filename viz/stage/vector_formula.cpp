@@ -66,10 +66,10 @@ std::string cross_product(const std::vector<std::string>& components) {
 }
 
 bool is_part_of_name(const std::string& text, std::size_t i) {
-  static constexpr std::array<std::string_view, 7> scalar_signs{"·", "×", "−", "√", "⁺", "∞", "→"};
+  static constexpr std::array<std::string_view, 7> operator_signs{"·", "×", "−", "√", "⁺", "∞", "→"};
   const auto byte = static_cast<unsigned char>(text[i]);
   if (byte < 0x80) return (std::isalnum(byte) != 0) || text[i] == '_' || text[i] == '.';
-  return std::none_of(scalar_signs.begin(), scalar_signs.end(), [&](std::string_view sign) {
+  return std::none_of(operator_signs.begin(), operator_signs.end(), [&](std::string_view sign) {
     for (std::size_t back = 0; back < sign.size() && back <= i; ++back) {
       if (text.compare(i - back, sign.size(), sign) == 0) return true;
     }

@@ -12,14 +12,18 @@ namespace {
 /// The case as told by its method; without one, by the first sound one of its topic whose steps can be
 /// recorded.
 Told told_for(const CaseOptions& options) {
-  Told exactly = tell_case(options);
-  if (!exactly.method.empty()) return exactly;
+  Told told = tell_case(options);
+  if (!told.method.empty()) return told;
+  const TopicView* const view = view_of(told.one);
   for (const Subject& subject : subjects()) {
-    if (subject.topic != topic_of(exactly.one) || subject.contract.standing != Standing::sound) continue;
-    Told told = told_of(exactly.one, &subject);
-    if (told.walk) return told;
+    if (subject.topic != topic_of(told.one) || subject.contract.standing != Standing::sound) continue;
+    if (view != nullptr) told.walk = view->walk(told.one, subject.name);
+    if (!told.walk) continue;
+    told.method = subject.full_name();
+    told.claimed = subject.answer(told.one);
+    break;
   }
-  return exactly;
+  return told;
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 
 #include "viz/numbers.hpp"
 #include "viz/stage/compose.hpp"
-#include "viz/stage/kernel_steps.hpp"
 #include "viz/stage/lessons.hpp"
+#include "viz/stage/stage_values.hpp"
 
 namespace rayproof::viz {
 namespace {
