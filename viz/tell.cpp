@@ -59,7 +59,7 @@ void point_out(WalkStep& step) {
       step.items.push_back(
           {Role::nearest, "nearest point", "point at t = " + rough(value.value, 9) + " on the ray"});
     }
-    if (value.name == "x₀" || value.name == "x₁") {
+    if (value.name == "x₀" || value.name == "x₁" || value.name == "q/a" || value.name == "c/q") {
       step.items.push_back({Role::claimed, value.name, "root at x = " + rough(value.value, 9)});
     }
   }

@@ -27,6 +27,10 @@ template <class Run>
 /// The stage of a composed run: the given case's scene, a first step with the inputs, and the run's steps.
 [[nodiscard]] Stage composed_stage(const Told& told, const Walkthrough& walk, const Setting& setting);
 
+/// Lets a step show items of another space at the right of all that is in the world; the next step begins
+/// anew.
+void show_beside(Stage& stage, std::size_t step, const Items& items);
+
 /// A last step on how far the run's own values part from the exact ones: the one that lost most, magnified.
 [[nodiscard]] StageStep parting_of_values(const Walkthrough& walk, const Setting& setting,
                                           Precision precision);

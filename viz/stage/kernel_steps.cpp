@@ -34,16 +34,19 @@ std::string decision_of(const Told& told) {
   return text + ".";
 }
 
-void add_placed(StageStep& step, Items items, const Setting& setting) {
-  for (StageItem& item : items) {
+/// The items in the world; without those that overflowed, or that shrank to a point.
+Items placed(const Items& items, const Setting& setting) {
+  Items placed;
+  for (StageItem item : items) {
     for (glm::dvec3& p : item.points) p = setting.to_world(p);
     const bool is_placed = std::all_of(item.points.begin(), item.points.end(), [](const glm::dvec3& p) {
       return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
     });
     const bool is_point =
         item.form != Form::point && item.points.size() == 2 && item.points[0] == item.points[1];
-    if (is_placed && !is_point) step.items.push_back(std::move(item));
+    if (is_placed && !is_point) placed.push_back(std::move(item));
   }
+  return placed;
 }
 
 Items items_of(const std::string& name, const NumbersByName& n, const Setting& setting) {
@@ -56,6 +59,10 @@ Items items_of(const std::string& name, const NumbersByName& n, const Setting& s
   return items;
 }
 
+void add_placed(StageStep& step, const Items& items, const Setting& setting) {
+  for (StageItem& item : placed(items, setting)) step.items.push_back(std::move(item));
+}
+
 /// The wide view for a step that shows something far from the shape.
 StageView view_of(const StageStep& step, const Setting& setting) {
   for (const StageItem& item : step.items) {
@@ -66,13 +73,18 @@ StageView view_of(const StageStep& step, const Setting& setting) {
   return setting.near;
 }
 
-/// The values of a step in runs that each end in one that is drawn: a new thing a part.
+/// The values of a step in runs that each end in one that is drawn: a new thing a part. Where nothing of the
+/// step can be drawn (there are no roots), in one that would be.
 std::vector<std::vector<StageValue>> parts_of(const std::vector<StageValue>& values, const NumbersByName& n,
                                               const Setting& setting) {
   std::vector<std::vector<StageValue>> parts{{}};
+  const auto is_placed = [&](const StageValue& value) {
+    return !placed(items_of(value.name, n, setting), setting).empty();
+  };
+  const bool is_empty = std::none_of(values.begin(), values.end(), is_placed);
   bool is_drawn = false;
   for (const StageValue& value : values) {
-    const bool draws = !items_of(value.name, n, setting).empty();
+    const bool draws = is_empty ? !items_of(value.name, n, setting).empty() : is_placed(value);
     if (is_drawn && draws) parts.emplace_back();
     is_drawn = is_drawn || draws;
     parts.back().push_back(value);
@@ -122,14 +134,17 @@ std::vector<StageStep> kernel_steps(const Told& told, const Walkthrough& walk, s
                                     const Setting& setting, bool is_split) {
   const NumbersByName n(walk, index);
   const std::string& title = walk.steps[index].title;
-  const std::vector<StageValue> values = step_values(walk, index, n, told.one.precision);
+  const Precision precision = told.one.precision;
+  const std::vector<StageValue> values = step_values(walk, index, n, precision);
   const auto parts = is_split ? parts_of(values, n, setting) : std::vector<std::vector<StageValue>>{values};
   std::vector<StageStep> steps;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     StageStep step;
     step.title = parts.size() == 1 ? title : fmt::format("{} ({} of {})", title, i + 1, parts.size());
     step.values = parts[i];
-    if (i == 0) step.words = words_for(title);
+    if (i == 0) {
+      step.words = words_for(title, [&](const std::string& name) { return number_for(n, name, precision); });
+    }
     if (i == 0) add_placed(step, items_of(title, n, setting), setting);
     for (const StageValue& value : step.values) add_placed(step, items_of(value.name, n, setting), setting);
     step.digits =

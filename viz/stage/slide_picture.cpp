@@ -66,7 +66,7 @@ std::vector<LegendEntry> legend_of(const Stage& stage) {
       {Role::surface, false, "surface"},
       {Role::edge, false, "edge, part"},
       {Role::normal, false, "normal"},
-      {Role::nearest, true, "nearest"},
+      {Role::nearest, true, "nearest, picked out"},
       {Role::exact, true, "exact hit"},
       {Role::claimed, true, "as computed"},
       {Role::muted, false, "earlier step"},

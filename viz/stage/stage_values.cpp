@@ -31,19 +31,19 @@ std::vector<std::string> formulas_of(const StageValue& value) {
   return formulas;
 }
 
-/// The rounded number or vector of a name known by this step, as it stands in a formula.
-std::string number_for(const NumbersByName& n, const std::string& name, Precision precision) {
+}  // namespace
+
+std::string number_for(const NumbersByName& n, const std::string& name, Precision precision,
+                       std::size_t dimensions) {
   if (n.has(name)) {
     const std::string text = shown(n.rounded(name), precision);
     return text.starts_with('-') ? "(" + text + ")" : text;
   }
   if (!n.has_vector(name)) return {};
   const auto at = [&](const char* axis) { return shown(n.rounded(name + axis), precision); };
-  return n.has(name + ".z") ? fmt::format("({}, {}, {})", at(".x"), at(".y"), at(".z"))
-                            : fmt::format("({}, {})", at(".x"), at(".y"));
+  return dimensions > 2 && n.has(name + ".z") ? fmt::format("({}, {}, {})", at(".x"), at(".y"), at(".z"))
+                                              : fmt::format("({}, {})", at(".x"), at(".y"));
 }
-
-}  // namespace
 
 void put_numbers_in(StageValue& value, const NumbersByName& n, Precision precision) {
   if (value.components.size() == 1) {
@@ -52,8 +52,9 @@ void put_numbers_in(StageValue& value, const NumbersByName& n, Precision precisi
     return;
   }
   value.formula = vector_formula(formulas_of(value));
-  value.put_in =
-      put_in(value.formula, [&](const std::string& name) { return number_for(n, name, precision); });
+  value.put_in = put_in(value.formula, [&](const std::string& name) {
+    return number_for(n, name, precision, value.components.size());
+  });
 }
 
 std::vector<StageValue> grouped(const std::vector<WalkValue>& values) {

@@ -1,10 +1,42 @@
 #include "viz/stage/words.hpp"
 
 #include <map>
+#include <optional>
 
 namespace rayproof::viz {
+namespace {
 
-std::string words_for(const std::string& title) {
+using NumberOf = std::function<std::string(const std::string& name)>;
+
+/// The sentence with a number in the place of each {name}; nothing where a name has none.
+std::optional<std::string> with_numbers(std::string sentence, const NumberOf& number_of) {
+  for (std::size_t open = sentence.find('{'); open != std::string::npos; open = sentence.find('{', open)) {
+    const std::size_t close = sentence.find('}', open);
+    const std::string number = number_of(sentence.substr(open + 1, close - open - 1));
+    if (number.empty()) return std::nullopt;
+    sentence.replace(open, close + 1 - open, number);
+  }
+  return sentence;
+}
+
+/// What a step that names nothing puts its numbers into: the first sentence whose names are all known.
+std::string numbers_for(const std::string& title, const NumberOf& number_of) {
+  static const std::multimap<std::string, std::string> all{
+      {"Meet both planes of each axis", "Its ends: (min - o)·(1/d) = {min - o}·{1/d} and {max - o}·{1/d}."},
+      {"Meet both planes of each axis", "Its ends: (min - o) / d = {min - o} / {d} and {max - o} / {d}."},
+      {"Project along the normal's largest axis", "n = {n}."},
+      {"Meet the planes of both ends", "They stand at z = 0 and z = {height}."},
+  };
+  const auto [first, last] = all.equal_range(title);
+  for (auto one = first; one != last; ++one) {
+    if (const auto sentence = with_numbers(one->second, number_of)) return " " + *sentence;
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string words_for(const std::string& title, const NumberOf& number_of) {
   static const std::map<std::string, std::string> all{
       {"Move the centre to the origin", "Only the way from the centre to the ray's start matters."},
       {"Find the ray point nearest the centre",
@@ -63,7 +95,7 @@ std::string words_for(const std::string& title) {
       {"Keep the roots between both ends", "A root of the endless side counts only there."},
   };
   const auto found = all.find(title);
-  if (found != all.end()) return found->second;
+  if (found != all.end()) return found->second + numbers_for(title, number_of);
   return title.starts_with("Take the ray into the")
              ? "The inverse map goes over the ray; t is the same number in both spaces."
              : "";

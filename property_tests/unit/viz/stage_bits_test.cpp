@@ -97,6 +97,7 @@ class PlainRuns {
   NamedNumbers of(const std::string& lesson, const std::string& title) {
     if (lesson == "digits") return heard(one_, "sphere/textbook");
     if (lesson == "transformed") return heard(one_, "sphere/centred");
+    if (lesson == "woop") return heard(one_, "triangle/woop");
     if (lesson == "raycasting") return of_ball(title);
     if (lesson == "leak") return of_leak(title);
     if (lesson == "ray") along_ray();

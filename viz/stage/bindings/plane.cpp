@@ -31,8 +31,8 @@ Items height_above_plane(const NumbersByName& n) { return way_to_plane(n, normal
 Items gain(const NumbersByName& n) {
   const glm::dvec3 along = resized(normal_of(n), 1);
   const glm::dvec3 tip = n.origin() + n.direction();
-  return {arrow(Role::edge, n.origin(), tip, "d"),
-          arrow(Role::normal, n.origin(), n.origin() + along * glm::dot(along, n.direction()), "n·d")};
+  return {arrow(Role::edge, n.origin(), tip, "d⃗"),
+          arrow(Role::normal, n.origin(), n.origin() + along * glm::dot(along, n.direction()), "n·d⃗")};
 }
 
 Items spanning(const NumbersByName& n) {

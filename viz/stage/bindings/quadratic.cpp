@@ -22,6 +22,9 @@ ParabolaFrame frame_of(const NumbersByName& n) {
   return parabola_frame(equation_of(n), roots);
 }
 
+/// What is measured along the axis is drawn so far below it that its label finds room between.
+constexpr glm::dvec3 under_the_axis{0, -0.2, 0};
+
 /// −D/4a: how far the vertex lies from the axis.
 Items discriminant(const NumbersByName& n) {
   const auto [a, b, c] = equation_of(n);
@@ -35,9 +38,8 @@ Items half_distance(const NumbersByName& n) {
   const ParabolaFrame frame = frame_of(n);
   const double x = -b / (2 * a);
   const double s = std::sqrt(b * b - 4 * a * c) / (2 * a);
-  const glm::dvec3 below{0, -0.12, 0};
-  return {segment(Role::edge, frame.at(x, 0) + below, frame.at(x + s, 0) + below, "√D/2a"),
-          segment(Role::edge, frame.at(x, 0) + below, frame.at(x - s, 0) + below, "√D/2a")};
+  return {segment(Role::edge, frame.at(x, 0) + under_the_axis, frame.at(x + s, 0) + under_the_axis, "√D/2a"),
+          segment(Role::edge, frame.at(x, 0) + under_the_axis, frame.at(x - s, 0) + under_the_axis, "√D/2a")};
 }
 
 Binding root(const char* name) {
@@ -51,14 +53,15 @@ Items vertex(const NumbersByName& n) {
   const ParabolaFrame frame = frame_of(n);
   const double x = -b / (2 * a);
   const double far_root = n["q"] / a;
-  return {segment(Role::edge, frame.at(x, 0) + glm::dvec3(0, -0.12, 0),
-                  frame.at(far_root, 0) + glm::dvec3(0, -0.12, 0), "−b/2a to the far root")};
+  return {segment(Role::edge, frame.at(x, 0) + under_the_axis, frame.at(far_root, 0) + under_the_axis,
+                  "to the far root")};
 }
 
 }  // namespace
 
 std::vector<Binding> quadratic_bindings() {
-  return {{"D", discriminant}, {"√D", half_distance}, {"q", vertex}, root("x₀"), root("x₁")};
+  return {{"D", discriminant}, {"√D", half_distance}, {"q", vertex}, root("x₀"),
+          root("x₁"),          root("q/a"),           root("c/q")};
 }
 
 }  // namespace rayproof::viz

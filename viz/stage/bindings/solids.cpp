@@ -13,7 +13,7 @@ Items slabs(const NumbersByName& n) {
   const glm::dvec3 below = n.vector("min - o");
   const glm::dvec3 above = n.vector("max - o");
   const glm::dvec3 d = n.direction();
-  const glm::dvec3 aside = resized(across(d), 0.14 * glm::length(above - below));
+  const glm::dvec3 aside = resized(across(d), 0.25 * glm::length(above - below));
   constexpr std::array<const char*, 3> names{"x", "y", "z"};
   Items items;
   for (int axis = 0; axis < 3; ++axis) {

@@ -32,7 +32,10 @@ std::vector<Binding> sphere_bindings() {
        }},
       {"D", radius_and_distance},
       {"h", half_chords},
-      {"√D", [](const NumbersByName& n) { return Items{segment(Role::edge, n.at(n["t₀"]), n.at(n["t₁"]))}; }},
+      {"√D",
+       [](const NumbersByName& n) {
+         return Items{segment(Role::edge, n.at(n["t₀"]), n.at(n["t₁"]), "the chord")};
+       }},
   };
 }
 

@@ -94,12 +94,13 @@ Items q_vector_or_point(const NumbersByName& n) {
   return {arrow(Role::normal, tri.a, tri.a + resized(n.vector("q"), 0.8 * tri.size()), "q")};
 }
 
-/// Which side of the ray each edge passes: the two and the ray span a volume.
+/// Which side of the ray each edge passes, as the kernel has it: the two and the ray span a volume.
 Binding side(const char* name, int first, int second) {
   return {name, [=](const NumbersByName& n) {
             const Corners tri = corners_of(n);
             const glm::dvec3 all[] = {tri.a, tri.b, tri.c};
-            const std::string sign = n[name] > 0 ? " > 0" : n[name] < 0 ? " < 0" : " = 0";
+            const double volume = n.rounded(name);
+            const std::string sign = volume > 0 ? " > 0" : volume < 0 ? " < 0" : " = 0";
             return Items{segment(Role::edge, all[first], all[second], name + sign)};
           }};
 }

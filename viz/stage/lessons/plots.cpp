@@ -80,6 +80,7 @@ Stage intervals_stage(const Case& one, const TellCase& tell) {
                       interval(axis, "t_entry", "t_exit", -0.45, Role::nearest)};
   setting.slider.reset();
   Stage stage = composed_stage(told, walk, setting);
+  stage.steps.front().title = "Measure the ray by its t axis";
   for (StageStep& step : stage.steps) {
     std::erase_if(step.items, [](const StageItem& item) { return item.role == Role::claimed; });
   }
@@ -122,15 +123,15 @@ Stage barycentric_stage(const Case& one, const TellCase& tell) {
   setting.slider.reset();
   const glm::dvec3 q{question.ray.origin.x, question.ray.origin.y, 0};
   setting.scene.push_back(point(Role::nearest, q, "q"));
-  const auto part = [=](const char* name, const glm::dvec3& u, const glm::dvec3& v, Role role) {
-    return Binding{name, [=](const NumbersByName& n) {
-                     return Items{polygon(role, {q, u, v}, fmt::format("{} = {}", name, rough(n[name], 3))),
-                                  polyline(role, {q, u, v, q})};
-                   }};
+  const auto part = [=](const char* name, const glm::dvec3& first, const glm::dvec3& u, const glm::dvec3& v) {
+    return Binding{
+        name, [=](const NumbersByName& n) {
+          const std::string label = fmt::format("{} = {}", name, rough(n[name], 3));
+          return Items{polygon(Role::edge, {first, u, v}, label), polyline(Role::edge, {first, u, v, first})};
+        }};
   };
-  setting.bindings = {part("α", triangle.b, triangle.c, Role::edge),
-                      part("β", triangle.c, triangle.a, Role::normal),
-                      part("γ", triangle.a, triangle.b, Role::nearest)};
+  setting.bindings = {part("D", triangle.a, triangle.b, triangle.c), part("α", q, triangle.b, triangle.c),
+                      part("β", q, triangle.c, triangle.a), part("γ", q, triangle.a, triangle.b)};
   Stage stage = composed_stage(told, walk, setting);
   stage.steps.front().title = "Look at the triangle and the point";
   stage.method = "triangle::barycentric";
@@ -152,6 +153,7 @@ Stage digits_stage(const Case& one, const TellCase& tell) {
   const double digits = one.precision == Precision::float32 ? 24 : 53;
   std::size_t rows = 0;
   for (const WalkStep& step : told.walk->steps) rows += step.values.size();
+  rows = std::max(rows, told.walk->inputs.size());
   const double row_height = 1.3 / static_cast<double>(rows);
   const auto x = [&](double bits) { return -0.7 + 1.7 * bits / digits; };
   for (const double bits : {0.0, digits / 4, digits / 2, 3 * digits / 4, digits}) {
@@ -161,17 +163,22 @@ Stage digits_stage(const Case& one, const TellCase& tell) {
   Stage stage = composed_stage(told, *told.walk, setting);
   // What the roots are on the ray has no place in this drawing.
   for (StageStep& step : stage.steps) step.items.clear();
-  std::size_t row = 0;
-  for (std::size_t i = 0; i < told.walk->steps.size(); ++i) {
-    for (const WalkValue& value : told.walk->steps[i].values) {
+  const auto add_bars = [&](StageStep& step, const std::vector<WalkValue>& values, std::size_t row) {
+    for (const WalkValue& value : values) {
       const double y = 0.6 - row_height * static_cast<double>(row++);
       const double kept = std::max(0.0, digits - value.bits_lost);
-      Items& items = stage.steps.at(i + 1).items;
-      items.push_back(segment(Role::exact, {x(0), y, 0}, {x(kept), y, 0}));
+      step.items.push_back(segment(Role::exact, {x(0), y, 0}, {x(kept), y, 0}));
       if (value.bits_lost >= 0.5)
-        items.push_back(segment(Role::claimed, {x(kept), y, 0}, {x(digits), y, 0}, {}, Pattern::dotted));
-      items.push_back(point(Role::text, {x(0) - 0.1, y, 0}, value.name));
+        step.items.push_back(segment(Role::claimed, {x(kept), y, 0}, {x(digits), y, 0}, {}, Pattern::dotted));
+      step.items.push_back(point(Role::text, {x(0) - 0.1, y, 0}, value.name));
     }
+    return row;
+  };
+  (void)add_bars(stage.steps.front(), told.walk->inputs, 0);
+  stage.steps.at(1).begins_anew = true;
+  std::size_t row = 0;
+  for (std::size_t i = 0; i < told.walk->steps.size(); ++i) {
+    row = add_bars(stage.steps.at(i + 1), told.walk->steps[i].values, row);
   }
   stage.steps.front().title = "Every number begins with all its digits";
   stage.steps.push_back(parting_of_values(*told.walk, setting, one.precision));

@@ -70,7 +70,9 @@ Stage counted_stage(const Told& told, const Counting& counting) {
     const PolygonSide side = polygon_side(question, i);
     step.items.push_back(segment(Role::edge, side.a, side.b, side.name));
     if (step.values.empty()) {
-      step.caption = fmt::format("{}: {} Crossings so far: {}.", side.name, counting.because, count);
+      const auto y = [&](double height) { return shown(height, told.one.precision); };
+      step.caption = fmt::format("{} from y = {} to {}, the ray at y = {}: {} Crossings so far: {}.",
+                                 side.name, y(side.a.y), y(side.b.y), y(p.y), counting.because, count);
       continue;
     }
     const WalkValue& s = step.values[0].components[0];

@@ -139,12 +139,14 @@ Stage loop_stage(const Case& one, const TellCase& tell) {
       image.push_back(filled);
       std::vector<glm::dvec3> outline = filled.points;
       outline.push_back(outline.front());
-      image.push_back(polyline(filled.role, outline));
+      image.push_back(polyline(filled.role, outline, {}, ball == 0 ? Pattern::solid : Pattern::dotted));
     }
   }
-  stage.steps.push_back(loop_step("Colour every pixel by its nearest object",
-                                  fmt::format("{} of {} pixels see an object.", hits, width * height), view,
-                                  image));
+  stage.steps.push_back(
+      loop_step("Colour every pixel by its nearest object",
+                fmt::format("{} of {} pixels see an object: framed solid the first, dotted the second.", hits,
+                            width * height),
+                view, image));
   stage.steps.push_back(parting_step(told, setting));
   stage.method = "sphere/centred for each pixel and object";
   return stage;

@@ -19,25 +19,11 @@ Stage transformed_stage(const Case& one, const TellCase& tell) {
   const Told told = tell(one, "sphere/centred");
   Stage stage = stage_of(told);
   const NumbersByName n(*told.walk, told.walk->steps.size() - 1);
-  StageStep& step = stage.steps.at(1);
-  step.items = {{Role::surface, Form::ellipsoid, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
-                arrow(Role::ray, n.origin(), n.at(n["t₁"] * 1.25), "o′ + t·d′"),
-                point(Role::ray, n.origin(), "o′"),
-                point(Role::text, -1.25 * stage.camera.up, "the object's own space")};
-  // At the right of what there is in the world.
-  const auto reach = [&](const Items& items) {
-    return view_of(extent_of(items, stage.camera), stage.camera);
-  };
-  const StageView world = reach(stage.scene);
-  const StageView own = reach(step.items);
-  const double way = view_aspect * (world.radius + own.radius);
-  for (StageItem& item : step.items) {
-    for (glm::dvec3& p : item.points) p += world.centre - own.centre + way * stage.camera.right;
-  }
-  Items all = stage.scene;
-  all.insert(all.end(), step.items.begin(), step.items.end());
-  step.view = reach(all);
-  stage.steps.at(2).begins_anew = true;  // in the world alone
+  show_beside(stage, 1,
+              {{Role::surface, Form::ellipsoid, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
+               arrow(Role::ray, n.origin(), n.at(n["t₁"] * 1.25), "o′ + t·d"),
+               point(Role::ray, n.origin(), "o′"),
+               point(Role::text, -1.25 * stage.camera.up, "the object's own space")});
   return stage;
 }
 

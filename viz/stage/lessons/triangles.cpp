@@ -1,4 +1,6 @@
+#include "viz/stage/compose.hpp"
 #include "viz/stage/lessons.hpp"
+#include "viz/stage/stage_of.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -6,6 +8,23 @@ namespace {
 constexpr const char* one_triangle =
     R"({"precision": "float32", "ray": {"origin": [0.7, -1.9, 2.4], "direction": [-0.2, 0.9, -0.8]},
         "shape": {"type": "triangle", "a": [-1.1, -0.4, 0.3], "b": [1.6, -0.2, 0.1], "c": [0.2, 1.3, 0.6]}})";
+
+/// Beside the world, what the ray sees: the sheared triangle along the z axis, which is the sheared ray.
+Stage woop_stage(const Case& one, const TellCase& tell) {
+  const Told told = tell(one, "triangle/woop");
+  Stage stage = stage_of(told);
+  const NumbersByName n(*told.walk, told.walk->steps.size() - 1);
+  const auto seen = [&](const char* corner) {
+    const glm::dvec3 p = n.vector(corner);
+    return p.x * stage.camera.right + p.y * stage.camera.up;
+  };
+  const glm::dvec3 a = seen("a"), b = seen("b"), c = seen("c");
+  show_beside(
+      stage, 2,
+      {polygon(Role::edge, {a, b, c}), polyline(Role::edge, {a, b, c, a}), point(Role::surface, a, "a"),
+       point(Role::surface, b, "b"), point(Role::surface, c, "c"), point(Role::ray, {0, 0, 0}, "the ray")});
+  return stage;
+}
 
 }  // namespace
 
@@ -27,7 +46,7 @@ std::vector<Lesson> triangle_lessons() {
        "Three signs say on which side the ray passes each edge; a shared edge has one sign for both "
        "triangles, so "
        "nothing leaks.",
-       one_triangle, "triangle/woop"},
+       one_triangle, "", woop_stage},
   };
 }
 

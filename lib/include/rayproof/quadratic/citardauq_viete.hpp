@@ -35,8 +35,8 @@ struct CitardauqViete {
 
     step<T>("Take one root from q and the other from Viète");
     // A double root is one number; b = D = 0 leaves w = 0, and 0/0 must not be.
-    const T x0 = named("x₀", w / q.a);
-    const T x1 = named("x₁", select(D == T(0), x0, q.c / w));
+    const T x0 = named("q/a", w / q.a);
+    const T x1 = named("c/q", select(D == T(0), x0, q.c / w));
     return ascending(D, x0, x1);
   }
 };

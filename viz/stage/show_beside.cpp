@@ -1,0 +1,22 @@
+#include "viz/stage/compose.hpp"
+#include "viz/stage/fit_view.hpp"
+
+namespace rayproof::viz {
+
+void show_beside(Stage& stage, std::size_t number, const Items& items) {
+  const auto reach = [&](const Items& some) { return view_of(extent_of(some, stage.camera), stage.camera); };
+  const StageView world = reach(stage.scene);
+  const StageView own = reach(items);
+  const double way = view_aspect * (world.radius + own.radius);
+  StageStep& step = stage.steps.at(number);
+  step.items = items;
+  for (StageItem& item : step.items) {
+    for (glm::dvec3& p : item.points) p += world.centre - own.centre + way * stage.camera.right;
+  }
+  Items all = stage.scene;
+  all.insert(all.end(), step.items.begin(), step.items.end());
+  step.view = reach(all);
+  stage.steps.at(number + 1).begins_anew = true;
+}
+
+}  // namespace rayproof::viz
