@@ -28,7 +28,7 @@ struct Play {
 };
 
 /// What a key or a button asks of the window.
-enum class Request { none, quit, print_case };
+enum class Request { none, quit, print_case, save_picture };
 
 /// What the arrow keys move; Tab goes on to the next.
 enum class Focus { steps, slider, view, origin, tip };

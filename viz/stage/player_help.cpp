@@ -21,6 +21,7 @@ constexpr std::array help{
     Help{"Wheel", "nearer, farther; + − while the arrow keys move the view"},
     Help{"r", "everything as it was at first"},
     Help{"c", "print the case as it stands, for any program that reads cases"},
+    Help{"s", "save the window's picture as a PNG, where the program was started"},
     Help{"n  p", "the next walkthrough, the one before, where there are several"},
     Help{"h  F1  ?", "this page; Esc closes it"},
     Help{"q", "quit"},

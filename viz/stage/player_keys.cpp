@@ -77,6 +77,7 @@ Request Player::press_key(const std::string& key, bool is_shifted) {
   if (drag_ == Drag::handle) release();  // what is held may be gone after the key
   if (is_one_of(key, {"q", "Q"})) return Request::quit;
   if (key == "c") return Request::print_case;
+  if (key == "s") return Request::save_picture;
   if (is_one_of(key, {"h", "H", "F1", "question", "slash"})) {
     is_help_shown_ = !is_help_shown_;
     return Request::none;

@@ -12,9 +12,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <stdexcept>
 
 #include "case/writer.hpp"
 #include "viz/vtk/picture_item.hpp"
+#include "viz/vtk/picture_png.hpp"
 #include "viz/vtk/x_display.hpp"
 
 namespace rayproof::viz {
@@ -116,6 +118,18 @@ class StageWindow::Parts {
     if (request == Request::print_case) {
       fmt::print("{}\n", write_case(player.stage().one));
       std::fflush(stdout);
+    }
+    if (request == Request::save_picture) save_picture();
+  }
+
+  /// Not where a storyboard of the same walkthrough has its slides.
+  void save_picture() {
+    const std::string path = fmt::format("{}-{}-window.png", player.stage().name, player.step() + 1);
+    try {
+      PictureCanvas().write(player.picture(), path);
+      fmt::print(stderr, "saved {}\n", path);
+    } catch (const std::runtime_error& failure) {
+      fmt::print(stderr, "rayproof walk: {}\n", failure.what());
     }
   }
 

@@ -77,10 +77,11 @@ TEST(Player, AButtonThatIsGreyDoesNothing) {
   EXPECT_EQ(player.step(), 0U);
 }
 
-TEST(Player, OnlyQuitAsksToQuitAndOnlyCAsksForTheCase) {
+TEST(Player, OnlyQuitAsksToQuitOnlyCForTheCaseAndOnlySForThePicture) {
   Player player = sphere_player();
   EXPECT_EQ(player.press_key("q"), Request::quit);
   EXPECT_EQ(player.press_key("c"), Request::print_case);
+  EXPECT_EQ(player.press_key("s"), Request::save_picture);
   for (const char* key : {"Right", "Escape", "Tab", "h", "e", "", "XF86AudioPlay", "r"})
     EXPECT_EQ(player.press_key(key), Request::none) << key;
 }

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "unit/command.hpp"
 #include "unit/viz/player.hpp"
@@ -51,6 +52,32 @@ TEST(WindowProgram, ItRunsUntilQAndPrintsTheCaseThatWasDragged) {
   const auto ray = [](const Case& one) { return std::get<RayQuestion>(one.question).ray; };
   EXPECT_EQ(ray(moved).origin, ray(read_case(sphere_case)).origin);
   EXPECT_NE(ray(moved).direction, ray(read_case(sphere_case)).direction);
+}
+
+TEST(WindowProgram, SSavesThePictureWhereItMayAndTellsWhereItMayNot) {
+  const OffscreenDisplay display("1280x900x24");
+  const std::filesystem::path here = testing::TempDir() + "saved-pictures";
+  std::filesystem::create_directory(here);
+  const std::filesystem::path picture = here / "ray-2-window.png";
+  std::filesystem::remove(picture);
+  const auto save = [&] {
+    Running program("cd " + here.string() + " && " + walk_for_a_minute + "ray --window 2>&1");
+    XClient user;
+    EXPECT_TRUE(user.find_window());
+    for (const char* key : {"Right", "s", "q"}) user.press_key(key);
+    return program.wait();
+  };
+  const Ended saved = save();
+  EXPECT_EQ(saved.status, 0) << saved.output;
+  EXPECT_EQ(saved.output, "saved ray-2-window.png\n");
+  EXPECT_GT(std::filesystem::file_size(picture), 10000U);
+
+  std::filesystem::remove(picture);
+  std::filesystem::create_directory(picture);  // which no file can be written to
+  const Ended refused = save();
+  EXPECT_EQ(refused.status, 0) << refused.output;
+  EXPECT_EQ(refused.output, "rayproof walk: the file ray-2-window.png can't be written\n");
+  std::filesystem::remove_all(here);
 }
 
 }  // namespace
