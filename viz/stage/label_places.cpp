@@ -116,8 +116,11 @@ Text LabelPlaces::take(const Box& box, const std::string& label, double size) {
 }
 
 Text LabelPlaces::put_at(const std::string& label, const Point& middle, double size) {
-  const Box box = box_around(middle, label, size);
-  return take(box, label, size);
+  const Box own = box_around(middle, label, size);
+  // A label too long for its place moves into the frame as far as it can.
+  const double least = frame_.left + own.width / 2;
+  const double most = std::max(least, frame_.right() - own.width / 2);
+  return take(box_around({std::clamp(middle.x, least, most), middle.y}, label, size), label, size);
 }
 
 std::optional<Text> LabelPlaces::put(const std::string& label, const std::vector<Point>& anchors, double size,

@@ -105,7 +105,7 @@ class Typesetter {
       if (const char* sign = take_operator()) {
         result += fmt::format("<mo>{}</mo>", sign);
       } else {
-        result += quotient();
+        result += product();
       }
     }
   }
@@ -117,17 +117,37 @@ class Typesetter {
     return nullptr;
   }
 
-  std::string quotient() {
-    std::string result = atom();
+  /// Factors and divisors from left to right: a quotient's numerator is all of the product before it.
+  std::string product() {
+    std::string result = factor();
+    std::string above = bare_;
     while (true) {
       skip_spaces();
-      if (!take("/")) return result;
-      skip_spaces();
-      const std::string above = bare_;
-      (void)atom();
-      result = fmt::format("<mfrac>{}{}</mfrac>", above, bare_);
-      bare_ = result;
+      const bool is_dot = take("·");
+      if (is_dot || take("×")) {
+        skip_spaces();
+        result += fmt::format("<mo>{}</mo>{}", is_dot ? "·" : "×", factor());
+        above = row(result);
+      } else if (take("/")) {
+        skip_spaces();
+        (void)factor();
+        result = above = fmt::format("<mfrac>{}{}</mfrac>", above, bare_);
+      } else {
+        bare_ = above;
+        return result;
+      }
     }
+  }
+
+  /// An atom, or a quotient that is written as one: "1/a", without a space.
+  std::string factor() {
+    std::string result = atom();
+    if (!take("/")) return result;
+    skip_spaces();
+    const std::string above = bare_;
+    (void)atom();
+    result = fmt::format("<mfrac>{}{}</mfrac>", above, bare_);
+    return bare_ = result;
   }
 
   /// One operand; `bare_` is the same without the parentheses that a fraction's bar makes needless.
@@ -200,7 +220,7 @@ class Typesetter {
       skip_spaces();
       if (at_ >= text_.size() || is_next(")") || is_next(",")) return row(result);
       const char* const sign = take_operator();
-      result += sign != nullptr ? fmt::format("<mo>{}</mo>", sign) : quotient();
+      result += sign != nullptr ? fmt::format("<mo>{}</mo>", sign) : product();
     }
   }
 

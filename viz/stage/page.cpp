@@ -8,6 +8,7 @@
 #include "viz/html_text.hpp"
 #include "viz/numbers.hpp"
 #include "viz/palette.hpp"
+#include "viz/stage/label_places.hpp"
 #include "viz/stage/math_ml.hpp"
 #include "viz/stage/page_scene.hpp"
 #include "viz/stage/page_script.hpp"
@@ -43,13 +44,20 @@ std::string role_style() {
       halo(colour_of(Role::background).dark));
 }
 
+/// A formula of numbers: typeset where it is sure to fit on a phone, else as text, which browsers can break.
+std::string formula_of_numbers(const std::string& put_in) {
+  constexpr double phone_width = 300;
+  return text_width(put_in, 18) <= phone_width ? math_ml(put_in) : escaped(put_in);
+}
+
 /// Name, formula, numbers put in, and result, typeset.
 std::string equation(const StageValue& value, Precision precision) {
   const bool has_formula = !value.formula.empty() && value.formula != value.name;
-  const auto part = [](const std::string& text) { return fmt::format("<span>= {}</span> ", math_ml(text)); };
+  const auto part = [](const std::string& html) { return fmt::format("<span>= {}</span> ", html); };
   std::string html = math_ml(value.name) + " ";
-  if (has_formula) html += part(value.formula);
-  if (has_formula && !value.put_in.empty() && value.put_in != value.formula) html += part(value.put_in);
+  if (has_formula) html += part(math_ml(value.formula));
+  if (has_formula && !value.put_in.empty() && value.put_in != value.formula)
+    html += part(formula_of_numbers(value.put_in));
   return fmt::format("<div class=\"equation\">{}= <b class=\"claimed\">{}</b></div>\n", html,
                      escaped(shown(value, precision)));
 }
@@ -125,7 +133,7 @@ std::string slider(const Stage& stage) {
   return fmt::format(
       "<div class=\"slide\"><input id=\"slider\" type=\"range\" min=\"0\" max=\"1000\" step=\"1\" "
       "aria-label=\"{0} along the "
-      "{1}\"><output id=\"t\" for=\"slider\"></output></div>\n<div class=\"wide\"><table><thead><tr><th "
+      "{1}\"><output id=\"t\" for=\"slider\"></output></div>\n<div class=\"wide\"><table class=\"readings\"><thead><tr><th "
       "scope=\"col\">at this {0}</th>"
       "<th scope=\"col\">{2}</th><th scope=\"col\">{3}</th></tr></thead><tbody "
       "id=\"live\"></tbody></table></div>\n",

@@ -79,8 +79,9 @@ class Places {
   }
   putAt(text, at, size) {
     const w = textWidth(text, size) * 1.1 + 4, h = size * 1.15;
-    this.taken.push([at[0] - w/2, at[1] - h/2, at[0] + w/2, at[1] + h/2]);
-    return [at[0], at[1] + h/2 - size * 0.27];
+    const x = Math.max(Math.min(at[0], W - w/2), w/2);
+    this.taken.push([x - w/2, at[1] - h/2, x + w/2, at[1] + h/2]);
+    return [x, at[1] + h/2 - size * 0.27];
   }
   put(text, anchors, size, must) {
     const w = textWidth(text, size) * 1.1 + 4, h = size * 1.15;

@@ -95,7 +95,7 @@ function run(to) {
   const rows = s.shows_point ? [['p(t)', '(' + [0, 1, 2].map(i => show(along(round, i))).join(', ') + ')', single ? '(' + [0, 1, 2].map(i => Number(along(x => x, i).toPrecision(12))).join(', ') + ')' : '']] : [];
   for (const r of s.readouts) rows.push([r.label, show(horner(round, r.coefficients)), single ? String(Number(horner(x => x, r.coefficients).toPrecision(12))) : '']);
   document.getElementById('t').textContent = `${s.symbol} = ${show(t)}`;
-  document.getElementById('live').innerHTML = rows.map(([label, value, fine]) => `<tr><th scope="row">${escape(label)}</th><td class="claimed">${value}</td><td class="exact">${fine}</td></tr>`).join('');
+  document.getElementById('live').innerHTML = rows.map(([label, value, fine]) => `<tr><th scope="row">${escape(label)}</th><td class="claimed" data-of="${data.precision}">${value}</td><td class="exact" data-of="in double">${fine}</td></tr>`).join('');
   slider.setAttribute('aria-valuetext', `${s.symbol} = ${show(t)}`);
   draw();
 }

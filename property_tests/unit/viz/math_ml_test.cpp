@@ -16,6 +16,17 @@ TEST(MathMl, MakesAFractionOfAQuotientAndDropsTheParenthesesItsBarSpares) {
   EXPECT_FALSE(has(root, "(")) << root;
 }
 
+TEST(MathMl, PutsAllOfAProductAboveTheBarOfWhatItIsDividedBy) {
+  EXPECT_EQ(math_ml("2·c / b"),
+            "<math><mrow><mfrac><mrow><mn>2</mn><mo>·</mo><mi>c</mi></mrow><mi>b</mi></mfrac></mrow></math>");
+  EXPECT_EQ(math_ml("a / b·c"),
+            "<math><mrow><mfrac><mi>a</mi><mi>b</mi></mfrac><mo>·</mo><mi>c</mi></mrow></math>");
+  EXPECT_EQ(math_ml("a·1/b"),
+            "<math><mrow><mi>a</mi><mo>·</mo><mfrac><mn>1</mn><mi>b</mi></mfrac></mrow></math>");
+  EXPECT_TRUE(has(math_ml("n·(p - o) / (n·d)"), "<mfrac><mrow><mi>n</mi><mo>·</mo>"))
+      << math_ml("n·(p - o) / (n·d)");
+}
+
 TEST(MathMl, LowersSubscriptsAndPutsArrowsAbove) {
   EXPECT_TRUE(has(math_ml("t₀"), "<msub><mi>t</mi><mi>0</mi></msub>"));
   EXPECT_TRUE(has(math_ml("S_x"), "<msub><mi>S</mi><mi>x</mi></msub>"));
