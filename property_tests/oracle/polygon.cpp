@@ -36,7 +36,7 @@ FlatEquation plane_of(const Polygon<double>& polygon) {
   return {normal, dot(normal, Vector<Ring>::from(polygon.vertices.front()))};
 }
 
-Projection::Projection(const Vector<Ring>& normal) : x(0), y(1) {
+Projection::Projection(const Vector<Ring>& normal) {
   const std::array<Ring, 3> sizes{magnitude(normal.x), magnitude(normal.y), magnitude(normal.z)};
   std::size_t largest = 0;
   for (std::size_t axis = 1; axis < 3; ++axis) {

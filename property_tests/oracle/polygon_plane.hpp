@@ -13,7 +13,7 @@ namespace rayproof::oracle {
 /// The coordinates that are left where the axis of the normal's largest component is dropped (ties: the later
 /// axis).
 struct Projection {
-  int x, y;
+  int x = 0, y = 1;
 
   explicit Projection(const Vector<Ring>& normal);
 

@@ -51,11 +51,12 @@ template <class R, class Number>
   return HitError{abs(error) / ulp, value(abs(power) / ((distance + radius) * unit))};
 }
 
-/// The error of an infinite or NaN t: right only where the exact root rounds to the same infinity.
+/// The error of an infinite or NaN t: right only where there is a root and it rounds to the same infinity.
 [[nodiscard]] inline HitError infinite_hit_error(const SphereEquation<Ring>& scene, int side, double t,
                                                  Precision precision) {
-  const ExactRoot root({scene.a(), scene.h(), scene.c()}, side);
-  const bool right = round_correctly(root, precision) == t;
+  const ExactQuadratic equation{scene.a(), scene.h(), scene.c()};
+  const bool right =
+      sign(equation.discriminant()) >= 0 && round_correctly(ExactRoot(equation, side), precision) == t;
   return right ? HitError{0, 0} : HitError{HUGE_VAL, HUGE_VAL};
 }
 

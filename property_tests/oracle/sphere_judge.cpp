@@ -13,7 +13,7 @@
 namespace rayproof::oracle {
 namespace {
 
-using std::abs, std::sqrt;
+using std::abs;
 
 /// The lengths a contract speaks of, in the scale of the equation.
 template <class Number>

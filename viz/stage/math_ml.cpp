@@ -246,6 +246,22 @@ class Typesetter {
 
 }  // namespace
 
+std::vector<std::string> terms_of(const std::string& formula) {
+  std::vector<std::string> terms{""};
+  int depth = 0;
+  for (std::size_t i = 0; i < formula.size(); ++i) {
+    const std::string_view rest = std::string_view(formula).substr(i);
+    const bool is_sign = rest.starts_with(" + ") || rest.starts_with(" − ");
+    if (depth == 0 && is_sign) {
+      terms.emplace_back();
+      continue;  // the space before the sign
+    }
+    depth += formula[i] == '(' ? 1 : formula[i] == ')' ? -1 : 0;
+    terms.back() += formula[i];
+  }
+  return terms;
+}
+
 std::string math_ml(const std::string& formula) { return "<math>" + Typesetter(formula).all() + "</math>"; }
 
 }  // namespace rayproof::viz

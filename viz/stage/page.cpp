@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 
 #include "case/writer.hpp"
@@ -44,10 +45,21 @@ std::string role_style() {
       halo(colour_of(Role::background).dark));
 }
 
-/// A formula of numbers: typeset where it is sure to fit on a phone, else as text, which browsers can break.
+/// A formula typeset term by term, so that a browser can break the line between them.
+std::string typeset(const std::string& formula) {
+  std::string html;
+  for (const std::string& term : terms_of(formula)) html += math_ml(term) + " ";
+  return html;
+}
+
+/// A formula of numbers: typeset where each term is sure to fit on a phone, else as text, which breaks
+/// anywhere.
 std::string formula_of_numbers(const std::string& put_in) {
-  constexpr double phone_width = 300;
-  return text_width(put_in, 18) <= phone_width ? math_ml(put_in) : escaped(put_in);
+  constexpr double phone_width = 240;
+  const auto terms = terms_of(put_in);
+  const bool fits = std::all_of(terms.begin(), terms.end(),
+                                [](const std::string& term) { return text_width(term, 18) <= phone_width; });
+  return fits ? typeset(put_in) : escaped(put_in);
 }
 
 /// Name, formula, numbers put in, and result, typeset.
@@ -55,7 +67,7 @@ std::string equation(const StageValue& value, Precision precision) {
   const bool has_formula = !value.formula.empty() && value.formula != value.name;
   const auto part = [](const std::string& html) { return fmt::format("<span>= {}</span> ", html); };
   std::string html = math_ml(value.name) + " ";
-  if (has_formula) html += part(math_ml(value.formula));
+  if (has_formula) html += part(typeset(value.formula));
   if (has_formula && !value.put_in.empty() && value.put_in != value.formula)
     html += part(formula_of_numbers(value.put_in));
   return fmt::format("<div class=\"equation\">{}= <b class=\"claimed\">{}</b></div>\n", html,
@@ -133,7 +145,8 @@ std::string slider(const Stage& stage) {
   return fmt::format(
       "<div class=\"slide\"><input id=\"slider\" type=\"range\" min=\"0\" max=\"1000\" step=\"1\" "
       "aria-label=\"{0} along the "
-      "{1}\"><output id=\"t\" for=\"slider\"></output></div>\n<div class=\"wide\"><table class=\"readings\"><thead><tr><th "
+      "{1}\"><output id=\"t\" for=\"slider\"></output></div>\n<div class=\"wide\"><table "
+      "class=\"readings\"><thead><tr><th "
       "scope=\"col\">at this {0}</th>"
       "<th scope=\"col\">{2}</th><th scope=\"col\">{3}</th></tr></thead><tbody "
       "id=\"live\"></tbody></table></div>\n",

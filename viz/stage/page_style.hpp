@@ -26,7 +26,7 @@ button:disabled{opacity:.45;cursor:default}:focus-visible{outline:3px solid var(
 .slide output{font-weight:bold;font-variant-numeric:tabular-nums;min-width:9em}
 .step{border:1px solid var(--line);border-radius:6px;padding:12px 16px;margin:0 0 12px;break-inside:avoid}
 .step figure{margin:0 0 8px;max-width:640px}.step figure svg{display:block;width:100%;height:auto}
-.equation{margin:.5rem 0;line-height:1.9}.equation span{display:inline-block;max-width:100%;overflow-x:auto;overflow-y:hidden;vertical-align:middle}math{font-size:1.12em}
+.equation{margin:.5rem 0;line-height:1.9}.equation span{display:inline-block;max-width:100%;overflow-wrap:anywhere;overflow-x:auto;overflow-y:hidden;vertical-align:middle}math{font-size:1.12em}
 .wide{overflow-x:auto}table{border-collapse:collapse;font-variant-numeric:tabular-nums;font-size:.875rem}
 th,td{text-align:left;padding:3px 10px 3px 0;white-space:nowrap;font-weight:normal;vertical-align:top}thead th{color:var(--soft);border-bottom:1px solid var(--line)}
 tbody th{font-weight:bold}td.lost{color:var(--mark);font-weight:bold}.claimed{color:var(--mark)}.exact{color:var(--good)}
@@ -34,6 +34,7 @@ tbody th{font-weight:bold}td.lost{color:var(--mark);font-weight:bold}.claimed{co
 details{margin:12px 0}summary{cursor:pointer}pre{white-space:pre-wrap;overflow-wrap:anywhere;background:var(--tint);padding:10px;border-radius:6px;font-size:.8125rem}
 kbd{border:1px solid var(--line);border-radius:4px;padding:0 5px;font:inherit;font-size:.8125rem}
 @media screen{.live .step{display:none;margin:0}.live .step.shown{display:block}.live .step figure{display:none}}
+@media screen and (max-width:30rem){math{font-size:.92em}}
 @media screen and (max-width:72rem){.readings thead{position:absolute;clip-path:inset(50%)}#live th,#live td{display:block;white-space:normal;overflow-wrap:anywhere;padding:1px 0}#live td:empty{display:none}#live td::before{content:attr(data-of) ' ';color:var(--soft)}}
 @media screen and (max-width:52rem){.live #walk{grid-template-columns:minmax(0,1fr)}h1{font-size:1.25rem}main{padding:12px 12px 32px}}
 @media print{.live #walk{display:block}.live #live-part,.screen{display:none!important}main{max-width:none;padding:0}body{font-size:11pt}.step{border-color:#999}h1{font-size:15pt}}

@@ -34,6 +34,19 @@ TEST(SphereOracle, MissesByOneUlp) {
             2U);
 }
 
+TEST(SphereOracle, JudgesAnInfiniteHitOfARayThatMissesAsWrongWithoutAskingForItsRoot) {
+  const Case one = sphere_case({0, 0.001, -1}, {0, 0, 1e-25}, {0, 0, 0}, 0.0001);
+  for (const double t : {HUGE_VAL, -HUGE_VAL, std::nan("")}) {
+    RayAnswer claimed;
+    claimed.hits.t[claimed.hits.count++] = t;
+    const Judgement judgement = judge(one, claimed);
+    EXPECT_TRUE(judgement.wrong);
+    EXPECT_FALSE(judgement.hit);
+    EXPECT_EQ(judgement.residual, HUGE_VAL);
+    EXPECT_TRUE(std::isnan(judgement.ulp));
+  }
+}
+
 TEST(SphereOracle, CountsAnOriginOnTheSurface) {
   const RayAnswer found = ray_answer(sphere_case({0, 0, -1}, {0, 0, 3}, {0, 0, 0}, 1));
   ASSERT_EQ(found.hits.count, 2U);

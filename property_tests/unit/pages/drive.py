@@ -26,6 +26,10 @@ MISPLACED = """(() => {
   return bad;
 })()"""
 
+# Equations and readings that run out of their column.
+CUT_OFF = """[...document.querySelectorAll('.step.shown .equation span, #live-part .wide')]
+  .filter(e => e.scrollWidth > e.clientWidth + 1).map(e => e.textContent)"""
+
 
 def float32(x):
     return struct.unpack("f", struct.pack("f", x))[0]
@@ -117,9 +121,14 @@ class Test:
         self.expect(page.run("[...document.querySelectorAll('.step figure svg')].every(s => s.getBoundingClientRect().height > 50)"),
                     "each printed step is to have its picture")
         page.send("Emulation.setEmulatedMedia", media="")
-        page.send("Emulation.setDeviceMetricsOverride", width=360, height=740, deviceScaleFactor=2, mobile=True)
-        wide = page.run("document.documentElement.scrollWidth")
-        self.expect(wide <= 360, f"on a phone of 360 pixels the page is {wide} wide")
+        for width in (360, 900):
+            page.send("Emulation.setDeviceMetricsOverride", width=width, height=740, deviceScaleFactor=2, mobile=width < 500)
+            wide = page.run("document.documentElement.scrollWidth")
+            self.expect(wide <= width, f"in {width} pixels the page is {wide} wide")
+            for step in range(count):
+                page.run(f"show({step})")
+                for fault in page.run(CUT_OFF) + page.run(MISPLACED):
+                    self.expect(False, f"step {step + 1}, {width} pixels wide: {fault}")
         page.send("Emulation.clearDeviceMetricsOverride")
 
     def all(self):

@@ -39,6 +39,13 @@ TEST(MathMl, KeepsANumbersExponentTogetherAndEscapesWhatHtmlWouldRead) {
   EXPECT_TRUE(has(math_ml("u < 1"), "&lt;"));
 }
 
+TEST(MathMl, PartsAFormulaIntoTermsWithTheirSigns) {
+  const std::vector<std::string> terms{"b·b", "− 4·(a + c)", "+ 1"};
+  EXPECT_EQ(terms_of("b·b − 4·(a + c) + 1"), terms);
+  EXPECT_EQ(terms_of("−b"), std::vector<std::string>{"−b"});
+  EXPECT_EQ(terms_of(""), std::vector<std::string>{""});
+}
+
 TEST(MathMl, EndsOnAnyText) {
   for (const char* text :
        {"", "(", ")", "((", "√", "|", "a)b", "dot(", "dot(a", "^(", "/", "1/", "²", "·", ","}) {

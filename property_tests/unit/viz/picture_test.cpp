@@ -66,6 +66,14 @@ void for_every_family(std::uint64_t cases, Check&& check) {
   }
 }
 
+TEST(Markup, IsRefusedForATagThatIsNoneOrOpenOrClosesNothing) {
+  for (const char* right : {"", "text", "<a/>", "<a b=\"c\"  d-e=\"\"></a>", "<a><b/></a>"})
+    EXPECT_EQ(complaint_about_xml(right), "") << right;
+  for (const char* wrong : {"<a", "<a>", "</a>", "<a></b>", "<a b></a>", "<a b=c></a>", "<a b=\"c></a>",
+                            "<a b=\"c\"d=\"e\"></a>", "<a b=\"<\"></a>", "< a></a>"})
+    EXPECT_NE(complaint_about_xml(wrong), "") << wrong;
+}
+
 TEST(Picture, NothingLiesOutsideItWhateverTheCase) {
   for_every_family(3,
                    [](const Case& one, const Answer& exact, const Answer& claimed, const std::string& which) {
