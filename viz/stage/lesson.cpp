@@ -11,9 +11,10 @@ namespace rayproof::viz {
 const std::vector<Lesson>& lessons() {
   static const std::vector<Lesson> all = [] {
     std::vector<Lesson> list;
-    for (const auto& group : {ray_lessons(), camera_lessons(), raycasting_lessons(), plane_lessons(),
-                              triangle_lessons(), polygon_lessons(), quadratic_lessons(), sphere_lessons(),
-                              solid_lessons(), transform_lessons(), plot_lessons(), leak_lessons()}) {
+    for (const auto& group :
+         {ray_lessons(), camera_lessons(), raycasting_lessons(), plane_lessons(), triangle_lessons(),
+          polygon_lessons(), quadratic_lessons(), sphere_lessons(), solid_lessons(), transform_lessons(),
+          barycentric_lessons(), slab_interval_lessons(), digit_lessons(), leak_lessons()}) {
       list.insert(list.end(), group.begin(), group.end());
     }
     // Groups together, in the order in which they first appear.

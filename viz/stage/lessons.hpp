@@ -16,7 +16,9 @@ namespace rayproof::viz {
 [[nodiscard]] std::vector<Lesson> sphere_lessons();
 [[nodiscard]] std::vector<Lesson> solid_lessons();
 [[nodiscard]] std::vector<Lesson> transform_lessons();
-[[nodiscard]] std::vector<Lesson> plot_lessons();
+[[nodiscard]] std::vector<Lesson> barycentric_lessons();
+[[nodiscard]] std::vector<Lesson> slab_interval_lessons();
+[[nodiscard]] std::vector<Lesson> digit_lessons();
 [[nodiscard]] std::vector<Lesson> leak_lessons();
 
 }  // namespace rayproof::viz

@@ -9,25 +9,10 @@
 #include <vector>
 
 #include "viz/html_text.hpp"
+#include "viz/stage/math_names.hpp"
 
 namespace rayproof::viz {
 namespace {
-
-constexpr std::array<std::pair<std::string_view, const char*>, 14> subscripts{{{"₀", "0"},
-                                                                               {"₁", "1"},
-                                                                               {"₂", "2"},
-                                                                               {"₃", "3"},
-                                                                               {"₄", "4"},
-                                                                               {"₅", "5"},
-                                                                               {"₆", "6"},
-                                                                               {"₇", "7"},
-                                                                               {"₈", "8"},
-                                                                               {"₉", "9"},
-                                                                               {"ₓ", "x"},
-                                                                               {"ᵢ", "i"},
-                                                                               {"ⱼ", "j"},
-                                                                               {"ₖ", "k"}}};
-constexpr std::string_view arrow_above = "\u20d7";
 
 /// Signs that end a name, each with the operator that it stands for.
 constexpr std::array<std::pair<std::string_view, const char*>, 12> operators{{{"+", "+"},
@@ -44,32 +29,6 @@ constexpr std::array<std::pair<std::string_view, const char*>, 12> operators{{{"
                                                                               {"±", "±"}}};
 
 std::string row(const std::string& inside) { return "<mrow>" + inside + "</mrow>"; }
-std::string identifier(const std::string& text) {
-  return fmt::format("<mi{}>{}</mi>", text.size() > 1 ? " mathvariant=\"normal\"" : "", escaped(text));
-}
-
-/// A name: its letters, then ".x" or "_x" or "₀" as a subscript, and an arrow above.
-std::string name(std::string text) {
-  std::string below;
-  const auto take_suffix = [&](std::size_t at, std::size_t length) {
-    below = escaped(text.substr(at + length)) + below;
-    text.erase(at);
-  };
-  if (const std::size_t dot = text.rfind('.'); dot != std::string::npos && dot > 0) take_suffix(dot, 1);
-  if (const std::size_t low = text.find('_'); low != std::string::npos && low > 0) take_suffix(low, 1);
-  for (const auto& [sign, plain] : subscripts) {
-    if (text.size() > sign.size() && text.ends_with(sign)) {
-      below = plain + below;
-      text.erase(text.size() - sign.size());
-    }
-  }
-  const std::size_t arrow = text.find(arrow_above);
-  if (arrow != std::string::npos) text.erase(arrow, arrow_above.size());
-  std::string result = identifier(text);
-  if (arrow != std::string::npos) result = fmt::format("<mover>{}<mo>→</mo></mover>", result);
-  return below.empty() ? result : fmt::format("<msub>{}<mi>{}</mi></msub>", result, below);
-}
-
 /// Recursive descent over sums of products of atoms; whatever it does not know it takes for a letter.
 class Typesetter {
  public:
@@ -196,7 +155,7 @@ class Typesetter {
     const std::string text(text_.substr(begin, at_ - begin));
     const bool is_number = std::isdigit(static_cast<unsigned char>(text[0])) != 0;
     if (is_number) return fmt::format("<mn>{}</mn>", escaped(text));
-    if (!is_next("(")) return name(text);
+    if (!is_next("(")) return typeset_name(text);
     if (text == "dot") return dot_product();
     const std::string argument = simple_atom();  // a function's
     return row(fmt::format("<mi mathvariant=\"normal\">{}</mi>{}", escaped(text), argument));

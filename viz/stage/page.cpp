@@ -2,28 +2,21 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cctype>
 
 #include "case/writer.hpp"
 #include "viz/html_text.hpp"
-#include "viz/numbers.hpp"
 #include "viz/palette.hpp"
-#include "viz/stage/label_places.hpp"
-#include "viz/stage/math_ml.hpp"
 #include "viz/stage/page_scene.hpp"
 #include "viz/stage/page_script.hpp"
+#include "viz/stage/page_step.hpp"
 #include "viz/stage/page_style.hpp"
 #include "viz/stage/stage_json.hpp"
 #include "viz/stage/stage_picture.hpp"
-#include "viz/stage/stage_values.hpp"
 #include "viz/svg.hpp"
 
 namespace rayproof::viz {
 namespace {
-
-constexpr double scene_width = 640;
-constexpr double scene_height = 430;
 
 /// The colours of the roles for the live scene and the legend, light and dark.
 std::string role_style() {
@@ -43,73 +36,6 @@ std::string role_style() {
       "@media screen and (prefers-color-scheme:dark){{{}{}}}",
       area_opacity, light, halo(colour_of(Role::background).light), dark,
       halo(colour_of(Role::background).dark));
-}
-
-/// A formula typeset term by term, so that a browser can break the line between them.
-std::string typeset(const std::string& formula) {
-  std::string html;
-  for (const std::string& term : terms_of(formula)) html += math_ml(term) + " ";
-  return html;
-}
-
-/// A formula of numbers: typeset where each term is sure to fit on a phone, else as text, which breaks
-/// anywhere.
-std::string formula_of_numbers(const std::string& put_in) {
-  constexpr double phone_width = 240;
-  const auto terms = terms_of(put_in);
-  const bool fits = std::all_of(terms.begin(), terms.end(),
-                                [](const std::string& term) { return text_width(term, 18) <= phone_width; });
-  return fits ? typeset(put_in) : escaped(put_in);
-}
-
-/// Name, formula, numbers put in, and result, typeset.
-std::string equation(const StageValue& value, Precision precision) {
-  const bool has_formula = !value.formula.empty() && value.formula != value.name;
-  const auto part = [](const std::string& html) { return fmt::format("<span>= {}</span> ", html); };
-  std::string html = math_ml(value.name) + " ";
-  if (has_formula) html += part(typeset(value.formula));
-  if (has_formula && !value.put_in.empty() && value.put_in != value.formula)
-    html += part(formula_of_numbers(value.put_in));
-  return fmt::format("<div class=\"equation\">{}= <b class=\"claimed\">{}</b></div>\n", html,
-                     escaped(shown(value, precision)));
-}
-
-std::string row(const std::string& name, const WalkValue& v, Precision precision) {
-  return fmt::format(
-      "<tr><th scope=\"row\">{}</th><td class=\"claimed\">{}</td><td "
-      "class=\"exact\">{}</td><td{}>{}</td></tr>\n",
-      math_ml(name), shown(v.value, precision), v.exact, v.bits_lost >= 3 ? " class=\"lost\"" : "",
-      v.bits_lost < 0.05 ? "–" : fmt::format("{:.1f}", v.bits_lost));
-}
-
-std::string table(const std::vector<StageValue>& values, Precision precision) {
-  if (values.empty()) return "";
-  std::string html = fmt::format(
-      "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Values\"><table><thead><tr><th "
-      "scope=\"col\">name</th>"
-      "<th scope=\"col\">{}</th><th scope=\"col\">exact</th><th scope=\"col\">bits "
-      "lost</th></tr></thead><tbody>\n",
-      precision == Precision::float32 ? "float32" : "float64");
-  for (const StageValue& value : values) {
-    for (const WalkValue& v : value.components) html += row(v.name, v, precision);
-  }
-  return html + "</tbody></table></div>\n";
-}
-
-std::string section(const Stage& stage, std::size_t number) {
-  const StageStep& step = stage.steps[number];
-  std::string html = fmt::format(
-      "<section class=\"step\" aria-labelledby=\"title-{0}\">\n<h2 id=\"title-{0}\">{0}. {1}</h2>\n",
-      number + 1, escaped(step.title));
-  html += "<figure>" + to_svg(scene_picture(stage, number, scene_width, scene_height)) + "</figure>\n";
-  std::string equations;
-  for (const StageValue& value : step.values) equations += equation(value, stage.precision);
-  const bool is_typeset = number > 0 && !equations.empty();
-  const std::string& words = is_typeset ? step.words : step.caption;
-  if (!words.empty()) html += fmt::format("<p>{}</p>\n", escaped(words));
-  if (is_typeset) html += equations;
-  if (!step.digits.empty()) html += fmt::format("<p class=\"soft\">{}</p>\n", escaped(step.digits));
-  return html + table(step.values, stage.precision) + "</section>\n";
 }
 
 std::string legend(const Stage& stage) {
@@ -204,7 +130,7 @@ std::string stage_page(const Stage& stage, const std::string& gallery) {
                         stage.source.empty() ? "" : ". Source: " + escaped(stage.source));
   }
   html += "<div id=\"walk\">\n" + live_part(stage) + "<div>\n";
-  for (std::size_t i = 0; i < stage.steps.size(); ++i) html += section(stage, i);
+  for (std::size_t i = 0; i < stage.steps.size(); ++i) html += step_section(stage, i);
   html += fmt::format("</div>\n</div>\n<p class=\"conclusion\">{}</p>\n", escaped(stage.conclusion));
   html +=
       "<details class=\"screen\"><summary>Keys</summary><p><kbd>←</kbd> <kbd>→</kbd> step back and on, "
@@ -236,7 +162,7 @@ std::string gallery_page(const std::vector<GalleryEntry>& entries) {
     const std::size_t middle = entry.stage->steps.size() / 2;
     html += fmt::format("<li><a href=\"{}\">{}<b>{}</b><br><span class=\"soft\">{}</span></a></li>\n",
                         escaped(entry.file),
-                        to_svg(scene_picture(*entry.stage, middle, scene_width, scene_height)),
+                        to_svg(scene_picture(*entry.stage, middle, page_scene_width, page_scene_height)),
                         escaped(entry.stage->title), escaped(entry.stage->sentence));
   }
   return html + (group.empty() ? "" : "</ul>\n") + "</main>\n</body>\n</html>\n";

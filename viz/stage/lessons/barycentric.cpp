@@ -1,0 +1,82 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <rayproof/triangle/barycentric.hpp>
+
+#include "viz/losses.hpp"
+#include "viz/numbers.hpp"
+#include "viz/stage/compose.hpp"
+#include "viz/stage/fit_view.hpp"
+#include "viz/stage/lessons.hpp"
+#include "viz/stage/lessons/plot_setting.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+/// The triangle and the point of the case in the plane z = 0.
+Stage barycentric_stage(const Case& one, const TellCase& tell) {
+  const Told told = tell(one, "triangle/plane_projection");
+  const auto& question = std::get<RayQuestion>(one.question);
+  const auto& triangle = std::get<Triangle<double>>(question.shape);
+  Walkthrough walk = record(one.precision, [&]<class R>(std::type_identity<R>) {
+    const auto flat = [](const char* name, const glm::dvec3& p) {
+      const std::string text = name;
+      return Vec2<R>{named((text + ".x").c_str(), R(p.x)), named((text + ".y").c_str(), R(p.y))};
+    };
+    const auto q = flat("q", question.ray.origin);
+    const auto a = flat("a", triangle.a);
+    const auto b = flat("b", triangle.b);
+    const auto c = flat("c", triangle.c);
+    step<R>("");
+    (void)triangle::barycentric(q, a, b, c);
+  });
+  // One value a step.
+  const std::vector<WalkValue> values = walk.steps.front().values;
+  static constexpr const char* titles[] = {"D is twice the area of the whole", "α is the part opposite a",
+                                           "β is the part opposite b", "γ is what is left for c"};
+  walk.steps.clear();
+  for (std::size_t i = 0; i < values.size(); ++i)
+    walk.steps.push_back({titles[i], loss_sentence(values[i].loss), {values[i]}, {}, values[i].loss});
+  Setting setting = plot_setting(told);
+  setting.scene = {polygon(Role::surface, {triangle.a, triangle.b, triangle.c}),
+                   polyline(Role::surface, {triangle.a, triangle.b, triangle.c, triangle.a}),
+                   point(Role::surface, triangle.a, "a"), point(Role::surface, triangle.b, "b"),
+                   point(Role::surface, triangle.c, "c")};
+  setting.near = setting.wide = view_of({triangle.a, triangle.b, triangle.c}, setting.camera);
+  setting.slider.reset();
+  const glm::dvec3 q{question.ray.origin.x, question.ray.origin.y, 0};
+  setting.scene.push_back(point(Role::nearest, q, "q"));
+  const auto part = [=](const char* name, const glm::dvec3& first, const glm::dvec3& u, const glm::dvec3& v) {
+    return Binding{
+        name, [=](const NumbersByName& n) {
+          const std::string label = fmt::format("{} = {}", name, rough(n[name], 3));
+          return Items{polygon(Role::edge, {first, u, v}, label), polyline(Role::edge, {first, u, v, first})};
+        }};
+  };
+  setting.bindings = {part("D", triangle.a, triangle.b, triangle.c), part("α", q, triangle.b, triangle.c),
+                      part("β", q, triangle.c, triangle.a), part("γ", q, triangle.a, triangle.b)};
+  Stage stage = composed_stage(told, walk, setting);
+  stage.steps.front().title = "Look at the triangle and the point";
+  stage.method = "triangle::barycentric";
+  stage.steps.push_back(parting_of_values(walk, setting, one.precision));
+  const bool is_inside = std::none_of(values.begin(), values.end(),
+                                      [](const WalkValue& v) { return v.name != "D" && v.value < 0; });
+  stage.conclusion =
+      fmt::format("{}: q = α·a + β·b + γ·c.", is_inside ? "None is negative, so the point is in the triangle"
+                                                        : "One is negative, so the point is outside");
+  return stage;
+}
+
+}  // namespace
+
+std::vector<Lesson> barycentric_lessons() {
+  return {
+      {"barycentric", "triangles", "Barycentric coordinates: three areas over the whole",
+       "A point is the mean of the corners, weighed by the areas opposite them.",
+       R"({"precision": "float32", "ray": {"origin": [0.3, 0.2, 2], "direction": [0, 0, -1]},
+           "shape": {"type": "triangle", "a": [-1.3, -0.7, 0], "b": [1.6, -0.5, 0], "c": [0.2, 1.1, 0]}})",
+       "", barycentric_stage},
+  };
+}
+
+}  // namespace rayproof::viz
