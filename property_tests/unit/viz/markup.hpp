@@ -58,6 +58,19 @@ namespace rayproof::viz {
   return open.empty() ? "" : open.back() + " is never closed";
 }
 
+/// The first attribute's value in which a word begins with "inf".
+[[nodiscard]] inline std::string complaint_about_numbers(const std::string& text) {
+  for (std::size_t at = text.find("=\""); at != std::string::npos; at = text.find("=\"", at)) {
+    at += 2;
+    const std::string value = text.substr(at, text.find('"', at) - at);
+    for (std::size_t i = value.find("inf"); i != std::string::npos; i = value.find("inf", i + 1)) {
+      if (i == 0 || std::isalnum(static_cast<unsigned char>(value[i - 1])) == 0) return value;
+    }
+    at += value.size();
+  }
+  return "";
+}
+
 /// The first address of another place; the name of SVG's own vocabulary is none.
 [[nodiscard]] inline std::string complaint_about_addresses(std::string text) {
   const std::string own = "http://www.w3.org/2000/svg";
