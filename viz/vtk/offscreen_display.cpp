@@ -14,6 +14,7 @@ namespace rayproof::viz {
 namespace {
 
 constexpr int answer_within_ms = 10'000;
+constexpr int end_within_ms = 2'000;
 
 /// In the child: becomes Xvfb, which writes its display's number to `answer`. Only async-signal-safe calls.
 [[noreturn]] void become_server(int answer, const char* answer_text, const char* screen, pid_t parent) {
@@ -43,31 +44,59 @@ std::string read_number(int answer) {
   return number;
 }
 
-}  // namespace
+/// Ends the server in good order, or, where it does not heed that in time, at once. Its exit status as
+/// waitpid has it.
+int end_server(pid_t server) {
+  int status = 0;
+  kill(server, SIGTERM);
+  for (int waited = 0; waited < end_within_ms; waited += 10) {
+    if (waitpid(server, &status, WNOHANG) != 0) return status;
+    poll(nullptr, 0, 10);
+  }
+  kill(server, SIGKILL);
+  waitpid(server, &status, 0);
+  return status;
+}
 
-OffscreenDisplay::OffscreenDisplay(const char* screen) {
-  if (const char* const before = std::getenv("DISPLAY")) display_before_ = before;
+struct Server {
+  pid_t process = -1;
+  std::string display{};  ///< its number; empty where the server did not start
+  bool is_missing = false;
+};
+
+Server start_server(const char* screen) {
   std::array<int, 2> ends{};
   if (pipe(ends.data()) != 0) throw NoDisplay("no pipe could be opened to start Xvfb");
   const std::string answer_text = std::to_string(ends[1]);
   const pid_t parent = getpid();
-  server_ = fork();
-  if (server_ == 0) become_server(ends[1], answer_text.c_str(), screen, parent);
+  Server server;
+  server.process = fork();
+  if (server.process == 0) become_server(ends[1], answer_text.c_str(), screen, parent);
   close(ends[1]);
-  const std::string number = server_ > 0 ? read_number(ends[0]) : std::string();
+  if (server.process > 0) server.display = read_number(ends[0]);
   close(ends[0]);
-  if (!number.empty()) {
-    setenv("DISPLAY", (":" + number).c_str(), 1);
-    return;
+  if (server.process > 0 && server.display.empty()) {
+    const int status = end_server(server.process);
+    server.is_missing = WIFEXITED(status) && WEXITSTATUS(status) == 127;
   }
-  int status = 0;
-  if (server_ > 0) {
-    kill(server_, SIGTERM);
-    waitpid(server_, &status, 0);
-  }
-  const bool is_missing = WIFEXITED(status) && WEXITSTATUS(status) == 127;
-  throw NoDisplay(is_missing ? "a PNG needs the program Xvfb, which was not found (Debian package xvfb)"
-                             : "the virtual display Xvfb did not start, so no PNG can be drawn");
+  return server;
+}
+
+}  // namespace
+
+OffscreenDisplay::OffscreenDisplay(const char* screen) {
+  if (const char* const before = std::getenv("DISPLAY")) display_before_ = before;
+  // Of many servers that look for a free number at the same time, one now and then finds none.
+  constexpr int attempts = 3;
+  Server server;
+  for (int attempt = 0; attempt < attempts && server.display.empty() && !server.is_missing; ++attempt)
+    server = start_server(screen);
+  if (server.is_missing)
+    throw NoDisplay("a PNG needs the program Xvfb, which was not found (Debian package xvfb)");
+  if (server.display.empty())
+    throw NoDisplay("the virtual display Xvfb did not start, so no PNG can be drawn");
+  server_ = server.process;
+  setenv("DISPLAY", (":" + server.display).c_str(), 1);
 }
 
 OffscreenDisplay::~OffscreenDisplay() {
@@ -76,8 +105,7 @@ OffscreenDisplay::~OffscreenDisplay() {
   } else {
     unsetenv("DISPLAY");
   }
-  kill(server_, SIGTERM);
-  waitpid(server_, nullptr, 0);
+  (void)end_server(server_);
 }
 
 }  // namespace rayproof::viz

@@ -29,7 +29,7 @@ class NoDisplay : public std::runtime_error {
 ///     viz::write_png(*view->GetRenderWindow(), "chart.png");   // viz/vtk/write_png.hpp
 class OffscreenDisplay {
  public:
-  /// Throws NoDisplay where Xvfb is missing or does not answer within ten seconds.
+  /// Throws NoDisplay where Xvfb is missing, or three of them do not answer within ten seconds each.
   /// `screen` is its width, height and depth: of what is drawn off-screen the size does not depend on it.
   explicit OffscreenDisplay(const char* screen = "320x240x24");
   ~OffscreenDisplay();

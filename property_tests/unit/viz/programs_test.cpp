@@ -169,6 +169,26 @@ TEST_F(Programs, DrawSaysWhatIsMissingWhereThereIsNoXvfb) {
   EXPECT_EQ(told.status, 2);
   EXPECT_NE(told.output.find("Debian package xvfb"), std::string::npos) << told.output;
 }
+
+/// Puts in Xvfb's place a script that fails as many times as that, and is then the real one.
+std::string with_a_server_that_fails(int times, const std::filesystem::path& folder) {
+  const std::filesystem::path script = folder / "Xvfb";
+  std::ofstream(script) << "#!/bin/sh\ncd " << folder << "\necho try >> tries\n"
+                        << "[ $(wc -l < tries) -le " << times << " ] && exit 1\n"
+                        << "PATH=${PATH#*:} exec Xvfb \"$@\"\n";
+  std::filesystem::permissions(script, std::filesystem::perms::owner_all);
+  std::filesystem::remove(folder / "tries");
+  return "env -u DISPLAY PATH=" + folder.string() + ":$PATH " RAYPROOF_BIN_DIR "/rayproof-draw ";
+}
+
+TEST_F(Programs, DrawTriesAgainWhereAServerDoesNotStart) {
+  const Ended told = run(with_a_server_that_fails(2, folder) + cancelling + "--png " + file("a.png"));
+  EXPECT_EQ(told.status, 0) << told.output;
+  EXPECT_GT(png_size(file("a.png"))[0], 0U);
+  const Ended given_up = run(with_a_server_that_fails(3, folder) + cancelling + "--png " + file("b.png"));
+  EXPECT_EQ(given_up.status, 2);
+  EXPECT_NE(given_up.output.find("did not start"), std::string::npos) << given_up.output;
+}
 #endif
 
 }  // namespace
