@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/near_names.hpp"
 #include "case/number_text.hpp"
 #include "case/shape_format.hpp"
 
@@ -15,6 +16,19 @@ namespace {
 bool names(std::string_view quoted, std::string_view name) {
   if (quoted.find('\\') != std::string_view::npos) return json::unquote(quoted) == name;
   return quoted.substr(1, quoted.size() - 2) == name;
+}
+
+std::string did_you_mean(const std::string& name) {
+  return fmt::format("did you mean {}?", json::quote(name));
+}
+
+[[noreturn]] void refuse_as_number(const Field& field) {
+  const json::Node& node = field.node();
+  std::string sentence = R"(must be a number, or a string like "0x1.8p+1", "1.5", "inf", "-inf" or "nan")";
+  const std::string_view likely =
+      node.kind == json::Kind::string ? case_spelling(json::unquote(node.text)) : std::string_view();
+  if (!likely.empty()) sentence += "; " + did_you_mean(std::string(likely));
+  field.refuse(sentence);
 }
 
 }  // namespace
@@ -29,6 +43,15 @@ std::string Field::path() const {
 void Field::refuse(std::string_view what) const {
   const std::string where = path();
   throw Refusal(where, fmt::format("{} {}", where.empty() ? "the case" : where, what));
+}
+
+void Field::refuse_unknown(std::string_view what, std::string_view given,
+                           const std::vector<std::string>& known) const {
+  const std::optional<std::string> likely = likely_name(given, known);
+  std::vector<std::string> quoted;
+  for (const std::string& one : known) quoted.push_back(json::quote(one));
+  refuse(fmt::format("is an unknown {}, {}; {}", what, json::quote(given),
+                     likely ? did_you_mean(*likely) : fmt::format("known: {}", fmt::join(quoted, ", "))));
 }
 
 std::vector<Field> Field::elements(std::string_view expected, std::optional<std::size_t> size) const {
@@ -57,17 +80,43 @@ std::optional<Field> ObjectReader::find(std::string_view name) {
 
 Field ObjectReader::need(std::string_view name) {
   if (const std::optional<Field> found = find(name)) return *found;
+  for (const Unknown& one : unknown()) {
+    if (one.likely) refuse(one);
+  }
   Field{object_->document, object_->index, object_, name, {}}.refuse("is missing");
 }
 
 void ObjectReader::refuse_unknown() const {
   const json::Document& document = *object_->document;
   for (std::size_t i = object_->index + 1; i < object_->node().end; i = document[i].end) {
-    const std::string_view key = document[i].key;
-    const auto is_key = [key](std::string_view name) { return names(key, name); };
-    if (std::any_of(known_.begin(), known_.end(), is_key)) continue;
-    object_->refuse(fmt::format("has an unknown field {}", key));
+    if (!is_known(document[i].key)) refuse(unknown().front());
   }
+}
+
+bool ObjectReader::is_known(std::string_view key) const {
+  return std::any_of(known_.begin(), known_.end(), [key](std::string_view name) { return names(key, name); });
+}
+
+bool ObjectReader::has_misspelt(std::string_view name) const {
+  const std::vector<Unknown> all = unknown();
+  return std::any_of(all.begin(), all.end(), [name](const Unknown& one) { return one.likely == name; });
+}
+
+std::vector<ObjectReader::Unknown> ObjectReader::unknown() const {
+  const json::Document& document = *object_->document;
+  std::vector<std::string> absent(known_.begin(), known_.end());
+  std::vector<Unknown> all;
+  for (std::size_t i = object_->index + 1; i < object_->node().end; i = document[i].end) {
+    if (!is_known(document[i].key)) all.push_back({document[i].key});
+    std::erase(absent, json::unquote(document[i].key));
+  }
+  for (Unknown& one : all) one.likely = likely_name(json::unquote(one.key), absent);
+  return all;
+}
+
+void ObjectReader::refuse(const Unknown& one) const {
+  object_->refuse(fmt::format("has an unknown field {}{}", one.key,
+                              one.likely ? "; " + did_you_mean(*one.likely) : std::string()));
 }
 
 std::string read_string(const Field& field) {
@@ -80,8 +129,7 @@ double read_number(const Field& field, Precision precision) {
   std::optional<double> number;
   if (node.kind == json::Kind::number) number = parse_number(node.text);
   if (node.kind == json::Kind::string) number = parse_number(json::unquote(node.text));
-  if (!number)
-    field.refuse(R"(must be a number, or a string like "0x1.8p+1", "1.5", "inf", "-inf" or "nan")");
+  if (!number) refuse_as_number(field);
   return round_to(precision, *number);
 }
 

@@ -30,6 +30,10 @@ struct Field {
   /// Throws the Refusal "ray.origin[1] must be …": the path, then `what`.
   [[noreturn]] void refuse(std::string_view what) const;
 
+  /// Throws the Refusal of a `what` that is none of the known ones, and names the one most likely meant.
+  [[noreturn]] void refuse_unknown(std::string_view what, std::string_view given,
+                                   const std::vector<std::string>& known) const;
+
   /// The elements of an array of `size`; `expected` says what it must be otherwise.
   [[nodiscard]] std::vector<Field> elements(std::string_view expected,
                                             std::optional<std::size_t> size = {}) const;
@@ -43,12 +47,23 @@ class ObjectReader {
   explicit ObjectReader(const Field& object);
 
   [[nodiscard]] std::optional<Field> find(std::string_view name);
-  /// Refuses the object where the field is missing.
+  /// Refuses the object where the field is missing, and names the misspelt one that stands in its place.
   [[nodiscard]] Field need(std::string_view name);
   /// Refuses the object where it has a field that was never asked for.
   void refuse_unknown() const;
+  /// Whether a field that was never asked for may be a misspelling of `name`, which was.
+  [[nodiscard]] bool has_misspelt(std::string_view name) const;
 
  private:
+  /// A field that was never asked for.
+  struct Unknown {
+    std::string_view key;                 ///< in quotes, as written
+    std::optional<std::string> likely{};  ///< what it stands for: a name that was asked for and is not there
+  };
+  [[nodiscard]] bool is_known(std::string_view key) const;
+  [[nodiscard]] std::vector<Unknown> unknown() const;
+  [[noreturn]] void refuse(const Unknown& one) const;
+
   const Field* object_;
   std::vector<std::string_view> known_{};
 };

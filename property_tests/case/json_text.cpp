@@ -1,6 +1,11 @@
 #include "case/json_text.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "case/json_scanner.hpp"
+#include "case/number_text.hpp"
 #include "case/shape_format.hpp"
 
 namespace rayproof::json {
@@ -9,7 +14,7 @@ namespace {
 /// Builds a document from the scanner's tokens, with a stack of its own in place of recursion.
 class Parser {
  public:
-  explicit Parser(std::string_view text) : scanner_(text) { document_.reserve(64); }
+  explicit Parser(std::string_view text) : text_(text), scanner_(text) { document_.reserve(64); }
 
   Document parse() {
     scanner_.skip_blanks();
@@ -27,13 +32,19 @@ class Parser {
   /// Reads a scalar whole, or the opening bracket of a container.
   void begin_value() {
     const std::size_t start = scanner_.position();
-    const Kind kind = scanner_.kind_of_next();
-    document_.push_back({kind, {}, key_, document_.size() + 1});
+    document_.push_back({Kind::null, {}, key_, document_.size() + 1});
     key_ = {};
-    if (kind != Kind::array && kind != Kind::object) {
-      scanner_.skip_scalar(kind);
-      document_.back().text = scanner_.text_from(start);
-      return;
+    try {
+      const Kind kind = scanner_.kind_of_next();
+      document_.back().kind = kind;
+      if (kind != Kind::array && kind != Kind::object) {
+        scanner_.skip_scalar(kind);
+        document_.back().text = scanner_.text_from(start);
+        return;
+      }
+    } catch (const Refusal&) {
+      refuse_infinity(start);
+      throw;
     }
     scanner_.skip(1);
     open_.push_back({document_.size() - 1, start, true});
@@ -72,12 +83,44 @@ class Parser {
     open_.pop_back();
   }
 
+  /// Python's json and others write infinities and NaN as words, which are not JSON. Refuses such a word by
+  /// the name of its field.
+  void refuse_infinity(std::size_t start) const {
+    const std::string_view rest = text_.substr(start);
+    const std::string_view word = rest.substr(0, rest.find_first_of(",]} \t\r\n"));
+    const std::string_view spelling = case_spelling(word);
+    if (spelling.empty()) return;
+    const std::string path = path_of_last();
+    throw Refusal(
+        path, fmt::format("the line is not JSON: {} is {}, {}", path.empty() ? "the case" : path, word,
+                          spelling == "nan" ? "which no number of a case may be"
+                                            : fmt::format("which is written \"{}\", a string", spelling)));
+  }
+
+  /// "ray.origin[1]": the way to the value that is being read.
+  [[nodiscard]] std::string path_of_last() const {
+    std::string path;
+    for (std::size_t depth = 0; depth < open_.size(); ++depth) {
+      const std::size_t container = open_[depth].node;
+      const std::size_t child = depth + 1 < open_.size() ? open_[depth + 1].node : document_.size() - 1;
+      if (document_[container].kind == Kind::object) {
+        path += (path.empty() ? "" : ".") + unquote(document_[child].key);
+      } else {
+        std::size_t position = 0;
+        for (std::size_t i = container + 1; i < child; i = document_[i].end) ++position;
+        path += fmt::format("[{}]", position);
+      }
+    }
+    return path;
+  }
+
   struct Open {
     std::size_t node;
     std::size_t start;  ///< of its text
     bool is_empty;      ///< no child read yet
   };
 
+  std::string_view text_;
   Scanner scanner_;
   Document document_;
   std::vector<Open> open_;

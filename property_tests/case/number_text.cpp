@@ -86,6 +86,17 @@ std::optional<double> parse_number(std::string_view text) {
   return sign * magnitude;
 }
 
+std::string_view case_spelling(std::string_view text) {
+  const bool is_negative = text.starts_with('-');
+  if (is_negative || text.starts_with('+')) text.remove_prefix(1);
+  const auto is_word = [text](std::string_view word) {
+    return std::equal(text.begin(), text.end(), word.begin(), word.end(),
+                      [](char a, char b) { return (a | 0x20) == b; });  // the letter in lower case
+  };
+  if (is_word("inf") || is_word("infinity")) return is_negative ? "-inf" : "inf";
+  return is_word("nan") ? "nan" : "";
+}
+
 double round_to(Precision precision, double x) {
   return precision == Precision::float32 ? static_cast<double>(static_cast<float>(x)) : x;
 }

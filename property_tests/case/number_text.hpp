@@ -15,6 +15,10 @@ namespace rayproof {
 /// "1e".
 [[nodiscard]] std::optional<double> parse_number(std::string_view text);
 
+/// Of an infinity or NaN spelt as some language spells it ("Infinity", "+inf", "-INF", "NaN"), the case
+/// format's spelling; empty for any other text.
+[[nodiscard]] std::string_view case_spelling(std::string_view text);
+
 /// `x` rounded to the nearest number of a precision, ties to even.
 [[nodiscard]] double round_to(Precision precision, double x);
 

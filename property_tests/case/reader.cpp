@@ -66,7 +66,7 @@ Question read_question(ObjectReader& reader, Precision precision) {
   const std::string name = read_string(*query);
   if (name == "quadratic") return read_quadratic(reader, precision);
   if (name == "point_in_polygon") return read_point_and_polygon(reader, precision);
-  query->refuse("is an unknown query, " + json::quote(name) + R"(; known: "quadratic", "point_in_polygon")");
+  query->refuse_unknown("query", name, {"quadratic", "point_in_polygon"});
 }
 
 }  // namespace

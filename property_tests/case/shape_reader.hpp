@@ -2,8 +2,7 @@
 /// \file
 /// Reads whichever shape of a variant an object describes, through the shapes' ShapeFormat alone.
 
-#include <fmt/format.h>
-
+#include <algorithm>
 #include <limits>
 #include <type_traits>
 #include <variant>
@@ -36,32 +35,35 @@ Result read_one_shape(const Field& object, Precision precision) {
   return shape;
 }
 
-/// How many of the shape's fields the object lacks.
+/// Two for each field that the shape needs and the object lacks; where `guesses`, one for each that only
+/// seems to be misspelt.
 template <class Shape>
-std::size_t count_missing(const Field& object) {
+std::size_t count_missing(const Field& object, bool guesses) {
   ObjectReader reader(object);
   std::size_t missing = 0;
   Shape shape{};
-  ShapeFormat<Shape>::fields(shape, [&](const char* name, auto&) { missing += reader.find(name) ? 0U : 1U; });
+  ShapeFormat<Shape>::fields(shape, [&]<class T>(const char* name, T&) {
+    if (std::is_same_v<T, bool> || reader.find(name)) return;
+    missing += guesses && reader.has_misspelt(name) ? 1 : 2;
+  });
   return missing;
 }
 
-/// `"sphere", "plane"`: the types of the shapes, each once.
+/// The types of the shapes, each once.
 template <class... Shapes>
-std::string list_of_types() {
-  std::string list;
-  const auto add = [&list](const char* type) {
-    const std::string quoted = fmt::format("\"{}\"", type);
-    if (list.find(quoted) == std::string::npos) list += (list.empty() ? "" : ", ") + quoted;
+std::vector<std::string> list_of_types() {
+  std::vector<std::string> types;
+  const auto add = [&types](const char* type) {
+    if (std::find(types.begin(), types.end(), type) == types.end()) types.emplace_back(type);
   };
   (add(ShapeFormat<Shapes>::type), ...);
-  return list;
+  return types;
 }
 
 }  // namespace detail
 
 /// Reads the shape that `object` describes into `shape`. Where several shapes share a type (the forms of a
-/// plane), it is the one that lacks the fewest fields.
+/// plane), it is the one that lacks the fewest fields, of which one that is there misspelt counts half.
 template <class... Shapes>
 void read_shape(const Field& object, Precision precision, std::variant<Shapes...>& shape) {
   using Result = std::variant<Shapes...>;
@@ -71,18 +73,18 @@ void read_shape(const Field& object, Precision precision, std::variant<Shapes...
   ObjectReader reader(object);
   const Field type_field = reader.need("type");
   const std::string type = read_string(type_field);
-  const auto consider = [&]<class Candidate>(std::type_identity<Candidate>) {
+  const auto consider = [&]<class Candidate>(std::type_identity<Candidate>, bool guesses) {
     if (type != ShapeFormat<Candidate>::type) return;
-    const std::size_t missing = detail::count_missing<Candidate>(object);
+    const std::size_t missing = detail::count_missing<Candidate>(object, guesses);
     if (missing >= fewest_missing) return;
     fewest_missing = missing;
     read = &detail::read_one_shape<Result, Candidate>;
   };
-  (consider(std::type_identity<Shapes>{}), ...);
+  (consider(std::type_identity<Shapes>{}, false), ...);
+  if (fewest_missing > 0) (consider(std::type_identity<Shapes>{}, true), ...);
 
   if (read == nullptr) {
-    type_field.refuse(fmt::format("is an unknown shape type, {}; known: {}", json::quote(type),
-                                  detail::list_of_types<Shapes...>()));
+    type_field.refuse_unknown("shape type", type, detail::list_of_types<Shapes...>());
   }
   shape = read(object, precision);
 }

@@ -10,7 +10,7 @@ Precision read_precision(ObjectReader& reader) {
   const std::string name = read_string(*field);
   if (name == "float32") return Precision::float32;
   if (name == "float64") return Precision::float64;
-  field->refuse(R"(must be "float32" or "float64")");
+  field->refuse_unknown("precision", name, {"float32", "float64"});
 }
 
 glm::dmat4 read_transform(const Field& field, Precision precision) {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "case/near_names.hpp"
 #include "case/shape_format.hpp"
 #include "programs/command_line.hpp"
-#include "programs/near_names.hpp"
 #include "programs/stream/stream_program.hpp"
 #include "subjects/subject.hpp"
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "case/near_names.hpp"
 #include "programs/command_line.hpp"
-#include "programs/near_names.hpp"
 #include "subjects/subject.hpp"
 #include "viz/case_argument.hpp"
 #include "viz/programs/told_of.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "programs/near_names.hpp"
+#include "case/near_names.hpp"
 
 namespace rayproof::render {
 namespace {
