@@ -1,6 +1,7 @@
 /// \file
 /// rayproof methods: every method, where it comes from and what it promises.
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -60,21 +61,54 @@ std::string in_words(const Bound& bound) {
   return fmt::format("{:.3g} of {:g}", bound.measured, bound.promised);
 }
 
-void print_row(const std::string& method, std::string_view standing, const std::string& verdict,
-               const std::string& residual, const std::string& ulp, const std::string& title) {
-  fmt::print("{:<27} {:<9} {:<15} {:<15} {:<15} {}\n", method, standing, verdict, residual, ulp, title);
+/// "2^±28", or "any size" where the reach is beyond every number of the format.
+std::string in_words(int reach, int largest_reach) {
+  return reach > largest_reach ? "any size" : fmt::format("2^±{}", reach);
 }
 
-void print_detail(const std::string& text) { fmt::print("{:4}{}\n", "", text); }
+std::string in_words(const Domain& domain) {
+  constexpr int largest_float = 149;  // the exponents of the smallest subnormal numbers
+  constexpr int largest_double = 1074;
+  return fmt::format("domain {} in float32, {} in float64", in_words(domain.reach_float, largest_float),
+                     in_words(domain.reach_double, largest_double));
+}
+
+void print_row(const std::string& method, std::string_view standing, const std::string& verdict,
+               const std::string& residual, const std::string& ulp) {
+  fmt::print("{:<31} {:<8} {:<11} {:<11} {}\n", method, standing, verdict, residual, ulp);
+}
+
+/// Prints a text under a row, broken between words to lines of 80 letters.
+void print_detail(std::string_view text) {
+  constexpr std::size_t width = 80;
+  const std::string indent(4, ' ');
+  const auto letters = [](const std::string& line) {  // of UTF-8
+    return static_cast<std::size_t>(
+        std::count_if(line.begin(), line.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+  };
+  std::string line = indent;
+  while (!text.empty()) {
+    const std::string word(text.substr(0, text.find(' ')));
+    text.remove_prefix(std::min(word.size() + 1, text.size()));
+    if (letters(line + word) > width) {
+      fmt::print("{}\n", line.substr(0, line.size() - 1));
+      line = indent;
+    }
+    line += word + ' ';
+  }
+  fmt::print("{}\n", line.substr(0, line.size() - 1));
+}
 
 void print_table() {
-  print_row("method", "standing", "verdict", "residual", "ulp", "what it does");
+  print_row("method", "standing", "verdict", "residual", "ulp");
   for (const Subject& subject : subjects()) {
     const Contract& contract = subject.contract;
     const Source& source = subject.source;
     print_row(subject.full_name(), standing_name(contract.standing), in_words(contract.verdict),
-              in_words(contract.residual), in_words(contract.ulp), subject.title);
-    print_detail(fmt::format("{}, {}, {}", source.author, source.title, source.year));
+              in_words(contract.residual), in_words(contract.ulp));
+    print_detail(fmt::format("{} ({}, {}, {})", subject.title, source.author, source.title, source.year));
+    print_detail(in_words(contract.domain) +
+                 (subject.far_power == 0 ? "" : fmt::format("; far_power {}", subject.far_power)));
     for (const Refutation& refutation : contract.refuted) {
       if (refutation.because.empty()) continue;
       print_detail(fmt::format("breaks {}: {}", claim_name(refutation.claim), refutation.because));
@@ -83,12 +117,40 @@ void print_table() {
 }
 
 constexpr auto footer =
-    R"(The table: each method's standing (sound; naive: the right formula in an arithmetic that cannot bear it;
-printed: copied with its source's error) and its error bounds as 'measured of promised'. A verdict may be wrong
-only in a band of that width around a change of verdict; every answer satisfies its equation to that residual;
-and is within that many ulps of the exact one. The units stand in rayproof/sphere.hpp and
-rayproof/quadratic.hpp; a naive method's grow with the far_power of the JSON listing. A bound holds while the
-sizes of the input lie within 2^-domain and 2^domain.
+    R"(The table has a row of bounds for each method, and under it what the method
+does, its source, its domain, and which properties of rayproof check it breaks.
+
+  method     SHAPE/METHOD, as other programs take it for --method.
+  standing   sound: keeps its bounds. naive: the right formula, but rounding
+             breaks it. printed: copied from a publication with its error.
+  verdict    A wrong verdict (hit or miss, number of roots, inside or outside)
+             is excused in a band around each change of verdict; this is how
+             wide the band is.
+  residual   How far from the surface a reported hit may lie; of a root, how far
+             the equation's left side may be from 0.
+  ulp        How far t, or a root, may be from the exact one, in units in the
+             last place: distances from one floating-point number to the next.
+  domain     The bounds hold while the sizes that enter the formula lie between
+             2^-N and 2^N (2^±N); beyond, it may overflow or underflow.
+  far_power  Where it is 1, the units of verdict and residual grow with the
+             origin's distance over the shape's size; else they do not.
+  breaks     A property that the method fails, and why; rayproof check must find
+             the counterexample.
+
+A bound reads "measured of promised": the worst ever measured, and what the
+tests hold the method to; a promise alone was never measured, and a dash
+promises nothing. Verdict and residual are multiples of the unit roundoff (2^-24
+in float32, 2^-53 in float64) times the size of what enters the formula, so that
+scaling a scene changes no bound. That unit, and the sizes of the domain, are
+defined above each struct in
+
+  rayproof/sphere.hpp     rayproof/plane.hpp     rayproof/triangle.hpp
+  rayproof/box.hpp        rayproof/cylinder.hpp  rayproof/parallelepiped.hpp
+  rayproof/quadratic.hpp  rayproof/polygon.hpp   (with point_in_polygon)
+
+In the listing of --json, null is no promise, every_number means that the domain
+is asked of all numbers of a case but 0, and holds are the properties that the
+method is held to.
 
 Exit status: 0, or 2 for a wrong command line.)";
 
@@ -98,7 +160,7 @@ int main(int argc, char** argv) {
   CLI::App app("Lists every method: what it does, where it comes from, what it promises.",
                "rayproof methods");
   bool as_json = false;
-  app.add_flag("--json", as_json, "One JSON array, with all that is known of each method");
+  app.add_flag("--json", as_json, "One JSON array with every figure of each method");
   app.footer(footer);
   if (const auto status = parse_command_line(app, argc, argv)) return *status;
 
