@@ -48,6 +48,8 @@ class ObjectReader {
 
   [[nodiscard]] std::optional<Field> find(std::string_view name);
   /// Refuses the object where the field is missing, and names the misspelt one that stands in its place.
+  /// Fields not asked for yet are taken for unknown here, so no name of an object may look like another's
+  /// misspelling.
   [[nodiscard]] Field need(std::string_view name);
   /// Refuses the object where it has a field that was never asked for.
   void refuse_unknown() const;

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "case/json_scanner.hpp"
 #include "case/number_text.hpp"
 #include "case/shape_format.hpp"
