@@ -126,7 +126,7 @@ std::string headline_of(const Case& one, const Answer* exact, const Answer* clai
   if (verdicts_differ(exact, claimed)) {
     remark = ", which is wrong";
   } else if (ulps > 0) {
-    remark = fmt::format(", {}", off_by(ulps));
+    remark = fmt::format(", {}", accuracy_in_words(ulps));
   }
   return fmt::format("Exact: {}. Claimed: {}{}.", verdict_of(exact), verdict_of(claimed), remark);
 }

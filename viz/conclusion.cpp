@@ -1,39 +1,52 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "viz/answers.hpp"
+#include "viz/numbers.hpp"
 #include "viz/told.hpp"
 
 namespace rayproof::viz {
 namespace {
 
-double epsilon(Precision precision) {
-  return precision == Precision::float32 ? static_cast<double>(std::numeric_limits<float>::epsilon())
-                                         : std::numeric_limits<double>::epsilon();
-}
-
-bool is_near(double a, double b, double ulps, Precision precision) {
-  return a == b || (std::isfinite(b) &&
-                    std::abs(a - b) <= ulps * epsilon(precision) * std::max(std::abs(a), std::abs(b)));
-}
+/// What a few roundings may be.
+constexpr double a_few_ulps = 16;
 
 /// Whether a root lies within its own rounding of an end of the ray's interval.
 bool ends_decide(const Told& told) {
   const auto* question = std::get_if<RayQuestion>(&told.one.question);
   if (question == nullptr) return false;
+  const auto is_near = [&](double a, double b) { return count_ulps(a, b, told.one.precision) <= a_few_ulps; };
   const auto is_at = [&](double root) {
-    return is_near(root, question->ray.t_min, 16, told.one.precision) ||
-           is_near(root, question->ray.t_max, 16, told.one.precision);
+    return is_near(root, question->ray.t_min) || is_near(root, question->ray.t_max);
   };
   return is_at(told.walk->lo) || is_at(told.walk->hi);
 }
 
-bool answers_agree(const Told& told) {
-  if (verdicts_differ(&told.exact, told.claim())) return false;
-  return worst_ulps(&told.exact, told.claim(), told.one.precision) <= 16;
+double ulps_of(const Told& told) { return worst_ulps(&told.exact, told.claim(), told.one.precision); }
+
+/// The answer of a right verdict, as its numbers are counted: a miss or a place has none.
+std::string accuracy_of(const Told& told) {
+  return values_of(&told.exact).empty() ? "the exact one" : accuracy_in_words(ulps_of(told));
+}
+
+/// Of a method without steps to show.
+std::string without_steps(const Told& told) {
+  const bool differ = verdicts_differ(&told.exact, told.claim());
+  std::string text = fmt::format("{} can't be recorded step by step; its answer is {}.", told.method,
+                                 differ ? "not the exact one" : accuracy_of(told));
+  if (!told.recordable.empty())
+    text += fmt::format(" Methods that can be: {}.", fmt::join(told.recordable, ", "));
+  return text;
+}
+
+/// How near a right answer is; an operation that lost digits on the way to it is named all the same.
+std::string right_answer_in_words(const Told& told) {
+  const double ulps = ulps_of(told);
+  const std::string sentence = ulps == 0
+                                   ? fmt::format("The answer is {}.", accuracy_of(told))
+                                   : fmt::format("Rounding changed the answer by {} at most.", in_ulps(ulps));
+  const Walkthrough& walk = *told.walk;
+  if (walk.outcome == Outcome::faithful || !walk.death) return sentence;
+  return fmt::format("{} In step '{}' {}.", sentence, walk.death->step, in_words(*walk.death));
 }
 
 /// Of a wrong verdict to which the digits of no answer lead: no number's sign decided it, but comparisons.
@@ -54,16 +67,11 @@ std::string symbol_of(const Case& one) {
 
 std::string conclusion_of(const Told& told) {
   if (told.method.empty()) return "No method was asked, so there is nothing to compare.";
-  const bool agree = answers_agree(told);
-  if (!told.walk) {
-    // A miss or a place has no ulps.
-    return told.method + " can't be recorded step by step; its answer is " +
-           (!agree                           ? "not the exact one."
-            : values_of(&told.exact).empty() ? "right."
-                                             : "right to a few ulps.");
-  }
+  if (!told.walk) return without_steps(told);
+  if (!verdicts_differ(&told.exact, told.claim()) && ulps_of(told) <= a_few_ulps)
+    return right_answer_in_words(told);
   const std::string sentence = verdict_sentence(*told.walk);
-  if (agree || told.walk->outcome != Outcome::faithful) return sentence;
+  if (told.walk->outcome != Outcome::faithful) return sentence;
   if (ends_decide(told)) {
     return sentence +
            " A root lies so near an end of the ray's interval that the last rounding decides the verdict.";

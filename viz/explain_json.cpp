@@ -1,3 +1,4 @@
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "case/json_number.hpp"
@@ -16,7 +17,7 @@ Json values(const std::vector<WalkValue>& list) {
                    {"formula", v.formula},
                    {"value", json_number(v.value)},
                    {"exact", v.exact},
-                   {"error", json_number(v.error)},
+                   {"error", json_number(std::abs(v.error))},
                    {"error_bound", json_number(v.error_bound)},
                    {"bits_lost", v.bits_lost}});
   }

@@ -56,13 +56,17 @@ std::string steps_of(const Walkthrough& walk) {
   for (const WalkStep& step : walk.steps) {
     for (const WalkValue& value : step.values) widths.fit(value, walk.precision);
   }
-  std::string text = fmt::format("   {}  {}  {}  bits lost  error bound\n", padded("name", widths.name),
-                                 padded(arithmetic, widths.value), padded("exact", widths.exact));
-  text += "Inputs\n" + table(walk.inputs, widths, walk.precision);
+  const std::string name =
+      "   " + padded("name", widths.name) + "  " + padded(arithmetic, widths.value) + "  ";
+  std::string text = "Inputs\n" + name + "stored value\n";
+  for (const WalkValue& v : walk.inputs)
+    text += fmt::format("   {}  {}  {}\n", padded(v.name, widths.name),
+                        padded(shown(v.value, walk.precision), widths.value), v.exact);
+  text += "\n" + name + padded("exact", widths.exact) + "  bits lost  error bound\n";
   for (std::size_t i = 0; i < walk.steps.size(); ++i) {
     const WalkStep& step = walk.steps[i];
-    text += fmt::format("{}. {}\n{}   {}\n", i + 1, step.title, table(step.values, widths, walk.precision),
-                        step.caption);
+    text += fmt::format("{}. {}\n{}", i + 1, step.title, table(step.values, widths, walk.precision));
+    if (!step.caption.empty()) text += "   " + step.caption + "\n";
   }
   return text;
 }
@@ -94,8 +98,7 @@ std::string explain_text(const Told& told) {
     const auto claim = values_of(told.claim());
     for (std::size_t i = 0; i < std::min(truth.size(), claim.size()); ++i) {
       const double ulps = count_ulps(truth[i], claim[i], precision);
-      text += fmt::format("   {}{} is {}\n", symbol, subscript(i),
-                          ulps == 0 ? "the exact one, correctly rounded" : off_by(ulps));
+      text += fmt::format("   {}{} is {}\n", symbol, subscript(i), accuracy_in_words(ulps));
     }
   }
   return text + "\n" + conclusion_of(told) + "\n";

@@ -10,14 +10,15 @@
 namespace rayproof::viz {
 namespace {
 
-std::string table(const std::vector<WalkValue>& values, Precision precision) {
+/// `exact` is the heading over the exact numbers: an input is exact as it is stored.
+std::string table(const std::vector<WalkValue>& values, Precision precision, const char* exact = "exact") {
   if (values.empty()) return "";
   std::string html = fmt::format(
       "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Values\"><table>\n<tr><th "
       "scope=\"col\">name</th>"
-      "<th scope=\"col\">{}</th><th scope=\"col\">exact</th><th scope=\"col\">bits lost</th>"
+      "<th scope=\"col\">{}</th><th scope=\"col\">{}</th><th scope=\"col\">bits lost</th>"
       "<th scope=\"col\">error bound</th><th scope=\"col\">computed as</th></tr>\n",
-      precision == Precision::float32 ? "float32" : "float64");
+      precision == Precision::float32 ? "float32" : "float64", exact);
   for (const WalkValue& v : values) {
     html += fmt::format(
         "<tr><td><b>{}</b></td><td>{}</td><td>{}</td><td{}>{}</td><td>{}</td><td>{}</td></tr>\n",
@@ -29,15 +30,17 @@ std::string table(const std::vector<WalkValue>& values, Precision precision) {
 }
 
 std::string step_section(std::size_t number, const WalkStep& step, bool is_worst, Precision precision) {
-  return fmt::format("<section class=\"step{}\"><h2>{}. {}</h2>\n<p>{}</p>\n{}</section>\n",
-                     is_worst ? " worst" : "", number, escaped(step.title), escaped(step.caption),
+  return fmt::format("<section class=\"step{}\"><h2>{}. {}</h2>\n{}{}</section>\n", is_worst ? " worst" : "",
+                     number, escaped(step.title),
+                     step.caption.empty() ? "" : fmt::format("<p>{}</p>\n", escaped(step.caption)),
                      table(step.values, precision));
 }
 
 std::string walk_sections(const Walkthrough& walk) {
   std::string html =
       fmt::format("<h2>{}</h2>\n<p class=\"soft\">{}</p>\n", escaped(walk.title), escaped(walk.source));
-  html += "<details><summary>The inputs</summary>\n" + table(walk.inputs, walk.precision) + "</details>\n";
+  html += "<details><summary>The inputs</summary>\n" + table(walk.inputs, walk.precision, "stored value") +
+          "</details>\n";
   html +=
       "<div id=\"walk\">\n<nav aria-label=\"Steps\"><button type=\"button\">First</button><button "
       "type=\"button\">← "

@@ -57,7 +57,7 @@ std::string in_words(const Death& loss) {
 }
 
 std::string loss_sentence(const std::optional<Death>& loss) {
-  if (!loss) return "No digits of note are lost.";
+  if (!loss) return "";
   std::string sentence = in_words(*loss) + ".";
   sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
   return sentence;

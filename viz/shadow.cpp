@@ -60,4 +60,8 @@ Shadow pow(const Shadow& x, int n) { return Inside::shadow(pow(Inside::of(x), n)
 Shadow ldexp(const Shadow& x, int e) { return Inside::shadow(ldexp(Inside::of(x), e)); }
 Shadow frexp(const Shadow& x, int* e) { return Inside::shadow(frexp(Inside::of(x), e)); }
 
+std::string scientific(const Shadow& x, int digits) {
+  return Inside::of(x).str(digits - 1, std::ios_base::scientific);
+}
+
 }  // namespace rayproof::viz

@@ -5,6 +5,7 @@
 #include <compare>
 #include <cstddef>
 #include <limits>
+#include <string>
 #include <type_traits>
 
 namespace rayproof::viz {
@@ -49,6 +50,9 @@ class Shadow {
   friend Shadow pow(const Shadow& x, int n);
   friend Shadow ldexp(const Shadow& x, int e);
   friend Shadow frexp(const Shadow& x, int* e);
+
+  /// A finite number as "-1.50e+03", of so many significant digits, rounded to nearest.
+  friend std::string scientific(const Shadow& x, int digits);
 
  private:
   struct Exactly {

@@ -17,9 +17,9 @@ WalkValue value_of(const Tape& tape, OperationId id, const std::string& name, Pr
   WalkValue value;
   value.name = name;
   value.value = o.value;
-  value.exact = rough(o.exact, 12);
+  value.exact = exact_beside(o.exact, o.value, o.digits);
   value.exact_value = static_cast<double>(o.exact);
-  value.error = std::abs(static_cast<double>(Shadow(o.value) - o.exact));
+  value.error = static_cast<double>(Shadow(o.value) - o.exact);
   value.error_bound = o.error_bound;
   value.bits_lost = o.bits_lost;
   value.digits = o.digits;
@@ -49,18 +49,18 @@ std::string decider_of(const Tape& tape, OperationId id) {
 }
 
 /// Named numbers that a picture of the case can point at.
-void point_out(WalkStep& step) {
+void point_out(WalkStep& step, Precision precision) {
   for (const WalkValue& value : step.values) {
     const bool is_t = value.name == "t₀" || value.name == "t₁";
     if (is_t)
       step.items.push_back(
-          {Role::claimed, value.name, "point at t = " + rough(value.value, 9) + " on the ray"});
+          {Role::claimed, value.name, "point at t = " + shown(value.value, precision) + " on the ray"});
     if (value.name == "t_c") {
       step.items.push_back(
-          {Role::nearest, "nearest point", "point at t = " + rough(value.value, 9) + " on the ray"});
+          {Role::nearest, "nearest point", "point at t = " + shown(value.value, precision) + " on the ray"});
     }
     if (value.name == "x₀" || value.name == "x₁" || value.name == "q/a" || value.name == "c/q") {
-      step.items.push_back({Role::claimed, value.name, "root at x = " + rough(value.value, 9)});
+      step.items.push_back({Role::claimed, value.name, "root at x = " + shown(value.value, precision)});
     }
   }
 }
@@ -126,7 +126,7 @@ Walkthrough tell_steps(const Tape& tape, Precision precision) {
     const auto operations = operations_of_step(tape, static_cast<std::ptrdiff_t>(i));
     step.loss = worst_loss_of(tape, operations, lost_by(step));
     step.caption = loss_sentence(step.loss);
-    point_out(step);
+    point_out(step, precision);
     const double worst = walk.worst_loss ? walk.worst_loss->bits_lost_here : 0;
     if (step.loss && step.loss->bits_lost_here > worst) walk.worst_loss = step.loss;
   }
@@ -144,7 +144,7 @@ Walkthrough tell(const Tape& tape, const Ending& ending, Precision precision) {
 
 std::string verdict_sentence(const Walkthrough& walk) {
   if (walk.outcome == Outcome::faithful) {
-    return "No digits died: in real numbers the same formula gives the same answer to within a few ulps.";
+    return "Rounding changed the result of the formula by a few ulps at most.";
   }
   const std::string consequence =
       walk.outcome == Outcome::flipped

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "case/answer.hpp"
 #include "case/case.hpp"
@@ -20,6 +21,8 @@ struct Told {
   std::optional<Walkthrough> walk{};
   /// For a float32 case, the exact answer to 53 bits: where between two floats it lies. Else left out.
   std::optional<Answer> finer{};
+  /// Where the method has no walk: methods of the topic that have one, the nearest names first.
+  std::vector<std::string> recordable{};
 
   [[nodiscard]] const Answer* claim() const { return claimed ? &*claimed : nullptr; }
 };
@@ -27,8 +30,8 @@ struct Told {
 /// "t" or "x".
 [[nodiscard]] std::string symbol_of(const Case& one);
 
-/// One plain sentence, sometimes two: where the digits died, or that none did; and where an answer is wrong
-/// all the same, why.
+/// One plain sentence, sometimes two: how far off the answer is, or where its digits were lost; and where an
+/// answer is wrong though none were, why.
 [[nodiscard]] std::string conclusion_of(const Told& told);
 
 /// The explanation for a terminal, in UTF-8.

@@ -27,7 +27,7 @@ struct Death {
 /// "the subtraction b·b − 4·a·c cancels 22 of 24 bits"
 [[nodiscard]] std::string in_words(const Death& loss);
 
-/// The same as a sentence, or that no digits of note are lost.
+/// The same as a sentence; empty for no loss.
 [[nodiscard]] std::string loss_sentence(const std::optional<Death>& loss);
 
 /// A number the formula names, as it was rounded and as it should be.
@@ -35,8 +35,9 @@ struct WalkValue {
   std::string name;     ///< "D", "f.x"
   std::string formula;  ///< what it was computed from, in named numbers: "b·b − 4·a·c"; empty for an input
   double value = 0;     ///< in the method's arithmetic
-  std::string exact;    ///< the same formula in real numbers, to 12 digits
-  double error = 0;     ///< |value - exact|, rounded to double
+  std::string
+      exact;  ///< the same formula in real numbers, as exact_beside writes it; an input as it is stored
+  double error = 0;             ///< value - exact, rounded to double
   double error_bound = 0;       ///< what running error analysis guarantees without knowing the exact value
   double bits_lost = 0;         ///< log2(1 + error in ulps), at most `digits`
   int digits = 24;              ///< of the value's own format: a float kernel may compute a part in double
@@ -55,7 +56,7 @@ struct WalkItem {
 /// One step of the method: its title is the very comment in the kernel's code.
 struct WalkStep {
   std::string title;
-  std::string caption;  ///< what the step did to the digits, in one sentence
+  std::string caption;  ///< which operation lost digits; empty where none lost any worth a word
   std::vector<WalkValue> values{};
   std::vector<WalkItem> items{};
   std::optional<Death> loss{};  ///< what the caption tells; none where none is worth it
@@ -86,7 +87,8 @@ struct Walkthrough {
   std::optional<Death> worst_loss{};  ///< the operation that lost most, whether or not the answer hangs on it
 };
 
-/// "In step 'Form the discriminant' the subtraction b·b − 4·a·c cancels 22 of 24 bits.", or that none died.
+/// "In step 'Form the discriminant' the subtraction b·b − 4·a·c cancels 22 of 24 bits: …", or that rounding
+/// changed little.
 [[nodiscard]] std::string verdict_sentence(const Walkthrough& walk);
 
 }  // namespace rayproof::viz

@@ -41,15 +41,19 @@ struct CaseOptions {
   }
 };
 
-/// The subject to ask, or a WrongCommand that names the likely ones.
+/// The subject to ask, or a WrongCommand that names likely ones: where the topic has any, only such as have
+/// steps to show.
 inline const Subject& subject_for(const Case& one, const std::string& method) {
   const Subject* const subject = find_subject(method);
   if (subject != nullptr && subject->topic == topic_of(one)) return *subject;
-  std::vector<std::string> names;
-  for (const Subject& other : subjects()) {
-    if (other.topic == topic_of(one)) names.push_back(other.full_name());
+  std::vector<std::string> names = recordable_methods(one, method);
+  if (names.empty()) {
+    for (const Subject& other : subjects()) {
+      if (other.topic == topic_of(one)) names.push_back(other.full_name());
+    }
+    names = near_names(method, std::move(names), 3);
   }
-  const std::string likely = fmt::format("{}", fmt::join(near_names(method, names, 3), " or "));
+  const std::string likely = fmt::format("{}", fmt::join(names, " or "));
   if (subject != nullptr) {
     throw WrongCommand(
         fmt::format("{} does not answer a case about a {}; try {}", method, topic_of(one), likely));

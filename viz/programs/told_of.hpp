@@ -4,17 +4,31 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "oracle/oracle.hpp"
+#include "programs/near_names.hpp"
 #include "subjects/subject.hpp"
 #include "viz/told.hpp"
 #include "viz/topics.hpp"
 
 namespace rayproof::viz {
 
+/// Methods of the case's topic whose steps can be recorded, three at most, the names nearest to `method`
+/// first.
+[[nodiscard]] inline std::vector<std::string> recordable_methods(const Case& one, const std::string& method) {
+  std::vector<std::string> names;
+  const TopicView* const view = view_of(one);
+  for (const Subject& subject : subjects()) {
+    if (view != nullptr && subject.topic == topic_of(one) && view->walk(one, subject.name))
+      names.push_back(subject.full_name());
+  }
+  return near_names(method, std::move(names), 3);
+}
+
 /// `subject` may be null: then the exact answer alone. Its topic must be the case's.
 [[nodiscard]] inline Told told_of(const Case& one, const Subject* subject) {
-  Told told{one, oracle::answer(one), {}, {}, {}, {}};
+  Told told{.one = one, .exact = oracle::answer(one)};
   if (one.precision == Precision::float32) {
     Case finer = one;
     finer.precision = Precision::float64;
@@ -24,6 +38,7 @@ namespace rayproof::viz {
   told.method = subject->full_name();
   told.claimed = subject->answer(one);
   if (const TopicView* view = view_of(one)) told.walk = view->walk(one, subject->name);
+  if (!told.walk) told.recordable = recordable_methods(one, told.method);
   return told;
 }
 

@@ -103,16 +103,14 @@ void caption(StageStep& step, const Told& told, bool is_last) {
   if (step.caption.empty()) step.caption = step.title + ".";
 }
 
-/// What became of the digits; nothing to say of a step that names no number and loses none.
+/// What became of the digits; nothing to say where all are well.
 std::string digits_of(const std::vector<StageValue>& values, const std::optional<Death>& loss) {
-  if (loss) return loss_sentence(loss);
-  if (values.empty()) return "";
   const bool is_spoilt = std::any_of(values.begin(), values.end(), [](const StageValue& value) {
     return std::any_of(value.components.begin(), value.components.end(),
                        [](const WalkValue& component) { return component.bits_lost >= noteworthy; });
   });
-  return is_spoilt ? "No more digits of note are lost here; those lost before stay lost."
-                   : loss_sentence(loss);
+  return !loss && is_spoilt ? "Digits were lost in earlier steps, or in several small roundings."
+                            : loss_sentence(loss);
 }
 
 std::vector<StageValue> step_values(const Walkthrough& walk, std::size_t index, const NumbersByName& n,

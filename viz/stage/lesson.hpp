@@ -19,7 +19,7 @@ using TellCase = std::function<Told(const Case& one, const std::string& method)>
 /// A topic of `rayproof walk`.
 struct Lesson {
   std::string name;      ///< "far-sphere"
-  std::string group;     ///< "sphere": what `walk sphere` walks all of
+  std::string group;     ///< "spheres": what `walk spheres` walks all of
   std::string title;     ///< "Why a far sphere breaks"
   std::string sentence;  ///< what there is to learn
   std::string case_text;

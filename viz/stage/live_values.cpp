@@ -25,11 +25,6 @@ glm::dvec3 point_in(const StageSlider& slider, double t) {
   return glm::dvec3(point_at(ray, T(t)));
 }
 
-/// x = o + t·d in real numbers, to 12 digits.
-std::string exact_coordinate(double o, double t, double d) {
-  return rough(Shadow(o) + Shadow(t) * Shadow(d), 12);
-}
-
 template <class T>
 T stepped(T t, int count) {
   const T end = count < 0 ? -std::numeric_limits<T>::infinity() : std::numeric_limits<T>::infinity();
@@ -50,12 +45,14 @@ double neighbour_of(double t, int count, Precision precision) {
 
 std::vector<LiveValue> live_values(const StageSlider& slider, double t, Precision precision) {
   const bool is_float = precision == Precision::float32;
+  constexpr int float_bits = std::numeric_limits<float>::digits;
   std::vector<LiveValue> values;
   if (slider.shows_point) {
     const glm::dvec3 p = point_on(slider, t, precision);
     const auto coordinate = [&](int axis) { return shown(p[axis], precision); };
     const auto exact = [&](int axis) {
-      return exact_coordinate(slider.origin[axis], t, slider.direction[axis]);
+      const Shadow real = Shadow(slider.origin[axis]) + Shadow(t) * Shadow(slider.direction[axis]);
+      return exact_beside(real, p[axis], float_bits);
     };
     values.push_back({"p(t)", fmt::format("({}, {}, {})", coordinate(0), coordinate(1), coordinate(2)),
                       is_float ? fmt::format("({}, {}, {})", exact(0), exact(1), exact(2)) : ""});
@@ -63,8 +60,8 @@ std::vector<LiveValue> live_values(const StageSlider& slider, double t, Precisio
   for (const StageReadout& readout : slider.readouts) {
     const auto& c = readout.coefficients;
     const double rounded = is_float ? static_cast<double>(value_at<float>(c, t)) : value_at<double>(c, t);
-    values.push_back(
-        {readout.label, shown(rounded, precision), is_float ? rough(value_at<Shadow>(c, t), 6) : ""});
+    values.push_back({readout.label, shown(rounded, precision),
+                      is_float ? exact_beside(value_at<Shadow>(c, t), rounded, float_bits) : ""});
   }
   return values;
 }

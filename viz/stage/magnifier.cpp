@@ -24,4 +24,8 @@ Items dots_of(const Magnifier& magnifier, double around, Precision precision) {
   return items;
 }
 
+std::string dots_in_words(Precision precision) {
+  return precision == Precision::float32 ? "Each dot is a float32 value." : "Each dot is a float64 value.";
+}
+
 }  // namespace rayproof::viz

@@ -20,6 +20,9 @@ struct Magnifier {
 /// A dot for each number of the precision around one of them: between them there is nothing for an answer.
 [[nodiscard]] Items dots_of(const Magnifier& magnifier, double around, Precision precision);
 
+/// "Each dot is a float32 value."
+[[nodiscard]] std::string dots_in_words(Precision precision);
+
 /// What magnified steps show: numbers up to so many lengths from the centre, in a view of this radius.
 inline constexpr double magnified_reach = 3.2;
 inline constexpr StageView magnified_view{{0, 0, 0}, 2.3};

@@ -54,12 +54,16 @@ std::string row(const std::string& name, const WalkValue& v, Precision precision
 
 std::string table(const std::vector<StageValue>& values, Precision precision) {
   if (values.empty()) return "";
+  // A given number is exact as it is stored.
+  const bool are_given = std::all_of(values.begin(), values.end(), [](const StageValue& value) {
+    return value.components.front().formula.empty();
+  });
   std::string html = fmt::format(
       "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Values\"><table><thead><tr><th "
       "scope=\"col\">name</th>"
-      "<th scope=\"col\">{}</th><th scope=\"col\">exact</th><th scope=\"col\">bits "
+      "<th scope=\"col\">{}</th><th scope=\"col\">{}</th><th scope=\"col\">bits "
       "lost</th></tr></thead><tbody>\n",
-      precision == Precision::float32 ? "float32" : "float64");
+      precision == Precision::float32 ? "float32" : "float64", are_given ? "stored value" : "exact");
   for (const StageValue& value : values) {
     for (const WalkValue& v : value.components) html += row(v.name, v, precision);
   }

@@ -18,21 +18,20 @@ namespace {
 /// An exact value and the method's of the same rank.
 struct Pair {
   std::size_t rank = 0;
-  double exact = 0;  ///< to 53 bits
+  double exact = 0;  ///< rounded to float64
   double claimed = 0;
   double ulps = 0;
 };
 
 const Answer& finest(const Told& told) { return told.finer ? *told.finer : told.exact; }
 
-/// The pair that lies farthest apart; nothing where there is none to compare.
+/// The pair that lies farthest apart, infinite ones included; nothing where there is none to compare.
 std::optional<Pair> worst_pair_of(const Told& told) {
   const std::vector<double> correct = values_of(&told.exact);
   const std::vector<double> fine = values_of(&finest(told));
   const std::vector<double> claimed = values_of(told.claim());
   std::optional<Pair> worst;
   for (std::size_t i = 0; i < std::min({correct.size(), claimed.size(), fine.size()}); ++i) {
-    if (!std::isfinite(correct[i]) || !std::isfinite(claimed[i])) continue;
     const double ulps = count_ulps(correct[i], claimed[i], told.one.precision);
     if (!worst || ulps > worst->ulps) worst = {i, fine[i], claimed[i], ulps};
   }
@@ -48,16 +47,13 @@ Items patch_of(const glm::dvec3& normal) {
           polyline(Role::surface, {u + v, u - v, -u - v, v - u, u + v})};
 }
 
-std::string shown_fine(double value, const Told& told) {
-  return told.finer ? rough(value, 15) : shown(value, told.one.precision);
-}
-
 /// The stretch of the ray around one hit, so near that single numbers can be told apart.
 void magnify(StageStep& step, const Told& told, const Pair& pair, const std::string& symbol,
              const Setting& setting) {
   const bool is_ray = std::holds_alternative<RayQuestion>(told.one.question);
   const double up = neighbour(pair.claimed, std::numeric_limits<double>::infinity(), told.one.precision);
-  const double ulp = up - pair.claimed;
+  const double ulp =
+      std::isinf(up) ? pair.claimed - neighbour(pair.claimed, 0, told.one.precision) : up - pair.claimed;
   const double gap = std::abs(pair.claimed - pair.exact);
   const double unit = std::max(gap / 2, ulp);
   const double speed = is_ray ? glm::length(setting.slider->direction) : 1;
@@ -69,25 +65,21 @@ void magnify(StageStep& step, const Told& told, const Pair& pair, const std::str
   const auto* answer = std::get_if<RayAnswer>(&told.exact);
   if (answer != nullptr && answer->normal && pair.rank == 0) step.items = patch_of(*answer->normal);
   step.items.push_back(arrow(Role::ray, -3.3 * magnifier.along, 3.3 * magnifier.along));
-  if (ulp > unit / 6)
+  if (ulp > unit / 6) {
     for (StageItem& dot : dots_of(magnifier, pair.claimed, told.one.precision)) step.items.push_back(dot);
+    step.caption += " " + dots_in_words(told.one.precision);
+  }
   const std::string name = symbol + subscript(pair.rank);
   step.items.push_back(point(Role::exact, {0, 0, 0}, name + " exact"));
   step.items.push_back(point(Role::claimed, magnifier.at(pair.claimed), name + " as computed"));
 }
 
-std::string part_in_words(const Told& told, const Pair& pair, const std::string& symbol) {
-  const std::string name = symbol + subscript(pair.rank);
-  const std::string numbers =
-      fmt::format("exactly {} = {}, computed {} = {}", name, shown_fine(pair.exact, told), name,
-                  shown(pair.claimed, told.one.precision));
-  if (pair.ulps == 0) {
-    return fmt::format(
-        "They do not part: the computed number is the exact one, rounded once; each dot is a number "
-        "that there is: {}.",
-        numbers);
-  }
-  return fmt::format("The answer is {}: {}.", off_by(pair.ulps), numbers);
+/// "The computed t₀ is off by 2 ulps: exact 4.87997734 (to 53 bits), computed 4.8799777 (float32)."
+std::string pair_in_words(const Told& told, const Pair& pair, const std::string& symbol) {
+  const char* const format = told.one.precision == Precision::float32 ? "float32" : "float64";
+  return fmt::format("The computed {}{} is {}: exact {} (to 53 bits), computed {} ({}).", symbol,
+                     subscript(pair.rank), accuracy_in_words(pair.ulps),
+                     shown(pair.exact, Precision::float64), shown(pair.claimed, told.one.precision), format);
 }
 
 /// Both answers at their places in the scene, where there is nothing to magnify.
@@ -109,8 +101,9 @@ std::string verdict_in_words(const Told& told) {
   if (told.claim() == nullptr) return fmt::format("The exact answer: {}.", exact);
   const std::string claimed = verdict_of(told.claim());
   const bool differ = verdicts_differ(&told.exact, told.claim());
-  return differ ? fmt::format("They part altogether: exactly a {}, computed a {}.", exact, claimed)
-                : fmt::format("They do not part: {} by both.", exact);
+  return differ
+             ? fmt::format("Float result and exact result differ. Exact: {}. Computed: {}.", exact, claimed)
+             : fmt::format("Float result and exact result are the same: {}.", exact);
 }
 
 }  // namespace
@@ -118,19 +111,23 @@ std::string verdict_in_words(const Told& told) {
 StageStep parting_step(const Told& told, const Setting& setting) {
   const std::string symbol = symbol_of(told.one);
   StageStep step;
-  step.title = told.claim() == nullptr ? "The exact answer" : "Where float and exact part";
+  step.title = told.claim() == nullptr ? "The exact answer" : comparison_title;
   step.view = setting.near;
   step.digits = conclusion_of(told);
   const bool differ = verdicts_differ(&told.exact, told.claim());
   const std::optional<Pair> pair = worst_pair_of(told);
   if (!differ && pair) {
-    magnify(step, told, *pair, symbol, setting);
-    step.caption = part_in_words(told, *pair, symbol);
+    step.caption = pair_in_words(told, *pair, symbol);
+    if (std::isfinite(pair->claimed - pair->exact)) {
+      magnify(step, told, *pair, symbol, setting);
+    } else {
+      show_all(step, told, symbol, setting);
+    }
     return step;
   }
   if (const auto gap = gap_of(told)) {
     show_gap(step, *gap, told.one.precision, setting);
-    step.caption = verdict_in_words(told) + " " + in_words(*gap);
+    step.caption = verdict_in_words(told) + " " + in_words(*gap, told.one.precision);
     return step;
   }
   show_all(step, told, symbol, setting);

@@ -43,12 +43,13 @@ void show_gap(StageStep& step, const Gap& gap, Precision precision, const Settin
   interval(Role::claimed, -aside, gap.computed_entry, gap.computed_exit, "as computed");
 }
 
-std::string in_words(const Gap& gap) {
-  const auto interval = [](double entry, double exit) {
-    return fmt::format("in at {}, out at {}", rough(entry, 9), rough(exit, 9));
+std::string in_words(const Gap& gap, Precision precision) {
+  const auto interval = [](double entry, double exit, Precision shown_in) {
+    return fmt::format("in at {}, out at {}", shown(entry, shown_in), shown(exit, shown_in));
   };
-  return fmt::format("Exactly the ray is {}; computed, {}. Each dot is a number that there is.",
-                     interval(gap.entry, gap.exit), interval(gap.computed_entry, gap.computed_exit));
+  return fmt::format("Exactly the ray is {}; computed, {}. {}",
+                     interval(gap.entry, gap.exit, Precision::float64),
+                     interval(gap.computed_entry, gap.computed_exit, precision), dots_in_words(precision));
 }
 
 }  // namespace rayproof::viz

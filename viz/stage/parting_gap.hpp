@@ -23,6 +23,6 @@ struct Gap {
 void show_gap(StageStep& step, const Gap& gap, Precision precision, const Setting& setting);
 
 /// "Exactly the ray is in at 1, out at 0.999999886; …"
-[[nodiscard]] std::string in_words(const Gap& gap);
+[[nodiscard]] std::string in_words(const Gap& gap, Precision precision);
 
 }  // namespace rayproof::viz

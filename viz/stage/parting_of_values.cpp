@@ -27,7 +27,7 @@ std::optional<StageValue> worst_of(const Walkthrough& walk) {
 /// How far the value is off, as an arrow in the world or along the picture's right.
 glm::dvec3 error_of(const StageValue& value, const Setting& setting) {
   const auto error = [&](std::size_t i) {
-    return i < value.components.size() ? value.components[i].value - value.components[i].exact_value : 0.0;
+    return i < value.components.size() ? value.components[i].error : 0.0;
   };
   if (value.components.size() > 1) return {error(0), error(1), error(2)};
   return error(0) * setting.camera.right;
@@ -37,26 +37,26 @@ glm::dvec3 error_of(const StageValue& value, const Setting& setting) {
 
 StageStep parting_of_values(const Walkthrough& walk, const Setting& setting, Precision precision) {
   StageStep step;
-  step.title = "Where float and exact part";
-  step.is_apart = true;
+  step.title = comparison_title;
+  step.view = setting.near;
   const auto worst = worst_of(walk);
-  const glm::dvec3 error = worst ? error_of(*worst, setting) : glm::dvec3(0);
-  const double size = glm::length(error);
-  if (!worst || !(size > 0) || !std::isfinite(size)) {
-    step.caption = "They do not part: no value of this run is rounded, or what is lost is not a number.";
-    step.view = setting.near;
-    step.is_apart = false;
+  if (!worst || lost_by(*worst) == 0) {
+    step.caption = "Float result and exact result are the same: no value of this run is rounded.";
     return step;
   }
+  step.caption = fmt::format("Of all values {} lost most, {:.1f} of {} bits: exact {}, computed {}.",
+                             worst->name, lost_by(*worst), worst_component(*worst).digits, exact_of(*worst),
+                             shown(*worst, precision));
+  const glm::dvec3 error = error_of(*worst, setting);
+  const double size = glm::length(error);
+  if (!(size > 0) || !std::isfinite(size)) return step;
+  step.is_apart = true;
   step.magnification = 1.5 / size;
   const glm::dvec3 tip = 1.5 / size * error;
   step.view = {0.5 * tip, 1.1};
   step.items = {segment(Role::edge, {0, 0, 0}, tip, "off by " + rough(size, 3)),
                 point(Role::exact, {0, 0, 0}, worst->name + " exact"),
                 point(Role::claimed, tip, worst->name + " as computed")};
-  step.caption = fmt::format("Of all values {} lost most, {:.1f} of {} bits: exactly {}, computed {}.",
-                             worst->name, lost_by(*worst), worst_component(*worst).digits, exact_of(*worst),
-                             shown(*worst, precision));
   return step;
 }
 

@@ -24,7 +24,10 @@ struct Setting {
 
 [[nodiscard]] Setting setting_of(const Told& told);
 
-/// The step "Where float and exact part": what the exact answer says beside the method's, magnified where
+/// The title of a stage's last step.
+inline constexpr const char* comparison_title = "Float result against exact result";
+
+/// The step of that title: what the exact answer says beside the method's, magnified where
 /// they are too near to be told apart.
 [[nodiscard]] StageStep parting_step(const Told& told, const Setting& setting);
 

@@ -26,7 +26,7 @@ void put_numbers_in(StageValue& value, const NumbersByName& n, Precision precisi
 /// The rounded number as the shortest decimal that reads back as it; a vector's in parentheses.
 [[nodiscard]] std::string shown(const StageValue& value, Precision precision);
 
-/// The exact number to 12 digits; a vector's in parentheses.
+/// The exact number as exact_beside writes it; a vector's in parentheses.
 [[nodiscard]] std::string exact_of(const StageValue& value);
 
 /// The component that has lost most.

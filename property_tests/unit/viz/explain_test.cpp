@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "case/reader.hpp"
@@ -100,16 +101,21 @@ std::string conclusion_of_unrecorded(const char* line, const Answer& exact, cons
   return conclusion_of(Told{read_case(line), exact, "sphere/compensated", claimed});
 }
 
-TEST(Explain, OnlyNumbersAreRightToAFewUlps) {
+TEST(Explain, AnAnswerWithoutStepsIsCalledWhatItsNumbersAre) {
   RayAnswer hit{Contact::crossing};
   hit.hits.push_back(4);
   const RayAnswer miss{};
   const std::string unrecorded = "sphere/compensated can't be recorded step by step; its answer is ";
-  EXPECT_EQ(conclusion_of_unrecorded(tame_sphere, hit, hit), unrecorded + "right to a few ulps.");
-  EXPECT_EQ(conclusion_of_unrecorded(tame_sphere, miss, miss), unrecorded + "right.");
-  EXPECT_EQ(conclusion_of_unrecorded(tame_sphere, Position::inside, Position::inside), unrecorded + "right.");
+  RayAnswer near_hit{Contact::crossing};
+  near_hit.hits.push_back(std::nextafter(std::nextafter(4.0, 5.0), 5.0));
+  EXPECT_EQ(conclusion_of_unrecorded(tame_sphere, hit, hit),
+            unrecorded + "the exact one, correctly rounded.");
+  EXPECT_EQ(conclusion_of_unrecorded(tame_sphere, hit, near_hit), unrecorded + "off by 2 ulps.");
+  EXPECT_EQ(conclusion_of_unrecorded(tame_sphere, miss, miss), unrecorded + "the exact one.");
+  EXPECT_EQ(conclusion_of_unrecorded(tame_sphere, Position::inside, Position::inside),
+            unrecorded + "the exact one.");
   EXPECT_EQ(conclusion_of_unrecorded(small_root, QuadraticAnswer<double>{}, QuadraticAnswer<double>{}),
-            unrecorded + "right.");
+            unrecorded + "the exact one.");
   EXPECT_EQ(conclusion_of_unrecorded(tame_sphere, hit, miss), unrecorded + "not the exact one.");
 }
 

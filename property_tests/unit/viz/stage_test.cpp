@@ -31,14 +31,14 @@ TEST(Stage, ShowsDecimalsThatReadBackAsTheNumber) {
   }
 }
 
-TEST(Stage, EveryLessonHasFiveToEightStepsAndEndsWhereFloatAndExactPart) {
+TEST(Stage, EveryLessonHasFiveToEightStepsAndEndsWithFloatAgainstExact) {
   std::set<std::string> names;
   for (const Lesson& lesson : lessons()) {
     EXPECT_TRUE(names.insert(lesson.name).second) << lesson.name << " is there twice";
     const Stage stage = stage_of(lesson, tell_lesson);
     EXPECT_GE(stage.steps.size(), 5U) << lesson.name;
     EXPECT_LE(stage.steps.size(), 8U) << lesson.name;
-    EXPECT_EQ(stage.steps.back().title, "Where float and exact part") << lesson.name;
+    EXPECT_EQ(stage.steps.back().title, "Float result against exact result") << lesson.name;
     EXPECT_FALSE(stage.conclusion.empty()) << lesson.name;
     EXPECT_FALSE(stage.scene.empty()) << lesson.name;
     for (const StageStep& step : stage.steps) {

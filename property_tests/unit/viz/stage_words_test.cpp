@@ -67,7 +67,8 @@ TEST(StageWords, AStepWithoutRootsIsNotPartedIntoSlidesThatShowNothing) {
 }
 
 TEST(StageWords, RootsAreNumberedByTheirSizeOrNotAtAll) {
-  for (const Lesson* one : lessons_of("quadratic")) {
+  ASSERT_FALSE(lessons_of("quadratics").empty());
+  for (const Lesson* one : lessons_of("quadratics")) {
     const Stage stage = stage_of(*one, tell_lesson);
     double x0 = NAN, x1 = NAN;
     for (const StageStep& step : stage.steps) {

@@ -76,7 +76,7 @@ StageStep edge_step(const std::array<Judge, 2>& sides, const Setting& setting) {
   };
   const auto corner = [&](double x, double y) { return x * setting.camera.right + y * setting.camera.up; };
   StageStep step;
-  step.title = "Where float and exact part";
+  step.title = comparison_title;
   step.is_apart = true;
   step.magnification = 2 / farthest;
   step.view = {{0, 0, 0}, 1.9};

@@ -89,7 +89,7 @@ Stage counted_stage(const Told& told, const Counting& counting) {
                                equation_of(step.values[1], told.one.precision));
   }
   StageStep last;
-  last.title = "Where float and exact part";
+  last.title = comparison_title;
   last.view = setting.near;
   last.caption = fmt::format("{} {} {}: the point is {}. Exactly it is {}.", count,
                              count == 1 ? "crossing is" : "crossings are",

@@ -1,0 +1,169 @@
+/// \file
+/// What explanations and walkthroughs say of random cases is what their numbers are.
+
+#include <gtest/gtest.h>
+
+#include <boost/multiprecision/cpp_dec_float.hpp>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+
+#include "case/writer.hpp"
+#include "generators/generators.hpp"
+#include "unit/viz/stage_data.hpp"
+#include "viz/answers.hpp"
+#include "viz/numbers.hpp"
+#include "viz/stage/lesson.hpp"
+#include "viz/stage/stage_of.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+using Decimal = boost::multiprecision::number<boost::multiprecision::cpp_dec_float<900>>;
+
+/// Random cases of every family in both precisions, each by every method of its topic.
+void for_answered_cases(std::uint64_t seeds, const std::function<void(const Told&)>& check) {
+  for (const Family& family : families()) {
+    for (const Subject& subject : subjects()) {
+      if (subject.topic != family.topic) continue;
+      for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+        for (const Precision precision : {Precision::float32, Precision::float64})
+          check(told_of(family.generate(seed, precision), &subject));
+      }
+    }
+  }
+}
+
+bool says(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
+
+std::string few_ulps(double ulps) {
+  return std::to_string(static_cast<int>(ulps)) + (ulps == 1 ? " ulp" : " ulps");
+}
+
+bool are_equal(const Told& told) {
+  return !verdicts_differ(&told.exact, told.claim()) &&
+         worst_ulps(&told.exact, told.claim(), told.one.precision) == 0;
+}
+
+TEST(TrueSentences, TheConclusionAgreesWithTheCountAboveIt) {
+  std::size_t rounded = 0;
+  std::size_t off = 0;
+  for_answered_cases(2, [&](const Told& told) {
+    const std::string text = explain_text(told);
+    const std::string conclusion = conclusion_of(told);
+    SCOPED_TRACE(told.method + " " + write_case(told.one) + "\n" + conclusion);
+    const bool is_off = says(text.substr(0, text.size() - conclusion.size() - 1), " is off by ");
+    if (is_off) {
+      EXPECT_FALSE(says(conclusion, "is the exact one"));
+    }
+    if (are_equal(told)) {
+      ++rounded;
+      EXPECT_FALSE(is_off);
+      EXPECT_TRUE(says(conclusion, "answer is the exact one"));
+    }
+    if (says(conclusion, "at most.") && !says(conclusion, "of the formula")) {
+      ++off;
+      const double ulps = worst_ulps(&told.exact, told.claim(), told.one.precision);
+      EXPECT_TRUE(says(conclusion, "Rounding changed the answer by " + few_ulps(ulps) + " at most."));
+      EXPECT_TRUE(says(text, "off by " + few_ulps(ulps)));
+    }
+  });
+  EXPECT_GT(rounded, 100U);
+  EXPECT_GT(off, 100U);
+}
+
+TEST(TrueSentences, AWalkthroughCallsEqualOnlyWhatIsEqual) {
+  std::size_t equal = 0;
+  std::size_t different = 0;
+  for_answered_cases(1, [&](const Told& told) {
+    const StageStep last = stage_of(told).steps.back();
+    SCOPED_TRACE(told.method + " " + write_case(told.one) + "\n" + last.caption);
+    const bool is_called_equal =
+        says(last.caption, "are the same") || says(last.caption, "is the exact one, correctly rounded");
+    EXPECT_EQ(is_called_equal, are_equal(told));
+    ++(is_called_equal ? equal : different);
+  });
+  EXPECT_GT(equal, 100U);
+  EXPECT_GT(different, 100U);
+}
+
+TEST(TrueSentences, TwoDoublesOneUlpApartAreNotCalledEqual) {
+  const Case one = read_case(
+      R"({"ray":{"origin":[0,0,-5],"direction":[0,0,1]},"shape":{"type":"sphere","center":[0,0,0],"radius":1}})");
+  Told told = told_of(one, "sphere/centred");
+  std::get<RayAnswer>(*told.claimed).hits.t[0] = std::nextafter(4.0, 5.0);
+  EXPECT_TRUE(says(stage_of(told).steps.back().caption, "off by 1 ulp"))
+      << stage_of(told).steps.back().caption;
+  EXPECT_TRUE(says(conclusion_of(told), "by 1 ulp at most")) << conclusion_of(told);
+}
+
+TEST(TrueSentences, AnInfiniteAnswerForAFiniteOneIsNotPassedOver) {
+  const Case one = read_case(
+      R"({"ray":{"origin":[0,0,-5],"direction":[0,0,1]},"shape":{"type":"sphere","center":[0,0,0],"radius":1}})");
+  Told told = told_of(one, "sphere/centred");
+  std::get<RayAnswer>(*told.claimed).hits.t[1] = INFINITY;
+  EXPECT_TRUE(says(stage_of(told).steps.back().caption, "The computed t₁ is infinitely far off"))
+      << stage_of(told).steps.back().caption;
+}
+
+TEST(TrueSentences, AnExactNumberReadsAsTheRoundedOneOnlyWhereItIsThatNumber) {
+  std::size_t rounded = 0;
+  const auto check = [&](const WalkValue& v, Precision precision) {
+    if (!std::isfinite(v.value) || !std::isfinite(v.error)) return;
+    SCOPED_TRACE(v.name + ": " + v.exact + " beside " + shown(v.value, precision));
+    const Decimal written(v.exact);
+    if (v.error == 0) {
+      EXPECT_EQ(std::strtod(v.exact.c_str(), nullptr), v.value);
+      return;
+    }
+    ++rounded;
+    EXPECT_NE(v.exact, shown(v.value, precision));
+    const Decimal exact = Decimal(v.value) - Decimal(v.error);
+    // Half of the last digit, and the rounding of the error itself to double.
+    const Decimal half_a_digit(precision == Precision::float32 ? "5.1e-12" : "5.1e-17");
+    EXPECT_LE(abs(written - exact), abs(exact) * half_a_digit + abs(Decimal(v.error)) * Decimal("1.2e-16"));
+  };
+  for_answered_cases(1, [&](const Told& told) {
+    if (!told.walk) return;
+    SCOPED_TRACE(told.method + " " + write_case(told.one));
+    for (const WalkValue& value : told.walk->inputs) check(value, told.one.precision);
+    for (const WalkStep& step : told.walk->steps) {
+      for (const WalkValue& value : step.values) check(value, told.one.precision);
+    }
+  });
+  EXPECT_GT(rounded, 1000U);
+}
+
+TEST(TrueSentences, InputsAreShownAsTheyAreStored) {
+  const Case one = read_case(R"({"precision":"float32","ray":{"origin":[0,0,-3.7],"direction":[0,0,1]},)"
+                             R"("shape":{"type":"sphere","center":[0,0,0],"radius":1}})");
+  const std::string text = explain_text(told_of(one, "sphere/centred"));
+  EXPECT_TRUE(says(text, "Inputs\n   name  float32  stored value\n")) << text;
+  EXPECT_TRUE(says(text, "-3.700000047683716")) << text;
+}
+
+TEST(TrueSentences, AStepThatLosesNothingOfNoteSaysNothingOfDigits) {
+  for (const Lesson& lesson : lessons()) {
+    const Stage stage = stage_of(lesson, tell_lesson);
+    for (const StageStep& step : stage.steps) {
+      for (const std::string& words : {step.caption, step.digits, stage.conclusion}) {
+        for (const char* untrue :
+             {"No digits", "No more digits", "few ulps.", "They part", "not part", "there is."})
+          EXPECT_FALSE(says(words, untrue)) << lesson.name << ": " << words;
+      }
+    }
+  }
+}
+
+TEST(TrueSentences, DotsBearTheNameOfTheirFormat) {
+  for (const Precision precision : {Precision::float32, Precision::float64}) {
+    Case one = read_case(lessons_of("sphere").front()->case_text);
+    one.precision = precision;
+    const std::string caption = stage_of(told_of(one, "sphere/centred")).steps.back().caption;
+    const char* const format = precision == Precision::float32 ? "float32" : "float64";
+    EXPECT_TRUE(says(caption, std::string("Each dot is a ") + format + " value.")) << caption;
+  }
+}
+
+}  // namespace
+}  // namespace rayproof::viz
