@@ -74,6 +74,17 @@ void write_pngs(const std::vector<viz::Walk>& walks, const std::string& folder, 
 #endif
 }
 
+/// What TOPIC may be: all, a group of topics, or a topic, each topic below its group.
+void print_topics() {
+  fmt::print("{:<26}{}\n", "all", "Every topic");
+  std::string group;
+  for (const viz::Lesson& lesson : viz::lessons()) {
+    if (lesson.group != group) fmt::print("{:<26}All of these:\n", lesson.group);
+    group = lesson.group;
+    fmt::print("  {:<24}{}\n", lesson.name, lesson.title);
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -100,15 +111,12 @@ int main(int argc, char** argv) {
   app.add_flag("--window", options.is_window,
                "Show it in a window: steps by key, t by a slider, the ray by dragging");
   app.add_flag("--json", options.is_json, "Print the data of each walkthrough as a line of JSON");
-  app.add_flag("--list", options.is_list, "List the topics");
+  app.add_flag("--list", options.is_list, "List the topics and their groups");
   app.footer("Exit status: 0 done, 1 the case is refused, 2 wrong command line.");
   if (const auto status = parse_command_line(app, argc, argv)) return *status;
 
   return viz::run_and_report("rayproof walk", [&] {
-    if (options.is_list) {
-      for (const viz::Lesson& lesson : viz::lessons()) fmt::print("{:<28}{}\n", lesson.name, lesson.title);
-      return;
-    }
+    if (options.is_list) return print_topics();
     if (!options.topic.empty() && !options.one.text.empty())
       throw viz::WrongCommand("give a topic or --case, not both");
     ProgressLine progress;

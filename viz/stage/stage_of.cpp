@@ -42,11 +42,8 @@ StageStep first_step(const Told& told, const Walkthrough* walk, const Setting& s
 }
 
 std::string title_of(const Told& told) {
-  if (!told.walk) return told.method.empty() ? "The exact answer" : told.method;
-  const std::string& title = told.walk->title;
-  const std::size_t colon = title.find(": ");
-  return fmt::format("{}: {}", topic_of(told.one),
-                     colon == std::string::npos ? title : title.substr(colon + 2));
+  if (told.walk) return told.walk->title;
+  return told.method.empty() ? "The exact answer" : told.method;
 }
 
 std::string name_of(const Told& told) {

@@ -5,10 +5,12 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <sstream>
 #include <vector>
 
 #include "unit/command.hpp"
+#include "viz/stage/lesson.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -20,6 +22,8 @@ const std::string explain = std::string(RAYPROOF_BIN_DIR) + "/rayproof-explain "
 const std::string walk_program = "env -u DISPLAY " RAYPROOF_BIN_DIR "/rayproof-walk ";
 const std::string draw = "env -u DISPLAY " RAYPROOF_BIN_DIR "/rayproof-draw ";
 const std::string cancelling = R"('{"query":"quadratic","precision":"float32","a":1,"b":1000,"c":1}' )";
+const std::string sphere =
+    R"('{"ray":{"origin":[0,0,-5],"direction":[0,0,1]},"shape":{"type":"sphere","center":[0,0,0],"radius":1}}' )";
 
 class Programs : public testing::Test {
  protected:
@@ -119,11 +123,77 @@ TEST_F(Programs, TheCommandThatCheckPrintsBesideAFindingWalksIt) {
 #endif
 }
 
-TEST_F(Programs, WalkTakesASoundMethodWhereACaseBringsNone) {
+bool says(const Ended& told, const std::string& words) {
+  return told.output.find(words) != std::string::npos;
+}
+
+TEST_F(Programs, OnlyMethodsWithStepsToShowAreRecommended) {
+  for (const std::string& program : {explain + sphere, walk_program + "--json --case " + sphere}) {
+    const Ended told = run(program + "--method sphere/gln");
+    EXPECT_EQ(told.status, 2) << told.output;
+    EXPECT_TRUE(says(told, "there is no method sphere/gln; did you mean sphere/")) << told.output;
+    EXPECT_FALSE(says(told, "sphere/glm")) << told.output;
+    const Ended other = run(program + "--method box/glm");
+    EXPECT_TRUE(says(other, "box/glm")) << other.output;
+    EXPECT_FALSE(says(other, "sphere/glm")) << other.output;
+  }
+}
+
+TEST_F(Programs, EveryRecommendedMethodHasStepsToShow) {
+  const Ended told = run(explain + sphere + "--method sphere/gl");
+  std::istringstream words(told.output.substr(told.output.find("did you mean")));
+  int recommended = 0;
+  for (std::string word; words >> word;) {
+    if (!word.starts_with("sphere/")) continue;
+    if (word.ends_with('?')) word.pop_back();
+    ++recommended;
+    const Ended explained = run(explain + sphere + "--method " + word);
+    EXPECT_EQ(explained.status, 0) << explained.output;
+    EXPECT_TRUE(says(explained, "\n1. ")) << explained.output;
+  }
+  EXPECT_EQ(recommended, 3) << told.output;
+}
+
+TEST_F(Programs, AMethodWithoutStepsAnswersAndNamesSomeThatHaveSteps) {
+  const Ended told = run(explain + sphere + "--method sphere/glm");
+  EXPECT_EQ(told.status, 0) << told.output;
+  EXPECT_TRUE(
+      says(told,
+           "sphere/glm can't be recorded step by step; its answer is the exact one, correctly rounded. "
+           "Methods that can be: sphere/"))
+      << told.output;
+}
+
+TEST_F(Programs, WalkListsAllGroupsAndTopicsThatItTakes) {
+  const Ended told = run(walk_program + "--list");
+  EXPECT_EQ(told.status, 0) << told.output;
+  std::set<std::string> listed;
+  std::istringstream lines(told.output);
+  for (std::string line; std::getline(lines, line);) {
+    std::string name;
+    std::istringstream(line) >> name;
+    listed.insert(name);
+    EXPECT_FALSE(lessons_of(name).empty()) << line;
+  }
+  EXPECT_TRUE(listed.contains("all")) << told.output;
+  for (const Lesson& lesson : lessons()) {
+    EXPECT_TRUE(listed.contains(lesson.group)) << lesson.group;
+    EXPECT_TRUE(listed.contains(lesson.name)) << lesson.name;
+  }
+}
+
+TEST_F(Programs, WalkTakesASoundMethodWhereACaseBringsNoneAndNamesIt) {
   const Ended told = run(walk_program + "--json --case " + cancelling);
   EXPECT_EQ(told.status, 0) << told.output;
-  EXPECT_NE(told.output.find(R"("method":"quadratic/citardauq_viete")"), std::string::npos)
-      << told.output.substr(0, 300);
+  EXPECT_TRUE(says(told, R"("method":"quadratic/citardauq_viete")")) << told.output.substr(0, 300);
+  EXPECT_TRUE(says(told, R"("title":"quadratic/citardauq_viete: )")) << told.output.substr(0, 300);
+  const Ended named = run(walk_program + "--html " + file("case.html") + " --case " + cancelling);
+  EXPECT_EQ(named.output,
+            "rayproof walk: quadratic/citardauq_viete (the first sound method whose steps can be recorded; "
+            "--method chooses)\n");
+  const Ended chosen =
+      run(walk_program + "--html " + file("case.html") + " --method quadratic/kahan --case " + cancelling);
+  EXPECT_EQ(chosen.output, "");
 }
 
 TEST_F(Programs, WalkRefusesAMethodForATopic) {

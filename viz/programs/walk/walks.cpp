@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
+
 #include "viz/programs/told_of.hpp"
 #include "viz/stage/lesson.hpp"
 #include "viz/stage/stage_of.hpp"
@@ -21,8 +23,15 @@ Told told_for(const CaseOptions& options) {
     if (!told.walk) continue;
     told.method = subject.full_name();
     told.claimed = subject.answer(told.one);
-    break;
+    fmt::print(stderr,
+               "rayproof walk: {} (the first sound method whose steps can be recorded; --method chooses)\n",
+               told.method);
+    return told;
   }
+  fmt::print(
+      stderr,
+      "rayproof walk: the exact answer alone (no {} method's steps can be recorded; --method chooses)\n",
+      topic_of(told.one));
   return told;
 }
 
