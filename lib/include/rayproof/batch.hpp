@@ -3,16 +3,22 @@
 /// Many rays against one shape, or many equations, at once: bit for bit the answers of the scalar kernels.
 ///
 /// \code
-/// std::vector<float> t(count);
-/// nearest_hits<sphere::Centred>(RayBatch<float>{{ox, oy, oz}, {dx, dy, dz}}, Sphere<float>{center, radius},
-/// t); \endcode The kernels are built for several instruction sets, and the widest one this machine has is
-/// chosen at run time.
+/// const std::vector<float> x{0, 0.5F, 2}, y(3), z(3, -5), dx(3), dy(3), dz(3, 1);
+/// const rayproof::RayBatch<float> rays{{x, y, z}, {dx, dy, dz}};
+/// std::vector<float> t(3);
+/// rayproof::nearest_hits<rayproof::sphere::Centred>(rays, rayproof::Sphere<float>{{0, 0, 0}, 1}, t);
+/// assert(t[0] == 4 && t[2] == rayproof::infinity<float>);
+/// \endcode
+///
+/// The kernels are built for several instruction sets, and the widest one this machine has is chosen at run
+/// time. Methods of the topics marked `is_batched` have kernels, in float and in double.
 
 #include <rayproof/batch/input.hpp>
 #include <rayproof/batch/instruction_set.hpp>
 #include <rayproof/batch/kernels.hpp>
 #include <span>
 #include <stdexcept>
+#include <type_traits>
 
 namespace rayproof {
 
@@ -29,9 +35,25 @@ std::size_t common_size(const First& first, const Rest&... rest) {
 /// The method's kernels for `set`, or the baseline's for a method that does not run in packs.
 template <class Method, class T>
 [[nodiscard]] const auto& kernels_for(InstructionSet set) {
-  using Entry = Kernels<TopicOf<Method>, Method, T>;
+  using Entry = KernelsOf<Method, T>;
   const Entry& wanted = std::get<Entry>(kernel_table(set));
   return wanted.roots != nullptr ? wanted : std::get<Entry>(kernel_table(InstructionSet::baseline));
+}
+
+/// Runs the method's kernel that fills these columns: one column of nearest hits, or three of roots. A method
+/// without kernels is refused here, in one sentence, before it is looked for in the tables.
+template <class Method, class T, class In, std::size_t Columns>
+void run_kernel(InstructionSet set, const In& in, T* const (&out)[Columns]) {
+  static_assert(has_kernels<Method, T, In>,
+                "this method has no batch kernels for this input: call Method::roots in a loop instead");
+  if constexpr (has_kernels<Method, T, In>) {
+    const auto& kernels = kernels_for<Method, T>(set);
+    if constexpr (Columns == 1) {
+      kernels.nearest(in, out);
+    } else {
+      kernels.roots(in, out);
+    }
+  }
 }
 
 /// The bare pointers of a batch of rays, valid as long as `rays`.
@@ -53,10 +75,10 @@ template <class T, class Shape>
 /// The nearest hit of each ray: the smallest root in [t_min, t_max], or infinity for a miss. `t` is as long
 /// as the batch.
 template <class Method, class T, class Shape>
-void nearest_hits(const RayBatch<T>& rays, const Shape& shape, std::span<T> t,
+void nearest_hits(const RayBatch<T>& rays, const Shape& shape, std::type_identity_t<std::span<T>> t,
                   InstructionSet set = preferred_instruction_set()) {
   batch::common_size(rays.origin.x, t);
-  batch::kernels_for<Method, T>(set).nearest(batch::lanes_of(rays, shape), {t.data()});
+  batch::run_kernel<Method>(set, batch::lanes_of(rays, shape), {t.data()});
 }
 
 /// Both roots of each ray's problem, before the interval of t is looked at.
@@ -64,8 +86,8 @@ template <class Method, class T, class Shape>
 void batch_roots(const RayBatch<T>& rays, const Shape& shape, const RootArrays<T>& roots,
                  InstructionSet set = preferred_instruction_set()) {
   batch::common_size(rays.origin.x, roots.discriminant, roots.lo, roots.hi);
-  batch::kernels_for<Method, T>(set).roots(batch::lanes_of(rays, shape),
-                                           {roots.discriminant.data(), roots.lo.data(), roots.hi.data()});
+  batch::run_kernel<Method>(set, batch::lanes_of(rays, shape),
+                            {roots.discriminant.data(), roots.lo.data(), roots.hi.data()});
 }
 
 /// Both roots of each equation.
@@ -74,8 +96,8 @@ void batch_roots(const QuadraticBatch<T>& equations, const RootArrays<T>& roots,
                  InstructionSet set = preferred_instruction_set()) {
   const auto& [a, b, c] = equations;
   const std::size_t size = batch::common_size(a, b, c, roots.discriminant, roots.lo, roots.hi);
-  batch::kernels_for<Method, T>(set).roots(batch::QuadraticLanes<T>{{a.data(), b.data(), c.data()}, size},
-                                           {roots.discriminant.data(), roots.lo.data(), roots.hi.data()});
+  batch::run_kernel<Method>(set, batch::QuadraticLanes<T>{{a.data(), b.data(), c.data()}, size},
+                            {roots.discriminant.data(), roots.lo.data(), roots.hi.data()});
 }
 
 }  // namespace rayproof

@@ -79,7 +79,9 @@ using KernelTable = decltype(kernels_of_topics(Topics{}));
 /// The table built for an instruction set that is available.
 [[nodiscard]] const KernelTable& kernel_table(InstructionSet set);
 
-/// The topic that a method belongs to.
+/// The topic that a method belongs to; void for a method of no topic.
+template <class Method>
+std::type_identity<void> topic_of(TypeList<>);
 template <class Method, class First, class... Rest>
 auto topic_of(TypeList<First, Rest...>) {
   constexpr bool is_listed = []<class... Methods>(TypeList<Methods...>) {
@@ -93,5 +95,21 @@ auto topic_of(TypeList<First, Rest...>) {
 }
 template <class Method>
 using TopicOf = typename decltype(batch::topic_of<Method>(Topics{}))::type;
+
+/// The kernels of a method in one precision, as the tables hold them.
+template <class Method, class T>
+using KernelsOf = Kernels<TopicOf<Method>, Method, T>;
+
+template <class Entry, class Table>
+inline constexpr bool is_in = false;
+template <class Entry, class... Entries>
+inline constexpr bool is_in<Entry, std::tuple<Entries...>> = (std::same_as<Entry, Entries> || ...);
+
+/// Whether a method has kernels for problems that are laid out as `In`.
+template <class Method, class T, class In>
+inline constexpr bool has_kernels = requires {
+  requires is_in<KernelsOf<Method, T>, KernelTable>;
+  requires std::same_as<Lanes<TopicOf<Method>, T>, In>;
+};
 
 }  // namespace rayproof::batch
