@@ -11,6 +11,13 @@
 #include <concepts>
 #include <limits>
 
+// A miss is an infinite t or a NaN, and the exact methods count on every rounding as written. -ffast-math,
+// -Ofast and -ffinite-math-only allow the compiler to ignore both; g++ has macros for their parts, too.
+#if !defined RAYPROOF_ALLOW_FAST_MATH && \
+    (defined __FAST_MATH__ || __FINITE_MATH_ONLY__ || __ASSOCIATIVE_MATH__ || __RECIPROCAL_MATH__)
+#error "rayproof needs NaN, infinity and exact rounding: compile without -ffast-math (docs/library.md)"
+#endif
+
 namespace rayproof {
 
 /// What a comparison of two `T` gives: `bool`, or one bool per lane of a SIMD pack.

@@ -6,6 +6,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+#include <rayproof/arithmetic.hpp>
 #include <type_traits>
 
 namespace rayproof {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <rayproof/arithmetic.hpp>
 #include <string>
 #include <vector>
 
