@@ -12,8 +12,9 @@ option(RAYPROOF_LAB "Build the laboratory (oracle, property tests, pictures, rep
        ${PROJECT_IS_TOP_LEVEL})
 option(RAYPROOF_WERROR "Treat warnings as errors" OFF)
 
-# The same source must give the same bits: no contraction, and none of g++ 12's basic-block vectorizer, which drops the
-# rounding from double to float and back where two stand side by side (held by unit/lib/compiler_test.cpp).
+# The same source must give the same bits, in a user's target too (docs/library.md): no contraction, and none of g++ 12's
+# basic-block vectorizer, which drops the rounding from double to float and back where two stand side by side (held by
+# unit/lib/compiler_test.cpp).
 set(RAYPROOF_SAME_BITS
     -ffp-contract=off
     $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-fno-tree-slp-vectorize>)
