@@ -3,6 +3,8 @@
 import re
 import sys
 
+from markdown import section
+
 NO_KERNELS = "this method has no batch kernels for this input: call Method::roots in a loop instead"
 FAST_MATH = "rayproof needs NaN, infinity and exact rounding: compile without -ffast-math (docs/library.md)"
 LINES = 12  # what a compiler says of one error, with the call it comes from
@@ -28,14 +30,17 @@ def errors_of(ended):
 
 
 def kernels(place):
-    """Every call of a batch without kernels gives one error, the sentence, in few lines."""
+    """Every call of a batch without kernels gives one error, the sentence, in few lines. The manual names those with."""
     calls = BATCHES.count("\n  nearest_hits<") + BATCHES.count("\n  batch_roots<")
     ended = place.compile(BATCHES, "-fsyntax-only")
     errors = errors_of(ended)
     if len(errors) != calls or not all(NO_KERNELS in error for error in errors) or ended.stderr.count("\n") > LINES * calls:
         sys.exit(f"{calls} calls:\n{ended.stderr}")
-    if NO_KERNELS not in place.manual.read_text():
-        sys.exit("the manual does not have the sentence")
+    batches = section(place.manual, "Batches")
+    named = set(re.findall("`(\\w+)/`", batches))
+    batched = {header.parent.name for header in place.headers.rglob("methods.hpp") if "is_batched = true" in header.read_text()}
+    if NO_KERNELS not in batches or named != batched:
+        sys.exit(f"{batched} have kernels; the manual names {named}, or does not have the sentence")
 
 
 def fast_math(place):
