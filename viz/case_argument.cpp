@@ -14,8 +14,6 @@
 namespace rayproof::viz {
 namespace {
 
-bool is_blank(const std::string& text) { return text.find_first_not_of(" \t\r\n") == std::string::npos; }
-
 bool is_one_json_text(const std::string& text) {
   try {
     (void)json::parse(text);
@@ -31,18 +29,6 @@ std::string read_all(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in) throw UnreadableCase(fmt::format("the file {} can't be read", file));
   return drain(in);
-}
-
-std::string line_of(const std::string& text, const std::string& file, std::size_t number) {
-  std::size_t seen = 0;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const std::string line = text.substr(begin, end - begin);
-    if (!is_blank(line) && ++seen == number) return line;
-    begin = end + 1;
-  }
-  throw UnreadableCase(seen == 0 ? fmt::format("{} holds no case", file)
-                                 : fmt::format("{} has no line {}, only {}", file, number, seen));
 }
 
 /// The case's text with another precision in it: its decimals are rounded once, to that.
@@ -63,12 +49,17 @@ std::string with_precision(std::string_view text, Precision precision) {
 
 }  // namespace
 
-std::string text_of_case(const std::string& argument, std::size_t line) {
+std::string text_of_case(const std::string& argument, std::size_t line, const std::string& findings) {
+  if (const auto number = finding_number(argument)) return finding_line(findings, *number);
   const std::size_t first = argument.find_first_not_of(" \t\r\n");
   if (first != std::string::npos && argument[first] == '{') return argument;
   const std::string text = read_all(argument);
   if (line == 1 && is_one_json_text(text)) return text;
-  return line_of(text, argument == "-" ? "standard input" : argument, line);
+  const std::vector<std::string> lines = lines_in(text);
+  if (line <= lines.size()) return lines[line - 1];
+  const std::string file = argument == "-" ? "standard input" : argument;
+  throw UnreadableCase(lines.empty() ? fmt::format("{} holds no case", file)
+                                     : fmt::format("{} has no line {}, only {}", file, line, lines.size()));
 }
 
 CaseArgument read_case_argument(std::string_view text, std::optional<Precision> precision) {

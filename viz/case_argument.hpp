@@ -1,13 +1,14 @@
 #pragma once
 /// \file
-/// The CASE of a command line: a file, standard input, the case itself, or a finding of `rayproof check`.
+/// The CASE of a command line: a file, standard input, the case itself, or a finding of `rayproof check`, by
+/// its number or as its line.
 
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
 #include "case/case.hpp"
+#include "case/findings_file.hpp"
 
 namespace rayproof::viz {
 
@@ -16,14 +17,11 @@ struct CaseArgument {
   std::string method{};  ///< "sphere/textbook" where the case came in a finding; else empty
 };
 
-/// The file can't be read, or has no such line; the text says so in one sentence.
-class UnreadableCase : public std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-/// The text a CASE stands for: the argument itself where it begins with a brace, the file's one JSON text, or
-/// its line number `line` (from 1, blank lines not counted). Throws UnreadableCase.
-[[nodiscard]] std::string text_of_case(const std::string& argument, std::size_t line);
+/// The text a CASE stands for: the argument itself where it begins with a brace; where it is a number, the
+/// finding of that number in the file `findings`; else the file's one JSON text, or its line number `line`
+/// (from 1, blank lines not counted). Throws UnreadableCase.
+[[nodiscard]] std::string text_of_case(const std::string& argument, std::size_t line,
+                                       const std::string& findings = last_findings);
 
 /// The case, or the finding's, in its own precision or in the one given. Throws a Refusal.
 [[nodiscard]] CaseArgument read_case_argument(std::string_view text, std::optional<Precision> precision = {});

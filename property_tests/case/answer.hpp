@@ -16,6 +16,31 @@ namespace rayproof {
 /// How the first hit touches, or why there is none; the names of the case format.
 enum class Contact { crossing, tangent, edge, vertex, rim, in_surface, parallel, degenerate, none };
 
+/// The name of the case format.
+[[nodiscard]] constexpr const char* name_of(Contact contact) {
+  switch (contact) {
+    case Contact::crossing:
+      return "crossing";
+    case Contact::tangent:
+      return "tangent";
+    case Contact::edge:
+      return "edge";
+    case Contact::vertex:
+      return "vertex";
+    case Contact::rim:
+      return "rim";
+    case Contact::in_surface:
+      return "in_surface";
+    case Contact::parallel:
+      return "parallel";
+    case Contact::degenerate:
+      return "degenerate";
+    case Contact::none:
+      break;
+  }
+  return "none";
+}
+
 /// A short list of t, ascending. No shape of the format is met more than four times by a line.
 struct HitList {
   std::array<double, 4> t{};

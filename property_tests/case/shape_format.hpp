@@ -22,6 +22,8 @@ class Refusal : public std::runtime_error {
 ///  - `type`, the name in the case format;
 ///  - `fields(shape, visit)`, which calls `visit("center", shape.center)` for each field in the order of the
 ///  format;
+///  - `in_words(shape, show)`, "a sphere of radius 1", with numbers as `show(number)` writes them; and, where
+///  its distance says something of a case, `middle(shape)`, a point to measure it to;
 ///  - `validate(shape)`, which throws a Refusal for a shape that the format refuses; numbers are finite by
 ///  then.
 /// Reading, writing, rounding, shrinking and the NaN property all go through `fields`.

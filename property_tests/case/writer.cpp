@@ -49,30 +49,6 @@ void write(JsonWriter& json, const PointAndPolygon<double>& question, Precision 
   json.member("vertices").input(question.vertices, precision);
 }
 
-const char* name_of(Contact contact) {
-  switch (contact) {
-    case Contact::crossing:
-      return "crossing";
-    case Contact::tangent:
-      return "tangent";
-    case Contact::edge:
-      return "edge";
-    case Contact::vertex:
-      return "vertex";
-    case Contact::rim:
-      return "rim";
-    case Contact::in_surface:
-      return "in_surface";
-    case Contact::parallel:
-      return "parallel";
-    case Contact::degenerate:
-      return "degenerate";
-    case Contact::none:
-      break;
-  }
-  return "none";
-}
-
 const char* name_of(RootKind kind) {
   switch (kind) {
     case RootKind::two:

@@ -73,7 +73,7 @@ class Laboratory:
             status, text = self.put_to_check(method, shared_object, cases, folder)
             if status == 1:
                 break
-        found = re.findall(r"^BROKEN: \S+ (.+?) \([^)]*\): ", text, re.MULTILINE)
+        found = re.findall(r"^ +breaks '(.+?)': ", text, re.MULTILINE)
         if (status == 1) != bool(found):
             raise Broken(f"check ended with {status}, but with {len(found)} counterexamples")
         return Outcome(tuple(dict.fromkeys(found)), "default" if cases is None else f"{cases:,}",

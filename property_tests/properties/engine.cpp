@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 
+#include "case/writer.hpp"
 #include "generators/random.hpp"
 #include "properties/hunt.hpp"
 #include "properties/shrink.hpp"
@@ -130,15 +131,28 @@ class Run {
     std::string family;
   };
 
-  /// Shrinks what was found, tells of it, and keeps it.
+  /// The simplest case like the one found. What is simpler is another case: it has no id, and what is noted
+  /// of the first is not true of it.
+  [[nodiscard]] Case simplest(const Case& found, const std::function<bool(const Case&)>& breaks) const {
+    Case bare = found;
+    bare.id.clear();
+    bare.note.clear();
+    Case shrunk = shrink(bare, breaks, {.stop = &stop_});
+    return write_case(shrunk) == write_case(bare) ? found : shrunk;
+  }
+
+  /// Shrinks what was found, reports it, and keeps it.
   void tell(const Raw& raw) {
     const Property& property = properties()[raw.property];
-    Finding finding{raw.subject, &property, raw.family,
-                    raw.one,     {},        is_declared_refuted(*raw.subject, property)};
+    Finding finding{.subject = raw.subject,
+                    .property = &property,
+                    .family = raw.family,
+                    .one = raw.one,
+                    .is_declared = is_declared_refuted(*raw.subject, property)};
     Trial as_found(*raw.subject, finding.one);
     finding.evidence = property.show(as_found);
     listener_.broken(finding);
-    finding.one = shrink(raw.one, striking_break(*raw.subject, property, as_found));
+    finding.one = simplest(raw.one, striking_break(*raw.subject, property, as_found));
     Trial shrunk(*raw.subject, finding.one);
     finding.evidence = property.show(shrunk);
     listener_.finding(finding);

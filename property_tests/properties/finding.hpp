@@ -11,6 +11,7 @@ namespace rayproof {
 
 /// One broken property.
 struct Finding {
+  std::size_t number = 0;  ///< from 1: the line in the findings file of the run; 0 before they are in order
   const Subject* subject = nullptr;
   const Property* property = nullptr;
   std::string family{};  ///< where the case came from: a family's name, or "corpus"

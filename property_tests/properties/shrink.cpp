@@ -19,6 +19,7 @@ class Search {
         stays_proper_(is_proper(start)),
         breaks_(breaks),
         tries_left_(budget.tries),
+        stop_(budget.stop),
         end_(std::chrono::steady_clock::now() + budget.time) {}
 
   [[nodiscard]] const Case& best() const { return best_; }
@@ -36,7 +37,8 @@ class Search {
   }
 
   [[nodiscard]] bool is_over() const {
-    return tries_left_ == 0 || (tries_left_ % 64 == 0 && std::chrono::steady_clock::now() > end_);
+    return tries_left_ == 0 || (stop_ != nullptr && *stop_) ||
+           (tries_left_ % 64 == 0 && std::chrono::steady_clock::now() > end_);
   }
 
  private:
@@ -45,6 +47,7 @@ class Search {
   bool stays_proper_;
   const std::function<bool(const Case&)>& breaks_;
   unsigned tries_left_;
+  const std::atomic<bool>* stop_;
   std::chrono::steady_clock::time_point end_;
 };
 

@@ -2,6 +2,7 @@
 /// \file
 /// The shrinker: from a case that breaks a property to the simplest one like it that a short search finds.
 
+#include <atomic>
 #include <chrono>
 #include <functional>
 
@@ -14,6 +15,7 @@ namespace rayproof {
 struct ShrinkBudget {
   unsigned tries = 60'000;
   std::chrono::milliseconds time{4000};
+  const std::atomic<bool>* stop = nullptr;  ///< once true, what was found so far has to do
 };
 
 /// The simplest case found that is valid and for which `breaks` is still true. `start` itself where none is

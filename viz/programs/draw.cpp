@@ -47,14 +47,18 @@ int main(int argc, char** argv) {
   Files files;
   app.add_option("--png", files.png, "Write a PNG, drawn by VTK")->type_name("FILE");
   app.add_option("--svg", files.svg, "Write an SVG")->type_name("FILE");
-  app.add_option("--html", files.html, "Write a page with the picture and the method's steps")
+  app.add_option("--html", files.html,
+                 "Write a page with the picture and the method's steps; for the number of a finding without "
+                 "any FILE, draw-N.html beside the findings")
       ->type_name("FILE");
   if (const auto status = parse_command_line(app, argc, argv)) return *status;
 
   return viz::run_and_report("rayproof draw", [&] {
-    if (files.png.empty() && files.svg.empty() && files.html.empty()) {
+    const bool is_named = !(files.png.empty() && files.svg.empty() && files.html.empty());
+    if (!is_named) files.html = viz::page_beside_findings(options, "draw");
+    if (!is_named && files.html.empty())
       throw viz::WrongCommand("nothing to write: give --png, --svg or --html and a file");
-    }
     draw(viz::tell_case(options), files);
+    if (!is_named) fmt::print("{}\n", files.html);
   });
 }

@@ -24,4 +24,12 @@ inline void make_folder(const std::filesystem::path& folder) {
   if (failure) throw WrongCommand("the folder " + folder.string() + " can't be made");
 }
 
+/// Where a page goes that no option names: beside the findings of the run, "draw-12.html" for finding 12;
+/// empty for a case that is no finding of a run.
+inline std::string page_beside_findings(const CaseOptions& options, const std::string& program) {
+  if (!finding_number(options.text)) return "";
+  const auto folder = std::filesystem::path(options.findings).parent_path();
+  return (folder / fmt::format("{}-{}.html", program, options.text)).string();
+}
+
 }  // namespace rayproof::viz

@@ -1,24 +1,14 @@
 /// \file
 /// rayproof render: draws a scene by float methods or exactly, and where the two differ.
 
-#include <atomic>
-#include <csignal>
-
 #include "case/shape_format.hpp"
+#include "programs/interrupt.hpp"
 #include "viz/programs/render/run.hpp"
 
 namespace {
 
 using namespace rayproof;
 using namespace rayproof::render;
-
-std::atomic<bool> is_interrupted{false};
-
-/// The first Ctrl-C lets the tiles under way end and leaves no file; a second one ends the program at once.
-void interrupt(int signal) {
-  is_interrupted = true;
-  std::signal(signal, SIG_DFL);
-}
 
 int report(const std::exception& why, int status) {
   fmt::print(stderr, "rayproof render: {}\n", why.what());
@@ -32,7 +22,7 @@ int main(int argc, char** argv) {
   Options options;
   options.add_to(app);
   if (const auto status = parse_command_line(app, argc, argv)) return *status;
-  std::signal(SIGINT, interrupt);
+  keep_on_interrupt();  // the tiles under way end, and no file is left
   try {
     run(options, is_interrupted);
     return 0;

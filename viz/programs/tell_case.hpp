@@ -23,15 +23,25 @@ class WrongCommand : public std::runtime_error {
 };
 
 struct CaseOptions {
-  std::string text{};  ///< CASE
+  std::string text{};                    ///< CASE
+  std::string findings = last_findings;  ///< the file of the run whose finding a number names
   std::size_t line = 1;
   std::string method{};
   std::string precision{};
 
+  /// --from FILE.
+  void add_from_to(CLI::App& app) {
+    app.add_option("--from", findings, "The findings of the run whose number is given")
+        ->capture_default_str()
+        ->type_name("FILE");
+  }
+
   void add_to(CLI::App& app) {
     app.add_option("CASE", text,
-                   "A file, - for standard input, one case as JSON, or a finding of rayproof check")
+                   "The number of a finding of rayproof check, a file, - for standard input, or one case or "
+                   "finding as JSON")
         ->required();
+    add_from_to(app);
     app.add_option("--line", line, "Which line of the file, from 1")->check(CLI::PositiveNumber);
     app.add_option("--method", method, "The method, as in sphere/textbook; a finding brings its own")
         ->type_name("SHAPE/METHOD");
@@ -66,7 +76,8 @@ inline const Subject& subject_for(const Case& one, const std::string& method) {
   std::optional<Precision> precision;
   if (options.precision == "float32") precision = Precision::float32;
   if (options.precision == "float64") precision = Precision::float64;
-  const auto argument = read_case_argument(text_of_case(options.text, options.line), precision);
+  const auto argument =
+      read_case_argument(text_of_case(options.text, options.line, options.findings), precision);
   const std::string method = options.method.empty() ? argument.method : options.method;
   return told_of(argument.one, method.empty() ? nullptr : &subject_for(argument.one, method));
 }

@@ -15,6 +15,12 @@ struct ShapeFormat<Box<double>> {
     visit("max", box.max);
   }
 
+  template <class Show>
+  static std::string in_words(const Box<double>& box, Show&& show) {
+    const glm::dvec3 size = box.max - box.min;
+    return "a box of " + show(size.x) + " by " + show(size.y) + " by " + show(size.z);
+  }
+
   static void validate(const Box<double>& box) {
     for (int axis = 0; axis < 3; ++axis) {
       if (box.min[axis] > box.max[axis])

@@ -17,6 +17,16 @@ struct ShapeFormat<Cylinder<double>> {
     visit("capped", cylinder.capped);
   }
 
+  static glm::dvec3 middle(const Cylinder<double>& cylinder) { return {0, 0, cylinder.height / 2}; }
+
+  template <class Show>
+  static std::string in_words(const Cylinder<double>& cylinder, Show&& show) {
+    const std::string size = cylinder.rx == cylinder.ry
+                                 ? "radius " + show(cylinder.rx)
+                                 : "radii " + show(cylinder.rx) + " and " + show(cylinder.ry);
+    return (cylinder.capped ? "a capped cylinder of " : "an open cylinder of ") + size;
+  }
+
   static void validate(const Cylinder<double>& cylinder) {
     if (!(cylinder.rx > 0)) throw Refusal("rx", "the cylinder's rx must be positive");
     if (!(cylinder.ry > 0)) throw Refusal("ry", "the cylinder's ry must be positive");

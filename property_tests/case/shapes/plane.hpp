@@ -49,6 +49,11 @@ struct ShapeFormat<ImplicitPlane> {
     visit("d", plane.d);
   }
 
+  template <class Show>
+  static std::string in_words(const ImplicitPlane& /*nothing of it is short*/, Show&& /*no number*/) {
+    return "a plane";
+  }
+
   static void validate(const ImplicitPlane& plane) {
     if (plane.normal == glm::dvec3(0)) throw Refusal("normal", "the plane's normal must not be zero");
   }
@@ -62,6 +67,11 @@ struct ShapeFormat<PointNormalPlane> {
   static void fields(S& plane, Visit&& visit) {
     visit("point", plane.point);
     visit("normal", plane.normal);
+  }
+
+  template <class Show>
+  static std::string in_words(const PointNormalPlane& /*nothing of it is short*/, Show&& /*no number*/) {
+    return "a plane";
   }
 
   static void validate(const PointNormalPlane& plane) {
@@ -78,6 +88,11 @@ struct ShapeFormat<ParametricPlane> {
     visit("point", plane.point);
     visit("u", plane.u);
     visit("v", plane.v);
+  }
+
+  template <class Show>
+  static std::string in_words(const ParametricPlane& /*nothing of it is short*/, Show&& /*no number*/) {
+    return "a plane";
   }
 
   static void validate(const ParametricPlane& plane) {

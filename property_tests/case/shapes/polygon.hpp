@@ -19,6 +19,11 @@ struct ShapeFormat<Polygon<double>> {
     visit("vertices", polygon.vertices);
   }
 
+  template <class Show>
+  static std::string in_words(const Polygon<double>& polygon, Show&& /*has no number to show*/) {
+    return "a polygon with " + std::to_string(polygon.vertices.size()) + " vertices";
+  }
+
   static void validate(const Polygon<double>& polygon) { validate_vertices(polygon.vertices.size()); }
 };
 

@@ -15,6 +15,14 @@ struct ShapeFormat<Sphere<double>> {
     visit("radius", sphere.radius);
   }
 
+  /// A point near which the whole shape lies, for a sentence that says how far away it is.
+  static glm::dvec3 middle(const Sphere<double>& sphere) { return sphere.center; }
+
+  template <class Show>
+  static std::string in_words(const Sphere<double>& sphere, Show&& show) {
+    return "a sphere of radius " + show(sphere.radius);
+  }
+
   static void validate(const Sphere<double>& sphere) {
     if (sphere.radius < 0) throw Refusal("radius", "the sphere's radius must not be negative");
   }

@@ -17,6 +17,11 @@ struct ShapeFormat<Triangle<double>> {
   }
 
   /// A triangle of zero area is a question with an answer: `degenerate`.
+  template <class Show>
+  static std::string in_words(const Triangle<double>& /*nothing of it is short*/, Show&& /*no number*/) {
+    return "a triangle";
+  }
+
   static void validate(const Triangle<double>& /*any*/) {}
 };
 

@@ -7,6 +7,8 @@ namespace {
 constexpr const char* footer =
     "Filters may be given several times, or as lists with commas. The corpus of past failures runs first, "
     "every time.\n"
+    "Findings are numbered: rayproof explain N, walk N, draw N and replay N look into finding N of the last "
+    "run.\n"
     "The same seed gives the same cases whatever the number of jobs.\n"
     "Exit status: 0 every declared contract holds and every method declared wrong was refuted; 1 not so; 2 "
     "wrong command\n"
@@ -14,7 +16,8 @@ constexpr const char* footer =
 
 void describe_filters(CLI::App& app, Options& options) {
   Settings& settings = options.settings;
-  app.add_option("--shape,--topic", settings.shapes, "Only methods of this shape (sphere, quadratic)")
+  app.add_option("--shape,--topic", settings.shapes,
+                 "Only methods of this shape or query: sphere, triangle, quadratic, …")
       ->delimiter(',');
   app.add_option("--method", settings.methods, "Only this method: centred, or sphere/centred")
       ->delimiter(',');
@@ -26,10 +29,10 @@ void describe_filters(CLI::App& app, Options& options) {
 }
 
 void describe_outputs(CLI::App& app, Options& options) {
-  app.add_option("--out", options.out, "Folder for the page index.html")
+  app.add_option("--out", options.out, "Folder for the page index.html and for findings.jsonl")
       ->capture_default_str()
       ->type_name("DIR");
-  app.add_option("--findings", options.findings, "Write each counterexample as a line of JSON, at once")
+  app.add_option("--findings", options.findings, "Write each finding as a line of JSON here, too, at once")
       ->type_name("FILE");
   app.add_option("--json", options.json, "Write all figures as one JSON object")->type_name("FILE");
   app.add_option("--junit", options.junit, "Write the outcome as JUnit XML")->type_name("FILE");
@@ -37,7 +40,9 @@ void describe_outputs(CLI::App& app, Options& options) {
       ->type_name("FILE");
   app.add_option("--corpus", options.corpus, "Cases to run first, in place of the built-in corpus")
       ->type_name("FILE");
-  app.add_flag("--measure", options.measure, "Also print the worst figures as the contracts write them");
+  app.add_flag(
+      "--measure", options.measure,
+      "Also print the worst errors of each family, and the worst figures as the contracts write them");
   app.add_flag("--labels", options.labels, "Also print what the families produced");
 }
 

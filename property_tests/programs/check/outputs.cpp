@@ -11,6 +11,15 @@ namespace rayproof::check {
 
 namespace {
 
+/// Writes the file anew; whatever ends the program meanwhile, either the old or the new text stands there.
+void replace(const std::filesystem::path& path, const std::string& text) {
+  const std::filesystem::path beside = path.string() + ".new";
+  std::error_code error;
+  if (!(std::ofstream(beside) << text << std::flush)) error = std::make_error_code(std::errc::io_error);
+  if (!error) std::filesystem::rename(beside, path, error);
+  if (error) throw std::runtime_error(path.string() + " cannot be written");
+}
+
 void open(std::ofstream& file, const std::filesystem::path& path) {
   if (path.empty()) return;
   file.open(path);
@@ -24,7 +33,10 @@ Outputs::Outputs(const Options& options) : folder_(options.out) {
   std::filesystem::create_directories(folder_, error);
   if (error) throw std::runtime_error("--out: the folder " + folder_.string() + " cannot be made");
   open(as_found_, folder_ / "as-found.jsonl");
-  open(findings_, options.findings);
+  open(findings_, folder_ / "findings.jsonl");
+  if (std::filesystem::path(options.findings).lexically_normal() !=
+      folder_.lexically_normal() / "findings.jsonl")
+    open(asked_findings_, options.findings);
   open(json_, options.json);
   open(junit_, options.junit);
 }
@@ -32,15 +44,19 @@ Outputs::Outputs(const Options& options) : folder_(options.out) {
 void Outputs::keep_as_found(const Finding& finding) { as_found_ << write_finding(finding) << std::endl; }
 
 void Outputs::write(const Finding& finding) {
-  if (findings_.is_open()) findings_ << write_finding(finding) << std::endl;
+  const std::string line = write_finding(finding);
+  findings_ << line << std::endl;
+  if (asked_findings_.is_open()) asked_findings_ << line << std::endl;
 }
 
 void Outputs::write(const Plan& plan, const RunResult& result, const Summary& summary) {
   if (json_.is_open()) json_ << json_report(plan, result, summary) << std::endl;
   if (junit_.is_open()) junit_ << junit_report(summary, result) << std::flush;
-  std::ofstream page_file;
-  open(page_file, page());
-  page_file << html_page(plan, result, summary, viz::svg_of);
+  std::string in_order;
+  for (const Finding& finding : result.findings) in_order += write_finding(finding) + "\n";
+  findings_.close();
+  replace(folder_ / "findings.jsonl", in_order);
+  replace(page(), html_page(plan, result, summary, {folder_, viz::svg_of}));
 }
 
 }  // namespace rayproof::check

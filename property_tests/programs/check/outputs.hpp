@@ -26,7 +26,8 @@ class Outputs {
  private:
   std::filesystem::path folder_;
   std::ofstream as_found_{};
-  std::ofstream findings_{};
+  std::ofstream findings_{};  ///< as they come; in order, and numbered by their lines, once the run ends
+  std::ofstream asked_findings_{};  ///< the same for --findings
   std::ofstream json_{};
   std::ofstream junit_{};
 };

@@ -1,27 +1,38 @@
 #pragma once
+/// \file
+/// The commands that look into a finding.
+
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <string>
+#include <vector>
 
-#include "case/writer.hpp"
-#include "properties/report/summary.hpp"
+#include "case/findings_file.hpp"
+#include "properties/finding.hpp"
 
 namespace rayproof {
 
-/// The finding's case between single quotes, as a shell wants it; the quotes that it may hold itself are
-/// escaped.
-[[nodiscard]] inline std::string quoted_case(const Finding& finding) {
-  std::string quoted = "'";
-  for (const char letter : write_case(finding.one)) {
-    quoted += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
-  }
-  return quoted + "'";
+/// " --from DIR/findings.jsonl" for a run whose folder is not the usual one, so that its findings' numbers
+/// are found; else empty.
+[[nodiscard]] inline std::string from_option(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / "findings.jsonl";
+  if (file.lexically_normal() == last_findings) return "";
+  std::string quoted;
+  for (const char letter : file.string()) quoted += letter == '\'' ? "'\\''" : std::string(1, letter);
+  const bool is_plain = quoted.find_first_not_of(
+                            "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+                            "/._-") == std::string::npos;
+  return " --from " + (is_plain ? quoted : "'" + quoted + "'");
 }
 
-/// The one command that shows step by step how the method came to its answer.
-[[nodiscard]] inline std::string walk_command(const Finding& finding) {
-  return fmt::format("./rayproof walk --case {} --method {} --html finding.html", quoted_case(finding),
-                     finding.subject->full_name());
+/// One command a line.
+[[nodiscard]] inline std::vector<std::string> commands_for(const Finding& finding,
+                                                           const std::filesystem::path& folder) {
+  std::vector<std::string> lines;
+  for (const char* const command : {"explain", "walk", "draw", "replay"})
+    lines.push_back(fmt::format("./rayproof {} {}{}", command, finding.number, from_option(folder)));
+  return lines;
 }
 
 }  // namespace rayproof

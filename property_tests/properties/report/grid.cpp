@@ -14,24 +14,32 @@ std::size_t width(const std::string& text) {
 
 }  // namespace
 
-std::string Grid::text() const {
+std::string Grid::rows() const {
   std::vector<std::size_t> widths;
   for (const auto& row : rows_) {
     widths.resize(std::max(widths.size(), row.size()));
     for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], width(row[c]));
   }
   std::string all;
-  for (std::size_t r = 0; r < rows_.size(); ++r) {
+  for (const auto& row : rows_) {
     std::string line;
-    for (std::size_t c = 0; c < rows_[r].size(); ++c)
-      line += rows_[r][c] + std::string(widths[c] - width(rows_[r][c]) + 2, ' ');
+    for (std::size_t c = 0; c < row.size(); ++c)
+      line += row[c] + std::string(widths[c] - width(row[c]) + gap_, ' ');
     line.erase(line.find_last_not_of(' ') + 1);
     all += line + "\n";
-    if (r > 0) continue;
-    std::size_t total = 0;
-    for (const std::size_t w : widths) total += w + 2;
-    all.append(std::max<std::size_t>(total, 2) - 2, '-').append("\n");
   }
+  return all;
+}
+
+std::string Grid::text() const {
+  std::string all = rows();
+  std::size_t widest = 0;
+  for (std::size_t begin = 0; begin < all.size();) {
+    const std::size_t end = all.find('\n', begin);
+    widest = std::max(widest, width(all.substr(begin, end - begin)));
+    begin = end + 1;
+  }
+  all.insert(all.find('\n') + 1, std::string(widest, '-') + "\n");
   return all;
 }
 

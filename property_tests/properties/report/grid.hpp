@@ -4,15 +4,22 @@
 
 namespace rayproof {
 
-/// A table in plain text: columns as wide as their widest cell, a rule under the first row.
+/// A table in plain text: columns as wide as their widest cell.
 class Grid {
  public:
+  /// So many blanks stand between two columns.
+  explicit Grid(std::size_t gap = 2) : gap_(gap) {}
+
   void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
 
-  /// Every line ends in a newline.
+  /// The rows, each ending in a newline.
+  [[nodiscard]] std::string rows() const;
+
+  /// The same with a rule under the first row.
   [[nodiscard]] std::string text() const;
 
  private:
+  std::size_t gap_;
   std::vector<std::vector<std::string>> rows_{};
 };
 

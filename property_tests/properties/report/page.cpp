@@ -4,6 +4,7 @@
 
 #include "properties/report/escape.hpp"
 #include "properties/report/page_finding.hpp"
+#include "properties/report/page_legend.hpp"
 #include "properties/report/page_style.hpp"
 
 namespace rayproof {
@@ -36,13 +37,16 @@ std::string main_table(const Summary& summary) {
   std::string head = "<th>method</th><th>precision</th><th>cases</th>";
   for (const Property& property : properties())
     head += fmt::format("<th title=\"{}\">{}</th>", escaped(property.statement), escaped(property.name));
-  head += "<th>worst verdict band</th><th>worst residual</th><th>worst ulp</th>";
+  head +=
+      "<th>wrong verdicts, in the domain</th><th>widest verdict band</th><th>worst residual</th>"
+      "<th>worst ulp</th>";
   std::string body;
   for (const Row& row : summary.rows) {
     const Contract& contract = row.subject->contract;
     body += fmt::format("<tr><td title=\"{}\">{}</td><td>{}</td><td>{}</td>", escaped(row.subject->title),
                         escaped(row.subject->full_name()), name_of(row.precision), row.cases);
     for (const Cell& one : row.cells) body += mark_cell(one);
+    body += cell(row.is_measured ? fmt::format("{} of {}", row.worst.wrong, row.worst.cases) : "");
     for (const auto& [measured, promised] : {std::pair{row.worst.verdict, contract.verdict.promised},
                                              std::pair{row.worst.residual, contract.residual.promised},
                                              std::pair{row.worst.ulp, contract.ulp.promised}})
@@ -56,8 +60,8 @@ std::string main_table(const Summary& summary) {
                           escaped(word_of(mark)));
   return fmt::format(
       "<div class=\"wide\"><table><thead><tr>{}</tr></thead><tbody>\n{}</tbody></table></div><p "
-      "class=\"legend\">{}</p>\n",
-      head, body, legend);
+      "class=\"legend\">{}</p>\n{}",
+      head, body, legend, page_legend);
 }
 
 std::string family_table(const RunResult& result) {
@@ -97,22 +101,44 @@ std::string label_table(const RunResult& result) {
 }
 
 std::string outcome(const Summary& summary) {
-  std::string text =
-      fmt::format("<p class=\"verdict {}\">{}</p>\n", summary.is_success() ? "holds" : "broken",
-                  summary.is_success() ? "✓ every contract holds" : "✗ not every contract holds");
+  const bool is_success = summary.is_success();
+  const char* const sentence = !is_success ? "✗ not every contract holds"
+                               : summary.was_interrupted
+                                   ? "– interrupted: no contract is broken by what was checked before"
+                                   : "✓ every contract holds";
+  std::string text = fmt::format("<p class=\"verdict {}\">{}</p>\n",
+                                 !is_success               ? "broken"
+                                 : summary.was_interrupted ? "refuted"
+                                                           : "holds",
+                                 sentence);
   for (const std::string& failure : summary.failures()) text += "<p>✗ " + escaped(failure) + "</p>\n";
-  if (summary.was_interrupted) text += "<p>The run was interrupted: only what is shown was checked.</p>\n";
   return text;
+}
+
+/// What breaks a contract first; then what the contracts declare, method by method.
+std::string all_findings(const Plan& plan, const RunResult& result, const PageTools& tools) {
+  std::string failures;
+  for (const Finding& finding : result.findings)
+    if (!finding.is_declared) failures += html_finding(finding, tools);
+  std::string declared;
+  for (const Subject* subject : plan.subjects) {
+    std::string of_method;
+    for (const Finding& finding : result.findings)
+      if (finding.is_declared && finding.subject == subject) of_method += html_finding(finding, tools);
+    if (!of_method.empty())
+      declared += fmt::format("<h3>{} <span class=\"faint\">{}</span></h3>\n{}",
+                              escaped(subject->full_name()), escaped(subject->title), of_method);
+  }
+  std::string text;
+  if (!failures.empty()) text += "<h2>Findings that break a contract</h2>\n" + failures;
+  if (!declared.empty()) text += "<h2>Findings that the contracts declare</h2>\n" + declared;
+  return text.empty() ? "<h2>Findings</h2>\n<p>None.</p>\n" : text;
 }
 
 }  // namespace
 
 std::string html_page(const Plan& plan, const RunResult& result, const Summary& summary,
-                      const DrawCase& draw) {
-  std::string findings;
-  for (const bool declared : {false, true})
-    for (const Finding& finding : result.findings)
-      if (finding.is_declared == declared) findings += html_finding(finding, draw);
+                      const PageTools& tools) {
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
       "content=\"width=device-width, initial-scale=1\"><title>rayproof "
@@ -120,10 +146,10 @@ std::string html_page(const Plan& plan, const RunResult& result, const Summary& 
       "<h1>rayproof check</h1><p class=\"faint\">Seed {}, {} cases for each method, family and precision{}; "
       "{} corpus "
       "cases.</p>\n{}<h2>Methods and what they "
-      "claim</h2>\n{}<h2>Counterexamples</h2>\n{}<h2>Figures</h2>\n{}{}</body></html>\n",
+      "claim</h2>\n{}{}<h2>Figures</h2>\n{}{}</body></html>\n",
       page_style, plan.settings.seed, plan.settings.cases, plan.settings.time ? " at most" : "",
-      result.corpus_cases, outcome(summary), main_table(summary),
-      findings.empty() ? "<p>None.</p>\n" : findings, family_table(result), label_table(result));
+      result.corpus_cases, outcome(summary), main_table(summary), all_findings(plan, result, tools),
+      family_table(result), label_table(result));
 }
 
 }  // namespace rayproof

@@ -1,4 +1,5 @@
 #pragma once
+#include <filesystem>
 #include <functional>
 #include <string>
 
@@ -9,10 +10,16 @@ namespace rayproof {
 /// Draws a case with its exact and its claimed answer as one `<svg>` element.
 using DrawCase = std::function<std::string(const Case& one, const Answer* exact, const Answer* claimed)>;
 
-/// The run as one self-contained HTML page, light and dark, printable: the table of subjects and properties,
-/// every counterexample with its picture and the commands that look into it, the worst errors of each family,
-/// the labels.
+/// What the page is made with.
+struct PageTools {
+  std::filesystem::path folder{};  ///< of the run's findings.jsonl, for the commands that name a finding
+  DrawCase draw{};
+};
+
+/// The run as one self-contained HTML page, light and dark, printable: the table of subjects and properties
+/// and what its words mean, every finding under its method with its number, its picture and the commands that
+/// look into it, the worst errors of each family, the labels.
 [[nodiscard]] std::string html_page(const Plan& plan, const RunResult& result, const Summary& summary,
-                                    const DrawCase& draw);
+                                    const PageTools& tools);
 
 }  // namespace rayproof

@@ -3,7 +3,8 @@
 
 namespace rayproof {
 
-/// A counterexample as an `<article>`: what broke, the picture, got beside exact, the case, and the commands.
-[[nodiscard]] std::string html_finding(const Finding& finding, const DrawCase& draw);
+/// A finding as an `<article>`: its number, what is wrong in words, the picture, got beside exact, the
+/// commands, and the case.
+[[nodiscard]] std::string html_finding(const Finding& finding, const PageTools& tools);
 
 }  // namespace rayproof

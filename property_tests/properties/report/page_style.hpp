@@ -27,6 +27,10 @@ p.legend { font-size: .875rem; } p.legend span { display: inline-block; min-widt
 article { border: 1px solid var(--line); border-radius: 6px; padding: 1rem; margin: 0 0 1rem; break-inside: avoid;
           display: grid; grid-template-columns: minmax(0, 3fr) minmax(0, 2fr); gap: 1rem 1.5rem; }
 article.declared { border-style: dashed; }
+.number { border: 1px solid; border-radius: 4px; padding: 0 .35em; margin-right: .25em; } p.words { font-size: 1.0625rem; }
+dl.words { display: grid; grid-template-columns: max-content 1fr; gap: .25rem 1rem; max-width: 64rem; }
+dl.words dt { font-weight: 600; color: inherit; } dl.words dd { margin: 0; }
+@media (max-width: 48rem) { dl.words { grid-template-columns: 1fr; } }
 figure { margin: 0; } figure svg { width: 100%; height: auto; display: block; }
 pre { background: var(--panel); padding: .6rem .75rem; margin: .4rem 0; overflow-x: auto; font-size: .8rem; line-height: 1.4;
       white-space: pre-wrap; overflow-wrap: anywhere; border-radius: 4px; }

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <array>
 
-#include "case/writer.hpp"
-#include "properties/report/commands.hpp"
 #include "properties/report/grid.hpp"
 
 namespace rayproof {
@@ -15,16 +13,6 @@ namespace {
 
 constexpr std::array<std::pair<const char*, double Worst::*>, 3> measures{
     {{"verdict band", &Worst::verdict}, {"residual", &Worst::residual}, {"ulp", &Worst::ulp}}};
-
-/// The properties that some subject has a mark for.
-std::vector<std::size_t> columns_in_use(const Summary& summary) {
-  std::vector<std::size_t> used;
-  for (std::size_t p = 0; p < properties().size(); ++p)
-    if (std::any_of(summary.rows.begin(), summary.rows.end(),
-                    [&](const Row& row) { return row.cells[p].mark != Mark::unclaimed; }))
-      used.push_back(p);
-  return used;
-}
 
 /// Subjects of a topic in the plan's order.
 std::vector<const Subject*> subjects_of(const Plan& plan, const std::string& topic) {
@@ -44,30 +32,6 @@ std::string worst_of(const RunResult& result, const Subject* subject, const Fami
 }
 
 }  // namespace
-
-std::string text_table(const Summary& summary) {
-  const std::vector<std::size_t> columns = columns_in_use(summary);
-  Grid grid;
-  std::vector<std::string> head{"method", "precision", "cases"};
-  for (const std::size_t p : columns) head.emplace_back(properties()[p].name);
-  for (const auto& [name, measure] : measures) head.push_back(std::string("worst ") + name);
-  grid.add(head);
-  for (const Row& row : summary.rows) {
-    std::vector<std::string> line{row.subject->full_name(), name_of(row.precision),
-                                  fmt::format("{}", row.cases)};
-    for (const std::size_t p : columns) line.emplace_back(sign_of(row.cells[p].mark));
-    const Contract& contract = row.subject->contract;
-    line.push_back(row.is_measured ? figure(row.worst.verdict, contract.verdict.promised) : "");
-    line.push_back(row.is_measured ? figure(row.worst.residual, contract.residual.promised) : "");
-    line.push_back(row.is_measured ? figure(row.worst.ulp, contract.ulp.promised) : "");
-    grid.add(line);
-  }
-  std::string legend;
-  for (const Mark mark :
-       {Mark::holds, Mark::refuted, Mark::broken, Mark::unrefuted, Mark::spared, Mark::untested})
-    legend += fmt::format("{}{} {}", legend.empty() ? "" : "   ", sign_of(mark), word_of(mark));
-  return grid.text() + legend + "\n";
-}
 
 std::string text_families(const Plan& plan, const RunResult& result) {
   std::string text;
@@ -103,13 +67,6 @@ std::string text_labels(const RunResult& result) {
     grid.add({labels.family->topic + "/" + labels.family->name, name_of(labels.precision), shares});
   }
   return grid.text();
-}
-
-std::string text_finding(const Finding& finding) {
-  return fmt::format("{} {} {} ({}): {}\n  {}\n  {}\n",
-                     finding.is_declared ? "refuted as declared:" : "BROKEN:", finding.subject->full_name(),
-                     finding.property->name, finding.family, finding.evidence.note, write_case(finding.one),
-                     walk_command(finding));
 }
 
 std::string text_measured(const Summary& summary) {

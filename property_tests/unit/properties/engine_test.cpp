@@ -103,6 +103,34 @@ TEST(Engine, TheCorpusIsPutToEverySubjectOfItsTopic) {
   EXPECT_EQ(result.findings.at(0).family, "corpus");
 }
 
+TEST(Engine, AShrunkFindingHasNoNoteAndNoIdOfTheCaseItBeganAs) {
+  const std::vector<Subject> all{
+      broken::subject("sphere", [](const Case&) -> Answer { return RayAnswer{}; })};
+  Case hit;
+  hit.id = "7";
+  hit.note = "far away, and off to one side";
+  hit.question = RayQuestion{{{0.125, 0.25, -543.21}, {0, 0, 1}}, Sphere<double>{{0, 0, 0}, 1.5}};
+  const RunResult result = run_plan(make_plan(small_run(), all), {hit}, {}, go_on);
+  ASSERT_FALSE(result.findings.empty());
+  EXPECT_EQ(result.findings.at(0).one.note, "");
+  EXPECT_EQ(result.findings.at(0).one.id, "");
+}
+
+TEST(Engine, AnInterruptEndsTheShrinkingToo) {
+  std::atomic<bool> stop{false};
+  const std::vector<Subject> all{
+      broken::subject("sphere", [](const Case&) -> Answer { return RayAnswer{}; })};
+  Listener listener;
+  Case as_found;
+  listener.broken = [&](const Finding& finding) {
+    as_found = finding.one;
+    stop = true;
+  };
+  const RunResult result = run_plan(make_plan(small_run(), all), {}, listener, stop);
+  ASSERT_EQ(result.findings.size(), 1U);
+  EXPECT_EQ(write_case(result.findings.at(0).one), write_case(as_found));
+}
+
 TEST(Plan, AnUnknownNameIsRefusedInOneSentence) {
   Settings settings;
   settings.methods = {"centered"};

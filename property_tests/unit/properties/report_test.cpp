@@ -1,13 +1,21 @@
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "case/reader.hpp"
+#include "case/writer.hpp"
 #include "properties/report/escape.hpp"
 #include "properties/report/grid.hpp"
 #include "properties/report/json.hpp"
 #include "properties/report/junit.hpp"
+#include "properties/report/listing.hpp"
+#include "properties/report/order.hpp"
 #include "properties/report/page.hpp"
+#include "properties/report/table.hpp"
 #include "properties/report/text.hpp"
+#include "properties/report/words.hpp"
+#include "subjects/contract_names.hpp"
 #include "unit/properties/broken_subjects.hpp"
 #include "unit/properties/well_formed.hpp"
 
@@ -51,7 +59,7 @@ TEST(Report, TheJUnitFileIsWellFormedAndCountsItsFailures) {
 
 TEST(Report, ThePageIsWellFormedAndSpeaksToNobodyElse) {
   const ShortRun run;
-  const std::string page = html_page(run.plan, run.result, run.summary, no_picture);
+  const std::string page = html_page(run.plan, run.result, run.summary, {"out/check", no_picture});
   EXPECT_EQ(why_not_well_formed(page), "");
   EXPECT_EQ(page.find("http"), std::string::npos);
   EXPECT_EQ(page.find("src="), std::string::npos);
@@ -60,7 +68,7 @@ TEST(Report, ThePageIsWellFormedAndSpeaksToNobodyElse) {
 
 TEST(Report, ThePageHoldsEveryCounterexample) {
   const ShortRun run;
-  const std::string page = html_page(run.plan, run.result, run.summary, no_picture);
+  const std::string page = html_page(run.plan, run.result, run.summary, {"out/check", no_picture});
   ASSERT_FALSE(run.result.findings.empty());
   for (const Finding& finding : run.result.findings)
     EXPECT_NE(page.find(escaped(finding.evidence.note)), std::string::npos);
@@ -74,12 +82,100 @@ TEST(Report, TheJsonReportCanBeReadAndSaysWhetherItFailed) {
   EXPECT_EQ(json.at("methods").size(), 2U);
 }
 
-TEST(Report, TheTableHasALineForEachMethodAndPrecision) {
+TEST(Report, TheTableHasOneLineForBothPrecisionsOfAMethod) {
   const ShortRun run;
   const std::string table = text_table(run.summary);
-  EXPECT_NE(table.find("sphere/on<purpose>&  float32"), std::string::npos);
-  EXPECT_NE(table.find("sphere/on<purpose>&  float64"), std::string::npos);
+  const std::size_t line = table.find("sphere/on<purpose>&");
+  ASSERT_NE(line, std::string::npos);
+  EXPECT_EQ(table.find("sphere/on<purpose>&", line + 1), std::string::npos);
   EXPECT_NE(table.find("✗"), std::string::npos);
+  EXPECT_NE(
+      table.find(fmt::format("0 of {}", run.summary.rows[0].worst.cases + run.summary.rows[1].worst.cases)),
+      std::string::npos)
+      << table;
+}
+
+TEST(Report, WhereThePrecisionsDifferTheTableHasAMarkForEach) {
+  ShortRun run;
+  for (Cell& cell : run.summary.rows[1].cells)
+    if (cell.mark == Mark::broken) cell.mark = Mark::holds;
+  EXPECT_NE(text_table(run.summary).find("✗✓"), std::string::npos);
+}
+
+TEST(Report, TheTablesHeadsAreTheClaimsNamesBrokenInTwo) {
+  for (std::size_t c = 0; c < claim_count; ++c) {
+    const auto [above, below] = head_of(static_cast<Claim>(c));
+    EXPECT_EQ(above.substr(0, above.find('-')) + below, claim_names.at(c));
+    EXPECT_LE(std::max(above.size(), below.size()), 7U);
+  }
+}
+
+TEST(Report, FailuresStandFirstAndInFull) {
+  ShortRun run;
+  run.result.findings.push_back(run.result.findings.front());
+  run.result.findings.front().is_declared = true;
+  put_in_order(run.result.findings);
+  ASSERT_GE(run.result.findings.size(), 2U);
+  EXPECT_FALSE(run.result.findings.front().is_declared);
+  EXPECT_TRUE(run.result.findings.back().is_declared);
+  for (std::size_t i = 0; i < run.result.findings.size(); ++i)
+    EXPECT_EQ(run.result.findings[i].number, i + 1);
+  const std::string text = text_failure(run.result.findings.front());
+  EXPECT_NE(text.find(write_case(run.result.findings.front().one)), std::string::npos);
+  EXPECT_NE(text.find(run.result.findings.front().evidence.note), std::string::npos);
+}
+
+TEST(Report, ThePageSaysEachCommandWithTheRunItBelongsTo) {
+  ShortRun run;
+  put_in_order(run.result.findings);
+  const std::string usual = html_page(run.plan, run.result, run.summary, {"out/check", no_picture});
+  EXPECT_NE(usual.find("./rayproof explain 1\n"), std::string::npos);
+  const std::string other = html_page(run.plan, run.result, run.summary, {"out/my run", no_picture});
+  EXPECT_NE(other.find("./rayproof explain 1 --from &#39;out/my run/findings.jsonl&#39;\n"),
+            std::string::npos);
+}
+
+/// A finding of `method` on a case, as a run would report it.
+Finding finding_of(const char* method, const char* property, const char* text) {
+  Finding finding;
+  finding.number = 12;
+  finding.subject = find_subject(method);
+  finding.property = find_property(property);
+  finding.one = read_case(text);
+  Trial trial(*finding.subject, finding.one);
+  finding.evidence = finding.property->show(trial);
+  return finding;
+}
+
+TEST(Words, SayWhatTheMethodDoesAndWhatIsExact) {
+  EXPECT_EQ(
+      text_finding(finding_of(
+          "sphere/textbook", "robust-verdict",
+          R"({"precision": "float32", "ray": {"origin": [0, 0.2, -4499.9], "direction": [0, 0, 9]}, "shape": {"type": "sphere", "center": [0, 0, 0], "radius": 1}})")),
+      "   12  sphere/textbook float32  misses a sphere of radius 1 from 4500 away (exact 499.88, "
+      "500.09775)\n");
+  EXPECT_EQ(
+      in_words(finding_of("quadratic/textbook", "robust-residual",
+                          R"({"precision": "float32", "query": "quadratic", "a": 1, "b": 70, "c": 1})")),
+      "solves x² + 70x + 1 by x = -0.014289856 (exact -0.014288631)");
+  EXPECT_EQ(
+      in_words(finding_of("quadratic/textbook", "verdict",
+                          R"({"precision": "float32", "query": "quadratic", "a": 0, "b": -1, "c": 0})")),
+      "finds no root of -x (exact 0)");
+  EXPECT_EQ(in_words(finding_of(
+                "point_in_polygon/printed_parity", "robust-verdict",
+                R"({"query": "point_in_polygon", "point": [0, 0], "vertices": [[0, 1], [1, 0], [1, -1]]})")),
+            "says 'inside' of (0, 0) and a polygon with 3 vertices (exact outside)");
+  EXPECT_EQ(
+      in_words(finding_of(
+          "plane/printed_parallel", "contact",
+          R"({"ray": {"origin": [0, 0, 0], "direction": [0, 1, 0]}, "shape": {"type": "plane", "point": [0, 0, 0], "u": [0, 1, 0], "v": [1, 0, 0]}})")),
+      "calls the miss of a plane 'parallel' (exact 'in_surface')");
+  EXPECT_EQ(
+      in_words(finding_of(
+          "sphere/printed_2ac", "scaled",
+          R"({"ray": {"origin": [0, 0, 0], "direction": [0, 0, 1]}, "shape": {"type": "sphere", "center": [0, 0, 0], "radius": 1}})")),
+      "hits a sphere of radius 1 at t = 1, but 0.25 once scaled (exact 1)");
 }
 
 TEST(Report, ColumnsLineUpUnderWideSigns) {

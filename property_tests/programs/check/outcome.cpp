@@ -1,0 +1,56 @@
+#include "programs/check/outcome.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "properties/report/commands.hpp"
+#include "properties/report/listing.hpp"
+#include "properties/report/table.hpp"
+#include "properties/report/text.hpp"
+
+namespace rayproof::check {
+
+namespace {
+
+/// Every failure in full, first those with a counterexample.
+std::string text_failures(const RunResult& result, const Summary& summary) {
+  const std::vector<std::string> failures = summary.failures();
+  if (failures.empty()) return "";
+  std::string text = "\nFAILED\n";
+  for (const Finding& finding : result.findings)
+    if (!finding.is_declared) text += text_failure(finding);
+  for (const std::string& failure : failures) text += failure + "\n";
+  return text;
+}
+
+std::string last_line(const Summary& summary) {
+  if (!summary.is_success()) return "NOT every contract holds";
+  return summary.was_interrupted ? "no contract is broken by what was checked before the interrupt"
+                                 : "every contract holds";
+}
+
+}  // namespace
+
+std::string text_outcome(const Options& options, const Plan& plan, const RunResult& result,
+                         const Summary& summary) {
+  std::string text = fmt::format(
+      "seed {}, {}{} cases for each method, family and precision, {} corpus cases\n", options.settings.seed,
+      options.settings.time ? "at most " : "", options.settings.cases, result.corpus_cases);
+  if (options.labels) text += text_labels(result) + "\n";
+  if (options.measure) text += text_families(plan, result) + text_measured(summary) + "\n";
+  text += text_table(summary) + text_failures(result, summary);
+  if (const std::string declared = text_declared(result); !declared.empty())
+    text +=
+        "\nFindings that the contracts declare (several numbers: the same failure in the other precision or "
+        "method)\n" +
+        declared;
+  if (!result.findings.empty())
+    text += fmt::format("\n./rayproof explain N, walk N, draw N, replay N{}: look into finding N\n",
+                        from_option(options.out));
+  text += fmt::format("page: {}/index.html\n", options.out);
+  if (summary.was_interrupted) text += "interrupted: only what is shown was checked\n";
+  return text + last_line(summary) + "\n";
+}
+
+}  // namespace rayproof::check

@@ -1,0 +1,107 @@
+#include "properties/replay.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+
+#include "case/findings_file.hpp"
+#include "case/shape_format.hpp"
+#include "case/writer.hpp"
+#include "properties/plan.hpp"
+#include "properties/report/listing.hpp"
+
+namespace rayproof {
+
+namespace {
+
+/// Counts what was replayed, and whether it went as the contracts declare.
+struct Replays {
+  unsigned as_declared = 0;
+  unsigned otherwise = 0;
+};
+
+void judge(const Subject& subject, const Property& property, const Case& one, std::size_t number,
+           Replays& replays) {
+  Trial trial(subject, one);
+  const bool breaks = property.rule(trial) == Ruling::broken;
+  const bool declared = is_declared_refuted(subject, property);
+  ++(breaks == declared ? replays.as_declared : replays.otherwise);
+  if (!breaks) {
+    fmt::print("{}  {} {}  does not break '{}'\n", number, subject.full_name(), name_of(one.precision),
+               property.name);
+    return;
+  }
+  const Evidence evidence = property.show(trial);
+  fmt::print("{}    still breaks '{}'{}: {}\n    {}\n",
+             text_finding({number, &subject, &property, "", one, evidence, declared}), property.name,
+             declared ? " as declared" : "", evidence.note, write_case(one));
+}
+
+/// A bare case: every claim of every subject of its topic; says one line only where all hold.
+void judge_all(const Case& one, std::size_t number, Replays& replays) {
+  unsigned held = 0;
+  for (const Subject& subject : subjects()) {
+    if (subject.topic != topic_of(one)) continue;
+    for (const Property& property : properties()) {
+      if (!claims(subject, property)) continue;
+      Trial trial(subject, one);
+      if (property.rule(trial) == Ruling::broken)
+        judge(subject, property, one, number, replays);
+      else
+        ++held;
+    }
+  }
+  replays.as_declared += held;
+  fmt::print("{} claims hold on {}\n", held, write_case(one));
+}
+
+void replay_line(const std::string& line, std::size_t number, Replays& replays) {
+  const Replayed replayed = read_replayed(line);
+  if (replayed.subject.empty()) return judge_all(replayed.one, number, replays);
+  const Subject* const subject = find_subject(replayed.subject);
+  const Property* const property = find_property(replayed.property);
+  if (subject == nullptr) throw Refusal("subject", "subject is unknown: " + replayed.subject);
+  if (property == nullptr) throw Refusal("property", "property is unknown: " + replayed.property);
+  if (subject->topic != topic_of(replayed.one))
+    throw Refusal("case", "case is not one of the subject's topic");
+  judge(*subject, *property, replayed.one, number, replays);
+}
+
+/// What came of all lines, and the exit status.
+int summed_up(const Replays& replays, unsigned refused) {
+  fmt::print("{} as declared, {} otherwise, {} lines refused\n", replays.as_declared, replays.otherwise,
+             refused);
+  return replays.otherwise + refused == 0 ? 0 : 1;
+}
+
+/// Returns 1 where the line is refused.
+unsigned replay_or_refuse(const std::string& file, const std::string& line, std::size_t number,
+                          Replays& replays) {
+  try {
+    replay_line(line, number, replays);
+    return 0;
+  } catch (const Refusal& refusal) {
+    fmt::print(stderr, "{}:{}: {}\n", file, number, refusal.what());
+    return 1;
+  }
+}
+
+}  // namespace
+
+int replay_file(const std::string& file) {
+  std::ifstream in(file);
+  if (!in) throw std::runtime_error(file + " cannot be read");
+  Replays replays;
+  unsigned refused = 0;
+  std::string line;
+  for (std::size_t number = 1; std::getline(in, line); ++number)
+    refused += replay_or_refuse(file, line, number, replays);
+  return summed_up(replays, refused);
+}
+
+int replay_finding(const std::string& file, std::size_t number) {
+  Replays replays;
+  return summed_up(replays, replay_or_refuse(file, finding_line(file, number), number, replays));
+}
+
+}  // namespace rayproof

@@ -1,0 +1,61 @@
+#include "properties/report/order.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "case/writer.hpp"
+#include "properties/report/words.hpp"
+
+namespace rayproof {
+
+namespace {
+
+/// A wrong verdict is one kind of failure, a wrong number another, and every other claim is a kind of its
+/// own.
+std::string_view kind_of(const Property& property) {
+  if (property.name == "robust-verdict") return "verdict";
+  if (property.name == "robust-residual" || property.claim == Claim::ulp) return "residual";
+  return property.name;
+}
+
+bool is_same_failure(const Finding& a, const Finding& b) {
+  if (kind_of(*a.property) != kind_of(*b.property)) return false;
+  if (a.subject == b.subject) return true;
+  // Each formula as printed is a story of its own.
+  const auto is_printed = [](const Finding& one) {
+    return one.subject->contract.standing == Standing::printed;
+  };
+  return !is_printed(a) && !is_printed(b) && a.subject->topic == b.subject->topic &&
+         write_case(a.one) == write_case(b.one) && in_words(a) == in_words(b);
+}
+
+}  // namespace
+
+std::vector<std::vector<Finding>> alike(const std::vector<Finding>& findings) {
+  std::vector<std::vector<Finding>> groups;
+  for (const Finding& finding : findings) {
+    if (!finding.is_declared) continue;
+    const auto group = std::find_if(groups.begin(), groups.end(), [&](const std::vector<Finding>& some) {
+      return std::any_of(some.begin(), some.end(),
+                         [&](const Finding& other) { return is_same_failure(finding, other); });
+    });
+    if (group == groups.end()) {
+      groups.push_back({finding});
+    } else {
+      group->push_back(finding);
+    }
+  }
+  return groups;
+}
+
+void put_in_order(std::vector<Finding>& findings) {
+  std::vector<Finding> ordered;
+  std::copy_if(findings.begin(), findings.end(), std::back_inserter(ordered),
+               [](const Finding& finding) { return !finding.is_declared; });
+  for (const std::vector<Finding>& group : alike(findings))
+    ordered.insert(ordered.end(), group.begin(), group.end());
+  for (std::size_t i = 0; i < ordered.size(); ++i) ordered[i].number = i + 1;
+  findings = std::move(ordered);
+}
+
+}  // namespace rayproof

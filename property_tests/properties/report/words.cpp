@@ -1,0 +1,160 @@
+#include "properties/report/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "case/number_text.hpp"
+#include "properties/answers.hpp"
+
+namespace rayproof {
+
+namespace {
+
+std::string rough(double x) { return fmt::format("{:.4g}", x); }
+
+/// "a sphere of radius 1 from 4500 away".
+std::string things_in(const RayQuestion& asked) {
+  return std::visit(
+      [&]<class S>(const S& shape) {
+        std::string text = ShapeFormat<S>::in_words(shape, rough);
+        if (asked.transform) return text + " under a transform";
+        if constexpr (requires { ShapeFormat<S>::middle(shape); }) {
+          const double distance = glm::length(ShapeFormat<S>::middle(shape) - asked.ray.origin);
+          constexpr double far_enough = 10;  // nearer, the distance says nothing
+          if (distance >= far_enough) text += fmt::format(" from {} away", rough(distance));
+        }
+        return text;
+      },
+      asked.shape);
+}
+
+/// " + 70x": a term of a sum, nothing for a coefficient of 0.
+std::string term(double factor, const char* power, bool is_first) {
+  if (factor == 0) return "";
+  const std::string sign = factor < 0 ? (is_first ? "-" : " - ") : (is_first ? "" : " + ");
+  const double size = std::abs(factor);
+  return sign + (size == 1 && *power != '\0' ? "" : rough(size)) + power;
+}
+
+/// "x² + 70x + 1".
+std::string things_in(const Quadratic<double>& q) {
+  std::string text = term(q.a, "x²", true);
+  text += term(q.b, "x", text.empty());
+  text += term(q.c, "", text.empty());
+  return text.empty() ? "0" : text;
+}
+
+std::string things_in(const PointAndPolygon<double>& asked) {
+  return fmt::format("({}, {}) and a polygon with {} vertices", rough(asked.point.x), rough(asked.point.y),
+                     asked.vertices.size());
+}
+
+/// A number in as few digits as tell it from all others of the precision.
+std::string shown(double number, Precision precision) {
+  std::string text;
+  append_number(text, number, precision);
+  return text;
+}
+
+/// "8999, 9001": the t or x of an answer; the later ones of many are left out.
+std::string list_of(const std::vector<double>& numbers, Precision precision) {
+  constexpr std::size_t most = 2;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, numbers.size()); ++i)
+    text += (i > 0 ? ", " : "") + shown(numbers[i], precision);
+  return numbers.size() > most ? text + ", …" : text;
+}
+
+/// The rank at which two lists of as many numbers differ most, relative to the second one's.
+std::size_t worst_rank(const std::vector<double>& got, const std::vector<double>& exact) {
+  std::size_t worst = 0;
+  double most = 0;
+  for (std::size_t i = 0; i < got.size(); ++i) {
+    const double difference = got[i] == exact[i] ? 0 : std::abs(got[i] - exact[i]) / std::abs(exact[i]);
+    if (!(difference <= most)) {
+      worst = i;
+      most = difference;
+    }
+  }
+  return worst;
+}
+
+/// The numbers of an answer from which a reader compares two: the one at the rank where they differ most
+/// where both have as many, else all of them.
+class Compared {
+ public:
+  Compared(const Answer& a, const Answer& b, Precision precision)
+      : count_(numbers_in(a).size()), precision_(precision) {
+    if (count_ == numbers_in(b).size() && count_ > 0) rank_ = worst_rank(numbers_in(a), numbers_in(b));
+  }
+
+  /// "8999, 9001", "a miss", "no root", "inside".
+  [[nodiscard]] std::string outcome(const Answer& answer) const {
+    if (const auto* position = std::get_if<Position>(&answer)) return name_of(*position);
+    const std::vector<double> numbers = numbers_in(answer);
+    if (rank_ && numbers.size() == count_) return shown(numbers[*rank_], precision_);
+    if (!numbers.empty()) return list_of(numbers, precision_);
+    if (std::holds_alternative<RayAnswer>(answer)) return "a miss";
+    return std::get<QuadraticAnswer<double>>(answer).kind == RootKind::everything ? "every x" : "no root";
+  }
+
+  /// What an answer does with the things of its case: "hits a plane at t = 1", "misses a triangle".
+  [[nodiscard]] std::string deed(const Answer& answer, const std::string& things) const {
+    const std::string what = outcome(answer);
+    const bool has_numbers = !numbers_in(answer).empty();
+    if (std::holds_alternative<Position>(answer)) return fmt::format("says '{}' of {}", what, things);
+    if (std::holds_alternative<RayAnswer>(answer))
+      return has_numbers ? fmt::format("hits {} at t = {}", things, what) : fmt::format("misses {}", things);
+    return has_numbers ? fmt::format("solves {} by x = {}", things, what)
+                       : fmt::format("finds {} of {}", what, things);
+  }
+
+ private:
+  std::size_t count_;
+  Precision precision_;
+  std::optional<std::size_t> rank_{};
+};
+
+/// What is done to the case before the answer of the evidence is asked; empty where nothing is.
+const char* circumstances_of(Claim claim) {
+  switch (claim) {
+    case Claim::scaled:
+      return "once scaled";
+    case Claim::reversed:
+      return "once reversed";
+    case Claim::moved:
+      return "once moved";
+    case Claim::batch:
+      return "in a batch";
+    case Claim::nan:
+      return "with a NaN in it";
+    default:
+      return "";
+  }
+}
+
+const char* reason_of(const Answer& answer) { return name_of(std::get<RayAnswer>(answer).contact); }
+
+}  // namespace
+
+std::string in_words(const Finding& finding) {
+  const auto& [got, exact, error_ulp, note] = finding.evidence;
+  const Claim claim = finding.property->claim;
+  const std::string things =
+      std::visit([](const auto& asked) { return things_in(asked); }, finding.one.question);
+  if (claim == Claim::contact)
+    return fmt::format("calls the miss of {} '{}' (exact '{}')", things, reason_of(got), reason_of(exact));
+  const std::string circumstances = circumstances_of(claim);
+  if (circumstances.empty()) {
+    const Compared compared(got, exact, finding.one.precision);
+    return fmt::format("{} (exact {})", compared.deed(got, things), compared.outcome(exact));
+  }
+  const Answer plain = finding.subject->answer(finding.one);
+  const Compared compared(plain, got, finding.one.precision);
+  return fmt::format("{}, but {} {} (exact {})", compared.deed(plain, things), compared.outcome(got),
+                     circumstances, compared.outcome(exact));
+}
+
+}  // namespace rayproof
