@@ -61,6 +61,12 @@ std::string blame_of(const Walkthrough& walk) {
 
 }  // namespace
 
+std::string in_words(const Measured& measured) {
+  return measured.is_wrong ? fmt::format("the verdict is wrong, {} contract units from a change of verdict",
+                                         rough(measured.margin))
+                           : fmt::format("the residual is {} contract units", rough(measured.residual));
+}
+
 std::string symbol_of(const Case& one) {
   return std::holds_alternative<RayQuestion>(one.question) ? "t" : "x";
 }

@@ -66,6 +66,11 @@ std::string explain_json(const Told& told) {
     json["death"] = death(*told.walk);
   }
   json["exact"] = Json::parse(write_answer(told.one, told.exact));
+  if (told.measured) {
+    const auto& [is_wrong, margin, residual] = *told.measured;
+    json["measured"] = {
+        {"wrong_verdict", is_wrong}, {"margin", json_number(margin)}, {"residual", json_number(residual)}};
+  }
   if (told.claimed) json["got"] = Json::parse(write_answer(told.one, *told.claimed));
   json["conclusion"] = conclusion_of(told);
   return json.dump();

@@ -101,6 +101,7 @@ std::string explain_text(const Told& told) {
       text += fmt::format("   {}{} is {}\n", symbol, subscript(i), accuracy_in_words(ulps));
     }
   }
+  if (told.measured) text += "   " + in_words(*told.measured) + "\n";
   return text + "\n" + conclusion_of(told) + "\n";
 }
 

@@ -12,6 +12,14 @@
 
 namespace rayproof::viz {
 
+/// What the oracle measures of a method's answer, in the contract units of its topic
+/// (docs/reading-a-check.md), as a method without far_power has them.
+struct Measured {
+  bool is_wrong = false;  ///< the verdict
+  double margin = 0;      ///< of a wrong verdict: how far the case is from a change of verdict
+  double residual = 0;    ///< how far the answer misses its equation
+};
+
 /// One case, answered.
 struct Told {
   Case one;
@@ -23,9 +31,14 @@ struct Told {
   std::optional<Answer> finer{};
   /// Where the method has no walk: methods of the topic that have one, the nearest names first.
   std::vector<std::string> recordable{};
+  std::optional<Measured> measured{};  ///< of the method's answer
 
   [[nodiscard]] const Answer* claim() const { return claimed ? &*claimed : nullptr; }
 };
+
+/// "the verdict is wrong, 1.9e3 contract units from a change of verdict"; "the residual is 219 contract
+/// units".
+[[nodiscard]] std::string in_words(const Measured& measured);
 
 /// "t" or "x".
 [[nodiscard]] std::string symbol_of(const Case& one);

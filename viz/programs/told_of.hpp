@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "case/near_names.hpp"
 #include "oracle/oracle.hpp"
-#include "programs/near_names.hpp"
 #include "subjects/subject.hpp"
 #include "viz/told.hpp"
 #include "viz/topics.hpp"
@@ -37,6 +37,8 @@ namespace rayproof::viz {
   if (subject == nullptr) return told;
   told.method = subject->full_name();
   told.claimed = subject->answer(one);
+  const oracle::Judgement judged = oracle::judge(one, *told.claimed);
+  told.measured = {judged.wrong, judged.margin, judged.residual};
   if (const TopicView* view = view_of(one)) told.walk = view->walk(one, subject->name);
   if (!told.walk) told.recordable = recordable_methods(one, told.method);
   return told;

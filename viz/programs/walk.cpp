@@ -2,6 +2,7 @@
 /// rayproof walk: a ray meets a shape, step by step, to the last digit.
 
 #include <filesystem>
+#include <utility>
 
 #include "programs/progress_line.hpp"
 #include "viz/programs/files.hpp"
@@ -90,9 +91,11 @@ void print_topics() {
 int main(int argc, char** argv) {
   CLI::App app("Shows a ray meeting a shape, step by step, to the last digit.", "rayproof walk");
   Options options;
-  app.add_option("TOPIC", options.topic, "A topic of --list, a group of them, or all");
-  auto* const one = app.add_option("--case", options.one.text,
-                                   "Any case: a file, -, the case as JSON, or a finding of rayproof check");
+  app.add_option("TOPIC", options.topic,
+                 "A topic of --list, a group of them, or all; or the number of a finding of rayproof check");
+  auto* const one =
+      app.add_option("--case", options.one.text, "Any case: a file, -, or one case or finding as JSON");
+  options.one.add_from_to(app);
   app.add_option("--line", options.one.line, "Which line of the file, from 1")
       ->needs(one)
       ->check(CLI::PositiveNumber);
@@ -106,7 +109,10 @@ int main(int argc, char** argv) {
       ->check(CLI::IsMember({"float32", "float64"}));
   app.add_option("--png", options.png, "Write a PNG for each step and a contact sheet, drawn by VTK")
       ->type_name("DIR");
-  app.add_option("--html", options.html, "Write a page for each walkthrough, and a gallery of them")
+  app.add_option(
+         "--html", options.html,
+         "Write a page for each walkthrough, and a gallery of them; for the number of a finding without "
+         "any output, walk-N.html beside the findings")
       ->type_name("DIR or FILE.html");
   app.add_flag("--window", options.is_window,
                "Show it in a window: steps by key, t by a slider, the ray by dragging");
@@ -119,10 +125,14 @@ int main(int argc, char** argv) {
     if (options.is_list) return print_topics();
     if (!options.topic.empty() && !options.one.text.empty())
       throw viz::WrongCommand("give a topic or --case, not both");
+    if (finding_number(options.topic)) options.one.text = std::exchange(options.topic, "");
+    const bool has_output =
+        options.is_json || options.is_window || !options.html.empty() || !options.png.empty();
+    if (!has_output) options.html = viz::page_beside_findings(options.one, "walk");
     ProgressLine progress;
     const auto walks = viz::walks_for(options.topic, options.one, progress);
     progress.clear();
-    if (!options.is_json && !options.is_window && options.html.empty() && options.png.empty())
+    if (!has_output && options.html.empty())
       throw viz::WrongCommand("nothing to do: give --html, --png, --json or --window");
     if (options.is_json) {
       for (const viz::Walk& walk : walks) fmt::print("{}\n", viz::stage_json(walk.stage));
@@ -130,6 +140,7 @@ int main(int argc, char** argv) {
     if (!options.html.empty()) write_pages(walks, options.html, progress);
     if (!options.png.empty()) write_pngs(walks, options.png, progress);
     progress.clear();
+    if (!has_output) fmt::print("{}\n", options.html);
     if (options.is_window) {
       const bool is_case = !options.one.text.empty();
       viz::show_window(is_case ? std::optional(walks.front().stage) : std::nullopt, options.topic);

@@ -17,7 +17,7 @@ constexpr const char* footer =
 void describe_filters(CLI::App& app, Options& options) {
   Settings& settings = options.settings;
   app.add_option("--shape,--topic", settings.shapes,
-                 "Only methods of this shape or query: sphere, triangle, quadratic, …")
+                 "Only methods of this shape or query (rayproof methods lists them)")
       ->delimiter(',');
   app.add_option("--method", settings.methods, "Only this method: centred, or sphere/centred")
       ->delimiter(',');

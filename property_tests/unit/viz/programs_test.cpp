@@ -89,36 +89,26 @@ TEST_F(Programs, DrawWritesAPageAndAnSvg) {
   EXPECT_GT(std::filesystem::file_size(file("a.html")), 5000U);
 }
 
-/// The lines that begin so, without what stands before.
-std::vector<std::string> commands_in(const std::string& output, const std::string& beginning) {
-  std::vector<std::string> commands;
-  std::istringstream lines(output);
-  for (std::string line; std::getline(lines, line);) {
-    const std::size_t at = line.find(beginning);
-    if (at != std::string::npos) commands.push_back(line.substr(at));
-  }
-  return commands;
-}
-
-TEST_F(Programs, TheCommandThatCheckPrintsBesideAFindingWalksIt) {
-  // What stands for the front door here: ./rayproof SUBCOMMAND is rayproof-SUBCOMMAND of the build.
-  std::ofstream(file("rayproof")) << "#!/bin/sh\nprogram=$1\nshift\nexec " << RAYPROOF_BIN_DIR
-                                  << "/rayproof-$program \"$@\"\n";
-  std::filesystem::permissions(file("rayproof"), std::filesystem::perms::owner_all);
-  const std::string in_folder = "cd " + folder.string() + " && env -u DISPLAY ";
-  const Ended checked = run(in_folder + RAYPROOF_BIN_DIR
-                            "/rayproof-check --cases 3000 --method printed_2ac --precision float32 "
-                            "--findings findings.jsonl");
+TEST_F(Programs, ExplainDrawAndWalkTakeTheNumberOfAFinding) {
+  const std::string in_folder =
+      "cd " + folder.string() + " && env -u DISPLAY " + RAYPROOF_BIN_DIR + "/rayproof-";
+  const Ended checked = run(in_folder + "check --cases 3000 --method printed_2ac --precision float32");
   ASSERT_EQ(checked.status, 0) << checked.output;
-  const std::vector<std::string> commands = commands_in(checked.output, "./rayproof walk --case");
-  ASSERT_FALSE(commands.empty()) << checked.output;
-  EXPECT_GT(std::filesystem::file_size(file("findings.jsonl")), 100U);
-  const Ended walked = run(in_folder + commands.front());
-  EXPECT_EQ(walked.status, 0) << commands.front() << "\n" << walked.output;
-  EXPECT_GT(std::filesystem::file_size(file("finding.html")), 10000U);
+  const Ended explained = run(in_folder + "explain 1");
+  EXPECT_EQ(explained.output.find("sphere/printed_2ac"), 0U) << explained.output;
+  const Ended drawn = run(in_folder + "draw 1");
+  EXPECT_EQ(drawn.output, "out/check/draw-1.html\n");
+  EXPECT_GT(std::filesystem::file_size(file("out/check/draw-1.html")), 5000U);
+  const Ended walked = run(in_folder + "walk 1");
+  EXPECT_NE(walked.output.find("out/check/walk-1.html\n"), std::string::npos) << walked.output;
+  EXPECT_GT(std::filesystem::file_size(file("out/check/walk-1.html")), 10000U);
+  for (const std::string program : {"explain", "draw", "walk"}) {
+    EXPECT_EQ(run(in_folder + program + " 1 --from other.jsonl").status, 2) << program;
+    EXPECT_EQ(run(in_folder + program + " 99").status, 2) << program;
+  }
 #ifdef RAYPROOF_HAS_VTK
-  const Ended drawn = run(in_folder + "./rayproof walk --case findings.jsonl --png slides");
-  EXPECT_EQ(drawn.status, 0) << drawn.output;
+  const Ended slides = run(in_folder + "walk --case out/check/findings.jsonl --png slides");
+  EXPECT_EQ(slides.status, 0) << slides.output;
   EXPECT_GT(std::filesystem::file_size(file("slides/sphere-printed_2ac-1.png")), 10000U);
 #endif
 }
