@@ -8,17 +8,18 @@ import subprocess
 FRONT_DOOR = """#!/bin/sh
 name=$1
 shift
+if [ -n "$RAYPROOF_PRESET" ]; then (cd {source} && exec cmake --preset "$RAYPROOF_PRESET" -N >&2) || exit; fi
 if [ "$name" = test ]; then exec ctest --test-dir {build} --show-only "$@"; fi
 exec {programs}/rayproof-"$name" "$@"
 """
 
 
 class Checkout:
-    def __init__(self, folder, programs):
+    def __init__(self, folder, source, programs):
         self.folder = Path(folder)
         front_door = self.folder / "rayproof"
-        build = shlex.quote(str(programs.resolve().parent))
-        front_door.write_text(FRONT_DOOR.format(build=build, programs=shlex.quote(str(programs.resolve()))))
+        paths = {"source": source, "build": programs.resolve().parent, "programs": programs}
+        front_door.write_text(FRONT_DOOR.format(**{name: shlex.quote(str(path.resolve())) for name, path in paths.items()}))
         front_door.chmod(0o755)
         self.environment = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
         self.environment |= {"LC_ALL": "C.UTF-8", "PATH": f"{self.folder}:{os.environ['PATH']}"}

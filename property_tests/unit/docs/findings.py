@@ -231,12 +231,12 @@ def check_run(faults, checkout, command, folder):
 
 def main():
     parser = argparse.ArgumentParser(description="Checks the commands that rayproof-check prints.")
-    parser.add_argument("--source", type=Path)
+    parser.add_argument("--source", type=Path, required=True)
     parser.add_argument("--bin", type=Path, required=True)
     options = parser.parse_args()
     faults = Faults("rayproof check")
     with tempfile.TemporaryDirectory() as folder:
-        checkout = Checkout(folder, options.bin)
+        checkout = Checkout(folder, options.source, options.bin)
         usual = check_run(faults, checkout, CHECK + ",".join(METHODS), "out/check")
         faults.expect(len(usual) > 20, f"only {len(usual)} findings")
         faults.expect({finding.precision for finding in usual} == {"float32", "float64"}, "findings in one precision alone")

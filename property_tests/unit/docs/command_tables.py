@@ -1,0 +1,52 @@
+"""How commands of the docs are made short and concrete, and which are not run. One table for each question."""
+
+import re
+
+# What stands for something in capitals, in the order in which it is looked for.
+PLACEHOLDERS = [
+    (r"--(replay|from) FILE", r"--\1 out/check/findings.jsonl"), (r"replay FILE", "replay out/check/findings.jsonl"),
+    (r"\[FILE\]", "case.json"), (r"\[ARGUMENT…\]", ""), (r"\bFILE\.html\b", "page.html"), (r"\bFILE\b", "file.out"),
+    (r"\b(SHAPE|TOPIC)/METHOD\b", "sphere/textbook"), (r"\bSCENE\.json\b", "docs/scenes/far-sphere.json"),
+    (r"\bIMAGE(\.png)?\b", "image.png"), (r"\bCASE\b", "case.json"), (r"\bTOPIC\b", "sphere"), (r"\bDIR\b", "folder"),
+    (r"--property NAME", "--property verdict"), (r"test -R NAME", "test -R docs/"), (r"\bN\b", "1"), (r"--shape disk", "--shape box")]
+UNKNOWN = re.compile(r"(?<![\w=$'\"-])(?:[A-Z]{2,}|[A-Z])(?![\w=])")  # in capitals still: no value of ours
+
+# Numbers that are set in a command whatever it has, and options that are added where it has none of a kind.
+SMALLER = [(r"rayproof check\b", "--cases", "200"), (r"--cases 400000", "--cases", "20"), (r"rayproof report\b", "--rays", "256"), (r"rayproof report\b", "--time", "0.02"),
+           (r"rayproof bench\b", "--benchmark_min_time", "0.001")]
+ADDED = [(r"rayproof check\b(?!.*--(shape|topic|method|replay)\b)", "--topic quadratic"),
+         (r"rayproof report\b(?!.*--(shape|topic)\b)", "--shape quadratic"),
+         (r"rayproof report\b(?!.*--family\b)", "--family random"),
+         (r"rayproof report\b(?!.*--precision\b)", "--precision float32")]
+# A page that looks into findings by their numbers needs a check of all methods; with filters of its own it runs as it stands.
+WHOLE = [(r"rayproof check\b(?!.*--(shape|topic|method|cases|replay)\b)", "--cases", "1000")]
+
+# Commands that would take long: the same command on less, with its output compared but for the numbers.
+SHORTER = [(r"walk all --png", "walk rays --png"), (r"RAYPROOF_QUADRIC_RAYS=\d+", "RAYPROOF_QUADRIC_RAYS=2000"),
+           (r"run\.py --build \S+", "run.py --list --build {build}"), (r"^(cmake --preset \S+) .*", r"\1 -N"),
+           (r"^cmake --build build/mutation (.*)", r"cmake --build {build} \1 -- -n"), (r"^ctest ", "ctest --test-dir {build} --show-only "),
+           (r"build/release/bin/", "{bin}/"), (r"^RAYPROOF_SURFACES_PICTURE=.*", r"\g<0> --gtest_list_tests")]
+
+# In the sources themselves, since they change nothing there.
+IN_THE_SOURCE = r"^(cmake|ctest|python3 property_tests)"
+
+# Not 0, and what is said then.
+ENDS_WITH = [(r"walk .*--window", 2, "isplay")]
+
+# Not run: why, and the file that must hold what is run in its place.
+NOT_RUN = [
+    (r"^apt-get ", "changes the machine; .ci/run and ./rayproof install from the same list", "cmake/debian-packages.txt", "libglm-dev"),
+    (r"^cmake (-S \. -B build|--(build|install) build(/library|$))", "install/ runs README's recipe",
+     "property_tests/unit/install/tests.cmake", "the_readmes_commands_build_and_install_the_library"),
+    (r"^build/my_tracer", "install/ runs README's recipe", "property_tests/unit/install/tests.cmake",
+     "the_readmes_project_prints_what_the_readme_says"),
+    (r"^g\+\+ .* main\.cpp", "install/ runs the manual's command", "property_tests/unit/install/library/claims.py", '"Without CMake"'),
+    (r"^doxygen docs/Doxyfile", "takes long; .ci/run runs it", ".ci/run", "Doxyfile"),
+    (r"^python3 docs/errata\.py", "takes minutes; its page is compared case by case instead", "docs/errata.py", "in_words")]
+
+# Blocks that are no command and no output of one, and the file that compares them.
+HELD_ELSEWHERE = [("this method has no batch kernels", "property_tests/unit/install/library/refusals.py"),
+                  ("rayproof needs NaN, infinity and exact rounding", "property_tests/unit/install/library/refusals.py")]
+
+# What a build or a machine may lack; said on standard error.
+LACKING = re.compile(r"needs VTK|no virtual display|Xvfb|does not have|instruction set")
