@@ -24,8 +24,9 @@ WHOLE = [(r"rayproof check\b(?!.*--(shape|topic|method|cases|replay)\b)", "--cas
 # Commands that would take long: the same command on less, with its output compared but for the numbers.
 SHORTER = [(r"walk all --png", "walk rays --png"), (r"RAYPROOF_QUADRIC_RAYS=\d+", "RAYPROOF_QUADRIC_RAYS=2000"),
            (r"run\.py --build \S+", "run.py --list --build {build}"), (r"^(cmake --preset \S+) .*", r"\1 -N"),
-           (r"^cmake --build build/mutation (.*)", r"cmake --build {build} \1 -- -n"), (r"^ctest ", "ctest --test-dir {build} --show-only "),
-           (r"build/release/bin/", "{bin}/"), (r"^RAYPROOF_SURFACES_PICTURE=.*", r"\g<0> --gtest_list_tests")]
+           (r"^cmake --build build/mutation --target (\S+)$", r"cmake --build {build} --target help | grep -E '(^| )\1(:|$)'"),
+           (r"^ctest ", "ctest --test-dir {build} --show-only "), (r"build/release/bin/", "{bin}/"),
+           (r"^RAYPROOF_SURFACES_PICTURE=.*", r"\g<0> --gtest_list_tests")]
 
 # In the sources themselves, since they change nothing there.
 IN_THE_SOURCE = r"^(cmake|ctest|python3 property_tests)"

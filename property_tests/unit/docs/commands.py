@@ -208,6 +208,8 @@ def main():
     runner = Runner(options.source, options.bin)
     pages = [runner.source / name for name in ["README.md", "CONTRIBUTING.md"]] + sorted((runner.source / "docs").glob("*.md"))
     wanted = [page for page in pages if not options.pages or page.name in options.pages]
+    # CTest may first have to ask the test programs for their tests: once, before several pages list them at the same time.
+    subprocess.run(["ctest", "--test-dir", runner.programs.parent, "--show-only"], capture_output=True, check=False)
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         commands = sum(pool.map(runner.run_page, wanted), [])
     check_errata(runner)

@@ -61,7 +61,7 @@ def read_page(name, text, subcommands):
     """All commands in the order of the page: those in blocks, and those within sentences."""
     commands, strangers = read_blocks(name, text)
     plain = BLOCK.sub(lambda block: "\n" * block[0].count("\n"), text)
-    of_rayproof = re.compile(rf"(?:(?:\./)?rayproof )?(?:{'|'.join(subcommands)})(?: |$)")
+    of_rayproof = re.compile(rf"(?:\./)?rayproof [a-z]|(?:{'|'.join(subcommands)}) ")
     for code in INLINE.finditer(plain):
         inside = code[1].replace("\\|", "|")
         if " " in inside and (of_rayproof.match(inside) or PROGRAM.match(inside)):
