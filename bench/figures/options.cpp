@@ -1,10 +1,12 @@
 #include "bench/figures/options.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "bench/figures/row.hpp"
+#include "subjects/subject.hpp"
 
 namespace rayproof::report {
 
@@ -62,7 +64,8 @@ std::vector<Precision> Options::wanted_precisions() const {
 }
 
 void describe(CLI::App& app, Options& options) {
-  app.add_option("--shape,--topic", options.shapes, "Only this shape or query (rayproof methods lists them)")->delimiter(',');
+  app.add_option("--shape,--topic", options.shapes, fmt::format("Only {}", fmt::join(topics(), ", ")))
+      ->delimiter(',');
   app.add_option("--method", options.methods, "Only this method: centred, or sphere/centred")->delimiter(',');
   app.add_option("--family", options.families, "Only this family of cases")->delimiter(',');
   app.add_option("--precision", options.precisions, "Only float32 or float64")

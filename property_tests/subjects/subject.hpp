@@ -2,6 +2,7 @@
 /// \file
 /// A subject is anything that answers cases: our methods, the formulas as printed, GLM.
 
+#include <algorithm>
 #include <rayproof/contract.hpp>
 #include <string>
 #include <vector>
@@ -33,6 +34,14 @@ struct Subject {
 
 /// Every subject, in the order of the registries.
 [[nodiscard]] const std::vector<Subject>& subjects();
+
+/// The topics of the subjects: "quadratic", "sphere", …, each once.
+[[nodiscard]] inline std::vector<std::string> topics() {
+  std::vector<std::string> all;
+  for (const Subject& subject : subjects())
+    if (std::find(all.begin(), all.end(), subject.topic) == all.end()) all.push_back(subject.topic);
+  return all;
+}
 
 /// The subject called "sphere/centred", or null.
 [[nodiscard]] const Subject* find_subject(const std::string& full_name);

@@ -1,5 +1,10 @@
 #include "programs/check/options.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "subjects/subject.hpp"
+
 namespace rayproof::check {
 
 namespace {
@@ -17,7 +22,7 @@ constexpr const char* footer =
 void describe_filters(CLI::App& app, Options& options) {
   Settings& settings = options.settings;
   app.add_option("--shape,--topic", settings.shapes,
-                 "Only methods of this shape or query (rayproof methods lists them)")
+                 fmt::format("Only methods of {}", fmt::join(topics(), ", ")))
       ->delimiter(',');
   app.add_option("--method", settings.methods, "Only this method: centred, or sphere/centred")
       ->delimiter(',');

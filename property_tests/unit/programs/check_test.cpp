@@ -8,8 +8,10 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <sstream>
 
+#include "subjects/subject.hpp"
 #include "unit/command.hpp"
 
 namespace rayproof {
@@ -55,12 +57,51 @@ TEST_F(CheckProgram, AMistakeOnTheCommandLineEndsWithTwoAndOneSentence) {
   }
 }
 
-TEST_F(CheckProgram, HelpEndsWithZero) { EXPECT_EQ(check("--help").status, 0); }
+TEST_F(CheckProgram, HelpEndsWithZeroAndNamesEveryTopic) {
+  const Ended help = check("--help");
+  EXPECT_EQ(help.status, 0);
+  for (const std::string& topic : topics())
+    EXPECT_NE(help.output.find(topic), std::string::npos) << topic << "\n" << help.output;
+}
+
+/// Columns on a terminal: every sign that check prints is one wide.
+std::ptrdiff_t columns(const std::string& line) {
+  return std::count_if(line.begin(), line.end(),
+                       [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; });
+}
+
+/// The numbers at the beginning of a line, as in "35-40  sphere/textbook …".
+std::vector<int> numbers_at(const std::string& line) {
+  int first = 0, last = 0;
+  const int read = std::sscanf(line.c_str(), "%d-%d  ", &first, &last);
+  std::vector<int> numbers;
+  for (int number = first; read >= 1 && number <= (read == 2 ? last : first); ++number)
+    numbers.push_back(number);
+  return numbers;
+}
+
+TEST_F(CheckProgram, AWholeCheckFits100LinesOf120ColumnsWithEveryFinding) {
+  const Ended outcome = check("--cases 1000 2>/dev/null");
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_LE(std::count(outcome.output.begin(), outcome.output.end(), '\n'), 100) << outcome.output;
+  std::vector<int> listed;
+  std::istringstream lines(outcome.output);
+  for (std::string line; std::getline(lines, line);) {
+    EXPECT_LE(columns(line), 120) << line;
+    for (const int number : numbers_at(line)) listed.push_back(number);
+  }
+  const std::string findings = text_of("out/check/findings.jsonl");
+  std::vector<int> wanted(static_cast<std::size_t>(std::count(findings.begin(), findings.end(), '\n')));
+  std::iota(wanted.begin(), wanted.end(), 1);
+  EXPECT_GT(wanted.size(), 50U);
+  EXPECT_EQ(listed, wanted);
+}
 
 TEST_F(CheckProgram, AMethodDeclaredWrongIsRefutedAndThatIsASuccess) {
   const Ended outcome = check(short_refutation + " --findings f.jsonl --junit j.xml --json j.json");
   EXPECT_EQ(outcome.status, 0) << outcome.output;
-  EXPECT_NE(outcome.output.find("refuted as declared"), std::string::npos);
+  EXPECT_NE(outcome.output.find("sphere/printed_2ac float32  hits a sphere"), std::string::npos)
+      << outcome.output;
   EXPECT_NE(text_of("f.jsonl").find("\"subject\": \"sphere/printed_2ac\""), std::string::npos);
   EXPECT_EQ(nlohmann::json::parse(text_of("j.json")).at("success"), true);
   EXPECT_NE(text_of("j.xml").find("<testsuites"), std::string::npos);

@@ -135,6 +135,14 @@ TEST(Report, ThePageSaysEachCommandWithTheRunItBelongsTo) {
             std::string::npos);
 }
 
+TEST(Report, ThePageSaysWhatItsWordsMean) {
+  const ShortRun run;
+  const std::string page = html_page(run.plan, run.result, run.summary, {"out/check", no_picture});
+  for (const char* word : {"verdict", "residual", "ulp", "contract unit", "verdict band", "robust", "domain",
+                           "far_power", "sound, naive, printed"})
+    EXPECT_NE(page.find(fmt::format("<dt>{}</dt>", word)), std::string::npos) << word;
+}
+
 /// A finding of `method` on a case, as a run would report it.
 Finding finding_of(const char* method, const char* property, const char* text) {
   Finding finding;
