@@ -65,6 +65,25 @@ struct RayAnswer {
   return position == Position::boundary ? "boundary" : "outside";
 }
 
+/// The name of the case format.
+[[nodiscard]] constexpr const char* name_of(RootKind kind) {
+  switch (kind) {
+    case RootKind::two:
+      return "two";
+    case RootKind::twice:
+      return "double";
+    case RootKind::linear:
+      return "linear";
+    case RootKind::constant:
+      return "constant";
+    case RootKind::everything:
+      return "everything";
+    case RootKind::none:
+      break;
+  }
+  return "none";
+}
+
 /// The answer to any case.
 using Answer = std::variant<RayAnswer, QuadraticAnswer<double>, Position>;
 

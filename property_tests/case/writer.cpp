@@ -49,24 +49,6 @@ void write(JsonWriter& json, const PointAndPolygon<double>& question, Precision 
   json.member("vertices").input(question.vertices, precision);
 }
 
-const char* name_of(RootKind kind) {
-  switch (kind) {
-    case RootKind::two:
-      return "two";
-    case RootKind::twice:
-      return "double";
-    case RootKind::linear:
-      return "linear";
-    case RootKind::constant:
-      return "constant";
-    case RootKind::everything:
-      return "everything";
-    case RootKind::none:
-      break;
-  }
-  return "none";
-}
-
 /// A list of numbers, each beside its hex form: {"t": 4, "t_hex": "0x1p+2"}.
 template <class Numbers>
 void write_numbers(JsonWriter& json, const char* name, const char* hex_name, const Numbers& numbers) {
