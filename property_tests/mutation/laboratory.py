@@ -4,7 +4,6 @@ from dataclasses import dataclass
 import json
 import os
 from pathlib import Path
-import re
 import shlex
 import subprocess
 import time
@@ -55,26 +54,27 @@ class Laboratory:
         return target
 
     def put_to_check(self, method, shared_object, cases, folder):
-        """The exit status of check on that method alone, and what it printed."""
-        command = [self.check, "--method", method, "--jobs", "1", "--out", Path(folder) / "page"]
+        """The exit status of check on that method alone, and the properties that it found broken."""
+        figures = Path(folder) / "figures.json"
+        command = [self.check, "--method", method, "--jobs", "1", "--out", Path(folder) / "page", "--json", figures]
         if cases is not None:
             command += ["--cases", str(cases)]
         environment = dict(os.environ, RAYPROOF_MUTANT=str(shared_object))
         done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=LONGEST, check=False)
         if done.returncode not in (0, 1):
             raise Broken(f"check ended with {done.returncode}: {done.stderr.strip()[-300:]}")
-        return done.returncode, done.stdout
+        marks = [mark for row in json.loads(figures.read_text(encoding="utf-8"))["methods"] for mark in row["properties"]]
+        return done.returncode, [mark["property"] for mark in marks if mark["mark"] == "BROKEN"]
 
     def try_method(self, method, folder, budgets=BUDGETS):
         """Compiles and checks, with larger and larger budgets until something is broken."""
         start = time.monotonic()
         shared_object = self.compile(method, folder)
         for cases in budgets:
-            status, text = self.put_to_check(method, shared_object, cases, folder)
+            status, found = self.put_to_check(method, shared_object, cases, folder)
             if status == 1:
                 break
-        found = re.findall(r"^ +breaks '(.+?)': ", text, re.MULTILINE)
         if (status == 1) != bool(found):
-            raise Broken(f"check ended with {status}, but with {len(found)} counterexamples")
+            raise Broken(f"check ended with {status}, but with {len(found)} broken properties")
         return Outcome(tuple(dict.fromkeys(found)), "default" if cases is None else f"{cases:,}",
                        time.monotonic() - start)

@@ -13,14 +13,11 @@ namespace rayproof::check {
 
 namespace {
 
-/// Every failure in full, first those with a counterexample.
-std::string text_failures(const RunResult& result, const Summary& summary) {
-  const std::vector<std::string> failures = summary.failures();
-  if (failures.empty()) return "";
-  std::string text = "\nFAILED\n";
-  for (const Finding& finding : result.findings)
-    if (!finding.is_declared) text += text_failure(finding);
-  for (const std::string& failure : failures) text += failure + "\n";
+/// Failures in full, first those with a counterexample.
+std::string all_failures(const RunResult& result, const Summary& summary) {
+  if (summary.is_success()) return "";
+  std::string text = "\nFAILED\n" + text_failures(result);
+  for (const std::string& sentence : summary.without_counterexample()) text += sentence + "\n";
   return text;
 }
 
@@ -39,7 +36,7 @@ std::string text_outcome(const Options& options, const Plan& plan, const RunResu
       options.settings.time ? "at most " : "", options.settings.cases, result.corpus_cases);
   if (options.labels) text += text_labels(result) + "\n";
   if (options.measure) text += text_families(plan, result) + text_measured(summary) + "\n";
-  text += text_table(summary) + text_failures(result, summary);
+  text += text_table(summary) + all_failures(result, summary);
   if (const std::string declared = text_declared(result); !declared.empty())
     text +=
         "\nFindings that the contracts declare (several numbers: the same failure in the other precision or "

@@ -40,19 +40,24 @@ std::string line_of(const std::string& numbers, const std::string& methods, cons
 
 std::string text_declared(const RunResult& result) {
   std::string text;
-  for (const std::vector<Finding>& group : alike(result.findings))
+  for (const std::vector<Finding>& group : alike(result.findings, true))
     text += line_of(numbers_of(group), methods_of(group), group.front());
+  return text;
+}
+
+std::string text_failures(const RunResult& result) {
+  std::string text;
+  for (const std::vector<Finding>& group : alike(result.findings, false)) {
+    const Finding& first = group.front();
+    text += line_of(numbers_of(group), methods_of(group), first);
+    text += fmt::format("       breaks '{}': {}\n       family {}; {}\n       {}\n", first.property->name,
+                        first.property->statement, first.family, first.evidence.note, write_case(first.one));
+  }
   return text;
 }
 
 std::string text_finding(const Finding& finding) {
   return line_of(std::to_string(finding.number), finding.subject->full_name(), finding);
-}
-
-std::string text_failure(const Finding& finding) {
-  return fmt::format("{}       breaks '{}': {}\n       family {}; {}\n       {}\n", text_finding(finding),
-                     finding.property->name, finding.property->statement, finding.family,
-                     finding.evidence.note, write_case(finding.one));
 }
 
 }  // namespace rayproof

@@ -12,8 +12,8 @@ namespace rayproof {
 /// the precision and the words are those of the first number. For findings in order.
 [[nodiscard]] std::string text_declared(const RunResult& result);
 
-/// A finding that breaks what is claimed, in full: what broke, by how much, the case.
-[[nodiscard]] std::string text_failure(const Finding& finding);
+/// Each failure that breaks a contract, in full: what broke, by how much, the case of the first number.
+[[nodiscard]] std::string text_failures(const RunResult& result);
 
 /// A finding in one line: number, method, precision, and what is wrong.
 [[nodiscard]] std::string text_finding(const Finding& finding);

@@ -1,7 +1,6 @@
 #include "properties/report/order.hpp"
 
 #include <algorithm>
-#include <iterator>
 
 #include "case/writer.hpp"
 #include "properties/report/words.hpp"
@@ -21,20 +20,20 @@ std::string_view kind_of(const Property& property) {
 bool is_same_failure(const Finding& a, const Finding& b) {
   if (kind_of(*a.property) != kind_of(*b.property)) return false;
   if (a.subject == b.subject) return true;
-  // Each formula as printed is a story of its own.
-  const auto is_printed = [](const Finding& one) {
-    return one.subject->contract.standing == Standing::printed;
+  // Each formula as printed is a story of its own, and so is each broken contract.
+  const auto stands_alone = [](const Finding& one) {
+    return !one.is_declared || one.subject->contract.standing == Standing::printed;
   };
-  return !is_printed(a) && !is_printed(b) && a.subject->topic == b.subject->topic &&
+  return !stands_alone(a) && !stands_alone(b) && a.subject->topic == b.subject->topic &&
          write_case(a.one) == write_case(b.one) && in_words(a) == in_words(b);
 }
 
 }  // namespace
 
-std::vector<std::vector<Finding>> alike(const std::vector<Finding>& findings) {
+std::vector<std::vector<Finding>> alike(const std::vector<Finding>& findings, bool is_declared) {
   std::vector<std::vector<Finding>> groups;
   for (const Finding& finding : findings) {
-    if (!finding.is_declared) continue;
+    if (finding.is_declared != is_declared) continue;
     const auto group = std::find_if(groups.begin(), groups.end(), [&](const std::vector<Finding>& some) {
       return std::any_of(some.begin(), some.end(),
                          [&](const Finding& other) { return is_same_failure(finding, other); });
@@ -50,10 +49,9 @@ std::vector<std::vector<Finding>> alike(const std::vector<Finding>& findings) {
 
 void put_in_order(std::vector<Finding>& findings) {
   std::vector<Finding> ordered;
-  std::copy_if(findings.begin(), findings.end(), std::back_inserter(ordered),
-               [](const Finding& finding) { return !finding.is_declared; });
-  for (const std::vector<Finding>& group : alike(findings))
-    ordered.insert(ordered.end(), group.begin(), group.end());
+  for (const bool is_declared : {false, true})
+    for (const std::vector<Finding>& group : alike(findings, is_declared))
+      ordered.insert(ordered.end(), group.begin(), group.end());
   for (std::size_t i = 0; i < ordered.size(); ++i) ordered[i].number = i + 1;
   findings = std::move(ordered);
 }

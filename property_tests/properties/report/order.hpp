@@ -12,8 +12,9 @@ namespace rayproof {
 /// from 1.
 void put_in_order(std::vector<Finding>& findings);
 
-/// The declared findings, those together that are one failure to a reader: a method fails alike in both
-/// precisions, or several methods of a topic fail alike on one case.
-[[nodiscard]] std::vector<std::vector<Finding>> alike(const std::vector<Finding>& findings);
+/// The findings that are declared, or those that are not, those together that are one failure to a reader: a
+/// method fails alike in both precisions and on many cases, or several methods of a topic fail alike on one
+/// case.
+[[nodiscard]] std::vector<std::vector<Finding>> alike(const std::vector<Finding>& findings, bool is_declared);
 
 }  // namespace rayproof

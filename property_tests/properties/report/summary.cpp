@@ -110,13 +110,29 @@ Summary summarise(const Plan& plan, const RunResult& result) {
   return summary;
 }
 
-std::vector<std::string> Summary::failures() const {
+namespace {
+
+/// A sentence for each cell with one of the marks.
+std::vector<std::string> sentences_for(const std::vector<Row>& rows, std::initializer_list<Mark> marks) {
   std::vector<std::string> sentences;
   for (const Row& row : rows)
     for (const Cell& cell : row.cells)
-      if (is_failure(cell.mark))
+      if (std::find(marks.begin(), marks.end(), cell.mark) != marks.end())
         sentences.push_back(fmt::format("{} {}: {}: {}", row.subject->full_name(), name_of(row.precision),
                                         cell.property->name, word_of(cell.mark)));
+  return sentences;
+}
+
+}  // namespace
+
+std::vector<std::string> Summary::failures() const {
+  std::vector<std::string> sentences = sentences_for(rows, {Mark::broken, Mark::unrefuted});
+  sentences.insert(sentences.end(), missed_shares.begin(), missed_shares.end());
+  return sentences;
+}
+
+std::vector<std::string> Summary::without_counterexample() const {
+  std::vector<std::string> sentences = sentences_for(rows, {Mark::unrefuted});
   sentences.insert(sentences.end(), missed_shares.begin(), missed_shares.end());
   return sentences;
 }

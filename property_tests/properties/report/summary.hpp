@@ -55,6 +55,8 @@ struct Summary {
   [[nodiscard]] bool is_success() const;
   /// The marks that make the run fail, each as a sentence.
   [[nodiscard]] std::vector<std::string> failures() const;
+  /// Those of them that no finding shows: what was declared broken and not refuted, what a generator missed.
+  [[nodiscard]] std::vector<std::string> without_counterexample() const;
 };
 
 [[nodiscard]] Summary summarise(const Plan& plan, const RunResult& result);

@@ -124,8 +124,6 @@ const char* circumstances_of(Claim claim) {
       return "once scaled";
     case Claim::reversed:
       return "once reversed";
-    case Claim::moved:
-      return "once moved";
     case Claim::batch:
       return "in a batch";
     case Claim::nan:
@@ -149,7 +147,9 @@ std::string in_words(const Finding& finding) {
   const std::string circumstances = circumstances_of(claim);
   if (circumstances.empty()) {
     const Compared compared(got, exact, finding.one.precision);
-    return fmt::format("{} (exact {})", compared.deed(got, things), compared.outcome(exact));
+    // The evidence of `moved` is of the moved case itself.
+    return fmt::format("{}{} (exact {})", claim == Claim::moved ? "once moved, " : "",
+                       compared.deed(got, things), compared.outcome(exact));
   }
   const Answer plain = finding.subject->answer(finding.one);
   const Compared compared(plain, got, finding.one.precision);

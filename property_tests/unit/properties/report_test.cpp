@@ -120,9 +120,19 @@ TEST(Report, FailuresStandFirstAndInFull) {
   EXPECT_TRUE(run.result.findings.back().is_declared);
   for (std::size_t i = 0; i < run.result.findings.size(); ++i)
     EXPECT_EQ(run.result.findings[i].number, i + 1);
-  const std::string text = text_failure(run.result.findings.front());
+  const std::string text = text_failures(run.result);
   EXPECT_NE(text.find(write_case(run.result.findings.front().one)), std::string::npos);
   EXPECT_NE(text.find(run.result.findings.front().evidence.note), std::string::npos);
+}
+
+TEST(Report, AMethodThatFailsOnManyCasesFailsInOneBlock) {
+  ShortRun run;
+  const Finding failure = run.result.findings.front();
+  run.result.findings.assign(50, failure);
+  put_in_order(run.result.findings);
+  const std::string text = text_failures(run.result);
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 4) << text;
+  EXPECT_NE(text.find(" 1-50  sphere/"), std::string::npos) << text;
 }
 
 TEST(Report, ThePageSaysEachCommandWithTheRunItBelongsTo) {
