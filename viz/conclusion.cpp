@@ -62,9 +62,11 @@ std::string blame_of(const Walkthrough& walk) {
 }  // namespace
 
 std::string in_words(const Measured& measured) {
-  return measured.is_wrong ? fmt::format("the verdict is wrong, {} contract units from a change of verdict",
-                                         rough(measured.margin))
-                           : fmt::format("the residual is {} contract units", rough(measured.residual));
+  const std::string residual = fmt::format("the residual is {} contract units", rough(measured.residual));
+  if (!measured.is_wrong) return residual;
+  const std::string verdict =
+      fmt::format("the verdict is wrong, {} contract units from a change of verdict", rough(measured.margin));
+  return measured.residual > 0 ? verdict + "; " + residual : verdict;
 }
 
 std::string symbol_of(const Case& one) {
