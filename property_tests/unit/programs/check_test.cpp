@@ -81,7 +81,7 @@ std::vector<int> numbers_at(const std::string& line) {
 }
 
 TEST_F(CheckProgram, AWholeCheckFits100LinesOf120ColumnsWithEveryFinding) {
-  const Ended outcome = check("--cases 1000 2>/dev/null");
+  const Ended outcome = check("--cases 200 2>/dev/null");
   EXPECT_EQ(outcome.status, 0) << outcome.output;
   EXPECT_LE(std::count(outcome.output.begin(), outcome.output.end(), '\n'), 100) << outcome.output;
   std::vector<int> listed;
