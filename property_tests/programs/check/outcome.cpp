@@ -43,10 +43,9 @@ std::string text_outcome(const Options& options, const Plan& plan, const RunResu
         "method)\n" +
         declared;
   if (!result.findings.empty())
-    text += fmt::format(
-        "\n./rayproof explain N, walk N, draw N, replay N{}: look into finding N (docs/reading-a-check.md)\n",
-        from_option(options.out));
-  text += fmt::format("page: {}/index.html\n", options.out);
+    text += fmt::format("\n./rayproof explain N, walk N, draw N, replay N{}: look into finding N\n",
+                        from_option(options.out));
+  text += fmt::format("how to read it: docs/reading-a-check.md\npage: {}/index.html\n", options.out);
   if (summary.was_interrupted) text += "interrupted: only what is shown was checked\n";
   return text + last_line(summary) + "\n";
 }

@@ -50,8 +50,10 @@ class Runner:
     def checkout(self, folder):
         """A copy of what commands read: scenes, cases, and the findings of a check."""
         checkout = Checkout(folder, self.source, self.programs)
-        shutil.copytree(self.source / "docs/scenes", checkout.folder / "docs/scenes")
-        (checkout.folder / "docs/images/scenes").mkdir(parents=True)
+        for folder in ("scenes", "cases"):
+            shutil.copytree(self.source / "docs" / folder, checkout.folder / "docs" / folder)
+        for folder in ("scenes", "reading"):
+            (checkout.folder / "docs/images" / folder).mkdir(parents=True)
         for name in ["case.json", "cases.jsonl"]:
             (checkout.folder / name).write_text(CASE)
         checkout.run("./rayproof check --method quadratic/textbook --cases 100")
