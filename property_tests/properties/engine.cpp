@@ -18,8 +18,6 @@ namespace rayproof {
 
 namespace {
 
-constexpr unsigned label_sample = 4000;
-
 /// The properties of the plan that the subject claims or is declared to break.
 std::vector<bool> active_properties(const Plan& plan, const Subject& subject) {
   std::vector<bool> active(properties().size());
@@ -70,8 +68,9 @@ class Run {
     for (const Family* family : plan_.families)
       for (const Precision precision : plan_.precisions) counts.push_back({family, precision});
     listener_.progress({"labels", 0});
+    const auto sample = static_cast<unsigned>(std::min<std::uint64_t>(plan_.settings.cases, label_sample));
     tbb::parallel_for(std::size_t{0}, counts.size(), [&](std::size_t i) {
-      counts[i] = count_labels(*counts[i].family, counts[i].precision, plan_.settings.seed, label_sample);
+      counts[i] = count_labels(*counts[i].family, counts[i].precision, plan_.settings.seed, sample);
     });
     result_.labels = std::move(counts);
   }

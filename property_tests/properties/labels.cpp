@@ -102,6 +102,7 @@ double LabelCount::share(const std::string& label) const {
 
 std::vector<std::string> LabelCount::missed() const {
   std::vector<std::string> sentences;
+  if (cases < label_sample) return sentences;
   for (const MinimumShare& minimum : family->shares)
     if (share(minimum.label) < minimum.share)
       sentences.push_back(fmt::format("{}/{}: {:.2f} % of the cases are \"{}\", at least {:.2f} % must be",

@@ -18,6 +18,9 @@ namespace rayproof {
 /// "outside" or "boundary". Of any: "in reach" (all lengths within the domain of the bounded contracts).
 [[nodiscard]] std::vector<std::string> labels_of(const Case& one);
 
+/// So many cases a run labels of each family, or as many as it checks; fewer tell nothing of a small share.
+inline constexpr unsigned label_sample = 4000;
+
 /// The labels of a sample of a family's cases.
 struct LabelCount {
   const Family* family = nullptr;
@@ -26,7 +29,7 @@ struct LabelCount {
   std::map<std::string, unsigned> counts{};
 
   [[nodiscard]] double share(const std::string& label) const;
-  /// The shares the family missed, each as a sentence; empty where all is well.
+  /// The shares the family missed, each as a sentence; empty where all is well, or the sample is too small.
   [[nodiscard]] std::vector<std::string> missed() const;
 };
 

@@ -102,6 +102,7 @@ std::optional<Nearest> nearest_of(const WireframeScene& scene) {
   const Ray<Shadow>& ray = scene.sight.ray;
   const auto across = [&](const Place& v) { return v - dot(v, scene.along_ray) * scene.along_ray; };
   std::optional<Nearest> nearest;
+  Shadow square_gap = 0;
   for (const std::vector<Place>& border : scene.figure.borders) {
     for (std::size_t i = 0; i + 1 < border.size(); ++i) {
       const Place side = border[i + 1] - border[i];
@@ -111,11 +112,18 @@ std::optional<Nearest> nearest_of(const WireframeScene& scene) {
       const Shadow part = square == 0 ? Shadow(0) : Shadow(-dot(from_ray, side_across) / square);
       const Place on_outline = border[i] + std::clamp<Shadow>(part, 0, 1) * side;
       const Shadow t = dot(on_outline - ray.origin, scene.along_ray) / scene.direction_size;
+      if (!in_interval(ray, t)) continue;
       const Place on_ray = scene.at(t);
-      const Shadow gap = length(on_outline - on_ray);
-      if (in_interval(ray, t) && (!nearest || gap < nearest->gap))
-        nearest = {on_ray, on_outline, unit(side), gap};
+      const Place between = on_outline - on_ray;
+      const Shadow square_between = dot(between, between);
+      if (nearest && square_between >= square_gap) continue;
+      square_gap = square_between;
+      nearest = {on_ray, on_outline, side, 0};
     }
+  }
+  if (nearest) {
+    nearest->side = unit(nearest->side);
+    nearest->gap = sqrt(square_gap);
   }
   return nearest;
 }

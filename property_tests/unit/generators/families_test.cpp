@@ -15,9 +15,8 @@ constexpr Precision both[] = {Precision::float32, Precision::float64};
 TEST(Families, EachProducesWhatItIsFor) {
   for (const Family& family : families())
     for (const Precision precision : both)
-      for (const std::uint64_t seed : {1U, 2U})
-        for (const std::string& missed : count_labels(family, precision, seed, 2000).missed())
-          ADD_FAILURE() << missed;
+      for (const std::string& missed : count_labels(family, precision, 1, label_sample).missed())
+        ADD_FAILURE() << missed;
 }
 
 TEST(Families, TheSameSeedGivesTheSameCase) {
