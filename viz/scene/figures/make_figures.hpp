@@ -23,18 +23,19 @@ class MethodFigures final : public Figures<T> {
   void meet_all(std::span<const Ray<T>> rays, std::span<Nearest<T>> nearest) const override {
     for (const Figure& figure : figures_) {
       if (figure.space) {
-        for (std::size_t i = 0; i < rays.size(); ++i)
-          nearest[i].offer(first_hit(figure, to_object(*figure.space, rays[i])), figure.object);
+        for (std::size_t i = 0; i < rays.size(); ++i) meet_placed(figure, rays[i], nearest[i]);
       } else {
-        for (std::size_t i = 0; i < rays.size(); ++i)
-          nearest[i].offer(first_hit(figure, rays[i]), figure.object);
+        meet_each(figure, rays, nearest);
       }
     }
   }
 
   void meet(std::size_t figure, const Ray<T>& ray, Nearest<T>& nearest) const override {
     const Figure& asked = figures_[figure];
-    nearest.offer(first_hit(asked, asked.space ? to_object(*asked.space, ray) : ray), asked.object);
+    if (asked.space)
+      meet_placed(asked, ray, nearest);
+    else
+      meet_each(asked, {&ray, 1}, {&nearest, 1});
   }
 
  private:
@@ -44,8 +45,16 @@ class MethodFigures final : public Figures<T> {
     ObjectIndex object;
   };
 
-  [[nodiscard]] static T first_hit(const Figure& figure, const Ray<T>& ray) {
-    return rayproof::nearest<T>(ray, Method::roots(ray, figure.shape));
+  /// Out of line: every method is compiled once, not once for each caller.
+  [[gnu::noinline]] static void meet_each(const Figure& figure, std::span<const Ray<T>> rays,
+                                          std::span<Nearest<T>> nearest) {
+    for (std::size_t i = 0; i < rays.size(); ++i)
+      nearest[i].offer(rayproof::nearest<T>(rays[i], Method::roots(rays[i], figure.shape)), figure.object);
+  }
+
+  static void meet_placed(const Figure& figure, const Ray<T>& ray, Nearest<T>& nearest) {
+    const Ray<T> in_object_space = to_object(*figure.space, ray);
+    meet_each(figure, {&in_object_space, 1}, {&nearest, 1});
   }
 
   std::vector<Figure> figures_{};
