@@ -29,7 +29,7 @@ function(rayproof_program name)
   target_include_directories(rayproof-${name} PRIVATE ${PROJECT_SOURCE_DIR}/property_tests)
   target_link_libraries(rayproof-${name} PRIVATE CLI11::CLI11 fmt::fmt ${ARGN} rayproof_flags)
   # CLI11 is half of what g++ works on at -O3, and a command line needs no speed.
-  set_source_files_properties(${name}.cpp PROPERTIES COMPILE_OPTIONS $<$<CONFIG:Release>:-O1>)
+  set_source_files_properties(${name}.cpp PROPERTIES COMPILE_OPTIONS $<$<CONFIG:Release>:-O0>)
   install(TARGETS rayproof-${name} RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/rayproof COMPONENT programs)
 endfunction()
 

@@ -4,13 +4,13 @@
 
 #include "oracle/oracle.hpp"
 
-#include "oracle/cylinder.hpp"
-#include "oracle/plane.hpp"
-#include "oracle/polygon.hpp"
-#include "oracle/quadratic.hpp"
-#include "oracle/solid.hpp"
-#include "oracle/sphere.hpp"
-#include "oracle/triangle.hpp"
+#include "oracle/shapes/cylinder.hpp"
+#include "oracle/shapes/plane.hpp"
+#include "oracle/shapes/polygon.hpp"
+#include "oracle/shapes/quadratic.hpp"
+#include "oracle/shapes/solid.hpp"
+#include "oracle/shapes/sphere.hpp"
+#include "oracle/shapes/triangle.hpp"
 
 namespace rayproof::oracle {
 

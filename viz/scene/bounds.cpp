@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "oracle/interval.hpp"
-#include "oracle/newell.hpp"
+#include "oracle/geometry/newell.hpp"
+#include "oracle/numbers/interval.hpp"
 
 namespace rayproof::render {
 namespace {

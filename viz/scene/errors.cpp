@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "oracle/ulp.hpp"
+#include "oracle/numbers/ulp.hpp"
 #include "viz/scene/tiles.hpp"
 
 namespace rayproof::render {

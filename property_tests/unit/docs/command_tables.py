@@ -19,7 +19,7 @@ ADDED = [(r"rayproof check\b(?!.*--(shape|topic|method|replay)\b)", "--topic qua
          (r"rayproof report\b(?!.*--family\b)", "--family random"),
          (r"rayproof report\b(?!.*--precision\b)", "--precision float32")]
 # A page that looks into findings by their numbers needs a check of all methods; with filters of its own it runs as it stands.
-WHOLE = [(r"rayproof check\b(?!.*--(shape|topic|method|cases|replay)\b)", "--cases", "1000")]
+WHOLE = [(r"rayproof check\b(?!.*--(shape|topic|method|cases|replay)\b)", "--cases", "250")]
 
 # Commands that would take long: the same command on less, with its output compared but for the numbers.
 SHORTER = [(r"walk all --png", "walk rays --png"), (r"RAYPROOF_QUADRIC_RAYS=\d+", "RAYPROOF_QUADRIC_RAYS=2000"),

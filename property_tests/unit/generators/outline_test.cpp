@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "generators/polygon_lifted.hpp"
+#include "generators/shapes/polygon/lifted.hpp"
 
 namespace rayproof {
 namespace {

@@ -9,7 +9,7 @@
 #include <rayproof/arithmetics/interval.hpp>
 
 #include "generators/draw.hpp"
-#include "oracle/exact.hpp"
+#include "oracle/numbers/exact.hpp"
 
 namespace rayproof {
 namespace {

@@ -9,8 +9,8 @@
 #include <rayproof/parametric/hits.hpp>
 
 #include "generators/draw.hpp"
-#include "oracle/exact.hpp"
-#include "oracle/scene.hpp"
+#include "oracle/geometry/scene.hpp"
+#include "oracle/numbers/exact.hpp"
 #include "unit/oracle/second_way/rational.hpp"
 
 namespace rayproof::parametric {

@@ -1,0 +1,52 @@
+#include "oracle/geometry/locate.hpp"
+
+namespace rayproof::oracle {
+namespace {
+
+/// A vertex as seen from the point, both times the weight, and the sign of how far it lies above.
+struct Seen {
+  PlanePoint to;
+  int above;
+};
+
+/// What one side says: the point lies on it, or a ray to the right crosses it, or neither.
+struct Side {
+  bool holds_point;
+  bool is_crossed;
+};
+
+Side side_of(const Seen& from, const Seen& to) {
+  if (from.above == 0 && to.above == 0) return {sign(from.to.x) * sign(to.to.x) <= 0, false};
+  if (from.above * to.above > 0) return {false, false};
+  // The signed area seen from the point: positive where the side passes it on the right, going up.
+  const int area = sign(from.to.x * to.to.y - from.to.y * to.to.x);
+  if (area == 0) return {true, false};
+  // Each side holds its lower end, not its upper one, so that a vertex that is passed counts once.
+  const bool goes_up = from.above <= 0 && to.above > 0;
+  const bool goes_down = to.above <= 0 && from.above > 0;
+  return {false, (goes_up && area > 0) || (goes_down && area < 0)};
+}
+
+}  // namespace
+
+Place locate(const PlanePoint& point, const Ring& weight, const std::vector<PlanePoint>& vertices) {
+  const auto seen = [&](const PlanePoint& vertex) {
+    const PlanePoint to{weight * vertex.x - point.x, weight * vertex.y - point.y};
+    return Seen{to, sign(to.y)};
+  };
+  bool is_on_side = false;
+  bool is_inside = false;
+  Seen from = seen(vertices.back());
+  for (const PlanePoint& vertex : vertices) {
+    const Seen to = seen(vertex);
+    if (to.above == 0 && sign(to.to.x) == 0) return Place::vertex;
+    const Side side = side_of(from, to);
+    is_on_side = is_on_side || side.holds_point;
+    is_inside = is_inside != side.is_crossed;
+    from = to;
+  }
+  if (is_on_side) return Place::side;
+  return is_inside ? Place::inside : Place::outside;
+}
+
+}  // namespace rayproof::oracle

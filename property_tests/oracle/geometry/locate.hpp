@@ -1,0 +1,23 @@
+#pragma once
+/// \file
+/// Where a point of the plane lies with respect to a polygon, exactly, by the even-odd rule.
+
+#include <vector>
+
+#include "oracle/numbers/exact.hpp"
+
+namespace rayproof::oracle {
+
+/// A point of the plane over the exact ring.
+struct PlanePoint {
+  Ring x, y;
+};
+
+/// Where the point lies; on the boundary, a vertex is told apart from the inside of a side.
+enum class Place { outside, inside, side, vertex };
+
+/// The place of the point (x, y)/weight, weight > 0, in the closed polygon of the vertices.
+[[nodiscard]] Place locate(const PlanePoint& point, const Ring& weight,
+                           const std::vector<PlanePoint>& vertices);
+
+}  // namespace rayproof::oracle

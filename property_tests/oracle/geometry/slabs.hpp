@@ -1,0 +1,48 @@
+#pragma once
+/// \file
+/// A convex solid between three pairs of parallel planes and a line, exactly: what box and parallelepiped
+/// share.
+
+#include <array>
+#include <optional>
+
+#include "case/answer.hpp"
+#include "oracle/geometry/hit.hpp"
+
+namespace rayproof::oracle {
+
+/// All q with low <= normal·q <= high, in the object's space.
+struct Slab {
+  Vector<Ring> normal;
+  Ring low, high;
+};
+using Slabs = std::array<Slab, 3>;
+
+[[nodiscard]] Slabs slabs_of(const Box<double>& box);
+[[nodiscard]] Slabs slabs_of(const Parallelepiped<double>& solid);
+
+/// A line and a slab: low <= position + t·speed <= high.
+struct SlabMeeting {
+  Ring position, speed, low, high;
+
+  SlabMeeting(const ObjectRay<Ring>& ray, const Slab& slab);
+
+  [[nodiscard]] bool is_parallel() const { return sign(speed) == 0; }
+  /// Whether a line that is parallel to the slab runs in it.
+  [[nodiscard]] bool is_inside() const { return sign(position - low) >= 0 && sign(high - position) >= 0; }
+  /// The t at which the line comes into the slab, and at which it leaves.
+  [[nodiscard]] Quotient entry() const { return {(sign(speed) > 0 ? low : high) - position, speed}; }
+  [[nodiscard]] Quotient exit() const { return {(sign(speed) > 0 ? high : low) - position, speed}; }
+};
+using SlabMeetings = std::array<SlabMeeting, 3>;
+
+[[nodiscard]] SlabMeetings meetings(const ObjectRay<Ring>& ray, const Slabs& slabs);
+
+/// The part of the line inside the solid, from entry to exit; nothing where there is none.
+struct Chord {
+  Quotient entry, exit;
+  [[nodiscard]] bool is_touch() const { return entry.compare(exit) == 0; }
+};
+[[nodiscard]] std::optional<Chord> chord_of(const SlabMeetings& slabs);
+
+}  // namespace rayproof::oracle

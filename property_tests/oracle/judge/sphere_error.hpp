@@ -1,0 +1,63 @@
+#pragma once
+/// \file
+/// The error of a claimed hit of ray and sphere, over the balls and over the exact ring alike.
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <type_traits>
+
+#include "oracle/judge/sphere_verdict.hpp"
+#include "oracle/numbers/root.hpp"
+#include "oracle/numbers/rounding.hpp"
+#include "oracle/numbers/ulp.hpp"
+
+namespace rayproof::oracle {
+
+/// The error of a claimed t against the root on `side`, and the distance of p(t) from the surface in units of
+/// `unit`.
+struct HitError {
+  double ulp;
+  double residual;
+};
+
+/// The error of a finite t; nothing where R can't tell.
+template <class R, class Number>
+[[nodiscard]] std::optional<HitError> hit_error(const SphereEquation<R>& scene, const Truth<Number>& truth,
+                                                const Number& unit, int side, double t, Precision precision) {
+  using std::abs, std::sqrt;
+  const PowerAt<R> at = scene.at(t);
+  const Number power = read(at.power);
+  const Number slope = read(at.slope);
+  const Number w = sqrt(abs(truth.discriminant));
+  const Number u = side > 0 ? slope : -slope;
+  const Number sum = abs(u) + w;
+  const bool is_double = !(Number(0) < w);
+  // root - t, by the branch that does not cancel: from the slope at a double root, from the power beside a
+  // single one.
+  const bool by_power = !is_double && Number(0) < u;
+  const Number to_root = by_power ? (side > 0 ? -power : power) / sum : (side > 0 ? w - u : u - w) / truth.a;
+  if (by_power && uncertainty(at.slope) > 0x1p-20 * value(sum)) return std::nullopt;
+  const double error = value(to_root);
+  const double ulp = ulp_of(t + error, precision);
+  if constexpr (std::is_same_v<R, Ball>) {
+    const double of_slope = uncertainty(at.slope) / truth.a;
+    const double doubt = by_power ? uncertainty(at.power) / sum + 0x1p-20 * of_slope : of_slope;
+    if (!(doubt <= std::max(0x1p-20 * abs(error), 0x1p-30 * ulp))) return std::nullopt;
+  }
+
+  const Number radius = abs(read(scene.radius));
+  const Number distance = sqrt(abs(power + radius * radius));
+  return HitError{abs(error) / ulp, value(abs(power) / ((distance + radius) * unit))};
+}
+
+/// The error of an infinite or NaN t: right only where there is a root and it rounds to the same infinity.
+[[nodiscard]] inline HitError infinite_hit_error(const SphereEquation<Ring>& scene, int side, double t,
+                                                 Precision precision) {
+  const ExactQuadratic equation{scene.a(), scene.h(), scene.c()};
+  const bool right =
+      sign(equation.discriminant()) >= 0 && round_correctly(ExactRoot(equation, side), precision) == t;
+  return right ? HitError{0, 0} : HitError{HUGE_VAL, HUGE_VAL};
+}
+
+}  // namespace rayproof::oracle

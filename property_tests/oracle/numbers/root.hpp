@@ -1,0 +1,78 @@
+#pragma once
+/// \file
+/// The real roots of an exact quadratic as exact numbers: compared, estimated and rounded without error.
+
+#include <utility>
+
+#include "oracle/numbers/exact.hpp"
+#include "oracle/numbers/quotient.hpp"
+
+namespace rayproof::oracle {
+
+/// a·x² + 2·h·x + c with a > 0, over the exact ring.
+struct ExactQuadratic {
+  Ring a, h, c;
+
+  /// A quarter of the discriminant.
+  [[nodiscard]] Ring discriminant() const { return h * h - a * c; }
+};
+
+/// One real root of a quadratic whose discriminant is not negative: the lower (side = -1) or the upper (side
+/// = 1).
+class ExactRoot {
+ public:
+  ExactRoot(ExactQuadratic quadratic, int side)
+      : quadratic_(std::move(quadratic)), side_(side), estimate_(estimated()) {}
+
+  /// The sign of (root - x), exactly.
+  [[nodiscard]] int compare(const Ring& x) const {
+    const Ring slope = quadratic_.a * x + quadratic_.h;
+    const int value = sign((slope + quadratic_.h) * x + quadratic_.c);
+    if (value < 0) return side_;                     // x lies between the two roots
+    if (value > 0) return sign(slope) > 0 ? -1 : 1;  // x lies outside, on the slope's side
+    return sign(slope) * side_ >= 0 ? 0 : side_;     // x is a root: this one, or the other
+  }
+
+  /// root - x to one part in 2^58, however near they are: the difference is itself a root, of the quadratic
+  /// moved by x.
+  [[nodiscard]] Scaled minus(double x) const {
+    const Ring slope = quadratic_.a * Ring(x) + quadratic_.h;
+    return ExactRoot({quadratic_.a, slope, (slope + quadratic_.h) * Ring(x) + quadratic_.c}, side_)
+        .estimate();
+  }
+
+  /// The root to one part in 2^58, by the branches that do not cancel.
+  [[nodiscard]] const Scaled& estimate() const { return estimate_; }
+
+  /// offset + slope·root, as a root itself: of the quadratic that (X - offset)/slope solves. With slope 0 it
+  /// has the double root `offset`.
+  [[nodiscard]] ExactRoot affine_image(const Ring& offset, const Ring& slope) const {
+    const auto& [a, h, c] = quadratic_;
+    const Ring hs = h * slope;
+    const Ring ao = a * offset;
+    const ExactQuadratic image{a, hs - ao, (ao - hs - hs) * offset + c * slope * slope};
+    return {image, sign(slope) < 0 ? -side_ : side_};
+  }
+
+  /// The sign of (root - quotient), exactly.
+  [[nodiscard]] int compare(const Quotient& quotient) const {
+    // The root times the denominator, against the numerator.
+    return affine_image(Ring(0.0), quotient.denominator()).compare(quotient.numerator());
+  }
+
+ private:
+  [[nodiscard]] Scaled estimated() const {
+    const Scaled s = sqrt(approximate(quadratic_.discriminant()));
+    const Scaled h = approximate(quadratic_.h);
+    const Scaled q = abs(h) + s;
+    const bool adds_up = side_ == (h.sign() > 0 ? -1 : 1);
+    if (adds_up || q.sign() == 0) return (h.sign() > 0 ? -q : q) / approximate(quadratic_.a);
+    return approximate(quadratic_.c) / (h.sign() > 0 ? -q : q);
+  }
+
+  ExactQuadratic quadratic_;
+  int side_;
+  Scaled estimate_;
+};
+
+}  // namespace rayproof::oracle
