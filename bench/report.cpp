@@ -11,8 +11,8 @@
 #include "bench/figures/plot.hpp"
 #include "bench/figures/text.hpp"
 #include "bench/vtk/plot_png.hpp"
-#include "programs/command_line.hpp"
-#include "programs/progress_line.hpp"
+#include "command_line/command_line.hpp"
+#include "command_line/progress_line.hpp"
 
 namespace {
 

@@ -33,7 +33,7 @@ std::string read_all(const std::string& file) {
 
 /// The case's text with another precision in it: its decimals are rounded once, to that.
 std::string with_precision(std::string_view text, Precision precision) {
-  const char* const name = precision == Precision::float32 ? "\"float32\"" : "\"float64\"";
+  const std::string name = fmt::format("\"{}\"", name_of(precision));
   const json::Document document = json::parse(text);
   const Field whole{.document = &document};
   if (const auto given = ObjectReader(whole).find("precision")) {

@@ -50,7 +50,7 @@ std::string table(const std::vector<WalkValue>& values, const Widths& widths, Pr
 
 std::string steps_of(const Walkthrough& walk) {
   Widths widths;
-  const char* const arithmetic = walk.precision == Precision::float32 ? "float32" : "float64";
+  const char* const arithmetic = name_of(walk.precision);
   widths.value = std::char_traits<char>::length(arithmetic);
   for (const WalkValue& value : walk.inputs) widths.fit(value, walk.precision);
   for (const WalkStep& step : walk.steps) {

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "case/escape.hpp"
 #include "case/writer.hpp"
 #include "viz/answers.hpp"
 #include "viz/html_text.hpp"
@@ -18,7 +19,7 @@ std::string table(const std::vector<WalkValue>& values, Precision precision, con
       "scope=\"col\">name</th>"
       "<th scope=\"col\">{}</th><th scope=\"col\">{}</th><th scope=\"col\">bits lost</th>"
       "<th scope=\"col\">error bound</th><th scope=\"col\">computed as</th></tr>\n",
-      precision == Precision::float32 ? "float32" : "float64", exact);
+      name_of(precision), exact);
   for (const WalkValue& v : values) {
     html += fmt::format(
         "<tr><td><b>{}</b></td><td>{}</td><td>{}</td><td{}>{}</td><td>{}</td><td>{}</td></tr>\n",
@@ -54,29 +55,6 @@ std::string walk_sections(const Walkthrough& walk) {
 }
 
 }  // namespace
-
-std::string escaped(const std::string& text) {
-  std::string safe;
-  for (const char c : text) {
-    switch (c) {
-      case '<':
-        safe += "&lt;";
-        break;
-      case '>':
-        safe += "&gt;";
-        break;
-      case '&':
-        safe += "&amp;";
-        break;
-      case '"':
-        safe += "&quot;";
-        break;
-      default:
-        if (static_cast<unsigned char>(c) >= 0x20) safe += c;  // XML has no other control characters
-    }
-  }
-  return safe;
-}
 
 std::string html_page(const Told& told) {
   const std::string headline = headline_of(told.one, &told.exact, told.claim());

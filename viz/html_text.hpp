@@ -2,12 +2,7 @@
 /// \file
 /// The fixed parts of a page: style and script.
 
-#include <string>
-
 namespace rayproof::viz {
-
-/// Text made safe for HTML and XML, in elements and in attributes.
-[[nodiscard]] std::string escaped(const std::string& text);
 
 /// Light and dark, on paper and on a screen as narrow as a phone's.
 inline constexpr const char* page_style = R"css(

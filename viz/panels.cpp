@@ -28,8 +28,7 @@ Picture begin_picture(const std::string& what, const Case& one, const std::strin
   Picture picture;
   picture.title = headline;
   const std::string subject =
-      fmt::format("{} in {}.{}{}", what, one.precision == Precision::float32 ? "float32" : "float64",
-                  one.note.empty() ? "" : " ", one.note);
+      fmt::format("{} in {}.{}{}", what, name_of(one.precision), one.note.empty() ? "" : " ", one.note);
   picture.description = subject + " " + geometry;
   const double size = headline.size() > 62 ? 17 : 20;  // a long one has to fit, too
   picture.elements.emplace_back(Text{Role::text, {20, 30}, headline, Anchor::start, size, true});

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "viz/html_text.hpp"
+#include "case/escape.hpp"
 #include "viz/palette.hpp"
 #include "viz/topics.hpp"
 

@@ -6,8 +6,8 @@
 
 #include "bench/figures/plot_svg.hpp"
 #include "bench/figures/text.hpp"
+#include "case/escape.hpp"
 #include "generators/generators.hpp"
-#include "properties/report/escape.hpp"
 #include "properties/report/page_style.hpp"
 
 namespace rayproof::report {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "properties/report/escape.hpp"
+#include "case/escape.hpp"
 
 namespace rayproof::report {
 

@@ -15,9 +15,6 @@ enum class Arrangement { scalar, batch };
 [[nodiscard]] constexpr const char* name_of(Arrangement arrangement) {
   return arrangement == Arrangement::scalar ? "scalar" : "batch";
 }
-[[nodiscard]] constexpr const char* name_of(Precision precision) {
-  return precision == Precision::float32 ? "float32" : "float64";
-}
 
 /// How wrong a method's answers to a family of cases are. Wrong verdicts are counted apart, never averaged
 /// in.

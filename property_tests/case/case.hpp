@@ -15,6 +15,11 @@ namespace rayproof {
 /// The format a case's numbers and its correctly rounded answers are rounded to.
 enum class Precision { float32, float64 };
 
+/// As the case format writes it.
+[[nodiscard]] constexpr const char* name_of(Precision precision) {
+  return precision == Precision::float32 ? "float32" : "float64";
+}
+
 /// Where does a ray meet a shape? All numbers are already rounded to the case's precision.
 struct RayQuestion {
   Ray<double> ray;

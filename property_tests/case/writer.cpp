@@ -84,7 +84,7 @@ std::string write_case(const Case& one) {
   JsonWriter json;
   json.open('{');
   if (!one.id.empty()) json.member("id").raw(one.id);
-  json.member("precision").string(one.precision == Precision::float32 ? "float32" : "float64");
+  json.member("precision").string(name_of(one.precision));
   std::visit([&](const auto& question) { write(json, question, one.precision); }, one.question);
   if (!one.note.empty()) json.member("note").string(one.note);
   json.close('}');

@@ -5,13 +5,13 @@
 #include <fstream>
 
 #include "case/shape_format.hpp"
+#include "command_line/command_line.hpp"
+#include "command_line/interrupt.hpp"
+#include "command_line/progress_line.hpp"
 #include "programs/check/corpus.hpp"
 #include "programs/check/options.hpp"
 #include "programs/check/outcome.hpp"
 #include "programs/check/outputs.hpp"
-#include "programs/command_line.hpp"
-#include "programs/interrupt.hpp"
-#include "programs/progress_line.hpp"
 #include "properties/replay.hpp"
 #include "properties/report/order.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "case/near_names.hpp"
 #include "case/shape_format.hpp"
-#include "programs/command_line.hpp"
+#include "command_line/command_line.hpp"
 #include "programs/stream/stream_program.hpp"
 #include "subjects/subject.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "programs/command_line.hpp"
+#include "command_line/command_line.hpp"
 #include "subjects/contract_names.hpp"
 #include "subjects/subject.hpp"
 

@@ -3,7 +3,7 @@
 
 #include "oracle/oracle.hpp"
 
-#include "programs/command_line.hpp"
+#include "command_line/command_line.hpp"
 #include "programs/stream/stream_program.hpp"
 
 int main(int argc, char** argv) {

@@ -4,7 +4,7 @@
 #include "properties/replay.hpp"
 
 #include "case/findings_file.hpp"
-#include "programs/command_line.hpp"
+#include "command_line/command_line.hpp"
 
 int main(int argc, char** argv) {
   CLI::App app("Judges a finding of rayproof check again, or all findings and cases of a file.",

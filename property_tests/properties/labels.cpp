@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <rayproof/contract.hpp>
 
 #include "generators/random.hpp"
@@ -11,28 +12,12 @@ namespace rayproof {
 
 namespace {
 
-/// What the format's name for a contact says beyond hit or miss; nothing where it says no more.
-const char* label_of(Contact contact) {
-  switch (contact) {
-    case Contact::tangent:
-      return "tangent";
-    case Contact::edge:
-      return "edge";
-    case Contact::vertex:
-      return "vertex";
-    case Contact::rim:
-      return "rim";
-    case Contact::in_surface:
-      return "in surface";
-    case Contact::parallel:
-      return "parallel";
-    case Contact::degenerate:
-      return "degenerate";
-    case Contact::crossing:
-    case Contact::none:
-      return nullptr;
-  }
-  return nullptr;
+/// What a contact says beyond hit or miss, in words; nothing where it says no more.
+std::string in_words(Contact contact) {
+  if (contact == Contact::crossing || contact == Contact::none) return {};
+  std::string words = name_of(contact);
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
 }
 
 std::vector<std::string> labels_of(const Case& one, const RayAnswer& exact) {
@@ -44,7 +29,7 @@ std::vector<std::string> labels_of(const Case& one, const RayAnswer& exact) {
   const auto t = line.hits.view();
 
   std::vector<std::string> labels{exact.hits.count > 0 ? "hit" : "miss"};
-  if (const char* contact = label_of(line.contact)) labels.emplace_back(contact);
+  if (std::string contact = in_words(line.contact); !contact.empty()) labels.push_back(std::move(contact));
   if (line.hits.count > 0 && !line.normal) labels.emplace_back("sharp");
   if (exact.hits.count == 0 && line.hits.count > 0) labels.emplace_back("behind");
   if (exact.hits.count > 0 && exact.hits.count < line.hits.count) labels.emplace_back("cut");

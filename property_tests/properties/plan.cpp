@@ -50,8 +50,6 @@ void check_all_names(const Settings& settings, const std::vector<Subject>& all_s
 
 }  // namespace
 
-const char* name_of(Precision precision) { return precision == Precision::float32 ? "float32" : "float64"; }
-
 bool claims(const Subject& subject, const Property& property) {
   return subject.contract.holds.contains(property.claim);
 }

@@ -52,7 +52,4 @@ class UnknownName : public std::runtime_error {
 [[nodiscard]] bool claims(const Subject& subject, const Property& property);
 [[nodiscard]] bool is_declared_refuted(const Subject& subject, const Property& property);
 
-/// "float32" or "float64".
-[[nodiscard]] const char* name_of(Precision precision);
-
 }  // namespace rayproof

@@ -2,7 +2,7 @@
 /// rayproof render: draws a scene by float methods or exactly, and where the two differ.
 
 #include "case/shape_format.hpp"
-#include "programs/interrupt.hpp"
+#include "command_line/interrupt.hpp"
 #include "viz/programs/render/run.hpp"
 
 namespace {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "case/near_names.hpp"
-#include "programs/command_line.hpp"
+#include "command_line/command_line.hpp"
 #include "subjects/subject.hpp"
 #include "viz/case_argument.hpp"
 #include "viz/programs/told_of.hpp"

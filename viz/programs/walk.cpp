@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "programs/progress_line.hpp"
+#include "command_line/progress_line.hpp"
 #include "viz/programs/files.hpp"
 #include "viz/programs/walk/walks.hpp"
 #include "viz/programs/walk/window.hpp"

@@ -1,5 +1,7 @@
 #include "viz/stage/magnifier.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 
@@ -25,7 +27,7 @@ Items dots_of(const Magnifier& magnifier, double around, Precision precision) {
 }
 
 std::string dots_in_words(Precision precision) {
-  return precision == Precision::float32 ? "Each dot is a float32 value." : "Each dot is a float64 value.";
+  return fmt::format("Each dot is a {} value.", name_of(precision));
 }
 
 }  // namespace rayproof::viz

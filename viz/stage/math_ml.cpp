@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "viz/html_text.hpp"
+#include "case/escape.hpp"
 #include "viz/stage/math_names.hpp"
 
 namespace rayproof::viz {

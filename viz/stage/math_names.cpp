@@ -1,12 +1,11 @@
 #include "viz/stage/math_names.hpp"
+#include "case/escape.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <string_view>
 #include <utility>
-
-#include "viz/html_text.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <cctype>
 
+#include "case/escape.hpp"
 #include "case/writer.hpp"
-#include "viz/html_text.hpp"
 #include "viz/palette.hpp"
 #include "viz/stage/page_scene.hpp"
 #include "viz/stage/page_script.hpp"
@@ -76,8 +76,7 @@ std::string slider(const Stage& stage) {
       "scope=\"col\">at this {0}</th>"
       "<th scope=\"col\">{2}</th><th scope=\"col\">{3}</th></tr></thead><tbody "
       "id=\"live\"></tbody></table></div>\n",
-      stage.slider->symbol, stage.slider->symbol == "t" ? "ray" : "axis",
-      stage.precision == Precision::float32 ? "float32" : "float64",
+      stage.slider->symbol, stage.slider->symbol == "t" ? "ray" : "axis", name_of(stage.precision),
       stage.precision == Precision::float32 ? "in double" : "");
 }
 
@@ -125,8 +124,7 @@ std::string stage_page(const Stage& stage, const std::string& gallery) {
   html +=
       fmt::format("<h1>{}</h1>\n<p class=\"lesson\">{}</p>\n", escaped(stage.title), escaped(stage.sentence));
   if (!stage.method.empty()) {
-    html += fmt::format("<p class=\"soft\">{} in {}{}</p>\n", escaped(stage.method),
-                        stage.precision == Precision::float32 ? "float32" : "float64",
+    html += fmt::format("<p class=\"soft\">{} in {}{}</p>\n", escaped(stage.method), name_of(stage.precision),
                         stage.source.empty() ? "" : ". Source: " + escaped(stage.source));
   }
   html += "<div id=\"walk\">\n" + live_part(stage) + "<div>\n";

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "viz/html_text.hpp"
+#include "case/escape.hpp"
 #include "viz/numbers.hpp"
 #include "viz/stage/label_places.hpp"
 #include "viz/stage/math_ml.hpp"
@@ -63,7 +63,7 @@ std::string table(const std::vector<StageValue>& values, Precision precision) {
       "scope=\"col\">name</th>"
       "<th scope=\"col\">{}</th><th scope=\"col\">{}</th><th scope=\"col\">bits "
       "lost</th></tr></thead><tbody>\n",
-      precision == Precision::float32 ? "float32" : "float64", are_given ? "stored value" : "exact");
+      name_of(precision), are_given ? "stored value" : "exact");
   for (const StageValue& value : values) {
     for (const WalkValue& v : value.components) html += row(v.name, v, precision);
   }

@@ -76,7 +76,7 @@ void magnify(StageStep& step, const Told& told, const Pair& pair, const std::str
 
 /// "The computed t₀ is off by 2 ulps: exact 4.87997734 (to 53 bits), computed 4.8799777 (float32)."
 std::string pair_in_words(const Told& told, const Pair& pair, const std::string& symbol) {
-  const char* const format = told.one.precision == Precision::float32 ? "float32" : "float64";
+  const char* const format = name_of(told.one.precision);
   return fmt::format("The computed {}{} is {}: exact {} (to 53 bits), computed {} ({}).", symbol,
                      subscript(pair.rank), accuracy_in_words(pair.ulps),
                      shown(pair.exact, Precision::float64), shown(pair.claimed, told.one.precision), format);

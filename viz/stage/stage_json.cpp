@@ -95,7 +95,7 @@ std::string stage_json(const Stage& stage) {
             {"method", stage.method},
             {"source", stage.source},
             {"conclusion", stage.conclusion},
-            {"precision", stage.precision == Precision::float32 ? "float32" : "float64"},
+            {"precision", name_of(stage.precision)},
             {"digits", stage.digits}};
   json["case"] = Json::parse(write_case(stage.one));
   json["scene"] = items(stage.scene);

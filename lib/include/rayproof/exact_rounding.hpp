@@ -39,6 +39,14 @@ template <class T, class Compare>
   return t;
 }
 
+/// The sign of (root - x) for the lower (side = -1) or upper (side = 1) root of a quadratic that opens
+/// upwards, from the signs of its value and of its slope at x.
+[[nodiscard]] constexpr int compare_root(int side, int value, int slope) {
+  if (value > 0) return slope > 0 ? -1 : 1;  // outside the roots: both lie on one side of x
+  if (value < 0) return side;                // between the roots
+  return slope * side >= 0 ? 0 : side;       // x is a root: this one, or the other
+}
+
 /// numerator / denominator, both exact expansions; the denominator is not 0.
 template <std::size_t N, std::size_t M>
 struct ExactRatio {
@@ -69,6 +77,13 @@ template <std::floating_point T, std::size_t N, std::size_t M>
     t += estimate(ratio.numerator - ratio.denominator * exact(t)) / estimate(ratio.denominator);
   }
   return keep_side(ray, narrowed<T>(t, compare), compare);
+}
+
+/// The same where no interval is to be minded.
+template <std::floating_point T, std::size_t N, std::size_t M>
+[[nodiscard]] T rounded_alone(const ExactRatio<N, M>& ratio) {
+  const Ray<T> whole_line{{}, {}, -infinity<T>, infinity<T>};
+  return rounded(whole_line, ratio);
 }
 
 }  // namespace rayproof

@@ -1,28 +1,40 @@
 #pragma once
 /// \file
-/// Small helpers of the methods that are for plain numbers alone.
+/// Whether plain numbers are finite. The exact methods ask first: an expansion has no sign for a NaN.
 
 #include <cmath>
 #include <concepts>
-#include <rayproof/exact_rounding.hpp>
+#include <rayproof/vec2.hpp>
+#include <rayproof/vec3.hpp>
+#include <vector>
 
 namespace rayproof {
 
-/// Neither infinite nor NaN. The exact methods ask first: an expansion has no sign for a NaN.
+/// Neither infinite nor NaN, nor is any coordinate.
 template <std::floating_point T>
 [[nodiscard]] inline bool is_finite(T x) {
   return std::isfinite(x);
 }
 template <std::floating_point T>
+[[nodiscard]] inline bool is_finite(const Vec2<T>& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y);
+}
+template <std::floating_point T>
 [[nodiscard]] inline bool is_finite(const glm::vec<3, T>& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
+template <class Point>
+[[nodiscard]] inline bool is_finite(const std::vector<Point>& points) {
+  for (const Point& point : points) {
+    if (!is_finite(point)) return false;
+  }
+  return true;
+}
 
-/// The ratio in T, within 0.501 ulp, where no interval is to be minded.
-template <std::floating_point T, std::size_t N, std::size_t M>
-[[nodiscard]] T rounded_alone(const ExactRatio<N, M>& ratio) {
-  const Ray<T> whole_line{{}, {}, -infinity<T>, infinity<T>};
-  return rounded(whole_line, ratio);
+/// Whether every one of them is.
+template <class... Parts>
+[[nodiscard]] inline bool are_finite(const Parts&... parts) {
+  return (is_finite(parts) && ...);
 }
 
 }  // namespace rayproof

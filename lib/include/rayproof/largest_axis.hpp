@@ -3,6 +3,7 @@
 /// Turning the axes so that the one along which a vector is longest comes last, without a branch.
 
 #include <rayproof/arithmetic.hpp>
+#include <rayproof/vec2.hpp>
 #include <rayproof/vec3.hpp>
 #include <type_traits>
 
@@ -29,6 +30,11 @@ class LargestAxisLast {
   [[nodiscard]] constexpr vec3<T> operator()(const vec3<T>& v) const {
     const vec3<T> y_or_z_last = select_vector<T>(y_is_larger_, vec3<T>{v.z, v.x, v.y}, v);
     return select_vector<T>(x_is_largest_, vec3<T>{v.y, v.z, v.x}, y_or_z_last);
+  }
+  /// The vector's projection along that axis.
+  [[nodiscard]] constexpr Vec2<T> dropped(const vec3<T>& v) const {
+    const vec3<T> last_is_largest = (*this)(v);
+    return {last_is_largest.x, last_is_largest.y};
   }
 
  private:

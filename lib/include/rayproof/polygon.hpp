@@ -3,6 +3,7 @@
 /// Polygons: in space, met by rays, and in the plane, holding points.
 
 #include <rayproof/roots.hpp>
+#include <rayproof/vec2.hpp>
 #include <vector>
 
 namespace rayproof {
@@ -29,12 +30,6 @@ template <class To, class From>
   for (const auto& vertex : polygon.vertices) other.vertices.push_back(convert<To>(vertex));
   return other;
 }
-
-/// A point or vector of the plane.
-template <class T>
-struct Vec2 {
-  T x, y;
-};
 
 /// A point and a closed polygon of the plane by the even-odd rule.
 ///

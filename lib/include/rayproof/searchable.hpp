@@ -12,7 +12,7 @@ namespace rayproof {
 template <std::floating_point T>
 [[nodiscard]] bool is_searchable(const Ray<T>& ray) {
   const bool is_still = ray.direction.x == 0 && ray.direction.y == 0 && ray.direction.z == 0;
-  return !is_still && is_finite(ray.origin) && is_finite(ray.direction) && ray.t_min <= ray.t_max;
+  return !is_still && are_finite(ray.origin, ray.direction) && ray.t_min <= ray.t_max;
 }
 
 }  // namespace rayproof

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "properties/report/escape.hpp"
+#include "case/escape.hpp"
 
 namespace rayproof {
 

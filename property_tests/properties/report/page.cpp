@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "properties/report/escape.hpp"
+#include "case/escape.hpp"
 #include "properties/report/page_finding.hpp"
 #include "properties/report/page_legend.hpp"
 #include "properties/report/page_style.hpp"

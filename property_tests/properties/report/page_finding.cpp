@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "case/escape.hpp"
 #include "case/writer.hpp"
 #include "properties/report/commands.hpp"
-#include "properties/report/escape.hpp"
 #include "properties/report/words.hpp"
 
 namespace rayproof {

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "case/escape.hpp"
 #include "case/reader.hpp"
 #include "case/writer.hpp"
-#include "properties/report/escape.hpp"
 #include "properties/report/grid.hpp"
 #include "properties/report/json.hpp"
 #include "properties/report/junit.hpp"

@@ -56,9 +56,7 @@ struct Expected {
   Precision precision = Precision::float32;
 };
 
-const char* format_of(const Expected& expected) {
-  return expected.precision == Precision::float32 ? "float32" : "float64";
-}
+const char* format_of(const Expected& expected) { return name_of(expected.precision); }
 
 void PrintTo(const Expected& expected, std::ostream* out) {
   *out << expected.subject << " breaks " << expected.property << " on " << expected.topic

@@ -160,7 +160,7 @@ TEST(TrueSentences, DotsBearTheNameOfTheirFormat) {
     Case one = read_case(lessons_of("sphere").front()->case_text);
     one.precision = precision;
     const std::string caption = stage_of(told_of(one, "sphere/centred")).steps.back().caption;
-    const char* const format = precision == Precision::float32 ? "float32" : "float64";
+    const char* const format = name_of(precision);
     EXPECT_TRUE(says(caption, std::string("Each dot is a ") + format + " value.")) << caption;
   }
 }

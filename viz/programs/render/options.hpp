@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "programs/command_line.hpp"
+#include "command_line/command_line.hpp"
 #include "viz/scene/scene_reader.hpp"
 #include "viz/scene/shading.hpp"
 

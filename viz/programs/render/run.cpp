@@ -5,7 +5,7 @@
 
 #include "case/shape_name.hpp"
 #include "case/writer.hpp"
-#include "programs/progress_line.hpp"
+#include "command_line/progress_line.hpp"
 #include "viz/programs/render/partial_file.hpp"
 #include "viz/scene/pixel_case.hpp"
 #include "viz/vtk/offscreen_display.hpp"
@@ -84,7 +84,7 @@ class Render {
     }
     told_ = "against the exact image" + told;
     progress_.clear();
-    const char* const precision = scene_.precision == Precision::float32 ? "float32" : "float64";
+    const char* const precision = name_of(scene_.precision);
     return error_figure(fmt::format("Errors in {}, against the exact image", precision), panels);
   }
 

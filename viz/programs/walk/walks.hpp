@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "programs/progress_line.hpp"
+#include "command_line/progress_line.hpp"
 #include "viz/programs/tell_case.hpp"
 #include "viz/stage/stage.hpp"
 

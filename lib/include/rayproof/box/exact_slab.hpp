@@ -4,15 +4,10 @@
 
 #include <array>
 #include <rayproof/exact_rounding.hpp>
+#include <rayproof/finite.hpp>
 #include <rayproof/roots.hpp>
 
 namespace rayproof::box {
-
-/// Whether every coordinate is a finite number.
-template <class... Vectors>
-[[nodiscard]] bool are_finite(const Vectors&... vectors) {
-  return ((std::isfinite(vectors.x) && std::isfinite(vectors.y) && std::isfinite(vectors.z)) && ...);
-}
 
 /// An exact t, and a double within 2^-50 of its size that spares most comparisons their exact products.
 template <std::size_t N, std::size_t M>

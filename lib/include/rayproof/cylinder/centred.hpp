@@ -1,6 +1,7 @@
 #pragma once
 #include <rayproof/contract.hpp>
 #include <rayproof/cylinder/side.hpp>
+#include <rayproof/quadratic_formula.hpp>
 #include <rayproof/sources.hpp>
 
 namespace rayproof::cylinder {
@@ -35,10 +36,7 @@ struct Centred {
     step<T>("Compare its distance with the radius");
     const T D = named("D", T(1) - (lx * lx + ly * ly));
 
-    step<T>("Go half a chord to either side");
-    const T h = named("h", sqrt(D * per_a));
-    const Roots<T> side{D, named("t₀", t_c - h), named("t₁", t_c + h)};
-    return hits<T>(ray, cylinder, side, fx * fx + fy * fy <= T(1));
+    return hits<T>(ray, cylinder, ends_of_chord(t_c, D, per_a), fx * fx + fy * fy <= T(1));
   }
 };
 

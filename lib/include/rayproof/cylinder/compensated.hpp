@@ -30,7 +30,7 @@ struct Compensated {
   [[nodiscard]] static Roots<T> roots(const Ray<T>& ray, const Cylinder<T>& cylinder) {
     const vec3<T> size{cylinder.rx, cylinder.ry, cylinder.height};
     const bool is_solid = size.x != 0 && size.y != 0 && size.z >= 0;
-    if (!is_solid || !box::are_finite(ray.origin, ray.direction, size)) return miss<T>;
+    if (!is_solid || !are_finite(ray.origin, ray.direction, size)) return miss<T>;
 
     step<T>("Form the way to both ends exactly");
     const auto o_z = exact(static_cast<double>(ray.origin.z));

@@ -44,10 +44,7 @@ struct ExactSide {
   [[nodiscard]] int compare(int side, const ExactRatio<N, 1>& x) const {
     const auto& [n, m] = x;
     const int value = sign(A * (n * n) + exact(2.0) * B * (n * m) + C * (m * m));
-    const int slope = sign(A * n + B * m) * sign(m);
-    if (value > 0) return slope > 0 ? -1 : 1;  // outside the roots: both lie on one side of x
-    if (value < 0) return side;                // between the roots
-    return slope * side >= 0 ? 0 : side;       // x is a root: this one, or the other
+    return compare_root(side, value, sign(A * n + B * m) * sign(m));
   }
   [[nodiscard]] int compare(int side, double t) const {
     return compare(side, ExactRatio{exact(t), exact(1.0)});

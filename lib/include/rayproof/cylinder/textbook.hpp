@@ -1,6 +1,7 @@
 #pragma once
 #include <rayproof/contract.hpp>
 #include <rayproof/cylinder/side.hpp>
+#include <rayproof/quadratic_formula.hpp>
 #include <rayproof/sources.hpp>
 
 namespace rayproof::cylinder {
@@ -17,20 +18,6 @@ template <class T>
   step<T>("Put the ray into the circle's equation");
   return {named("a", dx * dx + dy * dy), named("b", T(2) * (dx * fx + dy * fy)),
           named("c", fx * fx + fy * fy - T(1))};
-}
-
-/// The quadratic formula, as every lecture has it.
-template <class T>
-[[nodiscard]] constexpr Roots<T> side_roots(const SideEquation<T>& equation) {
-  const auto& [a, b, c] = equation;
-  step<T>("Form the discriminant");
-  const T D = named("D", b * b - T(4) * a * c);
-
-  step<T>("Apply the quadratic formula");
-  const T s = named("√D", sqrt(D));
-  const T t0 = named("t₀", (-b - s) / (T(2) * a));
-  const T t1 = named("t₁", (-b + s) / (T(2) * a));
-  return {D, t0, t1};
 }
 
 /// The side by the quadratic formula in x²/rx² + y²/ry² = 1, then the heights.
@@ -52,8 +39,8 @@ struct Textbook {
 
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Cylinder<T>& cylinder) {
-    const SideEquation<T> equation = side_equation(ray, cylinder);
-    return hits<T>(ray, cylinder, side_roots(equation), equation.c <= T(0));
+    const auto [a, b, c] = side_equation(ray, cylinder);
+    return hits<T>(ray, cylinder, quadratic_formula(a, b, c), c <= T(0));
   }
 };
 

@@ -31,7 +31,7 @@ struct Compensated {
   [[nodiscard]] static Roots<T> roots(const Ray<T>& ray, const Parallelepiped<T>& solid) {
     constexpr T nan = not_a_number<T>;
     const auto& [e0, e1, e2] = solid.edges;
-    if (!box::are_finite(ray.origin, ray.direction, solid.corner, e0, e1, e2)) return {T(-1), nan, nan};
+    if (!are_finite(ray.origin, ray.direction, solid.corner, e0, e1, e2)) return {T(-1), nan, nan};
 
     step<T>("Form the normals and the way to each face exactly");
     const auto f = exact_vector<double>(solid.corner) - exact_vector<double>(ray.origin);

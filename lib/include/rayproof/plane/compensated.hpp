@@ -28,7 +28,7 @@ struct Compensated {
 
   template <std::floating_point T>
   [[nodiscard]] static FlatHit<T> roots(const Ray<T>& ray, const Plane<T>& plane) {
-    if (!is_finite(ray.origin) || !is_finite(ray.direction)) return no_hit<T>();
+    if (!are_finite(ray.origin, ray.direction)) return no_hit<T>();
     switch (plane.form) {
       case PlaneForm::implicit:
         return meet_implicit(ray, plane);
@@ -48,7 +48,7 @@ struct Compensated {
 
   template <class T>
   static FlatHit<T> meet_implicit(const Ray<T>& ray, const Plane<T>& plane) {
-    if (!is_finite(plane.normal) || !is_finite(plane.d)) return no_hit<T>();
+    if (!are_finite(plane.normal, plane.d)) return no_hit<T>();
     step<T>("Put the ray into the plane's equation exactly");
     const auto n = exact_vector<double>(plane.normal);
     const auto at_origin = dot(n, exact_vector<double>(ray.origin)) + exact(double{plane.d});
@@ -59,7 +59,7 @@ struct Compensated {
 
   template <class T>
   static FlatHit<T> meet_point_normal(const Ray<T>& ray, const Plane<T>& plane) {
-    if (!is_finite(plane.normal) || !is_finite(plane.point)) return no_hit<T>();
+    if (!are_finite(plane.normal, plane.point)) return no_hit<T>();
     step<T>("Form the way to the plane and the way the ray gains on it exactly");
     const auto n = exact_vector<double>(plane.normal);
     const auto w = exact_vector<double>(plane.point) - exact_vector<double>(ray.origin);
@@ -70,7 +70,7 @@ struct Compensated {
 
   template <class T>
   static FlatHit<T> meet_parametric(const Ray<T>& ray, const Plane<T>& plane) {
-    if (!is_finite(plane.point) || !is_finite(plane.u) || !is_finite(plane.v)) return no_hit<T>();
+    if (!are_finite(plane.point, plane.u, plane.v)) return no_hit<T>();
     step<T>("Form the determinants of Cramer's rule exactly");
     const auto u = exact_vector<double>(plane.u);
     const auto v = exact_vector<double>(plane.v);

@@ -1,7 +1,7 @@
 #pragma once
 #include <rayproof/contract.hpp>
 #include <rayproof/narration.hpp>
-#include <rayproof/polygon/ray_segment.hpp>
+#include <rayproof/polygon_sides.hpp>
 #include <rayproof/sources.hpp>
 
 namespace rayproof::point_in_polygon {

@@ -2,7 +2,7 @@
 #include <rayproof/contract.hpp>
 #include <rayproof/narration.hpp>
 #include <rayproof/point_in_polygon/orientation.hpp>
-#include <rayproof/polygon/ray_segment.hpp>
+#include <rayproof/polygon_sides.hpp>
 
 namespace rayproof::point_in_polygon {
 

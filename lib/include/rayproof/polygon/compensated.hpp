@@ -29,7 +29,7 @@ struct Compensated {
   template <std::floating_point T>
   [[nodiscard]] static FlatHit<T> roots(const Ray<T>& ray, const Polygon<T>& polygon) {
     const FlatHit<T> no_hit = flat_hit(false, T(not_a_number<T>), T(0), T(0));
-    if (!rayproof::is_finite(ray.origin) || !rayproof::is_finite(ray.direction) || !is_finite(polygon)) {
+    if (!are_finite(ray.origin, ray.direction) || !is_finite(polygon)) {
       return no_hit;
     }
     step<T>("Meet the plane of the exact Newell normal");

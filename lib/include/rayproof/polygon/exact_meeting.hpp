@@ -24,13 +24,9 @@ class ExactMeeting {
     numerator_ = dot(n, convert<Exact>(polygon.vertices.front()) - convert<Exact>(ray.origin));
 
     const LargestAxisLast<double> turned(n);
-    const auto drop = [&](const glm::dvec3& p) {
-      const glm::dvec3 last_is_largest = turned(p);
-      return Vec2<double>{last_is_largest.x, last_is_largest.y};
-    };
-    origin_ = drop(ray.origin);
-    direction_ = drop(ray.direction);
-    for (const glm::dvec3& vertex : polygon.vertices) vertices_.push_back(drop(vertex));
+    origin_ = turned.dropped(ray.origin);
+    direction_ = turned.dropped(ray.direction);
+    for (const glm::dvec3& vertex : polygon.vertices) vertices_.push_back(turned.dropped(vertex));
     const auto [above, below] = ratio();
     t_ = estimate(above) / estimate(below);
   }

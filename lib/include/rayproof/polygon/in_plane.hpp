@@ -10,9 +10,7 @@ namespace rayproof::polygon {
 /// Every coordinate of the vertices is a number.
 template <std::floating_point T>
 [[nodiscard]] bool is_finite(const Polygon<T>& polygon) {
-  bool all = !polygon.vertices.empty();
-  for (const vec3<T>& vertex : polygon.vertices) all = all && rayproof::is_finite(vertex);
-  return all;
+  return !polygon.vertices.empty() && rayproof::is_finite(polygon.vertices);
 }
 
 /// A hit where the ray's point in the polygon's plane, projected along the largest axis of the Newell normal,
@@ -26,13 +24,9 @@ template <class Locator, std::floating_point T>
 
   step<T>("Project along the normal's largest axis");
   const LargestAxisLast<T> turned(n);
-  const auto drop = [&](const vec3<T>& p) {
-    const vec3<T> last_is_largest = turned(p);
-    return Vec2<T>{last_is_largest.x, last_is_largest.y};
-  };
-  PointAndPolygon<T> question{drop(point_at(ray, t)), {}};
+  PointAndPolygon<T> question{turned.dropped(point_at(ray, t)), {}};
   question.vertices.reserve(polygon.vertices.size());
-  for (const vec3<T>& vertex : polygon.vertices) question.vertices.push_back(drop(vertex));
+  for (const vec3<T>& vertex : polygon.vertices) question.vertices.push_back(turned.dropped(vertex));
   return flat_hit(Locator::locate(question) != Position::outside, t, T(0), T(0));
 }
 

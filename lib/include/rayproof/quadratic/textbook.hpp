@@ -1,7 +1,7 @@
 #pragma once
 #include <rayproof/contract.hpp>
-#include <rayproof/narration.hpp>
 #include <rayproof/quadratic.hpp>
+#include <rayproof/quadratic_formula.hpp>
 #include <rayproof/sources.hpp>
 
 namespace rayproof::quadratic {
@@ -22,13 +22,7 @@ struct Textbook {
 
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Quadratic<T>& q) {
-    step<T>("Form the discriminant");
-    const T D = named("D", q.b * q.b - T(4) * q.a * q.c);
-
-    step<T>("Apply the quadratic formula");
-    const T s = named("√D", sqrt(D));
-    const T x0 = named("x₀", (-q.b - s) / (T(2) * q.a));
-    const T x1 = named("x₁", (-q.b + s) / (T(2) * q.a));
+    const auto [D, x0, x1] = quadratic_formula(q.a, q.b, q.c, "x₀", "x₁");
     return ascending(D, x0, x1);
   }
 };

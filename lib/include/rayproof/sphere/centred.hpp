@@ -1,6 +1,7 @@
 #pragma once
 #include <rayproof/contract.hpp>
 #include <rayproof/narration.hpp>
+#include <rayproof/quadratic_formula.hpp>
 #include <rayproof/sources.hpp>
 #include <rayproof/sphere.hpp>
 
@@ -38,9 +39,7 @@ struct Centred {
     step<T>("Compare its distance with the radius");
     const T D = named("D", sphere.radius * sphere.radius - dot(l, l));
 
-    step<T>("Go half a chord to either side");
-    const T h = named("h", sqrt(D * per_a));
-    return {D, named("t₀", t_c - h), named("t₁", t_c + h)};
+    return ends_of_chord(t_c, D, per_a);
   }
 };
 

@@ -55,11 +55,7 @@ struct Compensated {
 
     /// The sign of (root - t) for the lower (side = -1) or upper (side = 1) root, exactly.
     [[nodiscard]] int compare(int side, double t) const {
-      const int value = sign(at(t));
-      const int slope = sign(slope_at(t));
-      if (value > 0) return slope > 0 ? -1 : 1;  // outside the roots: both lie on one side of t
-      if (value < 0) return side;                // between the roots
-      return slope * side >= 0 ? 0 : side;       // t is a root: this one, or the other
+      return compare_root(side, sign(at(t)), sign(slope_at(t)));
     }
   };
 

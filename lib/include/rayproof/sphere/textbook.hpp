@@ -1,5 +1,6 @@
 #pragma once
 #include <rayproof/contract.hpp>
+#include <rayproof/quadratic_formula.hpp>
 #include <rayproof/sources.hpp>
 #include <rayproof/sphere/coefficients.hpp>
 
@@ -27,15 +28,7 @@ struct Textbook {
   [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Sphere<T>& sphere) {
     const auto [a, half_b, c] = coefficients(ray, sphere);
     const T b = named("b", T(2) * half_b);
-
-    step<T>("Form the discriminant");
-    const T D = named("D", b * b - T(4) * a * c);
-
-    step<T>("Apply the quadratic formula");
-    const T s = named("√D", sqrt(D));
-    const T t0 = named("t₀", (-b - s) / (T(2) * a));
-    const T t1 = named("t₁", (-b + s) / (T(2) * a));
-    return ascending(D, t0, t1);
+    return quadratic_formula(a, b, c);
   }
 };
 

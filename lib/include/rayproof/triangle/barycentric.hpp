@@ -43,11 +43,7 @@ struct Projected {
                                                          const vec3<T>& a, const vec3<T>& b,
                                                          const vec3<T>& c) {
     const LargestAxisLast<T> turned(normal);
-    const auto drop = [&](const vec3<T>& p) {
-      const vec3<T> last_is_largest = turned(p);
-      return Vec2<T>{last_is_largest.x, last_is_largest.y};
-    };
-    return {drop(q), drop(a), drop(b), drop(c)};
+    return {turned.dropped(q), turned.dropped(a), turned.dropped(b), turned.dropped(c)};
   }
 };
 

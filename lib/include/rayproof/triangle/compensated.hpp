@@ -31,10 +31,7 @@ struct Compensated {
 
   template <std::floating_point T>
   [[nodiscard]] static FlatHit<T> roots(const Ray<T>& ray, const Triangle<T>& triangle) {
-    if (!is_finite(ray.origin) || !is_finite(ray.direction) || !is_finite(triangle.a) ||
-        !is_finite(triangle.b) || !is_finite(triangle.c)) {
-      return no_hit<T>();
-    }
+    if (!are_finite(ray.origin, ray.direction, triangle.a, triangle.b, triangle.c)) return no_hit<T>();
     const ClearSides clear(convert<double>(ray), convert<double>(triangle));
     if (clear.is_miss()) return no_hit<T>();
     if constexpr (sizeof(T) < sizeof(double)) {

@@ -2,10 +2,10 @@
 /// \file
 /// Rays along +x and the sides of polygons, in the plane: the raw material of every crossing count.
 
-#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <rayproof/arithmetic.hpp>
+#include <rayproof/finite.hpp>
 #include <rayproof/polygon.hpp>
 
 namespace rayproof::polygon {
@@ -56,10 +56,7 @@ constexpr void for_each_side(const Vertices& vertices, Visit&& visit) {
 /// No coordinate is NaN or infinite: a crossing count takes no notice of a side it can't compare.
 template <std::floating_point T>
 [[nodiscard]] bool is_finite(const PointAndPolygon<T>& question) {
-  const auto is_finite_point = [](const Vec2<T>& p) { return std::isfinite(p.x) && std::isfinite(p.y); };
-  bool all = is_finite_point(question.point);
-  for (const Vec2<T>& vertex : question.vertices) all = all && is_finite_point(vertex);
-  return all;
+  return are_finite(question.point, question.vertices);
 }
 
 }  // namespace rayproof::polygon
