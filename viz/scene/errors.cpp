@@ -9,12 +9,6 @@
 namespace rayproof::render {
 namespace {
 
-double error_in_ulps(double exact, double claimed, Precision precision) {
-  if (exact == claimed) return 0;
-  if (std::isinf(exact)) return HUGE_VAL;
-  return std::abs(claimed - exact) / oracle::ulp_of(exact, precision);
-}
-
 /// Whether another object than the exact one is met at the same rounded t: as good an answer.
 bool is_as_near(const Scene& scene, ObjectIndex object, double t, int x, int y) {
   const ExactHit hit = exact_hit(scene, object, pixel_ray(scene, x, y));
@@ -74,7 +68,7 @@ ErrorImage find_errors(const Scene& scene, const HitImage& exact, const HitImage
       const std::size_t i = exact.index(x, y);
       errors.verdicts[i] = judge(x, y);
       if (errors.verdicts[i] == Verdict::hit)
-        errors.ulps[i] = error_in_ulps(exact.t[i], claimed.t[i], scene.precision);
+        errors.ulps[i] = oracle::error_in_ulps(exact.t[i], claimed.t[i], scene.precision);
     });
   });
   errors.totals = count(errors, exact);

@@ -10,6 +10,7 @@
 
 #include "oracle/geometry/sizes.hpp"
 #include "oracle/geometry/sphere_equation.hpp"
+#include "oracle/numbers/root.hpp"
 
 namespace rayproof::oracle {
 
@@ -24,13 +25,6 @@ namespace rayproof::oracle {
 [[nodiscard]] inline double uncertainty(const Ball& x) { return x.radius; }
 [[nodiscard]] inline double uncertainty(const Pair&) { return 0; }
 [[nodiscard]] inline double uncertainty(const Ring&) { return 0; }
-
-/// The sign of (root - t) for the root on `side`, from the signs at t; a > 0.
-[[nodiscard]] inline int compare(int side, int power, int slope) {
-  if (power < 0) return side;
-  if (power > 0) return slope > 0 ? -1 : 1;
-  return slope * side >= 0 ? 0 : side;
-}
 
 /// Which roots lie in the ray's interval, and a quarter of the discriminant to one part in 2^20 (an exact 0
 /// is 0).
@@ -75,8 +69,8 @@ template <class Number, class R>
     const auto power = certain_sign(at.power);
     const auto slope = certain_sign(at.slope);
     if (!power || !slope) return Maybe();
-    truth.lower = truth.lower && compare(-1, *power, *slope) * inside >= 0;
-    truth.upper = truth.upper && compare(1, *power, *slope) * inside >= 0;
+    truth.lower = truth.lower && compare_root(-1, *power, *slope) * inside >= 0;
+    truth.upper = truth.upper && compare_root(1, *power, *slope) * inside >= 0;
   }
   return Maybe(truth);
 }

@@ -15,7 +15,25 @@ struct ExactQuadratic {
 
   /// A quarter of the discriminant.
   [[nodiscard]] Ring discriminant() const { return h * h - a * c; }
+
+  /// The same roots with a > 0; for a = 0 the square of 2·h·x + c, whose double root is the root. Not both of
+  /// a and h are 0.
+  [[nodiscard]] static ExactQuadratic opening_upwards(const Ring& a, const Ring& h, const Ring& c) {
+    const int opening = sign(a);
+    if (opening > 0) return {a, h, c};
+    if (opening < 0) return {-a, -h, -c};
+    const Ring b = h + h;
+    return {b * b, b * c, c * c};
+  }
 };
+
+/// The sign of (root - x) for the root on `side` of a quadratic with a > 0, from the signs of its value and
+/// slope at x.
+[[nodiscard]] constexpr int compare_root(int side, int value, int slope) {
+  if (value < 0) return side;                // x lies between the two roots
+  if (value > 0) return slope > 0 ? -1 : 1;  // x lies outside, on the slope's side
+  return slope * side >= 0 ? 0 : side;       // x is a root: this one, or the other
+}
 
 /// One real root of a quadratic whose discriminant is not negative: the lower (side = -1) or the upper (side
 /// = 1).
@@ -27,10 +45,7 @@ class ExactRoot {
   /// The sign of (root - x), exactly.
   [[nodiscard]] int compare(const Ring& x) const {
     const Ring slope = quadratic_.a * x + quadratic_.h;
-    const int value = sign((slope + quadratic_.h) * x + quadratic_.c);
-    if (value < 0) return side_;                     // x lies between the two roots
-    if (value > 0) return sign(slope) > 0 ? -1 : 1;  // x lies outside, on the slope's side
-    return sign(slope) * side_ >= 0 ? 0 : side_;     // x is a root: this one, or the other
+    return compare_root(side_, sign((slope + quadratic_.h) * x + quadratic_.c), sign(slope));
   }
 
   /// root - x to one part in 2^58, however near they are: the difference is itself a root, of the quadratic

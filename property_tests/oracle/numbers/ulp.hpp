@@ -25,6 +25,14 @@ namespace rayproof::oracle {
   return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
 }
 
+/// How far a claimed number is from an exact one that is a number of the precision, in ulps of the exact one;
+/// of infinity every other number is infinitely far.
+[[nodiscard]] inline double error_in_ulps(double exact, double claimed, Precision precision) {
+  if (exact == claimed) return 0;
+  if (!std::isfinite(exact) || !std::isfinite(claimed)) return HUGE_VAL;
+  return std::abs(claimed - exact) / ulp_of(exact, precision);
+}
+
 /// ε, the unit roundoff of the precision.
 [[nodiscard]] inline double unit_roundoff(Precision precision) {
   return precision == Precision::float32 ? 0x1p-24 : 0x1p-53;

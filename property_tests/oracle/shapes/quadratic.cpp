@@ -7,14 +7,8 @@
 namespace rayproof::oracle {
 namespace {
 
-/// ax² + bx + c with a made positive and b halved; for a = 0 the square of bx + c, whose double root is the
-/// root.
 ExactQuadratic exact_form(const Quadratic<double>& q) {
-  const Ring a(q.a), b(q.b), c(q.c);
-  if (q.a == 0) return {b * b, b * c, c * c};
-  const Ring h = b * Ring(0.5);
-  if (q.a < 0) return {-a, -h, -c};
-  return {a, h, c};
+  return ExactQuadratic::opening_upwards(Ring(q.a), Ring(q.b) * Ring(0.5), Ring(q.c));
 }
 
 RootKind kind_of(const Quadratic<double>& q, const ExactQuadratic& form) {

@@ -83,13 +83,12 @@ QuadricOnLine::QuadricOnLine(const Ray<double>& ray, const implicit::Quadric<dou
     kind_ = c.is_zero() ? QuadricKind::everything : QuadricKind::constant;
     return;
   }
-  if (a.is_zero()) {  // 2·h·t + c, squared: its double root is the root
+  const ExactQuadratic form = ExactQuadratic::opening_upwards(a, h, c);
+  if (a.is_zero()) {
     kind_ = QuadricKind::linear;
-    const Ring b = h + h;
-    roots_.emplace_back(ExactQuadratic{b * b, b * c, c * c}, -1);
+    roots_.emplace_back(form, -1);
     return;
   }
-  const ExactQuadratic form = sign(a) > 0 ? ExactQuadratic{a, h, c} : ExactQuadratic{-a, -h, -c};
   const int discriminant = sign(form.discriminant());
   if (discriminant < 0) return;
   kind_ = discriminant == 0 ? QuadricKind::twice : QuadricKind::two;
