@@ -19,6 +19,12 @@ TEST(Families, EachProducesWhatItIsFor) {
         ADD_FAILURE() << missed;
 }
 
+TEST(Families, ASmallSampleJudgesNoShareAndAWholeOneDoes) {
+  const Family never{"sphere", "never", "no tangent at all", nullptr, {{"tangent", 0.5}}};
+  EXPECT_TRUE((LabelCount{&never, Precision::float32, label_sample - 1}.missed().empty()));
+  EXPECT_EQ((LabelCount{&never, Precision::float32, label_sample}.missed().size()), 1U);
+}
+
 TEST(Families, TheSameSeedGivesTheSameCase) {
   for (const Family& family : families())
     for (std::uint64_t seed = 0; seed < 20; ++seed)

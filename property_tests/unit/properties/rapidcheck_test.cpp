@@ -51,6 +51,7 @@ RC_GTEST_PROP(Citardauq, IsStableWhereTheQuadraticFormulaCancels, ()) {
 // boundary runs.
 RC_GTEST_PROP(PointInPolygon, IsInsideWhereTheCrossingsAreOdd, ()) {
   const Case one = *cases("point_in_polygon");
+  classify(one);
   Case backwards = one;
   auto& vertices = std::get<PointAndPolygon<double>>(backwards.question).vertices;
   std::reverse(vertices.begin(), vertices.end());
