@@ -20,9 +20,9 @@
 #include "generators/generators.hpp"
 #include "oracle/oracle.hpp"
 #include "properties/labels.hpp"
-#include "properties/shrink_moves.hpp"
-#include "properties/simplicity.hpp"
-#include "properties/validity.hpp"
+#include "properties/shrink/moves.hpp"
+#include "properties/shrink/simplicity.hpp"
+#include "properties/shrink/validity.hpp"
 
 namespace rayproof {
 

@@ -4,7 +4,7 @@
 
 #include <optional>
 #include <rayproof/arithmetics/recorded.hpp>
-#include <rayproof/contract.hpp>
+#include <rayproof/method/contract.hpp>
 #include <rayproof/roots.hpp>
 #include <string>
 #include <type_traits>

@@ -12,7 +12,7 @@
 #include "case/writer.hpp"
 #include "generators/random.hpp"
 #include "properties/hunt.hpp"
-#include "properties/shrink.hpp"
+#include "properties/shrink/shrink.hpp"
 
 namespace rayproof {
 

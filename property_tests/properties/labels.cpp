@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <rayproof/contract.hpp>
+#include <rayproof/method/contract.hpp>
 
 #include "generators/random.hpp"
 #include "oracle/oracle.hpp"

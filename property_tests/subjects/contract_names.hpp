@@ -3,7 +3,7 @@
 /// The names that claims and standings have in listings and on command lines.
 
 #include <array>
-#include <rayproof/contract.hpp>
+#include <rayproof/method/contract.hpp>
 #include <string_view>
 
 namespace rayproof {

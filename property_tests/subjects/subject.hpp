@@ -3,7 +3,7 @@
 /// A subject is anything that answers cases: our methods, the formulas as printed, GLM.
 
 #include <algorithm>
-#include <rayproof/contract.hpp>
+#include <rayproof/method/contract.hpp>
 #include <string>
 #include <vector>
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <rayproof/finite.hpp>
+#include <rayproof/formulas/finite.hpp>
 
 namespace rayproof::viz {
 std::vector<glm::dvec3> extent_of(const StageItem& item, const StageCamera& camera) {

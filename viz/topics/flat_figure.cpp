@@ -1,6 +1,6 @@
 #include "viz/topics/flat_figure.hpp"
 
-#include <rayproof/polygon_sides.hpp>
+#include <rayproof/formulas/polygon_sides.hpp>
 
 namespace rayproof::viz {
 

@@ -3,10 +3,10 @@
 /// The camera of raycasting: one ray through each pixel of an image.
 
 #include <numbers>
-#include <rayproof/narration.hpp>
-#include <rayproof/normalized.hpp>
+#include <rayproof/formulas/normalized.hpp>
+#include <rayproof/method/narration.hpp>
+#include <rayproof/method/sources.hpp>
 #include <rayproof/ray.hpp>
-#include <rayproof/sources.hpp>
 
 namespace rayproof {
 

@@ -8,7 +8,7 @@
 /// end is searched to the end; see implicit/roots.hpp.
 
 #include <cstddef>
-#include <rayproof/contract.hpp>
+#include <rayproof/method/contract.hpp>
 #include <rayproof/ray.hpp>
 #include <vector>
 

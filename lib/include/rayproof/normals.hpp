@@ -4,7 +4,7 @@
 
 #include <rayproof/box.hpp>
 #include <rayproof/cylinder.hpp>
-#include <rayproof/normalized.hpp>
+#include <rayproof/formulas/normalized.hpp>
 #include <rayproof/parallelepiped.hpp>
 #include <rayproof/plane/forms.hpp>
 #include <rayproof/polygon/newell.hpp>

@@ -8,7 +8,7 @@
 
 #include <cstddef>
 #include <rayproof/arithmetics/dual.hpp>
-#include <rayproof/contract.hpp>
+#include <rayproof/method/contract.hpp>
 #include <rayproof/ray.hpp>
 #include <vector>
 

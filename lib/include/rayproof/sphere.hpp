@@ -2,7 +2,7 @@
 /// \file
 /// The sphere, and the meaning of a ray/sphere method's answers.
 
-#include <rayproof/normalized.hpp>
+#include <rayproof/formulas/normalized.hpp>
 #include <rayproof/roots.hpp>
 
 namespace rayproof {

@@ -5,6 +5,7 @@
 
 #include <rayproof/box/methods.hpp>
 #include <rayproof/cylinder/methods.hpp>
+#include <rayproof/method/type_list.hpp>
 #include <rayproof/parallelepiped/methods.hpp>
 #include <rayproof/plane/methods.hpp>
 #include <rayproof/point_in_polygon/methods.hpp>
@@ -12,7 +13,6 @@
 #include <rayproof/quadratic/methods.hpp>
 #include <rayproof/sphere/methods.hpp>
 #include <rayproof/triangle/methods.hpp>
-#include <rayproof/type_list.hpp>
 
 namespace rayproof {
 

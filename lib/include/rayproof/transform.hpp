@@ -2,9 +2,9 @@
 /// \file
 /// Transformed objects: the ray goes into the object's own space, the answer comes back out.
 
-#include <rayproof/difference_of_products.hpp>
-#include <rayproof/error_free.hpp>
-#include <rayproof/normalized.hpp>
+#include <rayproof/arithmetics/error_free.hpp>
+#include <rayproof/formulas/difference_of_products.hpp>
+#include <rayproof/formulas/normalized.hpp>
 #include <rayproof/ray.hpp>
 
 namespace rayproof {

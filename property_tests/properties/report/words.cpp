@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "case/number_text.hpp"
-#include "properties/answers.hpp"
+#include "properties/claims/answers.hpp"
 
 namespace rayproof {
 

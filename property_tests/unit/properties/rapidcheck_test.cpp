@@ -9,7 +9,7 @@
 #include <unordered_map>
 
 #include "properties/numbers.hpp"
-#include "properties/simplicity.hpp"
+#include "properties/shrink/simplicity.hpp"
 #include "subjects/subject.hpp"
 
 namespace rayproof {

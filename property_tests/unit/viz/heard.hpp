@@ -5,7 +5,7 @@
 #include <cmath>
 #include <rayproof/arithmetic.hpp>
 #include <rayproof/arithmetics/wide.hpp>
-#include <rayproof/narration.hpp>
+#include <rayproof/method/narration.hpp>
 #include <rayproof/vec3.hpp>
 #include <string>
 #include <utility>

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <rayproof/box/slab.hpp>
 #include <rayproof/camera.hpp>
-#include <rayproof/polygon_sides.hpp>
+#include <rayproof/formulas/polygon_sides.hpp>
 #include <rayproof/topics.hpp>
 #include <rayproof/transform.hpp>
 #include <rayproof/triangle/barycentric.hpp>

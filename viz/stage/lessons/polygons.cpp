@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <rayproof/polygon_sides.hpp>
+#include <rayproof/formulas/polygon_sides.hpp>
 
 #include "viz/numbers.hpp"
 #include "viz/stage/compose.hpp"

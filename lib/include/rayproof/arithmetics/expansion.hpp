@@ -11,7 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <rayproof/arithmetic.hpp>
-#include <rayproof/error_free.hpp>
+#include <rayproof/arithmetics/error_free.hpp>
 #include <rayproof/vec3.hpp>
 
 namespace rayproof {

@@ -9,7 +9,7 @@
 #include <bit>
 #include <cstdint>
 #include <limits>
-#include <rayproof/error_free.hpp>
+#include <rayproof/arithmetics/error_free.hpp>
 #include <type_traits>
 
 namespace rayproof::outward {

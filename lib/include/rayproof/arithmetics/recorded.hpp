@@ -6,7 +6,7 @@
 #include <concepts>
 #include <rayproof/arithmetics/bounded.hpp>
 #include <rayproof/arithmetics/recording.hpp>
-#include <rayproof/narration.hpp>
+#include <rayproof/method/narration.hpp>
 #include <rayproof/vec3.hpp>
 #include <type_traits>
 

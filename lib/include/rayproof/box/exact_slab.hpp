@@ -3,8 +3,8 @@
 /// Slabs in exact arithmetic: the entries and exits are ratios of expansions, and no comparison is rounded.
 
 #include <array>
-#include <rayproof/exact_rounding.hpp>
-#include <rayproof/finite.hpp>
+#include <rayproof/formulas/exact_rounding.hpp>
+#include <rayproof/formulas/finite.hpp>
 #include <rayproof/roots.hpp>
 
 namespace rayproof::box {

@@ -1,8 +1,8 @@
 #pragma once
 #include <rayproof/box.hpp>
 #include <rayproof/box/slab.hpp>
-#include <rayproof/contract.hpp>
-#include <rayproof/sources.hpp>
+#include <rayproof/method/contract.hpp>
+#include <rayproof/method/sources.hpp>
 
 namespace rayproof::box {
 

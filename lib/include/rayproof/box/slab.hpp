@@ -2,7 +2,7 @@
 /// \file
 /// The slab between two parallel planes: when a line is in it, and when it is in three of them at once.
 
-#include <rayproof/narration.hpp>
+#include <rayproof/method/narration.hpp>
 #include <rayproof/roots.hpp>
 
 namespace rayproof::box {

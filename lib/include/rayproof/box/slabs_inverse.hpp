@@ -1,7 +1,7 @@
 #pragma once
 #include <rayproof/box.hpp>
 #include <rayproof/box/slab.hpp>
-#include <rayproof/contract.hpp>
+#include <rayproof/method/contract.hpp>
 
 namespace rayproof::box {
 

@@ -1,9 +1,9 @@
 #pragma once
-#include <rayproof/contract.hpp>
 #include <rayproof/cylinder/exact_side.hpp>
 #include <rayproof/cylinder/side.hpp>
-#include <rayproof/narration.hpp>
-#include <rayproof/sources.hpp>
+#include <rayproof/method/contract.hpp>
+#include <rayproof/method/narration.hpp>
+#include <rayproof/method/sources.hpp>
 
 namespace rayproof::cylinder {
 

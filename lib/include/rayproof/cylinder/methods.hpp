@@ -6,8 +6,8 @@
 #include <rayproof/cylinder/compensated.hpp>
 #include <rayproof/cylinder/printed.hpp>
 #include <rayproof/cylinder/textbook.hpp>
-#include <rayproof/ray_topic.hpp>
-#include <rayproof/type_list.hpp>
+#include <rayproof/method/ray_topic.hpp>
+#include <rayproof/method/type_list.hpp>
 
 namespace rayproof::cylinder {
 

@@ -1,6 +1,6 @@
 #pragma once
 #include <rayproof/cylinder/textbook.hpp>
-#include <rayproof/sources.hpp>
+#include <rayproof/method/sources.hpp>
 
 namespace rayproof::cylinder {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <rayproof/arithmetic.hpp>
-#include <rayproof/narration.hpp>
-#include <rayproof/square.hpp>
+#include <rayproof/arithmetics/square.hpp>
+#include <rayproof/method/narration.hpp>
 
 namespace rayproof::implicit {
 

@@ -2,10 +2,10 @@
 /// \file
 /// All hits of a ray with a surface f(x, y, z) = 0, none of them missed.
 
+#include <rayproof/formulas/searchable.hpp>
 #include <rayproof/implicit/along_ray.hpp>
 #include <rayproof/implicit/isolate.hpp>
 #include <rayproof/implicit/settle.hpp>
-#include <rayproof/searchable.hpp>
 
 namespace rayproof::implicit {
 

@@ -1,9 +1,9 @@
 #pragma once
 #include <rayproof/box/exact_slab.hpp>
-#include <rayproof/contract.hpp>
-#include <rayproof/narration.hpp>
+#include <rayproof/method/contract.hpp>
+#include <rayproof/method/narration.hpp>
+#include <rayproof/method/sources.hpp>
 #include <rayproof/parallelepiped.hpp>
-#include <rayproof/sources.hpp>
 
 namespace rayproof::parallelepiped {
 

@@ -1,6 +1,6 @@
 #pragma once
 #include <rayproof/box/slab.hpp>
-#include <rayproof/contract.hpp>
+#include <rayproof/method/contract.hpp>
 #include <rayproof/parallelepiped.hpp>
 
 namespace rayproof::parallelepiped {

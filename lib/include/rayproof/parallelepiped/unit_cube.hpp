@@ -1,8 +1,8 @@
 #pragma once
 #include <rayproof/box/slabs.hpp>
-#include <rayproof/contract.hpp>
+#include <rayproof/method/contract.hpp>
+#include <rayproof/method/sources.hpp>
 #include <rayproof/parallelepiped.hpp>
-#include <rayproof/sources.hpp>
 
 namespace rayproof::parallelepiped {
 

@@ -3,9 +3,9 @@
 /// All hits of a ray with a surface r(u, v) over the unit square, none of them missed.
 
 #include <algorithm>
+#include <rayproof/formulas/searchable.hpp>
 #include <rayproof/parametric/confirm.hpp>
 #include <rayproof/parametric/piece.hpp>
-#include <rayproof/searchable.hpp>
 
 namespace rayproof::parametric {
 

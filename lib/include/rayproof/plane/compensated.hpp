@@ -1,10 +1,10 @@
 #pragma once
-#include <rayproof/contract.hpp>
-#include <rayproof/exact_rounding.hpp>
-#include <rayproof/finite.hpp>
-#include <rayproof/narration.hpp>
+#include <rayproof/formulas/exact_rounding.hpp>
+#include <rayproof/formulas/finite.hpp>
+#include <rayproof/method/contract.hpp>
+#include <rayproof/method/narration.hpp>
+#include <rayproof/method/sources.hpp>
 #include <rayproof/plane.hpp>
-#include <rayproof/sources.hpp>
 
 namespace rayproof::plane {
 

@@ -2,8 +2,8 @@
 /// \file
 /// A plane given in one form, read in another. Each conversion rounds to a few ε of the plane's own numbers.
 
-#include <rayproof/largest_axis.hpp>
-#include <rayproof/narration.hpp>
+#include <rayproof/formulas/largest_axis.hpp>
+#include <rayproof/method/narration.hpp>
 #include <rayproof/plane.hpp>
 
 namespace rayproof::plane {

@@ -2,14 +2,14 @@
 /// \file
 /// The ray/plane methods, one line each.
 
+#include <rayproof/method/ray_topic.hpp>
+#include <rayproof/method/type_list.hpp>
 #include <rayproof/plane/compensated.hpp>
 #include <rayproof/plane/implicit.hpp>
 #include <rayproof/plane/parametric.hpp>
 #include <rayproof/plane/point_normal.hpp>
 #include <rayproof/plane/printed_implicit.hpp>
 #include <rayproof/plane/printed_parallel.hpp>
-#include <rayproof/ray_topic.hpp>
-#include <rayproof/type_list.hpp>
 
 namespace rayproof::plane {
 

@@ -1,8 +1,8 @@
 #pragma once
-#include <rayproof/contract.hpp>
+#include <rayproof/method/contract.hpp>
+#include <rayproof/method/sources.hpp>
 #include <rayproof/plane/cramer.hpp>
 #include <rayproof/plane/forms.hpp>
-#include <rayproof/sources.hpp>
 
 namespace rayproof::plane {
 

@@ -1,7 +1,7 @@
 #pragma once
-#include <rayproof/contract.hpp>
+#include <rayproof/method/contract.hpp>
+#include <rayproof/method/sources.hpp>
 #include <rayproof/plane/forms.hpp>
-#include <rayproof/sources.hpp>
 
 namespace rayproof::plane {
 

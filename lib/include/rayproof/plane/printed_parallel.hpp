@@ -1,6 +1,6 @@
 #pragma once
+#include <rayproof/method/sources.hpp>
 #include <rayproof/plane/implicit.hpp>
-#include <rayproof/sources.hpp>
 
 namespace rayproof::plane {
 

@@ -1,6 +1,6 @@
 #pragma once
+#include <rayproof/method/sources.hpp>
 #include <rayproof/point_in_polygon/winding.hpp>
-#include <rayproof/sources.hpp>
 
 namespace rayproof::point_in_polygon {
 

@@ -2,11 +2,11 @@
 /// \file
 /// The point-in-polygon methods, one line each.
 
+#include <rayproof/method/type_list.hpp>
 #include <rayproof/point_in_polygon/compensated.hpp>
 #include <rayproof/point_in_polygon/parity.hpp>
 #include <rayproof/point_in_polygon/printed_parity.hpp>
 #include <rayproof/point_in_polygon/winding.hpp>
-#include <rayproof/type_list.hpp>
 
 namespace rayproof::point_in_polygon {
 

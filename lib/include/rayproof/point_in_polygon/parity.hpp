@@ -1,7 +1,7 @@
 #pragma once
-#include <rayproof/contract.hpp>
-#include <rayproof/narration.hpp>
-#include <rayproof/polygon_sides.hpp>
+#include <rayproof/formulas/polygon_sides.hpp>
+#include <rayproof/method/contract.hpp>
+#include <rayproof/method/narration.hpp>
 
 namespace rayproof::point_in_polygon {
 

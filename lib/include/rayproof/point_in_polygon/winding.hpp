@@ -1,8 +1,8 @@
 #pragma once
-#include <rayproof/contract.hpp>
-#include <rayproof/narration.hpp>
+#include <rayproof/formulas/polygon_sides.hpp>
+#include <rayproof/method/contract.hpp>
+#include <rayproof/method/narration.hpp>
 #include <rayproof/point_in_polygon/orientation.hpp>
-#include <rayproof/polygon_sides.hpp>
 
 namespace rayproof::point_in_polygon {
 

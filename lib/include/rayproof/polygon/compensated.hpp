@@ -1,10 +1,10 @@
 #pragma once
-#include <rayproof/contract.hpp>
-#include <rayproof/finite.hpp>
-#include <rayproof/narration.hpp>
+#include <rayproof/formulas/finite.hpp>
+#include <rayproof/method/contract.hpp>
+#include <rayproof/method/narration.hpp>
+#include <rayproof/method/sources.hpp>
 #include <rayproof/polygon/exact_meeting.hpp>
 #include <rayproof/polygon/in_plane.hpp>
-#include <rayproof/sources.hpp>
 
 namespace rayproof::polygon {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <rayproof/arithmetics/growing_expansion.hpp>
-#include <rayproof/exact_rounding.hpp>
-#include <rayproof/largest_axis.hpp>
+#include <rayproof/formulas/exact_rounding.hpp>
+#include <rayproof/formulas/largest_axis.hpp>
 #include <rayproof/point_in_polygon/winding.hpp>
 #include <rayproof/polygon/newell.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
-#include <rayproof/finite.hpp>
-#include <rayproof/largest_axis.hpp>
-#include <rayproof/narration.hpp>
+#include <rayproof/formulas/finite.hpp>
+#include <rayproof/formulas/largest_axis.hpp>
+#include <rayproof/method/narration.hpp>
 #include <rayproof/plane/point_normal.hpp>
 #include <rayproof/polygon/newell.hpp>
 

@@ -2,12 +2,12 @@
 /// \file
 /// The ray/polygon methods, one line each.
 
+#include <rayproof/method/ray_topic.hpp>
+#include <rayproof/method/type_list.hpp>
 #include <rayproof/polygon/compensated.hpp>
 #include <rayproof/polygon/parity.hpp>
 #include <rayproof/polygon/printed_parity.hpp>
 #include <rayproof/polygon/winding.hpp>
-#include <rayproof/ray_topic.hpp>
-#include <rayproof/type_list.hpp>
 
 namespace rayproof::polygon {
 

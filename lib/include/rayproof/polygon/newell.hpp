@@ -1,5 +1,5 @@
 #pragma once
-#include <rayproof/polygon_sides.hpp>
+#include <rayproof/formulas/polygon_sides.hpp>
 #include <rayproof/vec3.hpp>
 
 namespace rayproof::polygon {

@@ -1,5 +1,5 @@
 #pragma once
-#include <rayproof/contract.hpp>
+#include <rayproof/method/contract.hpp>
 #include <rayproof/point_in_polygon/parity.hpp>
 #include <rayproof/polygon/in_plane.hpp>
 

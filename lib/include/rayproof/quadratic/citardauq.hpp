@@ -1,8 +1,8 @@
 #pragma once
-#include <rayproof/contract.hpp>
-#include <rayproof/narration.hpp>
+#include <rayproof/method/contract.hpp>
+#include <rayproof/method/narration.hpp>
+#include <rayproof/method/sources.hpp>
 #include <rayproof/quadratic.hpp>
-#include <rayproof/sources.hpp>
 
 namespace rayproof::quadratic {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include <rayproof/difference_of_products.hpp>
+#include <rayproof/formulas/difference_of_products.hpp>
 #include <rayproof/quadratic/citardauq_viete.hpp>
 
 namespace rayproof::quadratic {

@@ -2,13 +2,13 @@
 /// \file
 /// The methods for the quadratic equation, one line each.
 
+#include <rayproof/method/type_list.hpp>
 #include <rayproof/quadratic/citardauq.hpp>
 #include <rayproof/quadratic/citardauq_viete.hpp>
 #include <rayproof/quadratic/full_range.hpp>
 #include <rayproof/quadratic/kahan.hpp>
 #include <rayproof/quadratic/printed_b_4ac.hpp>
 #include <rayproof/quadratic/textbook.hpp>
-#include <rayproof/type_list.hpp>
 
 namespace rayproof::quadratic {
 

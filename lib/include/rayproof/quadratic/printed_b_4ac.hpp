@@ -1,7 +1,7 @@
 #pragma once
+#include <rayproof/method/sources.hpp>
 #include <rayproof/quadratic/citardauq_viete.hpp>
 #include <rayproof/quadratic/textbook.hpp>
-#include <rayproof/sources.hpp>
 
 namespace rayproof::quadratic {
 

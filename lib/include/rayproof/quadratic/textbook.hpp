@@ -1,8 +1,8 @@
 #pragma once
-#include <rayproof/contract.hpp>
+#include <rayproof/formulas/quadratic_formula.hpp>
+#include <rayproof/method/contract.hpp>
+#include <rayproof/method/sources.hpp>
 #include <rayproof/quadratic.hpp>
-#include <rayproof/quadratic_formula.hpp>
-#include <rayproof/sources.hpp>
 
 namespace rayproof::quadratic {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include <rayproof/narration.hpp>
+#include <rayproof/method/narration.hpp>
 #include <rayproof/sphere.hpp>
 
 namespace rayproof::sphere {

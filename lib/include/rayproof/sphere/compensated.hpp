@@ -1,8 +1,8 @@
 #pragma once
-#include <rayproof/contract.hpp>
-#include <rayproof/exact_rounding.hpp>
-#include <rayproof/narration.hpp>
-#include <rayproof/sources.hpp>
+#include <rayproof/formulas/exact_rounding.hpp>
+#include <rayproof/method/contract.hpp>
+#include <rayproof/method/narration.hpp>
+#include <rayproof/method/sources.hpp>
 #include <rayproof/sphere.hpp>
 #include <rayproof/sphere/centred.hpp>
 

@@ -1,5 +1,5 @@
 #pragma once
-#include <rayproof/contract.hpp>
+#include <rayproof/method/contract.hpp>
 #include <rayproof/sphere/coefficients.hpp>
 
 namespace rayproof::sphere {

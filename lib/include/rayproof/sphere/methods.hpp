@@ -2,7 +2,8 @@
 /// \file
 /// The ray/sphere methods, one line each.
 
-#include <rayproof/ray_topic.hpp>
+#include <rayproof/method/ray_topic.hpp>
+#include <rayproof/method/type_list.hpp>
 #include <rayproof/sphere/centred.hpp>
 #include <rayproof/sphere/compensated.hpp>
 #include <rayproof/sphere/half_b.hpp>
@@ -11,7 +12,6 @@
 #include <rayproof/sphere/printed_unit_direction.hpp>
 #include <rayproof/sphere/stable.hpp>
 #include <rayproof/sphere/textbook.hpp>
-#include <rayproof/type_list.hpp>
 
 namespace rayproof::sphere {
 

@@ -1,7 +1,7 @@
 #pragma once
-#include <rayproof/contract.hpp>
-#include <rayproof/narration.hpp>
-#include <rayproof/sources.hpp>
+#include <rayproof/method/contract.hpp>
+#include <rayproof/method/narration.hpp>
+#include <rayproof/method/sources.hpp>
 #include <rayproof/sphere.hpp>
 
 namespace rayproof::sphere {

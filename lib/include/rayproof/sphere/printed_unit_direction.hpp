@@ -1,5 +1,5 @@
 #pragma once
-#include <rayproof/sources.hpp>
+#include <rayproof/method/sources.hpp>
 #include <rayproof/sphere/centred.hpp>
 
 namespace rayproof::sphere {

@@ -1,6 +1,6 @@
 #pragma once
-#include <rayproof/contract.hpp>
-#include <rayproof/sources.hpp>
+#include <rayproof/method/contract.hpp>
+#include <rayproof/method/sources.hpp>
 #include <rayproof/sphere/coefficients.hpp>
 
 namespace rayproof::sphere {

@@ -1,7 +1,7 @@
 #pragma once
-#include <rayproof/contract.hpp>
-#include <rayproof/quadratic_formula.hpp>
-#include <rayproof/sources.hpp>
+#include <rayproof/formulas/quadratic_formula.hpp>
+#include <rayproof/method/contract.hpp>
+#include <rayproof/method/sources.hpp>
 #include <rayproof/sphere/coefficients.hpp>
 
 namespace rayproof::sphere {

@@ -2,8 +2,8 @@
 /// \file
 /// Barycentric coordinates of a point in a triangle: q = α·a + β·b + γ·c with α + β + γ = 1.
 
-#include <rayproof/largest_axis.hpp>
-#include <rayproof/narration.hpp>
+#include <rayproof/formulas/largest_axis.hpp>
+#include <rayproof/method/narration.hpp>
 #include <rayproof/polygon.hpp>
 
 namespace rayproof::triangle {

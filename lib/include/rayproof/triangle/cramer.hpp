@@ -1,7 +1,7 @@
 #pragma once
-#include <rayproof/contract.hpp>
+#include <rayproof/method/contract.hpp>
+#include <rayproof/method/sources.hpp>
 #include <rayproof/plane/cramer.hpp>
-#include <rayproof/sources.hpp>
 #include <rayproof/triangle.hpp>
 
 namespace rayproof::triangle {

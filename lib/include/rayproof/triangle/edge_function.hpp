@@ -1,6 +1,6 @@
 #pragma once
 #include <rayproof/arithmetics/wide.hpp>
-#include <rayproof/difference_of_products.hpp>
+#include <rayproof/formulas/difference_of_products.hpp>
 
 namespace rayproof::triangle {
 

@@ -2,7 +2,8 @@
 /// \file
 /// The ray/triangle methods, one line each.
 
-#include <rayproof/ray_topic.hpp>
+#include <rayproof/method/ray_topic.hpp>
+#include <rayproof/method/type_list.hpp>
 #include <rayproof/triangle/compensated.hpp>
 #include <rayproof/triangle/cramer.hpp>
 #include <rayproof/triangle/moller_trumbore.hpp>
@@ -12,7 +13,6 @@
 #include <rayproof/triangle/printed_parallelogram.hpp>
 #include <rayproof/triangle/printed_xy.hpp>
 #include <rayproof/triangle/woop.hpp>
-#include <rayproof/type_list.hpp>
 
 namespace rayproof::triangle {
 

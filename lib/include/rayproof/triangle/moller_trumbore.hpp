@@ -1,6 +1,6 @@
 #pragma once
-#include <rayproof/contract.hpp>
-#include <rayproof/narration.hpp>
+#include <rayproof/method/contract.hpp>
+#include <rayproof/method/narration.hpp>
 #include <rayproof/triangle.hpp>
 
 namespace rayproof::triangle {

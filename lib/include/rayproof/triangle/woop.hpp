@@ -1,7 +1,7 @@
 #pragma once
-#include <rayproof/contract.hpp>
-#include <rayproof/largest_axis.hpp>
-#include <rayproof/narration.hpp>
+#include <rayproof/formulas/largest_axis.hpp>
+#include <rayproof/method/contract.hpp>
+#include <rayproof/method/narration.hpp>
 #include <rayproof/triangle.hpp>
 #include <rayproof/triangle/edge_function.hpp>
 #include <rayproof/triangle/same_side.hpp>

@@ -6,7 +6,7 @@
 
 namespace rayproof::sphere_family {
 
-/// The exponents that stay well inside the domain of every bounded contract (contract.hpp, Domain).
+/// The exponents that stay well inside the domain of every bounded contract (method/contract.hpp, Domain).
 template <class T>
 inline constexpr double roomy_exponent = sizeof(T) == 4 ? 24 : 200;
 

@@ -1,4 +1,4 @@
-#include "properties/shrink.hpp"
+#include "properties/shrink/shrink.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include "case/writer.hpp"
 #include "generators/generators.hpp"
 #include "properties/numbers.hpp"
-#include "properties/simplicity.hpp"
-#include "properties/validity.hpp"
+#include "properties/shrink/simplicity.hpp"
+#include "properties/shrink/validity.hpp"
 #include "unit/properties/broken_subjects.hpp"
 
 namespace rayproof {

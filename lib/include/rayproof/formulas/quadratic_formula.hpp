@@ -2,7 +2,7 @@
 /// \file
 /// The two ways from a second-degree problem to its roots that more than one shape takes.
 
-#include <rayproof/narration.hpp>
+#include <rayproof/method/narration.hpp>
 #include <rayproof/roots.hpp>
 
 namespace rayproof {

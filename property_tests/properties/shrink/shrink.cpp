@@ -1,10 +1,10 @@
-#include "properties/shrink.hpp"
+#include "properties/shrink/shrink.hpp"
 
 #include <algorithm>
 
-#include "properties/shrink_moves.hpp"
-#include "properties/simplicity.hpp"
-#include "properties/validity.hpp"
+#include "properties/shrink/moves.hpp"
+#include "properties/shrink/simplicity.hpp"
+#include "properties/shrink/validity.hpp"
 
 namespace rayproof {
 

@@ -3,7 +3,7 @@
 /// The sources that several methods are taken from. A source that one method alone has stands beside its
 /// kernel.
 
-#include <rayproof/contract.hpp>
+#include <rayproof/method/contract.hpp>
 
 namespace rayproof::sources {
 

@@ -5,7 +5,7 @@
 #include <concepts>
 #include <cstddef>
 #include <rayproof/arithmetic.hpp>
-#include <rayproof/finite.hpp>
+#include <rayproof/formulas/finite.hpp>
 #include <rayproof/polygon.hpp>
 
 namespace rayproof::polygon {

@@ -2,7 +2,7 @@
 /// \file
 /// What a search along a ray asks of the ray first.
 
-#include <rayproof/finite.hpp>
+#include <rayproof/formulas/finite.hpp>
 #include <rayproof/ray.hpp>
 
 namespace rayproof {

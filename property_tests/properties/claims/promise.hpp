@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "properties/robust_bound.hpp"
+#include "properties/claims/robust_bound.hpp"
 #include "properties/trial.hpp"
 
 namespace rayproof {

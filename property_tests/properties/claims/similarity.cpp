@@ -1,4 +1,4 @@
-#include "properties/similarity.hpp"
+#include "properties/claims/similarity.hpp"
 
 #include <bit>
 #include <cmath>

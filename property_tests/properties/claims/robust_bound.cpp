@@ -1,4 +1,4 @@
-#include "properties/robust_bound.hpp"
+#include "properties/claims/robust_bound.hpp"
 
 #include <rayproof/topics.hpp>
 

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <limits>
 
-#include "properties/answers.hpp"
+#include "properties/claims/answers.hpp"
+#include "properties/claims/promise.hpp"
+#include "properties/claims/similarity.hpp"
 #include "properties/numbers.hpp"
-#include "properties/promise.hpp"
 #include "properties/property.hpp"
-#include "properties/similarity.hpp"
 
 namespace rayproof {
 

@@ -1,4 +1,4 @@
-#include "properties/shrink_moves.hpp"
+#include "properties/shrink/moves.hpp"
 
 #include <cmath>
 
@@ -6,7 +6,7 @@
 #include "case/shape_format.hpp"
 #include "generators/random.hpp"
 #include "properties/numbers.hpp"
-#include "properties/simpler_numbers.hpp"
+#include "properties/shrink/simpler_numbers.hpp"
 
 namespace rayproof::shrink_moves {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "properties/answers.hpp"
+#include "properties/claims/answers.hpp"
 #include "properties/numbers.hpp"
 #include "properties/property.hpp"
 

@@ -1,4 +1,4 @@
-#include "properties/simplicity.hpp"
+#include "properties/shrink/simplicity.hpp"
 
 #include <algorithm>
 #include <array>

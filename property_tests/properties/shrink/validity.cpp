@@ -1,4 +1,4 @@
-#include "properties/validity.hpp"
+#include "properties/shrink/validity.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "properties/answers.hpp"
+#include "properties/claims/answers.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "properties/answers.hpp"
-#include "properties/promise.hpp"
+#include "properties/claims/answers.hpp"
+#include "properties/claims/promise.hpp"
+#include "properties/claims/robust_bound.hpp"
 #include "properties/property.hpp"
-#include "properties/robust_bound.hpp"
 
 namespace rayproof {
 

@@ -1,4 +1,4 @@
-#include "properties/simpler_numbers.hpp"
+#include "properties/shrink/simpler_numbers.hpp"
 
 #include <cmath>
 
