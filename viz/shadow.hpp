@@ -3,7 +3,7 @@
 /// The arithmetic that stands in for real numbers in walkthroughs and pictures.
 
 #include <compare>
-#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <type_traits>
@@ -11,13 +11,11 @@
 namespace rayproof::viz {
 
 /// 320 significant bits (267 more than double) and an exponent range that no product of doubles leaves; with
-/// infinities and NaN. What it is made of stays in shadow.cpp: half of the time to compile this folder would
-/// go to it.
+/// infinities and NaN; every operation rounds once, to nearest. A number of MPFR, whose header stays in
+/// shadow.cpp.
 class Shadow {
  public:
   Shadow() : Shadow(0.0) {}
-  Shadow(const Shadow& x);
-  Shadow& operator=(const Shadow& x);
   /// Exact; whole numbers up to 2^53.
   template <class Number>
   requires std::is_arithmetic_v<Number> Shadow(Number value) : Shadow(Exactly{static_cast<double>(value)}) {}
@@ -63,8 +61,10 @@ class Shadow {
   explicit Shadow(Unset) {}
   friend struct Inside;
 
-  /// Where the number is; it owns nothing outside, so that nothing need be done at its end.
-  alignas(16) std::byte room_[80];
+  // What MPFR knows a number by. It owns nothing outside, so that copies are copies of these.
+  std::uint64_t digits_[5];
+  std::int64_t exponent_;
+  int kind_;
 };
 
 }  // namespace rayproof::viz
