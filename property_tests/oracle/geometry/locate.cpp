@@ -1,5 +1,7 @@
 #include "oracle/geometry/locate.hpp"
 
+#include <algorithm>
+
 namespace rayproof::oracle {
 namespace {
 
@@ -47,6 +49,19 @@ Place locate(const PlanePoint& point, const Ring& weight, const std::vector<Plan
   }
   if (is_on_side) return Place::side;
   return is_inside ? Place::inside : Place::outside;
+}
+
+Scaled distance_to_side(const PlanePoint& point, const Ring& weight, const PlanePoint& from,
+                        const PlanePoint& to) {
+  const Scaled x = approximate(point.x - weight * from.x), y = approximate(point.y - weight * from.y);
+  const Scaled along_x = approximate(to.x - from.x), along_y = approximate(to.y - from.y);
+  const Scaled scale = approximate(weight);
+  const Scaled squared = along_x * along_x + along_y * along_y;
+  const Scaled share = squared.sign() == 0
+                           ? Scaled{}
+                           : std::clamp((x * along_x + y * along_y) / (squared * scale), Scaled{}, Scaled(1));
+  const Scaled dx = x / scale - share * along_x, dy = y / scale - share * along_y;
+  return sqrt(dx * dx + dy * dy);
 }
 
 }  // namespace rayproof::oracle

@@ -20,4 +20,8 @@ enum class Place { outside, inside, side, vertex };
 [[nodiscard]] Place locate(const PlanePoint& point, const Ring& weight,
                            const std::vector<PlanePoint>& vertices);
 
+/// The distance of the point from the side, all to one part in 2^50.
+[[nodiscard]] Scaled distance_to_side(const PlanePoint& point, const Ring& weight, const PlanePoint& from,
+                                      const PlanePoint& to);
+
 }  // namespace rayproof::oracle

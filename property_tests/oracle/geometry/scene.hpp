@@ -16,6 +16,7 @@ struct Vector {
   static Vector from(const glm::dvec3& v) { return {R(v.x), R(v.y), R(v.z)}; }
   static Vector from(const glm::dvec4& v) { return {R(v.x), R(v.y), R(v.z)}; }
 
+  friend Vector operator-(const Vector& v) { return {-v.x, -v.y, -v.z}; }
   friend Vector operator+(const Vector& a, const Vector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
   friend Vector operator-(const Vector& a, const Vector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
   friend Vector operator*(const R& s, const Vector& v) { return {s * v.x, s * v.y, s * v.z}; }
@@ -25,7 +26,8 @@ struct Vector {
   }
 };
 
-/// The inverse of an object-to-world matrix as its adjugate and determinant: A⁻¹ = adjugate / determinant.
+/// The inverse of an object-to-world matrix as its adjugate and determinant: A⁻¹ = adjugate / determinant. In
+/// the exact ring both are negated where the determinant is negative, so that what it scales keeps its order.
 template <class R>
 struct InverseMap {
   Vector<R> row_x, row_y, row_z;  ///< of the adjugate
@@ -37,20 +39,26 @@ struct InverseMap {
         row_y(cross(Vector<R>::from(m[2]), Vector<R>::from(m[0]))),
         row_z(cross(Vector<R>::from(m[0]), Vector<R>::from(m[1]))),
         determinant(dot(Vector<R>::from(m[0]), row_x)),
-        translation(Vector<R>::from(m[3])) {}
+        translation(Vector<R>::from(m[3])) {
+    if constexpr (requires { determinant.sign(); }) {
+      if (determinant.sign() >= 0) return;
+      for (Vector<R>* row : {&row_x, &row_y, &row_z}) *row = -*row;
+      determinant = -determinant;
+    }
+  }
 
   [[nodiscard]] Vector<R> apply(const Vector<R>& v) const {
     return {dot(row_x, v), dot(row_y, v), dot(row_z, v)};
   }
-  /// The adjugate's transpose: takes normals of the object to the world (but for the determinant's sign and
-  /// size).
+  /// The adjugate's transpose: takes normals of the object to the world (but for the determinant's size).
   [[nodiscard]] Vector<R> apply_transposed(const Vector<R>& n) const {
     return n.x * row_x + n.y * row_y + n.z * row_z;
   }
 };
 
-/// The ray in object space, all lengths there multiplied by `scale` (the determinant; 1 without a transform).
-/// t is the same number in the world, in the object's space and here.
+/// The ray in object space, all lengths there multiplied by `scale` (the determinant of the inverse; 1
+/// without a transform; positive in the exact ring). t is the same number in the world, in the object's space
+/// and here.
 template <class R>
 struct ObjectRay {
   Vector<R> origin;     ///< scale · (A⁻¹(o - b))
@@ -69,8 +77,5 @@ struct ObjectRay {
     scale = map->determinant;
   }
 };
-
-/// Whether the 3 by 3 part of an affine matrix has determinant 0, exactly.
-[[nodiscard]] bool is_singular(const glm::dmat4& matrix);
 
 }  // namespace rayproof::oracle

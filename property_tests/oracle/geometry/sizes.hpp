@@ -4,22 +4,9 @@
 /// units of the contracts are made of.
 
 #include "oracle/geometry/scene.hpp"
-#include "oracle/numbers/ball.hpp"
-#include "oracle/numbers/exact.hpp"
-#include "oracle/numbers/interval.hpp"
-#include "oracle/numbers/pair.hpp"
+#include "oracle/numbers/reading.hpp"
 
 namespace rayproof::oracle {
-
-/// Numbers to read values by: doubles for the filters, which are used only where doubles do not overflow.
-[[nodiscard]] inline double read(const Interval& x) { return x.middle; }
-[[nodiscard]] inline double read(const Ball& x) { return x.high; }
-[[nodiscard]] inline double read(const Pair& x) { return x.high; }
-[[nodiscard]] inline Scaled read(const Ring& x) { return approximate(x); }
-[[nodiscard]] inline Scaled read(const Scaled& x) { return x; }
-
-template <class R>
-using NumberOf = decltype(read(std::declval<R>()));
 
 /// |v|².
 template <class R>
@@ -49,6 +36,22 @@ struct MapSizes {
   static NumberOf<R> frobenius(const Vector<R>& x, const Vector<R>& y, const Vector<R>& z) {
     using std::sqrt;
     return sqrt(squared_norm(x) + squared_norm(y) + squared_norm(z));
+  }
+};
+
+/// The lengths of a ray as the shape's own space has them: |origin| and |direction| without a transform, and
+/// with one as large as it can make their parts, times its condition number.
+struct RaySizes {
+  Scaled origin, direction;
+
+  RaySizes(const RayQuestion& question, const ObjectRay<Ring>& ray)
+      : origin(norm(question.ray.origin)), direction(norm(question.ray.direction)) {
+    if (!ray.map) return;
+    const MapSizes<Ring> map(*question.transform, *ray.map);
+    const Scaled backward = map.backward / approximate(ray.scale);
+    const Scaled growth = backward * map.forward * backward;
+    origin = growth * (origin + norm(ray.map->translation));
+    direction = growth * direction;
   }
 };
 

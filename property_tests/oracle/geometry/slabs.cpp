@@ -16,7 +16,7 @@ Slabs slabs_of(const Parallelepiped<double>& solid) {
                                           Vector<Ring>::from(solid.edges[2])};
   const auto slab = [&](std::size_t i) {
     Vector<Ring> normal = cross(edges[(i + 1) % 3], edges[(i + 2) % 3]);
-    if (sign(dot(normal, edges[i])) < 0) normal = Ring(-1.0) * normal;
+    if (sign(dot(normal, edges[i])) < 0) normal = -normal;
     const Ring low = dot(normal, corner);
     return Slab{normal, low, low + dot(normal, edges[i])};
   };
@@ -27,14 +27,7 @@ SlabMeeting::SlabMeeting(const ObjectRay<Ring>& ray, const Slab& slab)
     : position(dot(slab.normal, ray.origin)),
       speed(dot(slab.normal, ray.direction)),
       low(ray.scale * slab.low),
-      high(ray.scale * slab.high) {
-  if (sign(ray.scale) > 0) return;
-  for (Ring* number : {&position, &speed, &low, &high}) *number = -*number;
-}
-
-SlabMeetings meetings(const ObjectRay<Ring>& ray, const Slabs& slabs) {
-  return {SlabMeeting(ray, slabs[0]), SlabMeeting(ray, slabs[1]), SlabMeeting(ray, slabs[2])};
-}
+      high(ray.scale * slab.high) {}
 
 std::optional<Chord> chord_of(const SlabMeetings& slabs) {
   std::optional<Chord> chord;

@@ -6,8 +6,8 @@
 #include <array>
 #include <optional>
 
-#include "case/answer.hpp"
-#include "oracle/geometry/hit.hpp"
+#include "oracle/geometry/scene.hpp"
+#include "oracle/numbers/quotient.hpp"
 
 namespace rayproof::oracle {
 
@@ -21,7 +21,7 @@ using Slabs = std::array<Slab, 3>;
 [[nodiscard]] Slabs slabs_of(const Box<double>& box);
 [[nodiscard]] Slabs slabs_of(const Parallelepiped<double>& solid);
 
-/// A line and a slab: low <= position + t·speed <= high.
+/// A line and a slab: low <= position + t·speed <= high, in the scale of ObjectRay.
 struct SlabMeeting {
   Ring position, speed, low, high;
 
@@ -33,10 +33,12 @@ struct SlabMeeting {
   /// The t at which the line comes into the slab, and at which it leaves.
   [[nodiscard]] Quotient entry() const { return {(sign(speed) > 0 ? low : high) - position, speed}; }
   [[nodiscard]] Quotient exit() const { return {(sign(speed) > 0 ? high : low) - position, speed}; }
+  /// position + t·speed - bound, times the denominator of t.
+  [[nodiscard]] Ring beyond(const Ring& bound, const Quotient& t) const {
+    return (position - bound) * t.denominator() + speed * t.numerator();
+  }
 };
 using SlabMeetings = std::array<SlabMeeting, 3>;
-
-[[nodiscard]] SlabMeetings meetings(const ObjectRay<Ring>& ray, const Slabs& slabs);
 
 /// The part of the line inside the solid, from entry to exit; nothing where there is none.
 struct Chord {

@@ -1,40 +1,25 @@
 #pragma once
 /// \file
-/// What the judges of all shapes have in common: the errors of claimed hits against exact ones, and the sizes
-/// that the units of the contracts are made of.
+/// What the judges of all questions have in common: the errors of claimed numbers against exact ones, in the
+/// units of the contracts.
 
+#include <algorithm>
 #include <cmath>
-#include <span>
-#include <variant>
 #include <vector>
 
-#include "oracle/geometry/hit.hpp"
-#include "oracle/geometry/sizes.hpp"
+#include "case/each_number.hpp"
+#include "oracle/geometry/intersection.hpp"
 #include "oracle/judge/judgement.hpp"
+#include "oracle/numbers/rounding.hpp"
 
 namespace rayproof::oracle {
 
-/// An exact t, rational or not.
-using ExactNumber = std::variant<Quotient, ExactRoot>;
-
-/// The lengths of a ray as the shape's own space has them: |origin| and |direction| without a transform, and
-/// with one as large as it can make their parts, times its condition number.
-struct RaySizes {
-  Scaled origin, direction;
-
-  RaySizes(const RayQuestion& question, const ObjectRay<Ring>& ray);
-};
-
-/// What a shape's judge tells of a case. Both measures are in the units of the shape's contract.
-class Figure {
+/// An intersection and how far claims are from it, in the units of the shape's contract but for ε. An answer
+/// needs no measures: what is costly in them waits until one is asked for.
+class MeasuredIntersection : public ExactIntersection {
  public:
-  Figure() = default;
-  Figure(const Figure&) = delete;
-  Figure& operator=(const Figure&) = delete;
-  virtual ~Figure() = default;
+  using ExactIntersection::ExactIntersection;
 
-  /// The hits in the ray's interval, ascending.
-  [[nodiscard]] virtual std::vector<ExactNumber> hits() const = 0;
   /// How far p(t) is from the surface.
   [[nodiscard]] virtual Scaled residual(double t) const = 0;
   /// How near the case is to a change of verdict.
@@ -43,12 +28,22 @@ class Figure {
   [[nodiscard]] virtual double far() const { return 1; }
 };
 
-/// Judges claimed hits against the figure's.
-[[nodiscard]] Judgement judge_hits(const RayQuestion& question, const Figure& figure, Precision precision,
-                                   const RayAnswer& claimed);
+/// Judges claimed hits against the exact ones.
+[[nodiscard]] Judgement judge(const MeasuredIntersection& exact, Precision precision,
+                              const RayAnswer& claimed);
 
 /// The finite ends of the ray's interval.
 [[nodiscard]] std::vector<double> finite_ends(const Ray<double>& ray);
+
+/// A measure in units of ε.
+[[nodiscard]] inline double in_units(const Scaled& measure, Precision precision) {
+  return static_cast<double>((measure / Scaled(unit_roundoff(precision))).value());
+}
+
+/// Whether `claimed` has another count of hits than the exact one.
+[[nodiscard]] inline bool is_wrong_count(std::size_t exact, const RayAnswer& claimed) {
+  return claimed.hits.count != (claimed.nearest_only ? std::min<std::size_t>(exact, 1) : exact);
+}
 
 /// The error of x in ulps of the exact number; an infinite or NaN x is right only where the exact number
 /// rounds to the same infinity.
@@ -59,15 +54,29 @@ template <class Number>
   return static_cast<double>((abs(exact.minus(x)) / Scaled(ulp_of(nearest, precision))).value());
 }
 
-/// Whether no residual can be asked of x: it is as good as the nearest number where the grid of floats itself
-/// is coarse or ends.
-[[nodiscard]] inline bool is_best_on_grid(double x, double ulps, Precision precision) {
+/// Notes the worst of the claimed numbers' errors: x is off by `ulps`, and residual() is what it leaves, in
+/// units. No residual can be asked of an x that is as good as the nearest number where the grid of floats
+/// itself is coarse or ends.
+template <class Residual>
+void note_error(double x, double ulps, const Residual& residual, Precision precision, Judgement& judgement) {
+  if (!judgement.wrong) judgement.ulp = std::max(judgement.ulp, ulps);
   const double smallest_normal = precision == Precision::float32 ? 0x1p-126 : 0x1p-1022;
-  return ulps <= 1 && (!std::isfinite(x) || std::abs(x) < smallest_normal);
+  if (ulps <= 1 && (!std::isfinite(x) || std::abs(x) < smallest_normal)) return;
+  judgement.residual = std::max(judgement.residual, std::isfinite(x) ? residual() : HUGE_VAL);
 }
 
-/// Puts log2 of the smallest and largest nonzero magnitude among `numbers` into the judgement.
-void note_range(std::span<const double> numbers, Judgement& judgement);
+/// Notes log2 of the smallest and largest nonzero magnitude among the numbers of `values`.
+template <class... Values>
+void note_range(Judgement& judgement, const Values&... values) {
+  judgement.smallest = HUGE_VAL;
+  judgement.largest = -HUGE_VAL;
+  const auto note = [&](double x) {
+    if (x == 0) return;
+    judgement.smallest = std::min(judgement.smallest, std::logb(x));
+    judgement.largest = std::max(judgement.largest, std::logb(x));
+  };
+  (each_number(values, note), ...);
+}
 
 /// The smaller of two.
 inline void reduce(Scaled& smallest, const Scaled& x) {

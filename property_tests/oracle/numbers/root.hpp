@@ -2,7 +2,10 @@
 /// \file
 /// The real roots of an exact quadratic as exact numbers: compared, estimated and rounded without error.
 
+#include <array>
+#include <rayproof/quadratic.hpp>
 #include <utility>
+#include <vector>
 
 #include "oracle/numbers/exact.hpp"
 #include "oracle/numbers/quotient.hpp"
@@ -15,16 +18,6 @@ struct ExactQuadratic {
 
   /// A quarter of the discriminant.
   [[nodiscard]] Ring discriminant() const { return h * h - a * c; }
-
-  /// The same roots with a > 0; for a = 0 the square of 2·h·x + c, whose double root is the root. Not both of
-  /// a and h are 0.
-  [[nodiscard]] static ExactQuadratic opening_upwards(const Ring& a, const Ring& h, const Ring& c) {
-    const int opening = sign(a);
-    if (opening > 0) return {a, h, c};
-    if (opening < 0) return {-a, -h, -c};
-    const Ring b = h + h;
-    return {b * b, b * c, c * c};
-  }
 };
 
 /// The sign of (root - x) for the root on `side` of a quadratic with a > 0, from the signs of its value and
@@ -89,5 +82,33 @@ class ExactRoot {
   int side_;
   Scaled estimate_;
 };
+
+/// The real roots, ascending, a double one once.
+[[nodiscard]] inline std::vector<ExactRoot> real_roots(const ExactQuadratic& quadratic) {
+  const int discriminant = sign(quadratic.discriminant());
+  std::vector<ExactRoot> roots;
+  if (discriminant >= 0) roots.emplace_back(quadratic, -1);
+  if (discriminant > 0) roots.emplace_back(quadratic, 1);
+  return roots;
+}
+
+/// What an equation a·x² + 2·h·x + c = 0 comes to, whatever its coefficients.
+struct SolvedEquation {
+  RootKind kind = RootKind::none;
+  std::vector<ExactRoot> roots{};
+};
+
+[[nodiscard]] inline SolvedEquation solve(const Ring& a, const Ring& h, const Ring& c) {
+  const int opening = sign(a);
+  if (opening == 0) {
+    if (sign(h) == 0) return {sign(c) == 0 ? RootKind::everything : RootKind::constant};
+    const Ring b = h + h;  // the square of 2·h·x + c has its root as a double one
+    return {RootKind::linear, real_roots({b * b, b * c, c * c})};
+  }
+  std::vector<ExactRoot> roots =
+      real_roots(opening > 0 ? ExactQuadratic{a, h, c} : ExactQuadratic{-a, -h, -c});
+  constexpr std::array kinds{RootKind::none, RootKind::twice, RootKind::two};
+  return {kinds.at(roots.size()), std::move(roots)};
+}
 
 }  // namespace rayproof::oracle

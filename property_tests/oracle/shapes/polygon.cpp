@@ -1,87 +1,117 @@
-#include "oracle/shapes/polygon.hpp"
+/// \file
+/// The oracle for ray and polygon.
 
+#include <algorithm>
+
+#include "oracle/geometry/locate.hpp"
 #include "oracle/geometry/newell.hpp"
-#include "oracle/geometry/polygon_plane.hpp"
-#include "oracle/geometry/triangle_volumes.hpp"
+#include "oracle/shapes/flat.hpp"
+#include "oracle/shapes/shapes.hpp"
 
 namespace rayproof::oracle {
 namespace {
 
-/// |x|, exactly.
-Ring magnitude(const Ring& x) { return sign(x) < 0 ? -x : x; }
+/// The coordinates that are left where the axis of the normal's largest component is dropped (ties: the later
+/// axis).
+struct Projection {
+  int x = 0, y = 1;
 
-Position position_of(Place place) {
-  if (place == Place::inside) return Position::inside;
-  return place == Place::outside ? Position::outside : Position::boundary;
-}
-
-/// The place in the polygon's projection of the point in which the line meets the plane at t.
-Place place_of(const ObjectRay<Ring>& ray, const Polygon<double>& polygon, const Vector<Ring>& normal,
-               const Quotient& t) {
-  const Projection projection(normal);
-  // In the scale of ObjectRay, and times the denominator of t.
-  Vector<Ring> point = t.denominator() * ray.origin + t.numerator() * ray.direction;
-  Ring weight = ray.scale * t.denominator();
-  if (sign(weight) < 0) {
-    point = Ring(-1.0) * point;
-    weight = -weight;
+  explicit Projection(const Vector<Ring>& normal) {
+    const auto magnitude = [](const Ring& v) { return sign(v) < 0 ? -v : v; };
+    const std::array<Ring, 3> sizes{magnitude(normal.x), magnitude(normal.y), magnitude(normal.z)};
+    std::size_t largest = 0;
+    for (std::size_t axis = 1; axis < 3; ++axis) {
+      if (sign(sizes[axis] - sizes[largest]) >= 0) largest = axis;
+    }
+    x = largest == 0 ? 1 : 0;
+    y = largest == 2 ? 1 : 2;
   }
-  return locate(projection(point), weight, projected(polygon, projection));
-}
+
+  [[nodiscard]] PlanePoint operator()(const Vector<Ring>& v) const { return {pick(v, x), pick(v, y)}; }
+  [[nodiscard]] std::vector<PlanePoint> operator()(const std::vector<glm::dvec3>& vertices) const {
+    std::vector<PlanePoint> points;
+    points.reserve(vertices.size());
+    for (const glm::dvec3& vertex : vertices) points.push_back({Ring(vertex[x]), Ring(vertex[y])});
+    return points;
+  }
+
+ private:
+  static const Ring& pick(const Vector<Ring>& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
+};
+
+class PolygonIntersection final : public FlatIntersection {
+ public:
+  PolygonIntersection(const RayQuestion& question, const Polygon<double>& polygon)
+      : FlatIntersection(question, plane_through(polygon.vertices.front(), newell_normal<Ring>(polygon))),
+        polygon_(polygon) {}
+
+  [[nodiscard]] Scaled margin() const override {
+    Scaled nearest = FlatIntersection::margin();
+    reduce(nearest, steepness());
+    if (is_parallel()) return nearest;
+    const Scaled unit = sizes().reach(t().estimate()) / steepness();
+    const Meeting at = meeting(t());
+    const PlanePoint* from = &at.vertices.back();
+    for (const PlanePoint& to : at.vertices) {
+      reduce(nearest, ratio(distance_to_side(at.point, at.weight, *from, to), unit));
+      from = &to;
+    }
+    return nearest;
+  }
+
+ protected:
+  [[nodiscard]] Contact contact_at(const Quotient& t) const override {
+    const Meeting at = meeting(t);
+    switch (locate(at.point, at.weight, at.vertices)) {
+      case Place::vertex:
+        return Contact::vertex;
+      case Place::side:
+        return Contact::edge;
+      case Place::inside:
+        return Contact::crossing;
+      case Place::outside:
+        break;
+    }
+    return Contact::none;
+  }
+
+  [[nodiscard]] Scaled position() const override {
+    Scaled farthest;
+    for (const glm::dvec3& vertex : polygon_.vertices) farthest = std::max(farthest, norm(vertex));
+    return farthest;
+  }
+  /// The sum of the products that Newell's normal is made of.
+  [[nodiscard]] std::array<Scaled, 3> normal_sizes() const override {
+    Scaled sum;
+    const glm::dvec3* from = &polygon_.vertices.back();
+    for (const glm::dvec3& to : polygon_.vertices) {
+      sum = sum + norm(*from) * norm(to);
+      from = &to;
+    }
+    return {sum};
+  }
+
+ private:
+  /// The point in which the line meets the plane, times a positive weight, and the vertices, projected.
+  struct Meeting {
+    PlanePoint point;
+    Ring weight;
+    std::vector<PlanePoint> vertices;
+  };
+  [[nodiscard]] Meeting meeting(const Quotient& t) const {
+    const Projection projection(plane_normal());
+    const Vector<Ring> point = t.denominator() * ray().origin + t.numerator() * ray().direction;
+    return {projection(point), ray().scale * t.denominator(), projection(polygon_.vertices)};
+  }
+
+  const Polygon<double>& polygon_;
+};
 
 }  // namespace
 
-FlatEquation plane_of(const Polygon<double>& polygon) {
-  const auto normal = newell_normal<Ring>(polygon);
-  return {normal, dot(normal, Vector<Ring>::from(polygon.vertices.front()))};
-}
-
-Projection::Projection(const Vector<Ring>& normal) {
-  const std::array<Ring, 3> sizes{magnitude(normal.x), magnitude(normal.y), magnitude(normal.z)};
-  std::size_t largest = 0;
-  for (std::size_t axis = 1; axis < 3; ++axis) {
-    if (sign(sizes[axis] - sizes[largest]) >= 0) largest = axis;
-  }
-  x = largest == 0 ? 1 : 0;
-  y = largest == 2 ? 1 : 2;
-}
-
-std::vector<PlanePoint> projected(const Polygon<double>& polygon, const Projection& projection) {
-  std::vector<PlanePoint> points;
-  points.reserve(polygon.vertices.size());
-  for (const glm::dvec3& vertex : polygon.vertices)
-    points.push_back({Ring(vertex[projection.x]), Ring(vertex[projection.y])});
-  return points;
-}
-
-RayAnswer answer(const RayQuestion& question, const Polygon<double>& polygon, Precision precision) {
-  const FlatEquation plane = plane_of(polygon);
-  RayAnswer miss;
-  if (is_zero(plane.normal)) {
-    miss.contact = Contact::degenerate;
-    return miss;
-  }
-  const ObjectRay<Ring> ray(question);
-  const FlatMeeting meeting(ray, plane);
-  if (meeting.is_parallel()) {
-    miss.contact = meeting.parallel_contact();
-    return miss;
-  }
-  const Quotient t = meeting.t();
-  if (!is_in_interval(t, question.ray)) return miss;
-  const Place place = place_of(ray, polygon, plane.normal, t);
-  if (place == Place::outside) return miss;
-  const Contact contact = place == Place::vertex ? Contact::vertex
-                          : place == Place::side ? Contact::edge
-                                                 : Contact::crossing;
-  return flat_answer(question, ray, plane.normal, t, contact, precision);
-}
-
-Position answer(const PointAndPolygon<double>& question) {
-  std::vector<PlanePoint> vertices;
-  vertices.reserve(question.vertices.size());
-  for (const auto& vertex : question.vertices) vertices.push_back({Ring(vertex.x), Ring(vertex.y)});
-  return position_of(locate({Ring(question.point.x), Ring(question.point.y)}, Ring(1.0), vertices));
+std::unique_ptr<MeasuredIntersection> intersection_of(const RayQuestion& question,
+                                                      const Polygon<double>& polygon) {
+  return std::make_unique<PolygonIntersection>(question, polygon);
 }
 
 }  // namespace rayproof::oracle

@@ -1,6 +1,9 @@
 #include "oracle/shapes/quadric.hpp"
 
-#include "oracle/geometry/hit.hpp"
+#include <algorithm>
+
+#include "oracle/geometry/intersection.hpp"
+#include "oracle/numbers/rounding.hpp"
 
 namespace rayproof::oracle {
 namespace {
@@ -37,8 +40,7 @@ Four homogeneous(const glm::dvec3& v, double w) { return {Ring(v.x), Ring(v.y), 
 
 /// Whether an enclosure holds the exact root.
 bool holds(const RootEnclosure<double>& one, const ExactRoot& root) {
-  const bool above = std::isinf(one.lo) || root.compare(Ring(one.lo)) >= 0;
-  return above && (std::isinf(one.hi) || root.compare(Ring(one.hi)) <= 0);
+  return is_in_interval(root, one.lo, one.hi);
 }
 
 bool is_ordered(const Ray<double>& ray, const EnclosedRoots<double>& claimed) {
@@ -78,22 +80,7 @@ void judge_certain(const RootEnclosure<double>& one, const std::vector<ExactRoot
 QuadricOnLine::QuadricOnLine(const Ray<double>& ray, const implicit::Quadric<double>& quadric) {
   const Matrix m(quadric);
   const Four o = homogeneous(ray.origin, 1), d = homogeneous(ray.direction, 0);
-  const Ring a = m.between(d, d), h = m.between(o, d), c = m.between(o, o);
-  if (a.is_zero() && h.is_zero()) {
-    kind_ = c.is_zero() ? QuadricKind::everything : QuadricKind::constant;
-    return;
-  }
-  const ExactQuadratic form = ExactQuadratic::opening_upwards(a, h, c);
-  if (a.is_zero()) {
-    kind_ = QuadricKind::linear;
-    roots_.emplace_back(form, -1);
-    return;
-  }
-  const int discriminant = sign(form.discriminant());
-  if (discriminant < 0) return;
-  kind_ = discriminant == 0 ? QuadricKind::twice : QuadricKind::two;
-  roots_.emplace_back(form, -1);
-  if (discriminant > 0) roots_.emplace_back(form, 1);
+  equation_ = solve(m.between(d, d), m.between(o, d), m.between(o, o));
 }
 
 EnclosureJudgement judge(const Ray<double>& ray, const implicit::Quadric<double>& quadric,

@@ -11,9 +11,9 @@
 
 namespace rayproof::oracle {
 
-/// What a line and a quadric come to. `linear`: one root, where the line has a direction of the quadric at
-/// infinity. `constant`: no root, nor a chance of one.
-enum class QuadricKind { none, twice, two, linear, constant, everything };
+/// What a line and a quadric come to: an equation. `linear` where the line has a direction of the quadric at
+/// infinity; `constant` where there is no root, nor a chance of one.
+using QuadricKind = RootKind;
 
 /// The restriction of a quadric to the line of a ray, exactly: a·t² + 2·h·t + c over the ring.
 class QuadricOnLine {
@@ -21,13 +21,12 @@ class QuadricOnLine {
   /// The coefficients and the ray are finite.
   QuadricOnLine(const Ray<double>& ray, const implicit::Quadric<double>& quadric);
 
-  [[nodiscard]] QuadricKind kind() const { return kind_; }
+  [[nodiscard]] QuadricKind kind() const { return equation_.kind; }
   /// The roots on the whole line, ascending, a double one once; none for `everything`.
-  [[nodiscard]] const std::vector<ExactRoot>& roots() const { return roots_; }
+  [[nodiscard]] const std::vector<ExactRoot>& roots() const { return equation_.roots; }
 
  private:
-  QuadricKind kind_ = QuadricKind::none;
-  std::vector<ExactRoot> roots_;
+  SolvedEquation equation_;
 };
 
 /// How claimed enclosures do against the exact roots in the ray's interval.

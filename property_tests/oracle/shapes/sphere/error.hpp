@@ -7,10 +7,8 @@
 #include <optional>
 #include <type_traits>
 
-#include "oracle/judge/sphere_verdict.hpp"
-#include "oracle/numbers/root.hpp"
-#include "oracle/numbers/rounding.hpp"
 #include "oracle/numbers/ulp.hpp"
+#include "oracle/shapes/sphere/equation.hpp"
 
 namespace rayproof::oracle {
 
@@ -49,15 +47,6 @@ template <class R, class Number>
   const Number radius = abs(read(scene.radius));
   const Number distance = sqrt(abs(power + radius * radius));
   return HitError{abs(error) / ulp, value(abs(power) / ((distance + radius) * unit))};
-}
-
-/// The error of an infinite or NaN t: right only where there is a root and it rounds to the same infinity.
-[[nodiscard]] inline HitError infinite_hit_error(const SphereEquation<Ring>& scene, int side, double t,
-                                                 Precision precision) {
-  const ExactQuadratic equation{scene.a(), scene.h(), scene.c()};
-  const bool right =
-      sign(equation.discriminant()) >= 0 && round_correctly(ExactRoot(equation, side), precision) == t;
-  return right ? HitError{0, 0} : HitError{HUGE_VAL, HUGE_VAL};
 }
 
 }  // namespace rayproof::oracle

@@ -1,30 +1,57 @@
 #pragma once
 /// \file
-/// The exact verdict of ray and sphere. The formula stands here once, over a ring R; it runs over Interval,
-/// Ball and Pair, which know when they can't tell, and then over the exact Ring, which always can.
+/// What a ray and a sphere come to: a quadratic in t, everything that is asked about a given t, and the exact
+/// verdict. The formulas stand here once, over a ring R; they run over Interval, Ball and Pair, which know
+/// when they can't tell, and then over the exact Ring, which always can.
 
 #include <cmath>
 #include <optional>
 #include <type_traits>
 #include <utility>
 
-#include "oracle/geometry/sizes.hpp"
-#include "oracle/geometry/sphere_equation.hpp"
+#include "oracle/geometry/scene.hpp"
+#include "oracle/numbers/reading.hpp"
 #include "oracle/numbers/root.hpp"
 
 namespace rayproof::oracle {
 
-[[nodiscard]] inline std::optional<int> certain_sign(const Ring& x) { return sign(x); }
+/// At a given t: the power of the point p(t) with respect to the sphere, and half its derivative by t. The
+/// lower and upper root r₋, r₊ of the power satisfy slope = ±√D, and D = slope² - a·power at every t.
+template <class R>
+struct PowerAt {
+  R power;
+  R slope;
+};
 
-/// What was read (`sizes.hpp`) as a double.
-[[nodiscard]] inline double value(double x) { return x; }
-[[nodiscard]] inline double value(const Scaled& x) { return static_cast<double>(x.value()); }
+/// The sphere |q - center| = radius and the ray's line, relative to the centre and scaled as ObjectRay says.
+template <class R>
+struct SphereEquation {
+  Vector<R> from_center;  ///< scale · (o' - center)
+  Vector<R> direction;
+  R radius;  ///< scale · radius; its sign does not matter
 
-/// How far the true value of `x` may lie from read(x).
-[[nodiscard]] inline double uncertainty(const Interval& x) { return x.radius; }
-[[nodiscard]] inline double uncertainty(const Ball& x) { return x.radius; }
-[[nodiscard]] inline double uncertainty(const Pair&) { return 0; }
-[[nodiscard]] inline double uncertainty(const Ring&) { return 0; }
+  SphereEquation(const ObjectRay<R>& ray, const Sphere<double>& sphere)
+      : from_center(Vector<R>::from(sphere.center)), direction(ray.direction), radius(sphere.radius) {
+    if (ray.map) {  // nearly never, and four exact products otherwise
+      from_center = ray.scale * from_center;
+      radius = ray.scale * radius;
+    }
+    from_center = ray.origin - from_center;
+  }
+
+  [[nodiscard]] R a() const { return dot(direction, direction); }
+  [[nodiscard]] R h() const { return dot(from_center, direction); }
+  [[nodiscard]] R c() const { return dot(from_center, from_center) - radius * radius; }
+
+  [[nodiscard]] PowerAt<R> at(double t) const {
+    const Vector<R> p = from_center + R(t) * direction;
+    return {dot(p, p) - radius * radius, dot(p, direction)};
+  }
+};
+
+[[nodiscard]] inline ExactQuadratic quadratic_of(const SphereEquation<Ring>& scene) {
+  return {scene.a(), scene.h(), scene.c()};
+}
 
 /// Which roots lie in the ray's interval, and a quarter of the discriminant to one part in 2^20 (an exact 0
 /// is 0).

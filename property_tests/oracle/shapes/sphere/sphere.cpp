@@ -1,48 +1,41 @@
 /// \file
-/// The judge for ray and sphere: the verdict and the errors by the cheapest arithmetic that can tell.
+/// The oracle for ray and sphere. It judges by the cheapest arithmetic that can tell, verdict and errors
+/// each.
 
-#include <algorithm>
 #include <optional>
 #include <tuple>
 
-#include "oracle/judge/judging.hpp"
-#include "oracle/judge/sphere_error.hpp"
-#include "oracle/judge/sphere_verdict.hpp"
-#include "oracle/shapes/sphere.hpp"
+#include "oracle/shapes/shapes.hpp"
+#include "oracle/shapes/sphere/error.hpp"
+#include "oracle/shapes/sphere/sizes.hpp"
 
 namespace rayproof::oracle {
 namespace {
 
-using std::abs;
+class SphereIntersection final : public ExactIntersection {
+ public:
+  SphereIntersection(const RayQuestion& question, const Sphere<double>& sphere)
+      : ExactIntersection(question), scene_(ray(), sphere) {}
 
-/// The lengths a contract speaks of, in the scale of the equation.
-template <class Number>
-struct Lengths {
-  Number size;       ///< S = |origin - center| + radius, as large as a transform makes its parts
-  Number radius;     ///< of the sphere
-  Number condition;  ///< of the transform, 1 without one
-  Number smallest, largest;
-};
-
-/// The measures of a problem without a transform.
-template <class R>
-auto lengths(const SphereEquation<R>& scene, const ObjectRay<R>& ray, const RayQuestion& question,
-             const Sphere<double>& sphere) {
-  using Number = NumberOf<R>;
-  const Number radius = abs(read(scene.radius));
-  const Number direction = norm(Vector<R>::from(question.ray.direction));
-  if (!ray.map) {
-    const Number size = norm(scene.from_center) + radius;
-    return Lengths<Number>{size, radius, Number(1), std::min(size, direction), std::max(size, direction)};
+  [[nodiscard]] std::vector<ExactContact> hits() const override {
+    const auto truth = *verdict<Scaled>(scene_, question().ray);
+    const Contact contact = truth.discriminant.sign() == 0 ? Contact::tangent : Contact::crossing;
+    std::vector<ExactContact> all;
+    const ExactQuadratic equation = quadratic_of(scene_);
+    for (std::size_t i = 0; i < truth.count(); ++i)
+      all.push_back({ExactRoot(equation, truth.side(i)), contact});
+    return all;
   }
-  const MapSizes<R> map(*question.transform, *ray.map);
-  const Number scale = abs(read(ray.scale));
-  const Number to_origin = norm(Vector<R>::from(question.ray.origin)) + norm(ray.map->translation);
-  const Number size = map.backward * to_origin + scale * norm(Vector<R>::from(sphere.center)) + radius;
-  const auto all = {size / scale, direction, map.forward, scale / map.backward,
-                    norm(scene.direction) / scale};
-  return Lengths<Number>{size, radius, map.forward * map.backward / scale, std::min(all), std::max(all)};
-}
+
+  /// None of a point, which is a sphere of radius 0.
+  [[nodiscard]] std::optional<ExactNormal> normal(const ExactContact&) const override {
+    if (sign(scene_.radius) == 0) return std::nullopt;
+    return ExactNormal{scene_.from_center, scene_.direction};
+  }
+
+ private:
+  SphereEquation<Ring> scene_;
+};
 
 /// How much the radius must change for another verdict, in the scale of the equation.
 Scaled distance_to_other_verdict(const SphereEquation<Ring>& scene, const Ray<double>& ray) {
@@ -54,9 +47,7 @@ Scaled distance_to_other_verdict(const SphereEquation<Ring>& scene, const Ray<do
   const Ring a = scene.a(), h = scene.h();
   // The line touches a sphere whose squared radius is larger by -D/a: the power of its nearest point.
   Scaled nearest = change(approximate(a * scene.c() - h * h) / approximate(a));
-  for (const double end : {ray.t_min, ray.t_max}) {
-    if (std::isfinite(end)) nearest = std::min(nearest, change(approximate(scene.at(end).power)));
-  }
+  for (const double end : finite_ends(ray)) reduce(nearest, change(approximate(scene.at(end).power)));
   return nearest;
 }
 
@@ -83,14 +74,14 @@ class SphereJudge {
 
   void judge(const RayAnswer& claimed) {
     // Without a transform one subtraction makes a coordinate, so that balls would have the same sizes.
-    const Lengths<double> sizes = question_.transform ? lengths_in<Ball>() : lengths_in<Interval>();
-    note_lengths(sizes);
+    const SphereSizes<double> sizes = question_.transform ? sizes_in<Ball>() : sizes_in<Interval>();
+    note_sizes(sizes);
     // Doubles serve only far from overflow and underflow (false for NaN too).
     if (judgement_.smallest > -200 && judgement_.largest < 200) {
       judge_hits<Ball>(filtered_verdict(), sizes, claimed);
     } else {
-      const Lengths<Scaled> exact_sizes = lengths_in<Ring>();
-      note_lengths(exact_sizes);
+      const SphereSizes<Scaled> exact_sizes = sizes_in<Ring>();
+      note_sizes(exact_sizes);
       judge_hits<Ring>(*verdict_in<Ring, Scaled>(), exact_sizes, claimed);
     }
   }
@@ -104,8 +95,8 @@ class SphereJudge {
   }
 
   template <class R>
-  Lengths<NumberOf<R>> lengths_in() {
-    return lengths(bench<R>().scene, bench<R>().ray, question_, sphere_);
+  SphereSizes<NumberOf<R>> sizes_in() {
+    return sizes_of(bench<R>().scene, bench<R>().ray, question_, sphere_);
   }
 
   template <class R, class Number>
@@ -121,42 +112,41 @@ class SphereJudge {
   }
 
   template <class Number>
-  void note_lengths(const Lengths<Number>& sizes) {
+  void note_sizes(const SphereSizes<Number>& sizes) {
     judgement_.far = Number(0) < sizes.radius ? value(sizes.size / sizes.radius) : HUGE_VAL;
     judgement_.smallest = log2_of(sizes.smallest);
     judgement_.largest = log2_of(sizes.largest);
   }
 
   template <class R, class Number>
-  void judge_hits(const Truth<Number>& truth, const Lengths<Number>& sizes, const RayAnswer& claimed) {
-    const std::size_t expected =
-        claimed.nearest_only ? std::min<std::size_t>(truth.count(), 1) : truth.count();
+  void judge_hits(const Truth<Number>& truth, const SphereSizes<Number>& sizes, const RayAnswer& claimed) {
+    using std::abs;
     const Number unit = sizes.size * sizes.condition * Number(unit_roundoff(precision_));
     judgement_.hit = truth.count() > 0;
-    judgement_.wrong = expected != claimed.hits.count;
+    judgement_.wrong = is_wrong_count(truth.count(), claimed);
     for (std::size_t i = 0; i < claimed.hits.count; ++i) {
-      note_error(claimed.hits.t[i], hit<R>(truth, unit, truth.side(i), claimed.hits.t[i]));
+      const double t = claimed.hits.t[i];
+      const HitError error = hit<R>(truth, unit, truth.side(i), t);
+      note_error(
+          t, error.ulp, [&] { return error.residual; }, precision_, judgement_);
     }
     if (!judgement_.wrong) return;
     judgement_.ulp = std::nan("");
     if (!(Number(0) < abs(truth.discriminant)))
       return;  // a tangent: any change of the radius changes the verdict
-    judgement_.margin = value(distance_to_other_verdict(bench<Ring>().scene, question_.ray) /
-                              Scaled(static_cast<Scaled>(unit)));
+    judgement_.margin = value(distance_to_other_verdict(bench<Ring>().scene, question_.ray) / Scaled(unit));
   }
 
   template <class R, class Number>
   HitError hit(const Truth<Number>& truth, const Number& unit, int side, double t) {
-    if (!std::isfinite(t)) return infinite_hit_error(bench<Ring>().scene, side, t, precision_);
+    if (!std::isfinite(t)) {
+      const std::vector<ExactRoot> roots = real_roots(quadratic_of(bench<Ring>().scene));
+      if (roots.empty()) return {HUGE_VAL, HUGE_VAL};
+      return {error_in_ulps(side < 0 ? roots.front() : roots.back(), t, precision_), HUGE_VAL};
+    }
     if (const auto error = hit_error(bench<R>().scene, truth, unit, side, t, precision_)) return *error;
     const Truth<Scaled> widened{truth.lower, truth.upper, truth.discriminant, truth.a};
     return *hit_error(bench<Ring>().scene, widened, Scaled(unit), side, t, precision_);
-  }
-
-  void note_error(double t, const HitError& error) {
-    judgement_.ulp = std::max(judgement_.ulp, error.ulp);
-    if (!is_best_on_grid(t, error.ulp, precision_))
-      judgement_.residual = std::max(judgement_.residual, error.residual);
   }
 
   const RayQuestion& question_;
@@ -169,6 +159,11 @@ class SphereJudge {
 };
 
 }  // namespace
+
+std::unique_ptr<ExactIntersection> intersection_of(const RayQuestion& question,
+                                                   const Sphere<double>& sphere) {
+  return std::make_unique<SphereIntersection>(question, sphere);
+}
 
 Judgement judge(const RayQuestion& question, const Sphere<double>& sphere, Precision precision,
                 const RayAnswer& claimed) {

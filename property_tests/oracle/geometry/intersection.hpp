@@ -1,0 +1,77 @@
+#pragma once
+/// \file
+/// The exact intersection of a ray and a shape, which both answers and judges.
+
+#include <array>
+#include <cmath>
+#include <variant>
+#include <vector>
+
+#include "case/answer.hpp"
+#include "oracle/geometry/scene.hpp"
+#include "oracle/numbers/root.hpp"
+
+namespace rayproof::oracle {
+
+/// An exact t, rational or not.
+using ExactNumber = std::variant<Quotient, ExactRoot>;
+
+/// Whether an exact t lies in the closed interval from `low` to `high`, which may be infinite.
+template <class Number>
+[[nodiscard]] bool is_in_interval(const Number& t, double low, double high) {
+  const bool above = std::isinf(low) || t.compare(Ring(low)) >= 0;
+  return above && (std::isinf(high) || t.compare(Ring(high)) <= 0);
+}
+template <class Number>
+[[nodiscard]] bool is_in_interval(const Number& t, const Ray<double>& ray) {
+  return is_in_interval(t, ray.t_min, ray.t_max);
+}
+
+/// A hit, and how the ray touches the shape there.
+struct ExactContact {
+  ExactNumber t;
+  Contact contact;
+};
+
+/// A normal of any length in the object's space: offset + t·slope, or the same at every t.
+struct ExactNormal {
+  Vector<Ring> offset;
+  std::optional<Vector<Ring>> slope{};
+};
+
+/// What a ray and a shape come to. The question and its shape outlive it.
+class ExactIntersection {
+ public:
+  explicit ExactIntersection(const RayQuestion& question) : question_(question), ray_(question) {}
+  ExactIntersection(const ExactIntersection&) = delete;
+  ExactIntersection& operator=(const ExactIntersection&) = delete;
+  virtual ~ExactIntersection() = default;
+
+  [[nodiscard]] const RayQuestion& question() const { return question_; }
+  [[nodiscard]] const ObjectRay<Ring>& ray() const { return ray_; }
+
+  /// The hits in the ray's interval, ascending, each once.
+  [[nodiscard]] virtual std::vector<ExactContact> hits() const = 0;
+  /// Why there is none.
+  [[nodiscard]] virtual Contact miss() const { return Contact::none; }
+  /// The normal at a hit; nothing where it is not unique.
+  [[nodiscard]] virtual std::optional<ExactNormal> normal(const ExactContact& hit) const = 0;
+  /// [α, β, γ] of a triangle's hit.
+  [[nodiscard]] virtual std::optional<std::array<Quotient, 3>> barycentric() const { return std::nullopt; }
+
+ protected:
+  /// Appends a hit of the whole line where the ray's interval holds it.
+  template <class Number>
+  void add(std::vector<ExactContact>& hits, const Number& t, Contact contact) const {
+    if (is_in_interval(t, question_.ray)) hits.push_back({t, contact});
+  }
+
+ private:
+  const RayQuestion& question_;
+  ObjectRay<Ring> ray_;
+};
+
+/// The answer to the question, each number of it rounded once.
+[[nodiscard]] RayAnswer answer(const ExactIntersection& exact, Precision precision);
+
+}  // namespace rayproof::oracle

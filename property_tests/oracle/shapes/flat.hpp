@@ -1,0 +1,57 @@
+#pragma once
+/// \file
+/// A ray and a flat shape, exactly: what plane, triangle and polygon share.
+
+#include "oracle/shapes/planar.hpp"
+
+namespace rayproof::oracle {
+
+/// The plane normal·q = offset in the object's space.
+struct FlatEquation {
+  Vector<Ring> normal;
+  Ring offset;
+};
+
+/// The plane through a point.
+[[nodiscard]] inline FlatEquation plane_through(const glm::dvec3& point, const Vector<Ring>& normal) {
+  return {normal, dot(normal, Vector<Ring>::from(point))};
+}
+
+/// One hit at most, where the ray's line meets the plane within the shape: slope·t = gap, in the scale of
+/// ObjectRay. A shape without area has a normal of 0.
+class FlatIntersection : public PlanarIntersection {
+ public:
+  FlatIntersection(const RayQuestion& question, const FlatEquation& plane)
+      : PlanarIntersection(question),
+        normal_(plane.normal),
+        gap_(ray().scale * plane.offset - dot(normal_, ray().origin)),
+        slope_(dot(normal_, ray().direction)) {}
+
+  [[nodiscard]] std::vector<ExactContact> hits() const override;
+  [[nodiscard]] Contact miss() const override;
+  [[nodiscard]] std::optional<ExactNormal> normal(const ExactContact&) const override {
+    return ExactNormal{normal_};
+  }
+  [[nodiscard]] Scaled residual(double t) const override;
+  /// Of the ends of the interval; and of an open end, how near the ray is to being parallel.
+  [[nodiscard]] Scaled margin() const override;
+
+ protected:
+  /// How the line, not parallel, touches the shape where it meets the plane at t; none where it passes by.
+  [[nodiscard]] virtual Contact contact_at(const Quotient&) const { return Contact::crossing; }
+
+  [[nodiscard]] const Vector<Ring>& plane_normal() const { return normal_; }
+  [[nodiscard]] bool is_parallel() const { return sign(slope_) == 0; }
+  /// Of a line that is not parallel.
+  [[nodiscard]] Quotient t() const { return {gap_, slope_}; }
+  /// |normal·direction| / (N·|direction|): how near the ray is to being parallel.
+  [[nodiscard]] Scaled steepness() const {
+    return ratio(abs(approximate(slope_)), sizes().normals[0] * sizes().direction);
+  }
+
+ private:
+  Vector<Ring> normal_;
+  Ring gap_, slope_;
+};
+
+}  // namespace rayproof::oracle

@@ -1,0 +1,41 @@
+#pragma once
+/// \file
+/// What the oracle knows exactly: an overload for each shape and each other question, and none of them knows
+/// the next. A new shape is a line here.
+
+#include <memory>
+
+#include "oracle/judge/judging.hpp"
+
+namespace rayproof::oracle {
+
+/// The exact intersection of a ray and a shape, under a transform or not, for as long as both live.
+[[nodiscard]] std::unique_ptr<MeasuredIntersection> intersection_of(const RayQuestion&, const ImplicitPlane&);
+[[nodiscard]] std::unique_ptr<MeasuredIntersection> intersection_of(const RayQuestion&,
+                                                                    const PointNormalPlane&);
+[[nodiscard]] std::unique_ptr<MeasuredIntersection> intersection_of(const RayQuestion&,
+                                                                    const ParametricPlane&);
+[[nodiscard]] std::unique_ptr<MeasuredIntersection> intersection_of(const RayQuestion&,
+                                                                    const Triangle<double>&);
+[[nodiscard]] std::unique_ptr<MeasuredIntersection> intersection_of(const RayQuestion&,
+                                                                    const Polygon<double>&);
+[[nodiscard]] std::unique_ptr<MeasuredIntersection> intersection_of(const RayQuestion&, const Box<double>&);
+[[nodiscard]] std::unique_ptr<MeasuredIntersection> intersection_of(const RayQuestion&,
+                                                                    const Parallelepiped<double>&);
+[[nodiscard]] std::unique_ptr<MeasuredIntersection> intersection_of(const RayQuestion&,
+                                                                    const Cylinder<double>&);
+
+/// The sphere has a judge of its own, for speed.
+[[nodiscard]] std::unique_ptr<ExactIntersection> intersection_of(const RayQuestion&, const Sphere<double>&);
+[[nodiscard]] Judgement judge(const RayQuestion&, const Sphere<double>&, Precision, const RayAnswer& claimed);
+
+/// The exact kind and the correctly rounded roots of ax² + bx + c = 0.
+[[nodiscard]] QuadraticAnswer<double> answer(const Quadratic<double>& equation, Precision precision);
+[[nodiscard]] Judgement judge(const Quadratic<double>& equation, Precision precision,
+                              const QuadraticAnswer<double>& claimed);
+
+/// The exact place of a point.
+[[nodiscard]] Position answer(const PointAndPolygon<double>& question);
+[[nodiscard]] Judgement judge(const PointAndPolygon<double>& question, Precision precision, Position claimed);
+
+}  // namespace rayproof::oracle
