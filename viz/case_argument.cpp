@@ -6,9 +6,9 @@
 #include <iostream>
 #include <iterator>
 
-#include "case/field.hpp"
-#include "case/json_text.hpp"
+#include "case/json/text.hpp"
 #include "case/reader.hpp"
+#include "case/reader/field.hpp"
 #include "case/shape_format.hpp"
 
 namespace rayproof::viz {

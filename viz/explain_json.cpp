@@ -1,7 +1,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "case/json_number.hpp"
+#include "case/json/number.hpp"
 #include "case/writer.hpp"
 #include "viz/told.hpp"
 

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <limits>
 
-#include "case/field.hpp"
-#include "case/shape_reader.hpp"
-#include "case/shared_fields.hpp"
+#include "case/reader/field.hpp"
+#include "case/reader/shape_reader.hpp"
+#include "case/reader/shared_fields.hpp"
 
 namespace rayproof {
 namespace {

@@ -1,6 +1,6 @@
 #include "case/writer.hpp"
 
-#include "case/json_writer.hpp"
+#include "case/json/writer.hpp"
 
 namespace rayproof {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "case/near_names.hpp"
+#include "case/reader/near_names.hpp"
 #include "case/shape_format.hpp"
 #include "command_line/command_line.hpp"
 #include "programs/stream/stream_program.hpp"

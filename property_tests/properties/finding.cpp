@@ -1,7 +1,7 @@
 #include "properties/finding.hpp"
 
-#include "case/field.hpp"
-#include "case/json_writer.hpp"
+#include "case/json/writer.hpp"
+#include "case/reader/field.hpp"
 #include "case/writer.hpp"
 
 namespace rayproof {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "case/near_names.hpp"
+#include "case/reader/near_names.hpp"
 #include "command_line/command_line.hpp"
 #include "subjects/subject.hpp"
 #include "viz/case_argument.hpp"

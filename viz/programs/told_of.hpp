@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "case/near_names.hpp"
+#include "case/reader/near_names.hpp"
 #include "oracle/oracle.hpp"
 #include "subjects/subject.hpp"
 #include "viz/told.hpp"

@@ -1,8 +1,8 @@
 #include "viz/scene/camera_reader.hpp"
 
 #include "case/independent.hpp"
-#include "case/number_text.hpp"
-#include "case/shape_reader.hpp"
+#include "case/json/number_text.hpp"
+#include "case/reader/shape_reader.hpp"
 #include "viz/scene/scene.hpp"
 
 namespace rayproof::render {

@@ -4,7 +4,7 @@
 
 #include <rayproof/camera.hpp>
 
-#include "case/field.hpp"
+#include "case/reader/field.hpp"
 
 namespace rayproof::render {
 

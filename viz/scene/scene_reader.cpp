@@ -6,9 +6,9 @@
 #include <fstream>
 #include <iterator>
 
-#include "case/number_text.hpp"
-#include "case/shape_reader.hpp"
-#include "case/shared_fields.hpp"
+#include "case/json/number_text.hpp"
+#include "case/reader/shape_reader.hpp"
+#include "case/reader/shared_fields.hpp"
 #include "viz/scene/camera_reader.hpp"
 #include "viz/scene/value_at.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "case/json_text.hpp"
+#include "case/json/text.hpp"
 
 namespace rayproof::render {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "case/number_text.hpp"
+#include "case/json/number_text.hpp"
 #include "viz/stage/orbit.hpp"
 
 namespace rayproof::viz {

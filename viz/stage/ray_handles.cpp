@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "case/number_text.hpp"
+#include "case/json/number_text.hpp"
 #include "case/reader.hpp"
 #include "case/writer.hpp"
 #include "viz/clip.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "case/json_number.hpp"
+#include "case/json/number.hpp"
 #include "case/writer.hpp"
 #include "viz/numbers.hpp"
 #include "viz/palette.hpp"

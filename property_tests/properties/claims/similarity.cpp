@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/mat3x3.hpp>
 
-#include "case/number_text.hpp"
+#include "case/json/number_text.hpp"
 #include "case/similar_shapes.hpp"
 #include "generators/random.hpp"
 #include "properties/numbers.hpp"

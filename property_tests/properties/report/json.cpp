@@ -1,5 +1,5 @@
 #include "properties/report/json.hpp"
-#include "case/json_number.hpp"
+#include "case/json/number.hpp"
 
 #include <cmath>
 #include <nlohmann/json.hpp>

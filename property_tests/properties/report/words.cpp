@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "case/number_text.hpp"
+#include "case/json/number_text.hpp"
 #include "properties/claims/answers.hpp"
 
 namespace rayproof {

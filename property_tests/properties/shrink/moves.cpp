@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "case/number_text.hpp"
+#include "case/json/number_text.hpp"
 #include "case/shape_format.hpp"
 #include "generators/random.hpp"
 #include "properties/numbers.hpp"

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "case/number_text.hpp"
+#include "case/json/number_text.hpp"
 
 namespace rayproof {
 

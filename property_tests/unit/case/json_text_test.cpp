@@ -1,4 +1,4 @@
-#include "case/json_text.hpp"
+#include "case/json/text.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <map>
 
-#include "case/near_names.hpp"
+#include "case/reader/near_names.hpp"
 #include "refused.hpp"
 
 namespace rayproof {

@@ -1,4 +1,4 @@
-#include "case/near_names.hpp"
+#include "case/reader/near_names.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "case/shape_reader.hpp"
+#include "case/reader/shape_reader.hpp"
 
 #include <gtest/gtest.h>
 
-#include "case/json_writer.hpp"
+#include "case/json/writer.hpp"
 
 namespace rayproof {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "case/number_text.hpp"
+#include "case/json/number_text.hpp"
 #include "case/writer.hpp"
 #include "generators/generators.hpp"
 #include "properties/numbers.hpp"

@@ -4,7 +4,7 @@
 #include <limits>
 #include <rayproof/ray.hpp>
 
-#include "case/number_text.hpp"
+#include "case/json/number_text.hpp"
 #include "unit/viz/player.hpp"
 #include "viz/numbers.hpp"
 #include "viz/stage/live_values.hpp"

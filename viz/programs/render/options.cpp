@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "case/near_names.hpp"
+#include "case/reader/near_names.hpp"
 
 namespace rayproof::render {
 namespace {

@@ -1,4 +1,4 @@
-#include "case/json_scanner.hpp"
+#include "case/json/scanner.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "case/shared_fields.hpp"
+#include "case/reader/shared_fields.hpp"
 
 #include "case/independent.hpp"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "case/case.hpp"
-#include "case/json_text.hpp"
+#include "case/json/text.hpp"
 
 namespace rayproof {
 

@@ -2,7 +2,7 @@
 /// \file
 /// Fields that cases and scenes have in common, with the same refusals.
 
-#include "case/field.hpp"
+#include "case/reader/field.hpp"
 
 namespace rayproof {
 

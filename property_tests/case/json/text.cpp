@@ -1,9 +1,9 @@
-#include "case/json_text.hpp"
+#include "case/json/text.hpp"
 
 #include <fmt/format.h>
 
-#include "case/json_scanner.hpp"
-#include "case/number_text.hpp"
+#include "case/json/number_text.hpp"
+#include "case/json/scanner.hpp"
 #include "case/shape_format.hpp"
 
 namespace rayproof::json {

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "case/json_text.hpp"
-#include "case/number_text.hpp"
+#include "case/json/number_text.hpp"
+#include "case/json/text.hpp"
 
 namespace rayproof {
 

@@ -2,8 +2,8 @@
 
 #include <iterator>
 
-#include "case/json_scanner.hpp"
-#include "case/json_text.hpp"
+#include "case/json/scanner.hpp"
+#include "case/json/text.hpp"
 
 namespace rayproof::json {
 namespace {

@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <variant>
 
-#include "case/field.hpp"
+#include "case/reader/field.hpp"
 #include "case/shape_format.hpp"
 
 namespace rayproof {

@@ -1,4 +1,4 @@
-#include "case/number_text.hpp"
+#include "case/json/number_text.hpp"
 
 #include <fmt/format.h>
 

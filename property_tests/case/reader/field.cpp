@@ -1,12 +1,12 @@
-#include "case/field.hpp"
+#include "case/reader/field.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "case/near_names.hpp"
-#include "case/number_text.hpp"
+#include "case/json/number_text.hpp"
+#include "case/reader/near_names.hpp"
 #include "case/shape_format.hpp"
 
 namespace rayproof {
