@@ -100,7 +100,7 @@ Death describe_loss(const Tape& tape, OperationId id) {
   const Operation<Shadow>& o = tape.at(id);
   const bool is_cancelling = cancels(tape, o);
   Death death;
-  death.step = o.step < 0 ? "the inputs" : tape.steps.at(static_cast<std::size_t>(o.step));
+  death.step = o.step < 0 ? "the inputs" : tape.steps.at(static_cast<std::size_t>(o.step)).title;
   death.kind = kind_of(o.op, is_cancelling);
   death.effect = effect_of(o, is_cancelling);
   death.formula = formula_of(tape, id);

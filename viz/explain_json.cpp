@@ -31,6 +31,7 @@ Json steps(const Walkthrough& walk) {
     for (const WalkItem& item : step.items)
       items.push_back({{"label", item.label}, {"geometry", item.geometry}});
     all.push_back({{"title", step.title},
+                   {"meaning", step.meaning},
                    {"caption", step.caption},
                    {"values", values(step.values)},
                    {"items", items}});

@@ -65,7 +65,8 @@ std::string steps_of(const Walkthrough& walk) {
   text += "\n" + name + padded("exact", widths.exact) + "  bits lost  error bound\n";
   for (std::size_t i = 0; i < walk.steps.size(); ++i) {
     const WalkStep& step = walk.steps[i];
-    text += fmt::format("{}. {}\n{}", i + 1, step.title, table(step.values, widths, walk.precision));
+    text += fmt::format("{}. {}\n   {}\n{}", i + 1, step.title, step.meaning,
+                        table(step.values, widths, walk.precision));
     if (!step.caption.empty()) text += "   " + step.caption + "\n";
   }
   return text;

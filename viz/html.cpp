@@ -31,8 +31,8 @@ std::string table(const std::vector<WalkValue>& values, Precision precision, con
 }
 
 std::string step_section(std::size_t number, const WalkStep& step, bool is_worst, Precision precision) {
-  return fmt::format("<section class=\"step{}\"><h2>{}. {}</h2>\n{}{}</section>\n", is_worst ? " worst" : "",
-                     number, escaped(step.title),
+  return fmt::format("<section class=\"step{}\"><h2>{}. {}</h2>\n<p>{}</p>\n{}{}</section>\n",
+                     is_worst ? " worst" : "", number, escaped(step.title), escaped(step.meaning),
                      step.caption.empty() ? "" : fmt::format("<p>{}</p>\n", escaped(step.caption)),
                      table(step.values, precision));
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "viz/losses.hpp"
 #include "viz/numbers.hpp"
@@ -40,6 +41,29 @@ std::vector<WalkValue> named_values(const Tape& tape, const NamedValue& named, P
   return values;
 }
 
+/// The latest number or vector of that name, from the inputs to the step.
+std::string number_of(const Tape& tape, const std::string& name, std::ptrdiff_t step, Precision precision) {
+  const auto found = std::find_if(tape.names.rbegin(), tape.names.rend(), [&](const NamedValue& named) {
+    return named.step <= step && named.name == name;
+  });
+  if (found == tape.names.rend())
+    throw std::logic_error("a step speaks of " + name + ", which has no number");
+  std::vector<std::string> numbers;
+  for (const OperationId id : found->components) numbers.push_back(shown(tape.at(id).value, precision));
+  return numbers.size() == 1 ? numbers[0] : fmt::format("({})", fmt::join(numbers, ", "));
+}
+
+/// What the step means, with a number in the place of each {name}.
+std::string meaning_of(const Tape& tape, std::ptrdiff_t step, Precision precision) {
+  std::string meaning = tape.steps[static_cast<std::size_t>(step)].meaning;
+  for (std::size_t open = meaning.find('{'); open != std::string::npos; open = meaning.find('{', open)) {
+    const std::size_t close = meaning.find('}', open);
+    meaning.replace(open, close + 1 - open,
+                    number_of(tape, meaning.substr(open + 1, close - open - 1), step, precision));
+  }
+  return meaning;
+}
+
 /// What decides the verdict: a discriminant, an unnamed difference, or, where the sign is a mere flag,
 /// nothing but the comparisons on the way to it.
 std::string decider_of(const Tape& tape, OperationId id) {
@@ -51,16 +75,9 @@ std::string decider_of(const Tape& tape, OperationId id) {
 /// Named numbers that a picture of the case can point at.
 void point_out(WalkStep& step, Precision precision) {
   for (const WalkValue& value : step.values) {
-    const bool is_t = value.name == "t₀" || value.name == "t₁";
-    if (is_t)
-      step.items.push_back(
-          {Role::claimed, value.name, "point at t = " + shown(value.value, precision) + " on the ray"});
-    if (value.name == "t_c") {
-      step.items.push_back(
-          {Role::nearest, "nearest point", "point at t = " + shown(value.value, precision) + " on the ray"});
-    }
-    if (value.name == "x₀" || value.name == "x₁" || value.name == "q/a" || value.name == "c/q") {
-      step.items.push_back({Role::claimed, value.name, "root at x = " + shown(value.value, precision)});
+    for (const auto& [name, role, label, before, after] : pointed_values) {
+      if (value.name == name)
+        step.items.push_back({role, label, before + shown(value.value, precision) + after});
     }
   }
 }
@@ -115,7 +132,9 @@ Walkthrough tell_steps(const Tape& tape, Precision precision) {
   walk.precision = precision;
   walk.digits = precision == Precision::float32 ? std::numeric_limits<float>::digits
                                                 : std::numeric_limits<double>::digits;
-  for (const std::string& title : tape.steps) walk.steps.push_back({title, {}, {}, {}, {}});
+  for (std::size_t i = 0; i < tape.steps.size(); ++i) {
+    walk.steps.push_back({tape.steps[i].title, meaning_of(tape, static_cast<std::ptrdiff_t>(i), precision)});
+  }
   for (const NamedValue& named : tape.names) {
     auto& values = named.step < 0 ? walk.inputs : walk.steps.at(static_cast<std::size_t>(named.step)).values;
     const auto more = named_values(tape, named, precision);

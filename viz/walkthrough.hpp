@@ -3,6 +3,7 @@
 /// A walkthrough: a method's run on one case, told step by step, as data. Text, page and picture are sinks of
 /// it.
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -53,10 +54,29 @@ struct WalkItem {
   std::string geometry;  ///< "point at t = 4 on the ray"
 };
 
-/// One step of the method: its title is the very comment in the kernel's code.
+/// A named value that is such a thing, and where it lies: "point at t = 4 on the ray".
+struct PointedValue {
+  const char* name;
+  Role role;
+  const char* label;
+  const char* before;
+  const char* after;
+};
+inline constexpr std::array<PointedValue, 7> pointed_values{{
+    {"t₀", Role::claimed, "t₀", "point at t = ", " on the ray"},
+    {"t₁", Role::claimed, "t₁", "point at t = ", " on the ray"},
+    {"t_c", Role::nearest, "nearest point", "point at t = ", " on the ray"},
+    {"x₀", Role::claimed, "x₀", "root at x = ", ""},
+    {"x₁", Role::claimed, "x₁", "root at x = ", ""},
+    {"q/a", Role::claimed, "q/a", "root at x = ", ""},
+    {"c/q", Role::claimed, "c/q", "root at x = ", ""},
+}};
+
+/// One step of the method, in the kernel's own words.
 struct WalkStep {
   std::string title;
-  std::string caption;  ///< which operation lost digits; empty where none lost any worth a word
+  std::string meaning;    ///< in a sentence, its numbers put in
+  std::string caption{};  ///< which operation lost digits; empty where none lost any worth a word
   std::vector<WalkValue> values{};
   std::vector<WalkItem> items{};
   std::optional<Death> loss{};  ///< what the caption tells; none where none is worth it

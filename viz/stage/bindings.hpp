@@ -15,6 +15,10 @@ namespace rayproof::viz {
 [[nodiscard]] std::vector<Binding> parallelepiped_bindings();
 [[nodiscard]] std::vector<Binding> quadratic_bindings();
 
+/// A method's answer, which looks alike in every topic: a point on the ray where the rounded arithmetic has
+/// it.
+[[nodiscard]] Binding answer(const char* name);
+
 /// `v` with the length `length`: of what has the direction of an arrow but, being an area, no length.
 [[nodiscard]] glm::dvec3 resized(const glm::dvec3& v, double length);
 

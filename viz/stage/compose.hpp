@@ -3,7 +3,9 @@
 /// What composed lessons are made of: library functions run in the recording arithmetic, told as a kernel's
 /// run is.
 
+#include <algorithm>
 #include <rayproof/arithmetics/recorded.hpp>
+#include <stdexcept>
 #include <type_traits>
 
 #include "viz/record.hpp"
@@ -25,11 +27,21 @@ template <class Run>
 }
 
 /// The stage of a composed run: the given case's scene, a first step with the inputs, and the run's steps.
+/// Each of the setting's bindings must draw something that the run records: std::logic_error.
 [[nodiscard]] Stage composed_stage(const Told& told, const Walkthrough& walk, const Setting& setting);
 
-/// Lets a step show items of another space at the right of all that is in the world; the next step begins
-/// anew.
-void show_beside(Stage& stage, std::size_t step, const Items& items);
+/// The place of the step whose title begins so: std::logic_error where there is none.
+template <class Steps>
+[[nodiscard]] std::size_t place_of(const Steps& steps, const std::string& title) {
+  const auto found = std::find_if(steps.begin(), steps.end(),
+                                  [&](const auto& step) { return step.title.starts_with(title); });
+  if (found == steps.end()) throw std::logic_error("no step '" + title + "' in this run");
+  return static_cast<std::size_t>(found - steps.begin());
+}
+
+/// Lets the step whose title begins so show items of another space at the right of all that is in the world;
+/// the next step begins anew.
+void show_beside(Stage& stage, const std::string& title, const Items& items);
 
 /// A last step on how far the run's own values part from the exact ones: the one that lost most, magnified.
 [[nodiscard]] StageStep parting_of_values(const Walkthrough& walk, const Setting& setting,

@@ -41,11 +41,7 @@ struct Binding {
   std::function<Items(const NumbersByName& n)> draw;
 };
 
-/// How a topic's named values look, by a method's own table, or by the topic's.
+/// How a topic's named values look.
 [[nodiscard]] const std::vector<Binding>& bindings_of(const std::string& topic);
-
-/// A method's answers, which look alike in every topic: points on the ray where the rounded arithmetic has
-/// them.
-[[nodiscard]] Items answer_item(const NumbersByName& n, const std::string& name);
 
 }  // namespace rayproof::viz

@@ -9,7 +9,6 @@
 #include "viz/losses.hpp"
 #include "viz/numbers.hpp"
 #include "viz/stage/stage_values.hpp"
-#include "viz/stage/words.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -55,7 +54,6 @@ Items items_of(const std::string& name, const NumbersByName& n, const Setting& s
     if (binding.name != name) continue;
     for (StageItem& item : binding.draw(n)) items.push_back(std::move(item));
   }
-  for (StageItem& item : answer_item(n, name)) items.push_back(std::move(item));
   return items;
 }
 
@@ -141,9 +139,9 @@ std::vector<StageStep> kernel_steps(const Told& told, const Walkthrough& walk, s
     step.title = parts.size() == 1 ? title : fmt::format("{} ({} of {})", title, i + 1, parts.size());
     step.values = parts[i];
     if (i == 0) {
-      step.words = words_for(title, [&](const std::string& name) { return number_for(n, name, precision); });
+      step.words = walk.steps[index].meaning;
+      add_placed(step, items_of(title, n, setting), setting);
     }
-    if (i == 0) add_placed(step, items_of(title, n, setting), setting);
     for (const StageValue& value : step.values) add_placed(step, items_of(value.name, n, setting), setting);
     step.digits =
         digits_of(step.values, parts.size() == 1 ? walk.steps[index].loss : worst_loss_of(parts[i]));

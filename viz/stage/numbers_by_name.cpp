@@ -1,16 +1,29 @@
 #include "viz/stage/numbers_by_name.hpp"
 
-#include <limits>
+#include <stdexcept>
 
 namespace rayproof::viz {
 namespace {
 
 double find(const std::map<std::string, double>& numbers, const std::string& name) {
   const auto found = numbers.find(name);
-  return found == numbers.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
+  if (found == numbers.end()) throw std::logic_error("no kernel of this run names " + name);
+  return found->second;
 }
 
 }  // namespace
+
+std::set<std::string> recorded_names(const Walkthrough& walk) {
+  std::set<std::string> names;
+  for (const WalkStep& step : walk.steps) {
+    names.insert(step.title);
+    for (const WalkValue& value : step.values) {
+      names.insert(value.name);
+      if (value.name.ends_with(".x")) names.insert(value.name.substr(0, value.name.size() - 2));
+    }
+  }
+  return names;
+}
 
 NumbersByName::NumbersByName(const Walkthrough& walk, std::size_t last_step) {
   for (const WalkValue& value : walk.inputs) take(value);
@@ -29,10 +42,10 @@ double NumbersByName::operator[](const std::string& name) const { return find(ex
 double NumbersByName::rounded(const std::string& name) const { return find(rounded_, name); }
 
 glm::dvec3 NumbersByName::vector(const std::string& name) const {
-  const auto component = [&](const char* suffix) {
-    return has(name + suffix) ? (*this)[name + suffix] : 0.0;
+  const auto in_space = [&](const std::string& component) {
+    return has(component) ? (*this)[component] : 0.0;
   };
-  return {component(".x"), component(".y"), component(".z")};
+  return {(*this)[name + ".x"], (*this)[name + ".y"], in_space(name + ".z")};
 }
 
 glm::dvec3 NumbersByName::first_vector(const std::string& name) const {

@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 #include <map>
+#include <set>
 #include <string>
 
 #include "viz/walkthrough.hpp"
@@ -12,17 +13,17 @@ namespace rayproof::viz {
 
 /// The inputs and every named value up to and with a step, each as the exact arithmetic has it, rounded to
 /// double; of a name that was given twice the later one. What is drawn lies where it belongs; only answers
-/// are drawn where the rounded arithmetic put them.
+/// are drawn where the rounded arithmetic put them. To ask for a name that the run does not have is an error
+/// of the picture: std::logic_error.
 class NumbersByName {
  public:
   explicit NumbersByName(const Walkthrough& walk, std::size_t last_step);
 
   [[nodiscard]] bool has(const std::string& name) const { return exact_.contains(name); }
-  /// The number of that name; NaN where there is none.
   [[nodiscard]] double operator[](const std::string& name) const;
   /// The same as it was rounded.
   [[nodiscard]] double rounded(const std::string& name) const;
-  /// The vector name.x, name.y, name.z; components that were not named are 0.
+  /// The vector name.x, name.y, name.z; z is 0 of one that the kernel has in a plane.
   [[nodiscard]] glm::dvec3 vector(const std::string& name) const;
   [[nodiscard]] bool has_vector(const std::string& name) const { return has(name + ".x"); }
 
@@ -40,5 +41,9 @@ class NumbersByName {
   std::map<std::string, double> exact_{}, rounded_{};
   std::map<std::string, double> first_{};  ///< of a name that was given twice the earlier one
 };
+
+/// What a picture can hang on: the names of the run's values, a vector's without ".x", and the titles of its
+/// steps.
+[[nodiscard]] std::set<std::string> recorded_names(const Walkthrough& walk);
 
 }  // namespace rayproof::viz

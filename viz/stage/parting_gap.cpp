@@ -13,8 +13,9 @@ namespace rayproof::viz {
 std::optional<Gap> gap_of(const Told& told) {
   if (!told.walk || told.walk->steps.empty()) return std::nullopt;
   const NumbersByName n(*told.walk, told.walk->steps.size() - 1);
-  const std::string last = n.has("t_padded") ? "t_padded" : "t_exit";
-  const Gap gap{n["t_entry"], n["t_exit"], n.rounded("t_entry"), n.rounded(last)};
+  const auto& [entry, exit, padded] = gap_names;
+  if (!n.has(exit)) return std::nullopt;
+  const Gap gap{n[entry], n[exit], n.rounded(entry), n.rounded(n.has(padded) ? padded : exit)};
   const double size = std::abs(gap.exit - gap.entry);
   const bool is_narrow = size > 0 && size < 1e-3 * std::abs(gap.entry) && std::isfinite(gap.computed_exit);
   return is_narrow ? std::optional(gap) : std::nullopt;

@@ -2,6 +2,7 @@
 /// \file
 /// A solid that a ray just misses, or just meets: rounding decides, and only from very near it is to be seen.
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -15,6 +16,9 @@ struct Gap {
   double entry, exit;
   double computed_entry, computed_exit;
 };
+
+/// As the kernels call the ends, and an exit that is moved on.
+inline constexpr std::array<const char*, 3> gap_names{"t_entry", "t_exit", "t_padded"};
 
 /// The gap of a run that names both ends, where it is narrow.
 [[nodiscard]] std::optional<Gap> gap_of(const Told& told);

@@ -3,7 +3,8 @@
 
 namespace rayproof::viz {
 
-void show_beside(Stage& stage, std::size_t number, const Items& items) {
+void show_beside(Stage& stage, const std::string& title, const Items& items) {
+  const std::size_t number = place_of(stage.steps, title);
   const auto reach = [&](const Items& some) { return view_of(extent_of(some, stage.camera), stage.camera); };
   const StageView world = reach(stage.scene);
   const StageView own = reach(items);

@@ -4,8 +4,8 @@
 ///
 /// All of it is data: titles, captions, formulas, numbers, and items placed in the world. The PNG storyboard,
 /// the page and the window are sinks of it and compute nothing of their own but the way it is seen. The steps
-/// are the kernel's own (their titles are the comments in its code), and the numbers are the run's own, bit
-/// for bit: what a value holds is what the same kernel computes in plain `float` or `double`.
+/// are the kernel's own, titles and words (rayproof/method/narration.hpp), and the numbers are the run's own,
+/// bit for bit: what a value holds is what the same kernel computes in plain `float` or `double`.
 ///
 ///     const Told told = told_of(one, "sphere/centred");          // viz/programs/told_of.hpp
 ///     const Stage stage = stage_of(told);                        // viz/stage/stage_of.hpp
@@ -75,8 +75,8 @@ struct StageView {
 /// One step. Its items are the new ones; those of the steps before are to be shown dimmed, unless
 /// `is_apart`, and back to the last step that `begins_anew`.
 struct StageStep {
-  std::string title;    ///< the very comment in the kernel's code
-  std::string words;    ///< what to see, in a sentence; may be empty
+  std::string title;    ///< the kernel's own
+  std::string words;    ///< what the step means, the kernel's own sentence; may be empty
   std::string caption;  ///< the same and the numbers put in: "… D = b·b − 4·a·c = 3·3 − 4·1·2 = 1"
   std::string digits;   ///< what the step did to the digits, in one sentence; may be empty
   std::vector<StageValue> values{};

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "viz/answers.hpp"
 #include "viz/numbers.hpp"
@@ -125,6 +126,11 @@ Stage stage_of(const Told& told) {
 }
 
 Stage composed_stage(const Told& told, const Walkthrough& walk, const Setting& setting) {
+  const std::set<std::string> recorded = recorded_names(walk);
+  for (const Binding& binding : setting.bindings) {
+    if (!recorded.contains(binding.name))
+      throw std::logic_error("a lesson draws " + binding.name + ", which its run does not name");
+  }
   Stage stage = bare_stage(told, setting);
   stage.steps.push_back(first_step(told, &walk, setting));
   add_steps(stage, told, walk, setting, false);

@@ -31,8 +31,8 @@ std::vector<std::string> formulas_of(const StageValue& value) {
   return formulas;
 }
 
-}  // namespace
-
+/// The rounded number or vector of a name known by now, as it stands in a formula; empty for no such name. A
+/// kernel that goes on in a plane may name the first two components of a vector anew.
 std::string number_for(const NumbersByName& n, const std::string& name, Precision precision,
                        std::size_t dimensions) {
   if (n.has(name)) {
@@ -44,6 +44,8 @@ std::string number_for(const NumbersByName& n, const std::string& name, Precisio
   return dimensions > 2 && n.has(name + ".z") ? fmt::format("({}, {}, {})", at(".x"), at(".y"), at(".z"))
                                               : fmt::format("({}, {})", at(".x"), at(".y"));
 }
+
+}  // namespace
 
 void put_numbers_in(StageValue& value, const NumbersByName& n, Precision precision) {
   if (value.components.size() == 1) {

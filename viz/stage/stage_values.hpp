@@ -15,11 +15,6 @@ namespace rayproof::viz {
 /// Values named name.x, name.y, name.z together, in the order of naming.
 [[nodiscard]] std::vector<StageValue> grouped(const std::vector<WalkValue>& values);
 
-/// The rounded number or vector of a name known by now, as it stands in a formula; empty for no such name. A
-/// kernel that goes on in a plane may name the first two components of a vector anew.
-[[nodiscard]] std::string number_for(const NumbersByName& n, const std::string& name, Precision precision,
-                                     std::size_t dimensions = 3);
-
 /// Gives the value its formula, a vector one for all its components, and the numbers in it.
 void put_numbers_in(StageValue& value, const NumbersByName& n, Precision precision);
 

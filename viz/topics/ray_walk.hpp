@@ -50,7 +50,8 @@ template <class R>
   const vec3<R> b = column("A₂", 1);
   const vec3<R> c = column("A₃", 2);
   const vec3<R> translation = column("T", 3);
-  step<R>(("Take the ray into the " + shape + "'s own space").c_str());
+  step<R>(("Take the ray into the " + shape + "'s own space").c_str(),
+          "The inverse map applies to o and v; v is not normalised, so t is the same number in both spaces.");
   Ray<R> inside = to_object(object_space<R>(a, b, c, translation), ray);
   inside.origin = named("o′", inside.origin);
   inside.direction = named(direction, inside.direction);

@@ -50,13 +50,16 @@ inline constexpr Bound axes_error{.measured = 4.30, .promised = 8};
 /// 2022.
 template <class T>
 [[nodiscard]] CameraAxes<T> axes(const Camera<T>& camera) {
-  step<T>("Look along -w, from the eye to the centre");
+  step<T>("Look along -w, from the eye to the centre",
+          "w is the unit vector from the centre back to the eye.");
   const vec3<T> w = named("w", normalized<T>(camera.eye - camera.center));
 
-  step<T>("Turn u to the right of both up and w");
+  step<T>("Turn u to the right of both up and w",
+          "u is the unit vector along up × w: perpendicular to both, and horizontal in the image.");
   const vec3<T> u = named("u", normalized<T>(cross(camera.up, w)));
 
-  step<T>("Complete the right-handed axes by v");
+  step<T>("Complete the right-handed axes by v",
+          "v is perpendicular to u and w and points upwards in the image; it is a unit vector already.");
   const vec3<T> v = named("v", vec3<T>(cross(w, u)));
   return {u, v, w};
 }
@@ -66,11 +69,14 @@ template <class T>
 template <class T>
 [[nodiscard]] constexpr Ray<T> ray_through(const Camera<T>& camera, const CameraAxes<T>& axes,
                                            const T& across, const T& upwards) {
-  step<T>("Scale to the image plane at distance 1");
+  step<T>("Scale to the image plane at distance 1",
+          "There the image is 2·half_w wide and 2·half_h high, so x and y from -1 to 1 are multiplied by "
+          "half_w and half_h.");
   const T alpha = named("α", camera.half_width * across);
   const T beta = named("β", camera.half_height * upwards);
 
-  step<T>("Shoot from the eye through that point");
+  step<T>("Shoot from the eye through that point",
+          "d leads from the eye to that point, so t is 1 on the image plane.");
   return {camera.eye, named("d", vec3<T>(alpha * axes.u + beta * axes.v - axes.w))};
 }
 
@@ -91,7 +97,8 @@ struct PixelCentre {
   template <class T>
   [[nodiscard]] static constexpr Ray<T> ray(const Camera<T>& camera, const CameraAxes<T>& axes,
                                             const ImageSize<T>& image, const T& i, const T& j) {
-    step<T>("Place the pixel's centre in the image");
+    step<T>("Place the pixel's centre in the image",
+            "x and y go from -1 to 1 over the image; the centre is half a pixel from the corner (i, j).");
     const T half_w = T(0.5) * image.width, half_h = T(0.5) * image.height;
     const T across = named("x", (i + T(0.5) - half_w) / half_w);
     const T upwards = named("y", (half_h - (j + T(0.5))) / half_h);
@@ -112,7 +119,8 @@ struct PrintedPixelCorner {
   template <class T>
   [[nodiscard]] static constexpr Ray<T> ray(const Camera<T>& camera, const CameraAxes<T>& axes,
                                             const ImageSize<T>& image, const T& i, const T& j) {
-    step<T>("Place the pixel in the image as printed");
+    step<T>("Place the pixel in the image as printed",
+            "Without the half pixel this is the pixel's corner, not its centre.");
     const T half_w = T(0.5) * image.width, half_h = T(0.5) * image.height;
     const T across = named("x", (i - half_w) / half_w);
     const T upwards = named("y", (half_h - j) / half_h);

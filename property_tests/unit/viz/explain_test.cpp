@@ -126,6 +126,12 @@ TEST(Explain, TheJsonHoldsStepsValuesAndTheDeath) {
   const auto json = nlohmann::json::parse(explain_json(told));
   EXPECT_EQ(json["death"]["formula"], "−b + √D");
   EXPECT_EQ(json["steps"][0]["values"][0]["name"], "D");
+  const std::string meaning = json["steps"][0]["meaning"];
+  EXPECT_EQ(meaning,
+            "Its sign gives the number of real roots: two for D > 0, one for D = 0, none for D < 0.");
+  EXPECT_NE(explain_text(told).find("1. Form the discriminant\n   " + meaning + "\n   D  "),
+            std::string::npos);
+  EXPECT_NE(html_page(told).find("<p>Its sign gives the number of real roots"), std::string::npos);
   EXPECT_EQ(json["inputs"].size(), 3U);
 }
 

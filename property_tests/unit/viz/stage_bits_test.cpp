@@ -127,7 +127,7 @@ class PlainRuns {
     (void)named("p(1)", point_at(ray, H(1)));
     (void)named("p(2.5)", point_at(ray, H(2.5)));
     const H length = named("|d|", sqrt(dot(ray.direction, ray.direction)));
-    (void)named("way", H(2.5) * length);
+    (void)named("distance", H(2.5) * length);
   }
   void camera() {
     const rayproof::Camera<H> camera{given("eye"), given("center"), given("up"), given("half_w").x,

@@ -1,11 +1,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
+#include <map>
+#include <set>
 
+#include "generators/generators.hpp"
+#include "unit/viz/every_shape.hpp"
 #include "unit/viz/stage_data.hpp"
-#include "viz/stage/lesson.hpp"
-#include "viz/stage/stage_values.hpp"
-#include "viz/stage/words.hpp"
+#include "viz/answers.hpp"
+#include "viz/stage/compose.hpp"
+#include "viz/stage/parting_gap.hpp"
+#include "viz/stage/stage_of.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -35,11 +41,99 @@ TEST(StageWords, AStepThatNamesNothingPutsInTheNumbersThatItUses) {
   EXPECT_NE(ends.find("z = 0 and z = 2.2."), std::string::npos) << ends;
 }
 
-TEST(StageWords, NumbersThatTheKernelDoesNotNameAreLeftOut) {
-  const auto nameless = [](const std::string& /*name*/) { return std::string(); };
-  EXPECT_EQ(words_for("Meet the planes of both ends", nameless),
-            "Between the two planes the ray is at the cylinder's height.");
-  EXPECT_EQ(words_for("A step of no kernel", nameless), "");
+/// Every method that can be recorded, on tame cases of every form and on a case of every family.
+void for_every_told_method(const std::function<void(const Told&)>& check) {
+  std::vector<Case> cases;
+  for (const std::string& shape : shapes()) cases.push_back(with_shape(shape));
+  for (const Family& family : families()) cases.push_back(family.generate(7, Precision::float32));
+  for (const Case& one : cases) {
+    for (const Subject& subject : subjects()) {
+      if (subject.topic != topic_of(one)) continue;
+      const Told told = told_of(one, &subject);
+      if (told.walk) check(told);
+    }
+  }
+}
+
+TEST(StageWords, EveryStepOfEveryMethodSaysInASentenceWhatItMeans) {
+  std::set<std::string> titles;
+  for_every_told_method([&](const Told& told) {
+    for (const WalkStep& step : told.walk->steps) {
+      titles.insert(step.title);
+      EXPECT_TRUE(step.meaning.ends_with(".")) << told.method << ": " << step.title << ": " << step.meaning;
+      EXPECT_EQ(step.meaning.find_first_of("{}"), std::string::npos) << told.method << ": " << step.meaning;
+    }
+  });
+  EXPECT_GT(titles.size(), 50U);
+}
+
+TEST(StageWords, EveryPictureHangsOnANameThatAKernelOfItsTopicRecords) {
+  std::set<std::string> recorded;
+  std::map<std::string, std::set<std::string>> drawn;
+  for_every_told_method([&](const Told& told) {
+    const std::string topic = topic_of(told.one);
+    const std::set<std::string> names = recorded_names(*told.walk);
+    const NumbersByName n(*told.walk, told.walk->steps.size() - 1);
+    for (const Binding& binding : bindings_of(topic)) {
+      if (names.contains(binding.name) && !binding.draw(n).empty()) drawn[topic].insert(binding.name);
+    }
+    recorded.insert(names.begin(), names.end());
+  });
+  EXPECT_GT(drawn.size(), 5U);
+  for (const auto& [topic, names] : drawn) {
+    for (const Binding& binding : bindings_of(topic))
+      EXPECT_TRUE(names.contains(binding.name)) << "nothing of a " << topic << " draws " << binding.name;
+  }
+  for (const char* name : gap_names) EXPECT_TRUE(recorded.contains(name)) << name;
+  for (const PointedValue& value : pointed_values) EXPECT_TRUE(recorded.contains(value.name)) << value.name;
+}
+
+TEST(StageWords, WhatAStepDrawsAsAHitLiesOnTheRayWhateverTheKernelCallsItsOwnRay) {
+  std::size_t hits = 0;
+  for (const std::string& shape : shapes()) {
+    const Case one = with_shape(shape);
+    const Ray<double>& ray = std::get<RayQuestion>(one.question).ray;
+    for (const Subject& subject : subjects()) {
+      if (subject.topic != topic_of(one)) continue;
+      for (const StageStep& step : stage_of(told_of(one, &subject)).steps) {
+        for (const StageItem& item : step.items) {
+          if (step.is_apart || item.role != Role::claimed || item.form != Form::point) continue;
+          ++hits;
+          const glm::dvec3 off = glm::cross(item.points[0] - ray.origin, ray.direction);
+          EXPECT_LE(glm::length(off), 1e-9) << subject.topic << "/" << subject.name << ": " << step.title;
+        }
+      }
+    }
+  }
+  EXPECT_GT(hits, 30U);
+}
+
+/// A run of one step, which names the number 2.
+Walkthrough run_that_names(const char* name) {
+  return record(Precision::float32, [&]<class R>(std::type_identity<R>) {
+    step<R>("Take two", "It is {two}.");
+    (void)named(name, R(2));
+  });
+}
+
+TEST(StageWords, ASentenceThatSpeaksOfANumberWithoutANameIsAnError) {
+  EXPECT_EQ(run_that_names("two").steps.front().meaning, "It is 2.");
+  EXPECT_THROW((void)run_that_names("three"), std::logic_error);
+}
+
+TEST(StageWords, APictureThatAsksForANameThatTheRunDoesNotHaveIsAnError) {
+  const Walkthrough run = run_that_names("two");
+  const NumbersByName n(run, 0);
+  EXPECT_EQ(n["two"], 2);
+  EXPECT_THROW((void)n["three"], std::logic_error);
+  EXPECT_THROW((void)n.vector("two"), std::logic_error);
+  const Told told = tell_lesson(read_case(lessons_of("sphere").front()->case_text), "");
+  Setting setting = setting_of(told);
+  setting.bindings = {{"two", [](const NumbersByName& /*n*/) { return Items{}; }}};
+  EXPECT_EQ(composed_stage(told, run, setting).steps.size(), 2U);
+  setting.bindings.push_back({"three", [](const NumbersByName& /*n*/) { return Items{}; }});
+  EXPECT_THROW((void)composed_stage(told, run, setting), std::logic_error);
+  EXPECT_THROW((void)place_of(run.steps, "Take three"), std::logic_error);
 }
 
 TEST(StageWords, AVectorOfThePlaneIsPutInWithTwoComponentsWhateverHadItsNameBefore) {

@@ -53,7 +53,7 @@ Items parameters(const NumbersByName& n) {
 std::vector<Binding> plane_bindings() {
   return {
       {"Put the ray into the plane's equation", normal},
-      {"Compare the way to the plane with the way the ray gains on it", normal},
+      {"Compare the distance to the plane with the ray's progress", normal},
       {"n·o + d", height_above_plane},
       {"n·(p - o)", height_above_plane},
       {"n·d⃗", gain},
@@ -61,6 +61,7 @@ std::vector<Binding> plane_bindings() {
       {"w", [](const NumbersByName& n) { return Items{arrow(Role::edge, point_of(n), n.origin(), "w")}; }},
       {"u×v", normal},
       {"b", parameters},
+      answer("t"),
   };
 }
 

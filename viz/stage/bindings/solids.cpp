@@ -80,6 +80,8 @@ std::vector<Binding> box_bindings() {
       {"max - o", [](const NumbersByName& n) { return to_corner(n, "max - o"); }},
       {"Meet both planes of each axis", slabs},
       {"t_exit", overlap},
+      answer("t_entry"),
+      answer("t_exit"),
   };
 }
 
@@ -90,6 +92,8 @@ std::vector<Binding> parallelepiped_bindings() {
       face_normal("n₂", "e₀", "e₁"),
       {"Meet each pair of faces", [](const NumbersByName& n) { return to_corner(n, "f"); }},
       {"t_exit", overlap},
+      answer("t_entry"),
+      answer("t_exit"),
   };
 }
 
@@ -99,6 +103,10 @@ std::vector<Binding> cylinder_bindings() {
       {"t_c", nearest_the_axis},
       {"h", half_chords},
       {"Meet the planes of both ends", ends},
+      answer("t₀"),
+      answer("t₁"),
+      answer("t_entry"),
+      answer("t_exit"),
   };
 }
 

@@ -36,6 +36,8 @@ std::vector<Binding> sphere_bindings() {
        [](const NumbersByName& n) {
          return Items{segment(Role::edge, n.at(n["t₀"]), n.at(n["t₁"]), "the chord")};
        }},
+      answer("t₀"),
+      answer("t₁"),
   };
 }
 

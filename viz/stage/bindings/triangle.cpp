@@ -41,7 +41,9 @@ Items second_weight(const NumbersByName& n) {
   return {segment(Role::edge, corner, corner + n["v"] * (tri.c - tri.a), "v·e₂")};
 }
 
+/// Cramer's a and b are numbers; another kernel's are its vertices.
 Items both_parameters(const NumbersByName& n) {
+  if (!n.has("b")) return {};
   const Corners tri = corners_of(n);
   const glm::dvec3 corner = tri.a + n["a"] * (tri.b - tri.a);
   return {segment(Role::edge, tri.a, corner, "a·(b − a)"),
@@ -126,6 +128,7 @@ std::vector<Binding> triangle_bindings() {
       side("U", 1, 2),
       side("V", 2, 0),
       side("W", 0, 1),
+      answer("t"),
   };
 }
 

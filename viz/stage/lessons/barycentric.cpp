@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <rayproof/triangle/barycentric.hpp>
 
 #include "viz/losses.hpp"
@@ -27,16 +28,21 @@ Stage barycentric_stage(const Case& one, const TellCase& tell) {
     const auto a = flat("a", triangle.a);
     const auto b = flat("b", triangle.b);
     const auto c = flat("c", triangle.c);
-    step<R>("");
+    step<R>("Find the barycentric coordinates", "A step for each value follows.");
     (void)triangle::barycentric(q, a, b, c);
   });
   // One value a step.
   const std::vector<WalkValue> values = walk.steps.front().values;
-  static constexpr const char* titles[] = {"D is twice the area of the whole", "α is the part opposite a",
-                                           "β is the part opposite b", "γ is what is left for c"};
+  static const std::map<std::string, Step> steps{
+      {"D", {"D is twice the area of the whole", "It is positive where a, b, c run counterclockwise."}},
+      {"α", {"α is the part opposite a", "It is the area of q, b, c over the area of the whole."}},
+      {"β", {"β is the part opposite b", "It is the area of q, c, a over the area of the whole."}},
+      {"γ", {"γ is what is left for c", "The three areas add up to the whole, so α + β + γ = 1."}}};
   walk.steps.clear();
-  for (std::size_t i = 0; i < values.size(); ++i)
-    walk.steps.push_back({titles[i], loss_sentence(values[i].loss), {values[i]}, {}, values[i].loss});
+  for (const WalkValue& value : values) {
+    const auto& [title, meaning] = steps.at(value.name);
+    walk.steps.push_back({title, meaning, loss_sentence(value.loss), {value}, {}, value.loss});
+  }
   Setting setting = plot_setting(told);
   setting.scene = {polygon(Role::surface, {triangle.a, triangle.b, triangle.c}),
                    polyline(Role::surface, {triangle.a, triangle.b, triangle.c, triangle.a}),

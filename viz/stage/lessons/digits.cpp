@@ -25,8 +25,6 @@ Stage digits_stage(const Case& one, const TellCase& tell) {
     setting.scene.push_back(point(Role::text, {x(bits), -0.75, 0}, rough(bits) + " bits"));
   }
   Stage stage = composed_stage(told, *told.walk, setting);
-  // What the roots are on the ray has no place in this drawing.
-  for (StageStep& step : stage.steps) step.items.clear();
   const auto add_bars = [&](StageStep& step, const std::vector<WalkValue>& values, std::size_t row) {
     for (const WalkValue& value : values) {
       const double y = 0.6 - row_height * static_cast<double>(row++);

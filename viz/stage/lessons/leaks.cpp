@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <rayproof/triangle/moller_trumbore.hpp>
+#include <rayproof/triangle/woop.hpp>
 #include <stdexcept>
 
 #include "viz/answers.hpp"
@@ -28,20 +30,16 @@ Case second_triangle(const Case& one) {
   return second;
 }
 
-/// The kernel's steps whose titles begin so, under a name.
-void add_steps(Stage& stage, const Told& told, const Setting& setting, const std::string& title,
-               const std::string& who) {
-  for (std::size_t i = 0; i < told.walk->steps.size(); ++i) {
-    if (!told.walk->steps[i].title.starts_with(title)) continue;
-    const bool is_of_another = !stage.steps.back().title.starts_with(who);
-    for (StageStep& step : kernel_steps(told, *told.walk, i, setting, false)) {
-      step.begins_anew = is_of_another;
-      step.title = who + ": " + step.title;
-      step.words = fmt::format("{} says: {}.", who, verdict_of(told.claim()));
-      step.caption = step.words + " " + step.caption;
-      stage.steps.push_back(std::move(step));
-    }
-  }
+/// One of the kernel's steps, under a name.
+void add_step(Stage& stage, const Told& told, const Setting& setting, const Step& wanted,
+              const std::string& who) {
+  const std::size_t index = place_of(told.walk->steps, wanted.title);
+  StageStep step = kernel_steps(told, *told.walk, index, setting, false).front();
+  step.begins_anew = !stage.steps.back().title.starts_with(who);
+  step.title = who + ": " + step.title;
+  step.words = fmt::format("{} says: {}.", who, verdict_of(told.claim()));
+  step.caption = step.words + " " + step.caption;
+  stage.steps.push_back(std::move(step));
 }
 
 /// A triangle of the two, what is told of it, and how far beyond the shared edge its own numbers put the ray.
@@ -124,14 +122,15 @@ Stage leak_stage(const Case& one, const TellCase& tell) {
   stage.scene = setting.scene;
   stage.steps.resize(1);
   stage.steps.front().title = "Look at two triangles with one edge, and a ray at it";
-  add_steps(stage, first, setting, "Find u", "The first triangle");
-  add_steps(stage, first, setting, "Find v", "The first triangle");
-  add_steps(stage, second, setting, "Find u", "The second triangle");
-  add_steps(stage, second, setting, "Find v", "The second triangle");
+  using triangle::MollerTrumbore, triangle::Woop;
+  for (const Step& wanted : {MollerTrumbore::find_u, MollerTrumbore::find_v})
+    add_step(stage, first, setting, wanted, "The first triangle");
+  for (const Step& wanted : {MollerTrumbore::find_u, MollerTrumbore::find_v})
+    add_step(stage, second, setting, wanted, "The second triangle");
   const Told woop_first = tell(one, "triangle/woop");
   const Told woop_second = tell(other, "triangle/woop");
-  add_steps(stage, woop_first, setting, "Find the side", "Woop, the first");
-  add_steps(stage, woop_second, setting, "Find the side", "Woop, the second");
+  add_step(stage, woop_first, setting, Woop::find_sides, "Woop, the first");
+  add_step(stage, woop_second, setting, Woop::find_sides, "Woop, the second");
   stage.steps.push_back(edge_step({{{"first", first, triangle_one}, {"second", second, triangle}}}, setting));
   // One view for all, so that nothing jumps.
   StageView view = setting.near;

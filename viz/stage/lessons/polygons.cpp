@@ -28,7 +28,9 @@ void cross_sides(const PointAndPolygon<double>& question, Takes&& takes) {
   }
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const std::size_t next = polygon::next(i, vertices.size());
-    step<R>(fmt::format("Meet the side {}", side_name(i, vertices.size())).c_str());
+    step<R>(
+        fmt::format("Meet the side {}", side_name(i, vertices.size())).c_str(),
+        "The ray meets the line through the side at t; s is the place on the line, 0 to 1 from end to end.");
     if (!takes(question.vertices[i], question.vertices[next])) continue;
     const auto [s, t] = polygon::cross_side(p, vertices[i], vertices[next]);
     (void)named(("s" + subscript(i)).c_str(), s);

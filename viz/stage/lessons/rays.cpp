@@ -11,15 +11,16 @@ void walk_along(const Ray<double>& given) {
   Ray<R> ray = convert<R>(given);
   ray.origin = named("o", ray.origin);
   ray.direction = named("d", ray.direction);
-  step<R>("At t = 0 there is the origin");
+  step<R>("At t = 0 there is the origin", "p(0) = o + 0·d: the ray begins there.");
   (void)named("p(0)", point_at(ray, R(0)));
-  step<R>("At t = 1 the ray has gone one direction");
+  step<R>("At t = 1 the ray has gone one direction", "p(1) is the tip of d, drawn from the origin.");
   (void)named("p(1)", point_at(ray, R(1)));
-  step<R>("At t = 2.5 it has gone two and a half");
+  step<R>("At t = 2.5 it has gone two and a half", "t is any number, not only a whole one.");
   (void)named("p(2.5)", point_at(ray, R(2.5)));
-  step<R>("t counts directions; times the direction's length it is a distance");
+  step<R>("t counts directions; times the direction's length it is a distance",
+          "Only for a direction of length 1 are t and the distance the same number.");
   const R length = named("|d|", sqrt(dot(ray.direction, ray.direction)));
-  (void)named("way", R(2.5) * length);
+  (void)named("distance", R(2.5) * length);
 }
 
 Binding stop(const char* name) {
@@ -39,7 +40,7 @@ Stage ray_stage(const Case& one, const TellCase& tell) {
       stop("p(2.5)"),
       {"p(1)",
        [](const NumbersByName& n) { return Items{arrow(Role::edge, n.origin(), n.vector("p(1)"), "d")}; }},
-      {"way", [](const NumbersByName& n) {
+      {"distance", [](const NumbersByName& n) {
          return Items{segment(Role::edge, n.origin(), n.vector("p(2.5)"), "2.5·|d|")};
        }}};
   Stage stage = composed_stage(told, walk, setting);

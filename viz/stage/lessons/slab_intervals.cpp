@@ -22,15 +22,16 @@ void narrate_slabs(const RayQuestion& question) {
   const vec3<R> d = named("d", convert<R>(question.ray.direction));
   const vec3<R> least = named("min", convert<R>(given.min));
   const vec3<R> most = named("max", convert<R>(given.max));
-  step<R>("Meet both x planes");
+  step<R>("Meet both x planes",
+          "The ray is between them from t = x_in to t = x_out: an interval of the t axis.");
   const auto slab = [](const R& speed, const R& below, const R& above, const char* in, const char* out) {
     const box::Slab<R> one = box::slab_of(speed, below, above);
     return box::Slab<R>{named(in, one.entry), named(out, one.exit)};
   };
   const auto x = slab(d.x, R(least.x - o.x), R(most.x - o.x), "x_in", "x_out");
-  step<R>("Meet both y planes");
+  step<R>("Meet both y planes", "The same for y: the two intervals need not overlap.");
   const auto y = slab(d.y, R(least.y - o.y), R(most.y - o.y), "y_in", "y_out");
-  step<R>("Meet both z planes");
+  step<R>("Meet both z planes", "Here d.z is negative, so the ray enters at max.z and leaves at min.z.");
   const auto z = slab(d.z, R(least.z - o.z), R(most.z - o.z), "z_in", "z_out");
   (void)box::overlap(x, y, z);
 }
@@ -65,9 +66,6 @@ Stage intervals_stage(const Case& one, const TellCase& tell) {
   setting.slider.reset();
   Stage stage = composed_stage(told, walk, setting);
   stage.steps.front().title = "Measure the ray by its t axis";
-  for (StageStep& step : stage.steps) {
-    std::erase_if(step.items, [](const StageItem& item) { return item.role == Role::claimed; });
-  }
   stage.method = "box/slabs";
   stage.steps.push_back(parting_of_values(walk, setting, one.precision));
   stage.conclusion = "A box is where three intervals overlap.";

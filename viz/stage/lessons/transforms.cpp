@@ -19,7 +19,7 @@ Stage transformed_stage(const Case& one, const TellCase& tell) {
   const Told told = tell(one, "sphere/centred");
   Stage stage = stage_of(told);
   const NumbersByName n(*told.walk, told.walk->steps.size() - 1);
-  show_beside(stage, 1,
+  show_beside(stage, "Take the ray into",
               {{Role::surface, Form::ellipsoid, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
                arrow(Role::ray, n.origin(), n.at(n["t₁"] * 1.25), "o′ + t·d"),
                point(Role::ray, n.origin(), "o′"),
@@ -38,17 +38,21 @@ void carry_normal(const RayQuestion& question, double t) {
   const vec3<R> translation = column("T", 3);
   const ObjectSpace<R> space = object_space<R>(a, b, c, translation);
 
-  step<R>("Take the hit into the object's own space");
+  step<R>("Take the hit into the object's own space",
+          "The inverse map applies to the ray; q is the point of the mapped ray at the same t.");
   const Ray<R> inside = to_object(space, convert<R>(question.ray));
   const vec3<R> q = named("q", point_at(inside, R(t)));
 
-  step<R>("There the normal of the unit sphere is the point itself");
+  step<R>("There the normal of the unit sphere is the point itself",
+          "The sphere's radius ends at q and is perpendicular to the surface.");
   const vec3<R> normal = named("n", R(1) * q);
 
-  step<R>("Carried like a direction, by A, it stands askew: wrong");
+  step<R>("Carried like a direction, by A, it stands askew: wrong",
+          "A stretches the tangent plane and the normal alike, and the right angle between them is lost.");
   (void)named("A·n", vec3<R>(normal.x * a + normal.y * b + normal.z * c));
 
-  step<R>("Carried by the inverse transpose it stands upright");
+  step<R>("Carried by the inverse transpose it stands upright",
+          "m·(A·u) = n·u, which is 0 for every tangent u: m = A⁻ᵀ·n is perpendicular to the surface.");
   (void)named("m", vec3<R>(normal.x * space.row_x + normal.y * space.row_y + normal.z * space.row_z));
 }
 

@@ -1,3 +1,5 @@
+#include <rayproof/triangle/woop.hpp>
+
 #include "viz/stage/compose.hpp"
 #include "viz/stage/lessons.hpp"
 #include "viz/stage/stage_of.hpp"
@@ -13,14 +15,16 @@ constexpr const char* one_triangle =
 Stage woop_stage(const Case& one, const TellCase& tell) {
   const Told told = tell(one, "triangle/woop");
   Stage stage = stage_of(told);
-  const NumbersByName n(*told.walk, told.walk->steps.size() - 1);
+  Walkthrough sheared = *told.walk;
+  sheared.inputs.clear();  // where a, b and c are the case's own
+  const NumbersByName n(sheared, sheared.steps.size() - 1);
   const auto seen = [&](const char* corner) {
     const glm::dvec3 p = n.vector(corner);
     return p.x * stage.camera.right + p.y * stage.camera.up;
   };
   const glm::dvec3 a = seen("a"), b = seen("b"), c = seen("c");
   show_beside(
-      stage, 2,
+      stage, triangle::Woop::shear_vertices.title,
       {polygon(Role::edge, {a, b, c}), polyline(Role::edge, {a, b, c, a}), point(Role::surface, a, "a"),
        point(Role::surface, b, "b"), point(Role::surface, c, "c"), point(Role::ray, {0, 0, 0}, "the ray")});
   return stage;

@@ -84,8 +84,8 @@ struct PlainOf<Recorded<T, Shadow>> {
 
 template <class T, class S>
 struct Narrator<Recorded<T, S>> {
-  static void step(const char* title) {
-    if (Recording<S>* tape = Recording<S>::active()) tape->begin_step(title);
+  static void step(const Step& step) {
+    if (Recording<S>* tape = Recording<S>::active()) tape->steps.push_back({step.title, step.meaning});
   }
 };
 

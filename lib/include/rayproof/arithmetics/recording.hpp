@@ -86,13 +86,19 @@ struct NamedValue {
   std::ptrdiff_t step = -1;
 };
 
+/// A step that the kernel began, in its own words (method/narration.hpp).
+struct RecordedStep {
+  std::string title;
+  std::string meaning;
+};
+
 /// Collects what the recorded numbers of this thread do while it lives. While an inner recording lives, the
 /// outer one rests; a number belongs to the recording it was made under and means nothing to another.
 template <class Shadow>
 class Recording {
  public:
   std::vector<Operation<Shadow>> operations{};
-  std::vector<std::string> steps{};
+  std::vector<RecordedStep> steps{};
   std::vector<NamedValue> names{};
 
   Recording() : outer_(active_) { active_ = this; }
@@ -118,7 +124,6 @@ class Recording {
     }
     return lost;
   }
-  void begin_step(const char* title) { steps.emplace_back(title); }
   void name(const char* name, const std::vector<OperationId>& components) {
     names.push_back({name, components, current_step()});
   }

@@ -30,13 +30,13 @@ struct Compensated {
     constexpr T nan = not_a_number<T>;
     if (!are_finite(ray.origin, ray.direction, box.min, box.max)) return {T(-1), nan, nan};
 
-    step<T>("Form the way to each plane exactly");
+    step<T>("Form the distance to each plane exactly",
+            "No difference is rounded, so each entry and exit is an exact quotient.");
     const auto o = exact_vector<double>(ray.origin);
     const auto d = exact_vector<double>(ray.direction);
     const auto below = exact_vector<double>(box.min) - o;
     const auto above = exact_vector<double>(box.max) - o;
 
-    step<T>("Compare entries and exits by cross products, and round the last and the first");
     using AxisSlab = ExactSlab<2, 1>;
     return exact_chord(ray, std::array{AxisSlab(d.x, below.x, above.x), AxisSlab(d.y, below.y, above.y),
                                        AxisSlab(d.z, below.z, above.z)});

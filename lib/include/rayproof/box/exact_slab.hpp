@@ -5,6 +5,7 @@
 #include <array>
 #include <rayproof/formulas/exact_rounding.hpp>
 #include <rayproof/formulas/finite.hpp>
+#include <rayproof/method/narration.hpp>
 #include <rayproof/roots.hpp>
 
 namespace rayproof::box {
@@ -47,6 +48,9 @@ struct ExactSlab {
 /// What three slabs have in common, as `chord`: the verdict is exact, and each end is rounded once.
 template <std::floating_point T, std::size_t N, std::size_t M>
 [[nodiscard]] Roots<T> exact_chord(const Ray<T>& ray, const std::array<ExactSlab<N, M>, 3>& slabs) {
+  step<T>(
+      "Compare entries and exits by cross products, and round the last and the first",
+      "The cross products of two quotients are exact: so is the verdict, and only the answer is rounded.");
   constexpr Roots<T> miss{T(-1), not_a_number<T>, not_a_number<T>};
   const ExactTime<N, M>* entry = nullptr;
   const ExactTime<N, M>* exit = nullptr;

@@ -23,11 +23,13 @@ struct PrintedSlabs {
 
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Box<T>& box) {
-    step<T>("Invert the direction");
+    step<T>("Invert the direction", "1/v serves both planes of an axis; where v is 0 it is infinite.");
     const vec3<T> v = ray.direction;
     const vec3<T> per_v = named("1/v", vec3<T>{T(1) / v.x, T(1) / v.y, T(1) / v.z});
 
-    step<T>("Meet both planes of each axis, as printed");
+    step<T>(
+        "Meet both planes of each axis, as printed",
+        "The two products with 1/v are put in order; a ray in a face has 0·∞ = NaN, and its hit is lost.");
     const vec3<T> below = box.min - ray.origin;
     const vec3<T> above = box.max - ray.origin;
     const Slab<T> x = swapped_into_order(below.x * per_v.x, above.x * per_v.x);
@@ -35,7 +37,8 @@ struct PrintedSlabs {
     const Slab<T> z = swapped_into_order(below.z * per_v.z, above.z * per_v.z);
     const auto [t_near, t_far] = overlap(x, y, z);
 
-    step<T>("Drop the box behind the ray, which begins at t_min");
+    step<T>("Drop the box behind the ray, which begins at t_min",
+            "The box is behind where the ray leaves it before t_min.");
     return chord(select(t_far < ray.t_min, T(not_a_number<T>), t_near), t_far);
   }
 

@@ -5,6 +5,12 @@
 #include <rayproof/method/narration.hpp>
 #include <rayproof/roots.hpp>
 
+namespace rayproof::steps {
+inline constexpr Step measure_planes{
+    "Measure the planes from the ray's origin",
+    "The six planes of the box lie at these distances from the ray's origin, along the axes."};
+}  // namespace rayproof::steps
+
 namespace rayproof::box {
 
 /// The line is between the planes for t in [entry, exit]: the whole line is [-inf, inf], nothing is
@@ -39,7 +45,8 @@ template <class T>
 /// then the direction is 0 or the origin infinite.
 template <class T, class... More>
 [[nodiscard]] constexpr Slab<T> overlap(const Slab<T>& first, const More&... more) {
-  step<T>("Keep the last entry and the first exit");
+  step<T>("Keep the last entry and the first exit",
+          "The ray is inside while it is in every slab: from the largest entry to the smallest exit.");
   T entry = first.entry;
   T exit = first.exit;
   Mask<T> is_hit = first.entry <= first.exit;

@@ -24,12 +24,14 @@ struct Slabs {
 
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Box<T>& box) {
-    step<T>("Measure the planes from the ray's origin");
+    step<T>(steps::measure_planes);
     const vec3<T> below = named("min - o", box.min - ray.origin);
     const vec3<T> above = named("max - o", box.max - ray.origin);
     const vec3<T> d = ray.direction;
 
-    step<T>("Meet both planes of each axis");
+    step<T>("Meet both planes of each axis",
+            "Each pair of planes bounds a slab, an interval of t; its ends are "
+            "(min - o) / d = {min - o} / {d} and (max - o) / d = {max - o} / {d}.");
     const Slab<T> x = slab_of(d.x, below.x, above.x);
     const Slab<T> y = slab_of(d.y, below.y, above.y);
     const Slab<T> z = slab_of(d.z, below.z, above.z);

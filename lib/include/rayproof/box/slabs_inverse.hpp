@@ -32,15 +32,18 @@ struct SlabsInverse {
   /// From the last entry to the first exit, not yet compared.
   template <class T>
   [[nodiscard]] static constexpr Slab<T> common_interval(const Ray<T>& ray, const Box<T>& box) {
-    step<T>("Invert the direction, once for all boxes");
+    step<T>("Invert the direction, once for all boxes",
+            "Each plane then costs a multiplication in place of a division.");
     const vec3<T> d = ray.direction;
     const vec3<T> per_d = named("1/d", vec3<T>{T(1) / d.x, T(1) / d.y, T(1) / d.z});
 
-    step<T>("Measure the planes from the ray's origin");
+    step<T>(steps::measure_planes);
     const vec3<T> below = named("min - o", box.min - ray.origin);
     const vec3<T> above = named("max - o", box.max - ray.origin);
 
-    step<T>("Meet both planes of each axis");
+    step<T>("Meet both planes of each axis",
+            "Each pair of planes bounds a slab, an interval of t; its ends are "
+            "(min - o)·(1/d) = {min - o}·{1/d} and (max - o)·(1/d) = {max - o}·{1/d}.");
     const Slab<T> x = slab_of(d.x, below.x, above.x, below.x * per_d.x, above.x * per_d.x);
     const Slab<T> y = slab_of(d.y, below.y, above.y, below.y * per_d.y, above.y * per_d.y);
     const Slab<T> z = slab_of(d.z, below.z, above.z, below.z * per_d.z, above.z * per_d.z);

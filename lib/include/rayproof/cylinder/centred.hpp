@@ -27,13 +27,15 @@ struct Centred {
   [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Cylinder<T>& cylinder) {
     const auto [fx, fy, dx, dy] = scaled_to_circle(ray, cylinder);
 
-    step<T>("Find the point nearest the axis");
+    step<T>(
+        "Find the point nearest the axis",
+        "At t_c the vector l from the axis to the ray is perpendicular to d, both seen in the scaled plane.");
     const T per_a = named("1/a", T(1) / (dx * dx + dy * dy));
     const T t_c = named("t_c", -(fx * dx + fy * dy) * per_a);
     const T lx = named("l.x", fx + t_c * dx);
     const T ly = named("l.y", fy + t_c * dy);
 
-    step<T>("Compare its distance with the radius");
+    step<T>(steps::compare_with_radius);
     const T D = named("D", T(1) - (lx * lx + ly * ly));
 
     return hits<T>(ray, cylinder, ends_of_chord(t_c, D, per_a), fx * fx + fy * fy <= T(1));

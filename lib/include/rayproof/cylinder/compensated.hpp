@@ -32,19 +32,23 @@ struct Compensated {
     const bool is_solid = size.x != 0 && size.y != 0 && size.z >= 0;
     if (!is_solid || !are_finite(ray.origin, ray.direction, size)) return miss<T>;
 
-    step<T>("Form the way to both ends exactly");
+    step<T>(
+        "Form the distances to both ends exactly",
+        "The ray meets z = 0 and z = height at quotients of these differences, and none of them is rounded.");
     const auto o_z = exact(static_cast<double>(ray.origin.z));
     const auto height = exact(static_cast<double>(cylinder.height));
     const Heights heights(exact(static_cast<double>(ray.direction.z)), Expansion<double, 1>() - o_z,
                           height - o_z);
     if (heights.is_parallel && !heights.is_between) return miss<T>;
 
-    step<T>("Form the coefficients and the discriminant of the side exactly");
+    step<T>("Form the coefficients and the discriminant of the side exactly",
+            "The sign of an exact discriminant says with certainty whether the line meets the side.");
     const ExactSide side(ray, cylinder);
     if (sign(side.A) == 0) return along_axis(ray, cylinder, side, heights);
     if (sign(side.E) < 0) return miss<T>;
 
-    step<T>("Compare the roots with the ends, and round what is hit");
+    step<T>("Compare the roots with the ends, and round what is hit",
+            "Exact comparisons of roots and ends decide which of them are hits; only then is t rounded.");
     const bool is_open = !cylinder.capped || sign(side.E) == 0;  // a tangent meets no cap's inside
     return is_open ? open(ray, side, heights) : capped(ray, side, heights);
   }

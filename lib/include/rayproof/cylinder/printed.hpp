@@ -25,7 +25,8 @@ struct Printed {
     const Roots<T> side = quadratic_formula(a, b, c);
     const Roots<T> all = open_hits(side, between_heights(ray, cylinder));
 
-    step<T>("Keep what lies on the segment, as printed");
+    step<T>("Keep what lies on the segment, as printed",
+            "Only t in [0, 1] is kept, so hits beyond the tip of the direction are lost.");
     return kept<T>(all, T(0) <= all.lo && all.lo <= T(1), T(0) <= all.hi && all.hi <= T(1));
   }
 };

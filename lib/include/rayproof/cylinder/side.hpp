@@ -17,7 +17,8 @@ struct ScaledRay {
 
 template <class T>
 [[nodiscard]] constexpr ScaledRay<T> scaled_to_circle(const Ray<T>& ray, const Cylinder<T>& cylinder) {
-  step<T>("Scale the ellipse to the unit circle");
+  step<T>("Scale the ellipse to the unit circle",
+          "Dividing x by rx and y by ry turns the side into the circle x² + y² = 1 and leaves t as it is.");
   return {named("f.x", ray.origin.x / cylinder.rx), named("f.y", ray.origin.y / cylinder.ry),
           named("d.x", ray.direction.x / cylinder.rx), named("d.y", ray.direction.y / cylinder.ry)};
 }
@@ -25,7 +26,8 @@ template <class T>
 /// When the line is between z = 0 and z = height.
 template <class T>
 [[nodiscard]] constexpr box::Slab<T> between_heights(const Ray<T>& ray, const Cylinder<T>& cylinder) {
-  step<T>("Meet the planes of both ends");
+  step<T>("Meet the planes of both ends",
+          "The ray is at the cylinder's height between the planes z = 0 and z = {height}.");
   return box::slab_of(ray.direction.z, -ray.origin.z, cylinder.height - ray.origin.z);
 }
 
@@ -43,7 +45,8 @@ template <class T>
 /// The hits of an open cylinder: the roots of its side between both heights.
 template <class T>
 [[nodiscard]] constexpr Roots<T> open_hits(const Roots<T>& side, const box::Slab<T>& heights) {
-  step<T>("Keep the roots between both ends");
+  step<T>("Keep the roots between both ends",
+          "The roots belong to an endless side; a root is a hit only between the two planes.");
   return kept<T>(side, heights.entry <= side.lo && side.lo <= heights.exit,
                  heights.entry <= side.hi && side.hi <= heights.exit);
 }

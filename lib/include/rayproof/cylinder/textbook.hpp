@@ -15,7 +15,8 @@ struct SideEquation {
 template <class T>
 [[nodiscard]] constexpr SideEquation<T> side_equation(const Ray<T>& ray, const Cylinder<T>& cylinder) {
   const auto [fx, fy, dx, dy] = scaled_to_circle(ray, cylinder);
-  step<T>("Put the ray into the circle's equation");
+  step<T>("Put the ray into the circle's equation",
+          "(f.x + t·d.x)² + (f.y + t·d.y)² = 1 is a quadratic equation in t.");
   return {named("a", dx * dx + dy * dy), named("b", T(2) * (dx * fx + dy * fy)),
           named("c", fx * fx + fy * fy - T(1))};
 }

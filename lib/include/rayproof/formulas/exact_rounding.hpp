@@ -4,9 +4,16 @@
 /// becomes a plain number on its own side of the interval's ends.
 
 #include <rayproof/arithmetics/expansion.hpp>
+#include <rayproof/method/narration.hpp>
 #include <rayproof/ray.hpp>
 
 namespace rayproof {
+
+namespace steps {
+inline constexpr Step round_quotients{
+    "Round each quotient once",
+    "Numerator and denominator are exact, so each result has only the error of its own rounding."};
+}  // namespace steps
 
 /// Halfway between the greatest float and the power of two that would follow: what is not below rounds to
 /// infinity. No such double lies within the domain of the bounds in double.

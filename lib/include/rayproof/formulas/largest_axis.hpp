@@ -3,11 +3,18 @@
 /// Turning the axes so that the one along which a vector is longest comes last, without a branch.
 
 #include <rayproof/arithmetic.hpp>
+#include <rayproof/method/narration.hpp>
 #include <rayproof/vec2.hpp>
 #include <rayproof/vec3.hpp>
 #include <type_traits>
 
 namespace rayproof {
+
+namespace steps {
+inline constexpr Step project_along_largest_axis{
+    "Project along the normal's largest axis",
+    "The coordinate in which n = {n} is largest is left out: this projection keeps the most area."};
+}  // namespace steps
 
 /// `yes` where `mask` holds, `no` elsewhere, component by component.
 template <class T>

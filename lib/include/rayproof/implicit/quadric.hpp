@@ -16,7 +16,7 @@ struct Quadric {
 
   template <class T>
   [[nodiscard]] constexpr T operator()(const T& x, const T& y, const T& z, const T& w) const {
-    step<T>("Add the ten terms");
+    step<T>("Add the ten terms", "The sum f is 0 for the points of the surface and for no others.");
     const T squares = T(xx) * square(x) + T(yy) * square(y) + T(zz) * square(z) + T(ww) * square(w);
     const T mixed = T(yz) * y * z + T(xz) * x * z + T(xy) * x * y;
     return named("f", squares + mixed + (T(xw) * x + T(yw) * y + T(zw) * z) * w);

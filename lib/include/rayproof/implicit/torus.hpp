@@ -18,12 +18,16 @@ struct Torus {
 
   template <class T>
   [[nodiscard]] constexpr T operator()(const T& x, const T& y, const T& z, const T& w) const {
-    step<T>("Compare the distance from the centre with that of the circle");
+    step<T>("Compare the distance from the centre with that of the circle",
+            "k is the squared distance from the centre less R² + r²: 0 on the highest and lowest circle of "
+            "the torus.");
     const T RR = named("R²", square(T(major) * w));
     const T rr = named("r²", square(T(minor) * w));
     const T zz = square(z);
     const T from_circle = named("k", square(x) + square(y) + zz - (RR + rr));
-    step<T>("Add what the height above the circle's plane makes of it");
+    step<T>("Add what the height above the circle's plane makes of it",
+            "The second term is 0 at the heights ±r and negative between them, so that f is 0 on the whole "
+            "torus.");
     return named("f", square(from_circle) + T(4) * RR * (zz - rr));
   }
 };

@@ -33,7 +33,9 @@ struct Compensated {
     const auto& [e0, e1, e2] = solid.edges;
     if (!are_finite(ray.origin, ray.direction, solid.corner, e0, e1, e2)) return {T(-1), nan, nan};
 
-    step<T>("Form the normals and the way to each face exactly");
+    step<T>("Form the normals and the distance to each face exactly",
+            "Nothing is rounded; where the volume is exactly 0, the edges lie in one plane and there is no "
+            "solid.");
     const auto f = exact_vector<double>(solid.corner) - exact_vector<double>(ray.origin);
     const auto d = exact_vector<double>(ray.direction);
     const std::array edges{exact_vector<double>(e0), exact_vector<double>(e1), exact_vector<double>(e2)};
@@ -48,7 +50,6 @@ struct Compensated {
                             is_mirrored ? near_plane : far_plane);
     };
 
-    step<T>("Compare entries and exits by cross products, and round the last and the first");
     return box::exact_chord(ray, std::array{slab(1, 2), slab(2, 0), slab(0, 1)});
   }
 };

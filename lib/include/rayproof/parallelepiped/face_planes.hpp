@@ -41,13 +41,16 @@ struct FacePlanes {
 
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Parallelepiped<T>& solid) {
-    step<T>("Take the normals of the faces");
+    step<T>("Take the normals of the faces",
+            "Each is the cross product of the two edges that span a pair of faces.");
     const auto& [e0, e1, e2] = solid.edges;
     const vec3<T> n0 = named("n₀", cross(e1, e2));
     const vec3<T> n1 = named("n₁", cross(e2, e0));
     const vec3<T> n2 = named("n₂", cross(e0, e1));
 
-    step<T>("Meet each pair of faces");
+    step<T>("Meet each pair of faces",
+            "Two faces with one normal n bound a slab; the ray meets them at "
+            "t = n·f / (n·d) and t = (n·f + n·e) / (n·d).");
     const vec3<T> f = named("f", solid.corner - ray.origin);
     const vec3<T> d = ray.direction;
     const auto [entry, exit] =

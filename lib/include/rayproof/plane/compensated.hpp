@@ -49,7 +49,9 @@ struct Compensated {
   template <class T>
   static FlatHit<T> meet_implicit(const Ray<T>& ray, const Plane<T>& plane) {
     if (!are_finite(plane.normal, plane.d)) return no_hit<T>();
-    step<T>("Put the ray into the plane's equation exactly");
+    step<T>("Put the ray into the plane's equation exactly",
+            "n·o + d and n·d⃗ are exact, so a parallel ray is recognised with certainty; "
+            "t = −(n·o + d) / (n·d⃗) is rounded once.");
     const auto n = exact_vector<double>(plane.normal);
     const auto at_origin = dot(n, exact_vector<double>(ray.origin)) + exact(double{plane.d});
     const auto along = dot(n, exact_vector<double>(ray.direction));
@@ -60,7 +62,9 @@ struct Compensated {
   template <class T>
   static FlatHit<T> meet_point_normal(const Ray<T>& ray, const Plane<T>& plane) {
     if (!are_finite(plane.normal, plane.point)) return no_hit<T>();
-    step<T>("Form the way to the plane and the way the ray gains on it exactly");
+    step<T>("Form the distance to the plane and the ray's progress exactly",
+            "n·(p − o) and n·d⃗ are exact, so a parallel ray is recognised with certainty; their quotient t "
+            "is rounded once.");
     const auto n = exact_vector<double>(plane.normal);
     const auto w = exact_vector<double>(plane.point) - exact_vector<double>(ray.origin);
     const auto along = dot(n, exact_vector<double>(ray.direction));
@@ -71,7 +75,9 @@ struct Compensated {
   template <class T>
   static FlatHit<T> meet_parametric(const Ray<T>& ray, const Plane<T>& plane) {
     if (!are_finite(plane.point, plane.u, plane.v)) return no_hit<T>();
-    step<T>("Form the determinants of Cramer's rule exactly");
+    step<T>(
+        "Form the determinants of Cramer's rule exactly",
+        "D is the exact volume of u, v and the direction: 0 only where the ray is parallel to the plane.");
     const auto u = exact_vector<double>(plane.u);
     const auto v = exact_vector<double>(plane.v);
     const auto d = exact_vector<double>(ray.direction);
@@ -80,7 +86,7 @@ struct Compensated {
     const auto D = dot(n, d);
     if (sign(D) == 0) return no_hit<T>();
 
-    step<T>("Round each quotient once");
+    step<T>(steps::round_quotients);
     return flat_hit(true, rounded(ray, ExactRatio{-dot(n, w), D}),
                     rounded_alone<T>(ExactRatio{dot(cross(v, d), w), D}),
                     rounded_alone<T>(ExactRatio{dot(cross(d, u), w), D}));

@@ -18,13 +18,16 @@ struct Meeting {
 template <class T>
 [[nodiscard]] constexpr Meeting<T> meet_by_cramer(const Ray<T>& ray, const vec3<T>& point, const vec3<T>& u,
                                                   const vec3<T>& v) {
-  step<T>("Form the determinant of u, v and the direction");
+  step<T>(
+      "Form the determinant of u, v and the direction",
+      "D is the signed volume that u, v and the direction span: 0 where the ray is parallel to the plane.");
   const vec3<T> w = named("w", ray.origin - point);
   const vec3<T> d = ray.direction;
   const vec3<T> n = named("u×v", cross(u, v));
   const T D = named("D", dot(n, d));
 
-  step<T>("Put w in the place of each column in turn");
+  step<T>("Put w in the place of each column in turn",
+          "Cramer's rule: each unknown is a quotient of two volumes; the third unknown is −t.");
   const T D_a = named("D_a", dot(cross(w, v), d));
   const T D_b = named("D_b", dot(cross(u, w), d));
   const T D_t = named("D_t", dot(n, w));

@@ -6,6 +6,11 @@
 #include <rayproof/method/narration.hpp>
 #include <rayproof/plane.hpp>
 
+namespace rayproof::steps {
+inline constexpr Step solve_for_t{"Solve it for t",
+                                  "The equation is 0 where t·(n·d⃗) is minus the value at the ray's origin."};
+}  // namespace rayproof::steps
+
 namespace rayproof::plane {
 
 /// normal·q + d = 0.
@@ -46,7 +51,8 @@ template <class T>
 template <class T>
 [[nodiscard]] constexpr Implicit<T> as_implicit(const Plane<T>& plane) {
   if (plane.form == PlaneForm::implicit) return {plane.normal, plane.d};
-  step<T>("Write the plane as n·q + d = 0");
+  step<T>("Write the plane as n·q + d = 0",
+          "The points q of the plane satisfy this equation; d follows from the given point.");
   const vec3<T> n = named("n", normal_of(plane));
   return {n, named("d", -dot(n, plane.point))};
 }
@@ -54,7 +60,8 @@ template <class T>
 template <class T>
 [[nodiscard]] constexpr PointNormal<T> as_point_normal(const Plane<T>& plane) {
   if (plane.form == PlaneForm::point_normal) return {plane.point, plane.normal};
-  step<T>("Find a point and the normal of the plane");
+  step<T>("Find a point and the normal of the plane",
+          "Of an implicit plane, p is the point nearest (0, 0, 0); of a parametric plane, n is u × v.");
   return {named("p", point_of(plane)), named("n", normal_of(plane))};
 }
 
@@ -63,7 +70,8 @@ template <class T>
 template <class T>
 [[nodiscard]] constexpr Parametric<T> as_parametric(const Plane<T>& plane) {
   if (plane.form == PlaneForm::parametric) return {plane.point, plane.u, plane.v};
-  step<T>("Find a point of the plane and two vectors that span it");
+  step<T>("Find a point of the plane and two vectors that span it",
+          "u and v lie in the plane: they are perpendicular to its normal and to each other.");
   const vec3<T> n = plane.normal;
   const Mask<T> x_is_smallest = abs(n.x) <= abs(n.y) && abs(n.x) <= abs(n.z);
   const vec3<T> about_y_or_z =

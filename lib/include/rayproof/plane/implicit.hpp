@@ -23,11 +23,12 @@ struct ByEquation {
   [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Plane<T>& plane) {
     const auto [n, d] = as_implicit(plane);
 
-    step<T>("Put the ray into the plane's equation");
+    step<T>("Put the ray into the plane's equation",
+            "n·o + d is the value of the equation at the ray's origin; each unit of t adds n·d⃗ to it.");
     const T at_origin = named("n·o + d", dot(n, ray.origin) + d);
     const T along = named("n·d⃗", dot(n, ray.direction));
 
-    step<T>("Solve it for t");
+    step<T>(steps::solve_for_t);
     return flat_hit(along != T(0), named("t", -at_origin / along), T(0), T(0));
   }
 };

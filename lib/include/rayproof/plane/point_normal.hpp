@@ -9,7 +9,8 @@ namespace rayproof::plane {
 /// where n·d⃗ = 0.
 template <class T>
 [[nodiscard]] constexpr FlatHit<T> meet(const Ray<T>& ray, const vec3<T>& point, const vec3<T>& n) {
-  step<T>("Compare the way to the plane with the way the ray gains on it");
+  step<T>("Compare the distance to the plane with the ray's progress",
+          "Both are measured along n; t is how many units of progress n·d⃗ the distance n·(p − o) takes.");
   const T distance = named("n·(p - o)", dot(n, point - ray.origin));
   const T along = named("n·d⃗", dot(n, ray.direction));
   return flat_hit(along != T(0), named("t", distance / along), T(0), T(0));

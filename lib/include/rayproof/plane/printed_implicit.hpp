@@ -23,12 +23,13 @@ struct PrintedImplicit {
   [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Plane<T>& plane) {
     const auto [n, d] = as_implicit(plane);
 
-    step<T>("Put the ray into the plane's equation, as printed");
+    step<T>("Put the ray into the plane's equation, as printed",
+            "The coefficients of x₀, y₀ and z₀ are missing: the value at the ray's origin is n·o + d.");
     const vec3<T> o = ray.origin;
     const T at_origin = named("x₀ + y₀ + z₀ + D", o.x + o.y + o.z + d);
     const T along = named("n·d⃗", dot(n, ray.direction));
 
-    step<T>("Solve it for t");
+    step<T>(steps::solve_for_t);
     return flat_hit(along != T(0), named("t", -at_origin / along), T(0), T(0));
   }
 };

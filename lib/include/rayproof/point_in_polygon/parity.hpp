@@ -20,7 +20,9 @@ struct Parity {
   template <std::floating_point T>
   [[nodiscard]] static Position locate(const PointAndPolygon<T>& question) {
     if (!polygon::is_finite(question)) return Position::outside;
-    step<T>("Count the sides that a ray along +x crosses");
+    step<T>("Count the sides that a ray along +x crosses",
+            "An odd number means inside; a side has its lower end and not its upper one, so no vertex counts "
+            "twice.");
     const Vec2<T> p = question.point;
     bool is_odd = false;
     bool is_on_side = false;

@@ -22,7 +22,9 @@ struct PrintedParity {
   template <std::floating_point T>
   [[nodiscard]] static Position locate(const PointAndPolygon<T>& question) {
     if (!polygon::is_finite(question)) return Position::outside;
-    step<T>("Count the closed sides that a ray along +x meets, as printed");
+    step<T>("Count the closed sides that a ray along +x meets, as printed",
+            "A side counts for s in [0, 1], both ends included, so a ray through a vertex counts two sides "
+            "there.");
     bool is_odd = false;
     polygon::for_each_side(question.vertices, [&](const Vec2<T>& a, const Vec2<T>& b) {
       const auto [s, t] = polygon::cross_side(question.point, a, b);

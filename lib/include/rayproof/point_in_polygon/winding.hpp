@@ -14,7 +14,9 @@ namespace rayproof::point_in_polygon {
 /// the point is wound about and yet outside.
 template <std::floating_point T, class Side>
 [[nodiscard]] Position locate_by_winding(const PointAndPolygon<T>& question, Side&& side) {
-  step<T>("Add up the turns of the sides about the point");
+  step<T>("Add up the turns of the sides about the point",
+          "At the point's height, a rising side with the point on its left counts +1 and a falling side with "
+          "it on its right −1; an odd sum means inside.");
   const Vec2<T> p = question.point;
   int winding = 0;
   bool is_on_side = false;

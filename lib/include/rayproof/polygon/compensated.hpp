@@ -32,14 +32,17 @@ struct Compensated {
     if (!are_finite(ray.origin, ray.direction) || !is_finite(polygon)) {
       return no_hit;
     }
-    step<T>("Meet the plane of the exact Newell normal");
+    step<T>("Meet the plane of the exact Newell normal",
+            "The Newell normal is the sum of the cross products of neighbouring vertices; nothing in it is "
+            "rounded.");
     const ExactMeeting meeting(convert<double>(ray), convert<double>(polygon));
     if (meeting.is_parallel()) return no_hit;
 
-    step<T>("Find the meeting point's place in the polygon, exactly");
+    step<T>("Find the meeting point's place in the polygon, exactly",
+            "Exact orientations give the winding number, and so inside, boundary or outside.");
     if (meeting.locate() == Position::outside) return no_hit;
 
-    step<T>("Round t once");
+    step<T>("Round t once", "The quotient is exact until here.");
     return flat_hit(true, rounded(ray, meeting.ratio()), T(0), T(0));
   }
 };

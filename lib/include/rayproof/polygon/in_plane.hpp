@@ -18,11 +18,13 @@ template <std::floating_point T>
 template <class Locator, std::floating_point T>
 [[nodiscard]] FlatHit<T> meet_by(const Ray<T>& ray, const Polygon<T>& polygon) {
   if (!is_finite(polygon)) return flat_hit(false, T(not_a_number<T>), T(0), T(0));
-  step<T>("Form the Newell normal");
+  step<T>("Form the Newell normal",
+          "n is the sum of the cross products of neighbouring vertices: perpendicular to the polygon, twice "
+          "its area long.");
   const vec3<T> n = named("n", newell_normal<T>(polygon.vertices, nearest_the_origin(polygon.vertices)));
   const T t = plane::meet(ray, polygon.vertices.front(), n).lo;
 
-  step<T>("Project along the normal's largest axis");
+  step<T>(steps::project_along_largest_axis);
   const LargestAxisLast<T> turned(n);
   PointAndPolygon<T> question{turned.dropped(point_at(ray, t)), {}};
   question.vertices.reserve(polygon.vertices.size());

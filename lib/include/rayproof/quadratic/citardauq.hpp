@@ -1,4 +1,5 @@
 #pragma once
+#include <rayproof/formulas/quadratic_formula.hpp>
 #include <rayproof/method/contract.hpp>
 #include <rayproof/method/narration.hpp>
 #include <rayproof/method/sources.hpp>
@@ -23,10 +24,12 @@ struct Citardauq {
 
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Quadratic<T>& q) {
-    step<T>("Form the discriminant");
+    step<T>(steps::discriminant);
     const T D = named("D", q.b * q.b - T(4) * q.a * q.c);
 
-    step<T>("Apply the formula upside down");
+    step<T>(
+        "Apply the formula upside down",
+        "2c / (−b ∓ √D) gives the same two roots without a division by a, so one root remains where a = 0.");
     const T s = named("√D", sqrt(D));
     const T x1 = named("x₁", T(2) * q.c / (-q.b - s));
     const T x0 = named("x₀", T(2) * q.c / (-q.b + s));

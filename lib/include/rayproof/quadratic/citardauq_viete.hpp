@@ -1,4 +1,5 @@
 #pragma once
+#include <rayproof/formulas/quadratic_formula.hpp>
 #include <rayproof/method/contract.hpp>
 #include <rayproof/method/narration.hpp>
 #include <rayproof/method/sources.hpp>
@@ -22,7 +23,7 @@ struct CitardauqViete {
 
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Quadratic<T>& q) {
-    step<T>("Form the discriminant");
+    step<T>(steps::discriminant);
     const T D = named("D", q.b * q.b - T(4) * q.a * q.c);
     return roots_from(q, D);
   }
@@ -30,10 +31,10 @@ struct CitardauqViete {
   /// The two roots once the discriminant is known, however it was formed.
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots_from(const Quadratic<T>& q, const T& D) {
-    step<T>("Add up b and √D where they have one sign");
+    step<T>(steps::sum_without_cancellation);
     const T w = named("q", T(-0.5) * (q.b + copysign(sqrt(D), q.b)));
 
-    step<T>("Take one root from q and the other from Viète");
+    step<T>(steps::roots_by_viete);
     // A double root is one number; b = D = 0 leaves w = 0, and 0/0 must not be.
     const T x0 = named("q/a", w / q.a);
     const T x1 = named("c/q", select(D == T(0), x0, q.c / w));

@@ -23,7 +23,9 @@ struct FullRange {
 
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Quadratic<T>& q) {
-    step<T>("Balance the exponents of a and c");
+    step<T>("Balance the exponents of a and c",
+            "With x = 2^k·y the scaled a and c lie between 1/2 and 2, so that their product cannot overflow "
+            "or underflow.");
     const T e_a = exponent(select(q.a == T(0), q.c, q.a));
     const T e_c = exponent(select(q.c == T(0), q.a, q.c));
     const T k = floor(T(0.5) * (e_c - e_a));
@@ -31,12 +33,15 @@ struct FullRange {
     const Quadratic<T> balanced{scale_exponent(q.a, T(2) * k - e_c), scale_exponent(q.b, k - e_c),
                                 scale_exponent(q.c, -e_c)};
 
-    step<T>("Solve the balanced equation and scale its roots back");
+    step<T>("Solve the balanced equation and scale its roots back",
+            "The next steps find y by Kahan's method; then x = 2^k·y, which changes only the exponent.");
     const Roots<T> y = Kahan::roots(balanced);
     const T x0 = scale_exponent(y.lo, k);
     const T x1 = scale_exponent(y.hi, k);
 
-    step<T>("Where b outweighs a and c beyond all digits, take -b/a and -c/b");
+    step<T>("Where b outweighs a and c beyond all digits, take -b/a and -c/b",
+            "Where 4ac is too small to change b², √D is |b| and the roots are −b / a and −c / b; "
+            "where a = 0, only −c / b.");
     const Mask<T> b_rules = q.b != T(0) && (q.a == T(0) || q.c == T(0) || T(digits<T>) < e_b);
     const T small = -q.c / q.b;
     const T large = select(q.a == T(0), small, -q.b / q.a);

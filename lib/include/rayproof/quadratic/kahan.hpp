@@ -22,7 +22,9 @@ struct Kahan {
 
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Quadratic<T>& q) {
-    step<T>("Form the discriminant without losing its digits");
+    step<T>("Form the discriminant without losing its digits",
+            "A fused multiply-add finds the rounding error of 4a·c, and D is corrected by it: so the sign of "
+            "D is exact.");
     const T D = named("D", difference_of_products(q.b, q.b, T(4) * q.a, q.c));
     return CitardauqViete::roots_from(q, D);
   }

@@ -21,7 +21,9 @@ struct PrintedB4ac {
 
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Quadratic<T>& q) {
-    step<T>("Ask whether b ≫ 4ac, as printed");
+    step<T>("Ask whether b ≫ 4ac, as printed",
+            "Cancellation depends on b² and 4ac, not on b and 4ac as printed; 'much larger' is taken as 1000 "
+            "times.");
     const Mask<T> is_far_larger = q.b > T(1000) * named("4ac", T(4) * q.a * q.c);
     const Roots<T> careful = CitardauqViete::roots(q);
     const Roots<T> plain = Textbook::roots(q);

@@ -16,7 +16,7 @@ struct Coefficients {
 
 template <class T>
 [[nodiscard]] constexpr Coefficients<T> coefficients(const Ray<T>& ray, const Sphere<T>& sphere) {
-  step<T>("Put the ray into the sphere's equation");
+  step<T>("Put the ray into the sphere's equation", "|o + t·d − C|² = r² is a quadratic equation in t.");
   const vec3<T> f = named("f", ray.origin - sphere.center);
   const vec3<T> d = ray.direction;
   return {named("a", dot(d, d)), dot(d, f), named("c", dot(f, f) - sphere.radius * sphere.radius)};

@@ -1,5 +1,6 @@
 #pragma once
 #include <rayproof/formulas/exact_rounding.hpp>
+#include <rayproof/formulas/quadratic_formula.hpp>
 #include <rayproof/method/contract.hpp>
 #include <rayproof/method/narration.hpp>
 #include <rayproof/method/sources.hpp>
@@ -92,7 +93,9 @@ struct Compensated {
 
   template <class T>
   static Roots<T> exact_roots(const Ray<T>& ray, const Sphere<T>& sphere) {
-    step<T>("Form the coefficients and the discriminant exactly");
+    step<T>(
+        "Form the coefficients and the discriminant exactly",
+        "An expansion is an exact sum of doubles, so the sign of D, which decides hit or miss, is exact.");
     const auto f = exact_vector<double>(ray.origin) - exact_vector<double>(sphere.center);
     const auto d = exact_vector<double>(ray.direction);
     const auto r = exact(static_cast<double>(sphere.radius));
@@ -103,13 +106,15 @@ struct Compensated {
     constexpr T nan = not_a_number<T>;
     if (!(estimate(D) >= 0 && sign(a) > 0)) return {estimate(D) < 0 ? T(-1) : nan, nan, nan};
 
-    step<T>("Take one root from q and the other from Viète");
+    step<T>(steps::roots_by_viete);
     const double s = sqrt(estimate(D));
     const double q = estimate(b) + copysign(s, estimate(b));
     const double t1 = q / estimate(a);
     const double t0 = q == 0 ? q : estimate(c) / q;
 
-    step<T>("Round each root to its own side of the interval's ends");
+    step<T>("Round each root to its own side of the interval's ends",
+            "Each root is compared exactly with t_min and t_max, so rounding cannot move it into the "
+            "interval or out of it.");
     const Equation<decltype(a), decltype(b), decltype(c)> equation{a, b, c};
     const auto root = [&](int side, double t) {
       if constexpr (sizeof(T) == sizeof(double)) t = refine(equation, side * s, t);

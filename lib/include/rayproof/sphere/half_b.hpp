@@ -1,4 +1,5 @@
 #pragma once
+#include <rayproof/formulas/quadratic_formula.hpp>
 #include <rayproof/method/contract.hpp>
 #include <rayproof/sphere/coefficients.hpp>
 
@@ -27,10 +28,11 @@ struct HalfB {
     const auto [a, half_b, c] = coefficients(ray, sphere);
     const T b = named("b", half_b);
 
-    step<T>("Form a quarter of the discriminant");
+    step<T>(steps::quarter_discriminant);
     const T D = named("D", b * b - a * c);
 
-    step<T>("Apply the halved quadratic formula");
+    step<T>("Apply the halved quadratic formula",
+            "With 2b as the linear coefficient every factor 2 cancels: t = (−b ± √D) / a.");
     const T s = named("√D", sqrt(D));
     const T t0 = named("t₀", (-b - s) / a);
     const T t1 = named("t₁", (-b + s) / a);

@@ -1,4 +1,5 @@
 #pragma once
+#include <rayproof/formulas/quadratic_formula.hpp>
 #include <rayproof/method/contract.hpp>
 #include <rayproof/method/sources.hpp>
 #include <rayproof/sphere/coefficients.hpp>
@@ -24,10 +25,11 @@ struct Printed2ac {
     const auto [a, half_b, c] = coefficients(ray, sphere);
     const T b = named("b", T(2) * half_b);
 
-    step<T>("Form the discriminant");
+    step<T>(steps::discriminant);
     const T D = named("D", b * b - T(4) * a * c);
 
-    step<T>("Divide by 2ac, as printed");
+    step<T>("Divide by 2ac, as printed",
+            "The denominator must be 2a: the printed 2ac gives wrong roots unless c = 1.");
     const T s = named("√D", sqrt(D));
     const T t0 = named("t₀", (-b - s) / (T(2) * a * c));
     const T t1 = named("t₁", (-b + s) / (T(2) * a * c));

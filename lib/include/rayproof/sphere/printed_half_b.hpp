@@ -22,16 +22,17 @@ struct PrintedHalfB {
 
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Sphere<T>& sphere) {
-    step<T>("Put the ray into the sphere's equation, taking |d| = 1 for granted");
+    step<T>("Put the ray into the sphere's equation, taking |d| = 1 for granted",
+            "|o + t·d − C|² = r² is t² + 2b·t + c = 0 only where a = |d|² is 1.");
     const vec3<T> f = named("f", ray.origin - sphere.center);
     const vec3<T> d = ray.direction;
     const T b = named("b", dot(d, f));
     const T c = named("c", dot(f, f) - sphere.radius * sphere.radius);
 
-    step<T>("Form the discriminant");
+    step<T>("Form the discriminant", "b² − c is a quarter of the discriminant only where a = 1.");
     const T D = named("D", b * b - c);
 
-    step<T>("Apply the formula as printed");
+    step<T>("Apply the formula as printed", "The division by a = |d|² is missing.");
     const T s = named("√D", sqrt(D));
     const T t0 = named("t₀", -b - s);
     const T t1 = named("t₁", -b + s);

@@ -21,7 +21,9 @@ struct PrintedUnitDirection {
 
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Sphere<T>& sphere) {
-    step<T>("Make the direction a unit vector");
+    step<T>("Make the direction a unit vector",
+            "From here on t is a length in the object's space, |d| times the t of the given ray: that is the "
+            "printed error.");
     const vec3<T> d = ray.direction;
     const T length = named("|d|", sqrt(dot(d, d)));
     const Ray<T> unit{ray.origin, named("d̂", vec3<T>{d.x / length, d.y / length, d.z / length}), ray.t_min,

@@ -1,4 +1,5 @@
 #pragma once
+#include <rayproof/formulas/quadratic_formula.hpp>
 #include <rayproof/method/contract.hpp>
 #include <rayproof/method/sources.hpp>
 #include <rayproof/sphere/coefficients.hpp>
@@ -30,13 +31,13 @@ struct Stable {
     const auto [a, half_b, c] = coefficients(ray, sphere);
     const T b = named("b", -half_b);
 
-    step<T>("Form a quarter of the discriminant");
+    step<T>(steps::quarter_discriminant);
     const T D = named("D", b * b - a * c);
 
-    step<T>("Add up b and √D where they have one sign");
+    step<T>(steps::sum_without_cancellation);
     const T q = named("q", b + copysign(sqrt(D), b));
 
-    step<T>("Take one root from q and the other from Viète");
+    step<T>(steps::roots_by_viete);
     const T t1 = named("t₁", q / a);
     const T t0 = named("t₀", select(q == T(0), t1, c / q));
     return ascending(D, t0, t1);

@@ -6,6 +6,12 @@
 #include <rayproof/method/narration.hpp>
 #include <rayproof/polygon.hpp>
 
+namespace rayproof::steps {
+inline constexpr Step ask_whether_inside{
+    "Ask whether the point lies in the triangle",
+    "It does where both parameters are at least 0 and their sum is at most 1."};
+}  // namespace rayproof::steps
+
 namespace rayproof::triangle {
 
 template <class T>
@@ -42,6 +48,7 @@ struct Projected {
   [[nodiscard]] static constexpr Projected along_largest(const vec3<T>& normal, const vec3<T>& q,
                                                          const vec3<T>& a, const vec3<T>& b,
                                                          const vec3<T>& c) {
+    step<T>(steps::project_along_largest_axis);
     const LargestAxisLast<T> turned(normal);
     return {turned.dropped(q), turned.dropped(a), turned.dropped(b), turned.dropped(c)};
   }

@@ -51,7 +51,9 @@ struct Compensated {
 
   template <class T>
   static FlatHit<T> exact_hit(const Ray<T>& ray, const Triangle<T>& triangle) {
-    step<T>("Find the side on which the ray passes each edge, exactly");
+    step<T>("Find the side on which the ray passes each edge, exactly",
+            "U, V and W are exact volumes of the direction and an edge; the ray hits where no two have "
+            "opposite signs and their sum is not 0.");
     const auto o = exact_vector<double>(ray.origin);
     const auto d = exact_vector<double>(ray.direction);
     const auto a = exact_vector<double>(triangle.a) - o;
@@ -66,7 +68,7 @@ struct Compensated {
       return no_hit<T>();
     }
 
-    step<T>("Round each quotient once");
+    step<T>(steps::round_quotients);
     return flat_hit(true, rounded(ray, ExactRatio{dot(a, bc), D}), rounded_alone<T>(ExactRatio{V, D}),
                     rounded_alone<T>(ExactRatio{W, D}));
   }

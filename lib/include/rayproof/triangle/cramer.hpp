@@ -3,6 +3,7 @@
 #include <rayproof/method/sources.hpp>
 #include <rayproof/plane/cramer.hpp>
 #include <rayproof/triangle.hpp>
+#include <rayproof/triangle/barycentric.hpp>
 
 namespace rayproof::triangle {
 
@@ -26,7 +27,7 @@ struct Cramer {
     const auto [D, t, u, v] = plane::meet_by_cramer(ray, triangle.a, vec3<T>(triangle.b - triangle.a),
                                                     vec3<T>(triangle.c - triangle.a));
 
-    step<T>("Ask whether the point lies in the triangle");
+    step<T>(steps::ask_whether_inside);
     const Mask<T> is_inside = u >= T(0) && v >= T(0) && u + v <= T(1);
     return flat_hit(D != T(0) && is_inside, t, u, v);
   }

@@ -15,7 +15,8 @@ struct InPlane {
 
 template <class T>
 [[nodiscard]] constexpr InPlane<T> meet_plane(const Ray<T>& ray, const Triangle<T>& triangle) {
-  step<T>("Form the normal of the triangle");
+  step<T>("Form the normal of the triangle",
+          "n is perpendicular to both edges, and its length is twice the area.");
   const vec3<T> n = named("n", cross(triangle.b - triangle.a, triangle.c - triangle.a));
   const T t = plane::meet(ray, triangle.a, n).lo;
   return {t, named("q", point_at(ray, t)), n};

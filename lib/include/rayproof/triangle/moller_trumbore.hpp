@@ -2,6 +2,7 @@
 #include <rayproof/method/contract.hpp>
 #include <rayproof/method/narration.hpp>
 #include <rayproof/triangle.hpp>
+#include <rayproof/triangle/barycentric.hpp>
 
 namespace rayproof::triangle {
 
@@ -21,24 +22,31 @@ struct MollerTrumbore {
       .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::robust, Claim::moved,
                                        Claim::scaled, Claim::reversed, Claim::bounded}};
 
+  static constexpr Step find_u{"Find u from s = o − a",
+                               "u is a quotient of two volumes: D with s in the place of e₁, over D."};
+  static constexpr Step find_v{"Find v and t from s × e₁",
+                               "q is perpendicular to s and e₁; q·d and q·e₂ are the volumes for v and t."};
+
   template <class T>
   [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Triangle<T>& triangle) {
-    step<T>("Form the edges from a, and the direction across one of them");
+    step<T>("Form the edges from a, and the direction across one of them",
+            "p is perpendicular to the ray and to e₂; D is the volume that e₁, d and e₂ span, 0 where the "
+            "ray is parallel to the triangle.");
     const vec3<T> e1 = named("e₁", triangle.b - triangle.a);
     const vec3<T> e2 = named("e₂", triangle.c - triangle.a);
     const vec3<T> p = named("p", cross(ray.direction, e2));
     const T D = named("D", dot(e1, p));
 
-    step<T>("Find u from the way between the origin and a");
+    step<T>(find_u);
     const vec3<T> s = named("s", ray.origin - triangle.a);
     const T u = named("u", dot(s, p) / D);
 
-    step<T>("Find v and t from the same way across the other edge");
+    step<T>(find_v);
     const vec3<T> q = named("q", cross(s, e1));
     const T v = named("v", dot(ray.direction, q) / D);
     const T t = named("t", dot(e2, q) / D);
 
-    step<T>("Ask whether the point lies in the triangle");
+    step<T>(steps::ask_whether_inside);
     const Mask<T> is_inside = u >= T(0) && v >= T(0) && u + v <= T(1);
     return flat_hit(D != T(0) && is_inside, t, u, v);
   }

@@ -28,10 +28,10 @@ struct PlaneProjection {
   [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Triangle<T>& triangle) {
     const auto [t, point, normal] = meet_plane(ray, triangle);
 
-    step<T>("Project along the normal's largest axis");
     const auto [q, a, b, c] = Projected<T>::along_largest(normal, point, triangle.a, triangle.b, triangle.c);
 
-    step<T>("Find the barycentric coordinates in the projection");
+    step<T>("Find the barycentric coordinates in the projection",
+            "Each is the area opposite a vertex over the whole area; q is inside where none is negative.");
     return hit_inside(t, barycentric(q, a, b, c));
   }
 };

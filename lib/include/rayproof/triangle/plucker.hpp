@@ -25,18 +25,24 @@ struct Pluecker {
 
   template <class T>
   [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Triangle<T>& triangle) {
-    step<T>("Move the origin of the ray to the origin");
+    step<T>(
+        "Move the origin of the ray to the origin",
+        "Seen from its origin the ray is only its direction d, so each edge needs only d and its two ends.");
     const vec3<T> a = named("a", triangle.a - ray.origin);
     const vec3<T> b = named("b", triangle.b - ray.origin);
     const vec3<T> c = named("c", triangle.c - ray.origin);
     const vec3<T> d = ray.direction;
 
-    step<T>("Find the side on which the ray passes each edge");
+    step<T>("Find the side on which the ray passes each edge",
+            "U, V and W are the volumes of d and the two ends of an edge; the ray hits where no two have "
+            "opposite signs.");
     const T U = named("U", dot(d, cross(b, c)));
     const T V = named("V", dot(d, cross(c, a)));
     const T W = named("W", dot(d, cross(a, b)));
 
-    step<T>("Meet the plane of the triangle");
+    step<T>("Meet the plane of the triangle",
+            "t is n·a, the distance to the plane, over the progress n·d⃗; U, V and W over their sum are the "
+            "barycentric coordinates.");
     // By the edges, not as U + V + W: for a small far triangle those cancel.
     const vec3<T> n = named("n", cross(triangle.b - triangle.a, triangle.c - triangle.a));
     const T along = named("n·d⃗", dot(n, d));

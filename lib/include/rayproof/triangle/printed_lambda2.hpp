@@ -23,10 +23,10 @@ struct PrintedLambda2 {
   [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Triangle<T>& triangle) {
     const auto [t, point, normal] = meet_plane(ray, triangle);
 
-    step<T>("Project along the normal's largest axis");
     const auto [q, a, b, c] = Projected<T>::along_largest(normal, point, triangle.a, triangle.b, triangle.c);
 
-    step<T>("Find the barycentric coordinates, the second as printed");
+    step<T>("Find the barycentric coordinates, the second as printed",
+            "The second sign in the numerator of λ₂ is wrong: it must be +.");
     const T D = named("D", (b.y - c.y) * (a.x - c.x) - (b.x - c.x) * (a.y - c.y));
     const T as_printed = named("λ₂", (-(a.y - c.y) * (q.x - c.x) - (a.x - c.x) * (q.y - c.y)) / D);
     const T alpha = barycentric(q, a, b, c).alpha;

@@ -27,7 +27,8 @@ struct PrintedParallelogram {
     const auto [D, t, u, v] = plane::meet_by_cramer(ray, triangle.a, vec3<T>(triangle.b - triangle.a),
                                                     vec3<T>(triangle.c - triangle.a));
 
-    step<T>("Ask whether u and v lie in [0, 1], as printed");
+    step<T>("Ask whether u and v lie in [0, 1], as printed",
+            "These are the points of a whole parallelogram: the condition u + v ≤ 1 is missing.");
     const Mask<T> is_inside = u >= T(0) && u <= T(1) && v >= T(0) && v <= T(1);
     return flat_hit(D != T(0) && is_inside, t, u, v);
   }

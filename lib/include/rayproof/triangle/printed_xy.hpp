@@ -27,7 +27,8 @@ struct PrintedXy {
     const vec3<T> q = point_at(ray, t);
     const auto drop_z = [](const vec3<T>& p) { return Vec2<T>{p.x, p.y}; };
 
-    step<T>("Find the barycentric coordinates in x and y, as printed");
+    step<T>("Find the barycentric coordinates in x and y, as printed",
+            "z is ignored, and a triangle perpendicular to the xy plane has no area in x and y.");
     return hit_inside(t, barycentric(drop_z(q), drop_z(triangle.a), drop_z(triangle.b), drop_z(triangle.c)));
   }
 };

@@ -27,15 +27,25 @@ struct Woop {
       .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::robust, Claim::moved,
                                        Claim::scaled, Claim::reversed, Claim::bounded}};
 
+  static constexpr Step shear_vertices{"Shear the vertices so that the ray becomes the z axis",
+                                       "With o subtracted and the shear applied, the ray is the z axis: seen "
+                                       "along it, the triangle is flat and "
+                                       "the ray is the point (0, 0)."};
+  static constexpr Step find_sides{"Find the side on which the ray passes each edge",
+                                   "The exact sign of each edge function is the side of (0, 0); the ray hits "
+                                   "where no two signs are opposite."};
+
   template <class T>
   [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Triangle<T>& triangle) {
-    step<T>("Call z the axis along which the ray is longest");
+    step<T>("Call z the axis along which the ray is longest",
+            "The shear divides by the component of d along this axis, the largest one, so S_x and S_y are at "
+            "most 1 in size.");
     const LargestAxisLast<T> turned(ray.direction);
     const vec3<T> d = named("d", turned(ray.direction));
     const T shear_x = named("S_x", d.x / d.z);
     const T shear_y = named("S_y", d.y / d.z);
 
-    step<T>("Shear the vertices so that the ray becomes the z axis");
+    step<T>(shear_vertices);
     const auto sheared = [&](const vec3<T>& vertex) {
       const vec3<T> w = turned(vertex - ray.origin);
       return vec3<T>{w.x - shear_x * w.z, w.y - shear_y * w.z, w.z};
@@ -44,13 +54,15 @@ struct Woop {
     const vec3<T> b = named("b", sheared(triangle.b));
     const vec3<T> c = named("c", sheared(triangle.c));
 
-    step<T>("Find the side on which the ray passes each edge");
+    step<T>(find_sides);
     const T U = named("U", edge_function(c.x, b.y, c.y, b.x));
     const T V = named("V", edge_function(a.x, c.y, a.y, c.x));
     const T W = named("W", edge_function(b.x, a.y, b.y, a.x));
     const T D = named("D", U + V + W);
 
-    step<T>("Weigh the depths of the vertices");
+    step<T>("Weigh the depths of the vertices",
+            "U, V and W over their sum D are the weights of the vertices; the hit's depth z is the weighted "
+            "mean, and t = z / d.z.");
     const T u = named("u", V / D);
     const T v = named("v", W / D);
     const T z = named("z", (U * a.z + V * b.z + W * c.z) / D);
