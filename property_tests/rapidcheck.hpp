@@ -3,14 +3,16 @@
 /// The laboratory's cases for properties in rapidcheck's own style: generators that shrink to the case a
 /// person reads most easily, and show it as one line of JSON.
 ///
-///     RC_GTEST_PROP(MySphere, AgreesWithTheOracle, ()) {
-///       const Case one = *cases("sphere");
+///     RC_GTEST_PROP(MySphere, IsHitWhereASphereIs, ()) {
+///       const Case one = *cases("sphere", "random");
 ///       RC_ASSERT(!oracle::judge(one, my_answer(one)).wrong);
 ///     }
+///
+/// docs/properties.md has a whole program.
 
 #include <rapidcheck.h>
 
-#include <algorithm>
+#include <cmath>
 #include <ostream>
 #include <stdexcept>
 #include <string>
@@ -20,28 +22,13 @@
 #include "generators/generators.hpp"
 #include "oracle/oracle.hpp"
 #include "properties/labels.hpp"
-#include "properties/shrink/moves.hpp"
-#include "properties/shrink/simplicity.hpp"
-#include "properties/shrink/validity.hpp"
+#include "properties/property.hpp"
+#include "properties/shrink/shrink.hpp"
 
 namespace rayproof {
 
 /// How rapidcheck shows a case: as the line that every program of the laboratory reads.
 inline void showValue(const Case& one, std::ostream& out) { out << write_case(one); }
-
-/// The valid cases that are one step simpler, the boldest step first; a proper figure stays one.
-[[nodiscard]] inline std::vector<Case> simpler_cases(const Case& one) {
-  std::vector<Case> simpler;
-  const unsigned limit = complexity(one);
-  const bool stays_proper = is_proper(one);
-  const auto keep = [&](const Case& candidate) {
-    if (complexity(candidate) < limit && is_valid(candidate) && (!stays_proper || is_proper(candidate)))
-      simpler.push_back(candidate);
-    return false;
-  };
-  for (const auto move : shrink_moves::all) move(one, keep);
-  return simpler;
-}
 
 /// The cases of a family; a failing one is shrunk as `rayproof check` shrinks it.
 [[nodiscard]] inline rc::Gen<Case> cases(const Family& family, Precision precision = Precision::float32) {
@@ -63,6 +50,22 @@ inline void showValue(const Case& one, std::ostream& out) { out << write_case(on
   if (wanted.empty()) throw std::invalid_argument("there is no family \"" + topic + "/" + family + "\"");
   return rc::gen::mapcat(rc::gen::noShrink(rc::gen::elementOf(wanted)),
                          [precision](const Family* one) { return cases(*one, precision); });
+}
+
+/// The answer of a routine that gives the nearest t alone; infinity and NaN are misses.
+[[nodiscard]] inline RayAnswer nearest_answer(double t) {
+  RayAnswer answer{.nearest_only = true};
+  if (std::isfinite(t)) answer.hits.push_back(t);
+  return answer;
+}
+
+/// Whether the subject keeps the check's property of that name on the case; true, too, where the property
+/// says nothing of the case. Throws std::invalid_argument where there is none of that name.
+[[nodiscard]] inline bool keeps(const Subject& subject, const std::string& property, const Case& one) {
+  const Property* named = find_property(property);
+  if (named == nullptr) throw std::invalid_argument("there is no property \"" + property + "\"");
+  Trial trial(subject, one);
+  return named->rule(trial) != Ruling::broken;
 }
 
 /// Counts what the case is ("hit", "tangent", "from inside", …) for rapidcheck's distribution of cases.

@@ -2,6 +2,7 @@
 
 #include "case/escape.hpp"
 #include "case/writer.hpp"
+#include "properties/report/page_style.hpp"
 #include "viz/answers.hpp"
 #include "viz/html_text.hpp"
 #include "viz/numbers.hpp"
@@ -58,12 +59,9 @@ std::string walk_sections(const Walkthrough& walk) {
 
 std::string html_page(const Told& told) {
   const std::string headline = headline_of(told.one, &told.exact, told.claim());
-  std::string html = fmt::format(
-      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, "
-      "initial-scale=1\">\n<title>{0}</title>\n<style>{1}</style>\n"
-      "</head>\n<body>\n<main>\n<h1>{2}</h1>\n",
-      escaped(headline), page_style, escaped(told.method.empty() ? topic_of(told.one) : told.method));
+  std::string html = html_head(headline, steps_style) +
+                     fmt::format("</head>\n<body>\n<main>\n<h1>{}</h1>\n",
+                                 escaped(told.method.empty() ? topic_of(told.one) : told.method));
   if (!told.one.note.empty()) html += fmt::format("<p class=\"soft\">{}</p>\n", escaped(told.one.note));
   if (!told.method.empty())
     html += fmt::format("<p class=\"conclusion\">{}</p>\n", escaped(conclusion_of(told)));

@@ -64,23 +64,26 @@ std::string draw(const Text& text) {
 
 /// Every rule begins with the picture's own class: a page's other styles are left alone.
 std::string style() {
-  std::string rules =
-      ".rayproof-picture{font-family:'DejaVu Sans',system-ui,sans-serif;max-width:100%;height:auto}"
-      ".rayproof-picture .l{fill:none;stroke:currentColor}"
-      ".rayproof-picture .f{fill:currentColor}";
-  rules += fmt::format(".rayproof-picture .a{{fill:currentColor;fill-opacity:{}}}", area_opacity);
-  const std::string halo =
-      ".rayproof-picture .h{{paint-order:stroke;stroke:{};stroke-width:4px;stroke-linejoin:round}}";
-  rules += fmt::format(fmt::runtime(halo), colour_of(Role::background).light);
-  std::string dark = fmt::format(fmt::runtime(halo), colour_of(Role::background).dark);
-  for (const RoleColour& colour : palette) {
-    rules += fmt::format(".rayproof-picture .{}{{color:{}}}", colour.name, colour.light);
-    dark += fmt::format(".rayproof-picture .{}{{color:{}}}", colour.name, colour.dark);
-  }
-  return rules + "@media screen and (prefers-color-scheme:dark){" + dark + "}";
+  return ".rayproof-picture{font-family:'DejaVu Sans',system-ui,sans-serif;max-width:100%;height:auto}" +
+         role_style(".rayproof-picture");
 }
 
 }  // namespace
+
+std::string role_style(const std::string& scope) {
+  const auto colours = [&](const char* RoleColour::*shade) {
+    std::string rules =
+        fmt::format("{} .h{{paint-order:stroke;stroke:{};stroke-width:4px;stroke-linejoin:round}}", scope,
+                    colour_of(Role::background).*shade);
+    for (const RoleColour& colour : palette)
+      rules += fmt::format("{} .{}{{color:{}}}", scope, colour.name, colour.*shade);
+    return rules;
+  };
+  return fmt::format(
+      "{0} .l{{fill:none;stroke:currentColor}}{0} .f{{fill:currentColor}}"
+      "{0} .a{{fill:currentColor;fill-opacity:{1}}}{2}@media screen and (prefers-color-scheme:dark){{{3}}}",
+      scope, area_opacity, colours(&RoleColour::light), colours(&RoleColour::dark));
+}
 
 std::string to_svg(const Picture& picture) {
   std::string svg = fmt::format(

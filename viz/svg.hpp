@@ -26,6 +26,10 @@ namespace rayproof::viz {
 /// The same for any picture.
 [[nodiscard]] std::string to_svg(const Picture& picture);
 
+/// How an element within `scope`, a CSS selector, is painted by its classes: l a line, f filled, a an area, h
+/// a halo; and the colour of its role, in light and dark.
+[[nodiscard]] std::string role_style(const std::string& scope);
+
 inline constexpr const char* xml_head = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
 
 }  // namespace rayproof::viz

@@ -15,22 +15,21 @@ namespace rayproof::report {
 namespace {
 
 constexpr const char* plot_style = R"css(
-.plot { width: 100%; height: auto; display: block; font: 14px system-ui, sans-serif; fill: var(--ink); }
-.plot .title { font-weight: 600; } .plot .note, .plot .axis { fill: var(--faint); }
+.plot { font: 14px system-ui, sans-serif; fill: var(--ink); }
+.plot .title { font-weight: 600; } .plot .note, .plot .axis { fill: var(--soft); }
 .plot .frame { fill: none; stroke: var(--ink); } .plot .grid { stroke: var(--line); stroke-width: .6; }
-.plot .floor { stroke: var(--faint); stroke-width: 1.6; stroke-dasharray: 6 4; }
+.plot .floor { stroke: var(--soft); stroke-width: 1.6; stroke-dasharray: 6 4; }
 .plot .front { fill: none; stroke: var(--ink); stroke-width: 1.2; stroke-dasharray: 1.5 3; }
 .plot .solid { fill: var(--m); stroke: var(--m); stroke-width: 2; } .plot .solid .in { stroke: var(--paper); }
 .plot .halo { fill: var(--paper); stroke: none; }
 .plot .hollow { fill: var(--paper); stroke: var(--m); stroke-width: 2; }
-tr.floor td { color: var(--faint); } section { break-inside: avoid-page; margin-top: 1.5rem; } figure { break-inside: avoid; }
-@media print { :root { --ink: #1a1a1a; --paper: #fff; --faint: #6b6b6b; --line: #d0d0d0; } }
+tr.floor td { color: var(--soft); } section { break-inside: avoid-page; margin-top: 1.5rem; } figure { break-inside: avoid; }
 )css";
 
 constexpr const char* how_to_read = R"html(
 <p>Every mark is one method over the families of scenes: hollow one ray at a time, solid in batches. Left is faster, down is more
 accurate; the dotted stair is the Pareto front, the dashed line what merely reading the rays and writing the answers costs.</p>
-<p class="faint">The families bit_patterns, exponents and special, in which everything over- and underflows, are left out of the
+<p class="soft">The families bit_patterns, exponents and special, in which everything over- and underflows, are left out of the
 plots and the first tables; their own tables stand below. Wrong verdicts are cases with a hit too many or too few by the exact oracle. Bits of error are
 log₂(1 + floats between the hit and the correctly rounded one), averaged over the hits that method and oracle agree on; wrong
 verdicts are never averaged in. Times are processor time, medians over families of median passes. For timing, each case's ray is moved and scaled
@@ -74,7 +73,7 @@ std::string families_of(const Figures& figures, const std::string& shape) {
   for (const Family& family : families()) {
     const auto is_own = [&](const Row& row) { return row.shape == shape && row.family == family.name; };
     if (family.topic != shape || std::ranges::none_of(figures.rows, is_own)) continue;
-    html += fmt::format("<section><h3>{}/{}</h3><p class=\"faint\">{}</p>{}</section>\n", escaped(shape),
+    html += fmt::format("<section><h3>{}/{}</h3><p class=\"soft\">{}</p>{}</section>\n", escaped(shape),
                         escaped(family.name), escaped(family.description), table(figures.rows, is_own));
   }
   return html;
@@ -85,7 +84,7 @@ std::string families_of(const Figures& figures, const std::string& shape) {
 std::string to_page(const Figures& figures, const std::vector<Summary>& summaries,
                     const std::vector<Plot>& plots) {
   std::string body =
-      fmt::format("<h1>rayproof report: speed against error</h1><p class=\"faint\">{}; {}</p>\n",
+      fmt::format("<h1>rayproof report: speed against error</h1><p class=\"soft\">{}; {}</p>\n",
                   escaped(figures.machine), escaped(figures.compiler));
   if (const auto found = headline(figures.rows))
     body += "<p class=\"verdict\">" + escaped(sentence(*found, figures.rays)) + "</p>\n";
@@ -96,9 +95,8 @@ std::string to_page(const Figures& figures, const std::vector<Summary>& summarie
     body += table(summaries, [&](const Summary& one) { return one.shape == plot.shape; });
     body += families_of(figures, plot.shape);
   }
-  return "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
-         "content=\"width=device-width\"><title>rayproof report</title><style>" +
-         std::string(page_style) + plot_style + "</style></head>\n<body>\n" + body + "</body></html>\n";
+  return html_head("rayproof report", std::string(figures_style) + plot_style) + "</head>\n<body>\n<main>\n" +
+         body + "</main>\n</body>\n</html>\n";
 }
 
 }  // namespace rayproof::report

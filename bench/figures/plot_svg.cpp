@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "case/escape.hpp"
 
 namespace rayproof::report {
@@ -9,7 +11,7 @@ namespace rayproof::report {
 namespace {
 
 constexpr double panel_width = 400, panel_height = 300, left = 92, top = 40, gap_x = 110, gap_y = 96;
-constexpr double legend_width = 210;
+constexpr double name_in_legend = 72;  // right of the two marks
 constexpr std::size_t columns = 2;
 
 /// Where plot units lie on the paper.
@@ -108,11 +110,18 @@ std::string legend(const Plot& plot, double x) {
     svg +=
         mark(plot.marks[i], i, Arrangement::scalar, x + 8, y, plot.marks[i].method + ", one ray at a time");
     svg += mark(plot.marks[i], i, Arrangement::batch, x + 48, y, plot.marks[i].method + ", in batches");
-    svg += text(x + 72, y + 5, "start", plot.marks[i].method);
+    svg += text(x + name_in_legend, y + 5, "start", plot.marks[i].method);
   }
-  svg += line(x, y + 4, x + 56, y + 4, "front") + text(x + 72, y + 9, "start", "Pareto front");
-  svg += line(x, y + 32, x + 56, y + 32, "floor") + text(x + 72, y + 37, "start", "streaming");
+  svg += line(x, y + 4, x + 56, y + 4, "front") + text(x + name_in_legend, y + 9, "start", "Pareto front");
+  svg += line(x, y + 32, x + 56, y + 32, "floor") + text(x + name_in_legend, y + 37, "start", "streaming");
   return svg;
+}
+
+/// Room for the longest name: in the font of the plot it takes less than 9 a letter.
+double legend_width(const Plot& plot) {
+  std::size_t letters = 12;  // "Pareto front"
+  for (const Mark& mark : plot.marks) letters = std::max(letters, mark.method.size());
+  return name_in_legend + 9 * static_cast<double>(letters);
 }
 
 std::string style(const Plot& plot) {
@@ -122,8 +131,7 @@ std::string style(const Plot& plot) {
     light += fmt::format(".{0} .m{1}{{--m:{2}}}", plot.shape, i, plot.marks[i].light);
     dark += fmt::format(".{0} .m{1}{{--m:{2}}}", plot.shape, i, plot.marks[i].dark);
   }
-  return "<style>" + light + "@media (prefers-color-scheme:dark){" + dark + "}@media print{" + light +
-         "}</style>\n";
+  return "<style>" + light + "@media screen and (prefers-color-scheme:dark){" + dark + "}</style>\n";
 }
 
 }  // namespace
@@ -141,7 +149,7 @@ std::string to_svg(const Plot& plot) {
   return fmt::format(
       "<svg class=\"plot {0}\" viewBox=\"0 0 {1} {2}\" role=\"img\" xmlns=\"http://www.w3.org/2000/svg\">\n"
       "<title>Speed against error of the {0} methods</title>\n{3}{4}{5}</svg>\n",
-      escaped(plot.shape), legend_x + legend_width,
+      escaped(plot.shape), legend_x + legend_width(plot),
       top + static_cast<double>(rows) * (panel_height + gap_y) - 30, style(plot), body,
       legend(plot, legend_x));
 }

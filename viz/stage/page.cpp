@@ -6,6 +6,7 @@
 
 #include "case/escape.hpp"
 #include "case/writer.hpp"
+#include "properties/report/page_style.hpp"
 #include "viz/palette.hpp"
 #include "viz/stage/page_scene.hpp"
 #include "viz/stage/page_script.hpp"
@@ -17,26 +18,6 @@
 
 namespace rayproof::viz {
 namespace {
-
-/// The colours of the roles for the live scene and the legend, light and dark.
-std::string role_style() {
-  std::string light;
-  std::string dark;
-  for (const RoleColour& colour : palette) {
-    light += fmt::format(".paint .{}{{color:{}}}", colour.name, colour.light);
-    dark += fmt::format(".paint .{}{{color:{}}}", colour.name, colour.dark);
-  }
-  const auto halo = [](const char* colour) {
-    return fmt::format(".paint .h{{paint-order:stroke;stroke:{};stroke-width:4px;stroke-linejoin:round}}",
-                       colour);
-  };
-  return fmt::format(
-      ".paint .l{{fill:none;stroke:currentColor}}.paint .f{{fill:currentColor}}"
-      ".paint .a{{fill:currentColor;fill-opacity:{}}}{}{}"
-      "@media screen and (prefers-color-scheme:dark){{{}{}}}",
-      area_opacity, light, halo(colour_of(Role::background).light), dark,
-      halo(colour_of(Role::background).dark));
-}
 
 std::string legend(const Stage& stage) {
   std::string html = "<ul class=\"legend paint\" aria-label=\"Legend\">\n";
@@ -82,16 +63,22 @@ std::string slider(const Stage& stage) {
 
 /// What only a script can fill.
 std::string live_part(const Stage& stage) {
+  std::string steps;
+  for (std::size_t i = 1; i <= stage.steps.size(); ++i) {
+    const std::string title = escaped(stage.steps[i - 1].title);
+    steps += fmt::format("<button type=\"button\" title=\"{1}\" aria-label=\"Step {0}: {1}\">{0}</button>", i,
+                         title);
+  }
   return fmt::format(
       "<div id=\"live-part\"><nav class=\"bar\" aria-label=\"Steps\"><button type=\"button\" id=\"back\" "
       "aria-label=\"Step "
-      "back\">←</button><span id=\"steps\"></span><button type=\"button\" id=\"next\" aria-label=\"Next "
+      "back\">←</button><span id=\"steps\">{}</span><button type=\"button\" id=\"next\" aria-label=\"Next "
       "step\">→</button>"
       "<button type=\"button\" id=\"reset\">Reset view</button></nav><p id=\"place\" "
       "aria-live=\"polite\"></p>\n"
       "<svg id=\"scene\" class=\"paint\" viewBox=\"0 0 640 430\" role=\"img\" tabindex=\"0\"></svg>\n"
       "<p id=\"magnified\" class=\"soft\"></p>\n{}{}</div>\n",
-      slider(stage), legend(stage));
+      steps, slider(stage), legend(stage));
 }
 
 std::string in_script(std::string json) {
@@ -106,12 +93,8 @@ std::string capitalised(std::string word) {
 }
 
 std::string head(const std::string& title) {
-  return fmt::format(
-      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<link rel=\"icon\" "
-      "href=\"data:,\">\n"
-      "<title>{}</title>\n<style>{}{}</style>\n</head>\n",
-      escaped(title), stage_style, role_style());
+  return html_head(title, stage_style + role_style(".paint")) +
+         "<link rel=\"icon\" href=\"data:,\">\n</head>\n";
 }
 
 }  // namespace

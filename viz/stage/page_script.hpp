@@ -7,7 +7,7 @@ namespace rayproof::viz {
 inline constexpr const char* page_controls = R"js(
 const steps = data.steps, sections = [...document.querySelectorAll('.step')], slider = document.getElementById('slider');
 let t = data.slider ? number(data.slider.start) : 0;
-const escape = s => s.replace(/[&<>"]/g, c => ({'&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;'})[c]);
+const write = (elements, words) => elements.forEach((element, i) => element.textContent = words[i]);
 const path = points => points.map((p, i) => (i ? 'L' : 'M') + p[0].toFixed(1) + ' ' + p[1].toFixed(1)).join('');
 const dashes = {dashed: ' stroke-dasharray="7 5"', dotted: ' stroke-dasharray="1.5 5" stroke-linecap="round"'};
 function markAt(role, shape, [x, y]) {
@@ -69,11 +69,13 @@ function draw() {
     if (at[0] >= 0 && at[0] <= W && at[1] >= 0 && at[1] <= H) { marks.push(`<path id="runner" class="f ray" d="M${at[0].toFixed(1)} ${at[1].toFixed(1)}m0 4l-6 11h12Z"/>`); places.take([at[0], at[1] + 10], 7); }
   }
   const k = Math.min(1.6, Math.max(1, 500 / (figure.clientWidth || W)));  // as large on a phone as on a desk
-  const texts = labels.reverse().sort((a, b) => b[4] - a[4]).map(([label, anchors, role, how, isText]) => {
+  const words = [], texts = labels.reverse().sort((a, b) => b[4] - a[4]).map(([label, anchors, role, how, isText]) => {
     const bright = how === 'bright', size = Math.round(k * (bright ? 17 : 14)), spot = isText ? places.putAt(label, anchors[0], size) : places.put(label, anchors, size, bright);
-    return spot ? `<text class="f h ${role}" text-anchor="middle" font-size="${size}"${bright ? ' font-weight="bold"' : ''} x="${spot[0].toFixed(1)}" y="${spot[1].toFixed(1)}">${escape(label)}</text>` : '';
+    if (spot) words.push(label);
+    return spot ? `<text class="f h ${role}" text-anchor="middle" font-size="${size}"${bright ? ' font-weight="bold"' : ''} x="${spot[0].toFixed(1)}" y="${spot[1].toFixed(1)}"></text>` : '';
   });
   figure.innerHTML = fills.join('') + strokes.join('') + marks.join('') + texts.join('');
+  write(figure.querySelectorAll('text'), words);
   figure.setAttribute('aria-label', `${step.title}. ${step.caption}`);
   document.getElementById('magnified').textContent = apart && step.magnification !== 1 ? step.scale : data.camera.flat ? '' : 'Drag, or focus the picture and use the arrow keys, to look from another side';
 }
@@ -95,14 +97,15 @@ function run(to) {
   const rows = s.shows_point ? [['p(t)', '(' + [0, 1, 2].map(i => show(along(round, i))).join(', ') + ')', single ? '(' + [0, 1, 2].map(i => Number(along(x => x, i).toPrecision(12))).join(', ') + ')' : '']] : [];
   for (const r of s.readouts) rows.push([r.label, show(horner(round, r.coefficients)), single ? String(Number(horner(x => x, r.coefficients).toPrecision(12))) : '']);
   document.getElementById('t').textContent = `${s.symbol} = ${show(t)}`;
-  document.getElementById('live').innerHTML = rows.map(([label, value, fine]) => `<tr><th scope="row">${escape(label)}</th><td class="claimed" data-of="${data.precision}">${value}</td><td class="exact" data-of="in double">${fine}</td></tr>`).join('');
+  const live = document.getElementById('live');
+  live.innerHTML = rows.map(([, value, fine]) => `<tr><th scope="row"></th><td class="claimed" data-of="${data.precision}">${value}</td><td class="exact" data-of="in double">${fine}</td></tr>`).join('');
+  write(live.querySelectorAll('th'), rows.map(row => row[0]));
   slider.setAttribute('aria-valuetext', `${s.symbol} = ${show(t)}`);
   draw();
 }
 /** The shortest decimal that reads back as the same float. */
 function shortest(x) { for (let digits = 1; digits < 10; ++digits) { const text = x.toPrecision(digits); if (Math.fround(text) === x) return Number(text); } return x; }
 const fraction = () => { const s = data.slider; return (t - number(s.from)) / (number(s.to) - number(s.from)); };
-document.getElementById('steps').innerHTML = steps.map((step, i) => `<button type="button" title="${escape(step.title)}" aria-label="Step ${i + 1}: ${escape(step.title)}">${i + 1}</button>`).join('');
 [...document.querySelectorAll('#steps button')].forEach((button, i) => button.onclick = () => show(i));
 document.getElementById('back').onclick = () => show(place - 1);
 document.getElementById('next').onclick = () => show(place + 1);

@@ -11,6 +11,22 @@ namespace rayproof {
 
 namespace {
 
+/// Marks differ in sign and border as well as in colour.
+constexpr const char* check_style = R"css(
+td.mark { text-align: center; font-weight: 600; }
+.holds { color: var(--exact); } .refuted { color: var(--known); } .broken { color: var(--bad); }
+.mark.refuted { outline: 1px dashed; outline-offset: -4px; } .mark.broken { outline: 2px solid; outline-offset: -3px; }
+p.legend { font-size: .875rem; } p.legend span { display: inline-block; min-width: 1.6em; text-align: center; }
+article { border: 1px solid var(--line); border-radius: 6px; padding: 1rem; margin: 0 0 1rem; break-inside: avoid;
+          display: grid; grid-template-columns: minmax(0, 3fr) minmax(0, 2fr); gap: 1rem 1.5rem; }
+article.declared { border-style: dashed; }
+.number { border: 1px solid; border-radius: 4px; padding: 0 .35em; margin-right: .25em; } p.words { font-size: 1.0625rem; }
+dl { margin: .5rem 0 0; font-size: .875rem; } dt { color: var(--soft); } dd { margin: 0 0 .4rem; overflow-wrap: anywhere; }
+dl.words { display: grid; grid-template-columns: max-content 1fr; gap: .25rem 1rem; max-width: 64rem; }
+dl.words dt { font-weight: 600; color: inherit; } dl.words dd { margin: 0; }
+@media (max-width: 48rem) { article { grid-template-columns: minmax(0, 1fr); } dl.words { grid-template-columns: 1fr; } }
+)css";
+
 const char* class_of(Mark mark) {
   switch (mark) {
     case Mark::holds:
@@ -126,8 +142,8 @@ std::string all_findings(const Plan& plan, const RunResult& result, const PageTo
     for (const Finding& finding : result.findings)
       if (finding.is_declared && finding.subject == subject) of_method += html_finding(finding, tools);
     if (!of_method.empty())
-      declared += fmt::format("<h3>{} <span class=\"faint\">{}</span></h3>\n{}",
-                              escaped(subject->full_name()), escaped(subject->title), of_method);
+      declared += fmt::format("<h3>{} <span class=\"soft\">{}</span></h3>\n{}", escaped(subject->full_name()),
+                              escaped(subject->title), of_method);
   }
   std::string text;
   if (!failures.empty()) text += "<h2>Findings that break a contract</h2>\n" + failures;
@@ -139,17 +155,15 @@ std::string all_findings(const Plan& plan, const RunResult& result, const PageTo
 
 std::string html_page(const Plan& plan, const RunResult& result, const Summary& summary,
                       const PageTools& tools) {
-  return fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
-      "content=\"width=device-width, initial-scale=1\"><title>rayproof "
-      "check</title><style>{}</style></head><body>\n"
-      "<h1>rayproof check</h1><p class=\"faint\">Seed {}, {} cases for each method, family and precision{}; "
-      "{} corpus "
-      "cases.</p>\n{}<h2>Methods and what they "
-      "claim</h2>\n{}{}<h2>Figures</h2>\n{}{}</body></html>\n",
-      page_style, plan.settings.seed, plan.settings.cases, plan.settings.time ? " at most" : "",
-      result.corpus_cases, outcome(summary), main_table(summary), all_findings(plan, result, tools),
-      family_table(result), label_table(result));
+  return html_head("rayproof check", std::string(figures_style) + check_style) +
+         fmt::format(
+             "</head>\n<body>\n<main>\n<h1>rayproof check</h1>\n<p class=\"soft\">Seed {}, {} cases for each "
+             "method, "
+             "family and precision{}; {} corpus cases.</p>\n{}<h2>Methods and what they claim</h2>\n{}{}"
+             "<h2>Figures</h2>\n{}{}</main>\n</body>\n</html>\n",
+             plan.settings.seed, plan.settings.cases, plan.settings.time ? " at most" : "",
+             result.corpus_cases, outcome(summary), main_table(summary), all_findings(plan, result, tools),
+             family_table(result), label_table(result));
 }
 
 }  // namespace rayproof

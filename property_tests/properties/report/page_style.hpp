@@ -1,43 +1,59 @@
 #pragma once
+/// \file
+/// What all pages share: how they begin, and their look in light and dark, on paper and on a screen as narrow
+/// as a phone's.
+
+#include <string>
+
+#include "case/escape.hpp"
 
 namespace rayproof {
 
-/// The page's look. Marks differ in sign and border as well as in colour; colours are told apart by the
-/// colour-blind.
+/// Colours that the colour-blind tell apart; ink, paper, soft, claimed and exact are those of the pictures
+/// (viz/palette.hpp).
 inline constexpr const char* page_style = R"css(
-:root { color-scheme: light dark; --ink: #1a1a1a; --paper: #ffffff; --faint: #6b6b6b; --line: #d0d0d0; --panel: #f5f5f3;
-        --good: #00664c; --known: #6a4a00; --bad: #a8123e; }
-@media (prefers-color-scheme: dark) {
-  :root { --ink: #e8e8e6; --paper: #161618; --faint: #a0a0a0; --line: #3a3a3e; --panel: #202024;
-          --good: #5fd3ae; --known: #e8bb55; --bad: #ff7d9c; } }
-body { font: 16px/1.5 system-ui, sans-serif; color: var(--ink); background: var(--paper); margin: 0 auto; max-width: 96rem;
-       padding: 1.5rem; }
-h1 { font-size: 1.6rem; margin: 0 0 .25rem; } h2 { font-size: 1.25rem; margin: 2.5rem 0 .75rem; }
-h3 { font-size: 1rem; margin: 0 0 .25rem; }
-p { margin: .25rem 0; } .faint { color: var(--faint); } .wide { overflow-x: auto; }
-table { border-collapse: collapse; font-size: .8125rem; font-variant-numeric: tabular-nums; }
-th, td { padding: .25rem .375rem; border-bottom: 1px solid var(--line); text-align: right; white-space: nowrap; }
-th { white-space: normal; }
-th:first-child, td:first-child, td.text { text-align: left; } td.mark { text-align: center; font-weight: 600; }
-thead th { vertical-align: bottom; border-bottom: 2px solid var(--ink); }
-.holds { color: var(--good); } .refuted { color: var(--known); } .broken { color: var(--bad); }
-.mark.refuted { outline: 1px dashed; outline-offset: -4px; } .mark.broken { outline: 2px solid; outline-offset: -3px; }
-p.legend { font-size: .875rem; } p.legend span { display: inline-block; min-width: 1.6em; text-align: center; }
-.verdict { font-weight: 600; font-size: 1.1rem; }
-article { border: 1px solid var(--line); border-radius: 6px; padding: 1rem; margin: 0 0 1rem; break-inside: avoid;
-          display: grid; grid-template-columns: minmax(0, 3fr) minmax(0, 2fr); gap: 1rem 1.5rem; }
-article.declared { border-style: dashed; }
-.number { border: 1px solid; border-radius: 4px; padding: 0 .35em; margin-right: .25em; } p.words { font-size: 1.0625rem; }
-dl.words { display: grid; grid-template-columns: max-content 1fr; gap: .25rem 1rem; max-width: 64rem; }
-dl.words dt { font-weight: 600; color: inherit; } dl.words dd { margin: 0; }
-@media (max-width: 48rem) { dl.words { grid-template-columns: 1fr; } }
-figure { margin: 0; } figure svg { width: 100%; height: auto; display: block; }
-pre { background: var(--panel); padding: .6rem .75rem; margin: .4rem 0; overflow-x: auto; font-size: .8rem; line-height: 1.4;
-      white-space: pre-wrap; overflow-wrap: anywhere; border-radius: 4px; }
-dl { margin: .5rem 0 0; font-size: .875rem; } dt { color: var(--faint); } dd { margin: 0 0 .4rem; overflow-wrap: anywhere; }
-details summary { cursor: pointer; }
-@media (max-width: 48rem) { article { grid-template-columns: minmax(0, 1fr); } }
-@media print { body { max-width: none; padding: 0; font-size: 11px; } table { font-size: 7.5px; } details { display: block; } .wide { overflow: visible; } }
+:root { color-scheme: light dark; --ink: #16181c; --paper: #fff; --soft: #5a626c; --line: #c9ced6; --panel: #f4f6f8;
+        --claimed: #b84a00; --exact: #00734f; --known: #6a4a00; --bad: #a8123e; }
+@media screen and (prefers-color-scheme: dark) {
+  :root { --ink: #e8eaed; --paper: #16181c; --soft: #a3abb5; --line: #3a404a; --panel: #20242a;
+          --claimed: #ff8f4d; --exact: #2fc99a; --known: #e8bb55; --bad: #ff7d9c; } }
+* { box-sizing: border-box; }
+body { margin: 0; background: var(--paper); color: var(--ink); font: 16px/1.5 system-ui, 'DejaVu Sans', sans-serif; }
+main { max-width: 77.5rem; margin: 0 auto; padding: 20px 16px 40px; }
+h1 { font-size: 1.5rem; line-height: 1.25; margin: 0 0 .25rem; } h2 { font-size: 1.2rem; margin: 1.5rem 0 .5rem; }
+h3 { font-size: 1rem; margin: 0 0 .25rem; } p { margin: .4rem 0; } a { color: inherit; } .soft { color: var(--soft); }
+.conclusion { border-left: 4px solid var(--claimed); padding: .25rem 0 .25rem 1rem; max-width: 60em; font-size: 1.1rem; }
+figure { margin: 0; } figure svg { display: block; max-width: 100%; height: auto; }
+.step { border: 1px solid var(--line); border-radius: 6px; padding: 12px 16px; margin: 0 0 12px; break-inside: avoid; }
+.step h2 { margin-top: 0; } .step.worst { border: 2px solid var(--claimed); }
+.wide { overflow-x: auto; } table { border-collapse: collapse; font-size: .875rem; font-variant-numeric: tabular-nums; }
+th, td { padding: 3px 12px 3px 0; text-align: left; white-space: nowrap; vertical-align: top; } th { font-weight: normal; }
+thead th { color: var(--soft); border-bottom: 1px solid var(--line); } td.lost { color: var(--claimed); font-weight: bold; }
+details { margin: 12px 0; } summary { cursor: pointer; }
+pre { white-space: pre-wrap; overflow-wrap: anywhere; background: var(--panel); padding: 10px 12px; border-radius: 6px;
+      font-size: .8125rem; }
+button { font: inherit; color: inherit; background: var(--panel); border: 1px solid var(--line); border-radius: 6px;
+         padding: 4px 11px; min-width: 38px; min-height: 36px; cursor: pointer; }
+button:disabled { opacity: .45; cursor: default; } :focus-visible { outline: 3px solid var(--claimed); outline-offset: 2px; }
+@media print { main { max-width: none; padding: 0; } body { font-size: 11pt; } h1 { font-size: 15pt; } .screen { display: none; } }
 )css";
+
+/// What the tables of figures look like, in a check and in a report.
+inline constexpr const char* figures_style = R"css(
+main { max-width: 96rem; } h2 { margin-top: 2.5rem; } table { font-size: .8125rem; }
+th, td { padding: .25rem .375rem; border-bottom: 1px solid var(--line); text-align: right; }
+th { white-space: normal; font-weight: bold; } th:first-child, td:first-child, td.text { text-align: left; }
+thead th { color: inherit; vertical-align: bottom; border-bottom: 2px solid; }
+.verdict { font-weight: bold; font-size: 1.1rem; } figure svg { width: 100%; }
+@media print { body { font-size: 11px; } table { font-size: 7.5px; } .wide { overflow: visible; } }
+)css";
+
+/// The page up to the end of its head, which is left open; `own_style` is what its look has beyond
+/// page_style.
+[[nodiscard]] inline std::string html_head(const std::string& title, const std::string& own_style) {
+  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
+         escaped(title) + "</title>\n<style>" + page_style + own_style + "</style>\n";
+}
 
 }  // namespace rayproof

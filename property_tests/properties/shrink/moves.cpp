@@ -14,10 +14,10 @@ namespace {
 
 /// Offers a copy of `best` changed by `change`.
 template <class Change>
-bool attempt_changed(const Case& best, const Try& attempt, Change&& change) {
+void attempt_changed(const Case& best, const Try& attempt, Change&& change) {
   Case candidate = best;
   change(candidate);
-  return attempt(candidate);
+  attempt(candidate);
 }
 
 std::size_t count_numbers(Case one) { return numbers_of(one).size(); }
@@ -28,21 +28,19 @@ double number_in(Case one, std::size_t index) { return number(one, index); }
 
 }  // namespace
 
-bool drop_parts(const Case& best, const Try& attempt) {
-  if (!std::holds_alternative<RayQuestion>(best.question)) return false;
+void drop_parts(const Case& best, const Try& attempt) {
+  if (!std::holds_alternative<RayQuestion>(best.question)) return;
   const auto ray_of = [](Case& one) -> Ray<double>& { return std::get<RayQuestion>(one.question).ray; };
-  bool taken = attempt_changed(best, attempt,
-                               [](Case& one) { std::get<RayQuestion>(one.question).transform.reset(); });
+  attempt_changed(best, attempt, [](Case& one) { std::get<RayQuestion>(one.question).transform.reset(); });
   for (const auto& [t_min, t_max] :
        {std::pair{0.0, infinity<double>}, std::pair{-infinity<double>, infinity<double>}})
-    taken |= attempt_changed(best, attempt, [&, low = t_min, high = t_max](Case& one) {
+    attempt_changed(best, attempt, [&, low = t_min, high = t_max](Case& one) {
       ray_of(one).t_min = low;
       ray_of(one).t_max = high;
     });
-  return taken;
 }
 
-bool drop_vertices(const Case& best, const Try& attempt) {
+void drop_vertices(const Case& best, const Try& attempt) {
   // Calls `change` with the list of vertices, if the case has one.
   const auto with_vertices = [](Case& one, const auto& change) {
     if (auto* place = std::get_if<PointAndPolygon<double>>(&one.question)) return change(place->vertices);
@@ -56,10 +54,9 @@ bool drop_vertices(const Case& best, const Try& attempt) {
     with_vertices(copy, [&](const auto& vertices) { size = vertices.size(); });
     return size;
   };
-  bool taken = false;
   for (std::size_t run = count() / 2; run > 0; run /= 2) {
     for (std::size_t i = 0; i + run <= count(); ++i) {
-      taken |= attempt_changed(best, attempt, [&](Case& one) {
+      attempt_changed(best, attempt, [&](Case& one) {
         with_vertices(one, [&](auto& vertices) {
           const auto from = vertices.begin() + static_cast<std::ptrdiff_t>(i);
           vertices.erase(from, from + static_cast<std::ptrdiff_t>(run));
@@ -67,14 +64,12 @@ bool drop_vertices(const Case& best, const Try& attempt) {
       });
     }
   }
-  return taken;
 }
 
-bool move_to_origin(const Case& best, const Try& attempt) {
-  if (!std::holds_alternative<RayQuestion>(best.question)) return false;
-  bool taken = false;
-  const auto move_by = [&](std::size_t field) {
-    return attempt_changed(best, attempt, [&](Case& one) {
+void move_to_origin(const Case& best, const Try& attempt) {
+  if (!std::holds_alternative<RayQuestion>(best.question)) return;
+  for (std::size_t field = 0; field < 3; ++field)
+    attempt_changed(best, attempt, [&](Case& one) {
       auto& asked = std::get<RayQuestion>(one.question);
       std::size_t seen = 0;
       const auto visit = [&](const char*, auto& value) {
@@ -87,79 +82,67 @@ bool move_to_origin(const Case& best, const Try& attempt) {
       };
       std::visit([&]<class S>(S& shape) { ShapeFormat<S>::fields(shape, visit); }, asked.shape);
     });
-  };
-  for (std::size_t field = 0; field < 3; ++field) taken |= move_by(field);
-  return taken;
 }
 
-bool rescale(const Case& best, const Try& attempt) {
+void rescale(const Case& best, const Try& attempt) {
   const std::size_t count = count_numbers(best);
   // Runs of neighbours: the direction, the sphere, origin and sphere, the equation.
-  bool taken = false;
   for (const double base : {2.0, 10.0})
     for (int k = 30; k > 0; k = k * 2 / 3)
       for (const double factor : {std::pow(base, k), std::pow(base, -k)})
         for (std::size_t skip = 0; skip <= count; skip += 3)
-          taken |= attempt_changed(best, attempt, [&](Case& one) {
+          attempt_changed(best, attempt, [&](Case& one) {
             const auto numbers = numbers_of(one);
             for (std::size_t i = 0; i < count; ++i)
               if (i < skip || i >= skip + 3)
                 *numbers[i].value = round_to(one.precision, *numbers[i].value * factor);
           });
-  return taken;
 }
 
-bool look_straight(const Case& best, const Try& attempt) {
-  if (!std::holds_alternative<RayQuestion>(best.question)) return false;
+void look_straight(const Case& best, const Try& attempt) {
+  if (!std::holds_alternative<RayQuestion>(best.question)) return;
   constexpr int tries_per_distance = 40;
   Random random(2);
-  bool taken = false;
   for (int digits = 1; digits <= 3; ++digits)
     for (int distance = 0; distance <= 12; ++distance)
       for (int k = 0; k < tries_per_distance; ++k)
-        taken |= attempt_changed(best, attempt, [&](Case& one) {
+        attempt_changed(best, attempt, [&](Case& one) {
           for (const CaseNumber& n : numbers_of(one))
             *n.value = to_digits(*n.value, digits, random.between(-2, 2), one.precision);
           auto& ray = std::get<RayQuestion>(one.question).ray;
           for (int axis = 0; axis < 3; ++axis)
             ray.origin[axis] = round_to(one.precision, -std::pow(10.0, distance) * ray.direction[axis]);
         });
-  return taken;
 }
 
-bool simplify_one(const Case& best, const Try& attempt) {
-  bool taken = false;
+void simplify_one(const Case& best, const Try& attempt) {
   for (std::size_t i = 0; i < count_numbers(best); ++i)
     for (const double simpler : simpler_numbers(number_in(best, i), best.precision))
-      taken |= attempt_changed(best, attempt, [&](Case& one) { number(one, i) = simpler; });
-  return taken;
+      attempt_changed(best, attempt, [&](Case& one) { number(one, i) = simpler; });
 }
 
-bool simplify_two(const Case& best, const Try& attempt) {
-  bool taken = false;
+void simplify_two(const Case& best, const Try& attempt) {
   for (std::size_t i = 0; i < count_numbers(best); ++i)
     for (std::size_t j = 0; j < count_numbers(best); ++j) {
       if (i == j) continue;
-      taken |= attempt_changed(best, attempt, [&](Case& one) { number(one, i) = number(one, j); });
+      attempt_changed(best, attempt, [&](Case& one) { number(one, i) = number(one, j); });
       const std::vector<double> for_j = simpler_numbers(number_in(best, j), best.precision);
       for (const double x : {0.0, 1.0, to_digits(number_in(best, i), 1, 0, best.precision),
                              to_digits(number_in(best, i), 2, 0, best.precision)})
         for (std::size_t k = 0; k < std::min<std::size_t>(for_j.size(), 16); ++k)
-          taken |= attempt_changed(best, attempt, [&](Case& one) {
+          attempt_changed(best, attempt, [&](Case& one) {
             number(one, i) = x;
             number(one, j) = for_j[k];
           });
     }
-  return taken;
 }
 
-bool round_all(const Case& best, const Try& attempt) {
+void round_all(const Case& best, const Try& attempt) {
   constexpr int tries_per_digit = 1500;
   Random random(1);
-  bool taken = false;
   for (int digits = 1; digits <= 3; ++digits)
     for (int k = 0; k < tries_per_digit; ++k)
-      taken |= attempt_changed(best, attempt, [&](Case& one) {
+      attempt_changed(best, attempt, [&](Case& one) {
         for (const CaseNumber& n : numbers_of(one)) {
           const int choice = random.between(0, 9);
           if (choice == 0) *n.value = n.plain;
@@ -167,7 +150,6 @@ bool round_all(const Case& best, const Try& attempt) {
           if (choice >= 4) *n.value = to_digits(*n.value, digits, random.between(-3, 3), one.precision);
         }
       });
-  return taken;
 }
 
 }  // namespace rayproof::shrink_moves

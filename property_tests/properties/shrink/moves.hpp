@@ -9,30 +9,30 @@
 
 namespace rayproof::shrink_moves {
 
-/// Offers a candidate; true where it was taken, so that the move goes on from there.
-using Try = std::function<bool(const Case&)>;
+/// Looks at a candidate, and takes it or not.
+using Try = std::function<void(const Case&)>;
 
-/// A move offers candidates made from `best`, which follows what is taken. True where anything was taken.
-using Move = bool (*)(const Case& best, const Try& attempt);
+/// A move offers candidates made from `best`, which changes with each that is taken.
+using Move = void (*)(const Case& best, const Try& attempt);
 
 /// Leaves out the transform and the interval.
-bool drop_parts(const Case& best, const Try& attempt);
+void drop_parts(const Case& best, const Try& attempt);
 /// Leaves out vertices of a polygon: half of them, then one by one.
-bool drop_vertices(const Case& best, const Try& attempt);
+void drop_vertices(const Case& best, const Try& attempt);
 /// Moves a point of the shape to the origin, the ray with it.
-bool move_to_origin(const Case& best, const Try& attempt);
+void move_to_origin(const Case& best, const Try& attempt);
 /// Multiplies several numbers at once by one power of two or ten.
-bool rescale(const Case& best, const Try& attempt);
+void rescale(const Case& best, const Try& attempt);
 /// Makes one number simpler.
-bool simplify_one(const Case& best, const Try& attempt);
+void simplify_one(const Case& best, const Try& attempt);
 /// Puts the origin straight behind the shape, so far away as to make the case simple: a sphere that is far
 /// enough is missed in plain numbers, too.
-bool look_straight(const Case& best, const Try& attempt);
+void look_straight(const Case& best, const Try& attempt);
 /// Makes two numbers simpler at once, or equal.
-bool simplify_two(const Case& best, const Try& attempt);
+void simplify_two(const Case& best, const Try& attempt);
 /// Rounds all numbers at once to few digits, each with a little luck: for cases in which every digit seems to
 /// count.
-bool round_all(const Case& best, const Try& attempt);
+void round_all(const Case& best, const Try& attempt);
 
 inline constexpr std::array<Move, 8> all{drop_parts,   drop_vertices, move_to_origin, rescale,
                                          simplify_one, look_straight, simplify_two,   round_all};

@@ -10,57 +10,54 @@ namespace rayproof {
 
 namespace {
 
-/// The simplest case so far, and what is left of the budget.
-class Search {
- public:
-  Search(const Case& start, const std::function<bool(const Case&)>& breaks, const ShrinkBudget& budget)
-      : best_(start),
-        complexity_(complexity(start)),
-        stays_proper_(is_proper(start)),
-        breaks_(breaks),
-        tries_left_(budget.tries),
-        stop_(budget.stop),
-        end_(std::chrono::steady_clock::now() + budget.time) {}
+/// What may take the place of a case: one below its complexity that is valid, and a proper figure for a
+/// proper one.
+struct Simpler {
+  unsigned limit;
+  bool stays_proper;
 
-  [[nodiscard]] const Case& best() const { return best_; }
+  explicit Simpler(const Case& than) : limit(complexity(than)), stays_proper(is_proper(than)) {}
 
-  /// Takes the candidate if it is simpler, valid, and still breaks; says so.
-  bool consider(const Case& candidate) {
-    const unsigned how_complex = complexity(candidate);
-    if (how_complex >= complexity_ || is_over() || !is_valid(candidate)) return false;
-    if (stays_proper_ && !is_proper(candidate)) return false;
-    --tries_left_;
-    if (!breaks_(candidate)) return false;
-    best_ = candidate;
-    complexity_ = how_complex;
-    return true;
+  [[nodiscard]] bool admits(const Case& candidate) const {
+    return complexity(candidate) < limit && is_valid(candidate) && (!stays_proper || is_proper(candidate));
   }
-
-  [[nodiscard]] bool is_over() const {
-    return tries_left_ == 0 || (stop_ != nullptr && *stop_) ||
-           (tries_left_ % 64 == 0 && std::chrono::steady_clock::now() > end_);
-  }
-
- private:
-  Case best_;
-  unsigned complexity_;
-  bool stays_proper_;
-  const std::function<bool(const Case&)>& breaks_;
-  unsigned tries_left_;
-  const std::atomic<bool>* stop_;
-  std::chrono::steady_clock::time_point end_;
 };
 
 }  // namespace
 
 Case shrink(const Case& start, const std::function<bool(const Case&)>& breaks, const ShrinkBudget& budget) {
-  Search search(start, breaks, budget);
-  const shrink_moves::Try attempt = [&](const Case& candidate) { return search.consider(candidate); };
-  for (bool improved = true; improved && !search.is_over();) {
+  Case best = start;
+  Simpler simpler(start);
+  bool improved = true;
+  unsigned tries_left = budget.tries;
+  const auto end = std::chrono::steady_clock::now() + budget.time;
+  const auto is_over = [&] {
+    return tries_left == 0 || (budget.stop != nullptr && *budget.stop) ||
+           (tries_left % 64 == 0 && std::chrono::steady_clock::now() > end);
+  };
+  const auto consider = [&](const Case& candidate) {
+    if (!simpler.admits(candidate) || is_over()) return;
+    --tries_left;
+    if (!breaks(candidate)) return;
+    best = candidate;
+    simpler.limit = complexity(candidate);
+    improved = true;
+  };
+  while (improved && !is_over()) {
     improved = false;
-    for (const auto move : shrink_moves::all) improved = move(search.best(), attempt) || improved;
+    for (const auto move : shrink_moves::all) move(best, consider);
   }
-  return search.best();
+  return best;
+}
+
+std::vector<Case> simpler_cases(const Case& one) {
+  std::vector<Case> all;
+  const Simpler simpler(one);
+  const auto keep = [&](const Case& candidate) {
+    if (simpler.admits(candidate)) all.push_back(candidate);
+  };
+  for (const auto move : shrink_moves::all) move(one, keep);
+  return all;
 }
 
 std::function<bool(const Case&)> striking_break(const Subject& subject, const Property& property,

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <chrono>
 #include <functional>
+#include <vector>
 
 #include "properties/property.hpp"
 
@@ -25,6 +26,9 @@ struct ShrinkBudget {
 /// scene to the origin and scales it. A step is taken only where `complexity` goes down.
 [[nodiscard]] Case shrink(const Case& start, const std::function<bool(const Case&)>& breaks,
                           const ShrinkBudget& budget = {});
+
+/// The valid cases that one change makes simpler, the boldest change first; a proper figure stays one.
+[[nodiscard]] std::vector<Case> simpler_cases(const Case& one);
 
 /// What a shrunk case must still do: break the property, and do so strikingly, at least a hundred times over
 /// the bound or as badly as the trial that was found. A case only just over a bound shows nothing to a

@@ -15,39 +15,40 @@ bool may_be(const CaseNumber& number) {
   return number.field == "ray.t_max" && *number.value == infinity<double>;
 }
 
+/// The coordinates of a point by name, as members.
+template <class Point>
+using Axes = std::initializer_list<double Point::*>;
+
 /// Twice the area that the vertices enclose, in the plane of two of their axes.
-template <class Vertices, class X, class Y>
-double area_of(const Vertices& vertices, const X& x, const Y& y) {
+template <class Point>
+double area_of(const std::vector<Point>& vertices, double Point::*x, double Point::*y) {
   double area = 0;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const auto& from = vertices[i];
-    const auto& to = vertices[(i + 1) % vertices.size()];
-    area += x(from) * y(to) - x(to) * y(from);
+    const Point& from = vertices[i];
+    const Point& to = vertices[(i + 1) % vertices.size()];
+    area += from.*x * to.*y - to.*x * from.*y;
   }
   return area;
 }
 
-template <class Vertices, class Same>
-bool have_repeated_neighbours(const Vertices& vertices, const Same& same) {
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-    if (same(vertices[i], vertices[(i + 1) % vertices.size()])) return true;
+template <class Point>
+bool is_proper_polygon(const std::vector<Point>& vertices, Axes<Point> axes) {
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Point& next = vertices[(i + 1) % vertices.size()];
+    if (std::ranges::all_of(axes, [&](auto axis) { return vertices[i].*axis == next.*axis; })) return false;
+  }
+  for (const auto x : axes)
+    for (const auto y : axes)
+      if (x != y && area_of(vertices, x, y) != 0) return true;
   return false;
 }
 
 bool is_proper_polygon(const std::vector<Vec2<double>>& vertices) {
-  const auto x = [](const auto& v) { return v.x; };
-  const auto y = [](const auto& v) { return v.y; };
-  const auto same = [](const auto& a, const auto& b) { return a.x == b.x && a.y == b.y; };
-  return area_of(vertices, x, y) != 0 && !have_repeated_neighbours(vertices, same);
+  return is_proper_polygon(vertices, {&Vec2<double>::x, &Vec2<double>::y});
 }
 
 bool is_proper_polygon(const std::vector<glm::dvec3>& vertices) {
-  const auto x = [](const auto& v) { return v.x; };
-  const auto y = [](const auto& v) { return v.y; };
-  const auto z = [](const auto& v) { return v.z; };
-  const bool has_area =
-      area_of(vertices, x, y) != 0 || area_of(vertices, y, z) != 0 || area_of(vertices, z, x) != 0;
-  return has_area && !have_repeated_neighbours(vertices, [](const auto& a, const auto& b) { return a == b; });
+  return is_proper_polygon(vertices, {&glm::dvec3::x, &glm::dvec3::y, &glm::dvec3::z});
 }
 
 template <class Shape>

@@ -7,6 +7,7 @@
 #include "bench/figures/contender.hpp"
 #include "bench/figures/json.hpp"
 #include "bench/figures/plot.hpp"
+#include "bench/figures/plot_svg.hpp"
 #include "generators/generators.hpp"
 
 namespace rayproof::report {
@@ -100,6 +101,16 @@ TEST(Plot, TellsAnyTwoMethodsApartWithoutColour) {
   for (std::size_t i = 0; i < marks.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       EXPECT_FALSE(marks[i].outline == marks[j].outline && marks[i].inner == marks[j].inner) << i << ' ' << j;
+}
+
+TEST(PlotInSvg, HasRoomForTheLongestNameOfAMethod) {
+  const std::string name = "printed_unit_direction_and_more";
+  const std::string svg =
+      to_svg(make_plots(summarise({row(name.c_str(), Arrangement::batch, "random", 1, 0, 1)})).at(0));
+  const double width = std::stod(svg.substr(svg.find("viewBox=\"0 0 ") + 13));
+  const std::size_t text = svg.rfind("<text x=\"", svg.find(">" + name + "<"));
+  ASSERT_NE(text, std::string::npos);
+  EXPECT_GE(width, std::stod(svg.substr(text + 9)) + 8.5 * static_cast<double>(name.size()));
 }
 
 TEST(Json, HasTheKeysOfTheCaseFormatInEveryRow) {

@@ -41,6 +41,8 @@ NOT_RUN = [
      "property_tests/unit/install/tests.cmake", "the_readmes_commands_build_and_install_the_library"),
     (r"^build/my_tracer", "install/ runs README's recipe", "property_tests/unit/install/tests.cmake",
      "the_readmes_project_prints_what_the_readme_says"),
+    (r"^cmake --(build|install) build/laboratory|build/my_property", "install/ runs the page's recipe",
+     "property_tests/unit/install/tests.cmake", "a_property_of_twenty_lines_finds_a_case_of_three_digits"),
     (r"^g\+\+ .* main\.cpp", "install/ runs the manual's command", "property_tests/unit/install/library/claims.py", '"Without CMake"'),
     (r"^doxygen docs/Doxyfile", "takes long; .ci/run runs it", ".ci/run", "Doxyfile"),
     (r"^python3 docs/errata\.py", "takes minutes; its page is compared case by case instead", "docs/errata.py", "in_words")]

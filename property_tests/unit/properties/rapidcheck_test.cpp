@@ -5,63 +5,60 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 #include <sstream>
 #include <unordered_map>
 
 #include "properties/numbers.hpp"
 #include "properties/shrink/simplicity.hpp"
-#include "subjects/subject.hpp"
 
 namespace rayproof {
 namespace {
 
-/// The answer of a method to a case of either precision.
-Answer answer_of(const char* method, const Case& one) { return find_subject(method)->answer(one); }
-
+/// t of every hit, by the oracle or by a method.
 std::vector<double> hits_of(const Answer& answer) {
   const auto t = std::get<RayAnswer>(answer).hits.view();
   return {t.begin(), t.end()};
 }
 
-// t is in units of the direction's length: whoever moves ray and object together keeps every t. A scaling by
-// a power of 2 rounds nothing, so that the digits are kept, too.
+// t counts lengths of the direction: where object and ray are stretched alike, every t stays. A power of two
+// rounds nothing, so that the method's t stay to the last bit, too.
 RC_GTEST_PROP(TransformedObjects, KeepTheirT, ()) {
   const Case one = *cases("sphere", "random");
-  const double scale = std::ldexp(1.0, *rc::gen::inRange(-20, 21));
-  Case scaled = one;
-  auto& asked = std::get<RayQuestion>(scaled.question);
-  asked.transform = glm::dmat4(glm::dmat3(scale));
-  asked.ray.origin *= scale;
-  asked.ray.direction *= scale;
+  const auto power_of_two = [] { return std::ldexp(1.0, *rc::gen::inRange(-20, 21)); };
+  const glm::dvec3 factors{power_of_two(), power_of_two(), power_of_two()};
+  Case stretched = one;
+  auto& asked = std::get<RayQuestion>(stretched.question);
+  asked.transform = glm::scale(glm::dmat4(1), factors);
+  asked.ray.origin *= factors;
+  asked.ray.direction *= factors;
 
-  RC_ASSERT(hits_of(oracle::answer(scaled)) == hits_of(oracle::answer(one)));
-  RC_ASSERT(hits_of(answer_of("sphere/centred", scaled)) == hits_of(answer_of("sphere/centred", one)));
+  const Subject& centred = *find_subject("sphere/centred");
+  RC_ASSERT(hits_of(oracle::answer(stretched)) == hits_of(oracle::answer(one)));
+  RC_ASSERT(hits_of(centred.answer(stretched)) == hits_of(centred.answer(one)));
 }
 
-// For b² >> 4ac the quadratic formula subtracts two nearly equal numbers; Citardauq's form of the smaller
+// Where b² >> 4ac, the quadratic formula subtracts two nearly equal numbers; Citardauq's form of the smaller
 // root adds.
 RC_GTEST_PROP(Citardauq, IsStableWhereTheQuadraticFormulaCancels, ()) {
   const Case one = *cases("quadratic", "cancelling");
-  const oracle::Judgement judgement = oracle::judge(one, answer_of("quadratic/citardauq", one));
+  const Subject& citardauq = *find_subject("quadratic/citardauq");
+  const oracle::Judgement judgement = oracle::judge(one, citardauq.answer(one));
   RC_ASSERT(!judgement.wrong);
-  RC_ASSERT(judgement.residual <= find_subject("quadratic/citardauq")->contract.residual.promised);
+  RC_ASSERT(judgement.residual <= citardauq.contract.residual.promised);
 }
 
-// A point is inside where a ray from it crosses the boundary an odd number of times, whichever way the
-// boundary runs.
+// A point is inside where a ray from it crosses the boundary an odd number of times, in whichever direction
+// the boundary runs.
 RC_GTEST_PROP(PointInPolygon, IsInsideWhereTheCrossingsAreOdd, ()) {
   const Case one = *cases("point_in_polygon");
   classify(one);
   Case backwards = one;
-  auto& vertices = std::get<PointAndPolygon<double>>(backwards.question).vertices;
-  std::reverse(vertices.begin(), vertices.end());
-  RC_ASSERT(std::get<Position>(oracle::answer(one)) == std::get<Position>(oracle::answer(backwards)));
+  std::ranges::reverse(std::get<PointAndPolygon<double>>(backwards.question).vertices);
 
-  const Contract& contract = find_subject("point_in_polygon/parity")->contract;
-  const oracle::Judgement judgement = oracle::judge(one, answer_of("point_in_polygon/parity", one));
-  RC_PRE(judgement.smallest >= -contract.domain.reach_float &&
-         judgement.largest <= contract.domain.reach_float);
-  RC_ASSERT(!judgement.wrong || judgement.margin <= contract.verdict.promised);
+  RC_ASSERT(std::get<Position>(oracle::answer(one)) == std::get<Position>(oracle::answer(backwards)));
+  RC_ASSERT(keeps(*find_subject("point_in_polygon/parity"), "verdict", one));
+  RC_ASSERT(keeps(*find_subject("point_in_polygon/parity"), "verdict", backwards));
 }
 
 struct SilentListener : rc::detail::TestListener {
@@ -105,8 +102,25 @@ TEST(CasesOfRapidcheck, AreShownAsOneLineOfTheCaseFormat) {
   EXPECT_EQ(shown.str(), write_case(one));
 }
 
-TEST(CasesOfRapidcheck, KnowTheFamiliesByName) {
+TEST(CasesOfRapidcheck, KnowFamiliesAndPropertiesByName) {
   EXPECT_THROW((void)cases("sphere", "unknown"), std::invalid_argument);
+  const Case one = families().front().generate(1, Precision::float32);
+  EXPECT_THROW((void)keeps(subjects().front(), "unknown", one), std::invalid_argument);
+}
+
+TEST(CasesOfRapidcheck, AreJudgedByThePropertiesOfTheCheck) {
+  Case grazing;
+  grazing.precision = Precision::float32;
+  grazing.question = RayQuestion{{{0, 0.2, -4499.9}, {0, 0, 9}}, Sphere<double>{{0, 0, 0}, 1}};
+  EXPECT_FALSE(keeps(*find_subject("sphere/textbook"), "robust-verdict", grazing));
+  EXPECT_TRUE(keeps(*find_subject("sphere/centred"), "robust-verdict", grazing));
+}
+
+TEST(CasesOfRapidcheck, TakeANearestTThatIsNotFiniteForAMiss) {
+  EXPECT_EQ(nearest_answer(4).hits.view().front(), 4);
+  EXPECT_TRUE(nearest_answer(4).nearest_only);
+  EXPECT_EQ(nearest_answer(infinity<double>).hits.count, 0U);
+  EXPECT_EQ(nearest_answer(not_a_number<double>).hits.count, 0U);
 }
 
 }  // namespace

@@ -1,8 +1,10 @@
-"""Holds the library to what a new user meets: README's recipe, docs/library.md, and the comments of the headers.
+"""Holds the package to what a new user meets: README's recipe, docs/library.md, docs/properties.md, the headers' comments.
 
     python3 property_tests/unit/install/library CLAIM --source CHECKOUT --work FOLDER --compiler g++ [--launcher ccache]
+                                                [--build BUILD] [--flags FLAGS]
 
-CLAIM is one of the functions below; `installation` goes first and makes FOLDER, in which the others work.
+CLAIM is one of the functions below; `installation` goes first and makes FOLDER, in which the others work. `laboratory` has
+a folder of its own, and installs what was built in BUILD with FLAGS.
 Exit status: 0 where the claim holds, 1 otherwise.
 """
 
@@ -10,10 +12,12 @@ import argparse
 from pathlib import Path
 
 from claims import comments, flags, installation, project
+from laboratory import absent, laboratory
 from place import Place
 from refusals import fast_math, kernels, reach
 
-CLAIMS = {claim.__name__: claim for claim in [installation, project, comments, flags, kernels, fast_math, reach]}
+ALL = [installation, project, comments, flags, kernels, fast_math, reach, absent, laboratory]
+CLAIMS = {claim.__name__: claim for claim in ALL}
 
 
 def main():
@@ -23,8 +27,10 @@ def main():
     options.add_argument("--work", type=Path, required=True)
     options.add_argument("--compiler", required=True)
     options.add_argument("--launcher", default="")
-    chosen = options.parse_args()
-    CLAIMS[chosen.claim](Place(chosen.source, chosen.work, chosen.compiler, chosen.launcher))
+    options.add_argument("--build", type=Path)
+    options.add_argument("--flags", default="")
+    chosen = vars(options.parse_args())
+    CLAIMS[chosen.pop("claim")](Place(**chosen))
 
 
 if __name__ == "__main__":

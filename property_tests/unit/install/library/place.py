@@ -10,12 +10,13 @@ from markdown import blocks, section
 
 
 class Place:
-    def __init__(self, source, work, compiler, launcher):
-        self.source, self.work, self.compiler = source, work, compiler
+    def __init__(self, source, work, compiler, launcher="", build=None, flags=""):
+        self.source, self.work, self.compiler, self.build, self.flags = source, work, compiler, build, flags
         self.checkout, self.home = work / "checkout", work / "home"
         self.headers = self.home / ".local/include"
         self.archive = self.home / ".local/lib/librayproof.a"
         self.manual = source / "docs/library.md"
+        self.properties = (source / "docs/properties.md").read_text()
         self.readme = section(source / "README.md", "The library alone")
         _packages, self.install_script, self.project_script = blocks(self.readme, "sh")
 
@@ -42,11 +43,12 @@ class Place:
         command = [self.compiler, "-std=c++20", "-Wall", "-Wextra", f"-I{self.headers}", "-x", "c++", "-", "-x", "none", *flags]
         return subprocess.run(command, input=source, text=True, capture_output=True, env=self.environment, check=False)
 
-    def make_project(self, name, edit=lambda cmake: cmake):
-        """README's project in a folder of its own, its CMakeLists.txt edited."""
+    def make_project(self, name, edit=lambda cmake: cmake, page=None):
+        """README's project, or another page's, in a folder of its own, its CMakeLists.txt edited."""
+        page = page or self.readme
         folder = self.work / name
         shutil.rmtree(folder, ignore_errors=True)
         folder.mkdir()
-        (folder / "CMakeLists.txt").write_text(edit(blocks(self.readme, "cmake")[0]))
-        (folder / "main.cpp").write_text(blocks(self.readme, "cpp")[0])
+        (folder / "CMakeLists.txt").write_text(edit(blocks(page, "cmake")[0]))
+        (folder / "main.cpp").write_text(blocks(page, "cpp")[0])
         return folder

@@ -1,0 +1,15 @@
+# Copies rapidcheck.hpp and every header of the laboratory that it includes from ${source} to ${headers}, with the names by
+# which a program outside includes them: under rayproof/laboratory/, where they meet no header of its own.
+file(REMOVE_RECURSE ${headers})
+set(wanted rapidcheck.hpp)
+while(wanted)
+  list(POP_FRONT wanted header)
+  if(NOT EXISTS ${headers}/rayproof/laboratory/${header})
+    file(READ ${source}/${header} text)
+    string(REGEX MATCHALL "#include \"[^\"]+" included "${text}")
+    list(TRANSFORM included REPLACE "#include \"" "")
+    list(APPEND wanted ${included})
+    string(REPLACE "#include \"" "#include \"rayproof/laboratory/" text "${text}")
+    file(WRITE ${headers}/rayproof/laboratory/${header} "${text}")
+  endif()
+endwhile()
