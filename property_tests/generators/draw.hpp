@@ -10,6 +10,7 @@
 #include <rayproof/vec3.hpp>
 #include <type_traits>
 
+#include "case/case.hpp"
 #include "generators/random.hpp"
 
 namespace rayproof::draw {
@@ -75,6 +76,38 @@ template <class T>
   const T goal = steps < 0 ? std::numeric_limits<T>::lowest() : std::numeric_limits<T>::max();
   for (int k = std::abs(steps); k > 0; --k) x = std::nextafter(x, goal);
   return x;
+}
+
+/// `draw(T{})` with the number type `T` of a precision, as a double.
+template <class Draw>
+[[nodiscard]] double in_precision(Precision precision, Draw&& draw) {
+  return precision == Precision::float32 ? double{draw(float{})} : draw(double{});
+}
+
+/// `bit_pattern` and `special` in the type of a precision.
+[[nodiscard]] inline double bit_pattern(Random& random, Precision precision) {
+  return in_precision(precision, [&]<class T>(T) { return bit_pattern<T>(random); });
+}
+[[nodiscard]] inline double special(Random& random, Precision precision) {
+  return in_precision(precision, [&]<class T>(T) { return special<T>(random); });
+}
+
+/// `x` to the nearest number of a precision, or a few ulps beside it.
+[[nodiscard]] inline double nudged(Precision precision, double x, int steps) {
+  return in_precision(precision, [&]<class T>(T) { return nudged(static_cast<T>(x), steps); });
+}
+
+/// The number of digits of a significand.
+[[nodiscard]] constexpr int digits_of(Precision precision) {
+  return precision == Precision::float32 ? std::numeric_limits<float>::digits
+                                         : std::numeric_limits<double>::digits;
+}
+
+/// Any exponent of a normal number, at least `margin` from the least and the greatest.
+[[nodiscard]] inline double any_exponent(Random& random, Precision precision, int margin) {
+  return in_precision(precision, [&]<class T>(T) {
+    return random.uniform(lowest_exponent<T> + margin, highest_exponent<T> - margin);
+  });
 }
 
 /// Three numbers from one draw.

@@ -15,17 +15,14 @@ using Sheet = ParametricPlane;
 
 [[nodiscard]] inline glm::dvec3 normal_of(const Sheet& sheet) { return cross(sheet.u, sheet.v); }
 
-/// The sheet in one of the three forms.
-[[nodiscard]] inline Shape in_some_form(Random& random, const Sheet& sheet) {
+/// The scene with the sheet in one of the three forms.
+[[nodiscard]] inline Scene in_some_form(Random& random, const Sheet& sheet, Scene scene) {
   const glm::dvec3 normal = normal_of(sheet);
-  switch (random.between(0, 2)) {
-    case 0:
-      return ImplicitPlane{normal, -dot(normal, sheet.point)};
-    case 1:
-      return PointNormalPlane{sheet.point, normal};
-    default:
-      return sheet;
-  }
+  const int form = random.between(0, 2);
+  if (form == 0) scene.shape = ImplicitPlane{normal, -dot(normal, sheet.point)};
+  if (form == 1) scene.shape = PointNormalPlane{sheet.point, normal};
+  if (form == 2) scene.shape = sheet;
+  return scene;
 }
 
 /// A plane in a room; u and v are 1/4 to 4 long and at no small angle.
