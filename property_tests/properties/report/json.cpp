@@ -29,7 +29,7 @@ Json row_of(const Row& row) {
   for (const Cell& cell : row.cells)
     if (cell.mark != Mark::unclaimed)
       marks.push_back({{"property", cell.property->name},
-                       {"mark", word_of(cell.mark)},
+                       {"mark", text_of(cell.mark).words},
                        {"held", cell.tally.held},
                        {"broken", cell.tally.broken},
                        {"outside", cell.tally.outside}});

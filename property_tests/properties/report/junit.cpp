@@ -43,7 +43,7 @@ void add_cell(Suite& suite, const RunResult& result, const Row& row, const Cell&
   std::string inside;
   if (is_failure(cell.mark)) {
     ++suite.failures;
-    inside = fmt::format("<failure message=\"{}\">{}</failure>", escaped(word_of(cell.mark)),
+    inside = fmt::format("<failure message=\"{}\">{}</failure>", escaped(text_of(cell.mark).words),
                          escaped(explanation(result, row, cell)));
   } else if (cell.mark == Mark::untested) {
     ++suite.skipped;

@@ -52,44 +52,17 @@ void add_up(const RunResult& result, Row& row) {
 
 }  // namespace
 
-const char* sign_of(Mark mark) {
-  switch (mark) {
-    case Mark::unclaimed:
-      return "";
-    case Mark::holds:
-      return "✓";
-    case Mark::broken:
-      return "✗";
-    case Mark::refuted:
-      return "‡";
-    case Mark::unrefuted:
-      return "?";
-    case Mark::spared:
-      return "·";
-    case Mark::untested:
-      return "–";
-  }
-  return "";
-}
-
-const char* word_of(Mark mark) {
-  switch (mark) {
-    case Mark::unclaimed:
-      return "not claimed";
-    case Mark::holds:
-      return "holds";
-    case Mark::broken:
-      return "BROKEN";
-    case Mark::refuted:
-      return "refuted as declared";
-    case Mark::unrefuted:
-      return "declared broken, NOT REFUTED";
-    case Mark::spared:
-      return "not broken";
-    case Mark::untested:
-      return "not tested";
-  }
-  return "";
+const MarkText& text_of(Mark mark) {
+  static constexpr MarkText texts[] = {
+      {"", "not claimed", "mark"},
+      {"✓", "holds", "mark holds"},
+      {"✗", "BROKEN", "mark broken"},
+      {"‡", "refuted as declared", "mark refuted"},
+      {"?", "declared broken, NOT REFUTED", "mark broken"},
+      {"·", "not broken", "mark"},
+      {"–", "not tested", "mark"},
+  };
+  return texts[static_cast<std::size_t>(mark)];
 }
 
 Summary summarise(const Plan& plan, const RunResult& result) {
@@ -110,34 +83,16 @@ Summary summarise(const Plan& plan, const RunResult& result) {
   return summary;
 }
 
-namespace {
-
-/// A sentence for each cell with one of the marks.
-std::vector<std::string> sentences_for(const std::vector<Row>& rows, std::initializer_list<Mark> marks) {
-  std::vector<std::string> sentences;
+std::vector<std::string> Summary::sentences(std::initializer_list<Mark> marks) const {
+  std::vector<std::string> all;
   for (const Row& row : rows)
     for (const Cell& cell : row.cells)
-      if (std::find(marks.begin(), marks.end(), cell.mark) != marks.end())
-        sentences.push_back(fmt::format("{} {}: {}: {}", row.subject->full_name(), name_of(row.precision),
-                                        cell.property->name, word_of(cell.mark)));
-  return sentences;
+      if (std::ranges::find(marks, cell.mark) != marks.end())
+        all.push_back(fmt::format("{} {}: {}: {}", row.subject->full_name(), name_of(row.precision),
+                                  cell.property->name, text_of(cell.mark).words));
+  all.insert(all.end(), missed_shares.begin(), missed_shares.end());
+  return all;
 }
-
-}  // namespace
-
-std::vector<std::string> Summary::failures() const {
-  std::vector<std::string> sentences = sentences_for(rows, {Mark::broken, Mark::unrefuted});
-  sentences.insert(sentences.end(), missed_shares.begin(), missed_shares.end());
-  return sentences;
-}
-
-std::vector<std::string> Summary::without_counterexample() const {
-  std::vector<std::string> sentences = sentences_for(rows, {Mark::unrefuted});
-  sentences.insert(sentences.end(), missed_shares.begin(), missed_shares.end());
-  return sentences;
-}
-
-bool Summary::is_success() const { return failures().empty(); }
 
 std::string figure(double measured) {
   if (measured == 0) return "0";

@@ -2,7 +2,7 @@
 /// \file
 /// What a run says of each subject and property: does it keep what it claims?
 
-#include <optional>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -21,9 +21,17 @@ enum class Mark {
   untested    ///< claimed, but no case was one the property speaks of
 };
 
-/// A sign and a word for the mark, so that neither colour nor font decides.
-[[nodiscard]] const char* sign_of(Mark mark);
-[[nodiscard]] const char* word_of(Mark mark);
+/// How a mark is shown: a sign and words, so that neither colour nor font decides, and its class on the page.
+struct MarkText {
+  const char* sign;
+  const char* words;
+  const char* style;
+};
+[[nodiscard]] const MarkText& text_of(Mark mark);
+
+/// The marks that the tables explain.
+inline constexpr std::array marks_in_legend{Mark::holds,     Mark::refuted, Mark::broken,
+                                            Mark::unrefuted, Mark::spared,  Mark::untested};
 
 /// Whether a mark makes the run fail.
 [[nodiscard]] inline bool is_failure(Mark mark) { return mark == Mark::broken || mark == Mark::unrefuted; }
@@ -52,11 +60,19 @@ struct Summary {
   bool was_interrupted = false;
 
   /// Every contract holds, every declared refutation was found, every share of the generators was kept.
-  [[nodiscard]] bool is_success() const;
-  /// The marks that make the run fail, each as a sentence.
-  [[nodiscard]] std::vector<std::string> failures() const;
+  [[nodiscard]] bool is_success() const { return failures().empty(); }
+  /// What makes the run fail, each as a sentence.
+  [[nodiscard]] std::vector<std::string> failures() const {
+    return sentences({Mark::broken, Mark::unrefuted});
+  }
   /// Those of them that no finding shows: what was declared broken and not refuted, what a generator missed.
-  [[nodiscard]] std::vector<std::string> without_counterexample() const;
+  [[nodiscard]] std::vector<std::string> without_counterexample() const {
+    return sentences({Mark::unrefuted});
+  }
+
+ private:
+  /// Of each cell with one of the marks, and of each missed share.
+  [[nodiscard]] std::vector<std::string> sentences(std::initializer_list<Mark> marks) const;
 };
 
 [[nodiscard]] Summary summarise(const Plan& plan, const RunResult& result);

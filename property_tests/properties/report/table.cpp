@@ -41,10 +41,10 @@ std::vector<std::vector<const Row*>> by_method(const Summary& summary) {
   return methods;
 }
 
-std::string sign_of(const std::vector<const Row*>& rows, Claim claim) {
+std::string signs_of(const std::vector<const Row*>& rows, Claim claim) {
   std::string signs;
   for (const Row* row : rows) {
-    const std::string sign = sign_of(mark_of(*row, claim));
+    const std::string sign = text_of(mark_of(*row, claim)).sign;
     if (sign != signs) signs += sign;
   }
   return signs;
@@ -59,9 +59,8 @@ std::string wrong_verdicts(const std::vector<const Row*>& rows) {
 
 std::string legend() {
   std::string text;
-  for (const Mark mark :
-       {Mark::holds, Mark::refuted, Mark::broken, Mark::unrefuted, Mark::spared, Mark::untested})
-    text += fmt::format("{}{} {}", text.empty() ? "" : "   ", sign_of(mark), word_of(mark));
+  for (const Mark mark : marks_in_legend)
+    text += fmt::format("{}{} {}", text.empty() ? "" : "   ", text_of(mark).sign, text_of(mark).words);
   return text + "\n";
 }
 
@@ -95,7 +94,7 @@ std::string text_table(const Summary& summary) {
   for (const auto& line : head) grid.add(line);
   for (const auto& rows : by_method(summary)) {
     std::vector<std::string> line{rows.front()->subject->full_name()};
-    for (const Claim claim : claims) line.push_back(sign_of(rows, claim));
+    for (const Claim claim : claims) line.push_back(signs_of(rows, claim));
     line.push_back(wrong_verdicts(rows));
     grid.add(line);
   }
