@@ -2,7 +2,6 @@
 /// \file
 /// Draws of single numbers and vectors. Each is exact in the type it is drawn in.
 
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -51,21 +50,21 @@ template <class T>
 template <class T>
 [[nodiscard]] T special(Random& random) {
   using Limits = std::numeric_limits<T>;
-  static constexpr std::array<T, 12> named{T(0),
-                                           T(1),
-                                           T(2),
-                                           T(3),
-                                           T(0.5),
-                                           T(10),
-                                           Limits::min(),
-                                           Limits::denorm_min(),
-                                           Limits::max(),
-                                           Limits::epsilon(),
-                                           T(1) + Limits::epsilon(),
-                                           Limits::min() - Limits::denorm_min()};
+  static constexpr T named[] = {0,
+                                1,
+                                2,
+                                3,
+                                0.5,
+                                10,
+                                Limits::min(),
+                                Limits::denorm_min(),
+                                Limits::max(),
+                                Limits::epsilon(),
+                                1 + Limits::epsilon(),
+                                Limits::min() - Limits::denorm_min()};
   const int choice = random.between(0, 15);
   const T sign = random.one_in(2) ? T(1) : T(-1);
-  if (choice < 12) return sign * named[static_cast<std::size_t>(choice)];
+  if (choice < 12) return sign * named[choice];
   if (choice < 14) return sign * std::ldexp(T(1), random.between(lowest_exponent<T>, highest_exponent<T>));
   return sign * static_cast<T>(random.between(0, 100));
 }

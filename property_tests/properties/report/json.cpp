@@ -1,5 +1,5 @@
-#include "properties/report/json.hpp"
 #include "case/json_number.hpp"
+#include "properties/report/exports.hpp"
 
 #include <cmath>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-#include "properties/report/junit.hpp"
+#include "properties/report/exports.hpp"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include "case/escape.hpp"
-#include "properties/report/page_finding.hpp"
 #include "properties/report/page_legend.hpp"
 #include "properties/report/page_style.hpp"
 

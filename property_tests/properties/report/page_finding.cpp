@@ -1,4 +1,4 @@
-#include "properties/report/page_finding.hpp"
+#include "properties/report/page.hpp"
 
 #include <fmt/format.h>
 

@@ -7,8 +7,6 @@ namespace rayproof {
 std::vector<Family> cylinder_families() {
   using namespace cylinder_family;
   const char* const topic = "cylinder";
-  const MinimumShare in_reach{"in reach", 0.95};
-  // The first family that breaks a property gives the counterexample: the most telling ones come first.
   return {
       laid_out<everyday>(topic, "random", "a cylinder in a room, open or capped, about half the rays hit",
                          {in_reach, {"hit", 0.36}, {"miss", 0.48}, {"behind", 0.04}}),

@@ -7,9 +7,7 @@ namespace rayproof {
 std::vector<Family> plane_families() {
   using namespace plane_family;
   const char* const topic = "plane";
-  const MinimumShare in_reach{"in reach", 0.95};
   constexpr auto any_plane = any_shape<ImplicitPlane, PointNormalPlane, ParametricPlane>;
-  // The first family that breaks a property gives the counterexample: the most telling ones come first.
   return {
       laid_out<everyday>(topic, "random", "a plane in a room, in any of its forms; most rays hit",
                          {in_reach, {"hit", 0.61}, {"miss", 0.23}, {"behind", 0.23}}),

@@ -18,8 +18,6 @@ std::vector<Family> polygon_families() {
   using namespace polygon_family;
   namespace layout = outline_layout;
   const char* const topic = "polygon";
-  const MinimumShare in_reach{"in reach", 0.95};
-  // The first family that breaks a property gives the counterexample: the most telling ones come first.
   return {
       family_in_space<layout::level>(
           {in_reach, {"hit", 0.44}, {"miss", 0.4}, {"edge", 0.16}, {"vertex", 0.14}}),

@@ -79,7 +79,6 @@ std::vector<Family> quadratic_families() {
   using namespace quadratic_family;
   const char* const topic = "quadratic";
   const MinimumShare all_in_reach{"in reach", 1};
-  // The first family that breaks a property gives the counterexample: the most telling ones come first.
   return {
       {topic,
        "cancelling",

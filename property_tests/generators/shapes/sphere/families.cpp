@@ -8,7 +8,6 @@ std::vector<Family> sphere_families() {
   using namespace sphere_family;
   const char* const topic = "sphere";
   const MinimumShare all_in_reach{"in reach", 1};
-  // The first family that breaks a property gives the counterexample: the most telling ones come first.
   return {
       laid_out<far>(topic, "far", "the sphere is 1e2 to 1e6 radii away",
                     {all_in_reach, {"hit", 0.4}, {"miss", 0.1}}),

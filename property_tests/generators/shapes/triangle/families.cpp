@@ -7,8 +7,6 @@ namespace rayproof {
 std::vector<Family> triangle_families() {
   using namespace triangle_family;
   const char* const topic = "triangle";
-  const MinimumShare in_reach{"in reach", 0.95};
-  // The first family that breaks a property gives the counterexample: the most telling ones come first.
   return {
       laid_out<everyday>(topic, "random", "a triangle in a room, about half the rays hit",
                          {in_reach, {"hit", 0.38}, {"miss", 0.46}, {"behind", 0.05}}),
