@@ -69,7 +69,7 @@ template <class T>
   return sign * static_cast<T>(random.between(0, 100));
 }
 
-/// `x` moved by so many steps along the floating-point numbers, no further than the greatest finite one.
+/// `x` moved by `steps` steps along the floating-point numbers, no further than the greatest finite one.
 template <class T>
 [[nodiscard]] T nudged(T x, int steps) {
   const T goal = steps < 0 ? std::numeric_limits<T>::lowest() : std::numeric_limits<T>::max();

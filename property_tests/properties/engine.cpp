@@ -72,15 +72,14 @@ class Run {
   }
 
   void count_all_labels() {
-    std::vector<LabelCount> counts;
     for (const Family* family : plan_.families)
-      for (const Precision precision : plan_.precisions) counts.push_back({family, precision});
+      for (const Precision precision : plan_.precisions) result_.labels.push_back({family, precision});
     listener_.progress({"labels", 0});
     const auto sample = static_cast<unsigned>(std::min<std::uint64_t>(plan_.settings.cases, label_sample));
-    tbb::parallel_for(std::size_t{0}, counts.size(), [&](std::size_t i) {
-      counts[i] = count_labels(*counts[i].family, counts[i].precision, plan_.settings.seed, sample);
+    tbb::parallel_for(std::size_t{0}, result_.labels.size(), [&](std::size_t i) {
+      LabelCount& one = result_.labels[i];
+      one = count_labels(*one.family, one.precision, plan_.settings.seed, sample);
     });
-    result_.labels = std::move(counts);
   }
 
   /// Without a time limit all cases in one round; with one, in rounds of a block for every unit, so that each

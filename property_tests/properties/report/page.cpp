@@ -26,10 +26,10 @@ std::string details(const char* summary, const std::string& inside) {
   return fmt::format("<details><summary>{}</summary>{}</details>\n", summary, inside);
 }
 
-std::string mark_cell(const Cell& one) {
-  return fmt::format("<td class=\"{}\" title=\"{}: {} ({} cases)\">{}</td>", text_of(one.mark).style,
-                     escaped(one.property->name), escaped(text_of(one.mark).words), one.tally.judged(),
-                     text_of(one.mark).sign);
+std::string status_cell(const Cell& one) {
+  return fmt::format("<td class=\"{}\" title=\"{}: {} ({} cases)\">{}</td>", text_of(one.status).style,
+                     escaped(one.property->name), escaped(text_of(one.status).words), one.tally.judged(),
+                     text_of(one.status).sign);
 }
 
 std::string main_table(const Summary& summary) {
@@ -42,7 +42,7 @@ std::string main_table(const Summary& summary) {
     const Contract& contract = row.subject->contract;
     body += fmt::format("<tr><td title=\"{}\">{}</td><td>{}</td><td>{}</td>", escaped(row.subject->title),
                         escaped(row.subject->full_name()), name_of(row.precision), row.cases);
-    for (const Cell& one : row.cells) body += mark_cell(one);
+    for (const Cell& one : row.cells) body += status_cell(one);
     body += cell(row.is_measured ? fmt::format("{} of {}", row.worst.wrong, row.worst.cases) : "");
     for (const auto& [measured, promised] : {std::pair{row.worst.verdict, contract.verdict.promised},
                                              std::pair{row.worst.residual, contract.residual.promised},
@@ -51,9 +51,9 @@ std::string main_table(const Summary& summary) {
     body += "</tr>\n";
   }
   std::string legend;
-  for (const Mark mark : marks_in_legend)
-    legend += fmt::format("<span class=\"{}\">{}</span> {} &emsp; ", text_of(mark).style, text_of(mark).sign,
-                          escaped(text_of(mark).words));
+  for (const ClaimStatus status : statuses_in_legend)
+    legend += fmt::format("<span class=\"{}\">{}</span> {} &emsp; ", text_of(status).style,
+                          text_of(status).sign, escaped(text_of(status).words));
   return fmt::format("{}<p class=\"legend\">{}</p>\n{}", table(head, body), legend, page_legend);
 }
 

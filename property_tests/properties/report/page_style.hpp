@@ -2,8 +2,8 @@
 
 namespace rayproof {
 
-/// The page's look. Marks differ in sign and border as well as in colour; colours are told apart by the
-/// colour-blind.
+/// The page's look. Marks differ in sign and border as well as in colour, and the colour-blind can
+/// distinguish the colours.
 inline constexpr const char* page_style = R"css(
 :root { color-scheme: light dark; --ink: #1a1a1a; --paper: #ffffff; --faint: #6b6b6b; --line: #d0d0d0; --panel: #f5f5f3;
         --good: #00664c; --known: #6a4a00; --bad: #a8123e; }

@@ -22,18 +22,18 @@ bool was_claim_refuted(const RunResult& result, const Row& row, Claim claim) {
   });
 }
 
-Mark mark_of(const Plan& plan, const RunResult& result, const Row& row, const Cell& cell) {
+ClaimStatus status_of(const Plan& plan, const RunResult& result, const Row& row, const Cell& cell) {
   const bool found = was_found(result, row, *cell.property);
   if (claims(*row.subject, *cell.property)) {
-    if (found) return Mark::broken;
-    return cell.tally.judged() > 0 ? Mark::holds : Mark::untested;
+    if (found) return ClaimStatus::broken;
+    return cell.tally.judged() > 0 ? ClaimStatus::holds : ClaimStatus::untested;
   }
-  if (!is_declared_refuted(*row.subject, *cell.property)) return Mark::unclaimed;
-  if (found) return Mark::refuted;
-  if (was_claim_refuted(result, row, cell.property->claim)) return Mark::spared;
+  if (!is_declared_refuted(*row.subject, *cell.property)) return ClaimStatus::unclaimed;
+  if (found) return ClaimStatus::refuted;
+  if (was_claim_refuted(result, row, cell.property->claim)) return ClaimStatus::spared;
   // Only a full search for a counterexample may be held against the declaration.
   const bool searched_in_full = plan.settings.families.empty() && !result.was_interrupted;
-  return searched_in_full ? Mark::unrefuted : Mark::untested;
+  return searched_in_full ? ClaimStatus::unrefuted : ClaimStatus::untested;
 }
 
 /// Adds up a row's figures over the families.
@@ -52,8 +52,8 @@ void add_up(const RunResult& result, Row& row) {
 
 }  // namespace
 
-const MarkText& text_of(Mark mark) {
-  static constexpr MarkText texts[] = {
+const StatusText& text_of(ClaimStatus status) {
+  static constexpr StatusText texts[] = {
       {"", "not claimed", "mark"},
       {"✓", "holds", "mark holds"},
       {"✗", "BROKEN", "mark broken"},
@@ -62,7 +62,7 @@ const MarkText& text_of(Mark mark) {
       {"·", "not broken", "mark"},
       {"–", "not tested", "mark"},
   };
-  return texts[static_cast<std::size_t>(mark)];
+  return texts[static_cast<std::size_t>(status)];
 }
 
 Summary summarise(const Plan& plan, const RunResult& result) {
@@ -74,7 +74,7 @@ Summary summarise(const Plan& plan, const RunResult& result) {
       for (const Property& property : properties()) row.cells.push_back({&property});
       add_up(result, row);
       for (std::size_t p = 0; p < row.cells.size(); ++p)
-        if (plan.is_wanted[p]) row.cells[p].mark = mark_of(plan, result, row, row.cells[p]);
+        if (plan.is_wanted[p]) row.cells[p].status = status_of(plan, result, row, row.cells[p]);
       summary.rows.push_back(std::move(row));
     }
   for (const LabelCount& labels : result.labels)
@@ -83,13 +83,13 @@ Summary summarise(const Plan& plan, const RunResult& result) {
   return summary;
 }
 
-std::vector<std::string> Summary::sentences(std::initializer_list<Mark> marks) const {
+std::vector<std::string> Summary::sentences(std::initializer_list<ClaimStatus> statuses) const {
   std::vector<std::string> all;
   for (const Row& row : rows)
     for (const Cell& cell : row.cells)
-      if (std::ranges::find(marks, cell.mark) != marks.end())
+      if (std::ranges::find(statuses, cell.status) != statuses.end())
         all.push_back(fmt::format("{} {}: {}: {}", row.subject->full_name(), name_of(row.precision),
-                                  cell.property->name, text_of(cell.mark).words));
+                                  cell.property->name, text_of(cell.status).words));
   all.insert(all.end(), missed_shares.begin(), missed_shares.end());
   return all;
 }

@@ -11,7 +11,7 @@
 namespace rayproof {
 
 /// A subject's standing on a property.
-enum class Mark {
+enum class ClaimStatus {
   unclaimed,  ///< neither claimed nor declared broken
   holds,      ///< claimed, and never seen broken
   broken,     ///< claimed, and broken: the contract does not hold
@@ -21,25 +21,29 @@ enum class Mark {
   untested    ///< claimed, but no case was one the property speaks of
 };
 
-/// How a mark is shown: a sign and words, so that neither colour nor font decides, and its class on the page.
-struct MarkText {
+/// How a status is shown: a mark and words, so that neither colour nor font decides, and its class on the
+/// page.
+struct StatusText {
   const char* sign;
   const char* words;
   const char* style;
 };
-[[nodiscard]] const MarkText& text_of(Mark mark);
+[[nodiscard]] const StatusText& text_of(ClaimStatus status);
 
-/// The marks that the tables explain.
-inline constexpr std::array marks_in_legend{Mark::holds,     Mark::refuted, Mark::broken,
-                                            Mark::unrefuted, Mark::spared,  Mark::untested};
+/// Those that the tables explain.
+inline constexpr std::array statuses_in_legend{ClaimStatus::holds,  ClaimStatus::refuted,
+                                               ClaimStatus::broken, ClaimStatus::unrefuted,
+                                               ClaimStatus::spared, ClaimStatus::untested};
 
-/// Whether a mark makes the run fail.
-[[nodiscard]] inline bool is_failure(Mark mark) { return mark == Mark::broken || mark == Mark::unrefuted; }
+/// Whether a status makes the run fail.
+[[nodiscard]] inline bool is_failure(ClaimStatus status) {
+  return status == ClaimStatus::broken || status == ClaimStatus::unrefuted;
+}
 
 /// One property of a row.
 struct Cell {
   const Property* property = nullptr;
-  Mark mark = Mark::unclaimed;
+  ClaimStatus status = ClaimStatus::unclaimed;
   PropertyTally tally{};
 };
 
@@ -63,16 +67,16 @@ struct Summary {
   [[nodiscard]] bool is_success() const { return failures().empty(); }
   /// What makes the run fail, each as a sentence.
   [[nodiscard]] std::vector<std::string> failures() const {
-    return sentences({Mark::broken, Mark::unrefuted});
+    return sentences({ClaimStatus::broken, ClaimStatus::unrefuted});
   }
   /// Those of them that no finding shows: what was declared broken and not refuted, what a generator missed.
   [[nodiscard]] std::vector<std::string> without_counterexample() const {
-    return sentences({Mark::unrefuted});
+    return sentences({ClaimStatus::unrefuted});
   }
 
  private:
-  /// Of each cell with one of the marks, and of each missed share.
-  [[nodiscard]] std::vector<std::string> sentences(std::initializer_list<Mark> marks) const;
+  /// Of each cell with one of the statuses, and of each missed share.
+  [[nodiscard]] std::vector<std::string> sentences(std::initializer_list<ClaimStatus> statuses) const;
 };
 
 [[nodiscard]] Summary summarise(const Plan& plan, const RunResult& result);

@@ -17,8 +17,8 @@ namespace rayproof {
 /// A claim's name in two lines, where it is long: "resi-" above "dual".
 [[nodiscard]] std::array<std::string, 2> head_of(Claim claim);
 
-/// The mark of a row for a claim, which several properties may serve: the one that matters most.
-[[nodiscard]] Mark mark_of(const Row& row, Claim claim);
+/// The status of a row for a claim, which several properties may serve: the one that matters most.
+[[nodiscard]] ClaimStatus status_of(const Row& row, Claim claim);
 
 /// One line for each failure that the contracts declare, the findings that are alike together (order.hpp):
 /// the precision and the words are those of the first number. For findings in order.

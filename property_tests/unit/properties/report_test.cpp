@@ -95,7 +95,7 @@ TEST(Report, TheTableHasOneLineForBothPrecisionsOfAMethod) {
 TEST(Report, WhereThePrecisionsDifferTheTableHasAMarkForEach) {
   ShortRun run;
   for (Cell& cell : run.summary.rows[1].cells)
-    if (cell.mark == Mark::broken) cell.mark = Mark::holds;
+    if (cell.status == ClaimStatus::broken) cell.status = ClaimStatus::holds;
   EXPECT_NE(text_table(run.summary).find("✗✓"), std::string::npos);
 }
 
