@@ -7,8 +7,7 @@
 #include <rayproof/topics.hpp>
 
 #include "bench/figures/contender.hpp"
-#include "subjects/solve_point_in_polygon.hpp"
-#include "subjects/solve_shapes.hpp"
+#include "subjects/solve_topics.hpp"
 
 namespace rayproof::report {
 

@@ -47,15 +47,8 @@ InstructionSet choose() {
 }  // namespace
 
 std::string_view name_of(InstructionSet set) {
-  switch (set) {
-    case InstructionSet::avx2:
-      return "avx2";
-    case InstructionSet::avx512:
-      return "avx512";
-    case InstructionSet::baseline:
-      break;
-  }
-  return "baseline";
+  static constexpr std::string_view names[] = {"baseline", "avx2", "avx512"};
+  return names[static_cast<std::size_t>(set)];
 }
 
 const std::vector<InstructionSet>& available_instruction_sets() {

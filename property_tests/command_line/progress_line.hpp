@@ -19,7 +19,7 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// Tells what is being done, how far it is (from 0 to 1) and how long it will take, but not too often. Work
+  /// Shows what is being done, how far it is (from 0 to 1) and how long it will take, but not too often. Work
   /// that goes back to where less is done has begun anew.
   void show(double done, const std::string& what) {
     const Clock::time_point now = Clock::now();

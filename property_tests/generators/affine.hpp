@@ -4,7 +4,7 @@
 
 #include <glm/matrix.hpp>
 
-#include "generators/scene.hpp"
+#include "generators/aim.hpp"
 
 namespace rayproof {
 
@@ -47,7 +47,7 @@ namespace rayproof {
 }
 
 /// Moves a scene that was laid out in the shape's own space into the world: the ray goes along, t stays.
-inline void move_by(RayScene& scene, const glm::dmat3& linear, const glm::dvec3& moved_by) {
+inline void move_by(Scene& scene, const glm::dmat3& linear, const glm::dvec3& moved_by) {
   scene.origin = linear * scene.origin + moved_by;
   scene.direction = linear * scene.direction;
   glm::dmat4 whole(linear);
@@ -56,14 +56,14 @@ inline void move_by(RayScene& scene, const glm::dmat3& linear, const glm::dvec3&
 }
 
 /// The same by any map.
-inline void move_into_the_world(Random& random, RayScene& scene) {
+inline void move_into_the_world(Random& random, Scene& scene) {
   const glm::dmat3 linear = linear_part(random);
-  move_by(scene, linear, draw::vector([&] { return random.uniform(-10, 10); }));
+  move_by(scene, linear, point_in_a_room(random));
 }
 
 /// The same by a map of small whole numbers, which rounds nothing in a scene of short numbers.
-inline void move_exactly(Random& random, RayScene& scene) {
-  const auto whole = [&] { return draw::vector([&] { return double{1} * random.between(-2, 2); }); };
+inline void move_exactly(Random& random, Scene& scene) {
+  const auto whole = [&] { return whole_point(random, 2); };
   glm::dmat3 linear(0);
   while (glm::determinant(linear) == 0) linear = {whole(), whole(), whole()};
   move_by(scene, linear, whole());

@@ -2,7 +2,6 @@
 /// \file
 /// Draws of single numbers and vectors. Each is exact in the type it is drawn in.
 
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -10,6 +9,7 @@
 #include <rayproof/vec3.hpp>
 #include <type_traits>
 
+#include "case/case.hpp"
 #include "generators/random.hpp"
 
 namespace rayproof::draw {
@@ -50,31 +50,63 @@ template <class T>
 template <class T>
 [[nodiscard]] T special(Random& random) {
   using Limits = std::numeric_limits<T>;
-  static constexpr std::array<T, 12> named{T(0),
-                                           T(1),
-                                           T(2),
-                                           T(3),
-                                           T(0.5),
-                                           T(10),
-                                           Limits::min(),
-                                           Limits::denorm_min(),
-                                           Limits::max(),
-                                           Limits::epsilon(),
-                                           T(1) + Limits::epsilon(),
-                                           Limits::min() - Limits::denorm_min()};
+  static constexpr T named[] = {0,
+                                1,
+                                2,
+                                3,
+                                0.5,
+                                10,
+                                Limits::min(),
+                                Limits::denorm_min(),
+                                Limits::max(),
+                                Limits::epsilon(),
+                                1 + Limits::epsilon(),
+                                Limits::min() - Limits::denorm_min()};
   const int choice = random.between(0, 15);
   const T sign = random.one_in(2) ? T(1) : T(-1);
-  if (choice < 12) return sign * named[static_cast<std::size_t>(choice)];
+  if (choice < 12) return sign * named[choice];
   if (choice < 14) return sign * std::ldexp(T(1), random.between(lowest_exponent<T>, highest_exponent<T>));
   return sign * static_cast<T>(random.between(0, 100));
 }
 
-/// `x` moved by so many steps along the floating-point numbers, no further than the greatest finite one.
+/// `x` moved by `steps` steps along the floating-point numbers, no further than the greatest finite one.
 template <class T>
 [[nodiscard]] T nudged(T x, int steps) {
   const T goal = steps < 0 ? std::numeric_limits<T>::lowest() : std::numeric_limits<T>::max();
   for (int k = std::abs(steps); k > 0; --k) x = std::nextafter(x, goal);
   return x;
+}
+
+/// `draw(T{})` with the number type `T` of a precision, as a double.
+template <class Draw>
+[[nodiscard]] double in_precision(Precision precision, Draw&& draw) {
+  return precision == Precision::float32 ? double{draw(float{})} : draw(double{});
+}
+
+/// `bit_pattern` and `special` in the type of a precision.
+[[nodiscard]] inline double bit_pattern(Random& random, Precision precision) {
+  return in_precision(precision, [&]<class T>(T) { return bit_pattern<T>(random); });
+}
+[[nodiscard]] inline double special(Random& random, Precision precision) {
+  return in_precision(precision, [&]<class T>(T) { return special<T>(random); });
+}
+
+/// `x` to the nearest number of a precision, or a few ulps beside it.
+[[nodiscard]] inline double nudged(Precision precision, double x, int steps) {
+  return in_precision(precision, [&]<class T>(T) { return nudged(static_cast<T>(x), steps); });
+}
+
+/// The number of digits of a significand.
+[[nodiscard]] constexpr int digits_of(Precision precision) {
+  return precision == Precision::float32 ? std::numeric_limits<float>::digits
+                                         : std::numeric_limits<double>::digits;
+}
+
+/// Any exponent of a normal number, at least `margin` from the least and the greatest.
+[[nodiscard]] inline double any_exponent(Random& random, Precision precision, int margin) {
+  return in_precision(precision, [&]<class T>(T) {
+    return random.uniform(lowest_exponent<T> + margin, highest_exponent<T> - margin);
+  });
 }
 
 /// Three numbers from one draw.

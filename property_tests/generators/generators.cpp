@@ -2,7 +2,7 @@
 
 namespace rayproof {
 
-// Each in its topic's file; a new topic has its declaration and its line here.
+// Each in its topic's file; a new topic has its declaration and its name below.
 std::vector<Family> sphere_families();
 std::vector<Family> quadratic_families();
 std::vector<Family> plane_families();
@@ -13,29 +13,15 @@ std::vector<Family> box_families();
 std::vector<Family> parallelepiped_families();
 std::vector<Family> cylinder_families();
 
-namespace {
-
-std::vector<Family> every_family() {
-  std::vector<Family> all;
-  for (const auto topic : {
-           sphere_families,            //
-           quadratic_families,         //
-           plane_families,             //
-           triangle_families,          //
-           polygon_families,           //
-           point_in_polygon_families,  //
-           box_families,               //
-           parallelepiped_families,    //
-           cylinder_families,          //
-       })
-    for (Family& family : topic()) all.push_back(std::move(family));
-  return all;
-}
-
-}  // namespace
-
 const std::vector<Family>& families() {
-  static const std::vector<Family> all = every_family();
+  static const std::vector<Family> all = [] {
+    std::vector<Family> gathered;
+    for (const auto topic :
+         {sphere_families, quadratic_families, plane_families, triangle_families, polygon_families,
+          point_in_polygon_families, box_families, parallelepiped_families, cylinder_families})
+      for (Family& family : topic()) gathered.push_back(std::move(family));
+    return gathered;
+  }();
   return all;
 }
 

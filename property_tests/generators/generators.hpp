@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "case/case.hpp"
+#include "generators/random.hpp"
 
 namespace rayproof {
 
@@ -17,17 +18,27 @@ struct MinimumShare {
   double share = 0;
 };
 
+/// What a family owes that is to stay inside the domain of the contracts.
+inline const MinimumShare in_reach{"in reach", 0.95};
+
 /// A source of random cases of one kind.
 struct Family {
   std::string topic;        ///< "sphere"
   std::string name;         ///< "grazing"
   std::string description;  ///< one line: what makes it hard
-  /// The case that the seed stands for; the same seed always gives the same case.
-  Case (*generate)(std::uint64_t seed, Precision precision) = nullptr;
+  /// A random question of numbers that the precision has.
+  Question (*ask)(Random&, Precision) = nullptr;
   std::vector<MinimumShare> shares{};
+
+  /// The case that the seed stands for; the same seed always gives the same case.
+  [[nodiscard]] Case generate(std::uint64_t seed, Precision precision) const {
+    Random random(seed);
+    return {.precision = precision, .question = ask(random, precision)};
+  }
 };
 
-/// Every family, in the order of the registries.
+/// Every family, in the order of the registries. The first of a topic that breaks a property gives the
+/// counterexample: those that show most come first.
 [[nodiscard]] const std::vector<Family>& families();
 
 }  // namespace rayproof

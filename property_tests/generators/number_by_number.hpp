@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "generators/accepted.hpp"
+#include "generators/generators.hpp"
 #include "generators/scene.hpp"
 
 namespace rayproof {
 
-/// Makes of numbers drawn at random a shape that the format can take: the signs and the order that it asks
-/// for, and how many numbers there are. Overloaded for the shapes that ask for anything.
+/// Makes of numbers drawn at random a shape that the format can take: how many numbers there are, and the
+/// signs and the order that it asks for. Overloaded for the shapes that ask for anything.
 template <class S>
 void prepare(Random& /*random*/, S& /*any*/) {}
 inline void prepare(Random& random, Polygon<double>& polygon) {
@@ -19,13 +19,15 @@ inline void prepare(Random& random, Polygon<double>& polygon) {
 }
 
 template <class S>
-void settle(Random& /*random*/, S& /*any*/) {}
-inline void settle(Random& /*random*/, Sphere<double>& sphere) { sphere.radius = std::abs(sphere.radius); }
-inline void settle(Random& /*random*/, Box<double>& box) {
+void make_valid(Random& /*random*/, S& /*any*/) {}
+inline void make_valid(Random& /*random*/, Sphere<double>& sphere) {
+  sphere.radius = std::abs(sphere.radius);
+}
+inline void make_valid(Random& /*random*/, Box<double>& box) {
   for (int axis = 0; axis < 3; ++axis)
     if (box.max[axis] < box.min[axis]) std::swap(box.min[axis], box.max[axis]);
 }
-inline void settle(Random& random, Cylinder<double>& cylinder) {
+inline void make_valid(Random& random, Cylinder<double>& cylinder) {
   each_number(cylinder, [](double& x) { x = std::abs(x); });
   cylinder.capped = random.one_in(2);
 }
@@ -37,7 +39,7 @@ template <class S, class Number>
   prepare(random, shape);
   const auto fill = [&](double& x) { x = static_cast<double>(number()); };
   each_number(shape, fill);
-  settle(random, shape);
+  make_valid(random, shape);
   Ray<double> ray{};
   each_number(ray.origin, fill);
   do {
@@ -63,29 +65,38 @@ template <class... Shapes, class Number>
   });
 }
 
-struct BitPatternsText {
-  static constexpr const char* name = "bit_patterns";
-  static constexpr const char* description = "every finite bit pattern as likely as every other";
-};
-template <class... Shapes>
-struct BitPatterns : BitPatternsText {
-  template <class T>
-  [[nodiscard]] static Question ask(Random& random) {
-    return one_from_numbers<Shapes...>(random, [&] { return draw::bit_pattern<T>(random); });
-  }
+/// Draws one number after another.
+struct Numbers {
+  Random& random;
+  Precision precision;
+  double (*draw)(Random&, Precision);
+
+  [[nodiscard]] double operator()() const { return draw(random, precision); }
 };
 
-struct SpecialText {
-  static constexpr const char* name = "special";
-  static constexpr const char* description =
-      "0, -0, ±1, subnormals, the greatest number, powers of two, small integers";
-};
 template <class... Shapes>
-struct Special : SpecialText {
-  template <class T>
-  [[nodiscard]] static Question ask(Random& random) {
-    return one_from_numbers<Shapes...>(random, [&] { return draw::special<T>(random); });
-  }
-};
+[[nodiscard]] Question any_shape(Numbers number) {
+  return one_from_numbers<Shapes...>(number.random, number);
+}
+
+/// The questions that `ask` makes of any finite numbers.
+template <Question (*ask)(Numbers)>
+[[nodiscard]] Family bit_patterns(const char* topic, std::vector<MinimumShare> shares) {
+  return {topic, "bit_patterns", "every finite bit pattern as likely as every other",
+          [](Random& random, Precision precision) {
+            return ask({random, precision, draw::bit_pattern});
+          },
+          std::move(shares)};
+}
+
+/// The questions that `ask` makes of numbers by name.
+template <Question (*ask)(Numbers)>
+[[nodiscard]] Family special(const char* topic, std::vector<MinimumShare> shares) {
+  return {topic, "special", "0, -0, ±1, subnormals, the greatest number, powers of two, small integers",
+          [](Random& random, Precision precision) {
+            return ask({random, precision, draw::special});
+          },
+          std::move(shares)};
+}
 
 }  // namespace rayproof

@@ -6,9 +6,7 @@
 #include <string_view>
 
 #include "subjects/our_subject.hpp"
-#include "subjects/solve_point_in_polygon.hpp"
-#include "subjects/solve_quadratic.hpp"
-#include "subjects/solve_shapes.hpp"
+#include "subjects/solve_topics.hpp"
 
 #ifndef RAYPROOF_TOPIC
 #define RAYPROOF_TOPIC sphere

@@ -5,13 +5,10 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include <functional>
+#include <algorithm>
 #include <map>
-#include <set>
 
 #include "case/writer.hpp"
-#include "generators/random.hpp"
-#include "properties/hunt.hpp"
 #include "properties/shrink/shrink.hpp"
 
 namespace rayproof {
@@ -27,15 +24,26 @@ std::vector<bool> active_properties(const Plan& plan, const Subject& subject) {
   return active;
 }
 
-/// One run: the plan, whom to tell, and what has been found.
+/// Whether one of the properties measures an error, so that the worst ones cost nothing more.
+bool any_measures(const std::vector<bool>& active) {
+  for (std::size_t p = 0; p < active.size(); ++p)
+    if (active[p] && properties()[p].excess != nullptr) return true;
+  return false;
+}
+
+/// One run: the plan, who hears of it, and what has been found.
 class Run {
  public:
   Run(const Plan& plan, const Listener& listener, const std::atomic<bool>& stop)
       : plan_(plan), listener_(listener), stop_(stop), start_(std::chrono::steady_clock::now()) {
-    for (const Subject* subject : plan.subjects)
+    for (const Subject* subject : plan.subjects) {
+      const std::vector<bool> active = active_properties(plan, *subject);
+      const bool measure = plan.settings.measure_all || any_measures(active);
       for (const Precision precision : plan.precisions)
         for (const Family* family : plan.families)
-          if (family->topic == subject->topic) result_.units.push_back({subject, family, precision, {}});
+          if (family->topic == subject->topic)
+            result_.units.push_back({{subject, family, precision, active, measure}, {}});
+    }
   }
 
   RunResult all(const std::vector<Case>& corpus) {
@@ -52,83 +60,69 @@ class Run {
     for (const Subject* subject : plan_.subjects) {
       if (subject->topic != topic_of(one) || stop_) continue;
       was_put = true;
-      const std::vector<bool> active = active_properties(plan_, *subject);
-      for (std::size_t p = 0; p < active.size(); ++p) {
+      for (std::size_t p = 0; p < properties().size(); ++p) {
+        const Property& property = properties()[p];
         Trial trial(*subject, one);
         // A declared refutation is to be found by the families, not handed over.
-        if (active[p] && claims(*subject, properties()[p]) && properties()[p].rule(trial) == Ruling::broken)
-          tell({subject, p, one, "corpus"});
+        if (plan_.is_wanted[p] && claims(*subject, property) && property.rule(trial) == Ruling::broken)
+          report(*subject, property, one, "corpus");
       }
     }
     result_.corpus_cases += was_put ? 1 : 0;
   }
 
   void count_all_labels() {
-    std::vector<LabelCount> counts;
     for (const Family* family : plan_.families)
-      for (const Precision precision : plan_.precisions) counts.push_back({family, precision});
+      for (const Precision precision : plan_.precisions) result_.labels.push_back({family, precision});
     listener_.progress({"labels", 0});
     const auto sample = static_cast<unsigned>(std::min<std::uint64_t>(plan_.settings.cases, label_sample));
-    tbb::parallel_for(std::size_t{0}, counts.size(), [&](std::size_t i) {
-      counts[i] = count_labels(*counts[i].family, counts[i].precision, plan_.settings.seed, sample);
+    tbb::parallel_for(std::size_t{0}, result_.labels.size(), [&](std::size_t i) {
+      LabelCount& one = result_.labels[i];
+      one = count_labels(*one.family, one.precision, plan_.settings.seed, sample);
     });
-    result_.labels = std::move(counts);
   }
 
   /// Without a time limit all cases in one round; with one, in rounds of a block for every unit, so that each
   /// has its share when the time is over.
   void put_families() {
-    const std::uint64_t cases_in_round = plan_.settings.time
-                                             ? std::min<std::uint64_t>(cases_in_block, plan_.settings.cases)
-                                             : plan_.settings.cases;
-    const std::uint64_t rounds =
-        (plan_.settings.cases + cases_in_round - 1) / std::max<std::uint64_t>(cases_in_round, 1);
-    for (std::uint64_t round = 0; round < rounds && !is_over(round); ++round)
-      for (std::size_t u = 0; u < result_.units.size() && !stop_ && !is_over(round); ++u)
-        put_unit(result_.units[u], round,
-                 std::min(cases_in_round, plan_.settings.cases - round * cases_in_round),
-                 static_cast<double>(round * result_.units.size() + u) /
-                     static_cast<double>(rounds * result_.units.size()),
-                 1.0 / static_cast<double>(rounds * result_.units.size()));
+    const std::uint64_t all = plan_.settings.cases;
+    const std::uint64_t in_round = plan_.settings.time ? std::min<std::uint64_t>(cases_in_block, all) : all;
+    const std::uint64_t rounds = (all + in_round - 1) / std::max<std::uint64_t>(in_round, 1);
+    const auto hunts = static_cast<double>(rounds * result_.units.size());
+    double done = 0;
+    for (std::uint64_t round = 0; round < rounds; ++round)
+      for (UnitResult& unit : result_.units) {
+        if (is_over(round)) return;
+        put_unit(unit, round, std::min(in_round, all - round * in_round),
+                 [&](double of_unit) { return (done + of_unit) / hunts; });
+        ++done;
+      }
   }
 
   [[nodiscard]] bool is_over(std::uint64_t round) const {
-    return stop_ || (round > 0 && elapsed() > static_cast<double>(plan_.settings.time->count()));
+    return stop_ || (round > 0 && share_of_time() > 1);
   }
 
-  [[nodiscard]] double elapsed() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  /// How much of the time is over; 0 without a limit.
+  [[nodiscard]] double share_of_time() const {
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
+    return plan_.settings.time ? elapsed / *plan_.settings.time : 0;
   }
 
-  void put_unit(UnitResult& unit, std::uint64_t round, std::uint64_t cases, double done, double share) {
-    Hunt hunt{*unit.subject, *unit.family, unit.precision, active_properties(plan_, *unit.subject)};
-    hunt.already_broken = broken_[{unit.subject, unit.precision}];
-    hunt.measure = plan_.settings.measure_all;
-    hunt.seed = combine(plan_.settings.seed, round);
-    hunt.cases = cases;
-    hunt.stop = &stop_;
+  template <class ShareOfCases>
+  void put_unit(UnitResult& unit, std::uint64_t round, std::uint64_t cases, ShareOfCases&& share_of_cases) {
+    const std::string what =
+        fmt::format("{} {} {}", unit.subject->full_name(), unit.family->name, name_of(unit.precision));
+    Hunt hunt{unit, broken_[{unit.subject, unit.precision}], stop_, combine(plan_.settings.seed, round),
+              cases};
     hunt.progress = [&](double of_unit) {
-      // With a time limit, time tells how far we are.
-      const double by_cases = done + share * of_unit;
-      const double by_time =
-          plan_.settings.time ? elapsed() / static_cast<double>(plan_.settings.time->count()) : 0.0;
-      listener_.progress(
-          {fmt::format("{} {} {}", unit.subject->full_name(), unit.family->name, name_of(unit.precision)),
-           std::min(1.0, std::max(by_cases, by_time))});
+      listener_.progress({what, std::min(1.0, std::max(share_of_cases(of_unit), share_of_time()))});
     };
     hunt.found = [&](std::size_t property, const Case& one) {
-      tell({unit.subject, property, one, unit.family->name});
-      broken_[{unit.subject, unit.precision}].insert(property);
+      report(*unit.subject, properties()[property], one, unit.family->name);
     };
     unit.tally += hunt.run();
   }
-
-  struct Raw {
-    const Subject* subject;
-    std::size_t property;
-    Case one;
-    std::string family;
-  };
 
   /// The simplest case like the one found. What is simpler is another case: it has no id, and what is noted
   /// of the first is not true of it.
@@ -141,18 +135,17 @@ class Run {
   }
 
   /// Shrinks what was found, reports it, and keeps it.
-  void tell(const Raw& raw) {
-    const Property& property = properties()[raw.property];
-    Finding finding{.subject = raw.subject,
+  void report(const Subject& subject, const Property& property, const Case& one, const std::string& family) {
+    Finding finding{.subject = &subject,
                     .property = &property,
-                    .family = raw.family,
-                    .one = raw.one,
-                    .is_declared = is_declared_refuted(*raw.subject, property)};
-    Trial as_found(*raw.subject, finding.one);
+                    .family = family,
+                    .one = one,
+                    .is_declared = is_declared_refuted(subject, property)};
+    Trial as_found(subject, one);
     finding.evidence = property.show(as_found);
     listener_.broken(finding);
-    finding.one = simplest(raw.one, striking_break(*raw.subject, property, as_found));
-    Trial shrunk(*raw.subject, finding.one);
+    finding.one = simplest(one, striking_break(subject, property, as_found));
+    Trial shrunk(subject, finding.one);
     finding.evidence = property.show(shrunk);
     listener_.finding(finding);
     result_.findings.push_back(std::move(finding));

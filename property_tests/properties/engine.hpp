@@ -2,21 +2,15 @@
 /// \file
 /// The engine: puts every subject to every family under rapidcheck, shrinks what breaks, and adds up.
 
-#include <atomic>
-#include <functional>
-
 #include "properties/finding.hpp"
+#include "properties/hunt.hpp"
 #include "properties/labels.hpp"
 #include "properties/plan.hpp"
-#include "properties/tally.hpp"
 
 namespace rayproof {
 
 /// A subject's figures on one family at one precision.
-struct UnitResult {
-  const Subject* subject = nullptr;
-  const Family* family = nullptr;
-  Precision precision{};
+struct UnitResult : Unit {
   Tally tally{};
 };
 
@@ -35,12 +29,12 @@ struct Progress {
   double done = 0;  ///< share of the whole run, 0 to 1
 };
 
-/// Whom the engine tells. All are called from the thread that called `run_plan`.
+/// Who hears from the engine. All are called from the thread that called `run_plan`.
 struct Listener {
   std::function<void(const Progress&)> progress = [](const Progress&) {};
   /// A case has broken a property; it is about to be shrunk.
   std::function<void(const Finding&)> broken = [](const Finding&) {};
-  /// The same, shrunk: what is told to people.
+  /// The same, shrunk: what is reported to people.
   std::function<void(const Finding&)> finding = [](const Finding&) {};
 };
 

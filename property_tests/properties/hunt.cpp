@@ -1,15 +1,63 @@
 #include "properties/hunt.hpp"
 
 #include <rapidcheck.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
 
 #include <exception>
-#include <functional>
-
-#include "generators/random.hpp"
+#include <map>
 
 namespace rayproof {
 
 namespace {
+
+/// What came of a block of cases. Its k-th case is the one that combine(seed of the block, k) stands for.
+struct BlockResult {
+  Tally tally{};
+  /// For each broken property (an index into properties()) the first case that broke it, by number.
+  std::map<std::size_t, unsigned> first_broken{};
+
+  void put(const Unit& unit, const Case& one, unsigned k) {
+    Trial trial(*unit.subject, one);
+    ++tally.cases;
+    if (unit.measure) tally.worst.add(trial);
+    const std::vector<Property>& all = properties();
+    for (std::size_t p = 0; p < all.size(); ++p) {
+      if (!unit.active[p] || k % all[p].every != 0) continue;
+      const Ruling ruling = all[p].rule(trial);
+      tally.properties[p].add(ruling);
+      if (ruling == Ruling::broken) first_broken.emplace(p, k);
+    }
+  }
+
+  BlockResult& operator+=(const BlockResult& more) {
+    tally += more.tally;
+    for (const auto& [property, k] : more.first_broken) {
+      const auto place = first_broken.emplace(property, k).first;
+      place->second = std::min(place->second, k);
+    }
+    return *this;
+  }
+};
+
+Case case_of(const Unit& unit, std::uint64_t block_seed, unsigned k) {
+  return unit.family->generate(combine(block_seed, k), unit.precision);
+}
+
+BlockResult run_block(const Unit& unit, std::uint64_t block_seed, unsigned cases) {
+  using Range = tbb::blocked_range<unsigned>;
+  constexpr unsigned cases_at_a_time = 256;
+  BlockResult none;
+  none.tally.properties.resize(properties().size());
+  return tbb::parallel_reduce(
+      Range(0, cases, cases_at_a_time), none,
+      [&](const Range& range, BlockResult result) {
+        for (unsigned k = range.begin(); k != range.end(); ++k)
+          result.put(unit, case_of(unit, block_seed, k), k);
+        return result;
+      },
+      [](BlockResult left, const BlockResult& right) { return left += right; });
+}
 
 /// Draws the seed of a block. It has no shrinks: the failing case itself goes to our own shrinker, which
 /// knows what is simple.
@@ -28,19 +76,9 @@ struct Silence : rc::detail::TestListener {
                       const rc::detail::TestResult& /*result*/) override {}
 };
 
-bool needs_judgement(const std::vector<bool>& active) {
-  for (std::size_t p = 0; p < active.size(); ++p) {
-    const Claim claim = properties()[p].claim;
-    if (active[p] && (claim == Claim::verdict || claim == Claim::residual || claim == Claim::ulp ||
-                      claim == Claim::robust))
-      return true;
-  }
-  return false;
-}
-
-/// Runs `test` on so many block seeds, all parameters given here: RC_PARAMS has no say.
-rc::detail::TestResult check(const std::string& name, std::uint64_t seed, std::uint64_t blocks,
-                             const std::function<void(std::uint64_t)>& test) {
+/// Runs `test` on block seeds, all parameters given here: RC_PARAMS has no say.
+void check(const std::string& name, std::uint64_t seed, std::uint64_t blocks,
+           const std::function<void(std::uint64_t)>& test) {
   rc::detail::TestParams params;
   params.seed = seed;
   params.maxSuccess = static_cast<int>(blocks);
@@ -50,8 +88,8 @@ rc::detail::TestResult check(const std::string& name, std::uint64_t seed, std::u
   metadata.id = name;
   metadata.description = name;
   Silence silence;
-  return rc::detail::checkTestable([&] { test(*block_seeds()); }, metadata, params, silence,
-                                   std::unordered_map<std::string, rc::detail::Reproduce>{});
+  rc::detail::checkTestable([&] { test(*block_seeds()); }, metadata, params, silence,
+                            std::unordered_map<std::string, rc::detail::Reproduce>{});
 }
 
 std::uint64_t hash_of(const std::string& text) {
@@ -64,22 +102,20 @@ std::uint64_t hash_of(const std::string& text) {
 
 Tally Hunt::run() {
   Tally tally;
+  const Family& family = *unit.family;
   // Nothing of the subject is in the seed: subjects are put the same cases until one of them breaks.
   const std::uint64_t start = combine(combine(seed, hash_of(family.topic + "/" + family.name)),
-                                      precision == Precision::float32 ? 32U : 64U);
-  const std::string name = subject.full_name() + " on " + family.name;
+                                      unit.precision == Precision::float32 ? 32U : 64U);
+  const std::string name = unit.subject->full_name() + " on " + family.name;
   std::uint64_t done = 0;
   std::exception_ptr failure;
   const auto test_block = [&](std::uint64_t block_seed) {
-    if (*stop || failure) return;
+    if (stop || failure) return;
     const auto size = static_cast<unsigned>(std::min<std::uint64_t>(cases_in_block, cases - done));
-    const Block block{
-        &subject, &family, precision, block_seed, size, active, measure || needs_judgement(active)};
     BlockResult result;
     try {
-      result = rayproof::run(block);
-    } catch (...) {  // rapidcheck would take it for a broken property, and the same block would come again
-                     // for ever
+      result = run_block(unit, block_seed, size);
+    } catch (...) {  // rapidcheck would take it for a broken property, and repeat the same block endlessly
       failure = std::current_exception();
       return;
     }
@@ -89,12 +125,12 @@ Tally Hunt::run() {
     bool is_new = false;
     for (const auto& [property, k] : result.first_broken) {
       if (!already_broken.insert(property).second) continue;
-      found(property, case_of(block, k));
+      found(property, case_of(unit, block_seed, k));
       is_new = true;
     }
     if (is_new) RC_FAIL(name);
   };
-  for (std::uint64_t attempt = 0; done < cases && !*stop && !failure; ++attempt)
+  for (std::uint64_t attempt = 0; done < cases && !stop && !failure; ++attempt)
     check(name, combine(start, attempt), (cases - done + cases_in_block - 1) / cases_in_block, test_block);
   if (failure) std::rethrow_exception(failure);
   return tally;

@@ -6,29 +6,35 @@
 #include <functional>
 #include <set>
 
-#include "properties/block.hpp"
+#include "generators/generators.hpp"
+#include "properties/tally.hpp"
 
 namespace rayproof {
+
+/// A subject on a family at one precision, and what is asked of it there.
+struct Unit {
+  const Subject* subject = nullptr;
+  const Family* family = nullptr;
+  Precision precision{};
+  std::vector<bool> active{};  ///< for each of properties(): is it put to the cases?
+  bool measure = true;         ///< take the worst errors, too
+};
 
 /// rapidcheck draws a seed for so many cases at a time: its own cost for each draw would outweigh a cheap
 /// case's.
 inline constexpr unsigned cases_in_block = 16384;
 
-/// A rapidcheck test of one subject on one family. Where a case breaks a property for the first time, the
-/// test fails there, the case is handed to `found`, and the test goes on behind it with that property known
-/// to be broken.
+/// A rapidcheck test of one unit. Where a case breaks a property for the first time, the test fails there,
+/// the case is handed to `found`, and the test goes on behind it with that property known to be broken.
 ///
-/// Not to be run on two threads at once: rapidcheck keeps global state. The blocks inside use all threads.
+/// Not to be run on two threads at once: rapidcheck keeps global state. Each block of cases uses all threads
+/// of the current arena; the outcome does not depend on their number.
 struct Hunt {
-  const Subject& subject;
-  const Family& family;
-  Precision precision{};
-  std::vector<bool> active{};  ///< for each of properties()
-  std::set<std::size_t> already_broken{};
-  bool measure = false;  ///< even where no active property needs the judgement
+  const Unit& unit;
+  std::set<std::size_t>& already_broken;
+  const std::atomic<bool>& stop;
   std::uint64_t seed = 0;
   std::uint64_t cases = 0;
-  const std::atomic<bool>* stop = nullptr;
   std::function<void(double)> progress{};  ///< the share of the cases that is done
   std::function<void(std::size_t property, const Case& one)> found{};
 

@@ -6,7 +6,7 @@
 #include <rayproof/method/contract.hpp>
 
 #include "generators/random.hpp"
-#include "oracle/oracle.hpp"
+#include "properties/trial.hpp"
 
 namespace rayproof {
 
@@ -21,11 +21,7 @@ std::string in_words(Contact contact) {
 }
 
 std::vector<std::string> labels_of(const Case& one, const RayAnswer& exact) {
-  Case whole_line = one;
-  auto& asked = std::get<RayQuestion>(whole_line.question);
-  asked.ray.t_min = -infinity<double>;
-  asked.ray.t_max = infinity<double>;
-  const auto line = std::get<RayAnswer>(oracle::answer(whole_line));
+  const auto line = std::get<RayAnswer>(oracle::answer(on_whole_line(one)));
   const auto t = line.hits.view();
 
   std::vector<std::string> labels{exact.hits.count > 0 ? "hit" : "miss"};
@@ -38,34 +34,10 @@ std::vector<std::string> labels_of(const Case& one, const RayAnswer& exact) {
 }
 
 std::vector<std::string> labels_of(const Case& /*one*/, const QuadraticAnswer<double>& exact) {
-  switch (exact.kind) {
-    case RootKind::two:
-      return {"two"};
-    case RootKind::twice:
-      return {"double"};
-    case RootKind::none:
-      return {"none"};
-    case RootKind::linear:
-      return {"linear"};
-    case RootKind::constant:
-      return {"constant"};
-    case RootKind::everything:
-      return {"everything"};
-  }
-  return {};
+  return {name_of(exact.kind)};
 }
 
-std::vector<std::string> labels_of(const Case& /*one*/, Position exact) {
-  switch (exact) {
-    case Position::outside:
-      return {"outside"};
-    case Position::boundary:
-      return {"boundary"};
-    case Position::inside:
-      return {"inside"};
-  }
-  return {};
-}
+std::vector<std::string> labels_of(const Case& /*one*/, Position exact) { return {name_of(exact)}; }
 
 }  // namespace
 
@@ -83,6 +55,13 @@ std::vector<std::string> labels_of(const Case& one) {
 double LabelCount::share(const std::string& label) const {
   const auto found = counts.find(label);
   return found == counts.end() || cases == 0 ? 0 : static_cast<double>(found->second) / cases;
+}
+
+std::string LabelCount::shares() const {
+  std::string text;
+  for (const auto& [label, count] : counts)
+    text += fmt::format("{}{} {:.1f} %", text.empty() ? "" : ", ", label, 100 * share(label));
+  return text;
 }
 
 std::vector<std::string> LabelCount::missed() const {

@@ -18,7 +18,8 @@ namespace rayproof {
 /// "outside" or "boundary". Of any: "in reach" (all lengths within the domain of the bounded contracts).
 [[nodiscard]] std::vector<std::string> labels_of(const Case& one);
 
-/// So many cases a run labels of each family, or as many as it checks; fewer tell nothing of a small share.
+/// The sample of each family that a run labels, or all its cases where they are fewer; from fewer than these
+/// nothing follows about a small share.
 inline constexpr unsigned label_sample = 4000;
 
 /// The labels of a sample of a family's cases.
@@ -29,6 +30,8 @@ struct LabelCount {
   std::map<std::string, unsigned> counts{};
 
   [[nodiscard]] double share(const std::string& label) const;
+  /// "hit 41.2 %, miss 58.8 %".
+  [[nodiscard]] std::string shares() const;
   /// The shares the family missed, each as a sentence; empty where all is well, or the sample is too small.
   [[nodiscard]] std::vector<std::string> missed() const;
 };

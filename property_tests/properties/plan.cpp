@@ -54,10 +54,10 @@ bool claims(const Subject& subject, const Property& property) {
   return subject.contract.holds.contains(property.claim);
 }
 
-bool is_declared_refuted(const Subject& subject, const Property& property) {
-  return std::any_of(
-      subject.contract.refuted.begin(), subject.contract.refuted.end(),
-      [&](const Refutation& one) { return !one.because.empty() && one.claim == property.claim; });
+const Refutation* declared_refutation(const Subject& subject, const Property& property) {
+  for (const Refutation& one : subject.contract.refuted)
+    if (!one.because.empty() && one.claim == property.claim) return &one;
+  return nullptr;
 }
 
 Plan make_plan(const Settings& settings) { return make_plan(settings, subjects()); }

@@ -48,8 +48,13 @@ class UnknownName : public std::runtime_error {
 /// The same with other subjects than those of the registry, for tests of the tests.
 [[nodiscard]] Plan make_plan(const Settings& settings, const std::vector<Subject>& all_subjects);
 
-/// Whether the subject holds itself to the property, and whether it is declared to break it.
+/// Whether the subject holds itself to the property.
 [[nodiscard]] bool claims(const Subject& subject, const Property& property);
-[[nodiscard]] bool is_declared_refuted(const Subject& subject, const Property& property);
+
+/// What its contract says of how the subject breaks the property; null where it says nothing.
+[[nodiscard]] const Refutation* declared_refutation(const Subject& subject, const Property& property);
+[[nodiscard]] inline bool is_declared_refuted(const Subject& subject, const Property& property) {
+  return declared_refutation(subject, property) != nullptr;
+}
 
 }  // namespace rayproof

@@ -8,7 +8,7 @@
 #include "case/shape_format.hpp"
 #include "case/writer.hpp"
 #include "properties/plan.hpp"
-#include "properties/report/listing.hpp"
+#include "properties/report/text.hpp"
 
 namespace rayproof {
 
@@ -18,6 +18,7 @@ namespace {
 struct Replays {
   unsigned as_declared = 0;
   unsigned otherwise = 0;
+  unsigned refused = 0;
 };
 
 void judge(const Subject& subject, const Property& property, const Case& one, std::size_t number,
@@ -68,21 +69,19 @@ void replay_line(const std::string& line, std::size_t number, Replays& replays) 
 }
 
 /// What came of all lines, and the exit status.
-int summed_up(const Replays& replays, unsigned refused) {
+int summed_up(const Replays& replays) {
   fmt::print("{} as declared, {} otherwise, {} lines refused\n", replays.as_declared, replays.otherwise,
-             refused);
-  return replays.otherwise + refused == 0 ? 0 : 1;
+             replays.refused);
+  return replays.otherwise + replays.refused == 0 ? 0 : 1;
 }
 
-/// Returns 1 where the line is refused.
-unsigned replay_or_refuse(const std::string& file, const std::string& line, std::size_t number,
-                          Replays& replays) {
+void replay_or_refuse(const std::string& file, const std::string& line, std::size_t number,
+                      Replays& replays) {
   try {
     replay_line(line, number, replays);
-    return 0;
   } catch (const Refusal& refusal) {
     fmt::print(stderr, "{}:{}: {}\n", file, number, refusal.what());
-    return 1;
+    ++replays.refused;
   }
 }
 
@@ -92,16 +91,16 @@ int replay_file(const std::string& file) {
   std::ifstream in(file);
   if (!in) throw std::runtime_error(file + " cannot be read");
   Replays replays;
-  unsigned refused = 0;
   std::string line;
   for (std::size_t number = 1; std::getline(in, line); ++number)
-    refused += replay_or_refuse(file, line, number, replays);
-  return summed_up(replays, refused);
+    replay_or_refuse(file, line, number, replays);
+  return summed_up(replays);
 }
 
 int replay_finding(const std::string& file, std::size_t number) {
   Replays replays;
-  return summed_up(replays, replay_or_refuse(file, finding_line(file, number), number, replays));
+  replay_or_refuse(file, finding_line(file, number), number, replays);
+  return summed_up(replays);
 }
 
 }  // namespace rayproof

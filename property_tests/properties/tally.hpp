@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "properties/trial.hpp"
+#include "properties/property.hpp"
 
 namespace rayproof {
 
@@ -19,6 +19,7 @@ struct PropertyTally {
 
   [[nodiscard]] std::uint64_t judged() const { return held + broken; }
 
+  void add(Ruling ruling) { ++(ruling == Ruling::held ? held : ruling == Ruling::broken ? broken : outside); }
   PropertyTally& operator+=(const PropertyTally& more) {
     held += more.held;
     broken += more.broken;
@@ -41,8 +42,7 @@ struct Worst {
   void add(Trial& trial) {
     if (!trial.in_domain()) return;
     ++cases;
-    const auto* asked = std::get_if<RayQuestion>(&trial.question().question);
-    if (asked != nullptr && asked->transform) ++transformed;
+    if (is_transformed(trial.question())) ++transformed;
     const oracle::Judgement& judgement = trial.judgement();
     const double unit = std::pow(judgement.far, trial.subject().far_power);
     residual = std::max(residual, judgement.residual / unit);

@@ -12,6 +12,21 @@
 
 namespace rayproof {
 
+/// Whether a map stands between the case's ray and its shape.
+[[nodiscard]] inline bool is_transformed(const Case& one) {
+  const auto* asked = std::get_if<RayQuestion>(&one.question);
+  return asked != nullptr && asked->transform;
+}
+
+/// The case asked of the whole line in place of the ray's interval.
+[[nodiscard]] inline Case on_whole_line(Case one) {
+  if (auto* asked = std::get_if<RayQuestion>(&one.question)) {
+    asked->ray.t_min = -infinity<double>;
+    asked->ray.t_max = infinity<double>;
+  }
+  return one;
+}
+
 /// A subject and a case. The subject's answer and its judgement are computed where a property first asks for
 /// them, and once only, so that properties share them.
 class Trial {
@@ -59,10 +74,8 @@ class Trial {
     const auto at_precision = [this](const Domain& domain) {
       return case_->precision == Precision::float32 ? domain.reach_float : domain.reach_double;
     };
-    const auto* asked = std::get_if<RayQuestion>(&case_->question);
-    const bool is_transformed = asked != nullptr && asked->transform.has_value();
     const int own = at_precision(subject_->contract.domain);
-    return is_transformed ? std::min(own, at_precision(Domain{})) : own;
+    return is_transformed(*case_) ? std::min(own, at_precision(Domain{})) : own;
   }
 
  private:

@@ -17,16 +17,11 @@ inline constexpr std::array<std::string_view, claim_count> claim_names{
   return claim_names.at(static_cast<std::size_t>(claim));
 }
 
+/// In the order of `Standing`.
+inline constexpr std::array<std::string_view, 3> standing_names{"sound", "naive", "printed"};
+
 [[nodiscard]] constexpr std::string_view standing_name(Standing standing) {
-  switch (standing) {
-    case Standing::naive:
-      return "naive";
-    case Standing::printed:
-      return "printed";
-    case Standing::sound:
-      break;
-  }
-  return "sound";
+  return standing_names.at(static_cast<std::size_t>(standing));
 }
 
 }  // namespace rayproof

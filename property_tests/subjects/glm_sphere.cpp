@@ -3,7 +3,7 @@
 
 #include <glm/gtx/intersect.hpp>
 
-#include "subjects/solve_shapes.hpp"
+#include "subjects/solve_topics.hpp"
 
 namespace rayproof {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A case as a problem of the library, in any arithmetic. A topic specialises `Reading`.
+/// A case as a problem of the library, in any arithmetic. A topic that is no shape specialises `Reading`.
 
 #include <utility>
 #include <vector>

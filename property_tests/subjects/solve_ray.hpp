@@ -16,8 +16,16 @@ template <class S>
   return shape;
 }
 
+/// A miss of which nothing more is said.
+struct PlainMiss {
+  template <class Method, class Problem>
+  [[nodiscard]] static Contact contact(const Problem& /*asked*/) {
+    return Contact::none;
+  }
+};
+
 /// Reads the cases of a shape's topic. Why a ray misses is `Miss::contact<Method>(problem)`'s to say.
-template <class Topic, class Miss>
+template <class Topic, class Miss = PlainMiss>
 struct RayReading {
   template <class A>
   using Problem = typename Topic::template Problem<A>;
@@ -96,12 +104,8 @@ struct RayReading {
   }
 };
 
-/// A miss of which nothing more is said.
-struct PlainMiss {
-  template <class Method, class Problem>
-  [[nodiscard]] static Contact contact(const Problem& /*asked*/) {
-    return Contact::none;
-  }
-};
+/// A topic with nothing of its own is a shape's.
+template <class Topic>
+struct Reading : RayReading<Topic> {};
 
 }  // namespace rayproof

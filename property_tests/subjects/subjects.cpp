@@ -3,9 +3,7 @@
 
 #include "subjects/glm_sphere.hpp"
 #include "subjects/our_subject.hpp"
-#include "subjects/solve_point_in_polygon.hpp"
-#include "subjects/solve_quadratic.hpp"
-#include "subjects/solve_shapes.hpp"
+#include "subjects/solve_topics.hpp"
 
 namespace rayproof {
 

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "case/shape_name.hpp"
-#include "subjects/solve_shapes.hpp"
+#include "subjects/solve_topics.hpp"
 #include "viz/scene/figures.hpp"
 #include "viz/scene/hits.hpp"
 #include "viz/scene/tiles.hpp"

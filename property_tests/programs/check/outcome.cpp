@@ -5,8 +5,6 @@
 #include <algorithm>
 
 #include "properties/report/commands.hpp"
-#include "properties/report/listing.hpp"
-#include "properties/report/table.hpp"
 #include "properties/report/text.hpp"
 
 namespace rayproof::check {

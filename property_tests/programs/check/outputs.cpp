@@ -2,8 +2,7 @@
 
 #include <stdexcept>
 
-#include "properties/report/json.hpp"
-#include "properties/report/junit.hpp"
+#include "properties/report/exports.hpp"
 #include "properties/report/page.hpp"
 #include "viz/svg.hpp"
 

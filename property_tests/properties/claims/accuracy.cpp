@@ -8,7 +8,6 @@
 
 #include "properties/claims/answers.hpp"
 #include "properties/claims/promise.hpp"
-#include "properties/claims/robust_bound.hpp"
 #include "properties/property.hpp"
 
 namespace rayproof {
@@ -24,79 +23,50 @@ std::string wrong_verdict(Trial& trial) {
   return fmt::format("the method {}, {:.3g} contract units from a change of verdict", kind, judgement.margin);
 }
 
-/// A verdict may be wrong only within the band; a band of width 0 means never.
-Ruling verdict_within(Trial& trial, double bound) {
-  if (!trial.in_domain()) return Ruling::outside;
-  const oracle::Judgement& judgement = trial.judgement();
-  if (!judgement.wrong) return Ruling::held;
-  return bound > 0 && judgement.margin <= bound ? Ruling::held : Ruling::broken;
-}
+/// The bound that a property holds a trial to, in contract units; nothing where it says nothing of it.
+using BoundOf = std::optional<double> (*)(Trial&);
 
-Ruling residual_within(Trial& trial, double bound) {
-  if (!trial.in_domain()) return Ruling::outside;
-  return trial.judgement().residual <= bound ? Ruling::held : Ruling::broken;
-}
-
-Ruling verdict(Trial& trial) { return verdict_within(trial, promise_for(trial).verdict); }
-
-Ruling residual(Trial& trial) { return residual_within(trial, promise_for(trial).residual); }
-
-/// Where the verdict is wrong there is nothing to measure: that is the verdict's property.
-Ruling ulp(Trial& trial) {
-  if (!trial.in_domain() || trial.judgement().wrong) return Ruling::outside;
+std::optional<double> promised_verdict(Trial& trial) { return promise_for(trial).verdict; }
+std::optional<double> promised_residual(Trial& trial) { return promise_for(trial).residual; }
+/// Where the verdict is wrong there is no ulp to measure: that is the verdict's property.
+std::optional<double> promised_ulp(Trial& trial) {
   const double promised = promise_for(trial).ulp;
-  if (std::isinf(promised)) return Ruling::outside;
-  return trial.judgement().ulp <= promised ? Ruling::held : Ruling::broken;
+  return trial.judgement().wrong || std::isinf(promised) ? std::nullopt : std::optional(promised);
 }
-
 /// A shape without size (a sphere of radius 0) is no fair counterexample.
-bool has_size(Trial& trial) { return std::isfinite(trial.judgement().far); }
-
-Ruling robust_verdict(Trial& trial) {
-  const std::optional<double> bound = robust_bound(trial.subject().topic);
-  return bound && has_size(trial) ? verdict_within(trial, *bound) : Ruling::outside;
+std::optional<double> robust(Trial& trial) {
+  return std::isfinite(trial.judgement().far) ? robust_bound(trial.subject().topic) : std::nullopt;
 }
 
-Ruling robust_residual(Trial& trial) {
-  const std::optional<double> bound = robust_bound(trial.subject().topic);
-  return bound && has_size(trial) ? residual_within(trial, *bound) : Ruling::outside;
+/// A verdict may be wrong only within the band; a band of width 0 means never.
+template <BoundOf bound_of>
+Ruling verdict_within(Trial& trial) {
+  const std::optional<double> band = bound_of(trial);
+  if (!band || !trial.in_domain()) return Ruling::outside;
+  const oracle::Judgement& judgement = trial.judgement();
+  const bool is_excused = *band > 0 && judgement.margin <= *band;
+  return !judgement.wrong || is_excused ? Ruling::held : Ruling::broken;
 }
 
-/// `error` in units of `bound`; where the bound is 0, in units of the contract.
-double excess_of(double error, double bound) { return bound > 0 ? error / bound : error; }
-
-double verdict_excess(Trial& trial) {
-  return excess_of(trial.judgement().margin, promise_for(trial).verdict);
+template <BoundOf bound_of, double oracle::Judgement::*error>
+Ruling error_within(Trial& trial) {
+  const std::optional<double> bound = bound_of(trial);
+  if (!bound || !trial.in_domain()) return Ruling::outside;
+  return trial.judgement().*error <= *bound ? Ruling::held : Ruling::broken;
 }
 
-double residual_excess(Trial& trial) {
-  return excess_of(trial.judgement().residual, promise_for(trial).residual);
+/// The error in units of its bound; where the bound is 0, in units of the contract.
+template <BoundOf bound_of, double oracle::Judgement::*error>
+double excess(Trial& trial) {
+  const double bound = bound_of(trial).value_or(0), by = trial.judgement().*error;
+  return bound > 0 ? by / bound : by;
 }
 
-double ulp_excess(Trial& trial) { return excess_of(trial.judgement().ulp, promise_for(trial).ulp); }
-
-double robust_verdict_excess(Trial& trial) {
-  return excess_of(trial.judgement().margin, robust_bound(trial.subject().topic).value_or(0));
-}
-
-double robust_residual_excess(Trial& trial) {
-  return excess_of(trial.judgement().residual, robust_bound(trial.subject().topic).value_or(0));
-}
-
-/// The same question to the nearest double, of the whole line: every exact root, none cut off by the
-/// interval.
-Case whole_line_in_double(Case one) {
+/// The exact roots on the whole line to double precision, none cut off by the interval; empty where there
+/// are none (or everything is one).
+std::vector<double> exact_roots(Case one) {
   one.precision = Precision::float64;
-  if (auto* asked = std::get_if<RayQuestion>(&one.question)) {
-    asked->ray.t_min = -infinity<double>;
-    asked->ray.t_max = infinity<double>;
-  }
-  return one;
-}
-
-/// The exact roots to double precision; empty where there are none (or everything is one).
-std::vector<double> exact_roots(const Case& one) {
-  return numbers_in(oracle::answer(whole_line_in_double(one)));
+  return numbers_in(oracle::answer(on_whole_line(std::move(one))));
 }
 
 /// Running error analysis speaks of the roots that exist: where there are none it claims nothing.
@@ -106,16 +76,15 @@ Ruling bounded(Trial& trial) {
   if (hits.empty()) return Ruling::outside;
   const std::vector<double> roots = exact_roots(trial.question());
   if (roots.empty()) return Ruling::outside;
-  return std::all_of(hits.begin(), hits.end(),
-                     [&](const std::pair<double, double>& hit) {
-                       if (!std::isfinite(hit.first) || !std::isfinite(hit.second)) return true;
-                       return std::any_of(roots.begin(), roots.end(), [&](double root) {
-                         const double half_ulp = std::ldexp(std::abs(root), -53) + 0x1p-1074;
-                         return std::abs(hit.first - root) <= hit.second + half_ulp;
-                       });
-                     })
-             ? Ruling::held
-             : Ruling::broken;
+  const auto encloses_a_root = [&](const std::pair<double, double>& hit) {
+    const auto& [t, error] = hit;
+    if (!std::isfinite(t) || !std::isfinite(error)) return true;
+    return std::ranges::any_of(roots, [&, t = t, error = error](double root) {
+      const double half_ulp = std::ldexp(std::abs(root), -53) + 0x1p-1074;
+      return std::abs(t - root) <= error + half_ulp;
+    });
+  };
+  return std::ranges::all_of(hits, encloses_a_root) ? Ruling::held : Ruling::broken;
 }
 
 Evidence show_bounded(Trial& trial) {
@@ -140,17 +109,19 @@ Evidence show_ulp(Trial& trial) {
 }  // namespace
 
 std::vector<Property> accuracy_properties() {
+  using oracle::Judgement;
   return {
-      {Claim::verdict, "verdict", "the verdict is the exact one outside the promised band", 1, verdict,
-       show_verdict, verdict_excess},
+      {Claim::verdict, "verdict", "the verdict is the exact one outside the promised band", 1,
+       verdict_within<promised_verdict>, show_verdict, excess<promised_verdict, &Judgement::margin>},
       {Claim::residual, "residual", "every answer satisfies its equation to the promised residual", 1,
-       residual, show_residual, residual_excess},
-      {Claim::ulp, "ulp", "every answer is within the promised ulps of the exact one", 1, ulp, show_ulp,
-       ulp_excess},
+       error_within<promised_residual, &Judgement::residual>, show_residual,
+       excess<promised_residual, &Judgement::residual>},
+      {Claim::ulp, "ulp", "every answer is within the promised ulps of the exact one", 1,
+       error_within<promised_ulp, &Judgement::ulp>, show_ulp, excess<promised_ulp, &Judgement::ulp>},
       {Claim::robust, "robust-verdict", "the verdict keeps the bound of the topic's best plain methods", 1,
-       robust_verdict, show_verdict, robust_verdict_excess},
+       verdict_within<robust>, show_verdict, excess<robust, &Judgement::margin>},
       {Claim::robust, "robust-residual", "the residual keeps the bound of the topic's best plain methods", 1,
-       robust_residual, show_residual, robust_residual_excess},
+       error_within<robust, &Judgement::residual>, show_residual, excess<robust, &Judgement::residual>},
       {Claim::bounded, "bounded", "the running-error bound encloses the exact answer", 8, bounded,
        show_bounded},
   };

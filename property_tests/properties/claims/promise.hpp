@@ -2,11 +2,9 @@
 /// \file
 /// The bounds that a subject's contract sets for one case.
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
+#include <optional>
+#include <string_view>
 
-#include "properties/claims/robust_bound.hpp"
 #include "properties/trial.hpp"
 
 namespace rayproof {
@@ -20,16 +18,10 @@ struct Promise {
 
 /// A naive method's bounds grow with the scene's size. Under a transform the ray has been rounded before the
 /// method sees it: then nobody is held to more than the robust bound, and no ulp is promised.
-[[nodiscard]] inline Promise promise_for(Trial& trial) {
-  const Contract& contract = trial.subject().contract;
-  const double growth = std::pow(trial.judgement().far, trial.subject().far_power);
-  Promise promise{contract.verdict.promised * growth, contract.residual.promised * growth,
-                  contract.ulp.promised};
-  const auto* asked = std::get_if<RayQuestion>(&trial.question().question);
-  if (asked == nullptr || !asked->transform) return promise;
-  const double robust = robust_bound(trial.subject().topic).value_or(0);
-  return {std::max(promise.verdict, robust), std::max(promise.residual, robust),
-          std::numeric_limits<double>::infinity()};
-}
+[[nodiscard]] Promise promise_for(Trial& trial);
+
+/// The bound that Claim::robust speaks of: the verdict band and residual, in the topic's units with far_power
+/// 0, that the best plain methods of the topic keep; nothing where the topic has no such bound.
+[[nodiscard]] std::optional<double> robust_bound(std::string_view topic);
 
 }  // namespace rayproof

@@ -24,10 +24,6 @@ Ruling ascending(Trial& trial) {
   return in_order && all_count ? Ruling::held : Ruling::broken;
 }
 
-Evidence show_ascending(Trial& trial) {
-  return show_answer(trial, "a hit is out of order, outside the interval, or NaN");
-}
-
 /// The number of the case that gives a hit when it becomes NaN, and that answer; nothing where none does.
 std::optional<std::pair<CaseNumber, Answer>> hit_from_nan(Trial& trial) {
   Case spoilt = trial.question();
@@ -53,8 +49,8 @@ Evidence show_nan(Trial& trial) {
 
 Ruling batch(Trial& trial) {
   if (trial.subject().answer_in_batch == nullptr) return Ruling::outside;
-  return same(trial.subject().answer_in_batch(trial.question()), trial.claimed()) ? Ruling::held
-                                                                                  : Ruling::broken;
+  const Answer answer = trial.subject().answer_in_batch(trial.question());
+  return same(answer, trial.claimed()) ? Ruling::held : Ruling::broken;
 }
 
 Evidence show_batch(Trial& trial) {
@@ -71,19 +67,20 @@ Ruling contact(Trial& trial) {
   return claimed->contact == std::get<RayAnswer>(exact).contact ? Ruling::held : Ruling::broken;
 }
 
-Evidence show_contact(Trial& trial) {
-  return show_answer(trial, "the ray misses, but not for the reason that is given");
-}
-
 }  // namespace
 
 std::vector<Property> safety_properties() {
   return {
       {Claim::contact, "contact",
-       "why a ray misses is told rightly: parallel, inside the surface, or neither", 1, contact,
-       show_contact},
+       "the reason why a ray misses is right: parallel, inside the surface, or neither", 1, contact,
+       [](Trial& trial) {
+         return show_answer(trial, "the ray misses, but not for the reason that is given");
+       }},
       {Claim::ascending, "ascending", "hits come in ascending order, inside the interval, none of them NaN",
-       1, ascending, show_ascending},
+       1, ascending,
+       [](Trial& trial) {
+         return show_answer(trial, "a hit is out of order, outside the interval, or NaN");
+       }},
       {Claim::batch, "batch", "a batch gives bit for bit the scalar answers", 4, batch, show_batch},
       {Claim::nan, "nan", "a NaN anywhere in the input never gives a hit", 128, nan, show_nan},
   };

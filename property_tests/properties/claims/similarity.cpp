@@ -2,11 +2,10 @@
 
 #include <bit>
 #include <cmath>
-#include <glm/mat3x3.hpp>
+#include <glm/mat4x3.hpp>
 
-#include "case/json/number_text.hpp"
 #include "case/similar_shapes.hpp"
-#include "generators/random.hpp"
+#include "generators/scene.hpp"
 #include "properties/numbers.hpp"
 
 namespace rayproof {
@@ -30,26 +29,15 @@ void reverse(RayQuestion& asked) {
   asked.ray.t_max = -t_min;
 }
 
-/// Affine maps of small numbers: moved, mirrored, turned by a 3-4-5 triangle, stretched, sheared, all of
-/// these.
+/// Affine maps of small numbers, by columns: moved, mirrored, turned by a 3-4-5 triangle, stretched, sheared,
+/// all of these.
 glm::dmat4 affine_map(std::uint64_t choice) {
-  const auto map = [](glm::dvec3 x, glm::dvec3 y, glm::dvec3 z, glm::dvec3 by) {
-    return glm::dmat4(glm::dvec4(x, 0), glm::dvec4(y, 0), glm::dvec4(z, 0), glm::dvec4(by, 1));
+  const glm::dmat4x3 maps[] = {
+      {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, -2, 3}},          {{-1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}},
+      {{0.75, 1, 0}, {-1, 0.75, 0}, {0, 0, 1.25}, {0, 0, 0}}, {{2, 0, 0}, {0, 1, 0}, {0, 0, 0.5}, {0, 0, 0}},
+      {{1, 0, 0}, {3, 1, 0}, {0, 0, 1}, {0, 0, 0}},           {{1, 2, 0}, {0, -3, 1}, {2, 0, 1}, {-4, 5, 6}},
   };
-  switch (choice % 6) {
-    case 0:
-      return map({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, -2, 3});
-    case 1:
-      return map({-1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0});
-    case 2:
-      return map({0.75, 1, 0}, {-1, 0.75, 0}, {0, 0, 1.25}, {0, 0, 0});
-    case 3:
-      return map({2, 0, 0}, {0, 1, 0}, {0, 0, 0.5}, {0, 0, 0});
-    case 4:
-      return map({1, 0, 0}, {3, 1, 0}, {0, 0, 1}, {0, 0, 0});
-    default:
-      return map({1, 2, 0}, {0, -3, 1}, {2, 0, 1}, {-4, 5, 6});
-  }
+  return glm::dmat4(maps[choice % std::size(maps)]);
 }
 
 std::uint64_t hash_of(Case one) {
@@ -57,10 +45,6 @@ std::uint64_t hash_of(Case one) {
   for (const CaseNumber& number : numbers_of(one))
     hash = combine(hash, std::bit_cast<std::uint64_t>(*number.value));
   return hash;
-}
-
-glm::dvec3 rounded(Precision precision, const glm::dvec3& v) {
-  return {round_to(precision, v.x), round_to(precision, v.y), round_to(precision, v.z)};
 }
 
 }  // namespace

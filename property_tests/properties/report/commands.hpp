@@ -27,11 +27,10 @@ namespace rayproof {
 }
 
 /// One command a line.
-[[nodiscard]] inline std::vector<std::string> commands_for(const Finding& finding,
-                                                           const std::filesystem::path& folder) {
-  std::vector<std::string> lines;
+[[nodiscard]] inline std::string commands_for(const Finding& finding, const std::filesystem::path& folder) {
+  std::string lines;
   for (const char* const command : {"explain", "walk", "draw", "replay"})
-    lines.push_back(fmt::format("./rayproof {} {}{}", command, finding.number, from_option(folder)));
+    lines += fmt::format("./rayproof {} {}{}\n", command, finding.number, from_option(folder));
   return lines;
 }
 

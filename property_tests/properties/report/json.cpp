@@ -1,5 +1,5 @@
-#include "properties/report/json.hpp"
 #include "case/json/number.hpp"
+#include "properties/report/exports.hpp"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -25,18 +25,18 @@ Json worst_errors(const Worst& worst, const Contract& contract) {
 }
 
 Json row_of(const Row& row) {
-  Json marks = Json::array();
+  Json statuses = Json::array();
   for (const Cell& cell : row.cells)
-    if (cell.mark != Mark::unclaimed)
-      marks.push_back({{"property", cell.property->name},
-                       {"mark", word_of(cell.mark)},
-                       {"held", cell.tally.held},
-                       {"broken", cell.tally.broken},
-                       {"outside", cell.tally.outside}});
+    if (cell.status != ClaimStatus::unclaimed)
+      statuses.push_back({{"property", cell.property->name},
+                          {"mark", text_of(cell.status).words},
+                          {"held", cell.tally.held},
+                          {"broken", cell.tally.broken},
+                          {"outside", cell.tally.outside}});
   Json json{
       {"method", row.subject->full_name()}, {"precision", name_of(row.precision)}, {"cases", row.cases}};
   if (row.is_measured) json["worst"] = worst_errors(row.worst, row.subject->contract);
-  json["properties"] = std::move(marks);
+  json["properties"] = std::move(statuses);
   return json;
 }
 

@@ -1,4 +1,4 @@
-#include "properties/report/junit.hpp"
+#include "properties/report/exports.hpp"
 
 #include <fmt/format.h>
 
@@ -25,9 +25,17 @@ struct Suite {
   unsigned failures = 0;
   unsigned skipped = 0;
 
-  void add(const std::string& name, const std::string& inside) {
+  void add(const std::string& name, const std::string& inside = {}) {
     ++count;
     tests += fmt::format("    <testcase name=\"{}\">{}</testcase>\n", escaped(name), inside);
+  }
+  void fail(const std::string& name, const char* message, const std::string& text) {
+    ++failures;
+    add(name, fmt::format("<failure message=\"{}\">{}</failure>", escaped(message), escaped(text)));
+  }
+  void skip(const std::string& name) {
+    ++skipped;
+    add(name, "<skipped/>");
   }
 
   [[nodiscard]] std::string text(const std::string& name) const {
@@ -39,30 +47,22 @@ struct Suite {
 };
 
 void add_cell(Suite& suite, const RunResult& result, const Row& row, const Cell& cell) {
-  if (cell.mark == Mark::unclaimed) return;
-  std::string inside;
-  if (is_failure(cell.mark)) {
-    ++suite.failures;
-    inside = fmt::format("<failure message=\"{}\">{}</failure>", escaped(word_of(cell.mark)),
-                         escaped(explanation(result, row, cell)));
-  } else if (cell.mark == Mark::untested) {
-    ++suite.skipped;
-    inside = "<skipped/>";
-  }
-  suite.add(fmt::format("{}: {}", cell.property->name, cell.property->statement), inside);
+  const std::string name = fmt::format("{}: {}", cell.property->name, cell.property->statement);
+  if (is_failure(cell.status))
+    suite.fail(name, text_of(cell.status).words, explanation(result, row, cell));
+  else if (cell.status == ClaimStatus::untested)
+    suite.skip(name);
+  else if (cell.status != ClaimStatus::unclaimed)
+    suite.add(name);
 }
 
 Suite shares_suite(const RunResult& result) {
   Suite suite;
   for (const LabelCount& labels : result.labels) {
-    std::string inside;
-    if (const std::vector<std::string> missed = labels.missed(); !missed.empty()) {
-      ++suite.failures;
-      inside = fmt::format("<failure message=\"share missed\">{}</failure>", escaped(missed.front()));
-    }
-    suite.add(fmt::format("{}/{} {} produces what it is for", labels.family->topic, labels.family->name,
-                          name_of(labels.precision)),
-              inside);
+    const std::string name = fmt::format("{}/{} {} produces what it is for", labels.family->topic,
+                                         labels.family->name, name_of(labels.precision));
+    const std::vector<std::string> missed = labels.missed();
+    missed.empty() ? suite.add(name) : suite.fail(name, "share missed", missed.front());
   }
   return suite;
 }

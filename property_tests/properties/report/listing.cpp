@@ -1,4 +1,4 @@
-#include "properties/report/listing.hpp"
+#include "properties/report/text.hpp"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 #include "properties/report/page.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "case/escape.hpp"
-#include "properties/report/page_finding.hpp"
 #include "properties/report/page_legend.hpp"
 #include "properties/report/page_style.hpp"
 
@@ -27,41 +27,38 @@ dl.words dt { font-weight: 600; color: inherit; } dl.words dd { margin: 0; }
 @media (max-width: 48rem) { article { grid-template-columns: minmax(0, 1fr); } dl.words { grid-template-columns: 1fr; } }
 )css";
 
-const char* class_of(Mark mark) {
-  switch (mark) {
-    case Mark::holds:
-      return "mark holds";
-    case Mark::refuted:
-      return "mark refuted";
-    case Mark::broken:
-    case Mark::unrefuted:
-      return "mark broken";
-    default:
-      return "mark";
-  }
-}
-
 std::string cell(const std::string& text) { return "<td>" + escaped(text) + "</td>"; }
 
-std::string mark_cell(const Cell& one) {
-  return fmt::format("<td class=\"{}\" title=\"{}: {} ({} cases)\">{}</td>", class_of(one.mark),
-                     escaped(one.property->name), escaped(word_of(one.mark)), one.tally.judged(),
-                     sign_of(one.mark));
+std::string heads(std::initializer_list<const char*> names) {
+  return fmt::format("<th>{}</th>", fmt::join(names, "</th><th>"));
+}
+
+std::string table(const std::string& head, const std::string& body) {
+  return fmt::format("<div class=\"wide\"><table><thead><tr>{}</tr></thead><tbody>\n{}</tbody></table></div>",
+                     head, body);
+}
+
+std::string details(const char* summary, const std::string& inside) {
+  return fmt::format("<details><summary>{}</summary>{}</details>\n", summary, inside);
+}
+
+std::string status_cell(const Cell& one) {
+  return fmt::format("<td class=\"{}\" title=\"{}: {} ({} cases)\">{}</td>", text_of(one.status).style,
+                     escaped(one.property->name), escaped(text_of(one.status).words), one.tally.judged(),
+                     text_of(one.status).sign);
 }
 
 std::string main_table(const Summary& summary) {
-  std::string head = "<th>method</th><th>precision</th><th>cases</th>";
+  std::string head = heads({"method", "precision", "cases"});
   for (const Property& property : properties())
     head += fmt::format("<th title=\"{}\">{}</th>", escaped(property.statement), escaped(property.name));
-  head +=
-      "<th>wrong verdicts, in the domain</th><th>widest verdict band</th><th>worst residual</th>"
-      "<th>worst ulp</th>";
+  head += heads({"wrong verdicts, in the domain", "widest verdict band", "worst residual", "worst ulp"});
   std::string body;
   for (const Row& row : summary.rows) {
     const Contract& contract = row.subject->contract;
     body += fmt::format("<tr><td title=\"{}\">{}</td><td>{}</td><td>{}</td>", escaped(row.subject->title),
                         escaped(row.subject->full_name()), name_of(row.precision), row.cases);
-    for (const Cell& one : row.cells) body += mark_cell(one);
+    for (const Cell& one : row.cells) body += status_cell(one);
     body += cell(row.is_measured ? fmt::format("{} of {}", row.worst.wrong, row.worst.cases) : "");
     for (const auto& [measured, promised] : {std::pair{row.worst.verdict, contract.verdict.promised},
                                              std::pair{row.worst.residual, contract.residual.promised},
@@ -70,14 +67,10 @@ std::string main_table(const Summary& summary) {
     body += "</tr>\n";
   }
   std::string legend;
-  for (const Mark mark :
-       {Mark::holds, Mark::refuted, Mark::broken, Mark::unrefuted, Mark::spared, Mark::untested})
-    legend += fmt::format("<span class=\"{}\">{}</span> {} &emsp; ", class_of(mark), sign_of(mark),
-                          escaped(word_of(mark)));
-  return fmt::format(
-      "<div class=\"wide\"><table><thead><tr>{}</tr></thead><tbody>\n{}</tbody></table></div><p "
-      "class=\"legend\">{}</p>\n{}",
-      head, body, legend, page_legend);
+  for (const ClaimStatus status : statuses_in_legend)
+    legend += fmt::format("<span class=\"{}\">{}</span> {} &emsp; ", text_of(status).style,
+                          text_of(status).sign, escaped(text_of(status).words));
+  return fmt::format("{}<p class=\"legend\">{}</p>\n{}", table(head, body), legend, page_legend);
 }
 
 std::string family_table(const RunResult& result) {
@@ -90,30 +83,19 @@ std::string family_table(const RunResult& result) {
                         escaped(unit.family->name), worst.cases, worst.wrong);
     body += cell(figure(worst.verdict)) + cell(figure(worst.residual)) + cell(figure(worst.ulp)) + "</tr>\n";
   }
-  return fmt::format(
-      "<details><summary>Worst errors of each method on each family</summary><div class=\"wide\"><table>"
-      "<thead><tr><th>method</th><th>precision</th><th>family</th><th>cases in domain</th><th>wrong verdicts"
-      "</th><th>verdict band</th><th>residual</th><th>ulp</th></tr></thead><tbody>\n{}</tbody></table></div>"
-      "</details>\n",
-      body);
+  const std::string head = heads({"method", "precision", "family", "cases in domain", "wrong verdicts",
+                                  "verdict band", "residual", "ulp"});
+  return details("Worst errors of each method on each family", table(head, body));
 }
 
 std::string label_table(const RunResult& result) {
   std::string body;
-  for (const LabelCount& labels : result.labels) {
-    std::string shares;
-    for (const auto& [label, count] : labels.counts)
-      shares += fmt::format("{}{} {:.1f} %", shares.empty() ? "" : ", ", label, 100 * labels.share(label));
+  for (const LabelCount& labels : result.labels)
     body += fmt::format(
         "<tr><td>{}/{}</td><td>{}</td><td class=\"text\">{}</td><td class=\"text\">{}</td></tr>\n",
         escaped(labels.family->topic), escaped(labels.family->name), name_of(labels.precision),
-        escaped(labels.family->description), escaped(shares));
-  }
-  return fmt::format(
-      "<details><summary>What the families produced</summary><div class=\"wide\"><table><thead><tr>"
-      "<th>family</th><th>precision</th><th>aim</th><th>labels</th></tr></thead><tbody>\n{}</tbody></table>"
-      "</div></details>\n",
-      body);
+        escaped(labels.family->description), escaped(labels.shares()));
+  return details("What the families produced", table(heads({"family", "precision", "aim", "labels"}), body));
 }
 
 std::string outcome(const Summary& summary) {

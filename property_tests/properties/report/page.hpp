@@ -22,4 +22,8 @@ struct PageTools {
 [[nodiscard]] std::string html_page(const Plan& plan, const RunResult& result, const Summary& summary,
                                     const PageTools& tools);
 
+/// A finding as an `<article>`: its number, what is wrong in words, the picture, got beside exact, the
+/// commands, and the case.
+[[nodiscard]] std::string html_finding(const Finding& finding, const PageTools& tools);
+
 }  // namespace rayproof

@@ -1,4 +1,4 @@
-#include "properties/report/page_finding.hpp"
+#include "properties/report/page.hpp"
 
 #include <fmt/format.h>
 
@@ -16,12 +16,6 @@ std::string error_in_words(const Evidence& evidence) {
                             : "the verdict itself is wrong, or nothing was promised";
 }
 
-std::string commands(const Finding& finding, const std::filesystem::path& folder) {
-  std::string lines;
-  for (const std::string& line : commands_for(finding, folder)) lines += line + "\n";
-  return lines;
-}
-
 /// An answer's line of JSON, without the id.
 std::string answer_line(const Finding& finding, const Answer& answer) {
   Case bare = finding.one;
@@ -30,10 +24,8 @@ std::string answer_line(const Finding& finding, const Answer& answer) {
 }
 
 std::string because(const Finding& finding) {
-  for (const Refutation& refutation : finding.subject->contract.refuted)
-    if (!refutation.because.empty() && refutation.claim == finding.property->claim)
-      return fmt::format("<p>Declared: {}.</p>", escaped(refutation.because));
-  return "";
+  const Refutation* const declared = declared_refutation(*finding.subject, *finding.property);
+  return declared != nullptr ? fmt::format("<p>Declared: {}.</p>", escaped(declared->because)) : "";
 }
 
 }  // namespace
@@ -55,9 +47,9 @@ exact {16}</pre></details></div></article>
       name_of(finding.one.precision), escaped(in_words(finding)),
       finding.is_declared ? "‡ breaks, as declared" : "✗ BREAKS", escaped(finding.property->statement),
       escaped(finding.property->name), because(finding), escaped(evidence.note),
-      escaped(error_in_words(evidence)), escaped(finding.family), escaped(commands(finding, tools.folder)),
-      escaped(write_case(finding.one)), escaped(answer_line(finding, evidence.got)),
-      escaped(answer_line(finding, evidence.exact)));
+      escaped(error_in_words(evidence)), escaped(finding.family),
+      escaped(commands_for(finding, tools.folder)), escaped(write_case(finding.one)),
+      escaped(answer_line(finding, evidence.got)), escaped(answer_line(finding, evidence.exact)));
 }
 
 }  // namespace rayproof

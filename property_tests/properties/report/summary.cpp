@@ -22,18 +22,18 @@ bool was_claim_refuted(const RunResult& result, const Row& row, Claim claim) {
   });
 }
 
-Mark mark_of(const Plan& plan, const RunResult& result, const Row& row, const Cell& cell) {
+ClaimStatus status_of(const Plan& plan, const RunResult& result, const Row& row, const Cell& cell) {
   const bool found = was_found(result, row, *cell.property);
   if (claims(*row.subject, *cell.property)) {
-    if (found) return Mark::broken;
-    return cell.tally.judged() > 0 ? Mark::holds : Mark::untested;
+    if (found) return ClaimStatus::broken;
+    return cell.tally.judged() > 0 ? ClaimStatus::holds : ClaimStatus::untested;
   }
-  if (!is_declared_refuted(*row.subject, *cell.property)) return Mark::unclaimed;
-  if (found) return Mark::refuted;
-  if (was_claim_refuted(result, row, cell.property->claim)) return Mark::spared;
+  if (!is_declared_refuted(*row.subject, *cell.property)) return ClaimStatus::unclaimed;
+  if (found) return ClaimStatus::refuted;
+  if (was_claim_refuted(result, row, cell.property->claim)) return ClaimStatus::spared;
   // Only a full search for a counterexample may be held against the declaration.
   const bool searched_in_full = plan.settings.families.empty() && !result.was_interrupted;
-  return searched_in_full ? Mark::unrefuted : Mark::untested;
+  return searched_in_full ? ClaimStatus::unrefuted : ClaimStatus::untested;
 }
 
 /// Adds up a row's figures over the families.
@@ -52,44 +52,17 @@ void add_up(const RunResult& result, Row& row) {
 
 }  // namespace
 
-const char* sign_of(Mark mark) {
-  switch (mark) {
-    case Mark::unclaimed:
-      return "";
-    case Mark::holds:
-      return "✓";
-    case Mark::broken:
-      return "✗";
-    case Mark::refuted:
-      return "‡";
-    case Mark::unrefuted:
-      return "?";
-    case Mark::spared:
-      return "·";
-    case Mark::untested:
-      return "–";
-  }
-  return "";
-}
-
-const char* word_of(Mark mark) {
-  switch (mark) {
-    case Mark::unclaimed:
-      return "not claimed";
-    case Mark::holds:
-      return "holds";
-    case Mark::broken:
-      return "BROKEN";
-    case Mark::refuted:
-      return "refuted as declared";
-    case Mark::unrefuted:
-      return "declared broken, NOT REFUTED";
-    case Mark::spared:
-      return "not broken";
-    case Mark::untested:
-      return "not tested";
-  }
-  return "";
+const StatusText& text_of(ClaimStatus status) {
+  static constexpr StatusText texts[] = {
+      {"", "not claimed", "mark"},
+      {"✓", "holds", "mark holds"},
+      {"✗", "BROKEN", "mark broken"},
+      {"‡", "refuted as declared", "mark refuted"},
+      {"?", "declared broken, NOT REFUTED", "mark broken"},
+      {"·", "not broken", "mark"},
+      {"–", "not tested", "mark"},
+  };
+  return texts[static_cast<std::size_t>(status)];
 }
 
 Summary summarise(const Plan& plan, const RunResult& result) {
@@ -101,7 +74,7 @@ Summary summarise(const Plan& plan, const RunResult& result) {
       for (const Property& property : properties()) row.cells.push_back({&property});
       add_up(result, row);
       for (std::size_t p = 0; p < row.cells.size(); ++p)
-        if (plan.is_wanted[p]) row.cells[p].mark = mark_of(plan, result, row, row.cells[p]);
+        if (plan.is_wanted[p]) row.cells[p].status = status_of(plan, result, row, row.cells[p]);
       summary.rows.push_back(std::move(row));
     }
   for (const LabelCount& labels : result.labels)
@@ -110,34 +83,16 @@ Summary summarise(const Plan& plan, const RunResult& result) {
   return summary;
 }
 
-namespace {
-
-/// A sentence for each cell with one of the marks.
-std::vector<std::string> sentences_for(const std::vector<Row>& rows, std::initializer_list<Mark> marks) {
-  std::vector<std::string> sentences;
+std::vector<std::string> Summary::sentences(std::initializer_list<ClaimStatus> statuses) const {
+  std::vector<std::string> all;
   for (const Row& row : rows)
     for (const Cell& cell : row.cells)
-      if (std::find(marks.begin(), marks.end(), cell.mark) != marks.end())
-        sentences.push_back(fmt::format("{} {}: {}: {}", row.subject->full_name(), name_of(row.precision),
-                                        cell.property->name, word_of(cell.mark)));
-  return sentences;
+      if (std::ranges::find(statuses, cell.status) != statuses.end())
+        all.push_back(fmt::format("{} {}: {}: {}", row.subject->full_name(), name_of(row.precision),
+                                  cell.property->name, text_of(cell.status).words));
+  all.insert(all.end(), missed_shares.begin(), missed_shares.end());
+  return all;
 }
-
-}  // namespace
-
-std::vector<std::string> Summary::failures() const {
-  std::vector<std::string> sentences = sentences_for(rows, {Mark::broken, Mark::unrefuted});
-  sentences.insert(sentences.end(), missed_shares.begin(), missed_shares.end());
-  return sentences;
-}
-
-std::vector<std::string> Summary::without_counterexample() const {
-  std::vector<std::string> sentences = sentences_for(rows, {Mark::unrefuted});
-  sentences.insert(sentences.end(), missed_shares.begin(), missed_shares.end());
-  return sentences;
-}
-
-bool Summary::is_success() const { return failures().empty(); }
 
 std::string figure(double measured) {
   if (measured == 0) return "0";

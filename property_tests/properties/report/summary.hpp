@@ -2,7 +2,7 @@
 /// \file
 /// What a run says of each subject and property: does it keep what it claims?
 
-#include <optional>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -11,7 +11,7 @@
 namespace rayproof {
 
 /// A subject's standing on a property.
-enum class Mark {
+enum class ClaimStatus {
   unclaimed,  ///< neither claimed nor declared broken
   holds,      ///< claimed, and never seen broken
   broken,     ///< claimed, and broken: the contract does not hold
@@ -21,17 +21,29 @@ enum class Mark {
   untested    ///< claimed, but no case was one the property speaks of
 };
 
-/// A sign and a word for the mark, so that neither colour nor font decides.
-[[nodiscard]] const char* sign_of(Mark mark);
-[[nodiscard]] const char* word_of(Mark mark);
+/// How a status is shown: a mark and words, so that neither colour nor font decides, and its class on the
+/// page.
+struct StatusText {
+  const char* sign;
+  const char* words;
+  const char* style;
+};
+[[nodiscard]] const StatusText& text_of(ClaimStatus status);
 
-/// Whether a mark makes the run fail.
-[[nodiscard]] inline bool is_failure(Mark mark) { return mark == Mark::broken || mark == Mark::unrefuted; }
+/// Those that the tables explain.
+inline constexpr std::array statuses_in_legend{ClaimStatus::holds,  ClaimStatus::refuted,
+                                               ClaimStatus::broken, ClaimStatus::unrefuted,
+                                               ClaimStatus::spared, ClaimStatus::untested};
+
+/// Whether a status makes the run fail.
+[[nodiscard]] inline bool is_failure(ClaimStatus status) {
+  return status == ClaimStatus::broken || status == ClaimStatus::unrefuted;
+}
 
 /// One property of a row.
 struct Cell {
   const Property* property = nullptr;
-  Mark mark = Mark::unclaimed;
+  ClaimStatus status = ClaimStatus::unclaimed;
   PropertyTally tally{};
 };
 
@@ -52,11 +64,19 @@ struct Summary {
   bool was_interrupted = false;
 
   /// Every contract holds, every declared refutation was found, every share of the generators was kept.
-  [[nodiscard]] bool is_success() const;
-  /// The marks that make the run fail, each as a sentence.
-  [[nodiscard]] std::vector<std::string> failures() const;
+  [[nodiscard]] bool is_success() const { return failures().empty(); }
+  /// What makes the run fail, each as a sentence.
+  [[nodiscard]] std::vector<std::string> failures() const {
+    return sentences({ClaimStatus::broken, ClaimStatus::unrefuted});
+  }
   /// Those of them that no finding shows: what was declared broken and not refuted, what a generator missed.
-  [[nodiscard]] std::vector<std::string> without_counterexample() const;
+  [[nodiscard]] std::vector<std::string> without_counterexample() const {
+    return sentences({ClaimStatus::unrefuted});
+  }
+
+ private:
+  /// Of each cell with one of the statuses, and of each missed share.
+  [[nodiscard]] std::vector<std::string> sentences(std::initializer_list<ClaimStatus> statuses) const;
 };
 
 [[nodiscard]] Summary summarise(const Plan& plan, const RunResult& result);

@@ -1,4 +1,4 @@
-#include "properties/report/table.hpp"
+#include "properties/report/text.hpp"
 
 #include <fmt/format.h>
 
@@ -14,19 +14,21 @@ namespace rayproof {
 namespace {
 
 /// From what a reader must see to what says nothing.
-constexpr std::array by_weight{Mark::broken, Mark::unrefuted, Mark::refuted,  Mark::holds,
-                               Mark::spared, Mark::untested,  Mark::unclaimed};
+constexpr std::array by_weight{ClaimStatus::broken,   ClaimStatus::unrefuted, ClaimStatus::refuted,
+                               ClaimStatus::holds,    ClaimStatus::spared,    ClaimStatus::untested,
+                               ClaimStatus::unclaimed};
 
-std::size_t weight_of(Mark mark) {
-  return static_cast<std::size_t>(std::find(by_weight.begin(), by_weight.end(), mark) - by_weight.begin());
+std::size_t weight_of(ClaimStatus status) {
+  return static_cast<std::size_t>(std::find(by_weight.begin(), by_weight.end(), status) - by_weight.begin());
 }
 
 /// The claims that some row has a mark for.
 std::vector<Claim> claims_in_use(const Summary& summary) {
   std::vector<Claim> used;
   for (std::size_t c = 0; c < claim_count; ++c)
-    if (std::any_of(summary.rows.begin(), summary.rows.end(),
-                    [&](const Row& row) { return mark_of(row, static_cast<Claim>(c)) != Mark::unclaimed; }))
+    if (std::any_of(summary.rows.begin(), summary.rows.end(), [&](const Row& row) {
+          return status_of(row, static_cast<Claim>(c)) != ClaimStatus::unclaimed;
+        }))
       used.push_back(static_cast<Claim>(c));
   return used;
 }
@@ -41,10 +43,10 @@ std::vector<std::vector<const Row*>> by_method(const Summary& summary) {
   return methods;
 }
 
-std::string sign_of(const std::vector<const Row*>& rows, Claim claim) {
+std::string signs_of(const std::vector<const Row*>& rows, Claim claim) {
   std::string signs;
   for (const Row* row : rows) {
-    const std::string sign = sign_of(mark_of(*row, claim));
+    const std::string sign = text_of(status_of(*row, claim)).sign;
     if (sign != signs) signs += sign;
   }
   return signs;
@@ -59,9 +61,8 @@ std::string wrong_verdicts(const std::vector<const Row*>& rows) {
 
 std::string legend() {
   std::string text;
-  for (const Mark mark :
-       {Mark::holds, Mark::refuted, Mark::broken, Mark::unrefuted, Mark::spared, Mark::untested})
-    text += fmt::format("{}{} {}", text.empty() ? "" : "   ", sign_of(mark), word_of(mark));
+  for (const ClaimStatus status : statuses_in_legend)
+    text += fmt::format("{}{} {}", text.empty() ? "" : "   ", text_of(status).sign, text_of(status).words);
   return text + "\n";
 }
 
@@ -77,11 +78,11 @@ std::array<std::string, 2> head_of(Claim claim) {
   return {name.substr(0, found->second) + "-", name.substr(found->second)};
 }
 
-Mark mark_of(const Row& row, Claim claim) {
-  Mark mark = Mark::unclaimed;
+ClaimStatus status_of(const Row& row, Claim claim) {
+  ClaimStatus status = ClaimStatus::unclaimed;
   for (const Cell& cell : row.cells)
-    if (cell.property->claim == claim && weight_of(cell.mark) < weight_of(mark)) mark = cell.mark;
-  return mark;
+    if (cell.property->claim == claim && weight_of(cell.status) < weight_of(status)) status = cell.status;
+  return status;
 }
 
 std::string text_table(const Summary& summary) {
@@ -95,7 +96,7 @@ std::string text_table(const Summary& summary) {
   for (const auto& line : head) grid.add(line);
   for (const auto& rows : by_method(summary)) {
     std::vector<std::string> line{rows.front()->subject->full_name()};
-    for (const Claim claim : claims) line.push_back(sign_of(rows, claim));
+    for (const Claim claim : claims) line.push_back(signs_of(rows, claim));
     line.push_back(wrong_verdicts(rows));
     grid.add(line);
   }

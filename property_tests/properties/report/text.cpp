@@ -60,12 +60,8 @@ std::string text_families(const Plan& plan, const RunResult& result) {
 std::string text_labels(const RunResult& result) {
   Grid grid;
   grid.add({"family", "precision", "labels"});
-  for (const LabelCount& labels : result.labels) {
-    std::string shares;
-    for (const auto& [label, count] : labels.counts)
-      shares += fmt::format("{}{} {:.1f} %", shares.empty() ? "" : ", ", label, 100 * labels.share(label));
-    grid.add({labels.family->topic + "/" + labels.family->name, name_of(labels.precision), shares});
-  }
+  for (const LabelCount& labels : result.labels)
+    grid.add({labels.family->topic + "/" + labels.family->name, name_of(labels.precision), labels.shares()});
   return grid.text();
 }
 

@@ -51,7 +51,7 @@ std::string things_in(const PointAndPolygon<double>& asked) {
                      asked.vertices.size());
 }
 
-/// A number in as few digits as tell it from all others of the precision.
+/// A number in the fewest digits that distinguish it from all others of the precision.
 std::string shown(double number, Precision precision) {
   std::string text;
   append_number(text, number, precision);

@@ -41,10 +41,10 @@ TEST(AmongNeighbours, ARayHasItsScalarRootsAndNearestHitWhateverLiesBesideIt) {
 }
 
 TEST(AmongNeighbours, ProblemsReachEveryLane) {
-  constexpr std::size_t lanes = batch::neighbourhood<sphere::Centred>;
+  constexpr std::size_t lanes = batch::mixed_lanes<sphere::Centred>;
   std::vector<int> reached(lanes);
   for (int i = 0; i < 2000; ++i)
-    ++reached.at(batch::Neighbourhood<float, 3, lanes>({static_cast<float>(i), 1.0F, 2.0F}).lane);
+    ++reached.at(batch::MixedLanes<float, 3, lanes>({static_cast<float>(i), 1.0F, 2.0F}).lane);
   for (const int times : reached) EXPECT_GT(times, 0);
 }
 

@@ -52,7 +52,7 @@ TEST(Outlines, PaddingAddsRepeatedAndCollinearVerticesOnly) {
 TEST(Outlines, ALevelPointHasTheHeightOfAVertex) {
   Random random(4);
   for (int k = 0; k < 300; ++k) {
-    const Plan plan = outline_layout::Level::plan(random);
+    const Plan plan = outline_layout::level.plan(random);
     EXPECT_TRUE(std::any_of(plan.vertices.begin(), plan.vertices.end(),
                             [&](const Vec2<double>& v) { return v.y == plan.point.y; }));
   }
@@ -61,7 +61,7 @@ TEST(Outlines, ALevelPointHasTheHeightOfAVertex) {
 TEST(Outlines, ABoundaryPointIsExactlyOnASide) {
   Random random(5);
   for (int k = 0; k < 300; ++k) {
-    const Plan plan = outline_layout::Boundary::plan(random);
+    const Plan plan = outline_layout::boundary.plan(random);
     const std::size_t count = plan.vertices.size();
     bool on_a_line = false;
     for (std::size_t i = 0; i < count; ++i)
@@ -79,7 +79,7 @@ TEST(LiftedPolygons, OfWholeNumbersLieInOnePlaneAndTheRayCrossesIt) {
     const Outline vertices = outline_layout::whole_outline(random);
     for (const glm::dvec3& vertex : polygon_family::lifted(sheet, vertices).vertices) {
       EXPECT_EQ(dot(normal, vertex - sheet.origin), 0);
-      EXPECT_EQ(rounded<float>(vertex), vertex);
+      EXPECT_EQ(rounded(Precision::float32, vertex), vertex);
     }
   }
 }

@@ -28,7 +28,7 @@ TEST(EachNumber, VisitsEveryNumberOfAShapeAndNothingElse) {
 }
 
 TEST(Scenes, RoundingLeavesFloatsAloneAndMakesFloatsOfOtherNumbers) {
-  const auto box = rounded<float>(Box<double>{{0.5, 0.1, -3}, {1e10, 0x1p-140, 2}});
+  const auto box = rounded(Precision::float32, Box<double>{{0.5, 0.1, -3}, {1e10, 0x1p-140, 2}});
   EXPECT_EQ(box.min, glm::dvec3(0.5, double{0.1F}, -3));
   EXPECT_EQ(box.max, glm::dvec3(1e10, 0x1p-140, 2));
 }
@@ -38,10 +38,9 @@ TEST(Aim, AnExactLookPassesThroughItsTargetInFloat) {
   for (int k = 0; k < 1000; ++k) {
     const glm::dvec3 b = whole_point(random, 8), a = whole_point(random, 8);
     const glm::dvec3 target = eighth_between(random, a, b);
-    RayScene scene;
-    look_exactly(random, scene, target);
-    EXPECT_EQ(rounded<float>(scene.origin), scene.origin);
-    EXPECT_EQ(rounded<float>(scene.direction), scene.direction);
+    const Scene scene = looked_at_exactly(random, {}, target);
+    EXPECT_EQ(rounded(Precision::float32, scene.origin), scene.origin);
+    EXPECT_EQ(rounded(Precision::float32, scene.direction), scene.direction);
     EXPECT_EQ(scene.origin + scene.aimed_at * scene.direction, target);
   }
 }
@@ -61,12 +60,11 @@ TEST(Aim, AWholeVectorIsNotZeroAndOftenRunsAlongAnAxis) {
 TEST(Maps, AWholeMapRoundsNothingInAShortSceneAndCarriesTOver) {
   Random random(3);
   for (int k = 0; k < 500; ++k) {
-    RayScene scene;
     const glm::dvec3 target = whole_point(random, 8);
-    look_exactly(random, scene, target);
+    Scene scene = looked_at_exactly(random, {}, target);
     move_exactly(random, scene);
-    EXPECT_EQ(rounded<float>(scene.origin), scene.origin);
-    EXPECT_EQ(round_to<float>(*scene.transform), *scene.transform);
+    EXPECT_EQ(rounded(Precision::float32, scene.origin), scene.origin);
+    EXPECT_EQ(rounded(Precision::float32, *scene.transform), *scene.transform);
     const glm::dvec3 moved(*scene.transform * glm::dvec4(target, 1));
     EXPECT_EQ(scene.origin + scene.aimed_at * scene.direction, moved);
     EXPECT_TRUE(is_regular(*scene.transform));
@@ -98,20 +96,16 @@ TEST(Accepted, DrawsUntilTheFormatTakesOne) {
 }
 
 /// Looks straight at z = 0 from three away.
-struct ThreeAway {
-  static Scene scene(Random& /*random*/, int /*digits*/) {
-    Scene scene;
-    look_at(scene, glm::dvec3(0), {0, 0, 1}, 3, 1);
-    scene.shape = ImplicitPlane{{0, 0, 1}, 0};
-    return scene;
-  }
-};
+Scene three_away(Random& /*random*/) {
+  return looked_at(ImplicitPlane{{0, 0, 1}, 0}, glm::dvec3(0), {0, 0, 1}, 3, 1);
+}
 
 TEST(CutShort, HasAnIntervalThatEndsAtTheHitOrAFewUlpsBeside) {
   Random random(4);
+  const Family family = cut_short<three_away>("plane", {});
   int at_the_hit = 0;
   for (int k = 0; k < 500; ++k) {
-    const auto asked = std::get<RayQuestion>(CutShort<ThreeAway>::ask<float>(random));
+    const auto asked = std::get<RayQuestion>(family.ask(random, Precision::float32));
     const double hit = 3 / asked.ray.direction.z;
     EXPECT_LE(asked.ray.t_min, asked.ray.t_max);
     const double off = std::min(std::abs(asked.ray.t_min - hit), std::abs(asked.ray.t_max - hit));
@@ -124,9 +118,10 @@ TEST(CutShort, HasAnIntervalThatEndsAtTheHitOrAFewUlpsBeside) {
 
 TEST(AnySize, KeepsTheSceneButForItsSize) {
   Random random(5);
+  const Family family = in_any_size<three_away>("plane", {});
   std::set<int> exponents;
   for (int k = 0; k < 500; ++k) {
-    const auto asked = std::get<RayQuestion>(AnySize<ThreeAway>::ask<float>(random));
+    const auto asked = std::get<RayQuestion>(family.ask(random, Precision::float32));
     EXPECT_EQ(std::get<ImplicitPlane>(asked.shape).normal, glm::dvec3(0, 0, 1));
     EXPECT_LT(asked.ray.origin.z, 0);
     EXPECT_GT(asked.ray.direction.z, 0);
@@ -135,7 +130,7 @@ TEST(AnySize, KeepsTheSceneButForItsSize) {
   EXPECT_GT(exponents.size(), 150U);
 }
 
-TEST(NumberByNumber, SettlesABoxAndACylinder) {
+TEST(NumberByNumber, MakesABoxAndACylinderValid) {
   Random random(6);
   for (int k = 0; k < 500; ++k) {
     const auto number = [&] { return draw::bit_pattern<double>(random); };

@@ -54,7 +54,9 @@ void for_each_case(const std::string& topic, std::uint64_t per_family, Check&& c
     }
   };
   for (const Family& family : families())
-    if (family.topic == topic) try_all(family.name, per_family, family.generate);
+    if (family.topic == topic)
+      try_all(family.name, per_family,
+              [&](std::uint64_t seed, Precision precision) { return family.generate(seed, precision); });
   if (topic == "quadratic" || topic == "point_in_polygon") return;
   try_all("of whole numbers", 10 * per_family,
           [&](std::uint64_t seed, Precision precision) { return whole_case(topic, seed, precision); });

@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "case/writer.hpp"
-#include "properties/report/json.hpp"
+#include "properties/report/exports.hpp"
 #include "properties/report/summary.hpp"
 #include "unit/properties/broken_subjects.hpp"
 

@@ -6,13 +6,10 @@
 #include "case/escape.hpp"
 #include "case/reader.hpp"
 #include "case/writer.hpp"
+#include "properties/report/exports.hpp"
 #include "properties/report/grid.hpp"
-#include "properties/report/json.hpp"
-#include "properties/report/junit.hpp"
-#include "properties/report/listing.hpp"
 #include "properties/report/order.hpp"
 #include "properties/report/page.hpp"
-#include "properties/report/table.hpp"
 #include "properties/report/text.hpp"
 #include "properties/report/words.hpp"
 #include "subjects/contract_names.hpp"
@@ -98,7 +95,7 @@ TEST(Report, TheTableHasOneLineForBothPrecisionsOfAMethod) {
 TEST(Report, WhereThePrecisionsDifferTheTableHasAMarkForEach) {
   ShortRun run;
   for (Cell& cell : run.summary.rows[1].cells)
-    if (cell.mark == Mark::broken) cell.mark = Mark::holds;
+    if (cell.status == ClaimStatus::broken) cell.status = ClaimStatus::holds;
   EXPECT_NE(text_table(run.summary).find("✗✓"), std::string::npos);
 }
 

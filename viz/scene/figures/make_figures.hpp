@@ -2,7 +2,7 @@
 /// \file
 /// What every shape's figures are made by: the method's kernel inlined in the loop over the rays.
 
-#include "subjects/solve_shapes.hpp"
+#include "subjects/solve_topics.hpp"
 #include "viz/scene/figures.hpp"
 
 namespace rayproof::render {

@@ -2,7 +2,7 @@
 /// \file
 /// Running error analysis: every number carries a bound on its own error, computed beside it.
 ///
-/// Source: J. H. Wilkinson's a-posteriori analysis as told by N. J. Higham, "Accuracy and Stability of
+/// Source: J. H. Wilkinson's a-posteriori analysis as presented by N. J. Higham, "Accuracy and Stability of
 /// Numerical Algorithms", ch. 3.3, 2002; here with underflow, overflow and uncertain comparisons.
 
 #include <algorithm>

@@ -92,7 +92,7 @@ struct Narrator<Recorded<T, S>> {
 /// Brings an operation's record up to its number, which may have been narrowed since (arithmetics/wide.hpp):
 /// what is named and shown is the number that the kernel goes on with.
 template <class T, class S>
-void settle(Recording<S>& tape, const Recorded<T, S>& number) {
+void refresh(Recording<S>& tape, const Recorded<T, S>& number) {
   Operation<S>& operation = tape.at(number.id);
   operation.value = static_cast<double>(number.value());
   operation.error_bound = static_cast<double>(number.bounded.error);
@@ -106,7 +106,7 @@ template <class T, class S>
 [[nodiscard]] Recorded<T, S> named(const char* name, Recorded<T, S> value) {
   Recording<S>* tape = Recording<S>::active();
   if (tape == nullptr || value.id == unrecorded) return value;
-  settle(*tape, value);
+  refresh(*tape, value);
   tape->at(value.id).name = name;
   tape->name(name, {value.id});
   return value;
@@ -117,7 +117,7 @@ template <class T, class S>
 [[nodiscard]] Vec3<Recorded<T, S>> named(const char* name, Vec3<Recorded<T, S>> value) {
   Recording<S>* tape = Recording<S>::active();
   if (tape == nullptr || value.x.id == unrecorded) return value;
-  for (const Recorded<T, S>& component : {value.x, value.y, value.z}) settle(*tape, component);
+  for (const Recorded<T, S>& component : {value.x, value.y, value.z}) refresh(*tape, component);
   tape->at(value.x.id).name = std::string(name) + ".x";
   tape->at(value.y.id).name = std::string(name) + ".y";
   tape->at(value.z.id).name = std::string(name) + ".z";

@@ -72,7 +72,7 @@ template <class T, class Shadow>
   return std::min(all, std::log2(1 + ulps));
 }
 
-/// The same of a number that a double holds, in the format of so many digits: float or double.
+/// The same of a number that a double holds, in the format with that number of digits: float or double.
 template <class Shadow>
 [[nodiscard]] double bits_lost_in(int digits, double value, const Shadow& exact) {
   return digits == std::numeric_limits<float>::digits ? bits_lost(static_cast<float>(value), exact)

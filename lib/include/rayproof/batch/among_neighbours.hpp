@@ -14,16 +14,16 @@ namespace rayproof::batch {
 /// More lanes than two of the widest packs have, so that every lane of a pack and of the padded tail is in
 /// reach. A method that runs one number at a time has no lanes to mix up.
 template <class Method>
-inline constexpr std::size_t neighbourhood = runs_in_packs<Method> ? 37 : 1;
+inline constexpr std::size_t mixed_lanes = runs_in_packs<Method> ? 37 : 1;
 
 /// Columns with one problem's numbers at a lane that depends on their bits, and hard numbers in all other
 /// lanes.
 template <class T, std::size_t Columns, std::size_t Lanes>
-struct Neighbourhood {
+struct MixedLanes {
   std::array<std::array<T, Lanes>, Columns> column;
   std::size_t lane = 0;
 
-  explicit Neighbourhood(const std::array<T, Columns>& problem) {
+  explicit MixedLanes(const std::array<T, Columns>& problem) {
     using Limits = std::numeric_limits<T>;
     constexpr std::array<T, 9> hard{
         T(1),          T(0),    -Limits::infinity(), Limits::quiet_NaN(), T(-2), Limits::min(),
@@ -42,33 +42,26 @@ struct Neighbourhood {
 
 /// Three arrays of roots, and the roots of one lane.
 template <class T, std::size_t Lanes>
-struct NeighbourhoodRoots {
+struct MixedRoots {
   std::array<T, Lanes> discriminant{}, lo{}, hi{};
   [[nodiscard]] RootArrays<T> arrays() { return {discriminant, lo, hi}; }
   [[nodiscard]] Roots<T> at(std::size_t lane) const { return {discriminant[lane], lo[lane], hi[lane]}; }
 };
 
-/// A ray's neighbourhood as a batch.
+/// A ray among others.
+template <class Method, class T>
+[[nodiscard]] MixedLanes<T, 6, mixed_lanes<Method>> mixed_in(const Ray<T>& ray) {
+  return MixedLanes<T, 6, mixed_lanes<Method>>(
+      {ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x, ray.direction.y, ray.direction.z});
+}
+
+/// The same as a batch with the ray's interval, valid as long as `lanes`.
 template <class T, std::size_t Lanes>
-class RayNeighbourhood {
- public:
-  RayNeighbourhood(const Ray<T>& ray, const std::optional<ObjectSpace<T>>& space)
-      : lanes_({ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x, ray.direction.y, ray.direction.z}),
-        batch_{{lanes_.column[0], lanes_.column[1], lanes_.column[2]},
-               {lanes_.column[3], lanes_.column[4], lanes_.column[5]},
-               ray.t_min,
-               ray.t_max,
-               space} {}
-  RayNeighbourhood(const RayNeighbourhood&) = delete;
-  RayNeighbourhood& operator=(const RayNeighbourhood&) = delete;
-
-  [[nodiscard]] const RayBatch<T>& batch() const { return batch_; }
-  [[nodiscard]] std::size_t lane() const { return lanes_.lane; }
-
- private:
-  Neighbourhood<T, 6, Lanes> lanes_;
-  RayBatch<T> batch_;
-};
+[[nodiscard]] RayBatch<T> batch_of(const MixedLanes<T, 6, Lanes>& lanes, const Ray<T>& ray,
+                                   const std::optional<ObjectSpace<T>>& space) {
+  const auto& c = lanes.column;
+  return {{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, ray.t_min, ray.t_max, space};
+}
 
 /// The roots of one ray's problem, answered in a batch of many. The ray is in the world where `space` is
 /// given.
@@ -76,10 +69,10 @@ template <class Method, class T, class Shape>
 [[nodiscard]] Roots<T> roots_among_neighbours(const Ray<T>& ray, const Shape& shape,
                                               const std::optional<ObjectSpace<T>>& space = {},
                                               InstructionSet set = preferred_instruction_set()) {
-  const RayNeighbourhood<T, neighbourhood<Method>> rays(ray, space);
-  NeighbourhoodRoots<T, neighbourhood<Method>> roots;
-  batch_roots<Method>(rays.batch(), shape, roots.arrays(), set);
-  return roots.at(rays.lane());
+  const auto lanes = mixed_in<Method>(ray);
+  MixedRoots<T, mixed_lanes<Method>> roots;
+  batch_roots<Method>(batch_of(lanes, ray, space), shape, roots.arrays(), set);
+  return roots.at(lanes.lane);
 }
 
 /// The nearest hit of one ray, answered in a batch of many; infinity for a miss.
@@ -87,18 +80,18 @@ template <class Method, class T, class Shape>
 [[nodiscard]] T nearest_among_neighbours(const Ray<T>& ray, const Shape& shape,
                                          const std::optional<ObjectSpace<T>>& space = {},
                                          InstructionSet set = preferred_instruction_set()) {
-  const RayNeighbourhood<T, neighbourhood<Method>> rays(ray, space);
-  std::array<T, neighbourhood<Method>> t{};
-  nearest_hits<Method>(rays.batch(), shape, std::span<T>(t), set);
-  return t[rays.lane()];
+  const auto lanes = mixed_in<Method>(ray);
+  std::array<T, mixed_lanes<Method>> t{};
+  nearest_hits<Method>(batch_of(lanes, ray, space), shape, std::span<T>(t), set);
+  return t[lanes.lane];
 }
 
 /// The roots of one equation, answered in a batch of many.
 template <class Method, class T>
 [[nodiscard]] Roots<T> roots_among_neighbours(const Quadratic<T>& q,
                                               InstructionSet set = preferred_instruction_set()) {
-  const Neighbourhood<T, 3, neighbourhood<Method>> lanes({q.a, q.b, q.c});
-  NeighbourhoodRoots<T, neighbourhood<Method>> roots;
+  const MixedLanes<T, 3, mixed_lanes<Method>> lanes({q.a, q.b, q.c});
+  MixedRoots<T, mixed_lanes<Method>> roots;
   batch_roots<Method>(QuadraticBatch<T>{lanes.column[0], lanes.column[1], lanes.column[2]}, roots.arrays(),
                       set);
   return roots.at(lanes.lane);

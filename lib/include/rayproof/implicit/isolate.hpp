@@ -45,7 +45,7 @@ class Isolation {
 
   void add(const Interval<T>& range, RootStatus status) { found_.push_back({range.lo, range.hi, status}); }
 
-  /// Excludes a range, settles it, or gives the parts of it that are left to examine.
+  /// Excludes a range, decides it, or gives the parts of it that are left to examine.
   Parts<T> examine(const Interval<T>& range) {
     const Dual<Interval<T>> g = g_(variable(range));
     ++spent_;
@@ -56,7 +56,7 @@ class Isolation {
     }
     const Interval<T> slope = slope_of(g);
     if (!slope.contains(T(0)) && range.is_bounded()) {
-      const Contracted<T> left = settle_monotone(g_, range, slope, spent_);
+      const Contracted<T> left = refine_monotone(g_, range, slope, spent_);
       if (!left.range.is_empty())
         add(left.range, left.has_root ? RootStatus::certain : RootStatus::undecided);
       return nothing();

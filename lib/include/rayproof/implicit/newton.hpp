@@ -50,10 +50,10 @@ template <class T, class G>
   return {range, has_root};
 }
 
-/// Settles a range on which g is monotone, `slope` not containing 0: no root (an empty range), one root for
+/// Decides a range on which g is monotone, `slope` not containing 0: no root (an empty range), one root for
 /// certain, or not known. The root may be an end of the range, if g is exactly 0 there.
 template <class T, class G>
-[[nodiscard]] Contracted<T> settle_monotone(const G& g, const Interval<T>& range, const Interval<T>& slope,
+[[nodiscard]] Contracted<T> refine_monotone(const G& g, const Interval<T>& range, const Interval<T>& slope,
                                             std::size_t& spent) {
   const int at_lo = g(Interval<T>(range.lo)).sign_or_two();
   const int at_hi = g(Interval<T>(range.hi)).sign_or_two();

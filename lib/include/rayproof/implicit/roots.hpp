@@ -5,7 +5,7 @@
 #include <rayproof/formulas/searchable.hpp>
 #include <rayproof/implicit/along_ray.hpp>
 #include <rayproof/implicit/isolate.hpp>
-#include <rayproof/implicit/settle.hpp>
+#include <rayproof/implicit/refine.hpp>
 
 namespace rayproof::implicit {
 
@@ -25,7 +25,7 @@ struct Search {
 /// sign;
 /// - what cannot be told apart is one `undecided` enclosure: tangents, near tangents within rounding, roots
 ///   within rounding of an end of the interval, and whatever is left when the budget is spent;
-/// - the search begins no range after `budget` evaluations of f, the settling of what it found none after
+/// - the search begins no range after `budget` evaluations of f, the refinement of what it found none after
 ///   twice as many: `search_contract.overrun` is what the last range may take beyond that;
 /// - a zero direction, an infinite or NaN number in the ray, and a NaN coefficient have no root. (A zero
 ///   direction is a miss even on the surface, as for every shape of this library.)
@@ -70,7 +70,7 @@ template <class Surface, std::floating_point T>
   } else {
     Isolation(along, budget, result.evaluations, found).search(range);
   }
-  result.roots = Settlement(along, range, 2 * budget, result.evaluations).of(std::move(found));
+  result.roots = Refinement(along, range, 2 * budget, result.evaluations).of(std::move(found));
   return result;
 }
 

@@ -2,8 +2,8 @@
 /// \file
 /// Bézier patches of any degree: 1 is the bilinear patch, 3 the bicubic one.
 ///
-/// Source: P. de Casteljau's algorithm and the convex hull property as told by G. Farin, "Curves and Surfaces
-/// for CAGD", 5th ed., 2002.
+/// Source: P. de Casteljau's algorithm and the convex hull property as presented by G. Farin, "Curves and
+/// Surfaces for CAGD", 5th ed., 2002.
 
 #include <array>
 #include <rayproof/parametric/line.hpp>

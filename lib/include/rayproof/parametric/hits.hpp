@@ -23,7 +23,7 @@ class HitSearch {
       const Piece<Surface, T> piece = waiting[next];
       const Rectangle<T> X{piece.u, piece.v};
       const Jet<I> jet = piece.bounds();
-      if (!may_hit(jet.value) || is_settled(X, jet)) continue;
+      if (!may_hit(jet.value) || is_decided(X, jet)) continue;
       if (next >= budget || X.u.width() <= finest_piece<T> || X.v.width() <= finest_piece<T>) {
         add_undecided(X);
       } else {
@@ -50,7 +50,7 @@ class HitSearch {
   }
 
   /// Whether the piece is done with: it holds no root, or one that is proven, or one outside of the square.
-  bool is_settled(const Rectangle<T>& X, const Jet<I>& jet) {
+  bool is_decided(const Rectangle<T>& X, const Jet<I>& jet) {
     const auto p = precondition(jet);
     if (!p) return false;
     const Rectangle<T> left = intersection(X, meeting_.image_of(X, *p));

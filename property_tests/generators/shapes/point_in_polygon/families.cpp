@@ -1,88 +1,68 @@
 #include "case/similar_shapes.hpp"
-#include "generators/family.hpp"
 #include "generators/number_by_number.hpp"
 #include "generators/outline_layouts.hpp"
-#include "generators/scene.hpp"
 
 namespace rayproof {
 
 namespace point_in_polygon_family {
 
-using Plan = PointAndPolygon<double>;
+using outline_layout::Layout;
+using outline_layout::Plan;
 
-/// The plan with every number rounded to `T`.
-template <class T>
-[[nodiscard]] Question question(const Plan& plan) {
-  return Plan{rounded<T>(plan.point), rounded<T>(plan.vertices)};
+[[nodiscard]] Question question(Precision precision, const Plan& plan) {
+  return Plan{rounded(precision, plan.point), rounded(precision, plan.vertices)};
 }
 
-/// The layout as it is.
-template <class Layout>
-struct AsPlanned : Layout {
-  template <class T>
-  [[nodiscard]] static Question ask(Random& random) {
-    return question<T>(Layout::plan(random));
-  }
-};
+template <const Layout& layout>
+[[nodiscard]] Family planned(std::vector<MinimumShare> shares) {
+  const auto ask = [](Random& random, Precision precision) {
+    return question(precision, layout.plan(random));
+  };
+  return {"point_in_polygon", layout.name, layout.description, ask, std::move(shares)};
+}
 
-struct NearLevel {
-  static constexpr const char* name = "near_level";
-  static constexpr const char* description =
-      "the point is level with a vertex, or an ulp or a little more off";
+constexpr Layout far{
+    "far", "point and polygon are 1e2 to 1e6 sizes from the origin, half the time near the boundary", false,
+    [](Random& random) {
+      Plan plan = outline_layout::either_plan(random);
+      const double distance = std::pow(10, random.uniform(2, 6));
+      const double x = distance * draw::symmetric<double>(random);
+      const double y = distance * draw::symmetric<double>(random);
+      const auto move = [&](Vec2<double>& v) { v = {v.x + x, v.y + y}; };
+      move(plan.point);
+      for (Vec2<double>& vertex : plan.vertices) move(vertex);
+      return plan;
+    }};
 
-  [[nodiscard]] static Plan plan(Random& random) {
-    const Outline vertices = star(random, vertex_count(random));
-    const double y = some_vertex(random, vertices).y;
-    const double off = random.one_in(2) ? 0 : draw::magnitude<double>(random, -52, -16);
-    return {{random.uniform(-8, 8), y * (1 + off)}, vertices};
-  }
-};
+constexpr Layout near_level{"near_level", "the point is level with a vertex, or an ulp or a little more off",
+                            false, [](Random& random) -> Plan {
+                              const Outline vertices = star(random, vertex_count(random));
+                              const double y = some_vertex(random, vertices).y;
+                              const double off =
+                                  random.one_in(2) ? 0 : draw::magnitude<double>(random, -52, -16);
+                              return {{random.uniform(-8, 8), y * (1 + off)}, vertices};
+                            }};
 
-struct Many {
-  static constexpr const char* name = "many";
-  static constexpr const char* description = "30 to 200 vertices, half of them on a small grid";
+constexpr Layout many{"many", "30 to 200 vertices, half of them on a small grid", false,
+                      [](Random& random) -> Plan {
+                        const int count = random.between(30, 200);
+                        if (random.one_in(2)) return {whole_place(random, 8), scattered(random, count, 8)};
+                        const double x = random.uniform(-4, 4);
+                        return {{x, random.uniform(-4, 4)}, star(random, count)};
+                      }};
 
-  [[nodiscard]] static Plan plan(Random& random) {
-    const int count = random.between(30, 200);
-    if (random.one_in(2)) return {whole_place(random, 8), scattered(random, count, 8)};
-    const double x = random.uniform(-4, 4);
-    return {{x, random.uniform(-4, 4)}, star(random, count)};
-  }
-};
+[[nodiscard]] Question exponents(Random& random, Precision precision) {
+  const double size = std::exp2(draw::any_exponent(random, precision, 8));
+  return question(precision, grown(outline_layout::everyday.plan(random), size));
+}
 
-struct Exponents {
-  static constexpr const char* name = "exponents";
-  static constexpr const char* description = "polygons of one size, of any exponent the format has";
-
-  template <class T>
-  [[nodiscard]] static Question ask(Random& random) {
-    const double size = random.uniform(draw::lowest_exponent<T> + 8, draw::highest_exponent<T> - 8);
-    return question<T>(grown(outline_layout::Everyday::plan(random), std::exp2(size)));
-  }
-};
-
-template <class Number>
-[[nodiscard]] Plan from_numbers(Random& random, Number&& number) {
-  Plan plan{{}, Outline(static_cast<std::size_t>(random.between(3, 8)))};
-  const auto fill = [&](double& x) { x = static_cast<double>(number()); };
+[[nodiscard]] Question any_places(Numbers number) {
+  Plan plan{{}, Outline(static_cast<std::size_t>(number.random.between(3, 8)))};
+  const auto fill = [&](double& x) { x = number(); };
   each_number(plan.point, fill);
   each_number(plan.vertices, fill);
   return plan;
 }
-
-struct SpecialPlaces : SpecialText {
-  template <class T>
-  [[nodiscard]] static Question ask(Random& random) {
-    return from_numbers(random, [&] { return draw::special<T>(random); });
-  }
-};
-
-struct AnyBits : BitPatternsText {
-  template <class T>
-  [[nodiscard]] static Question ask(Random& random) {
-    return from_numbers(random, [&] { return draw::bit_pattern<T>(random); });
-  }
-};
 
 }  // namespace point_in_polygon_family
 
@@ -90,27 +70,24 @@ std::vector<Family> point_in_polygon_families() {
   using namespace point_in_polygon_family;
   namespace layout = outline_layout;
   const char* const topic = "point_in_polygon";
-  const MinimumShare in_reach{"in reach", 0.95};
-  // The first family that breaks a property gives the counterexample: the most telling ones come first.
   return {
-      family<AsPlanned<layout::Level>>(topic,
-                                       {in_reach, {"inside", 0.14}, {"outside", 0.39}, {"boundary", 0.3}}),
-      family<AsPlanned<layout::Everyday>>(topic, {in_reach, {"inside", 0.47}, {"outside", 0.37}}),
-      family<AsPlanned<layout::Boundary>>(topic, {in_reach, {"boundary", 0.95}}),
-      family<AsPlanned<layout::NearBoundary>>(
-          topic, {in_reach, {"inside", 0.3}, {"outside", 0.3}, {"boundary", 0.21}}),
-      family<AsPlanned<layout::Crossing>>(topic, {in_reach, {"inside", 0.3}, {"outside", 0.54}}),
-      family<AsPlanned<layout::Repeated>>(
-          topic, {in_reach, {"inside", 0.09}, {"outside", 0.67}, {"boundary", 0.06}}),
-      family<AsPlanned<layout::NoArea>>(topic,
-                                        {in_reach, {"inside", 0.09}, {"outside", 0.15}, {"boundary", 0.6}}),
-      family<AsPlanned<layout::Far>>(topic,
-                                     {in_reach, {"inside", 0.38}, {"outside", 0.35}, {"boundary", 0.1}}),
-      family<AsPlanned<NearLevel>>(topic, {in_reach, {"inside", 0.26}, {"outside", 0.58}}),
-      family<AsPlanned<Many>>(topic, {in_reach, {"inside", 0.4}, {"outside", 0.21}, {"boundary", 0.22}}),
-      family<Exponents>(topic, {{"inside", 0.46}, {"outside", 0.38}}),
-      family<SpecialPlaces>(topic, {{"inside", 0.15}, {"outside", 0.68}, {"boundary", 0.003}}),
-      family<AnyBits>(topic, {{"inside", 0.17}, {"outside", 0.66}}),
+      planned<layout::level>({in_reach, {"inside", 0.14}, {"outside", 0.39}, {"boundary", 0.3}}),
+      planned<layout::everyday>({in_reach, {"inside", 0.47}, {"outside", 0.37}}),
+      planned<layout::boundary>({in_reach, {"boundary", 0.95}}),
+      planned<layout::near_boundary>({in_reach, {"inside", 0.3}, {"outside", 0.3}, {"boundary", 0.21}}),
+      planned<layout::self_crossing>({in_reach, {"inside", 0.3}, {"outside", 0.54}}),
+      planned<layout::repeated>({in_reach, {"inside", 0.09}, {"outside", 0.67}, {"boundary", 0.06}}),
+      planned<layout::no_area>({in_reach, {"inside", 0.09}, {"outside", 0.15}, {"boundary", 0.6}}),
+      planned<far>({in_reach, {"inside", 0.38}, {"outside", 0.35}, {"boundary", 0.1}}),
+      planned<near_level>({in_reach, {"inside", 0.26}, {"outside", 0.58}}),
+      planned<many>({in_reach, {"inside", 0.4}, {"outside", 0.21}, {"boundary", 0.22}}),
+      {topic,
+       "exponents",
+       "polygons of one size, of any exponent the format has",
+       exponents,
+       {{"inside", 0.46}, {"outside", 0.38}}},
+      special<any_places>(topic, {{"inside", 0.15}, {"outside", 0.68}, {"boundary", 0.003}}),
+      bit_patterns<any_places>(topic, {{"inside", 0.17}, {"outside", 0.66}}),
   };
 }
 

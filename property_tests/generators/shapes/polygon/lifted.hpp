@@ -3,7 +3,6 @@
 /// Polygons in space: an outline of the plane put into a plane of space, with a ray through the point.
 
 #include "generators/affine.hpp"
-#include "generators/aim.hpp"
 #include "generators/outline_layouts.hpp"
 
 namespace rayproof::polygon_family {
@@ -51,70 +50,42 @@ struct Sheet {
 }
 
 /// A layout of the plane in space, the ray aimed at its point.
-template <class Layout>
-struct Lifted : Layout {
-  [[nodiscard]] static Scene scene(Random& random, int /*digits*/) {
-    const Plan plan = Layout::plan(random);
-    const Sheet sheet = Layout::exact ? whole_sheet(random) : any_sheet(random);
-    Scene scene;
-    if (Layout::exact)
-      look_exactly(random, scene, sheet.at(plan.point), across(random, sheet));
-    else
-      look_at(random, scene, sheet.at(plan.point));
-    scene.shape = lifted(sheet, plan.vertices);
-    return scene;
+template <const outline_layout::Layout& layout>
+[[nodiscard]] Scene in_space(Random& random) {
+  const Plan plan = layout.plan(random);
+  if constexpr (layout.is_exact) {
+    const Sheet sheet = whole_sheet(random);
+    return looked_at_exactly(random, lifted(sheet, plan.vertices), sheet.at(plan.point),
+                             across(random, sheet));
   }
-};
+  const Sheet sheet = any_sheet(random);
+  return looked_at(random, lifted(sheet, plan.vertices), sheet.at(plan.point));
+}
 
 /// Stars in space, looked at from all sides: some rays start behind the polygon.
-struct Everyday : outline_layout::Everyday {
-  [[nodiscard]] static Scene scene(Random& random, int digits) {
-    Scene scene = Lifted<outline_layout::Everyday>::scene(random, digits);
-    loosen(random, scene);
-    return scene;
-  }
-};
+[[nodiscard]] inline Scene everyday(Random& random) {
+  return loosened(random, in_space<outline_layout::everyday>(random));
+}
 
-struct FarOff {
-  static constexpr const char* name = "far";
-  static constexpr const char* description =
-      "the ray comes from 1e2 to 1e6 away, half the time near the boundary";
+[[nodiscard]] inline Scene far(Random& random) {
+  const Plan plan = outline_layout::either_plan(random);
+  const Sheet sheet = any_sheet(random);
+  return looked_at_from_afar(random, lifted(sheet, plan.vertices), sheet.at(plan.point));
+}
 
-  [[nodiscard]] static Scene scene(Random& random, int /*digits*/) {
-    const Plan plan = random.one_in(2) ? outline_layout::Everyday::plan(random)
-                                       : outline_layout::NearBoundary::plan(random);
-    const Sheet sheet = any_sheet(random);
-    Scene scene;
-    look_from_afar(random, scene, sheet.at(plan.point), 1);
-    scene.shape = lifted(sheet, plan.vertices);
-    return scene;
-  }
-};
-
-struct Coplanar {
-  static constexpr const char* name = "coplanar";
-  static constexpr const char* description =
-      "in whole numbers: the ray runs in the polygon's plane, or parallel to it";
-
-  [[nodiscard]] static Scene scene(Random& random, int /*digits*/) {
-    const Plan plan = outline_layout::Level::plan(random);
-    const Sheet sheet = whole_sheet(random);
-    Scene scene;
-    scene.origin = sheet.at(plan.point);
-    const double along_v = random.between(1, 3), along_u = random.between(-3, 3);
-    scene.direction = along_u * sheet.u + along_v * sheet.v;
-    if (random.one_in(3)) scene.origin += whole_vector(random, 2);
-    scene.shape = lifted(sheet, plan.vertices);
-    return scene;
-  }
-};
+[[nodiscard]] inline Scene coplanar(Random& random) {
+  const Plan plan = outline_layout::level.plan(random);
+  const Sheet sheet = whole_sheet(random);
+  const double along_v = random.between(1, 3), along_u = random.between(-3, 3);
+  Scene scene{sheet.at(plan.point), along_u * sheet.u + along_v * sheet.v, lifted(sheet, plan.vertices)};
+  if (random.one_in(3)) scene.origin += whole_vector(random, 2);
+  return scene;
+}
 
 /// For the interval: a point inside, exact a third of the time.
-struct Cut {
-  [[nodiscard]] static Scene scene(Random& random, int digits) {
-    return random.one_in(3) ? Lifted<outline_layout::Boundary>::scene(random, digits)
-                            : Lifted<outline_layout::Everyday>::scene(random, digits);
-  }
-};
+[[nodiscard]] inline Scene met(Random& random) {
+  return random.one_in(3) ? in_space<outline_layout::boundary>(random)
+                          : in_space<outline_layout::everyday>(random);
+}
 
 }  // namespace rayproof::polygon_family

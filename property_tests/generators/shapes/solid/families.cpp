@@ -1,46 +1,54 @@
-#include "generators/family.hpp"
 #include "generators/layout.hpp"
 #include "generators/number_by_number.hpp"
-#include "generators/shapes/solid/aimed.hpp"
-#include "generators/shapes/solid/shapes.hpp"
+#include "generators/shapes/solid/layouts.hpp"
 
 namespace rayproof {
 
 namespace {
 
-/// The families of one kind of solid. Both have the same: what is hard is where two faces meet. `flat` is
-/// what the flat ones must produce, of which only a box may have no thickness at all.
+/// The families of one kind of solid. Both have the same: what is hard is where two faces meet. `flat_shares`
+/// is what the flat ones must produce, of which only a box may have no thickness at all.
 template <class Kind>
-std::vector<Family> solid_families(const char* topic, const std::vector<MinimumShare>& flat) {
+std::vector<Family> solid_families(const char* topic, const std::vector<MinimumShare>& flat_shares) {
   using namespace solid_family;
-  const MinimumShare in_reach{"in reach", 0.95};
-  // The first family that breaks a property gives the counterexample: the most telling ones come first.
   return {
-      family<AsLaidOut<Everyday<Kind>>>(topic, {in_reach, {"hit", 0.39}, {"miss", 0.43}, {"behind", 0.05}}),
-      family<AsLaidOut<AxisParallel<Kind>>>(topic,
-                                            {in_reach, {"hit", 0.4}, {"miss", 0.37}, {"sharp", 0.004}}),
-      family<AsLaidOut<Edges<Kind>>>(topic, {in_reach, {"hit", 0.95}, {"tangent", 0.32}, {"sharp", 0.74}}),
-      family<AsLaidOut<NearEdges<Kind>>>(topic, {in_reach, {"hit", 0.57}, {"miss", 0.24}}),
-      family<AsLaidOut<InFaces<Kind>>>(
-          topic, {in_reach, {"hit", 0.42}, {"miss", 0.41}, {"tangent", 0.03}, {"sharp", 0.52}}),
-      family<AsLaidOut<Surface<Kind>>>(
-          topic,
+      laid_out<everyday<Kind>>(topic, "random", "a solid in a room, about half the rays hit",
+                               {in_reach, {"hit", 0.39}, {"miss", 0.43}, {"behind", 0.05}}),
+      laid_out<axis_parallel<Kind>>(
+          topic, "axis_parallel",
+          "one or two components of the direction are exactly 0 or -0, some in the plane of a face",
+          {in_reach, {"hit", 0.4}, {"miss", 0.37}, {"sharp", 0.004}}),
+      laid_out<edges<Kind>>(topic, "edges",
+                            "in whole numbers: the line passes exactly through an edge or a corner",
+                            {in_reach, {"hit", 0.95}, {"tangent", 0.32}, {"sharp", 0.74}}),
+      laid_out<near_edges<Kind>>(topic, "near_edges", "the line passes an ulp or so from an edge or a corner",
+                                 {in_reach, {"hit", 0.57}, {"miss", 0.24}}),
+      laid_out<in_faces<Kind>>(topic, "in_faces",
+                               "in whole numbers: the ray runs in the plane of a face or along an edge",
+                               {in_reach, {"hit", 0.42}, {"miss", 0.41}, {"tangent", 0.03}, {"sharp", 0.52}}),
+      laid_out<surface<Kind>>(
+          topic, "surface",
+          "the origin lies on a face, an edge or a corner, or an ulp off, as secondary rays' do",
           {in_reach, {"hit", 0.67}, {"tangent", 0.21}, {"sharp", 0.3}, {"cut", 0.24}, {"from inside", 0.03}}),
-      family<AsLaidOut<Flat<Kind>>>(topic, flat),
-      family<AsLaidOut<Inside<Kind>>>(topic, {in_reach, {"hit", 0.95}, {"cut", 0.95}, {"from inside", 0.95}}),
-      family<AsLaidOut<Far<Kind>>>(topic, {in_reach, {"hit", 0.74}, {"miss", 0.1}}),
-      family<CutShort<Faces<Kind>>>(topic, {in_reach,
-                                            {"hit", 0.65},
-                                            {"miss", 0.18},
-                                            {"tangent", 0.09},
-                                            {"sharp", 0.25},
-                                            {"behind", 0.18},
-                                            {"cut", 0.38}}),
-      family<Transformed<Everyday<Kind>, Edges<Kind>>>(
+      laid_out<flat<Kind>>(topic, "flat", "the solid is nearly flat, or exactly where it may be",
+                           flat_shares),
+      laid_out<inside<Kind>>(topic, "inside", "the origin lies inside",
+                             {in_reach, {"hit", 0.95}, {"cut", 0.95}, {"from inside", 0.95}}),
+      laid_out<far<Kind>>(topic, "far",
+                          "the solid is 1e2 to 1e6 sizes away, half the time aimed near an edge",
+                          {in_reach, {"hit", 0.74}, {"miss", 0.1}}),
+      cut_short<faces<Kind>>(topic, {in_reach,
+                                     {"hit", 0.65},
+                                     {"miss", 0.18},
+                                     {"tangent", 0.09},
+                                     {"sharp", 0.25},
+                                     {"behind", 0.18},
+                                     {"cut", 0.38}}),
+      transformed<everyday<Kind>, edges<Kind>>(
           topic, {in_reach, {"hit", 0.54}, {"miss", 0.29}, {"tangent", 0.11}, {"sharp", 0.25}}),
-      family<AnySize<Everyday<Kind>>>(topic, {{"hit", 0.39}, {"miss", 0.43}, {"behind", 0.05}}),
-      family<Special<typename Kind::Solid>>(topic, {{"hit", 0.03}, {"miss", 0.77}}),
-      family<BitPatterns<typename Kind::Solid>>(topic, {{"hit", 0.03}, {"miss", 0.78}}),
+      in_any_size<everyday<Kind>>(topic, {{"hit", 0.39}, {"miss", 0.43}, {"behind", 0.05}}),
+      special<any_shape<typename Kind::Solid>>(topic, {{"hit", 0.03}, {"miss", 0.77}}),
+      bit_patterns<any_shape<typename Kind::Solid>>(topic, {{"hit", 0.03}, {"miss", 0.78}}),
   };
 }
 
@@ -48,11 +56,10 @@ std::vector<Family> solid_families(const char* topic, const std::vector<MinimumS
 
 std::vector<Family> box_families() {
   return solid_families<solid_family::Boxes>(
-      "box", {{"in reach", 0.95}, {"hit", 0.4}, {"miss", 0.4}, {"sharp", 0.15}, {"tangent", 0.12}});
+      "box", {in_reach, {"hit", 0.4}, {"miss", 0.4}, {"sharp", 0.15}, {"tangent", 0.12}});
 }
 std::vector<Family> parallelepiped_families() {
-  return solid_families<solid_family::Oblique>("parallelepiped",
-                                               {{"in reach", 0.95}, {"hit", 0.6}, {"miss", 0.15}});
+  return solid_families<solid_family::Oblique>("parallelepiped", {in_reach, {"hit", 0.6}, {"miss", 0.15}});
 }
 
 }  // namespace rayproof

@@ -1,42 +1,53 @@
-#include "generators/family.hpp"
 #include "generators/layout.hpp"
 #include "generators/number_by_number.hpp"
-#include "generators/shapes/triangle/aimed.hpp"
-#include "generators/shapes/triangle/shapes.hpp"
+#include "generators/shapes/triangle/layouts.hpp"
 
 namespace rayproof {
 
 std::vector<Family> triangle_families() {
   using namespace triangle_family;
   const char* const topic = "triangle";
-  const MinimumShare in_reach{"in reach", 0.95};
-  // The first family that breaks a property gives the counterexample: the most telling ones come first.
   return {
-      family<AsLaidOut<Everyday>>(topic, {in_reach, {"hit", 0.38}, {"miss", 0.46}, {"behind", 0.05}}),
-      family<AsLaidOut<Edges>>(topic, {in_reach, {"hit", 0.83}, {"edge", 0.48}, {"vertex", 0.35}}),
-      family<AsLaidOut<NearEdges>>(topic, {in_reach, {"hit", 0.33}, {"miss", 0.51}}),
-      family<AsLaidOut<Fans>>(topic, {in_reach,
-                                      {"hit", 0.76},
-                                      {"miss", 0.08},
-                                      {"edge", 0.29},
-                                      {"vertex", 0.47},
-                                      {"in surface", 0.04},
-                                      {"degenerate", 0.02}}),
-      family<AsLaidOut<Upright>>(topic, {in_reach, {"hit", 0.8}, {"edge", 0.3}}),
-      family<AsLaidOut<Slivers>>(topic, {in_reach, {"hit", 0.44}, {"miss", 0.4}}),
-      family<AsLaidOut<Far>>(topic, {in_reach, {"hit", 0.38}, {"miss", 0.45}}),
-      family<AsLaidOut<Coplanar>>(topic,
-                                  {in_reach, {"miss", 0.95}, {"in surface", 0.57}, {"parallel", 0.27}}),
-      family<AsLaidOut<NearCoplanar>>(topic, {in_reach, {"hit", 0.43}, {"miss", 0.41}}),
-      family<AsLaidOut<Degenerate>>(
-          topic, {in_reach, {"hit", 0.04}, {"miss", 0.77}, {"vertex", 0.03}, {"degenerate", 0.64}}),
-      family<CutShort<Cut>>(topic,
-                            {in_reach, {"hit", 0.47}, {"miss", 0.34}, {"edge", 0.14}, {"behind", 0.34}}),
-      family<Transformed<Everyday, Edges>>(
+      laid_out<everyday>(topic, "random", "a triangle in a room, about half the rays hit",
+                         {in_reach, {"hit", 0.38}, {"miss", 0.46}, {"behind", 0.05}}),
+      laid_out<edges>(topic, "edges", "in whole numbers: the line passes exactly through an edge or a vertex",
+                      {in_reach, {"hit", 0.83}, {"edge", 0.48}, {"vertex", 0.35}}),
+      laid_out<near_edges>(topic, "near_edges", "the line passes an ulp or so from an edge or a vertex",
+                           {in_reach, {"hit", 0.33}, {"miss", 0.51}}),
+      laid_out<fans>(topic, "fans",
+                     "one of a fan's triangles; the ray passes exactly through the hub or a shared edge",
+                     {in_reach,
+                      {"hit", 0.76},
+                      {"miss", 0.08},
+                      {"edge", 0.29},
+                      {"vertex", 0.47},
+                      {"in surface", 0.04},
+                      {"degenerate", 0.02}}),
+      laid_out<upright>(
+          topic, "upright",
+          "in whole numbers: perpendicular to a coordinate plane or two, hit inside or on an edge",
+          {in_reach, {"hit", 0.8}, {"edge", 0.3}}),
+      laid_out<slivers>(topic, "slivers",
+                        "the third vertex is 2^-3 lengths beside an edge, or down to 3/4 of the digits",
+                        {in_reach, {"hit", 0.44}, {"miss", 0.4}}),
+      laid_out<far>(topic, "far", "the triangle is 1e2 to 1e6 sizes away, half the time aimed near an edge",
+                    {in_reach, {"hit", 0.38}, {"miss", 0.45}}),
+      laid_out<coplanar>(topic, "coplanar",
+                         "in whole numbers: the ray runs in the triangle's plane, or parallel to it",
+                         {in_reach, {"miss", 0.95}, {"in surface", 0.57}, {"parallel", 0.27}}),
+      laid_out<near_coplanar>(topic, "near_coplanar",
+                              "the ray comes in at 2^-4 to an ulp off the triangle's plane",
+                              {in_reach, {"hit", 0.43}, {"miss", 0.41}}),
+      laid_out<degenerate>(
+          topic, "degenerate",
+          "no area: vertices in a line, or two or three of them in one point; also almost so",
+          {in_reach, {"hit", 0.04}, {"miss", 0.77}, {"vertex", 0.03}, {"degenerate", 0.64}}),
+      cut_short<met>(topic, {in_reach, {"hit", 0.47}, {"miss", 0.34}, {"edge", 0.14}, {"behind", 0.34}}),
+      transformed<everyday, edges>(
           topic, {in_reach, {"hit", 0.54}, {"miss", 0.3}, {"edge", 0.15}, {"vertex", 0.12}}),
-      family<AnySize<Everyday>>(topic, {{"hit", 0.38}, {"miss", 0.46}, {"behind", 0.05}}),
-      family<Special<Triangle<double>>>(topic, {{"hit", 0.03}, {"miss", 0.8}}),
-      family<BitPatterns<Triangle<double>>>(topic, {{"hit", 0.04}, {"miss", 0.79}}),
+      in_any_size<everyday>(topic, {{"hit", 0.38}, {"miss", 0.46}, {"behind", 0.05}}),
+      special<any_shape<Triangle<double>>>(topic, {{"hit", 0.03}, {"miss", 0.8}}),
+      bit_patterns<any_shape<Triangle<double>>>(topic, {{"hit", 0.04}, {"miss", 0.79}}),
   };
 }
 

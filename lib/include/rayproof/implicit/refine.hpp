@@ -8,11 +8,11 @@
 
 namespace rayproof::implicit {
 
-/// Sorts, clips to `range`, unites and settles. `g` is the function of t.
+/// Sorts, clips to `range`, unites and refines. `g` is the function of t.
 template <class T, class G>
-class Settlement {
+class Refinement {
  public:
-  Settlement(const G& g, const Interval<T>& range, std::size_t budget, std::size_t& spent)
+  Refinement(const G& g, const Interval<T>& range, std::size_t budget, std::size_t& spent)
       : g_(g), range_(range), budget_(budget), spent_(spent) {}
 
   [[nodiscard]] EnclosedRoots<T> of(EnclosedRoots<T> found) {
@@ -20,7 +20,7 @@ class Settlement {
     std::sort(found.begin(), found.end(),
               [](const auto& a, const auto& b) { return a.lo < b.lo || (a.lo == b.lo && a.hi < b.hi); });
     EnclosedRoots<T> united = unite(found);
-    for (std::size_t i = 0; i < united.size(); ++i) settle(united, i);
+    for (std::size_t i = 0; i < united.size(); ++i) refine(united, i);
     std::erase_if(united, [](const RootEnclosure<T>& one) { return one.lo != one.lo; });
     return united;
   }
@@ -68,7 +68,7 @@ class Settlement {
   [[nodiscard]] bool may_be_root(T t) const { return g_(Interval<T>(t)).contains(T(0)); }
 
   /// Tries to tighten what is certain and to decide what is not; takes out (as NaN) what holds no root.
-  void settle(EnclosedRoots<T>& all, std::size_t i) {
+  void refine(EnclosedRoots<T>& all, std::size_t i) {
     RootEnclosure<T>& one = all[i];
     if (one.status == RootStatus::everywhere || spent_ >= budget_) return;
     Interval<T> wider = range_of(one);
@@ -82,7 +82,7 @@ class Settlement {
     spent_ += 2;
     if (slope.contains(T(0))) return;
     const Contracted<T> found = one.status == RootStatus::undecided
-                                    ? settle_monotone(g_, wider, slope, spent_)
+                                    ? refine_monotone(g_, wider, slope, spent_)
                                     : contract(g_, wider, slope, spent_);
     const Interval<T> left = found.has_root ? found.range : intersection(found.range, range_of(one));
     one.lo = left.lo;

@@ -1,0 +1,147 @@
+#pragma once
+/// \file
+/// Triangles and points of theirs, and rays aimed at them: at edges and vertices, from afar, in their planes;
+/// slivers and those of no area.
+
+#include <algorithm>
+
+#include "generators/aim.hpp"
+
+namespace rayproof::triangle_family {
+
+/// a + β(b - a) + γ(c - a).
+[[nodiscard]] inline glm::dvec3 at(const Triangle<double>& t, double beta, double gamma) {
+  return t.a + beta * (t.b - t.a) + gamma * (t.c - t.a);
+}
+
+/// A triangle in a room.
+[[nodiscard]] inline Triangle<double> in_a_room(Random& random, double size = 10) {
+  const glm::dvec3 a = point_in_a_room(random, size), b = point_in_a_room(random, size);
+  return {a, b, point_in_a_room(random, size)};
+}
+
+/// A triangle of whole coordinates and an area that is not zero.
+[[nodiscard]] inline Triangle<double> whole(Random& random) {
+  for (;;) {
+    const glm::dvec3 a = whole_point(random, 8), b = whole_point(random, 8), c = whole_point(random, 8);
+    if (cross(b - a, c - a) != glm::dvec3(0)) return {a, b, c};
+  }
+}
+
+/// A point on an edge, at a vertex a third of the time.
+[[nodiscard]] inline glm::dvec3 on_the_rim(Random& random, const Triangle<double>& t) {
+  const glm::dvec3 corners[] = {t.a, t.b, t.c, t.a};
+  const int edge = random.between(0, 2);
+  const double way = random.one_in(3) ? 0 : random.uniform(0, 1);
+  return corners[edge] + way * (corners[edge + 1] - corners[edge]);
+}
+
+/// The same, exact for whole coordinates.
+[[nodiscard]] inline glm::dvec3 exactly_on_the_rim(Random& random, const Triangle<double>& t) {
+  const glm::dvec3 corners[] = {t.a, t.b, t.c, t.a};
+  const int edge = random.between(0, 2);
+  return random.one_in(4) ? corners[edge] : eighth_between(random, corners[edge], corners[edge + 1]);
+}
+
+/// A point of the triangle's plane, within the triangle about half the time.
+[[nodiscard]] inline glm::dvec3 in_or_beside(Random& random, const Triangle<double>& t) {
+  const double beta = random.uniform(-0.1, 1.1);
+  return at(t, beta, random.uniform(-0.1, 1.1 - std::max(beta, 0.0)));
+}
+
+/// A point of the triangle.
+[[nodiscard]] inline glm::dvec3 inside(Random& random, const Triangle<double>& t) {
+  const double beta = random.unit();
+  return at(t, beta, (1 - beta) * random.unit());
+}
+
+[[nodiscard]] inline Scene everyday(Random& random) {
+  const Triangle<double> triangle = in_a_room(random);
+  return loosened(random, looked_at(random, triangle, in_or_beside(random, triangle)));
+}
+
+[[nodiscard]] inline Scene edges(Random& random) {
+  const Triangle<double> triangle = whole(random);
+  return looked_at_exactly(random, triangle, exactly_on_the_rim(random, triangle));
+}
+
+[[nodiscard]] inline Scene near_edges(Random& random) {
+  const Triangle<double> triangle = in_a_room(random);
+  return looked_at(random, triangle, on_the_rim(random, triangle));
+}
+
+/// For the interval: aimed at a point of the triangle.
+[[nodiscard]] inline Scene met(Random& random) {
+  const bool exactly = random.one_in(3);
+  const Triangle<double> triangle = exactly ? whole(random) : in_a_room(random);
+  return exactly ? looked_at_exactly(random, triangle, at(triangle, 0.25, random.between(0, 3) / 4.0))
+                 : looked_at(random, triangle, inside(random, triangle));
+}
+
+[[nodiscard]] inline Scene fans(Random& random) {
+  // Vectors of short numbers that are no whole ones: sums and eighths of them are exact.
+  const auto short_vector = [&] { return 1 / 64.0 * whole_vector(random, 512); };
+  const glm::dvec3 hub = short_vector(), first = hub + short_vector();
+  const Triangle<double> triangle{hub, first, hub + short_vector()};
+  const glm::dvec3 target = random.one_in(2) ? hub : eighth_between(random, hub, first);
+  return looked_at_exactly(random, triangle, target, short_vector());
+}
+
+[[nodiscard]] inline Scene slivers(Random& random, Precision precision) {
+  Triangle<double> triangle = in_a_room(random);
+  const double thinness = std::exp2(random.uniform(-0.75 * draw::digits_of(precision), -3));
+  triangle.c = triangle.a + random.uniform(-0.2, 1.2) * (triangle.b - triangle.a) + thinness * triangle.c;
+  return looked_at(random, triangle, in_or_beside(random, triangle));
+}
+
+[[nodiscard]] inline Scene upright(Random& random) {
+  Triangle<double> triangle = whole(random);
+  const glm::dvec3 way = triangle.b - triangle.a;
+  const int axis = random.between(0, 2);
+  triangle.c = triangle.a;  // across the others' way, straight along an axis
+  triangle.c[axis] += random.one_in(2) ? 4 : -3;
+  if (way[(axis + 1) % 3] == 0 && way[(axis + 2) % 3] == 0) triangle.b[(axis + 1) % 3] += 5;
+  const glm::dvec3 on_edge = exactly_on_the_rim(random, triangle);
+  return looked_at_exactly(random, triangle,
+                           random.one_in(2) ? on_edge : eighth_between(random, on_edge, triangle.c));
+}
+
+[[nodiscard]] inline Scene far(Random& random) {
+  const Triangle<double> triangle = in_a_room(random, 1);
+  const glm::dvec3 target = random.one_in(2) ? on_the_rim(random, triangle) : in_or_beside(random, triangle);
+  return looked_at_from_afar(random, triangle, target);
+}
+
+[[nodiscard]] inline Scene degenerate(Random& random) {
+  const glm::dvec3 a = whole_point(random, 8);
+  const glm::dvec3 way = whole_vector(random, 3);
+  Triangle<double> triangle{a, a + double{1} * random.between(-2, 2) * way,
+                            a + double{1} * random.between(-2, 2) * way};
+  if (random.one_in(4)) {  // Rounding lifts the third vertex off the line by an ulp, if at all.
+    triangle.a = point_in_a_room(random);
+    triangle.b = point_in_a_room(random);
+    triangle.c = triangle.a + random.uniform(-1, 2) * (triangle.b - triangle.a);
+  }
+  return looked_at_exactly(random, triangle, exactly_on_the_rim(random, triangle));
+}
+
+[[nodiscard]] inline Scene coplanar(Random& random) {
+  const Triangle<double> triangle = whole(random);
+  const auto step = [&] { return double{1} * random.between(-2, 2); };
+  const double beta = step(), gamma = step();
+  const double towards_c = random.one_in(2) ? 1 : 2;
+  Scene scene{at(triangle, beta, gamma), at(triangle, step(), towards_c) - triangle.a, triangle};
+  if (random.one_in(3)) scene.origin += whole_vector(random, 2);
+  return scene;
+}
+
+[[nodiscard]] inline Scene near_coplanar(Random& random, Precision precision) {
+  const Triangle<double> triangle = in_a_room(random);
+  const glm::dvec3 in_plane = inside(random, triangle) - triangle.a;
+  const glm::dvec3 any_way = draw::unit_vector(random);
+  const glm::dvec3 slope = draw::magnitude<double>(random, -draw::digits_of(precision), -4) * any_way;
+  const double length = std::sqrt(dot(in_plane, in_plane)), distance = random.uniform(0, 20);
+  return looked_at(triangle, in_or_beside(random, triangle), 1 / length * in_plane + slope, distance, 1);
+}
+
+}  // namespace rayproof::triangle_family
