@@ -1,12 +1,16 @@
 #pragma once
 /// \file
-/// The readings of the shapes, one line each but where a miss has something to say.
+/// The readings of all shapes: `RayReading`, and what a miss of a plane has to say.
 
 #include <rayproof/topics.hpp>
 
 #include "subjects/solve_ray.hpp"
 
 namespace rayproof {
+
+/// Every topic but those that read questions of their own is a shape's.
+template <class Topic>
+struct Reading : RayReading<Topic, PlainMiss> {};
 
 /// A ray misses a plane because it is parallel to it, or runs inside it.
 struct PlaneMiss {
@@ -22,17 +26,5 @@ struct PlaneMiss {
 
 template <>
 struct Reading<plane::Topic> : RayReading<plane::Topic, PlaneMiss> {};
-template <>
-struct Reading<triangle::Topic> : RayReading<triangle::Topic, PlainMiss> {};
-template <>
-struct Reading<polygon::Topic> : RayReading<polygon::Topic, PlainMiss> {};
-template <>
-struct Reading<sphere::Topic> : RayReading<sphere::Topic, PlainMiss> {};
-template <>
-struct Reading<box::Topic> : RayReading<box::Topic, PlainMiss> {};
-template <>
-struct Reading<parallelepiped::Topic> : RayReading<parallelepiped::Topic, PlainMiss> {};
-template <>
-struct Reading<cylinder::Topic> : RayReading<cylinder::Topic, PlainMiss> {};
 
 }  // namespace rayproof
