@@ -121,13 +121,12 @@ void print_table() {
 std::string headers() {
   std::string lines, row;
   Topics::for_each([&]<class Topic>(std::type_identity<Topic>) {
-    if (std::string_view(Topic::name) == "point_in_polygon") return;  // in polygon.hpp
-    row += fmt::format("  {:<28}", fmt::format("rayproof/{}.hpp", Topic::name));
-    if (row.size() < 60) return;
-    lines += row.substr(0, row.find_last_not_of(' ') + 1) + '\n';
-    row.clear();
+    const std::string header = fmt::format("  rayproof/{}.hpp", Topic::name);
+    if (header == "  rayproof/point_in_polygon.hpp") return;  // in polygon.hpp
+    lines += row.empty() ? "\n" + header : fmt::format("{:{}}{}", "", 32 - row.size(), header);
+    row = row.empty() ? header : "";
   });
-  return lines + row.substr(0, row.find_last_not_of(' ') + 1);
+  return lines;
 }
 
 constexpr auto footer =
@@ -157,10 +156,9 @@ promises nothing. Verdict and residual are multiples of the unit roundoff (2^-24
 in float32, 2^-53 in float64) times the size of what enters the formula, so that
 scaling a scene changes no bound. That unit, and the sizes of the domain, are
 defined above each struct in
-
 {}
 
-(polygon.hpp those of point_in_polygon, too).
+where polygon.hpp has those of point_in_polygon, too.
 
 In the listing of --json, null is no promise, every_number means that the domain
 is asked of all numbers of a case but 0, and holds are the properties that the
