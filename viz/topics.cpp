@@ -15,9 +15,15 @@ TopicView cylinder_view();
 
 const std::vector<TopicView>& topic_views() {
   static const std::vector<TopicView> views{
-      quadratic_view(), point_in_polygon_view(), plane_view(),
-      triangle_view(),  polygon_view(),          sphere_view(),
-      box_view(),       parallelepiped_view(),   cylinder_view(),
+      quadratic_view(),         //
+      point_in_polygon_view(),  //
+      plane_view(),             //
+      triangle_view(),          //
+      polygon_view(),           //
+      sphere_view(),            //
+      box_view(),               //
+      parallelepiped_view(),    //
+      cylinder_view(),          //
   };
   return views;
 }

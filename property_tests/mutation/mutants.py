@@ -47,7 +47,9 @@ class Mutant:
 
 
 def read_mutants():
-    return [Mutant(**entry) for entry in json.loads((HERE / "mutants.json").read_text(encoding="utf-8"))]
+    """All of mutants/TOPIC.jsonl, topic by topic."""
+    return [Mutant(**json.loads(line)) for file in sorted(HERE.glob("mutants/*.jsonl"))
+            for line in file.read_text(encoding="utf-8").splitlines()]
 
 
 def faults(mutants):

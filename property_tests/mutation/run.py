@@ -4,7 +4,7 @@
     python3 property_tests/mutation/run.py --build BUILD [--jobs N] [--only TEXT ...] [--write] [--list]
 
 First every method is put to check as it is, with the default budget, and must pass. Then, for each mutant of
-mutants.json, the method is compiled with that one change and put to check, which must end with status 1 and a
+mutants/*.jsonl, the method is compiled with that one change and put to check, which must end with status 1 and a
 counterexample. Exit status: 0 where the methods pass and all mutants are killed but those whose survival the list
 explains, which must survive; else 1; 2 where the program is missing.
 """

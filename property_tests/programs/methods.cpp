@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <rayproof/topics.hpp>
 
 #include "command_line/command_line.hpp"
 #include "subjects/contract_names.hpp"
@@ -116,6 +117,18 @@ void print_table() {
   }
 }
 
+/// The headers that define the units, two a line.
+std::string headers() {
+  std::string lines, row;
+  Topics::for_each([&]<class Topic>(std::type_identity<Topic>) {
+    const std::string header = fmt::format("  rayproof/{}.hpp", Topic::name);
+    if (header == "  rayproof/point_in_polygon.hpp") return;  // in polygon.hpp
+    lines += row.empty() ? "\n" + header : fmt::format("{:{}}{}", "", 32 - row.size(), header);
+    row = row.empty() ? header : "";
+  });
+  return lines;
+}
+
 constexpr auto footer =
     R"(The table has a row of bounds for each method, and under it what the method
 does, its source, its domain, and which properties of rayproof check it breaks.
@@ -143,10 +156,9 @@ promises nothing. Verdict and residual are multiples of the unit roundoff (2^-24
 in float32, 2^-53 in float64) times the size of what enters the formula, so that
 scaling a scene changes no bound. That unit, and the sizes of the domain, are
 defined above each struct in
+{}
 
-  rayproof/sphere.hpp     rayproof/plane.hpp     rayproof/triangle.hpp
-  rayproof/box.hpp        rayproof/cylinder.hpp  rayproof/parallelepiped.hpp
-  rayproof/quadratic.hpp  rayproof/polygon.hpp   (with point_in_polygon)
+where polygon.hpp has those of point_in_polygon, too.
 
 In the listing of --json, null is no promise, every_number means that the domain
 is asked of all numbers of a case but 0, and holds are the properties that the
@@ -161,7 +173,7 @@ int main(int argc, char** argv) {
                "rayproof methods");
   bool as_json = false;
   app.add_flag("--json", as_json, "One JSON array with every figure of each method");
-  app.footer(footer);
+  app.footer(fmt::format(footer, headers()));
   if (const auto status = parse_command_line(app, argc, argv)) return *status;
 
   if (!as_json) {

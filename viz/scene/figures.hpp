@@ -30,9 +30,32 @@ struct Members {
   std::vector<ObjectIndex> objects;
 };
 
-/// The topic's method of that name over the objects; null where it has none of that name. Defined for each
-/// topic of rays and float and double.
-template <class Topic, class T>
-[[nodiscard]] std::unique_ptr<Figures<T>> make_figures(std::string_view method, const Members& members);
+/// The method of that name over the objects; null where the shape has none of that name.
+template <class T>
+using MakeFigures = std::unique_ptr<Figures<T>> (*)(std::string_view method, const Members& members);
+
+class Hull;
+
+/// What a shape brings to a scene.
+struct FigureKind {
+  std::string shape;                   ///< "sphere"
+  std::string default_method;          ///< "centred": a sound and quick one
+  std::vector<std::string> methods{};  ///< all that can render
+  MakeFigures<float> in_float = nullptr;
+  MakeFigures<double> in_double = nullptr;
+  /// Adds points whose hull holds the whole shape; null for a shape without end, which every ray asks.
+  void (*enclose)(Hull& hull, const Shape& shape) = nullptr;
+
+  template <class T>
+  [[nodiscard]] MakeFigures<T> make() const {
+    if constexpr (std::is_same_v<T, float>)
+      return in_float;
+    else
+      return in_double;
+  }
+};
+
+/// Every shape that a ray can be put to, in the order of the registries.
+[[nodiscard]] const std::vector<FigureKind>& figure_kinds();
 
 }  // namespace rayproof::render

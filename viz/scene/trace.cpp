@@ -5,26 +5,12 @@
 #include <array>
 
 #include "case/shape_name.hpp"
-#include "subjects/solve_topics.hpp"
 #include "viz/scene/figures.hpp"
 #include "viz/scene/hits.hpp"
 #include "viz/scene/tiles.hpp"
 
 namespace rayproof::render {
 namespace {
-
-/// The topics a ray can be put to: those with a figure.
-template <class Topic>
-constexpr bool is_about_rays = requires(typename Topic::template Problem<float> problem) {
-  problem.ray.t_min;
-};
-
-template <class Visit>
-void for_each_ray_topic(Visit&& visit) {
-  Topics::for_each([&]<class Topic>(std::type_identity<Topic> topic) {
-    if constexpr (is_about_rays<Topic>) visit(topic);
-  });
-}
 
 /// All figures of a scene, by shape.
 template <class T>
@@ -38,13 +24,13 @@ class AllFigures {
       places_[i].figure = static_cast<std::uint32_t>(members.objects.size());
       members.objects.push_back(i);
     }
-    for_each_ray_topic([&]<class Topic>(std::type_identity<Topic>) {
-      const auto members = by_shape.find(Topic::name);
-      if (members == by_shape.end()) return;
+    for (const FigureKind& kind : figure_kinds()) {
+      const auto members = by_shape.find(kind.shape);
+      if (members == by_shape.end()) continue;
       for (const ObjectIndex object : members->second.objects)
         places_[object].group = static_cast<std::uint32_t>(groups_.size());
-      groups_.push_back(make_figures<Topic, T>(methods.at(Topic::name), members->second));
-    });
+      groups_.push_back(kind.make<T>()(methods.at(kind.shape), members->second));
+    }
   }
 
   void meet_all(std::span<const Ray<T>> rays, std::span<Nearest<T>> nearest) const {
@@ -100,18 +86,15 @@ HitImage trace_in(const Scene& scene, const Methods& methods, const Neighbourhoo
 }  // namespace
 
 Methods default_methods() {
-  return {{"sphere", "centred"},  {"plane", "implicit"}, {"triangle", "woop"},
-          {"polygon", "winding"}, {"box", "slabs"},      {"parallelepiped", "face_planes"},
-          {"cylinder", "centred"}};
+  Methods chosen;
+  for (const FigureKind& kind : figure_kinds()) chosen[kind.shape] = kind.default_method;
+  return chosen;
 }
 
 std::vector<std::string> renderable_methods() {
   std::vector<std::string> names;
-  for_each_ray_topic([&]<class Topic>(std::type_identity<Topic>) {
-    Topic::Methods::for_each([&]<class Method>(std::type_identity<Method>) {
-      names.push_back(std::string(Topic::name) + "/" + Method::name);
-    });
-  });
+  for (const FigureKind& kind : figure_kinds())
+    for (const std::string& method : kind.methods) names.push_back(kind.shape + "/" + method);
   return names;
 }
 

@@ -6,15 +6,11 @@
 namespace rayproof::viz {
 
 const std::vector<Binding>& bindings_of(const std::string& topic) {
-  static const std::map<std::string, std::vector<Binding>> tables{
-      {"plane", plane_bindings()},
-      {"triangle", triangle_bindings()},
-      {"sphere", sphere_bindings()},
-      {"cylinder", cylinder_bindings()},
-      {"box", box_bindings()},
-      {"parallelepiped", parallelepiped_bindings()},
-      {"quadratic", quadratic_bindings()},
-  };
+  static const std::map<std::string, std::vector<Binding>> tables = [] {
+    std::map<std::string, std::vector<Binding>> all;
+    for (const auto& [name, table] : topic_bindings) all[name] = table();
+    return all;
+  }();
   static const std::vector<Binding> none;
   const auto found = tables.find(topic);
   return found == tables.end() ? none : found->second;

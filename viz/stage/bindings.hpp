@@ -1,7 +1,6 @@
 #pragma once
 /// \file
-/// Each topic's table of how its named values look; a new topic is a function here and a line in
-/// bindings.cpp.
+/// The registration of the bindings: each topic's table of how its named values look, a function and a line.
 
 #include "viz/stage/items.hpp"
 
@@ -18,6 +17,21 @@ namespace rayproof::viz {
 /// A method's answer, which looks alike in every topic: a point on the ray where the rounded arithmetic has
 /// it.
 [[nodiscard]] Binding answer(const char* name);
+
+/// A topic's name and its table.
+struct TopicBindings {
+  const char* topic;
+  std::vector<Binding> (*table)();
+};
+inline constexpr TopicBindings topic_bindings[] = {
+    {"plane", plane_bindings},                    //
+    {"triangle", triangle_bindings},              //
+    {"sphere", sphere_bindings},                  //
+    {"cylinder", cylinder_bindings},              //
+    {"box", box_bindings},                        //
+    {"parallelepiped", parallelepiped_bindings},  //
+    {"quadratic", quadratic_bindings},            //
+};
 
 /// `v` with the length `length`: of what has the direction of an arrow but, being an area, no length.
 [[nodiscard]] glm::dvec3 resized(const glm::dvec3& v, double length);

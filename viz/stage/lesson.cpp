@@ -11,12 +11,8 @@ namespace rayproof::viz {
 const std::vector<Lesson>& lessons() {
   static const std::vector<Lesson> all = [] {
     std::vector<Lesson> list;
-    for (const auto& group :
-         {ray_lessons(), camera_lessons(), raycasting_lessons(), plane_lessons(), triangle_lessons(),
-          polygon_lessons(), quadratic_lessons(), sphere_lessons(), solid_lessons(), transform_lessons(),
-          barycentric_lessons(), slab_interval_lessons(), digit_lessons(), leak_lessons()}) {
-      list.insert(list.end(), group.begin(), group.end());
-    }
+    for (const auto group : lesson_groups)
+      for (Lesson& lesson : group()) list.push_back(std::move(lesson));
     // Groups together, in the order in which they first appear.
     std::vector<std::string> groups;
     for (const Lesson& lesson : list) {

@@ -1,11 +1,12 @@
 #pragma once
 /// \file
-/// The lessons by group; a new group is a function here and a line in lesson.cpp.
+/// The registration of the lessons: each group's function, and its line in the order of teaching.
 
 #include "viz/stage/lesson.hpp"
 
 namespace rayproof::viz {
 
+// Each in lessons/NAME.cpp.
 [[nodiscard]] std::vector<Lesson> ray_lessons();
 [[nodiscard]] std::vector<Lesson> camera_lessons();
 [[nodiscard]] std::vector<Lesson> raycasting_lessons();
@@ -20,5 +21,22 @@ namespace rayproof::viz {
 [[nodiscard]] std::vector<Lesson> slab_interval_lessons();
 [[nodiscard]] std::vector<Lesson> digit_lessons();
 [[nodiscard]] std::vector<Lesson> leak_lessons();
+
+inline constexpr std::vector<Lesson> (*lesson_groups[])() = {
+    ray_lessons,            //
+    camera_lessons,         //
+    raycasting_lessons,     //
+    plane_lessons,          //
+    triangle_lessons,       //
+    polygon_lessons,        //
+    quadratic_lessons,      //
+    sphere_lessons,         //
+    solid_lessons,          //
+    transform_lessons,      //
+    barycentric_lessons,    //
+    slab_interval_lessons,  //
+    digit_lessons,          //
+    leak_lessons,           //
+};
 
 }  // namespace rayproof::viz

@@ -45,6 +45,7 @@ NOT_RUN = [
      "property_tests/unit/install/tests.cmake", "a_property_of_twenty_lines_finds_a_case_of_three_digits"),
     (r"^g\+\+ .* main\.cpp", "install/ runs the manual's command", "property_tests/unit/install/library/claims.py", '"Without CMake"'),
     (r"^doxygen docs/Doxyfile", "takes long; .ci/run runs it", ".ci/run", "Doxyfile"),
+    (r"^python3 \S+/add_a_shape/prove\.py", "takes minutes; .ci/run runs it", ".ci/run", "add_a_shape/prove.py"),
     (r"^python3 docs/errata\.py", "takes minutes; its page is compared case by case instead", "docs/errata.py", "in_words")]
 
 # Blocks that are no command and no output of one, and the file that compares them.

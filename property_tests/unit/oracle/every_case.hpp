@@ -6,38 +6,23 @@
 #include <string>
 
 #include "generators/generators.hpp"
-#include "generators/number_by_number.hpp"
 #include "unit/oracle/cases.hpp"
+#include "unit/shape_types.hpp"
 
 namespace rayproof::oracle::test {
 
-/// The shapes by their topics.
-inline constexpr std::array ray_topics{"sphere", "plane",          "triangle", "polygon",
-                                       "box",    "parallelepiped", "cylinder"};
-
-/// A ray and one of the shapes, of whole numbers so small that they meet in corners and on edges; lines half
-/// the time.
-template <class... Shapes>
-[[nodiscard]] Case whole_case(std::uint64_t seed, Precision precision) {
+/// A ray and one of the topic's shapes, of whole numbers so small that they meet in corners and on edges;
+/// lines half the time.
+[[nodiscard]] inline Case whole_case(const std::string& topic, std::uint64_t seed, Precision precision) {
   Random random(seed);
   const int size = random.between(1, 6);
   RayQuestion question =
-      one_from_numbers<Shapes...>(random, [&] { return double{1} * random.between(-size, size); });
+      question_of_topic(topic, random, [&] { return double{1} * random.between(-size, size); });
   if (random.one_in(2)) {
     question.ray.t_min = -infinity<double>;
     question.ray.t_max = infinity<double>;
   }
   return {.precision = precision, .question = question};
-}
-
-[[nodiscard]] inline Case whole_case(const std::string& topic, std::uint64_t seed, Precision precision) {
-  if (topic == "sphere") return whole_case<Sphere<double>>(seed, precision);
-  if (topic == "plane") return whole_case<ImplicitPlane, PointNormalPlane, ParametricPlane>(seed, precision);
-  if (topic == "triangle") return whole_case<Triangle<double>>(seed, precision);
-  if (topic == "polygon") return whole_case<Polygon<double>>(seed, precision);
-  if (topic == "box") return whole_case<Box<double>>(seed, precision);
-  if (topic == "parallelepiped") return whole_case<Parallelepiped<double>>(seed, precision);
-  return whole_case<Cylinder<double>>(seed, precision);
 }
 
 /// Calls `check(case)`, in both precisions, for `per_family` cases of every family of the topic and ten times
@@ -63,9 +48,9 @@ void for_each_case(const std::string& topic, std::uint64_t per_family, Check&& c
 }
 
 /// Tests that are run for each topic, by its name.
-class EveryShape : public testing::TestWithParam<const char*> {};
+class EveryShape : public testing::TestWithParam<std::string> {};
 
-[[nodiscard]] inline std::string topic_name(const testing::TestParamInfo<const char*>& info) {
+[[nodiscard]] inline std::string topic_name(const testing::TestParamInfo<std::string>& info) {
   return info.param;
 }
 

@@ -8,7 +8,7 @@ namespace rayproof::oracle::test {
 namespace {
 
 using OracleSymmetry = EveryShape;
-INSTANTIATE_TEST_SUITE_P(Of, OracleSymmetry, testing::ValuesIn(ray_topics), topic_name);
+INSTANTIATE_TEST_SUITE_P(Of, OracleSymmetry, testing::ValuesIn(ray_topics()), topic_name);
 
 constexpr std::uint64_t cases_a_symmetry = 150;
 

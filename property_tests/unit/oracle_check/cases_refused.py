@@ -8,7 +8,7 @@ import json
 from typing import NamedTuple
 
 from cases_refused_numbers import number_changes
-from cases_refused_shapes import SHAPES, shape_changes
+from cases_refused_shapes import SOUND, shape_changes
 
 RAY = {"origin": [0, 0, -5], "direction": [0.25, 0.5, 1], "t_min": -3, "t_max": 30}
 MATRIX = [[2, 0, 0, 1], [0, 3, 0, 0], [0, 1, 1, 0], [0, 0, 0, 1]]
@@ -88,7 +88,7 @@ def ray_changes():
 
 def refused_lines():
     """All the lines, of all topics."""
-    for topic, sound in {**QUERIES, **{kind: {"ray": RAY, "shape": shape} for kind, shape in SHAPES}}.items():
+    for topic, sound in {**QUERIES, **{form: {"ray": RAY, "shape": shape} for form, shape in SOUND.items()}}.items():
         name = topic.split()[0]
         for precision in ("float32", "float64"):
             case = {"precision": precision, "note": "sound", **sound}

@@ -4,15 +4,9 @@ from fractions import Fraction
 from math import inf, isfinite
 
 from algebra import IDENTITY, dot, image, inverse, minus, roots, unit_normal, within
-from cylinder import meet_cylinder
-from flat import meet_plane, meet_triangle
-from polygon import meet_polygon, position
+from outlines import position
 from rounding import Surd
-from solids import meet_box, meet_parallelepiped
-from sphere import meet_sphere
-
-MEET = {"plane": meet_plane, "triangle": meet_triangle, "polygon": meet_polygon, "sphere": meet_sphere,
-        "box": meet_box, "parallelepiped": meet_parallelepiped, "cylinder": meet_cylinder}
+from shape_modules import SHAPES
 
 
 def exactly(value):
@@ -45,7 +39,8 @@ def answer_ray(case, precision):
     matrix = case.get("transform", [[*row, 0] for row in IDENTITY])
     back = inverse([row[:3] for row in matrix[:3]])
     o = image(back, minus(origin, [row[3] for row in matrix[:3]]))
-    met = MEET[case["shape"]["type"]](case["shape"], o, image(back, direction), lambda t: within(t, t_min, t_max))
+    meet = SHAPES[case["shape"]["type"]].meet
+    met = meet(case["shape"], o, image(back, direction), lambda t: within(t, t_min, t_max))
     if not met.hits:
         return {"verdict": "miss", "contact": met.contact, "hits": []}
 

@@ -2,8 +2,9 @@
 
 from math import inf, isfinite
 
-from algebra import cross, determinant
+from algebra import determinant
 from exact import exactly
+from shape_modules import SHAPES
 
 
 def infinite_fields(value, name):
@@ -16,35 +17,15 @@ def infinite_fields(value, name):
     return {name} if isinstance(value, float) and not isfinite(value) and value != allowed else set()
 
 
-def shape_faults(shape):
-    """(the fields, one of which an error must name; are they at fault?) for each rule about the shape."""
-    kind = shape["type"]
-    if kind == "sphere":
-        yield {"radius"}, lambda: shape["radius"] < 0
-    if kind == "plane" and "normal" in shape:
-        yield {"normal"}, lambda: not any(shape["normal"])
-    if kind == "plane" and "u" in shape:
-        yield {"u", "v"}, lambda: not any(cross(shape["u"], shape["v"]))
-    if kind == "polygon":
-        yield {"vertices"}, lambda: len(shape["vertices"]) < 3
-    if kind == "box":
-        yield {"min", "max"}, lambda: any(a > b for a, b in zip(shape["min"], shape["max"]))
-    if kind == "parallelepiped":
-        yield {"edges"}, lambda: determinant(shape["edges"]) == 0
-    if kind == "cylinder":
-        yield {"rx"}, lambda: shape["rx"] <= 0
-        yield {"ry"}, lambda: shape["ry"] <= 0
-        yield {"height"}, lambda: shape["height"] < 0
-
-
 def case_faults(case):
+    """(the fields, one of which an error must name; are they at fault?) for each rule."""
     if case.get("query") == "point_in_polygon":
         yield {"vertices"}, lambda: len(case["vertices"]) < 3
     if "ray" in case:
         ray, matrix = case["ray"], case.get("transform")
         yield {"direction"}, lambda: not any(ray["direction"])
         yield {"t_min", "t_max"}, lambda: ray.get("t_min", 0) > ray.get("t_max", inf)
-        yield from shape_faults(case["shape"])
+        yield from SHAPES[case["shape"]["type"]].faults(case["shape"])
         if matrix:
             yield {"transform"}, lambda: matrix[3] != [0, 0, 0, 1]
             yield {"transform"}, lambda: determinant([row[:3] for row in matrix[:3]]) == 0

@@ -1,6 +1,6 @@
-"""A ray and a box or a parallelepiped."""
+"""What boxes and parallelepipeds share: three slabs, and where to aim in a solid."""
 
-from algebra import IDENTITY, MISS, Meeting, at, image, inverse, minus, rational
+from algebra import MISS, Meeting, at, rational
 from rounding import Surd
 
 
@@ -26,12 +26,6 @@ def meet_slabs(o, d, lower, upper, gradients, inside):
     return Meeting("tangent" if enter == leave else "crossing", map(Surd, hits), normal)
 
 
-def meet_box(box, o, d, inside):
-    return meet_slabs(o, d, box["min"], box["max"], IDENTITY, inside)
-
-
-def meet_parallelepiped(solid, o, d, inside):
-    """In the coordinates along the edges the solid is the unit cube."""
-    along = inverse(list(zip(*solid["edges"])))
-    local = image(along, minus(o, solid["corner"]))
-    return meet_slabs(local, image(along, d), [0, 0, 0], [1, 1, 1], along, inside)
+def quarters(source):
+    """Where in a solid to aim, in quarters of its edges: a corner, an edge, a face, the inside, or beside it."""
+    return [source.random.choice([0, 4, 0, 4, 1, 2, 3, 5, -1]) for _ in range(3)]

@@ -3,6 +3,8 @@
 from copy import deepcopy
 import json
 
+from shape_modules import SHAPES
+
 DEEP = 3000
 
 
@@ -39,8 +41,8 @@ STRANGE = [Raw(text) for text in (
     '"' + "x" * 20000 + '"', "[0, 0, 0]", "[[0, 0, 0], [0, 0, 0], [0, 0, 0]]")]
 STRANGE_BYTES = [b"\xff", b"\xc0\x80", b"\xed\xa0\x80", b"\xf4\x90\x80\x80", b"\xe2\x82", b"\xef\xbb\xbf", b"\0", b"\r",
                  b"\t", b" ", b"\x1f", b"\x7f", b",", b"}", b'"', b"//", b"{}"]
-NAMES = ("id precision ray origin direction t_min t_max shape transform type query note a b c d normal point u v "
-         "vertices center radius min max corner edges rx ry height capped").split()
+NAMES = "id precision ray origin direction t_min t_max shape transform type query note a b c point vertices".split()
+NAMES += sorted({field for module in SHAPES.values() for shape in module.SOUND.values() for field in shape} - {*NAMES})
 NAMES += ["", "é", "\0", "a\"b", "x" * 5000]
 
 

@@ -2,18 +2,15 @@
 
 from math import inf, isfinite
 
-from cases import quadratic, sphere
-from cases_cylinder import cylinder
-from cases_flat import plane, triangle
-from cases_polygon import point_in_polygon, polygon
-from cases_solids import box, parallelepiped
 from exact import answer
 from faults import faults
 from lines import as_json
 from placing import with_interval
+from questions import point_in_polygon, quadratic
+from shape_modules import SHAPES
 
-TOPICS = {topic.__name__: topic for topic in (quadratic, sphere, plane, triangle, polygon, box, parallelepiped,
-                                              cylinder, point_in_polygon)}
+TOPICS = {"quadratic": quadratic, **{kind: module.random_case for kind, module in SHAPES.items()},
+          "point_in_polygon": point_in_polygon}
 
 
 def with_hits_at_the_ends(source, case):

@@ -7,6 +7,8 @@
 #include <random>
 #include <rayproof/topics.hpp>
 
+#include "subjects/solve_shapes.hpp"
+#include "unit/shape_types.hpp"
 #include "viz/record.hpp"
 
 namespace rayproof::viz {
@@ -15,6 +17,8 @@ namespace rayproof::viz {
 class CaseSource {
  public:
   explicit CaseSource(std::uint64_t seed) : bits_(seed) {}
+
+  std::uint64_t bits() { return bits_(); }
 
   double number(int reach) {
     const auto kind = bits_() % 16;
@@ -48,70 +52,13 @@ template <class T>
   return {{a, b, c}};
 }
 
-/// Rays of every topic of shapes; `figure` makes the shape from numbers and vectors of the same reach.
-template <class Topic, class T, class MakeShape>
-[[nodiscard]] typename Topic::template Problem<T> random_ray_problem(CaseSource& source, int reach,
-                                                                     MakeShape&& make_shape) {
-  const auto number = [&] { return source.rounded<T>(reach); };
-  const auto vector = [&] { return vec3<T>{number(), number(), number()}; };
-  const Ray<T> ray{vector(), vector()};
-  return {ray, make_shape(number, vector)};
-}
-
-template <class T>
-[[nodiscard]] sphere::Topic::Problem<T> random_problem(sphere::Topic /*topic*/, CaseSource& source,
-                                                       int reach) {
-  return random_ray_problem<sphere::Topic, T>(source, reach, [](auto number, auto vector) {
-    return Sphere<T>{vector(), std::abs(number())};
-  });
-}
-
-template <class T>
-[[nodiscard]] plane::Topic::Problem<T> random_problem(plane::Topic /*topic*/, CaseSource& source, int reach) {
-  constexpr PlaneForm forms[] = {PlaneForm::implicit, PlaneForm::point_normal, PlaneForm::parametric};
-  const auto form = forms[static_cast<std::size_t>(std::abs(source.number(1)) * 16) % 3];
-  return random_ray_problem<plane::Topic, T>(source, reach, [&](auto number, auto vector) {
-    return Plane<T>{form, vector(), vector(), number(), vector(), vector()};
-  });
-}
-
-template <class T>
-[[nodiscard]] triangle::Topic::Problem<T> random_problem(triangle::Topic /*topic*/, CaseSource& source,
-                                                         int reach) {
-  return random_ray_problem<triangle::Topic, T>(source, reach, [](auto /*number*/, auto vector) {
-    return Triangle<T>{vector(), vector(), vector()};
-  });
-}
-
-template <class T>
-[[nodiscard]] box::Topic::Problem<T> random_problem(box::Topic /*topic*/, CaseSource& source, int reach) {
-  return random_ray_problem<box::Topic, T>(source, reach, [](auto /*number*/, auto vector) {
-    const vec3<T> a = vector();
-    const vec3<T> b = vector();
-    return rayproof::Box<T>{{min(a.x, b.x), min(a.y, b.y), min(a.z, b.z)},
-                            {max(a.x, b.x), max(a.y, b.y), max(a.z, b.z)}};
-  });
-}
-
-template <class T>
-[[nodiscard]] parallelepiped::Topic::Problem<T> random_problem(parallelepiped::Topic /*topic*/,
-                                                               CaseSource& source, int reach) {
-  return random_ray_problem<parallelepiped::Topic, T>(source, reach, [](auto /*number*/, auto vector) {
-    return Parallelepiped<T>{vector(), {vector(), vector(), vector()}};
-  });
-}
-
-template <class T>
-[[nodiscard]] cylinder::Topic::Problem<T> random_problem(cylinder::Topic /*topic*/, CaseSource& source,
-                                                         int reach) {
-  const bool is_capped = source.number(1) > 0;
-  return random_ray_problem<cylinder::Topic, T>(source, reach, [&](auto number, auto /*vector*/) {
-    const auto radius = [&] {
-      const T r = std::abs(number());
-      return r == T(0) ? T(1) : r;
-    };
-    return Cylinder<T>{radius(), radius(), std::abs(number()), is_capped};
-  });
+/// Rays of every topic of shapes.
+template <class T, class Topic>
+[[nodiscard]] typename Topic::template Problem<T> random_problem(Topic /*topic*/, CaseSource& source,
+                                                                 int reach) {
+  const auto number = [&] { return static_cast<double>(source.rounded<T>(reach)); };
+  Random forms(source.bits());
+  return Reading<Topic>::template problem<T>({.question = question_of_topic(Topic::name, forms, number)});
 }
 
 /// Calls `check.operator()<Topic, Method>(problem)` with many problems.

@@ -48,11 +48,13 @@ TEST(Stories, NameTheInputsByTheLettersOfTheFormat) {
     for (const WalkValue& value : told.inputs) all += value.name + ' ';
     return all;
   };
-  EXPECT_EQ(names(shapes()[0], "implicit"), "o.x o.y o.z d⃗.x d⃗.y d⃗.z n.x n.y n.z d ");
-  EXPECT_EQ(names(shapes()[2], "parametric"), "o.x o.y o.z d⃗.x d⃗.y d⃗.z p.x p.y p.z u.x u.y u.z v.x v.y v.z ");
-  EXPECT_EQ(names(shapes()[3], "cramer"), "o.x o.y o.z d.x d.y d.z a.x a.y a.z b.x b.y b.z c.x c.y c.z ");
-  EXPECT_EQ(names(shapes()[5], "centred"), "o.x o.y o.z d.x d.y d.z C.x C.y C.z r ");
-  EXPECT_EQ(names(shapes()[8], "centred"), "o.x o.y o.z d.x d.y d.z rx ry height ");
+  EXPECT_EQ(names(shapes_of("plane").front(), "implicit"), "o.x o.y o.z d⃗.x d⃗.y d⃗.z n.x n.y n.z d ");
+  EXPECT_EQ(names(shapes_of("plane")[2], "parametric"),
+            "o.x o.y o.z d⃗.x d⃗.y d⃗.z p.x p.y p.z u.x u.y u.z v.x v.y v.z ");
+  EXPECT_EQ(names(shapes_of("triangle").front(), "cramer"),
+            "o.x o.y o.z d.x d.y d.z a.x a.y a.z b.x b.y b.z c.x c.y c.z ");
+  EXPECT_EQ(names(shapes_of("sphere").front(), "centred"), "o.x o.y o.z d.x d.y d.z C.x C.y C.z r ");
+  EXPECT_EQ(names(shapes_of("cylinder").front(), "centred"), "o.x o.y o.z d.x d.y d.z rx ry height ");
 }
 
 TEST(Stories, AMethodThatCantBeRecordedSaysSoAndStillAnswers) {
@@ -66,7 +68,7 @@ TEST(Stories, AMethodThatCantBeRecordedSaysSoAndStillAnswers) {
 }
 
 TEST(Stories, AComparisonBesideATieIsBlamedForAWrongVerdict) {
-  const Case one = with_shape(shapes()[3]);
+  const Case one = with_shape(shapes_of("triangle").front());
   const Told told{one, oracle::answer(one), "triangle/cramer", RayAnswer{},
                   view_of(one)->walk(one, "cramer")};
   EXPECT_NE(conclusion_of(told).find("a comparison is so near a tie"), std::string::npos)

@@ -59,7 +59,7 @@ TEST(Wireframe, AHugeATinyAndAFarSceneStayInsideThePicture) {
                                      "[[1e-150,0,0,0],[0,1e-150,0,0],[0,0,1e-150,0],[0,0,0,1]]",
                                      "[[1,0,0,1e200],[0,1,0,0],[0,0,1e-200,0],[0,0,0,1]]"}) {
       const Case one = read_case(R"({"ray":{"origin":[1,2,-5],"direction":[0,0.1,1]},"transform":)" +
-                                 std::string(matrix) + "," + shape + "}");
+                                 std::string(matrix) + R"(,"shape":)" + shape + "}");
       const Answer exact = oracle::answer(one);
       const Picture picture = view_of(one)->picture(one, &exact, nullptr);
       for (const Line& line : elements<Line>(picture)) {

@@ -1,8 +1,15 @@
 #include "viz/scene/figures/make_figures.hpp"
 
 namespace rayproof::render {
+namespace {
 
-template std::unique_ptr<Figures<float>> make_figures<box::Topic, float>(std::string_view, const Members&);
-template std::unique_ptr<Figures<double>> make_figures<box::Topic, double>(std::string_view, const Members&);
+void enclose(Hull& hull, const rayproof::Box<double>& box) {
+  hull.add_box(Point::from(box.min), Point::from(box.max));
+}
+
+}  // namespace
+
+FigureKind box_figures();
+FigureKind box_figures() { return figure_kind<box::Topic, rayproof::Box<double>, enclose>("slabs"); }
 
 }  // namespace rayproof::render

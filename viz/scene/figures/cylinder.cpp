@@ -1,10 +1,15 @@
 #include "viz/scene/figures/make_figures.hpp"
 
 namespace rayproof::render {
+namespace {
 
-template std::unique_ptr<Figures<float>> make_figures<cylinder::Topic, float>(std::string_view,
-                                                                              const Members&);
-template std::unique_ptr<Figures<double>> make_figures<cylinder::Topic, double>(std::string_view,
-                                                                                const Members&);
+void enclose(Hull& hull, const Cylinder<double>& cylinder) {
+  hull.add_box({-cylinder.rx, -cylinder.ry, 0.0}, {cylinder.rx, cylinder.ry, cylinder.height});
+}
+
+}  // namespace
+
+FigureKind cylinder_figures();
+FigureKind cylinder_figures() { return figure_kind<cylinder::Topic, Cylinder<double>, enclose>("centred"); }
 
 }  // namespace rayproof::render

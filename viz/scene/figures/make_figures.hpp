@@ -4,6 +4,7 @@
 
 #include "subjects/solve_topics.hpp"
 #include "viz/scene/figures.hpp"
+#include "viz/scene/figures/hull.hpp"
 
 namespace rayproof::render {
 
@@ -61,12 +62,31 @@ class MethodFigures final : public Figures<T> {
 };
 
 template <class Topic, class T>
-std::unique_ptr<Figures<T>> make_figures(std::string_view method, const Members& members) {
+[[nodiscard]] std::unique_ptr<Figures<T>> make_figures(std::string_view method, const Members& members) {
   std::unique_ptr<Figures<T>> figures;
   Topic::Methods::for_each([&]<class Method>(std::type_identity<Method>) {
     if (method == Method::name) figures = std::make_unique<MethodFigures<Topic, Method, T>>(members);
   });
   return figures;
+}
+
+/// What a topic's shape, which has no end, brings to a scene.
+template <class Topic>
+[[nodiscard]] FigureKind figure_kind(const char* default_method) {
+  FigureKind kind{Topic::name, default_method};
+  Topic::Methods::for_each(
+      [&]<class Method>(std::type_identity<Method>) { kind.methods.emplace_back(Method::name); });
+  kind.in_float = make_figures<Topic, float>;
+  kind.in_double = make_figures<Topic, double>;
+  return kind;
+}
+
+/// The same of a shape that points enclose.
+template <class Topic, class S, void (*enclose)(Hull&, const S&)>
+[[nodiscard]] FigureKind figure_kind(const char* default_method) {
+  FigureKind kind = figure_kind<Topic>(default_method);
+  kind.enclose = [](Hull& hull, const Shape& shape) { enclose(hull, std::get<S>(shape)); };
+  return kind;
 }
 
 }  // namespace rayproof::render

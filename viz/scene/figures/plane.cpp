@@ -2,8 +2,7 @@
 
 namespace rayproof::render {
 
-template std::unique_ptr<Figures<float>> make_figures<plane::Topic, float>(std::string_view, const Members&);
-template std::unique_ptr<Figures<double>> make_figures<plane::Topic, double>(std::string_view,
-                                                                             const Members&);
+FigureKind plane_figures();
+FigureKind plane_figures() { return figure_kind<plane::Topic>("implicit"); }
 
 }  // namespace rayproof::render

@@ -1,10 +1,15 @@
 #include "viz/scene/figures/make_figures.hpp"
 
 namespace rayproof::render {
+namespace {
 
-template std::unique_ptr<Figures<float>> make_figures<triangle::Topic, float>(std::string_view,
-                                                                              const Members&);
-template std::unique_ptr<Figures<double>> make_figures<triangle::Topic, double>(std::string_view,
-                                                                                const Members&);
+void enclose(Hull& hull, const Triangle<double>& triangle) {
+  for (const glm::dvec3& vertex : {triangle.a, triangle.b, triangle.c}) hull.add(Point::from(vertex));
+}
+
+}  // namespace
+
+FigureKind triangle_figures();
+FigureKind triangle_figures() { return figure_kind<triangle::Topic, Triangle<double>, enclose>("woop"); }
 
 }  // namespace rayproof::render

@@ -1,8 +1,24 @@
-"""Random spheres and quadratics that are hard to answer: every exponent, tangents, ties, nearly double roots."""
+"""Spheres: every exponent, tangents, ties."""
 
+from algebra import MISS, Meeting, at, dot, minus, roots
 from placing import place
+from pythagorean import PYTHAGOREAN
+from rules import BOTH, NEVER
 
-PYTHAGOREAN = [(3, 4, 5), (5, 12, 13), (8, 15, 17), (7, 24, 25), (20, 21, 29)]
+
+def meet(sphere, o, d, inside):
+    f, radius = minus(o, sphere["center"]), sphere["radius"]
+    every = roots(dot(d, d), dot(d, f), dot(f, f) - radius**2)
+    hits = [t for t in every if inside(t)]
+    if not hits:
+        return MISS
+    first = hits[0]
+    normal = (at(f, d, first.p), [first.q * x for x in d], first.d) if radius else None
+    return Meeting("tangent" if len(every) == 1 else "crossing", hits, normal)
+
+
+def faults(sphere):
+    yield {"radius"}, lambda: sphere["radius"] < 0
 
 
 def sphere_case(origin, direction, center, radius):
@@ -57,19 +73,16 @@ def axis_sphere(source):
     return sphere_case(origin, direction, center, source.random.choice([0.0, abs(source.short())]))
 
 
-def sphere(source):
+def random_case(source):
     return place(source, source.random.choice([any_sphere, aimed_sphere, tangent_sphere, axis_sphere])(source))
 
 
-def quadratic(source):
-    kinds = [source.any, source.whole, source.plain, source.short, source.power, source.bits]
-    kind = source.random.choice(kinds)
-    a, b, c = kind(), kind(), kind()
-    if source.random.random() < 0.4:  # (px - q)(rx - s), nearly or exactly a square
-        p, q = source.whole() or 1.0, source.whole()
-        r, s = source.random.choice([(p, q), (source.beside(p), source.beside(q)), (source.whole(), source.whole())])
-        scale = 2.0 ** source.random.randint(-60, 60)
-        a, b, c = (source.rounded(x * scale) for x in (p * r, -(p * s + q * r), q * s))
-        if source.random.random() < 0.5:
-            b = source.beside(b)
-    return {"query": "quadratic", "a": a, "b": b, "c": c}
+SOUND = {
+    "sphere": {"type": "sphere", "center": [0, 0.5, 0], "radius": 2},
+}
+RULES = {
+    "sphere": [
+        ("radius", -1, BOTH), ("radius", -5e-324, ("float64",)), ("radius", -1e-320, ("float64",)),
+        ("radius", 0, NEVER), ("radius", "-0", NEVER), ("radius", ..., BOTH), ("center", ..., BOTH),
+    ],
+}

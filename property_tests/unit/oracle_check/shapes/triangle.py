@@ -1,19 +1,31 @@
-"""Random planes and triangles: rays in the plane, beside it and through edges and vertices; numbers of every size."""
+"""Triangles: rays in the plane, through edges and vertices; triangles of no area."""
 
 from aiming import aimed_at, along, finished, random_numbers, scene, whole_vector
-from rounding import FORMATS
+from algebra import MISS, Meeting, at, cross, dot, minus, rational
+from flat import meet_flat
+from rounding import FORMATS, Surd
+from rules import BOTH, NEVER
 
 
-def tie_plane(source):
-    """A ray along an axis: t is the sum of two floats, often half way between two others."""
-    axis = source.random.randrange(3)
-    normal, direction, other = [0.0] * 3, [0.0] * 3, source.random.choice([1.0, -2.0, 0.25])
-    normal[axis], direction[axis] = other, source.random.choice([1.0, -1.0, 2.0, 0.5, 3.0])
-    origin, point = ([source.short() for _ in range(3)] for _ in range(2))
-    point[axis], origin[axis] = source.tie()
-    form = source.random.choice([{"normal": normal, "d": -other * point[axis]}, {"normal": normal, "point": point}])
-    origin[axis] *= -1
-    return scene(origin, direction, "plane", **form)
+def meet(triangle, o, d, inside):
+    a, b, c = (triangle[name] for name in "abc")
+    normal = cross(minus(b, a), minus(c, a))
+    if not any(normal):
+        return Meeting("degenerate")
+    t = meet_flat(normal, a, o, d)
+    if isinstance(t, Meeting):
+        return t
+    p = at(o, d, t)
+    # The areas of the parts opposite a, b and c, each measured along the normal.
+    parts = [dot(normal, cross(minus(y, x), minus(p, x))) for x, y in ((b, c), (c, a), (a, b))]
+    if min(parts) < 0 or not inside(Surd(t)):
+        return MISS
+    contact = ("crossing", "edge", "vertex")[parts.count(0)]
+    return Meeting(contact, [Surd(t)], rational(normal), [x / dot(normal, normal) for x in parts])
+
+
+def faults(_triangle):
+    return ()
 
 
 def tie_triangle(source):
@@ -32,32 +44,7 @@ def tie_triangle(source):
     return scene(origin, direction, "triangle", **dict(zip("abc", corners)))
 
 
-def plane(source):
-    random = source.random
-    kind = random.random()
-    if kind < 0.15:
-        return finished(source, tie_plane(source))
-    if kind < 0.4:
-        numbers = random_numbers(source)
-        form = random.choice([{"normal": 3, "d": 0}, {"point": 3, "normal": 3}, {"point": 3, "u": 3, "v": 3}])
-        return finished(source, scene(numbers(3), numbers(3), "plane", **{k: numbers(n) for k, n in form.items()}))
-
-    point, u, v = (whole_vector(source) for _ in range(3))
-    if random.random() < 0.3:  # perpendicular to an axis, or nearly dependent
-        axis = random.randrange(3)
-        u[axis] = v[axis] = 0.0
-    normal = [u[i - 2] * v[i - 1] - u[i - 1] * v[i - 2] for i in range(3)]
-    form = random.choice([{"normal": normal, "d": -sum(n * p for n, p in zip(normal, point))},
-                          {"point": point, "normal": normal}, {"point": point, "u": u, "v": v}])
-    in_plane = along(source, u, v)
-    target = [p + x for p, x in zip(point, along(source, u, v))]
-    direction = in_plane if random.random() < 0.4 else whole_vector(source)
-    if random.random() < 0.2:
-        target = whole_vector(source)
-    return finished(source, aimed_at(source, target, "plane", direction, **form))
-
-
-def triangle(source):
+def random_case(source):
     random = source.random
     kind = random.random()
     if kind < 0.15:
@@ -82,3 +69,13 @@ def triangle(source):
     if random.random() < 0.05:
         target = whole_vector(source)
     return finished(source, aimed_at(source, target, "triangle", direction, a=a, b=b, c=c))
+
+
+SOUND = {
+    "triangle": {"type": "triangle", "a": [-9, -9, 0], "b": [9, -9, 1], "c": [0, 9, 2]},
+}
+RULES = {
+    "triangle": [
+        ("b", [-9, -9, 0], NEVER), ("a", ..., BOTH), ("b", ..., BOTH), ("c", ..., BOTH),
+    ],
+}

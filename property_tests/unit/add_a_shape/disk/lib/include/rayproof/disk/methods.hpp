@@ -1,0 +1,18 @@
+#pragma once
+/// \file
+/// The ray/disk methods, one line each.
+
+#include <rayproof/disk/projected.hpp>
+#include <rayproof/method/ray_topic.hpp>
+#include <rayproof/method/type_list.hpp>
+
+namespace rayproof::disk {
+
+/// The topic as the registries see it.
+struct Topic : RayTopic<Disk> {
+  static constexpr const char* name = "disk";
+  static constexpr double robust_bound = disk_robust_bound;
+  using Methods = TypeList<Projected>;
+};
+
+}  // namespace rayproof::disk
