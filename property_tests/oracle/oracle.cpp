@@ -3,36 +3,34 @@
 #include "oracle/shapes/shapes.hpp"
 
 namespace rayproof::oracle {
-namespace {
+
+static RayAnswer answer(const RayQuestion& question, Precision precision) {
+  return std::visit([&](const auto& shape) { return answer(*intersection_of(question, shape), precision); },
+                    question.shape);
+}
 
 /// The judge of every shape that has none of its own.
 template <class Shape>
-Judgement judge(const RayQuestion& question, const Shape& shape, Precision precision,
-                const RayAnswer& claimed) {
+static Judgement judge(const RayQuestion& question, const Shape& shape, Precision precision,
+                       const RayAnswer& claimed) {
   return judge(*intersection_of(question, shape), precision, claimed);
 }
-
-}  // namespace
+static Judgement judge(const RayQuestion& question, Precision precision, const RayAnswer& claimed) {
+  return std::visit([&](const auto& shape) { return judge(question, shape, precision, claimed); },
+                    question.shape);
+}
 
 Answer answer(const Case& one) {
-  if (const auto* equation = std::get_if<Quadratic<double>>(&one.question))
-    return answer(*equation, one.precision);
-  if (const auto* asked = std::get_if<PointAndPolygon<double>>(&one.question)) return answer(*asked);
-  const auto& question = std::get<RayQuestion>(one.question);
-  return std::visit(
-      [&](const auto& shape) { return answer(*intersection_of(question, shape), one.precision); },
-      question.shape);
+  return std::visit([&](const auto& question) -> Answer { return answer(question, one.precision); },
+                    one.question);
 }
 
 Judgement judge(const Case& one, const Answer& claimed) {
-  if (const auto* equation = std::get_if<Quadratic<double>>(&one.question))
-    return judge(*equation, one.precision, std::get<QuadraticAnswer<double>>(claimed));
-  if (const auto* asked = std::get_if<PointAndPolygon<double>>(&one.question))
-    return judge(*asked, one.precision, std::get<Position>(claimed));
-  const auto& question = std::get<RayQuestion>(one.question);
-  return std::visit(
-      [&](const auto& shape) { return judge(question, shape, one.precision, std::get<RayAnswer>(claimed)); },
-      question.shape);
+  const auto judge_as = [&](const auto& question) {
+    using Expected = decltype(answer(question, one.precision));
+    return judge(question, one.precision, std::get<Expected>(claimed));
+  };
+  return std::visit(judge_as, one.question);
 }
 
 }  // namespace rayproof::oracle

@@ -17,17 +17,17 @@ glm::dvec3 unit_vector(const std::array<Scaled, 3>& n, Precision precision) {
   return unit;
 }
 
-/// The normal as the world has it: by the inverse transpose, of unit length.
+/// The normal at t as the world has it: by the inverse transpose, of unit length.
 template <class Number>
-glm::dvec3 unit_normal(const ObjectRay<Ring>& ray, const ExactNormal& normal, const Number& t,
+glm::dvec3 unit_normal(const ObjectRay<Ring>& ray, ExactNormal& normal, const Number& t,
                        Precision precision) {
-  const auto to_world = [&](const Vector<Ring>& v) { return ray.map ? ray.map->apply_transposed(v) : v; };
-  const Vector<Ring> offset = to_world(normal.offset);
-  if (!normal.slope)
+  auto& [offset, slope] = normal;
+  if (ray.map) offset = ray.map->apply_transposed(offset);
+  if (!slope)
     return unit_vector({approximate(offset.x), approximate(offset.y), approximate(offset.z)}, precision);
-  const Vector<Ring> slope = to_world(*normal.slope);
+  if (ray.map) slope = ray.map->apply_transposed(*slope);
   const auto at = [&](const Ring& o, const Ring& s) { return t.affine_image(o, s).estimate(); };
-  return unit_vector({at(offset.x, slope.x), at(offset.y, slope.y), at(offset.z, slope.z)}, precision);
+  return unit_vector({at(offset.x, slope->x), at(offset.y, slope->y), at(offset.z, slope->z)}, precision);
 }
 
 }  // namespace
@@ -51,7 +51,7 @@ RayAnswer answer(const ExactIntersection& exact, Precision precision) {
       point[axis] =
           round_correctly(t.affine_image(Ring(ray.origin[axis]), Ring(ray.direction[axis])), precision);
     }
-    if (const auto normal = exact.normal(hits.front()))
+    if (auto normal = exact.normal(hits.front()))
       answer.normal = unit_normal(exact.ray(), *normal, t, precision);
   };
   std::visit(describe, hits.front().t);

@@ -62,8 +62,8 @@ class ExactIntersection {
  protected:
   /// Appends a hit of the whole line where the ray's interval holds it.
   template <class Number>
-  void add(std::vector<ExactContact>& hits, const Number& t, Contact contact) const {
-    if (is_in_interval(t, question_.ray)) hits.push_back({t, contact});
+  void add(std::vector<ExactContact>& hits, Number t, Contact contact) const {
+    if (is_in_interval(t, question_.ray)) hits.push_back({std::move(t), contact});
   }
 
  private:

@@ -31,7 +31,7 @@ Side side_of(const Seen& from, const Seen& to) {
 
 }  // namespace
 
-Place locate(const PlanePoint& point, const Ring& weight, const std::vector<PlanePoint>& vertices) {
+Contact locate(const PlanePoint& point, const Ring& weight, const std::vector<PlanePoint>& vertices) {
   const auto seen = [&](const PlanePoint& vertex) {
     const PlanePoint to{weight * vertex.x - point.x, weight * vertex.y - point.y};
     return Seen{to, sign(to.y)};
@@ -41,14 +41,14 @@ Place locate(const PlanePoint& point, const Ring& weight, const std::vector<Plan
   Seen from = seen(vertices.back());
   for (const PlanePoint& vertex : vertices) {
     const Seen to = seen(vertex);
-    if (to.above == 0 && sign(to.to.x) == 0) return Place::vertex;
+    if (to.above == 0 && sign(to.to.x) == 0) return Contact::vertex;
     const Side side = side_of(from, to);
     is_on_side = is_on_side || side.holds_point;
     is_inside = is_inside != side.is_crossed;
     from = to;
   }
-  if (is_on_side) return Place::side;
-  return is_inside ? Place::inside : Place::outside;
+  if (is_on_side) return Contact::edge;
+  return is_inside ? Contact::crossing : Contact::none;
 }
 
 Scaled distance_to_side(const PlanePoint& point, const Ring& weight, const PlanePoint& from,

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "case/answer.hpp"
 #include "oracle/numbers/exact.hpp"
 
 namespace rayproof::oracle {
@@ -13,12 +14,10 @@ struct PlanePoint {
   Ring x, y;
 };
 
-/// Where the point lies; on the boundary, a vertex is told apart from the inside of a side.
-enum class Place { outside, inside, side, vertex };
-
-/// The place of the point (x, y)/weight, weight > 0, in the closed polygon of the vertices.
-[[nodiscard]] Place locate(const PlanePoint& point, const Ring& weight,
-                           const std::vector<PlanePoint>& vertices);
+/// How the point (x, y)/weight, weight > 0, touches the closed polygon of the vertices: `crossing` inside,
+/// `edge` or `vertex` on the boundary, `none` outside.
+[[nodiscard]] Contact locate(const PlanePoint& point, const Ring& weight,
+                             const std::vector<PlanePoint>& vertices);
 
 /// The distance of the point from the side, all to one part in 2^50.
 [[nodiscard]] Scaled distance_to_side(const PlanePoint& point, const Ring& weight, const PlanePoint& from,

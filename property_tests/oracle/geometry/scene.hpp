@@ -15,6 +15,7 @@ struct Vector {
 
   static Vector from(const glm::dvec3& v) { return {R(v.x), R(v.y), R(v.z)}; }
   static Vector from(const glm::dvec4& v) { return {R(v.x), R(v.y), R(v.z)}; }
+  const R& operator[](int axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
 
   friend Vector operator-(const Vector& v) { return {-v.x, -v.y, -v.z}; }
   friend Vector operator+(const Vector& a, const Vector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }

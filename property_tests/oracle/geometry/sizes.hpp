@@ -22,21 +22,22 @@ template <class R>
 }
 [[nodiscard]] inline Scaled norm(const glm::dvec3& v) { return norm(Vector<Scaled>::from(v)); }
 
-/// How much a map and its inverse can stretch a vector: the Frobenius norms of their 3 by 3 parts, the
-/// inverse's times the determinant.
+/// The Frobenius norm of a matrix.
+template <class R>
+[[nodiscard]] NumberOf<R> norm(const Vector<R>& x, const Vector<R>& y, const Vector<R>& z) {
+  using std::sqrt;
+  return sqrt(squared_norm(x) + squared_norm(y) + squared_norm(z));
+}
+
+/// How much a map and its inverse can stretch a vector: the norms of their 3 by 3 parts, the inverse's times
+/// the determinant.
 template <class R>
 struct MapSizes {
   NumberOf<R> forward, backward;
 
   MapSizes(const glm::dmat4& m, const InverseMap<R>& map)
-      : forward(frobenius(Vector<R>::from(m[0]), Vector<R>::from(m[1]), Vector<R>::from(m[2]))),
-        backward(frobenius(map.row_x, map.row_y, map.row_z)) {}
-
- private:
-  static NumberOf<R> frobenius(const Vector<R>& x, const Vector<R>& y, const Vector<R>& z) {
-    using std::sqrt;
-    return sqrt(squared_norm(x) + squared_norm(y) + squared_norm(z));
-  }
+      : forward(norm(Vector<R>::from(m[0]), Vector<R>::from(m[1]), Vector<R>::from(m[2]))),
+        backward(norm(map.row_x, map.row_y, map.row_z)) {}
 };
 
 /// The lengths of a ray as the shape's own space has them: |origin| and |direction| without a transform, and

@@ -11,21 +11,18 @@
 
 namespace rayproof::oracle {
 
-/// All q with low <= normal·q <= high, in the object's space.
-struct Slab {
-  Vector<Ring> normal;
-  Ring low, high;
-};
-using Slabs = std::array<Slab, 3>;
-
-[[nodiscard]] Slabs slabs_of(const Box<double>& box);
-[[nodiscard]] Slabs slabs_of(const Parallelepiped<double>& solid);
-
-/// A line and a slab: low <= position + t·speed <= high, in the scale of ObjectRay.
+/// A line and a slab, all q with low <= normal·q <= high: low <= position + t·speed <= high in the scale of
+/// ObjectRay.
 struct SlabMeeting {
+  Vector<Ring> normal;  ///< in the object's space
   Ring position, speed, low, high;
 
-  SlabMeeting(const ObjectRay<Ring>& ray, const Slab& slab);
+  SlabMeeting(const ObjectRay<Ring>& ray, const Vector<Ring>& n, const Ring& lower, const Ring& upper)
+      : normal(n),
+        position(dot(n, ray.origin)),
+        speed(dot(n, ray.direction)),
+        low(ray.scale * lower),
+        high(ray.scale * upper) {}
 
   [[nodiscard]] bool is_parallel() const { return sign(speed) == 0; }
   /// Whether a line that is parallel to the slab runs in it.
@@ -39,6 +36,9 @@ struct SlabMeeting {
   }
 };
 using SlabMeetings = std::array<SlabMeeting, 3>;
+
+[[nodiscard]] SlabMeetings meetings(const ObjectRay<Ring>& ray, const Box<double>& box);
+[[nodiscard]] SlabMeetings meetings(const ObjectRay<Ring>& ray, const Parallelepiped<double>& solid);
 
 /// The part of the line inside the solid, from entry to exit; nothing where there is none.
 struct Chord {

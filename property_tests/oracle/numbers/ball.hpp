@@ -7,7 +7,6 @@
 /// purpose: it shares no line with the arithmetics it judges.
 
 #include <cmath>
-#include <optional>
 
 namespace rayproof::oracle {
 
@@ -56,12 +55,6 @@ inline Ball operator*(const Ball& x, const Ball& y) {
   // The factor outweighs the roundings of this very line; size_x·size_y outweighs |product|.
   return normalised(product, rest + (x.high * y.low + x.low * y.high),
                     (1 + 0x1p-40) * radius + ball_rounding * size_x * size_y + ball_underflow);
-}
-
-/// The sign where the ball does not touch 0 (an exact 0 is a certain 0); otherwise nothing.
-[[nodiscard]] inline std::optional<int> certain_sign(const Ball& x) {
-  if (std::abs(x.high) > 1.001 * x.radius) return x.high > 0 ? 1 : -1;
-  return std::nullopt;
 }
 
 }  // namespace rayproof::oracle

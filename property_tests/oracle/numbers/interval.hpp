@@ -4,7 +4,6 @@
 /// nanoseconds.
 
 #include <cmath>
-#include <optional>
 
 namespace rayproof::oracle {
 
@@ -36,12 +35,6 @@ inline Interval operator*(const Interval& x, const Interval& y) {
   const double product = x.middle * y.middle;
   const double radius = (std::abs(x.middle) + x.radius) * y.radius + std::abs(y.middle) * x.radius;
   return {product, radius + interval_rounding * (std::abs(product) + radius) + interval_underflow};
-}
-
-/// The sign where the interval does not touch 0; otherwise nothing.
-[[nodiscard]] inline std::optional<int> certain_sign(const Interval& x) {
-  if (std::abs(x.middle) > 1.001 * x.radius) return x.middle > 0 ? 1 : -1;
-  return std::nullopt;
 }
 
 }  // namespace rayproof::oracle

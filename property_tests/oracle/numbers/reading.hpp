@@ -2,6 +2,7 @@
 /// \file
 /// The oracle's numbers, exact and filtering, read as doubles or as numbers of any size.
 
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -29,6 +30,12 @@ using NumberOf = decltype(read(std::declval<R>()));
 [[nodiscard]] inline double uncertainty(const Ring&) { return 0; }
 
 [[nodiscard]] inline std::optional<int> certain_sign(const Ring& x) { return sign(x); }
+/// The sign of an interval or a ball that does not touch 0; otherwise nothing.
+template <class Filter>
+[[nodiscard]] std::optional<int> certain_sign(const Filter& x) {
+  if (std::abs(read(x)) > 1.001 * x.radius) return read(x) > 0 ? 1 : -1;
+  return std::nullopt;
+}
 
 /// What was read as a double.
 [[nodiscard]] inline double value(double x) { return x; }

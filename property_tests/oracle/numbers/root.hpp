@@ -87,6 +87,7 @@ class ExactRoot {
 [[nodiscard]] inline std::vector<ExactRoot> real_roots(const ExactQuadratic& quadratic) {
   const int discriminant = sign(quadratic.discriminant());
   std::vector<ExactRoot> roots;
+  roots.reserve(static_cast<std::size_t>(discriminant + 1));
   if (discriminant >= 0) roots.emplace_back(quadratic, -1);
   if (discriminant > 0) roots.emplace_back(quadratic, 1);
   return roots;

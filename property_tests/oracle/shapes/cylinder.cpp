@@ -16,7 +16,6 @@ namespace {
 struct CylinderSizes {
   Scaled from_axis, across;
   Scaled level, climb;
-  Scaled radius;
 };
 
 class CylinderIntersection final : public MeasuredIntersection {
@@ -65,7 +64,9 @@ class CylinderIntersection final : public MeasuredIntersection {
   [[nodiscard]] Scaled residual(double t) const override {
     const Quotient at(Ring(t), Ring(1.0));
     const Scaled from_side = off_circle(at), from_cap = off_caps(at);
-    const Scaled above = is_between_caps(at) ? Scaled{} : from_cap;
+    const Ring z = equation_.height_at(at);
+    const bool is_between_caps = sign(z) >= 0 && sign(equation_.height - z) >= 0;
+    const Scaled above = is_between_caps ? Scaled{} : from_cap;
     const Scaled beside = sign(equation_.power_at(at)) <= 0 ? Scaled{} : from_side;
     const Scaled to_side = std::max(from_side, above);
     return cylinder_.capped ? std::min(to_side, std::max(from_cap, beside)) : to_side;
@@ -107,13 +108,14 @@ class CylinderIntersection final : public MeasuredIntersection {
 
   void add_side(std::vector<ExactContact>& hits) const {
     if (equation_.is_axis_parallel()) return;
-    const std::vector<ExactRoot> roots = real_roots(side_);
-    for (const ExactRoot& t : roots) {
+    std::vector<ExactRoot> roots = real_roots(side_);
+    const Contact off_rim = roots.size() == 1 ? Contact::tangent : Contact::crossing;
+    for (ExactRoot& t : roots) {
       const ExactRoot z = equation_.height_at(t);
       const int above_floor = z.compare(Ring(0.0)), above_top = z.compare(equation_.height);
       if (above_floor < 0 || above_top > 0) continue;
       const bool is_on_rim = above_floor == 0 || above_top == 0;
-      add(hits, t, is_on_rim ? Contact::rim : roots.size() == 1 ? Contact::tangent : Contact::crossing);
+      add(hits, std::move(t), is_on_rim ? Contact::rim : off_rim);
     }
   }
 
@@ -122,24 +124,24 @@ class CylinderIntersection final : public MeasuredIntersection {
     return *sizes_;
   }
   [[nodiscard]] CylinderSizes measured() const {
-    const Scaled height(cylinder_.height), radius = approximate(equation_.radius);
+    const Scaled height(cylinder_.height);
     if (ray().map) {
       const RaySizes of_ray(question(), ray());
       const Scaled narrow(std::min(cylinder_.rx, cylinder_.ry));
       return {of_ray.origin / narrow + Scaled(1), of_ray.direction / narrow, of_ray.origin + height,
-              of_ray.direction, radius};
+              of_ray.direction};
     }
     const auto stretched = [&](const Vector<Ring>& v) {
       const Scaled x = approximate(v.x), y = approximate(v.y);
-      return sqrt(x * x + y * y) / radius;
+      return sqrt(x * x + y * y) / approximate(equation_.radius);
     };
     return {stretched(equation_.origin) + Scaled(1), stretched(equation_.direction),
-            abs(approximate(equation_.origin.z)) + height, abs(approximate(equation_.direction.z)), radius};
+            abs(approximate(equation_.origin.z)) + height, abs(approximate(equation_.direction.z))};
   }
 
   /// The relative change of the radius that puts a point of this power X² + Y² - R² on the circle.
   [[nodiscard]] Scaled change_of_radius(const Scaled& power) const {
-    const Scaled relative = power / (sizes().radius * sizes().radius);
+    const Scaled radius = approximate(equation_.radius), relative = power / (radius * radius);
     const Scaled distance = sqrt(abs(Scaled(1) + relative));
     return abs(relative) / (distance + Scaled(1));
   }
@@ -149,10 +151,6 @@ class CylinderIntersection final : public MeasuredIntersection {
     return change / (sizes().from_axis + abs(t.estimate()) * sizes().across);
   }
 
-  [[nodiscard]] bool is_between_caps(const Quotient& t) const {
-    const Ring z = equation_.height_at(t);
-    return sign(z) >= 0 && sign(equation_.height * t.denominator() - z) >= 0;
-  }
   [[nodiscard]] Scaled off_caps(const Quotient& t) const {
     const Ring z = equation_.height_at(t);
     const Scaled low = abs(approximate(z)), high = abs(approximate(equation_.height * t.denominator() - z));
@@ -184,8 +182,7 @@ class CylinderIntersection final : public MeasuredIntersection {
 
 }  // namespace
 
-std::unique_ptr<MeasuredIntersection> intersection_of(const RayQuestion& question,
-                                                      const Cylinder<double>& cylinder) {
+MeasuredPointer intersection_of(const RayQuestion& question, const Cylinder<double>& cylinder) {
   return std::make_unique<CylinderIntersection>(question, cylinder);
 }
 

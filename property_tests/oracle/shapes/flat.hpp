@@ -21,20 +21,40 @@ struct FlatEquation {
 /// ObjectRay. A shape without area has a normal of 0.
 class FlatIntersection : public PlanarIntersection {
  public:
-  FlatIntersection(const RayQuestion& question, const FlatEquation& plane)
+  FlatIntersection(const RayQuestion& question, FlatEquation plane)
       : PlanarIntersection(question),
-        normal_(plane.normal),
+        normal_(std::move(plane.normal)),
         gap_(ray().scale * plane.offset - dot(normal_, ray().origin)),
         slope_(dot(normal_, ray().direction)) {}
 
-  [[nodiscard]] std::vector<ExactContact> hits() const override;
-  [[nodiscard]] Contact miss() const override;
+  [[nodiscard]] std::vector<ExactContact> hits() const override {
+    std::vector<ExactContact> all;
+    if (is_parallel()) return all;
+    Quotient at = t();
+    if (!is_in_interval(at, question().ray)) return all;
+    const Contact contact = contact_at(at);
+    if (contact != Contact::none) all.push_back({std::move(at), contact});
+    return all;
+  }
+  [[nodiscard]] Contact miss() const override {
+    if (!is_parallel()) return Contact::none;
+    if (sign(normal_.x) == 0 && sign(normal_.y) == 0 && sign(normal_.z) == 0) return Contact::degenerate;
+    return sign(gap_) == 0 ? Contact::in_surface : Contact::parallel;
+  }
   [[nodiscard]] std::optional<ExactNormal> normal(const ExactContact&) const override {
     return ExactNormal{normal_};
   }
-  [[nodiscard]] Scaled residual(double t) const override;
+
+  [[nodiscard]] Scaled residual(double t) const override {
+    return ratio(abs(approximate(slope_ * Ring(t) - gap_)), sizes().unit(0, Scaled(t)));
+  }
   /// Of the ends of the interval; and of an open end, how near the ray is to being parallel.
-  [[nodiscard]] Scaled margin() const override;
+  [[nodiscard]] Scaled margin() const override {
+    const std::vector<double> ends = finite_ends(question().ray);
+    Scaled nearest = ends.size() < 2 ? steepness() : endless();
+    for (const double end : ends) reduce(nearest, residual(end));
+    return nearest;
+  }
 
  protected:
   /// How the line, not parallel, touches the shape where it meets the plane at t; none where it passes by.

@@ -43,16 +43,13 @@ class PlaneIntersection final : public FlatIntersection {
 
 }  // namespace
 
-std::unique_ptr<MeasuredIntersection> intersection_of(const RayQuestion& question,
-                                                      const ImplicitPlane& plane) {
+MeasuredPointer intersection_of(const RayQuestion& question, const ImplicitPlane& plane) {
   return std::make_unique<PlaneIntersection<ImplicitPlane>>(question, plane);
 }
-std::unique_ptr<MeasuredIntersection> intersection_of(const RayQuestion& question,
-                                                      const PointNormalPlane& plane) {
+MeasuredPointer intersection_of(const RayQuestion& question, const PointNormalPlane& plane) {
   return std::make_unique<PlaneIntersection<PointNormalPlane>>(question, plane);
 }
-std::unique_ptr<MeasuredIntersection> intersection_of(const RayQuestion& question,
-                                                      const ParametricPlane& plane) {
+MeasuredPointer intersection_of(const RayQuestion& question, const ParametricPlane& plane) {
   return std::make_unique<PlaneIntersection<ParametricPlane>>(question, plane);
 }
 

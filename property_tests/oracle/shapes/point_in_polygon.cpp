@@ -30,17 +30,17 @@ Scaled margin_of(const PointAndPolygon<double>& question) {
 
 }  // namespace
 
-Position answer(const PointAndPolygon<double>& question) {
+Position answer(const PointAndPolygon<double>& question, Precision) {
   std::vector<PlanePoint> vertices;
   vertices.reserve(question.vertices.size());
   for (const auto& vertex : question.vertices) vertices.push_back({Ring(vertex.x), Ring(vertex.y)});
-  const Place place = locate({Ring(question.point.x), Ring(question.point.y)}, Ring(1.0), vertices);
-  if (place == Place::inside) return Position::inside;
-  return place == Place::outside ? Position::outside : Position::boundary;
+  const Contact contact = locate({Ring(question.point.x), Ring(question.point.y)}, Ring(1.0), vertices);
+  if (contact == Contact::crossing) return Position::inside;
+  return contact == Contact::none ? Position::outside : Position::boundary;
 }
 
 Judgement judge(const PointAndPolygon<double>& question, Precision precision, Position claimed) {
-  const Position exact = answer(question);
+  const Position exact = answer(question, precision);
   Judgement judgement;
   note_range(judgement, question.point, question.vertices);
   judgement.hit = exact != Position::outside;

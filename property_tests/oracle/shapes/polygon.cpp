@@ -17,26 +17,21 @@ struct Projection {
   int x = 0, y = 1;
 
   explicit Projection(const Vector<Ring>& normal) {
-    const auto magnitude = [](const Ring& v) { return sign(v) < 0 ? -v : v; };
-    const std::array<Ring, 3> sizes{magnitude(normal.x), magnitude(normal.y), magnitude(normal.z)};
-    std::size_t largest = 0;
-    for (std::size_t axis = 1; axis < 3; ++axis) {
-      if (sign(sizes[axis] - sizes[largest]) >= 0) largest = axis;
-    }
+    const auto magnitude = [&](int axis) { return sign(normal[axis]) < 0 ? -normal[axis] : normal[axis]; };
+    int largest = 0;
+    for (const int axis : {1, 2})
+      if (sign(magnitude(axis) - magnitude(largest)) >= 0) largest = axis;
     x = largest == 0 ? 1 : 0;
     y = largest == 2 ? 1 : 2;
   }
 
-  [[nodiscard]] PlanePoint operator()(const Vector<Ring>& v) const { return {pick(v, x), pick(v, y)}; }
+  [[nodiscard]] PlanePoint operator()(const Vector<Ring>& v) const { return {v[x], v[y]}; }
   [[nodiscard]] std::vector<PlanePoint> operator()(const std::vector<glm::dvec3>& vertices) const {
     std::vector<PlanePoint> points;
     points.reserve(vertices.size());
     for (const glm::dvec3& vertex : vertices) points.push_back({Ring(vertex[x]), Ring(vertex[y])});
     return points;
   }
-
- private:
-  static const Ring& pick(const Vector<Ring>& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 };
 
 class PolygonIntersection final : public FlatIntersection {
@@ -62,17 +57,7 @@ class PolygonIntersection final : public FlatIntersection {
  protected:
   [[nodiscard]] Contact contact_at(const Quotient& t) const override {
     const Meeting at = meeting(t);
-    switch (locate(at.point, at.weight, at.vertices)) {
-      case Place::vertex:
-        return Contact::vertex;
-      case Place::side:
-        return Contact::edge;
-      case Place::inside:
-        return Contact::crossing;
-      case Place::outside:
-        break;
-    }
-    return Contact::none;
+    return locate(at.point, at.weight, at.vertices);
   }
 
   [[nodiscard]] Scaled position() const override {
@@ -109,8 +94,7 @@ class PolygonIntersection final : public FlatIntersection {
 
 }  // namespace
 
-std::unique_ptr<MeasuredIntersection> intersection_of(const RayQuestion& question,
-                                                      const Polygon<double>& polygon) {
+MeasuredPointer intersection_of(const RayQuestion& question, const Polygon<double>& polygon) {
   return std::make_unique<PolygonIntersection>(question, polygon);
 }
 

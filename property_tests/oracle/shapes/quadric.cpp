@@ -10,37 +10,29 @@ namespace {
 
 using Four = std::array<Ring, 4>;
 
+Four four(double x, double y, double z, double w) { return {Ring(x), Ring(y), Ring(z), Ring(w)}; }
+
 /// The quadric as the symmetric matrix M with pᵀMp = 2·f(p), p homogeneous.
-class Matrix {
- public:
-  explicit Matrix(const implicit::Quadric<double>& q) {
-    const std::array<double, 4> diagonal{q.xx, q.yy, q.zz, q.ww};
-    for (std::size_t i = 0; i < 4; ++i) m_[i][i] = Ring(diagonal[i]) + Ring(diagonal[i]);
-    m_[1][2] = m_[2][1] = Ring(q.yz);
-    m_[0][2] = m_[2][0] = Ring(q.xz);
-    m_[0][1] = m_[1][0] = Ring(q.xy);
-    m_[0][3] = m_[3][0] = Ring(q.xw);
-    m_[1][3] = m_[3][1] = Ring(q.yw);
-    m_[2][3] = m_[3][2] = Ring(q.zw);
-  }
+std::array<Four, 4> matrix_of(const implicit::Quadric<double>& q) {
+  std::array<Four, 4> m{four(q.xx, q.xy, q.xz, q.xw), four(q.xy, q.yy, q.yz, q.yw),
+                        four(q.xz, q.yz, q.zz, q.zw), four(q.xw, q.yw, q.zw, q.ww)};
+  for (std::size_t i = 0; i < 4; ++i) m[i][i] = m[i][i] + m[i][i];
+  return m;
+}
 
-  /// pᵀMq.
-  [[nodiscard]] Ring between(const Four& p, const Four& q) const {
-    Ring sum(0.0);
-    for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t j = 0; j < 4; ++j) sum = sum + p[i] * m_[i][j] * q[j];
-    return sum;
-  }
+/// pᵀMq.
+Ring between(const Four& p, const std::array<Four, 4>& m, const Four& q) {
+  Ring sum(0.0);
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j) sum = sum + p[i] * m[i][j] * q[j];
+  return sum;
+}
 
- private:
-  std::array<Four, 4> m_;
-};
-
-Four homogeneous(const glm::dvec3& v, double w) { return {Ring(v.x), Ring(v.y), Ring(v.z), Ring(w)}; }
-
-/// Whether an enclosure holds the exact root.
-bool holds(const RootEnclosure<double>& one, const ExactRoot& root) {
-  return is_in_interval(root, one.lo, one.hi);
+std::vector<ExactRoot> roots_between(const std::vector<ExactRoot>& roots, double low, double high) {
+  std::vector<ExactRoot> inside;
+  for (const ExactRoot& root : roots)
+    if (is_in_interval(root, low, high)) inside.push_back(root);
+  return inside;
 }
 
 bool is_ordered(const Ray<double>& ray, const EnclosedRoots<double>& claimed) {
@@ -78,9 +70,10 @@ void judge_certain(const RootEnclosure<double>& one, const std::vector<ExactRoot
 }  // namespace
 
 QuadricOnLine::QuadricOnLine(const Ray<double>& ray, const implicit::Quadric<double>& quadric) {
-  const Matrix m(quadric);
-  const Four o = homogeneous(ray.origin, 1), d = homogeneous(ray.direction, 0);
-  equation_ = solve(m.between(d, d), m.between(o, d), m.between(o, o));
+  const std::array<Four, 4> m = matrix_of(quadric);
+  const Four o = four(ray.origin.x, ray.origin.y, ray.origin.z, 1);
+  const Four d = four(ray.direction.x, ray.direction.y, ray.direction.z, 0);
+  equation_ = solve(between(d, m, d), between(o, m, d), between(o, m, o));
 }
 
 EnclosureJudgement judge(const Ray<double>& ray, const implicit::Quadric<double>& quadric,
@@ -89,20 +82,15 @@ EnclosureJudgement judge(const Ray<double>& ray, const implicit::Quadric<double>
   EnclosureJudgement judgement;
   judgement.is_ordered = is_ordered(ray, claimed);
   judgement.has_missed = line.kind() == QuadricKind::everything && !cover(ray, claimed);
-  std::vector<ExactRoot> hits;
-  for (const ExactRoot& root : line.roots())
-    if (is_in_interval(root, ray)) hits.push_back(root);
+  const std::vector<ExactRoot> hits = roots_between(line.roots(), ray.t_min, ray.t_max);
   judgement.known = hits.size();
   if (line.kind() == QuadricKind::twice) judgement.tangents = hits.size();
   for (const ExactRoot& root : hits) {
-    judgement.has_missed =
-        judgement.has_missed ||
-        std::none_of(claimed.begin(), claimed.end(), [&](const auto& one) { return holds(one, root); });
+    const auto holds = [&](const auto& one) { return is_in_interval(root, one.lo, one.hi); };
+    judgement.has_missed = judgement.has_missed || std::none_of(claimed.begin(), claimed.end(), holds);
   }
   for (const RootEnclosure<double>& one : claimed) {
-    std::vector<ExactRoot> inside;
-    for (const ExactRoot& root : hits)
-      if (holds(one, root)) inside.push_back(root);
+    const std::vector<ExactRoot> inside = roots_between(hits, one.lo, one.hi);
     if (one.status == RootStatus::certain) {
       judge_certain(one, inside, line.kind(), precision, judgement);
     } else if (one.status == RootStatus::everywhere) {

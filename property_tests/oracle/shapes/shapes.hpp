@@ -9,21 +9,17 @@
 
 namespace rayproof::oracle {
 
+using MeasuredPointer = std::unique_ptr<MeasuredIntersection>;
+
 /// The exact intersection of a ray and a shape, under a transform or not, for as long as both live.
-[[nodiscard]] std::unique_ptr<MeasuredIntersection> intersection_of(const RayQuestion&, const ImplicitPlane&);
-[[nodiscard]] std::unique_ptr<MeasuredIntersection> intersection_of(const RayQuestion&,
-                                                                    const PointNormalPlane&);
-[[nodiscard]] std::unique_ptr<MeasuredIntersection> intersection_of(const RayQuestion&,
-                                                                    const ParametricPlane&);
-[[nodiscard]] std::unique_ptr<MeasuredIntersection> intersection_of(const RayQuestion&,
-                                                                    const Triangle<double>&);
-[[nodiscard]] std::unique_ptr<MeasuredIntersection> intersection_of(const RayQuestion&,
-                                                                    const Polygon<double>&);
-[[nodiscard]] std::unique_ptr<MeasuredIntersection> intersection_of(const RayQuestion&, const Box<double>&);
-[[nodiscard]] std::unique_ptr<MeasuredIntersection> intersection_of(const RayQuestion&,
-                                                                    const Parallelepiped<double>&);
-[[nodiscard]] std::unique_ptr<MeasuredIntersection> intersection_of(const RayQuestion&,
-                                                                    const Cylinder<double>&);
+[[nodiscard]] MeasuredPointer intersection_of(const RayQuestion&, const ImplicitPlane&);
+[[nodiscard]] MeasuredPointer intersection_of(const RayQuestion&, const PointNormalPlane&);
+[[nodiscard]] MeasuredPointer intersection_of(const RayQuestion&, const ParametricPlane&);
+[[nodiscard]] MeasuredPointer intersection_of(const RayQuestion&, const Triangle<double>&);
+[[nodiscard]] MeasuredPointer intersection_of(const RayQuestion&, const Polygon<double>&);
+[[nodiscard]] MeasuredPointer intersection_of(const RayQuestion&, const Box<double>&);
+[[nodiscard]] MeasuredPointer intersection_of(const RayQuestion&, const Parallelepiped<double>&);
+[[nodiscard]] MeasuredPointer intersection_of(const RayQuestion&, const Cylinder<double>&);
 
 /// The sphere has a judge of its own, for speed.
 [[nodiscard]] std::unique_ptr<ExactIntersection> intersection_of(const RayQuestion&, const Sphere<double>&);
@@ -34,8 +30,8 @@ namespace rayproof::oracle {
 [[nodiscard]] Judgement judge(const Quadratic<double>& equation, Precision precision,
                               const QuadraticAnswer<double>& claimed);
 
-/// The exact place of a point.
-[[nodiscard]] Position answer(const PointAndPolygon<double>& question);
+/// The exact place of a point, the same in every precision.
+[[nodiscard]] Position answer(const PointAndPolygon<double>& question, Precision);
 [[nodiscard]] Judgement judge(const PointAndPolygon<double>& question, Precision precision, Position claimed);
 
 }  // namespace rayproof::oracle

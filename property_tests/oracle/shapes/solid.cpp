@@ -12,13 +12,22 @@ namespace {
 
 Quotient exactly(double t) { return {Ring(t), Ring(1.0)}; }
 
-class SolidIntersection : public PlanarIntersection {
+Scaled position_of(const Box<double>& box) { return norm(box.min) + norm(box.max); }
+std::array<Scaled, 3> normal_sizes_of(const Box<double>&) { return {Scaled(1), Scaled(1), Scaled(1)}; }
+
+Scaled position_of(const Parallelepiped<double>& solid) {
+  return norm(solid.corner) + norm(solid.edges[0]) + norm(solid.edges[1]) + norm(solid.edges[2]);
+}
+std::array<Scaled, 3> normal_sizes_of(const Parallelepiped<double>& solid) {
+  const Scaled e0 = norm(solid.edges[0]), e1 = norm(solid.edges[1]), e2 = norm(solid.edges[2]);
+  return {e1 * e2, e2 * e0, e0 * e1};
+}
+
+template <class Solid>
+class SolidIntersection final : public PlanarIntersection {
  public:
-  SolidIntersection(const RayQuestion& question, const Slabs& slabs)
-      : PlanarIntersection(question),
-        slabs_(slabs),
-        met_{SlabMeeting(ray(), slabs[0]), SlabMeeting(ray(), slabs[1]), SlabMeeting(ray(), slabs[2])},
-        chord_(chord_of(met_)) {}
+  SolidIntersection(const RayQuestion& question, const Solid& solid)
+      : PlanarIntersection(question), solid_(solid), met_(meetings(ray(), solid)), chord_(chord_of(met_)) {}
 
   [[nodiscard]] std::vector<ExactContact> hits() const override {
     std::vector<ExactContact> all;
@@ -35,10 +44,10 @@ class SolidIntersection : public PlanarIntersection {
     const auto& t = std::get<Quotient>(hit.t);
     std::optional<ExactNormal> normal;
     int faces = 0;
-    for (std::size_t i = 0; i < slabs_.size(); ++i) {
-      const bool is_low = sign(met_[i].beyond(met_[i].low, t)) == 0;
-      const bool is_high = sign(met_[i].beyond(met_[i].high, t)) == 0;
-      if (is_low || is_high) normal = {is_high ? slabs_[i].normal : -slabs_[i].normal};
+    for (const SlabMeeting& met : met_) {
+      const bool is_low = sign(met.beyond(met.low, t)) == 0;
+      const bool is_high = sign(met.beyond(met.high, t)) == 0;
+      if (is_low || is_high) normal = {is_high ? met.normal : -met.normal};
       faces += static_cast<int>(is_low) + static_cast<int>(is_high);
     }
     return faces == 1 ? normal : std::nullopt;
@@ -65,9 +74,21 @@ class SolidIntersection : public PlanarIntersection {
   }
 
  protected:
-  /// How far p(t) is from one plane of a slab, in the contract's units.
-  [[nodiscard]] virtual Scaled distance(std::size_t slab, const Ring& bound, const Quotient& t) const {
-    return ratio(gap(slab, bound, t), sizes().unit(slab, t.estimate()));
+  [[nodiscard]] Scaled position() const override { return position_of(solid_); }
+  [[nodiscard]] std::array<Scaled, 3> normal_sizes() const override { return normal_sizes_of(solid_); }
+
+ private:
+  /// How far p(t) is from one plane of a slab, in the contract's units. In a box's own space nothing is
+  /// rounded but a difference and a quotient on each axis, so that distances there are measured as |s - t| /
+  /// (|s| + |t|) of the planes' own t.
+  [[nodiscard]] Scaled distance(std::size_t slab, const Ring& bound, const Quotient& t) const {
+    const SlabMeeting& met = met_[slab];
+    const bool is_box = std::is_same_v<Solid, Box<double>> && !question().transform;
+    if (is_box && met.is_parallel()) return endless();  // inside or outside is decided without rounding
+    const Scaled gap = abs(approximate(met.beyond(bound, t))) / approximate(t.denominator());
+    if (!is_box) return ratio(gap, sizes().unit(slab, t.estimate()));
+    const Scaled run = abs(approximate(met.speed) * t.estimate());
+    return ratio(gap, run + abs(approximate(bound - met.position)));
   }
   /// The same from the nearer plane.
   [[nodiscard]] Scaled distance(std::size_t slab, const Quotient& t) const {
@@ -81,71 +102,19 @@ class SolidIntersection : public PlanarIntersection {
     return distance(slab, sign(met.speed) > 0 ? met.high : met.low, met.entry());
   }
 
-  [[nodiscard]] const SlabMeetings& met() const { return met_; }
-  /// |position + t·speed - bound| of a slab.
-  [[nodiscard]] Scaled gap(std::size_t slab, const Ring& bound, const Quotient& t) const {
-    return abs(approximate(met_[slab].beyond(bound, t))) / approximate(t.denominator());
-  }
-
- private:
-  Slabs slabs_;
+  const Solid& solid_;
   SlabMeetings met_;
   std::optional<Chord> chord_;
 };
 
-class BoxIntersection final : public SolidIntersection {
- public:
-  BoxIntersection(const RayQuestion& question, const Box<double>& box)
-      : SolidIntersection(question, slabs_of(box)), box_(box) {}
-
- protected:
-  [[nodiscard]] Scaled position() const override { return norm(box_.min) + norm(box_.max); }
-  [[nodiscard]] std::array<Scaled, 3> normal_sizes() const override {
-    return {Scaled(1), Scaled(1), Scaled(1)};
-  }
-  /// A box in its own space: nothing is rounded but a difference and a quotient on each axis, so that
-  /// distances are measured as |s - t| / (|s| + |t|) of the planes' own t.
-  [[nodiscard]] Scaled distance(std::size_t slab, const Ring& bound, const Quotient& t) const override {
-    if (question().transform) return SolidIntersection::distance(slab, bound, t);
-    const SlabMeeting& axis = met()[slab];
-    if (axis.is_parallel()) return endless();  // inside or outside is decided without rounding
-    const Scaled run = abs(approximate(axis.speed) * t.estimate());
-    const Scaled rise = abs(approximate(bound - axis.position));
-    return ratio(gap(slab, bound, t), run + rise);
-  }
-
- private:
-  const Box<double>& box_;
-};
-
-class ParallelepipedIntersection final : public SolidIntersection {
- public:
-  ParallelepipedIntersection(const RayQuestion& question, const Parallelepiped<double>& solid)
-      : SolidIntersection(question, slabs_of(solid)), solid_(solid) {}
-
- protected:
-  [[nodiscard]] Scaled position() const override {
-    const auto& edges = solid_.edges;
-    return norm(solid_.corner) + norm(edges[0]) + norm(edges[1]) + norm(edges[2]);
-  }
-  [[nodiscard]] std::array<Scaled, 3> normal_sizes() const override {
-    const Scaled e0 = norm(solid_.edges[0]), e1 = norm(solid_.edges[1]), e2 = norm(solid_.edges[2]);
-    return {e1 * e2, e2 * e0, e0 * e1};
-  }
-
- private:
-  const Parallelepiped<double>& solid_;
-};
-
 }  // namespace
 
-std::unique_ptr<MeasuredIntersection> intersection_of(const RayQuestion& question, const Box<double>& box) {
-  return std::make_unique<BoxIntersection>(question, box);
+MeasuredPointer intersection_of(const RayQuestion& question, const Box<double>& box) {
+  return std::make_unique<SolidIntersection<Box<double>>>(question, box);
 }
 
-std::unique_ptr<MeasuredIntersection> intersection_of(const RayQuestion& question,
-                                                      const Parallelepiped<double>& solid) {
-  return std::make_unique<ParallelepipedIntersection>(question, solid);
+MeasuredPointer intersection_of(const RayQuestion& question, const Parallelepiped<double>& solid) {
+  return std::make_unique<SolidIntersection<Parallelepiped<double>>>(question, solid);
 }
 
 }  // namespace rayproof::oracle

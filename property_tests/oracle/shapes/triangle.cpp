@@ -16,20 +16,23 @@ FlatEquation plane_of(const Triangle<double>& triangle) {
                        cross(Vector<Ring>::from(triangle.b) - a, Vector<Ring>::from(triangle.c) - a));
 }
 
+/// The signed volumes that the ray's direction spans with each edge as seen from the origin. Over their sum
+/// they are the barycentric coordinates of the point in which the line meets the triangle's plane.
+std::array<Ring, 3> volumes_of(const ObjectRay<Ring>& ray, const Triangle<double>& triangle) {
+  const auto seen = [&](const glm::dvec3& v) { return ray.scale * Vector<Ring>::from(v) - ray.origin; };
+  const Vector<Ring> a = seen(triangle.a), b = seen(triangle.b), c = seen(triangle.c);
+  return {dot(ray.direction, cross(b, c)), dot(ray.direction, cross(c, a)), dot(ray.direction, cross(a, b))};
+}
+
 class TriangleIntersection final : public FlatIntersection {
  public:
   TriangleIntersection(const RayQuestion& question, const Triangle<double>& triangle)
-      : FlatIntersection(question, plane_of(triangle)), triangle_(triangle) {
-    const auto seen = [&](const glm::dvec3& vertex) {
-      return ray().scale * Vector<Ring>::from(vertex) - ray().origin;
-    };
-    const Vector<Ring> to_a = seen(triangle.a), to_b = seen(triangle.b), to_c = seen(triangle.c);
-    volumes_ = {dot(ray().direction, cross(to_b, to_c)), dot(ray().direction, cross(to_c, to_a)),
-                dot(ray().direction, cross(to_a, to_b))};
-  }
+      : FlatIntersection(question, plane_of(triangle)),
+        triangle_(triangle),
+        volumes_(volumes_of(ray(), triangle)) {}
 
   [[nodiscard]] std::optional<std::array<Quotient, 3>> barycentric() const override {
-    const auto weight = [&](const Ring& volume) { return Quotient(volume, sum()); };
+    const auto weight = [whole = sum()](const Ring& volume) { return Quotient(volume, whole); };
     return std::array{weight(volumes_[0]), weight(volumes_[1]), weight(volumes_[2])};
   }
 
@@ -72,15 +75,12 @@ class TriangleIntersection final : public FlatIntersection {
   [[nodiscard]] Ring sum() const { return volumes_[0] + volumes_[1] + volumes_[2]; }
 
   const Triangle<double>& triangle_;
-  /// The signed volumes that the ray's direction spans with each edge as seen from the origin. Over their sum
-  /// they are the barycentric coordinates of the point in which the line meets the triangle's plane.
   std::array<Ring, 3> volumes_;
 };
 
 }  // namespace
 
-std::unique_ptr<MeasuredIntersection> intersection_of(const RayQuestion& question,
-                                                      const Triangle<double>& triangle) {
+MeasuredPointer intersection_of(const RayQuestion& question, const Triangle<double>& triangle) {
   return std::make_unique<TriangleIntersection>(question, triangle);
 }
 

@@ -1,13 +1,11 @@
 /// \file
-/// The oracle for ray and sphere. It judges by the cheapest arithmetic that can tell, verdict and errors
-/// each.
+/// The oracle for ray and sphere. It judges by the cheapest arithmetic that is certain.
 
 #include <optional>
 #include <tuple>
 
 #include "oracle/shapes/shapes.hpp"
-#include "oracle/shapes/sphere/error.hpp"
-#include "oracle/shapes/sphere/sizes.hpp"
+#include "oracle/shapes/sphere/measures.hpp"
 
 namespace rayproof::oracle {
 namespace {
@@ -18,12 +16,10 @@ class SphereIntersection final : public ExactIntersection {
       : ExactIntersection(question), scene_(ray(), sphere) {}
 
   [[nodiscard]] std::vector<ExactContact> hits() const override {
-    const auto truth = *verdict<Scaled>(scene_, question().ray);
-    const Contact contact = truth.discriminant.sign() == 0 ? Contact::tangent : Contact::crossing;
     std::vector<ExactContact> all;
-    const ExactQuadratic equation = quadratic_of(scene_);
-    for (std::size_t i = 0; i < truth.count(); ++i)
-      all.push_back({ExactRoot(equation, truth.side(i)), contact});
+    std::vector<ExactRoot> roots = real_roots(quadratic_of(scene_));
+    const Contact contact = roots.size() == 1 ? Contact::tangent : Contact::crossing;
+    for (ExactRoot& t : roots) add(all, std::move(t), contact);
     return all;
   }
 
@@ -68,11 +64,10 @@ struct Bench {
 /// the error of a hit, the exact ones when no filter could tell.
 class SphereJudge {
  public:
-  SphereJudge(const RayQuestion& question, const Sphere<double>& sphere, Precision precision,
-              Judgement& judgement)
-      : question_(question), sphere_(sphere), precision_(precision), judgement_(judgement) {}
+  SphereJudge(const RayQuestion& question, const Sphere<double>& sphere, Precision precision)
+      : question_(question), sphere_(sphere), precision_(precision) {}
 
-  void judge(const RayAnswer& claimed) {
+  Judgement judge(const RayAnswer& claimed) {
     // Without a transform one subtraction makes a coordinate, so that balls would have the same sizes.
     const SphereSizes<double> sizes = question_.transform ? sizes_in<Ball>() : sizes_in<Interval>();
     note_sizes(sizes);
@@ -82,8 +77,9 @@ class SphereJudge {
     } else {
       const SphereSizes<Scaled> exact_sizes = sizes_in<Ring>();
       note_sizes(exact_sizes);
-      judge_hits<Ring>(*verdict_in<Ring, Scaled>(), exact_sizes, claimed);
+      judge_hits<Ring>(*verdict<Scaled>(bench<Ring>().scene, question_.ray), exact_sizes, claimed);
     }
+    return judgement_;
   }
 
  private:
@@ -99,16 +95,16 @@ class SphereJudge {
     return sizes_of(bench<R>().scene, bench<R>().ray, question_, sphere_);
   }
 
-  template <class R, class Number>
-  std::optional<Truth<Number>> verdict_in() {
-    return verdict<Number>(bench<R>().scene, question_.ray);
+  template <class R>
+  std::optional<Truth<double>> verdict_in() {
+    return verdict<double>(bench<R>().scene, question_.ray);
   }
 
   Truth<double> filtered_verdict() {
-    if (const auto truth = verdict_in<Interval, double>()) return *truth;
-    if (const auto truth = verdict_in<Ball, double>()) return *truth;
-    if (const auto truth = verdict_in<Pair, double>()) return *truth;
-    return *verdict_in<Ring, double>();
+    if (const auto truth = verdict_in<Interval>()) return *truth;
+    if (const auto truth = verdict_in<Ball>()) return *truth;
+    if (const auto truth = verdict_in<Pair>()) return *truth;
+    return *verdict_in<Ring>();
   }
 
   template <class Number>
@@ -155,7 +151,7 @@ class SphereJudge {
   std::tuple<std::optional<Bench<Interval>>, std::optional<Bench<Ball>>, std::optional<Bench<Pair>>,
              std::optional<Bench<Ring>>>
       benches_;
-  Judgement& judgement_;
+  Judgement judgement_;
 };
 
 }  // namespace
@@ -167,9 +163,7 @@ std::unique_ptr<ExactIntersection> intersection_of(const RayQuestion& question,
 
 Judgement judge(const RayQuestion& question, const Sphere<double>& sphere, Precision precision,
                 const RayAnswer& claimed) {
-  Judgement judgement;
-  SphereJudge(question, sphere, precision, judgement).judge(claimed);
-  return judgement;
+  return SphereJudge(question, sphere, precision).judge(claimed);
 }
 
 }  // namespace rayproof::oracle
