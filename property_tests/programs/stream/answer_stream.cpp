@@ -1,5 +1,7 @@
 #include "programs/stream/answer_stream.hpp"
 
+#include <tbb/parallel_pipeline.h>
+#include <tbb/task_arena.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -7,12 +9,11 @@
 #include <cerrno>
 #include <string_view>
 #include <system_error>
-#include <thread>
+#include <utility>
 
 #include "case/reader.hpp"
 #include "case/writer.hpp"
 #include "programs/stream/line_blocks.hpp"
-#include "programs/stream/ordered_workers.hpp"
 
 namespace rayproof {
 namespace {
@@ -58,16 +59,25 @@ void write_all(int file, std::string_view text) {
 
 }  // namespace
 
-StreamCount answer_stream(int input, int output, const Answerer& answer) {
+std::size_t answer_stream(int input, int output, const Answerer& answer) {
+  using tbb::filter_mode;
+  constexpr std::size_t blocks_per_thread = 4;  // bounds the memory
   std::atomic<std::size_t> refused = 0;
-  OrderedWorkers workers(
-      std::max(1U, std::thread::hardware_concurrency()),
-      [&](const LineBlock& block) { return answer_block(block, answer, refused); },
-      [output](const std::string& text) { write_all(output, text); });
   LineBlockReader reader(input);
-  while (auto block = reader.next()) workers.add(std::move(*block));
-  workers.finish();
-  return {refused};
+  const auto read = [&reader](tbb::flow_control& flow) {
+    auto block = reader.next();
+    if (!block) flow.stop();
+    return std::move(block).value_or(LineBlock());
+  };
+  const auto work = [&](const LineBlock& block) { return answer_block(block, answer, refused); };
+  const auto write = [output](const std::string& text) { write_all(output, text); };
+  // The thread that has read a block answers it and writes; another one waits for the next line meanwhile.
+  tbb::parallel_pipeline(
+      blocks_per_thread * static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()),
+      tbb::make_filter<void, LineBlock>(filter_mode::serial_in_order, read) &
+          tbb::make_filter<LineBlock, std::string>(filter_mode::parallel, work) &
+          tbb::make_filter<std::string, void>(filter_mode::serial_in_order, write));
+  return refused;
 }
 
 }  // namespace rayproof

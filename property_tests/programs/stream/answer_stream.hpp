@@ -13,14 +13,9 @@ namespace rayproof {
 /// Answers a case, from several threads at once. Throws a Refusal for a case that it has no answer for.
 using Answerer = std::function<Answer(const Case&)>;
 
-/// What a stream came to.
-struct StreamCount {
-  std::size_t refused = 0;
-};
-
 /// Reads cases from file descriptor `input` and writes their answers, and errors for refused lines, to
-/// `output`. Lines are answered by all cores; a line that has arrived is answered without waiting for more.
-/// Throws std::system_error where reading or writing fails.
-StreamCount answer_stream(int input, int output, const Answerer& answer);
+/// `output`, and counts the refused. Lines are answered by all cores; a line that has arrived is answered
+/// without waiting for more. Throws std::system_error where reading or writing fails.
+std::size_t answer_stream(int input, int output, const Answerer& answer);
 
 }  // namespace rayproof

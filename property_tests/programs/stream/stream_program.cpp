@@ -22,7 +22,7 @@ int run_stream_program(const std::string& file, const Answerer& answer) {
   try {
     const int input = file == "-" ? STDIN_FILENO : ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
     if (input < 0) throw std::system_error(errno, std::generic_category(), file + " cannot be opened");
-    return answer_stream(input, STDOUT_FILENO, answer).refused > 0 ? 1 : 0;
+    return answer_stream(input, STDOUT_FILENO, answer) > 0 ? 1 : 0;
   } catch (const std::system_error& error) {
     // A reader who has seen enough (`| head`) is no failure to speak of.
     if (error.code() != std::errc::broken_pipe) fmt::print(stderr, "rayproof: {}\n", error.what());

@@ -83,6 +83,21 @@ TEST(oracle_program, is_quiet_when_its_reader_has_seen_enough) {
   EXPECT_EQ(run("oracle " + file.path() + " | head -n 1").output, quadratic_answer + std::string("\n"));
 }
 
+TEST(oracle_program, answers_a_partner_who_waits_for_each_answer_on_a_single_core) {
+  const TemporaryFile script(R"(
+core=$(taskset -cp $$ | sed 's/.*: \([0-9]*\).*/\1/')
+coproc taskset -c "$core" "$1"
+for i in 1 2 3; do
+  echo "$2" >&"${COPROC[1]}"
+  read -r -t 10 -u "${COPROC[0]}" answer && echo "$answer"
+done
+)");
+  const Ended answered =
+      test::run("bash " + script.path() + " " RAYPROOF_BIN_DIR "/rayproof-oracle '" + quadratic_case + "'");
+  const std::string answer = std::string(quadratic_answer) + "\n";
+  EXPECT_EQ(answered.output, answer + answer + answer);
+}
+
 TEST(intersect_program, answers_in_the_oracles_format) {
   const TemporaryFile file(sphere_case);
   const Ended answered = run("intersect --method sphere/compensated " + file.path());

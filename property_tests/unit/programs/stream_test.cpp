@@ -77,7 +77,7 @@ Answered answer_all(std::string_view text) {
     in.close_writer();
   });
   std::thread stream([&] {
-    answered.refused = answer_stream(in.reader(), out.writer(), give_back_a).refused;
+    answered.refused = answer_stream(in.reader(), out.writer(), give_back_a);
     out.close_writer();
   });
   std::string all;
@@ -152,6 +152,26 @@ TEST(stream, answers_a_partner_who_waits_for_each_answer) {
     in.write(question(i) + "\n");
     EXPECT_EQ(nlohmann::json::parse(out.read(), nullptr, false).value("id", 0), i);
   }
+  in.close_writer();
+  stream.join();
+}
+
+/// More lines than blocks may be in work at once: a block that is done is written though the input is silent.
+TEST(stream, answers_a_partner_who_waits_after_several_lines) {
+  Pipe in;
+  Pipe out;
+  std::thread stream([&] { answer_stream(in.reader(), out.writer(), give_back_a); });
+  bool is_answered = true;
+  for (int round = 1; round <= 300 && is_answered; ++round) {
+    const int count = round % 40 + 1;
+    for (int i = 0; i < count; ++i) in.write(question(i) + "\n");
+    for (std::ptrdiff_t answers = 0; answers < count && is_answered;) {
+      const std::string part = out.read();
+      answers += std::count(part.begin(), part.end(), '\n');
+      is_answered = !part.empty();
+    }
+  }
+  EXPECT_TRUE(is_answered);
   in.close_writer();
   stream.join();
 }
