@@ -13,32 +13,14 @@
 
 namespace rayproof {
 
-/// How the first hit touches, or why there is none; the names of the case format.
+/// How the first hit touches, or why there is none.
 enum class Contact { crossing, tangent, edge, vertex, rim, in_surface, parallel, degenerate, none };
 
-/// The name of the case format.
+/// The name of the case format; the names stand in the order of the enumeration.
 [[nodiscard]] constexpr const char* name_of(Contact contact) {
-  switch (contact) {
-    case Contact::crossing:
-      return "crossing";
-    case Contact::tangent:
-      return "tangent";
-    case Contact::edge:
-      return "edge";
-    case Contact::vertex:
-      return "vertex";
-    case Contact::rim:
-      return "rim";
-    case Contact::in_surface:
-      return "in_surface";
-    case Contact::parallel:
-      return "parallel";
-    case Contact::degenerate:
-      return "degenerate";
-    case Contact::none:
-      break;
-  }
-  return "none";
+  constexpr std::array names{"crossing",   "tangent",  "edge",       "vertex", "rim",
+                             "in_surface", "parallel", "degenerate", "none"};
+  return names.at(static_cast<std::size_t>(contact));
 }
 
 /// A short list of t, ascending. No shape of the format is met more than four times by a line.
@@ -61,27 +43,14 @@ struct RayAnswer {
 
 /// The name of the case format.
 [[nodiscard]] constexpr const char* name_of(Position position) {
-  if (position == Position::inside) return "inside";
-  return position == Position::boundary ? "boundary" : "outside";
+  constexpr std::array names{"outside", "boundary", "inside"};
+  return names.at(static_cast<std::size_t>(position));
 }
 
 /// The name of the case format.
 [[nodiscard]] constexpr const char* name_of(RootKind kind) {
-  switch (kind) {
-    case RootKind::two:
-      return "two";
-    case RootKind::twice:
-      return "double";
-    case RootKind::linear:
-      return "linear";
-    case RootKind::constant:
-      return "constant";
-    case RootKind::everything:
-      return "everything";
-    case RootKind::none:
-      break;
-  }
-  return "none";
+  constexpr std::array names{"two", "double", "none", "linear", "constant", "everything"};
+  return names.at(static_cast<std::size_t>(kind));
 }
 
 /// The answer to any case.

@@ -1,8 +1,10 @@
 #include "case/case.hpp"
 
-#include "case/shape_name.hpp"
-
 namespace rayproof {
+
+std::string shape_name(const Shape& shape) {
+  return std::visit([]<class S>(const S&) -> std::string { return ShapeFormat<S>::type; }, shape);
+}
 
 std::string topic_of(const Case& one) {
   if (std::holds_alternative<Quadratic<double>>(one.question)) return "quadratic";

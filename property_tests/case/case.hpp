@@ -42,6 +42,9 @@ struct Case {
   Question question{};
 };
 
+/// "sphere": the case format's name of the shape's type, which is its topic's, too.
+[[nodiscard]] std::string shape_name(const Shape& shape);
+
 /// The case's topic, as in `sphere/centred`: "quadratic", "point_in_polygon", or the shape's type.
 [[nodiscard]] std::string topic_of(const Case& one);
 

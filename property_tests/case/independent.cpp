@@ -10,37 +10,19 @@
 namespace rayproof {
 namespace {
 
-using Integer = boost::multiprecision::cpp_int;
-
-constexpr int mantissa_bits = std::numeric_limits<double>::digits;
-
-int exponent_of(double x) {
-  int exponent = 0;
-  std::frexp(x, &exponent);
-  return exponent;
-}
-
-/// x · 2^(mantissa_bits - exponent), a whole number for every x with an exponent of at least `exponent`.
-Integer scaled(double x, int exponent) {
-  int own = 0;
-  const double fraction = std::frexp(x, &own);
-  const auto mantissa = static_cast<std::int64_t>(std::ldexp(fraction, mantissa_bits));
-  return mantissa * pow(Integer(2), static_cast<unsigned>(own - exponent));
-}
-
-using Vector = std::array<Integer, 3>;
+using Vector = std::array<boost::multiprecision::cpp_int, 3>;
 
 /// A vector times some power of two, in whole numbers: it changes a determinant's size, not whether it is 0.
 Vector whole(const glm::dvec3& v) {
-  const std::array<double, 3> entries{v.x, v.y, v.z};
-  int smallest = std::numeric_limits<int>::max();
-  for (const double x : entries) {
-    if (x != 0) smallest = std::min(smallest, exponent_of(x));
-  }
+  constexpr int mantissa_bits = std::numeric_limits<double>::digits;
+  std::array<int, 3> exponents{};
   Vector result;
   for (std::size_t i = 0; i < 3; ++i) {
-    if (entries[i] != 0) result[i] = scaled(entries[i], smallest);
+    const double fraction = std::frexp(v[static_cast<glm::length_t>(i)], &exponents[i]);
+    result[i] = static_cast<std::int64_t>(std::ldexp(fraction, mantissa_bits));
   }
+  const int smallest = *std::min_element(exponents.begin(), exponents.end());
+  for (std::size_t i = 0; i < 3; ++i) result[i] <<= exponents[i] - smallest;
   return result;
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 /// \file
-/// How a shape grows with its scene: the shape in a scene `factor` times as large about the origin of
-/// coordinates.
+/// How a question grows with its scene.
 
 #include <string_view>
 
@@ -10,11 +9,12 @@
 
 namespace rayproof {
 
-/// Every number of a shape is a length or a place, but those of a `normal`, which has no length to grow.
+/// The shape in a scene `factor` times as large about the origin of coordinates: all its numbers are lengths,
+/// but for a field named normal, which has no length to grow.
 template <class S>
 [[nodiscard]] S grown(S shape, double factor) {
-  ShapeFormat<S>::fields(shape, [&](const std::string_view name, auto& field) {
-    if (name != "normal") each_number(field, [&](double& x) { x *= factor; });
+  ShapeFormat<S>::fields(shape, [factor](std::string_view name, auto& value) {
+    if (name != "normal") each_number(value, [factor](double& x) { x *= factor; });
   });
   return shape;
 }

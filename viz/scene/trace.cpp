@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "case/shape_name.hpp"
+#include "case/case.hpp"
 #include "viz/scene/figures.hpp"
 #include "viz/scene/hits.hpp"
 #include "viz/scene/tiles.hpp"

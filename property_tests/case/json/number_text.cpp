@@ -14,42 +14,10 @@
 namespace rayproof {
 namespace {
 
-/// Where a number's text lies in the two notations: what from_chars gets, and how it reads it.
-struct Digits {
-  std::string_view text;
-  std::chars_format format;
-};
-
-/// Checks that `text` is digits, a point, digits and an exponent, with a digit on at least one side of the
-/// point. from_chars alone would read "1e" as 1, and "inf", "infinity" and "nan(1)" as well.
-bool is_spelled_right(const Digits& digits) {
-  const bool is_hex = digits.format == std::chars_format::hex;
-  std::string_view rest = digits.text;
-  const auto skip_any_of = [&rest](std::string_view characters) {
-    const std::size_t count = std::min(rest.find_first_not_of(characters), rest.size());
-    rest.remove_prefix(count);
-    return count;
-  };
-  const auto take_one_of = [&rest](std::string_view characters) {
-    const bool taken = !rest.empty() && characters.find(rest[0]) != std::string_view::npos;
-    if (taken) rest.remove_prefix(1);
-    return taken;
-  };
-  const std::string_view digit = is_hex ? "0123456789abcdefABCDEF" : "0123456789";
-  std::size_t count = skip_any_of(digit);
-  if (take_one_of(".")) count += skip_any_of(digit);
-  if (count == 0) return false;
-  if (take_one_of(is_hex ? "pP" : "eE")) {
-    take_one_of("+-");
-    if (skip_any_of("0123456789") == 0) return false;
-  }
-  return rest.empty();
-}
-
 /// The number where from_chars only says that it is out of range: 0 or infinity, or nearly so.
-double beyond_range(const Digits& digits) {
+double beyond_range(std::string_view digits, bool is_hex) {
   static const locale_t c_locale = newlocale(LC_ALL_MASK, "C", nullptr);
-  const std::string text = (digits.format == std::chars_format::hex ? "0x" : "") + std::string(digits.text);
+  const std::string text = (is_hex ? "0x" : "") + std::string(digits);
   return strtod_l(text.c_str(), nullptr, c_locale);
 }
 
@@ -78,11 +46,15 @@ std::optional<double> parse_number(std::string_view text) {
   const bool is_hex = text.starts_with("0x") || text.starts_with("0X");
   if (is_hex) text.remove_prefix(2);
 
-  const Digits digits{text, is_hex ? std::chars_format::hex : std::chars_format::general};
-  if (!is_spelled_right(digits)) return std::nullopt;
+  // from_chars would also read "infinity" and "nan(1)", and libstdc++ 12 the exponent +-1 of a hex float.
+  const std::string_view first_characters = is_hex ? ".0123456789abcdefABCDEF" : ".0123456789";
+  if (text.empty() || first_characters.find(text[0]) == std::string_view::npos) return std::nullopt;
+  if (text.find("+-") != std::string_view::npos) return std::nullopt;
   double magnitude = 0;
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), magnitude, digits.format);
-  if (read.ec == std::errc::result_out_of_range) magnitude = beyond_range(digits);
+  const auto format = is_hex ? std::chars_format::hex : std::chars_format::general;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), magnitude, format);
+  if (read.ec == std::errc::invalid_argument || read.ptr != text.data() + text.size()) return std::nullopt;
+  if (read.ec == std::errc::result_out_of_range) magnitude = beyond_range(text, is_hex);
   return sign * magnitude;
 }
 

@@ -8,13 +8,25 @@
 
 namespace rayproof::json {
 
-unsigned hex4(std::string_view digits) {
+namespace {
+
+constexpr bool is_digit(char c) { return '0' <= c && c <= '9'; }
+constexpr bool is_high_surrogate(unsigned code) { return 0xD800 <= code && code < 0xDC00; }
+constexpr bool is_low_surrogate(unsigned code) { return 0xDC00 <= code && code < 0xE000; }
+
+constexpr unsigned no_code = 0x10000;
+
+/// The code of an escape like \u00e9 at the start of `text`; `no_code` where there is none.
+unsigned unicode_escape(std::string_view text) {
+  constexpr std::size_t length = 6;
+  if (text.size() < length || !text.starts_with("\\u")) return no_code;
   unsigned code = 0;
-  const char* const end = digits.data() + digits.size();
-  const auto read = std::from_chars(digits.data(), end, code, 16);
-  return digits.size() == 4 && read.ec == std::errc{} && read.ptr == end ? code : 0x10000;
+  const char* const end = text.data() + length;
+  return std::from_chars(text.data() + 2, end, code, 16).ptr == end ? code : no_code;
 }
 
+/// The length in bytes of the UTF-8 character at the start of `text`; 0 where there is none (overlong forms,
+/// surrogates and everything above U+10FFFF are not UTF-8).
 std::size_t utf8_length(std::string_view text) {
   const auto byte = [text](std::size_t i) {
     return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
@@ -34,6 +46,8 @@ std::size_t utf8_length(std::string_view text) {
   return is_tail(1) && is_tail(2) && is_tail(3) && !is_overlong && !is_too_large ? 4 : 0;
 }
 
+}  // namespace
+
 void Scanner::refuse(const char* expected) const {
   throw Refusal("line", fmt::format("the line is not JSON: expected {} at byte {}", expected, position_ + 1));
 }
@@ -49,36 +63,20 @@ bool Scanner::take(char c) {
 }
 
 Kind Scanner::kind_of_next() const {
-  switch (next()) {
-    case '{':
-      return Kind::object;
-    case '[':
-      return Kind::array;
-    case '"':
-      return Kind::string;
-    case 't':
-    case 'f':
-      return Kind::boolean;
-    case 'n':
-      return Kind::null;
-    default:
-      break;
-  }
-  if (next() != '-' && !is_digit(next())) refuse("a value");
+  const char c = next();
+  if (c == '{') return Kind::object;
+  if (c == '[') return Kind::array;
+  if (c == '"') return Kind::string;
+  if (c == 't' || c == 'f') return Kind::boolean;
+  if (c == 'n') return Kind::null;
+  if (c != '-' && !is_digit(c)) refuse("a value");
   return Kind::number;
 }
 
 void Scanner::skip_scalar(Kind kind) {
-  switch (kind) {
-    case Kind::string:
-      return skip_string("a string");
-    case Kind::number:
-      return skip_number();
-    case Kind::null:
-      return skip_word("null");
-    default:
-      return skip_word(next() == 't' ? "true" : "false");
-  }
+  if (kind == Kind::string) return skip_string("a string");
+  if (kind == Kind::number) return skip_number();
+  skip_word(next() == 'n' ? "null" : next() == 't' ? "true" : "false");
 }
 
 void Scanner::skip_word(std::string_view word) {
@@ -119,20 +117,16 @@ void Scanner::skip_string(const char* expected) {
 }
 
 void Scanner::skip_escape() {
-  constexpr std::string_view one_letter = "\"\\/bfnrt";
-  const auto code_at = [this](std::size_t i) {
-    const std::string_view rest = text_.substr(position_, 12);
-    return rest.size() > i && rest.substr(i, 2) == "\\u" ? hex4(rest.substr(i + 2, 4)) : 0x10000U;
-  };
-  if (position_ + 1 < text_.size() && one_letter.find(text_[position_ + 1]) != std::string_view::npos) {
-    position_ += 2;
-    return;
-  }
-  const unsigned code = code_at(0);
-  if (code > 0xFFFF) refuse("a valid escape");
+  const std::string_view rest = text_.substr(position_);
+  const bool is_short =
+      rest.size() > 1 && std::string_view("\"\\/bfnrt").find(rest[1]) != std::string_view::npos;
+  if (is_short) return skip(2);
+  const unsigned code = unicode_escape(rest);
+  if (code == no_code) refuse("a valid escape");
   if (is_low_surrogate(code)) refuse("the first half of a surrogate pair");
-  if (is_high_surrogate(code) && !is_low_surrogate(code_at(6))) refuse("both halves of a surrogate pair");
-  position_ += is_high_surrogate(code) ? 12 : 6;
+  if (!is_high_surrogate(code)) return skip(6);
+  if (!is_low_surrogate(unicode_escape(rest.substr(6)))) refuse("both halves of a surrogate pair");
+  skip(12);
 }
 
 }  // namespace rayproof::json

@@ -9,17 +9,6 @@
 
 namespace rayproof::json {
 
-[[nodiscard]] constexpr bool is_digit(char c) { return '0' <= c && c <= '9'; }
-[[nodiscard]] constexpr bool is_high_surrogate(unsigned code) { return 0xD800 <= code && code < 0xDC00; }
-[[nodiscard]] constexpr bool is_low_surrogate(unsigned code) { return 0xDC00 <= code && code < 0xE000; }
-
-/// The number that four hex digits stand for; above 0xFFFF where they are not four hex digits.
-[[nodiscard]] unsigned hex4(std::string_view digits);
-
-/// The length in bytes of the UTF-8 character at the start of `text`; 0 where there is none (overlong forms,
-/// surrogates and everything above U+10FFFF are not UTF-8).
-[[nodiscard]] std::size_t utf8_length(std::string_view text);
-
 /// A position in a text. Every `skip_...` passes over one token or throws a Refusal.
 class Scanner {
  public:
@@ -27,9 +16,6 @@ class Scanner {
 
   [[nodiscard]] std::size_t position() const { return position_; }
   [[nodiscard]] bool at_end() const { return position_ == text_.size(); }
-  [[nodiscard]] std::string_view text_from(std::size_t start) const {
-    return text_.substr(start, position_ - start);
-  }
 
   void skip(std::size_t bytes) { position_ += bytes; }
   void skip_blanks();

@@ -29,62 +29,58 @@ class Parser {
  private:
   /// Reads a scalar whole, or the opening bracket of a container.
   void begin_value() {
-    const std::size_t start = scanner_.position();
-    document_.push_back({Kind::null, {}, key_, document_.size() + 1});
+    const std::string_view rest = text_.substr(scanner_.position());
+    open_.push_back(document_.size());
+    document_.push_back({Kind::null, rest, key_, 0});
     key_ = {};
     try {
-      const Kind kind = scanner_.kind_of_next();
-      document_.back().kind = kind;
-      if (kind != Kind::array && kind != Kind::object) {
-        scanner_.skip_scalar(kind);
-        document_.back().text = scanner_.text_from(start);
-        return;
-      }
+      const Kind kind = document_.back().kind = scanner_.kind_of_next();
+      if (kind == Kind::array || kind == Kind::object) return scanner_.skip(1);
+      scanner_.skip_scalar(kind);
     } catch (const Refusal&) {
-      refuse_infinity(start);
+      refuse_infinity(rest);
       throw;
     }
-    scanner_.skip(1);
-    open_.push_back({document_.size() - 1, start, true});
+    close();
   }
 
   /// Moves to the next child of the innermost open container and says so, or closes the container.
   bool next_child() {
-    Open& open = open_.back();
-    const bool is_object = document_[open.node].kind == Kind::object;
-    const char closing = is_object ? '}' : ']';
+    const bool is_object = document_[open_.back()].kind == Kind::object;
+    const bool is_empty = document_.size() == open_.back() + 1;
     scanner_.skip_blanks();
-    if (scanner_.take(closing)) {
+    if (scanner_.take(is_object ? '}' : ']')) {
       close();
       return false;
     }
-    if (!open.is_empty && !scanner_.take(',')) scanner_.refuse(is_object ? "',' or '}'" : "',' or ']'");
-    open.is_empty = false;
+    if (!is_empty && !scanner_.take(',')) scanner_.refuse(is_object ? "',' or '}'" : "',' or ']'");
     scanner_.skip_blanks();
     if (is_object) read_key();
     return true;
   }
 
   void read_key() {
-    const std::size_t start = scanner_.position();
+    key_ = text_.substr(scanner_.position());
     scanner_.skip_string("a field's name in quotes");
-    key_ = scanner_.text_from(start);
+    end_here(key_);
     scanner_.skip_blanks();
     if (!scanner_.take(':')) scanner_.refuse("':'");
     scanner_.skip_blanks();
   }
 
   void close() {
-    Node& node = document_[open_.back().node];
+    Node& node = document_[open_.back()];
     node.end = document_.size();
-    node.text = scanner_.text_from(open_.back().start);
+    end_here(node.text);
     open_.pop_back();
   }
 
+  /// Cuts a part that runs on to the end of the text where the scanner stands.
+  void end_here(std::string_view& part) const { part.remove_suffix(text_.size() - scanner_.position()); }
+
   /// Python's json and others write infinities and NaN as words, which are not JSON. Refuses such a word by
   /// the name of its field.
-  void refuse_infinity(std::size_t start) const {
-    const std::string_view rest = text_.substr(start);
+  void refuse_infinity(std::string_view rest) const {
     const std::string_view word = rest.substr(0, rest.find_first_of(",]} \t\r\n"));
     const std::string_view spelling = case_spelling(word);
     if (spelling.empty()) return;
@@ -98,11 +94,11 @@ class Parser {
   /// "ray.origin[1]": the way to the value that is being read.
   [[nodiscard]] std::string path_of_last() const {
     std::string path;
-    for (std::size_t depth = 0; depth < open_.size(); ++depth) {
-      const std::size_t container = open_[depth].node;
-      const std::size_t child = depth + 1 < open_.size() ? open_[depth + 1].node : document_.size() - 1;
+    for (std::size_t depth = 1; depth < open_.size(); ++depth) {
+      const std::size_t container = open_[depth - 1], child = open_[depth];
       if (document_[container].kind == Kind::object) {
-        path += (path.empty() ? "" : ".") + unquote(document_[child].key);
+        if (!path.empty()) path += '.';
+        path += unquote(document_[child].key);
       } else {
         std::size_t position = 0;
         for (std::size_t i = container + 1; i < child; i = document_[i].end) ++position;
@@ -112,16 +108,11 @@ class Parser {
     return path;
   }
 
-  struct Open {
-    std::size_t node;
-    std::size_t start;  ///< of its text
-    bool is_empty;      ///< no child read yet
-  };
-
   std::string_view text_;
   Scanner scanner_;
   Document document_;
-  std::vector<Open> open_;
+  std::vector<std::size_t>
+      open_;                ///< the value that is being read, within those that hold it, outermost first
   std::string_view key_{};  ///< of the value about to be read
 };
 

@@ -41,6 +41,7 @@ TEST(json_text, keeps_every_value_as_it_was_written) {
   EXPECT_EQ(document[4].key, R"("b")");
   EXPECT_EQ(unquote(document[5].key), "c");
   EXPECT_EQ(unquote(document[5].text), "x\n");
+  EXPECT_EQ(unquote(R"("\/\b\u00e9\u20ac\ud83d\ude00 é")"), "/\bé€😀 é");
 }
 
 TEST(json_text, accepts_what_the_grammar_has) {

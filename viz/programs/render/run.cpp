@@ -3,7 +3,7 @@
 #include <chrono>
 #include <set>
 
-#include "case/shape_name.hpp"
+#include "case/case.hpp"
 #include "case/writer.hpp"
 #include "command_line/progress_line.hpp"
 #include "viz/programs/render/partial_file.hpp"
