@@ -5,7 +5,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
-#include <string_view>
 
 #include "properties/numbers.hpp"
 
@@ -29,13 +28,11 @@ Decimal decimal(double x, Precision precision) {
   const auto written = precision == Precision::float32
                            ? std::to_chars(begin, end, static_cast<float>(magnitude), format)
                            : std::to_chars(begin, end, magnitude, format);
-  const std::string_view all(begin, static_cast<std::size_t>(written.ptr - begin));
-  const std::string_view mantissa = all.substr(0, all.find('e'));
-  const auto digits = static_cast<unsigned>(mantissa.size() - (mantissa.size() > 1 ? 1 : 0));
-  int exponent = 0;
-  const std::size_t sign = all[mantissa.size() + 1] == '+' ? 1 : 0;  // from_chars reads no plus
-  std::from_chars(begin + mantissa.size() + 1 + sign, written.ptr, exponent);
-  return {digits, static_cast<unsigned>(std::abs(exponent)), static_cast<unsigned>(mantissa[0] - '0')};
+  const char* const e = std::find(begin, written.ptr, 'e');
+  const auto mantissa = static_cast<unsigned>(e - begin);
+  const int exponent = std::atoi(e + 1);  // the array's zeros end the text
+  return {mantissa - (mantissa > 1 ? 1 : 0), static_cast<unsigned>(std::abs(exponent)),
+          static_cast<unsigned>(*begin - '0')};
 }
 
 constexpr unsigned too_many_digits = 1000;
