@@ -95,14 +95,13 @@ bool is_fair(const Answer& claimed, const Case& one) {
 
 }  // namespace
 
-JudgedFamily judged_family(Case (*generate)(std::uint64_t, Precision), Precision precision,
-                           std::size_t count) {
-  JudgedFamily family{std::vector<Case>(count), std::vector<Answer>(count)};
+JudgedFamily judged_family(const Family& family, Precision precision, std::size_t count) {
+  JudgedFamily judged{std::vector<Case>(count), std::vector<Answer>(count)};
   tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
-    family.cases[i] = generate(i, precision);
-    family.exact[i] = oracle::answer(family.cases[i]);
+    judged.cases[i] = family.generate(i, precision);
+    judged.exact[i] = oracle::answer(judged.cases[i]);
   });
-  return family;
+  return judged;
 }
 
 Accuracies measure(const Subject& subject, const JudgedFamily& family) {

@@ -6,6 +6,7 @@
 
 #include "bench/figures/row.hpp"
 #include "case/answer.hpp"
+#include "generators/generators.hpp"
 #include "subjects/subject.hpp"
 
 namespace rayproof::report {
@@ -17,8 +18,7 @@ struct JudgedFamily {
 };
 
 /// Generates `count` cases of a family and answers them exactly.
-[[nodiscard]] JudgedFamily judged_family(Case (*generate)(std::uint64_t, Precision), Precision precision,
-                                         std::size_t count);
+[[nodiscard]] JudgedFamily judged_family(const Family& family, Precision precision, std::size_t count);
 
 /// A subject's errors in both arrangements; without cases where the subject has no batch.
 struct Accuracies {

@@ -31,7 +31,7 @@ std::map<std::string, Accuracies> judge_all(const Options& options, const Family
 /// One family in one precision: judged first, then timed with nothing else running.
 void measure_family(const Options& options, const Family& family, Precision precision,
                     std::vector<Row>& rows) {
-  const JudgedFamily judged = judged_family(family.generate, precision, options.rays);
+  const JudgedFamily judged = judged_family(family, precision, options.rays);
   const auto accuracies = judge_all(options, family, judged);
 
   std::vector<Contender> wanted;

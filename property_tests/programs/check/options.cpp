@@ -20,31 +20,30 @@ constexpr const char* footer =
     "line; 130 interrupted.";
 
 void describe_filters(CLI::App& app, Options& options) {
+  const auto list = [&](const char* name, std::vector<std::string>& into, const std::string& text) {
+    return app.add_option(name, into, text)->delimiter(',');
+  };
   Settings& settings = options.settings;
-  app.add_option("--shape,--topic", settings.shapes,
-                 fmt::format("Only methods of {}", fmt::join(topics(), ", ")))
-      ->delimiter(',');
-  app.add_option("--method", settings.methods, "Only this method: centred, or sphere/centred")
-      ->delimiter(',');
-  app.add_option("--property", settings.properties, "Only this property")->delimiter(',');
-  app.add_option("--family", settings.families, "Only this family of cases")->delimiter(',');
-  app.add_option("--precision", options.precision_names, "Only float32 or float64")
-      ->delimiter(',')
+  list("--shape,--topic", settings.shapes, fmt::format("Only methods of {}", fmt::join(topics(), ", ")));
+  list("--method", settings.methods, "Only this method: centred, or sphere/centred");
+  list("--property", settings.properties, "Only this property");
+  list("--family", settings.families, "Only this family of cases");
+  list("--precision", options.precision_names, "Only float32 or float64")
       ->check(CLI::IsMember({"float32", "float64"}));
 }
 
 void describe_outputs(CLI::App& app, Options& options) {
+  const auto file = [&](const char* name, std::string& into, const char* text) {
+    app.add_option(name, into, text)->type_name("FILE");
+  };
   app.add_option("--out", options.out, "Folder for the page index.html and for findings.jsonl")
       ->capture_default_str()
       ->type_name("DIR");
-  app.add_option("--findings", options.findings, "Write each finding as a line of JSON here, too, at once")
-      ->type_name("FILE");
-  app.add_option("--json", options.json, "Write all figures as one JSON object")->type_name("FILE");
-  app.add_option("--junit", options.junit, "Write the outcome as JUnit XML")->type_name("FILE");
-  app.add_option("--replay", options.replay, "Judge just the findings or cases of this file again")
-      ->type_name("FILE");
-  app.add_option("--corpus", options.corpus, "Cases to run first, in place of the built-in corpus")
-      ->type_name("FILE");
+  file("--findings", options.findings, "Write each finding as a line of JSON here, too, at once");
+  file("--json", options.json, "Write all figures as one JSON object");
+  file("--junit", options.junit, "Write the outcome as JUnit XML");
+  file("--replay", options.replay, "Judge just the findings or cases of this file again");
+  file("--corpus", options.corpus, "Cases to run first, in place of the built-in corpus");
   app.add_flag(
       "--measure", options.measure,
       "Also print the worst errors of each family, and the worst figures as the contracts write them");

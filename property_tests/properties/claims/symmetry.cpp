@@ -48,51 +48,49 @@ bool is_scalable(Trial& trial) {
   return !overflows && all_within(range, claimed) && trial.in_domain(scaling_reach);
 }
 
-/// What the subject says of the twin, in the terms of the case itself.
-Answer seen_from(const Twin& twin, const Subject& subject) {
-  return stretched(subject.answer(twin.one), 1 / twin.factor);
-}
-
-/// The scaled scene's answer where it differs from the case's, scaled back; nothing where it agrees, or where
-/// the scaled answer itself left the range.
-std::optional<Answer> differs_scaled(Trial& trial, const Scaling& scaling) {
-  const Twin twin = scaled_twin(trial.question(), scaling);
-  if (!all_within(scalable(trial), numbers_in(trial.subject().answer(twin.one)))) return std::nullopt;
-  const Answer got = seen_from(twin, trial.subject());
-  if (same(got, trial.claimed())) return std::nullopt;
-  return got;
+/// The first scaling whose answer, scaled back, differs from the case's, and that answer; nothing where all
+/// agree. A scaled answer that itself left the range is not compared.
+std::optional<std::pair<Scaling, Answer>> first_difference(Trial& trial) {
+  const ExponentRange range = scalable(trial);
+  for (const Scaling& scaling : scalings) {
+    const Twin twin = scaled_twin(trial.question(), scaling);
+    const Answer there = trial.subject().answer(twin.one);
+    const Answer got = stretched(there, 1 / twin.factor);
+    if (all_within(range, numbers_in(there)) && !same(got, trial.claimed())) return std::pair{scaling, got};
+  }
+  return std::nullopt;
 }
 
 Ruling scaled(Trial& trial) {
   if (!is_scalable(trial)) return Ruling::outside;
-  const bool differs = std::any_of(scalings.begin(), scalings.end(), [&](const Scaling& scaling) {
-    return differs_scaled(trial, scaling).has_value();
-  });
-  return differs ? Ruling::broken : Ruling::held;
+  return first_difference(trial) ? Ruling::broken : Ruling::held;
 }
 
 Evidence show_scaled(Trial& trial) {
-  for (const Scaling& scaling : scalings) {
-    const std::optional<Answer> got = differs_scaled(trial, scaling);
-    if (!got) continue;
-    return show_answer(
-        trial.question(), *got,
-        fmt::format("got is the answer after scaling lengths by 2^{} and the direction (or the equation) by "
-                    "2^{}, scaled back; without scaling the method answers otherwise",
-                    scaling.lengths, scaling.whole));
-  }
-  return show_answer(trial, "");
+  const auto found = first_difference(trial);
+  if (!found) return show_answer(trial, "");
+  const auto& [scaling, got] = *found;
+  return show_answer(
+      trial.question(), got,
+      fmt::format("got is the answer after scaling lengths by 2^{} and the direction (or the equation) by "
+                  "2^{}, scaled back; without scaling the method answers otherwise",
+                  scaling.lengths, scaling.whole));
+}
+
+/// The answer to the case run backwards, mirrored.
+Answer mirrored(Trial& trial) {
+  const Twin twin = reversed_twin(trial.question());
+  return stretched(trial.subject().answer(twin.one), 1 / twin.factor);
 }
 
 Ruling reversed(Trial& trial) {
   if (!trial.in_domain()) return Ruling::outside;
-  const Answer mirrored = seen_from(reversed_twin(trial.question()), trial.subject());
-  return same(mirrored, trial.claimed()) ? Ruling::held : Ruling::broken;
+  return same(mirrored(trial), trial.claimed()) ? Ruling::held : Ruling::broken;
 }
 
 Evidence show_reversed(Trial& trial) {
   return show_answer(
-      trial.question(), seen_from(reversed_twin(trial.question()), trial.subject()),
+      trial.question(), mirrored(trial),
       "got is the answer to the ray run backwards, mirrored; forwards the method answers otherwise");
 }
 
