@@ -1,9 +1,10 @@
-"""Proves that a shape is its own files and a dozen entries: adds the disk to a copy of the checkout, builds and tries it.
+"""Proves docs/add-a-shape.md: adds the disk to a copy of the checkout, builds it and tries it.
 
     python3 property_tests/unit/add_a_shape/prove.py --work DIR [--cases N] [--kernel-error]
 
 The copy stands in DIR/tree and is built in DIR/build; a second run in the same folder compiles only what has changed.
---kernel-error plants an error in the disk's kernel, which check must then find. Exit status: 0 where all is well, else 1.
+--kernel-error plants an error in the disk's kernel, so that the proof must fail. Exit status: 0 where all is well,
+else 1.
 """
 
 import argparse
@@ -20,8 +21,9 @@ from add import HERE, faults_of
 SOURCE = HERE.parents[2]
 # Without VTK, and not at -O3: nothing here is timed, and what is proved does not depend on it.
 OPTIONS = ["-G", "Ninja", "-D", "CMAKE_BUILD_TYPE=Release", "-D", "CMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG",
-           "-D", "CMAKE_CXX_COMPILER_LAUNCHER=ccache", "-D", "CMAKE_UNITY_BUILD=ON", "-D", "CMAKE_UNITY_BUILD_BATCH_SIZE=10",
-           "-D", "RAYPROOF_WERROR=ON", "-D", "CMAKE_DISABLE_FIND_PACKAGE_VTK=ON"]
+           "-D", "CMAKE_CXX_COMPILER_LAUNCHER=ccache", "-D", "CMAKE_UNITY_BUILD=ON",
+           "-D", "CMAKE_UNITY_BUILD_BATCH_SIZE=10", "-D", "RAYPROOF_WERROR=ON",
+           "-D", "CMAKE_DISABLE_FIND_PACKAGE_VTK=ON"]
 PROGRAMS = ["methods", "oracle", "intersect", "check", "explain", "walk", "draw"]
 TESTS = {"lib": "EveryDiskMethod*", "oracle": "DiskOracle*:*/disk:*/disk/*", "scene": "Bounds*",
          "generators": "TheCasesOfASeed*:*disk*", "viz": "Views*:Wireframe*:Stories*:Recorded*:Bounded*"}
@@ -34,12 +36,13 @@ class Failed(Exception):
     """What went wrong, and the end of what was said."""
 
 
-def run(*command, cwd=None, text=None):
+def run(*command, cwd=None):
     """Standard output of a command that must end with status 0."""
-    done = subprocess.run([str(part) for part in command], cwd=cwd, input=text, capture_output=True, text=True, check=False)
+    words = [str(word) for word in command]
+    done = subprocess.run(words, cwd=cwd, capture_output=True, text=True, check=False)
     if done.returncode != 0:
         said = (done.stdout + done.stderr).splitlines()[-40:]
-        raise Failed("\n".join([f"status {done.returncode}: {' '.join(map(str, command))}", *said]))
+        raise Failed("\n".join([f"status {done.returncode}: {' '.join(words)}", *said]))
     return done.stdout
 
 
@@ -66,8 +69,8 @@ class Proof:
         self.tree, self.build = work / "tree", work / "build"
         self.case = work / "case.json"
 
-    def program(self, name, *arguments, text=None):
-        return run(self.build / "bin" / f"rayproof-{name}", *arguments, cwd=self.work, text=text)
+    def program(self, name, *arguments):
+        return run(self.build / "bin" / f"rayproof-{name}", *arguments, cwd=self.work)
 
     def python(self, script, *arguments):
         return run(sys.executable, self.tree / "property_tests" / script, *arguments)
@@ -106,7 +109,8 @@ class Proof:
         expect("Meet the plane of the disk" in (self.work / "disk.html").read_text(), "the lesson has no steps")
 
     def independent(self):
-        self.python("unit/oracle_check", "--oracle", self.build / "bin/rayproof-oracle", "--topic", "disk", "--cases", 4000)
+        oracle = self.build / "bin/rayproof-oracle"
+        self.python("unit/oracle_check", "--oracle", oracle, "--topic", "disk", "--cases", 4000)
 
     def pages(self):
         for page in ("case_format", "conventions"):
@@ -131,7 +135,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
     parser.add_argument("--work", type=Path, required=True, help="a folder of its own")
     parser.add_argument("--cases", type=int, default=2000, help="of each family and precision, for check")
-    parser.add_argument("--kernel-error", action="store_true", help="plants an error that check must find")
+    parser.add_argument("--kernel-error", action="store_true", help="plants an error, so that the proof must fail")
     options = parser.parse_args()
     work = options.work.resolve()
     work.mkdir(parents=True, exist_ok=True)

@@ -36,6 +36,6 @@ template <class T>
 }
 
 /// The bound, in the units above, that a robust ray/disk method keeps (Claim::robust).
-inline constexpr double disk_robust_bound = 8;
+inline constexpr double disk_robust_bound = 4;
 
 }  // namespace rayproof

@@ -9,8 +9,9 @@ namespace rayproof::disk_family {
 /// A disk in a room, of radius 1/4 to 4.
 [[nodiscard]] inline Disk<double> in_a_room(Random& random) {
   const glm::dvec3 center = point_in_a_room(random);
-  const glm::dvec3 normal = std::exp2(random.uniform(-2, 2)) * draw::unit_vector(random);
-  return {center, normal, std::exp2(random.uniform(-2, 2))};
+  const glm::dvec3 normal = draw::unit_vector(random);
+  const double length = std::exp2(random.uniform(-2, 2));
+  return {center, length * normal, std::exp2(random.uniform(-2, 2))};
 }
 
 /// A point of the disk's plane, `part` of the radius from the centre.

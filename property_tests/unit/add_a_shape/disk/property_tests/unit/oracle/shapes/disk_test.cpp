@@ -6,17 +6,17 @@
 namespace rayproof::oracle::test {
 namespace {
 
-const Disk<double> level{{0, 0, 0}, {0, 0, 2}, 5};
+const Disk<double> five_wide{{0, 0, 0}, {0, 0, 2}, 5};
 
 TEST(DiskOracle, CountsTheRimAndSaysSo) {
-  expect_hits(met(down(3, 4), level), Contact::rim, {2});
-  expect_hits(met(down(3, 3.9), level), Contact::crossing, {2});
-  expect_miss(met(down(3, std::nextafter(4.0, 5.0)), level), Contact::none);
+  expect_hits(met(down(3, 4), five_wide), Contact::rim, {2});
+  expect_hits(met(down(3, 3.9), five_wide), Contact::crossing, {2});
+  expect_miss(met(down(3, std::nextafter(4.0, 5.0)), five_wide), Contact::none);
 }
 
 TEST(DiskOracle, TellsARayInThePlaneFromOneBesideIt) {
-  expect_miss(met({{0, 0, 0}, {1, 0, 0}}, level), Contact::in_surface);
-  expect_miss(met({{0, 0, 1}, {1, 0, 0}}, level), Contact::parallel);
+  expect_miss(met({{0, 0, 0}, {1, 0, 0}}, five_wide), Contact::in_surface);
+  expect_miss(met({{0, 0, 1}, {1, 0, 0}}, five_wide), Contact::parallel);
 }
 
 TEST(DiskOracle, TakesARadiusOfZeroForAPoint) {
@@ -25,13 +25,13 @@ TEST(DiskOracle, TakesARadiusOfZeroForAPoint) {
 }
 
 TEST(DiskOracle, MakesAnEllipseOfItUnderAStretch) {
-  expect_hits(met_under(stretch(2, 1, 1), down(6, 4), level), Contact::rim, {2});
-  expect_miss(met_under(stretch(2, 1, 1), down(6.5, 4), level), Contact::none);
+  expect_hits(met_under(stretch(2, 1, 1), down(6, 4), five_wide), Contact::rim, {2});
+  expect_miss(met_under(stretch(2, 1, 1), down(6.5, 4), five_wide), Contact::none);
 }
 
 TEST(DiskOracle, GivesTheNormalAlongTheGivenOneFromEitherSide) {
-  EXPECT_EQ(met(down(0, 0), level).normal, glm::dvec3(0, 0, 1));
-  EXPECT_EQ(met({{0, 0, -2}, {0, 0, 1}}, level).normal, glm::dvec3(0, 0, 1));
+  EXPECT_EQ(met(down(0, 0), five_wide).normal, glm::dvec3(0, 0, 1));
+  EXPECT_EQ(met({{0, 0, -2}, {0, 0, 1}}, five_wide).normal, glm::dvec3(0, 0, 1));
 }
 
 }  // namespace
