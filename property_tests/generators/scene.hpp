@@ -8,7 +8,7 @@
 
 #include "case/accepted.hpp"
 #include "case/each_number.hpp"
-#include "case/number_text.hpp"
+#include "case/json/number_text.hpp"
 #include "generators/draw.hpp"
 
 namespace rayproof {

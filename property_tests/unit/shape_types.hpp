@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "case/shape_reader.hpp"
+#include "case/reader/shape_reader.hpp"
 #include "generators/number_by_number.hpp"
 
 namespace rayproof {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "case/shape_name.hpp"
+#include "case/case.hpp"
 #include "viz/scene/figures.hpp"
 #include "viz/scene/figures/hull.hpp"
 
