@@ -2,6 +2,8 @@
 /// \file
 /// How a question grows with its scene.
 
+#include <string_view>
+
 #include "case/each_number.hpp"
 
 namespace rayproof {
