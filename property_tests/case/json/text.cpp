@@ -111,9 +111,8 @@ class Parser {
   std::string_view text_;
   Scanner scanner_;
   Document document_;
-  std::vector<std::size_t>
-      open_;                ///< the value that is being read, within those that hold it, outermost first
-  std::string_view key_{};  ///< of the value about to be read
+  std::vector<std::size_t> open_;  ///< outermost first; the last is the value that is being read
+  std::string_view key_{};         ///< of the value about to be read
 };
 
 }  // namespace
