@@ -1,58 +1,55 @@
-#include "oracle/shapes/disk.hpp"
+/// \file
+/// The oracle for ray and disk.
 
-#include "oracle/judge/flat_judge.hpp"
+#include "oracle/shapes/flat.hpp"
+#include "oracle/shapes/shapes.hpp"
 
 namespace rayproof::oracle {
 namespace {
 
-FlatEquation rim_plane(const Disk<double>& disk) {
-  const auto normal = Vector<Ring>::from(disk.normal);
-  return {normal, dot(normal, Vector<Ring>::from(disk.center))};
-}
-
-/// Where a line that is not parallel meets the disk's plane, seen from the centre: q, times slope and scale.
-struct Offset {
-  Vector<Ring> q;
-  Ring weight;  ///< slope·scale
-
-  Offset(const ObjectRay<Ring>& ray, const FlatMeeting& meeting, const Disk<double>& disk)
-      : q(meeting.slope * (ray.origin - ray.scale * Vector<Ring>::from(disk.center)) +
-          meeting.gap * ray.direction),
-        weight(meeting.slope * ray.scale) {}
-
-  /// (|q|² - r²) times the weight's square: its sign says whether the point is outside, on the rim or inside.
-  [[nodiscard]] Ring beyond(double radius) const {
-    const Ring reach = Ring(radius) * weight;
-    return dot(q, q) - reach * reach;
-  }
-};
-
-class DiskFigure final : public FlatFigure {
+class DiskIntersection final : public FlatIntersection {
  public:
-  DiskFigure(const RayQuestion& question, const Disk<double>& disk)
-      : FlatFigure(question, rim_plane(disk), norm(disk.normal), norm(disk.center) + Scaled(disk.radius)),
+  DiskIntersection(const RayQuestion& question, const Disk<double>& disk)
+      : FlatIntersection(question, plane_through(disk.center, Vector<Ring>::from(disk.normal))),
         disk_(disk) {}
 
   [[nodiscard]] Scaled margin() const override {
-    Scaled nearest = FlatFigure::margin();
+    Scaled nearest = FlatIntersection::margin();
     reduce(nearest, steepness());
-    if (!meeting().is_parallel()) reduce(nearest, from_rim());
+    if (!is_parallel()) reduce(nearest, from_rim());
     return nearest;
   }
 
  protected:
-  [[nodiscard]] bool holds_meeting() const override { return sign(offset().beyond(disk_.radius)) <= 0; }
+  [[nodiscard]] Contact contact_at(const Quotient& t) const override {
+    const int side = sign(beyond(t));
+    return side > 0 ? Contact::none : side == 0 ? Contact::rim : Contact::crossing;
+  }
+  [[nodiscard]] Scaled position() const override { return norm(disk_.center) + Scaled(disk_.radius); }
+  [[nodiscard]] std::array<Scaled, 3> normal_sizes() const override { return {norm(disk_.normal)}; }
 
  private:
-  [[nodiscard]] Offset offset() const { return {ray(), meeting(), disk_}; }
+  /// What the lengths below are multiplied with: t's denominator, in the scale of ObjectRay.
+  [[nodiscard]] Ring weight(const Quotient& t) const { return t.denominator() * ray().scale; }
+  /// The point at t as seen from the centre.
+  [[nodiscard]] Vector<Ring> from_center(const Quotient& t) const {
+    return t.denominator() * (ray().origin - ray().scale * Vector<Ring>::from(disk_.center)) +
+           t.numerator() * ray().direction;
+  }
+  /// |point - center|² - radius²: its sign says whether the point at t is outside, on the rim or inside.
+  [[nodiscard]] Ring beyond(const Quotient& t) const {
+    const Vector<Ring> q = from_center(t);
+    const Ring radius = Ring(disk_.radius) * weight(t);
+    return dot(q, q) - radius * radius;
+  }
 
-  /// ||q| - r|·s / L(t), with s = steepness.
+  /// ||point - center| - radius|·s / L(t), with s = steepness.
   [[nodiscard]] Scaled from_rim() const {
-    const Offset met = offset();
-    const Scaled weight = abs(approximate(met.weight));
-    const Scaled sum = norm(met.q) + Scaled(disk_.radius) * weight;
-    const Scaled distance = ratio(ratio(abs(approximate(met.beyond(disk_.radius))), sum), weight);
-    return ratio(distance * steepness(), reach(meeting().t().estimate()));
+    const Quotient at = t();
+    const Scaled whole = abs(approximate(weight(at)));
+    const Scaled sum = norm(from_center(at)) + Scaled(disk_.radius) * whole;
+    const Scaled distance = ratio(ratio(abs(approximate(beyond(at))), sum), whole);
+    return ratio(distance * steepness(), sizes().reach(at.estimate()));
   }
 
   const Disk<double>& disk_;
@@ -60,24 +57,8 @@ class DiskFigure final : public FlatFigure {
 
 }  // namespace
 
-RayAnswer answer(const RayQuestion& question, const Disk<double>& disk, Precision precision) {
-  const ObjectRay<Ring> ray(question);
-  const FlatEquation plane = rim_plane(disk);
-  const FlatMeeting meeting(ray, plane);
-  RayAnswer miss;
-  if (meeting.is_parallel()) {
-    miss.contact = meeting.parallel_contact();
-    return miss;
-  }
-  const int side = sign(Offset(ray, meeting, disk).beyond(disk.radius));
-  const Quotient t = meeting.t();
-  if (side > 0 || !is_in_interval(t, question.ray)) return miss;
-  return flat_answer(question, ray, plane.normal, t, side == 0 ? Contact::rim : Contact::crossing, precision);
-}
-
-Judgement judge(const RayQuestion& question, const Disk<double>& disk, Precision precision,
-                const RayAnswer& claimed) {
-  return judge_hits(question, DiskFigure(question, disk), precision, claimed);
+MeasuredPointer intersection_of(const RayQuestion& question, const Disk<double>& disk) {
+  return std::make_unique<DiskIntersection>(question, disk);
 }
 
 }  // namespace rayproof::oracle

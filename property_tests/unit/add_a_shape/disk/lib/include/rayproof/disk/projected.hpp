@@ -24,11 +24,13 @@ struct Projected {
 
   template <class T>
   [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Disk<T>& disk) {
-    step<T>("Meet the plane of the disk");
+    step<T>("Meet the plane of the disk",
+            "t is the distance to the plane over the ray's progress towards it, both along the normal.");
     const vec3<T> f = named("f", disk.center - ray.origin);
     const T along = named("n·d", dot(disk.normal, ray.direction));
     const T t = named("t", dot(disk.normal, f) / along);
-    step<T>("Compare the distance from the centre with the radius");
+    step<T>("Compare the distance from the centre with the radius",
+            "q leads from the centre to the point; squares are compared, so that no root is taken.");
     const vec3<T> q = named("q", t * ray.direction - f);
     const Mask<T> is_inside = named("|q|²", dot(q, q)) <= named("r²", disk.radius * disk.radius);
     return flat_hit(along != T(0) && is_inside, t, T(0), T(0));
