@@ -55,17 +55,18 @@ class Typesetter {
     return true;
   }
 
-  /// Everything up to a closing sign: terms and operators one after another.
-  std::string sum() {
+  /// Everything up to a closing sign: terms and operators one after another. A bar closes where one is open
+  /// and an operand stands before it.
+  std::string sum(bool is_in_bars = false) {
     std::string result;
+    bool is_after_operand = false;
     while (true) {
       skip_spaces();
-      if (at_ >= text_.size() || is_next(")") || is_next("|")) return result;
-      if (const char* sign = take_operator()) {
-        result += fmt::format("<mo>{}</mo>", sign);
-      } else {
-        result += product();
-      }
+      if (at_ >= text_.size() || is_next(")")) return result;
+      if (is_next("|") && is_in_bars && is_after_operand) return result;
+      const char* const sign = take_operator();
+      result += sign != nullptr ? fmt::format("<mo>{}</mo>", sign) : product();
+      is_after_operand = sign == nullptr;
     }
   }
 
@@ -140,7 +141,7 @@ class Typesetter {
       return row(result);
     }
     if (take("|")) {
-      const std::string inside = row(sum());
+      const std::string inside = row(sum(true));
       take("|");
       return bare_ = row(fmt::format("<mo stretchy=\"false\">|</mo>{}<mo stretchy=\"false\">|</mo>", inside));
     }
@@ -151,7 +152,10 @@ class Typesetter {
     if (at_ >= text_.size()) return "<mrow></mrow>";
     const std::size_t begin = at_;
     while (at_ < text_.size() && !ends_word()) ++at_;
-    if (at_ == begin) ++at_;  // a sign of no meaning here
+    if (at_ == begin) {  // a sign of no meaning here, of one byte or more
+      do ++at_;
+      while (at_ < text_.size() && (static_cast<unsigned char>(text_[at_]) & 0xC0) == 0x80);
+    }
     const std::string text(text_.substr(begin, at_ - begin));
     const bool is_number = std::isdigit(static_cast<unsigned char>(text[0])) != 0;
     if (is_number) return fmt::format("<mn>{}</mn>", escaped(text));

@@ -34,6 +34,16 @@ TEST(MathMl, LowersSubscriptsAndPutsArrowsAbove) {
   EXPECT_TRUE(has(math_ml("d\u20d7"), "<mover>"));
 }
 
+TEST(MathMl, ClosesABarOnlyBehindAnOperandInBars) {
+  const std::string length =
+      "<mo stretchy=\"false\">|</mo><mrow><mi>q</mi></mrow><mo stretchy=\"false\">|</mo>";
+  EXPECT_TRUE(has(math_ml("|q|²"), length + "</mrow></mrow><mn>2</mn></msup>")) << math_ml("|q|²");
+  EXPECT_TRUE(has(math_ml("r − |q|"), length)) << math_ml("r − |q|");
+  EXPECT_TRUE(has(math_ml("(|q| − r)"), length)) << math_ml("(|q| − r)");
+}
+
+TEST(MathMl, KeepsASignOfManyBytesWhole) { EXPECT_TRUE(has(math_ml("²"), ">²<")) << math_ml("²"); }
+
 TEST(MathMl, KeepsANumbersExponentTogetherAndEscapesWhatHtmlWouldRead) {
   EXPECT_TRUE(has(math_ml("1.5e-7"), "<mn>1.5e-7</mn>"));
   EXPECT_TRUE(has(math_ml("u < 1"), "&lt;"));
