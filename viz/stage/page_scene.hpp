@@ -16,7 +16,7 @@ const unit = v => { const n = Math.hypot(...v) || 1; return v.map(x => x / n); }
 const first = () => ({right: data.camera.right.map(number), up: data.camera.up.map(number), toward: data.camera.toward.map(number)});
 let eye = first(), zoom = 1, place = 0;
 const moved = () => dot(eye.toward, first().toward) < 0.9999 || dot(eye.up, first().up) < 0.9999;
-/** The scene turned before the eye: what is nearest moves by so many radians to the right and upward. */
+/** The scene turned before the eye: what is nearest moves by this many radians to the right and upward. */
 function turn(rightward, upward) {
   if (data.camera.flat) return;
   const mix = (a, b, angle) => plus(a.map(x => x * Math.cos(angle)), b, Math.sin(angle));

@@ -40,7 +40,7 @@ class ExactMeeting {
     return {compressed<24>(numerator_), compressed<24>(denominator_)};
   }
 
-  /// The place of the meeting point in the polygon. Vertices are told from it by the signs of their
+  /// The place of the meeting point in the polygon. Vertices are distinguished from it by the signs of their
   /// coordinates alone: for the winding number, the point may be at 0 and they at -1, 0 and 1.
   [[nodiscard]] Position locate() const {
     PointAndPolygon<double> signs{{0, 0}, {}};
