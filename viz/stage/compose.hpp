@@ -43,7 +43,7 @@ template <class Steps>
 /// the next step begins anew.
 void show_beside(Stage& stage, const std::string& title, const Items& items);
 
-/// A last step on how far the run's own values part from the exact ones: the one that lost most, magnified.
+/// A last step on how far the run's own values differ from the exact ones: the one that lost most, magnified.
 [[nodiscard]] StageStep difference_of_values(const Walkthrough& walk, const Setting& setting,
                                              Precision precision);
 

@@ -7,8 +7,8 @@
 /// are the kernel's own, titles and words (rayproof/method/narration.hpp), and the numbers are the run's own,
 /// bit for bit: what a value holds is what the same kernel computes in plain `float` or `double`.
 ///
-///     const CaseReport report = report_of(one, "sphere/centred");          // viz/programs/report_of.hpp
-///     const Stage stage = stage_of(report);                        // viz/stage/stage_of.hpp
+///     const CaseReport report = report_of(one, "sphere/centred");  // viz/programs/report_of.hpp
+///     const Stage stage = stage_of(report);                          // viz/stage/stage_of.hpp
 ///     for (const StageStep& step : stage.steps) …                // what to show, and from where
 
 #include <glm/vec3.hpp>

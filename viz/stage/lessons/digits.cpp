@@ -51,7 +51,7 @@ Stage digits_stage(const Case& one, const ReportCase& report_on) {
 
 std::vector<Lesson> digit_lessons() {
   return {
-      {"digits", "numbers", "Where the digits die",
+      {"digits", "numbers", "Where the digits are lost",
        "Green is what is left of each number's digits. One subtraction takes nearly all of them.",
        R"({"precision": "float32", "ray": {"origin": [-250, 0.6, 0.3], "direction": [1.3, 0, 0]},
            "shape": {"type": "sphere", "center": [0, 0, 0], "radius": 0.7}})",

@@ -158,8 +158,8 @@ std::vector<Lesson> polygon_lessons() {
            "vertices": [[-1.5, -1], [0.3, -0.9], [0.4, 0.2], [1.3, 0.2], [1.1, 1.2], [-1.2, 1.1]]})",
        "", printed_stage},
       {"ray-segment", "polygons", "Ray and segment in the plane",
-       "Where the side reaches the ray's height is s of its way; the ray gets there at t, if s lies in [0, "
-       "1] and t > 0.",
+       "The side reaches the ray's height at the share s of its length; the ray gets there at t, if s lies "
+       "in [0, 1] and t > 0.",
        R"({"precision": "float32", "query": "point_in_polygon", "point": [-1.1, 0.3],
            "vertices": [[0.2, -0.8], [1.3, 0.9], [-0.9, 0.7]]})",
        "", segment_stage},
