@@ -8,8 +8,8 @@
 /// bit for bit: what a value holds is what the same kernel computes in plain `float` or `double`.
 ///
 ///     const CaseReport report = report_of(one, "sphere/centred");  // viz/programs/report_of.hpp
-///     const Stage stage = stage_of(report);                          // viz/stage/stage_of.hpp
-///     for (const StageStep& step : stage.steps) …                // what to show, and from where
+///     const Stage stage = stage_of(report);                        // viz/stage/stage_of.hpp
+///     for (const StageStep& step : stage.steps) …                  // what to show, and from where
 
 #include <glm/vec3.hpp>
 #include <optional>

@@ -24,20 +24,19 @@ PER_TOPIC = {"Topic", "Problem", "Centred", "Compensated", "Meeting", "Parity", 
 INDEPENDENT = {"Interval"}
 
 
-def word(alternatives):
-    """Any of the words, alone or as a part of snake_case or CamelCase."""
-    first = alternatives.replace("|", "|\0").split("\0")
-    capital = "".join(one[0].upper() + one[1:] for one in first)
-    return re.compile(rf"(?<![A-Za-z])(?:{alternatives}|{capital})(?![a-z])|(?<=[a-z])(?:{capital})(?![a-z])")
+def word(*forms):
+    """Any of the forms, alone or as a part of snake_case or CamelCase."""
+    small, capital = "|".join(forms), "|".join(form.capitalize() for form in forms)
+    return re.compile(rf"(?:(?<![A-Za-z])(?:{small})|(?<![A-Z])(?:{capital}))(?![a-z])")
 
 
 # What to write in place of each word.
 TERMS = [
-    (word("told|tell|tells|telling"), "report, show, say, distinguish"),
-    (word("death|deaths|die|died|dies|dying"), "loss of precision"),
-    (word("parting|partings"), "difference"),
-    (word("settle|settles|settled|settling"), "refine, decide"),
-    (word("dear|dearer|dearest"), "expensive"),
+    (word("told", "tell", "tells", "telling"), "report, show, say, distinguish"),
+    (word("death", "deaths", "die", "died", "dies", "dying"), "loss of precision"),
+    (word("parting", "partings"), "difference"),
+    (word("settle", "settles", "settled", "settling"), "refine, decide"),
+    (word("dear", "dearer", "dearest"), "expensive"),
     (re.compile(r"\bfor ever\b"), "for all t"),
     (re.compile(r"\b[Ss]o many\b"), "this many, the number of"),
     (re.compile(r"\b[Pp]uts? to\b"), "given to, run through, tested against"),
