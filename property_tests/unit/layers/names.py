@@ -80,8 +80,9 @@ def house_words(files):
 
 def check_the_check():
     """What must be found is found, and nothing else."""
-    for planted in ["Told told;", "told_of(one)", "is_told", "TellCase", "TEST(Box, TellsAHit)", "find_death", "PartingGap",
-                    "to settle it", "the dear ones", "for ever or never", "So many cases", "is put to check"]:
+    for planted in ["Told told;", "told_of(one)", "is_told", "TellCase", "TEST(Box, TellsAHit)", "find_death",
+                    "PartingGap", "to settle it", "the dear ones", "for ever or never", "So many cases",
+                    "is put to check"]:
         assert list(house_words({"a.cpp": planted})), planted
     for good in ["threshold", "intelligent", "for every case", "departing", "input too", "a satellite"]:
         assert not list(house_words({"a.cpp": good})), good
