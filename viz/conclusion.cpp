@@ -42,7 +42,7 @@ std::string without_steps(const CaseReport& report) {
   return text;
 }
 
-/// How near a right answer is; an operation that lost digits before it is named all the same.
+/// How near a right answer is; an operation that lost digits is named all the same.
 std::string right_answer_in_words(const CaseReport& report) {
   const double ulps = ulps_of(report);
   const std::string sentence = ulps == 0
