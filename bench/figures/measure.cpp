@@ -53,7 +53,7 @@ void measure_family(const BenchOptions& options, const Family& family, Precision
 
 }  // namespace
 
-Measurements measure(const BenchOptions& options, const Listener& listener) {
+Measurements measure(const BenchOptions& options, const ProgressListener& listener) {
   std::vector<const Family*> wanted;
   for (const Family& family : families()) {
     if (options.wants_family(family)) wanted.push_back(&family);

@@ -11,9 +11,9 @@
 namespace rayproof::report {
 
 /// Called with what is being done and which share of the work lies behind.
-using Listener = std::function<void(double done, const std::string& what)>;
+using ProgressListener = std::function<void(double done, const std::string& what)>;
 
-[[nodiscard]] Measurements measure(const BenchOptions& options, const Listener& listener);
+[[nodiscard]] Measurements measure(const BenchOptions& options, const ProgressListener& listener);
 
 /// The processor, its number of cores, and the instruction set the batches ran in.
 [[nodiscard]] std::string machine_name();

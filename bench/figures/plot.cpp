@@ -17,7 +17,7 @@ constexpr std::array<std::pair<const char*, const char*>, 4> colours{
 
 PlotMark mark_of(const std::string& method, std::size_t index) {
   const auto& [light, dark] = colours[index % colours.size()];
-  return {method, static_cast<Outline>(index % 3), static_cast<Inner>(index / 3 % 3), light, dark};
+  return {method, static_cast<MarkOutline>(index % 3), static_cast<Inner>(index / 3 % 3), light, dark};
 }
 
 /// Where a share of wrong verdicts stands: log10 of it in percent, and a place of its own for none at all.

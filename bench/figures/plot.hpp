@@ -12,12 +12,12 @@ namespace rayproof::report {
 
 /// A method's mark: the outline, what is inside it, and the colour differ, so that colour is never needed to
 /// distinguish two methods. One ray at a time is drawn hollow, a batch solid.
-enum class Outline { square, circle, diamond };
+enum class MarkOutline { square, circle, diamond };
 enum class Inner { nothing, plus, cross };
 
 struct PlotMark {
   std::string method;
-  Outline outline = Outline::square;
+  MarkOutline outline = MarkOutline::square;
   Inner inner = Inner::nothing;
   const char* light = "";  ///< colour on white, #rrggbb
   const char* dark = "";   ///< colour on near-black

@@ -36,14 +36,14 @@ std::string line(double x0, double y0, double x1, double y1, const char* style) 
                      x0, y0, x1, y1);
 }
 
-std::string outline(Outline shape, double x, double y, double r, const char* style) {
+std::string outline(MarkOutline shape, double x, double y, double r, const char* style) {
   switch (shape) {
-    case Outline::square:
+    case MarkOutline::square:
       return fmt::format("<rect{} x=\"{:.1f}\" y=\"{:.1f}\" width=\"{}\" height=\"{}\"/>", style, x - r,
                          y - r, 2 * r, 2 * r);
-    case Outline::circle:
+    case MarkOutline::circle:
       return fmt::format("<circle{} cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\"/>", style, x, y, r + 0.5);
-    case Outline::diamond:
+    case MarkOutline::diamond:
       break;
   }
   const double d = r + 2.5;

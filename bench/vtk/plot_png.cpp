@@ -29,12 +29,12 @@ constexpr const char* faint = "#5a626c";
 void add_mark(vtkChartXY& chart, const PlotMark& mark, Arrangement arrangement, double x, double y) {
   constexpr int outlines[] = {vtkPlotPoints::SQUARE, vtkPlotPoints::CIRCLE, vtkPlotPoints::DIAMOND};
   const int outline = outlines[static_cast<std::size_t>(mark.outline)];
-  const float size = mark.outline == Outline::diamond ? marker_size + 4 : marker_size;
+  const float size = mark.outline == MarkOutline::diamond ? marker_size + 4 : marker_size;
   const bool is_hollow = arrangement == Arrangement::scalar;
   add_marker(chart, x, y, outline, size + 4, paper);  // parts marks that lie on one another
   add_marker(chart, x, y, outline, size, mark.light);
   if (is_hollow)
-    add_marker(chart, x, y, outline, size - (mark.outline == Outline::diamond ? 6.5F : 5), paper);
+    add_marker(chart, x, y, outline, size - (mark.outline == MarkOutline::diamond ? 6.5F : 5), paper);
   if (mark.inner == Inner::nothing) return;
   const int sign = mark.inner == Inner::plus ? vtkPlotPoints::PLUS : vtkPlotPoints::CROSS;
   add_marker(chart, x, y, sign, 10, is_hollow ? mark.light : paper);

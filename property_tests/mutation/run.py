@@ -34,7 +34,7 @@ def in_parallel(jobs, work, items):
 
 
 def control(laboratory, methods, jobs, budgets):
-    """Puts the methods to check as they are; the number of those that fail."""
+    """Runs the methods through check as they are; the number of those that fail."""
     failures = 0
     for method, outcome in in_parallel(
             jobs, lambda method, folder: laboratory.try_method(method, folder, budgets), methods):

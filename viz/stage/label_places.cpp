@@ -136,8 +136,8 @@ std::optional<Text> LabelPlaces::put(const std::string& label, const std::vector
         const Point middle{anchors[k].x + (away + own.width / 2) * std::cos(angle),
                            anchors[k].y - (away + own.height / 4) * std::sin(angle)};
         const PixelBox box = box_around(middle, label, size);
-        const double way = away * 1.5 + i * 0.4 + static_cast<double>(k) * 5;
-        const double cost = way + cost_of(box, least - way);
+        const double penalty = away * 1.5 + i * 0.4 + static_cast<double>(k) * 5;
+        const double cost = penalty + cost_of(box, least - penalty);
         if (cost >= least) continue;
         least = cost;
         best = box;

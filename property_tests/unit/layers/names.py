@@ -13,7 +13,7 @@ import sys
 
 FOLDERS = ["lib", "property_tests", "viz", "bench", "docs", "cmake"]
 FILES = ["rayproof", "README.md", "CONTRIBUTING.md"]
-SUFFIXES = {".hpp", ".cpp", ".py", ".md", ".sh", ".cmake", ".txt"}
+SUFFIXES = {".hpp", ".cpp", ".py", ".md", ".sh", ".cmake", ".txt", ".jsonl"}
 
 # A definition: no forward declaration, no specialisation, no member defined outside its class.
 CLASS = re.compile(r"^[ \t]*(?:struct|class|enum(?: class)?)\s+(\w+)(?![\w:<]|\s*[;<])", re.MULTILINE)

@@ -47,8 +47,8 @@ Stage camera_stage(const Case& one, const ReportCase& report_on) {
   setting.camera = beside_the_camera();
   Items reach = setting.scene;
   const CameraAxes<double> axes = camera::axes(eye());
-  for (const glm::dvec3& way : {axes.u, axes.v, axes.w})
-    reach.push_back(arrow(Role::edge, eye().eye, eye().eye + 0.6 * way));
+  for (const glm::dvec3& axis : {axes.u, axes.v, axes.w})
+    reach.push_back(arrow(Role::edge, eye().eye, eye().eye + 0.6 * axis));
   setting.near = setting.wide = view_of(extent_of(reach, setting.camera), setting.camera);
   setting.slider->origin = eye().eye;
   setting.slider->from = 0;
