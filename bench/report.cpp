@@ -25,10 +25,10 @@ void write_file(const std::filesystem::path& path, const std::string& text) {
   if (!out) throw std::runtime_error(path.string() + " can't be written");
 }
 
-int run(const report::Options& options) {
+int run(const report::BenchOptions& options) {
   std::filesystem::create_directories(options.out);
   ProgressLine progress;
-  const report::Figures figures =
+  const report::Measurements figures =
       report::measure(options, [&](double done, const std::string& what) { progress.show(done, what); });
   progress.clear();
 
@@ -49,13 +49,13 @@ int main(int argc, char** argv) {
   CLI::App app(
       "Measures speed against error: every method, one ray at a time and in batches, on every family.",
       "rayproof report");
-  report::Options options;
+  report::BenchOptions options;
   report::describe(app, options);
   if (const auto status = parse_command_line(app, argc, argv)) return *status;
   try {
     report::validate(options);
     return run(options);
-  } catch (const report::UnknownName& unknown) {
+  } catch (const report::UnknownFilterName& unknown) {
     fmt::print(stderr, "rayproof report: {}\n", unknown.what());
     return 2;
   } catch (const std::exception& trouble) {

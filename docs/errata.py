@@ -23,7 +23,7 @@ python3 docs/errata.py
 ```
 
 from what `check` found: the smallest counterexample for each, the exact answer beside the printed formula's, and a picture. Any of
-the cases can be put to `./rayproof explain` and `./rayproof draw` as it stands.
+the cases can be given to `./rayproof explain` and `./rayproof draw` as it stands.
 """
 
 
@@ -103,9 +103,9 @@ def camera_section(bin_dir):
     test = "Camera.ThePrintedPixelCornersAreRefutedBySymmetry"
     if not (bin_dir / "unit-lib").exists():
         sys.exit(f"{bin_dir / 'unit-lib'} is missing: ./rayproof test builds it")
-    told = run(bin_dir / "unit-lib", f"--gtest_filter={test}")
+    output = run(bin_dir / "unit-lib", f"--gtest_filter={test}")
     mark = "printed_pixel_corner: "
-    counterexample = next(line[len(mark):] for line in told.splitlines() if line.startswith(mark))
+    counterexample = next(line[len(mark):] for line in output.splitlines() if line.startswith(mark))
     return f"""
 ## camera/printed_pixel_corner
 

@@ -104,8 +104,8 @@ bool verdicts_differ(const Answer* exact, const Answer* claimed) {
   };
   if (kind(*exact) != kind(*claimed) || reasons_differ(*exact, *claimed)) return true;
   const auto* ray_answer = std::get_if<RayAnswer>(claimed);
-  const bool tells_all = ray_answer == nullptr || !ray_answer->nearest_only;
-  return tells_all && values_of(exact).size() != values_of(claimed).size();
+  const bool lists_all = ray_answer == nullptr || !ray_answer->nearest_only;
+  return lists_all && values_of(exact).size() != values_of(claimed).size();
 }
 
 double worst_ulps(const Answer* exact, const Answer* claimed, Precision precision) {

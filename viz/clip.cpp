@@ -9,7 +9,7 @@ namespace {
 
 /// A side of a box as the half-plane nx·x + ny·y <= limit, in the numbers of a point type.
 template <class P>
-struct Side {
+struct HalfPlane {
   using Number = decltype(P::x);
   int nx, ny;
   Number limit;
@@ -17,14 +17,14 @@ struct Side {
 };
 
 template <class P>
-using Sides = std::array<Side<P>, 4>;
+using HalfPlanes = std::array<HalfPlane<P>, 4>;
 
-Sides<Point> sides_of(const Box& box) {
+HalfPlanes<Point> sides_of(const PixelBox& box) {
   return {{{-1, 0, -box.left}, {1, 0, box.right()}, {0, -1, -box.top}, {0, 1, box.bottom()}}};
 }
 
 /// A few frames around the view's own: what a curve does farther out can't be seen.
-Sides<WorldPoint> sides_around(const View& view) {
+HalfPlanes<WorldPoint> sides_around(const View& view) {
   const Shadow x = 4 * view.half_width();
   const Shadow y = 4 * view.half_height();
   const WorldPoint& c = view.centre;
@@ -38,11 +38,11 @@ P mix(const P& a, const P& b, const Number& s) {
 
 /// The part [enter, leave] of the segment inside the sides (Liang and Barsky); empty where enter > leave.
 template <class P>
-std::array<decltype(P::x), 2> inside(const P& a, const P& b, const Sides<P>& sides) {
+std::array<decltype(P::x), 2> inside(const P& a, const P& b, const HalfPlanes<P>& sides) {
   using Number = decltype(P::x);
   Number enter = 0;
   Number leave = 1;
-  for (const Side<P>& side : sides) {
+  for (const HalfPlane<P>& side : sides) {
     const Number from = side.outside(a);
     const Number to = side.outside(b);
     if (from > 0 && to > 0) return {1, 0};
@@ -53,7 +53,7 @@ std::array<decltype(P::x), 2> inside(const P& a, const P& b, const Sides<P>& sid
 }
 
 template <class P>
-std::vector<std::vector<P>> line_inside(const std::vector<P>& line, const Sides<P>& sides) {
+std::vector<std::vector<P>> line_inside(const std::vector<P>& line, const HalfPlanes<P>& sides) {
   std::vector<std::vector<P>> parts;
   bool is_open = false;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
@@ -70,9 +70,9 @@ std::vector<std::vector<P>> line_inside(const std::vector<P>& line, const Sides<
 }
 
 template <class P>
-std::vector<P> area_inside(std::vector<P> area, const Sides<P>& sides) {
+std::vector<P> area_inside(std::vector<P> area, const HalfPlanes<P>& sides) {
   using Number = decltype(P::x);
-  for (const Side<P>& side : sides) {
+  for (const HalfPlane<P>& side : sides) {
     std::vector<P> kept;
     for (std::size_t i = 0; i < area.size(); ++i) {
       const P& a = area[i];
@@ -91,11 +91,11 @@ std::vector<P> area_inside(std::vector<P> area, const Sides<P>& sides) {
 
 }  // namespace
 
-std::vector<std::vector<Point>> clip_line(const std::vector<Point>& line, const Box& box) {
+std::vector<std::vector<Point>> clip_line(const std::vector<Point>& line, const PixelBox& box) {
   return line_inside(line, sides_of(box));
 }
 
-std::vector<Point> clip_area(std::vector<Point> area, const Box& box) {
+std::vector<Point> clip_area(std::vector<Point> area, const PixelBox& box) {
   return area_inside(std::move(area), sides_of(box));
 }
 

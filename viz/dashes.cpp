@@ -6,7 +6,7 @@
 
 namespace rayproof::viz {
 
-std::vector<std::vector<Point>> dashes_of(const Line& line) {
+std::vector<std::vector<Point>> dashes_of(const PixelLine& line) {
   if (line.pattern == Pattern::solid) return {line.points};
   const double on = line.pattern == Pattern::dashed ? 7 : 1.5;
   const double off = 5;

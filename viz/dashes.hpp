@@ -9,6 +9,6 @@
 namespace rayproof::viz {
 
 /// The strokes of a line in its pattern; the line itself where it is solid.
-[[nodiscard]] std::vector<std::vector<Point>> dashes_of(const Line& line);
+[[nodiscard]] std::vector<std::vector<Point>> dashes_of(const PixelLine& line);
 
 }  // namespace rayproof::viz

@@ -3,7 +3,7 @@
 
 #include "case/json/number.hpp"
 #include "case/writer.hpp"
-#include "viz/told.hpp"
+#include "viz/case_report.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -39,41 +39,41 @@ Json steps(const Walkthrough& walk) {
   return all;
 }
 
-Json death(const Walkthrough& walk) {
-  if (!walk.death) return nullptr;
-  const Death& death = *walk.death;
-  return {{"step", death.step},
-          {"operation", death.kind},
-          {"formula", death.formula},
-          {"result", death.name},
-          {"bits_lost_here", death.bits_lost_here},
-          {"bits_lost", death.bits_lost},
-          {"digits", death.digits}};
+Json decisive_loss(const Walkthrough& walk) {
+  if (!walk.decisive_loss) return nullptr;
+  const PrecisionLoss& loss = *walk.decisive_loss;
+  return {{"step", loss.step},
+          {"operation", loss.kind},
+          {"formula", loss.formula},
+          {"result", loss.name},
+          {"bits_lost_here", loss.bits_lost_here},
+          {"bits_lost", loss.bits_lost},
+          {"digits", loss.digits}};
 }
 
 }  // namespace
 
-std::string explain_json(const Told& told) {
+std::string explain_json(const CaseReport& report) {
   static constexpr const char* outcomes[] = {"faithful", "inaccurate", "flipped"};
   Json json;
-  json["case"] = Json::parse(write_case(told.one));
-  json["method"] = told.method;
-  if (told.walk) {
-    json["title"] = told.walk->title;
-    json["source"] = told.walk->source;
-    json["inputs"] = values(told.walk->inputs);
-    json["steps"] = steps(*told.walk);
-    json["outcome"] = outcomes[static_cast<std::size_t>(told.walk->outcome)];
-    json["death"] = death(*told.walk);
+  json["case"] = Json::parse(write_case(report.one));
+  json["method"] = report.method;
+  if (report.walk) {
+    json["title"] = report.walk->title;
+    json["source"] = report.walk->source;
+    json["inputs"] = values(report.walk->inputs);
+    json["steps"] = steps(*report.walk);
+    json["outcome"] = outcomes[static_cast<std::size_t>(report.walk->outcome)];
+    json["decisive_loss"] = decisive_loss(*report.walk);
   }
-  json["exact"] = Json::parse(write_answer(told.one, told.exact));
-  if (told.measured) {
-    const auto& [is_wrong, margin, residual] = *told.measured;
+  json["exact"] = Json::parse(write_answer(report.one, report.exact));
+  if (report.measured) {
+    const auto& [is_wrong, margin, residual] = *report.measured;
     json["measured"] = {
         {"wrong_verdict", is_wrong}, {"margin", json_number(margin)}, {"residual", json_number(residual)}};
   }
-  if (told.claimed) json["got"] = Json::parse(write_answer(told.one, *told.claimed));
-  json["conclusion"] = conclusion_of(told);
+  if (report.claimed) json["got"] = Json::parse(write_answer(report.one, *report.claimed));
+  json["conclusion"] = conclusion_of(report);
   return json.dump();
 }
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "viz/answers.hpp"
+#include "viz/case_report.hpp"
 #include "viz/numbers.hpp"
-#include "viz/told.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -85,25 +85,25 @@ std::string answer_line(const std::string& who, const std::string& symbol, Preci
 
 }  // namespace
 
-std::string explain_text(const Told& told) {
-  const Precision precision = told.one.precision;
-  const std::string symbol = symbol_of(told.one);
+std::string explain_text(const CaseReport& report) {
+  const Precision precision = report.one.precision;
+  const std::string symbol = symbol_of(report.one);
   std::string text;
-  if (told.walk) {
-    text += fmt::format("{}\n({})\n\n{}", told.walk->title, told.walk->source, steps_of(*told.walk));
+  if (report.walk) {
+    text += fmt::format("{}\n({})\n\n{}", report.walk->title, report.walk->source, steps_of(*report.walk));
   }
-  text += "Answer\n" + answer_line("exact", symbol, precision, &told.exact);
-  if (told.claimed) {
-    text += answer_line(told.method, symbol, precision, told.claim());
-    const auto truth = values_of(&told.exact);
-    const auto claim = values_of(told.claim());
+  text += "Answer\n" + answer_line("exact", symbol, precision, &report.exact);
+  if (report.claimed) {
+    text += answer_line(report.method, symbol, precision, report.claim());
+    const auto truth = values_of(&report.exact);
+    const auto claim = values_of(report.claim());
     for (std::size_t i = 0; i < std::min(truth.size(), claim.size()); ++i) {
       const double ulps = count_ulps(truth[i], claim[i], precision);
       text += fmt::format("   {}{} is {}\n", symbol, subscript(i), accuracy_in_words(ulps));
     }
   }
-  if (told.measured) text += "   " + in_words(*told.measured) + "\n";
-  return text + "\n" + conclusion_of(told) + "\n";
+  if (report.measured) text += "   " + in_words(*report.measured) + "\n";
+  return text + "\n" + conclusion_of(report) + "\n";
 }
 
 }  // namespace rayproof::viz

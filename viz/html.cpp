@@ -4,10 +4,10 @@
 #include "case/writer.hpp"
 #include "properties/report/page_style.hpp"
 #include "viz/answers.hpp"
+#include "viz/case_report.hpp"
 #include "viz/html_text.hpp"
 #include "viz/numbers.hpp"
 #include "viz/svg.hpp"
-#include "viz/told.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -49,7 +49,7 @@ std::string walk_sections(const Walkthrough& walk) {
       "Back</button><button type=\"button\">Next →</button><span id=\"place\" aria-live=\"polite\"></span>"
       "<button type=\"button\">All steps</button></nav>\n";
   for (std::size_t i = 0; i < walk.steps.size(); ++i) {
-    const bool is_worst = walk.death && walk.death->step == walk.steps[i].title;
+    const bool is_worst = walk.decisive_loss && walk.decisive_loss->step == walk.steps[i].title;
     html += step_section(i + 1, walk.steps[i], is_worst, walk.precision);
   }
   return html + "</div>\n";
@@ -57,17 +57,17 @@ std::string walk_sections(const Walkthrough& walk) {
 
 }  // namespace
 
-std::string html_page(const Told& told) {
-  const std::string headline = headline_of(told.one, &told.exact, told.claim());
+std::string html_page(const CaseReport& report) {
+  const std::string headline = headline_of(report.one, &report.exact, report.claim());
   std::string html = html_head(headline, steps_style) +
                      fmt::format("</head>\n<body>\n<main>\n<h1>{}</h1>\n",
-                                 escaped(told.method.empty() ? topic_of(told.one) : told.method));
-  if (!told.one.note.empty()) html += fmt::format("<p class=\"soft\">{}</p>\n", escaped(told.one.note));
-  if (!told.method.empty())
-    html += fmt::format("<p class=\"conclusion\">{}</p>\n", escaped(conclusion_of(told)));
-  html += "<figure>\n" + svg_of(told.one, &told.exact, told.claim()) + "</figure>\n";
-  if (told.walk) html += walk_sections(*told.walk);
-  html += fmt::format("<h2>The case</h2>\n<pre>{}</pre>\n", escaped(write_case(told.one)));
+                                 escaped(report.method.empty() ? topic_of(report.one) : report.method));
+  if (!report.one.note.empty()) html += fmt::format("<p class=\"soft\">{}</p>\n", escaped(report.one.note));
+  if (!report.method.empty())
+    html += fmt::format("<p class=\"conclusion\">{}</p>\n", escaped(conclusion_of(report)));
+  html += "<figure>\n" + svg_of(report.one, &report.exact, report.claim()) + "</figure>\n";
+  if (report.walk) html += walk_sections(*report.walk);
+  html += fmt::format("<h2>The case</h2>\n<pre>{}</pre>\n", escaped(write_case(report.one)));
   return html + "</main>\n<script>" + page_script + "</script>\n</body>\n</html>\n";
 }
 

@@ -36,8 +36,8 @@ bool is_error_term(const Operation<Shadow>& operation) {
 
 }  // namespace
 
-std::optional<Death> worst_loss_of(const Tape& tape, const std::vector<OperationId>& operations,
-                                   double arrived) {
+std::optional<PrecisionLoss> worst_loss_of(const Tape& tape, const std::vector<OperationId>& operations,
+                                           double arrived) {
   OperationId worst = unrecorded;
   for (const OperationId id : operations) {
     if (is_error_term(tape.at(id)) || tape.at(id).bits_lost > arrived + 1) continue;
@@ -47,7 +47,7 @@ std::optional<Death> worst_loss_of(const Tape& tape, const std::vector<Operation
   return describe_loss(tape, worst);
 }
 
-std::string in_words(const Death& loss) {
+std::string in_words(const PrecisionLoss& loss) {
   constexpr std::size_t longest = 90;  // bytes: more of a formula nobody reads
   const bool is_vowel = loss.kind.find_first_of("aeiou") == 0;
   const std::string what = loss.formula.size() <= longest
@@ -56,7 +56,7 @@ std::string in_words(const Death& loss) {
   return fmt::format("{} {} {:.0f} of {} bits", what, loss.effect, loss.bits_lost_here, loss.digits);
 }
 
-std::string loss_sentence(const std::optional<Death>& loss) {
+std::string loss_sentence(const std::optional<PrecisionLoss>& loss) {
   if (!loss) return "";
   std::string sentence = in_words(*loss) + ".";
   sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));

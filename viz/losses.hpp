@@ -23,7 +23,8 @@ inline constexpr double noteworthy = 3;
 /// The operation that loses most; nothing where none loses a noteworthy number of bits. `arrived` is what the
 /// numbers lost that the operations arrive at: an operation whose result lost more than they did was made
 /// good, as compensated sums and products do, and is not meant.
-[[nodiscard]] std::optional<Death> worst_loss_of(const Tape& tape, const std::vector<OperationId>& operations,
-                                                 double arrived = infinity<double>);
+[[nodiscard]] std::optional<PrecisionLoss> worst_loss_of(const Tape& tape,
+                                                         const std::vector<OperationId>& operations,
+                                                         double arrived = infinity<double>);
 
 }  // namespace rayproof::viz

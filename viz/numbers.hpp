@@ -29,8 +29,8 @@ namespace rayproof::viz {
 [[nodiscard]] double count_ulps(double a, double b, Precision precision);
 /// "1 ulp", "639 ulps", "3.9e7 ulps".
 [[nodiscard]] std::string in_ulps(double ulps);
-/// Of an answer so many ulps from the correctly rounded one: "the exact one, correctly rounded", "off by 639
-/// ulps", "infinitely far off".
+/// Of an answer this many ulps from the correctly rounded one: "the exact one, correctly rounded", "off by
+/// 639 ulps", "infinitely far off".
 [[nodiscard]] std::string accuracy_in_words(double ulps);
 /// The distance of two numbers: "equal", "639 ulps", "infinitely far".
 [[nodiscard]] std::string apart_in_words(double a, double b, Precision precision);

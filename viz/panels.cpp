@@ -11,7 +11,7 @@
 namespace rayproof::viz {
 namespace {
 
-/// At most so many characters, the last of them an ellipsis where some are left out.
+/// At most this many characters, the last of them an ellipsis where some are left out.
 std::string shortened(const std::string& text, std::size_t most) {
   std::size_t characters = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -48,7 +48,7 @@ std::string magnification(const View& main, const View& inset) {
 
 void draw_focus(Picture& picture, const View& main, const View& inset) {
   constexpr double least = 9;
-  const Box& frame = main.frame;
+  const PixelBox& frame = main.frame;
   const Point at = main.to_pixels(inset.centre);
   const double half_x = std::max(least, static_cast<double>(inset.half_width() * main.scale_x));
   const double half_y = std::max(least, static_cast<double>(inset.half_height() * main.scale_y));
@@ -58,11 +58,11 @@ void draw_focus(Picture& picture, const View& main, const View& inset) {
   const double bottom = std::min(at.y + half_y, frame.bottom() - 1);
   if (left >= right || top >= bottom) return;
   picture.elements.emplace_back(
-      Line{Role::muted, {{left, top}, {right, top}, {right, bottom}, {left, bottom}, {left, top}}, 1.5});
+      PixelLine{Role::muted, {{left, top}, {right, top}, {right, bottom}, {left, bottom}, {left, top}}, 1.5});
   picture.elements.emplace_back(
-      Line{Role::frame, {{right, top}, {inset.frame.left, inset.frame.top}}, 1, Pattern::dotted});
-  picture.elements.emplace_back(
-      Line{Role::frame, {{right, bottom}, {inset.frame.left, inset.frame.bottom()}}, 1, Pattern::dotted});
+      PixelLine{Role::frame, {{right, top}, {inset.frame.left, inset.frame.top}}, 1, Pattern::dotted});
+  picture.elements.emplace_back(PixelLine{
+      Role::frame, {{right, bottom}, {inset.frame.left, inset.frame.bottom()}}, 1, Pattern::dotted});
 }
 
 void draw_measure(Picture& picture, const View& view, const std::pair<WorldPoint, WorldPoint>& ends,
@@ -76,10 +76,10 @@ void draw_measure(Picture& picture, const View& view, const std::pair<WorldPoint
   b.y -= aside;
   const double dx = is_level ? 0 : tick;
   const double dy = is_level ? tick : 0;
-  picture.elements.emplace_back(
-      Line{Role::text,
-           {{a.x - dx, a.y - dy}, {a.x + dx, a.y + dy}, a, b, {b.x - dx, b.y - dy}, {b.x + dx, b.y + dy}},
-           1.5});
+  picture.elements.emplace_back(PixelLine{
+      Role::text,
+      {{a.x - dx, a.y - dy}, {a.x + dx, a.y + dy}, a, b, {b.x - dx, b.y - dy}, {b.x + dx, b.y + dy}},
+      1.5});
   const Point middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
   picture.elements.emplace_back(
       is_level ? Text{Role::text, {middle.x, middle.y - 10}, label, Anchor::middle, 14, false, true}

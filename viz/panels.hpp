@@ -13,9 +13,9 @@ namespace rayproof::viz {
 
 /// The frames: one of full width, or the whole at the left and a magnified part at the right.
 struct Panels {
-  Box whole{20, 108, 860, 280};
-  Box left{20, 108, 420, 280};
-  Box right{460, 108, 420, 280};
+  PixelBox whole{20, 108, 860, 280};
+  PixelBox left{20, 108, 420, 280};
+  PixelBox right{460, 108, 420, 280};
 };
 
 /// A picture with its headline and a line on the geometry.

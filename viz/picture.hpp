@@ -18,7 +18,7 @@ struct Point {
   double x = 0;
   double y = 0;
 };
-struct Box {
+struct PixelBox {
   double left = 0;
   double top = 0;
   double width = 0;
@@ -33,7 +33,7 @@ struct Box {
 };
 
 enum class Pattern { solid, dashed, dotted };
-struct Line {
+struct PixelLine {
   Role role = Role::text;
   std::vector<Point> points{};
   double width = 1.5;
@@ -63,7 +63,7 @@ struct Text {
   bool bold = false;
   bool halo = false;
 };
-using Element = std::variant<Area, Line, Mark, Text>;
+using Element = std::variant<Area, PixelLine, Mark, Text>;
 
 /// Elements in the order of painting.
 struct Picture {

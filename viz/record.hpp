@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Runs a method in the recording arithmetic and tells its story.
+/// Runs a method in the recording arithmetic and makes its walkthrough.
 
 #include <optional>
 #include <rayproof/arithmetics/recorded.hpp>
@@ -14,14 +14,14 @@
 
 namespace rayproof::viz {
 
-/// The story of a tape whose kernel ended in the given numbers.
+/// The walkthrough of a tape whose kernel ended in the given numbers.
 struct Ending {
   OperationId discriminant, lo, hi;
 };
-[[nodiscard]] Walkthrough tell(const Tape& tape, const Ending& ending, Precision precision);
+[[nodiscard]] Walkthrough walkthrough_of(const Tape& tape, const Ending& ending, Precision precision);
 
 /// The same of a tape that ends in no answer: its inputs, its steps, and where most was lost.
-[[nodiscard]] Walkthrough tell_steps(const Tape& tape, Precision precision);
+[[nodiscard]] Walkthrough steps_of(const Tape& tape, Precision precision);
 
 /// A method whose kernel takes any arithmetic; one written for plain floating point alone can't be recorded.
 template <class Method, class T>
@@ -35,7 +35,7 @@ template <class Topic, class Method, class R, class Build>
   Tape tape;
   const auto problem = build(std::type_identity<R>{});
   const Roots<R> roots = Topic::template solve<Method>(problem);
-  Walkthrough walk = tell(tape, {roots.discriminant.id, roots.lo.id, roots.hi.id}, precision);
+  Walkthrough walk = walkthrough_of(tape, {roots.discriminant.id, roots.lo.id, roots.hi.id}, precision);
   walk.title = std::string(Topic::name) + "/" + Method::name + ": " + Method::title;
   walk.known_fault = std::string(Method::contract.refuted.front().because);
   walk.is_printed = Method::contract.standing == Standing::printed;

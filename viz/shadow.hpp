@@ -49,7 +49,7 @@ class Shadow {
   friend Shadow ldexp(const Shadow& x, int e);
   friend Shadow frexp(const Shadow& x, int* e);
 
-  /// A finite number as "-1.50e+03", of so many significant digits, rounded to nearest.
+  /// A finite number as "-1.50e+03", of this many significant digits, rounded to nearest.
   friend std::string scientific(const Shadow& x, int digits);
 
  private:

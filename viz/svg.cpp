@@ -21,7 +21,7 @@ std::string draw(const Area& area) {
   return fmt::format("<path class=\"a {}\" d=\"{}Z\"/>\n", css_class(area.role), path(area.points));
 }
 
-std::string draw(const Line& line) {
+std::string draw(const PixelLine& line) {
   const char* dashes = line.pattern == Pattern::solid ? ""
                        : line.pattern == Pattern::dashed
                            ? " stroke-dasharray=\"7 5\""

@@ -19,7 +19,7 @@ namespace rayproof::viz {
 ///
 ///     page << "<figure>" << viz::svg_of(finding.one, &exact, &claimed) << "</figure>";
 ///
-/// Never throws for a valid case, whatever the answers' numbers (NaN and infinities are told in words). A
+/// Never throws for a valid case, whatever the answers' numbers (NaN and infinities are given in words). A
 /// topic that has no picture gives an `<svg>` that says so. As a file of its own, put xml_head before it.
 [[nodiscard]] std::string svg_of(const Case& one, const Answer* exact, const Answer* claimed);
 

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Reading the tape of a recorded kernel: formulas, and the operation in which the digits died.
+/// Reading the tape of a recorded kernel: formulas, and the operation that lost the most digits.
 
 #include <optional>
 #include <rayproof/arithmetics/recording.hpp>
@@ -19,12 +19,13 @@ using Tape = Recording<Shadow>;
 /// The same with the rounded numbers in the place of their names: "3·3 − 4·1·2".
 [[nodiscard]] std::string numbers_of(const Tape& tape, OperationId id, Precision precision);
 
-/// The operation that loses most on the way from the inputs to `result`, found by following, from the result
-/// backwards, the operand through which the most error came. Nothing where no operation of that way loses
-/// `noteworthy` bits or more.
-[[nodiscard]] std::optional<Death> find_death(const Tape& tape, OperationId result, double noteworthy);
+/// The operation that loses most on the path from the inputs to `result`, found by following, from the result
+/// backwards, the operand through which the most error came. Nothing where no operation on that path loses
+/// `least_bits` bits or more.
+[[nodiscard]] std::optional<PrecisionLoss> find_decisive_loss(const Tape& tape, OperationId result,
+                                                              double least_bits);
 
 /// Names the loss of one operation.
-[[nodiscard]] Death describe_loss(const Tape& tape, OperationId id);
+[[nodiscard]] PrecisionLoss describe_loss(const Tape& tape, OperationId id);
 
 }  // namespace rayproof::viz

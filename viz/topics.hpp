@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The registration of the pictures' layer: what each topic can draw and tell.
+/// The registration of the pictures' layer: what each topic can draw and explain.
 
 #include <optional>
 #include <string>

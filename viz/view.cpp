@@ -48,13 +48,13 @@ bool View::shows(const WorldPoint& p) const {
   return at.x >= frame.left && at.x <= frame.right() && at.y >= frame.top && at.y <= frame.bottom();
 }
 
-View View::around(const Box& frame, const WorldPoint& centre, const Shadow& half_width,
+View View::around(const PixelBox& frame, const WorldPoint& centre, const Shadow& half_width,
                   const Shadow& half_height) {
   const Shadow scale = std::min<Shadow>(frame.width / 2 / half_width, frame.height / 2 / half_height);
   return {frame, centre, scale, scale};
 }
 
-void draw_curve(Picture& picture, const View& view, Line line, const std::vector<WorldPoint>& points) {
+void draw_curve(Picture& picture, const View& view, PixelLine line, const std::vector<WorldPoint>& points) {
   for (const auto& near_part : clip_line_near(points, view)) {
     for (auto& part : clip_line(all_to_pixels(view, near_part), view.frame)) {
       line.points = std::move(part);
@@ -72,8 +72,8 @@ void draw_mark(Picture& picture, const View& view, Role role, MarkShape shape, c
   if (view.shows(at)) picture.elements.emplace_back(Mark{role, shape, view.to_pixels(at)});
 }
 
-void draw_frame(Picture& picture, const Box& b, const std::string& caption) {
-  picture.elements.emplace_back(Line{
+void draw_frame(Picture& picture, const PixelBox& b, const std::string& caption) {
+  picture.elements.emplace_back(PixelLine{
       Role::frame,
       {{b.left, b.top}, {b.right(), b.top}, {b.right(), b.bottom()}, {b.left, b.bottom()}, {b.left, b.top}},
       1});
@@ -81,7 +81,7 @@ void draw_frame(Picture& picture, const Box& b, const std::string& caption) {
 }
 
 void draw_scale_bars(Picture& picture, const View& view) {
-  const Box& b = view.frame;
+  const PixelBox& b = view.frame;
   const auto unit = static_cast<double>(view.scale_x);
   if (!std::isnormal(unit) || !std::isnormal(90 / unit)) return;
   const double length = round_length(90 / unit);
@@ -89,7 +89,7 @@ void draw_scale_bars(Picture& picture, const View& view) {
   const double x = b.left + 14;
   const double end = x + length * unit;
   picture.elements.emplace_back(
-      Line{Role::muted, {{x, y - 4}, {x, y + 4}, {x, y}, {end, y}, {end, y - 4}, {end, y + 4}}});
+      PixelLine{Role::muted, {{x, y - 4}, {x, y + 4}, {x, y}, {end, y}, {end, y - 4}, {end, y + 4}}});
   picture.elements.emplace_back(
       Text{Role::muted, {end + 6, y + 4}, rough(length), Anchor::start, 12, false, true});
   if (view.scale_x == view.scale_y) return;
@@ -98,9 +98,9 @@ void draw_scale_bars(Picture& picture, const View& view) {
   const double height = round_length(60 / unit_y);
   const double right = b.right() - 14;
   const double top = y - height * unit_y;
-  picture.elements.emplace_back(
-      Line{Role::muted,
-           {{right - 4, y}, {right + 4, y}, {right, y}, {right, top}, {right - 4, top}, {right + 4, top}}});
+  picture.elements.emplace_back(PixelLine{
+      Role::muted,
+      {{right - 4, y}, {right + 4, y}, {right, y}, {right, top}, {right - 4, top}, {right + 4, top}}});
   picture.elements.emplace_back(
       Text{Role::muted, {right - 8, (y + top) / 2 + 4}, rough(height), Anchor::end, 12, false, true});
 }

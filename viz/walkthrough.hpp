@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A walkthrough: a method's run on one case, told step by step, as data. Text, page and picture are sinks of
+/// A walkthrough: a method's run on one case, step by step, as data. Text, page and picture are sinks of
 /// it.
 
 #include <array>
@@ -13,8 +13,8 @@
 
 namespace rayproof::viz {
 
-/// The operation in which digits died.
-struct Death {
+/// An operation with a significant loss of precision.
+struct PrecisionLoss {
   std::string step;           ///< the step's title
   std::string kind;           ///< "subtraction", "addition", "multiplication", …
   std::string effect;         ///< "cancels", "overflows and loses", "loses"
@@ -26,10 +26,10 @@ struct Death {
 };
 
 /// "the subtraction b·b − 4·a·c cancels 22 of 24 bits"
-[[nodiscard]] std::string in_words(const Death& loss);
+[[nodiscard]] std::string in_words(const PrecisionLoss& loss);
 
 /// The same as a sentence; empty for no loss.
-[[nodiscard]] std::string loss_sentence(const std::optional<Death>& loss);
+[[nodiscard]] std::string loss_sentence(const std::optional<PrecisionLoss>& loss);
 
 /// A number the formula names, as it was rounded and as it should be.
 struct WalkValue {
@@ -38,13 +38,14 @@ struct WalkValue {
   double value = 0;     ///< in the method's arithmetic
   std::string
       exact;  ///< the same formula in real numbers, as exact_beside writes it; an input as it is stored
-  double error = 0;             ///< value - exact, rounded to double
-  double error_bound = 0;       ///< what running error analysis guarantees without knowing the exact value
-  double bits_lost = 0;         ///< log2(1 + error in ulps), at most `digits`
-  int digits = 24;              ///< of the value's own format: a float kernel may compute a part in double
-  double exact_value = 0;       ///< `exact`, rounded to double
-  std::string put_in{};         ///< the formula with the numbers in the names' place: "3·3 − 4·1·2"
-  std::optional<Death> loss{};  ///< the operation of its formula that loses most; none where none is worth it
+  double error = 0;        ///< value - exact, rounded to double
+  double error_bound = 0;  ///< what running error analysis guarantees without knowing the exact value
+  double bits_lost = 0;    ///< log2(1 + error in ulps), at most `digits`
+  int digits = 24;         ///< of the value's own format: a float kernel may compute a part in double
+  double exact_value = 0;  ///< `exact`, rounded to double
+  std::string put_in{};    ///< the formula with the numbers in the names' place: "3·3 − 4·1·2"
+  std::optional<PrecisionLoss>
+      loss{};  ///< the operation of its formula that loses most; none where none is worth it
 };
 
 /// Something to point at in the picture of a step.
@@ -79,7 +80,7 @@ struct WalkStep {
   std::string caption{};  ///< which operation lost digits; empty where none lost any worth a word
   std::vector<WalkValue> values{};
   std::vector<WalkItem> items{};
-  std::optional<Death> loss{};  ///< what the caption tells; none where none is worth it
+  std::optional<PrecisionLoss> loss{};  ///< what the caption says; none where none is worth it
 };
 
 /// How the float run came out beside the same formula in real numbers.
@@ -102,9 +103,11 @@ struct Walkthrough {
   std::string decider = "the discriminant";  ///< the number whose sign decides; empty where comparisons do
   std::string known_fault{};                 ///< why the method is known to go wrong; empty for a sound one
   bool is_printed = false;                   ///< copied from a source together with the source's error
-  double answer_bits_lost = 0;   ///< of the worst answer, or of the flipped discriminant; 0 where faithful
-  std::optional<Death> death{};  ///< where they were lost; none where no single operation is to blame
-  std::optional<Death> worst_loss{};  ///< the operation that lost most, whether or not the answer hangs on it
+  double answer_bits_lost = 0;  ///< of the worst answer, or of the flipped discriminant; 0 where faithful
+  std::optional<PrecisionLoss>
+      decisive_loss{};  ///< where they were lost; none where no single operation is to blame
+  std::optional<PrecisionLoss>
+      worst_loss{};  ///< the operation that lost most, whether or not the answer hangs on it
 };
 
 /// "In step 'Form the discriminant' the subtraction b·b − 4·a·c cancels 22 of 24 bits: …", or that rounding

@@ -16,7 +16,7 @@ namespace {
 
 using namespace rayproof;
 
-/// Cases with the answers that are put to the judge.
+/// Cases with the answers that are to be judged.
 struct Trials {
   std::vector<Case> cases;
   std::vector<Answer> answers;

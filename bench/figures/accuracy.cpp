@@ -20,7 +20,7 @@ std::span<const double> numbers_of(const Answer& answer) {
   return {roots.roots.data(), roots.count};
 }
 
-/// How much an answer finds: so many hits or roots, or how far inside a place is.
+/// How much an answer finds: the number of hits or roots, or how far inside a place is.
 std::size_t count_found(const Answer& answer) {
   if (const auto* position = std::get_if<Position>(&answer)) return static_cast<std::size_t>(*position);
   return numbers_of(answer).size();
@@ -51,7 +51,7 @@ double floats_between(double x, double y, Precision precision) {
 }
 
 /// Adds up the judgements of one subject in one arrangement.
-class Tally {
+class AccuracySum {
  public:
   void add(const Answer& claimed, const Answer& exact, const oracle::Judgement& judgement,
            Precision precision) {
@@ -105,8 +105,8 @@ JudgedFamily judged_family(const Family& family, Precision precision, std::size_
 }
 
 Accuracies measure(const Subject& subject, const JudgedFamily& family) {
-  Tally scalar;
-  Tally batch;
+  AccuracySum scalar;
+  AccuracySum batch;
   for (std::size_t i = 0; i < family.cases.size(); ++i) {
     const Case& one = family.cases[i];
     const Answer claimed = subject.answer(one);

@@ -28,7 +28,7 @@ double seconds_of(const Contender& contender, std::size_t count) {
   return thread_seconds() - start;
 }
 
-/// As many problems as take a few milliseconds; a first, smaller pass warms up and tells the speed.
+/// As many problems as take a few milliseconds; a first, smaller pass warms up and measures the speed.
 std::size_t affordable(const Contender& contender, std::size_t rays) {
   constexpr double longest_pass = 4e-3;
   const std::size_t sample = std::min<std::size_t>(rays, 2048);

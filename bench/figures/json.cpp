@@ -16,7 +16,7 @@ Json number(double x) {
   return x;
 }
 
-Json row_of(const Row& row, std::size_t timed_rays) {
+Json row_of(const BenchRow& row, std::size_t timed_rays) {
   Json json{{"shape", row.shape},
             {"method", row.method},
             {"precision", name_of(row.precision)},
@@ -36,9 +36,9 @@ Json row_of(const Row& row, std::size_t timed_rays) {
 
 }  // namespace
 
-std::string to_json(const Figures& figures) {
+std::string to_json(const Measurements& figures) {
   Json rows = Json::array();
-  for (const Row& row : figures.rows) rows.push_back(row_of(row, figures.rays));
+  for (const BenchRow& row : figures.rows) rows.push_back(row_of(row, figures.rays));
   return Json{{"machine", figures.machine}, {"compiler", figures.compiler}, {"rows", std::move(rows)}}.dump(
       1);
 }

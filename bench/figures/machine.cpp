@@ -10,7 +10,7 @@ namespace rayproof::report {
 
 namespace {
 
-/// The processor's name for itself; empty where the system does not tell.
+/// The processor's name for itself; empty where the system does not say.
 std::string processor() {
   std::ifstream info("/proc/cpuinfo");
   for (std::string line; std::getline(info, line);) {

@@ -12,7 +12,7 @@ namespace rayproof::report {
 namespace {
 
 /// The subjects of a family's topic that are asked for, judged side by side.
-std::map<std::string, Accuracies> judge_all(const Options& options, const Family& family,
+std::map<std::string, Accuracies> judge_all(const BenchOptions& options, const Family& family,
                                             const JudgedFamily& judged) {
   std::vector<const Subject*> wanted;
   for (const Subject& subject : subjects()) {
@@ -29,20 +29,20 @@ std::map<std::string, Accuracies> judge_all(const Options& options, const Family
 }
 
 /// One family in one precision: judged first, then timed with nothing else running.
-void measure_family(const Options& options, const Family& family, Precision precision,
-                    std::vector<Row>& rows) {
+void measure_family(const BenchOptions& options, const Family& family, Precision precision,
+                    std::vector<BenchRow>& rows) {
   const JudgedFamily judged = judged_family(family, precision, options.rays);
   const auto accuracies = judge_all(options, family, judged);
 
   std::vector<Contender> wanted;
   for (Contender& contender : contenders(family.topic, judged.cases, precision)) {
-    if (contender.method == Row::floor_name || accuracies.contains(contender.method))
+    if (contender.method == BenchRow::floor_name || accuracies.contains(contender.method))
       wanted.push_back(std::move(contender));
   }
   const std::vector<double> ns = median_ns(wanted, options.rays, options.seconds);
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     const auto& [method, arrangement, pass] = wanted[i];
-    Row row{family.topic, method, precision, arrangement, family.name, ns[i]};
+    BenchRow row{family.topic, method, precision, arrangement, family.name, ns[i]};
     if (!row.is_floor()) {
       const Accuracies& found = accuracies.at(method);
       row.accuracy = arrangement == Arrangement::scalar ? found.scalar : found.batch;
@@ -53,14 +53,14 @@ void measure_family(const Options& options, const Family& family, Precision prec
 
 }  // namespace
 
-Figures measure(const Options& options, const Listener& listener) {
+Measurements measure(const BenchOptions& options, const ProgressListener& listener) {
   std::vector<const Family*> wanted;
   for (const Family& family : families()) {
     if (options.wants_family(family)) wanted.push_back(&family);
   }
   const std::vector<Precision> precisions = options.wanted_precisions();
 
-  Figures figures{machine_name(), RAYPROOF_COMPILER, options.rays, {}};
+  Measurements figures{machine_name(), RAYPROOF_COMPILER, options.rays, {}};
   std::size_t done = 0;
   for (const Family* family : wanted) {
     for (const Precision precision : precisions) {

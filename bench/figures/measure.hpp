@@ -10,10 +10,10 @@
 
 namespace rayproof::report {
 
-/// Told what is being done and which share of the work lies behind.
-using Listener = std::function<void(double done, const std::string& what)>;
+/// Called with what is being done and which share of the work lies behind.
+using ProgressListener = std::function<void(double done, const std::string& what)>;
 
-[[nodiscard]] Figures measure(const Options& options, const Listener& listener);
+[[nodiscard]] Measurements measure(const BenchOptions& options, const ProgressListener& listener);
 
 /// The processor, its number of cores, and the instruction set the batches ran in.
 [[nodiscard]] std::string machine_name();

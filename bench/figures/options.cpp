@@ -34,7 +34,7 @@ void demand(const char* option, const std::vector<std::string>& names,
             const std::vector<std::string>& known) {
   for (const std::string& name : names) {
     if (!contains(known, name))
-      throw UnknownName(
+      throw UnknownFilterName(
           fmt::format("{}: there is no '{}'; there are {}", option, name, fmt::join(known, ", ")));
   }
 }
@@ -45,17 +45,17 @@ void add_once(std::vector<std::string>& list, const std::string& name) {
 
 }  // namespace
 
-bool Options::wants_shape(const std::string& shape) const { return passes(shapes, shape); }
+bool BenchOptions::wants_shape(const std::string& shape) const { return passes(shapes, shape); }
 
-bool Options::wants_family(const Family& family) const {
+bool BenchOptions::wants_family(const Family& family) const {
   return wants_shape(family.topic) && passes(families, family.name);
 }
 
-bool Options::wants_method(const std::string& shape, const std::string& method) const {
+bool BenchOptions::wants_method(const std::string& shape, const std::string& method) const {
   return passes(methods, method) || contains(methods, shape + "/" + method);
 }
 
-std::vector<Precision> Options::wanted_precisions() const {
+std::vector<Precision> BenchOptions::wanted_precisions() const {
   std::vector<Precision> wanted;
   for (const Precision precision : {Precision::float32, Precision::float64}) {
     if (passes(precisions, name_of(precision))) wanted.push_back(precision);
@@ -63,7 +63,7 @@ std::vector<Precision> Options::wanted_precisions() const {
   return wanted;
 }
 
-void describe(CLI::App& app, Options& options) {
+void describe(CLI::App& app, BenchOptions& options) {
   app.add_option("--shape,--topic", options.shapes, fmt::format("Only {}", fmt::join(topics(), ", ")))
       ->delimiter(',');
   app.add_option("--method", options.methods, "Only this method: centred, or sphere/centred")->delimiter(',');
@@ -84,7 +84,7 @@ void describe(CLI::App& app, Options& options) {
   app.footer(footer);
 }
 
-void validate(const Options& options) {
+void validate(const BenchOptions& options) {
   std::vector<std::string> shapes;
   std::vector<std::string> names;
   for (const Family& family : families()) {

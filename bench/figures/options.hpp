@@ -12,12 +12,12 @@
 namespace rayproof::report {
 
 /// A name on the command line that nothing has; the text says so and which names there are.
-class UnknownName : public std::runtime_error {
+class UnknownFilterName : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
 /// What is to be measured. An empty filter lets everything through.
-struct Options {
+struct BenchOptions {
   std::string json;
   std::string out = "out/report";
   std::size_t rays = 65536;
@@ -31,9 +31,9 @@ struct Options {
 };
 
 /// Describes the options to the command line parser.
-void describe(CLI::App& app, Options& options);
+void describe(CLI::App& app, BenchOptions& options);
 
-/// Throws UnknownName where a filter names nothing.
-void validate(const Options& options);
+/// Throws UnknownFilterName where a filter names nothing.
+void validate(const BenchOptions& options);
 
 }  // namespace rayproof::report

@@ -68,10 +68,10 @@ std::string table(const Lines& lines, const Wanted& is_wanted) {
          body + "</tbody></table></div>\n";
 }
 
-std::string families_of(const Figures& figures, const std::string& shape) {
+std::string families_of(const Measurements& figures, const std::string& shape) {
   std::string html;
   for (const Family& family : families()) {
-    const auto is_own = [&](const Row& row) { return row.shape == shape && row.family == family.name; };
+    const auto is_own = [&](const BenchRow& row) { return row.shape == shape && row.family == family.name; };
     if (family.topic != shape || std::ranges::none_of(figures.rows, is_own)) continue;
     html += fmt::format("<section><h3>{}/{}</h3><p class=\"soft\">{}</p>{}</section>\n", escaped(shape),
                         escaped(family.name), escaped(family.description), table(figures.rows, is_own));
@@ -81,7 +81,7 @@ std::string families_of(const Figures& figures, const std::string& shape) {
 
 }  // namespace
 
-std::string to_page(const Figures& figures, const std::vector<Summary>& summaries,
+std::string to_page(const Measurements& figures, const std::vector<MethodSummary>& summaries,
                     const std::vector<Plot>& plots) {
   std::string body =
       fmt::format("<h1>rayproof report: speed against error</h1><p class=\"soft\">{}; {}</p>\n",
@@ -92,7 +92,7 @@ std::string to_page(const Figures& figures, const std::vector<Summary>& summarie
   for (const Plot& plot : plots) {
     body += fmt::format("<h2>{}</h2>\n<figure>{}</figure>\n<h3>Over the families of scenes</h3>\n",
                         escaped(plot.shape), to_svg(plot));
-    body += table(summaries, [&](const Summary& one) { return one.shape == plot.shape; });
+    body += table(summaries, [&](const MethodSummary& one) { return one.shape == plot.shape; });
     body += families_of(figures, plot.shape);
   }
   return html_head("rayproof report", std::string(figures_style) + plot_style) + "</head>\n<body>\n<main>\n" +

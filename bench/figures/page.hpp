@@ -6,7 +6,7 @@
 namespace rayproof::report {
 
 /// The page out/report/index.html: one self-contained file.
-[[nodiscard]] std::string to_page(const Figures& figures, const std::vector<Summary>& summaries,
+[[nodiscard]] std::string to_page(const Measurements& figures, const std::vector<MethodSummary>& summaries,
                                   const std::vector<Plot>& plots);
 
 }  // namespace rayproof::report

@@ -15,9 +15,9 @@ namespace {
 constexpr std::array<std::pair<const char*, const char*>, 4> colours{
     {{"#0072b2", "#56b4e9"}, {"#b84a00", "#ff8f4d"}, {"#00734f", "#2fc99a"}, {"#9c4a7f", "#e29ac6"}}};
 
-Mark mark_of(const std::string& method, std::size_t index) {
+PlotMark mark_of(const std::string& method, std::size_t index) {
   const auto& [light, dark] = colours[index % colours.size()];
-  return {method, static_cast<Outline>(index % 3), static_cast<Inner>(index / 3 % 3), light, dark};
+  return {method, static_cast<MarkOutline>(index % 3), static_cast<Inner>(index / 3 % 3), light, dark};
 }
 
 /// Where a share of wrong verdicts stands: log10 of it in percent, and a place of its own for none at all.
@@ -35,9 +35,9 @@ Axis share_axis() {
   return axis;
 }
 
-Axis bits_axis(const std::vector<Point>& points) {
+Axis bits_axis(const std::vector<PlotPoint>& points) {
   double most = 1;
-  for (const Point& point : points) most = std::max(most, point.y);
+  for (const PlotPoint& point : points) most = std::max(most, point.y);
   const double step = most > 24 ? 8 : most > 10 ? 4 : most > 4 ? 2 : most > 2 ? 1 : 0.5;
   Axis axis{"bits of error, mean over agreed hits", -0.06 * most, 1.08 * most, {}};
   for (double place = 0; place <= axis.high; place += step)
@@ -45,10 +45,10 @@ Axis bits_axis(const std::vector<Point>& points) {
   return axis;
 }
 
-Axis time_axis(const std::vector<Summary>& summaries, Precision precision) {
+Axis time_axis(const std::vector<MethodSummary>& summaries, Precision precision) {
   double low = 10;
   double high = -10;
-  for (const Summary& summary : summaries) {
+  for (const MethodSummary& summary : summaries) {
     if (summary.precision != precision) continue;
     low = std::min(low, std::log10(summary.ns_per_ray));
     high = std::max(high, std::log10(summary.ns_per_ray));
@@ -65,12 +65,12 @@ Axis time_axis(const std::vector<Summary>& summaries, Precision precision) {
 }
 
 /// The stair under which no point lies: each step is a point that no other beats in both speed and error.
-std::vector<std::pair<double, double>> front_of(std::vector<Point> points) {
-  std::ranges::sort(points, [](const Point& a, const Point& b) {
+std::vector<std::pair<double, double>> front_of(std::vector<PlotPoint> points) {
+  std::ranges::sort(points, [](const PlotPoint& a, const PlotPoint& b) {
     return std::pair{a.x, a.y} < std::pair{b.x, b.y};
   });
   std::vector<std::pair<double, double>> stair;
-  for (const Point& point : points) {
+  for (const PlotPoint& point : points) {
     if (!stair.empty() && point.y >= stair.back().second) continue;
     if (!stair.empty()) stair.emplace_back(point.x, stair.back().second);
     stair.emplace_back(point.x, point.y);
@@ -78,47 +78,47 @@ std::vector<std::pair<double, double>> front_of(std::vector<Point> points) {
   return stair;
 }
 
-std::string label_of(const Summary& summary) {
+std::string label_of(const MethodSummary& summary) {
   return fmt::format("{}, {}: {:.3g} ns a ray, wrong verdicts {:.2g} %, {:.3g} bits of error", summary.method,
                      name_of(summary.arrangement), summary.ns_per_ray, 100 * summary.wrong_share(),
                      summary.accuracy.mean_bits);
 }
 
-std::vector<Summary> of_shape(const std::vector<Summary>& all, const std::string& shape) {
-  std::vector<Summary> chosen;
+std::vector<MethodSummary> of_shape(const std::vector<MethodSummary>& all, const std::string& shape) {
+  std::vector<MethodSummary> chosen;
   std::ranges::copy_if(all, std::back_inserter(chosen),
-                       [&](const Summary& one) { return one.shape == shape; });
+                       [&](const MethodSummary& one) { return one.shape == shape; });
   return chosen;
 }
 
 /// The chart of one precision; `place` gives a summary's height.
 template <class Place>
-Panel make_panel(const Plot& plot, const std::vector<Summary>& summaries, Precision precision,
+Panel make_panel(const Plot& plot, const std::vector<MethodSummary>& summaries, Precision precision,
                  const Place& place) {
   Panel panel;
   panel.title = name_of(precision);
-  for (const Summary& summary : summaries) {
+  for (const MethodSummary& summary : summaries) {
     if (summary.precision != precision) continue;
     const double x = std::log10(summary.ns_per_ray);
     if (summary.is_floor()) panel.floor_x = x;
     const double y = place(summary);
     if (summary.is_floor() || summary.accuracy.cases == 0 || std::isnan(y)) continue;
-    const auto mark = std::ranges::find(plot.marks, summary.method, &Mark::method) - plot.marks.begin();
+    const auto mark = std::ranges::find(plot.marks, summary.method, &PlotMark::method) - plot.marks.begin();
     panel.points.push_back({x, y, static_cast<std::size_t>(mark), summary.arrangement, label_of(summary)});
   }
   panel.front = front_of(panel.points);
   return panel;
 }
 
-Plot make_plot(const std::string& shape, const std::vector<Summary>& summaries) {
+Plot make_plot(const std::string& shape, const std::vector<MethodSummary>& summaries) {
   Plot plot{shape, {}, {}};
-  for (const Summary& summary : summaries) {
-    const bool is_new = std::ranges::find(plot.marks, summary.method, &Mark::method) == plot.marks.end();
+  for (const MethodSummary& summary : summaries) {
+    const bool is_new = std::ranges::find(plot.marks, summary.method, &PlotMark::method) == plot.marks.end();
     if (is_new && !summary.is_floor()) plot.marks.push_back(mark_of(summary.method, plot.marks.size()));
   }
   for (const bool is_share : {true, false}) {
     for (const Precision precision : {Precision::float32, Precision::float64}) {
-      Panel panel = make_panel(plot, summaries, precision, [&](const Summary& summary) {
+      Panel panel = make_panel(plot, summaries, precision, [&](const MethodSummary& summary) {
         return is_share ? place_of_share(summary.wrong_share()) : summary.accuracy.mean_bits;
       });
       if (panel.points.empty()) continue;
@@ -132,9 +132,9 @@ Plot make_plot(const std::string& shape, const std::vector<Summary>& summaries) 
 
 }  // namespace
 
-std::vector<Plot> make_plots(const std::vector<Summary>& summaries) {
+std::vector<Plot> make_plots(const std::vector<MethodSummary>& summaries) {
   std::vector<Plot> plots;
-  for (const Summary& summary : summaries) {
+  for (const MethodSummary& summary : summaries) {
     if (std::ranges::find(plots, summary.shape, &Plot::shape) == plots.end())
       plots.push_back(make_plot(summary.shape, of_shape(summaries, summary.shape)));
   }

@@ -11,13 +11,13 @@
 namespace rayproof::report {
 
 /// A method's mark: the outline, what is inside it, and the colour differ, so that colour is never needed to
-/// tell two methods apart. One ray at a time is drawn hollow, a batch solid.
-enum class Outline { square, circle, diamond };
+/// distinguish two methods. One ray at a time is drawn hollow, a batch solid.
+enum class MarkOutline { square, circle, diamond };
 enum class Inner { nothing, plus, cross };
 
-struct Mark {
+struct PlotMark {
   std::string method;
-  Outline outline = Outline::square;
+  MarkOutline outline = MarkOutline::square;
   Inner inner = Inner::nothing;
   const char* light = "";  ///< colour on white, #rrggbb
   const char* dark = "";   ///< colour on near-black
@@ -31,7 +31,7 @@ struct Axis {
   std::vector<std::pair<double, std::string>> ticks;
 };
 
-struct Point {
+struct PlotPoint {
   double x = 0;
   double y = 0;
   std::size_t mark = 0;  ///< index into Plot::marks
@@ -43,7 +43,7 @@ struct Point {
 struct Panel {
   std::string title;
   Axis x, y;
-  std::vector<Point> points;
+  std::vector<PlotPoint> points;
   std::vector<std::pair<double, double>>
       front;           ///< the Pareto front as a stair, from the fastest to the best
   double floor_x = 0;  ///< where merely streaming the rays lies
@@ -52,11 +52,11 @@ struct Panel {
 /// The charts of one shape: a column for each precision, wrong verdicts above mean bits.
 struct Plot {
   std::string shape;
-  std::vector<Mark> marks;
+  std::vector<PlotMark> marks;
   std::vector<Panel> panels;
 };
 
 /// One plot for each shape.
-[[nodiscard]] std::vector<Plot> make_plots(const std::vector<Summary>& summaries);
+[[nodiscard]] std::vector<Plot> make_plots(const std::vector<MethodSummary>& summaries);
 
 }  // namespace rayproof::report

@@ -36,14 +36,14 @@ std::string line(double x0, double y0, double x1, double y1, const char* style) 
                      x0, y0, x1, y1);
 }
 
-std::string outline(Outline shape, double x, double y, double r, const char* style) {
+std::string outline(MarkOutline shape, double x, double y, double r, const char* style) {
   switch (shape) {
-    case Outline::square:
+    case MarkOutline::square:
       return fmt::format("<rect{} x=\"{:.1f}\" y=\"{:.1f}\" width=\"{}\" height=\"{}\"/>", style, x - r,
                          y - r, 2 * r, 2 * r);
-    case Outline::circle:
+    case MarkOutline::circle:
       return fmt::format("<circle{} cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\"/>", style, x, y, r + 0.5);
-    case Outline::diamond:
+    case MarkOutline::diamond:
       break;
   }
   const double d = r + 2.5;
@@ -58,7 +58,7 @@ std::string inner(Inner sign, double x, double y) {
                      x - a, y - b, x + a, y + b, x + b, y - a, x - b, y + a);
 }
 
-std::string mark(const Mark& one, std::size_t index, Arrangement arrangement, double x, double y,
+std::string mark(const PlotMark& one, std::size_t index, Arrangement arrangement, double x, double y,
                  const std::string& label) {
   const char* fill = arrangement == Arrangement::scalar ? "hollow" : "solid";
   constexpr double r = 7;
@@ -96,7 +96,7 @@ std::string chart(const Plot& plot, const Frame& frame) {
   std::string stair;
   for (const auto& [x, y] : frame.panel.front) stair += fmt::format("{:.1f},{:.1f} ", frame.x(x), frame.y(y));
   svg += "<polyline class=\"front\" points=\"" + stair + "\"/>\n";
-  for (const Point& point : frame.panel.points)
+  for (const PlotPoint& point : frame.panel.points)
     svg += mark(plot.marks[point.mark], point.mark, point.arrangement, frame.x(point.x), frame.y(point.y),
                 point.label);
   return svg;
@@ -120,7 +120,7 @@ std::string legend(const Plot& plot, double x) {
 /// Room for the longest name: in the font of the plot it takes less than 9 a letter.
 double legend_width(const Plot& plot) {
   std::size_t letters = 12;  // "Pareto front"
-  for (const Mark& mark : plot.marks) letters = std::max(letters, mark.method.size());
+  for (const PlotMark& mark : plot.marks) letters = std::max(letters, mark.method.size());
   return name_in_legend + 9 * static_cast<double>(letters);
 }
 

@@ -6,7 +6,7 @@
 namespace rayproof::report {
 
 /// One `<svg>` element: self-contained, in the page's colours (page_style.hpp), light or dark. Each mark
-/// tells its figures when pointed at.
+/// shows its figures when pointed at.
 [[nodiscard]] std::string to_svg(const Plot& plot);
 
 }  // namespace rayproof::report

@@ -60,7 +60,7 @@ std::vector<Contender> quadratic_contenders_in(const std::vector<Case>& cases) {
     all.push_back({Method::name, Arrangement::batch,
                    [equations](std::size_t count) { equations->template solve_in_batch<Method>(count); }});
   });
-  all.push_back({Row::floor_name, Arrangement::batch,
+  all.push_back({BenchRow::floor_name, Arrangement::batch,
                  [equations](std::size_t count) { equations->only_stream(count); }});
   return all;
 }

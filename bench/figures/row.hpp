@@ -32,7 +32,7 @@ struct Accuracy {
 
 /// One method on one family, in one precision and arrangement. The floor has the method name `streaming` and
 /// no errors.
-struct Row {
+struct BenchRow {
   std::string shape;
   std::string method;
   Precision precision = Precision::float32;
@@ -46,11 +46,11 @@ struct Row {
 };
 
 /// Everything the report knows.
-struct Figures {
+struct Measurements {
   std::string machine;
   std::string compiler;
   std::size_t rays = 0;  ///< how many rays one timed pass takes
-  std::vector<Row> rows;
+  std::vector<BenchRow> rows;
 };
 
 }  // namespace rayproof::report

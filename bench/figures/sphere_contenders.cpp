@@ -19,7 +19,7 @@ std::vector<Contender> sphere_contenders_in(const std::vector<Case>& cases) {
   });
   all.push_back({"glm", Arrangement::scalar, [rays](std::size_t count) { hit_by_glm(*rays, count); }});
   all.push_back(
-      {Row::floor_name, Arrangement::batch, [rays](std::size_t count) { only_stream(*rays, count); }});
+      {BenchRow::floor_name, Arrangement::batch, [rays](std::size_t count) { only_stream(*rays, count); }});
   return all;
 }
 

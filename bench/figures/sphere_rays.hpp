@@ -45,7 +45,7 @@ struct SphereRays {
     return std::isfinite(size) && dot(ray.direction, ray.direction) > 0;
   }
 
-  /// The ray of `one`, put to the sphere of `other` as it was put to its own.
+  /// The ray of `one`, aimed at the sphere of `other` as it was at its own.
   static Ray<double> carried_over(const RayQuestion& one, const RayQuestion& other) {
     const auto& from = std::get<Sphere<double>>(one.shape);
     const auto& to = std::get<Sphere<double>>(other.shape);

@@ -28,14 +28,14 @@ void add(Accuracy& sum, const Accuracy& one) {
   sum.p99_ulp = larger(sum.p99_ulp, one.p99_ulp);
 }
 
-bool is_same(const Summary& summary, const Row& row) {
+bool is_same(const MethodSummary& summary, const BenchRow& row) {
   return summary.shape == row.shape && summary.method == row.method && summary.precision == row.precision &&
          summary.arrangement == row.arrangement;
 }
 
 }  // namespace
 
-double Summary::wrong_share() const {
+double MethodSummary::wrong_share() const {
   if (accuracy.cases == 0) return 0;
   return static_cast<double>(accuracy.wrong_hits + accuracy.wrong_misses) /
          static_cast<double>(accuracy.cases);
@@ -45,13 +45,14 @@ bool is_of_scenes(const std::string& family) {
   return family != "bit_patterns" && family != "exponents" && family != "special";
 }
 
-std::vector<Summary> summarise(const std::vector<Row>& rows) {
-  const bool has_scenes = std::ranges::any_of(rows, is_of_scenes, &Row::family);
-  std::vector<Summary> all;
+std::vector<MethodSummary> summarise(const std::vector<BenchRow>& rows) {
+  const bool has_scenes = std::ranges::any_of(rows, is_of_scenes, &BenchRow::family);
+  std::vector<MethodSummary> all;
   std::vector<std::vector<double>> times;
-  for (const Row& row : rows) {
+  for (const BenchRow& row : rows) {
     if (has_scenes && !is_of_scenes(row.family)) continue;
-    auto place = std::ranges::find_if(all, [&](const Summary& summary) { return is_same(summary, row); });
+    auto place =
+        std::ranges::find_if(all, [&](const MethodSummary& summary) { return is_same(summary, row); });
     const auto index = static_cast<std::size_t>(place - all.begin());
     if (place == all.end()) {
       all.push_back({row.shape, row.method, row.precision, row.arrangement});
@@ -64,16 +65,16 @@ std::vector<Summary> summarise(const std::vector<Row>& rows) {
   return all;
 }
 
-std::optional<Headline> headline(const std::vector<Row>& rows) {
+std::optional<Headline> headline(const std::vector<BenchRow>& rows) {
   const auto ns_of = [&](const char* method, Arrangement arrangement) {
-    const auto found = std::ranges::find_if(rows, [&](const Row& row) {
+    const auto found = std::ranges::find_if(rows, [&](const BenchRow& row) {
       return row.shape == "sphere" && row.method == method && row.precision == Precision::float32 &&
              row.arrangement == arrangement && row.family == "random";
     });
     return found == rows.end() ? 0 : found->ns_per_ray;
   };
   const Headline found{ns_of("centred", Arrangement::batch), ns_of("glm", Arrangement::scalar),
-                       ns_of(Row::floor_name, Arrangement::batch)};
+                       ns_of(BenchRow::floor_name, Arrangement::batch)};
   if (found.batch_ns == 0 || found.glm_ns == 0 || found.floor_ns == 0) return std::nullopt;
   return found;
 }

@@ -9,7 +9,7 @@
 namespace rayproof::report {
 
 /// One method in one precision and arrangement, over all its families.
-struct Summary {
+struct MethodSummary {
   std::string shape;
   std::string method;
   Precision precision = Precision::float32;
@@ -17,7 +17,7 @@ struct Summary {
   double ns_per_ray = 0;  ///< the median of the families
   Accuracy accuracy{};    ///< summed up; the worst ulps; mean bits over all agreed hits
 
-  [[nodiscard]] bool is_floor() const { return method == Row::floor_name; }
+  [[nodiscard]] bool is_floor() const { return method == BenchRow::floor_name; }
   /// The share of cases with a wrong verdict.
   [[nodiscard]] double wrong_share() const;
 };
@@ -27,7 +27,7 @@ struct Summary {
 [[nodiscard]] bool is_of_scenes(const std::string& family);
 
 /// Over the families of scenes, in the order of the rows; over all families where only others were measured.
-[[nodiscard]] std::vector<Summary> summarise(const std::vector<Row>& rows);
+[[nodiscard]] std::vector<MethodSummary> summarise(const std::vector<BenchRow>& rows);
 
 /// The headline of issue and docs: how the batch kernel of `sphere/centred` in float compares on the random
 /// family.
@@ -38,7 +38,7 @@ struct Headline {
 };
 
 /// Empty where the rows that it needs were not measured.
-[[nodiscard]] std::optional<Headline> headline(const std::vector<Row>& rows);
+[[nodiscard]] std::optional<Headline> headline(const std::vector<BenchRow>& rows);
 
 /// The headline in one sentence.
 [[nodiscard]] std::string sentence(const Headline& headline, std::size_t rays);

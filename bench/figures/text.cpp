@@ -12,10 +12,10 @@ std::string figure(double x) {
   return fmt::format("{:.3g}", x);
 }
 
-std::string to_text(const Figures& figures, const std::vector<Summary>& summaries) {
+std::string to_text(const Measurements& figures, const std::vector<MethodSummary>& summaries) {
   std::string text = fmt::format("{}; {}\n", figures.machine, figures.compiler);
   std::string group;
-  for (const Summary& one : summaries) {
+  for (const MethodSummary& one : summaries) {
     const std::string own_group = fmt::format("{} {}", one.shape, name_of(one.precision));
     if (own_group != group) {
       group = own_group;

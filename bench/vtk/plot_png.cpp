@@ -26,15 +26,15 @@ constexpr const char* faint = "#5a626c";
 
 /// A mark is put together of VTK's few markers: an outline, paper inside it where it is hollow, and a sign on
 /// top.
-void add_mark(vtkChartXY& chart, const Mark& mark, Arrangement arrangement, double x, double y) {
+void add_mark(vtkChartXY& chart, const PlotMark& mark, Arrangement arrangement, double x, double y) {
   constexpr int outlines[] = {vtkPlotPoints::SQUARE, vtkPlotPoints::CIRCLE, vtkPlotPoints::DIAMOND};
   const int outline = outlines[static_cast<std::size_t>(mark.outline)];
-  const float size = mark.outline == Outline::diamond ? marker_size + 4 : marker_size;
+  const float size = mark.outline == MarkOutline::diamond ? marker_size + 4 : marker_size;
   const bool is_hollow = arrangement == Arrangement::scalar;
   add_marker(chart, x, y, outline, size + 4, paper);  // parts marks that lie on one another
   add_marker(chart, x, y, outline, size, mark.light);
   if (is_hollow)
-    add_marker(chart, x, y, outline, size - (mark.outline == Outline::diamond ? 6.5F : 5), paper);
+    add_marker(chart, x, y, outline, size - (mark.outline == MarkOutline::diamond ? 6.5F : 5), paper);
   if (mark.inner == Inner::nothing) return;
   const int sign = mark.inner == Inner::plus ? vtkPlotPoints::PLUS : vtkPlotPoints::CROSS;
   add_marker(chart, x, y, sign, 10, is_hollow ? mark.light : paper);
@@ -58,7 +58,7 @@ void add_panel(vtkContextScene& scene, const Plot& plot, const Panel& panel, flo
   set_axis(*chart, vtkAxis::LEFT, height, true);
   add_line(*chart, {{panel.floor_x, panel.y.low}, {panel.floor_x, panel.y.high}}, vtkPen::DASH_LINE, faint);
   add_line(*chart, panel.front, vtkPen::DOT_LINE, ink);
-  for (const Point& point : panel.points)
+  for (const PlotPoint& point : panel.points)
     add_mark(*chart, plot.marks[point.mark], point.arrangement, point.x, point.y);
 }
 

@@ -77,9 +77,9 @@ class EquationAssembler {
   }
 };
 
-/// Makes rays of columns and puts them to the common shape, in its own space if `is_moved`. What is common is
-/// kept as plain numbers: g++ 12 copies packs inside structs in halves, which stalls; spreading a number anew
-/// costs nothing.
+/// Makes rays of columns and intersects them with the common shape, in its own space if `is_moved`. What is
+/// common is kept as plain numbers: g++ 12 copies packs inside structs in halves, which stalls; spreading a
+/// number anew costs nothing.
 template <class Topic, class N, class T, bool is_moved>
 class RayAssembler {
  public:

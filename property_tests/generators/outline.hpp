@@ -86,11 +86,11 @@ using Outline = std::vector<Vec2<double>>;
   return vertices[static_cast<std::size_t>(random.between(0, static_cast<int>(vertices.size()) - 1))];
 }
 
-/// A point on one of the sides, at `way` from one end to the other.
-[[nodiscard]] inline Vec2<double> on_a_side(Random& random, const Outline& vertices, double way) {
+/// A point on one of the sides, at this share of its length.
+[[nodiscard]] inline Vec2<double> on_a_side(Random& random, const Outline& vertices, double share) {
   const auto k = static_cast<std::size_t>(random.between(0, static_cast<int>(vertices.size()) - 1));
   const Vec2<double> a = vertices[k], b = vertices[(k + 1) % vertices.size()];
-  return {a.x + way * (b.x - a.x), a.y + way * (b.y - a.y)};
+  return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
 }
 
 }  // namespace rayproof

@@ -8,13 +8,13 @@
 
 namespace rayproof::outline_layout {
 
-using Plan = PointAndPolygon<double>;
+using PolygonCase = PointAndPolygon<double>;
 
 struct Layout {
   const char* name;
   const char* description;
   bool is_exact;  ///< all numbers are so short that nothing made of them is rounded
-  Plan (*plan)(Random&);
+  PolygonCase (*plan)(Random&);
 };
 
 /// An outline of whole vertices, of any kind.
@@ -33,7 +33,7 @@ struct Layout {
 
 /// `vertices` and a point of coordinates from `number()`.
 template <class Number>
-[[nodiscard]] Plan with_point(const Outline& vertices, Number&& number) {
+[[nodiscard]] PolygonCase with_point(const Outline& vertices, Number&& number) {
   const double x = number();
   return {{x, number()}, vertices};
 }
@@ -46,21 +46,22 @@ inline constexpr Layout everyday{
 
 inline constexpr Layout level{
     "level", "in whole numbers: the point is level with vertices and sides", true,
-    [](Random& random) -> Plan {
+    [](Random& random) -> PolygonCase {
       const Outline vertices = whole_outline(random);
       const Vec2<double> one = some_vertex(random, vertices), other = some_vertex(random, vertices);
       return {{(one.x + other.x) / 2 + random.between(-1, 1) / 2.0, other.y}, vertices};
     }};
 
 inline constexpr Layout boundary{"boundary", "in whole numbers: the point is on a side or at a vertex", true,
-                                 [](Random& random) -> Plan {
+                                 [](Random& random) -> PolygonCase {
                                    const Outline vertices = whole_outline(random);
-                                   const double way = random.one_in(3) ? 0 : random.between(1, 7) / 8.0;
-                                   return {on_a_side(random, vertices, way), vertices};
+                                   const double share = random.one_in(3) ? 0 : random.between(1, 7) / 8.0;
+                                   return {on_a_side(random, vertices, share), vertices};
                                  }};
 
 inline constexpr Layout near_boundary{
-    "near_boundary", "the point is an ulp or so from a side or a vertex", false, [](Random& random) -> Plan {
+    "near_boundary", "the point is an ulp or so from a side or a vertex", false,
+    [](Random& random) -> PolygonCase {
       const int count = vertex_count(random);
       const Outline vertices = star(random, count, random.one_in(3) ? 2 : 1);
       return {on_a_side(random, vertices, random.one_in(4) ? 0 : random.unit()), vertices};
@@ -81,23 +82,23 @@ inline constexpr Layout repeated{
 
 inline constexpr Layout no_area{
     "no_area", "in whole numbers: all vertices in a line or a point, or a bow tie of two equal halves", true,
-    [](Random& random) -> Plan {
+    [](Random& random) -> PolygonCase {
       if (random.one_in(3)) {
         const double x = random.between(1, 6), y = random.between(1, 6);
         return with_point(turned(random, {{-x, -y}, {x, y}, {x, -y}, {-x, y}}),
                           [&] { return random.between(-4, 4) / 2.0; });
       }
-      const Vec2<double> start = whole_place(random, 4), way = whole_place(random, 2);
+      const Vec2<double> start = whole_place(random, 4), step = whole_place(random, 2);
       Outline vertices;
       for (int k = random.between(3, 8); k > 0; --k) {
         const double steps = random.between(-3, 3);
-        vertices.push_back({start.x + steps * way.x, start.y + steps * way.y});
+        vertices.push_back({start.x + steps * step.x, start.y + steps * step.y});
       }
       return {on_a_side(random, vertices, random.between(0, 8) / 8.0), vertices};
     }};
 
 /// An everyday one, or one near the boundary.
-[[nodiscard]] inline Plan either_plan(Random& random) {
+[[nodiscard]] inline PolygonCase either_plan(Random& random) {
   return random.one_in(2) ? everyday.plan(random) : near_boundary.plan(random);
 }
 

@@ -1,4 +1,4 @@
-"""Compiling one method, as it is or mutated, and putting it to rayproof-check."""
+"""Compiling one method, as it is or mutated, and running it through rayproof-check."""
 
 from dataclasses import dataclass
 import json

@@ -3,8 +3,8 @@
     cmake --build BUILD --target rayproof-check-mutant
     python3 property_tests/mutation/run.py --build BUILD [--jobs N] [--only TEXT ...] [--write] [--list]
 
-First every method is put to check as it is, with the default budget, and must pass. Then, for each mutant of
-mutants/*.jsonl, the method is compiled with that one change and put to check, which must end with status 1 and a
+First every method is run through check as it is, with the default budget, and must pass. Then, for each mutant of
+mutants/*.jsonl, the method is compiled with that one change and run through check, which must end with status 1 and a
 counterexample. Exit status: 0 where the methods pass and all mutants are killed but those whose survival the list
 explains, which must survive; else 1; 2 where the program is missing.
 """
@@ -34,14 +34,14 @@ def in_parallel(jobs, work, items):
 
 
 def control(laboratory, methods, jobs, budgets):
-    """Puts the methods to check as they are; the number of those that fail."""
+    """Runs the methods through check as they are; the number of those that fail."""
     failures = 0
     for method, outcome in in_parallel(
             jobs, lambda method, folder: laboratory.try_method(method, folder, budgets), methods):
         passed = isinstance(outcome, Outcome) and not outcome.properties
         failures += not passed
-        told = f"passes unmutated, {outcome.seconds:.1f} s" if passed else f"FAILED unmutated: {outcome}"
-        print(f"{method}: {told}", flush=True)
+        ended = f"passes unmutated, {outcome.seconds:.1f} s" if passed else f"FAILED unmutated: {outcome}"
+        print(f"{method}: {ended}", flush=True)
     return failures
 
 

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The engine: puts every subject to every family under rapidcheck, shrinks what breaks, and adds up.
+/// The engine: runs every subject on every family under rapidcheck, shrinks what breaks, and adds up.
 
 #include "properties/finding.hpp"
 #include "properties/hunt.hpp"

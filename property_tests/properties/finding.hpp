@@ -24,7 +24,7 @@ struct Finding {
 /// case's.
 [[nodiscard]] std::string write_finding(const Finding& finding);
 
-/// A line to be put to the subjects again: a finding, or a bare case, for which subject and property are
+/// A line to be tested again: a finding, or a bare case, for which subject and property are
 /// empty.
 struct Replayed {
   std::string subject{};

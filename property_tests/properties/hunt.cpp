@@ -68,7 +68,7 @@ rc::Gen<std::uint64_t> block_seeds() {
   }};
 }
 
-/// Hears nothing: progress and findings take their own way.
+/// Hears nothing: progress and findings are reported elsewhere.
 struct Silence : rc::detail::TestListener {
   void onTestCaseFinished(const rc::detail::CaseDescription& /*description*/) override {}
   void onShrinkTried(const rc::detail::CaseDescription& /*shrink*/, bool /*accepted*/) override {}

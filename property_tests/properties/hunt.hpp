@@ -16,11 +16,11 @@ struct Unit {
   const Subject* subject = nullptr;
   const Family* family = nullptr;
   Precision precision{};
-  std::vector<bool> active{};  ///< for each of properties(): is it put to the cases?
+  std::vector<bool> active{};  ///< for each of properties(): is it tested on the cases?
   bool measure = true;         ///< take the worst errors, too
 };
 
-/// rapidcheck draws a seed for so many cases at a time: its own cost for each draw would outweigh a cheap
+/// rapidcheck draws a seed for this many cases at a time: its own cost for each draw would outweigh a cheap
 /// case's.
 inline constexpr unsigned cases_in_block = 16384;
 

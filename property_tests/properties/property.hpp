@@ -27,7 +27,7 @@ struct Property {
   Claim claim{};
   std::string_view name{};       ///< "robust-verdict"
   std::string_view statement{};  ///< what is claimed, in plain words
-  /// Put to one case in this many: expensive properties need not see them all.
+  /// Tested on one case in this many: expensive properties need not see them all.
   unsigned every = 1;
   Ruling (*rule)(Trial&) = nullptr;
   Evidence (*show)(Trial&) = nullptr;

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What is counted while a subject is put to many cases. Tallies add up in any order to the same sum.
+/// What is counted while a subject answers many cases. Tallies add up in any order to the same sum.
 
 #include <algorithm>
 #include <cmath>

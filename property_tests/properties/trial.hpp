@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// One subject put to one case, and what can be said of it.
+/// One subject asked one case, and what can be said of it.
 
 #include <algorithm>
 #include <cmath>
@@ -69,7 +69,7 @@ class Trial {
   }
 
   /// The reach of the subject's domain at the case's precision. Under a transform, no further than the usual
-  /// one: the way into object space is plain arithmetic, however careful the method is behind it.
+  /// one: the map into object space is plain arithmetic, however careful the method is behind it.
   [[nodiscard]] int reach() const {
     const auto at_precision = [this](const Domain& domain) {
       return case_->precision == Precision::float32 ? domain.reach_float : domain.reach_double;

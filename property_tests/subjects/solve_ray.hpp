@@ -41,7 +41,7 @@ struct RayReading {
           if constexpr (std::is_convertible_v<decltype(library_shape(given)), ShapeIn<double>>)
             return library_shape(given);
           else
-            throw std::logic_error("a case was put to the wrong topic");
+            throw std::logic_error("a case was given to the wrong topic");
         },
         question.shape);
   }

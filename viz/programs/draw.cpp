@@ -27,13 +27,13 @@ void write_picture(const std::string& path, const viz::Picture& picture) {
 #endif
 }
 
-void draw(const viz::Told& told, const Files& files) {
-  const viz::TopicView* const view = viz::view_of(told.one);
+void draw(const viz::CaseReport& report, const Files& files) {
+  const viz::TopicView* const view = viz::view_of(report.one);
   if (view == nullptr)
-    throw viz::WrongCommand("there is no picture for a case about a " + topic_of(told.one));
-  const viz::Picture picture = view->picture(told.one, &told.exact, told.claim());
+    throw viz::WrongCommand("there is no picture for a case about a " + topic_of(report.one));
+  const viz::Picture picture = view->picture(report.one, &report.exact, report.claim());
   if (!files.svg.empty()) viz::write_text(files.svg, viz::xml_head + viz::to_svg(picture));
-  if (!files.html.empty()) viz::write_text(files.html, viz::html_page(told));
+  if (!files.html.empty()) viz::write_text(files.html, viz::html_page(report));
   if (!files.png.empty()) write_picture(files.png, picture);
 }
 
@@ -58,7 +58,7 @@ int main(int argc, char** argv) {
     if (!is_named) files.html = viz::page_beside_findings(options, "draw");
     if (!is_named && files.html.empty())
       throw viz::WrongCommand("nothing to write: give --png, --svg or --html and a file");
-    draw(viz::tell_case(options), files);
+    draw(viz::report_case(options), files);
     if (!is_named) fmt::print("{}\n", files.html);
   });
 }

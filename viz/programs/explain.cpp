@@ -1,7 +1,7 @@
 /// \file
 /// rayproof explain: shows step by step where a method loses its digits.
 
-#include "viz/programs/tell_case.hpp"
+#include "viz/programs/report_case.hpp"
 
 int main(int argc, char** argv) {
   CLI::App app("Shows step by step what a method does with a case, and where it loses its digits.",
@@ -13,9 +13,9 @@ int main(int argc, char** argv) {
   if (const auto status = rayproof::parse_command_line(app, argc, argv)) return *status;
 
   return rayproof::viz::run_and_report("rayproof explain", [&] {
-    const auto told = rayproof::viz::tell_case(options);
-    if (told.method.empty())
+    const auto report = rayproof::viz::report_case(options);
+    if (report.method.empty())
       throw rayproof::viz::WrongCommand("--method is needed: which method is to be explained?");
-    fmt::print("{}", as_json ? explain_json(told) + "\n" : explain_text(told));
+    fmt::print("{}", as_json ? explain_json(report) + "\n" : explain_text(report));
   });
 }

@@ -1,12 +1,12 @@
 #pragma once
 /// \file
-/// Writing files for a user, who is told in one sentence where it can't be done.
+/// Writing files for a user, who gets one sentence where it can't be done.
 
 #include <filesystem>
 #include <fstream>
 #include <string>
 
-#include "viz/programs/tell_case.hpp"
+#include "viz/programs/report_case.hpp"
 
 namespace rayproof::viz {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "case/writer.hpp"
-#include "viz/programs/told_of.hpp"
+#include "viz/programs/report_of.hpp"
 #include "viz/stage/lesson.hpp"
 #include "viz/stage/player.hpp"
 #include "viz/stage/stage_of.hpp"
@@ -15,22 +15,24 @@ namespace rayproof::viz {
 
 /// The lessons of a topic; again with the lesson's method.
 [[nodiscard]] inline std::vector<Play> plays_of(const std::string& topic) {
-  const TellCase tell = [](const Case& one, const std::string& method) { return told_of(one, method); };
+  const ReportCase report_on = [](const Case& one, const std::string& method) {
+    return report_of(one, method);
+  };
   std::vector<Play> plays;
   for (const Lesson* lesson : lessons_of(topic)) {
-    const auto again = [lesson, tell](const Case& one) {
+    const auto again = [lesson, report_on](const Case& one) {
       Lesson changed = *lesson;
       changed.case_text = write_case(one);
-      return stage_of(changed, tell);
+      return stage_of(changed, report_on);
     };
-    plays.push_back({stage_of(*lesson, tell), again});
+    plays.push_back({stage_of(*lesson, report_on), again});
   }
   return plays;
 }
 
 /// The stage of any case; again with the same method.
 [[nodiscard]] inline std::vector<Play> plays_of(const Stage& stage) {
-  const auto again = [method = stage.method](const Case& one) { return stage_of(told_of(one, method)); };
+  const auto again = [method = stage.method](const Case& one) { return stage_of(report_of(one, method)); };
   return {{stage, again}};
 }
 

@@ -19,7 +19,7 @@ int report(const std::exception& why, int status) {
 
 int main(int argc, char** argv) {
   CLI::App app("Draws a scene: by float methods, exactly, or where the two differ.", "rayproof render");
-  Options options;
+  RenderOptions options;
   options.add_to(app);
   if (const auto status = parse_command_line(app, argc, argv)) return *status;
   keep_on_interrupt();  // the tiles under way end, and no file is left

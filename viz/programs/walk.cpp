@@ -21,7 +21,7 @@ namespace {
 
 using namespace rayproof;
 
-struct Options {
+struct WalkOptions {
   std::string topic{};
   viz::CaseOptions one{};
   std::string png{};
@@ -90,7 +90,7 @@ void print_topics() {
 
 int main(int argc, char** argv) {
   CLI::App app("Shows a ray meeting a shape, step by step, to the last digit.", "rayproof walk");
-  Options options;
+  WalkOptions options;
   app.add_option("TOPIC", options.topic,
                  "A topic of --list, a group of them, or all; or the number of a finding of rayproof check");
   auto* const one =

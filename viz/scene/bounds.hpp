@@ -40,11 +40,11 @@ class RayAgainstBoxes {
   [[nodiscard]] std::optional<double> entry(const Bounds& bounds, double t_max) const;
 
  private:
-  enum class Axis { crossed, parallel, unknown };
+  enum class AxisState { crossed, parallel, unknown };
 
   Ray<double> ray_;
   glm::dvec3 inverse_{};
-  std::array<Axis, 3> axes_{};
+  std::array<AxisState, 3> axes_{};
 };
 
 }  // namespace rayproof::render

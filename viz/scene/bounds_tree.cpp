@@ -15,7 +15,7 @@ constexpr std::size_t leaf_size = 4;
 constexpr std::size_t deepest = 64;
 
 /// A box over objects [begin, end) of the order; its children are the next node and `second`, 0 for a leaf.
-struct Node {
+struct TreeNode {
   Bounds bounds{};
   std::uint32_t begin = 0, end = 0, second = 0;
 };
@@ -36,7 +36,7 @@ class BoundsTree final : public Neighbourhood {
     std::size_t depth = 0;
     stack[depth++] = 0;
     while (depth > 0) {
-      const Node& node = nodes_[stack[--depth]];
+      const TreeNode& node = nodes_[stack[--depth]];
       if (!boxes.entry(node.bounds, nearest)) continue;
       if (node.second != 0) {
         push_children(boxes, node, nearest, stack, depth);
@@ -50,7 +50,7 @@ class BoundsTree final : public Neighbourhood {
 
  private:
   /// Puts the nearer child on top.
-  void push_children(const RayAgainstBoxes& boxes, const Node& node, double nearest,
+  void push_children(const RayAgainstBoxes& boxes, const TreeNode& node, double nearest,
                      std::array<std::uint32_t, deepest>& stack, std::size_t& depth) const {
     std::uint32_t near = static_cast<std::uint32_t>(&node - nodes_.data()) + 1, far = node.second;
     const auto first = boxes.entry(nodes_[near].bounds, nearest);
@@ -81,12 +81,12 @@ class BoundsTree final : public Neighbourhood {
 
   ObjectBounds bounds_;
   std::vector<std::uint32_t> order_;
-  std::vector<Node> nodes_{};
+  std::vector<TreeNode> nodes_{};
 };
 
 }  // namespace
 
-ObjectBounds::ObjectBounds(const Scene& scene, double margin) {
+ObjectBounds::ObjectBounds(const RenderScene& scene, double margin) {
   boxes.reserve(scene.objects.size());
   boxed.reserve(scene.objects.size());
   for (ObjectIndex i = 0; i < scene.objects.size(); ++i) {

@@ -24,7 +24,7 @@ inline constexpr std::array<Rgb, ulp_steps.size()> ulp_colours{
     rgb_of("#eef2f5"), rgb_of("#cfe1f2"), rgb_of("#93c3df"), rgb_of("#5aa1cf"),
     rgb_of("#2c79b5"), rgb_of("#0b4f94"), rgb_of("#062a56")};
 
-/// A wrong verdict is told by a colour, by a pattern of a darker one, and by whether the exact image has
+/// A wrong verdict is shown by a colour, by a pattern of a darker one, and by whether the exact image has
 /// something there.
 enum class Hatching { rising, falling, dotted };
 struct VerdictStyle {

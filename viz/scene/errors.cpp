@@ -10,7 +10,7 @@ namespace rayproof::render {
 namespace {
 
 /// Whether another object than the exact one is met at the same rounded t: as good an answer.
-bool is_as_near(const Scene& scene, ObjectIndex object, double t, int x, int y) {
+bool is_as_near(const RenderScene& scene, ObjectIndex object, double t, int x, int y) {
   const ExactHit hit = exact_hit(scene, object, pixel_ray(scene, x, y));
   return hit.is_hit && hit.t == t;
 }
@@ -49,7 +49,8 @@ std::size_t step_of(double ulps) {
   return step;
 }
 
-ErrorImage find_errors(const Scene& scene, const HitImage& exact, const HitImage& claimed, const Work& work) {
+ErrorImage find_errors(const RenderScene& scene, const HitImage& exact, const HitImage& claimed,
+                       const Work& work) {
   ErrorImage errors{exact.width,
                     exact.height,
                     std::vector<Verdict>(exact.t.size(), Verdict::miss),

@@ -51,7 +51,7 @@ struct ErrorImage {
 };
 
 /// Compares the claimed hits with the exact ones. Throws Stopped.
-[[nodiscard]] ErrorImage find_errors(const Scene& scene, const HitImage& exact, const HitImage& claimed,
+[[nodiscard]] ErrorImage find_errors(const RenderScene& scene, const HitImage& exact, const HitImage& claimed,
                                      const Work& work);
 
 }  // namespace rayproof::render

@@ -18,15 +18,15 @@ class Figures {
   Figures& operator=(const Figures&) = delete;
   virtual ~Figures() = default;
 
-  /// Puts every figure to every ray; `nearest` has one element for each of them.
+  /// Intersects every figure with every ray; `nearest` has one element for each of them.
   virtual void meet_all(std::span<const Ray<T>> rays, std::span<Nearest<T>> nearest) const = 0;
-  /// Puts one figure to one ray.
+  /// Intersects one figure with one ray.
   virtual void meet(std::size_t figure, const Ray<T>& ray, Nearest<T>& nearest) const = 0;
 };
 
 /// The objects of a scene that are of one shape.
 struct Members {
-  const Scene* scene;
+  const RenderScene* scene;
   std::vector<ObjectIndex> objects;
 };
 
@@ -55,7 +55,7 @@ struct FigureKind {
   }
 };
 
-/// Every shape that a ray can be put to, in the order of the registries.
+/// Every shape that a ray can meet, in the order of the registries.
 [[nodiscard]] const std::vector<FigureKind>& figure_kinds();
 
 }  // namespace rayproof::render

@@ -69,7 +69,7 @@ class Stopped : public std::exception {};
 /// The method for each shape: {"sphere", "centred"}.
 using Methods = std::map<std::string, std::string>;
 
-/// A sound and quick method for each shape that a ray can be put to.
+/// A sound and quick method for each shape that a ray can meet.
 [[nodiscard]] Methods default_methods();
 
 /// Every method that can render, as "sphere/centred".
@@ -83,32 +83,32 @@ inline constexpr std::size_t many_objects = 65;
 inline constexpr double method_margin = 0x1p-16;
 
 /// Where the objects lie for a float method, and with how much room around them.
-[[nodiscard]] ObjectBounds bounds_for_methods(const Scene& scene);
+[[nodiscard]] ObjectBounds bounds_for_methods(const RenderScene& scene);
 
-/// Hits by float methods in the scene's precision. `neighbourhood` may be null: then every object is put to
-/// every ray. Throws Stopped.
-[[nodiscard]] HitImage trace(const Scene& scene, const Methods& methods, const Neighbourhood* neighbourhood,
-                             const Work& work);
+/// Hits by float methods in the scene's precision. `neighbourhood` may be null: then every object is tested
+/// against every ray. Throws Stopped.
+[[nodiscard]] HitImage trace(const RenderScene& scene, const Methods& methods,
+                             const Neighbourhood* neighbourhood, const Work& work);
 
 /// The exact hits: of each pixel's rounded ray, t correctly rounded. Of two objects with the same rounded t
 /// it is the one that stands first in the scene. `neighbourhood` must leave out no object that the ray meets.
 /// Throws Stopped.
-[[nodiscard]] HitImage trace_exactly(const Scene& scene, const Neighbourhood& neighbourhood,
+[[nodiscard]] HitImage trace_exactly(const RenderScene& scene, const Neighbourhood& neighbourhood,
                                      const Work& work);
 
 /// The same of a single pixel.
-[[nodiscard]] ObjectIndex nearest_at(const Scene& scene, const Methods& methods,
+[[nodiscard]] ObjectIndex nearest_at(const RenderScene& scene, const Methods& methods,
                                      const Neighbourhood* neighbourhood, int x, int y);
-[[nodiscard]] ObjectIndex exact_nearest_at(const Scene& scene, const Neighbourhood& neighbourhood, int x,
-                                           int y);
+[[nodiscard]] ObjectIndex exact_nearest_at(const RenderScene& scene, const Neighbourhood& neighbourhood,
+                                           int x, int y);
 
-/// The first exact hit of one object, rounded correctly; infinite for a miss. (`is_hit` tells a hit that
-/// rounds to infinity.)
+/// The first exact hit of one object, rounded correctly; infinite for a miss. (`is_hit` distinguishes a hit
+/// that rounds to infinity.)
 struct ExactHit {
   bool is_hit = false;
   double t = HUGE_VAL;
 };
-[[nodiscard]] ExactHit exact_hit(const Scene& scene, ObjectIndex object, const Ray<double>& ray);
+[[nodiscard]] ExactHit exact_hit(const RenderScene& scene, ObjectIndex object, const Ray<double>& ray);
 
 /// Not below any exact t that rounds to `t`, be it in float: a normal float's neighbour is at most 2^-23 of
 /// it away, and the others are 2^-149 apart.
@@ -117,6 +117,6 @@ struct ExactHit {
 }
 
 /// The ray of a pixel, in the scene's precision.
-[[nodiscard]] Ray<double> pixel_ray(const Scene& scene, int x, int y);
+[[nodiscard]] Ray<double> pixel_ray(const RenderScene& scene, int x, int y);
 
 }  // namespace rayproof::render

@@ -44,7 +44,7 @@ struct ObjectBounds {
   std::vector<ObjectIndex> boxed{};      ///< whose box each is
   std::vector<ObjectIndex> unbounded{};  ///< those without one
 
-  explicit ObjectBounds(const Scene& scene, double margin = 0);
+  explicit ObjectBounds(const RenderScene& scene, double margin = 0);
 };
 
 /// A tree of boxes, searched in doubles with bounds on every rounding: it certainly leaves out no object that

@@ -5,13 +5,13 @@
 namespace rayproof::render {
 namespace {
 
-std::string in_words(const Scene& scene, ObjectIndex object) {
+std::string in_words(const RenderScene& scene, ObjectIndex object) {
   return object == no_object ? "nothing" : object_name(scene, object);
 }
 
 }  // namespace
 
-std::string object_name(const Scene& scene, ObjectIndex object) {
+std::string object_name(const RenderScene& scene, ObjectIndex object) {
   const std::size_t entry = scene.objects[object].entry;
   std::size_t first = object;
   while (first > 0 && scene.objects[first - 1].entry == entry) --first;
@@ -21,14 +21,14 @@ std::string object_name(const Scene& scene, ObjectIndex object) {
   return is_of_mesh ? fmt::format("triangle {} of {}", object - first, shape) : shape;
 }
 
-PixelHits hits_at(const Scene& scene, int x, int y, const Methods& methods) {
+PixelHits hits_at(const RenderScene& scene, int x, int y, const Methods& methods) {
   const bool has_many = scene.objects.size() >= many_objects;
   const auto near = has_many ? bounds_tree(bounds_for_methods(scene)) : nullptr;
   const auto exactly_near = bounds_tree(ObjectBounds(scene));
   return {exact_nearest_at(scene, *exactly_near, x, y), nearest_at(scene, methods, near.get(), x, y)};
 }
 
-Case pixel_case(const Scene& scene, int x, int y, ObjectIndex object, const PixelHits& hits) {
+Case pixel_case(const RenderScene& scene, int x, int y, ObjectIndex object, const PixelHits& hits) {
   const Object& asked = scene.objects[object];
   Case one;
   one.precision = scene.precision;

@@ -13,7 +13,7 @@ struct PixelHits {
 };
 
 /// Asks the oracle and the methods about one pixel, every object.
-[[nodiscard]] PixelHits hits_at(const Scene& scene, int x, int y, const Methods& methods);
+[[nodiscard]] PixelHits hits_at(const RenderScene& scene, int x, int y, const Methods& methods);
 
 /// Which object a pixel's case is about: the exact one, or where nothing is there the methods' one; with
 /// neither, none.
@@ -22,9 +22,10 @@ struct PixelHits {
 }
 
 /// The case of pixel (x, y) and an object; its note says where it comes from and why this object.
-[[nodiscard]] Case pixel_case(const Scene& scene, int x, int y, ObjectIndex object, const PixelHits& hits);
+[[nodiscard]] Case pixel_case(const RenderScene& scene, int x, int y, ObjectIndex object,
+                              const PixelHits& hits);
 
 /// "shapes[3]", or for a mesh's triangle "triangle 17 of shapes[3]".
-[[nodiscard]] std::string object_name(const Scene& scene, ObjectIndex object);
+[[nodiscard]] std::string object_name(const RenderScene& scene, ObjectIndex object);
 
 }  // namespace rayproof::render

@@ -8,7 +8,9 @@ RayAgainstBoxes::RayAgainstBoxes(const Ray<double>& ray) : ray_(ray) {
   for (int i = 0; i < 3; ++i) {
     const double o = std::abs(ray.origin[i]), d = std::abs(ray.direction[i]);
     const bool is_sound = o < largest_sound && d < largest_sound && (d > 1 / largest_sound || d == 0);
-    axes_[static_cast<std::size_t>(i)] = !is_sound ? Axis::unknown : d == 0 ? Axis::parallel : Axis::crossed;
+    axes_[static_cast<std::size_t>(i)] = !is_sound ? AxisState::unknown
+                                         : d == 0  ? AxisState::parallel
+                                                   : AxisState::crossed;
     inverse_[i] = 1 / ray.direction[i];
   }
 }
@@ -19,9 +21,9 @@ std::optional<double> RayAgainstBoxes::entry(const Bounds& bounds, double t_max)
   double last = std::min(ray_.t_max, t_max);
   for (int i = 0; i < 3; ++i) {
     const double low = bounds.low[i], high = bounds.high[i], o = ray_.origin[i];
-    const Axis axis = axes_[static_cast<std::size_t>(i)];
-    if (axis == Axis::unknown) continue;
-    if (axis == Axis::parallel) {
+    const AxisState axis = axes_[static_cast<std::size_t>(i)];
+    if (axis == AxisState::unknown) continue;
+    if (axis == AxisState::parallel) {
       if (o < low || high < o) return std::nullopt;
       continue;
     }

@@ -20,7 +20,7 @@ struct Object {
 };
 
 /// What a scene file says.
-struct Scene {
+struct RenderScene {
   std::string file{};
   Precision precision = Precision::float64;
   Camera<double> camera{};
@@ -29,7 +29,7 @@ struct Scene {
   std::vector<Object> objects{};
 };
 
-/// Index into `Scene::objects`; `no_object` where there is none.
+/// Index into `RenderScene::objects`; `no_object` where there is none.
 using ObjectIndex = std::uint32_t;
 inline constexpr ObjectIndex no_object = 0xFFFFFFFF;
 
@@ -43,7 +43,7 @@ template <class T>
 template <class T>
 class PixelRays {
  public:
-  explicit PixelRays(const Scene& scene)
+  explicit PixelRays(const RenderScene& scene)
       : camera_(camera_in<T>(scene.camera)),
         axes_(camera::axes(camera_)),
         image_{static_cast<T>(scene.width), static_cast<T>(scene.height)} {}

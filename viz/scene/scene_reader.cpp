@@ -41,7 +41,7 @@ double rounded(const Field& field, Precision precision, double x) {
 /// Reads `shapes`.
 class ObjectsReader {
  public:
-  ObjectsReader(Scene& scene, const ReadMesh& read_mesh) : scene_(scene), read_mesh_(read_mesh) {}
+  ObjectsReader(RenderScene& scene, const ReadMesh& read_mesh) : scene_(scene), read_mesh_(read_mesh) {}
 
   void read(const Field& shapes) {
     const std::vector<Field> entries = shapes.elements("must be an array of shapes and meshes");
@@ -66,7 +66,7 @@ class ObjectsReader {
     try {
       read_shape(field, scene_.precision, object.shape);
     } catch (const Refusal& why) {
-      // A shape that does not hold together is refused by its own field, without the way there.
+      // A shape that does not hold together is refused by its own field, without the path to it.
       const std::string path = field.path();
       if (why.field().starts_with(path)) throw;
       throw Refusal(path + "." + why.field(), fmt::format("{}.{}: {}", path, why.field(), why.what()));
@@ -83,11 +83,11 @@ class ObjectsReader {
       scene_.objects.push_back({Triangle<double>{vertex(t.a), vertex(t.b), vertex(t.c)}, transform, entry});
   }
 
-  Scene& scene_;
+  RenderScene& scene_;
   const ReadMesh& read_mesh_;
 };
 
-void read_size(Scene& scene, ObjectReader& reader, const SceneOverrides& overrides) {
+void read_size(RenderScene& scene, ObjectReader& reader, const SceneOverrides& overrides) {
   const Field field = reader.need("size");
   const std::vector<Field> sides = field.elements("must be an array of 2 numbers, width and height", 2);
   scene.width = read_side(sides[0]);
@@ -95,7 +95,7 @@ void read_size(Scene& scene, ObjectReader& reader, const SceneOverrides& overrid
   if (overrides.size) std::tie(scene.width, scene.height) = *overrides.size;
 }
 
-void read_members(Scene& scene, const json::Document& document, const ReadMesh& read_mesh,
+void read_members(RenderScene& scene, const json::Document& document, const ReadMesh& read_mesh,
                   const SceneOverrides& overrides) {
   const Field whole{.document = &document};
   ObjectReader reader(whole);
@@ -120,10 +120,10 @@ std::string sentence_about(const std::string& file, const Refusal& why, const st
 
 }  // namespace
 
-Scene read_scene(const std::filesystem::path& file, const ReadMesh& read_mesh,
-                 const SceneOverrides& overrides) {
+RenderScene read_scene(const std::filesystem::path& file, const ReadMesh& read_mesh,
+                       const SceneOverrides& overrides) {
   const std::string text = read_text(file);
-  Scene scene;
+  RenderScene scene;
   scene.file = file.string();
   json::Document document;
   try {

@@ -30,7 +30,7 @@ inline constexpr int largest_side = 16384;
 /// Reads the scene, its numbers rounded to its precision; meshes lie beside the scene's file unless their
 /// path is absolute. Throws UnreadableFile, or a Refusal whose sentence names the file, the field and its
 /// value.
-[[nodiscard]] Scene read_scene(const std::filesystem::path& file, const ReadMesh& read_mesh,
-                               const SceneOverrides& overrides = {});
+[[nodiscard]] RenderScene read_scene(const std::filesystem::path& file, const ReadMesh& read_mesh,
+                                     const SceneOverrides& overrides = {});
 
 }  // namespace rayproof::render

@@ -36,7 +36,7 @@ Rgb dimmed(const Rgb& colour, double by) {
 
 }  // namespace
 
-viz::Raster shaded(const Scene& scene, const HitImage& hits, Shade shade, const Work& work) {
+viz::Raster shaded(const RenderScene& scene, const HitImage& hits, Shade shade, const Work& work) {
   viz::Raster raster(hits.width, hits.height, background);
   for_each_tile(hits.width, hits.height, work, [&](const Tile& tile) {
     for_each_pixel(tile, [&](int x, int y) {

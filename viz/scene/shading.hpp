@@ -13,6 +13,7 @@ enum class Shade {
 };
 
 /// One pixel a hit, each shape (or mesh) of the scene in a colour of its own.
-[[nodiscard]] viz::Raster shaded(const Scene& scene, const HitImage& hits, Shade shade, const Work& work);
+[[nodiscard]] viz::Raster shaded(const RenderScene& scene, const HitImage& hits, Shade shade,
+                                 const Work& work);
 
 }  // namespace rayproof::render

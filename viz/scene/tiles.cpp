@@ -22,12 +22,12 @@ void for_each_tile(int width, int height, const Work& work, const std::function<
   const std::vector<Tile> tiles = tiles_of(width, height);
   const auto is_stopped = [&work] { return work.stop != nullptr && *work.stop; };
   std::atomic<std::size_t> done = 0;
-  std::mutex telling;
+  std::mutex reporting;
   const auto run = [&](std::size_t i) {
     if (is_stopped()) return;
     body(tiles[i]);
     const std::size_t now = ++done;
-    const std::unique_lock<std::mutex> turn(telling, std::try_to_lock);
+    const std::unique_lock<std::mutex> turn(reporting, std::try_to_lock);
     if (turn && work.progress) work.progress(static_cast<double>(now) / static_cast<double>(tiles.size()));
   };
   const int jobs = work.jobs > 0 ? work.jobs : tbb::task_arena::automatic;

@@ -16,7 +16,7 @@ namespace {
 template <class T>
 class AllFigures {
  public:
-  AllFigures(const Scene& scene, const Methods& methods) : places_(scene.objects.size()) {
+  AllFigures(const RenderScene& scene, const Methods& methods) : places_(scene.objects.size()) {
     std::map<std::string, Members> by_shape;
     for (ObjectIndex i = 0; i < scene.objects.size(); ++i) {
       Members& members =
@@ -41,14 +41,14 @@ class AllFigures {
   }
 
  private:
-  struct Place {
+  struct FigureIndex {
     std::uint32_t group = 0, figure = 0;
   };
-  std::vector<Place> places_;
+  std::vector<FigureIndex> places_;
   std::vector<std::unique_ptr<Figures<T>>> groups_{};
 };
 
-/// Puts the rays to all objects, or to those in their neighbourhood.
+/// Intersects the rays with all objects, or with those in their neighbourhood.
 template <class T>
 std::vector<Nearest<T>> meet(const AllFigures<T>& figures, const Neighbourhood* neighbourhood,
                              std::span<const Ray<T>> rays) {
@@ -68,7 +68,7 @@ std::vector<Nearest<T>> meet(const AllFigures<T>& figures, const Neighbourhood* 
 }
 
 template <class T>
-HitImage trace_in(const Scene& scene, const Methods& methods, const Neighbourhood* neighbourhood,
+HitImage trace_in(const RenderScene& scene, const Methods& methods, const Neighbourhood* neighbourhood,
                   const Work& work) {
   HitImage image(scene.width, scene.height);
   const AllFigures<T> figures(scene, methods);
@@ -98,7 +98,7 @@ std::vector<std::string> renderable_methods() {
   return names;
 }
 
-ObjectBounds bounds_for_methods(const Scene& scene) {
+ObjectBounds bounds_for_methods(const RenderScene& scene) {
   const ObjectBounds exact(scene);
   double largest = 0;
   const auto note = [&largest](const glm::dvec3& p) {
@@ -112,14 +112,14 @@ ObjectBounds bounds_for_methods(const Scene& scene) {
   return ObjectBounds(scene, method_margin * largest);
 }
 
-HitImage trace(const Scene& scene, const Methods& methods, const Neighbourhood* neighbourhood,
+HitImage trace(const RenderScene& scene, const Methods& methods, const Neighbourhood* neighbourhood,
                const Work& work) {
   return scene.precision == Precision::float32 ? trace_in<float>(scene, methods, neighbourhood, work)
                                                : trace_in<double>(scene, methods, neighbourhood, work);
 }
 
-ObjectIndex nearest_at(const Scene& scene, const Methods& methods, const Neighbourhood* neighbourhood, int x,
-                       int y) {
+ObjectIndex nearest_at(const RenderScene& scene, const Methods& methods, const Neighbourhood* neighbourhood,
+                       int x, int y) {
   const auto in = [&]<class T>(T) {
     const std::array<Ray<T>, 1> ray{PixelRays<T>(scene)(x, y)};
     return meet<T>(AllFigures<T>(scene, methods), neighbourhood, ray).front().object;
@@ -127,7 +127,7 @@ ObjectIndex nearest_at(const Scene& scene, const Methods& methods, const Neighbo
   return scene.precision == Precision::float32 ? in(float{}) : in(double{});
 }
 
-Ray<double> pixel_ray(const Scene& scene, int x, int y) {
+Ray<double> pixel_ray(const RenderScene& scene, int x, int y) {
   return scene.precision == Precision::float32 ? convert<double>(PixelRays<float>(scene)(x, y))
                                                : PixelRays<double>(scene)(x, y);
 }

@@ -9,7 +9,7 @@ namespace rayproof::render {
 namespace {
 
 /// Asks the objects near the ray one after another, keeping the nearest.
-Nearest<double> exact_nearest(const Scene& scene, const Neighbourhood& neighbourhood,
+Nearest<double> exact_nearest(const RenderScene& scene, const Neighbourhood& neighbourhood,
                               const Ray<double>& ray) {
   Nearest<double> nearest;
   auto ask = [&](ObjectIndex object) {
@@ -22,7 +22,7 @@ Nearest<double> exact_nearest(const Scene& scene, const Neighbourhood& neighbour
 }
 
 template <class T>
-HitImage trace_exactly_in(const Scene& scene, const Neighbourhood& neighbourhood, const Work& work) {
+HitImage trace_exactly_in(const RenderScene& scene, const Neighbourhood& neighbourhood, const Work& work) {
   HitImage image(scene.width, scene.height);
   const PixelRays<T> pixel_rays(scene);
   for_each_tile(scene.width, scene.height, work, [&](const Tile& tile) {
@@ -35,7 +35,7 @@ HitImage trace_exactly_in(const Scene& scene, const Neighbourhood& neighbourhood
 
 }  // namespace
 
-ExactHit exact_hit(const Scene& scene, ObjectIndex object, const Ray<double>& ray) {
+ExactHit exact_hit(const RenderScene& scene, ObjectIndex object, const Ray<double>& ray) {
   const Object& asked = scene.objects[object];
   const Case one{{}, scene.precision, {}, RayQuestion{ray, asked.shape, asked.transform}};
   const auto answer = std::get<RayAnswer>(oracle::answer(one));
@@ -43,11 +43,11 @@ ExactHit exact_hit(const Scene& scene, ObjectIndex object, const Ray<double>& ra
   return {true, answer.hits.t[0]};
 }
 
-ObjectIndex exact_nearest_at(const Scene& scene, const Neighbourhood& neighbourhood, int x, int y) {
+ObjectIndex exact_nearest_at(const RenderScene& scene, const Neighbourhood& neighbourhood, int x, int y) {
   return exact_nearest(scene, neighbourhood, pixel_ray(scene, x, y)).object;
 }
 
-HitImage trace_exactly(const Scene& scene, const Neighbourhood& neighbourhood, const Work& work) {
+HitImage trace_exactly(const RenderScene& scene, const Neighbourhood& neighbourhood, const Work& work) {
   return scene.precision == Precision::float32 ? trace_exactly_in<float>(scene, neighbourhood, work)
                                                : trace_exactly_in<double>(scene, neighbourhood, work);
 }

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What composed lessons are made of: library functions run in the recording arithmetic, told as a kernel's
+/// What composed lessons are made of: library functions run in the recording arithmetic, shown as a kernel's
 /// run is.
 
 #include <algorithm>
@@ -20,7 +20,7 @@ template <class Run>
   const auto record_as = [&]<class T>(std::type_identity<T>) {
     Tape tape;
     run(std::type_identity<Recorded<T, Shadow>>{});
-    return tell_steps(tape, precision);
+    return steps_of(tape, precision);
   };
   return precision == Precision::float32 ? record_as(std::type_identity<float>{})
                                          : record_as(std::type_identity<double>{});
@@ -28,7 +28,7 @@ template <class Run>
 
 /// The stage of a composed run: the given case's scene, a first step with the inputs, and the run's steps.
 /// Each of the setting's bindings must draw something that the run records: std::logic_error.
-[[nodiscard]] Stage composed_stage(const Told& told, const Walkthrough& walk, const Setting& setting);
+[[nodiscard]] Stage composed_stage(const CaseReport& report, const Walkthrough& walk, const Setting& setting);
 
 /// The place of the step whose title begins so: std::logic_error where there is none.
 template <class Steps>
@@ -43,8 +43,8 @@ template <class Steps>
 /// the next step begins anew.
 void show_beside(Stage& stage, const std::string& title, const Items& items);
 
-/// A last step on how far the run's own values part from the exact ones: the one that lost most, magnified.
-[[nodiscard]] StageStep parting_of_values(const Walkthrough& walk, const Setting& setting,
-                                          Precision precision);
+/// A last step on how far the run's own values differ from the exact ones: the one that lost most, magnified.
+[[nodiscard]] StageStep difference_of_values(const Walkthrough& walk, const Setting& setting,
+                                             Precision precision);
 
 }  // namespace rayproof::viz

@@ -25,9 +25,9 @@ Items parabola_items(const Quadratic<double>& q, const ParabolaFrame& frame) {
   return items;
 }
 
-Setting quadratic_setting(const Told& told) {
-  const auto& q = std::get<Quadratic<double>>(told.one.question);
-  std::vector<double> roots = values_of(&told.exact);
+Setting quadratic_setting(const CaseReport& report) {
+  const auto& q = std::get<Quadratic<double>>(report.one.question);
+  std::vector<double> roots = values_of(&report.exact);
   const ParabolaFrame frame = parabola_frame(q, roots);
   Setting setting;
   setting.scene = parabola_items(q, frame);
@@ -47,8 +47,8 @@ Setting quadratic_setting(const Told& told) {
   return setting;
 }
 
-Setting polygon_setting(const Told& told) {
-  const auto& question = std::get<PointAndPolygon<double>>(told.one.question);
+Setting polygon_setting(const CaseReport& report) {
+  const auto& question = std::get<PointAndPolygon<double>>(report.one.question);
   std::vector<glm::dvec3> ring;
   for (const auto& vertex : question.vertices) ring.emplace_back(vertex.x, vertex.y, 0);
   const glm::dvec3 p(question.point.x, question.point.y, 0);
@@ -90,9 +90,9 @@ ParabolaFrame parabola_frame(const Quadratic<double>& q, const std::vector<doubl
   return frame;
 }
 
-Setting flat_setting(const Told& told) {
-  Setting setting = std::holds_alternative<Quadratic<double>>(told.one.question) ? quadratic_setting(told)
-                                                                                 : polygon_setting(told);
+Setting flat_setting(const CaseReport& report) {
+  Setting setting = std::holds_alternative<Quadratic<double>>(report.one.question) ? quadratic_setting(report)
+                                                                                   : polygon_setting(report);
   setting.to_world = [](const glm::dvec3& p) { return p; };
   return setting;
 }

@@ -6,7 +6,7 @@
 
 namespace rayproof::viz {
 
-[[nodiscard]] Setting flat_setting(const Told& told);
+[[nodiscard]] Setting flat_setting(const CaseReport& report);
 
 /// How an equation's numbers are put into its drawing: x from `left` to `right` becomes -1 to 1, and y is
 /// divided by `height`.

@@ -23,12 +23,12 @@ const StageValue* aim_of(const std::vector<StageValue>& values) {
 }
 
 /// Of a step that names nothing: what it came to.
-std::string decision_of(const Told& told) {
-  std::string text = fmt::format("The numbers so far decide: {}", verdict_of(told.claim()));
-  const std::vector<double> values = values_of(told.claim());
+std::string decision_of(const CaseReport& report) {
+  std::string text = fmt::format("The numbers so far decide: {}", verdict_of(report.claim()));
+  const std::vector<double> values = values_of(report.claim());
   for (std::size_t i = 0; i < values.size(); ++i) {
-    text += fmt::format("{} {}{} = {}", i == 0 ? "" : ",", symbol_of(told.one), subscript(i),
-                        shown(values[i], told.one.precision));
+    text += fmt::format("{} {}{} = {}", i == 0 ? "" : ",", symbol_of(report.one), subscript(i),
+                        shown(values[i], report.one.precision));
   }
   return text + ".";
 }
@@ -90,11 +90,11 @@ std::vector<std::vector<StageValue>> parts_of(const std::vector<StageValue>& val
   return parts;
 }
 
-void caption(StageStep& step, const Told& told, bool is_last) {
+void caption(StageStep& step, const CaseReport& report, bool is_last) {
   const StageValue* aim = aim_of(step.values);
   if (aim == nullptr && !step.values.empty()) aim = &step.values.back();
-  const std::string numbers = aim != nullptr ? equation_of(*aim, told.one.precision)
-                              : is_last      ? decision_of(told)
+  const std::string numbers = aim != nullptr ? equation_of(*aim, report.one.precision)
+                              : is_last      ? decision_of(report)
                                              : "";
   const bool is_both = !step.words.empty() && !numbers.empty();
   step.caption = step.words + (is_both ? " " : "") + numbers;
@@ -102,7 +102,7 @@ void caption(StageStep& step, const Told& told, bool is_last) {
 }
 
 /// What became of the digits; nothing to say where all are well.
-std::string digits_of(const std::vector<StageValue>& values, const std::optional<Death>& loss) {
+std::string digits_of(const std::vector<StageValue>& values, const std::optional<PrecisionLoss>& loss) {
   const bool is_spoilt = std::any_of(values.begin(), values.end(), [](const StageValue& value) {
     return std::any_of(value.components.begin(), value.components.end(),
                        [](const WalkValue& component) { return component.bits_lost >= noteworthy; });
@@ -120,17 +120,17 @@ std::vector<StageValue> step_values(const Walkthrough& walk, std::size_t index, 
 
 }  // namespace
 
-std::size_t count_parts(const Told& told, const Walkthrough& walk, std::size_t index,
+std::size_t count_parts(const CaseReport& report, const Walkthrough& walk, std::size_t index,
                         const Setting& setting) {
   const NumbersByName n(walk, index);
-  return parts_of(step_values(walk, index, n, told.one.precision), n, setting).size();
+  return parts_of(step_values(walk, index, n, report.one.precision), n, setting).size();
 }
 
-std::vector<StageStep> kernel_steps(const Told& told, const Walkthrough& walk, std::size_t index,
+std::vector<StageStep> kernel_steps(const CaseReport& report, const Walkthrough& walk, std::size_t index,
                                     const Setting& setting, bool is_split) {
   const NumbersByName n(walk, index);
   const std::string& title = walk.steps[index].title;
-  const Precision precision = told.one.precision;
+  const Precision precision = report.one.precision;
   const std::vector<StageValue> values = step_values(walk, index, n, precision);
   const auto parts = is_split ? parts_of(values, n, setting) : std::vector<std::vector<StageValue>>{values};
   std::vector<StageStep> steps;
@@ -145,7 +145,7 @@ std::vector<StageStep> kernel_steps(const Told& told, const Walkthrough& walk, s
     for (const StageValue& value : step.values) add_placed(step, items_of(value.name, n, setting), setting);
     step.digits =
         digits_of(step.values, parts.size() == 1 ? walk.steps[index].loss : worst_loss_of(parts[i]));
-    caption(step, told, index + 1 == walk.steps.size());
+    caption(step, report, index + 1 == walk.steps.size());
     step.view = view_of(step, setting);
     steps.push_back(std::move(step));
   }

@@ -32,13 +32,13 @@ double width_of(char32_t point) {
   return point < 0x80 && std::isupper(static_cast<int>(point)) != 0 ? 0.7 : 0.65;
 }
 
-double overlap(const Box& a, const Box& b) {
+double overlap(const PixelBox& a, const PixelBox& b) {
   const double x = std::min(a.right(), b.right()) - std::max(a.left, b.left);
   const double y = std::min(a.bottom(), b.bottom()) - std::max(a.top, b.top);
   return x > 0 && y > 0 ? x * y : 0;
 }
 
-Box box_around(const Point& middle, const std::string& label, double size) {
+PixelBox box_around(const Point& middle, const std::string& label, double size) {
   const double width = text_width(label, size, true) + 4;
   const double height = size * 1.15;
   return {middle.x - width / 2, middle.y - height / 2, width, height};
@@ -102,21 +102,21 @@ void LabelPlaces::avoid(const std::vector<Point>& line, double cost) {
   }
 }
 
-double LabelPlaces::cost_of(const Box& box, double most) const {
+double LabelPlaces::cost_of(const PixelBox& box, double most) const {
   double cost = 20 * (box.width * box.height - overlap(box, frame_));  // outside of the frame
-  for (const Box& other : taken_) cost += 10 * overlap(box, other);
+  for (const PixelBox& other : taken_) cost += 10 * overlap(box, other);
   if (cost >= most) return cost;
   for (const auto& [at, extra] : avoided_) cost += box.holds(at) ? extra : 0;
   return cost;
 }
 
-Text LabelPlaces::take(const Box& box, const std::string& label, double size) {
+Text LabelPlaces::take(const PixelBox& box, const std::string& label, double size) {
   taken_.push_back(box);
   return {Role::text, {box.centre().x, box.bottom() - size * 0.27}, label, Anchor::middle, size, true, true};
 }
 
 Text LabelPlaces::put_at(const std::string& label, const Point& middle, double size) {
-  const Box own = box_around(middle, label, size);
+  const PixelBox own = box_around(middle, label, size);
   // A label too long for its place moves into the frame as far as it can.
   const double least = frame_.left + own.width / 2;
   const double most = std::max(least, frame_.right() - own.width / 2);
@@ -125,8 +125,8 @@ Text LabelPlaces::put_at(const std::string& label, const Point& middle, double s
 
 std::optional<Text> LabelPlaces::put(const std::string& label, const std::vector<Point>& anchors, double size,
                                      bool must) {
-  const Box own = box_around({0, 0}, label, size);
-  Box best{};
+  const PixelBox own = box_around({0, 0}, label, size);
+  PixelBox best{};
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < anchors.size(); ++k) {
     for (const double away : {13.0, 22.0, 34.0, 48.0}) {
@@ -135,9 +135,9 @@ std::optional<Text> LabelPlaces::put(const std::string& label, const std::vector
         const double angle = std::numbers::pi * (0.25 + i / 8.0);
         const Point middle{anchors[k].x + (away + own.width / 2) * std::cos(angle),
                            anchors[k].y - (away + own.height / 4) * std::sin(angle)};
-        const Box box = box_around(middle, label, size);
-        const double way = away * 1.5 + i * 0.4 + static_cast<double>(k) * 5;
-        const double cost = way + cost_of(box, least - way);
+        const PixelBox box = box_around(middle, label, size);
+        const double penalty = away * 1.5 + i * 0.4 + static_cast<double>(k) * 5;
+        const double cost = penalty + cost_of(box, least - penalty);
         if (cost >= least) continue;
         least = cost;
         best = box;

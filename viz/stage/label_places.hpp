@@ -13,14 +13,14 @@ namespace rayproof::viz {
 /// About how wide a line of DejaVu Sans is; combining marks have no width.
 [[nodiscard]] double text_width(const std::string& text, double size, bool bold = false);
 
-/// The text in lines of at most so many pixels, broken at spaces; a word too long for a line is broken in
+/// The text in lines of at most this many pixels, broken at spaces; a word too long for a line is broken in
 /// two.
 [[nodiscard]] std::vector<std::string> wrapped(const std::string& text, double width, double size);
 
 /// Keeps account of what of a frame is taken.
 class LabelPlaces {
  public:
-  explicit LabelPlaces(const Box& frame) : frame_(frame) {}
+  explicit LabelPlaces(const PixelBox& frame) : frame_(frame) {}
 
   /// A mark, which no label may cover.
   void take(const Point& at, double radius);
@@ -34,12 +34,12 @@ class LabelPlaces {
                                         double size, bool must);
 
  private:
-  [[nodiscard]] Text take(const Box& box, const std::string& label, double size);
+  [[nodiscard]] Text take(const PixelBox& box, const std::string& label, double size);
   /// What a label there costs; at least `most` where that is clear early.
-  [[nodiscard]] double cost_of(const Box& box, double most) const;
+  [[nodiscard]] double cost_of(const PixelBox& box, double most) const;
 
-  Box frame_;
-  std::vector<Box> taken_{};
+  PixelBox frame_;
+  std::vector<PixelBox> taken_{};
   struct Avoided {
     Point at;
     double cost;

@@ -38,9 +38,10 @@ std::vector<const Lesson*> lessons_of(std::string_view topic) {
   return found;
 }
 
-Stage stage_of(const Lesson& lesson, const TellCase& tell) {
+Stage stage_of(const Lesson& lesson, const ReportCase& report_on) {
   const Case one = read_case(lesson.case_text);
-  Stage stage = lesson.compose != nullptr ? lesson.compose(one, tell) : stage_of(tell(one, lesson.method));
+  Stage stage =
+      lesson.compose != nullptr ? lesson.compose(one, report_on) : stage_of(report_on(one, lesson.method));
   stage.name = lesson.name;
   stage.title = lesson.title;
   stage.sentence = lesson.sentence;

@@ -7,14 +7,14 @@
 #include <string_view>
 #include <vector>
 
+#include "viz/case_report.hpp"
 #include "viz/stage/stage.hpp"
-#include "viz/told.hpp"
 
 namespace rayproof::viz {
 
-/// Answers a case by the oracle and by a method ("" for none): programs pass told_of
-/// (viz/programs/told_of.hpp).
-using TellCase = std::function<Told(const Case& one, const std::string& method)>;
+/// Answers a case by the oracle and by a method ("" for none): programs pass report_of
+/// (viz/programs/report_of.hpp).
+using ReportCase = std::function<CaseReport(const Case& one, const std::string& method)>;
 
 /// A topic of `rayproof walk`.
 struct Lesson {
@@ -25,7 +25,7 @@ struct Lesson {
   std::string case_text;
   std::string method{};
   /// Where the steps are not one method's run on the case alone; else left out.
-  Stage (*compose)(const Case& one, const TellCase& tell) = nullptr;
+  Stage (*compose)(const Case& one, const ReportCase& report_on) = nullptr;
 };
 
 /// In the order of teaching.
@@ -35,6 +35,6 @@ struct Lesson {
 [[nodiscard]] std::vector<const Lesson*> lessons_of(std::string_view topic);
 
 /// The stage of a lesson, made from its own case.
-[[nodiscard]] Stage stage_of(const Lesson& lesson, const TellCase& tell);
+[[nodiscard]] Stage stage_of(const Lesson& lesson, const ReportCase& report_on);
 
 }  // namespace rayproof::viz

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A stretch of a line looked at from so near that single numbers can be told apart.
+/// A stretch of a line looked at from so near that single numbers can be distinguished.
 
 #include "viz/stage/items.hpp"
 
@@ -14,7 +14,7 @@ struct Magnifier {
   [[nodiscard]] glm::dvec3 at(double t) const { return (t - centre) / unit * along; }
 };
 
-/// The number of the precision that follows x on the way to `toward`.
+/// The number of the precision that follows x in the direction of `toward`.
 [[nodiscard]] double neighbour(double x, double toward, Precision precision);
 
 /// A dot for each number of the precision around one of them: between them there is nothing for an answer.
@@ -23,7 +23,7 @@ struct Magnifier {
 /// "Each dot is a float32 value."
 [[nodiscard]] std::string dots_in_words(Precision precision);
 
-/// What magnified steps show: numbers up to so many lengths from the centre, in a view of this radius.
+/// What magnified steps show: numbers up to this many lengths from the centre, in a view of this radius.
 inline constexpr double magnified_reach = 3.2;
 inline constexpr StageView magnified_view{{0, 0, 0}, 2.3};
 

@@ -16,7 +16,7 @@ const unit = v => { const n = Math.hypot(...v) || 1; return v.map(x => x / n); }
 const first = () => ({right: data.camera.right.map(number), up: data.camera.up.map(number), toward: data.camera.toward.map(number)});
 let eye = first(), zoom = 1, place = 0;
 const moved = () => dot(eye.toward, first().toward) < 0.9999 || dot(eye.up, first().up) < 0.9999;
-/** The scene turned before the eye: what is nearest moves by so many radians to the right and upward. */
+/** The scene turned before the eye: what is nearest moves by this many radians to the right and upward. */
 function turn(rightward, upward) {
   if (data.camera.flat) return;
   const mix = (a, b, angle) => plus(a.map(x => x * Math.cos(angle)), b, Math.sin(angle));
@@ -88,7 +88,7 @@ class Places {
     let best = null, least = Infinity;
     anchors.forEach((at, k) => { for (const away of [13, 22, 34, 48]) for (let i = 0; i < 16; ++i) {
       const angle = Math.PI * (0.25 + i / 8), x = at[0] + (away + w/2) * Math.cos(angle), y = at[1] - (away + h/4) * Math.sin(angle);
-      const box = [x - w/2, y - h/2, x + w/2, y + h/2], way = away * 1.5 + i * 0.4 + k * 5, cost = way + this.cost(box, least - way);
+      const box = [x - w/2, y - h/2, x + w/2, y + h/2], penalty = away * 1.5 + i * 0.4 + k * 5, cost = penalty + this.cost(box, least - penalty);
       if (cost < least) { least = cost; best = box; }
     } });
     if (!must && least > 150) return null;

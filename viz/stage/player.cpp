@@ -63,7 +63,7 @@ StageView Player::view() const {
   return view;
 }
 
-Projection Player::projection() const { return {camera_, view(), slide_scene}; }
+ScreenProjection Player::projection() const { return {camera_, view(), slide_scene}; }
 
 std::vector<Handle> Player::handles() const {
   if (stage_.steps[step_].is_apart) return {};
@@ -97,7 +97,7 @@ Request Player::press(const Point& at) {
   if (!slide_scene.holds(at)) return Request::none;
   held_at_ = at;
   drag_ = Drag::orbit;
-  const Projection seen = projection();
+  const ScreenProjection seen = projection();
   double nearest = grip_reach;
   for (const Handle& handle : handles()) {
     const Point p = seen.to_pixels(handle.at);
@@ -128,7 +128,7 @@ void Player::release() {
 }
 
 void Player::move_handle(const Case& one, const Handle& handle, double right, double down) {
-  const Projection seen = projection();
+  const ScreenProjection seen = projection();
   const double resolution = 1 / seen.pixels_per_length();
   const glm::dvec3 to = handle.at + resolution * (right * camera_.right - down * camera_.up);
   try {

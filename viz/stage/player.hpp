@@ -2,7 +2,7 @@
 /// \file
 /// The interactive walkthrough as data and events: what a window shows, and what keys and the mouse do to it.
 ///
-///     Player player({{stage, [&](const Case& one) { return stage_of(tell(one)); }}});
+///     Player player({{stage, [&](const Case& one) { return stage_of(report_on(one)); }}});
 ///     player.press_key("Right");              // the next step
 ///     player.press({300, 239});               // the left button, in the picture's pixels
 ///     player.drag_to({320, 239});
@@ -63,7 +63,7 @@ class Player {
   /// Why the last drag came to nothing; empty where it did not.
   [[nodiscard]] const std::string& complaint() const { return complaint_; }
   /// The world's point to the picture, as the step on show is seen.
-  [[nodiscard]] Projection projection() const;
+  [[nodiscard]] ScreenProjection projection() const;
   [[nodiscard]] std::vector<Handle> handles() const;
   [[nodiscard]] std::vector<Button> buttons() const;
 
@@ -80,7 +80,7 @@ class Player {
   void move_slider(double part);
   [[nodiscard]] bool can_focus(Focus focus) const;
   [[nodiscard]] std::optional<Handle> handle_of(Grip grip) const;
-  /// Moves the case's handle by so many pixels, in the plane through it that is parallel to the screen.
+  /// Moves the case's handle by this many pixels, in the plane through it that is parallel to the screen.
   void move_handle(const Case& one, const Handle& handle, double right, double down);
   /// Makes the stage again; keeps the old one and complains where the case is refused.
   void take(const Case& one);

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The page that tells what the player's keys and the mouse do.
+/// The page that says what the player's keys and the mouse do.
 
 #include "viz/stage/stage_picture.hpp"
 

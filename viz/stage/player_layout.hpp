@@ -14,11 +14,11 @@ inline constexpr double player_width = 960;
 inline constexpr double player_height = 716;
 /// The slide's own height; the controls begin below it.
 inline constexpr double controls_top = 540;
-inline constexpr Box slider_track{214, 590, 716, 24};
+inline constexpr PixelBox slider_track{214, 590, 716, 24};
 
 /// A button stands for a key, so that whatever can be clicked can be typed.
 struct Button {
-  Box box{};
+  PixelBox box{};
   std::string text;
   std::string key;
   bool is_current = false;

@@ -18,18 +18,21 @@ namespace {
 constexpr double rounded_column = 214;
 constexpr double exact_column = 520;
 
-void outline(Picture& picture, Role role, const Box& box, double width, Pattern pattern = Pattern::solid) {
-  picture.elements.emplace_back(Line{role,
-                                     {{box.left, box.top},
-                                      {box.right(), box.top},
-                                      {box.right(), box.bottom()},
-                                      {box.left, box.bottom()},
-                                      {box.left, box.top}},
-                                     width,
-                                     pattern});
+void outline(Picture& picture, Role role, const PixelBox& box, double width,
+             Pattern pattern = Pattern::solid) {
+  picture.elements.emplace_back(PixelLine{role,
+                                          {{box.left, box.top},
+                                           {box.right(), box.top},
+                                           {box.right(), box.bottom()},
+                                           {box.left, box.bottom()},
+                                           {box.left, box.top}},
+                                          width,
+                                          pattern});
 }
 
-Box around(const Point& p, double radius) { return {p.x - radius, p.y - radius, 2 * radius, 2 * radius}; }
+PixelBox around(const Point& p, double radius) {
+  return {p.x - radius, p.y - radius, 2 * radius, 2 * radius};
+}
 
 void draw_button(Picture& picture, const Button& button) {
   outline(picture, button.is_current ? Role::text : Role::frame, button.box, button.is_current ? 2.5 : 1.2);
@@ -45,9 +48,10 @@ void draw_slider(Picture& picture, const StageSlider& slider, double t, Precisio
   const double y = slider_track.centre().y;
   add_text(picture, Role::text, {slide_margin, y + 5},
            fmt::format("{} = {}", slider.symbol, shown(t, precision)), 16, true);
-  picture.elements.emplace_back(Line{Role::frame, {{slider_track.left, y}, {slider_track.right(), y}}, 3});
+  picture.elements.emplace_back(
+      PixelLine{Role::frame, {{slider_track.left, y}, {slider_track.right(), y}}, 3});
   const double x = x_on_track(slider, t);
-  picture.elements.emplace_back(Line{Role::text, {{x, y - 11}, {x, y + 11}}, 7});
+  picture.elements.emplace_back(PixelLine{Role::text, {{x, y - 11}, {x, y + 11}}, 7});
   if (is_focused) outline(picture, Role::claimed, {x - 8, y - 15, 16, 30}, 2);
   add_text(picture, Role::muted, {slider_track.left, y + 24}, rough(slider.from), 11);
   add_text(picture, Role::muted, {slider_track.right(), y + 24}, rough(slider.to), 11, false, Anchor::end);
@@ -98,11 +102,11 @@ void Player::draw_runner(Picture& picture) const {
   const Point left{p.x - 7, p.y + 16};
   const Point right{p.x + 7, p.y + 16};
   picture.elements.emplace_back(Area{Role::ray, {p, right, left}});
-  picture.elements.emplace_back(Line{Role::ray, {{p.x, p.y + 2}, right, left, {p.x, p.y + 2}}, 2.2});
+  picture.elements.emplace_back(PixelLine{Role::ray, {{p.x, p.y + 2}, right, left, {p.x, p.y + 2}}, 2.2});
 }
 
 void Player::draw_handles(Picture& picture) const {
-  const Projection seen = projection();
+  const ScreenProjection seen = projection();
   for (const Handle& handle : handles()) {
     const bool is_focused = focus_ == (handle.grip == Grip::tip ? Focus::tip : Focus::origin);
     const bool is_held = drag_ == Drag::handle && held_.grip == handle.grip;
@@ -114,7 +118,8 @@ void Player::draw_handles(Picture& picture) const {
 }
 
 void Player::draw_controls(Picture& picture) const {
-  picture.elements.emplace_back(Line{Role::frame, {{0, controls_top}, {player_width, controls_top}}, 1.2});
+  picture.elements.emplace_back(
+      PixelLine{Role::frame, {{0, controls_top}, {player_width, controls_top}}, 1.2});
   for (const Button& button : buttons()) draw_button(picture, button);
   if (stage_.slider) {
     draw_slider(picture, *stage_.slider, t_, stage_.precision, focus_ == Focus::slider);

@@ -9,26 +9,27 @@
 
 namespace rayproof::viz {
 
-double Projection::pixels_per_length() const {
+double ScreenProjection::pixels_per_length() const {
   constexpr double margin = 56;  // pixels, for marks and labels
   const double half = std::min(frame.width / view_aspect - margin, frame.height - margin) / 2;
   return half / view.radius;
 }
 
-Point Projection::to_pixels(const glm::dvec3& p) const {
+Point ScreenProjection::to_pixels(const glm::dvec3& p) const {
   const glm::dvec3 q = (p - view.centre) * pixels_per_length();
   const Point middle = frame.centre();
   return {middle.x + glm::dot(q, camera.right), middle.y - glm::dot(q, camera.up)};
 }
 
-std::vector<Point> Projection::to_pixels(const std::vector<glm::dvec3>& points) const {
+std::vector<Point> ScreenProjection::to_pixels(const std::vector<glm::dvec3>& points) const {
   std::vector<Point> pixels;
   pixels.reserve(points.size());
   for (const glm::dvec3& p : points) pixels.push_back(to_pixels(p));
   return pixels;
 }
 
-std::vector<Point> ellipsoid_outline(const Projection& projection, const std::vector<glm::dvec3>& ellipsoid) {
+std::vector<Point> ellipsoid_outline(const ScreenProjection& projection,
+                                     const std::vector<glm::dvec3>& ellipsoid) {
   const Point centre = projection.to_pixels(ellipsoid.at(0));
   // The ball's image under the columns m: of all its points, the one farthest in the direction n is
   // M·Mᵀ·n / |Mᵀ·n|.

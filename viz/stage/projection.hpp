@@ -10,10 +10,10 @@
 namespace rayproof::viz {
 
 /// Shows a view's ball, whole, in the middle of a frame.
-struct Projection {
+struct ScreenProjection {
   StageCamera camera{};
   StageView view{};
-  Box frame{};
+  PixelBox frame{};
 
   [[nodiscard]] Point to_pixels(const glm::dvec3& p) const;
   [[nodiscard]] std::vector<Point> to_pixels(const std::vector<glm::dvec3>& points) const;
@@ -21,7 +21,7 @@ struct Projection {
 };
 
 /// The outline of an ellipsoid (its centre and the tips of three conjugate semi-axes) as it is seen.
-[[nodiscard]] std::vector<Point> ellipsoid_outline(const Projection& projection,
+[[nodiscard]] std::vector<Point> ellipsoid_outline(const ScreenProjection& projection,
                                                    const std::vector<glm::dvec3>& ellipsoid);
 
 /// The convex hull of points in a picture.

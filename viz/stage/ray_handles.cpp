@@ -23,8 +23,8 @@ bool shows_ray(const StageSlider& slider, const Ray<double>& ray) {
 }
 
 /// The last t up to `to` at which the ray is inside the frame, where that is beyond `from`.
-std::optional<double> last_t_in(const Box& frame, const Projection& projection, const Ray<double>& ray,
-                                double from, double to) {
+std::optional<double> last_t_in(const PixelBox& frame, const ScreenProjection& projection,
+                                const Ray<double>& ray, double from, double to) {
   const auto seen = [&](double t) { return projection.to_pixels(ray.origin + t * ray.direction); };
   const auto parts = clip_line({seen(from), seen(to)}, frame);
   if (parts.empty()) return std::nullopt;
@@ -37,9 +37,9 @@ std::optional<double> last_t_in(const Box& frame, const Projection& projection, 
 }
 
 std::vector<Handle> ray_handles(const Ray<double>& ray, const StageSlider& slider,
-                                const Projection& projection) {
-  const Box frame{projection.frame.left + frame_inset, projection.frame.top + frame_inset,
-                  projection.frame.width - 2 * frame_inset, projection.frame.height - 2 * frame_inset};
+                                const ScreenProjection& projection) {
+  const PixelBox frame{projection.frame.left + frame_inset, projection.frame.top + frame_inset,
+                       projection.frame.width - 2 * frame_inset, projection.frame.height - 2 * frame_inset};
   std::vector<Handle> handles;
   if (frame.holds(projection.to_pixels(ray.origin))) handles.push_back({Grip::origin, ray.origin, 0});
   const double from = std::isfinite(ray.t_min) ? ray.t_min : slider.from;
@@ -48,7 +48,7 @@ std::vector<Handle> ray_handles(const Ray<double>& ray, const StageSlider& slide
   return handles;
 }
 
-/// `next` with as few decimals as tell it from its neighbours; `old` where it did not move.
+/// `next` with as few decimals as distinguish it from its neighbours; `old` where it did not move.
 double short_decimal(double old, double next, double resolution) {
   if (!(std::abs(next - old) >= resolution / 2)) return old;
   const double digits = -std::floor(std::log10(resolution));
@@ -67,7 +67,7 @@ glm::dvec3 short_decimals(const glm::dvec3& old, const glm::dvec3& next, double 
 
 }  // namespace
 
-std::vector<Handle> handles_of(const Stage& stage, const Projection& projection) {
+std::vector<Handle> handles_of(const Stage& stage, const ScreenProjection& projection) {
   if (const auto* asked = std::get_if<RayQuestion>(&stage.one.question)) {
     if (!stage.slider || !shows_ray(*stage.slider, asked->ray)) return {};
     return ray_handles(asked->ray, *stage.slider, projection);

@@ -25,13 +25,13 @@ struct Handle {
 /// The handles that are to be seen in the projection's frame: of a ray's stage its origin and the last point
 /// of its arrow inside the frame, of a point in a polygon the point. None where the scene shows something
 /// else than the case.
-[[nodiscard]] std::vector<Handle> handles_of(const Stage& stage, const Projection& projection);
+[[nodiscard]] std::vector<Handle> handles_of(const Stage& stage, const ScreenProjection& projection);
 
 /// Where a handle of one case is in another: after it was moved, say.
 [[nodiscard]] glm::dvec3 place_of(const Handle& handle, const Case& one);
 
 /// The case with the handle moved to `to`. Coordinates that the move changes become the shortest decimals
-/// that tell points of a distance of `resolution` apart, then numbers of the case's precision; the others
+/// that distinguish points at a distance of `resolution`, then numbers of the case's precision; the others
 /// keep their bits. Throws a Refusal where the format refuses the case: a zero direction, say.
 [[nodiscard]] Case moved(const Case& one, const Handle& handle, const glm::dvec3& to, double resolution);
 

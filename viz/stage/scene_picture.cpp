@@ -27,7 +27,7 @@ bool is_text(const StageItem& item) { return item.form == Form::point && item.ro
 
 class Painter {
  public:
-  Painter(Picture& picture, const Projection& projection)
+  Painter(Picture& picture, const ScreenProjection& projection)
       : picture_(picture), projection_(projection), places_(projection.frame) {}
 
   void fill(const StageItem& item, Emphasis emphasis) {
@@ -40,7 +40,7 @@ class Painter {
 
   void stroke(const StageItem& item, Emphasis emphasis) {
     if (item.form == Form::point || item.form == Form::polygon) return;
-    Line line{role_of(item, emphasis), {}, width_of(item, emphasis), item.pattern};
+    PixelLine line{role_of(item, emphasis), {}, width_of(item, emphasis), item.pattern};
     for (auto& part : clip_line(outline_of(item), projection_.frame)) {
       places_.avoid(part, emphasis == Emphasis::dimmed ? faint : plain);
       line.points = std::move(part);
@@ -76,7 +76,7 @@ class Painter {
     return emphasis == Emphasis::dimmed ? Role::muted : item.role;
   }
   [[nodiscard]] bool shows(const Point& p) const {
-    const Box& f = projection_.frame;
+    const PixelBox& f = projection_.frame;
     return p.x >= f.left && p.x <= f.right() && p.y >= f.top && p.y <= f.bottom();
   }
 
@@ -97,7 +97,7 @@ class Painter {
     draw_even_odd(picture_, pixels, item.role, ring);
   }
 
-  void draw_head(const StageItem& item, Line line) {
+  void draw_head(const StageItem& item, PixelLine line) {
     const Point from = projection_.to_pixels(item.points.at(0));
     const Point to = projection_.to_pixels(item.points.at(1));
     const double length = std::hypot(to.x - from.x, to.y - from.y);
@@ -145,7 +145,7 @@ class Painter {
   static constexpr double faint = 8;
 
   Picture& picture_;
-  const Projection& projection_;
+  const ScreenProjection& projection_;
   LabelPlaces places_;
 };
 
@@ -173,8 +173,8 @@ std::vector<Shown> shown_in(const Stage& stage, std::size_t step) {
 
 }  // namespace
 
-void draw_scene(Picture& picture, const Box& frame, const Stage& stage, std::size_t step) {
-  const Projection projection{stage.camera, stage.steps[step].view, frame};
+void draw_scene(Picture& picture, const PixelBox& frame, const Stage& stage, std::size_t step) {
+  const ScreenProjection projection{stage.camera, stage.steps[step].view, frame};
   const std::vector<Shown> shown = shown_in(stage, step);
   Painter painter(picture, projection);
   for (const auto& [item, emphasis] : shown) painter.fill(*item, emphasis);

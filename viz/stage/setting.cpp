@@ -64,13 +64,13 @@ struct Views {
   StageView near, wide;
 };
 
-Views views_of(const WireframeScene& scene, const Told& told, const StageCamera& camera) {
+Views views_of(const WireframeScene& scene, const CaseReport& report, const StageCamera& camera) {
   std::vector<glm::dvec3> points = rounded(scene.figure.extent);
   const StageView figure = view_of(points, camera);
   const auto add_if_near = [&](const glm::dvec3& p) {
     if (glm::length(p - figure.centre) <= 8 * figure.radius) points.push_back(p);
   };
-  for (const Answer* answer : {&told.exact, told.claim()}) {
+  for (const Answer* answer : {&report.exact, report.claim()}) {
     for (const double t : values_of(answer)) {
       if (std::isfinite(t)) add_if_near(viz::rounded(scene.at(t)));
     }
@@ -104,8 +104,8 @@ std::vector<StageReadout> readouts_of(const RayQuestion& question) {
   return {};
 }
 
-StageSlider slider_of(const WireframeScene& scene, const StageView& near, const Told& told) {
-  const auto& question = std::get<RayQuestion>(told.one.question);
+StageSlider slider_of(const WireframeScene& scene, const StageView& near, const CaseReport& report) {
+  const auto& question = std::get<RayQuestion>(report.one.question);
   const auto [from, to] = stretch_in(near, question.ray);
   StageSlider slider;
   slider.origin = question.ray.origin;
@@ -128,16 +128,16 @@ void add_ray(Items& scene, const Ray<double>& ray, const StageSlider& slider) {
   if (starts) scene.push_back(point(Role::ray, ray.origin, "o"));
 }
 
-Setting ray_setting(const Told& told, Figure (*figure)(const Sight&)) {
-  const WireframeScene scene = scene_of(figure, told.one, &told.exact, told.claim());
-  const Camera camera = scene.main_camera();
+Setting ray_setting(const CaseReport& report, Figure (*figure)(const Sight&)) {
+  const WireframeScene scene = scene_of(figure, report.one, &report.exact, report.claim());
+  const ViewCamera camera = scene.main_camera();
   Setting setting;
   setting.camera = {viz::rounded(camera.right), viz::rounded(camera.up), viz::rounded(camera.toward)};
-  const Views views = views_of(scene, told, setting.camera);
+  const Views views = views_of(scene, report, setting.camera);
   setting.near = views.near;
   setting.wide = views.wide;
   setting.scene = items_of(scene.figure, camera.toward, setting.near.radius);
-  setting.slider = slider_of(scene, setting.near, told);
+  setting.slider = slider_of(scene, setting.near, report);
   add_ray(setting.scene, scene.sight.question.ray, *setting.slider);
   const World world = scene.sight.world;
   setting.to_world = [world](const glm::dvec3& p) { return viz::rounded(world.point(p)); };
@@ -146,11 +146,11 @@ Setting ray_setting(const Told& told, Figure (*figure)(const Sight&)) {
 
 }  // namespace
 
-Setting setting_of(const Told& told) {
-  const TopicView* const view = view_of(told.one);
+Setting setting_of(const CaseReport& report) {
+  const TopicView* const view = view_of(report.one);
   const bool is_in_space = view != nullptr && view->figure != nullptr;
-  Setting setting = is_in_space ? ray_setting(told, view->figure) : flat_setting(told);
-  setting.bindings = bindings_of(topic_of(told.one));
+  Setting setting = is_in_space ? ray_setting(report, view->figure) : flat_setting(report);
+  setting.bindings = bindings_of(topic_of(report.one));
   return setting;
 }
 

@@ -4,8 +4,8 @@
 
 #include <functional>
 
+#include "viz/case_report.hpp"
 #include "viz/stage/items.hpp"
-#include "viz/told.hpp"
 #include "viz/topics/camera.hpp"
 
 namespace rayproof::viz {
@@ -22,13 +22,13 @@ struct Setting {
   std::vector<Binding> bindings{};  ///< how the named values look: the topic's, or a lesson's own
 };
 
-[[nodiscard]] Setting setting_of(const Told& told);
+[[nodiscard]] Setting setting_of(const CaseReport& report);
 
 /// The title of a stage's last step.
 inline constexpr const char* comparison_title = "Float result against exact result";
 
 /// The step of that title: what the exact answer says beside the method's, magnified where
-/// they are too near to be told apart.
-[[nodiscard]] StageStep parting_step(const Told& told, const Setting& setting);
+/// they are too near to be distinguished.
+[[nodiscard]] StageStep difference_step(const CaseReport& report, const Setting& setting);
 
 }  // namespace rayproof::viz

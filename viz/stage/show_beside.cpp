@@ -8,11 +8,11 @@ void show_beside(Stage& stage, const std::string& title, const Items& items) {
   const auto reach = [&](const Items& some) { return view_of(extent_of(some, stage.camera), stage.camera); };
   const StageView world = reach(stage.scene);
   const StageView own = reach(items);
-  const double way = view_aspect * (world.radius + own.radius);
+  const double shift = view_aspect * (world.radius + own.radius);
   StageStep& step = stage.steps.at(number);
   step.items = items;
   for (StageItem& item : step.items) {
-    for (glm::dvec3& p : item.points) p += world.centre - own.centre + way * stage.camera.right;
+    for (glm::dvec3& p : item.points) p += world.centre - own.centre + shift * stage.camera.right;
   }
   Items all = stage.scene;
   all.insert(all.end(), step.items.begin(), step.items.end());

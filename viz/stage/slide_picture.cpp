@@ -35,7 +35,7 @@ void draw_legend(Picture& picture, const Stage& stage) {
     if (entry.is_mark) {
       picture.elements.emplace_back(Mark{entry.role, mark_of(entry.role), {x + 6, y - 4}});
     } else {
-      picture.elements.emplace_back(Line{entry.role, {{x - 3, y - 4}, {x + 15, y - 4}}, 2.6});
+      picture.elements.emplace_back(PixelLine{entry.role, {{x - 3, y - 4}, {x + 15, y - 4}}, 2.6});
     }
     add_text(picture, Role::muted, {x + 20, y}, entry.text, 12);
     x += 20 + text_width(entry.text, 12) + 18;
@@ -125,7 +125,7 @@ Picture contact_sheet(const Stage& stage) {
   for (std::size_t i = 0; i < stage.steps.size(); ++i) {
     const double x = gap + static_cast<double>(i % columns) * (slide_width + gap);
     const double y = top + static_cast<double>(i / columns) * (slide_height + gap);
-    sheet.elements.emplace_back(Line{
+    sheet.elements.emplace_back(PixelLine{
         Role::frame,
         {{x, y}, {x + slide_width, y}, {x + slide_width, y + slide_height}, {x, y + slide_height}, {x, y}},
         1.5});

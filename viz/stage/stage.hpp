@@ -3,13 +3,13 @@
 /// A staged walkthrough: a method's run on one case, step by step, with something to look at in each step.
 ///
 /// All of it is data: titles, captions, formulas, numbers, and items placed in the world. The PNG storyboard,
-/// the page and the window are sinks of it and compute nothing of their own but the way it is seen. The steps
+/// the page and the window are sinks of it and compute nothing of their own but how it is seen. The steps
 /// are the kernel's own, titles and words (rayproof/method/narration.hpp), and the numbers are the run's own,
 /// bit for bit: what a value holds is what the same kernel computes in plain `float` or `double`.
 ///
-///     const Told told = told_of(one, "sphere/centred");          // viz/programs/told_of.hpp
-///     const Stage stage = stage_of(told);                        // viz/stage/stage_of.hpp
-///     for (const StageStep& step : stage.steps) …                // what to show, and from where
+///     const CaseReport report = report_of(one, "sphere/centred");  // viz/programs/report_of.hpp
+///     const Stage stage = stage_of(report);                        // viz/stage/stage_of.hpp
+///     for (const StageStep& step : stage.steps) …                  // what to show, and from where
 
 #include <glm/vec3.hpp>
 #include <optional>
@@ -96,7 +96,7 @@ struct StageReadout {
   std::vector<double> coefficients{};  ///< of t⁰, t¹, …
 };
 
-/// The slider's way: the point origin + t·direction for t in [from, to], both finite.
+/// The range of the slider: the point origin + t·direction for t in [from, to], both finite.
 struct StageSlider {
   std::string symbol = "t";
   glm::dvec3 origin{};

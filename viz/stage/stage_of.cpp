@@ -32,38 +32,39 @@ std::string inputs_in_words(const std::vector<StageValue>& values, Precision pre
   return text;
 }
 
-StageStep first_step(const Told& told, const Walkthrough* walk, const Setting& setting) {
+StageStep first_step(const CaseReport& report, const Walkthrough* walk, const Setting& setting) {
   StageStep step;
-  step.title = first_title(told.one);
+  step.title = first_title(report.one);
   if (walk != nullptr) step.values = grouped(walk->inputs);
   step.caption = "What is given";
-  step.caption += step.values.empty() ? "." : ": " + inputs_in_words(step.values, told.one.precision) + ".";
+  step.caption += step.values.empty() ? "." : ": " + inputs_in_words(step.values, report.one.precision) + ".";
   step.view = setting.wide;
   return step;
 }
 
-std::string title_of(const Told& told) {
-  if (told.walk) return told.walk->title;
-  return told.method.empty() ? "The exact answer" : told.method;
+std::string title_of(const CaseReport& report) {
+  if (report.walk) return report.walk->title;
+  return report.method.empty() ? "The exact answer" : report.method;
 }
 
-std::string name_of(const Told& told) {
-  std::string name = told.method.empty() ? topic_of(told.one) : told.method;
+std::string name_of(const CaseReport& report) {
+  std::string name = report.method.empty() ? topic_of(report.one) : report.method;
   std::replace(name.begin(), name.end(), '/', '-');
   return name;
 }
 
 /// All but the steps.
-Stage bare_stage(const Told& told, const Setting& setting) {
+Stage bare_stage(const CaseReport& report, const Setting& setting) {
   Stage stage;
-  stage.name = name_of(told);
-  stage.title = title_of(told);
-  stage.sentence = told.one.note.empty() ? headline_of(told.one, &told.exact, told.claim()) : told.one.note;
-  stage.method = told.method;
-  stage.conclusion = conclusion_of(told);
-  stage.one = told.one;
-  stage.precision = told.one.precision;
-  stage.digits = told.one.precision == Precision::float32 ? 24 : 53;
+  stage.name = name_of(report);
+  stage.title = title_of(report);
+  stage.sentence =
+      report.one.note.empty() ? headline_of(report.one, &report.exact, report.claim()) : report.one.note;
+  stage.method = report.method;
+  stage.conclusion = conclusion_of(report);
+  stage.one = report.one;
+  stage.precision = report.one.precision;
+  stage.digits = report.one.precision == Precision::float32 ? 24 : 53;
   stage.scene = setting.scene;
   stage.slider = setting.slider;
   stage.camera = setting.camera;
@@ -74,16 +75,16 @@ Stage bare_stage(const Told& told, const Setting& setting) {
 constexpr std::size_t most_steps = 8;
 
 /// Splits steps that draw several things, from the first on, as long as there is room.
-void add_steps(Stage& stage, const Told& told, const Walkthrough& walk, const Setting& setting,
+void add_steps(Stage& stage, const CaseReport& report, const Walkthrough& walk, const Setting& setting,
                bool may_split) {
   stage.source = walk.source;
   const std::size_t needed = walk.steps.size() + 2;
   std::size_t room = may_split && needed < most_steps ? most_steps - needed : 0;
   for (std::size_t i = 0; i < walk.steps.size(); ++i) {
-    const std::size_t more = count_parts(told, walk, i, setting) - 1;
+    const std::size_t more = count_parts(report, walk, i, setting) - 1;
     const bool is_split = more <= room;
     if (is_split) room -= more;
-    for (StageStep& step : kernel_steps(told, walk, i, setting, is_split))
+    for (StageStep& step : kernel_steps(report, walk, i, setting, is_split))
       stage.steps.push_back(std::move(step));
   }
 }
@@ -115,25 +116,25 @@ void widen_views(Stage& stage, const Setting& setting) {
 
 }  // namespace
 
-Stage stage_of(const Told& told) {
-  const Setting setting = setting_of(told);
-  Stage stage = bare_stage(told, setting);
-  stage.steps.push_back(first_step(told, told.walk ? &*told.walk : nullptr, setting));
-  if (told.walk) add_steps(stage, told, *told.walk, setting, true);
-  stage.steps.push_back(parting_step(told, setting));
+Stage stage_of(const CaseReport& report) {
+  const Setting setting = setting_of(report);
+  Stage stage = bare_stage(report, setting);
+  stage.steps.push_back(first_step(report, report.walk ? &*report.walk : nullptr, setting));
+  if (report.walk) add_steps(stage, report, *report.walk, setting, true);
+  stage.steps.push_back(difference_step(report, setting));
   widen_views(stage, setting);
   return stage;
 }
 
-Stage composed_stage(const Told& told, const Walkthrough& walk, const Setting& setting) {
+Stage composed_stage(const CaseReport& report, const Walkthrough& walk, const Setting& setting) {
   const std::set<std::string> recorded = recorded_names(walk);
   for (const Binding& binding : setting.bindings) {
     if (!recorded.contains(binding.name))
       throw std::logic_error("a lesson draws " + binding.name + ", which its run does not name");
   }
-  Stage stage = bare_stage(told, setting);
-  stage.steps.push_back(first_step(told, &walk, setting));
-  add_steps(stage, told, walk, setting, false);
+  Stage stage = bare_stage(report, setting);
+  stage.steps.push_back(first_step(report, &walk, setting));
+  add_steps(stage, report, walk, setting, false);
   widen_views(stage, setting);
   return stage;
 }

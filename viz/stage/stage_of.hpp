@@ -1,14 +1,14 @@
 #pragma once
 /// \file
-/// From a told case to its stage.
+/// From a case report to its stage.
 
+#include "viz/case_report.hpp"
 #include "viz/stage/stage.hpp"
-#include "viz/told.hpp"
 
 namespace rayproof::viz {
 
 /// The stage of a case, its exact answer, and a method's answer and run, where there is a method. Any valid
 /// case has one: without a method, or with one that can't be recorded, it has the first and the last step.
-[[nodiscard]] Stage stage_of(const Told& told);
+[[nodiscard]] Stage stage_of(const CaseReport& report);
 
 }  // namespace rayproof::viz

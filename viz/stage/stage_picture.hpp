@@ -18,7 +18,7 @@ inline void add_text(Picture& picture, Role role, const Point& at, const std::st
 }
 
 /// Draws a step's scene into a frame of a picture, its own items bright and those of the steps before dimmed.
-void draw_scene(Picture& picture, const Box& frame, const Stage& stage, std::size_t step);
+void draw_scene(Picture& picture, const PixelBox& frame, const Stage& stage, std::size_t step);
 
 /// The scene with the step's own items bright and those of the steps before dimmed.
 [[nodiscard]] Picture scene_picture(const Stage& stage, std::size_t step, double width, double height);
@@ -26,7 +26,7 @@ void draw_scene(Picture& picture, const Box& frame, const Stage& stage, std::siz
 /// A slide's size, and what stays free along its border.
 inline constexpr double slide_width = 960, slide_height = 540, slide_margin = 24;
 /// Where a slide's scene lies; the numbers stand in the column at its right.
-inline constexpr Box slide_scene{slide_margin, 64, 590, 350};
+inline constexpr PixelBox slide_scene{slide_margin, 64, 590, 350};
 
 /// A slide of slide_width by slide_height.
 [[nodiscard]] Picture slide_picture(const Stage& stage, std::size_t step);

@@ -90,8 +90,8 @@ const WalkValue& worst_component(const StageValue& value) {
                            [](const WalkValue& a, const WalkValue& b) { return a.bits_lost < b.bits_lost; });
 }
 
-std::optional<Death> worst_loss_of(const std::vector<StageValue>& values) {
-  std::optional<Death> worst;
+std::optional<PrecisionLoss> worst_loss_of(const std::vector<StageValue>& values) {
+  std::optional<PrecisionLoss> worst;
   for (const StageValue& value : values) {
     for (const WalkValue& component : value.components) {
       const auto& loss = component.loss;

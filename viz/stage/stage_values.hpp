@@ -28,7 +28,7 @@ void put_numbers_in(StageValue& value, const NumbersByName& n, Precision precisi
 [[nodiscard]] const WalkValue& worst_component(const StageValue& value);
 
 /// What the values' own formulas lost, whatever else their step lost in other parts.
-[[nodiscard]] std::optional<Death> worst_loss_of(const std::vector<StageValue>& values);
+[[nodiscard]] std::optional<PrecisionLoss> worst_loss_of(const std::vector<StageValue>& values);
 
 /// "D = b·b − 4·a·c = 3·3 − 4·1·2 = 1"
 [[nodiscard]] std::string equation_of(const StageValue& value, Precision precision);

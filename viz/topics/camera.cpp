@@ -55,19 +55,20 @@ Place some_perpendicular(const Place& v) {
   return unit(cross(v, is_along_z ? Place{1, 0, 0} : Place{0, 0, 1}));
 }
 
-std::vector<WorldPoint> Camera::see(const std::vector<Place>& points) const {
+std::vector<WorldPoint> ViewCamera::see(const std::vector<Place>& points) const {
   std::vector<WorldPoint> seen;
   seen.reserve(points.size());
   for (const Place& p : points) seen.push_back(see(p));
   return seen;
 }
 
-Camera Camera::from(const Place& origin, const Place& toward, const Place& along_ray) {
+ViewCamera ViewCamera::from(const Place& origin, const Place& toward, const Place& along_ray) {
   const Place right = unit(along_ray - dot(along_ray, toward) * toward);
   return {origin, right, cross(toward, right), toward};
 }
 
-Camera Camera::chosen(const Place& origin, const Place& along_ray, const std::vector<Place>& normals) {
+ViewCamera ViewCamera::chosen(const Place& origin, const Place& along_ray,
+                              const std::vector<Place>& normals) {
   std::vector<glm::dvec3> rounded_normals;
   for (const Place& normal : normals) {
     if (dot(normal, normal) != 0) rounded_normals.push_back(rounded(normal));

@@ -22,7 +22,7 @@ using Place = vec3<Shadow>;
 
 /// An orthonormal frame whose `right` follows the ray as it is seen, so that the ray runs along y = 0 of the
 /// picture. `toward` points from the scene to the eye.
-struct Camera {
+struct ViewCamera {
   Place origin;  ///< a point of the ray's line; (0, 0) of the picture
   Place right, up, toward;
 
@@ -33,11 +33,11 @@ struct Camera {
   [[nodiscard]] std::vector<WorldPoint> see(const std::vector<Place>& points) const;
 
   /// From the side on which `toward` lies, which must not be along the ray; unit vectors.
-  [[nodiscard]] static Camera from(const Place& origin, const Place& toward, const Place& along_ray);
+  [[nodiscard]] static ViewCamera from(const Place& origin, const Place& toward, const Place& along_ray);
 
   /// From where neither the ray is seen end-on nor a surface with one of the given unit normals edge-on.
-  [[nodiscard]] static Camera chosen(const Place& origin, const Place& along_ray,
-                                     const std::vector<Place>& normals);
+  [[nodiscard]] static ViewCamera chosen(const Place& origin, const Place& along_ray,
+                                         const std::vector<Place>& normals);
 };
 
 }  // namespace rayproof::viz

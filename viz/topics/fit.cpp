@@ -8,7 +8,7 @@ namespace {
 /// A figure smaller than this, in pixels, is too small to see.
 constexpr double least_shown = 40;
 
-View around(const Box& frame, const Extent& e) {
+View around(const PixelBox& frame, const Extent& e) {
   const Shadow unit = e.half_size();
   return View::around(frame, {(e.left + e.right) / 2, (e.bottom + e.top) / 2},
                       (e.right - e.left) * Shadow(0.56) + unit * Shadow(0.1),
@@ -32,7 +32,8 @@ void Extent::include(const WorldPoint& p) {
   top = std::max<Shadow>(top, p.y);
 }
 
-Fitted fit(const Box& frame, const Extent& figure, const RayLine& ray, const std::vector<NamedMark>& hits) {
+Fitted fit(const PixelBox& frame, const Extent& figure, const RayLine& ray,
+           const std::vector<NamedMark>& hits) {
   const Shadow middle = (figure.left + figure.right) / 2;
   Extent shown = figure;
   Shadow size = figure.half_size() * 2;

@@ -25,7 +25,7 @@ struct Fitted {
 };
 /// Shows the figure, the line, the hits near the figure and the ray's start, as far as the figure does not
 /// become a speck by it.
-[[nodiscard]] Fitted fit(const Box& frame, const Extent& figure, const RayLine& ray,
+[[nodiscard]] Fitted fit(const PixelBox& frame, const Extent& figure, const RayLine& ray,
                          const std::vector<NamedMark>& hits);
 
 }  // namespace rayproof::viz

@@ -17,7 +17,7 @@ Level level_of(const Sight& sight) {
         if constexpr (requires { Plane<double>(library_shape(shape)); })
           return library_shape(shape);
         else
-          throw std::logic_error("a case was put to the wrong picture");
+          throw std::logic_error("a case was given to the wrong picture");
       },
       sight.question.shape);
   const auto [point, normal] = plane::as_point_normal(convert<Shadow>(given));

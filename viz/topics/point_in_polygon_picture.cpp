@@ -15,15 +15,15 @@ namespace rayproof::viz {
 namespace {
 
 /// The polygon as the point sees it: the point is at (0, 0), its ray runs along y = 0.
-struct Plan {
+struct PlanView {
   std::vector<WorldPoint> ring;
   std::vector<Shadow> crossings;  ///< x where the ray crosses a side, ascending
   WorldPoint nearest;             ///< the boundary's point nearest to the point
   Shadow gap;
 };
 
-Plan plan_of(const PointAndPolygon<Shadow>& question) {
-  Plan plan;
+PlanView plan_of(const PointAndPolygon<Shadow>& question) {
+  PlanView plan;
   const Vec2<Shadow>& p = question.point;
   for (const auto& v : question.vertices) plan.ring.push_back({v.x - p.x, v.y - p.y});
   bool is_first = true;
@@ -48,7 +48,7 @@ Plan plan_of(const PointAndPolygon<Shadow>& question) {
   return plan;
 }
 
-void draw_crossings(Picture& picture, const View& view, const Plan& plan) {
+void draw_crossings(Picture& picture, const View& view, const PlanView& plan) {
   double last = -1e9;
   for (std::size_t i = 0; i < plan.crossings.size(); ++i) {
     const WorldPoint at{plan.crossings[i], 0};
@@ -62,7 +62,7 @@ void draw_crossings(Picture& picture, const View& view, const Plan& plan) {
   }
 }
 
-void draw_panel(Picture& picture, const View& view, const Plan& plan, const std::string& caption) {
+void draw_panel(Picture& picture, const View& view, const PlanView& plan, const std::string& caption) {
   draw_frame(picture, view.frame, caption);
   draw_even_odd(picture, view, Role::surface, plan.ring);
   std::vector<WorldPoint> outline = plan.ring;
@@ -73,7 +73,7 @@ void draw_panel(Picture& picture, const View& view, const Plan& plan, const std:
   draw_scale_bars(picture, view);
 }
 
-std::string geometry_of(const Plan& plan) {
+std::string geometry_of(const PlanView& plan) {
   const std::size_t count = plan.crossings.size();
   return fmt::format(
       "The ray to the right crosses {} side{} (lower ends count, upper ones don't); the boundary is {}.",
@@ -83,7 +83,7 @@ std::string geometry_of(const Plan& plan) {
 }  // namespace
 
 Picture point_in_polygon_picture(const Case& one, const Answer* exact, const Answer* claimed) {
-  const Plan plan = plan_of(convert<Shadow>(std::get<PointAndPolygon<double>>(one.question)));
+  const PlanView plan = plan_of(convert<Shadow>(std::get<PointAndPolygon<double>>(one.question)));
   Picture picture =
       begin_picture("Point and polygon", one, headline_of(one, exact, claimed), geometry_of(plan));
   const Panels panels;

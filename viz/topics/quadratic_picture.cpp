@@ -30,7 +30,8 @@ std::vector<WorldPoint> sample(const Parabola& parabola, const Shadow& left, con
 }
 
 /// The stretch of the axis, and as much of the curve's height as belongs to it.
-View looking_at(const Parabola& parabola, const Box& frame, const Shadow& middle, const Shadow& half_width) {
+View looking_at(const Parabola& parabola, const PixelBox& frame, const Shadow& middle,
+                const Shadow& half_width) {
   Shadow top = 0;
   Shadow bottom = 0;
   for (const WorldPoint& p : sample(parabola, middle - half_width, middle + half_width)) {
@@ -41,7 +42,7 @@ View looking_at(const Parabola& parabola, const Box& frame, const Shadow& middle
   return {frame, {middle, (top + bottom) / 2}, frame.width / 2 / half_width, frame.height * 0.58 / height};
 }
 
-View main_view(const Parabola& parabola, const std::vector<NamedMark>& marks, const Box& frame) {
+View main_view(const Parabola& parabola, const std::vector<NamedMark>& marks, const PixelBox& frame) {
   Shadow left = 0;
   Shadow right = 0;
   const auto include = [&](const Shadow& x) {
@@ -80,19 +81,19 @@ struct ParabolaInset {
   std::optional<std::pair<WorldPoint, WorldPoint>> measured;
 };
 
-std::optional<ParabolaInset> inset_of(const Parabola& parabola, const View& main, const Box& frame,
+std::optional<ParabolaInset> inset_of(const Parabola& parabola, const View& main, const PixelBox& frame,
                                       const std::vector<NamedMark>& marks, bool verdicts_differ,
                                       const Answer* exact, const Answer* claimed) {
   const auto on_axis = [](double x) { return WorldPoint{x, 0}; };
   if (const auto worst = worst_pair(exact, claimed, on_axis); worst && !verdicts_differ) {
     const Shadow error = abs(worst->first.x - worst->second.x);
-    if (error * main.scale_x > told_apart) return {};
+    if (error * main.scale_x > visible_gap) return {};
     return ParabolaInset{looking_at(parabola, frame, (worst->first.x + worst->second.x) / 2, error * 1.6),
                          worst};
   }
   if (!parabola.has_vertex()) return {};
   const Shadow half = half_opening(parabola, marks);
-  if (half == 0 || half * main.scale_x > 3 * told_apart) return {};
+  if (half == 0 || half * main.scale_x > 3 * visible_gap) return {};
   return ParabolaInset{looking_at(parabola, frame, parabola.vertex(), half), {}};
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The story of any method that puts a ray to a shape: the inputs by name, the way into the shape's own
+/// The walkthrough of any method for a ray and a shape: the inputs by name, the map into the shape's own
 /// space, and then the kernel's own words.
 
 #include <array>
@@ -74,7 +74,7 @@ template <class Shape, class R>
           ShapeFormat<S>::fields(shape, [](const char* name, auto& value) { name_input<R>(name, value); });
           return shape;
         } else {
-          throw std::logic_error("a case was put to the wrong topic");
+          throw std::logic_error("a case was given to the wrong topic");
         }
       },
       question.shape);

@@ -73,7 +73,7 @@ Picture sphere_picture(const Case& one, const Answer* exact, const Answer* claim
   const std::optional<Inset> inset = inset_of(scene, main.view, panels.right);
   if (!inset) main = main_view(scene, panels.whole);
   draw_scene(picture, main.view, scene,
-             main.is_broken ? "The sphere to scale; the way to it shortened" : "To scale");
+             main.is_broken ? "The sphere to scale; the distance to it shortened" : "To scale");
   if (scene.has_start()) draw_start_beyond(picture, main.view, line_of(scene), abs(scene.start().x));
   draw_marks_beyond(picture, main.view, scene.hits);
   if (inset) {

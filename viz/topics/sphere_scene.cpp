@@ -12,7 +12,7 @@ namespace {
 /// A sphere smaller than this, in pixels, is a speck.
 constexpr double speck = 26;
 
-Inset error_inset(const SphereScene& scene, const Box& frame) {
+Inset error_inset(const SphereScene& scene, const PixelBox& frame) {
   const auto& [truth, claim] = *scene.worst;
   const Shadow error = abs(truth.x - claim.x);
   const View view = View::around(frame, {(truth.x + claim.x) / 2, 0}, error * 1.6, error * 0.01);
@@ -29,7 +29,7 @@ Shadow half_stretch(const SphereScene& scene) {
   return half * 1.5;
 }
 
-Inset gap_inset(const SphereScene& scene, const Box& frame) {
+Inset gap_inset(const SphereScene& scene, const PixelBox& frame) {
   const RayPlane& plane = scene.plane;
   const Shadow gap = plane.gap();
   Shadow half_width = half_stretch(scene);
@@ -62,7 +62,7 @@ SphereScene scene_of(const Case& one, const Answer* exact, const Answer* claimed
   return scene;
 }
 
-MainView main_view(const SphereScene& scene, const Box& frame) {
+MainView main_view(const SphereScene& scene, const PixelBox& frame) {
   const RayPlane& plane = scene.plane;
   Shadow unit = std::max<Shadow>(plane.radius, plane.height);
   if (unit == 0 && scene.has_start()) unit = abs(scene.start().x) / 4;
@@ -89,20 +89,20 @@ MainView main_view(const SphereScene& scene, const Box& frame) {
   return is_speck ? MainView{looking_at(left, right), true} : MainView{whole, false};
 }
 
-std::optional<Inset> inset_of(const SphereScene& scene, const View& main, const Box& frame) {
+std::optional<Inset> inset_of(const SphereScene& scene, const View& main, const PixelBox& frame) {
   const RayPlane& plane = scene.plane;
-  const bool hides_gap = abs(plane.gap()) * main.scale_y < told_apart / 2 && plane.radius > 0;
+  const bool hides_gap = abs(plane.gap()) * main.scale_y < visible_gap / 2 && plane.radius > 0;
   if (scene.verdicts_differ && hides_gap && half_stretch(scene) > 0) return gap_inset(scene, frame);
   if (scene.worst) {
     const auto& [truth, claim] = *scene.worst;
-    if (abs(truth.x - claim.x) * main.scale_x < told_apart) return error_inset(scene, frame);
+    if (abs(truth.x - claim.x) * main.scale_x < visible_gap) return error_inset(scene, frame);
     return {};
   }
   if (hides_gap && plane.gap() != 0) return gap_inset(scene, frame);
   for (const NamedMark& hit : scene.hits) {
     if (!scene.has_start()) break;
     const Shadow from_start = abs(hit.at.x - scene.start().x);
-    if (from_start == 0 || from_start * main.scale_x > told_apart) continue;
+    if (from_start == 0 || from_start * main.scale_x > visible_gap) continue;
     const WorldPoint middle{(hit.at.x + scene.start().x) / 2, 0};
     return Inset{View::around(frame, middle, from_start * 1.6, from_start * 0.01),
                  {{scene.start(), hit.at}},

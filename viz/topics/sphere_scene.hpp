@@ -35,7 +35,7 @@ struct MainView {
   View view;
   bool is_broken = false;  ///< the ray's start lies outside, beyond a break in the axis
 };
-[[nodiscard]] MainView main_view(const SphereScene& scene, const Box& frame);
+[[nodiscard]] MainView main_view(const SphereScene& scene, const PixelBox& frame);
 
 /// A look through the magnifying glass: at an error, or at the gap between the line and the sphere.
 struct Inset {
@@ -44,6 +44,7 @@ struct Inset {
   std::string label;
 };
 /// Nothing where the main view shows everything.
-[[nodiscard]] std::optional<Inset> inset_of(const SphereScene& scene, const View& main, const Box& frame);
+[[nodiscard]] std::optional<Inset> inset_of(const SphereScene& scene, const View& main,
+                                            const PixelBox& frame);
 
 }  // namespace rayproof::viz

@@ -14,7 +14,7 @@
 namespace rayproof::viz {
 namespace {
 
-void draw_figure(Picture& picture, const View& view, const WireframeScene& scene, const Camera& camera) {
+void draw_figure(Picture& picture, const View& view, const WireframeScene& scene, const ViewCamera& camera) {
   const Figure& figure = scene.figure;
   if (figure.ring.empty()) {
     draw_area(picture, view, Role::surface, convex_hull(camera.see(figure.extent)));
@@ -22,19 +22,19 @@ void draw_figure(Picture& picture, const View& view, const WireframeScene& scene
     draw_even_odd(picture, view, Role::surface, camera.see(figure.ring));
   }
   for (const Stroke& stroke : figure.strokes(camera.toward)) {
-    Line line{Role::surface, {}, stroke.is_edge ? 2.0 : 1.0};
+    PixelLine line{Role::surface, {}, stroke.is_edge ? 2.0 : 1.0};
     if (stroke.is_hidden) line = {Role::surface, {}, 1.2, Pattern::dashed};
     draw_curve(picture, view, line, camera.see(stroke.points));
   }
 }
 
 /// The names of the figure's points, outward from its middle, but for those where a hit has its own name.
-void draw_labels(Picture& picture, const View& view, const WireframeScene& scene, const Camera& camera) {
+void draw_labels(Picture& picture, const View& view, const WireframeScene& scene, const ViewCamera& camera) {
   const std::vector<NamedMark> marks = scene.marks(camera);
   const Extent extent = Extent::of(camera.see(scene.figure.extent));
   const Point middle = view.to_pixels({(extent.left + extent.right) / 2, (extent.bottom + extent.top) / 2});
   if (extent.half_size() * view.scale_x < 30) return;
-  const Box& frame = view.frame;
+  const PixelBox& frame = view.frame;
   for (const auto& [name, place] : scene.figure.labels) {
     if (!view.shows(camera.see(place))) continue;
     const Point at = view.to_pixels(camera.see(place));
@@ -50,7 +50,7 @@ void draw_labels(Picture& picture, const View& view, const WireframeScene& scene
   }
 }
 
-void draw_panel(Picture& picture, const View& view, const WireframeScene& scene, const Camera& camera,
+void draw_panel(Picture& picture, const View& view, const WireframeScene& scene, const ViewCamera& camera,
                 const std::string& caption) {
   draw_frame(picture, view.frame, caption);
   draw_figure(picture, view, scene, camera);
@@ -71,7 +71,7 @@ void draw_inset(Picture& picture, const WireframeInset& inset, const WireframeSc
   if (inset.measured) draw_measure(picture, inset.view, *inset.measured, inset.label);
 }
 
-std::string geometry_of(const WireframeScene& scene, const Camera& camera) {
+std::string geometry_of(const WireframeScene& scene, const ViewCamera& camera) {
   const Extent extent = Extent::of(camera.see(scene.figure.extent));
   std::string text = fmt::format("Direction of length {}", rough(scene.direction_size, 4));
   if (scene.figure.borders.empty()) return text + "; a patch of the plane is drawn.";
@@ -86,14 +86,14 @@ std::string geometry_of(const WireframeScene& scene, const Camera& camera) {
 
 std::string caption_of(const Fitted& fitted) {
   if (fitted.leaves_ray_out) return "The figure alone, to scale; the ray passes too far off to be shown";
-  return fitted.leaves_start_out ? "The figure to scale; the way to it shortened" : "To scale";
+  return fitted.leaves_start_out ? "The figure to scale; the distance to it shortened" : "To scale";
 }
 
 }  // namespace
 
 Picture wireframe_picture(FigureMaker figure, const Case& one, const Answer* exact, const Answer* claimed) {
   const WireframeScene scene = scene_of(figure, one, exact, claimed);
-  const Camera camera = scene.main_camera();
+  const ViewCamera camera = scene.main_camera();
   const bool is_moved = scene.sight.question.transform.has_value();
   Picture picture = begin_picture(fmt::format("Ray and {}{}", is_moved ? "transformed " : "", topic_of(one)),
                                   one, headline_of(one, exact, claimed), geometry_of(scene, camera));

@@ -25,24 +25,24 @@ struct WireframeScene {
   const Answer* claimed;
 
   [[nodiscard]] Place at(const Shadow& t) const { return point_at(sight.ray, t); }
-  [[nodiscard]] std::vector<NamedMark> marks(const Camera& camera) const;
-  [[nodiscard]] RayLine line(const Camera& camera) const;
-  [[nodiscard]] Camera main_camera() const;
+  [[nodiscard]] std::vector<NamedMark> marks(const ViewCamera& camera) const;
+  [[nodiscard]] RayLine line(const ViewCamera& camera) const;
+  [[nodiscard]] ViewCamera main_camera() const;
 };
 [[nodiscard]] WireframeScene scene_of(Figure (*maker)(const Sight&), const Case& one, const Answer* exact,
                                       const Answer* claimed);
 
 /// Where the ray's line passes nearest to the outline.
-struct Nearest {
+struct NearestPass {
   Place on_ray, on_outline;
   Place side;  ///< the outline's direction there, of unit length or 0
   Shadow gap;
 };
-[[nodiscard]] std::optional<Nearest> nearest_of(const WireframeScene& scene);
+[[nodiscard]] std::optional<NearestPass> nearest_of(const WireframeScene& scene);
 
 /// A look through the magnifying glass, from a side of its own.
 struct WireframeInset {
-  Camera camera;
+  ViewCamera camera;
   View view;
   Place middle;  ///< what it looks at
   std::optional<std::pair<WorldPoint, WorldPoint>> measured{};
@@ -50,7 +50,7 @@ struct WireframeInset {
   std::optional<std::pair<Place, Place>> surface{};  ///< where it cuts the surface that is hit
 };
 /// Nothing where the main view shows everything.
-[[nodiscard]] std::optional<WireframeInset> inset_of(const WireframeScene& scene, const Camera& camera,
-                                                     const View& main, const Box& frame);
+[[nodiscard]] std::optional<WireframeInset> inset_of(const WireframeScene& scene, const ViewCamera& camera,
+                                                     const View& main, const PixelBox& frame);
 
 }  // namespace rayproof::viz

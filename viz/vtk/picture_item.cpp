@@ -17,9 +17,9 @@ namespace rayproof::viz {
 namespace {
 
 /// Paints a picture's elements with VTK's two-dimensional painter, whose y points up.
-class Painter {
+class ItemPainter {
  public:
-  Painter(vtkContext2D& context, const PictureItem& item)
+  ItemPainter(vtkContext2D& context, const PictureItem& item)
       : context_(context),
         left_(item.left),
         top_(item.bottom + item.picture->height * item.scale),
@@ -31,7 +31,7 @@ class Painter {
     auto xy = flat(area.points);
     context_.DrawPolygon(xy.data(), static_cast<int>(area.points.size()));
   }
-  void operator()(const Line& line) {
+  void operator()(const PixelLine& line) {
     for (const auto& dash : dashes_of(line)) stroke(line.role, dash, line.width);
   }
   void operator()(const Mark& mark) {
@@ -101,7 +101,7 @@ class Painter {
 vtkStandardNewMacro(PictureItem);
 
 bool PictureItem::Paint(vtkContext2D* context) {
-  Painter painter(*context, *this);
+  ItemPainter painter(*context, *this);
   for (const Element& element : picture->elements) std::visit(painter, element);
   return true;
 }

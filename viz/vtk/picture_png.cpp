@@ -13,9 +13,9 @@
 
 namespace rayproof::viz {
 
-class PictureCanvas::Parts {
+class PictureCanvas::Impl {
  public:
-  Parts() {
+  Impl() {
     actor_->GetScene()->AddItem(item_);
     actor_->GetScene()->SetRenderer(renderer_);
     renderer_->SetBackground(1, 1, 1);
@@ -42,15 +42,15 @@ class PictureCanvas::Parts {
   vtkNew<vtkRenderWindow> window_;
 };
 
-PictureCanvas::PictureCanvas() : parts_(std::make_unique<Parts>()) {}
+PictureCanvas::PictureCanvas() : impl_(std::make_unique<Impl>()) {}
 PictureCanvas::~PictureCanvas() = default;
 
 void PictureCanvas::write(const Picture& picture, const std::string& path, double scale) {
-  write_png(parts_->window_of(picture, scale), path);
+  write_png(impl_->window_of(picture, scale), path);
 }
 
 Raster PictureCanvas::draw(const Picture& picture, double scale) {
-  return pixels_of(parts_->window_of(picture, scale));
+  return pixels_of(impl_->window_of(picture, scale));
 }
 
 }  // namespace rayproof::viz

@@ -29,8 +29,8 @@ class PictureCanvas {
   [[nodiscard]] Raster draw(const Picture& picture, double scale = png_scale);
 
  private:
-  class Parts;
-  std::unique_ptr<Parts> parts_;
+  class Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace rayproof::viz

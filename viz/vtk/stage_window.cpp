@@ -33,9 +33,9 @@ constexpr unsigned long heard[] = {vtkCommand::KeyPressEvent,           vtkComma
 }  // namespace
 
 /// Ends in the window's own order: the interactor first, the window last.
-class StageWindow::Parts {
+class StageWindow::Impl {
  public:
-  Parts(Player& shown, int width, int height) : player(shown) {
+  Impl(Player& shown, int width, int height) : player(shown) {
     actor->GetScene()->AddItem(item);
     actor->GetScene()->SetRenderer(renderer);
     renderer->SetBackground(1, 1, 1);
@@ -55,7 +55,7 @@ class StageWindow::Parts {
     item->picture = &picture;
     callback->SetClientData(this);
     callback->SetCallback(
-        [](vtkObject*, unsigned long event, void* self, void*) { static_cast<Parts*>(self)->hear(event); });
+        [](vtkObject*, unsigned long event, void* self, void*) { static_cast<Impl*>(self)->hear(event); });
     for (const unsigned long event : heard) interactor->AddObserver(event, callback);
   }
 
@@ -154,30 +154,30 @@ class StageWindow::Parts {
 };
 
 StageWindow::StageWindow(Player& player, int width, int height)
-    : parts_(std::make_unique<Parts>(player, width, height)) {
-  parts_->open();
+    : impl_(std::make_unique<Impl>(player, width, height)) {
+  impl_->open();
 }
 StageWindow::~StageWindow() = default;
 
 void StageWindow::handle_events() {
-  dispatch_events(*parts_->interactor);
+  dispatch_events(*impl_->interactor);
   // Once for all that have come: a drag makes more events than pictures can be drawn.
-  if (parts_->is_stale && !parts_->is_over) parts_->repaint();
+  if (impl_->is_stale && !impl_->is_over) impl_->repaint();
 }
 
-// VTK 9.1's own loops are left aside: once told to end they never return, or read from a closed connection.
+// VTK 9.1's own loops are left aside: once asked to end they never return, or read from a closed connection.
 void StageWindow::run() {
-  while (!parts_->is_over) {
+  while (!impl_->is_over) {
     handle_events();
-    if (!parts_->is_over) wait_for_events(*parts_->interactor, longest_sleep_ms);
+    if (!impl_->is_over) wait_for_events(*impl_->interactor, longest_sleep_ms);
   }
 }
-void StageWindow::repaint() { parts_->repaint(); }
-vtkRenderWindow& StageWindow::window() { return *parts_->window; }
-vtkRenderWindowInteractor& StageWindow::interactor() { return *parts_->interactor; }
+void StageWindow::repaint() { impl_->repaint(); }
+vtkRenderWindow& StageWindow::window() { return *impl_->window; }
+vtkRenderWindowInteractor& StageWindow::interactor() { return *impl_->interactor; }
 
 Point StageWindow::to_window(const Point& p) const {
-  const PictureItem& item = *parts_->item;
+  const PictureItem& item = *impl_->item;
   return {item.left + p.x * item.scale, item.bottom + (player_height - p.y) * item.scale};
 }
 

@@ -36,8 +36,8 @@ class StageWindow {
   [[nodiscard]] Point to_window(const Point& p) const;
 
  private:
-  class Parts;
-  std::unique_ptr<Parts> parts_;
+  class Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace rayproof::viz

@@ -42,8 +42,8 @@ inline constexpr HitsContract hits_contract{.missed = {.measured = 0, .promised 
 /// How many pieces of a patch are cut in two for one ray, when nothing else is said.
 inline constexpr std::size_t default_pieces = 2048;
 
-/// No piece narrower than this is cut. About the square root of ε: as fine as a tangent can be told from its
-/// neighbours.
+/// No piece narrower than this is cut. About the square root of ε: as fine as a tangent can be distinguished
+/// from its neighbours.
 template <class T>
 inline constexpr T finest_piece = sizeof(T) == 4 ? T(0x1p-12) : T(0x1p-26);
 

@@ -36,7 +36,7 @@ struct QuadraticAnswer {
   std::array<T, 2> roots{};
 };
 
-/// Reads a kernel's roots as an answer: a = 0 is told apart by the coefficients, everything else by the sign
+/// Reads a kernel's roots as an answer: a = 0 is decided by the coefficients, everything else by the sign
 /// of the kernel's discriminant. In the linear case the kernel's one finite root is the answer, or the
 /// infinity that both of its roots overflow to. Roots that are NaN are left out, whatever the kind.
 template <class T>

@@ -9,7 +9,7 @@
 
 namespace rayproof {
 
-/// The way from the world into an object's space: p ↦ A⁻¹(p - b) for the object-to-world map q ↦ A·q + b.
+/// The map from the world into an object's space: p ↦ A⁻¹(p - b) for the object-to-world map q ↦ A·q + b.
 ///
 /// The entries of A⁻¹ are good to a few ulps each even where A is badly conditioned: cofactors and
 /// determinant are formed without cancelling their rounding errors. What a transformed ray then loses is the

@@ -30,7 +30,7 @@ void append_number(std::string& out, double x);
 /// writes 0.10000000149011612 for the float nearest to 0.1.
 void append_number(std::string& out, double x, Precision precision);
 
-/// `x` as JSON in quotes in the way of printf's %a: "0x1.8p+1", "-0x0p+0", "inf".
+/// `x` as JSON in quotes in the form of printf's %a: "0x1.8p+1", "-0x0p+0", "inf".
 void append_hex(std::string& out, double x);
 
 }  // namespace rayproof

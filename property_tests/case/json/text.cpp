@@ -91,7 +91,7 @@ class Parser {
                                             : fmt::format("which is written \"{}\", a string", spelling)));
   }
 
-  /// "ray.origin[1]": the way to the value that is being read.
+  /// "ray.origin[1]": the path to the value that is being read.
   [[nodiscard]] std::string path_of_last() const {
     std::string path;
     for (std::size_t depth = 1; depth < open_.size(); ++depth) {

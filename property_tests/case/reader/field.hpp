@@ -14,7 +14,7 @@
 
 namespace rayproof {
 
-/// One value of a case and the way to it.
+/// One value of a case and the path to it.
 struct Field {
   const json::Document* document = nullptr;
   std::size_t index = 0;

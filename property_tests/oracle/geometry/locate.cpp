@@ -6,18 +6,18 @@ namespace rayproof::oracle {
 namespace {
 
 /// A vertex as seen from the point, both times the weight, and the sign of how far it lies above.
-struct Seen {
+struct SeenVertex {
   PlanePoint to;
   int above;
 };
 
 /// What one side says: the point lies on it, or a ray to the right crosses it, or neither.
-struct Side {
+struct CrossedSide {
   bool holds_point;
   bool is_crossed;
 };
 
-Side side_of(const Seen& from, const Seen& to) {
+CrossedSide side_of(const SeenVertex& from, const SeenVertex& to) {
   if (from.above == 0 && to.above == 0) return {sign(from.to.x) * sign(to.to.x) <= 0, false};
   if (from.above * to.above > 0) return {false, false};
   // The signed area seen from the point: positive where the side passes it on the right, going up.
@@ -34,15 +34,15 @@ Side side_of(const Seen& from, const Seen& to) {
 Contact locate(const PlanePoint& point, const Ring& weight, const std::vector<PlanePoint>& vertices) {
   const auto seen = [&](const PlanePoint& vertex) {
     const PlanePoint to{weight * vertex.x - point.x, weight * vertex.y - point.y};
-    return Seen{to, sign(to.y)};
+    return SeenVertex{to, sign(to.y)};
   };
   bool is_on_side = false;
   bool is_inside = false;
-  Seen from = seen(vertices.back());
+  SeenVertex from = seen(vertices.back());
   for (const PlanePoint& vertex : vertices) {
-    const Seen to = seen(vertex);
+    const SeenVertex to = seen(vertex);
     if (to.above == 0 && sign(to.to.x) == 0) return Contact::vertex;
-    const Side side = side_of(from, to);
+    const CrossedSide side = side_of(from, to);
     is_on_side = is_on_side || side.holds_point;
     is_inside = is_inside != side.is_crossed;
     from = to;

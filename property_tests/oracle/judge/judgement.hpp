@@ -13,7 +13,7 @@ namespace rayproof::oracle {
 struct Judgement {
   /// The claimed number of hits (or kind of roots) is not the exact one.
   bool wrong = false;
-  /// The case was a hit (or had roots) in truth: tells a wrong miss from a wrong hit.
+  /// The case was a hit (or had roots) in truth: distinguishes a wrong miss from a wrong hit.
   bool hit = false;
   /// How near the case is to a change of verdict: 0 on the edge; computed only where `wrong`.
   double margin = 0;

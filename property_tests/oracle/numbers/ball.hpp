@@ -3,8 +3,8 @@
 /// The oracle's filter: double-double numbers that carry a bound on their own error.
 ///
 /// A formula of the oracle is written once over its ring. Run over balls it costs tens of nanoseconds and
-/// knows when it can't tell; then the same formula runs over the exact ring. This code is the oracle's own on
-/// purpose: it shares no line with the arithmetics it judges.
+/// knows when it can't decide; then the same formula runs over the exact ring. This code is the oracle's own
+/// on purpose: it shares no line with the arithmetics it judges.
 
 #include <cmath>
 

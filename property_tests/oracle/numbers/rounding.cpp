@@ -11,7 +11,7 @@ namespace {
 /// The floats of type T in order as consecutive integers, so that neighbours and halfway points are
 /// arithmetic.
 template <class T, class Integer>
-struct Grid {
+struct FloatGrid {
   static constexpr Integer sign_bit = std::numeric_limits<Integer>::min();
   static constexpr Integer infinity = std::bit_cast<Integer>(std::numeric_limits<T>::infinity());
 
@@ -47,7 +47,7 @@ struct Grid {
 
 template <class T, class Integer, class Number>
 double round_in(const Number& number) {
-  using Floats = Grid<T, Integer>;
+  using Floats = FloatGrid<T, Integer>;
   const auto guess = static_cast<T>(number.estimate().value());
   Integer low = Floats::index(guess);  // the answer is known to be >= low + 1 or low is the answer
   // The estimate is nearly always right or one off: walk a few steps, and bisect if that was not enough.

@@ -45,7 +45,7 @@ class PolygonIntersection final : public FlatIntersection {
     reduce(nearest, steepness());
     if (is_parallel()) return nearest;
     const Scaled unit = sizes().reach(t().estimate()) / steepness();
-    const Meeting at = meeting(t());
+    const PlaneMeeting at = meeting(t());
     const PlanePoint* from = &at.vertices.back();
     for (const PlanePoint& to : at.vertices) {
       reduce(nearest, ratio(distance_to_side(at.point, at.weight, *from, to), unit));
@@ -56,7 +56,7 @@ class PolygonIntersection final : public FlatIntersection {
 
  protected:
   [[nodiscard]] Contact contact_at(const Quotient& t) const override {
-    const Meeting at = meeting(t);
+    const PlaneMeeting at = meeting(t);
     return locate(at.point, at.weight, at.vertices);
   }
 
@@ -78,12 +78,12 @@ class PolygonIntersection final : public FlatIntersection {
 
  private:
   /// The point in which the line meets the plane, times a positive weight, and the vertices, projected.
-  struct Meeting {
+  struct PlaneMeeting {
     PlanePoint point;
     Ring weight;
     std::vector<PlanePoint> vertices;
   };
-  [[nodiscard]] Meeting meeting(const Quotient& t) const {
+  [[nodiscard]] PlaneMeeting meeting(const Quotient& t) const {
     const Projection projection(plane_normal());
     const Vector<Ring> point = t.denominator() * ray().origin + t.numerator() * ray().direction;
     return {projection(point), ray().scale * t.denominator(), projection(polygon_.vertices)};

@@ -58,7 +58,8 @@ void describe(CLI::App& app, Options& options) {
   app.add_option("--cases", settings.cases, "Cases for each method, family and precision")
       ->capture_default_str()
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000'000}));
-  app.add_option("--time", options.seconds, "Stop after so many seconds; every family has its share of them")
+  app.add_option("--time", options.seconds,
+                 "Stop after this many seconds; every family has its share of them")
       ->check(CLI::PositiveNumber);
   app.add_option("--jobs", settings.jobs, "Threads; as many as the machine has where left out")
       ->check(CLI::Range(1, 1024));

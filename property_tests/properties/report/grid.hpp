@@ -7,7 +7,7 @@ namespace rayproof {
 /// A table in plain text: columns as wide as their widest cell.
 class Grid {
  public:
-  /// So many blanks stand between two columns.
+  /// The number of blanks between two columns.
   explicit Grid(std::size_t gap = 2) : gap_(gap) {}
 
   void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }

@@ -20,7 +20,7 @@ std::string_view kind_of(const Property& property) {
 bool is_same_failure(const Finding& a, const Finding& b) {
   if (kind_of(*a.property) != kind_of(*b.property)) return false;
   if (a.subject == b.subject) return true;
-  // Each formula as printed is a story of its own, and so is each broken contract.
+  // Each formula as printed has an entry of its own, and so has each broken contract.
   const auto stands_alone = [](const Finding& one) {
     return !one.is_declared || one.subject->contract.standing == Standing::printed;
   };

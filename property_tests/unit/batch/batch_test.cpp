@@ -27,12 +27,12 @@ struct RootColumns {
 
 /// Six columns of hard rays and a sphere.
 template <class T>
-struct Scene {
+struct HardBatch {
   std::vector<T> column[6];
   Sphere<T> sphere;
   RayBatch<T> rays;
 
-  Scene(Random& random, std::size_t size) {
+  HardBatch(Random& random, std::size_t size) {
     for (auto& numbers : column) numbers = hard_column<T>(random, size);
     sphere = {{hard_number<T>(random), hard_number<T>(random), hard_number<T>(random)},
               std::abs(hard_number<T>(random))};
@@ -79,7 +79,7 @@ TEST(Batch, GivesTheScalarRootsOfHardRaysBitForBitAtEveryLengthWithAndWithoutATr
       []<class Method, class T>(std::type_identity<Method>, T, InstructionSet set) {
         Random random(2);
         for (std::size_t size = 0; size <= longest; ++size) {
-          const Scene<T> scene(random, size);
+          const HardBatch<T> scene(random, size);
           RootColumns<T> roots(size);
           batch_roots<Method>(scene.rays, scene.sphere, roots.arrays(), set);
           for (std::size_t i = 0; i < size; ++i)
@@ -93,7 +93,7 @@ TEST(Batch, GivesTheScalarNearestHitOfHardRaysBitForBitAtEveryLength) {
                                                            InstructionSet set) {
     Random random(3);
     for (std::size_t size = 0; size <= longest; ++size) {
-      const Scene<T> scene(random, size);
+      const HardBatch<T> scene(random, size);
       std::vector<T> t(size);
       nearest_hits<Method>(scene.rays, scene.sphere, std::span<T>(t), set);
       for (std::size_t i = 0; i < size; ++i) {
@@ -110,7 +110,7 @@ TEST(Batch, WritesNothingBeyondItsLength) {
       []<class Method, class T>(std::type_identity<Method>, T, InstructionSet set) {
         Random random(4);
         for (std::size_t size = 0; size <= longest; ++size) {
-          const Scene<T> scene(random, size);
+          const HardBatch<T> scene(random, size);
           std::vector<T> t(size + longest, T(-7));
           nearest_hits<Method>(scene.rays, scene.sphere, std::span<T>(t.data(), size), set);
           for (std::size_t i = size; i < t.size(); ++i)

@@ -14,9 +14,9 @@ namespace rayproof::report {
 
 namespace {
 
-Row row(const char* method, Arrangement arrangement, const char* family, double ns, std::size_t wrong,
-        double bits) {
-  Row one{"sphere", method, Precision::float32, arrangement, family, ns};
+BenchRow row(const char* method, Arrangement arrangement, const char* family, double ns, std::size_t wrong,
+             double bits) {
+  BenchRow one{"sphere", method, Precision::float32, arrangement, family, ns};
   one.accuracy = {.cases = 1000, .wrong_misses = wrong, .agreed_hits = 100, .mean_bits = bits};
   return one;
 }
@@ -67,7 +67,7 @@ TEST(Accuracy, CountsAHitTooFew) {
 }
 
 TEST(Summary, LeavesOutTheFamiliesThatAreNotOfScenesAndSumsUpTheOthers) {
-  const std::vector<Summary> found =
+  const std::vector<MethodSummary> found =
       summarise({row("centred", Arrangement::batch, "random", 1, 10, 2),
                  row("centred", Arrangement::batch, "far", 3, 30, 4),
                  row("centred", Arrangement::batch, "bit_patterns", 90, 900, 20)});
@@ -77,8 +77,8 @@ TEST(Summary, LeavesOutTheFamiliesThatAreNotOfScenesAndSumsUpTheOthers) {
 }
 
 TEST(Headline, IsLeftOutWhereGlmWasNotMeasured) {
-  const std::vector<Row> rows{row("centred", Arrangement::batch, "random", 1, 0, 0),
-                              row(Row::floor_name, Arrangement::batch, "random", 0.5, 0, 0)};
+  const std::vector<BenchRow> rows{row("centred", Arrangement::batch, "random", 1, 0, 0),
+                                   row(BenchRow::floor_name, Arrangement::batch, "random", 0.5, 0, 0)};
   EXPECT_FALSE(headline(rows).has_value());
 }
 
@@ -93,11 +93,11 @@ TEST(Plot, HasAFrontOfThePointsThatNoOtherBeats) {
   EXPECT_EQ(front, stair);
 }
 
-TEST(Plot, TellsAnyTwoMethodsApartWithoutColour) {
-  std::vector<Row> rows;
+TEST(Plot, DistinguishesAnyTwoMethodsWithoutColour) {
+  std::vector<BenchRow> rows;
   for (const char* method : {"a", "b", "c", "d", "e", "f", "g", "h", "i"})
     rows.push_back(row(method, Arrangement::batch, "random", 1, 0, 1));
-  const std::vector<Mark> marks = make_plots(summarise(rows)).at(0).marks;
+  const std::vector<PlotMark> marks = make_plots(summarise(rows)).at(0).marks;
   for (std::size_t i = 0; i < marks.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       EXPECT_FALSE(marks[i].outline == marks[j].outline && marks[i].inner == marks[j].inner) << i << ' ' << j;
@@ -114,7 +114,7 @@ TEST(PlotInSvg, HasRoomForTheLongestNameOfAMethod) {
 }
 
 TEST(Json, HasTheKeysOfTheCaseFormatInEveryRow) {
-  Row floor{"sphere", Row::floor_name, Precision::float64, Arrangement::batch, "random", 0.5};
+  BenchRow floor{"sphere", BenchRow::floor_name, Precision::float64, Arrangement::batch, "random", 0.5};
   const auto json = nlohmann::json::parse(
       to_json({"machine", "compiler", 64, {row("centred", Arrangement::scalar, "random", 1, 2, 3), floor}}));
   EXPECT_EQ(json.at("machine"), "machine");
@@ -135,7 +135,7 @@ TEST(Contenders, CoverEveryMethodInItsArrangementsAndTheFloorOfBatches) {
       cases.push_back(family.generate(seed, Precision::float32));
     const std::vector<Contender> all = contenders(family.topic, cases, Precision::float32);
     const bool has_batches = std::ranges::count(all, Arrangement::batch, &Contender::arrangement) > 0;
-    EXPECT_EQ(all.back().method == Row::floor_name, has_batches);
+    EXPECT_EQ(all.back().method == BenchRow::floor_name, has_batches);
     for (const double ns : median_ns(all, cases.size(), 0.001)) EXPECT_GT(ns, 0);
     for (const Subject& subject : subjects()) {
       if (subject.topic != family.topic) continue;

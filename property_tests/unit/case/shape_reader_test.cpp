@@ -7,7 +7,7 @@
 namespace rayproof {
 namespace {
 
-// Made-up shapes with every type of field. Nothing but their ShapeFormat tells the reader and the writer of
+// Made-up shapes with every type of field. Nothing but their ShapeFormat informs the reader and the writer of
 // them.
 struct Prism {
   std::vector<glm::dvec3> base;
@@ -18,7 +18,7 @@ struct Prism {
 struct PointAndNormal {
   glm::dvec3 point, normal;
 };
-struct Coefficients {
+struct NormalForm {
   glm::dvec3 normal;
   double d = 0;
 };
@@ -40,14 +40,14 @@ struct ShapeFormat<Prism> {
   }
 };
 template <>
-struct ShapeFormat<Coefficients> {
+struct ShapeFormat<NormalForm> {
   static constexpr const char* type = "sheet";
   template <class S, class Visit>
   static void fields(S& sheet, Visit&& visit) {
     visit("normal", sheet.normal);
     visit("d", sheet.d);
   }
-  static void validate(const Coefficients& /*sheet*/) {}
+  static void validate(const NormalForm& /*sheet*/) {}
 };
 template <>
 struct ShapeFormat<PointAndNormal> {
@@ -62,7 +62,7 @@ struct ShapeFormat<PointAndNormal> {
 
 namespace {
 
-using MadeUp = std::variant<Prism, Coefficients, PointAndNormal>;
+using MadeUp = std::variant<Prism, NormalForm, PointAndNormal>;
 
 MadeUp read(std::string_view text) {
   const json::Document document = json::parse(text);
@@ -97,8 +97,8 @@ TEST(shape_reader, lets_a_switch_be_left_out) {
   EXPECT_FALSE(std::get<Prism>(shape).capped);
 }
 
-TEST(shape_reader, tells_the_forms_of_a_type_apart_by_their_fields) {
-  EXPECT_TRUE(std::holds_alternative<Coefficients>(read(R"({"type": "sheet", "normal": [0,0,1], "d": 2})")));
+TEST(shape_reader, distinguishes_the_forms_of_a_type_by_their_fields) {
+  EXPECT_TRUE(std::holds_alternative<NormalForm>(read(R"({"type": "sheet", "normal": [0,0,1], "d": 2})")));
   EXPECT_TRUE(std::holds_alternative<PointAndNormal>(
       read(R"({"type": "sheet", "normal": [0,0,1], "point": [1,2,3]})")));
 }

@@ -8,7 +8,7 @@
 namespace rayproof {
 namespace {
 
-using outline_layout::Plan;
+using outline_layout::PolygonCase;
 
 /// Twice the exact area of the parallelogram, for short numbers.
 double orientation(const Vec2<double>& a, const Vec2<double>& b, const Vec2<double>& c) {
@@ -52,7 +52,7 @@ TEST(Outlines, PaddingAddsRepeatedAndCollinearVerticesOnly) {
 TEST(Outlines, ALevelPointHasTheHeightOfAVertex) {
   Random random(4);
   for (int k = 0; k < 300; ++k) {
-    const Plan plan = outline_layout::level.plan(random);
+    const PolygonCase plan = outline_layout::level.plan(random);
     EXPECT_TRUE(std::any_of(plan.vertices.begin(), plan.vertices.end(),
                             [&](const Vec2<double>& v) { return v.y == plan.point.y; }));
   }
@@ -61,7 +61,7 @@ TEST(Outlines, ALevelPointHasTheHeightOfAVertex) {
 TEST(Outlines, ABoundaryPointIsExactlyOnASide) {
   Random random(5);
   for (int k = 0; k < 300; ++k) {
-    const Plan plan = outline_layout::boundary.plan(random);
+    const PolygonCase plan = outline_layout::boundary.plan(random);
     const std::size_t count = plan.vertices.size();
     bool on_a_line = false;
     for (std::size_t i = 0; i < count; ++i)

@@ -91,10 +91,10 @@ TEST(Camera, PixelCentresAreSymmetricAboutTheAxisBitForBit) {
 TEST(Camera, ThePrintedPixelCornersAreRefutedBySymmetry) {
   const rc::detail::TestResult result = check_symmetry<camera::PrintedPixelCorner, float>();
   ASSERT_TRUE(result.is<rc::detail::FailureResult>());
-  std::string told = result.get<rc::detail::FailureResult>().description;
-  while (!told.empty() && told.back() == '\n') told.pop_back();
-  told.erase(0, told.rfind('\n') + 1);
-  std::cout << "printed_pixel_corner: " << told << "\n";  // docs/errata.py takes this line
+  std::string description = result.get<rc::detail::FailureResult>().description;
+  while (!description.empty() && description.back() == '\n') description.pop_back();
+  description.erase(0, description.rfind('\n') + 1);
+  std::cout << "printed_pixel_corner: " << description << "\n";  // docs/errata.py takes this line
   EXPECT_FALSE((is_symmetric<camera::PrintedPixelCorner, float>(1, 1, 0, 0)));
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
 /// Motions that round nothing: axes exchanged and mirrored, lengths times a power of two, and steps by whole
-/// numbers. Each moves a question in two ways: by the shape's own fields, or by its transform.
+/// numbers. Each moves a question in two forms: by the shape's own fields, or by its transform.
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-"""Puts random hard cases to rayproof-oracle and compares every field with an independent exact implementation.
+"""Gives random hard cases to rayproof-oracle and compares every field with an independent exact implementation.
 
     python3 property_tests/unit/oracle_check --oracle build/release/bin/rayproof-oracle [--cases N] [--seed S]
         [--topic sphere ...]

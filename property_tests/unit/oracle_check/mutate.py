@@ -44,7 +44,7 @@ def feed(pipe, lines, pending):
             pipe.write((b"\n" if i else b"") + line)
         pipe.close()
     except BrokenPipeError:
-        pass  # the program has ended too early: its missing replies tell
+        pass  # the program has ended too early: its missing replies show it
 
 
 def stream(generator, count):

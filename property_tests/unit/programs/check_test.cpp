@@ -121,7 +121,7 @@ TEST_F(CheckProgram, FindingsAreReplayedAsTheyWereFound) {
   EXPECT_EQ(replayed.output.find("does not break"), std::string::npos);
 }
 
-TEST_F(CheckProgram, AReplayedFindingThatIsNoneAnyMoreIsTold) {
+TEST_F(CheckProgram, AReplayedFindingThatIsNoneAnyMoreIsReported) {
   std::ofstream(path("f.jsonl"))
       << R"({"subject": "sphere/centred", "property": "verdict", "case": {"ray": {"origin": [0,0,-5], "direction": [0,0,1]}, "shape": {"type": "sphere", "center": [0,0,0], "radius": 1}}})"
       << "\n";

@@ -138,7 +138,7 @@ TEST(methods_program, lists_every_method_with_its_contract) {
   }
 }
 
-TEST(programs, tell_their_options) {
+TEST(programs, list_their_options) {
   for (const std::string program : {"oracle", "intersect", "methods"}) {
     const Ended help = run(program + " --help");
     EXPECT_EQ(help.status, 0) << program;

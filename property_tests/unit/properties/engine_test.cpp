@@ -81,7 +81,7 @@ TEST(Engine, TheResultDoesNotDependOnTheNumberOfJobs) {
   EXPECT_EQ(report(1), report(3));
 }
 
-TEST(Engine, StopsWhenToldAndSaysSo) {
+TEST(Engine, StopsOnRequestAndSaysSo) {
   const std::atomic<bool> stop{true};
   const RunResult result = run_plan(make_plan(small_run()), {}, {}, stop);
   EXPECT_TRUE(result.was_interrupted);

@@ -1,4 +1,4 @@
-"""Puts random hard cases to every method of several builds of rayproof, and compares the answers byte for byte.
+"""Gives random hard cases to every method of several builds of rayproof, and compares the answers byte for byte.
 
     python3 property_tests/unit/same_bits build/ci/bin build/debug/bin build/native/bin [--cases N] [--seed S]
 

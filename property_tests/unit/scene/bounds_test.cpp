@@ -74,7 +74,7 @@ TEST(RayAgainstBoxes, MissesWhatItPasses) {
 }
 
 TEST(BoundsTree, AsksEachObjectNearTheRayOnce) {
-  Scene scene;
+  RenderScene scene;
   for (int i = 0; i < 100; ++i) scene.objects.push_back({Sphere<double>{{3.0 * i, 0, 0}, 1}, {}, 0});
   scene.objects.push_back({ImplicitPlane{{0, 1, 0}, 0}, {}, 0});
   const auto tree = bounds_tree(ObjectBounds(scene));

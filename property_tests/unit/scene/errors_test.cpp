@@ -9,7 +9,7 @@ namespace {
 
 class Errors : public SceneFiles {
  protected:
-  [[nodiscard]] static ErrorImage errors_of(const Scene& scene, const std::string& shape,
+  [[nodiscard]] static ErrorImage errors_of(const RenderScene& scene, const std::string& shape,
                                             const std::string& method) {
     Methods methods = default_methods();
     methods[shape] = method;
@@ -19,7 +19,7 @@ class Errors : public SceneFiles {
 };
 
 /// The far sphere of docs/scenes, smaller.
-Scene far_sphere(std::pair<int, int> size) {
+RenderScene far_sphere(std::pair<int, int> size) {
   return read_scene(RAYPROOF_SOURCE_DIR "/docs/scenes/far-sphere.json", {}, {{}, size});
 }
 
@@ -48,7 +48,7 @@ TEST_F(Errors, TheTextbookSphereIsWrongFarAway) {
 }
 
 TEST_F(Errors, TheFormulasAsPrintedAreWrongInTheirOwnWays) {
-  const Scene mixed = scene(scene_text(mixed_entries));
+  const RenderScene mixed = scene(scene_text(mixed_entries));
   for (const auto& [shape, method] :
        {std::pair("triangle", "printed_parallelogram"), std::pair("plane", "printed_implicit"),
         std::pair("cylinder", "printed"), std::pair("sphere", "printed_half_b")}) {
@@ -59,7 +59,7 @@ TEST_F(Errors, TheFormulasAsPrintedAreWrongInTheirOwnWays) {
 }
 
 TEST_F(Errors, ATieIsNoWrongObject) {
-  const Scene twins = scene(scene_text(sphere_entry + ", " + sphere_entry));
+  const RenderScene twins = scene(scene_text(sphere_entry + ", " + sphere_entry));
   const auto tree = bounds_tree(ObjectBounds(twins));
   const HitImage exact = trace_exactly(twins, *tree, {});
   HitImage other = exact;
@@ -69,8 +69,8 @@ TEST_F(Errors, ATieIsNoWrongObject) {
   EXPECT_EQ(errors.totals.hits, errors.totals.steps[0]);
 }
 
-TEST_F(Errors, VerdictsAndUlpsAreToldApart) {
-  const Scene one = scene(scene_text(sphere_entry, "[3, 1]"));
+TEST_F(Errors, VerdictsAndUlpsAreKeptApart) {
+  const RenderScene one = scene(scene_text(sphere_entry, "[3, 1]"));
   HitImage exact(3, 1), claimed(3, 1);
   exact.object[0] = 0;
   exact.t[0] = 4;
@@ -88,7 +88,7 @@ TEST_F(Errors, VerdictsAndUlpsAreToldApart) {
 }
 
 TEST_F(Errors, TheGreatestFloatHasAnUlpToo) {
-  const Scene one = scene(scene_text(sphere_entry, "[1, 1]"), {Precision::float32, {}});
+  const RenderScene one = scene(scene_text(sphere_entry, "[1, 1]"), {Precision::float32, {}});
   HitImage exact(1, 1), claimed(1, 1);
   exact.set(0, 0, Nearest<float>{std::numeric_limits<float>::max(), 0});
   claimed.set(0, 0, Nearest<float>{std::nextafter(std::numeric_limits<float>::max(), 0.0F), 0});

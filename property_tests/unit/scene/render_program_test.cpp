@@ -77,9 +77,9 @@ TEST_F(RenderProgram, TheSceneMayStandAnywhere) {
 TEST_F(RenderProgram, APixelsCaseGoesToExplain) {
   const std::string scene = write("scene.json", scene_text(sphere_entry));
   const std::string explain = RAYPROOF_BIN_DIR "/rayproof-explain";
-  const Ended told = run(render + scene + " --case 18 16 | " + explain + " - --method sphere/textbook");
-  EXPECT_EQ(told.status, 0) << told.output;
-  EXPECT_EQ(told.output.find("sphere/textbook"), 0U) << told.output;
+  const Ended ended = run(render + scene + " --case 18 16 | " + explain + " - --method sphere/textbook");
+  EXPECT_EQ(ended.status, 0) << ended.output;
+  EXPECT_EQ(ended.output.find("sphere/textbook"), 0U) << ended.output;
   EXPECT_EQ(run(render + scene + " --case 0 0").status, 2) << "nothing is there";
   EXPECT_EQ(run(render + scene + " --case 40 0").status, 2) << "outside";
 }

@@ -12,7 +12,7 @@ namespace {
 class SceneReader : public SceneFiles {};
 
 TEST_F(SceneReader, ReadsWhatTheFileSays) {
-  const Scene read = scene(scene_text(mixed_entries));
+  const RenderScene read = scene(scene_text(mixed_entries));
   EXPECT_EQ(read.precision, Precision::float32);
   EXPECT_EQ(read.width, 40);
   EXPECT_EQ(read.height, 30);
@@ -27,14 +27,16 @@ TEST_F(SceneReader, ReadsWhatTheFileSays) {
 
 TEST_F(SceneReader, RoundsEveryNumberToThePrecision) {
   const std::string tenth = R"({"shape": {"type": "sphere", "center": [0, 0, 0], "radius": 0.1}})";
-  const auto radius = [](const Scene& s) { return std::get<Sphere<double>>(s.objects[0].shape).radius; };
+  const auto radius = [](const RenderScene& s) {
+    return std::get<Sphere<double>>(s.objects[0].shape).radius;
+  };
   EXPECT_EQ(radius(scene(scene_text(tenth))), static_cast<double>(0.1F));
   EXPECT_EQ(radius(scene(scene_text(tenth), {Precision::float64, {}})), 0.1);
   EXPECT_EQ(radius(scene(scene_text(tenth, "[4, 3]", ""))), 0.1) << "float64 where the scene says nothing";
 }
 
 TEST_F(SceneReader, TakesThePrecisionAndSizeOfTheCommandLine) {
-  const Scene read = scene(scene_text(sphere_entry), {Precision::float64, std::pair(7, 5)});
+  const RenderScene read = scene(scene_text(sphere_entry), {Precision::float64, std::pair(7, 5)});
   EXPECT_EQ(read.precision, Precision::float64);
   EXPECT_EQ(read.width, 7);
   EXPECT_EQ(read.height, 5);
@@ -51,7 +53,7 @@ TEST_F(SceneReader, GivesTheTrianglesOfAMeshOneEntryAndItsTransform) {
       write("scene.json",
             scene_text(sphere_entry +
                        R"(, {"mesh": "a/b.obj", "transform": [[2,0,0,0],[0,2,0,0],[0,0,2,0],[0,0,0,1]]})"));
-  const Scene read = read_scene(file, two);
+  const RenderScene read = read_scene(file, two);
   EXPECT_EQ(asked, folder / "a/b.obj");
   ASSERT_EQ(read.objects.size(), 3U);
   for (const std::size_t i : {1U, 2U}) {

@@ -27,7 +27,7 @@ class SceneFiles : public testing::Test {
     std::ofstream(folder / name, std::ios::binary) << text;
     return (folder / name).string();
   }
-  [[nodiscard]] Scene scene(const std::string& text, const SceneOverrides& overrides = {}) const {
+  [[nodiscard]] RenderScene scene(const std::string& text, const SceneOverrides& overrides = {}) const {
     return read_scene(write("scene.json", text), no_mesh, overrides);
   }
 
@@ -61,7 +61,7 @@ inline const std::string mixed_entries = R"(
  {"shape": {"type": "cylinder", "rx": 0.5, "ry": 0.25, "height": 1, "capped": true}, "transform": [[1, 0, 0, -0.5], [0, 0, 1, -1], [0, -1, 0, 2.5], [0, 0, 0, 1]]}
 )";
 
-/// So many small spheres on a grid, enough for a tree.
+/// This many small spheres in a grid, enough for a tree.
 inline std::string many_spheres(int side) {
   std::string entries;
   for (int x = 0; x < side; ++x) {

@@ -19,14 +19,14 @@ TEST(Tiles, CoverEveryPixelOnce) {
   }
 }
 
-TEST(Tiles, TellOfAllTheWorkAndEndWhenStopped) {
-  double told = 0;
+TEST(Tiles, ReportAllTheWorkAndEndWhenStopped) {
+  double reported = 0;
   std::atomic<bool> stop = false;
-  Work work{1, &stop, [&](double done) { told = done; }};
+  Work work{1, &stop, [&](double done) { reported = done; }};
   std::atomic<int> tiles = 0;
   for_each_tile(200, 100, work, [&](const Tile&) { ++tiles; });
   EXPECT_EQ(tiles, 28);
-  EXPECT_EQ(told, 1);
+  EXPECT_EQ(reported, 1);
   const auto stop_at_third = [&](const Tile&) { stop = ++tiles == 31; };
   EXPECT_THROW(for_each_tile(200, 100, work, stop_at_third), Stopped);
   EXPECT_EQ(tiles, 31);

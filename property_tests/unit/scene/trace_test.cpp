@@ -16,13 +16,13 @@ void expect_same(const HitImage& one, const HitImage& other) {
 }
 
 TEST_F(Trace, TakesTheNearestOfTwo) {
-  const Scene two = scene(scene_text(R"({"shape": {"type": "sphere", "center": [0, 0, 0], "radius": 2}},
+  const RenderScene two = scene(scene_text(R"({"shape": {"type": "sphere", "center": [0, 0, 0], "radius": 2}},
       {"shape": {"type": "sphere", "center": [0.25, 0.5, 3], "radius": 0.5}})"));
   const HitImage hits = trace(two, default_methods(), nullptr, {});
   EXPECT_EQ(hits.object[hits.index(20, 15)], 1U);
   EXPECT_EQ(std::count(hits.object.begin(), hits.object.end(), 0U) > 50, true);
   expect_same(hits, [&] {
-    Scene swapped = two;
+    RenderScene swapped = two;
     std::swap(swapped.objects[0], swapped.objects[1]);
     HitImage image = trace(swapped, default_methods(), nullptr, {});
     for (ObjectIndex& object : image.object) object = object == no_object ? object : 1 - object;
@@ -31,7 +31,7 @@ TEST_F(Trace, TakesTheNearestOfTwo) {
 }
 
 TEST_F(Trace, OfTwoAtTheSameTItTakesTheFirst) {
-  const Scene twins = scene(scene_text(sphere_entry + ", " + sphere_entry));
+  const RenderScene twins = scene(scene_text(sphere_entry + ", " + sphere_entry));
   const auto tree = bounds_tree(ObjectBounds(twins));
   for (const HitImage& hits :
        {trace(twins, default_methods(), nullptr, {}), trace_exactly(twins, *tree, {})}) {
@@ -41,7 +41,7 @@ TEST_F(Trace, OfTwoAtTheSameTItTakesTheFirst) {
 }
 
 TEST_F(Trace, EveryPixelIsTheSameForOneJobAndForMore) {
-  const Scene mixed = scene(scene_text(mixed_entries, "[101, 67]"));
+  const RenderScene mixed = scene(scene_text(mixed_entries, "[101, 67]"));
   const auto tree = bounds_tree(ObjectBounds(mixed));
   expect_same(trace(mixed, default_methods(), nullptr, {1, nullptr, {}}),
               trace(mixed, default_methods(), nullptr, {2, nullptr, {}}));
@@ -50,7 +50,7 @@ TEST_F(Trace, EveryPixelIsTheSameForOneJobAndForMore) {
 
 TEST_F(Trace, EachPixelIsWhatTheMethodAnswersToItsCase) {
   for (const Precision precision : {Precision::float32, Precision::float64}) {
-    const Scene mixed = scene(scene_text(mixed_entries), {precision, {}});
+    const RenderScene mixed = scene(scene_text(mixed_entries), {precision, {}});
     const HitImage hits = trace(mixed, default_methods(), nullptr, {});
     for (int y = 0; y < mixed.height; y += 3) {
       for (int x = 0; x < mixed.width; x += 3) {
@@ -70,7 +70,8 @@ TEST_F(Trace, EachPixelIsWhatTheMethodAnswersToItsCase) {
 
 TEST_F(Trace, ATreeAndEmbreeLeaveOutNoHit) {
   for (const Precision precision : {Precision::float32, Precision::float64}) {
-    const Scene many = scene(scene_text(many_spheres(12) + "," + mixed_entries, "[96, 72]"), {precision, {}});
+    const RenderScene many =
+        scene(scene_text(many_spheres(12) + "," + mixed_entries, "[96, 72]"), {precision, {}});
     ASSERT_GE(many.objects.size(), many_objects);
     const HitImage all = trace(many, default_methods(), nullptr, {});
     expect_same(all, trace(many, default_methods(), bounds_tree(bounds_for_methods(many)).get(), {}));
@@ -85,7 +86,7 @@ TEST_F(Trace, ATreeAndEmbreeLeaveOutNoHit) {
 }
 
 TEST_F(Trace, TheExactImageIsTheOraclesWithNobodyLeftOut) {
-  const Scene mixed = scene(scene_text(mixed_entries + "," + many_spheres(4), "[30, 22]"));
+  const RenderScene mixed = scene(scene_text(mixed_entries + "," + many_spheres(4), "[30, 22]"));
   const auto tree = bounds_tree(ObjectBounds(mixed));
   const HitImage hits = trace_exactly(mixed, *tree, {});
   for (int y = 0; y < mixed.height; ++y) {
@@ -105,7 +106,7 @@ TEST_F(Trace, TheExactImageIsTheOraclesWithNobodyLeftOut) {
 }
 
 TEST_F(Trace, FortyThousandObjectsAreSearchedThroughATree) {
-  const Scene crowd = scene(scene_text(many_spheres(200), "[64, 48]"));
+  const RenderScene crowd = scene(scene_text(many_spheres(200), "[64, 48]"));
   ASSERT_EQ(crowd.objects.size(), 40'000U);
   const auto tree = bounds_tree(ObjectBounds(crowd));
   const auto near = bounds_tree(bounds_for_methods(crowd));
@@ -117,7 +118,7 @@ TEST_F(Trace, FortyThousandObjectsAreSearchedThroughATree) {
 }
 
 TEST_F(Trace, AnEmptySceneSeesNothing) {
-  const Scene empty = scene(scene_text(""));
+  const RenderScene empty = scene(scene_text(""));
   const auto tree = bounds_tree(ObjectBounds(empty));
   for (const HitImage& hits : {trace(empty, default_methods(), nullptr, {}), trace_exactly(empty, *tree, {}),
                                trace(empty, default_methods(), tree.get(), {})})
@@ -125,7 +126,7 @@ TEST_F(Trace, AnEmptySceneSeesNothing) {
 }
 
 TEST_F(Trace, EveryMethodOfEveryShapeRenders) {
-  const Scene mixed = scene(scene_text(mixed_entries, "[24, 18]"));
+  const RenderScene mixed = scene(scene_text(mixed_entries, "[24, 18]"));
   for (const std::string& name : renderable_methods()) {
     Methods methods = default_methods();
     const std::size_t slash = name.find('/');
@@ -137,7 +138,7 @@ TEST_F(Trace, EveryMethodOfEveryShapeRenders) {
 }
 
 TEST_F(Trace, APixelsCaseIsAboutTheExactObjectAndSaysSo) {
-  const Scene mixed = scene(scene_text(mixed_entries));
+  const RenderScene mixed = scene(scene_text(mixed_entries));
   const PixelHits hits = hits_at(mixed, 20, 15, default_methods());
   EXPECT_EQ(hits.exact, hits.claimed);
   const Case one = pixel_case(mixed, 20, 15, object_of(hits), hits);

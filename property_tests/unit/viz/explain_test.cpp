@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "case/reader.hpp"
-#include "viz/told.hpp"
+#include "viz/case_report.hpp"
 #include "viz/topics.hpp"
 
 namespace rayproof::viz {
@@ -24,39 +24,39 @@ constexpr const char* far_sphere =
 constexpr const char* tame_sphere =
     R"({"ray":{"origin":[0,0,-5],"direction":[0,0,1]},"shape":{"type":"sphere","center":[0,0,0],"radius":1}})";
 
-TEST(Explain, TheSmallRootDiesInTheSumOfMinusBAndTheRoot) {
-  const Walkthrough told = walk(small_root, "textbook");
-  ASSERT_TRUE(told.death);
-  EXPECT_EQ(told.outcome, Outcome::inaccurate);
-  EXPECT_EQ(told.death->step, "Apply the quadratic formula");
-  EXPECT_EQ(told.death->formula, "−b + √D");
-  EXPECT_EQ(told.death->kind, "subtraction");
-  EXPECT_EQ(told.death->effect, "cancels");
+TEST(Explain, TheSmallRootLosesPrecisionInTheSumOfMinusBAndTheRoot) {
+  const Walkthrough walkthrough = walk(small_root, "textbook");
+  ASSERT_TRUE(walkthrough.decisive_loss);
+  EXPECT_EQ(walkthrough.outcome, Outcome::inaccurate);
+  EXPECT_EQ(walkthrough.decisive_loss->step, "Apply the quadratic formula");
+  EXPECT_EQ(walkthrough.decisive_loss->formula, "−b + √D");
+  EXPECT_EQ(walkthrough.decisive_loss->kind, "subtraction");
+  EXPECT_EQ(walkthrough.decisive_loss->effect, "cancels");
 }
 
 TEST(Explain, ACitardauqDivisionByNoiseIsTracedToItsSubtraction) {
-  EXPECT_EQ(walk(small_root, "citardauq").death->formula, "−b + √D");
+  EXPECT_EQ(walk(small_root, "citardauq").decisive_loss->formula, "−b + √D");
 }
 
-TEST(Explain, AFarSphereDiesInTheDiscriminant) {
+TEST(Explain, AFarSphereLosesPrecisionInTheDiscriminant) {
   for (const char* method : {"textbook", "printed_2ac"}) {
-    const Walkthrough told = walk(far_sphere, method);
-    ASSERT_TRUE(told.death) << method;
-    EXPECT_EQ(told.outcome, Outcome::flipped);
-    EXPECT_EQ(told.death->step, "Form the discriminant");
-    EXPECT_EQ(told.death->formula, "b·b − 4·a·c");
-    EXPECT_EQ(told.death->name, "D");
-    EXPECT_GE(told.death->bits_lost_here, 20);
+    const Walkthrough walkthrough = walk(far_sphere, method);
+    ASSERT_TRUE(walkthrough.decisive_loss) << method;
+    EXPECT_EQ(walkthrough.outcome, Outcome::flipped);
+    EXPECT_EQ(walkthrough.decisive_loss->step, "Form the discriminant");
+    EXPECT_EQ(walkthrough.decisive_loss->formula, "b·b − 4·a·c");
+    EXPECT_EQ(walkthrough.decisive_loss->name, "D");
+    EXPECT_GE(walkthrough.decisive_loss->bits_lost_here, 20);
   }
-  EXPECT_EQ(walk(far_sphere, "half_b").death->formula, "b·b − a·c");
+  EXPECT_EQ(walk(far_sphere, "half_b").decisive_loss->formula, "b·b − a·c");
 }
 
-TEST(Explain, ANearlyDoubleRootDiesInTheDiscriminant) {
+TEST(Explain, ANearlyDoubleRootLosesPrecisionInTheDiscriminant) {
   for (const char* method : {"textbook", "citardauq_viete"}) {
-    const Walkthrough told = walk(near_double, method);
-    ASSERT_TRUE(told.death) << method;
-    EXPECT_EQ(told.death->formula, "b·b − 4·a·c");
-    EXPECT_EQ(told.death->effect, "cancels");
+    const Walkthrough walkthrough = walk(near_double, method);
+    ASSERT_TRUE(walkthrough.decisive_loss) << method;
+    EXPECT_EQ(walkthrough.decisive_loss->formula, "b·b − 4·a·c");
+    EXPECT_EQ(walkthrough.decisive_loss->effect, "cancels");
   }
 }
 
@@ -64,27 +64,27 @@ TEST(Explain, AStableMethodLosesNothing) {
   EXPECT_EQ(walk(small_root, "citardauq_viete").outcome, Outcome::faithful);
   EXPECT_EQ(walk(near_double, "kahan").outcome, Outcome::faithful);
   EXPECT_EQ(walk(far_sphere, "centred").outcome, Outcome::faithful);
-  EXPECT_FALSE(walk(tame_sphere, "textbook").death);
+  EXPECT_FALSE(walk(tame_sphere, "textbook").decisive_loss);
 }
 
 TEST(Explain, AnOverflowIsCalledAnOverflow) {
-  const Walkthrough told =
+  const Walkthrough walkthrough =
       walk(R"({"query":"quadratic","precision":"float32","a":1,"b":1e20,"c":1})", "textbook");
-  ASSERT_TRUE(told.death);
-  EXPECT_EQ(told.death->effect, "overflows and loses");
-  EXPECT_EQ(told.death->formula, "b·b");
+  ASSERT_TRUE(walkthrough.decisive_loss);
+  EXPECT_EQ(walkthrough.decisive_loss->effect, "overflows and loses");
+  EXPECT_EQ(walkthrough.decisive_loss->formula, "b·b");
 }
 
 TEST(Explain, ATransformIsAStepOfItsOwn) {
-  const Walkthrough told = walk(
+  const Walkthrough walkthrough = walk(
       R"({"ray":{"origin":[0,0,-5],"direction":[0,0,1]},"shape":{"type":"sphere","center":[0,0,0],"radius":1},)"
       R"("transform":[[2,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]})",
       "centred");
-  EXPECT_EQ(told.steps.front().title, "Take the ray into the sphere's own space");
-  EXPECT_EQ(told.lo, 4);
+  EXPECT_EQ(walkthrough.steps.front().title, "Take the ray into the sphere's own space");
+  EXPECT_EQ(walkthrough.lo, 4);
 }
 
-TEST(Explain, TheConclusionBlamesTheFormulaWhereNoDigitsDied) {
+TEST(Explain, TheConclusionBlamesTheFormulaWhereNoPrecisionIsLost) {
   const Case one = read_case(tame_sphere);
   RayAnswer exact{Contact::crossing};
   exact.hits.push_back(4);
@@ -92,13 +92,13 @@ TEST(Explain, TheConclusionBlamesTheFormulaWhereNoDigitsDied) {
   RayAnswer wrong{Contact::crossing};
   wrong.hits.push_back(4.0 / 24);
   wrong.hits.push_back(6.0 / 24);
-  const Told told{one, exact, "sphere/printed_2ac", wrong, view_of(one)->walk(one, "printed_2ac")};
-  EXPECT_NE(conclusion_of(told).find("the formula itself is at fault"), std::string::npos);
+  const CaseReport report{one, exact, "sphere/printed_2ac", wrong, view_of(one)->walk(one, "printed_2ac")};
+  EXPECT_NE(conclusion_of(report).find("the formula itself is at fault"), std::string::npos);
 }
 
 /// What is said of an answer whose method can't be recorded.
 std::string conclusion_of_unrecorded(const char* line, const Answer& exact, const Answer& claimed) {
-  return conclusion_of(Told{read_case(line), exact, "sphere/compensated", claimed});
+  return conclusion_of(CaseReport{read_case(line), exact, "sphere/compensated", claimed});
 }
 
 TEST(Explain, AnAnswerWithoutStepsIsCalledWhatItsNumbersAre) {
@@ -119,19 +119,19 @@ TEST(Explain, AnAnswerWithoutStepsIsCalledWhatItsNumbersAre) {
   EXPECT_EQ(conclusion_of_unrecorded(tame_sphere, hit, miss), unrecorded + "not the exact one.");
 }
 
-TEST(Explain, TheJsonHoldsStepsValuesAndTheDeath) {
+TEST(Explain, TheJsonHoldsStepsValuesAndTheDecisiveLoss) {
   const Case one = read_case(small_root);
-  const Told told{one, QuadraticAnswer<double>{}, "quadratic/textbook", QuadraticAnswer<double>{},
-                  view_of(one)->walk(one, "textbook")};
-  const auto json = nlohmann::json::parse(explain_json(told));
-  EXPECT_EQ(json["death"]["formula"], "−b + √D");
+  const CaseReport report{one, QuadraticAnswer<double>{}, "quadratic/textbook", QuadraticAnswer<double>{},
+                          view_of(one)->walk(one, "textbook")};
+  const auto json = nlohmann::json::parse(explain_json(report));
+  EXPECT_EQ(json["decisive_loss"]["formula"], "−b + √D");
   EXPECT_EQ(json["steps"][0]["values"][0]["name"], "D");
   const std::string meaning = json["steps"][0]["meaning"];
   EXPECT_EQ(meaning,
             "Its sign gives the number of real roots: two for D > 0, one for D = 0, none for D < 0.");
-  EXPECT_NE(explain_text(told).find("1. Form the discriminant\n   " + meaning + "\n   D  "),
+  EXPECT_NE(explain_text(report).find("1. Form the discriminant\n   " + meaning + "\n   D  "),
             std::string::npos);
-  EXPECT_NE(html_page(told).find("<p>Its sign gives the number of real roots"), std::string::npos);
+  EXPECT_NE(html_page(report).find("<p>Its sign gives the number of real roots"), std::string::npos);
   EXPECT_EQ(json["inputs"].size(), 3U);
 }
 

@@ -10,10 +10,10 @@
 #include "oracle/oracle.hpp"
 #include "subjects/subject.hpp"
 #include "unit/viz/markup.hpp"
+#include "viz/case_report.hpp"
 #include "viz/clip.hpp"
 #include "viz/dashes.hpp"
 #include "viz/svg.hpp"
-#include "viz/told.hpp"
 #include "viz/topics.hpp"
 
 namespace rayproof::viz {
@@ -22,7 +22,7 @@ namespace {
 /// Every number an element has in pixels.
 std::vector<Point> points_of(const Element& element) {
   struct {
-    std::vector<Point> operator()(const Line& e) const { return e.points; }
+    std::vector<Point> operator()(const PixelLine& e) const { return e.points; }
     std::vector<Point> operator()(const Area& e) const { return e.points; }
     std::vector<Point> operator()(const Mark& e) const { return {e.at}; }
     std::vector<Point> operator()(const Text& e) const { return {e.at}; }
@@ -49,7 +49,7 @@ void expect_in_bounds(const Picture& picture, const std::string& which) {
   }
 }
 
-/// So many cases of every family and precision as every method answers them; an answer that several methods
+/// This many cases of every family and precision as every method answers them; an answer that several methods
 /// give makes one picture, and is checked once.
 template <class Check>
 void for_every_family(std::uint64_t cases, Check&& check) {
@@ -126,11 +126,11 @@ TEST(Picture, MarkupInANoteIsText) {
 }
 
 TEST(Page, IsOneFileThatNeedsNothingFromElsewhere) {
-  for_every_family(1,
-                   [](const Case& one, const Answer& exact, const Answer& claimed, const std::string& which) {
-                     const Told told{one, exact, "a/method", claimed, view_of(one)->walk(one, "textbook")};
-                     ASSERT_EQ(complaint_about_addresses(html_page(told)), "") << which;
-                   });
+  for_every_family(
+      1, [](const Case& one, const Answer& exact, const Answer& claimed, const std::string& which) {
+        const CaseReport report{one, exact, "a/method", claimed, view_of(one)->walk(one, "textbook")};
+        ASSERT_EQ(complaint_about_addresses(html_page(report)), "") << which;
+      });
 }
 
 TEST(Clip, ALineKeepsOnlyItsPartsInside) {

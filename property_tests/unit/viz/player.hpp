@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Players to put to the test, and what is to be found in their pictures.
+/// Players to test, and what is to be found in their pictures.
 
 #include <algorithm>
 #include <string>
@@ -18,7 +18,7 @@ inline constexpr const char* sphere_case =
 
 /// A player of one case.
 [[nodiscard]] inline Player player_of(const std::string& text, const std::string& method) {
-  return Player(plays_of(stage_of(told_of(read_case(text), method))));
+  return Player(plays_of(stage_of(report_of(read_case(text), method))));
 }
 [[nodiscard]] inline Player sphere_player() { return player_of(sphere_case, "sphere/centred"); }
 

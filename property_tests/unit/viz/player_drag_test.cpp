@@ -21,7 +21,7 @@ TEST(PlayerDrag, TheTipGivesANewDirectionAndEverythingIsComputedAgain) {
   EXPECT_NE(ray_of(player).direction, before.direction);
   EXPECT_NE(stage_json(player.stage()), words);
   // What is shown is what anybody else computes of the same case.
-  const Stage again = stage_of(told_of(player.stage().one, "sphere/centred"));
+  const Stage again = stage_of(report_of(player.stage().one, "sphere/centred"));
   EXPECT_EQ(stage_json(player.stage()), stage_json(again));
 }
 
@@ -95,7 +95,7 @@ TEST(PlayerDrag, AZeroDirectionIsRefusedInOneLineAndTheCaseBeforeStays) {
 }
 
 TEST(PlayerDrag, WhatTheCallbackThrowsIsAComplaint) {
-  const Stage stage = stage_of(told_of(read_case(sphere_case), "sphere/centred"));
+  const Stage stage = stage_of(report_of(read_case(sphere_case), "sphere/centred"));
   Player player({{stage, [](const Case&) -> Stage { throw std::runtime_error("no such sphere"); }}});
   const Point from = seen(player, handle_of(player, Grip::origin));
   drag(player, from, {from.x + 9, from.y});

@@ -47,7 +47,7 @@ TEST(Player, EveryButtonLiesInsideThePictureAndOverNoOther) {
        {ButtonState{0, 1, 0, 1, false}, ButtonState{3, 8, 1, 3, true}, ButtonState{19, 24, 0, 40, false}}) {
     const auto buttons = buttons_of(state);
     for (std::size_t i = 0; i < buttons.size(); ++i) {
-      const Box& a = buttons[i].box;
+      const PixelBox& a = buttons[i].box;
       EXPECT_GE(a.left, 0);
       EXPECT_LE(a.right(), player_width);
       EXPECT_LE(a.bottom(), slider_track.top);

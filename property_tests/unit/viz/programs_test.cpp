@@ -37,13 +37,13 @@ class Programs : public testing::Test {
   std::filesystem::path folder;
 };
 
-TEST_F(Programs, ExplainNamesTheSubtractionWhereTheDigitsDied) {
-  const Ended told = run(explain + cancelling + "--method quadratic/textbook");
-  EXPECT_EQ(told.status, 0) << told.output;
-  EXPECT_NE(
-      told.output.find("In step 'Apply the quadratic formula' the subtraction −b + √D cancels 16 of 24 bits"),
-      std::string::npos)
-      << told.output;
+TEST_F(Programs, ExplainNamesTheSubtractionThatLosesPrecision) {
+  const Ended ended = run(explain + cancelling + "--method quadratic/textbook");
+  EXPECT_EQ(ended.status, 0) << ended.output;
+  EXPECT_NE(ended.output.find(
+                "In step 'Apply the quadratic formula' the subtraction −b + √D cancels 16 of 24 bits"),
+            std::string::npos)
+      << ended.output;
 }
 
 TEST_F(Programs, ExplainTakesAFileAFindingAndStandardInput) {
@@ -54,17 +54,17 @@ TEST_F(Programs, ExplainTakesAFileAFindingAndStandardInput) {
   for (const std::string& command :
        {explain + file("findings.jsonl"), explain + file("findings.jsonl") + " --line 2",
         "cat " + file("findings.jsonl") + " | " + explain + "-"}) {
-    const Ended told = run(command);
-    EXPECT_EQ(told.status, 0) << told.output;
-    EXPECT_EQ(told.output.find("sphere/textbook"), 0U) << told.output;
+    const Ended ended = run(command);
+    EXPECT_EQ(ended.status, 0) << ended.output;
+    EXPECT_EQ(ended.output.find("sphere/textbook"), 0U) << ended.output;
   }
 }
 
 TEST_F(Programs, ARefusedCaseEndsWith1AndOneSentenceNamingTheField) {
-  const Ended told =
+  const Ended ended =
       run(explain + R"('{"query":"quadratic","a":1,"b":"nan","c":1}' --method quadratic/textbook)");
-  EXPECT_EQ(told.status, 1);
-  EXPECT_EQ(told.output.find("rayproof explain: b "), 0U) << told.output;
+  EXPECT_EQ(ended.status, 1);
+  EXPECT_EQ(ended.output.find("rayproof explain: b "), 0U) << ended.output;
 }
 
 TEST_F(Programs, AWrongCommandLineEndsWith2AndOneSentence) {
@@ -75,16 +75,16 @@ TEST_F(Programs, AWrongCommandLineEndsWith2AndOneSentence) {
         explain + cancelling + "--method quadratic/textbook --precision float16", draw + cancelling,
         draw + cancelling + "--svg /no/such/folder/a.svg",
         draw + cancelling + "--png /no/such/folder/a.png"}) {
-    const Ended told = run(command);
-    EXPECT_EQ(told.status, 2) << command << "\n" << told.output;
-    EXPECT_EQ(std::count(told.output.begin(), told.output.end(), '\n'), 1) << told.output;
+    const Ended ended = run(command);
+    EXPECT_EQ(ended.status, 2) << command << "\n" << ended.output;
+    EXPECT_EQ(std::count(ended.output.begin(), ended.output.end(), '\n'), 1) << ended.output;
   }
 }
 
 TEST_F(Programs, DrawWritesAPageAndAnSvg) {
-  const Ended told = run(draw + cancelling + "--method quadratic/textbook --svg " + file("a.svg") +
-                         " --html " + file("a.html"));
-  EXPECT_EQ(told.status, 0) << told.output;
+  const Ended ended = run(draw + cancelling + "--method quadratic/textbook --svg " + file("a.svg") +
+                          " --html " + file("a.html"));
+  EXPECT_EQ(ended.status, 0) << ended.output;
   EXPECT_GT(std::filesystem::file_size(file("a.svg")), 1000U);
   EXPECT_GT(std::filesystem::file_size(file("a.html")), 5000U);
 }
@@ -113,16 +113,16 @@ TEST_F(Programs, ExplainDrawAndWalkTakeTheNumberOfAFinding) {
 #endif
 }
 
-bool says(const Ended& told, const std::string& words) {
-  return told.output.find(words) != std::string::npos;
+bool says(const Ended& ended, const std::string& words) {
+  return ended.output.find(words) != std::string::npos;
 }
 
 TEST_F(Programs, OnlyMethodsWithStepsToShowAreRecommended) {
   for (const std::string& program : {explain + sphere, walk_program + "--json --case " + sphere}) {
-    const Ended told = run(program + "--method sphere/gln");
-    EXPECT_EQ(told.status, 2) << told.output;
-    EXPECT_TRUE(says(told, "there is no method sphere/gln; did you mean sphere/")) << told.output;
-    EXPECT_FALSE(says(told, "sphere/glm")) << told.output;
+    const Ended ended = run(program + "--method sphere/gln");
+    EXPECT_EQ(ended.status, 2) << ended.output;
+    EXPECT_TRUE(says(ended, "there is no method sphere/gln; did you mean sphere/")) << ended.output;
+    EXPECT_FALSE(says(ended, "sphere/glm")) << ended.output;
     const Ended other = run(program + "--method box/glm");
     EXPECT_TRUE(says(other, "box/glm")) << other.output;
     EXPECT_FALSE(says(other, "sphere/glm")) << other.output;
@@ -130,8 +130,8 @@ TEST_F(Programs, OnlyMethodsWithStepsToShowAreRecommended) {
 }
 
 TEST_F(Programs, EveryRecommendedMethodHasStepsToShow) {
-  const Ended told = run(explain + sphere + "--method sphere/gl");
-  std::istringstream words(told.output.substr(told.output.find("did you mean")));
+  const Ended ended = run(explain + sphere + "--method sphere/gl");
+  std::istringstream words(ended.output.substr(ended.output.find("did you mean")));
   int recommended = 0;
   for (std::string word; words >> word;) {
     if (!word.starts_with("sphere/")) continue;
@@ -141,31 +141,31 @@ TEST_F(Programs, EveryRecommendedMethodHasStepsToShow) {
     EXPECT_EQ(explained.status, 0) << explained.output;
     EXPECT_TRUE(says(explained, "\n1. ")) << explained.output;
   }
-  EXPECT_EQ(recommended, 3) << told.output;
+  EXPECT_EQ(recommended, 3) << ended.output;
 }
 
 TEST_F(Programs, AMethodWithoutStepsAnswersAndNamesSomeThatHaveSteps) {
-  const Ended told = run(explain + sphere + "--method sphere/glm");
-  EXPECT_EQ(told.status, 0) << told.output;
+  const Ended ended = run(explain + sphere + "--method sphere/glm");
+  EXPECT_EQ(ended.status, 0) << ended.output;
   EXPECT_TRUE(
-      says(told,
+      says(ended,
            "sphere/glm can't be recorded step by step; its answer is the exact one, correctly rounded. "
            "Methods that can be: sphere/"))
-      << told.output;
+      << ended.output;
 }
 
 TEST_F(Programs, WalkListsAllGroupsAndTopicsThatItTakes) {
-  const Ended told = run(walk_program + "--list");
-  EXPECT_EQ(told.status, 0) << told.output;
+  const Ended ended = run(walk_program + "--list");
+  EXPECT_EQ(ended.status, 0) << ended.output;
   std::set<std::string> listed;
-  std::istringstream lines(told.output);
+  std::istringstream lines(ended.output);
   for (std::string line; std::getline(lines, line);) {
     std::string name;
     std::istringstream(line) >> name;
     listed.insert(name);
     EXPECT_FALSE(lessons_of(name).empty()) << line;
   }
-  EXPECT_TRUE(listed.contains("all")) << told.output;
+  EXPECT_TRUE(listed.contains("all")) << ended.output;
   for (const Lesson& lesson : lessons()) {
     EXPECT_TRUE(listed.contains(lesson.group)) << lesson.group;
     EXPECT_TRUE(listed.contains(lesson.name)) << lesson.name;
@@ -173,10 +173,10 @@ TEST_F(Programs, WalkListsAllGroupsAndTopicsThatItTakes) {
 }
 
 TEST_F(Programs, WalkTakesASoundMethodWhereACaseBringsNoneAndNamesIt) {
-  const Ended told = run(walk_program + "--json --case " + cancelling);
-  EXPECT_EQ(told.status, 0) << told.output;
-  EXPECT_TRUE(says(told, R"("method":"quadratic/citardauq_viete")")) << told.output.substr(0, 300);
-  EXPECT_TRUE(says(told, R"("title":"quadratic/citardauq_viete: )")) << told.output.substr(0, 300);
+  const Ended ended = run(walk_program + "--json --case " + cancelling);
+  EXPECT_EQ(ended.status, 0) << ended.output;
+  EXPECT_TRUE(says(ended, R"("method":"quadratic/citardauq_viete")")) << ended.output.substr(0, 300);
+  EXPECT_TRUE(says(ended, R"("title":"quadratic/citardauq_viete: )")) << ended.output.substr(0, 300);
   const Ended named = run(walk_program + "--html " + file("case.html") + " --case " + cancelling);
   EXPECT_EQ(named.output,
             "rayproof walk: quadratic/citardauq_viete (the first sound method whose steps can be recorded; "
@@ -188,16 +188,16 @@ TEST_F(Programs, WalkTakesASoundMethodWhereACaseBringsNoneAndNamesIt) {
 
 TEST_F(Programs, WalkRefusesAMethodForATopic) {
   for (const char* option : {"--method sphere/textbook", "--precision float32", "--line 2"}) {
-    const Ended told = run(walk_program + "sphere --json " + option);
-    EXPECT_EQ(told.status, 2) << told.output;
-    EXPECT_NE(told.output.find("--case"), std::string::npos) << told.output;
+    const Ended ended = run(walk_program + "sphere --json " + option);
+    EXPECT_EQ(ended.status, 2) << ended.output;
+    EXPECT_NE(ended.output.find("--case"), std::string::npos) << ended.output;
   }
 }
 
 TEST_F(Programs, TheStepsOfACompensatedFormulaLoseNothingThatTheyPutBack) {
-  const Ended told = run(walk_program + "--json transformed");
-  EXPECT_EQ(told.status, 0) << told.output;
-  EXPECT_EQ(told.output.find("cancels 23 of 24 bits"), std::string::npos);
+  const Ended ended = run(walk_program + "--json transformed");
+  EXPECT_EQ(ended.status, 0) << ended.output;
+  EXPECT_EQ(ended.output.find("cancels 23 of 24 bits"), std::string::npos);
 }
 
 #ifdef RAYPROOF_HAS_VTK
@@ -215,19 +215,19 @@ std::array<unsigned, 2> png_size(const std::string& path) {
 }
 
 TEST_F(Programs, DrawWritesAPngWithoutADisplay) {
-  const Ended told = run(draw + cancelling + "--method quadratic/textbook --png " + file("a.png"));
-  EXPECT_EQ(told.status, 0) << told.output;
-  EXPECT_EQ(told.output, "");
+  const Ended ended = run(draw + cancelling + "--method quadratic/textbook --png " + file("a.png"));
+  EXPECT_EQ(ended.status, 0) << ended.output;
+  EXPECT_EQ(ended.output, "");
   EXPECT_EQ(png_size(file("a.png"))[0], 1800U);
   EXPECT_GT(png_size(file("a.png"))[1], 600U);
   EXPECT_GT(std::filesystem::file_size(file("a.png")), 20000U);
 }
 
 TEST_F(Programs, DrawSaysWhatIsMissingWhereThereIsNoXvfb) {
-  const Ended told = run("PATH=/nowhere " + std::string(RAYPROOF_BIN_DIR) + "/rayproof-draw " + cancelling +
-                         "--png " + file("a.png"));
-  EXPECT_EQ(told.status, 2);
-  EXPECT_NE(told.output.find("Debian package xvfb"), std::string::npos) << told.output;
+  const Ended ended = run("PATH=/nowhere " + std::string(RAYPROOF_BIN_DIR) + "/rayproof-draw " + cancelling +
+                          "--png " + file("a.png"));
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_NE(ended.output.find("Debian package xvfb"), std::string::npos) << ended.output;
 }
 
 /// Puts in Xvfb's place a script that fails as many times as that, and is then the real one.
@@ -242,8 +242,8 @@ std::string with_a_server_that_fails(int times, const std::filesystem::path& fol
 }
 
 TEST_F(Programs, DrawTriesAgainWhereAServerDoesNotStart) {
-  const Ended told = run(with_a_server_that_fails(2, folder) + cancelling + "--png " + file("a.png"));
-  EXPECT_EQ(told.status, 0) << told.output;
+  const Ended ended = run(with_a_server_that_fails(2, folder) + cancelling + "--png " + file("a.png"));
+  EXPECT_EQ(ended.status, 0) << ended.output;
   EXPECT_GT(png_size(file("a.png"))[0], 0U);
   const Ended given_up = run(with_a_server_that_fails(3, folder) + cancelling + "--png " + file("b.png"));
   EXPECT_EQ(given_up.status, 2);

@@ -37,17 +37,17 @@ class Screenshot {
   [[nodiscard]] int height() const { return image_->GetDimensions()[1]; }
 
   /// How many of the window's pixels in a box of the picture are not white.
-  [[nodiscard]] int ink(const Box& box) const {
+  [[nodiscard]] int ink(const PixelBox& box) const {
     return count(box, [&](int x, int y) { return at(x, y) != Colour{255, 255, 255}; });
   }
   /// How many are not as they are in another screenshot of the same size.
-  [[nodiscard]] int changes(const Screenshot& other, const Box& box) const {
+  [[nodiscard]] int changes(const Screenshot& other, const PixelBox& box) const {
     return count(box, [&](int x, int y) { return at(x, y) != other.at(x, y); });
   }
 
  private:
   template <class Holds>
-  [[nodiscard]] int count(const Box& box, Holds&& is_counted) const {
+  [[nodiscard]] int count(const PixelBox& box, Holds&& is_counted) const {
     const Point low = window_.to_window({box.left, box.bottom()});
     const Point high = window_.to_window({box.right(), box.top});
     int sum = 0;

@@ -200,7 +200,7 @@ TEST(StageBits, AMethodsStepsShowTheNumbersOfThePlainKernel) {
     for (const Precision precision : {Precision::float32, Precision::float64}) {
       Case one = read_case(lesson.case_text);
       one.precision = precision;
-      const Json data = Json::parse(stage_json(stage_of(tell_lesson(one, lesson.method))));
+      const Json data = Json::parse(stage_json(stage_of(report_lesson(one, lesson.method))));
       const NamedNumbers plain = heard(one, lesson.method);
       NamedNumbers shown;
       for (std::size_t i = 1; i < data["steps"].size(); ++i) {
@@ -226,7 +226,7 @@ TEST(StageBits, AComposedLessonShowsTheNumbersOfTheLibrarysFunctions) {
     for (const Precision precision : {Precision::float32, Precision::float64}) {
       Case one = read_case(lesson.case_text);
       one.precision = precision;
-      const Json data = Json::parse(stage_json(lesson.compose(one, tell_lesson)));
+      const Json data = Json::parse(stage_json(lesson.compose(one, report_lesson)));
       int compared = 0;
       for (std::size_t i = 1; i < data["steps"].size(); ++i) {
         const Json& step = data["steps"][i];

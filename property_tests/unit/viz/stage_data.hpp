@@ -1,17 +1,17 @@
 #pragma once
 /// \file
-/// What tests of stages have in common: how a lesson is told, and how its data is read.
+/// What tests of stages have in common: how the report on a lesson is made, and how its data is read.
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "viz/programs/told_of.hpp"
+#include "viz/programs/report_of.hpp"
 
 namespace rayproof::viz {
 
-[[nodiscard]] inline Told tell_lesson(const Case& one, const std::string& method) {
-  return told_of(one, method);
+[[nodiscard]] inline CaseReport report_lesson(const Case& one, const std::string& method) {
+  return report_of(one, method);
 }
 
 /// A number of the data: JSON has no infinities.

@@ -15,7 +15,7 @@ namespace {
 
 TEST(Stage, ShowsDecimalsThatReadBackAsTheNumber) {
   for (const Lesson& lesson : lessons()) {
-    const auto json = nlohmann::json::parse(stage_json(stage_of(lesson, tell_lesson)));
+    const auto json = nlohmann::json::parse(stage_json(stage_of(lesson, report_lesson)));
     for (const auto& step : json["steps"]) {
       for (const auto& value : step["values"]) {
         for (const auto& component : value["components"]) {
@@ -35,7 +35,7 @@ TEST(Stage, EveryLessonHasFiveToEightStepsAndEndsWithFloatAgainstExact) {
   std::set<std::string> names;
   for (const Lesson& lesson : lessons()) {
     EXPECT_TRUE(names.insert(lesson.name).second) << lesson.name << " is there twice";
-    const Stage stage = stage_of(lesson, tell_lesson);
+    const Stage stage = stage_of(lesson, report_lesson);
     EXPECT_GE(stage.steps.size(), 5U) << lesson.name;
     EXPECT_LE(stage.steps.size(), 8U) << lesson.name;
     EXPECT_EQ(stage.steps.back().title, "Float result against exact result") << lesson.name;
@@ -51,7 +51,7 @@ TEST(Stage, EveryLessonHasFiveToEightStepsAndEndsWithFloatAgainstExact) {
 
 TEST(Stage, EveryItemHasAsManyPointsAsItsFormTakesAllOfThemFinite) {
   for (const Lesson& lesson : lessons()) {
-    const Stage stage = stage_of(lesson, tell_lesson);
+    const Stage stage = stage_of(lesson, report_lesson);
     const auto check = [&](const StageItem& item) {
       const std::size_t least = item.form == Form::point                                ? 1
                                 : item.form == Form::polygon || item.form == Form::hull ? 3
@@ -71,7 +71,7 @@ TEST(Stage, EveryItemHasAsManyPointsAsItsFormTakesAllOfThemFinite) {
 
 TEST(Stage, TheTitlesOfAKernelsStepsAreTheCommentsInItsCode) {
   const Case one = read_case(lessons_of("sphere").front()->case_text);
-  const Stage stage = stage_of(tell_lesson(one, "sphere/centred"));
+  const Stage stage = stage_of(report_lesson(one, "sphere/centred"));
   ASSERT_EQ(stage.steps.size(), 7U);
   EXPECT_EQ(stage.steps[2].title, "Find the ray point nearest the centre (1 of 2)");
   EXPECT_EQ(stage.steps[4].title, "Compare its distance with the radius");
@@ -81,13 +81,13 @@ TEST(Stage, TheTitlesOfAKernelsStepsAreTheCommentsInItsCode) {
 }
 
 TEST(Stage, PutsParenthesesAroundNamesThatAreSums) {
-  const Stage stage = stage_of(*lessons_of("plane-implicit").front(), tell_lesson);
+  const Stage stage = stage_of(*lessons_of("plane-implicit").front(), report_lesson);
   const std::string& caption = stage.steps.at(stage.steps.size() - 2).caption;
   EXPECT_NE(caption.find("t = −(n·o + d) / (n·d\u20d7)"), std::string::npos) << caption;
 }
 
 TEST(Stage, CountsTheBitsLostOfANarrowedNumberInItsOwnPrecision) {
-  const Stage stage = stage_of(*lessons_of("woop").front(), tell_lesson);
+  const Stage stage = stage_of(*lessons_of("woop").front(), report_lesson);
   for (const StageStep& step : stage.steps) {
     for (const StageValue& value : step.values) {
       for (const WalkValue& v : value.components) EXPECT_LE(v.bits_lost, 24) << v.name;
@@ -95,8 +95,8 @@ TEST(Stage, CountsTheBitsLostOfANarrowedNumberInItsOwnPrecision) {
   }
 }
 
-TEST(Stage, ASlideOfAStepInPartsTellsWhatItsOwnNumbersLost) {
-  const Stage stage = stage_of(*lessons_of("quadratic-cancellation").front(), tell_lesson);
+TEST(Stage, ASlideOfAStepInPartsSaysWhatItsOwnNumbersLost) {
+  const Stage stage = stage_of(*lessons_of("quadratic-cancellation").front(), report_lesson);
   int slides_that_lose = 0;
   for (const StageStep& step : stage.steps) {
     if (step.is_apart || !step.title.starts_with("Apply the quadratic formula")) continue;
@@ -110,7 +110,7 @@ TEST(Stage, ASlideOfAStepInPartsTellsWhatItsOwnNumbersLost) {
 
 TEST(Stage, NoNumberLosesMoreBitsThanItsFormatHas) {
   for (const Lesson& lesson : lessons()) {
-    const Stage stage = stage_of(lesson, tell_lesson);
+    const Stage stage = stage_of(lesson, report_lesson);
     std::vector<std::string> sentences{stage.conclusion};
     for (const StageStep& step : stage.steps) sentences.push_back(step.digits);
     for (const std::string& sentence : sentences) {
@@ -124,13 +124,12 @@ TEST(Stage, NoNumberLosesMoreBitsThanItsFormatHas) {
 
 TEST(Stage, ShowsTheWholeOfEveryPointAndArrowOfAStep) {
   for (const Lesson& lesson : lessons()) {
-    const Stage stage = stage_of(lesson, tell_lesson);
+    const Stage stage = stage_of(lesson, report_lesson);
     if (lesson.compose != nullptr) continue;
     for (const StageStep& step : stage.steps) {
       if (step.is_apart) continue;
       for (const StageItem& item : step.items) {
-        if (item.form != Form::point && item.form != Form::arrow)
-          continue;  // an interval may run on for ever
+        if (item.form != Form::point && item.form != Form::arrow) continue;  // an interval may be infinite
         for (const glm::dvec3& p : item.points) {
           const glm::dvec3 off = p - step.view.centre;
           EXPECT_LE(std::abs(glm::dot(off, stage.camera.up)), step.view.radius * 1.001)
@@ -145,7 +144,7 @@ TEST(Stage, ShowsTheWholeOfEveryPointAndArrowOfAStep) {
 
 TEST(Stage, ACaseWithoutAMethodHasTheSceneAndTheExactAnswer) {
   const Case one = read_case(lessons_of("sphere").front()->case_text);
-  const Stage stage = stage_of(tell_lesson(one, ""));
+  const Stage stage = stage_of(report_lesson(one, ""));
   ASSERT_EQ(stage.steps.size(), 2U);
   EXPECT_EQ(stage.steps.back().title, "The exact answer");
 }

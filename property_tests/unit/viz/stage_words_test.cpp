@@ -10,13 +10,13 @@
 #include "unit/viz/stage_data.hpp"
 #include "viz/answers.hpp"
 #include "viz/stage/compose.hpp"
-#include "viz/stage/parting_gap.hpp"
+#include "viz/stage/difference_gap.hpp"
 #include "viz/stage/stage_of.hpp"
 
 namespace rayproof::viz {
 namespace {
 
-Stage lesson(const char* name) { return stage_of(*lessons_of(name).front(), tell_lesson); }
+Stage lesson(const char* name) { return stage_of(*lessons_of(name).front(), report_lesson); }
 
 const StageStep& step_called(const Stage& stage, const std::string& title) {
   const auto found = std::find_if(stage.steps.begin(), stage.steps.end(),
@@ -42,26 +42,26 @@ TEST(StageWords, AStepThatNamesNothingPutsInTheNumbersThatItUses) {
 }
 
 /// Every method that can be recorded, on tame cases of every form and on a case of every family.
-void for_every_told_method(const std::function<void(const Told&)>& check) {
+void for_every_reported_method(const std::function<void(const CaseReport&)>& check) {
   std::vector<Case> cases;
   for (const std::string& shape : shapes()) cases.push_back(with_shape(shape));
   for (const Family& family : families()) cases.push_back(family.generate(7, Precision::float32));
   for (const Case& one : cases) {
     for (const Subject& subject : subjects()) {
       if (subject.topic != topic_of(one)) continue;
-      const Told told = told_of(one, &subject);
-      if (told.walk) check(told);
+      const CaseReport report = report_of(one, &subject);
+      if (report.walk) check(report);
     }
   }
 }
 
 TEST(StageWords, EveryStepOfEveryMethodSaysInASentenceWhatItMeans) {
   std::set<std::string> titles;
-  for_every_told_method([&](const Told& told) {
-    for (const WalkStep& step : told.walk->steps) {
+  for_every_reported_method([&](const CaseReport& report) {
+    for (const WalkStep& step : report.walk->steps) {
       titles.insert(step.title);
-      EXPECT_TRUE(step.meaning.ends_with(".")) << told.method << ": " << step.title << ": " << step.meaning;
-      EXPECT_EQ(step.meaning.find_first_of("{}"), std::string::npos) << told.method << ": " << step.meaning;
+      EXPECT_TRUE(step.meaning.ends_with(".")) << report.method << ": " << step.title << ": " << step.meaning;
+      EXPECT_EQ(step.meaning.find_first_of("{}"), std::string::npos) << report.method << ": " << step.meaning;
     }
   });
   EXPECT_GT(titles.size(), 50U);
@@ -70,10 +70,10 @@ TEST(StageWords, EveryStepOfEveryMethodSaysInASentenceWhatItMeans) {
 TEST(StageWords, EveryPictureHangsOnANameThatAKernelOfItsTopicRecords) {
   std::set<std::string> recorded;
   std::map<std::string, std::set<std::string>> drawn;
-  for_every_told_method([&](const Told& told) {
-    const std::string topic = topic_of(told.one);
-    const std::set<std::string> names = recorded_names(*told.walk);
-    const NumbersByName n(*told.walk, told.walk->steps.size() - 1);
+  for_every_reported_method([&](const CaseReport& report) {
+    const std::string topic = topic_of(report.one);
+    const std::set<std::string> names = recorded_names(*report.walk);
+    const NumbersByName n(*report.walk, report.walk->steps.size() - 1);
     for (const Binding& binding : bindings_of(topic)) {
       if (names.contains(binding.name) && !binding.draw(n).empty()) drawn[topic].insert(binding.name);
     }
@@ -95,7 +95,7 @@ TEST(StageWords, WhatAStepDrawsAsAHitLiesOnTheRayWhateverTheKernelCallsItsOwnRay
     const Ray<double>& ray = std::get<RayQuestion>(one.question).ray;
     for (const Subject& subject : subjects()) {
       if (subject.topic != topic_of(one)) continue;
-      for (const StageStep& step : stage_of(told_of(one, &subject)).steps) {
+      for (const StageStep& step : stage_of(report_of(one, &subject)).steps) {
         for (const StageItem& item : step.items) {
           if (step.is_apart || item.role != Role::claimed || item.form != Form::point) continue;
           ++hits;
@@ -127,12 +127,12 @@ TEST(StageWords, APictureThatAsksForANameThatTheRunDoesNotHaveIsAnError) {
   EXPECT_EQ(n["two"], 2);
   EXPECT_THROW((void)n["three"], std::logic_error);
   EXPECT_THROW((void)n.vector("two"), std::logic_error);
-  const Told told = tell_lesson(read_case(lessons_of("sphere").front()->case_text), "");
-  Setting setting = setting_of(told);
+  const CaseReport report = report_lesson(read_case(lessons_of("sphere").front()->case_text), "");
+  Setting setting = setting_of(report);
   setting.bindings = {{"two", [](const NumbersByName& /*n*/) { return Items{}; }}};
-  EXPECT_EQ(composed_stage(told, run, setting).steps.size(), 2U);
+  EXPECT_EQ(composed_stage(report, run, setting).steps.size(), 2U);
   setting.bindings.push_back({"three", [](const NumbersByName& /*n*/) { return Items{}; }});
-  EXPECT_THROW((void)composed_stage(told, run, setting), std::logic_error);
+  EXPECT_THROW((void)composed_stage(report, run, setting), std::logic_error);
   EXPECT_THROW((void)place_of(run.steps, "Take three"), std::logic_error);
 }
 
@@ -163,7 +163,7 @@ TEST(StageWords, AStepWithoutRootsIsNotPartedIntoSlidesThatShowNothing) {
 TEST(StageWords, RootsAreNumberedByTheirSizeOrNotAtAll) {
   ASSERT_FALSE(lessons_of("quadratics").empty());
   for (const Lesson* one : lessons_of("quadratics")) {
-    const Stage stage = stage_of(*one, tell_lesson);
+    const Stage stage = stage_of(*one, report_lesson);
     double x0 = NAN, x1 = NAN;
     for (const StageStep& step : stage.steps) {
       for (const StageValue& value : step.values) {

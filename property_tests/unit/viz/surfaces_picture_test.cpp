@@ -23,12 +23,12 @@ using Vector = glm::dvec3;
 Vector unit(const Vector& v) { return (1 / std::sqrt(dot(v, v))) * v; }
 
 /// A pixel's answer: nothing there, a normal, or not decided.
-struct Seen {
+struct PixelAnswer {
   bool is_decided = true;
   std::optional<Vector> normal{};
 };
 
-Seen see_torus(const Ray<double>& ray) {
+PixelAnswer see_torus(const Ray<double>& ray) {
   const implicit::Torus<double> torus{1.0, 0.42};
   const auto roots = implicit::roots(ray, torus);
   if (roots.empty()) return {};
@@ -52,7 +52,7 @@ parametric::BicubicPatch<double> sheet() {
   return patch;
 }
 
-Seen see_sheet(const Ray<double>& ray) {
+PixelAnswer see_sheet(const Ray<double>& ray) {
   static const auto patch = sheet();
   const auto hits = parametric::hits(ray, patch);
   if (hits.empty()) return {};
@@ -65,7 +65,7 @@ Seen see_sheet(const Ray<double>& ray) {
 }
 
 /// The normal's three components as the three colours, darker where the surface turns away.
-Rgb colour_of(const Seen& seen, const Vector& towards_eye) {
+Rgb colour_of(const PixelAnswer& seen, const Vector& towards_eye) {
   if (!seen.is_decided) return rgb_of(colour_of(Role::claimed).light);
   if (!seen.normal) return rgb_of(colour_of(Role::background).light);
   const double facing = dot(*seen.normal, towards_eye);

@@ -22,13 +22,13 @@ namespace {
 using Decimal = boost::multiprecision::number<boost::multiprecision::cpp_dec_float<900>>;
 
 /// Random cases of every family in both precisions, each by every method of its topic.
-void for_answered_cases(std::uint64_t seeds, const std::function<void(const Told&)>& check) {
+void for_answered_cases(std::uint64_t seeds, const std::function<void(const CaseReport&)>& check) {
   for (const Family& family : families()) {
     for (const Subject& subject : subjects()) {
       if (subject.topic != family.topic) continue;
       for (std::uint64_t seed = 0; seed < seeds; ++seed) {
         for (const Precision precision : {Precision::float32, Precision::float64})
-          check(told_of(family.generate(seed, precision), &subject));
+          check(report_of(family.generate(seed, precision), &subject));
       }
     }
   }
@@ -40,30 +40,30 @@ std::string few_ulps(double ulps) {
   return std::to_string(static_cast<int>(ulps)) + (ulps == 1 ? " ulp" : " ulps");
 }
 
-bool are_equal(const Told& told) {
-  return !verdicts_differ(&told.exact, told.claim()) &&
-         worst_ulps(&told.exact, told.claim(), told.one.precision) == 0;
+bool are_equal(const CaseReport& report) {
+  return !verdicts_differ(&report.exact, report.claim()) &&
+         worst_ulps(&report.exact, report.claim(), report.one.precision) == 0;
 }
 
 TEST(TrueSentences, TheConclusionAgreesWithTheCountAboveIt) {
   std::size_t rounded = 0;
   std::size_t off = 0;
-  for_answered_cases(2, [&](const Told& told) {
-    const std::string text = explain_text(told);
-    const std::string conclusion = conclusion_of(told);
-    SCOPED_TRACE(told.method + " " + write_case(told.one) + "\n" + conclusion);
+  for_answered_cases(2, [&](const CaseReport& report) {
+    const std::string text = explain_text(report);
+    const std::string conclusion = conclusion_of(report);
+    SCOPED_TRACE(report.method + " " + write_case(report.one) + "\n" + conclusion);
     const bool is_off = says(text.substr(0, text.size() - conclusion.size() - 1), " is off by ");
     if (is_off) {
       EXPECT_FALSE(says(conclusion, "is the exact one"));
     }
-    if (are_equal(told)) {
+    if (are_equal(report)) {
       ++rounded;
       EXPECT_FALSE(is_off);
       EXPECT_TRUE(says(conclusion, "answer is the exact one"));
     }
     if (says(conclusion, "at most.") && !says(conclusion, "of the formula")) {
       ++off;
-      const double ulps = worst_ulps(&told.exact, told.claim(), told.one.precision);
+      const double ulps = worst_ulps(&report.exact, report.claim(), report.one.precision);
       EXPECT_TRUE(says(conclusion, "Rounding changed the answer by " + few_ulps(ulps) + " at most."));
       EXPECT_TRUE(says(text, "off by " + few_ulps(ulps)));
     }
@@ -75,12 +75,12 @@ TEST(TrueSentences, TheConclusionAgreesWithTheCountAboveIt) {
 TEST(TrueSentences, AWalkthroughCallsEqualOnlyWhatIsEqual) {
   std::size_t equal = 0;
   std::size_t different = 0;
-  for_answered_cases(1, [&](const Told& told) {
-    const StageStep last = stage_of(told).steps.back();
-    SCOPED_TRACE(told.method + " " + write_case(told.one) + "\n" + last.caption);
+  for_answered_cases(1, [&](const CaseReport& report) {
+    const StageStep last = stage_of(report).steps.back();
+    SCOPED_TRACE(report.method + " " + write_case(report.one) + "\n" + last.caption);
     const bool is_called_equal =
         says(last.caption, "are the same") || says(last.caption, "is the exact one, correctly rounded");
-    EXPECT_EQ(is_called_equal, are_equal(told));
+    EXPECT_EQ(is_called_equal, are_equal(report));
     ++(is_called_equal ? equal : different);
   });
   EXPECT_GT(equal, 100U);
@@ -90,20 +90,20 @@ TEST(TrueSentences, AWalkthroughCallsEqualOnlyWhatIsEqual) {
 TEST(TrueSentences, TwoDoublesOneUlpApartAreNotCalledEqual) {
   const Case one = read_case(
       R"({"ray":{"origin":[0,0,-5],"direction":[0,0,1]},"shape":{"type":"sphere","center":[0,0,0],"radius":1}})");
-  Told told = told_of(one, "sphere/centred");
-  std::get<RayAnswer>(*told.claimed).hits.t[0] = std::nextafter(4.0, 5.0);
-  EXPECT_TRUE(says(stage_of(told).steps.back().caption, "off by 1 ulp"))
-      << stage_of(told).steps.back().caption;
-  EXPECT_TRUE(says(conclusion_of(told), "by 1 ulp at most")) << conclusion_of(told);
+  CaseReport report = report_of(one, "sphere/centred");
+  std::get<RayAnswer>(*report.claimed).hits.t[0] = std::nextafter(4.0, 5.0);
+  EXPECT_TRUE(says(stage_of(report).steps.back().caption, "off by 1 ulp"))
+      << stage_of(report).steps.back().caption;
+  EXPECT_TRUE(says(conclusion_of(report), "by 1 ulp at most")) << conclusion_of(report);
 }
 
 TEST(TrueSentences, AnInfiniteAnswerForAFiniteOneIsNotPassedOver) {
   const Case one = read_case(
       R"({"ray":{"origin":[0,0,-5],"direction":[0,0,1]},"shape":{"type":"sphere","center":[0,0,0],"radius":1}})");
-  Told told = told_of(one, "sphere/centred");
-  std::get<RayAnswer>(*told.claimed).hits.t[1] = INFINITY;
-  EXPECT_TRUE(says(stage_of(told).steps.back().caption, "The computed t₁ is infinitely far off"))
-      << stage_of(told).steps.back().caption;
+  CaseReport report = report_of(one, "sphere/centred");
+  std::get<RayAnswer>(*report.claimed).hits.t[1] = INFINITY;
+  EXPECT_TRUE(says(stage_of(report).steps.back().caption, "The computed t₁ is infinitely far off"))
+      << stage_of(report).steps.back().caption;
 }
 
 TEST(TrueSentences, AnExactNumberReadsAsTheRoundedOneOnlyWhereItIsThatNumber) {
@@ -123,12 +123,12 @@ TEST(TrueSentences, AnExactNumberReadsAsTheRoundedOneOnlyWhereItIsThatNumber) {
     const Decimal half_a_digit(precision == Precision::float32 ? "5.1e-12" : "5.1e-17");
     EXPECT_LE(abs(written - exact), abs(exact) * half_a_digit + abs(Decimal(v.error)) * Decimal("1.2e-16"));
   };
-  for_answered_cases(1, [&](const Told& told) {
-    if (!told.walk) return;
-    SCOPED_TRACE(told.method + " " + write_case(told.one));
-    for (const WalkValue& value : told.walk->inputs) check(value, told.one.precision);
-    for (const WalkStep& step : told.walk->steps) {
-      for (const WalkValue& value : step.values) check(value, told.one.precision);
+  for_answered_cases(1, [&](const CaseReport& report) {
+    if (!report.walk) return;
+    SCOPED_TRACE(report.method + " " + write_case(report.one));
+    for (const WalkValue& value : report.walk->inputs) check(value, report.one.precision);
+    for (const WalkStep& step : report.walk->steps) {
+      for (const WalkValue& value : step.values) check(value, report.one.precision);
     }
   });
   EXPECT_GT(rounded, 1000U);
@@ -137,14 +137,14 @@ TEST(TrueSentences, AnExactNumberReadsAsTheRoundedOneOnlyWhereItIsThatNumber) {
 TEST(TrueSentences, InputsAreShownAsTheyAreStored) {
   const Case one = read_case(R"({"precision":"float32","ray":{"origin":[0,0,-3.7],"direction":[0,0,1]},)"
                              R"("shape":{"type":"sphere","center":[0,0,0],"radius":1}})");
-  const std::string text = explain_text(told_of(one, "sphere/centred"));
+  const std::string text = explain_text(report_of(one, "sphere/centred"));
   EXPECT_TRUE(says(text, "Inputs\n   name  float32  stored value\n")) << text;
   EXPECT_TRUE(says(text, "-3.700000047683716")) << text;
 }
 
 TEST(TrueSentences, AStepThatLosesNothingOfNoteSaysNothingOfDigits) {
   for (const Lesson& lesson : lessons()) {
-    const Stage stage = stage_of(lesson, tell_lesson);
+    const Stage stage = stage_of(lesson, report_lesson);
     for (const StageStep& step : stage.steps) {
       for (const std::string& words : {step.caption, step.digits, stage.conclusion}) {
         for (const char* untrue :
@@ -159,7 +159,7 @@ TEST(TrueSentences, DotsBearTheNameOfTheirFormat) {
   for (const Precision precision : {Precision::float32, Precision::float64}) {
     Case one = read_case(lessons_of("sphere").front()->case_text);
     one.precision = precision;
-    const std::string caption = stage_of(told_of(one, "sphere/centred")).steps.back().caption;
+    const std::string caption = stage_of(report_of(one, "sphere/centred")).steps.back().caption;
     const char* const format = name_of(precision);
     EXPECT_TRUE(says(caption, std::string("Each dot is a ") + format + " value.")) << caption;
   }

@@ -28,7 +28,7 @@ TEST(WindowProgram, NoDisplayIsOneSentenceAndStatus2) {
   }
 }
 
-TEST(WindowProgram, AWrongTopicOrCaseIsToldBeforeAnyWindow) {
+TEST(WindowProgram, AWrongTopicOrCaseIsReportedBeforeAnyWindow) {
   Running topic("env -u DISPLAY " + walk_for_a_minute + "no-such-topic --window");
   const Ended unknown = topic.wait();
   EXPECT_NE(unknown.output.find("no-such-topic"), std::string::npos);
@@ -54,7 +54,7 @@ TEST(WindowProgram, ItRunsUntilQAndPrintsTheCaseThatWasDragged) {
   EXPECT_NE(ray(moved).direction, ray(read_case(sphere_case)).direction);
 }
 
-TEST(WindowProgram, SSavesThePictureWhereItMayAndTellsWhereItMayNot) {
+TEST(WindowProgram, SSavesThePictureWhereItMayAndSaysSoWhereItMayNot) {
   const OffscreenDisplay display("1280x900x24");
   const std::filesystem::path here = testing::TempDir() + "saved-pictures";
   std::filesystem::create_directory(here);

@@ -39,7 +39,7 @@ class Window : public testing::Test {
 };
 
 /// Where a text's letters are: a line's height above its baseline.
-Box letters_of(const Text& text) {
+PixelBox letters_of(const Text& text) {
   const double width = text_width(text.text, text.size, text.bold);
   const double left = text.at.x - (text.anchor == Anchor::middle ? width / 2
                                    : text.anchor == Anchor::end  ? width
@@ -52,7 +52,7 @@ TEST_F(Window, EveryTextOfThePictureHasInkWhereItBelongs) {
     press_key(key);
     const Screenshot shot = screenshot();
     for (const Text& text : texts_of(player.picture())) {
-      const Box box = letters_of(text);
+      const PixelBox box = letters_of(text);
       EXPECT_GT(shot.ink(box), 3) << key << ": " << text.text;
     }
   }
@@ -107,7 +107,8 @@ TEST_F(Window, DraggingTheArrowsTipComputesEverythingAgain) {
   const Point from = seen(player, handle_of(player, Grip::tip));
   drag(from, {from.x - 40, from.y + 70});
   EXPECT_NE(stage_json(player.stage()), before);
-  EXPECT_EQ(stage_json(player.stage()), stage_json(stage_of(told_of(player.stage().one, "sphere/centred"))));
+  EXPECT_EQ(stage_json(player.stage()),
+            stage_json(stage_of(report_of(player.stage().one, "sphere/centred"))));
   EXPECT_GT(screenshot().changes(first, slide_scene), 500);
 }
 

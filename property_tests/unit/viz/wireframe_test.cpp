@@ -62,7 +62,7 @@ TEST(Wireframe, AHugeATinyAndAFarSceneStayInsideThePicture) {
                                  std::string(matrix) + R"(,"shape":)" + shape + "}");
       const Answer exact = oracle::answer(one);
       const Picture picture = view_of(one)->picture(one, &exact, nullptr);
-      for (const Line& line : elements<Line>(picture)) {
+      for (const PixelLine& line : elements<PixelLine>(picture)) {
         for (const Point& p : line.points) {
           ASSERT_TRUE(p.x >= 0 && p.x <= picture.width && p.y >= 0 && p.y <= picture.height)
               << shape << matrix << p.x << ' ' << p.y;
@@ -79,10 +79,10 @@ TEST(Wireframe, AGapTooNarrowToSeeIsMagnified) {
   RayAnswer wrong{Contact::crossing};
   wrong.hits.push_back(5);
   const Answer claimed = wrong;
-  bool is_told = false;
+  bool is_shown = false;
   const Picture picture = view_of(one)->picture(one, &exact, &claimed);
-  for (const Text& text : elements<Text>(picture)) is_told = is_told || text.text == "1e-9 between";
-  EXPECT_TRUE(is_told);
+  for (const Text& text : elements<Text>(picture)) is_shown = is_shown || text.text == "1e-9 between";
+  EXPECT_TRUE(is_shown);
 }
 
 TEST(Wireframe, ACallOfParallelForARayInThePlaneIsWrong) {
@@ -97,7 +97,7 @@ TEST(Wireframe, ACallOfParallelForARayInThePlaneIsWrong) {
 TEST(Camera, SeesNeitherTheRayEndOnNorAFigureEdgeOn) {
   for (const Place& ray : {Place{0, 0, 1}, Place{1, 0, 0}, unit(Place{1, 2, 3}), unit(Place{0, -1, 1e-9})}) {
     for (const Place& normal : {Place{0, 0, 1}, Place{0, 1, 0}, unit(Place{1, -1, 1})}) {
-      const Camera camera = Camera::chosen({0, 0, 0}, ray, {normal});
+      const ViewCamera camera = ViewCamera::chosen({0, 0, 0}, ray, {normal});
       EXPECT_LT(abs(dot(camera.toward, ray)), Shadow(0.75));
       EXPECT_GT(abs(dot(camera.toward, normal)), Shadow(0.4));
       EXPECT_LT(abs(camera.see(ray).y), Shadow(1e-60));

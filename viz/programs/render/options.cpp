@@ -36,7 +36,7 @@ void choose(Methods& methods, const std::string& full_name) {
 
 }  // namespace
 
-void Options::add_to(CLI::App& app) {
+void RenderOptions::add_to(CLI::App& app) {
   app.add_option("SCENE", scene, "The scene, a JSON file (docs/raycasting.md)");
   app.add_option("--out", out, "The image to write, a PNG")->type_name("IMAGE");
   app.add_option("--method", methods,
@@ -82,7 +82,7 @@ void Options::add_to(CLI::App& app) {
       "interrupted.");
 }
 
-Mode Options::mode() const {
+Mode RenderOptions::mode() const {
   const int kinds = static_cast<int>(is_exact) + static_cast<int>(is_error) +
                     static_cast<int>(!compare.empty()) + static_cast<int>(!pixel.empty());
   if (kinds > 1)
@@ -97,7 +97,7 @@ Mode Options::mode() const {
   return is_exact ? Mode::exact_picture : Mode::picture;
 }
 
-SceneOverrides Options::overrides() const {
+SceneOverrides RenderOptions::overrides() const {
   SceneOverrides given;
   if (precision == "float32") given.precision = Precision::float32;
   if (precision == "float64") given.precision = Precision::float64;
@@ -105,7 +105,7 @@ SceneOverrides Options::overrides() const {
   return given;
 }
 
-Methods Options::chosen_methods(const std::vector<std::string>& more) const {
+Methods RenderOptions::chosen_methods(const std::vector<std::string>& more) const {
   Methods chosen = default_methods();
   for (const std::string& name : methods) choose(chosen, name);
   for (const std::string& name : more) choose(chosen, name);

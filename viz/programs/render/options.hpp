@@ -7,20 +7,18 @@
 #include <vector>
 
 #include "command_line/command_line.hpp"
+#include "viz/programs/wrong_command.hpp"
 #include "viz/scene/scene_reader.hpp"
 #include "viz/scene/shading.hpp"
 
 namespace rayproof::render {
 
-/// A mistake in the command line that CLI11 can't see; the program ends with status 2.
-class WrongCommand : public std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+using viz::WrongCommand;
 
 /// What is asked for.
 enum class Mode { picture, exact_picture, error, compare, pixel };
 
-struct Options {
+struct RenderOptions {
   std::string scene{}, out{}, precision{}, size{}, shade = "normal";
   std::vector<std::string> methods{}, error{}, compare{};
   std::vector<int> pixel{};

@@ -19,7 +19,7 @@ namespace {
 /// One run of the program over its scene.
 class Render {
  public:
-  Render(const Options& options, const std::atomic<bool>& stop)
+  Render(const RenderOptions& options, const std::atomic<bool>& stop)
       : options_(options),
         stop_(stop),
         mode_(options.mode()),
@@ -32,7 +32,7 @@ class Render {
     if (stop_) throw Stopped();
     file.keep();
     fmt::print("{}: {}x{} pixels, {} {}, {}\n", options_.out, scene_.width, scene_.height,
-               scene_.objects.size(), scene_.objects.size() == 1 ? "object" : "objects", told_);
+               scene_.objects.size(), scene_.objects.size() == 1 ? "object" : "objects", status_);
   }
 
  private:
@@ -73,16 +73,16 @@ class Render {
     check_size(panels);  // before the long work
     panels.clear();
     const HitImage exact = exactly();
-    std::string told;
+    std::string comparison;
     for (const auto& [name, methods] : asked) {
       const HitImage claimed = by_methods(methods, name);
       panels.push_back({name, find_errors(scene_, exact, claimed, work("comparing"))});
       const Totals& totals = panels.back().errors.totals;
-      told += fmt::format(
+      comparison += fmt::format(
           "\n  {}: {} wrong hits, {} wrong misses, {} wrong objects; t of {} hits, {:.0f} ulp off at most",
           name, totals.wrong_hits, totals.wrong_misses, totals.wrong_objects, totals.hits, totals.worst_ulps);
     }
-    told_ = "against the exact image" + told;
+    status_ = "against the exact image" + comparison;
     progress_.clear();
     const char* const precision = name_of(scene_.precision);
     return error_figure(fmt::format("Errors in {}, against the exact image", precision), panels);
@@ -91,7 +91,7 @@ class Render {
   HitImage by_methods(const Methods& methods, const std::string& what) {
     const auto start = std::chrono::steady_clock::now();
     HitImage hits = trace(scene_, methods, near_methods(), work(what));
-    tell_time(names_of(methods), start);
+    report_time(names_of(methods), start);
     return hits;
   }
 
@@ -99,14 +99,14 @@ class Render {
     const auto start = std::chrono::steady_clock::now();
     const auto tree = bounds_tree(ObjectBounds(scene_));
     HitImage hits = trace_exactly(scene_, *tree, work("exactly"));
-    tell_time("exactly", start);
+    report_time("exactly", start);
     return hits;
   }
 
-  void tell_time(const std::string& what, std::chrono::steady_clock::time_point start) {
+  void report_time(const std::string& what, std::chrono::steady_clock::time_point start) {
     progress_.clear();
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-    told_ = fmt::format("{}{}{:.2f} s", what, what.empty() ? "" : ", ", taken.count());
+    status_ = fmt::format("{}{}{:.2f} s", what, what.empty() ? "" : ", ", taken.count());
   }
 
   /// Whom to ask in a scene of many objects; null where all are asked.
@@ -141,17 +141,17 @@ class Render {
     fmt::print("{}\n", write_case(pixel_case(scene_, x, y, object, hits)));
   }
 
-  const Options& options_;
+  const RenderOptions& options_;
   const std::atomic<bool>& stop_;
   Mode mode_;
-  Scene scene_;
+  RenderScene scene_;
   ProgressLine progress_{};
-  std::string told_{};
+  std::string status_{};
   std::unique_ptr<Neighbourhood> near_{};
 };
 
 }  // namespace
 
-void run(const Options& options, const std::atomic<bool>& stop) { Render(options, stop).run(); }
+void run(const RenderOptions& options, const std::atomic<bool>& stop) { Render(options, stop).run(); }
 
 }  // namespace rayproof::render

@@ -4,41 +4,41 @@
 
 #include <cstdio>
 
-#include "viz/programs/told_of.hpp"
+#include "viz/programs/report_of.hpp"
 #include "viz/stage/lesson.hpp"
 #include "viz/stage/stage_of.hpp"
 
 namespace rayproof::viz {
 namespace {
 
-/// The case as told by its method; without one, by the first sound one of its topic whose steps can be
-/// recorded.
-Told told_for(const CaseOptions& options) {
-  Told told = tell_case(options);
-  if (!told.method.empty()) return told;
-  const TopicView* const view = view_of(told.one);
+/// The report on the case with its method; without one, by the first sound one of its topic whose steps can
+/// be recorded.
+CaseReport report_for(const CaseOptions& options) {
+  CaseReport report = report_case(options);
+  if (!report.method.empty()) return report;
+  const TopicView* const view = view_of(report.one);
   for (const Subject& subject : subjects()) {
-    if (subject.topic != topic_of(told.one) || subject.contract.standing != Standing::sound) continue;
-    if (view != nullptr) told.walk = view->walk(told.one, subject.name);
-    if (!told.walk) continue;
-    told.method = subject.full_name();
-    told.claimed = subject.answer(told.one);
+    if (subject.topic != topic_of(report.one) || subject.contract.standing != Standing::sound) continue;
+    if (view != nullptr) report.walk = view->walk(report.one, subject.name);
+    if (!report.walk) continue;
+    report.method = subject.full_name();
+    report.claimed = subject.answer(report.one);
     fmt::print(stderr,
                "rayproof walk: {} (the first sound method whose steps can be recorded; --method chooses)\n",
-               told.method);
-    return told;
+               report.method);
+    return report;
   }
   fmt::print(
       stderr,
       "rayproof walk: the exact answer alone (no {} method's steps can be recorded; --method chooses)\n",
-      topic_of(told.one));
-  return told;
+      topic_of(report.one));
+  return report;
 }
 
 }  // namespace
 
 std::vector<Walk> walks_for(const std::string& topic, const CaseOptions& one, ProgressLine& progress) {
-  if (!one.text.empty()) return {{"Cases", stage_of(told_for(one))}};
+  if (!one.text.empty()) return {{"Cases", stage_of(report_for(one))}};
   const auto found = lessons_of(topic);
   if (topic.empty()) throw WrongCommand("which walkthrough? Give a topic, --case or --list");
   if (found.empty()) {
@@ -48,7 +48,7 @@ std::vector<Walk> walks_for(const std::string& topic, const CaseOptions& one, Pr
   for (const Lesson* lesson : found) {
     progress.show(share(walks.size(), found.size()), lesson->name + " is computed");
     walks.push_back({lesson->group, stage_of(*lesson, [](const Case& asked, const std::string& method) {
-                       return told_of(asked, method);
+                       return report_of(asked, method);
                      })});
   }
   return walks;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "command_line/progress_line.hpp"
-#include "viz/programs/tell_case.hpp"
+#include "viz/programs/report_case.hpp"
 #include "viz/stage/stage.hpp"
 
 namespace rayproof::viz {
@@ -17,8 +17,8 @@ struct Walk {
   Stage stage;
 };
 
-/// The lessons of a topic, or the one case where `one` has a text. Throws as tell_case does, and WrongCommand
-/// for a topic that there is none of.
+/// The lessons of a topic, or the one case where `one` has a text. Throws as report_case does, and
+/// WrongCommand for a topic that there is none of.
 [[nodiscard]] std::vector<Walk> walks_for(const std::string& topic, const CaseOptions& one,
                                           ProgressLine& progress);
 

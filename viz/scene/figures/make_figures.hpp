@@ -22,7 +22,7 @@ class MethodFigures final : public Figures<T> {
   }
 
   void meet_all(std::span<const Ray<T>> rays, std::span<Nearest<T>> nearest) const override {
-    for (const Figure& figure : figures_) {
+    for (const PlacedShape& figure : figures_) {
       if (figure.space) {
         for (std::size_t i = 0; i < rays.size(); ++i) meet_placed(figure, rays[i], nearest[i]);
       } else {
@@ -32,7 +32,7 @@ class MethodFigures final : public Figures<T> {
   }
 
   void meet(std::size_t figure, const Ray<T>& ray, Nearest<T>& nearest) const override {
-    const Figure& asked = figures_[figure];
+    const PlacedShape& asked = figures_[figure];
     if (asked.space)
       meet_placed(asked, ray, nearest);
     else
@@ -40,25 +40,25 @@ class MethodFigures final : public Figures<T> {
   }
 
  private:
-  struct Figure {
+  struct PlacedShape {
     decltype(Topic::template Problem<T>::shape) shape;
     std::optional<ObjectSpace<T>> space;
     ObjectIndex object;
   };
 
   /// Out of line: every method is compiled once, not once for each caller.
-  [[gnu::noinline]] static void meet_each(const Figure& figure, std::span<const Ray<T>> rays,
+  [[gnu::noinline]] static void meet_each(const PlacedShape& figure, std::span<const Ray<T>> rays,
                                           std::span<Nearest<T>> nearest) {
     for (std::size_t i = 0; i < rays.size(); ++i)
       nearest[i].offer(rayproof::nearest<T>(rays[i], Method::roots(rays[i], figure.shape)), figure.object);
   }
 
-  static void meet_placed(const Figure& figure, const Ray<T>& ray, Nearest<T>& nearest) {
+  static void meet_placed(const PlacedShape& figure, const Ray<T>& ray, Nearest<T>& nearest) {
     const Ray<T> in_object_space = to_object(*figure.space, ray);
     meet_each(figure, {&in_object_space, 1}, {&nearest, 1});
   }
 
-  std::vector<Figure> figures_{};
+  std::vector<PlacedShape> figures_{};
 };
 
 template <class Topic, class T>

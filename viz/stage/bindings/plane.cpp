@@ -12,10 +12,10 @@ glm::dvec3 point_of(const NumbersByName& n) {
 
 glm::dvec3 normal_of(const NumbersByName& n) { return n.vector(n.has_vector("u×v") ? "u×v" : "n"); }
 
-/// About as long as the ray's way to the plane: what an arrow needs to be seen.
+/// About as long as the distance to the plane: what an arrow needs to be seen.
 double reach(const NumbersByName& n) {
-  const double way = glm::length(point_of(n) - n.origin());
-  return way > 0 ? 0.45 * way : glm::length(n.direction());
+  const double distance = glm::length(point_of(n) - n.origin());
+  return distance > 0 ? 0.45 * distance : glm::length(n.direction());
 }
 
 Items normal(const NumbersByName& n) {

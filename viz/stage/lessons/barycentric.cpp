@@ -15,8 +15,8 @@ namespace rayproof::viz {
 namespace {
 
 /// The triangle and the point of the case in the plane z = 0.
-Stage barycentric_stage(const Case& one, const TellCase& tell) {
-  const Told told = tell(one, "triangle/plane_projection");
+Stage barycentric_stage(const Case& one, const ReportCase& report_on) {
+  const CaseReport report = report_on(one, "triangle/plane_projection");
   const auto& question = std::get<RayQuestion>(one.question);
   const auto& triangle = std::get<Triangle<double>>(question.shape);
   Walkthrough walk = record(one.precision, [&]<class R>(std::type_identity<R>) {
@@ -43,7 +43,7 @@ Stage barycentric_stage(const Case& one, const TellCase& tell) {
     const auto& [title, meaning] = steps.at(value.name);
     walk.steps.push_back({title, meaning, loss_sentence(value.loss), {value}, {}, value.loss});
   }
-  Setting setting = plot_setting(told);
+  Setting setting = plot_setting(report);
   setting.scene = {polygon(Role::surface, {triangle.a, triangle.b, triangle.c}),
                    polyline(Role::surface, {triangle.a, triangle.b, triangle.c, triangle.a}),
                    point(Role::surface, triangle.a, "a"), point(Role::surface, triangle.b, "b"),
@@ -61,10 +61,10 @@ Stage barycentric_stage(const Case& one, const TellCase& tell) {
   };
   setting.bindings = {part("D", triangle.a, triangle.b, triangle.c), part("α", q, triangle.b, triangle.c),
                       part("β", q, triangle.c, triangle.a), part("γ", q, triangle.a, triangle.b)};
-  Stage stage = composed_stage(told, walk, setting);
+  Stage stage = composed_stage(report, walk, setting);
   stage.steps.front().title = "Look at the triangle and the point";
   stage.method = "triangle::barycentric";
-  stage.steps.push_back(parting_of_values(walk, setting, one.precision));
+  stage.steps.push_back(difference_of_values(walk, setting, one.precision));
   const bool is_inside = std::none_of(values.begin(), values.end(),
                                       [](const WalkValue& v) { return v.name != "D" && v.value < 0; });
   stage.conclusion =

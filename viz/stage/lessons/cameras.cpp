@@ -34,21 +34,21 @@ Items parts_of_direction(const NumbersByName& n) {
           segment(Role::edge, middle + n["α"] * axes.u, middle + n["α"] * axes.u + n["β"] * axes.v, "β·v")};
 }
 
-Stage camera_stage(const Case& one, const TellCase& tell) {
-  const Told told = tell(one, "");
+Stage camera_stage(const Case& one, const ReportCase& report_on) {
+  const CaseReport report = report_on(one, "");
   const Walkthrough walk = record(one.precision, []<class R>(std::type_identity<R>) {
     const auto camera = named_camera<R>();
     const auto axes = camera::axes(camera);
     (void)camera::PixelCentre::ray(camera, axes, ImageSize<R>{R(width), R(height)}, R(pixel_i), R(pixel_j));
   });
-  Setting setting = setting_of(told);
+  Setting setting = setting_of(report);
   setting.scene = grid();
   setting.scene.push_back(point(Role::ray, eye().eye, "eye"));
   setting.camera = beside_the_camera();
   Items reach = setting.scene;
   const CameraAxes<double> axes = camera::axes(eye());
-  for (const glm::dvec3& way : {axes.u, axes.v, axes.w})
-    reach.push_back(arrow(Role::edge, eye().eye, eye().eye + 0.6 * way));
+  for (const glm::dvec3& axis : {axes.u, axes.v, axes.w})
+    reach.push_back(arrow(Role::edge, eye().eye, eye().eye + 0.6 * axis));
   setting.near = setting.wide = view_of(extent_of(reach, setting.camera), setting.camera);
   setting.slider->origin = eye().eye;
   setting.slider->from = 0;
@@ -63,13 +63,13 @@ Stage camera_stage(const Case& one, const TellCase& tell) {
       {"d", [](const NumbersByName& n) {
          return Items{arrow(Role::ray, eye().eye, eye().eye + 1.35 * n.vector("d"), "the ray")};
        }}};
-  Stage stage = composed_stage(told, walk, setting);
+  Stage stage = composed_stage(report, walk, setting);
   stage.steps.front().title = "Look at the eye and its image";
   stage.method = "camera/pixel_centre";
   stage.source = "R. Bán, Számítógépes grafika: Raycasting, 2022";
   stage.slider->direction = std::get<RayQuestion>(one.question).ray.direction;
   stage.slider->readouts.clear();
-  stage.steps.push_back(parting_of_values(walk, setting, one.precision));
+  stage.steps.push_back(difference_of_values(walk, setting, one.precision));
   stage.conclusion =
       "The lecture's formula takes the pixel's corner for its centre; half a pixel is missing.";
   return stage;

@@ -31,26 +31,26 @@ Case second_triangle(const Case& one) {
 }
 
 /// One of the kernel's steps, under a name.
-void add_step(Stage& stage, const Told& told, const Setting& setting, const Step& wanted,
+void add_step(Stage& stage, const CaseReport& report, const Setting& setting, const Step& wanted,
               const std::string& who) {
-  const std::size_t index = place_of(told.walk->steps, wanted.title);
-  StageStep step = kernel_steps(told, *told.walk, index, setting, false).front();
+  const std::size_t index = place_of(report.walk->steps, wanted.title);
+  StageStep step = kernel_steps(report, *report.walk, index, setting, false).front();
   step.begins_anew = !stage.steps.back().title.starts_with(who);
   step.title = who + ": " + step.title;
-  step.words = fmt::format("{} says: {}.", who, verdict_of(told.claim()));
+  step.words = fmt::format("{} says: {}.", who, verdict_of(report.claim()));
   step.caption = step.words + " " + step.caption;
   stage.steps.push_back(std::move(step));
 }
 
-/// A triangle of the two, what is told of it, and how far beyond the shared edge its own numbers put the ray.
+/// A triangle of the two, the report on it, and how far beyond the shared edge its own numbers put the ray.
 struct Judge {
   const char* name;
-  const Told& told;
+  const CaseReport& report;
   const Triangle<double>& triangle;
 
   /// v is the share of the height over the edge at which the ray passes: negative beyond it.
   [[nodiscard]] const WalkValue& v() const {
-    for (const WalkStep& step : told.walk->steps) {
+    for (const WalkStep& step : report.walk->steps) {
       for (const WalkValue& value : step.values) {
         if (value.name == "v") return value;
       }
@@ -96,17 +96,17 @@ StageStep edge_step(const std::array<Judge, 2>& sides, const Setting& setting) {
     return fmt::format("the {} computes {}, {}", side.name, rough(v, 3), v < 0 ? "beyond it" : "on its side");
   };
   step.caption =
-      fmt::format("Each triangle measures v, the way from the edge as a share of its height: {}; {}.",
+      fmt::format("Each triangle measures v, the distance from the edge as a share of its height: {}; {}.",
                   measured(sides[0]), measured(sides[1]));
   const bool is_lost = sides[0].v().value < 0 && sides[1].v().value < 0;
   if (is_lost) step.caption += " So neither takes the ray.";
   return step;
 }
 
-Stage leak_stage(const Case& one, const TellCase& tell) {
+Stage leak_stage(const Case& one, const ReportCase& report_on) {
   const Case other = second_triangle(one);
-  const Told first = tell(one, "triangle/moller_trumbore");
-  const Told second = tell(other, "triangle/moller_trumbore");
+  const CaseReport first = report_on(one, "triangle/moller_trumbore");
+  const CaseReport second = report_on(other, "triangle/moller_trumbore");
   Setting setting = setting_of(first);
   const auto& triangle = std::get<Triangle<double>>(std::get<RayQuestion>(other.question).shape);
   setting.scene.push_back(polygon(Role::surface, {triangle.a, triangle.b, triangle.c}));
@@ -127,8 +127,8 @@ Stage leak_stage(const Case& one, const TellCase& tell) {
     add_step(stage, first, setting, wanted, "The first triangle");
   for (const Step& wanted : {MollerTrumbore::find_u, MollerTrumbore::find_v})
     add_step(stage, second, setting, wanted, "The second triangle");
-  const Told woop_first = tell(one, "triangle/woop");
-  const Told woop_second = tell(other, "triangle/woop");
+  const CaseReport woop_first = report_on(one, "triangle/woop");
+  const CaseReport woop_second = report_on(other, "triangle/woop");
   add_step(stage, woop_first, setting, Woop::find_sides, "Woop, the first");
   add_step(stage, woop_second, setting, Woop::find_sides, "Woop, the second");
   stage.steps.push_back(edge_step({{{"first", first, triangle_one}, {"second", second, triangle}}}, setting));

@@ -10,7 +10,7 @@ std::vector<Lesson> plane_lessons() {
            "shape": {"type": "plane", "normal": [0.3, 0.2, 1.1], "d": -0.7}})",
        "plane/implicit"},
       {"plane-point-normal", "planes", "Ray and plane, by a point and the normal",
-       "Both the way to the plane and the way the ray gains are measured along the normal; t is their "
+       "Both the distance to the plane and the ray's progress are measured along the normal; t is their "
        "quotient.",
        R"({"precision": "float32", "ray": {"origin": [1.7, -1.3, 2.3], "direction": [-0.3, 0.6, -0.9]},
            "shape": {"type": "plane", "point": [0.4, 0.3, 0.2], "normal": [0.1, -0.4, 1.2]}})",

@@ -7,8 +7,8 @@
 namespace rayproof::viz {
 
 /// A drawing in the plane of the screen, of its own scene.
-[[nodiscard]] inline Setting plot_setting(const Told& told) {
-  Setting setting = setting_of(told);
+[[nodiscard]] inline Setting plot_setting(const CaseReport& report) {
+  Setting setting = setting_of(report);
   setting.camera = {};
   setting.camera.is_flat = true;
   setting.scene.clear();

@@ -57,14 +57,14 @@ struct Counting {
   const char* because;  ///< of a side that is not looked at
 };
 
-Stage counted_stage(const Told& told, const Counting& counting) {
-  const auto& question = std::get<PointAndPolygon<double>>(told.one.question);
-  const Walkthrough walk = record(told.one.precision, [&]<class R>(std::type_identity<R>) {
+Stage counted_stage(const CaseReport& report, const Counting& counting) {
+  const auto& question = std::get<PointAndPolygon<double>>(report.one.question);
+  const Walkthrough walk = record(report.one.precision, [&]<class R>(std::type_identity<R>) {
     cross_sides<R>(question,
                    [&](const auto& a, const auto& b) { return counting.takes(question.point, a, b); });
   });
-  const Setting setting = setting_of(told);
-  Stage stage = composed_stage(told, walk, setting);
+  const Setting setting = setting_of(report);
+  Stage stage = composed_stage(report, walk, setting);
   int count = 0;
   const glm::dvec3 p(question.point.x, question.point.y, 0);
   for (std::size_t i = 0; i < question.vertices.size(); ++i) {
@@ -72,7 +72,7 @@ Stage counted_stage(const Told& told, const Counting& counting) {
     const PolygonSide side = polygon_side(question, i);
     step.items.push_back(segment(Role::edge, side.a, side.b, side.name));
     if (step.values.empty()) {
-      const auto y = [&](double height) { return shown(height, told.one.precision); };
+      const auto y = [&](double height) { return shown(height, report.one.precision); };
       step.caption = fmt::format("{} from y = {} to {}, the ray at y = {}: {} Crossings so far: {}.",
                                  side.name, y(side.a.y), y(side.b.y), y(p.y), counting.because, count);
       continue;
@@ -87,18 +87,18 @@ Stage counted_stage(const Told& told, const Counting& counting) {
     }
     step.words =
         fmt::format("{} Crossings so far: {}.", is_counted ? "It counts." : "It does not count.", count);
-    step.caption = fmt::format("{} {}, {}.", step.words, equation_of(step.values[0], told.one.precision),
-                               equation_of(step.values[1], told.one.precision));
+    step.caption = fmt::format("{} {}, {}.", step.words, equation_of(step.values[0], report.one.precision),
+                               equation_of(step.values[1], report.one.precision));
   }
   StageStep last;
   last.title = comparison_title;
   last.view = setting.near;
-  last.caption = fmt::format("{} {} {}: the point is {}. Exactly it is {}.", count,
-                             count == 1 ? "crossing is" : "crossings are",
-                             count % 2 == 1 ? "an odd number" : "an even number",
-                             count % 2 == 1 ? "inside" : "outside", name_of(std::get<Position>(told.exact)));
+  last.caption = fmt::format(
+      "{} {} {}: the point is {}. Exactly it is {}.", count, count == 1 ? "crossing is" : "crossings are",
+      count % 2 == 1 ? "an odd number" : "an even number", count % 2 == 1 ? "inside" : "outside",
+      name_of(std::get<Position>(report.exact)));
   last.items.push_back(
-      point(Role::exact, p, std::string("exactly ") + name_of(std::get<Position>(told.exact))));
+      point(Role::exact, p, std::string("exactly ") + name_of(std::get<Position>(report.exact))));
   stage.steps.push_back(last);
   stage.conclusion = last.caption;
   return stage;
@@ -111,20 +111,20 @@ bool any_side(const Vec2<double>& /*p*/, const Vec2<double>& /*a*/, const Vec2<d
   return true;
 }
 
-Stage parity_stage(const Case& one, const TellCase& tell) {
-  return counted_stage(tell(one, "point_in_polygon/parity"),
+Stage parity_stage(const Case& one, const ReportCase& report_on) {
+  return counted_stage(report_on(one, "point_in_polygon/parity"),
                        {has_ends_apart, [](double /*s*/, double t) { return t > 0; },
                         "both ends lie on one side of the ray, or the upper one on it: no crossing."});
 }
 
 /// As the lecture prints it: a side is met for s in [0, 1], closed at both ends.
-Stage printed_stage(const Case& one, const TellCase& tell) {
-  return counted_stage(tell(one, "point_in_polygon/printed_parity"),
+Stage printed_stage(const Case& one, const ReportCase& report_on) {
+  return counted_stage(report_on(one, "point_in_polygon/printed_parity"),
                        {any_side, [](double s, double t) { return s >= 0 && s <= 1 && t > 0; }, ""});
 }
 
-Stage segment_stage(const Case& one, const TellCase& tell) {
-  Stage stage = printed_stage(one, tell);
+Stage segment_stage(const Case& one, const ReportCase& report_on) {
+  Stage stage = printed_stage(one, report_on);
   stage.method = "polygon::cross_side";
   return stage;
 }
@@ -158,8 +158,8 @@ std::vector<Lesson> polygon_lessons() {
            "vertices": [[-1.5, -1], [0.3, -0.9], [0.4, 0.2], [1.3, 0.2], [1.1, 1.2], [-1.2, 1.1]]})",
        "", printed_stage},
       {"ray-segment", "polygons", "Ray and segment in the plane",
-       "Where the side reaches the ray's height is s of its way; the ray gets there at t, if s lies in [0, "
-       "1] and t > 0.",
+       "The side reaches the ray's height at the share s of its length; the ray gets there at t, if s lies "
+       "in [0, 1] and t > 0.",
        R"({"precision": "float32", "query": "point_in_polygon", "point": [-1.1, 0.3],
            "vertices": [[0.2, -0.8], [1.3, 0.9], [-0.9, 0.7]]})",
        "", segment_stage},

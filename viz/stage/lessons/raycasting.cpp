@@ -16,12 +16,12 @@ namespace {
 using namespace camera_image;
 
 /// What the loop knows of one sphere.
-struct Ball {
+struct LoopSphere {
   glm::dvec3 center;
   double radius;
   const char* name;
 };
-constexpr std::array<Ball, 2> balls{{{{0, 0, 0.2}, 0.75, "first"}, {{1.2, -0.4, 0.6}, 0.4, "second"}}};
+constexpr std::array<LoopSphere, 2> balls{{{{0, 0, 0.2}, 0.75, "first"}, {{1.2, -0.4, 0.6}, 0.4, "second"}}};
 
 /// The nearer of two hits of a pixel's ray: 0 or 1, or -1 for none; by the library's own routine in double.
 int nearest_ball(int i, int j) {
@@ -41,7 +41,7 @@ int nearest_ball(int i, int j) {
   return best_ball;
 }
 
-StageItem ball_item(const Ball& ball) {
+StageItem ball_item(const LoopSphere& ball) {
   const double r = ball.radius;
   return {Role::surface,
           Form::ellipsoid,
@@ -49,18 +49,18 @@ StageItem ball_item(const Ball& ball) {
            ball.center + glm::dvec3(0, 0, r)}};
 }
 
-/// The case's ray put to another sphere.
-Case with_ball(const Case& one, const Ball& ball) {
+/// The case's ray against another sphere.
+Case with_ball(const Case& one, const LoopSphere& ball) {
   Case other = one;
   std::get<RayQuestion>(other.question).shape = Sphere<double>{ball.center, ball.radius};
   return other;
 }
 
 /// The object's own t₀, as its run names it.
-StageValue first_root(const Told& told) {
+StageValue first_root(const CaseReport& report) {
   StageValue root;
-  if (!told.walk) return root;
-  for (const WalkStep& step : told.walk->steps) {
+  if (!report.walk) return root;
+  for (const WalkStep& step : report.walk->steps) {
     for (const WalkValue& value : step.values) {
       if (value.name == "t₀") root = {"t₀", value.formula, value.put_in, {value}};
     }
@@ -78,12 +78,12 @@ StageStep loop_step(const char* title, std::string caption, const StageView& vie
 }
 
 /// The loop's inside: the ray meets one object after the other, and the nearest stays.
-void meet_balls(Stage& stage, const Case& one, const TellCase& tell, const StageView& view) {
+void meet_balls(Stage& stage, const Case& one, const ReportCase& report_on, const StageView& view) {
   static constexpr std::array<const char*, 2> titles{"Meet the first object", "Meet the second object"};
   const Ray<double>& ray = std::get<RayQuestion>(one.question).ray;
   std::vector<double> roots;
   for (std::size_t k = 0; k < balls.size(); ++k) {
-    const StageValue root = first_root(tell(with_ball(one, balls.at(k)), "sphere/centred"));
+    const StageValue root = first_root(report_on(with_ball(one, balls.at(k)), "sphere/centred"));
     roots.push_back(root.components.at(0).value);
     StageStep step = loop_step(titles.at(k),
                                fmt::format("The nearest hit of the {} sphere: {} = {}", balls.at(k).name,
@@ -102,17 +102,17 @@ void meet_balls(Stage& stage, const Case& one, const TellCase& tell, const Stage
       view, {segment(Role::nearest, ray.origin, ray.origin + roots[best] * ray.direction, "what is seen")}));
 }
 
-Stage loop_stage(const Case& one, const TellCase& tell) {
-  const Told told = tell(with_ball(one, balls[1]), "sphere/centred");
-  Setting setting = setting_of(told);
+Stage loop_stage(const Case& one, const ReportCase& report_on) {
+  const CaseReport report = report_on(with_ball(one, balls[1]), "sphere/centred");
+  Setting setting = setting_of(report);
   const Ray<double>& ray = std::get<RayQuestion>(one.question).ray;
   setting.scene = grid();
-  for (const Ball& ball : balls) setting.scene.push_back(ball_item(ball));
+  for (const LoopSphere& ball : balls) setting.scene.push_back(ball_item(ball));
   setting.scene.push_back(point(Role::ray, eye().eye, "eye"));
   setting.camera = beside_the_camera();
   const StageView view = view_of(extent_of(setting.scene, setting.camera), setting.camera);
   setting.near = setting.wide = view;
-  Stage stage = stage_of(told);
+  Stage stage = stage_of(report);
   stage.scene = setting.scene;
   stage.camera = setting.camera;
   stage.slider->from = 0;
@@ -127,7 +127,7 @@ Stage loop_stage(const Case& one, const TellCase& tell) {
                 view,
                 {arrow(Role::ray, ray.origin, ray.origin + 3.6 * ray.direction, "the ray"),
                  pixel(Role::nearest, pixel_i, pixel_j)})};
-  meet_balls(stage, one, tell, view);
+  meet_balls(stage, one, report_on, view);
   Items image;
   int hits = 0;
   for (int i = 0; i < width; ++i) {
@@ -147,7 +147,7 @@ Stage loop_stage(const Case& one, const TellCase& tell) {
                 fmt::format("{} of {} pixels see an object: framed solid the first, dotted the second.", hits,
                             width * height),
                 view, image));
-  stage.steps.push_back(parting_step(told, setting));
+  stage.steps.push_back(difference_step(report, setting));
   stage.method = "sphere/centred for each pixel and object";
   return stage;
 }

@@ -27,11 +27,11 @@ Binding stop(const char* name) {
   return {name, [=](const NumbersByName& n) { return Items{point(Role::nearest, n.vector(name), name)}; }};
 }
 
-Stage ray_stage(const Case& one, const TellCase& tell) {
-  const Told told = tell(one, "");
+Stage ray_stage(const Case& one, const ReportCase& report_on) {
+  const CaseReport report = report_on(one, "");
   const auto& ray = std::get<RayQuestion>(one.question).ray;
   const Walkthrough walk = record(one.precision, [&]<class R>(std::type_identity<R>) { walk_along<R>(ray); });
-  Setting setting = setting_of(told);
+  Setting setting = setting_of(report);
   setting.near = setting.wide;
   setting.slider->from = setting.slider->start = ray.t_min;  // where the first step begins
   setting.bindings = {
@@ -43,9 +43,9 @@ Stage ray_stage(const Case& one, const TellCase& tell) {
       {"distance", [](const NumbersByName& n) {
          return Items{segment(Role::edge, n.origin(), n.vector("p(2.5)"), "2.5·|d|")};
        }}};
-  Stage stage = composed_stage(told, walk, setting);
+  Stage stage = composed_stage(report, walk, setting);
   stage.method = "p(t) = o + t·d";
-  stage.steps.push_back(parting_of_values(walk, setting, one.precision));
+  stage.steps.push_back(difference_of_values(walk, setting, one.precision));
   stage.conclusion = "A point of the ray is rounded twice in each coordinate, by the product and by the sum.";
   return stage;
 }

@@ -10,7 +10,7 @@ namespace rayproof::viz {
 namespace {
 
 /// The axis of t below the rows, and where a t lies on it.
-struct Axis {
+struct SlabAxis {
   double from, to;
   [[nodiscard]] double at(double t) const { return -1 + 2 * (std::clamp(t, from, to) - from) / (to - from); }
 };
@@ -36,7 +36,7 @@ void narrate_slabs(const RayQuestion& question) {
   (void)box::overlap(x, y, z);
 }
 
-Binding interval(const Axis& axis, const char* in, const char* out, double y, Role role) {
+Binding interval(const SlabAxis& axis, const char* in, const char* out, double y, Role role) {
   return {out, [=](const NumbersByName& n) {
             const glm::dvec3 from{axis.at(n[in]), y, 0};
             const glm::dvec3 to{axis.at(n[out]), y, 0};
@@ -44,15 +44,15 @@ Binding interval(const Axis& axis, const char* in, const char* out, double y, Ro
           }};
 }
 
-Stage intervals_stage(const Case& one, const TellCase& tell) {
-  const Told told = tell(one, "box/slabs");
+Stage intervals_stage(const Case& one, const ReportCase& report_on) {
+  const CaseReport report = report_on(one, "box/slabs");
   const auto& question = std::get<RayQuestion>(one.question);
   const Walkthrough walk =
       record(one.precision, [&]<class R>(std::type_identity<R>) { narrate_slabs<R>(question); });
-  Setting setting = plot_setting(told);
+  Setting setting = plot_setting(report);
   const NumbersByName n(walk, walk.steps.size() - 1);
-  const Axis axis{std::min({0.0, n["x_in"], n["y_in"], n["z_in"]}) - 0.3,
-                  std::max({n["x_out"], n["y_out"], n["z_out"]}) + 0.3};
+  const SlabAxis axis{std::min({0.0, n["x_in"], n["y_in"], n["z_in"]}) - 0.3,
+                      std::max({n["x_out"], n["y_out"], n["z_out"]}) + 0.3};
   setting.scene = {arrow(Role::ray, {-1.05, -0.62, 0}, {1.05, -0.62, 0}, "t")};
   for (int t = static_cast<int>(std::ceil(axis.from)); t <= axis.to; ++t) {
     const double x = axis.at(t);
@@ -64,10 +64,10 @@ Stage intervals_stage(const Case& one, const TellCase& tell) {
                       interval(axis, "z_in", "z_out", -0.15, Role::edge),
                       interval(axis, "t_entry", "t_exit", -0.45, Role::nearest)};
   setting.slider.reset();
-  Stage stage = composed_stage(told, walk, setting);
+  Stage stage = composed_stage(report, walk, setting);
   stage.steps.front().title = "Measure the ray by its t axis";
   stage.method = "box/slabs";
-  stage.steps.push_back(parting_of_values(walk, setting, one.precision));
+  stage.steps.push_back(difference_of_values(walk, setting, one.precision));
   stage.conclusion = "A box is where three intervals overlap.";
   return stage;
 }

@@ -15,10 +15,10 @@ constexpr const char* stretched_sphere =
         "transform": [[1.5, -0.4, 0, 0.3], [0.4, 0.7, 0, 0.1], [0, 0, 0.8, 0.4], [0, 0, 0, 1]]})";
 
 /// Beside the world, the object's own space: the unit sphere and the ray as it sees it.
-Stage transformed_stage(const Case& one, const TellCase& tell) {
-  const Told told = tell(one, "sphere/centred");
-  Stage stage = stage_of(told);
-  const NumbersByName n(*told.walk, told.walk->steps.size() - 1);
+Stage transformed_stage(const Case& one, const ReportCase& report_on) {
+  const CaseReport report = report_on(one, "sphere/centred");
+  Stage stage = stage_of(report);
+  const NumbersByName n(*report.walk, report.walk->steps.size() - 1);
   show_beside(stage, "Take the ray into",
               {{Role::surface, Form::ellipsoid, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
                arrow(Role::ray, n.origin(), n.at(n["t₁"] * 1.25), "o′ + t·d"),
@@ -56,13 +56,13 @@ void carry_normal(const RayQuestion& question, double t) {
   (void)named("m", vec3<R>(normal.x * space.row_x + normal.y * space.row_y + normal.z * space.row_z));
 }
 
-Stage normal_stage(const Case& one, const TellCase& tell) {
-  const Told told = tell(one, "sphere/centred");
+Stage normal_stage(const Case& one, const ReportCase& report_on) {
+  const CaseReport report = report_on(one, "sphere/centred");
   const auto& question = std::get<RayQuestion>(one.question);
-  const double t = std::get<RayAnswer>(told.exact).hits.t[0];
+  const double t = std::get<RayAnswer>(report.exact).hits.t[0];
   const Walkthrough walk =
       record(one.precision, [&]<class R>(std::type_identity<R>) { carry_normal<R>(question, t); });
-  Setting setting = setting_of(told);
+  Setting setting = setting_of(report);
   const glm::dvec3 hit = question.ray.origin + t * question.ray.direction;
   const auto at_hit = [=](const char* name, Role role, const char* label) {
     return Binding{name, [=](const NumbersByName& n) {
@@ -76,10 +76,10 @@ Stage normal_stage(const Case& one, const TellCase& tell) {
       at_hit("A·n", Role::claimed, "A·n, wrong"),
       at_hit("m", Role::normal, "by the inverse transpose"),
       at_hit("n", Role::edge, "n of the unit sphere")};
-  Stage stage = composed_stage(told, walk, setting);
+  Stage stage = composed_stage(report, walk, setting);
   stage.method = "normal_to_world";
   // The tangent plane makes it plain which of the two stands upright.
-  const glm::dvec3 normal = *std::get<RayAnswer>(told.exact).normal;
+  const glm::dvec3 normal = *std::get<RayAnswer>(report.exact).normal;
   const glm::dvec3 u = 0.7 * across(normal);
   const glm::dvec3 v = glm::cross(normal, u);
   for (const StageItem& item :
@@ -87,7 +87,7 @@ Stage normal_stage(const Case& one, const TellCase& tell) {
         polyline(Role::edge, {hit + u + v, hit + u - v, hit - u - v, hit - u + v, hit + u + v})}) {
     stage.steps.at(3).items.push_back(item);
   }
-  stage.steps.push_back(parting_of_values(walk, setting, one.precision));
+  stage.steps.push_back(difference_of_values(walk, setting, one.precision));
   stage.conclusion = "Only the inverse transpose keeps what is at right angles at right angles.";
   return stage;
 }

@@ -12,10 +12,10 @@ constexpr const char* one_triangle =
         "shape": {"type": "triangle", "a": [-1.1, -0.4, 0.3], "b": [1.6, -0.2, 0.1], "c": [0.2, 1.3, 0.6]}})";
 
 /// Beside the world, what the ray sees: the sheared triangle along the z axis, which is the sheared ray.
-Stage woop_stage(const Case& one, const TellCase& tell) {
-  const Told told = tell(one, "triangle/woop");
-  Stage stage = stage_of(told);
-  Walkthrough sheared = *told.walk;
+Stage woop_stage(const Case& one, const ReportCase& report_on) {
+  const CaseReport report = report_on(one, "triangle/woop");
+  Stage stage = stage_of(report);
+  Walkthrough sheared = *report.walk;
   sheared.inputs.clear();  // where a, b and c are the case's own
   const NumbersByName n(sheared, sheared.steps.size() - 1);
   const auto seen = [&](const char* corner) {

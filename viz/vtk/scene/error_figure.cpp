@@ -55,7 +55,7 @@ void paint_swatch(Raster& canvas, const Swatch& swatch) {
 
 void frame(Picture& picture, double left, double top, double width, double height) {
   const double l = left - 1, t = top - 1, r = left + width + 1, b = top + height + 1;
-  picture.elements.emplace_back(viz::Line{Role::frame, {{l, t}, {r, t}, {r, b}, {l, b}, {l, t}}, 1.5});
+  picture.elements.emplace_back(viz::PixelLine{Role::frame, {{l, t}, {r, t}, {r, b}, {l, b}, {l, t}}, 1.5});
 }
 
 }  // namespace

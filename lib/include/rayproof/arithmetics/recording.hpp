@@ -13,8 +13,8 @@
 
 namespace rayproof {
 
-/// The operations a recording tells apart. `constant` is a number the kernel did not compute: an input (which
-/// has a name) or a literal.
+/// The operations a recording distinguishes. `constant` is a number the kernel did not compute: an input
+/// (which has a name) or a literal.
 enum class Operator {
   constant,
   negate,

@@ -79,7 +79,7 @@ struct Wide<Recorded<F, Shadow>> {
 };
 
 /// The lanes of a pack of floats, in double. A plain array: no register of the instruction set holds them
-/// all, and the type still tells instruction sets apart.
+/// all, and the type still distinguishes instruction sets.
 template <class Abi, std::size_t size>
 struct WideLanes {
   std::array<double, size> lanes;

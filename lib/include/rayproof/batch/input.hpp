@@ -19,7 +19,7 @@ struct Coordinates {
 };
 
 /// Rays as six arrays of one length, with a common interval of t. Where `object_space` is given the rays are
-/// in the world, and are put to the shape in that space; t is the same in both.
+/// in the world, and meet the shape in that space; t is the same in both.
 template <class T>
 struct RayBatch {
   Coordinates<T> origin;

@@ -29,7 +29,7 @@ struct ExactTime {
 };
 
 /// When a line is between two parallel planes, as `Slab` has it. Where it runs parallel to them, entry and
-/// exit mean nothing, and it is in the slab for ever or never.
+/// exit mean nothing, and it is in the slab for all t or for none.
 template <std::size_t N, std::size_t M>
 struct ExactSlab {
   bool is_parallel;

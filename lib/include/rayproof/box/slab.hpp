@@ -22,7 +22,7 @@ struct Slab {
 
 /// A line that gains `speed` per unit of t on its way from the plane `below` ahead of it to the one `above`,
 /// which it meets at `t_below` and `t_above`. Where `speed` is 0 those two are not looked at: the line is in
-/// the slab for ever or never, planes included.
+/// the slab for all t or for none, planes included.
 template <class T>
 [[nodiscard]] constexpr Slab<T> slab_of(const T& speed, const T& below, const T& above, const T& t_below,
                                         const T& t_above) {

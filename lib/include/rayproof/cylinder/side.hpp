@@ -61,7 +61,7 @@ template <class T>
 }
 
 /// The hits of either, given the roots of the side; `is_in_circle` is asked of the origin, for a line along
-/// the axis: it is inside the side for ever or never, and no root's formula has anything to say of it.
+/// the axis: it is inside the side for all t or for none, and no root's formula has anything to say of it.
 template <class T>
 [[nodiscard]] constexpr Roots<T> hits(const Ray<T>& ray, const Cylinder<T>& cylinder, const Roots<T>& side,
                                       const Mask<T>& is_in_circle) {

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The two ways from a second-degree problem to its roots that more than one shape takes.
+/// The two computations of the roots of a second-degree problem that more than one shape uses.
 
 #include <rayproof/method/narration.hpp>
 #include <rayproof/roots.hpp>

@@ -3,7 +3,7 @@
 /// The roots of one function of one variable over an interval, none of them missed: bisection by interval
 /// values, interval Newton steps where the function is monotone.
 ///
-/// Source: R. E. Moore, "Interval Analysis", 1966; put to ray tracing by D. P. Mitchell, "Robust Ray
+/// Source: R. E. Moore, "Interval Analysis", 1966; applied to ray tracing by D. P. Mitchell, "Robust Ray
 /// Intersection with Interval Arithmetic", Graphics Interface 1990.
 
 #include <array>

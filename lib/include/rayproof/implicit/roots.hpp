@@ -23,7 +23,7 @@ struct Search {
 /// - no root is missed: a t in [t_min, t_max] outside of all enclosures is no root of the exact function;
 /// - a `certain` enclosure lies inside [t_min, t_max] and holds exactly one root, at which f changes its
 /// sign;
-/// - what cannot be told apart is one `undecided` enclosure: tangents, near tangents within rounding, roots
+/// - what cannot be separated is one `undecided` enclosure: tangents, near tangents within rounding, roots
 ///   within rounding of an end of the interval, and whatever is left when the budget is spent;
 /// - the search begins no range after `budget` evaluations of f, the refinement of what it found none after
 ///   twice as many: `search_contract.overrun` is what the last range may take beyond that;

@@ -22,7 +22,7 @@ enum class Claim : unsigned {
   batch,      ///< a batch gives bit for bit the scalar answers
   nan,        ///< a NaN anywhere in the input never gives a hit
   bounded,    ///< the running-error arithmetic's bound encloses the exact answer
-  contact     ///< why a ray misses is told rightly: parallel to the surface, inside it, or neither
+  contact     ///< why a ray misses is given rightly: parallel to the surface, inside it, or neither
 };
 inline constexpr std::size_t claim_count = 12;
 

@@ -10,7 +10,7 @@ namespace rayproof {
 /// The base of a shape's topic, as the registries see it.
 template <template <class> class Shape>
 struct RayTopic {
-  /// A ray and the shape it is put to.
+  /// A ray and the shape it is tested against.
   template <class T>
   struct Problem {
     Ray<T> ray;

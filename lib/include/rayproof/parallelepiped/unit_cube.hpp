@@ -6,8 +6,8 @@
 
 namespace rayproof::parallelepiped {
 
-/// The ray taken to the coordinates in which the solid is the unit cube, and that put to the slabs of a box:
-/// t is the same number in both.
+/// The ray taken to the coordinates in which the solid is the unit cube, and that tested against the slabs of
+/// a box: t is the same number in both.
 ///
 /// The map is the inverse of the matrix of the edges, row i being nᵢ = eⱼ×eₖ over nᵢ·eᵢ. Where rounding
 /// leaves nᵢ·eᵢ = 0, of edges that nearly lie in one plane, there is no such map and no hit.

@@ -12,7 +12,7 @@ struct Confirmed {
   Rectangle<T> root, only_one;
 };
 
-/// A surface put to a line, in plain numbers and in intervals.
+/// A surface along a line, in plain numbers and in intervals.
 template <class Surface, std::floating_point T>
 struct Meeting {
   using I = Interval<T>;

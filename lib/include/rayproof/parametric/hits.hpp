@@ -120,7 +120,7 @@ class HitSearch {
 /// - no hit is missed: each p(t) = r(u, v) with t in [t_min, t_max] has its (t, u, v) in the ranges of one of
 ///   the answers;
 /// - the ranges of a certain one hold exactly one, and lie inside the ray's interval and the unit square;
-/// - what cannot be told apart is undecided: hits on the square's edge or at an end of the interval within
+/// - what cannot be distinguished is undecided: hits on the square's edge or at an end of the interval within
 ///   rounding, silhouettes, lines in the surface, hits closer than `finest_piece`, and whatever is left when
 ///   `budget` pieces have been cut in two;
 /// - of each, |r(u, v) - p(t)| is not larger than `residual`;

@@ -7,8 +7,8 @@
 
 namespace rayproof::point_in_polygon {
 
-/// Twice the area of the triangle point, a, b: positive where the point lies to the left of the way from a to
-/// b. Exactly antisymmetric in a and b.
+/// Twice the area of the triangle point, a, b: positive where the point lies to the left of the walk from a
+/// to b. Exactly antisymmetric in a and b.
 template <class T>
 [[nodiscard]] constexpr auto orientation(const Vec2<T>& point, const Vec2<T>& a, const Vec2<T>& b) {
   return (a.x - point.x) * (b.y - point.y) - (a.y - point.y) * (b.x - point.x);

@@ -40,7 +40,7 @@ class ExactMeeting {
     return {compressed<24>(numerator_), compressed<24>(denominator_)};
   }
 
-  /// The place of the meeting point in the polygon. Vertices are told from it by the signs of their
+  /// The place of the meeting point in the polygon. Vertices are distinguished from it by the signs of their
   /// coordinates alone: for the winding number, the point may be at 0 and they at -1, 0 and 1.
   [[nodiscard]] Position locate() const {
     PointAndPolygon<double> signs{{0, 0}, {}};
@@ -59,28 +59,28 @@ class ExactMeeting {
     double error;
     [[nodiscard]] bool is_clear() const { return abs(value) > error; }
   };
-  [[nodiscard]] Rounded rounded_way(const Vec2<double>& vertex, double Vec2<double>::*axis) const {
+  [[nodiscard]] Rounded rounded_offset(const Vec2<double>& vertex, double Vec2<double>::*axis) const {
     const double moved = t_ * direction_.*axis;
     const double size = abs(origin_.*axis) + abs(moved) + abs(vertex.*axis);
     return {(vertex.*axis - origin_.*axis) - moved, 0x1p-49 * size + 0x1p-960};
   }
 
   /// The same, exactly, times the denominator.
-  [[nodiscard]] Exact exact_way(const Vec2<double>& vertex, double Vec2<double>::*axis) const {
+  [[nodiscard]] Exact exact_offset(const Vec2<double>& vertex, double Vec2<double>::*axis) const {
     return (Exact(vertex.*axis) - Exact(origin_.*axis)) * denominator_ - numerator_ * Exact(direction_.*axis);
   }
 
   /// The sign of one coordinate of the vertex less the point's.
   [[nodiscard]] int compare(const Vec2<double>& vertex, double Vec2<double>::*axis) const {
-    const Rounded way = rounded_way(vertex, axis);
-    if (way.is_clear()) return way.value > 0 ? 1 : -1;
-    return sign(exact_way(vertex, axis)) * sign(denominator_);
+    const Rounded offset = rounded_offset(vertex, axis);
+    if (offset.is_clear()) return offset.value > 0 ? 1 : -1;
+    return sign(exact_offset(vertex, axis)) * sign(denominator_);
   }
 
   /// The sign of the orientation of the point and the side from a to b, which is that of (a - point)×(b - a).
   [[nodiscard]] int side(const Vec2<double>& a, const Vec2<double>& b) const {
-    const Rounded x = rounded_way(a, &Vec2<double>::x);
-    const Rounded y = rounded_way(a, &Vec2<double>::y);
+    const Rounded x = rounded_offset(a, &Vec2<double>::x);
+    const Rounded y = rounded_offset(a, &Vec2<double>::y);
     const Vec2<double> edge{b.x - a.x, b.y - a.y};
     const double left = x.value * edge.y;
     const double right = y.value * edge.x;
@@ -88,8 +88,8 @@ class ExactMeeting {
     const Rounded orientation{left - right, error + 0x1p-960};
     if (orientation.is_clear()) return orientation.value > 0 ? 1 : -1;
 
-    const Exact exact_left = exact_way(a, &Vec2<double>::x) * (Exact(b.y) - Exact(a.y));
-    const Exact exact_right = exact_way(a, &Vec2<double>::y) * (Exact(b.x) - Exact(a.x));
+    const Exact exact_left = exact_offset(a, &Vec2<double>::x) * (Exact(b.y) - Exact(a.y));
+    const Exact exact_right = exact_offset(a, &Vec2<double>::y) * (Exact(b.x) - Exact(a.x));
     return sign(exact_left - exact_right) * sign(denominator_);
   }
 

@@ -13,10 +13,10 @@ namespace rayproof::sphere {
 /// expansions in double, so the verdict is the exact one and every t is within one ulp, grazing rays
 /// included.
 ///
-/// A ray in float is first put to Centred in double, whose answer stands where it is clear of every rounding;
-/// the expansions decide the rest. An answer is never rounded across an end of the ray's interval. Holds for
-/// all finite floats; for doubles while every number that is not 0 lies within 2^±200, beyond which terms of
-/// the expansions over- or underflow.
+/// A ray in float is first answered by Centred in double, whose answer stands where it is clear of every
+/// rounding; the expansions decide the rest. An answer is never rounded across an end of the ray's interval.
+/// Holds for all finite floats; for doubles while every number that is not 0 lies within 2^±200, beyond which
+/// terms of the expansions over- or underflow.
 struct Compensated {
   static constexpr const char* name = "compensated";
   static constexpr const char* title = "exact discriminant by expansions";

@@ -39,7 +39,7 @@ template <class T>
 }
 
 /// Point and triangle along the axis where the triangle's normal is largest, the projection in which the
-/// triangle keeps the most of its area. The triangle may turn over on the way; its coordinates don't mind.
+/// triangle keeps the most of its area. The triangle may turn over in projection; its coordinates stay.
 template <class T>
 struct Projected {
   Vec2<T> q, a, b, c;

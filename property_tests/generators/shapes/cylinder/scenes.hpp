@@ -56,8 +56,8 @@ struct Turn {
   return {std::round(place.x), std::round(place.y), z};
 }
 [[nodiscard]] inline glm::dvec3 exact_tangent(const Tube& tube, const Turn& turn) {
-  const glm::dvec3 way = tangent(tube, turn);
-  return {std::round(way.x), std::round(way.y), 0};
+  const glm::dvec3 along = tangent(tube, turn);
+  return {std::round(along.x), std::round(along.y), 0};
 }
 
 /// The height of one of the ends.

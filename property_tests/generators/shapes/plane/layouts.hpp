@@ -66,8 +66,8 @@ using Sheet = ParametricPlane;
 [[nodiscard]] inline Scene near_parallel(Random& random, Precision precision) {
   const Sheet sheet = in_a_room(random);
   const double angle = draw::magnitude<double>(random, -draw::digits_of(precision), -4);
-  const glm::dvec3 any_way = draw::unit_vector(random);
-  const glm::dvec3 off = random.uniform(-1, 1) * any_way;
+  const glm::dvec3 any_direction = draw::unit_vector(random);
+  const glm::dvec3 off = random.uniform(-1, 1) * any_direction;
   const glm::dvec3 origin = somewhere(random, sheet) + off;
   const glm::dvec3 slope = angle * draw::unit_vector(random);
   return in_some_form(random, sheet, {origin, random.uniform(-2, 2) * sheet.u + sheet.v + slope});

@@ -7,10 +7,10 @@ namespace rayproof {
 namespace point_in_polygon_family {
 
 using outline_layout::Layout;
-using outline_layout::Plan;
+using outline_layout::PolygonCase;
 
-[[nodiscard]] Question question(Precision precision, const Plan& plan) {
-  return Plan{rounded(precision, plan.point), rounded(precision, plan.vertices)};
+[[nodiscard]] Question question(Precision precision, const PolygonCase& plan) {
+  return PolygonCase{rounded(precision, plan.point), rounded(precision, plan.vertices)};
 }
 
 template <const Layout& layout>
@@ -24,7 +24,7 @@ template <const Layout& layout>
 constexpr Layout far{
     "far", "point and polygon are 1e2 to 1e6 sizes from the origin, half the time near the boundary", false,
     [](Random& random) {
-      Plan plan = outline_layout::either_plan(random);
+      PolygonCase plan = outline_layout::either_plan(random);
       const double distance = std::pow(10, random.uniform(2, 6));
       const double x = distance * draw::symmetric<double>(random);
       const double y = distance * draw::symmetric<double>(random);
@@ -35,7 +35,7 @@ constexpr Layout far{
     }};
 
 constexpr Layout near_level{"near_level", "the point is level with a vertex, or an ulp or a little more off",
-                            false, [](Random& random) -> Plan {
+                            false, [](Random& random) -> PolygonCase {
                               const Outline vertices = star(random, vertex_count(random));
                               const double y = some_vertex(random, vertices).y;
                               const double off =
@@ -44,7 +44,7 @@ constexpr Layout near_level{"near_level", "the point is level with a vertex, or 
                             }};
 
 constexpr Layout many{"many", "30 to 200 vertices, half of them on a small grid", false,
-                      [](Random& random) -> Plan {
+                      [](Random& random) -> PolygonCase {
                         const int count = random.between(30, 200);
                         if (random.one_in(2)) return {whole_place(random, 8), scattered(random, count, 8)};
                         const double x = random.uniform(-4, 4);
@@ -57,7 +57,7 @@ constexpr Layout many{"many", "30 to 200 vertices, half of them on a small grid"
 }
 
 [[nodiscard]] Question any_places(Numbers number) {
-  Plan plan{{}, Outline(static_cast<std::size_t>(number.random.between(3, 8)))};
+  PolygonCase plan{{}, Outline(static_cast<std::size_t>(number.random.between(3, 8)))};
   const auto fill = [&](double& x) { x = number(); };
   each_number(plan.point, fill);
   each_number(plan.vertices, fill);

@@ -7,7 +7,7 @@
 
 namespace rayproof::polygon_family {
 
-using outline_layout::Plan;
+using outline_layout::PolygonCase;
 
 /// Where the outline's plane lies in space: (x, y) is at origin + x·u + y·v.
 struct Sheet {
@@ -52,7 +52,7 @@ struct Sheet {
 /// A layout of the plane in space, the ray aimed at its point.
 template <const outline_layout::Layout& layout>
 [[nodiscard]] Scene in_space(Random& random) {
-  const Plan plan = layout.plan(random);
+  const PolygonCase plan = layout.plan(random);
   if constexpr (layout.is_exact) {
     const Sheet sheet = whole_sheet(random);
     return looked_at_exactly(random, lifted(sheet, plan.vertices), sheet.at(plan.point),
@@ -68,13 +68,13 @@ template <const outline_layout::Layout& layout>
 }
 
 [[nodiscard]] inline Scene far(Random& random) {
-  const Plan plan = outline_layout::either_plan(random);
+  const PolygonCase plan = outline_layout::either_plan(random);
   const Sheet sheet = any_sheet(random);
   return looked_at_from_afar(random, lifted(sheet, plan.vertices), sheet.at(plan.point));
 }
 
 [[nodiscard]] inline Scene coplanar(Random& random) {
-  const Plan plan = outline_layout::level.plan(random);
+  const PolygonCase plan = outline_layout::level.plan(random);
   const Sheet sheet = whole_sheet(random);
   const double along_v = random.between(1, 3), along_u = random.between(-3, 3);
   Scene scene{sheet.at(plan.point), along_u * sheet.u + along_v * sheet.v, lifted(sheet, plan.vertices)};

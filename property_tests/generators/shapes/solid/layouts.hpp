@@ -39,12 +39,12 @@ template <class Kind>
 [[nodiscard]] Scene in_faces(Random& random) {
   const Frame frame = Kind::whole(random);
   const int across = random.between(0, 2);  // the axis the ray does not move along
-  glm::dvec3 start = draw::vector([&] { return random.between(-2, 6) / 4.0; }), way(0);
+  glm::dvec3 start = draw::vector([&] { return random.between(-2, 6) / 4.0; }), direction(0);
   start[across] = random.between(0, 1);
   const int other = (across + random.between(1, 2)) % 3;
-  way[other] = random.one_in(2) ? 1 : -1;
-  if (random.one_in(2)) way[3 - across - other] = random.between(-2, 2);
-  Scene scene{at(frame, start), along(frame, way), Kind::shape(frame)};
+  direction[other] = random.one_in(2) ? 1 : -1;
+  if (random.one_in(2)) direction[3 - across - other] = random.between(-2, 2);
+  Scene scene{at(frame, start), along(frame, direction), Kind::shape(frame)};
   if (random.one_in(4)) scene.t_min = -std::numeric_limits<double>::infinity();
   return scene;
 }

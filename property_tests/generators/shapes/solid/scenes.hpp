@@ -55,8 +55,8 @@ struct Oblique {
   [[nodiscard]] static Frame in_a_room(Random& random) {
     const glm::dvec3 corner = point_in_a_room(random);
     const auto edge = [&] {
-      const glm::dvec3 way = draw::unit_vector(random);
-      return random.uniform(0.1, 5) * way;
+      const glm::dvec3 direction = draw::unit_vector(random);
+      return random.uniform(0.1, 5) * direction;
     };
     const glm::dvec3 first = edge(), second = edge();
     return {corner, {first, second, edge()}};

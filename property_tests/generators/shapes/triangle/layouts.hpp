@@ -32,8 +32,8 @@ namespace rayproof::triangle_family {
 [[nodiscard]] inline glm::dvec3 on_the_rim(Random& random, const Triangle<double>& t) {
   const glm::dvec3 corners[] = {t.a, t.b, t.c, t.a};
   const int edge = random.between(0, 2);
-  const double way = random.one_in(3) ? 0 : random.uniform(0, 1);
-  return corners[edge] + way * (corners[edge + 1] - corners[edge]);
+  const double share = random.one_in(3) ? 0 : random.uniform(0, 1);
+  return corners[edge] + share * (corners[edge + 1] - corners[edge]);
 }
 
 /// The same, exact for whole coordinates.
@@ -96,11 +96,11 @@ namespace rayproof::triangle_family {
 
 [[nodiscard]] inline Scene upright(Random& random) {
   Triangle<double> triangle = whole(random);
-  const glm::dvec3 way = triangle.b - triangle.a;
+  const glm::dvec3 edge = triangle.b - triangle.a;
   const int axis = random.between(0, 2);
-  triangle.c = triangle.a;  // across the others' way, straight along an axis
+  triangle.c = triangle.a;  // across the other edge, straight along an axis
   triangle.c[axis] += random.one_in(2) ? 4 : -3;
-  if (way[(axis + 1) % 3] == 0 && way[(axis + 2) % 3] == 0) triangle.b[(axis + 1) % 3] += 5;
+  if (edge[(axis + 1) % 3] == 0 && edge[(axis + 2) % 3] == 0) triangle.b[(axis + 1) % 3] += 5;
   const glm::dvec3 on_edge = exactly_on_the_rim(random, triangle);
   return looked_at_exactly(random, triangle,
                            random.one_in(2) ? on_edge : eighth_between(random, on_edge, triangle.c));
@@ -114,9 +114,9 @@ namespace rayproof::triangle_family {
 
 [[nodiscard]] inline Scene degenerate(Random& random) {
   const glm::dvec3 a = whole_point(random, 8);
-  const glm::dvec3 way = whole_vector(random, 3);
-  Triangle<double> triangle{a, a + double{1} * random.between(-2, 2) * way,
-                            a + double{1} * random.between(-2, 2) * way};
+  const glm::dvec3 direction = whole_vector(random, 3);
+  Triangle<double> triangle{a, a + double{1} * random.between(-2, 2) * direction,
+                            a + double{1} * random.between(-2, 2) * direction};
   if (random.one_in(4)) {  // Rounding lifts the third vertex off the line by an ulp, if at all.
     triangle.a = point_in_a_room(random);
     triangle.b = point_in_a_room(random);
@@ -138,8 +138,8 @@ namespace rayproof::triangle_family {
 [[nodiscard]] inline Scene near_coplanar(Random& random, Precision precision) {
   const Triangle<double> triangle = in_a_room(random);
   const glm::dvec3 in_plane = inside(random, triangle) - triangle.a;
-  const glm::dvec3 any_way = draw::unit_vector(random);
-  const glm::dvec3 slope = draw::magnitude<double>(random, -draw::digits_of(precision), -4) * any_way;
+  const glm::dvec3 any_direction = draw::unit_vector(random);
+  const glm::dvec3 slope = draw::magnitude<double>(random, -draw::digits_of(precision), -4) * any_direction;
   const double length = std::sqrt(dot(in_plane, in_plane)), distance = random.uniform(0, 20);
   return looked_at(triangle, in_or_beside(random, triangle), 1 / length * in_plane + slope, distance, 1);
 }

@@ -2,7 +2,7 @@
 /// \file
 /// What a ray and a sphere come to: a quadratic in t, everything that is asked about a given t, and the exact
 /// verdict. The formulas stand here once, over a ring R; they run over Interval, Ball and Pair, which know
-/// when they can't tell, and then over the exact Ring, which always can.
+/// when they can't decide, and then over the exact Ring, which always can.
 
 #include <cmath>
 #include <optional>
@@ -78,7 +78,7 @@ template <class Number, class R>
     return read(x);
 }
 
-/// The exact verdict, or nothing where R can't tell.
+/// The exact verdict, or nothing where R can't decide.
 template <class Number, class R>
 [[nodiscard]] auto verdict(const SphereEquation<R>& scene, const Ray<double>& ray) {
   using std::abs;

@@ -50,7 +50,7 @@ struct HitError {
   double residual;
 };
 
-/// The error of a finite t; nothing where R can't tell.
+/// The error of a finite t; nothing where R can't decide.
 template <class R, class Number>
 [[nodiscard]] std::optional<HitError> hit_error(const SphereEquation<R>& scene, const Truth<Number>& truth,
                                                 const Number& unit, int side, double t, Precision precision) {

@@ -61,7 +61,7 @@ struct Bench {
 };
 
 /// The judgement of one case. A ring's numbers are made only when they are asked for: those of the balls for
-/// the error of a hit, the exact ones when no filter could tell.
+/// the error of a hit, the exact ones when no filter could decide.
 class SphereJudge {
  public:
   SphereJudge(const RayQuestion& question, const Sphere<double>& sphere, Precision precision)

@@ -58,7 +58,7 @@ def without_its_packages(place):
 
 
 def absent(place):
-    """Where the library alone is installed, a project that asks for the laboratory is told so in one sentence."""
+    """Where the library alone is installed, a project that asks for the laboratory learns so from one sentence."""
     configure = blocks(place.properties, "sh")[1].splitlines()[0]
     said = place.run(f"{configure} || echo ended with $?", place.make_project("my_property", page=place.properties))
     if ABSENT not in " ".join(said.split()) or not said.endswith("ended with 1\n"):

@@ -24,7 +24,7 @@ TYPED_TEST(CompensatedBox, MissesWhatPaddedTakesForAHit) {
   EXPECT_EQ(Compensated::roots(ray, this->box_).discriminant, -1);
 }
 
-TYPED_TEST(CompensatedBox, TellsTwoHitsThatRoundToOneNumberFromATouch) {
+TYPED_TEST(CompensatedBox, DistinguishesTwoHitsThatRoundToOneNumberFromATouch) {
   // In at x = 0 at t = 1, out at y = 1 at t = 1 + 2^-80.
   const TypeParam a_little = std::ldexp(TypeParam(1), -80);
   const Ray<TypeParam> ray{{-1, -a_little, TypeParam(0.5)}, {1, 1, 0}};

@@ -16,7 +16,7 @@ class CompensatedCylinder : public testing::Test {
 using Precisions = testing::Types<float, double>;
 TYPED_TEST_SUITE(CompensatedCylinder, Precisions);
 
-TYPED_TEST(CompensatedCylinder, TellsATangentFromItsNeighbours) {
+TYPED_TEST(CompensatedCylinder, DistinguishesATangentFromItsNeighbours) {
   const TypeParam one = 1;
   const auto at = [&](TypeParam y) {
     return Compensated::roots(Ray<TypeParam>{{-1000, y, 1}, {1, 0, 0}}, this->capped_);
@@ -39,7 +39,7 @@ TYPED_TEST(CompensatedCylinder, TouchesAnObliqueTangentOnce) {
   EXPECT_EQ(roots.hi, 3);
 }
 
-TYPED_TEST(CompensatedCylinder, TellsARimThatIsTouchedFromItsNeighbours) {
+TYPED_TEST(CompensatedCylinder, DistinguishesARimThatIsTouchedFromItsNeighbours) {
   const auto from = [&](TypeParam height) {
     return Compensated::roots(Ray<TypeParam>{{-3, 0, height}, {1, 0, -1}}, this->capped_);
   };
@@ -51,7 +51,7 @@ TYPED_TEST(CompensatedCylinder, TellsARimThatIsTouchedFromItsNeighbours) {
   EXPECT_EQ(above.hi, std::nextafter(TypeParam(1), TypeParam(2)));
 }
 
-TYPED_TEST(CompensatedCylinder, TellsTwoHitsThatRoundToOneNumberFromATangent) {
+TYPED_TEST(CompensatedCylinder, DistinguishesTwoHitsThatRoundToOneNumberFromATangent) {
   const TypeParam far = std::ldexp(TypeParam(1), 30);
   for (const auto& cylinder : {this->capped_, Cylinder<TypeParam>{2, 1, 4, false}}) {
     const Ray<TypeParam> ray{{-far, std::nextafter(TypeParam(1), TypeParam(0)), 1}, {1, 0, 0}};

@@ -29,7 +29,7 @@ TYPED_TEST(CompensatedParallelepiped, KeepsASolidThatRoundingFlattens) {
   EXPECT_EQ(Compensated::roots(along, needle).hi, 2);
 }
 
-TYPED_TEST(CompensatedParallelepiped, TellsTwoHitsThatRoundToOneNumberFromATouch) {
+TYPED_TEST(CompensatedParallelepiped, DistinguishesTwoHitsThatRoundToOneNumberFromATouch) {
   const Ray<TypeParam> ray{{-1, 1, TypeParam(0.5)}, {1, -1, 0}};
   EXPECT_EQ(Compensated::roots(ray, this->leaning_).discriminant, 0);
   // With the corner moved to x = -2^-80 the ray enters at t = 1 - 2^-81 and leaves at y = 0 at t = 1.

@@ -11,7 +11,7 @@
 #include "generators/draw.hpp"
 #include "oracle/geometry/scene.hpp"
 #include "oracle/numbers/exact.hpp"
-#include "unit/oracle/second_way/rational.hpp"
+#include "unit/oracle/independent/rational.hpp"
 
 namespace rayproof::parametric {
 namespace {
@@ -108,11 +108,11 @@ TYPED_TEST(ExactPatchHits, FindThePointThatTheRayWasAimedAt) {
 }
 
 /// The exact hits of a bilinear patch and the double ones among them, in whole numbers.
-struct ExactHit {
+struct ExactPatchHit {
   Surd t, u, v;
 };
 struct ExactHits {
-  std::vector<ExactHit> all;
+  std::vector<ExactPatchHit> all;
   bool is_double = false;
   bool is_regular = true;  ///< no ruling in the ray's direction, no volume that is 0 everywhere
 };
@@ -162,7 +162,7 @@ ExactHits exact_hits(const Ray<T>& ray, const BilinearPatch<T>& patch) {
       found.is_regular = false;
       return found;
     }
-    const ExactHit hit{dot(cross(at, ruling), n) / nn, u, dot(cross(at, d), n) / nn};
+    const ExactPatchHit hit{dot(cross(at, ruling), n) / nn, u, dot(cross(at, d), n) / nn};
     const auto in_unit = [](const Surd& x) { return x >= Rational(0) && x <= Rational(1); };
     if (in_unit(hit.u) && in_unit(hit.v) && hit.t >= Rational(0)) found.all.push_back(hit);
   }
@@ -192,16 +192,16 @@ TYPED_TEST(ExactPatchHits, OfABilinearPatchAreThoseOfItsExactQuadratic) {
     const ExactHits exact = exact_hits(ray, patch);
     if (!exact.is_regular) continue;
     const PatchHits<T> found = hits(ray, patch);
-    const auto holds_hit = [](const PatchHit<T>& hit, const ExactHit& one) {
+    const auto holds_hit = [](const PatchHit<T>& hit, const ExactPatchHit& one) {
       return holds(hit.t_range, one.t) && holds(hit.u_range, one.u) && holds(hit.v_range, one.v);
     };
-    const auto missed = std::count_if(exact.all.begin(), exact.all.end(), [&](const ExactHit& one) {
+    const auto missed = std::count_if(exact.all.begin(), exact.all.end(), [&](const ExactPatchHit& one) {
       return std::none_of(found.begin(), found.end(), [&](const auto& hit) { return holds_hit(hit, one); });
     });
     EXPECT_LE(static_cast<double>(missed), hits_contract.missed.promised);
     for (const PatchHit<T>& hit : found) {
       const auto inside = std::count_if(exact.all.begin(), exact.all.end(),
-                                        [&](const ExactHit& one) { return holds_hit(hit, one); });
+                                        [&](const ExactPatchHit& one) { return holds_hit(hit, one); });
       const bool is_wrong = hit.is_certain && (inside != 1 || exact.is_double);
       EXPECT_LE(is_wrong ? 1 : 0, hits_contract.wrong.promised);
       certain += hit.is_certain ? 1 : 0;

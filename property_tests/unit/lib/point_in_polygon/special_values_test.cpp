@@ -50,7 +50,7 @@ class EveryPointInPolygonMethod : public testing::Test {
 using Precisions = testing::Types<float, double>;
 TYPED_TEST_SUITE(EveryPointInPolygonMethod, Precisions);
 
-TYPED_TEST(EveryPointInPolygonMethod, TellsInsideFromOutside) {
+TYPED_TEST(EveryPointInPolygonMethod, DistinguishesInsideFromOutside) {
   this->expect(Position::inside, {1, 1}, this->square_);
   this->expect(Position::outside, {5, 1}, this->square_);
   this->expect(Position::outside, {-1, 1}, this->square_);

@@ -42,7 +42,7 @@ TYPED_TEST(FullRangeOf, SolvesCoefficientsThatUnderflowWhenSquared) {
   this->expect_roots(this->solve(tiny, -3 * tiny, 2 * tiny), 1, 2);
 }
 
-TYPED_TEST(FullRangeOf, TellsADoubleRootFromItsNeighbours) {
+TYPED_TEST(FullRangeOf, DistinguishesADoubleRootFromItsNeighbours) {
   const TypeParam one = 1;
   EXPECT_EQ(this->solve(1, -2, one).kind, RootKind::twice);
   EXPECT_EQ(this->solve(1, -2, std::nextafter(one, TypeParam(2))).kind, RootKind::none);

@@ -66,7 +66,7 @@ TEST(CylinderOracle, HitsTheRimsInTheirPlane) {
   }
 }
 
-TEST(CylinderOracle, TellsALineInTheSideFromOneBeside) {
+TEST(CylinderOracle, DistinguishesALineInTheSideFromOneBeside) {
   const Ray<double> in_side{{3, 8, -1}, {0, 0, 1}};
   expect_miss(met(in_side, open), Contact::in_surface);
   expect_hits(met(in_side, capped), Contact::rim, {1, 5});  // the two ends belong to the caps

@@ -35,7 +35,7 @@ TEST(PlaneOracle, MakesTheNormalAUnitVector) {
   EXPECT_NEAR(found.normal->z, 0.8, 0x1p-52);
 }
 
-TEST(PlaneOracle, TellsAParallelLineFromOneInThePlane) {
+TEST(PlaneOracle, DistinguishesAParallelLineFromOneInThePlane) {
   for (const Shape& plane : level(3)) {
     expect_miss(met({{1, 2, 3}, {4, -5, 0}}, plane), Contact::in_surface);
     expect_miss(met({{1, 2, std::nextafter(3.0, 4.0)}, {4, -5, 0}}, plane), Contact::parallel);

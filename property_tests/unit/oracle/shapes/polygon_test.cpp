@@ -57,7 +57,7 @@ TEST(PolygonOracle, TakesNoNetAreaForDegenerate) {
               Contact::degenerate);
 }
 
-TEST(PolygonOracle, TellsAParallelLineFromOneInThePlane) {
+TEST(PolygonOracle, DistinguishesAParallelLineFromOneInThePlane) {
   expect_miss(met({{-9, 1, 0}, {1, 0, 0}}, notched), Contact::in_surface);
   expect_miss(met({{-9, 99, 0}, {1, 0, 0}}, notched), Contact::in_surface);
   expect_miss(met({{-9, 1, DBL_TRUE_MIN}, {1, 0, 0}}, notched), Contact::parallel);

@@ -28,7 +28,7 @@ TEST(QuadraticOracle, ListsRootsAscendingWhateverTheSignOfA) {
   }
 }
 
-TEST(QuadraticOracle, TellsADoubleRootFromItsNeighbours) {
+TEST(QuadraticOracle, DistinguishesADoubleRootFromItsNeighbours) {
   const double b = 1 + 0x1p-30;
   EXPECT_EQ(roots_of(1, -2, 1).count, 1U);
   EXPECT_EQ(roots_of(1, -2, std::nextafter(1.0, 2.0)).kind, RootKind::none);

@@ -29,7 +29,7 @@ TEST(QuadricOracle, CrossesTheUnitSphereAtFourAndSix) {
   EXPECT_EQ(line.roots()[1].compare(Ring(6.0)), 0);
 }
 
-TEST(QuadricOracle, TellsATangentFromItsNeighbours) {
+TEST(QuadricOracle, DistinguishesATangentFromItsNeighbours) {
   const double above = std::nextafter(1.0, 2.0), below = std::nextafter(1.0, 0.0);
   EXPECT_EQ(unit_sphere({0, 1, -5}, {0, 0, 1}).kind(), QuadricKind::twice);
   EXPECT_EQ(unit_sphere({0, above, -5}, {0, 0, 1}).kind(), QuadricKind::none);
@@ -74,7 +74,7 @@ TEST(QuadricOracle, CatchesEveryWayToBeWrong) {
 }
 
 /// What a family has come to.
-struct Tally {
+struct FamilyCounts {
   std::size_t rays = 0, known = 0, tangents = 0, certain = 0, narrow = 0, idle = 0, evaluations = 0,
               spent = 0;
   double widest = 0, overrun = 0;
@@ -93,7 +93,7 @@ implicit::Quadric<double> widened(const implicit::Quadric<T>& q) {
 }
 
 template <class T>
-void put(const QuadricScene<T>& scene, Tally& tally, std::size_t budget = default_budget) {
+void put(const QuadricScene<T>& scene, FamilyCounts& tally, std::size_t budget = default_budget) {
   constexpr Precision precision = sizeof(T) == 4 ? Precision::float32 : Precision::float64;
   const implicit::Search<T> found = implicit::search(scene.ray, scene.quadric, budget);
   const EnclosureJudgement judgement =
@@ -131,7 +131,7 @@ TYPED_TEST(GuaranteedRoots, HoldEveryRootTheExactQuadricKnows) {
              "tangents", "certain", "<=64 ulp", "undecided", "no root", "evals/ray", "most", "widest/ulp");
   const std::uint64_t each = ray_count() / quadric_families<TypeParam>.size() + 1;
   for (const auto& family : quadric_families<TypeParam>) {
-    Tally tally;
+    FamilyCounts tally;
     for (std::uint64_t seed = 0; seed < each && !this->HasFailure(); ++seed) {
       SCOPED_TRACE(fmt::format("{} {}", family.name, seed));
       Random random(combine(seed, 2022));
@@ -146,7 +146,7 @@ TYPED_TEST(GuaranteedRoots, HoldEveryRootTheExactQuadricKnows) {
 }
 
 TYPED_TEST(GuaranteedRoots, AreHeldWhateverTheBudget) {
-  Tally tally;
+  FamilyCounts tally;
   for (const std::size_t budget : {0U, 1U, 2U, 5U, 20U, 80U}) {
     for (const auto& family : quadric_families<TypeParam>) {
       for (std::uint64_t seed = 0; seed < 300 && !this->HasFailure(); ++seed) {
@@ -167,7 +167,7 @@ TEST(GuaranteedRootsBeyondTheGreatestFloat, AreNotTakenForOne) {
       {{0x1.4744e2p+14F, -0x1.16e862p+112F, 0x1.ce7e68p-57F}, {0x1.d98be6p-96F, -0x1p-109F, 0x1.8p+1F}},
       {-0x1.adf92ap+56F, -1, -0x1p-88F, 0x1.ac2026p-42F, 0x1.3ee22ap-79F, -0x1.165a6p+72F, -0x1.5a34a6p+40F,
        0x1.5536dcp+1F, -0x1.59a9ecp-51F, 12}};
-  Tally tally;
+  FamilyCounts tally;
   put(scene, tally);
   EXPECT_EQ(tally.known, 2U);
   EXPECT_EQ(tally.certain, 0U);

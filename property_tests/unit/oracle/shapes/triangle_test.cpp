@@ -49,7 +49,7 @@ TEST(TriangleOracle, TurnsTheNormalWithTheOrderOfTheVertices) {
   EXPECT_EQ(*found.barycentric, glm::dvec3(0.25, 0.5, 0.25));
 }
 
-TEST(TriangleOracle, TellsAParallelLineFromOneInThePlane) {
+TEST(TriangleOracle, DistinguishesAParallelLineFromOneInThePlane) {
   expect_miss(met({{-1, 1, 0}, {1, 0, 0}}, right_angled), Contact::in_surface);
   expect_miss(met({{-9, 50, 0}, {1, 0, 0}}, right_angled), Contact::in_surface);  // the line passes it by
   expect_miss(met({{-1, 0, 0}, {1, 0, 0}}, right_angled), Contact::in_surface);   // along an edge

@@ -1,10 +1,10 @@
 /// \file
-/// Spheres, cylinders and quadratics the second way: CGAL's numbers of the form a + b·√c over rational ones,
-/// put into the shape's own inequalities point by point.
+/// Spheres, cylinders and quadratics, computed independently: CGAL's numbers of the form a + b·√c over
+/// rational ones, put into the shape's own inequalities point by point.
 
 #include <CGAL/Sqrt_extension.h>
 
-#include "unit/oracle/second_way/meeting.hpp"
+#include "unit/oracle/independent/meeting.hpp"
 
 namespace rayproof::oracle::test {
 namespace {
@@ -43,8 +43,8 @@ void expect_agrees(const Case& one, const RationalRay& ray, const std::vector<Ro
   }
 }
 
-TEST(SecondWay, NumbersWithRootsAgreeWithSpheres) {
-  for_each_case("sphere", second_way_cases, [](Case one) {
+TEST(IndependentComputation, NumbersWithRootsAgreeWithSpheres) {
+  for_each_case("sphere", independent_cases, [](Case one) {
     const RayQuestion& asked = question_of(one);
     const auto& sphere = std::get<Sphere<double>>(asked.shape);
     const RationalRay ray(asked);
@@ -110,8 +110,8 @@ std::vector<RoundHit> hits_of(const UnitRay& ray, bool has_caps) {
   return hits;
 }
 
-TEST(SecondWay, NumbersWithRootsAgreeWithCylinders) {
-  for_each_case("cylinder", second_way_cases, [](Case one) {
+TEST(IndependentComputation, NumbersWithRootsAgreeWithCylinders) {
+  for_each_case("cylinder", independent_cases, [](Case one) {
     const RayQuestion& asked = question_of(one);
     const auto& tube = std::get<Cylinder<double>>(asked.shape);
     const RationalRay ray(asked);
@@ -121,8 +121,8 @@ TEST(SecondWay, NumbersWithRootsAgreeWithCylinders) {
   });
 }
 
-TEST(SecondWay, NumbersWithRootsAgreeWithQuadratics) {
-  for_each_case("quadratic", second_way_cases, [](const Case& one) {
+TEST(IndependentComputation, NumbersWithRootsAgreeWithQuadratics) {
+  for_each_case("quadratic", independent_cases, [](const Case& one) {
     const auto& q = std::get<Quadratic<double>>(one.question);
     if (q.a == 0) return;  // no square, no root: see quadratic_test.cpp
     const Rational sign(q.a < 0 ? -1 : 1);

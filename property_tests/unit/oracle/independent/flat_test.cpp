@@ -1,10 +1,10 @@
 /// \file
-/// Planes and triangles the second way: CGAL's intersections of a line with Plane_3 and Triangle_3 over
-/// rational numbers.
+/// Planes and triangles, computed independently: CGAL's intersections of a line with Plane_3 and Triangle_3
+/// over rational numbers.
 
 #include <CGAL/intersections.h>
 
-#include "unit/oracle/second_way/meeting.hpp"
+#include "unit/oracle/independent/meeting.hpp"
 
 namespace rayproof::oracle::test {
 namespace {
@@ -26,7 +26,7 @@ Contact parallel_contact(const Kernel::Line_3& line, const Plane3& plane) {
 }
 
 template <class S>
-Meeting meet(const RationalRay& ray, const Ray<double>& interval, const S& shape) {
+RationalMeeting meet(const RationalRay& ray, const Ray<double>& interval, const S& shape) {
   const Plane3 plane = plane_of(shape);
   const auto meeting = CGAL::intersection(ray.line(), plane);
   const Point* point = meeting ? boost::get<Point>(&*meeting) : nullptr;
@@ -52,7 +52,7 @@ Vector3 barycentric(const Kernel::Triangle_3& triangle, const Point& q, const Ve
   return {share(0), share(1), share(2)};
 }
 
-Meeting meet(const RationalRay& ray, const Ray<double>& interval, const Triangle<double>& shape) {
+RationalMeeting meet(const RationalRay& ray, const Ray<double>& interval, const Triangle<double>& shape) {
   const Kernel::Triangle_3 triangle(point_of(shape.a), point_of(shape.b), point_of(shape.c));
   if (triangle.is_degenerate()) return {.contact = Contact::degenerate};
   const Plane3 plane = triangle.supporting_plane();
@@ -67,8 +67,8 @@ Meeting meet(const RationalRay& ray, const Ray<double>& interval, const Triangle
   return {contact_at(triangle, point), {t}, normal, barycentric(triangle, point, normal)};
 }
 
-TEST(SecondWay, CgalsPlanesAgree) {
-  for_each_case("plane", second_way_cases, [](Case one) {
+TEST(IndependentComputation, CgalsPlanesAgree) {
+  for_each_case("plane", independent_cases, [](Case one) {
     const RayQuestion& asked = question_of(one);
     const RationalRay ray(asked);
     if (const auto* implicit = std::get_if<ImplicitPlane>(&asked.shape))
@@ -80,8 +80,8 @@ TEST(SecondWay, CgalsPlanesAgree) {
   });
 }
 
-TEST(SecondWay, CgalsTrianglesAgree) {
-  for_each_case("triangle", second_way_cases, [](Case one) {
+TEST(IndependentComputation, CgalsTrianglesAgree) {
+  for_each_case("triangle", independent_cases, [](Case one) {
     const RayQuestion& asked = question_of(one);
     const RationalRay ray(asked);
     expect_agrees(one, ray, meet(ray, asked.ray, std::get<Triangle<double>>(asked.shape)));

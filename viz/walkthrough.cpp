@@ -65,7 +65,7 @@ std::string meaning_of(const Tape& tape, std::ptrdiff_t step, Precision precisio
 }
 
 /// What decides the verdict: a discriminant, an unnamed difference, or, where the sign is a mere flag,
-/// nothing but the comparisons on the way to it.
+/// nothing but the comparisons before it.
 std::string decider_of(const Tape& tape, OperationId id) {
   const Operation<Shadow>& o = tape.at(id);
   if (o.op == Operator::constant) return "";
@@ -122,12 +122,12 @@ void judge(Walkthrough& walk, const Tape& tape, const Ending& ending) {
     walk.outcome = Outcome::inaccurate;
   }
   walk.answer_bits_lost = tape.at(worst).bits_lost;
-  walk.death = find_death(tape, worst, noteworthy);
+  walk.decisive_loss = find_decisive_loss(tape, worst, noteworthy);
 }
 
 }  // namespace
 
-Walkthrough tell_steps(const Tape& tape, Precision precision) {
+Walkthrough steps_of(const Tape& tape, Precision precision) {
   Walkthrough walk;
   walk.precision = precision;
   walk.digits = precision == Precision::float32 ? std::numeric_limits<float>::digits
@@ -152,8 +152,8 @@ Walkthrough tell_steps(const Tape& tape, Precision precision) {
   return walk;
 }
 
-Walkthrough tell(const Tape& tape, const Ending& ending, Precision precision) {
-  Walkthrough walk = tell_steps(tape, precision);
+Walkthrough walkthrough_of(const Tape& tape, const Ending& ending, Precision precision) {
+  Walkthrough walk = steps_of(tape, precision);
   walk.lo = tape.at(ending.lo).value;
   walk.hi = tape.at(ending.hi).value;
   walk.decider = decider_of(tape, ending.discriminant);
@@ -170,8 +170,10 @@ std::string verdict_sentence(const Walkthrough& walk) {
           ? walk.decider + " is left with the wrong sign, and the verdict is wrong"
           : fmt::format("the answer keeps {:.0f} of its {} bits",
                         std::max(0.0, walk.digits - walk.answer_bits_lost), walk.digits);
-  if (!walk.death) return "No single operation is to blame, but roundings add up: " + consequence + ".";
-  return fmt::format("In step '{}' {}: {}.", walk.death->step, in_words(*walk.death), consequence);
+  if (!walk.decisive_loss)
+    return "No single operation is to blame, but roundings add up: " + consequence + ".";
+  return fmt::format("In step '{}' {}: {}.", walk.decisive_loss->step, in_words(*walk.decisive_loss),
+                     consequence);
 }
 
 }  // namespace rayproof::viz

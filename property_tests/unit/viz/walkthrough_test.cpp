@@ -9,15 +9,15 @@
 #include "subjects/solve_topics.hpp"
 #include "unit/bits.hpp"
 #include "unit/viz/every_shape.hpp"
+#include "viz/case_report.hpp"
 #include "viz/record.hpp"
-#include "viz/told.hpp"
 #include "viz/topics.hpp"
 
 namespace rayproof::viz {
 namespace {
 
 TEST(Stories, OfEveryRecordableMethodEndInTheKernelsOwnNumbersBitForBit) {
-  std::size_t told = 0;
+  std::size_t explained = 0;
   for (const Family& family : families()) {
     const Case one = family.generate(7, Precision::float32);
     Topics::for_each([&]<class Topic>(std::type_identity<Topic>) {
@@ -30,22 +30,22 @@ TEST(Stories, OfEveryRecordableMethodEndInTheKernelsOwnNumbersBitForBit) {
           EXPECT_TRUE(same_bits<double>(walk->lo, roots.lo)) << Topic::name << '/' << Method::name;
           EXPECT_TRUE(same_bits<double>(walk->hi, roots.hi)) << Topic::name << '/' << Method::name;
           EXPECT_FALSE(walk->steps.empty()) << Topic::name << '/' << Method::name;
-          ++told;
+          ++explained;
         } else {
           EXPECT_FALSE(walk) << Topic::name << '/' << Method::name;
         }
       });
     });
   }
-  EXPECT_GT(told, 100U);
+  EXPECT_GT(explained, 100U);
 }
 
 TEST(Stories, NameTheInputsByTheLettersOfTheFormat) {
   const auto names = [](const std::string& shape, const std::string& method) {
     const Case one = with_shape(shape);
-    const Walkthrough told = view_of(one)->walk(one, method).value();
+    const Walkthrough walkthrough = view_of(one)->walk(one, method).value();
     std::string all;
-    for (const WalkValue& value : told.inputs) all += value.name + ' ';
+    for (const WalkValue& value : walkthrough.inputs) all += value.name + ' ';
     return all;
   };
   EXPECT_EQ(names(shapes_of("plane").front(), "implicit"), "o.x o.y o.z d⃗.x d⃗.y d⃗.z n.x n.y n.z d ");
@@ -60,8 +60,8 @@ TEST(Stories, NameTheInputsByTheLettersOfTheFormat) {
 TEST(Stories, AMethodThatCantBeRecordedSaysSoAndStillAnswers) {
   const Case one =
       read_case(R"({"query":"point_in_polygon","point":[0,0],"vertices":[[-1,-1],[1,-1],[0,1]]})");
-  const Told told{one, oracle::answer(one), "point_in_polygon/parity", Position::inside, {}};
-  const std::string text = explain_text(told);
+  const CaseReport report{one, oracle::answer(one), "point_in_polygon/parity", Position::inside, {}};
+  const std::string text = explain_text(report);
   EXPECT_NE(text.find("can't be recorded step by step; its answer is the exact one."), std::string::npos)
       << text;
   EXPECT_NE(text.find("inside"), std::string::npos) << text;
@@ -69,10 +69,10 @@ TEST(Stories, AMethodThatCantBeRecordedSaysSoAndStillAnswers) {
 
 TEST(Stories, AComparisonBesideATieIsBlamedForAWrongVerdict) {
   const Case one = with_shape(shapes_of("triangle").front());
-  const Told told{one, oracle::answer(one), "triangle/cramer", RayAnswer{},
-                  view_of(one)->walk(one, "cramer")};
-  EXPECT_NE(conclusion_of(told).find("a comparison is so near a tie"), std::string::npos)
-      << conclusion_of(told);
+  const CaseReport report{one, oracle::answer(one), "triangle/cramer", RayAnswer{},
+                          view_of(one)->walk(one, "cramer")};
+  EXPECT_NE(conclusion_of(report).find("a comparison is so near a tie"), std::string::npos)
+      << conclusion_of(report);
 }
 
 }  // namespace

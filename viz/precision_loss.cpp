@@ -96,28 +96,28 @@ std::string effect_of(const Operation<Shadow>& o, bool is_cancelling) {
 
 }  // namespace
 
-Death describe_loss(const Tape& tape, OperationId id) {
+PrecisionLoss describe_loss(const Tape& tape, OperationId id) {
   const Operation<Shadow>& o = tape.at(id);
   const bool is_cancelling = cancels(tape, o);
-  Death death;
-  death.step = o.step < 0 ? "the inputs" : tape.steps.at(static_cast<std::size_t>(o.step)).title;
-  death.kind = kind_of(o.op, is_cancelling);
-  death.effect = effect_of(o, is_cancelling);
-  death.formula = formula_of(tape, id);
-  death.name = o.name;
-  death.bits_lost_here = o.bits_lost_here;
-  death.bits_lost = o.bits_lost;
-  death.digits = o.digits;
-  return death;
+  PrecisionLoss loss;
+  loss.step = o.step < 0 ? "the inputs" : tape.steps.at(static_cast<std::size_t>(o.step)).title;
+  loss.kind = kind_of(o.op, is_cancelling);
+  loss.effect = effect_of(o, is_cancelling);
+  loss.formula = formula_of(tape, id);
+  loss.name = o.name;
+  loss.bits_lost_here = o.bits_lost_here;
+  loss.bits_lost = o.bits_lost;
+  loss.digits = o.digits;
+  return loss;
 }
 
-std::optional<Death> find_death(const Tape& tape, OperationId result, double noteworthy) {
+std::optional<PrecisionLoss> find_decisive_loss(const Tape& tape, OperationId result, double least_bits) {
   OperationId worst = unrecorded;
   for (OperationId id = result; id != unrecorded; id = worst_operand(tape, tape.at(id))) {
     const bool is_worse = worst == unrecorded || tape.at(id).bits_lost_here > tape.at(worst).bits_lost_here;
     if (is_worse) worst = id;
   }
-  if (worst == unrecorded || tape.at(worst).bits_lost_here < noteworthy) return std::nullopt;
+  if (worst == unrecorded || tape.at(worst).bits_lost_here < least_bits) return std::nullopt;
   return describe_loss(tape, worst);
 }
 

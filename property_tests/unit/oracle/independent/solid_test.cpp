@@ -1,10 +1,10 @@
 /// \file
-/// Boxes and parallelepipeds the second way: CGAL's intersection of a line with Iso_cuboid_3 over rational
-/// numbers; a parallelepiped is the unit cube under the map that its edges are.
+/// Boxes and parallelepipeds, computed independently: CGAL's intersection of a line with Iso_cuboid_3 over
+/// rational numbers; a parallelepiped is the unit cube under the map that its edges are.
 
 #include <CGAL/intersections.h>
 
-#include "unit/oracle/second_way/meeting.hpp"
+#include "unit/oracle/independent/meeting.hpp"
 
 namespace rayproof::oracle::test {
 namespace {
@@ -23,7 +23,8 @@ std::optional<Vector3> face_normal(const Kernel::Iso_cuboid_3& cuboid, const Poi
   return normals[0];
 }
 
-Meeting meet(const RationalRay& ray, const Ray<double>& interval, const Kernel::Iso_cuboid_3& cuboid) {
+RationalMeeting meet(const RationalRay& ray, const Ray<double>& interval,
+                     const Kernel::Iso_cuboid_3& cuboid) {
   const auto meeting = CGAL::intersection(ray.line(), cuboid);
   if (!meeting) return {};
   std::vector<Rational> ends;
@@ -34,7 +35,7 @@ Meeting meet(const RationalRay& ray, const Ray<double>& interval, const Kernel::
     ends = {ray.t_of(chord.source()), ray.t_of(chord.target())};
     std::sort(ends.begin(), ends.end());
   }
-  Meeting result{.contact = ends.size() == 1 ? Contact::tangent : Contact::crossing};
+  RationalMeeting result{.contact = ends.size() == 1 ? Contact::tangent : Contact::crossing};
   for (const Rational& t : ends)
     if (is_within(t, interval)) result.hits.push_back(t);
   if (result.hits.empty()) return {};
@@ -42,8 +43,8 @@ Meeting meet(const RationalRay& ray, const Ray<double>& interval, const Kernel::
   return result;
 }
 
-TEST(SecondWay, CgalsIsoCuboidsAgree) {
-  for_each_case("box", second_way_cases, [](Case one) {
+TEST(IndependentComputation, CgalsIsoCuboidsAgree) {
+  for_each_case("box", independent_cases, [](Case one) {
     const RayQuestion& asked = question_of(one);
     const RationalRay ray(asked);
     const auto& box = std::get<Box<double>>(asked.shape);
@@ -51,8 +52,8 @@ TEST(SecondWay, CgalsIsoCuboidsAgree) {
   });
 }
 
-TEST(SecondWay, UnitCubesUnderAMapAgreeWithParallelepipeds) {
-  for_each_case("parallelepiped", second_way_cases, [](Case one) {
+TEST(IndependentComputation, UnitCubesUnderAMapAgreeWithParallelepipeds) {
+  for_each_case("parallelepiped", independent_cases, [](Case one) {
     const RayQuestion& asked = question_of(one);
     const auto& solid = std::get<Parallelepiped<double>>(asked.shape);
     const auto& [u, v, w] = solid.edges;
@@ -68,9 +69,9 @@ TEST(SecondWay, UnitCubesUnderAMapAgreeWithParallelepipeds) {
 
 // The same cases in the other's words: a box with thickness is a parallelepiped of three edges along the
 // axes.
-TEST(SecondWay, BoxesAgreeWithTheParallelepipedsThatTheyAre) {
+TEST(IndependentComputation, BoxesAgreeWithTheParallelepipedsThatTheyAre) {
   std::size_t tried = 0;
-  for_each_case("box", second_way_cases, [&](Case one) {
+  for_each_case("box", independent_cases, [&](Case one) {
     const RayAnswer as_box = ray_answer(one);
     RayQuestion& asked = question_of(one);
     const auto box = std::get<Box<double>>(asked.shape);

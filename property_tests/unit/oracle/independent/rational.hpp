@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// The second way to the oracle's answers: CGAL's exact geometry over GMP's rational numbers, which divides
-/// where the oracle does not, and shares nothing with it but the case.
+/// The oracle's answers, computed independently: CGAL's exact geometry over GMP's rational numbers, which
+/// divides where the oracle does not, and shares nothing with it but the case.
 
 #include <CGAL/Aff_transformation_3.h>
 #include <CGAL/Gmpq.h>

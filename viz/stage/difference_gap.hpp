@@ -21,7 +21,7 @@ struct Gap {
 inline constexpr std::array<const char*, 3> gap_names{"t_entry", "t_exit", "t_padded"};
 
 /// The gap of a run that names both ends, where it is narrow.
-[[nodiscard]] std::optional<Gap> gap_of(const Told& told);
+[[nodiscard]] std::optional<Gap> gap_of(const CaseReport& report);
 
 /// Both intervals beside the ray, magnified.
 void show_gap(StageStep& step, const Gap& gap, Precision precision, const Setting& setting);

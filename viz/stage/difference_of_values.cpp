@@ -35,7 +35,7 @@ glm::dvec3 error_of(const StageValue& value, const Setting& setting) {
 
 }  // namespace
 
-StageStep parting_of_values(const Walkthrough& walk, const Setting& setting, Precision precision) {
+StageStep difference_of_values(const Walkthrough& walk, const Setting& setting, Precision precision) {
   StageStep step;
   step.title = comparison_title;
   step.view = setting.near;

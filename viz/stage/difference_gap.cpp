@@ -1,4 +1,4 @@
-#include "viz/stage/parting_gap.hpp"
+#include "viz/stage/difference_gap.hpp"
 
 #include <fmt/format.h>
 
@@ -10,9 +10,9 @@
 
 namespace rayproof::viz {
 
-std::optional<Gap> gap_of(const Told& told) {
-  if (!told.walk || told.walk->steps.empty()) return std::nullopt;
-  const NumbersByName n(*told.walk, told.walk->steps.size() - 1);
+std::optional<Gap> gap_of(const CaseReport& report) {
+  if (!report.walk || report.walk->steps.empty()) return std::nullopt;
+  const NumbersByName n(*report.walk, report.walk->steps.size() - 1);
   const auto& [entry, exit, padded] = gap_names;
   if (!n.has(exit)) return std::nullopt;
   const Gap gap{n[entry], n[exit], n.rounded(entry), n.rounded(n.has(padded) ? padded : exit)};

@@ -1,10 +1,10 @@
 /// \file
-/// Polygons the second way: CGAL's bounded_side_2 where the outline is simple, and for all others the parity
-/// of the triangles that the sides span with an apex, which casts no ray and passes no vertex.
+/// Polygons, computed independently: CGAL's bounded_side_2 where the outline is simple, and for all others
+/// the parity of the triangles that the sides span with an apex, which casts no ray and passes no vertex.
 
 #include <CGAL/Polygon_2_algorithms.h>
 
-#include "unit/oracle/second_way/meeting.hpp"
+#include "unit/oracle/independent/meeting.hpp"
 
 namespace rayproof::oracle::test {
 namespace {
@@ -70,7 +70,7 @@ int dropped_axis(const Vector3& normal) {
   return largest;
 }
 
-Meeting meet(const RationalRay& ray, const Ray<double>& interval, const Polygon<double>& polygon) {
+RationalMeeting meet(const RationalRay& ray, const Ray<double>& interval, const Polygon<double>& polygon) {
   std::vector<Point> vertices;
   for (const glm::dvec3& v : polygon.vertices) vertices.push_back(point_of(v));
   const Vector3 normal = area_of(vertices);
@@ -88,16 +88,16 @@ Meeting meet(const RationalRay& ray, const Ray<double>& interval, const Polygon<
   return {contact, {t}, normal};
 }
 
-TEST(SecondWay, TrianglesAboutAnApexAgreeWithPolygons) {
-  for_each_case("polygon", second_way_cases / 2, [](Case one) {
+TEST(IndependentComputation, TrianglesAboutAnApexAgreeWithPolygons) {
+  for_each_case("polygon", independent_cases / 2, [](Case one) {
     const RayQuestion& asked = question_of(one);
     const RationalRay ray(asked);
     expect_agrees(one, ray, meet(ray, asked.ray, std::get<Polygon<double>>(asked.shape)));
   });
 }
 
-TEST(SecondWay, TrianglesAboutAnApexAgreeWithPointInPolygon) {
-  for_each_case("point_in_polygon", second_way_cases, [](const Case& one) {
+TEST(IndependentComputation, TrianglesAboutAnApexAgreeWithPointInPolygon) {
+  for_each_case("point_in_polygon", independent_cases, [](const Case& one) {
     const auto& asked = std::get<PointAndPolygon<double>>(one.question);
     const auto point = [](const Vec2<double>& v) { return Point2(Rational(v.x), Rational(v.y)); };
     ExactOutline outline;
@@ -111,8 +111,8 @@ TEST(SecondWay, TrianglesAboutAnApexAgreeWithPointInPolygon) {
 }
 
 // A polygon of three vertices is a triangle; the two know nothing of each other in the oracle.
-TEST(SecondWay, TrianglesAgreeWithPolygonsOfThreeVertices) {
-  for_each_case("triangle", second_way_cases, [](Case one) {
+TEST(IndependentComputation, TrianglesAgreeWithPolygonsOfThreeVertices) {
+  for_each_case("triangle", independent_cases, [](Case one) {
     const RayAnswer as_triangle = ray_answer(one);
     RayQuestion& asked = question_of(one);
     const auto triangle = std::get<Triangle<double>>(asked.shape);

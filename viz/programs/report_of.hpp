@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A case answered by the oracle and by a method, and the method's run told.
+/// A case answered by the oracle and by a method, with the walkthrough of the method.
 
 #include <optional>
 #include <string>
@@ -9,7 +9,7 @@
 #include "case/reader/near_names.hpp"
 #include "oracle/oracle.hpp"
 #include "subjects/subject.hpp"
-#include "viz/told.hpp"
+#include "viz/case_report.hpp"
 #include "viz/topics.hpp"
 
 namespace rayproof::viz {
@@ -27,28 +27,28 @@ namespace rayproof::viz {
 }
 
 /// `subject` may be null: then the exact answer alone. Its topic must be the case's.
-[[nodiscard]] inline Told told_of(const Case& one, const Subject* subject) {
-  Told told{.one = one, .exact = oracle::answer(one)};
+[[nodiscard]] inline CaseReport report_of(const Case& one, const Subject* subject) {
+  CaseReport report{.one = one, .exact = oracle::answer(one)};
   if (one.precision == Precision::float32) {
     Case finer = one;
     finer.precision = Precision::float64;
-    told.finer = oracle::answer(finer);
+    report.finer = oracle::answer(finer);
   }
-  if (subject == nullptr) return told;
-  told.method = subject->full_name();
-  told.claimed = subject->answer(one);
-  const oracle::Judgement judged = oracle::judge(one, *told.claimed);
-  told.measured = {judged.wrong, judged.margin, judged.residual};
-  if (const TopicView* view = view_of(one)) told.walk = view->walk(one, subject->name);
-  if (!told.walk) told.recordable = recordable_methods(one, told.method);
-  return told;
+  if (subject == nullptr) return report;
+  report.method = subject->full_name();
+  report.claimed = subject->answer(one);
+  const oracle::Judgement judged = oracle::judge(one, *report.claimed);
+  report.measured = {judged.wrong, judged.margin, judged.residual};
+  if (const TopicView* view = view_of(one)) report.walk = view->walk(one, subject->name);
+  if (!report.walk) report.recordable = recordable_methods(one, report.method);
+  return report;
 }
 
 /// The same by the method's name, as in "sphere/centred"; empty for none. A method of another topic or of no
 /// topic at all is no method of the case: then the exact answer alone.
-[[nodiscard]] inline Told told_of(const Case& one, const std::string& method) {
+[[nodiscard]] inline CaseReport report_of(const Case& one, const std::string& method) {
   const Subject* const subject = find_subject(method);
-  return told_of(one, subject != nullptr && subject->topic == topic_of(one) ? subject : nullptr);
+  return report_of(one, subject != nullptr && subject->topic == topic_of(one) ? subject : nullptr);
 }
 
 }  // namespace rayproof::viz

@@ -7,7 +7,7 @@
 #include <CGAL/version.h>
 
 #include "generators/random.hpp"
-#include "unit/oracle/second_way/rational.hpp"
+#include "unit/oracle/independent/rational.hpp"
 
 namespace rayproof::oracle::test {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Everything there is to tell of one case: the exact answer, a method's answer, and how it came to it.
+/// The report on one case: the exact answer, a method's answer, and how it came to it.
 
 #include <optional>
 #include <string>
@@ -21,7 +21,7 @@ struct Measured {
 };
 
 /// One case, answered.
-struct Told {
+struct CaseReport {
   Case one;
   Answer exact;
   std::string method{};             ///< "sphere/textbook"; empty where no method was asked
@@ -45,15 +45,15 @@ struct Told {
 
 /// One plain sentence, sometimes two: how far off the answer is, or where its digits were lost; and where an
 /// answer is wrong though none were, why.
-[[nodiscard]] std::string conclusion_of(const Told& told);
+[[nodiscard]] std::string conclusion_of(const CaseReport& report);
 
 /// The explanation for a terminal, in UTF-8.
-[[nodiscard]] std::string explain_text(const Told& told);
+[[nodiscard]] std::string explain_text(const CaseReport& report);
 
 /// The same as one line of JSON.
-[[nodiscard]] std::string explain_json(const Told& told);
+[[nodiscard]] std::string explain_json(const CaseReport& report);
 
 /// The same, with the picture, as one HTML page that needs nothing from elsewhere.
-[[nodiscard]] std::string html_page(const Told& told);
+[[nodiscard]] std::string html_page(const CaseReport& report);
 
 }  // namespace rayproof::viz

@@ -1,6 +1,6 @@
 /// \file
-/// The cylinder's normal the second way: the gradient of its equation at the point of the answer, which is
-/// within half an ulp of the exact one in every coordinate.
+/// The cylinder's normal, computed independently: the gradient of its equation at the point of the answer,
+/// which is within half an ulp of the exact one in every coordinate.
 
 #include "unit/oracle/every_case.hpp"
 
@@ -23,7 +23,7 @@ bool is_on_side(const Cylinder<double>& tube, const glm::dvec3& point) {
   return x * x + y * y > 1 - 0x1p-15L;
 }
 
-TEST(SecondWay, GradientsAgreeWithTheNormalsOfCylinders) {
+TEST(IndependentComputation, GradientsAgreeWithTheNormalsOfCylinders) {
   std::size_t tried = 0;
   for_each_case("cylinder", 100, [&](Case one) {
     const RayAnswer found = ray_answer(one);

@@ -13,14 +13,10 @@
 #include "command_line/command_line.hpp"
 #include "subjects/subject.hpp"
 #include "viz/case_argument.hpp"
-#include "viz/programs/told_of.hpp"
+#include "viz/programs/report_of.hpp"
+#include "viz/programs/wrong_command.hpp"
 
 namespace rayproof::viz {
-
-/// A mistake in the command line that CLI11 can't see; the program ends with status 2.
-class WrongCommand : public std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 struct CaseOptions {
   std::string text{};                    ///< CASE
@@ -72,14 +68,14 @@ inline const Subject& subject_for(const Case& one, const std::string& method) {
 }
 
 /// Reads the case, asks the oracle and the method. Throws WrongCommand, UnreadableCase or a Refusal.
-[[nodiscard]] inline Told tell_case(const CaseOptions& options) {
+[[nodiscard]] inline CaseReport report_case(const CaseOptions& options) {
   std::optional<Precision> precision;
   if (options.precision == "float32") precision = Precision::float32;
   if (options.precision == "float64") precision = Precision::float64;
   const auto argument =
       read_case_argument(text_of_case(options.text, options.line, options.findings), precision);
   const std::string method = options.method.empty() ? argument.method : options.method;
-  return told_of(argument.one, method.empty() ? nullptr : &subject_for(argument.one, method));
+  return report_of(argument.one, method.empty() ? nullptr : &subject_for(argument.one, method));
 }
 
 /// Runs `body` and turns what it throws into one sentence on standard error and the exit status.

@@ -1,16 +1,17 @@
 #pragma once
 /// \file
-/// What the second way says of a question with a rational t, and how the oracle's answer is held against it.
+/// What the independent computation says of a question with a rational t, and how the oracle's answer is held
+/// against it.
 
 #include <algorithm>
 
 #include "unit/oracle/every_case.hpp"
-#include "unit/oracle/second_way/rational.hpp"
+#include "unit/oracle/independent/rational.hpp"
 
 namespace rayproof::oracle::test {
 
 /// The exact answer before rounding.
-struct Meeting {
+struct RationalMeeting {
   Contact contact = Contact::none;
   std::vector<Rational> hits{};     ///< those in the interval, ascending
   std::optional<Vector3> normal{};  ///< of the shape in its own space, of any length
@@ -39,7 +40,7 @@ inline void expect_unit(const glm::dvec3& found, const Vector3& exact, Precision
 }
 
 /// Whether the oracle's answer is the meeting, every number of it rounded once.
-inline void expect_agrees(const Case& one, const RationalRay& ray, const Meeting& meeting) {
+inline void expect_agrees(const Case& one, const RationalRay& ray, const RationalMeeting& meeting) {
   const RayAnswer found = ray_answer(one);
   EXPECT_EQ(found.contact, meeting.contact);
   ASSERT_EQ(found.hits.count, meeting.hits.size());
@@ -61,7 +62,7 @@ inline void expect_agrees(const Case& one, const RationalRay& ray, const Meeting
   if (found.normal) expect_unit(*found.normal, to_world(ray, *meeting.normal), one.precision);
 }
 
-/// How many cases of each family a second way is tried on; ten times as many of whole numbers.
-inline constexpr std::uint64_t second_way_cases = 60;
+/// How many cases of each family the independent computation is tried on; ten times as many of whole numbers.
+inline constexpr std::uint64_t independent_cases = 60;
 
 }  // namespace rayproof::oracle::test
