@@ -11,7 +11,7 @@ usage() {
     name=${program##*/rayproof-}
     awk -v name="$name" '$1 == name { printf "  %-10s", $1; $1 = $2 = ""; print $0 }' "$programs/commands.txt"
   done
-  printf '\nrayproof SUBCOMMAND --help tells more.\n'
+  printf '\nrayproof SUBCOMMAND --help says more.\n'
 }
 
 case ${1-} in

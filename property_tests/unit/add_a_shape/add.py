@@ -1,4 +1,4 @@
-"""Adds the disk of this folder to a copy of the project: what docs/add-a-shape.md tells, done by a program.
+"""Adds the disk of this folder to a copy of the project: what docs/add-a-shape.md says, done by a program.
 
     python3 property_tests/unit/add_a_shape/add.py --source .              # only sees whether it can be done
     python3 property_tests/unit/add_a_shape/add.py --source . --into DIR   # and leaves the copy in DIR

@@ -103,7 +103,7 @@ class Proof:
 
     def pictures(self):
         said = self.program("explain", "--method", "disk/projected", self.case)
-        expect("Meet the plane of the disk" in said, "rayproof explain does not tell the kernel's steps")
+        expect("Meet the plane of the disk" in said, "rayproof explain does not show the kernel's steps")
         self.program("draw", "--method", "disk/projected", self.case, "--svg", self.work / "disk.svg")
         self.program("walk", "disk", "--html", self.work / "disk.html")
         expect("Meet the plane of the disk" in (self.work / "disk.html").read_text(encoding="utf-8"), "the lesson has no steps")

@@ -9,7 +9,7 @@
 namespace rayproof::viz {
 namespace {
 
-/// The rim as a polygon of so many sides that it looks round.
+/// The rim as a polygon with enough sides to look round.
 Figure disk_figure(const Sight& sight) {
   const auto disk = convert<Shadow>(std::get<Disk<double>>(sight.question.shape));
   const Place n = unit(disk.normal);

@@ -14,7 +14,7 @@ TEST(DiskOracle, CountsTheRimAndSaysSo) {
   expect_miss(met(down(3, std::nextafter(4.0, 5.0)), five_wide), Contact::none);
 }
 
-TEST(DiskOracle, TellsARayInThePlaneFromOneBesideIt) {
+TEST(DiskOracle, DistinguishesARayInThePlaneFromOneBesideIt) {
   expect_miss(met({{0, 0, 0}, {1, 0, 0}}, five_wide), Contact::in_surface);
   expect_miss(met({{0, 0, 1}, {1, 0, 0}}, five_wide), Contact::parallel);
 }
