@@ -48,8 +48,8 @@ TERMS = [
 def files_of(source):
     paths = [path for folder in FOLDERS for path in sorted((source / folder).rglob("*")) if path.suffix in SUFFIXES]
     own = Path(__file__).name  # names the words that it forbids
-    return {str(path.relative_to(source)): path.read_text(encoding="utf-8") for path in [*paths, *(source / name for name in FILES)]
-            if path.name != own}
+    return {str(path.relative_to(source)): path.read_text(encoding="utf-8")
+            for path in [*paths, *(source / name for name in FILES)] if path.name != own}
 
 
 def repeated_classes(files):
