@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 #include <glm/mat4x3.hpp>
+#include <rayproof/formulas/finite.hpp>
 
 #include "case/similar_shapes.hpp"
 #include "generators/scene.hpp"
@@ -86,6 +87,8 @@ std::optional<Case> moved_case(const Case& one) {
   asked.transform = map;
   asked.ray.origin = rounded(one.precision, linear * asked.ray.origin + glm::dvec3(map[3]));
   asked.ray.direction = rounded(one.precision, linear * asked.ray.direction);
+  // A ray that the map takes beyond the greatest number is no case.
+  if (!are_finite(asked.ray.origin, asked.ray.direction)) return std::nullopt;
   return moved;
 }
 
