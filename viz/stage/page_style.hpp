@@ -22,7 +22,7 @@ button[aria-current=step] { border: 2px solid var(--ink); font-weight: bold; bac
 .equation { margin: .5rem 0; line-height: 1.9; } math { font-size: 1.12em; }
 .equation span { display: inline-block; max-width: 100%; overflow-wrap: anywhere; overflow-x: auto; overflow-y: hidden;
   vertical-align: middle; }
-tbody th { font-weight: bold; } .claimed { color: var(--claimed); } .exact { color: var(--exact); }
+tbody th { font-weight: bold; } #live td { white-space: normal; } .claimed { color: var(--claimed); } .exact { color: var(--exact); }
 .legend { display: flex; flex-wrap: wrap; gap: 4px 18px; list-style: none; margin: 8px 0; padding: 0; font-size: .8125rem;
   color: var(--soft); } .legend li { display: flex; gap: 6px; align-items: center; }
 kbd { border: 1px solid var(--line); border-radius: 4px; padding: 0 5px; font: inherit; font-size: .8125rem; }

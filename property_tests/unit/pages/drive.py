@@ -121,7 +121,7 @@ class Test:
         self.expect(page.run("[...document.querySelectorAll('.step figure svg')].every(s => s.getBoundingClientRect().height > 50)"),
                     "each printed step is to have its picture")
         page.send("Emulation.setEmulatedMedia", media="")
-        for width in (360, 900):
+        for width in (360, 900, 1250):
             page.send("Emulation.setDeviceMetricsOverride", width=width, height=740, deviceScaleFactor=2, mobile=width < 500)
             wide = page.run("document.documentElement.scrollWidth")
             self.expect(wide <= width, f"in {width} pixels the page is {wide} wide")
