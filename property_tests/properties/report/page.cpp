@@ -24,7 +24,7 @@ article.declared { border-style: dashed; }
 dl { margin: .5rem 0 0; font-size: .875rem; } dt { color: var(--soft); } dd { margin: 0 0 .4rem; overflow-wrap: anywhere; }
 dl.words { display: grid; grid-template-columns: max-content 1fr; gap: .25rem 1rem; max-width: 64rem; }
 dl.words dt { font-weight: 600; color: inherit; } dl.words dd { margin: 0; }
-@media (max-width: 48rem) { article { grid-template-columns: minmax(0, 1fr); } dl.words { grid-template-columns: 1fr; } }
+@media screen and (max-width: 48rem) { article { grid-template-columns: minmax(0, 1fr); } dl.words { grid-template-columns: 1fr; } }
 )css";
 
 std::string cell(const std::string& text) { return "<td>" + escaped(text) + "</td>"; }

@@ -35,7 +35,7 @@ pre { white-space: pre-wrap; overflow-wrap: anywhere; background: var(--panel); 
 button { font: inherit; color: inherit; background: var(--panel); border: 1px solid var(--line); border-radius: 6px;
          padding: 4px 11px; min-width: 38px; min-height: 36px; cursor: pointer; }
 button:disabled { opacity: .45; cursor: default; } :focus-visible { outline: 3px solid var(--claimed); outline-offset: 2px; }
-@media print { main { max-width: none; padding: 0; } body { font-size: 11pt; } h1 { font-size: 15pt; } .screen { display: none; } }
+@media print { main { max-width: none; padding: 0; } h2, h3 { break-after: avoid; } body { font-size: 11pt; } h1 { font-size: 15pt; } .screen { display: none; } }
 )css";
 
 /// What the tables of figures look like, in a check and in a report.
