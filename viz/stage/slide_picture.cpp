@@ -14,7 +14,8 @@ namespace {
 void draw_caption(Picture& picture, const StageStep& step) {
   double y = slide_scene.bottom() + 26;
   const double width = slide_width - 2 * slide_margin;
-  const double size = text_width(step.caption, 16) > 2 * width ? 13 : 16;
+  const double lines = step.digits.empty() ? 2.6 : 2;  // there is room for three, wrapped
+  const double size = text_width(step.caption, 16) > lines * width ? 13 : 16;
   for (const std::string& line : wrapped(step.caption, width, size)) {
     add_text(picture, Role::text, {slide_margin, y}, line, size);
     y += size * 1.3;

@@ -82,7 +82,7 @@ TEST(StageWords, EveryPictureHangsOnANameThatAKernelOfItsTopicRecords) {
   EXPECT_GT(drawn.size(), 5U);
   for (const auto& [topic, names] : drawn) {
     for (const Binding& binding : bindings_of(topic))
-      EXPECT_TRUE(names.contains(binding.name)) << "nothing of a " << topic << " draws " << binding.name;
+      EXPECT_TRUE(names.contains(binding.name)) << "no method of " << topic << " names " << binding.name;
   }
   for (const char* name : gap_names) EXPECT_TRUE(recorded.contains(name)) << name;
   for (const PointedValue& value : pointed_values) EXPECT_TRUE(recorded.contains(value.name)) << value.name;

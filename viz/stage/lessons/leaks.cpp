@@ -37,8 +37,9 @@ void add_step(Stage& stage, const CaseReport& report, const Setting& setting, co
   StageStep step = kernel_steps(report, *report.walk, index, setting, false).front();
   step.begins_anew = !stage.steps.back().title.starts_with(who);
   step.title = who + ": " + step.title;
-  step.words = fmt::format("{} says: {}.", who, verdict_of(report.claim()));
-  step.caption = step.words + " " + step.caption;
+  const std::string verdict = fmt::format("{} says: {}. ", who, verdict_of(report.claim()));
+  step.words = verdict + step.words;
+  step.caption = verdict + step.caption;
   stage.steps.push_back(std::move(step));
 }
 

@@ -31,7 +31,7 @@ void narrate_slabs(const RayQuestion& question) {
   const auto x = slab(d.x, R(least.x - o.x), R(most.x - o.x), "x_in", "x_out");
   step<R>("Meet both y planes", "The same for y: the two intervals need not overlap.");
   const auto y = slab(d.y, R(least.y - o.y), R(most.y - o.y), "y_in", "y_out");
-  step<R>("Meet both z planes", "Here d.z is negative, so the ray enters at max.z and leaves at min.z.");
+  step<R>("Meet both z planes", "Where d.z is negative, the ray enters at max.z and leaves at min.z.");
   const auto z = slab(d.z, R(least.z - o.z), R(most.z - o.z), "z_in", "z_out");
   (void)box::overlap(x, y, z);
 }
