@@ -106,7 +106,7 @@ class Proof:
         expect("Meet the plane of the disk" in said, "rayproof explain does not tell the kernel's steps")
         self.program("draw", "--method", "disk/projected", self.case, "--svg", self.work / "disk.svg")
         self.program("walk", "disk", "--html", self.work / "disk.html")
-        expect("Meet the plane of the disk" in (self.work / "disk.html").read_text(), "the lesson has no steps")
+        expect(b"Meet the plane of the disk" in (self.work / "disk.html").read_bytes(), "the lesson has no steps")
 
     def independent(self):
         oracle = self.build / "bin/rayproof-oracle"
