@@ -83,6 +83,13 @@ class Proof:
         self.case.write_text(json.dumps(CASE) + "\n")
         return f"{len(touched)} files touched"
 
+    def plant_error(self):
+        """The kernel's comparison the other way round."""
+        kernel = self.tree / "lib/include/rayproof/disk/projected.hpp"
+        text = kernel.read_text()
+        expect(text.count(ERROR[0]) == 1, "the kernel has no place for the error")
+        kernel.write_text(text.replace(*ERROR))
+
     def compile(self):
         run("cmake", "-S", self.tree, "-B", self.build, *OPTIONS)
         targets = [f"rayproof-{name}" for name in PROGRAMS] + [f"unit-{folder}" for folder in TESTS]
@@ -123,14 +130,6 @@ class Proof:
             expect("[  PASSED  ] 0 tests" not in said, f"unit-{folder} has no test {tests}")
 
 
-def plant_error(work):
-    """The kernel's comparison the other way round."""
-    kernel = work / "tree/lib/include/rayproof/disk/projected.hpp"
-    text = kernel.read_text()
-    expect(text.count(ERROR[0]) == 1, "the kernel has no place for the error")
-    kernel.write_text(text.replace(*ERROR))
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
     parser.add_argument("--work", type=Path, required=True, help="a folder of its own")
@@ -143,7 +142,7 @@ def main():
     steps = [proof.add, proof.compile, proof.methods, proof.oracle, proof.check, proof.pictures, proof.independent,
              proof.pages, proof.unit_tests]
     if options.kernel_error:
-        steps[1:1] = [lambda: plant_error(work)]
+        steps[1:1] = [proof.plant_error]
     for step in steps:
         start = time.monotonic()
         try:
