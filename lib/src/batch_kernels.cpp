@@ -1,10 +1,9 @@
 /// \file
-/// The batch kernels. Compiled once for each instruction set, with RAYPROOF_INSTRUCTION_SET naming the one it
-/// is for.
-
-#include "batch_kernels.hpp"
+/// The batch kernels: columns are read a pack at a time, made into problems, solved and written. Compiled
+/// once for each instruction set, with RAYPROOF_INSTRUCTION_SET naming the one it is for.
 
 #include <rayproof/arithmetics/pack.hpp>
+#include <rayproof/batch/kernels.hpp>
 
 /// Puts all that a function calls into the function itself; not under AddressSanitizer, which would take
 /// minutes.
@@ -20,51 +19,111 @@ namespace {
 
 constexpr bool is_baseline = InstructionSet::RAYPROOF_INSTRUCTION_SET == InstructionSet::baseline;
 
-/// Every discriminant and both roots, computed in arithmetic `N`.
-template <class Topic, class Method, class N, class T>
-void all_roots(const Lanes<Topic, T>& in, T* const (&out)[3]) {
-  with_assembler<Topic, N, T>(in, [&](const auto& assemble) {
-    run<N>(in.columns, out, in.size, [&](const auto& columns, N(&to)[3]) {
-      const Roots<N> roots = Topic::template solve<Method>(assemble(columns));
-      to[0] = roots.discriminant;
-      to[1] = roots.lo;
-      to[2] = roots.hi;
-    });
-  });
+/// How a pack is read from a column and written to one; a plain number is a pack of one lane.
+template <class N>
+struct LaneAccess {
+  static constexpr std::size_t width = N::size;
+  static N load(const Plain<N>* from) { return N::load(from); }
+  static void store(const N& value, Plain<N>* to) { value.store(to); }
+};
+template <std::floating_point T>
+struct LaneAccess<T> {
+  static constexpr std::size_t width = 1;
+  static T load(const T* from) { return *from; }
+  static void store(T value, T* to) { *to = value; }
+};
+
+/// Calls `solve(in, out)` for every `width` lanes of the columns. The last lanes are padded with copies of
+/// the very last one, so that they take the same path as all others.
+template <class N, class T, std::size_t In, std::size_t Out, class Solve>
+void run(const T* const (&in)[In], T* const (&out)[Out], std::size_t size, const Solve& solve) {
+  using Access = LaneAccess<N>;
+  constexpr std::size_t lanes = Access::width;
+  N from[In];
+  N to[Out];
+  std::size_t i = 0;
+  for (; i + lanes <= size; i += lanes) {
+    for (std::size_t column = 0; column < In; ++column) from[column] = Access::load(in[column] + i);
+    solve(from, to);
+    for (std::size_t column = 0; column < Out; ++column) Access::store(to[column], out[column] + i);
+  }
+  if (i == size) return;
+
+  T padded[lanes];
+  for (std::size_t column = 0; column < In; ++column) {
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+      padded[lane] = in[column][i + lane < size ? i + lane : size - 1];
+    from[column] = Access::load(padded);
+  }
+  solve(from, to);
+  for (std::size_t column = 0; column < Out; ++column) {
+    Access::store(to[column], padded);
+    for (std::size_t lane = 0; i + lane < size; ++lane) out[column][i + lane] = padded[lane];
+  }
 }
 
-/// Every nearest hit, computed in arithmetic `N`.
-template <class Topic, class Method, class N, class T>
-void nearest_roots(const Lanes<Topic, T>& in, T* const (&out)[1]) {
-  with_assembler<Topic, N, T>(in, [&](const auto& assemble) {
-    run<N>(in.columns, out, in.size, [&](const auto& columns, N(&to)[1]) {
-      const auto problem = assemble(columns);
-      to[0] = nearest(problem.ray, Topic::template solve<Method>(problem));
+/// One equation a lane.
+template <bool is_moved, class N, class T>
+Quadratic<N> problem_of(const Lanes<Quadratic<T>>& /*in*/, const N (&column)[3]) {
+  return {column[0], column[1], column[2]};
+}
+
+/// One ray a lane, with the common shape, in its own space if `is_moved`. What is common is kept as plain
+/// numbers: g++ 12 copies packs inside structs in halves, which stalls; spreading a number anew costs
+/// nothing.
+template <bool is_moved, class N, template <class> class Shape, class T>
+RayProblem<Shape, N> problem_of(const Lanes<RayProblem<Shape, T>>& in, const N (&column)[6]) {
+  const Ray<N> ray{
+      {column[0], column[1], column[2]}, {column[3], column[4], column[5]}, N(in.t_min), N(in.t_max)};
+  if constexpr (is_moved) {
+    return {to_object(convert<N>(in.object_space), ray), convert<N>(in.shape)};
+  } else {
+    return {ray, convert<N>(in.shape)};
+  }
+}
+
+/// Writes every discriminant and both roots, or into one column every nearest hit, computed in arithmetic
+/// `N`.
+template <class Method, class N, class Problem, std::size_t Columns>
+void fill(const Lanes<Problem>& given, Plain<N>* const (&out)[Columns]) {
+  const Lanes<Problem> in = given;  // its own copy: nothing that is written can change it
+  const auto solve_all = [&]<bool is_moved>(std::bool_constant<is_moved>) {
+    run<N>(in.columns, out, in.size, [&](const auto& columns, N(&to)[Columns]) {
+      const auto problem = problem_of<is_moved>(in, columns);
+      const Roots<N> roots = Lanes<Problem>::Topic::template solve<Method>(problem);
+      if constexpr (Columns == 1) {
+        to[0] = nearest(problem.ray, roots);
+      } else {
+        to[0] = roots.discriminant;
+        to[1] = roots.lo;
+        to[2] = roots.hi;
+      }
     });
-  });
+  };
+  if constexpr (requires { in.is_moved; }) {
+    if (in.is_moved) return solve_all(std::true_type{});
+  }
+  solve_all(std::false_type{});
 }
 
 /// The same in packs, flat, since a pack that is handed to a function out of line goes through memory.
-template <class Topic, class Method, class T>
-RAYPROOF_FLAT void all_roots_in_packs(const Lanes<Topic, T>& in, T* const (&out)[3]) {
-  all_roots<Topic, Method, Pack<T>, T>(in, out);
-}
-template <class Topic, class Method, class T>
-RAYPROOF_FLAT void nearest_roots_in_packs(const Lanes<Topic, T>& in, T* const (&out)[1]) {
-  nearest_roots<Topic, Method, Pack<T>, T>(in, out);
+template <class Method, class Problem, class T, std::size_t Columns>
+RAYPROOF_FLAT void fill_in_packs(const Lanes<Problem>& in, T* const (&out)[Columns]) {
+  fill<Method, Pack<T>>(in, out);
 }
 
 /// Enters a method's kernels. One number at a time gains nothing from a wider instruction set: that is the
 /// baseline's.
-template <class Topic, class Method, class T>
-constexpr void enter(Kernels<Topic, Method, T>& kernels) {
-  constexpr bool has_ray = RayProblem<typename Topic::template Problem<T>>;
+template <class Method, class Problem>
+constexpr void enter(Kernels<Method, Problem>& kernels) {
+  using T = typename Lanes<Problem>::Number;
+  constexpr bool has_ray = requires(Problem problem) { problem.ray; };
   if constexpr (runs_in_packs<Method>) {
-    kernels.roots = all_roots_in_packs<Topic, Method, T>;
-    if constexpr (has_ray) kernels.nearest = nearest_roots_in_packs<Topic, Method, T>;
+    kernels.roots = fill_in_packs<Method, Problem, T, 3>;
+    if constexpr (has_ray) kernels.nearest = fill_in_packs<Method, Problem, T, 1>;
   } else if constexpr (is_baseline) {
-    kernels.roots = all_roots<Topic, Method, T, T>;
-    if constexpr (has_ray) kernels.nearest = nearest_roots<Topic, Method, T, T>;
+    kernels.roots = fill<Method, T, Problem, 3>;
+    if constexpr (has_ray) kernels.nearest = fill<Method, T, Problem, 1>;
   }
 }
 

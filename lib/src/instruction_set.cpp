@@ -1,9 +1,7 @@
 #include <cstdlib>
-#include <rayproof/batch/instruction_set.hpp>
+#include <rayproof/batch/kernels.hpp>
 #include <stdexcept>
 #include <string>
-
-#include "batch_kernels.hpp"
 
 namespace rayproof {
 

@@ -28,17 +28,17 @@ template <>
 struct Reading<quadratic::Topic> {
   template <class A>
   [[nodiscard]] static quadratic::Topic::Problem<A> problem(const Case& one) {
-    return {convert<A>(convert<Plain<A>>(std::get<Quadratic<double>>(one.question)))};
+    return convert<A>(convert<Plain<A>>(std::get<Quadratic<double>>(one.question)));
   }
 
   template <class Method, class T>
   [[nodiscard]] static Roots<T> batch_roots(const Case& one) {
-    return batch::roots_among_neighbours<Method>(problem<T>(one).equation);
+    return batch::roots_among_neighbours<Method>(problem<T>(one));
   }
 
   template <class Method, class T>
   [[nodiscard]] static QuadraticAnswer<double> answer(const Case& one, const Roots<T>& roots) {
-    const QuadraticAnswer<T> narrow = read(problem<T>(one).equation, roots);
+    const QuadraticAnswer<T> narrow = read(problem<T>(one), roots);
     return {narrow.kind,
             narrow.count,
             {static_cast<double>(narrow.roots[0]), static_cast<double>(narrow.roots[1])}};
@@ -49,7 +49,7 @@ template <>
 struct Reading<point_in_polygon::Topic> {
   template <class A>
   [[nodiscard]] static point_in_polygon::Topic::Problem<A> problem(const Case& one) {
-    return {convert<A>(std::get<PointAndPolygon<double>>(one.question))};
+    return convert<A>(std::get<PointAndPolygon<double>>(one.question));
   }
 
   template <class Method, class T>

@@ -10,7 +10,7 @@ namespace {
 std::optional<Walkthrough> walk_quadratic(const Case& one, const std::string& method) {
   return walk_topic<quadratic::Topic>(method, one.precision, [&]<class R>(std::type_identity<R>) {
     const auto q = convert<R>(std::get<Quadratic<double>>(one.question));
-    return quadratic::Topic::Problem<R>{{named("a", q.a), named("b", q.b), named("c", q.c)}};
+    return Quadratic<R>{named("a", q.a), named("b", q.b), named("c", q.c)};
   });
 }
 

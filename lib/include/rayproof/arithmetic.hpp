@@ -30,26 +30,19 @@ template <std::floating_point T>
   return mask ? yes : no;
 }
 
-template <std::floating_point T>
-[[nodiscard]] inline T sqrt(T x) {
-  return std::sqrt(x);
-}
+// Plain numbers have these from the C library. copysign(x, sign) is the magnitude of x with the sign bit of
+// `sign`, -x for -0; floor is the whole number nearest below; fma(x, y, z) is x*y + z, rounded once. Kernels
+// are compiled with contraction off: a fused operation is always written out.
+using std::abs;
+using std::copysign;
+using std::floor;
+using std::fma;
+using std::sqrt;
 
-template <std::floating_point T>
-[[nodiscard]] inline T abs(T x) {
-  return std::abs(x);
-}
-
-/// The magnitude of `x` with the sign bit of `sign`; copysign(x, -0) is -x.
-template <std::floating_point T>
-[[nodiscard]] inline T copysign(T x, T sign) {
-  return std::copysign(x, sign);
-}
-
-/// x*y + z, rounded once. Kernels are compiled with contraction off: a fused operation is always written out.
-template <std::floating_point T>
-[[nodiscard]] inline T fma(T x, T y, T z) {
-  return std::fma(x, y, z);
+/// x·x. An interval brings its own, which knows that no square is negative.
+template <class T>
+[[nodiscard]] constexpr T square(const T& x) {
+  return x * x;
 }
 
 /// The smaller of two numbers; where one is NaN, either may come back.
@@ -78,16 +71,35 @@ template <std::floating_point T>
   return std::ldexp(x, static_cast<int>(max(-beyond_all, min(beyond_all, e))));
 }
 
-/// The whole number nearest below `x`.
-template <std::floating_point T>
-[[nodiscard]] inline T floor(T x) {
-  return std::floor(x);
+/// The same number in double, exactly, and a number in double rounded to float once. An arithmetic that
+/// rounds in float brings its own two; between them the product of two of its numbers is exact.
+template <std::same_as<float> T>
+[[nodiscard]] constexpr double widen(T x) {
+  return x;
+}
+template <std::same_as<double> T>
+[[nodiscard]] constexpr float narrow(T x) {
+  return static_cast<float>(x);
 }
 
-/// The plain type an arithmetic rounds in: `float` for `float`, for a pack of floats, for a recorded float.
+/// Base of an arithmetic with `<`, `<=` and `==`: its other comparisons, made of these.
+template <class A>
+struct Comparable {
+  friend constexpr auto operator>(const A& x, const A& y) { return y < x; }
+  friend constexpr auto operator>=(const A& x, const A& y) { return y <= x; }
+  friend constexpr auto operator!=(const A& x, const A& y) { return !(x == y); }
+};
+
+/// The plain type an arithmetic rounds in, which is its member `Plain`: `float` for `float`, for a pack of
+/// floats, for a recorded float.
 template <class T>
 struct PlainOf {
   using type = T;
+};
+template <class A>
+requires requires { typename A::Plain; }
+struct PlainOf<A> {
+  using type = typename A::Plain;
 };
 template <class T>
 using Plain = typename PlainOf<T>::type;

@@ -13,7 +13,7 @@
 /// The kernels are built for several instruction sets, and the widest one this machine has is chosen at run
 /// time. Methods of the topics marked `is_batched` have kernels, in float and in double.
 
-#include <rayproof/batch/input.hpp>
+#include <optional>
 #include <rayproof/batch/instruction_set.hpp>
 #include <rayproof/batch/kernels.hpp>
 #include <span>
@@ -21,6 +21,35 @@
 #include <type_traits>
 
 namespace rayproof {
+
+/// One array for each coordinate.
+template <class T>
+struct Coordinates {
+  std::span<const T> x, y, z;
+};
+
+/// Rays as six arrays of one length, with a common interval of t. Where `object_space` is given the rays are
+/// in the world, and meet the shape in that space; t is the same in both.
+template <class T>
+struct RayBatch {
+  Coordinates<T> origin;
+  Coordinates<T> direction;
+  T t_min = T(0);
+  T t_max = infinity<T>;
+  std::optional<ObjectSpace<T>> object_space{};
+};
+
+/// Quadratic equations as three arrays of one length.
+template <class T>
+struct QuadraticBatch {
+  std::span<const T> a, b, c;
+};
+
+/// Where a batch's roots go, with the meaning of Roots; three arrays as long as the batch.
+template <class T>
+struct RootArrays {
+  std::span<T> discriminant, lo, hi;
+};
 
 namespace batch {
 
@@ -33,21 +62,22 @@ std::size_t common_size(const First& first, const Rest&... rest) {
 }
 
 /// The method's kernels for `set`, or the baseline's for a method that does not run in packs.
-template <class Method, class T>
+template <class Method, class Problem>
 [[nodiscard]] const auto& kernels_for(InstructionSet set) {
-  using Entry = KernelsOf<Method, T>;
+  using Entry = Kernels<Method, Problem>;
   const Entry& wanted = std::get<Entry>(kernel_table(set));
   return wanted.roots != nullptr ? wanted : std::get<Entry>(kernel_table(InstructionSet::baseline));
 }
 
 /// Runs the method's kernel that fills these columns: one column of nearest hits, or three of roots. A method
 /// without kernels is refused here, in one sentence, before it is looked for in the tables.
-template <class Method, class T, class In, std::size_t Columns>
-void run_kernel(InstructionSet set, const In& in, T* const (&out)[Columns]) {
-  static_assert(has_kernels<Method, T, In>,
+template <class Method, class Problem, class T, std::size_t Columns>
+void run_kernel(InstructionSet set, const Lanes<Problem>& in, T* const (&out)[Columns]) {
+  constexpr bool has_kernels = is_in<Kernels<Method, Problem>, KernelTable>;
+  static_assert(has_kernels,
                 "this method has no batch kernels for this input: call Method::roots in a loop instead");
-  if constexpr (has_kernels<Method, T, In>) {
-    const auto& kernels = kernels_for<Method, T>(set);
+  if constexpr (has_kernels) {
+    const auto& kernels = kernels_for<Method, Problem>(set);
     if constexpr (Columns == 1) {
       kernels.nearest(in, out);
     } else {
@@ -56,9 +86,9 @@ void run_kernel(InstructionSet set, const In& in, T* const (&out)[Columns]) {
   }
 }
 
-/// The bare pointers of a batch of rays, valid as long as `rays`.
-template <class T, class Shape>
-[[nodiscard]] RayLanes<T, Shape> lanes_of(const RayBatch<T>& rays, const Shape& shape) {
+/// The columns of a batch of rays, valid as long as `rays`.
+template <class T, template <class> class Shape>
+[[nodiscard]] Lanes<RayProblem<Shape, T>> lanes_of(const RayBatch<T>& rays, const Shape<T>& shape) {
   const auto& [origin, direction, t_min, t_max, space] = rays;
   const std::size_t size = common_size(origin.x, origin.y, origin.z, direction.x, direction.y, direction.z);
   return {{origin.x.data(), origin.y.data(), origin.z.data(), direction.x.data(), direction.y.data(),
@@ -67,23 +97,24 @@ template <class T, class Shape>
           t_min,
           t_max,
           shape,
-          space ? &*space : nullptr};
+          space.has_value(),
+          space.value_or(ObjectSpace<T>{})};
 }
 
 }  // namespace batch
 
 /// The nearest hit of each ray: the smallest root in [t_min, t_max], or infinity for a miss. `t` is as long
 /// as the batch.
-template <class Method, class T, class Shape>
-void nearest_hits(const RayBatch<T>& rays, const Shape& shape, std::type_identity_t<std::span<T>> t,
+template <class Method, class T, template <class> class Shape>
+void nearest_hits(const RayBatch<T>& rays, const Shape<T>& shape, std::type_identity_t<std::span<T>> t,
                   InstructionSet set = preferred_instruction_set()) {
   batch::common_size(rays.origin.x, t);
   batch::run_kernel<Method>(set, batch::lanes_of(rays, shape), {t.data()});
 }
 
 /// Both roots of each ray's problem, before the interval of t is looked at.
-template <class Method, class T, class Shape>
-void batch_roots(const RayBatch<T>& rays, const Shape& shape, const RootArrays<T>& roots,
+template <class Method, class T, template <class> class Shape>
+void batch_roots(const RayBatch<T>& rays, const Shape<T>& shape, const RootArrays<T>& roots,
                  InstructionSet set = preferred_instruction_set()) {
   batch::common_size(rays.origin.x, roots.discriminant, roots.lo, roots.hi);
   batch::run_kernel<Method>(set, batch::lanes_of(rays, shape),
@@ -96,7 +127,7 @@ void batch_roots(const QuadraticBatch<T>& equations, const RootArrays<T>& roots,
                  InstructionSet set = preferred_instruction_set()) {
   const auto& [a, b, c] = equations;
   const std::size_t size = batch::common_size(a, b, c, roots.discriminant, roots.lo, roots.hi);
-  batch::run_kernel<Method>(set, batch::QuadraticLanes<T>{{a.data(), b.data(), c.data()}, size},
+  batch::run_kernel<Method>(set, batch::Lanes<Quadratic<T>>{{a.data(), b.data(), c.data()}, size},
                             {roots.discriminant.data(), roots.lo.data(), roots.hi.data()});
 }
 

@@ -64,11 +64,15 @@ template <class T>
   return {u, v, w};
 }
 
-/// The ray from the eye through the point of the image plane that the two coordinates, each from -1 to 1 over
-/// the image, name. It is not made a unit vector: t is 1 on the image plane, wherever the ray pierces it.
+/// The ray from the eye through a point of the image, (i, j) pixels to the right of and below its top left
+/// corner. It is not made a unit vector: t is 1 on the image plane, wherever the ray pierces it.
 template <class T>
 [[nodiscard]] constexpr Ray<T> ray_through(const Camera<T>& camera, const CameraAxes<T>& axes,
-                                           const T& across, const T& upwards) {
+                                           const ImageSize<T>& image, const T& i, const T& j) {
+  const T half_w = T(0.5) * image.width, half_h = T(0.5) * image.height;
+  const T across = named("x", (i - half_w) / half_w);
+  const T upwards = named("y", (half_h - j) / half_h);
+
   step<T>("Scale to the image plane at distance 1",
           "There the image is 2·half_w wide and 2·half_h high, so x and y from -1 to 1 are multiplied by "
           "half_w and half_h.");
@@ -99,10 +103,7 @@ struct PixelCentre {
                                             const ImageSize<T>& image, const T& i, const T& j) {
     step<T>("Place the pixel's centre in the image",
             "x and y go from -1 to 1 over the image; the centre is half a pixel from the corner (i, j).");
-    const T half_w = T(0.5) * image.width, half_h = T(0.5) * image.height;
-    const T across = named("x", (i + T(0.5) - half_w) / half_w);
-    const T upwards = named("y", (half_h - (j + T(0.5))) / half_h);
-    return ray_through(camera, axes, across, upwards);
+    return ray_through<T>(camera, axes, image, i + T(0.5), j + T(0.5));
   }
 };
 
@@ -121,10 +122,7 @@ struct PrintedPixelCorner {
                                             const ImageSize<T>& image, const T& i, const T& j) {
     step<T>("Place the pixel in the image as printed",
             "Without the half pixel this is the pixel's corner, not its centre.");
-    const T half_w = T(0.5) * image.width, half_h = T(0.5) * image.height;
-    const T across = named("x", (i - half_w) / half_w);
-    const T upwards = named("y", (half_h - j) / half_h);
-    return ray_through(camera, axes, across, upwards);
+    return ray_through(camera, axes, image, i, j);
   }
 };
 

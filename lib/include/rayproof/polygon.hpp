@@ -3,7 +3,6 @@
 /// Polygons: in space, met by rays, and in the plane, holding points.
 
 #include <rayproof/roots.hpp>
-#include <rayproof/vec2.hpp>
 #include <vector>
 
 namespace rayproof {

@@ -5,7 +5,7 @@
 
 #include <rayproof/box/methods.hpp>
 #include <rayproof/cylinder/methods.hpp>
-#include <rayproof/method/type_list.hpp>
+#include <rayproof/method/topic.hpp>
 #include <rayproof/parallelepiped/methods.hpp>
 #include <rayproof/plane/methods.hpp>
 #include <rayproof/point_in_polygon/methods.hpp>

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Vectors of three numbers: GLM's where GLM can hold the number, a small look-alike where it cannot.
+/// Vectors of three numbers, GLM's where GLM can hold the number, a small look-alike where it cannot; and of
+/// two.
 
 #include <concepts>
 #include <glm/mat3x3.hpp>
@@ -16,6 +17,12 @@ namespace rayproof {
 template <class T>
 struct Vec3 {
   T x, y, z;
+};
+
+/// A point or vector of the plane.
+template <class T>
+struct Vec2 {
+  T x, y;
 };
 
 template <class A, class B>

@@ -22,7 +22,7 @@ TEST(AmongNeighbours, AnEquationHasItsScalarRootsWhateverLiesBesideIt) {
       });
 }
 
-TEST(AmongNeighbours, ARayHasItsScalarRootsAndNearestHitWhateverLiesBesideIt) {
+TEST(AmongNeighbours, ARayHasItsScalarRootsWhateverLiesBesideIt) {
   for_each_kernel<sphere::Topic>([]<class Method, class T>(std::type_identity<Method>, T,
                                                            InstructionSet set) {
     Random random(6);
@@ -34,8 +34,6 @@ TEST(AmongNeighbours, ARayHasItsScalarRootsAndNearestHitWhateverLiesBesideIt) {
       const Roots<T> scalar = Method::roots(ray, sphere);
       const Roots<T> batch = batch::roots_among_neighbours<Method>(ray, sphere, {}, set);
       EXPECT_TRUE(same_bits(scalar.lo, batch.lo) && same_bits(scalar.hi, batch.hi));
-      EXPECT_TRUE(
-          same_bits(nearest(ray, scalar), batch::nearest_among_neighbours<Method>(ray, sphere, {}, set)));
     }
   });
 }

@@ -47,9 +47,10 @@ template <class T>
 template <class Topic, class Check>
 void for_each_kernel(Check&& check) {
   Topic::Methods::for_each([&]<class Method>(std::type_identity<Method> method) {
-    const auto* baseline = &batch::kernels_for<Method, float>(InstructionSet::baseline);
+    using Problem = typename Topic::template Problem<float>;
+    const auto* baseline = &batch::kernels_for<Method, Problem>(InstructionSet::baseline);
     for (const InstructionSet set : available_instruction_sets()) {
-      const bool is_own = &batch::kernels_for<Method, float>(set) != baseline;
+      const bool is_own = &batch::kernels_for<Method, Problem>(set) != baseline;
       if (set != InstructionSet::baseline && !is_own) continue;
       SCOPED_TRACE(std::string(Method::name) + " on " + std::string(name_of(set)));
       check(method, float{}, set);

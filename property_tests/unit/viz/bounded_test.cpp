@@ -21,7 +21,7 @@ template <class T>
 void expect_enclosed() {
   for_every_recordable_method<T>([]<class Topic, class Method>(const auto& problem) {
     Tape tape;
-    (void)Topic::template solve<Method>(problem.template as<Recorded<T, Shadow>>());
+    (void)Topic::template solve<Method>(convert<Recorded<T, Shadow>>(problem));
     for (const Operation<Shadow>& o : tape.operations) ASSERT_TRUE(encloses<T>(o)) << Method::name;
   });
 }

@@ -49,7 +49,7 @@ template <class T>
   const bool is_near_double = source.number(1) > 0 && a != 0;
   const T c = is_near_double ? static_cast<T>(source.beside(static_cast<double>(b * b / (4 * a))))
                              : source.rounded<T>(reach);
-  return {{a, b, c}};
+  return {a, b, c};
 }
 
 /// Rays of every topic of shapes.

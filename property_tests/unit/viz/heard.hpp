@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <rayproof/arithmetic.hpp>
-#include <rayproof/arithmetics/wide.hpp>
 #include <rayproof/method/narration.hpp>
 #include <rayproof/vec3.hpp>
 #include <string>
@@ -16,6 +15,8 @@ namespace rayproof {
 /// A `T` and nothing else: every operation is T's own.
 template <std::floating_point T>
 struct Heard {
+  using Plain = T;
+
   T value{};
 
   Heard() = default;
@@ -38,17 +39,14 @@ struct Heard {
   static inline std::vector<std::pair<std::string, double>> names{};
 };
 
-template <class T>
-struct PlainOf<Heard<T>> {
-  using type = T;
-};
-
-template <>
-struct Wide<Heard<float>> {
-  static constexpr bool exists = true;
-  static Heard<double> widen(Heard<float> x) { return x.value; }
-  static Heard<float> narrow(Heard<double> x) { return static_cast<float>(x.value); }
-};
+template <std::same_as<float> T>
+[[nodiscard]] Heard<double> widen(Heard<T> x) {
+  return x.value;
+}
+template <std::same_as<double> T>
+[[nodiscard]] Heard<float> narrow(Heard<T> x) {
+  return static_cast<float>(x.value);
+}
 
 template <class T>
 [[nodiscard]] Heard<T> select(bool mask, Heard<T> yes, Heard<T> no) {

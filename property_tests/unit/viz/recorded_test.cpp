@@ -23,8 +23,8 @@ template <class T>
 void expect_plain_results() {
   for_every_recordable_method<T>([]<class Topic, class Method>(const auto& problem) {
     const auto plain = Topic::template solve<Method>(problem);
-    const auto recorded = Topic::template solve<Method>(problem.template as<Recorded<T, Shadow>>());
-    const auto bounded = Topic::template solve<Method>(problem.template as<Bounded<T>>());
+    const auto recorded = Topic::template solve<Method>(convert<Recorded<T, Shadow>>(problem));
+    const auto bounded = Topic::template solve<Method>(convert<Bounded<T>>(problem));
     ASSERT_TRUE(same_bits(plain.lo, recorded.lo.value())) << Method::name;
     ASSERT_TRUE(same_bits(plain.hi, recorded.hi.value())) << Method::name;
     ASSERT_TRUE(same_bits(plain.discriminant, recorded.discriminant.value())) << Method::name;
@@ -64,14 +64,14 @@ TEST(Recorded, AWidenedNumberLosesNothingOnTheWay) {
   using R = Recorded<float, Shadow>;
   Tape tape;
   const R third = R(1.0F) / R(3.0F);
-  const auto wide = Wide<R>::widen(third) * Wide<R>::widen(R(3.0F));
+  const auto wide = widen(third) * widen(R(3.0F));
   const Operation<Shadow>& product = tape.at(wide.id);
   EXPECT_EQ(product.digits, 53);
   EXPECT_GT(product.bits_lost, 25) << "the third's error, in ulps of double";
   EXPECT_LT(product.bits_lost_here, 3);
-  const R narrow = named("one", Wide<R>::narrow(wide));
-  EXPECT_EQ(tape.at(narrow.id).digits, 24);
-  EXPECT_LE(tape.at(narrow.id).bits_lost, 1);
+  const R one = named("one", narrow(wide));
+  EXPECT_EQ(tape.at(one.id).digits, 24);
+  EXPECT_LE(tape.at(one.id).bits_lost, 1);
 }
 
 TEST(Recorded, WritesNothingWhileNothingRecords) {

@@ -46,7 +46,7 @@ template <class Topic, class H>
 typename Topic::template Problem<H> heard_problem(const Case& one) {
   if constexpr (std::is_same_v<Topic, quadratic::Topic>) {
     H::names.clear();
-    return {convert<H>(std::get<Quadratic<double>>(one.question))};
+    return convert<H>(std::get<Quadratic<double>>(one.question));
   } else {
     const auto& question = std::get<RayQuestion>(one.question);
     using Shape = decltype(Topic::template Problem<H>::shape);

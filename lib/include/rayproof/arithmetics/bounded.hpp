@@ -66,11 +66,14 @@ template <std::floating_point T>
 /// Rounds bit for bit as `T` does. Comparisons and `select` follow the values; where the exact numbers might
 /// choose the other branch, the bound covers that branch too.
 template <std::floating_point T>
-struct Bounded {
+struct Bounded : Comparable<Bounded<T>> {
+  using Plain = T;
+
   T value{};
   T error{};
 
   constexpr Bounded() = default;
+  constexpr Bounded(T rounded, T bound) : value(rounded), error(bound) {}
   /// An exact number, or the nearest `T` to one with the error of that.
   template <class U>
   requires std::is_arithmetic_v<U>
@@ -84,20 +87,14 @@ struct Bounded {
 
   /// A rounded value and a bound, infinite where either is not finite.
   [[nodiscard]] static Bounded of(T value, T bound) {
-    Bounded z;
-    z.value = value;
-    z.error = std::isfinite(value) && std::isfinite(bound) ? running_error::up(bound) : infinity<T>;
-    return z;
+    const bool is_bounded = std::isfinite(value) && std::isfinite(bound);
+    return {value, is_bounded ? running_error::up(bound) : infinity<T>};
   }
 
   [[nodiscard]] bool is_exact_zero() const { return value == 0 && error == 0; }
   [[nodiscard]] bool may_be_zero() const { return !(std::abs(value) > error); }
 
-  friend Bounded operator-(const Bounded& x) {
-    Bounded z = x;
-    z.value = -x.value;
-    return z;
-  }
+  friend Bounded operator-(const Bounded& x) { return {-x.value, x.error}; }
   friend Bounded operator+(const Bounded& x, const Bounded& y) {
     const T z = x.value + y.value;
     return of(z, x.error + y.error + running_error::of_sum(z));
@@ -123,15 +120,12 @@ struct Bounded {
   friend BoundedMask operator<(const Bounded& x, const Bounded& y) {
     return {x.value < y.value, apart(x, y)};
   }
-  friend BoundedMask operator>(const Bounded& x, const Bounded& y) { return y < x; }
   friend BoundedMask operator<=(const Bounded& x, const Bounded& y) {
     return {x.value <= y.value, apart(x, y)};
   }
-  friend BoundedMask operator>=(const Bounded& x, const Bounded& y) { return y <= x; }
   friend BoundedMask operator==(const Bounded& x, const Bounded& y) {
     return {x.value == y.value, apart(x, y)};
   }
-  friend BoundedMask operator!=(const Bounded& x, const Bounded& y) { return !(x == y); }
 
   /// How far the errors of the factors can move their product.
   [[nodiscard]] static T spread_of_product(const Bounded& x, const Bounded& y) {
@@ -142,11 +136,6 @@ struct Bounded {
     if (x.error == 0 && y.error == 0) return true;
     return std::abs(x.value - y.value) > running_error::up(running_error::up(x.error + y.error));
   }
-};
-
-template <class T>
-struct PlainOf<Bounded<T>> {
-  using type = T;
 };
 
 }  // namespace rayproof

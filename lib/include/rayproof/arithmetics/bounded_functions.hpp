@@ -27,18 +27,14 @@ template <class T>
 
 template <class T>
 [[nodiscard]] Bounded<T> abs(const Bounded<T>& x) {
-  Bounded<T> z = x;
-  z.value = std::abs(x.value);
-  return z;
+  return {std::abs(x.value), x.error};
 }
 
 /// Where the sign is uncertain, the bound reaches over both signs.
 template <class T>
 [[nodiscard]] Bounded<T> copysign(const Bounded<T>& x, const Bounded<T>& sign) {
   const T z = std::copysign(x.value, sign.value);
-  Bounded<T> same = x;
-  same.value = z;
-  if (sign.error == 0 || !sign.may_be_zero()) return same;
+  if (sign.error == 0 || !sign.may_be_zero()) return {z, x.error};
   return Bounded<T>::of(z, 2 * std::abs(x.value) + x.error);
 }
 
@@ -51,15 +47,11 @@ template <class T>
 /// Continuous, hence off by no more than the worse of its operands whichever the exact one would be.
 template <class T>
 [[nodiscard]] Bounded<T> min(const Bounded<T>& x, const Bounded<T>& y) {
-  Bounded<T> z = y.value < x.value ? y : x;
-  z.error = std::max(x.error, y.error);
-  return z;
+  return {min(x.value, y.value), std::max(x.error, y.error)};
 }
 template <class T>
 [[nodiscard]] Bounded<T> max(const Bounded<T>& x, const Bounded<T>& y) {
-  Bounded<T> z = x.value < y.value ? y : x;
-  z.error = std::max(x.error, y.error);
-  return z;
+  return {max(x.value, y.value), std::max(x.error, y.error)};
 }
 
 /// Runs a step function at both ends of what the exact number may be.
@@ -89,6 +81,20 @@ template <class T>
   const bool inexact = std::abs(z) < std::numeric_limits<T>::min() && x.value != 0;
   const T spread = rayproof::scale_exponent(x.error, e.value);
   return Bounded<T>::of(z, spread + (inexact || x.error != 0 ? 2 * running_error::tiny<T> : T(0)));
+}
+
+template <std::same_as<float> T>
+[[nodiscard]] Bounded<double> widen(const Bounded<T>& x) {
+  return {x.value, x.error};
+}
+template <std::same_as<double> T>
+[[nodiscard]] Bounded<float> narrow(const Bounded<T>& x) {
+  const auto value = static_cast<float>(x.value);
+  const double error = x.error + std::abs(x.value - value);
+  if (error == 0) return Bounded<float>::of(value, 0);
+  // Rounded to float the bound may shrink, by less than the factor and the term make up for.
+  const auto bound = static_cast<float>(error * (1 + 0x1p-22)) + running_error::tiny<float>;
+  return Bounded<float>::of(value, bound);
 }
 
 }  // namespace rayproof

@@ -12,7 +12,9 @@ namespace rayproof {
 /// `value` and `slope` = d(value)/d(variable). Seed the variable with slope 1; constants have slope 0.
 /// Comparisons look at the value.
 template <class T>
-struct Dual {
+struct Dual : Comparable<Dual<T>> {
+  using Plain = rayproof::Plain<T>;
+
   T value{};
   T slope{};
 
@@ -36,16 +38,8 @@ struct Dual {
   }
 
   friend auto operator<(const Dual& x, const Dual& y) { return x.value < y.value; }
-  friend auto operator>(const Dual& x, const Dual& y) { return x.value > y.value; }
   friend auto operator<=(const Dual& x, const Dual& y) { return x.value <= y.value; }
-  friend auto operator>=(const Dual& x, const Dual& y) { return x.value >= y.value; }
   friend auto operator==(const Dual& x, const Dual& y) { return x.value == y.value; }
-  friend auto operator!=(const Dual& x, const Dual& y) { return x.value != y.value; }
-};
-
-template <class T>
-struct PlainOf<Dual<T>> {
-  using type = Plain<T>;
 };
 
 template <class T>

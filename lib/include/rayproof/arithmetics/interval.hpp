@@ -7,11 +7,32 @@
 
 #include <algorithm>
 #include <concepts>
-#include <rayproof/arithmetics/interval_mask.hpp>
 #include <rayproof/arithmetics/interval_rounding.hpp>
 #include <type_traits>
 
 namespace rayproof {
+
+/// The outcomes that a comparison of numbers out of two intervals can have. It is not a bool and turns into
+/// none: a kernel that branches on one does not compile, one that uses `select` gets both branches.
+struct IntervalMask {
+  bool may_hold = false;
+  bool may_fail = true;
+
+  constexpr IntervalMask() = default;
+  // A plain outcome is a certain one.
+  // NOLINTNEXTLINE(google-explicit-constructor)
+  constexpr IntervalMask(bool outcome) : may_hold(outcome), may_fail(!outcome) {}
+  constexpr IntervalMask(bool hold, bool fail) : may_hold(hold), may_fail(fail) {}
+
+  [[nodiscard]] constexpr bool holds_for_certain() const { return may_hold && !may_fail; }
+  [[nodiscard]] constexpr bool fails_for_certain() const { return may_fail && !may_hold; }
+
+  friend constexpr IntervalMask operator!(IntervalMask m) { return {m.may_fail, m.may_hold}; }
+  friend constexpr IntervalMask operator&&(IntervalMask a, IntervalMask b) {
+    return {a.may_hold && b.may_hold, a.may_fail || b.may_fail};
+  }
+  friend constexpr IntervalMask operator||(IntervalMask a, IntervalMask b) { return !(!a && !b); }
+};
 
 /// All real numbers x with lo <= x <= hi; an infinite end is a bound and no member. Both ends NaN is the
 /// empty interval: what NaN becomes, and what a formula gives that has no value anywhere (1/0, √-1). Every
@@ -21,7 +42,9 @@ namespace rayproof {
 /// + - * / sqrt square. Of one operation each end is off by no more than one step to the next float, and by
 /// none where the exact end is a float above 2^-950 (for `float`: anywhere) in magnitude.
 template <std::floating_point T>
-struct Interval {
+struct Interval : Comparable<Interval<T>> {
+  using Plain = T;
+
   T lo{};
   T hi{};
 
@@ -37,12 +60,7 @@ struct Interval {
     if (back > wide || lo == infinity<T>) lo = outward::below(lo);
     if (back < wide || hi == -infinity<T>) hi = outward::above(hi);
   }
-  [[nodiscard]] static constexpr Interval between(T lo, T hi) {
-    Interval x;
-    x.lo = lo;
-    x.hi = hi;
-    return x;
-  }
+  [[nodiscard]] static constexpr Interval between(T lo, T hi) { return {lo, hi}; }
   [[nodiscard]] static constexpr Interval empty() { return between(not_a_number<T>, not_a_number<T>); }
   [[nodiscard]] static constexpr Interval whole() { return between(-infinity<T>, infinity<T>); }
 
@@ -97,14 +115,12 @@ struct Interval {
   friend constexpr IntervalMask operator<=(const Interval& x, const Interval& y) {
     return {x.lo <= y.hi, !(x.hi <= y.lo)};
   }
-  friend constexpr IntervalMask operator>(const Interval& x, const Interval& y) { return y < x; }
-  friend constexpr IntervalMask operator>=(const Interval& x, const Interval& y) { return y <= x; }
   friend constexpr IntervalMask operator==(const Interval& x, const Interval& y) {
     return {x.lo <= y.hi && y.lo <= x.hi, !(x.is_point() && y.is_point() && x.lo == y.lo)};
   }
-  friend constexpr IntervalMask operator!=(const Interval& x, const Interval& y) { return !(x == y); }
 
  private:
+  constexpr Interval(T least, T greatest) : lo(least), hi(greatest) {}
   /// X·Y for a nonnegative X.
   [[nodiscard]] static Interval nonnegative_product(const Interval& x, const Interval& y) {
     return between(outward::product_down(y.lo >= 0 ? x.lo : x.hi, y.lo),
@@ -117,11 +133,6 @@ struct Interval {
     return between(least == 0 ? -infinity<T> : outward::quotient_down(x.lo, least),
                    greatest == 0 ? infinity<T> : outward::quotient_up(x.hi, greatest));
   }
-};
-
-template <class T>
-struct PlainOf<Interval<T>> {
-  using type = T;
 };
 
 }  // namespace rayproof

@@ -3,7 +3,6 @@
 /// The functions of arithmetic.hpp for intervals, and what sets have besides; included by interval.hpp.
 
 #include <rayproof/arithmetics/interval.hpp>
-#include <rayproof/arithmetics/square.hpp>
 
 namespace rayproof {
 

@@ -43,39 +43,15 @@ template <std::floating_point T>
   return -down(-rounded, -rest);
 }
 
-/// Below this size the rest of a product, quotient or root of doubles may be lost to underflow.
-inline constexpr double rest_is_lost = 0x1p-950;
-
-/// The rests: the sign of (exact - rounded), NaN where it is not known. Products and squares of floats are
-/// exact in double, and so is what they leave.
+/// x·y + z where that is what rounding left of a product, quotient or root: with the sign of the exact value.
+/// Products of floats are exact in double, and so is the sum; of doubles the rest may be lost to underflow
+/// where the least number involved is as small as `least`, and is NaN there.
 template <std::floating_point T>
-[[nodiscard]] constexpr double rest_of_sum(T x, T y) {
-  return two_sum(x, y).rest;
-}
-template <std::floating_point T>
-[[nodiscard]] inline double rest_of_product(T x, T y, T product) {
+[[nodiscard]] inline double rest(T x, T y, T z, T least) {
   if constexpr (sizeof(T) < sizeof(double)) {
-    return double{x} * double{y} - double{product};
+    return double{x} * double{y} + double{z};
   } else {
-    return abs(product) < rest_is_lost ? not_a_number<double> : fma(x, y, -product);
-  }
-}
-template <std::floating_point T>
-[[nodiscard]] inline double rest_of_quotient(T x, T y, T quotient) {
-  const double toward = y > 0 ? 1 : -1;
-  if constexpr (sizeof(T) < sizeof(double)) {
-    return toward * (double{x} - double{quotient} * double{y});
-  } else {
-    if (min(abs(x), abs(quotient)) < rest_is_lost) return not_a_number<double>;
-    return toward * fma(-quotient, y, x);
-  }
-}
-template <std::floating_point T>
-[[nodiscard]] inline double rest_of_root(T x, T root) {
-  if constexpr (sizeof(T) < sizeof(double)) {
-    return double{x} - double{root} * double{root};
-  } else {
-    return x < rest_is_lost ? not_a_number<double> : fma(-root, root, x);
+    return least < 0x1p-950 ? not_a_number<double> : fma(x, y, z);
   }
 }
 
@@ -83,17 +59,17 @@ template <std::floating_point T>
 /// number, however large", so 0 times it is 0. What underflows keeps its sign: it ends at 0, not beyond.
 template <std::floating_point T>
 [[nodiscard]] constexpr T sum_down(T x, T y) {
-  return down(x + y, rest_of_sum(x, y));
+  return down(x + y, two_sum(x, y).rest);
 }
 template <std::floating_point T>
 [[nodiscard]] constexpr T sum_up(T x, T y) {
-  return up(x + y, rest_of_sum(x, y));
+  return up(x + y, two_sum(x, y).rest);
 }
 template <std::floating_point T>
 [[nodiscard]] inline T product_down(T x, T y) {
   const T product = x * y;
   if (x == 0 || y == 0 || (product == 0 && (x > 0) == (y > 0))) return 0;
-  return down(product, rest_of_product(x, y, product));
+  return down(product, rest(x, y, -product, abs(product)));
 }
 template <std::floating_point T>
 [[nodiscard]] inline T product_up(T x, T y) {
@@ -103,7 +79,8 @@ template <std::floating_point T>
 [[nodiscard]] inline T quotient_down(T x, T y) {
   const T quotient = x / y;
   if (x == 0 || (quotient == 0 && (x > 0) == (y > 0))) return 0;
-  return down(quotient, rest_of_quotient(x, y, quotient));
+  const double toward = y > 0 ? 1 : -1;
+  return down(quotient, toward * rest(-quotient, y, x, min(abs(x), abs(quotient))));
 }
 template <std::floating_point T>
 [[nodiscard]] inline T quotient_up(T x, T y) {
@@ -112,13 +89,15 @@ template <std::floating_point T>
 template <std::floating_point T>
 [[nodiscard]] inline T root_down(T x) {
   if (x == 0) return 0;
-  return down(sqrt(x), rest_of_root(x, sqrt(x)));
+  const T root = sqrt(x);
+  return down(root, rest(-root, root, x, x));
 }
 template <std::floating_point T>
 [[nodiscard]] inline T root_up(T x) {
   if (x == 0) return 0;
   if (x == infinity<T>) return x;
-  return up(sqrt(x), rest_of_root(x, sqrt(x)));
+  const T root = sqrt(x);
+  return up(root, rest(-root, root, x, x));
 }
 
 }  // namespace rayproof::outward

@@ -28,6 +28,7 @@ namespace rayproof {
 template <std::floating_point T, class Abi = std::experimental::simd_abi::native<T>>
 class Pack {
  public:
+  using Plain = T;
   using Lanes = std::experimental::simd<T, Abi>;
   static constexpr std::size_t size = Lanes::size();
 
@@ -59,11 +60,6 @@ class Pack {
 
  private:
   Lanes lanes_{};
-};
-
-template <class T, class Abi>
-struct PlainOf<Pack<T, Abi>> {
-  using type = T;
 };
 
 template <class T, class Abi>

@@ -20,8 +20,8 @@ namespace rayproof {
 /// exact. Rounds bit for bit as `T` does; comparisons, `select` and signs follow the rounded value, in the
 /// shadow too.
 template <std::floating_point T, class Shadow>
-struct Recorded {
-  using Tape = Recording<Shadow>;
+struct Recorded : Comparable<Recorded<T, Shadow>> {
+  using Plain = T;
 
   Bounded<T> bounded{};
   Shadow exact{};
@@ -30,17 +30,27 @@ struct Recorded {
   Recorded() = default;
   template <class U>
   requires std::is_arithmetic_v<U> Recorded(U input)
-      : bounded(static_cast<T>(input)), exact(static_cast<T>(input)) {
-    record(Operator::constant, {unrecorded, unrecorded, unrecorded});
-  }
+      : Recorded(Operator::constant, static_cast<T>(input), static_cast<T>(input)) {}
   /// The result of an operation on recorded operands.
-  Recorded(Operator op, const Bounded<T>& rounded, const Shadow& shadow, OperationId x,
+  Recorded(Operator op, const Bounded<T>& rounded, const Shadow& shadow, OperationId x = unrecorded,
            OperationId y = unrecorded, OperationId z = unrecorded)
       : bounded(rounded), exact(shadow) {
-    record(op, {x, y, z});
+    if (auto* tape = Recording<Shadow>::active()) {
+      id = tape->append({.op = op, .operands = {x, y, z}, .exact = exact});
+      tape->measure(id, bounded.value, bounded.error);
+    }
   }
 
   [[nodiscard]] T value() const { return bounded.value; }
+  /// The same operation's number with another value or bound: what changes them is no step of the formula.
+  template <class U>
+  [[nodiscard]] Recorded<U, Shadow> with(const Bounded<U>& other) const {
+    Recorded<U, Shadow> changed;
+    changed.bounded = other;
+    changed.exact = exact;
+    changed.id = id;
+    return changed;
+  }
 
   friend Recorded operator-(const Recorded& x) { return {Operator::negate, -x.bounded, -x.exact, x.id}; }
   friend Recorded operator+(const Recorded& x, const Recorded& y) {
@@ -57,29 +67,8 @@ struct Recorded {
   }
 
   friend BoundedMask operator<(const Recorded& x, const Recorded& y) { return x.bounded < y.bounded; }
-  friend BoundedMask operator>(const Recorded& x, const Recorded& y) { return x.bounded > y.bounded; }
   friend BoundedMask operator<=(const Recorded& x, const Recorded& y) { return x.bounded <= y.bounded; }
-  friend BoundedMask operator>=(const Recorded& x, const Recorded& y) { return x.bounded >= y.bounded; }
   friend BoundedMask operator==(const Recorded& x, const Recorded& y) { return x.bounded == y.bounded; }
-  friend BoundedMask operator!=(const Recorded& x, const Recorded& y) { return x.bounded != y.bounded; }
-
- private:
-  void record(Operator op, const std::array<OperationId, 3>& operands) {
-    if (Tape* tape = Tape::active()) {
-      Operation<Shadow> operation{op, operands};
-      operation.value = static_cast<double>(bounded.value);
-      operation.exact = exact;
-      operation.error_bound = static_cast<double>(bounded.error);
-      operation.bits_lost = bits_lost(bounded.value, exact);
-      operation.digits = std::numeric_limits<T>::digits;
-      id = tape->append(std::move(operation));
-    }
-  }
-};
-
-template <class T, class Shadow>
-struct PlainOf<Recorded<T, Shadow>> {
-  using type = T;
 };
 
 template <class T, class S>
@@ -89,24 +78,13 @@ struct Narrator<Recorded<T, S>> {
   }
 };
 
-/// Brings an operation's record up to its number, which may have been narrowed since (arithmetics/wide.hpp):
-/// what is named and shown is the number that the kernel goes on with.
-template <class T, class S>
-void refresh(Recording<S>& tape, const Recorded<T, S>& number) {
-  Operation<S>& operation = tape.at(number.id);
-  operation.value = static_cast<double>(number.value());
-  operation.error_bound = static_cast<double>(number.bounded.error);
-  operation.bits_lost = bits_lost(number.value(), operation.exact);
-  operation.digits = std::numeric_limits<T>::digits;
-  operation.bits_lost_here = operation.bits_lost - tape.lost_before(operation);
-}
-
-/// Writes the name beside the number on the tape.
+/// Writes the name beside the number on the tape, and measures the number anew: it may have been narrowed
+/// since, and what is named and shown is the number that the kernel goes on with.
 template <class T, class S>
 [[nodiscard]] Recorded<T, S> named(const char* name, Recorded<T, S> value) {
   Recording<S>* tape = Recording<S>::active();
   if (tape == nullptr || value.id == unrecorded) return value;
-  refresh(*tape, value);
+  tape->measure(value.id, value.value(), value.bounded.error);
   tape->at(value.id).name = name;
   tape->name(name, {value.id});
   return value;
@@ -117,10 +95,13 @@ template <class T, class S>
 [[nodiscard]] Vec3<Recorded<T, S>> named(const char* name, Vec3<Recorded<T, S>> value) {
   Recording<S>* tape = Recording<S>::active();
   if (tape == nullptr || value.x.id == unrecorded) return value;
-  for (const Recorded<T, S>& component : {value.x, value.y, value.z}) refresh(*tape, component);
-  tape->at(value.x.id).name = std::string(name) + ".x";
-  tape->at(value.y.id).name = std::string(name) + ".y";
-  tape->at(value.z.id).name = std::string(name) + ".z";
+  const auto name_component = [&](const Recorded<T, S>& component, const char* axis) {
+    tape->measure(component.id, component.value(), component.bounded.error);
+    tape->at(component.id).name = std::string(name) + axis;
+  };
+  name_component(value.x, ".x");
+  name_component(value.y, ".y");
+  name_component(value.z, ".z");
   tape->name(name, {value.x.id, value.y.id, value.z.id});
   return value;
 }

@@ -8,9 +8,7 @@ namespace rayproof {
 
 template <class T, class S>
 [[nodiscard]] Recorded<T, S> select(BoundedMask mask, const Recorded<T, S>& yes, const Recorded<T, S>& no) {
-  Recorded<T, S> chosen = mask.value ? yes : no;
-  chosen.bounded = select(mask, yes.bounded, no.bounded);
-  return chosen;
+  return (mask.value ? yes : no).with(select(mask, yes.bounded, no.bounded));
 }
 
 template <class T, class S>
@@ -39,16 +37,12 @@ template <class T, class S>
 
 template <class T, class S>
 [[nodiscard]] Recorded<T, S> min(const Recorded<T, S>& x, const Recorded<T, S>& y) {
-  Recorded<T, S> chosen = y < x ? y : x;
-  chosen.bounded = min(x.bounded, y.bounded);
-  return chosen;
+  return (y < x ? y : x).with(min(x.bounded, y.bounded));
 }
 
 template <class T, class S>
 [[nodiscard]] Recorded<T, S> max(const Recorded<T, S>& x, const Recorded<T, S>& y) {
-  Recorded<T, S> chosen = x < y ? y : x;
-  chosen.bounded = max(x.bounded, y.bounded);
-  return chosen;
+  return (x < y ? y : x).with(max(x.bounded, y.bounded));
 }
 
 // Steps and exponents are decisions, not measurements: the shadow follows the rounded value in them.
@@ -72,6 +66,15 @@ template <class T, class S>
   const bool scales = std::isfinite(e.value());
   const S scaled = scales ? S(ldexp(x.exact, static_cast<int>(e.value()))) : S(rounded.value);
   return {Operator::scale_exponent, rounded, scaled, x.id, e.id};
+}
+
+template <std::same_as<float> T, class S>
+[[nodiscard]] Recorded<double, S> widen(const Recorded<T, S>& x) {
+  return x.with(widen(x.bounded));
+}
+template <std::same_as<double> T, class S>
+[[nodiscard]] Recorded<float, S> narrow(const Recorded<T, S>& x) {
+  return x.with(narrow(x.bounded));
 }
 
 }  // namespace rayproof

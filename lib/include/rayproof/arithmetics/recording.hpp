@@ -72,13 +72,6 @@ template <class T, class Shadow>
   return std::min(all, std::log2(1 + ulps));
 }
 
-/// The same of a number that a double holds, in the format with that number of digits: float or double.
-template <class Shadow>
-[[nodiscard]] double bits_lost_in(int digits, double value, const Shadow& exact) {
-  return digits == std::numeric_limits<float>::digits ? bits_lost(static_cast<float>(value), exact)
-                                                      : bits_lost(value, exact);
-}
-
 /// A number or vector that the kernel named, in the order of naming.
 struct NamedValue {
   std::string name;
@@ -111,18 +104,24 @@ class Recording {
 
   OperationId append(Operation<Shadow> operation) {
     operation.step = current_step();
-    operation.bits_lost_here = operation.bits_lost - lost_before(operation);
     operations.push_back(std::move(operation));
     return static_cast<OperationId>(operations.size()) - 1;
   }
-  /// What the operation's operands had lost at most, counted in its own format: of a float that was widened
-  /// to double, many a bit more than in float.
-  [[nodiscard]] double lost_before(const Operation<Shadow>& operation) const {
-    double lost = 0;
-    for (const OperationId id : operation.operands) {
-      if (id != unrecorded) lost = std::max(lost, bits_lost_in(operation.digits, at(id).value, at(id).exact));
+  /// Writes down what an operation has come to in format `T`. Its operands' losses count in that format:
+  /// those of a float that was widened to double are larger than in float.
+  template <class T>
+  void measure(OperationId id, T value, T error_bound) {
+    Operation<Shadow>& operation = at(id);
+    operation.value = static_cast<double>(value);
+    operation.error_bound = static_cast<double>(error_bound);
+    operation.bits_lost = bits_lost(value, operation.exact);
+    operation.digits = std::numeric_limits<T>::digits;
+    double lost_before = 0;
+    for (const OperationId x : operation.operands) {
+      if (x != unrecorded)
+        lost_before = std::max(lost_before, bits_lost(static_cast<T>(at(x).value), at(x).exact));
     }
-    return lost;
+    operation.bits_lost_here = operation.bits_lost - lost_before;
   }
   void name(const char* name, const std::vector<OperationId>& components) {
     names.push_back({name, components, current_step()});

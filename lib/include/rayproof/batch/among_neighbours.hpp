@@ -48,42 +48,19 @@ struct MixedRoots {
   [[nodiscard]] Roots<T> at(std::size_t lane) const { return {discriminant[lane], lo[lane], hi[lane]}; }
 };
 
-/// A ray among others.
-template <class Method, class T>
-[[nodiscard]] MixedLanes<T, 6, mixed_lanes<Method>> mixed_in(const Ray<T>& ray) {
-  return MixedLanes<T, 6, mixed_lanes<Method>>(
-      {ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x, ray.direction.y, ray.direction.z});
-}
-
-/// The same as a batch with the ray's interval, valid as long as `lanes`.
-template <class T, std::size_t Lanes>
-[[nodiscard]] RayBatch<T> batch_of(const MixedLanes<T, 6, Lanes>& lanes, const Ray<T>& ray,
-                                   const std::optional<ObjectSpace<T>>& space) {
-  const auto& c = lanes.column;
-  return {{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, ray.t_min, ray.t_max, space};
-}
-
 /// The roots of one ray's problem, answered in a batch of many. The ray is in the world where `space` is
 /// given.
 template <class Method, class T, class Shape>
 [[nodiscard]] Roots<T> roots_among_neighbours(const Ray<T>& ray, const Shape& shape,
                                               const std::optional<ObjectSpace<T>>& space = {},
                                               InstructionSet set = preferred_instruction_set()) {
-  const auto lanes = mixed_in<Method>(ray);
+  const auto& [o, d, t_min, t_max] = ray;
+  const MixedLanes<T, 6, mixed_lanes<Method>> lanes({o.x, o.y, o.z, d.x, d.y, d.z});
+  const auto& c = lanes.column;
+  const RayBatch<T> rays{{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, t_min, t_max, space};
   MixedRoots<T, mixed_lanes<Method>> roots;
-  batch_roots<Method>(batch_of(lanes, ray, space), shape, roots.arrays(), set);
+  batch_roots<Method>(rays, shape, roots.arrays(), set);
   return roots.at(lanes.lane);
-}
-
-/// The nearest hit of one ray, answered in a batch of many; infinity for a miss.
-template <class Method, class T, class Shape>
-[[nodiscard]] T nearest_among_neighbours(const Ray<T>& ray, const Shape& shape,
-                                         const std::optional<ObjectSpace<T>>& space = {},
-                                         InstructionSet set = preferred_instruction_set()) {
-  const auto lanes = mixed_in<Method>(ray);
-  std::array<T, mixed_lanes<Method>> t{};
-  nearest_hits<Method>(batch_of(lanes, ray, space), shape, std::span<T>(t), set);
-  return t[lanes.lane];
 }
 
 /// The roots of one equation, answered in a batch of many.

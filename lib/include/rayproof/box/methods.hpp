@@ -7,8 +7,7 @@
 #include <rayproof/box/printed_slabs.hpp>
 #include <rayproof/box/slabs.hpp>
 #include <rayproof/box/slabs_inverse.hpp>
-#include <rayproof/method/ray_topic.hpp>
-#include <rayproof/method/type_list.hpp>
+#include <rayproof/method/topic.hpp>
 
 namespace rayproof::box {
 

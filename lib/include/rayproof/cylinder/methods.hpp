@@ -6,8 +6,7 @@
 #include <rayproof/cylinder/compensated.hpp>
 #include <rayproof/cylinder/printed.hpp>
 #include <rayproof/cylinder/textbook.hpp>
-#include <rayproof/method/ray_topic.hpp>
-#include <rayproof/method/type_list.hpp>
+#include <rayproof/method/topic.hpp>
 
 namespace rayproof::cylinder {
 

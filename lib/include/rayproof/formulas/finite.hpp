@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <concepts>
-#include <rayproof/vec2.hpp>
 #include <rayproof/vec3.hpp>
 #include <vector>
 

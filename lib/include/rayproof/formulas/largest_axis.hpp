@@ -4,7 +4,6 @@
 
 #include <rayproof/arithmetic.hpp>
 #include <rayproof/method/narration.hpp>
-#include <rayproof/vec2.hpp>
 #include <rayproof/vec3.hpp>
 #include <type_traits>
 

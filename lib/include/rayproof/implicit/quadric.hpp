@@ -1,6 +1,5 @@
 #pragma once
 #include <rayproof/arithmetic.hpp>
-#include <rayproof/arithmetics/square.hpp>
 #include <rayproof/method/narration.hpp>
 
 namespace rayproof::implicit {

@@ -2,8 +2,7 @@
 /// \file
 /// The ray/parallelepiped methods, one line each.
 
-#include <rayproof/method/ray_topic.hpp>
-#include <rayproof/method/type_list.hpp>
+#include <rayproof/method/topic.hpp>
 #include <rayproof/parallelepiped/compensated.hpp>
 #include <rayproof/parallelepiped/face_planes.hpp>
 #include <rayproof/parallelepiped/unit_cube.hpp>

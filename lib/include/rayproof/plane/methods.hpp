@@ -2,8 +2,7 @@
 /// \file
 /// The ray/plane methods, one line each.
 
-#include <rayproof/method/ray_topic.hpp>
-#include <rayproof/method/type_list.hpp>
+#include <rayproof/method/topic.hpp>
 #include <rayproof/plane/compensated.hpp>
 #include <rayproof/plane/implicit.hpp>
 #include <rayproof/plane/parametric.hpp>

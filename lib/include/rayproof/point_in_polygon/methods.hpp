@@ -2,7 +2,7 @@
 /// \file
 /// The point-in-polygon methods, one line each.
 
-#include <rayproof/method/type_list.hpp>
+#include <rayproof/method/topic.hpp>
 #include <rayproof/point_in_polygon/compensated.hpp>
 #include <rayproof/point_in_polygon/parity.hpp>
 #include <rayproof/point_in_polygon/printed_parity.hpp>
@@ -16,21 +16,13 @@ struct Topic {
   static constexpr double robust_bound = point_in_polygon_robust_bound;
   using Methods = TypeList<Parity, Winding, Compensated, PrintedParity>;
 
-  /// The point and the polygon.
   template <class T>
-  struct Problem {
-    PointAndPolygon<T> question;
+  using Problem = PointAndPolygon<T>;
 
-    template <class To>
-    [[nodiscard]] Problem<To> as() const {
-      return {convert<To>(question)};
-    }
-  };
-
-  /// Runs a method on a problem.
+  /// Runs a method on a problem, in the problem's arithmetic.
   template <class Method, class T>
-  [[nodiscard]] static auto solve(const Problem<T>& problem) {
-    return Method::locate(problem.question);
+  [[nodiscard]] static Position solve(const Problem<T>& problem) {
+    return Method::locate(problem);
   }
 };
 

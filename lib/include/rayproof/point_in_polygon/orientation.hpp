@@ -19,10 +19,9 @@ template <class T>
 /// A double that is clear of its rounding decides it (Shewchuk's ORIENT2D, stage A); else expansions do.
 template <std::floating_point T>
 [[nodiscard]] int orientation_sign(const Vec2<T>& point, const Vec2<T>& a, const Vec2<T>& b) {
-  const auto wide = [](const Vec2<T>& p) { return Vec2<double>{p.x, p.y}; };
-  const Vec2<double> p = wide(point);
-  const double left = (double{a.x} - p.x) * (double{b.y} - p.y);
-  const double right = (double{a.y} - p.y) * (double{b.x} - p.x);
+  const double x = point.x, y = point.y;
+  const double left = (double{a.x} - x) * (double{b.y} - y);
+  const double right = (double{a.y} - y) * (double{b.x} - x);
   const double bound =
       0x1.8p-51 * (abs(left) + abs(right));  // 4 roundings of 2^-53 each, and a half to spare
   if (bound > 0x1p-960 && abs(left - right) > bound) return left > right ? 1 : -1;

@@ -2,8 +2,7 @@
 /// \file
 /// The ray/polygon methods, one line each.
 
-#include <rayproof/method/ray_topic.hpp>
-#include <rayproof/method/type_list.hpp>
+#include <rayproof/method/topic.hpp>
 #include <rayproof/polygon/compensated.hpp>
 #include <rayproof/polygon/parity.hpp>
 #include <rayproof/polygon/printed_parity.hpp>

@@ -2,7 +2,7 @@
 /// \file
 /// The methods for the quadratic equation, one line each.
 
-#include <rayproof/method/type_list.hpp>
+#include <rayproof/method/topic.hpp>
 #include <rayproof/quadratic/citardauq.hpp>
 #include <rayproof/quadratic/citardauq_viete.hpp>
 #include <rayproof/quadratic/full_range.hpp>
@@ -19,21 +19,13 @@ struct Topic {
   static constexpr bool is_batched = true;
   using Methods = TypeList<Textbook, Citardauq, CitardauqViete, Kahan, FullRange, PrintedB4ac>;
 
-  /// The equation itself.
   template <class T>
-  struct Problem {
-    Quadratic<T> equation;
-
-    template <class To>
-    [[nodiscard]] constexpr Problem<To> as() const {
-      return {convert<To>(equation)};
-    }
-  };
+  using Problem = Quadratic<T>;
 
   /// Runs a method's kernel on a problem, in the problem's arithmetic.
   template <class Method, class T>
   [[nodiscard]] static constexpr Roots<T> solve(const Problem<T>& problem) {
-    return Method::roots(problem.equation);
+    return Method::roots(problem);
   }
 };
 

@@ -2,8 +2,7 @@
 /// \file
 /// The ray/sphere methods, one line each.
 
-#include <rayproof/method/ray_topic.hpp>
-#include <rayproof/method/type_list.hpp>
+#include <rayproof/method/topic.hpp>
 #include <rayproof/sphere/centred.hpp>
 #include <rayproof/sphere/compensated.hpp>
 #include <rayproof/sphere/half_b.hpp>

@@ -1,5 +1,5 @@
 #pragma once
-#include <rayproof/arithmetics/wide.hpp>
+#include <rayproof/arithmetic.hpp>
 #include <rayproof/formulas/difference_of_products.hpp>
 
 namespace rayproof::triangle {
@@ -10,9 +10,8 @@ namespace rayproof::triangle {
 /// by fused multiply-adds, as long as nothing underflows.
 template <class T>
 [[nodiscard]] constexpr T edge_function(const T& a, const T& b, const T& c, const T& d) {
-  using W = Wide<T>;
-  if constexpr (W::exists) {
-    return W::narrow(W::widen(a) * W::widen(b) - W::widen(c) * W::widen(d));
+  if constexpr (digits<T> == digits<float>) {
+    return narrow(widen(a) * widen(b) - widen(c) * widen(d));
   } else {
     return difference_of_products(a, b, c, d);
   }

@@ -2,8 +2,7 @@
 /// \file
 /// The ray/triangle methods, one line each.
 
-#include <rayproof/method/ray_topic.hpp>
-#include <rayproof/method/type_list.hpp>
+#include <rayproof/method/topic.hpp>
 #include <rayproof/triangle/compensated.hpp>
 #include <rayproof/triangle/cramer.hpp>
 #include <rayproof/triangle/moller_trumbore.hpp>

@@ -3,8 +3,7 @@
 /// The ray/disk methods, one line each.
 
 #include <rayproof/disk/projected.hpp>
-#include <rayproof/method/ray_topic.hpp>
-#include <rayproof/method/type_list.hpp>
+#include <rayproof/method/topic.hpp>
 
 namespace rayproof::disk {
 
