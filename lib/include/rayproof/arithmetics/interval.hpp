@@ -121,6 +121,7 @@ struct Interval : Comparable<Interval<T>> {
 
  private:
   constexpr Interval(T least, T greatest) : lo(least), hi(greatest) {}
+
   /// X·Y for a nonnegative X.
   [[nodiscard]] static Interval nonnegative_product(const Interval& x, const Interval& y) {
     return between(outward::product_down(y.lo >= 0 ? x.lo : x.hi, y.lo),

@@ -26,7 +26,7 @@ namespace rayproof {
 /// A class of our own around std::experimental::native_simd, because the kernels write T(4) and T(-0.5), and
 /// because the vocabulary of arithmetic.hpp is found through the number's own namespace.
 template <std::floating_point T, class Abi = std::experimental::simd_abi::native<T>>
-class Pack {
+class Pack : public Comparable<Pack<T, Abi>> {
  public:
   using Plain = T;
   using Lanes = std::experimental::simd<T, Abi>;
@@ -53,10 +53,7 @@ class Pack {
   friend Pack operator-(const Pack& a) { return -a.lanes_; }
   friend auto operator<(const Pack& a, const Pack& b) { return a.lanes_ < b.lanes_; }
   friend auto operator<=(const Pack& a, const Pack& b) { return a.lanes_ <= b.lanes_; }
-  friend auto operator>(const Pack& a, const Pack& b) { return a.lanes_ > b.lanes_; }
-  friend auto operator>=(const Pack& a, const Pack& b) { return a.lanes_ >= b.lanes_; }
   friend auto operator==(const Pack& a, const Pack& b) { return a.lanes_ == b.lanes_; }
-  friend auto operator!=(const Pack& a, const Pack& b) { return a.lanes_ != b.lanes_; }
 
  private:
   Lanes lanes_{};
