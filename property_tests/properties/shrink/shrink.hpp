@@ -30,6 +30,10 @@ struct ShrinkBudget {
 /// The valid cases that one change makes simpler, the boldest change first; a proper figure stays one.
 [[nodiscard]] std::vector<Case> simpler_cases(const Case& one);
 
+/// Whether the case format accepts the case: finite numbers, a direction, an interval, a shape and a regular
+/// transform.
+[[nodiscard]] bool is_valid(const Case& one);
+
 /// What a shrunk case must still do: break the property, and do so strikingly, at least a hundred times over
 /// the bound or as badly as the trial that was found. A case only just over a bound shows nothing to a
 /// reader.

@@ -11,7 +11,6 @@
 #include "generators/generators.hpp"
 #include "properties/numbers.hpp"
 #include "properties/shrink/simplicity.hpp"
-#include "properties/shrink/validity.hpp"
 #include "unit/properties/broken_subjects.hpp"
 
 namespace rayproof {
