@@ -7,7 +7,7 @@
 #include "case/reader/near_names.hpp"
 #include "case/shape_format.hpp"
 #include "command_line/command_line.hpp"
-#include "programs/stream/stream_program.hpp"
+#include "programs/stream/answer_stream.hpp"
 #include "subjects/subject.hpp"
 
 namespace {
