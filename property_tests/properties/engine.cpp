@@ -42,7 +42,7 @@ class Run {
       for (const Precision precision : plan.precisions)
         for (const Family* family : plan.families)
           if (family->topic == subject->topic)
-            result_.units.push_back({{subject, family, precision, active, measure}, {}});
+            result_.units.push_back({subject, family, precision, active, measure});
     }
   }
 
@@ -91,9 +91,10 @@ class Run {
     const auto hunts = static_cast<double>(rounds * result_.units.size());
     double done = 0;
     for (std::uint64_t round = 0; round < rounds; ++round)
-      for (UnitResult& unit : result_.units) {
+      for (Unit& unit : result_.units) {
         if (is_over(round)) return;
-        put_unit(unit, round, std::min(in_round, all - round * in_round),
+        const std::uint64_t cases = std::min(in_round, all - round * in_round);
+        put_unit(unit, combine(plan_.settings.seed, round), cases,
                  [&](double of_unit) { return (done + of_unit) / hunts; });
         ++done;
       }
@@ -109,19 +110,18 @@ class Run {
     return plan_.settings.time ? elapsed / *plan_.settings.time : 0;
   }
 
-  template <class ShareOfCases>
-  void put_unit(UnitResult& unit, std::uint64_t round, std::uint64_t cases, ShareOfCases&& share_of_cases) {
+  void put_unit(Unit& unit, std::uint64_t seed, std::uint64_t cases,
+                const std::function<double(double)>& share_of_cases) {
     const std::string what =
         fmt::format("{} {} {}", unit.subject->full_name(), unit.family->name, name_of(unit.precision));
-    Hunt hunt{unit, broken_[{unit.subject, unit.precision}], stop_, combine(plan_.settings.seed, round),
-              cases};
+    Hunt hunt{unit, broken_[{unit.subject, unit.precision}], stop_, seed, cases};
     hunt.progress = [&](double of_unit) {
       listener_.progress({what, std::min(1.0, std::max(share_of_cases(of_unit), share_of_time()))});
     };
     hunt.found = [&](std::size_t property, const Case& one) {
       report(*unit.subject, properties()[property], one, unit.family->name);
     };
-    unit.tally += hunt.run();
+    hunt.run();
   }
 
   /// The simplest case like the one found. What is simpler is another case: it has no id, and what is noted

@@ -9,14 +9,9 @@
 
 namespace rayproof {
 
-/// A subject's figures on one family at one precision.
-struct UnitResult : Unit {
-  Tally tally{};
-};
-
 /// What a run has found out so far.
 struct RunResult {
-  std::vector<UnitResult> units{};
+  std::vector<Unit> units{};
   std::vector<Finding> findings{};
   std::vector<LabelCount> labels{};
   std::size_t corpus_cases = 0;

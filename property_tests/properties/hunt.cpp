@@ -100,8 +100,7 @@ std::uint64_t hash_of(const std::string& text) {
 
 }  // namespace
 
-Tally Hunt::run() {
-  Tally tally;
+void Hunt::run() {
   const Family& family = *unit.family;
   // Nothing of the subject is in the seed: subjects are put the same cases until one of them breaks.
   const std::uint64_t start = combine(combine(seed, hash_of(family.topic + "/" + family.name)),
@@ -119,7 +118,7 @@ Tally Hunt::run() {
       failure = std::current_exception();
       return;
     }
-    tally += result.tally;
+    unit.tally += result.tally;
     done += size;
     progress(static_cast<double>(done) / static_cast<double>(cases));
     bool is_new = false;
@@ -133,7 +132,6 @@ Tally Hunt::run() {
   for (std::uint64_t attempt = 0; done < cases && !stop && !failure; ++attempt)
     check(name, combine(start, attempt), (cases - done + cases_in_block - 1) / cases_in_block, test_block);
   if (failure) std::rethrow_exception(failure);
-  return tally;
 }
 
 }  // namespace rayproof

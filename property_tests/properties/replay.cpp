@@ -8,7 +8,7 @@
 #include "case/shape_format.hpp"
 #include "case/writer.hpp"
 #include "properties/plan.hpp"
-#include "properties/report/text.hpp"
+#include "properties/report/findings.hpp"
 
 namespace rayproof {
 

@@ -1,9 +1,8 @@
-#include "properties/report/order.hpp"
+#include "properties/report/findings.hpp"
 
 #include <algorithm>
 
 #include "case/writer.hpp"
-#include "properties/report/words.hpp"
 
 namespace rayproof {
 
