@@ -58,8 +58,8 @@ int run(const check::Options& options) {
   std::size_t findings = 0;
 
   Listener listener;
-  listener.progress = [&](const Progress& now) {
-    progress.show(now.done, fmt::format("{}, {} findings", now.what, findings));
+  listener.progress = [&](const std::string& what, double done) {
+    progress.show(done, fmt::format("{}, {} findings", what, findings));
   };
   listener.broken = [&](const Finding& finding) { outputs.keep_as_found(finding); };
   listener.finding = [&](const Finding& finding) {

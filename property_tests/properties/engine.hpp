@@ -18,15 +18,10 @@ struct RunResult {
   bool was_interrupted = false;
 };
 
-/// What is being done, for a progress line.
-struct Progress {
-  std::string what{};
-  double done = 0;  ///< share of the whole run, 0 to 1
-};
-
 /// Who hears from the engine. All are called from the thread that called `run_plan`.
 struct Listener {
-  std::function<void(const Progress&)> progress = [](const Progress&) {};
+  /// What is being done, and the share of the whole run that is done, 0 to 1.
+  std::function<void(const std::string& what, double done)> progress = [](const std::string&, double) {};
   /// A case has broken a property; it is about to be shrunk.
   std::function<void(const Finding&)> broken = [](const Finding&) {};
   /// The same, shrunk: what is reported to people.

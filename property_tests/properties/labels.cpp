@@ -46,8 +46,7 @@ std::vector<std::string> labels_of(const Case& one) {
   std::vector<std::string> labels =
       std::visit([&](const auto& answer) { return labels_of(one, answer); }, exact);
   const oracle::Judgement judgement = oracle::judge(one, exact);
-  const Domain domain;
-  const int reach = one.precision == Precision::float32 ? domain.reach_float : domain.reach_double;
+  const int reach = reach_of(Domain{}, one.precision);
   if (judgement.smallest >= -reach && judgement.largest <= reach) labels.emplace_back("in reach");
   return labels;
 }

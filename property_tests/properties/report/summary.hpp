@@ -36,9 +36,7 @@ inline constexpr std::array statuses_in_legend{ClaimStatus::holds,  ClaimStatus:
                                                ClaimStatus::spared, ClaimStatus::untested};
 
 /// Whether a status makes the run fail.
-[[nodiscard]] inline bool is_failure(ClaimStatus status) {
-  return status == ClaimStatus::broken || status == ClaimStatus::unrefuted;
-}
+[[nodiscard]] inline bool is_failure(ClaimStatus status) { return status >= ClaimStatus::unrefuted; }
 
 /// One property of a row.
 struct Cell {

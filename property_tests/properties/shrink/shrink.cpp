@@ -6,7 +6,6 @@
 #include "case/accepted.hpp"
 #include "properties/numbers.hpp"
 #include "properties/shrink/moves.hpp"
-#include "properties/shrink/simplicity.hpp"
 
 namespace rayproof {
 
