@@ -12,7 +12,7 @@ function(rayproof_embed_corpus target folder)
   endforeach()
   set(source ${CMAKE_CURRENT_BINARY_DIR}/corpus_files.cpp)
   file(CONFIGURE OUTPUT ${source} @ONLY CONTENT [[
-#include "programs/check/corpus_files.hpp"
+#include "programs/check/corpus.hpp"
 
 std::vector<rayproof::check::CorpusFile> rayproof::check::corpus_files() {
   return {

@@ -1,42 +1,65 @@
 /// \file
 /// rayproof check: puts every method on trial before the exact oracle.
 
-#include <filesystem>
-#include <fstream>
-
-#include "case/shape_format.hpp"
 #include "command_line/command_line.hpp"
 #include "command_line/interrupt.hpp"
 #include "command_line/progress_line.hpp"
 #include "programs/check/corpus.hpp"
 #include "programs/check/options.hpp"
-#include "programs/check/outcome.hpp"
 #include "programs/check/outputs.hpp"
 #include "properties/replay.hpp"
-#include "properties/report/order.hpp"
+#include "properties/report/findings.hpp"
+#include "properties/report/report.hpp"
 
 namespace {
 
 using namespace rayproof;
 
-std::vector<Case> corpus_of(const check::Options& options) {
-  if (options.corpus.empty()) return check::built_in_corpus();
-  std::ifstream in(options.corpus);
-  if (!in) throw std::runtime_error(options.corpus + " cannot be read");
-  return check::read_corpus(in, options.corpus);
+/// What breaks a contract, in full: first what has a counterexample.
+std::string all_failures(const RunResult& result, const Summary& summary) {
+  if (summary.is_success()) return "";
+  std::string text = "\nFAILED\n" + text_failures(result.findings);
+  for (const std::string& sentence : summary.without_counterexample()) text += sentence + "\n";
+  return text;
+}
+
+/// What is printed at the end: the table, the failures in full, the findings, and what may be done with them;
+/// at most 120 columns wide but for the cases of failures.
+std::string text_outcome(const check::Options& options, const Plan& plan, const RunResult& result,
+                         const Summary& summary) {
+  std::string text = fmt::format(
+      "seed {}, {}{} cases for each method, family and precision, {} corpus cases\n", plan.settings.seed,
+      plan.settings.time ? "at most " : "", plan.settings.cases, result.corpus_cases);
+  if (options.labels) text += text_labels(result) + "\n";
+  if (plan.settings.measure_all) text += text_families(plan, result) + text_measured(summary) + "\n";
+  text += text_table(summary) + all_failures(result, summary);
+  if (const std::string declared = text_declared(result.findings); !declared.empty())
+    text +=
+        "\nFindings that the contracts declare (several numbers: the same failure in the other precision or "
+        "method)\n" +
+        declared;
+  if (!result.findings.empty())
+    text += fmt::format("\n./rayproof explain N, walk N, draw N, replay N{}: look into finding N\n",
+                        from_option(options.out));
+  text += fmt::format("how to read it: docs/reading-a-check.md\npage: {}/index.html\n", options.out);
+  if (summary.was_interrupted) text += "interrupted: only what is shown was checked\n";
+  return text + (!summary.is_success() ? "NOT every contract holds\n"
+                 : summary.was_interrupted
+                     ? "no contract is broken by what was checked before the interrupt\n"
+                     : "every contract holds\n");
 }
 
 int run(const check::Options& options) {
   const Plan plan = make_plan(options.settings);
-  const std::vector<Case> corpus = corpus_of(options);
+  const std::vector<Case> corpus = check::read_corpus(options.corpus);
   check::Outputs outputs(options);
   keep_on_interrupt();
   ProgressLine progress;
   std::size_t findings = 0;
 
   Listener listener;
-  listener.progress = [&](const Progress& now) {
-    progress.show(now.done, fmt::format("{}, {} findings", now.what, findings));
+  listener.progress = [&](const std::string& what, double done) {
+    progress.show(done, fmt::format("{}, {} findings", what, findings));
   };
   listener.broken = [&](const Finding& finding) { outputs.keep_as_found(finding); };
   listener.finding = [&](const Finding& finding) {
@@ -49,7 +72,7 @@ int run(const check::Options& options) {
 
   const Summary summary = summarise(plan, result);
   outputs.write(plan, result, summary);
-  fmt::print("{}", check::text_outcome(options, plan, result, summary));
+  fmt::print("{}", text_outcome(options, plan, result, summary));
   if (summary.was_interrupted) return 130;
   return summary.is_success() ? 0 : 1;
 }
@@ -62,7 +85,6 @@ int main(int argc, char** argv) {
   check::Options options;
   check::describe(app, options);
   if (const auto status = parse_command_line(app, argc, argv)) return *status;
-  check::finish(options);
   try {
     return options.replay.empty() ? run(options) : replay_file(options.replay);
   } catch (const std::runtime_error& trouble) {

@@ -7,30 +7,29 @@
 #include "case/reader/near_names.hpp"
 #include "case/shape_format.hpp"
 #include "command_line/command_line.hpp"
-#include "programs/stream/stream_program.hpp"
+#include "programs/stream/answer_stream.hpp"
 #include "subjects/subject.hpp"
 
 namespace {
 
-using rayproof::Subject;
+using namespace rayproof;
 
 /// The one sentence about a method that does not exist.
 std::string unknown_method(const std::string& name) {
   std::vector<std::string> names;
-  for (const Subject& subject : rayproof::subjects()) names.push_back(subject.full_name());
+  for (const Subject& subject : subjects()) names.push_back(subject.full_name());
   return fmt::format(
       "rayproof intersect: there is no method {}; did you mean {}? (rayproof methods lists all)", name,
-      fmt::join(rayproof::near_names(name, names, 3), " or "));
+      fmt::join(near_names(name, names, 3), " or "));
 }
 
 /// The subject's answer, or a Refusal where the case is about something else.
-rayproof::Answer answer_with(const Subject& subject, const rayproof::Case& one) {
-  const std::string topic = rayproof::topic_of(one);
+Answer answer_with(const Subject& subject, const Case& one) {
+  const std::string topic = topic_of(one);
   if (topic == subject.topic) return subject.answer(one);
-  const bool is_shape = std::holds_alternative<rayproof::RayQuestion>(one.question);
-  throw rayproof::Refusal(is_shape ? "shape.type" : "query",
-                          fmt::format("{} is {}, which the method {} does not answer",
-                                      is_shape ? "shape.type" : "query", topic, subject.full_name()));
+  const char* const field = std::holds_alternative<RayQuestion>(one.question) ? "shape.type" : "query";
+  throw Refusal(
+      field, fmt::format("{} is {}, which the method {} does not answer", field, topic, subject.full_name()));
 }
 
 }  // namespace
@@ -43,14 +42,13 @@ int main(int argc, char** argv) {
       ->required()
       ->type_name("SHAPE/METHOD");
   app.add_option("FILE", file, "The cases; standard input where left out or -");
-  app.footer(rayproof::stream_help);
-  if (const auto status = rayproof::parse_command_line(app, argc, argv)) return *status;
+  app.footer(stream_help);
+  if (const auto status = parse_command_line(app, argc, argv)) return *status;
 
-  const Subject* const subject = rayproof::find_subject(method);
+  const Subject* const subject = find_subject(method);
   if (subject == nullptr) {
     fmt::print(stderr, "{}\n", unknown_method(method));
     return 2;
   }
-  return rayproof::run_stream_program(
-      file, [subject](const rayproof::Case& one) { return answer_with(*subject, one); });
+  return run_stream_program(file, [subject](const Case& one) { return answer_with(*subject, one); });
 }

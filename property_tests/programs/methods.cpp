@@ -28,10 +28,8 @@ Json to_json(const Contract& contract) {
     if (contract.holds.contains(claim)) holds.push_back(claim_name(claim));
   }
   Json refuted = Json::array();
-  for (const Refutation& refutation : contract.refuted) {
-    if (refutation.because.empty()) continue;
-    refuted.push_back({{"claim", claim_name(refutation.claim)}, {"because", refutation.because}});
-  }
+  for (const auto& [claim, because] : contract.refuted)
+    if (!because.empty()) refuted.push_back({{"claim", claim_name(claim)}, {"because", because}});
   return {{"verdict", to_json(contract.verdict)},
           {"residual", to_json(contract.residual)},
           {"ulp", to_json(contract.ulp)},
@@ -63,57 +61,46 @@ std::string in_words(const Bound& bound) {
 }
 
 /// "2^±28", or "any size" where the reach is beyond every number of the format.
-std::string in_words(int reach, int largest_reach) {
-  return reach > largest_reach ? "any size" : fmt::format("2^±{}", reach);
-}
-
 std::string in_words(const Domain& domain) {
-  constexpr int largest_float = 149;  // the exponents of the smallest subnormal numbers
-  constexpr int largest_double = 1074;
-  return fmt::format("domain {} in float32, {} in float64", in_words(domain.reach_float, largest_float),
-                     in_words(domain.reach_double, largest_double));
-}
-
-void print_row(const std::string& method, std::string_view standing, const std::string& verdict,
-               const std::string& residual, const std::string& ulp) {
-  fmt::print("{:<31} {:<8} {:<11} {:<11} {}\n", method, standing, verdict, residual, ulp);
+  const auto size = [](int reach, int of_smallest_subnormal) {
+    return reach > of_smallest_subnormal ? "any size" : fmt::format("2^±{}", reach);
+  };
+  return fmt::format("domain {} in float32, {} in float64", size(domain.reach_float, 149),
+                     size(domain.reach_double, 1074));
 }
 
 /// Prints a text under a row, broken between words to lines of 80 letters.
 void print_detail(std::string_view text) {
-  constexpr std::size_t width = 80;
-  const std::string indent(4, ' ');
+  constexpr std::ptrdiff_t width = 80;
   const auto letters = [](const std::string& line) {  // of UTF-8
-    return static_cast<std::size_t>(
-        std::count_if(line.begin(), line.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+    return std::ranges::count_if(line, [](char c) { return (c & 0xC0) != 0x80; });
   };
-  std::string line = indent;
+  std::string line = "   ";
   while (!text.empty()) {
     const std::string word(text.substr(0, text.find(' ')));
     text.remove_prefix(std::min(word.size() + 1, text.size()));
-    if (letters(line + word) > width) {
-      fmt::print("{}\n", line.substr(0, line.size() - 1));
-      line = indent;
+    if (letters(line + word) >= width) {
+      fmt::print("{}\n", line);
+      line = "   ";
     }
-    line += word + ' ';
+    line += ' ' + word;
   }
-  fmt::print("{}\n", line.substr(0, line.size() - 1));
+  fmt::print("{}\n", line);
 }
 
 void print_table() {
-  print_row("method", "standing", "verdict", "residual", "ulp");
+  constexpr auto row = "{:<31} {:<8} {:<11} {:<11} {}\n";
+  fmt::print(row, "method", "standing", "verdict", "residual", "ulp");
   for (const Subject& subject : subjects()) {
     const Contract& contract = subject.contract;
     const Source& source = subject.source;
-    print_row(subject.full_name(), standing_name(contract.standing), in_words(contract.verdict),
-              in_words(contract.residual), in_words(contract.ulp));
+    fmt::print(row, subject.full_name(), standing_name(contract.standing), in_words(contract.verdict),
+               in_words(contract.residual), in_words(contract.ulp));
     print_detail(fmt::format("{} ({}, {}, {})", subject.title, source.author, source.title, source.year));
     print_detail(in_words(contract.domain) +
                  (subject.far_power == 0 ? "" : fmt::format("; far_power {}", subject.far_power)));
-    for (const Refutation& refutation : contract.refuted) {
-      if (refutation.because.empty()) continue;
-      print_detail(fmt::format("breaks {}: {}", claim_name(refutation.claim), refutation.because));
-    }
+    for (const auto& [claim, because] : contract.refuted)
+      if (!because.empty()) print_detail(fmt::format("breaks {}: {}", claim_name(claim), because));
   }
 }
 

@@ -4,7 +4,7 @@
 #include "oracle/oracle.hpp"
 
 #include "command_line/command_line.hpp"
-#include "programs/stream/stream_program.hpp"
+#include "programs/stream/answer_stream.hpp"
 
 int main(int argc, char** argv) {
   CLI::App app("Answers cases exactly: verdict, contact, and every number correctly rounded.",

@@ -15,20 +15,16 @@ namespace rayproof {
 
 namespace {
 
-/// The properties of the plan that the subject claims or is declared to break.
-std::vector<bool> active_properties(const Plan& plan, const Subject& subject) {
-  std::vector<bool> active(properties().size());
-  for (std::size_t p = 0; p < active.size(); ++p)
-    active[p] = plan.is_wanted[p] &&
-                (claims(subject, properties()[p]) || is_declared_refuted(subject, properties()[p]));
-  return active;
-}
-
-/// Whether one of the properties measures an error, so that the worst ones cost nothing more.
-bool any_measures(const std::vector<bool>& active) {
-  for (std::size_t p = 0; p < active.size(); ++p)
-    if (active[p] && properties()[p].excess != nullptr) return true;
-  return false;
+/// The subject on the family, with the properties of the plan that it claims or is declared to break. The
+/// worst errors are measured where one of these measures an error, so that they cost nothing more.
+Unit unit_of(const Plan& plan, const Subject& subject, const Family& family, Precision precision) {
+  Unit unit{&subject, &family, precision, plan.is_wanted, plan.settings.measure_all};
+  for (std::size_t p = 0; p < unit.active.size(); ++p) {
+    const Property& property = properties()[p];
+    unit.active[p] = unit.active[p] && (claims(subject, property) || is_declared_refuted(subject, property));
+    unit.measure = unit.measure || (unit.active[p] && property.excess != nullptr);
+  }
+  return unit;
 }
 
 /// One run: the plan, who hears of it, and what has been found.
@@ -36,14 +32,11 @@ class Run {
  public:
   Run(const Plan& plan, const Listener& listener, const std::atomic<bool>& stop)
       : plan_(plan), listener_(listener), stop_(stop), start_(std::chrono::steady_clock::now()) {
-    for (const Subject* subject : plan.subjects) {
-      const std::vector<bool> active = active_properties(plan, *subject);
-      const bool measure = plan.settings.measure_all || any_measures(active);
+    for (const Subject* subject : plan.subjects)
       for (const Precision precision : plan.precisions)
         for (const Family* family : plan.families)
           if (family->topic == subject->topic)
-            result_.units.push_back({{subject, family, precision, active, measure}, {}});
-    }
+            result_.units.push_back(unit_of(plan, *subject, *family, precision));
   }
 
   RunResult all(const std::vector<Case>& corpus) {
@@ -74,7 +67,7 @@ class Run {
   void count_all_labels() {
     for (const Family* family : plan_.families)
       for (const Precision precision : plan_.precisions) result_.labels.push_back({family, precision});
-    listener_.progress({"labels", 0});
+    listener_.progress("labels", 0);
     const auto sample = static_cast<unsigned>(std::min<std::uint64_t>(plan_.settings.cases, label_sample));
     tbb::parallel_for(std::size_t{0}, result_.labels.size(), [&](std::size_t i) {
       LabelCount& one = result_.labels[i];
@@ -91,37 +84,27 @@ class Run {
     const auto hunts = static_cast<double>(rounds * result_.units.size());
     double done = 0;
     for (std::uint64_t round = 0; round < rounds; ++round)
-      for (UnitResult& unit : result_.units) {
-        if (is_over(round)) return;
-        put_unit(unit, round, std::min(in_round, all - round * in_round),
-                 [&](double of_unit) { return (done + of_unit) / hunts; });
+      for (Unit& unit : result_.units) {
+        if (stop_ || (round > 0 && share_of_time() > 1)) return;
+        Hunt hunt{unit, broken_[{unit.subject, unit.precision}], stop_, combine(plan_.settings.seed, round),
+                  std::min(in_round, all - round * in_round)};
+        hunt.progress = [&](double of_unit) {
+          listener_.progress(
+              fmt::format("{} {} {}", unit.subject->full_name(), unit.family->name, name_of(unit.precision)),
+              std::min(1.0, std::max((done + of_unit) / hunts, share_of_time())));
+        };
+        hunt.found = [&](std::size_t property, const Case& one) {
+          report(*unit.subject, properties()[property], one, unit.family->name);
+        };
+        hunt.run();
         ++done;
       }
-  }
-
-  [[nodiscard]] bool is_over(std::uint64_t round) const {
-    return stop_ || (round > 0 && share_of_time() > 1);
   }
 
   /// How much of the time is over; 0 without a limit.
   [[nodiscard]] double share_of_time() const {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
     return plan_.settings.time ? elapsed / *plan_.settings.time : 0;
-  }
-
-  template <class ShareOfCases>
-  void put_unit(UnitResult& unit, std::uint64_t round, std::uint64_t cases, ShareOfCases&& share_of_cases) {
-    const std::string what =
-        fmt::format("{} {} {}", unit.subject->full_name(), unit.family->name, name_of(unit.precision));
-    Hunt hunt{unit, broken_[{unit.subject, unit.precision}], stop_, combine(plan_.settings.seed, round),
-              cases};
-    hunt.progress = [&](double of_unit) {
-      listener_.progress({what, std::min(1.0, std::max(share_of_cases(of_unit), share_of_time()))});
-    };
-    hunt.found = [&](std::size_t property, const Case& one) {
-      report(*unit.subject, properties()[property], one, unit.family->name);
-    };
-    unit.tally += hunt.run();
   }
 
   /// The simplest case like the one found. What is simpler is another case: it has no id, and what is noted

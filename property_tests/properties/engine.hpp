@@ -9,29 +9,19 @@
 
 namespace rayproof {
 
-/// A subject's figures on one family at one precision.
-struct UnitResult : Unit {
-  Tally tally{};
-};
-
 /// What a run has found out so far.
 struct RunResult {
-  std::vector<UnitResult> units{};
+  std::vector<Unit> units{};
   std::vector<Finding> findings{};
   std::vector<LabelCount> labels{};
   std::size_t corpus_cases = 0;
   bool was_interrupted = false;
 };
 
-/// What is being done, for a progress line.
-struct Progress {
-  std::string what{};
-  double done = 0;  ///< share of the whole run, 0 to 1
-};
-
 /// Who hears from the engine. All are called from the thread that called `run_plan`.
 struct Listener {
-  std::function<void(const Progress&)> progress = [](const Progress&) {};
+  /// What is being done, and the share of the whole run that is done, 0 to 1.
+  std::function<void(const std::string& what, double done)> progress = [](const std::string&, double) {};
   /// A case has broken a property; it is about to be shrunk.
   std::function<void(const Finding&)> broken = [](const Finding&) {};
   /// The same, shrunk: what is reported to people.

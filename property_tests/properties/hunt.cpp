@@ -1,6 +1,7 @@
 #include "properties/hunt.hpp"
 
 #include <rapidcheck.h>
+#include <rapidcheck/detail/TestListenerAdapter.h>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
 
@@ -68,27 +69,16 @@ rc::Gen<std::uint64_t> block_seeds() {
   }};
 }
 
-/// Hears nothing: progress and findings are reported elsewhere.
-struct Silence : rc::detail::TestListener {
-  void onTestCaseFinished(const rc::detail::CaseDescription& /*description*/) override {}
-  void onShrinkTried(const rc::detail::CaseDescription& /*shrink*/, bool /*accepted*/) override {}
-  void onTestFinished(const rc::detail::TestMetadata& /*metadata*/,
-                      const rc::detail::TestResult& /*result*/) override {}
-};
-
-/// Runs `test` on block seeds, all parameters given here: RC_PARAMS has no say.
-void check(const std::string& name, std::uint64_t seed, std::uint64_t blocks,
-           const std::function<void(std::uint64_t)>& test) {
+/// Runs `test` on block seeds, all parameters given here: RC_PARAMS has no say. rapidcheck reports to nobody,
+/// since progress and findings are reported elsewhere.
+void check(std::uint64_t seed, std::uint64_t blocks, const std::function<void(std::uint64_t)>& test) {
   rc::detail::TestParams params;
   params.seed = seed;
   params.maxSuccess = static_cast<int>(blocks);
   params.maxSize = 100;
   params.disableShrinking = true;
-  rc::detail::TestMetadata metadata;
-  metadata.id = name;
-  metadata.description = name;
-  Silence silence;
-  rc::detail::checkTestable([&] { test(*block_seeds()); }, metadata, params, silence,
+  rc::detail::TestListenerAdapter silence;
+  rc::detail::checkTestable([&] { test(*block_seeds()); }, rc::detail::TestMetadata{}, params, silence,
                             std::unordered_map<std::string, rc::detail::Reproduce>{});
 }
 
@@ -100,13 +90,11 @@ std::uint64_t hash_of(const std::string& text) {
 
 }  // namespace
 
-Tally Hunt::run() {
-  Tally tally;
+void Hunt::run() {
   const Family& family = *unit.family;
   // Nothing of the subject is in the seed: subjects are put the same cases until one of them breaks.
   const std::uint64_t start = combine(combine(seed, hash_of(family.topic + "/" + family.name)),
                                       unit.precision == Precision::float32 ? 32U : 64U);
-  const std::string name = unit.subject->full_name() + " on " + family.name;
   std::uint64_t done = 0;
   std::exception_ptr failure;
   const auto test_block = [&](std::uint64_t block_seed) {
@@ -119,7 +107,7 @@ Tally Hunt::run() {
       failure = std::current_exception();
       return;
     }
-    tally += result.tally;
+    unit.tally += result.tally;
     done += size;
     progress(static_cast<double>(done) / static_cast<double>(cases));
     bool is_new = false;
@@ -128,12 +116,11 @@ Tally Hunt::run() {
       found(property, case_of(unit, block_seed, k));
       is_new = true;
     }
-    if (is_new) RC_FAIL(name);
+    if (is_new) RC_FAIL("a property is broken for the first time");
   };
   for (std::uint64_t attempt = 0; done < cases && !stop && !failure; ++attempt)
-    check(name, combine(start, attempt), (cases - done + cases_in_block - 1) / cases_in_block, test_block);
+    check(combine(start, attempt), (cases - done + cases_in_block - 1) / cases_in_block, test_block);
   if (failure) std::rethrow_exception(failure);
-  return tally;
 }
 
 }  // namespace rayproof

@@ -11,13 +11,14 @@
 
 namespace rayproof {
 
-/// A subject on a family at one precision, and what is asked of it there.
+/// A subject on a family at one precision, what is asked of it there, and what has come of it so far.
 struct Unit {
   const Subject* subject = nullptr;
   const Family* family = nullptr;
   Precision precision{};
   std::vector<bool> active{};  ///< for each of properties(): is it tested on the cases?
   bool measure = true;         ///< take the worst errors, too
+  Tally tally{};
 };
 
 /// rapidcheck draws a seed for this many cases at a time: its own cost for each draw would outweigh a cheap
@@ -30,7 +31,7 @@ inline constexpr unsigned cases_in_block = 16384;
 /// Not to be run on two threads at once: rapidcheck keeps global state. Each block of cases uses all threads
 /// of the current arena; the outcome does not depend on their number.
 struct Hunt {
-  const Unit& unit;
+  Unit& unit;
   std::set<std::size_t>& already_broken;
   const std::atomic<bool>& stop;
   std::uint64_t seed = 0;
@@ -38,7 +39,7 @@ struct Hunt {
   std::function<void(double)> progress{};  ///< the share of the cases that is done
   std::function<void(std::size_t property, const Case& one)> found{};
 
-  [[nodiscard]] Tally run();
+  void run();
 };
 
 }  // namespace rayproof

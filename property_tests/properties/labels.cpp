@@ -12,20 +12,13 @@ namespace rayproof {
 
 namespace {
 
-/// What a contact says beyond hit or miss, in words; nothing where it says no more.
-std::string in_words(Contact contact) {
-  if (contact == Contact::crossing || contact == Contact::none) return {};
-  std::string words = name_of(contact);
-  std::replace(words.begin(), words.end(), '_', ' ');
-  return words;
-}
-
 std::vector<std::string> labels_of(const Case& one, const RayAnswer& exact) {
   const auto line = std::get<RayAnswer>(oracle::answer(on_whole_line(one)));
   const auto t = line.hits.view();
 
   std::vector<std::string> labels{exact.hits.count > 0 ? "hit" : "miss"};
-  if (std::string contact = in_words(line.contact); !contact.empty()) labels.push_back(std::move(contact));
+  if (line.contact != Contact::crossing && line.contact != Contact::none)
+    std::ranges::replace(labels.emplace_back(name_of(line.contact)), '_', ' ');
   if (line.hits.count > 0 && !line.normal) labels.emplace_back("sharp");
   if (exact.hits.count == 0 && line.hits.count > 0) labels.emplace_back("behind");
   if (exact.hits.count > 0 && exact.hits.count < line.hits.count) labels.emplace_back("cut");
@@ -46,8 +39,7 @@ std::vector<std::string> labels_of(const Case& one) {
   std::vector<std::string> labels =
       std::visit([&](const auto& answer) { return labels_of(one, answer); }, exact);
   const oracle::Judgement judgement = oracle::judge(one, exact);
-  const Domain domain;
-  const int reach = one.precision == Precision::float32 ? domain.reach_float : domain.reach_double;
+  const int reach = reach_of(Domain{}, one.precision);
   if (judgement.smallest >= -reach && judgement.largest <= reach) labels.emplace_back("in reach");
   return labels;
 }

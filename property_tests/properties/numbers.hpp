@@ -19,48 +19,32 @@ struct CaseNumber {
   double plain = 0;
 };
 
-namespace detail {
-
-template <class V>
-void append(std::vector<CaseNumber>& all, std::string_view field, V& value) {
-  each_number(value, [&](double& x) { all.push_back({field, &x}); });
-}
-
-inline void append_question(std::vector<CaseNumber>& all, RayQuestion& asked) {
-  append(all, "ray.origin", asked.ray.origin);
-  append(all, "ray.direction", asked.ray.direction);
-  append(all, "ray.t_min", asked.ray.t_min);
-  all.push_back({"ray.t_max", &asked.ray.t_max, infinity<double>});
-  std::visit(
-      [&]<class S>(S& shape) {
-        ShapeFormat<S>::fields(shape, [&](const char* name, auto& value) { append(all, name, value); });
-      },
-      asked.shape);
-  if (!asked.transform) return;
-  for (int column = 0; column < 4; ++column)
-    for (int row = 0; row < 3; ++row)
-      all.push_back({"transform", &(*asked.transform)[column][row], column == row ? 1.0 : 0.0});
-}
-
-inline void append_question(std::vector<CaseNumber>& all, Quadratic<double>& q) {
-  all.push_back({"a", &q.a});
-  all.push_back({"b", &q.b});
-  all.push_back({"c", &q.c});
-}
-
-inline void append_question(std::vector<CaseNumber>& all, PointAndPolygon<double>& asked) {
-  append(all, "point", asked.point);
-  append(all, "vertices", asked.vertices);
-}
-
-}  // namespace detail
-
 /// Every number of `one` in the order of the format; the pointers hold as long as `one` does. The last row of
 /// a transform, which is always 0 0 0 1, is left out.
 [[nodiscard]] inline std::vector<CaseNumber> numbers_of(Case& one) {
   std::vector<CaseNumber> all;
   all.reserve(21);
-  std::visit([&](auto& asked) { detail::append_question(all, asked); }, one.question);
+  const auto append = [&](std::string_view field, auto& value) {
+    each_number(value, [&](double& x) { all.push_back({field, &x}); });
+  };
+  if (auto* q = std::get_if<Quadratic<double>>(&one.question)) {
+    append("a", q->a);
+    append("b", q->b);
+    append("c", q->c);
+  } else if (auto* place = std::get_if<PointAndPolygon<double>>(&one.question)) {
+    append("point", place->point);
+    append("vertices", place->vertices);
+  } else {
+    auto& [ray, shape, transform] = std::get<RayQuestion>(one.question);
+    append("ray.origin", ray.origin);
+    append("ray.direction", ray.direction);
+    append("ray.t_min", ray.t_min);
+    all.push_back({"ray.t_max", &ray.t_max, infinity<double>});
+    std::visit([&]<class S>(S& of_shape) { ShapeFormat<S>::fields(of_shape, append); }, shape);
+    for (int column = 0; transform && column < 4; ++column)
+      for (int row = 0; row < 3; ++row)
+        all.push_back({"transform", &(*transform)[column][row], column == row ? 1.0 : 0.0});
+  }
   return all;
 }
 

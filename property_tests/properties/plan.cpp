@@ -22,21 +22,17 @@ void check_names(const char* what, const std::vector<std::string>& wanted,
 }
 
 bool is_wanted(const std::vector<std::string>& wanted, std::initializer_list<std::string_view> names) {
-  return wanted.empty() || std::any_of(names.begin(), names.end(), [&](std::string_view name) {
-           return std::find(wanted.begin(), wanted.end(), name) != wanted.end();
-         });
+  return wanted.empty() || std::ranges::find_first_of(wanted, names) != wanted.end();
 }
 
 void check_all_names(const Settings& settings, const std::vector<Subject>& all_subjects) {
   std::set<std::string> shapes, methods, family_names, property_names;
+  std::vector<std::string> wanted_methods = settings.methods;
   for (const Subject& subject : all_subjects) {
     shapes.insert(subject.topic);
     methods.insert(subject.full_name());
+    std::ranges::replace(wanted_methods, subject.name, subject.full_name());
   }
-  std::vector<std::string> wanted_methods = settings.methods;
-  for (std::string& method : wanted_methods)
-    for (const Subject& subject : all_subjects)
-      if (method == subject.name) method = subject.full_name();
   for (const Family& family : families()) family_names.insert(family.name);
   for (const Property& property : properties()) {
     property_names.emplace(property.name);
@@ -60,8 +56,6 @@ const Refutation* declared_refutation(const Subject& subject, const Property& pr
   return nullptr;
 }
 
-Plan make_plan(const Settings& settings) { return make_plan(settings, subjects()); }
-
 Plan make_plan(const Settings& settings, const std::vector<Subject>& all_subjects) {
   check_all_names(settings, all_subjects);
   Plan plan{settings, {}, {}, {}, settings.precisions};
@@ -72,8 +66,7 @@ Plan make_plan(const Settings& settings, const std::vector<Subject>& all_subject
       plan.subjects.push_back(&subject);
   for (const Family& family : families())
     if (is_wanted(settings.families, {family.name}) &&
-        std::any_of(plan.subjects.begin(), plan.subjects.end(),
-                    [&](const Subject* subject) { return subject->topic == family.topic; }))
+        std::ranges::find(plan.subjects, family.topic, &Subject::topic) != plan.subjects.end())
       plan.families.push_back(&family);
   for (const Property& property : properties())
     plan.is_wanted.push_back(is_wanted(settings.properties, {property.name, claim_name(property.claim)}));

@@ -42,11 +42,9 @@ class UnknownName : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Throws UnknownName, also where the filters together leave nothing to do.
-[[nodiscard]] Plan make_plan(const Settings& settings);
-
-/// The same with other subjects than those of the registry, for tests of the tests.
-[[nodiscard]] Plan make_plan(const Settings& settings, const std::vector<Subject>& all_subjects);
+/// The plan for the subjects of the registry, or for others, which must outlive it. Throws UnknownName, also
+/// where the filters together leave nothing to do.
+[[nodiscard]] Plan make_plan(const Settings& settings, const std::vector<Subject>& all_subjects = subjects());
 
 /// Whether the subject holds itself to the property.
 [[nodiscard]] bool claims(const Subject& subject, const Property& property);

@@ -8,7 +8,7 @@
 #include "case/shape_format.hpp"
 #include "case/writer.hpp"
 #include "properties/plan.hpp"
-#include "properties/report/text.hpp"
+#include "properties/report/findings.hpp"
 
 namespace rayproof {
 
@@ -56,16 +56,22 @@ void judge_all(const Case& one, std::size_t number, Replays& replays) {
   fmt::print("{} claims hold on {}\n", held, write_case(one));
 }
 
-void replay_line(const std::string& line, std::size_t number, Replays& replays) {
-  const Replayed replayed = read_replayed(line);
-  if (replayed.subject.empty()) return judge_all(replayed.one, number, replays);
-  const Subject* const subject = find_subject(replayed.subject);
-  const Property* const property = find_property(replayed.property);
-  if (subject == nullptr) throw Refusal("subject", "subject is unknown: " + replayed.subject);
-  if (property == nullptr) throw Refusal("property", "property is unknown: " + replayed.property);
-  if (subject->topic != topic_of(replayed.one))
-    throw Refusal("case", "case is not one of the subject's topic");
-  judge(*subject, *property, replayed.one, number, replays);
+/// Judges what stands on a line, which is refused where it is no finding and no case.
+void replay_line(const std::string& file, const std::string& line, std::size_t number, Replays& replays) {
+  try {
+    const Replayed replayed = read_replayed(line);
+    if (replayed.subject.empty()) return judge_all(replayed.one, number, replays);
+    const Subject* const subject = find_subject(replayed.subject);
+    const Property* const property = find_property(replayed.property);
+    if (subject == nullptr) throw Refusal("subject", "subject is unknown: " + replayed.subject);
+    if (property == nullptr) throw Refusal("property", "property is unknown: " + replayed.property);
+    if (subject->topic != topic_of(replayed.one))
+      throw Refusal("case", "case is not one of the subject's topic");
+    judge(*subject, *property, replayed.one, number, replays);
+  } catch (const Refusal& refusal) {
+    fmt::print(stderr, "{}:{}: {}\n", file, number, refusal.what());
+    ++replays.refused;
+  }
 }
 
 /// What came of all lines, and the exit status.
@@ -75,16 +81,6 @@ int summed_up(const Replays& replays) {
   return replays.otherwise + replays.refused == 0 ? 0 : 1;
 }
 
-void replay_or_refuse(const std::string& file, const std::string& line, std::size_t number,
-                      Replays& replays) {
-  try {
-    replay_line(line, number, replays);
-  } catch (const Refusal& refusal) {
-    fmt::print(stderr, "{}:{}: {}\n", file, number, refusal.what());
-    ++replays.refused;
-  }
-}
-
 }  // namespace
 
 int replay_file(const std::string& file) {
@@ -92,14 +88,13 @@ int replay_file(const std::string& file) {
   if (!in) throw std::runtime_error(file + " cannot be read");
   Replays replays;
   std::string line;
-  for (std::size_t number = 1; std::getline(in, line); ++number)
-    replay_or_refuse(file, line, number, replays);
+  for (std::size_t number = 1; std::getline(in, line); ++number) replay_line(file, line, number, replays);
   return summed_up(replays);
 }
 
 int replay_finding(const std::string& file, std::size_t number) {
   Replays replays;
-  replay_or_refuse(file, finding_line(file, number), number, replays);
+  replay_line(file, finding_line(file, number), number, replays);
   return summed_up(replays);
 }
 

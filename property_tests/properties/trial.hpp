@@ -18,6 +18,11 @@ namespace rayproof {
   return asked != nullptr && asked->transform;
 }
 
+/// The reach of a domain at a precision.
+[[nodiscard]] inline int reach_of(const Domain& domain, Precision precision) {
+  return precision == Precision::float32 ? domain.reach_float : domain.reach_double;
+}
+
 /// The case asked of the whole line in place of the ray's interval.
 [[nodiscard]] inline Case on_whole_line(Case one) {
   if (auto* asked = std::get_if<RayQuestion>(&one.question)) {
@@ -46,39 +51,31 @@ class Trial {
   }
 
   /// Whether every length of the case lies in the domain of the subject's bounds, `spare` powers of two
-  /// inside it.
+  /// inside it; and every number, too, where the domain asks for that.
   [[nodiscard]] bool in_domain(int spare = 0) {
-    const bool every_number = subject_->contract.domain.every_number;
-    return in_reach(reach() - spare) && (!every_number || all_numbers_in_reach(reach() - spare));
-  }
-
-  /// Whether every length of the case lies within 2^±reach.
-  [[nodiscard]] bool in_reach(int reach) {
-    return judgement().smallest >= -reach && judgement().largest <= reach;
-  }
-
-  /// Whether every number of the case that is not 0 (or an infinite end of the interval) lies within
-  /// 2^±reach.
-  [[nodiscard]] bool all_numbers_in_reach(int reach) const {
-    Case copy = *case_;
-    const auto fits = [&](const CaseNumber& number) {
-      const double size = std::abs(*number.value);
-      return size == 0 || !std::isfinite(size) || std::abs(std::log2(size)) <= reach;
-    };
-    return std::ranges::all_of(numbers_of(copy), fits);
+    const int limit = reach() - spare;
+    return judgement().smallest >= -limit && judgement().largest <= limit &&
+           (!subject_->contract.domain.every_number || all_numbers_within(limit));
   }
 
   /// The reach of the subject's domain at the case's precision. Under a transform, no further than the usual
   /// one: the map into object space is plain arithmetic, however careful the method is behind it.
   [[nodiscard]] int reach() const {
-    const auto at_precision = [this](const Domain& domain) {
-      return case_->precision == Precision::float32 ? domain.reach_float : domain.reach_double;
-    };
-    const int own = at_precision(subject_->contract.domain);
-    return is_transformed(*case_) ? std::min(own, at_precision(Domain{})) : own;
+    const int own = reach_of(subject_->contract.domain, case_->precision);
+    return is_transformed(*case_) ? std::min(own, reach_of(Domain{}, case_->precision)) : own;
   }
 
  private:
+  /// Whether every number of the case that is not 0 (or an infinite end of the interval) lies within
+  /// 2^±limit.
+  [[nodiscard]] bool all_numbers_within(int limit) const {
+    Case copy = *case_;
+    return std::ranges::all_of(numbers_of(copy), [limit](const CaseNumber& number) {
+      const double size = std::abs(*number.value);
+      return size == 0 || !std::isfinite(size) || std::abs(std::log2(size)) <= limit;
+    });
+  }
+
   const Subject* subject_;
   const Case* case_;
   std::optional<Answer> claimed_{};

@@ -2,16 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <istream>
+#include <fstream>
 #include <sstream>
 
 #include "case/reader.hpp"
-#include "programs/check/corpus_files.hpp"
 
 namespace rayproof::check {
 
-std::vector<Case> read_corpus(std::istream& in, const std::string& name) {
-  std::vector<Case> cases;
+namespace {
+
+void append_cases(std::vector<Case>& cases, std::istream& in, const std::string& name) {
   std::string line;
   for (std::size_t number = 1; std::getline(in, line); ++number) {
     try {
@@ -20,16 +20,23 @@ std::vector<Case> read_corpus(std::istream& in, const std::string& name) {
       throw std::runtime_error(fmt::format("{}:{}: {}", name, number, refusal.what()));
     }
   }
-  return cases;
 }
 
-std::vector<Case> built_in_corpus() {
-  std::vector<Case> all;
-  for (const CorpusFile& file : corpus_files()) {
-    std::istringstream lines{std::string(file.text)};
-    for (Case& one : read_corpus(lines, file.name)) all.push_back(std::move(one));
+}  // namespace
+
+std::vector<Case> read_corpus(const std::string& file) {
+  std::vector<Case> cases;
+  if (!file.empty()) {
+    std::ifstream in(file);
+    if (!in) throw std::runtime_error(file + " cannot be read");
+    append_cases(cases, in, file);
+    return cases;
   }
-  return all;
+  for (const CorpusFile& built_in : corpus_files()) {
+    std::istringstream in{std::string(built_in.text)};
+    append_cases(cases, in, built_in.name);
+  }
+  return cases;
 }
 
 }  // namespace rayproof::check

@@ -28,7 +28,12 @@ void describe_filters(CLI::App& app, Options& options) {
   list("--method", settings.methods, "Only this method: centred, or sphere/centred");
   list("--property", settings.properties, "Only this property");
   list("--family", settings.families, "Only this family of cases");
-  list("--precision", options.precision_names, "Only float32 or float64")
+  const auto add_precisions = [&options](const std::vector<std::string>& names) {
+    for (const std::string& name : names)
+      options.settings.precisions.push_back(name == "float32" ? Precision::float32 : Precision::float64);
+  };
+  app.add_option_function<std::vector<std::string>>("--precision", add_precisions, "Only float32 or float64")
+      ->delimiter(',')
       ->check(CLI::IsMember({"float32", "float64"}));
 }
 
@@ -45,7 +50,7 @@ void describe_outputs(CLI::App& app, Options& options) {
   file("--replay", options.replay, "Judge just the findings or cases of this file again");
   file("--corpus", options.corpus, "Cases to run first, in place of the built-in corpus");
   app.add_flag(
-      "--measure", options.measure,
+      "--measure", options.settings.measure_all,
       "Also print the worst errors of each family, and the worst figures as the contracts write them");
   app.add_flag("--labels", options.labels, "Also print what the families produced");
 }
@@ -58,21 +63,15 @@ void describe(CLI::App& app, Options& options) {
   app.add_option("--cases", settings.cases, "Cases for each method, family and precision")
       ->capture_default_str()
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000'000}));
-  app.add_option("--time", options.seconds,
-                 "Stop after this many seconds; every family has its share of them")
+  app.add_option_function<long long>(
+         "--time", [&options](long long seconds) { options.settings.time = std::chrono::seconds(seconds); },
+         "Stop after this many seconds; every family has its share of them")
       ->check(CLI::PositiveNumber);
   app.add_option("--jobs", settings.jobs, "Threads; as many as the machine has where left out")
       ->check(CLI::Range(1, 1024));
   describe_filters(app, options);
   describe_outputs(app, options);
   app.footer(footer);
-}
-
-void finish(Options& options) {
-  for (const std::string& name : options.precision_names)
-    options.settings.precisions.push_back(name == "float32" ? Precision::float32 : Precision::float64);
-  if (options.seconds > 0) options.settings.time = std::chrono::seconds(options.seconds);
-  options.settings.measure_all = options.measure;
 }
 
 }  // namespace rayproof::check

@@ -2,8 +2,7 @@
 
 #include <stdexcept>
 
-#include "properties/report/exports.hpp"
-#include "properties/report/page.hpp"
+#include "properties/report/report.hpp"
 #include "viz/svg.hpp"
 
 namespace rayproof::check {
@@ -55,7 +54,7 @@ void Outputs::write(const Plan& plan, const RunResult& result, const Summary& su
   for (const Finding& finding : result.findings) in_order += write_finding(finding) + "\n";
   findings_.close();
   replace(folder_ / "findings.jsonl", in_order);
-  replace(page(), html_page(plan, result, summary, {folder_, viz::svg_of}));
+  replace(folder_ / "index.html", html_page(plan, result, summary, {folder_, viz::svg_of}));
 }
 
 }  // namespace rayproof::check

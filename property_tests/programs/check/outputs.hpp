@@ -21,8 +21,6 @@ class Outputs {
   void write(const Finding& finding);
   void write(const Plan& plan, const RunResult& result, const Summary& summary);
 
-  [[nodiscard]] std::filesystem::path page() const { return folder_ / "index.html"; }
-
  private:
   std::filesystem::path folder_;
   std::ofstream as_found_{};

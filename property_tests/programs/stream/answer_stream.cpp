@@ -7,16 +7,68 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <optional>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
 #include "case/reader.hpp"
 #include "case/writer.hpp"
-#include "programs/stream/line_blocks.hpp"
 
 namespace rayproof {
 namespace {
+
+/// One or more whole lines. Each ends in a newline, but for the last line of a stream.
+struct LineBlock {
+  std::string text;
+  std::size_t first_line = 1;  ///< its number in the stream, from 1
+};
+
+/// Reads a file descriptor. Large blocks from a file; from a pipe whatever lines have arrived, so that a
+/// partner who waits for the answer to each line gets it.
+class LineBlockReader {
+ public:
+  explicit LineBlockReader(int file) : file_(file) {}
+
+  /// The next block; nothing at the end. Throws std::system_error where reading fails.
+  [[nodiscard]] std::optional<LineBlock> next() {
+    for (;;) {
+      const std::size_t before = pending_.size();
+      if (!read_more()) return before == 0 ? std::nullopt : std::optional(cut(before));
+      const std::size_t newline = std::string_view(pending_).substr(before).rfind('\n');
+      if (newline != std::string_view::npos) return cut(before + newline + 1);
+    }
+  }
+
+ private:
+  /// Appends what a single read gives to `pending_`; false at the end of the stream.
+  bool read_more() {
+    // Large enough to make the hand-over to a worker cheap, small enough to spread a short file over all
+    // workers.
+    constexpr std::size_t bytes_per_read = std::size_t{1} << 17;
+    const std::size_t before = pending_.size();
+    pending_.resize(before + bytes_per_read);
+    ssize_t count = 0;
+    do {
+      count = ::read(file_, pending_.data() + before, bytes_per_read);
+    } while (count < 0 && errno == EINTR);
+    pending_.resize(before + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+    if (count < 0) throw std::system_error(errno, std::generic_category(), "the input cannot be read");
+    return count > 0;
+  }
+
+  /// Takes the block of the first `size` bytes.
+  LineBlock cut(std::size_t size) {
+    LineBlock block{pending_.substr(0, size), line_};
+    pending_.erase(0, size);
+    line_ += static_cast<std::size_t>(std::ranges::count(block.text, '\n'));
+    return block;
+  }
+
+  int file_;
+  std::size_t line_ = 1;
+  std::string pending_{};
+};
 
 /// The answer to a line. Throws a RefusedCase.
 std::string answer_line(std::string_view line, const Answerer& answer) {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <string>
 
 #include "case/answer.hpp"
 #include "case/case.hpp"
@@ -17,5 +18,13 @@ using Answerer = std::function<Answer(const Case&)>;
 /// `output`, and counts the refused. Lines are answered by all cores; a line that has arrived is answered
 /// without waiting for more. Throws std::system_error where reading or writing fails.
 std::size_t answer_stream(int input, int output, const Answerer& answer);
+
+/// The end of the --help of a program that answers a stream of cases.
+extern const char* const stream_help;
+
+/// Answers the cases in `file` ("-" for standard input) on standard output. Gives the exit status: 0 where
+/// every line was answered, 1 where one was refused, 2 where the file cannot be read, said in one sentence on
+/// standard error.
+int run_stream_program(const std::string& file, const Answerer& answer);
 
 }  // namespace rayproof

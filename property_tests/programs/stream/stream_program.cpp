@@ -1,4 +1,4 @@
-#include "programs/stream/stream_program.hpp"
+#include "programs/stream/answer_stream.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -14,15 +14,6 @@ namespace rayproof {
 
 namespace {
 
-/// How a wrong verdict reads, from the side of the subject.
-std::string wrong_verdict(Trial& trial) {
-  const oracle::Judgement& judgement = trial.judgement();
-  const char* kind = !finds_something(trial.claimed()) ? "misses what is there"
-                     : judgement.hit                   ? "finds what is there, but not as often"
-                                                       : "finds what is not there";
-  return fmt::format("the method {}, {:.3g} contract units from a change of verdict", kind, judgement.margin);
-}
-
 /// The bound that a property holds a trial to, in contract units; nothing where it says nothing of it.
 using BoundOf = std::optional<double> (*)(Trial&);
 
@@ -62,19 +53,14 @@ double excess(Trial& trial) {
   return bound > 0 ? by / bound : by;
 }
 
-/// The exact roots on the whole line to double precision, none cut off by the interval; empty where there
-/// are none (or everything is one).
-std::vector<double> exact_roots(Case one) {
-  one.precision = Precision::float64;
-  return numbers_in(oracle::answer(on_whole_line(std::move(one))));
-}
-
 /// Running error analysis speaks of the roots that exist: where there are none it claims nothing.
 Ruling bounded(Trial& trial) {
   if (trial.subject().bounded_hits == nullptr) return Ruling::outside;
   const auto hits = trial.subject().bounded_hits(trial.question());
   if (hits.empty()) return Ruling::outside;
-  const std::vector<double> roots = exact_roots(trial.question());
+  Case one = on_whole_line(trial.question());  // where the interval cuts off no root
+  one.precision = Precision::float64;
+  const std::vector<double> roots = numbers_in(oracle::answer(one));
   if (roots.empty()) return Ruling::outside;
   const auto encloses_a_root = [&](const std::pair<double, double>& hit) {
     const auto& [t, error] = hit;
@@ -94,7 +80,14 @@ Evidence show_bounded(Trial& trial) {
   return show_answer(trial, text);
 }
 
-Evidence show_verdict(Trial& trial) { return show_answer(trial, wrong_verdict(trial)); }
+Evidence show_verdict(Trial& trial) {
+  const oracle::Judgement& judgement = trial.judgement();
+  const char* const kind = !finds_something(trial.claimed()) ? "misses what is there"
+                           : judgement.hit                   ? "finds what is there, but not as often"
+                                                             : "finds what is not there";
+  return show_answer(trial, fmt::format("the method {}, {:.3g} contract units from a change of verdict", kind,
+                                        judgement.margin));
+}
 
 Evidence show_residual(Trial& trial) {
   return show_answer(trial, fmt::format("the answer misses its equation by {:.3g} contract units",

@@ -5,12 +5,6 @@
 
 namespace rayproof {
 
-namespace {
-
-bool same_number(double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); }
-
-}  // namespace
-
 std::vector<double> numbers_in(const Answer& answer) {
   if (const auto* hits = std::get_if<RayAnswer>(&answer)) {
     const auto view = hits->hits.view();
@@ -28,12 +22,11 @@ bool finds_something(const Answer& answer) {
 
 bool same(const Answer& a, const Answer& b) {
   if (a.index() != b.index()) return false;
-  if (const auto* roots = std::get_if<QuadraticAnswer<double>>(&a))
-    if (roots->kind != std::get<QuadraticAnswer<double>>(b).kind) return false;
   if (const auto* position = std::get_if<Position>(&a)) return *position == std::get<Position>(b);
-  const std::vector<double> x = numbers_in(a);
-  const std::vector<double> y = numbers_in(b);
-  return std::equal(x.begin(), x.end(), y.begin(), y.end(), same_number);
+  const auto* roots = std::get_if<QuadraticAnswer<double>>(&a);
+  if (roots != nullptr && roots->kind != std::get<QuadraticAnswer<double>>(b).kind) return false;
+  return std::ranges::equal(numbers_in(a), numbers_in(b),
+                            [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); });
 }
 
 Answer stretched(const Answer& answer, double factor) {

@@ -2,7 +2,10 @@
 /// \file
 /// The bounds that a subject's contract sets for one case.
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
+#include <rayproof/topics.hpp>
 #include <string_view>
 
 #include "properties/trial.hpp"
@@ -16,12 +19,26 @@ struct Promise {
   double ulp;
 };
 
-/// A naive method's bounds grow with the scene's size. Under a transform the ray has been rounded before the
-/// method sees it: then nobody is held to more than the robust bound, and no ulp is promised.
-[[nodiscard]] Promise promise_for(Trial& trial);
-
 /// The bound that Claim::robust speaks of: the verdict band and residual, in the topic's units with far_power
 /// 0, that the best plain methods of the topic keep; nothing where the topic has no such bound.
-[[nodiscard]] std::optional<double> robust_bound(std::string_view topic);
+[[nodiscard]] inline std::optional<double> robust_bound(std::string_view topic) {
+  std::optional<double> bound;
+  Topics::for_each([&]<class Topic>(std::type_identity<Topic>) {
+    if (topic == Topic::name) bound = Topic::robust_bound;
+  });
+  return bound;
+}
+
+/// A naive method's bounds grow with the scene's size. Under a transform the ray has been rounded before the
+/// method sees it: then nobody is held to more than the robust bound, and no ulp is promised.
+[[nodiscard]] inline Promise promise_for(Trial& trial) {
+  const Contract& contract = trial.subject().contract;
+  const double growth = std::pow(trial.judgement().far, trial.subject().far_power);
+  const Promise promise{contract.verdict.promised * growth, contract.residual.promised * growth,
+                        contract.ulp.promised};
+  if (!is_transformed(trial.question())) return promise;
+  const double robust = robust_bound(trial.subject().topic).value_or(0);
+  return {std::max(promise.verdict, robust), std::max(promise.residual, robust), infinity<double>};
+}
 
 }  // namespace rayproof

@@ -16,12 +16,11 @@ namespace {
 
 Ruling ascending(Trial& trial) {
   const std::vector<double> numbers = numbers_in(trial.claimed());
-  const bool in_order = std::is_sorted(numbers.begin(), numbers.end());
   const auto* asked = std::get_if<RayQuestion>(&trial.question().question);
-  const bool all_count = std::all_of(numbers.begin(), numbers.end(), [&](double x) {
+  const bool all_count = std::ranges::all_of(numbers, [&](double x) {
     return !std::isnan(x) && (asked == nullptr || (asked->ray.t_min <= x && x <= asked->ray.t_max));
   });
-  return in_order && all_count ? Ruling::held : Ruling::broken;
+  return all_count && std::ranges::is_sorted(numbers) ? Ruling::held : Ruling::broken;
 }
 
 /// The number of the case that gives a hit when it becomes NaN, and that answer; nothing where none does.

@@ -18,16 +18,10 @@ void scale(RayQuestion& asked, double lengths, double direction) {
   asked.ray.direction *= direction;
   asked.ray.t_min *= lengths / direction;
   asked.ray.t_max *= lengths / direction;
+  if (direction < 0) std::swap(asked.ray.t_min, asked.ray.t_max);
   std::visit([&](auto& shape) { shape = grown(shape, lengths); }, asked.shape);
   if (asked.transform)
     for (int axis = 0; axis < 3; ++axis) (*asked.transform)[3][axis] *= lengths;
-}
-
-void reverse(RayQuestion& asked) {
-  asked.ray.direction = -asked.ray.direction;
-  const double t_min = asked.ray.t_min;
-  asked.ray.t_min = -asked.ray.t_max;
-  asked.ray.t_max = -t_min;
 }
 
 /// Affine maps of small numbers, by columns: moved, mirrored, turned by a 3-4-5 triangle, stretched, sheared,
@@ -50,31 +44,22 @@ std::uint64_t hash_of(Case one) {
 
 }  // namespace
 
-Twin scaled_twin(const Case& one, const Scaling& by) {
-  Twin twin{one, std::ldexp(1.0, by.lengths)};
+Twin scaled_twin(const Case& one, double lengths, double whole) {
+  Twin twin{one, lengths};
   if (auto* q = std::get_if<Quadratic<double>>(&twin.one.question)) {
-    q->a = std::ldexp(q->a, by.whole);
-    q->b = std::ldexp(q->b, by.whole + by.lengths);
-    q->c = std::ldexp(q->c, by.whole + 2 * by.lengths);
-    return twin;
+    *q = {q->a * whole, q->b * (whole * lengths), q->c * (whole * lengths * lengths)};
+  } else if (auto* place = std::get_if<PointAndPolygon<double>>(&twin.one.question)) {
+    *place = grown(*place, lengths);
+  } else {
+    scale(std::get<RayQuestion>(twin.one.question), lengths, whole);
+    twin.factor = lengths / whole;
   }
-  if (auto* place = std::get_if<PointAndPolygon<double>>(&twin.one.question)) {
-    *place = grown(*place, std::ldexp(1.0, by.lengths));
-    return twin;
-  }
-  scale(std::get<RayQuestion>(twin.one.question), std::ldexp(1.0, by.lengths), std::ldexp(1.0, by.whole));
-  twin.factor = std::ldexp(1.0, by.lengths - by.whole);
   return twin;
 }
 
 Twin reversed_twin(const Case& one) {
-  Twin twin{one, -1};
-  if (auto* q = std::get_if<Quadratic<double>>(&twin.one.question)) {
-    q->b = -q->b;
-  } else if (auto* asked = std::get_if<RayQuestion>(&twin.one.question)) {
-    reverse(*asked);
-  }
-  return twin;
+  const bool is_equation = std::holds_alternative<Quadratic<double>>(one.question);
+  return is_equation ? scaled_twin(one, -1, 1) : scaled_twin(one, 1, -1);
 }
 
 std::optional<Case> moved_case(const Case& one) {

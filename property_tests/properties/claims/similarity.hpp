@@ -2,7 +2,6 @@
 /// \file
 /// Cases that must have the same answer but for a factor: scaled by powers of two, mirrored, moved.
 
-#include <array>
 #include <optional>
 
 #include "case/case.hpp"
@@ -15,17 +14,9 @@ struct Twin {
   double factor = 1;
 };
 
-/// Powers of two for the lengths of a scene and for the length of the direction (or, for a quadratic, for its
-/// roots and for the equation as a whole). t grows with the first and shrinks with the second.
-struct Scaling {
-  int lengths = 0;
-  int whole = 0;
-};
-inline constexpr std::array<Scaling, 3> scalings{{{1, 0}, {0, 1}, {-3, 4}}};
-/// The largest shift of an exponent in `scalings`.
-inline constexpr int scaling_reach = 4;
-
-[[nodiscard]] Twin scaled_twin(const Case& one, const Scaling& by);
+/// The case with its lengths (the roots of a quadratic) and its direction (the equation as a whole)
+/// multiplied by these factors. t grows with the first and shrinks with the second.
+[[nodiscard]] Twin scaled_twin(const Case& one, double lengths, double whole);
 
 /// The ray run backwards, or the equation of -x.
 [[nodiscard]] Twin reversed_twin(const Case& one);

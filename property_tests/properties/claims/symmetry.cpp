@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -17,46 +18,45 @@ namespace rayproof {
 
 namespace {
 
-struct ExponentRange {
-  double lowest, highest;
-  [[nodiscard]] bool contains(double x) const {
-    return x == 0 || std::isinf(x) || (std::abs(x) >= lowest && std::abs(x) <= highest);
-  }
+/// Powers of two for the lengths of a scene and for the length of the direction (or, for a quadratic, for its
+/// roots and for the equation as a whole).
+struct Scaling {
+  int lengths = 0;
+  int whole = 0;
 };
+constexpr std::array<Scaling, 3> scalings{{{1, 0}, {0, 1}, {-3, 4}}};
+/// The largest shift of an exponent in `scalings`.
+constexpr int scaling_reach = 4;
 
-/// The numbers that may be scaled without leaving the subject's domain or the format's normal numbers.
-ExponentRange scalable(Trial& trial) {
+/// Whether the number may be scaled without leaving the subject's domain or the format's normal numbers.
+bool fits(const Trial& trial, double x) {
   const bool is_float = trial.question().precision == Precision::float32;
   const int lowest =
       is_float ? std::numeric_limits<float>::min_exponent : std::numeric_limits<double>::min_exponent;
   const int reach = std::min(trial.reach(), -lowest) - 2 * scaling_reach;
-  return {std::ldexp(1.0, -reach), std::ldexp(1.0, reach)};
-}
-
-bool all_within(const ExponentRange& range, const std::vector<double>& numbers) {
-  return std::all_of(numbers.begin(), numbers.end(), [&](double x) { return range.contains(x); });
+  return x == 0 || std::isinf(x) ||
+         (std::abs(x) >= std::ldexp(1.0, -reach) && std::abs(x) <= std::ldexp(1.0, reach));
 }
 
 /// Underflow and overflow are no business of this property: neither in the case nor in the answers.
 bool is_scalable(Trial& trial) {
-  const ExponentRange range = scalable(trial);
   Case copy = trial.question();
-  for (const CaseNumber& number : numbers_of(copy))
-    if (!range.contains(*number.value)) return false;
-  const std::vector<double> claimed = numbers_in(trial.claimed());
-  const bool overflows = std::any_of(claimed.begin(), claimed.end(), [](double x) { return std::isinf(x); });
-  return !overflows && all_within(range, claimed) && trial.in_domain(scaling_reach);
+  return std::ranges::all_of(numbers_of(copy),
+                             [&](const CaseNumber& number) { return fits(trial, *number.value); }) &&
+         std::ranges::all_of(numbers_in(trial.claimed()),
+                             [&](double x) { return !std::isinf(x) && fits(trial, x); }) &&
+         trial.in_domain(scaling_reach);
 }
 
 /// The first scaling whose answer, scaled back, differs from the case's, and that answer; nothing where all
 /// agree. A scaled answer that itself left the range is not compared.
 std::optional<std::pair<Scaling, Answer>> first_difference(Trial& trial) {
-  const ExponentRange range = scalable(trial);
-  for (const Scaling& scaling : scalings) {
-    const Twin twin = scaled_twin(trial.question(), scaling);
+  for (const Scaling& by : scalings) {
+    const Twin twin = scaled_twin(trial.question(), std::ldexp(1.0, by.lengths), std::ldexp(1.0, by.whole));
     const Answer there = trial.subject().answer(twin.one);
     const Answer got = stretched(there, 1 / twin.factor);
-    if (all_within(range, numbers_in(there)) && !same(got, trial.claimed())) return std::pair{scaling, got};
+    const bool all_fit = std::ranges::all_of(numbers_in(there), [&](double x) { return fits(trial, x); });
+    if (all_fit && !same(got, trial.claimed())) return std::pair{by, got};
   }
   return std::nullopt;
 }

@@ -1,6 +1,7 @@
 #include "properties/report/grid.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace rayproof {
 
@@ -8,38 +9,25 @@ namespace {
 
 /// How many columns a UTF-8 text takes, all its characters being one column wide.
 std::size_t width(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(
-      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+  return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
 }  // namespace
 
-std::string Grid::rows() const {
-  std::vector<std::size_t> widths;
-  for (const auto& row : rows_) {
-    widths.resize(std::max(widths.size(), row.size()));
+std::string in_columns(const Rows& rows, std::size_t gap, bool has_rule) {
+  std::vector<std::size_t> widths(rows.front().size());
+  for (const auto& row : rows)
     for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], width(row[c]));
-  }
+  const std::size_t gaps = gap * (widths.size() - 1);
+  const std::string rule(std::accumulate(widths.begin(), widths.end(), gaps), '-');
   std::string all;
-  for (const auto& row : rows_) {
+  for (const auto& row : rows) {
     std::string line;
     for (std::size_t c = 0; c < row.size(); ++c)
-      line += row[c] + std::string(widths[c] - width(row[c]) + gap_, ' ');
-    line.erase(line.find_last_not_of(' ') + 1);
-    all += line + "\n";
+      line += row[c] + std::string(widths[c] - width(row[c]) + gap, ' ');
+    all += line.erase(line.find_last_not_of(' ') + 1) + "\n";
+    if (has_rule && &row == &rows.front()) all += rule + "\n";
   }
-  return all;
-}
-
-std::string Grid::text() const {
-  std::string all = rows();
-  std::size_t widest = 0;
-  for (std::size_t begin = 0; begin < all.size();) {
-    const std::size_t end = all.find('\n', begin);
-    widest = std::max(widest, width(all.substr(begin, end - begin)));
-    begin = end + 1;
-  }
-  all.insert(all.find('\n') + 1, std::string(widest, '-') + "\n");
   return all;
 }
 

@@ -4,23 +4,11 @@
 
 namespace rayproof {
 
-/// A table in plain text: columns as wide as their widest cell.
-class Grid {
- public:
-  /// The number of blanks between two columns.
-  explicit Grid(std::size_t gap = 2) : gap_(gap) {}
+/// The cells of a table, row by row.
+using Rows = std::vector<std::vector<std::string>>;
 
-  void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
-
-  /// The rows, each ending in a newline.
-  [[nodiscard]] std::string rows() const;
-
-  /// The same with a rule under the first row.
-  [[nodiscard]] std::string text() const;
-
- private:
-  std::size_t gap_;
-  std::vector<std::vector<std::string>> rows_{};
-};
+/// A table in plain text: columns as wide as their widest cell and `gap` blanks apart, each row ending in a
+/// newline, with a rule under the first row where one is wanted. That row has a cell for every column.
+[[nodiscard]] std::string in_columns(const Rows& rows, std::size_t gap = 2, bool has_rule = true);
 
 }  // namespace rayproof

@@ -1,10 +1,7 @@
 #include "case/json/number.hpp"
-#include "properties/report/exports.hpp"
+#include "properties/report/report.hpp"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
-
-#include "properties/finding.hpp"
 
 namespace rayproof {
 
@@ -24,7 +21,7 @@ Json worst_errors(const Worst& worst, const Contract& contract) {
           {"cases_in_domain", worst.cases}};
 }
 
-Json row_of(const Row& row) {
+Json json_of(const Row& row) {
   Json statuses = Json::array();
   for (const Cell& cell : row.cells)
     if (cell.status != ClaimStatus::unclaimed)
@@ -35,12 +32,12 @@ Json row_of(const Row& row) {
                           {"outside", cell.tally.outside}});
   Json json{
       {"method", row.subject->full_name()}, {"precision", name_of(row.precision)}, {"cases", row.cases}};
-  if (row.is_measured) json["worst"] = worst_errors(row.worst, row.subject->contract);
+  if (row.is_measured()) json["worst"] = worst_errors(row.worst, row.subject->contract);
   json["properties"] = std::move(statuses);
   return json;
 }
 
-Json unit_of(const UnitResult& unit) {
+Json json_of(const Unit& unit) {
   return {{"method", unit.subject->full_name()},
           {"precision", name_of(unit.precision)},
           {"family", unit.family->name},
@@ -48,7 +45,7 @@ Json unit_of(const UnitResult& unit) {
           {"worst", worst_errors(unit.tally.worst, unit.subject->contract)}};
 }
 
-Json shares_of(const LabelCount& labels) {
+Json json_of(const LabelCount& labels) {
   Json shares = Json::object();
   for (const auto& [label, count] : labels.counts) shares[label] = labels.share(label);
   return {{"topic", labels.family->topic},
@@ -58,27 +55,28 @@ Json shares_of(const LabelCount& labels) {
           {"shares", std::move(shares)}};
 }
 
-template <class Items, class Convert>
-Json array_of(const Items& items, Convert&& convert) {
+Json json_of(const Finding& finding) { return Json::parse(write_finding(finding)); }
+
+template <class Item>
+Json array_of(const std::vector<Item>& items) {
   Json array = Json::array();
-  for (const auto& item : items) array.push_back(convert(item));
+  for (const Item& item : items) array.push_back(json_of(item));
   return array;
 }
 
 }  // namespace
 
 std::string json_report(const Plan& plan, const RunResult& result, const Summary& summary) {
-  Json json{{"seed", plan.settings.seed},
-            {"cases", plan.settings.cases},
-            {"corpus_cases", result.corpus_cases},
-            {"success", summary.is_success()},
-            {"interrupted", summary.was_interrupted},
-            {"failures", summary.failures()}};
-  json["methods"] = array_of(summary.rows, row_of);
-  json["families"] = array_of(result.units, unit_of);
-  json["labels"] = array_of(result.labels, shares_of);
-  json["findings"] =
-      array_of(result.findings, [](const Finding& finding) { return Json::parse(write_finding(finding)); });
+  const Json json{{"seed", plan.settings.seed},
+                  {"cases", plan.settings.cases},
+                  {"corpus_cases", result.corpus_cases},
+                  {"success", summary.is_success()},
+                  {"interrupted", summary.was_interrupted},
+                  {"failures", summary.failures()},
+                  {"methods", array_of(summary.rows)},
+                  {"families", array_of(result.units)},
+                  {"labels", array_of(result.labels)},
+                  {"findings", array_of(result.findings)}};
   return json.dump(2);
 }
 

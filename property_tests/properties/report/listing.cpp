@@ -1,63 +1,62 @@
-#include "properties/report/text.hpp"
+#include "properties/report/findings.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <vector>
+#include <cctype>
 
+#include "case/findings_file.hpp"
 #include "case/writer.hpp"
-#include "properties/report/order.hpp"
-#include "properties/report/words.hpp"
 
 namespace rayproof {
 
 namespace {
 
-/// "41-46", or "41".
-std::string numbers_of(const std::vector<Finding>& group) {
-  const std::string first = std::to_string(group.front().number);
-  return group.size() == 1 ? first : fmt::format("{}-{}", first, group.back().number);
-}
-
-/// "sphere/textbook, half_b".
-std::string methods_of(const std::vector<Finding>& group) {
-  std::string methods;
-  std::vector<const Subject*> seen;
+/// "41-46  sphere/textbook, half_b", or "41  sphere/textbook", and what the first of them does wrong.
+std::string line_of(const std::vector<Finding>& group) {
+  const Finding& first = group.front();
+  std::string numbers = std::to_string(first.number);
+  if (group.size() > 1) numbers += fmt::format("-{}", group.back().number);
+  std::string methods = first.subject->full_name();
+  std::vector<const Subject*> seen{first.subject};
   for (const Finding& finding : group) {
-    if (std::find(seen.begin(), seen.end(), finding.subject) != seen.end()) continue;
+    if (std::ranges::find(seen, finding.subject) != seen.end()) continue;
     seen.push_back(finding.subject);
-    methods += methods.empty() ? finding.subject->full_name() : ", " + finding.subject->name;
+    methods += ", " + finding.subject->name;
   }
-  return methods;
-}
-
-std::string line_of(const std::string& numbers, const std::string& methods, const Finding& finding) {
-  return fmt::format("{:>5}  {} {}  {}\n", numbers, methods, name_of(finding.one.precision),
-                     in_words(finding));
+  return fmt::format("{:>5}  {} {}  {}\n", numbers, methods, name_of(first.one.precision), in_words(first));
 }
 
 }  // namespace
 
-std::string text_declared(const RunResult& result) {
+std::string text_finding(const Finding& finding) { return line_of({finding}); }
+
+std::string text_declared(const std::vector<Finding>& findings) {
   std::string text;
-  for (const std::vector<Finding>& group : alike(result.findings, true))
-    text += line_of(numbers_of(group), methods_of(group), group.front());
+  for (const std::vector<Finding>& group : alike(findings, true)) text += line_of(group);
   return text;
 }
 
-std::string text_failures(const RunResult& result) {
+std::string text_failures(const std::vector<Finding>& findings) {
   std::string text;
-  for (const std::vector<Finding>& group : alike(result.findings, false)) {
+  for (const std::vector<Finding>& group : alike(findings, false)) {
     const Finding& first = group.front();
-    text += line_of(numbers_of(group), methods_of(group), first);
-    text += fmt::format("       breaks '{}': {}\n       family {}; {}\n       {}\n", first.property->name,
-                        first.property->statement, first.family, first.evidence.note, write_case(first.one));
+    text += fmt::format("{}       breaks '{}': {}\n       family {}; {}\n       {}\n", line_of(group),
+                        first.property->name, first.property->statement, first.family, first.evidence.note,
+                        write_case(first.one));
   }
   return text;
 }
 
-std::string text_finding(const Finding& finding) {
-  return line_of(std::to_string(finding.number), finding.subject->full_name(), finding);
+std::string from_option(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / "findings.jsonl";
+  if (file.lexically_normal() == last_findings) return "";
+  std::string quoted;
+  for (const char letter : file.string()) quoted += letter == '\'' ? "'\\''" : std::string(1, letter);
+  const bool is_plain = std::ranges::all_of(quoted, [](unsigned char letter) {
+    return std::isalnum(letter) != 0 || letter == '/' || letter == '.' || letter == '_' || letter == '-';
+  });
+  return " --from " + (is_plain ? quoted : "'" + quoted + "'");
 }
 
 }  // namespace rayproof

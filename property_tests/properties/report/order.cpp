@@ -1,9 +1,8 @@
-#include "properties/report/order.hpp"
+#include "properties/report/findings.hpp"
 
 #include <algorithm>
 
 #include "case/writer.hpp"
-#include "properties/report/words.hpp"
 
 namespace rayproof {
 
@@ -34,9 +33,8 @@ std::vector<std::vector<Finding>> alike(const std::vector<Finding>& findings, bo
   std::vector<std::vector<Finding>> groups;
   for (const Finding& finding : findings) {
     if (finding.is_declared != is_declared) continue;
-    const auto group = std::find_if(groups.begin(), groups.end(), [&](const std::vector<Finding>& some) {
-      return std::any_of(some.begin(), some.end(),
-                         [&](const Finding& other) { return is_same_failure(finding, other); });
+    const auto group = std::ranges::find_if(groups, [&](const std::vector<Finding>& some) {
+      return std::ranges::any_of(some, [&](const Finding& other) { return is_same_failure(finding, other); });
     });
     if (group == groups.end()) {
       groups.push_back({finding});

@@ -1,4 +1,4 @@
-#include "properties/report/page.hpp"
+#include "properties/report/report.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -48,6 +48,17 @@ std::string status_cell(const Cell& one) {
                      text_of(one.status).sign);
 }
 
+/// "0.93 of 8" for each measure; nothing where none was taken.
+std::string measured_cells(const Row& row) {
+  const Contract& contract = row.subject->contract;
+  const Worst& worst = row.worst;
+  if (!row.is_measured()) return "<td></td><td></td><td></td><td></td>";
+  return cell(fmt::format("{} of {}", worst.wrong, worst.cases)) +
+         cell(figure(worst.verdict, contract.verdict.promised)) +
+         cell(figure(worst.residual, contract.residual.promised)) +
+         cell(figure(worst.ulp, contract.ulp.promised));
+}
+
 std::string main_table(const Summary& summary) {
   std::string head = heads({"method", "precision", "cases"});
   for (const Property& property : properties())
@@ -55,16 +66,10 @@ std::string main_table(const Summary& summary) {
   head += heads({"wrong verdicts, in the domain", "widest verdict band", "worst residual", "worst ulp"});
   std::string body;
   for (const Row& row : summary.rows) {
-    const Contract& contract = row.subject->contract;
     body += fmt::format("<tr><td title=\"{}\">{}</td><td>{}</td><td>{}</td>", escaped(row.subject->title),
                         escaped(row.subject->full_name()), name_of(row.precision), row.cases);
     for (const Cell& one : row.cells) body += status_cell(one);
-    body += cell(row.is_measured ? fmt::format("{} of {}", row.worst.wrong, row.worst.cases) : "");
-    for (const auto& [measured, promised] : {std::pair{row.worst.verdict, contract.verdict.promised},
-                                             std::pair{row.worst.residual, contract.residual.promised},
-                                             std::pair{row.worst.ulp, contract.ulp.promised}})
-      body += cell(row.is_measured ? figure(measured, promised) : "");
-    body += "</tr>\n";
+    body += measured_cells(row) + "</tr>\n";
   }
   std::string legend;
   for (const ClaimStatus status : statuses_in_legend)
@@ -75,13 +80,14 @@ std::string main_table(const Summary& summary) {
 
 std::string family_table(const RunResult& result) {
   std::string body;
-  for (const UnitResult& unit : result.units) {
+  for (const Unit& unit : result.units) {
     const Worst& worst = unit.tally.worst;
-    if (worst.cases == 0) continue;
-    body += fmt::format("<tr><td>{}</td><td>{}</td><td class=\"text\">{}</td><td>{}</td><td>{}</td>",
-                        escaped(unit.subject->full_name()), name_of(unit.precision),
-                        escaped(unit.family->name), worst.cases, worst.wrong);
-    body += cell(figure(worst.verdict)) + cell(figure(worst.residual)) + cell(figure(worst.ulp)) + "</tr>\n";
+    if (worst.cases > 0)
+      body += fmt::format(
+          "<tr><td>{}</td><td>{}</td><td class=\"text\">{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
+          "<td>{}</td></tr>\n",
+          escaped(unit.subject->full_name()), name_of(unit.precision), escaped(unit.family->name),
+          worst.cases, worst.wrong, figure(worst.verdict), figure(worst.residual), figure(worst.ulp));
   }
   const std::string head = heads({"method", "precision", "family", "cases in domain", "wrong verdicts",
                                   "verdict band", "residual", "ulp"});
@@ -99,16 +105,12 @@ std::string label_table(const RunResult& result) {
 }
 
 std::string outcome(const Summary& summary) {
-  const bool is_success = summary.is_success();
-  const char* const sentence = !is_success ? "✗ not every contract holds"
-                               : summary.was_interrupted
-                                   ? "– interrupted: no contract is broken by what was checked before"
-                                   : "✓ every contract holds";
-  std::string text = fmt::format("<p class=\"verdict {}\">{}</p>\n",
-                                 !is_success               ? "broken"
-                                 : summary.was_interrupted ? "refuted"
-                                                           : "holds",
-                                 sentence);
+  const auto [style, sentence] =
+      !summary.is_success() ? std::pair{"broken", "✗ not every contract holds"}
+      : summary.was_interrupted
+          ? std::pair{"refuted", "– interrupted: no contract is broken by what was checked before"}
+          : std::pair{"holds", "✓ every contract holds"};
+  std::string text = fmt::format("<p class=\"verdict {}\">{}</p>\n", style, sentence);
   for (const std::string& failure : summary.failures()) text += "<p>✗ " + escaped(failure) + "</p>\n";
   return text;
 }

@@ -1,11 +1,10 @@
-#include "properties/report/page.hpp"
+#include "properties/report/report.hpp"
 
 #include <fmt/format.h>
 
 #include "case/escape.hpp"
 #include "case/writer.hpp"
-#include "properties/report/commands.hpp"
-#include "properties/report/words.hpp"
+#include "properties/report/findings.hpp"
 
 namespace rayproof {
 
@@ -26,6 +25,14 @@ std::string answer_line(const Finding& finding, const Answer& answer) {
 std::string because(const Finding& finding) {
   const Refutation* const declared = declared_refutation(*finding.subject, *finding.property);
   return declared != nullptr ? fmt::format("<p>Declared: {}.</p>", escaped(declared->because)) : "";
+}
+
+/// The commands that look into the finding, one a line.
+std::string commands_for(const Finding& finding, const std::filesystem::path& folder) {
+  std::string lines;
+  for (const char* const command : {"explain", "walk", "draw", "replay"})
+    lines += fmt::format("./rayproof {} {}{}\n", command, finding.number, from_option(folder));
+  return lines;
 }
 
 }  // namespace

@@ -9,28 +9,18 @@ namespace rayproof {
 
 namespace {
 
-bool was_found(const RunResult& result, const Row& row, const Property& property) {
-  return std::any_of(result.findings.begin(), result.findings.end(), [&](const Finding& finding) {
-    return finding.subject == row.subject && finding.one.precision == row.precision &&
-           finding.property == &property;
-  });
-}
-
-bool was_claim_refuted(const RunResult& result, const Row& row, Claim claim) {
-  return std::any_of(properties().begin(), properties().end(), [&](const Property& property) {
-    return property.claim == claim && was_found(result, row, property);
-  });
-}
-
 ClaimStatus status_of(const Plan& plan, const RunResult& result, const Row& row, const Cell& cell) {
-  const bool found = was_found(result, row, *cell.property);
+  const bool was_found = find_finding(result, row, *cell.property) != nullptr;
   if (claims(*row.subject, *cell.property)) {
-    if (found) return ClaimStatus::broken;
+    if (was_found) return ClaimStatus::broken;
     return cell.tally.judged() > 0 ? ClaimStatus::holds : ClaimStatus::untested;
   }
   if (!is_declared_refuted(*row.subject, *cell.property)) return ClaimStatus::unclaimed;
-  if (found) return ClaimStatus::refuted;
-  if (was_claim_refuted(result, row, cell.property->claim)) return ClaimStatus::spared;
+  if (was_found) return ClaimStatus::refuted;
+  const bool was_claim_refuted = std::ranges::any_of(properties(), [&](const Property& property) {
+    return property.claim == cell.property->claim && find_finding(result, row, property) != nullptr;
+  });
+  if (was_claim_refuted) return ClaimStatus::spared;
   // Only a full search for a counterexample may be held against the declaration.
   const bool searched_in_full = plan.settings.families.empty() && !result.was_interrupted;
   return searched_in_full ? ClaimStatus::unrefuted : ClaimStatus::untested;
@@ -39,13 +29,12 @@ ClaimStatus status_of(const Plan& plan, const RunResult& result, const Row& row,
 /// Adds up a row's figures over the families.
 void add_up(const RunResult& result, Row& row) {
   Tally sum;
-  for (const UnitResult& unit : result.units) {
+  for (const Unit& unit : result.units) {
     if (unit.subject != row.subject || unit.precision != row.precision) continue;
     sum += unit.tally;
     if (unit.tally.worst.transformed == 0) row.worst += unit.tally.worst;
   }
   row.cases = sum.cases;
-  row.is_measured = row.worst.cases > 0;
   for (std::size_t p = 0; p < row.cells.size() && p < sum.properties.size(); ++p)
     row.cells[p].tally = sum.properties[p];
 }
@@ -55,12 +44,12 @@ void add_up(const RunResult& result, Row& row) {
 const StatusText& text_of(ClaimStatus status) {
   static constexpr StatusText texts[] = {
       {"", "not claimed", "mark"},
+      {"–", "not tested", "mark"},
+      {"·", "not broken", "mark"},
       {"✓", "holds", "mark holds"},
-      {"✗", "BROKEN", "mark broken"},
       {"‡", "refuted as declared", "mark refuted"},
       {"?", "declared broken, NOT REFUTED", "mark broken"},
-      {"·", "not broken", "mark"},
-      {"–", "not tested", "mark"},
+      {"✗", "BROKEN", "mark broken"},
   };
   return texts[static_cast<std::size_t>(status)];
 }
@@ -92,6 +81,14 @@ std::vector<std::string> Summary::sentences(std::initializer_list<ClaimStatus> s
                                   cell.property->name, text_of(cell.status).words));
   all.insert(all.end(), missed_shares.begin(), missed_shares.end());
   return all;
+}
+
+const Finding* find_finding(const RunResult& result, const Row& row, const Property& property) {
+  const auto found = std::ranges::find_if(result.findings, [&](const Finding& finding) {
+    return finding.subject == row.subject && finding.one.precision == row.precision &&
+           finding.property == &property;
+  });
+  return found == result.findings.end() ? nullptr : &*found;
 }
 
 std::string figure(double measured) {

@@ -10,15 +10,15 @@
 
 namespace rayproof {
 
-/// A subject's standing on a property.
+/// A subject's standing on a property, from what says nothing to what a reader must see.
 enum class ClaimStatus {
   unclaimed,  ///< neither claimed nor declared broken
+  untested,   ///< claimed, but no case was one the property speaks of
+  spared,     ///< declared broken as part of a claim of which another part was refuted
   holds,      ///< claimed, and never seen broken
-  broken,     ///< claimed, and broken: the contract does not hold
   refuted,    ///< declared broken, and a counterexample was found
   unrefuted,  ///< declared broken, but no counterexample was found
-  spared,     ///< declared broken as part of a claim of which another part was refuted
-  untested    ///< claimed, but no case was one the property speaks of
+  broken      ///< claimed, and broken: the contract does not hold
 };
 
 /// How a status is shown: a mark and words, so that neither colour nor font decides, and its class on the
@@ -36,9 +36,7 @@ inline constexpr std::array statuses_in_legend{ClaimStatus::holds,  ClaimStatus:
                                                ClaimStatus::spared, ClaimStatus::untested};
 
 /// Whether a status makes the run fail.
-[[nodiscard]] inline bool is_failure(ClaimStatus status) {
-  return status == ClaimStatus::broken || status == ClaimStatus::unrefuted;
-}
+[[nodiscard]] inline bool is_failure(ClaimStatus status) { return status >= ClaimStatus::unrefuted; }
 
 /// One property of a row.
 struct Cell {
@@ -52,9 +50,10 @@ struct Row {
   const Subject* subject = nullptr;
   Precision precision{};
   std::uint64_t cases = 0;
-  Worst worst{};             ///< over the families without transforms: what the contract's bounds speak of
-  bool is_measured = false;  ///< `worst` was taken
+  Worst worst{};  ///< over the families without transforms: what the contract's bounds speak of
   std::vector<Cell> cells{};
+
+  [[nodiscard]] bool is_measured() const { return worst.cases > 0; }
 };
 
 /// The whole run.
@@ -80,6 +79,9 @@ struct Summary {
 };
 
 [[nodiscard]] Summary summarise(const Plan& plan, const RunResult& result);
+
+/// The finding that breaks the property of a row, or null.
+[[nodiscard]] const Finding* find_finding(const RunResult& result, const Row& row, const Property& property);
 
 /// A bound's figures, "0.93 of 8" or "0.93" where nothing is promised.
 [[nodiscard]] std::string figure(double measured, double promised);

@@ -1,10 +1,11 @@
-#include "properties/report/text.hpp"
+#include "properties/report/report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
+#include <utility>
 
 #include "properties/report/grid.hpp"
 #include "subjects/contract_names.hpp"
@@ -13,57 +14,41 @@ namespace rayproof {
 
 namespace {
 
-/// From what a reader must see to what says nothing.
-constexpr std::array by_weight{ClaimStatus::broken,   ClaimStatus::unrefuted, ClaimStatus::refuted,
-                               ClaimStatus::holds,    ClaimStatus::spared,    ClaimStatus::untested,
-                               ClaimStatus::unclaimed};
-
-std::size_t weight_of(ClaimStatus status) {
-  return static_cast<std::size_t>(std::find(by_weight.begin(), by_weight.end(), status) - by_weight.begin());
+/// The status of a row for a claim, which several properties may serve: the one that matters most.
+ClaimStatus status_of(const Row& row, Claim claim) {
+  ClaimStatus status = ClaimStatus::unclaimed;
+  for (const Cell& cell : row.cells)
+    if (cell.property->claim == claim) status = std::max(status, cell.status);
+  return status;
 }
 
 /// The claims that some row has a mark for.
 std::vector<Claim> claims_in_use(const Summary& summary) {
   std::vector<Claim> used;
   for (std::size_t c = 0; c < claim_count; ++c)
-    if (std::any_of(summary.rows.begin(), summary.rows.end(), [&](const Row& row) {
+    if (std::ranges::any_of(summary.rows, [&](const Row& row) {
           return status_of(row, static_cast<Claim>(c)) != ClaimStatus::unclaimed;
         }))
       used.push_back(static_cast<Claim>(c));
   return used;
 }
 
-/// The rows of each method, in the order of the summary.
-std::vector<std::vector<const Row*>> by_method(const Summary& summary) {
-  std::vector<std::vector<const Row*>> methods;
-  for (const Row& row : summary.rows) {
-    if (methods.empty() || methods.back().front()->subject != row.subject) methods.emplace_back();
-    methods.back().push_back(&row);
-  }
-  return methods;
-}
-
-std::string signs_of(const std::vector<const Row*>& rows, Claim claim) {
-  std::string signs;
-  for (const Row* row : rows) {
-    const std::string sign = text_of(status_of(*row, claim)).sign;
-    if (sign != signs) signs += sign;
-  }
-  return signs;
-}
-
-/// "26841 of 207169"; nothing where no error was measured.
-std::string wrong_verdicts(const std::vector<const Row*>& rows) {
+/// The line of a method: its name, the mark for each claim (two where the precisions differ), and
+/// "26841 of 207169" wrong verdicts, or nothing where no error was measured.
+std::vector<std::string> line_of(const Subject& subject, const std::vector<Row>& rows,
+                                 const std::vector<Claim>& claims) {
+  std::vector<std::string> line{subject.full_name()};
+  line.resize(claims.size() + 1);
   Worst worst;
-  for (const Row* row : rows) worst += row->worst;
-  return worst.cases == 0 ? "" : fmt::format("{} of {}", worst.wrong, worst.cases);
-}
-
-std::string legend() {
-  std::string text;
-  for (const ClaimStatus status : statuses_in_legend)
-    text += fmt::format("{}{} {}", text.empty() ? "" : "   ", text_of(status).sign, text_of(status).words);
-  return text + "\n";
+  for (const Row& row : rows) {
+    if (row.subject != &subject) continue;
+    worst += row.worst;
+    for (std::size_t c = 0; c < claims.size(); ++c)
+      if (const char* const sign = text_of(status_of(row, claims[c])).sign; line[c + 1] != sign)
+        line[c + 1] += sign;
+  }
+  line.push_back(worst.cases == 0 ? "" : fmt::format("{} of {}", worst.wrong, worst.cases));
+  return line;
 }
 
 }  // namespace
@@ -78,29 +63,21 @@ std::array<std::string, 2> head_of(Claim claim) {
   return {name.substr(0, found->second) + "-", name.substr(found->second)};
 }
 
-ClaimStatus status_of(const Row& row, Claim claim) {
-  ClaimStatus status = ClaimStatus::unclaimed;
-  for (const Cell& cell : row.cells)
-    if (cell.property->claim == claim && weight_of(cell.status) < weight_of(status)) status = cell.status;
-  return status;
-}
-
 std::string text_table(const Summary& summary) {
   const std::vector<Claim> claims = claims_in_use(summary);
-  Grid grid(1);
-  std::array<std::vector<std::string>, 2> head{{{""}, {"method"}}};
+  Rows rows{{""}, {"method"}};
   for (const Claim claim : claims)
-    for (std::size_t line = 0; line < 2; ++line) head.at(line).push_back(head_of(claim).at(line));
-  head[0].emplace_back("wrong verdicts,");
-  head[1].emplace_back("in the domain");
-  for (const auto& line : head) grid.add(line);
-  for (const auto& rows : by_method(summary)) {
-    std::vector<std::string> line{rows.front()->subject->full_name()};
-    for (const Claim claim : claims) line.push_back(signs_of(rows, claim));
-    line.push_back(wrong_verdicts(rows));
-    grid.add(line);
-  }
-  return grid.rows() + legend();
+    for (std::size_t line = 0; line < 2; ++line) rows[line].push_back(head_of(claim).at(line));
+  rows[0].emplace_back("wrong verdicts,");
+  rows[1].emplace_back("in the domain");
+  const Subject* last = nullptr;
+  for (const Row& row : summary.rows)
+    if (std::exchange(last, row.subject) != row.subject)
+      rows.push_back(line_of(*row.subject, summary.rows, claims));
+  std::vector<std::string> legend;
+  for (const ClaimStatus status : statuses_in_legend)
+    legend.push_back(fmt::format("{} {}", text_of(status).sign, text_of(status).words));
+  return fmt::format("{}{}\n", in_columns(rows, 1, false), fmt::join(legend, "   "));
 }
 
 }  // namespace rayproof

@@ -1,9 +1,8 @@
-#include "properties/report/text.hpp"
+#include "properties/report/report.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
+#include <utility>
 
 #include "properties/report/grid.hpp"
 
@@ -14,21 +13,28 @@ namespace {
 constexpr std::array<std::pair<const char*, double Worst::*>, 3> measures{
     {{"verdict band", &Worst::verdict}, {"residual", &Worst::residual}, {"ulp", &Worst::ulp}}};
 
-/// Subjects of a topic in the plan's order.
-std::vector<const Subject*> subjects_of(const Plan& plan, const std::string& topic) {
-  std::vector<const Subject*> of_topic;
-  for (const Subject* subject : plan.subjects)
-    if (subject->topic == topic) of_topic.push_back(subject);
-  return of_topic;
-}
-
 /// The worst error over the precisions; nothing where it was not measured.
 std::string worst_of(const RunResult& result, const Subject* subject, const Family* family,
                      double Worst::*measure) {
   Worst worst;
-  for (const UnitResult& unit : result.units)
+  for (const Unit& unit : result.units)
     if (unit.subject == subject && unit.family == family) worst += unit.tally.worst;
   return worst.cases == 0 ? "" : figure(worst.*measure);
+}
+
+/// The families of a topic below one another, its subjects side by side.
+std::string table_of(const Plan& plan, const RunResult& result, const std::string& topic, const char* name,
+                     double Worst::*measure) {
+  Rows rows{{fmt::format("{}: worst {}", topic, name)}};
+  for (const Subject* subject : plan.subjects)
+    if (subject->topic == topic) rows.front().push_back(subject->name);
+  for (const Family* family : plan.families) {
+    if (family->topic != topic) continue;
+    rows.push_back({family->name});
+    for (const Subject* subject : plan.subjects)
+      if (subject->topic == topic) rows.back().push_back(worst_of(result, subject, family, measure));
+  }
+  return in_columns(rows);
 }
 
 }  // namespace
@@ -36,39 +42,25 @@ std::string worst_of(const RunResult& result, const Subject* subject, const Fami
 std::string text_families(const Plan& plan, const RunResult& result) {
   std::string text;
   std::string last_topic;
-  for (const Family* first : plan.families) {
-    if (first->topic == last_topic) continue;
-    last_topic = first->topic;
-    const auto of_topic = subjects_of(plan, first->topic);
-    for (const auto& [name, measure] : measures) {
-      Grid grid;
-      std::vector<std::string> head{fmt::format("{}: worst {}", first->topic, name)};
-      for (const Subject* subject : of_topic) head.push_back(subject->name);
-      grid.add(head);
-      for (const Family* family : plan.families) {
-        if (family->topic != first->topic) continue;
-        std::vector<std::string> line{family->name};
-        for (const Subject* subject : of_topic) line.push_back(worst_of(result, subject, family, measure));
-        grid.add(line);
-      }
-      text += grid.text() + "\n";
-    }
-  }
+  for (const Family* family : plan.families)
+    if (std::exchange(last_topic, family->topic) != family->topic)
+      for (const auto& [name, measure] : measures)
+        text += table_of(plan, result, family->topic, name, measure) + "\n";
   return text;
 }
 
 std::string text_labels(const RunResult& result) {
-  Grid grid;
-  grid.add({"family", "precision", "labels"});
+  Rows rows{{"family", "precision", "labels"}};
   for (const LabelCount& labels : result.labels)
-    grid.add({labels.family->topic + "/" + labels.family->name, name_of(labels.precision), labels.shares()});
-  return grid.text();
+    rows.push_back(
+        {labels.family->topic + "/" + labels.family->name, name_of(labels.precision), labels.shares()});
+  return in_columns(rows);
 }
 
 std::string text_measured(const Summary& summary) {
   std::string text;
   for (const Row& row : summary.rows)
-    if (row.is_measured)
+    if (row.is_measured())
       text += fmt::format(
           "{} {}: .verdict = {{.measured = {:.3g}}}, .residual = {{.measured = {:.3g}}}, "
           ".ulp = {{.measured = {:.3g}}}  // {} wrong verdicts in {} cases of the domain\n",

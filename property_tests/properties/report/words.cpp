@@ -1,8 +1,9 @@
-#include "properties/report/words.hpp"
+#include "properties/report/findings.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
 
 #include "case/json/number_text.hpp"
@@ -117,35 +118,24 @@ class Compared {
   std::optional<std::size_t> rank_{};
 };
 
-/// What is done to the case before the answer of the evidence is asked; empty where nothing is.
-const char* circumstances_of(Claim claim) {
-  switch (claim) {
-    case Claim::scaled:
-      return "once scaled";
-    case Claim::reversed:
-      return "once reversed";
-    case Claim::batch:
-      return "in a batch";
-    case Claim::nan:
-      return "with a NaN in it";
-    default:
-      return "";
-  }
-}
-
-const char* reason_of(const Answer& answer) { return name_of(std::get<RayAnswer>(answer).contact); }
-
 }  // namespace
 
 std::string in_words(const Finding& finding) {
+  // What is done to the case before the answer of the evidence is asked.
+  static const std::map<Claim, const char*> circumstances{{Claim::scaled, "once scaled"},
+                                                          {Claim::reversed, "once reversed"},
+                                                          {Claim::batch, "in a batch"},
+                                                          {Claim::nan, "with a NaN in it"}};
   const auto& [got, exact, error_ulp, note] = finding.evidence;
   const Claim claim = finding.property->claim;
   const std::string things =
       std::visit([](const auto& asked) { return things_in(asked); }, finding.one.question);
   if (claim == Claim::contact)
-    return fmt::format("calls the miss of {} '{}' (exact '{}')", things, reason_of(got), reason_of(exact));
-  const std::string circumstances = circumstances_of(claim);
-  if (circumstances.empty()) {
+    return fmt::format("calls the miss of {} '{}' (exact '{}')", things,
+                       name_of(std::get<RayAnswer>(got).contact),
+                       name_of(std::get<RayAnswer>(exact).contact));
+  const auto changed = circumstances.find(claim);
+  if (changed == circumstances.end()) {
     const Compared compared(got, exact, finding.one.precision);
     // The evidence of `moved` is of the moved case itself.
     return fmt::format("{}{} (exact {})", claim == Claim::moved ? "once moved, " : "",
@@ -154,7 +144,7 @@ std::string in_words(const Finding& finding) {
   const Answer plain = finding.subject->answer(finding.one);
   const Compared compared(plain, got, finding.one.precision);
   return fmt::format("{}, but {} {} (exact {})", compared.deed(plain, things), compared.outcome(got),
-                     circumstances, compared.outcome(exact));
+                     changed->second, compared.outcome(exact));
 }
 
 }  // namespace rayproof

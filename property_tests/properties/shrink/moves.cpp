@@ -6,9 +6,8 @@
 #include "case/shape_format.hpp"
 #include "generators/random.hpp"
 #include "properties/numbers.hpp"
-#include "properties/shrink/simpler_numbers.hpp"
 
-namespace rayproof::shrink_moves {
+namespace rayproof {
 
 namespace {
 
@@ -26,46 +25,46 @@ double& number(Case& one, std::size_t index) { return *numbers_of(one)[index].va
 
 double number_in(Case one, std::size_t index) { return number(one, index); }
 
-}  // namespace
-
+/// Leaves out the transform and the interval.
 void drop_parts(const Case& best, const Try& attempt) {
   if (!std::holds_alternative<RayQuestion>(best.question)) return;
-  const auto ray_of = [](Case& one) -> Ray<double>& { return std::get<RayQuestion>(one.question).ray; };
   attempt_changed(best, attempt, [](Case& one) { std::get<RayQuestion>(one.question).transform.reset(); });
-  for (const auto& [t_min, t_max] :
-       {std::pair{0.0, infinity<double>}, std::pair{-infinity<double>, infinity<double>}})
-    attempt_changed(best, attempt, [&, low = t_min, high = t_max](Case& one) {
-      ray_of(one).t_min = low;
-      ray_of(one).t_max = high;
+  for (const double t_min : {0.0, -infinity<double>})
+    attempt_changed(best, attempt, [&](Case& one) {
+      auto& ray = std::get<RayQuestion>(one.question).ray;
+      ray.t_min = t_min;
+      ray.t_max = infinity<double>;
     });
 }
 
+/// Calls `act` with the list of vertices, if the case has one.
+template <class Act>
+void with_vertices(Case& one, Act&& act) {
+  if (auto* place = std::get_if<PointAndPolygon<double>>(&one.question)) return act(place->vertices);
+  auto* asked = std::get_if<RayQuestion>(&one.question);
+  auto* polygon = asked == nullptr ? nullptr : std::get_if<Polygon<double>>(&asked->shape);
+  if (polygon != nullptr) act(polygon->vertices);
+}
+
+std::size_t count_vertices(Case one) {
+  std::size_t count = 0;
+  with_vertices(one, [&](const auto& vertices) { count = vertices.size(); });
+  return count;
+}
+
+/// Leaves out vertices of a polygon: half of them, then one by one.
 void drop_vertices(const Case& best, const Try& attempt) {
-  // Calls `change` with the list of vertices, if the case has one.
-  const auto with_vertices = [](Case& one, const auto& change) {
-    if (auto* place = std::get_if<PointAndPolygon<double>>(&one.question)) return change(place->vertices);
-    auto* asked = std::get_if<RayQuestion>(&one.question);
-    auto* polygon = asked == nullptr ? nullptr : std::get_if<Polygon<double>>(&asked->shape);
-    if (polygon != nullptr) change(polygon->vertices);
-  };
-  const auto count = [&] {
-    std::size_t size = 0;
-    Case copy = best;
-    with_vertices(copy, [&](const auto& vertices) { size = vertices.size(); });
-    return size;
-  };
-  for (std::size_t run = count() / 2; run > 0; run /= 2) {
-    for (std::size_t i = 0; i + run <= count(); ++i) {
+  for (std::size_t run = count_vertices(best) / 2; run > 0; run /= 2)
+    for (std::size_t i = 0; i + run <= count_vertices(best); ++i)
       attempt_changed(best, attempt, [&](Case& one) {
         with_vertices(one, [&](auto& vertices) {
           const auto from = vertices.begin() + static_cast<std::ptrdiff_t>(i);
           vertices.erase(from, from + static_cast<std::ptrdiff_t>(run));
         });
       });
-    }
-  }
 }
 
+/// Moves a point of the shape to the origin, the ray with it.
 void move_to_origin(const Case& best, const Try& attempt) {
   if (!std::holds_alternative<RayQuestion>(best.question)) return;
   for (std::size_t field = 0; field < 3; ++field)
@@ -84,6 +83,7 @@ void move_to_origin(const Case& best, const Try& attempt) {
     });
 }
 
+/// Multiplies several numbers at once by one power of two or ten.
 void rescale(const Case& best, const Try& attempt) {
   const std::size_t count = count_numbers(best);
   // Runs of neighbours: the direction, the sphere, origin and sphere, the equation.
@@ -99,6 +99,8 @@ void rescale(const Case& best, const Try& attempt) {
           });
 }
 
+/// Puts the origin straight behind the shape, so far away as to make the case simple: a sphere that is far
+/// enough is missed in plain numbers, too.
 void look_straight(const Case& best, const Try& attempt) {
   if (!std::holds_alternative<RayQuestion>(best.question)) return;
   constexpr int tries_per_distance = 40;
@@ -115,12 +117,14 @@ void look_straight(const Case& best, const Try& attempt) {
         });
 }
 
+/// Makes one number simpler.
 void simplify_one(const Case& best, const Try& attempt) {
   for (std::size_t i = 0; i < count_numbers(best); ++i)
     for (const double simpler : simpler_numbers(number_in(best, i), best.precision))
       attempt_changed(best, attempt, [&](Case& one) { number(one, i) = simpler; });
 }
 
+/// Makes two numbers simpler at once, or equal.
 void simplify_two(const Case& best, const Try& attempt) {
   for (std::size_t i = 0; i < count_numbers(best); ++i)
     for (std::size_t j = 0; j < count_numbers(best); ++j) {
@@ -137,6 +141,8 @@ void simplify_two(const Case& best, const Try& attempt) {
     }
 }
 
+/// Rounds all numbers at once to few digits, each with a little luck: for cases in which every digit seems to
+/// count.
 void round_all(const Case& best, const Try& attempt) {
   constexpr int tries_per_digit = 1500;
   Random random(1);
@@ -152,4 +158,12 @@ void round_all(const Case& best, const Try& attempt) {
       });
 }
 
-}  // namespace rayproof::shrink_moves
+}  // namespace
+
+void make_moves(const Case& best, const Try& attempt) {
+  for (const auto move : {drop_parts, drop_vertices, move_to_origin, rescale, simplify_one, look_straight,
+                          simplify_two, round_all})
+    move(best, attempt);
+}
+
+}  // namespace rayproof

@@ -1,14 +1,55 @@
 #include "properties/shrink/shrink.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include "case/accepted.hpp"
+#include "properties/numbers.hpp"
 #include "properties/shrink/moves.hpp"
-#include "properties/shrink/simplicity.hpp"
-#include "properties/shrink/validity.hpp"
 
 namespace rayproof {
 
 namespace {
+
+bool may_be(const CaseNumber& number) {
+  if (std::isfinite(*number.value)) return true;
+  if (number.field == "ray.t_min") return *number.value == -infinity<double>;
+  return number.field == "ray.t_max" && *number.value == infinity<double>;
+}
+
+// Whether a figure is a proper one of its kind, whose vertices differ from their neighbours and enclose an
+// area, and which is not flat.
+bool is_proper(const std::vector<glm::dvec3>& vertices) {
+  glm::dvec3 area(0);
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const glm::dvec3& next = vertices[(i + 1) % vertices.size()];
+    if (vertices[i] == next) return false;
+    area += glm::cross(vertices[i], next);
+  }
+  return area != glm::dvec3(0);
+}
+bool is_proper(const std::vector<Vec2<double>>& vertices) {
+  std::vector<glm::dvec3> in_space;
+  for (const Vec2<double>& vertex : vertices) in_space.emplace_back(vertex.x, vertex.y, 0);
+  return is_proper(in_space);
+}
+template <class Shape>
+bool is_proper(const Shape& /*always so*/) {
+  return true;
+}
+bool is_proper(const Polygon<double>& polygon) { return is_proper(polygon.vertices); }
+bool is_proper(const Triangle<double>& t) { return are_independent(t.b - t.a, t.c - t.a); }
+bool is_proper(const Cylinder<double>& cylinder) { return cylinder.height > 0; }
+bool is_proper(const Box<double>& box) {
+  return box.min.x < box.max.x && box.min.y < box.max.y && box.min.z < box.max.z;
+}
+bool is_proper(const PointAndPolygon<double>& place) { return is_proper(place.vertices); }
+bool is_proper(const RayQuestion& asked) {
+  return std::visit([](const auto& shape) { return is_proper(shape); }, asked.shape);
+}
+bool is_proper(const Case& one) {
+  return std::visit([](const auto& asked) { return is_proper(asked); }, one.question);
+}
 
 /// What may take the place of a case: one below its complexity that is valid, and a proper figure for a
 /// proper one.
@@ -45,7 +86,7 @@ Case shrink(const Case& start, const std::function<bool(const Case&)>& breaks, c
   };
   while (improved && !is_over()) {
     improved = false;
-    for (const auto move : shrink_moves::all) move(best, consider);
+    make_moves(best, consider);
   }
   return best;
 }
@@ -53,11 +94,16 @@ Case shrink(const Case& start, const std::function<bool(const Case&)>& breaks, c
 std::vector<Case> simpler_cases(const Case& one) {
   std::vector<Case> all;
   const Simpler simpler(one);
-  const auto keep = [&](const Case& candidate) {
+  make_moves(one, [&](const Case& candidate) {
     if (simpler.admits(candidate)) all.push_back(candidate);
-  };
-  for (const auto move : shrink_moves::all) move(one, keep);
+  });
   return all;
+}
+
+bool is_valid(const Case& one) {
+  Case copy = one;
+  return std::ranges::all_of(numbers_of(copy), may_be) &&
+         std::visit([](const auto& asked) { return is_accepted(asked); }, one.question);
 }
 
 std::function<bool(const Case&)> striking_break(const Subject& subject, const Property& property,

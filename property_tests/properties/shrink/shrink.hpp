@@ -11,6 +11,17 @@
 
 namespace rayproof {
 
+/// How hard a case is to read: 0 for one whose numbers could all be left out. The order is total and has no
+/// endless descents (it is a natural number), so that a shrinker that only ever goes down comes to an end.
+///
+/// Digits beyond the third of any number weigh most, then a transform, then the digits, exponents and signs
+/// of all numbers, then how many different numbers there are.
+[[nodiscard]] unsigned complexity(const Case& one);
+
+/// How many significant decimal digits `x` needs to be read back at the precision; 0 for 0 and for
+/// infinities.
+[[nodiscard]] unsigned significant_digits(double x, Precision precision);
+
 /// How long to search: cases tried, and a time after which to stop in any case. Within the time the outcome
 /// depends on nothing but the case and the property.
 struct ShrinkBudget {
@@ -29,6 +40,10 @@ struct ShrinkBudget {
 
 /// The valid cases that one change makes simpler, the boldest change first; a proper figure stays one.
 [[nodiscard]] std::vector<Case> simpler_cases(const Case& one);
+
+/// Whether the case format accepts the case: finite numbers, a direction, an interval, a shape and a regular
+/// transform.
+[[nodiscard]] bool is_valid(const Case& one);
 
 /// What a shrunk case must still do: break the property, and do so strikingly, at least a hundred times over
 /// the bound or as badly as the trial that was found. A case only just over a bound shows nothing to a

@@ -1,4 +1,4 @@
-#include "properties/shrink/simpler_numbers.hpp"
+#include "properties/shrink/moves.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "properties/shrink/simplicity.hpp"
+#include "properties/shrink/shrink.hpp"
 
 #include <algorithm>
 #include <array>

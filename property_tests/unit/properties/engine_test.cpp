@@ -6,8 +6,7 @@
 #include <thread>
 
 #include "case/writer.hpp"
-#include "properties/report/exports.hpp"
-#include "properties/report/summary.hpp"
+#include "properties/report/report.hpp"
 #include "unit/properties/broken_subjects.hpp"
 
 namespace rayproof {

@@ -10,7 +10,6 @@
 #include <unordered_map>
 
 #include "properties/numbers.hpp"
-#include "properties/shrink/simplicity.hpp"
 
 namespace rayproof {
 namespace {

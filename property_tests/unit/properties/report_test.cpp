@@ -6,12 +6,9 @@
 #include "case/escape.hpp"
 #include "case/reader.hpp"
 #include "case/writer.hpp"
-#include "properties/report/exports.hpp"
+#include "properties/report/findings.hpp"
 #include "properties/report/grid.hpp"
-#include "properties/report/order.hpp"
-#include "properties/report/page.hpp"
-#include "properties/report/text.hpp"
-#include "properties/report/words.hpp"
+#include "properties/report/report.hpp"
 #include "subjects/contract_names.hpp"
 #include "unit/properties/broken_subjects.hpp"
 #include "unit/properties/well_formed.hpp"
@@ -117,7 +114,7 @@ TEST(Report, FailuresStandFirstAndInFull) {
   EXPECT_TRUE(run.result.findings.back().is_declared);
   for (std::size_t i = 0; i < run.result.findings.size(); ++i)
     EXPECT_EQ(run.result.findings[i].number, i + 1);
-  const std::string text = text_failures(run.result);
+  const std::string text = text_failures(run.result.findings);
   EXPECT_NE(text.find(write_case(run.result.findings.front().one)), std::string::npos);
   EXPECT_NE(text.find(run.result.findings.front().evidence.note), std::string::npos);
 }
@@ -127,7 +124,7 @@ TEST(Report, AMethodThatFailsOnManyCasesFailsInOneBlock) {
   const Finding failure = run.result.findings.front();
   run.result.findings.assign(50, failure);
   put_in_order(run.result.findings);
-  const std::string text = text_failures(run.result);
+  const std::string text = text_failures(run.result.findings);
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 4) << text;
   EXPECT_NE(text.find(" 1-50  sphere/"), std::string::npos) << text;
 }
@@ -194,10 +191,8 @@ TEST(Words, SayWhatTheMethodDoesAndWhatIsExact) {
 }
 
 TEST(Report, ColumnsLineUpUnderWideSigns) {
-  Grid grid;
-  grid.add({"a", "b"});
-  grid.add({"✓✓✓", "x"});
-  EXPECT_EQ(grid.text(), "a    b\n------\n✓✓✓  x\n");
+  EXPECT_EQ(in_columns({{"a", "b"}, {"✓✓✓", "x"}}), "a    b\n------\n✓✓✓  x\n");
+  EXPECT_EQ(in_columns({{"", "b"}, {"✓✓✓", ""}}, 1, false), "    b\n✓✓✓\n");
 }
 
 TEST(Report, FiguresAreShort) {

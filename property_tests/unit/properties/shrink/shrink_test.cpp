@@ -10,8 +10,6 @@
 #include "case/writer.hpp"
 #include "generators/generators.hpp"
 #include "properties/numbers.hpp"
-#include "properties/shrink/simplicity.hpp"
-#include "properties/shrink/validity.hpp"
 #include "unit/properties/broken_subjects.hpp"
 
 namespace rayproof {
