@@ -7,9 +7,8 @@ std::string shape_name(const Shape& shape) {
 }
 
 std::string topic_of(const Case& one) {
-  if (std::holds_alternative<Quadratic<double>>(one.question)) return "quadratic";
-  if (std::holds_alternative<PointAndPolygon<double>>(one.question)) return "point_in_polygon";
-  return shape_name(std::get<RayQuestion>(one.question).shape);
+  if (const auto* asked = std::get_if<RayQuestion>(&one.question)) return shape_name(asked->shape);
+  return std::holds_alternative<Quadratic<double>>(one.question) ? "quadratic" : "point_in_polygon";
 }
 
 }  // namespace rayproof

@@ -3,11 +3,11 @@
 /// A case: one question with the bits of every input number fixed. The currency of the whole suite.
 
 #include <optional>
-#include <rayproof/quadratic.hpp>
 #include <rayproof/ray.hpp>
 #include <string>
 #include <variant>
 
+#include "case/queries.hpp"
 #include "case/shapes.hpp"
 
 namespace rayproof {
@@ -18,6 +18,11 @@ enum class Precision { float32, float64 };
 /// As the case format writes it.
 [[nodiscard]] constexpr const char* name_of(Precision precision) {
   return precision == Precision::float32 ? "float32" : "float64";
+}
+
+/// `run(T{})` in the number type T of a precision.
+[[nodiscard]] auto in_precision(Precision precision, auto&& run) {
+  return precision == Precision::float32 ? run(float{}) : run(double{});
 }
 
 /// Where does a ray meet a shape? All numbers are already rounded to the case's precision.

@@ -44,19 +44,10 @@ RayQuestion read_ray_question(ObjectReader& reader, Precision precision) {
   return question;
 }
 
-Quadratic<double> read_quadratic(ObjectReader& reader, Precision precision) {
-  Quadratic<double> equation{};
-  read_value(reader.need("a"), precision, equation.a);
-  read_value(reader.need("b"), precision, equation.b);
-  read_value(reader.need("c"), precision, equation.c);
-  return equation;
-}
-
-PointAndPolygon<double> read_point_and_polygon(ObjectReader& reader, Precision precision) {
-  PointAndPolygon<double> question{};
-  read_value(reader.need("point"), precision, question.point);
-  read_value(reader.need("vertices"), precision, question.vertices);
-  validate_vertices(question.vertices.size());
+template <class Query>
+Query read_query(ObjectReader& reader, Precision precision) {
+  auto question = read_fields<Query>(reader, precision);
+  ShapeFormat<Query>::validate(question);
   return question;
 }
 
@@ -64,8 +55,8 @@ Question read_question(ObjectReader& reader, Precision precision) {
   const auto query = reader.find("query");
   if (!query) return read_ray_question(reader, precision);
   const std::string name = read_string(*query);
-  if (name == "quadratic") return read_quadratic(reader, precision);
-  if (name == "point_in_polygon") return read_point_and_polygon(reader, precision);
+  if (name == "quadratic") return read_query<Quadratic<double>>(reader, precision);
+  if (name == "point_in_polygon") return read_query<PointAndPolygon<double>>(reader, precision);
   query->refuse_unknown("query", name, {"quadratic", "point_in_polygon"});
 }
 

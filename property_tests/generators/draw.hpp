@@ -77,29 +77,22 @@ template <class T>
   return x;
 }
 
-/// `draw(T{})` with the number type `T` of a precision, as a double.
-template <class Draw>
-[[nodiscard]] double in_precision(Precision precision, Draw&& draw) {
-  return precision == Precision::float32 ? double{draw(float{})} : draw(double{});
-}
-
 /// `bit_pattern` and `special` in the type of a precision.
 [[nodiscard]] inline double bit_pattern(Random& random, Precision precision) {
-  return in_precision(precision, [&]<class T>(T) { return bit_pattern<T>(random); });
+  return in_precision(precision, [&]<class T>(T) { return double{bit_pattern<T>(random)}; });
 }
 [[nodiscard]] inline double special(Random& random, Precision precision) {
-  return in_precision(precision, [&]<class T>(T) { return special<T>(random); });
+  return in_precision(precision, [&]<class T>(T) { return double{special<T>(random)}; });
 }
 
 /// `x` to the nearest number of a precision, or a few ulps beside it.
 [[nodiscard]] inline double nudged(Precision precision, double x, int steps) {
-  return in_precision(precision, [&]<class T>(T) { return nudged(static_cast<T>(x), steps); });
+  return in_precision(precision, [&]<class T>(T) { return double{nudged(static_cast<T>(x), steps)}; });
 }
 
 /// The number of digits of a significand.
-[[nodiscard]] constexpr int digits_of(Precision precision) {
-  return precision == Precision::float32 ? std::numeric_limits<float>::digits
-                                         : std::numeric_limits<double>::digits;
+[[nodiscard]] inline int digits_of(Precision precision) {
+  return in_precision(precision, []<class T>(T) { return std::numeric_limits<T>::digits; });
 }
 
 /// Any exponent of a normal number, at least `margin` from the least and the greatest.
@@ -110,8 +103,7 @@ template <class Draw>
 }
 
 /// Three numbers from one draw.
-template <class Draw>
-[[nodiscard]] auto vector(Draw&& draw) {
+[[nodiscard]] auto vector(auto&& draw) {
   const auto x = draw();
   const auto y = draw();
   const auto z = draw();

@@ -10,12 +10,12 @@
 
 namespace rayproof {
 
-/// Makes of numbers drawn at random a shape that the format can take: how many numbers there are, and the
+/// Makes of numbers drawn at random a shape that the format can take: how many vertices there are, and the
 /// signs and the order that it asks for. Overloaded for the shapes that ask for anything.
 template <class S>
-void prepare(Random& /*random*/, S& /*any*/) {}
-inline void prepare(Random& random, Polygon<double>& polygon) {
-  polygon.vertices.resize(static_cast<std::size_t>(random.between(3, 8)));
+void prepare(Random& random, S& shape) {
+  if constexpr (requires { shape.vertices; })
+    shape.vertices.resize(static_cast<std::size_t>(random.between(3, 8)));
 }
 
 template <class S>
@@ -32,14 +32,21 @@ inline void make_valid(Random& random, Cylinder<double>& cylinder) {
   cylinder.capped = random.one_in(2);
 }
 
-/// A shape `S` and a ray of numbers from `number()`, and the whole line or the default interval.
-template <class S, class Number>
-[[nodiscard]] RayQuestion from_numbers(Random& random, Number&& number) {
+/// A shape, or a question without a ray, of numbers from `number()`.
+template <class S>
+[[nodiscard]] S filled(Random& random, auto&& number) {
   S shape{};
   prepare(random, shape);
-  const auto fill = [&](double& x) { x = static_cast<double>(number()); };
-  each_number(shape, fill);
+  each_number(shape, [&](double& x) { x = static_cast<double>(number()); });
   make_valid(random, shape);
+  return shape;
+}
+
+/// A shape `S` and a ray of numbers from `number()`, and the whole line or the default interval.
+template <class S>
+[[nodiscard]] RayQuestion from_numbers(Random& random, auto&& number) {
+  const auto fill = [&](double& x) { x = static_cast<double>(number()); };
+  const auto shape = filled<S>(random, number);
   Ray<double> ray{};
   each_number(ray.origin, fill);
   do {
@@ -77,6 +84,10 @@ struct Numbers {
 template <class... Shapes>
 [[nodiscard]] Question any_shape(Numbers number) {
   return one_from_numbers<Shapes...>(number.random, number);
+}
+template <class Query>
+[[nodiscard]] Question any_query(Numbers number) {
+  return filled<Query>(number.random, number);
 }
 
 /// The questions that `ask` makes of any finite numbers.

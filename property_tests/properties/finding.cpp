@@ -20,7 +20,7 @@ std::string write_finding(const Finding& finding) {
   json.member("exact").raw(write_answer(finding.one, finding.evidence.exact));
   json.member("error_ulp");
   if (finding.evidence.error_ulp) {
-    json.number(*finding.evidence.error_ulp);
+    json.value(*finding.evidence.error_ulp);
   } else {
     json.raw("null");
   }

@@ -21,9 +21,14 @@ struct CaseNumber {
 
 namespace detail {
 
-template <class V>
-void append(std::vector<CaseNumber>& all, std::string_view field, V& value) {
+void append(std::vector<CaseNumber>& all, std::string_view field, auto& value) {
   each_number(value, [&](double& x) { all.push_back({field, &x}); });
+}
+
+/// The numbers of a shape, or of a question without a ray.
+template <class S>
+void append_question(std::vector<CaseNumber>& all, S& shape) {
+  ShapeFormat<S>::fields(shape, [&](const char* name, auto& value) { append(all, name, value); });
 }
 
 inline void append_question(std::vector<CaseNumber>& all, RayQuestion& asked) {
@@ -31,26 +36,11 @@ inline void append_question(std::vector<CaseNumber>& all, RayQuestion& asked) {
   append(all, "ray.direction", asked.ray.direction);
   append(all, "ray.t_min", asked.ray.t_min);
   all.push_back({"ray.t_max", &asked.ray.t_max, infinity<double>});
-  std::visit(
-      [&]<class S>(S& shape) {
-        ShapeFormat<S>::fields(shape, [&](const char* name, auto& value) { append(all, name, value); });
-      },
-      asked.shape);
+  std::visit([&](auto& shape) { append_question(all, shape); }, asked.shape);
   if (!asked.transform) return;
   for (int column = 0; column < 4; ++column)
     for (int row = 0; row < 3; ++row)
       all.push_back({"transform", &(*asked.transform)[column][row], column == row ? 1.0 : 0.0});
-}
-
-inline void append_question(std::vector<CaseNumber>& all, Quadratic<double>& q) {
-  all.push_back({"a", &q.a});
-  all.push_back({"b", &q.b});
-  all.push_back({"c", &q.c});
-}
-
-inline void append_question(std::vector<CaseNumber>& all, PointAndPolygon<double>& asked) {
-  append(all, "point", asked.point);
-  append(all, "vertices", asked.vertices);
 }
 
 }  // namespace detail

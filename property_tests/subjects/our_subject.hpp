@@ -4,16 +4,37 @@
 
 #include <rayproof/arithmetics/bounded.hpp>
 
-#include <rayproof/topics.hpp>
-
-#include "subjects/solve.hpp"
+#include "subjects/reading.hpp"
 
 namespace rayproof {
+
+/// Runs a method on a case in arithmetic `A`, transform included.
+template <class Topic, class Method, class A>
+[[nodiscard]] auto solve_in(const Case& one) {
+  return Topic::template solve<Method, A>(Reading<Topic>::template problem<A>(one));
+}
+
+/// Runs a method on a case in the case's own precision.
+template <class Topic, class Method>
+[[nodiscard]] Answer solve_case(const Case& one) {
+  return in_precision(one.precision, [&]<class T>(T) -> Answer {
+    return Reading<Topic>::template answer<Method, T>(one, solve_in<Topic, Method, T>(one));
+  });
+}
+
+/// The same by the library's batch kernels.
+template <class Topic, class Method>
+[[nodiscard]] Answer solve_case_in_batch(const Case& one) {
+  return in_precision(one.precision, [&]<class T>(T) -> Answer {
+    return Reading<Topic>::template answer<Method, T>(one,
+                                                      Reading<Topic>::template batch_roots<Method, T>(one));
+  });
+}
 
 /// The hits in running-error arithmetic: each t with the bound on its error.
 template <class Topic, class Method>
 [[nodiscard]] std::vector<std::pair<double, double>> bounded_case(const Case& one) {
-  return in_precision(one, [&]<class T>(T) {
+  return in_precision(one.precision, [&]<class T>(T) {
     const auto roots = solve_in<Topic, Method, Bounded<T>>(one);
     std::vector<std::pair<double, double>> hits;
     for (const Bounded<T>& root : {roots.lo, roots.hi}) {

@@ -73,8 +73,6 @@ double round_to(Precision precision, double x) {
   return precision == Precision::float32 ? static_cast<double>(static_cast<float>(x)) : x;
 }
 
-void append_number(std::string& out, double x) { append_shortest(out, x); }
-
 void append_number(std::string& out, double x, Precision precision) {
   const std::size_t start = out.size();
   if (precision == Precision::float32 && std::abs(x) <= std::numeric_limits<float>::max()) {

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <iterator>
+#include <nlohmann/json.hpp>
+
 #include "case/json/number_text.hpp"
 #include "case/json/scanner.hpp"
 #include "case/shape_format.hpp"
@@ -118,5 +121,24 @@ class Parser {
 }  // namespace
 
 Document parse(std::string_view text) { return Parser(text).parse(); }
+
+std::string unquote(std::string_view quoted) {
+  const bool is_plain = quoted.find('\\') == std::string_view::npos;
+  return is_plain ? std::string(quoted.substr(1, quoted.size() - 2))
+                  : nlohmann::json::parse(quoted).get<std::string>();
+}
+
+std::string quote(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (static_cast<unsigned char>(c) < 0x20) {
+      fmt::format_to(std::back_inserter(out), "\\u{:04x}", static_cast<unsigned>(c));
+    } else {
+      if (c == '"' || c == '\\') out += '\\';
+      out += c;
+    }
+  }
+  return out + '"';
+}
 
 }  // namespace rayproof::json

@@ -12,12 +12,6 @@
 namespace rayproof {
 namespace {
 
-/// Whether a name in quotes is `name`.
-bool names(std::string_view quoted, std::string_view name) {
-  if (quoted.find('\\') != std::string_view::npos) return json::unquote(quoted) == name;
-  return quoted.substr(1, quoted.size() - 2) == name;
-}
-
 std::string did_you_mean(const std::string& name) {
   return fmt::format("did you mean {}?", json::quote(name));
 }
@@ -73,7 +67,7 @@ std::optional<Field> ObjectReader::find(std::string_view name) {
   const json::Document& document = *object_->document;
   std::optional<Field> found;
   for (std::size_t i = object_->index + 1; i < object_->node().end; i = document[i].end) {
-    if (names(document[i].key, name)) found = Field{&document, i, object_, name, {}};
+    if (json::unquote(document[i].key) == name) found = Field{&document, i, object_, name, {}};
   }
   return found;
 }
@@ -94,7 +88,7 @@ void ObjectReader::refuse_unknown() const {
 }
 
 bool ObjectReader::is_known(std::string_view key) const {
-  return std::any_of(known_.begin(), known_.end(), [key](std::string_view name) { return names(key, name); });
+  return std::ranges::find(known_, json::unquote(key)) != known_.end();
 }
 
 bool ObjectReader::has_misspelt(std::string_view name) const {

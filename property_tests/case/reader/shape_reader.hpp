@@ -11,25 +11,26 @@
 #include "case/shape_format.hpp"
 
 namespace rayproof {
-namespace detail {
 
-/// A shape's value is needed, but for a bool, which keeps its default where it is left out.
-template <class T>
-void read_shape_value(ObjectReader& reader, const char* name, Precision precision, T& value) {
-  if constexpr (std::is_same_v<T, bool>) {
-    if (const auto field = reader.find(name)) read_value(*field, precision, value);
-  } else {
-    read_value(reader.need(name), precision, value);
-  }
+/// The fields of a shape, or of a question without a ray, in the order of the format. Each is needed but for a
+/// bool, which keeps its default where it is left out.
+template <class Shape>
+[[nodiscard]] Shape read_fields(ObjectReader& reader, Precision precision) {
+  Shape shape{};
+  ShapeFormat<Shape>::fields(shape, [&]<class T>(const char* name, T& value) {
+    const auto field = std::is_same_v<T, bool> ? reader.find(name) : reader.need(name);
+    if (field) read_value(*field, precision, value);
+  });
+  return shape;
 }
+
+namespace detail {
 
 template <class Result, class Shape>
 Result read_one_shape(const Field& object, Precision precision) {
   ObjectReader reader(object);
   static_cast<void>(reader.need("type"));
-  Shape shape{};
-  ShapeFormat<Shape>::fields(
-      shape, [&](const char* name, auto& value) { read_shape_value(reader, name, precision, value); });
+  auto shape = read_fields<Shape>(reader, precision);
   reader.refuse_unknown();
   ShapeFormat<Shape>::validate(shape);
   return shape;

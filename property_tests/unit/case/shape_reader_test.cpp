@@ -129,7 +129,7 @@ TEST(json_writer, writes_a_new_shape_by_its_format_alone) {
   JsonWriter json;
   json.open('{');
   ShapeFormat<Prism>::fields(prism, [&](const char* name, const auto& value) {
-    json.member(name).input(value, Precision::float32);
+    json.member(name).value(value, Precision::float32);
   });
   json.close('}');
   EXPECT_EQ(json.take(),

@@ -9,14 +9,10 @@ namespace point_in_polygon_family {
 using outline_layout::Layout;
 using outline_layout::PolygonCase;
 
-[[nodiscard]] Question question(Precision precision, const PolygonCase& plan) {
-  return PolygonCase{rounded(precision, plan.point), rounded(precision, plan.vertices)};
-}
-
 template <const Layout& layout>
 [[nodiscard]] Family planned(std::vector<MinimumShare> shares) {
-  const auto ask = [](Random& random, Precision precision) {
-    return question(precision, layout.plan(random));
+  const auto ask = [](Random& random, Precision precision) -> Question {
+    return rounded(precision, layout.plan(random));
   };
   return {"point_in_polygon", layout.name, layout.description, ask, std::move(shares)};
 }
@@ -30,7 +26,7 @@ constexpr Layout far{
       const double y = distance * draw::symmetric<double>(random);
       const auto move = [&](Vec2<double>& v) { v = {v.x + x, v.y + y}; };
       move(plan.point);
-      for (Vec2<double>& vertex : plan.vertices) move(vertex);
+      each_element(plan.vertices, move);
       return plan;
     }};
 
@@ -53,15 +49,7 @@ constexpr Layout many{"many", "30 to 200 vertices, half of them on a small grid"
 
 [[nodiscard]] Question exponents(Random& random, Precision precision) {
   const double size = std::exp2(draw::any_exponent(random, precision, 8));
-  return question(precision, grown(outline_layout::everyday.plan(random), size));
-}
-
-[[nodiscard]] Question any_places(Numbers number) {
-  PolygonCase plan{{}, Outline(static_cast<std::size_t>(number.random.between(3, 8)))};
-  const auto fill = [&](double& x) { x = number(); };
-  each_number(plan.point, fill);
-  each_number(plan.vertices, fill);
-  return plan;
+  return rounded(precision, grown(outline_layout::everyday.plan(random), size));
 }
 
 }  // namespace point_in_polygon_family
@@ -70,6 +58,7 @@ std::vector<Family> point_in_polygon_families() {
   using namespace point_in_polygon_family;
   namespace layout = outline_layout;
   const char* const topic = "point_in_polygon";
+  constexpr auto any_places = any_query<PolygonCase>;
   return {
       planned<layout::level>({in_reach, {"inside", 0.14}, {"outside", 0.39}, {"boundary", 0.3}}),
       planned<layout::everyday>({in_reach, {"inside", 0.47}, {"outside", 0.37}}),

@@ -1,12 +1,14 @@
 #pragma once
 /// \file
-/// Ray cases as problems of the library, and hits as answers: what the readings of all shapes share.
+/// A case as a problem of the library, in any arithmetic, and what a kernel returns as an answer to it.
 
 #include <rayproof/batch/among_neighbours.hpp>
 #include <rayproof/normals.hpp>
+#include <rayproof/plane/forms.hpp>
+#include <rayproof/topics.hpp>
 #include <rayproof/transform.hpp>
 
-#include "subjects/solve.hpp"
+#include "subjects/subject.hpp"
 
 namespace rayproof {
 
@@ -16,17 +18,15 @@ template <class S>
   return shape;
 }
 
-/// A miss of which nothing more is said.
-struct PlainMiss {
-  template <class Method, class Problem>
-  [[nodiscard]] static Contact contact(const Problem& /*asked*/) {
-    return Contact::none;
-  }
-};
+/// What the case gives, exactly, in arithmetic A.
+template <class A>
+[[nodiscard]] auto exactly(const auto& given) {
+  return convert<A>(convert<Plain<A>>(given));
+}
 
-/// Reads the cases of a shape's topic. Why a ray misses is `Miss::contact<Method>(problem)`'s to say.
-template <class Topic, class Miss = PlainMiss>
-struct RayReading {
+/// Reads the cases of a topic: here those of a shape's, which a topic that is no shape specialises.
+template <class Topic>
+struct Reading {
   template <class A>
   using Problem = typename Topic::template Problem<A>;
   template <class A>
@@ -50,20 +50,20 @@ struct RayReading {
   template <class A>
   [[nodiscard]] static Space<A> space(const RayQuestion& question) {
     if (!question.transform) return std::nullopt;
-    const auto column = [&](int i) {
-      return convert<A>(convert<Plain<A>>(glm::dvec3((*question.transform)[i])));
-    };
+    const auto column = [&](int i) { return exactly<A>(glm::dvec3((*question.transform)[i])); };
     return object_space<A>(column(0), column(1), column(2), column(3));
   }
 
+  /// The case's numbers exactly, the ray taken to object space in arithmetic A.
   template <class A>
   [[nodiscard]] static Problem<A> problem(const Case& one) {
     const auto& question = std::get<RayQuestion>(one.question);
     const Space<A> object = space<A>(question);
-    const Ray<A> ray = convert<A>(convert<Plain<A>>(question.ray));
-    return {object ? to_object(*object, ray) : ray, convert<A>(convert<Plain<A>>(shape(question)))};
+    const Ray<A> ray = exactly<A>(question.ray);
+    return {object ? to_object(*object, ray) : ray, exactly<A>(shape(question))};
   }
 
+  /// The roots by the batch kernels, the case placed among other problems; only of a batched topic.
   template <class Method, class T>
   [[nodiscard]] static Roots<T> batch_roots(const Case& one) {
     const auto& question = std::get<RayQuestion>(one.question);
@@ -71,7 +71,8 @@ struct RayReading {
                                                  space<T>(question));
   }
 
-  /// The hits in the ray's interval; point and normal in the world, for the first of them.
+  /// What a kernel returned as an answer to the case (T is float or double): the hits in the ray's interval;
+  /// point and normal in the world, for the first of them.
   template <class Method, class T, class Result>
   [[nodiscard]] static RayAnswer answer(const Case& one, const Result& roots) {
     const auto& question = std::get<RayQuestion>(one.question);
@@ -82,7 +83,7 @@ struct RayReading {
     if (!is_single && in_interval(ray, roots.hi)) result.hits.push_back(static_cast<double>(roots.hi));
     const Problem<T> asked = problem<T>(one);
     if (result.hits.count == 0) {
-      result.contact = Miss::template contact<Method>(asked);
+      result.contact = contact_of_miss<Method, T>(asked);
       return result;
     }
     constexpr bool is_flat = std::is_base_of_v<FlatHit<T>, Result>;
@@ -94,6 +95,19 @@ struct RayReading {
   }
 
  private:
+  /// Why a ray misses a plane: it is parallel to it, or runs inside it. Of other shapes no more is said.
+  template <class Method, class T>
+  static Contact contact_of_miss([[maybe_unused]] const Problem<T>& asked) {
+    if constexpr (std::is_same_v<ShapeIn<T>, Plane<T>>) {
+      const auto [normal, d] = plane::as_implicit(asked.shape);
+      if (dot(normal, asked.ray.direction) != 0) return Contact::none;
+      const bool is_inside = dot(normal, asked.ray.origin) + d == 0;
+      constexpr bool distinguishes = !requires { Method::calls_in_plane_parallel; };
+      return is_inside && distinguishes ? Contact::in_surface : Contact::parallel;
+    }
+    return Contact::none;
+  }
+
   template <class T>
   static void describe(const RayQuestion& question, const Problem<T>& asked, T t, RayAnswer& result) {
     result.point = glm::dvec3(point_at(convert<T>(question.ray), t));
@@ -104,8 +118,38 @@ struct RayReading {
   }
 };
 
-/// A topic with nothing of its own is a shape's.
-template <class Topic>
-struct Reading : RayReading<Topic> {};
+template <>
+struct Reading<quadratic::Topic> {
+  template <class A>
+  [[nodiscard]] static quadratic::Topic::Problem<A> problem(const Case& one) {
+    return {exactly<A>(std::get<Quadratic<double>>(one.question))};
+  }
+
+  template <class Method, class T>
+  [[nodiscard]] static Roots<T> batch_roots(const Case& one) {
+    return batch::roots_among_neighbours<Method>(problem<T>(one).equation);
+  }
+
+  template <class Method, class T>
+  [[nodiscard]] static QuadraticAnswer<double> answer(const Case& one, const Roots<T>& roots) {
+    const QuadraticAnswer<T> narrow = read(problem<T>(one).equation, roots);
+    return {narrow.kind,
+            narrow.count,
+            {static_cast<double>(narrow.roots[0]), static_cast<double>(narrow.roots[1])}};
+  }
+};
+
+template <>
+struct Reading<point_in_polygon::Topic> {
+  template <class A>
+  [[nodiscard]] static point_in_polygon::Topic::Problem<A> problem(const Case& one) {
+    return {convert<A>(std::get<PointAndPolygon<double>>(one.question))};
+  }
+
+  template <class Method, class T>
+  [[nodiscard]] static Position answer(const Case& /*one*/, Position position) {
+    return position;
+  }
+};
 
 }  // namespace rayproof
