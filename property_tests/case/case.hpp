@@ -48,9 +48,14 @@ struct Case {
 };
 
 /// "sphere": the case format's name of the shape's type, which is its topic's, too.
-[[nodiscard]] std::string shape_name(const Shape& shape);
+[[nodiscard]] inline std::string shape_name(const Shape& shape) {
+  return std::visit([]<class S>(const S&) -> std::string { return ShapeFormat<S>::type; }, shape);
+}
 
 /// The case's topic, as in `sphere/centred`: "quadratic", "point_in_polygon", or the shape's type.
-[[nodiscard]] std::string topic_of(const Case& one);
+[[nodiscard]] inline std::string topic_of(const Case& one) {
+  if (const auto* asked = std::get_if<RayQuestion>(&one.question)) return shape_name(asked->shape);
+  return std::holds_alternative<Quadratic<double>>(one.question) ? "quadratic" : "point_in_polygon";
+}
 
 }  // namespace rayproof

@@ -2,6 +2,7 @@
 /// \file
 /// The numbers of a shape, one after the other in the order of the format, through ShapeFormat alone.
 
+#include <string_view>
 #include <type_traits>
 
 #include "case/shape_format.hpp"
@@ -32,6 +33,16 @@ void each_number(V& value, auto&& act) {
   } else if constexpr (!std::is_same_v<Value, bool>) {
     each_element(value, descend);
   }
+}
+
+/// The shape, or a point and a polygon, in a scene `factor` times as large about the origin of coordinates:
+/// all its numbers are lengths, but for a field named normal, which has no length to grow.
+template <class S>
+[[nodiscard]] S grown(S shape, double factor) {
+  ShapeFormat<S>::fields(shape, [factor](std::string_view name, auto& value) {
+    if (name != "normal") each_number(value, [factor](double& x) { x *= factor; });
+  });
+  return shape;
 }
 
 }  // namespace rayproof

@@ -24,9 +24,9 @@ class Refusal : public std::runtime_error {
 ///  format;
 ///  - `validate(shape)`, which throws a Refusal for a shape that the format refuses; numbers are finite by
 ///  then;
-///  - `in_words(shape, show)`, "a sphere of radius 1", with numbers as `show(number)` writes them, where there
-///  is more to say of it than its type; and, where its distance says something of a case, `middle(shape)`, a
-///  point to measure it to.
+///  - `in_words(shape, show)`, "a sphere of radius 1", with numbers as `show(number)` writes them, where
+///  there is more to say of it than its type; and, where its distance says something of a case,
+///  `middle(shape)`, a point to measure it to.
 /// Reading, writing, rounding, shrinking and the NaN property all go through `fields`.
 template <class Shape>
 struct ShapeFormat;

@@ -56,13 +56,13 @@ inline void move_by(Scene& scene, const glm::dmat3& linear, const glm::dvec3& mo
 }
 
 /// The same by any map.
-inline void move_into_the_world(Random& random, Scene& scene) {
+inline void move_into_the_world(Random& random, Precision /*precision*/, Scene& scene) {
   const glm::dmat3 linear = linear_part(random);
   move_by(scene, linear, point_in_a_room(random));
 }
 
 /// The same by a map of small whole numbers, which rounds nothing in a scene of short numbers.
-inline void move_exactly(Random& random, Scene& scene) {
+inline void move_exactly(Random& random, Precision /*precision*/, Scene& scene) {
   const auto whole = [&] { return whole_point(random, 2); };
   glm::dmat3 linear(0);
   while (glm::determinant(linear) == 0) linear = {whole(), whole(), whole()};

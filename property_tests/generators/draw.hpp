@@ -50,18 +50,9 @@ template <class T>
 template <class T>
 [[nodiscard]] T special(Random& random) {
   using Limits = std::numeric_limits<T>;
-  static constexpr T named[] = {0,
-                                1,
-                                2,
-                                3,
-                                0.5,
-                                10,
-                                Limits::min(),
-                                Limits::denorm_min(),
-                                Limits::max(),
-                                Limits::epsilon(),
-                                1 + Limits::epsilon(),
-                                Limits::min() - Limits::denorm_min()};
+  constexpr T normal = Limits::min(), subnormal = Limits::denorm_min(), ulp = Limits::epsilon();
+  static constexpr T named[] = {
+      0, 1, 2, 3, 0.5, 10, normal, subnormal, Limits::max(), ulp, 1 + ulp, normal - subnormal};
   const int choice = random.between(0, 15);
   const T sign = random.one_in(2) ? T(1) : T(-1);
   if (choice < 12) return sign * named[choice];

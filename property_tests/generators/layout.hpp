@@ -3,34 +3,32 @@
 /// Families made of a layout: a function of `(Random&)`, or `(Random&, Precision)`, that puts a ray and a
 /// shape together. The same layout can be asked as it is, cut short, moved by a map, or in another size.
 
-#include "case/similar_shapes.hpp"
+#include "case/each_number.hpp"
 #include "generators/affine.hpp"
 #include "generators/generators.hpp"
 
 namespace rayproof {
 
-/// The question of a layout's scene, once `change(scene)` has worked on it.
-template <auto layout, class Change>
-[[nodiscard]] RayQuestion ask_changed(Random& random, Precision precision, Change&& change) {
+/// The question of a layout's scene, once `change(random, precision, scene)` has worked on it.
+template <auto layout, auto change>
+[[nodiscard]] Question ask(Random& random, Precision precision) {
   return first_accepted([&] {
     Scene scene;
     if constexpr (std::is_invocable_v<decltype(layout), Random&, Precision>)
       scene = layout(random, precision);
     else
       scene = layout(random);
-    change(scene);
+    change(random, precision, scene);
     return question(precision, scene);
   });
 }
 
+inline void leave(Random& /*random*/, Precision /*precision*/, const Scene& /*scene*/) {}
+
 /// The layout as it is.
 template <auto layout>
-[[nodiscard]] Family laid_out(const char* topic, const char* name, const char* description,
-                              std::vector<MinimumShare> shares) {
-  const auto ask = [](Random& random, Precision precision) -> Question {
-    return ask_changed<layout>(random, precision, [](const Scene& /*scene*/) {});
-  };
-  return {topic, name, description, ask, std::move(shares)};
+[[nodiscard]] Family laid_out(const char* name, const char* description, std::vector<MinimumShare> shares) {
+  return {name, description, ask<layout, leave>, std::move(shares)};
 }
 
 /// Ends the interval of a ray that is aimed at the surface there, or a few ulps beside.
@@ -51,41 +49,36 @@ inline void cut(Random& random, Precision precision, Scene& scene) {
 
 /// The layout, which aims at the surface, cut there.
 template <auto layout>
-[[nodiscard]] Family cut_short(const char* topic, std::vector<MinimumShare> shares) {
-  const auto ask = [](Random& random, Precision precision) -> Question {
-    return ask_changed<layout>(random, precision, [&](Scene& scene) { cut(random, precision, scene); });
-  };
-  return {topic, "interval", "t_min or t_max at a hit or a few ulps beside it; segments", ask,
+[[nodiscard]] Family cut_short(std::vector<MinimumShare> shares) {
+  return {"interval", "t_min or t_max at a hit or a few ulps beside it; segments", ask<layout, cut>,
           std::move(shares)};
 }
 
 /// The layout under an affine map; a third of the time one of whole numbers under a whole map, where there is
 /// such a layout, so that the world's ray, too, passes exactly where it was aimed.
 template <auto layout, auto whole = nullptr>
-[[nodiscard]] Family transformed(const char* topic, std::vector<MinimumShare> shares) {
-  const auto ask = [](Random& random, Precision precision) -> Question {
-    if constexpr (!std::is_null_pointer_v<decltype(whole)>) {
-      if (random.one_in(3))
-        return ask_changed<whole>(random, precision, [&](Scene& scene) { move_exactly(random, scene); });
-    }
-    return ask_changed<layout>(random, precision, [&](Scene& scene) { move_into_the_world(random, scene); });
+[[nodiscard]] Family transformed(std::vector<MinimumShare> shares) {
+  const auto ask_moved = [](Random& random, Precision precision) {
+    if constexpr (!std::is_null_pointer_v<decltype(whole)>)
+      if (random.one_in(3)) return ask<whole, move_exactly>(random, precision);
+    return ask<layout, move_into_the_world>(random, precision);
   };
-  return {topic, "transformed", "an affine map of condition 1 to 1e6: moved, mirrored, sheared, stretched",
-          ask, std::move(shares)};
+  return {"transformed", "an affine map of condition 1 to 1e6: moved, mirrored, sheared, stretched",
+          ask_moved, std::move(shares)};
 }
 
-/// The layout, whose numbers are between 2^-8 and 2^8, as large or small as the format has numbers.
+/// Makes a scene, whose numbers are between 2^-8 and 2^8, as large or small as the format has numbers.
+inline void resize(Random& random, Precision precision, Scene& scene) {
+  const double size = std::exp2(draw::any_exponent(random, precision, 10));
+  scene.origin *= size;
+  scene.direction *= std::exp2(draw::any_exponent(random, precision, 10));
+  std::visit([size](auto& shape) { shape = grown(shape, size); }, scene.shape);
+}
+
 template <auto layout>
-[[nodiscard]] Family in_any_size(const char* topic, std::vector<MinimumShare> shares) {
-  const auto ask = [](Random& random, Precision precision) -> Question {
-    return ask_changed<layout>(random, precision, [&](Scene& scene) {
-      const double size = std::exp2(draw::any_exponent(random, precision, 10));
-      scene.origin *= size;
-      scene.direction *= std::exp2(draw::any_exponent(random, precision, 10));
-      scene.shape = std::visit([&](const auto& shape) -> Shape { return grown(shape, size); }, scene.shape);
-    });
-  };
-  return {topic, "exponents", "scenes of one size, of any exponent the format has", ask, std::move(shares)};
+[[nodiscard]] Family in_any_size(std::vector<MinimumShare> shares) {
+  return {"exponents", "scenes of one size, of any exponent the format has", ask<layout, resize>,
+          std::move(shares)};
 }
 
 }  // namespace rayproof

@@ -10,14 +10,8 @@
 
 namespace rayproof {
 
-/// Makes of numbers drawn at random a shape that the format can take: how many vertices there are, and the
-/// signs and the order that it asks for. Overloaded for the shapes that ask for anything.
-template <class S>
-void prepare(Random& random, S& shape) {
-  if constexpr (requires { shape.vertices; })
-    shape.vertices.resize(static_cast<std::size_t>(random.between(3, 8)));
-}
-
+/// Makes of numbers drawn at random a shape that the format can take: the signs and the order that it asks
+/// for. Overloaded for the shapes that ask for anything.
 template <class S>
 void make_valid(Random& /*random*/, S& /*any*/) {}
 inline void make_valid(Random& /*random*/, Sphere<double>& sphere) {
@@ -36,7 +30,8 @@ inline void make_valid(Random& random, Cylinder<double>& cylinder) {
 template <class S>
 [[nodiscard]] S filled(Random& random, auto&& number) {
   S shape{};
-  prepare(random, shape);
+  if constexpr (requires { shape.vertices; })
+    shape.vertices.resize(static_cast<std::size_t>(random.between(3, 8)));
   each_number(shape, [&](double& x) { x = static_cast<double>(number()); });
   make_valid(random, shape);
   return shape;
@@ -72,42 +67,28 @@ template <class... Shapes, class Number>
   });
 }
 
-/// Draws one number after another.
-struct Numbers {
-  Random& random;
-  Precision precision;
-  double (*draw)(Random&, Precision);
+/// A question about one of the shapes, or one without a ray, of numbers that `draw` draws one after another.
+template <double (*draw)(Random&, Precision), class... Shapes>
+[[nodiscard]] Question ask_of_numbers(Random& random, Precision precision) {
+  const auto number = [&] { return draw(random, precision); };
+  if constexpr ((std::is_constructible_v<Shape, Shapes> && ...))
+    return one_from_numbers<Shapes...>(random, number);
+  else
+    return filled<Shapes...>(random, number);
+}
 
-  [[nodiscard]] double operator()() const { return draw(random, precision); }
-};
-
+/// Questions of any finite numbers.
 template <class... Shapes>
-[[nodiscard]] Question any_shape(Numbers number) {
-  return one_from_numbers<Shapes...>(number.random, number);
-}
-template <class Query>
-[[nodiscard]] Question any_query(Numbers number) {
-  return filled<Query>(number.random, number);
+[[nodiscard]] Family bit_patterns(std::vector<MinimumShare> shares) {
+  return {"bit_patterns", "every finite bit pattern as likely as every other",
+          ask_of_numbers<draw::bit_pattern, Shapes...>, std::move(shares)};
 }
 
-/// The questions that `ask` makes of any finite numbers.
-template <Question (*ask)(Numbers)>
-[[nodiscard]] Family bit_patterns(const char* topic, std::vector<MinimumShare> shares) {
-  return {topic, "bit_patterns", "every finite bit pattern as likely as every other",
-          [](Random& random, Precision precision) {
-            return ask({random, precision, draw::bit_pattern});
-          },
-          std::move(shares)};
-}
-
-/// The questions that `ask` makes of numbers by name.
-template <Question (*ask)(Numbers)>
-[[nodiscard]] Family special(const char* topic, std::vector<MinimumShare> shares) {
-  return {topic, "special", "0, -0, ±1, subnormals, the greatest number, powers of two, small integers",
-          [](Random& random, Precision precision) {
-            return ask({random, precision, draw::special});
-          },
-          std::move(shares)};
+/// Questions of numbers by name.
+template <class... Shapes>
+[[nodiscard]] Family special(std::vector<MinimumShare> shares) {
+  return {"special", "0, -0, ±1, subnormals, the greatest number, powers of two, small integers",
+          ask_of_numbers<draw::special, Shapes...>, std::move(shares)};
 }
 
 }  // namespace rayproof

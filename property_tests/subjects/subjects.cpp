@@ -10,7 +10,10 @@ Subject glm_sphere();
 const std::vector<Subject>& subjects() {
   static const std::vector<Subject> all = [] {
     std::vector<Subject> list;
-    Topics::for_each([&]<class Topic>(std::type_identity<Topic>) { append_methods<Topic>(list); });
+    Topics::for_each([&]<class Topic>(std::type_identity<Topic>) {
+      Topic::Methods::for_each(
+          [&]<class Method>(std::type_identity<Method>) { list.push_back(our_subject<Topic, Method>()); });
+    });
     list.push_back(glm_sphere());
     return list;
   }();

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <bit>
 #include <charconv>
 #include <cstddef>
 #include <string_view>
@@ -13,9 +14,9 @@
 
 namespace rayproof::json {
 
-inline constexpr bool is_digit(char c) { return '0' <= c && c <= '9'; }
-inline constexpr bool is_high_surrogate(unsigned code) { return 0xD800 <= code && code < 0xDC00; }
-inline constexpr bool is_low_surrogate(unsigned code) { return 0xDC00 <= code && code < 0xE000; }
+constexpr bool is_digit(char c) { return '0' <= c && c <= '9'; }
+constexpr bool is_high_surrogate(unsigned code) { return 0xD800 <= code && code < 0xDC00; }
+constexpr bool is_low_surrogate(unsigned code) { return 0xDC00 <= code && code < 0xE000; }
 
 inline constexpr unsigned no_code = 0x10000;
 
@@ -28,25 +29,21 @@ inline unsigned unicode_escape(std::string_view text) {
   return std::from_chars(text.data() + 2, end, code, 16).ptr == end ? code : no_code;
 }
 
-/// The length in bytes of the UTF-8 character at the start of `text`; 0 where there is none (overlong forms,
-/// surrogates and everything above U+10FFFF are not UTF-8).
+/// The length in bytes of the UTF-8 character at the start of `text`, which is not empty; 0 where there is
+/// none (overlong forms, surrogates and everything above U+10FFFF are not UTF-8).
 inline std::size_t utf8_length(std::string_view text) {
-  const auto byte = [text](std::size_t i) {
-    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
-  };
-  const auto is_tail = [byte](std::size_t i) { return (byte(i) & 0xC0U) == 0x80; };
-  const unsigned lead = byte(0);
-  if (lead < 0x80) return text.empty() ? 0 : 1;
-  if (lead < 0xC2) return 0;  // a tail, or an overlong form of ASCII
-  if (lead < 0xE0) return is_tail(1) ? 2 : 0;
-  if (lead < 0xF0) {
-    const bool is_overlong = lead == 0xE0 && byte(1) < 0xA0;
-    const bool is_surrogate = lead == 0xED && byte(1) >= 0xA0;
-    return is_tail(1) && is_tail(2) && !is_overlong && !is_surrogate ? 3 : 0;
+  constexpr unsigned least[] = {0, 0, 0x80, 0x800, 0x10000};
+  const auto lead = static_cast<unsigned char>(text[0]);
+  const auto length = static_cast<std::size_t>(std::countl_one(lead));
+  if (length == 0) return 1;
+  if (length == 1 || length > 4 || length > text.size()) return 0;
+  unsigned code = lead & (0x7FU >> length);
+  for (const char tail : text.substr(1, length - 1)) {
+    if ((static_cast<unsigned char>(tail) & 0xC0U) != 0x80) return 0;
+    code = code << 6U | (static_cast<unsigned char>(tail) & 0x3FU);
   }
-  const bool is_overlong = lead == 0xF0 && byte(1) < 0x90;
-  const bool is_too_large = lead > 0xF4 || (lead == 0xF4 && byte(1) >= 0x90);
-  return is_tail(1) && is_tail(2) && is_tail(3) && !is_overlong && !is_too_large ? 4 : 0;
+  const bool is_surrogate = is_high_surrogate(code) || is_low_surrogate(code);
+  return code >= least[length] && code <= 0x10FFFF && !is_surrogate ? length : 0;
 }
 
 /// A position in a text. Every `skip_...` passes over one token or throws a Refusal.

@@ -34,7 +34,7 @@ class Parser {
   void begin_value() {
     const std::string_view rest = text_.substr(scanner_.position());
     open_.push_back(document_.size());
-    document_.push_back({Kind::null, rest, key_, 0});
+    document_.push_back({Kind::null, rest, key_, std::string_view::npos});
     key_ = {};
     try {
       const Kind kind = document_.back().kind = scanner_.kind_of_next();
@@ -87,28 +87,11 @@ class Parser {
     const std::string_view word = rest.substr(0, rest.find_first_of(",]} \t\r\n"));
     const std::string_view spelling = case_spelling(word);
     if (spelling.empty()) return;
-    const std::string path = path_of_last();
+    const std::string path = path_to(document_, document_.size() - 1);
     throw Refusal(
         path, fmt::format("the line is not JSON: {} is {}, {}", path.empty() ? "the case" : path, word,
                           spelling == "nan" ? "which no number of a case may be"
                                             : fmt::format("which is written \"{}\", a string", spelling)));
-  }
-
-  /// "ray.origin[1]": the path to the value that is being read.
-  [[nodiscard]] std::string path_of_last() const {
-    std::string path;
-    for (std::size_t depth = 1; depth < open_.size(); ++depth) {
-      const std::size_t container = open_[depth - 1], child = open_[depth];
-      if (document_[container].kind == Kind::object) {
-        if (!path.empty()) path += '.';
-        path += unquote(document_[child].key);
-      } else {
-        std::size_t position = 0;
-        for (std::size_t i = container + 1; i < child; i = document_[i].end) ++position;
-        path += fmt::format("[{}]", position);
-      }
-    }
-    return path;
   }
 
   std::string_view text_;
@@ -121,6 +104,25 @@ class Parser {
 }  // namespace
 
 Document parse(std::string_view text) { return Parser(text).parse(); }
+
+std::string path_to(const Document& document, std::size_t node) {
+  std::string path;
+  for (std::size_t container = 0; container != node;) {
+    std::size_t child = container + 1, position = 0;
+    for (; document[child].end <= node; child = document[child].end) ++position;
+    if (document[container].kind == Kind::object)
+      append_member(path, unquote(document[child].key));
+    else
+      path += fmt::format("[{}]", position);
+    container = child;
+  }
+  return path;
+}
+
+void append_member(std::string& path, std::string_view name) {
+  if (!path.empty()) path += '.';
+  path += name;
+}
 
 std::string unquote(std::string_view quoted) {
   const bool is_plain = quoted.find('\\') == std::string_view::npos;

@@ -43,8 +43,8 @@ class JsonWriter {
   void string(std::string_view text) { out_ += json::quote(text); }
   void hex(double x) { append_hex(out_, x); }
 
-  /// A number, or a vector, matrix or list of them: reads back, rounded to the precision, as exactly this. The
-  /// numbers of an answer are doubles, whatever its case's precision.
+  /// A number, or a vector, matrix or list of them: reads back, rounded to the precision, as exactly this.
+  /// The numbers of an answer are doubles, whatever its case's precision.
   template <class V>
   void value(const V& value, Precision precision = Precision::float64) {
     if constexpr (std::is_same_v<V, bool>) {

@@ -16,6 +16,10 @@ std::string did_you_mean(const std::string& name) {
   return fmt::format("did you mean {}?", json::quote(name));
 }
 
+[[noreturn]] void refuse_at(const std::string& path, std::string_view what) {
+  throw Refusal(path, fmt::format("{} {}", path.empty() ? "the case" : path, what));
+}
+
 [[noreturn]] void refuse_as_number(const Field& field) {
   const json::Node& node = field.node();
   std::string sentence = R"(must be a number, or a string like "0x1.8p+1", "1.5", "inf", "-inf" or "nan")";
@@ -27,17 +31,7 @@ std::string did_you_mean(const std::string& name) {
 
 }  // namespace
 
-std::string Field::path() const {
-  if (parent == nullptr) return "";
-  if (position) return fmt::format("{}[{}]", parent->path(), *position);
-  const std::string before = parent->path();
-  return before.empty() ? std::string(name) : fmt::format("{}.{}", before, name);
-}
-
-void Field::refuse(std::string_view what) const {
-  const std::string where = path();
-  throw Refusal(where, fmt::format("{} {}", where.empty() ? "the case" : where, what));
-}
+void Field::refuse(std::string_view what) const { refuse_at(path(), what); }
 
 void Field::refuse_unknown(std::string_view what, std::string_view given,
                            const std::vector<std::string>& known) const {
@@ -52,65 +46,57 @@ std::vector<Field> Field::elements(std::string_view expected, std::optional<std:
   if (node().kind != json::Kind::array) refuse(expected);
   std::vector<Field> all;
   for (std::size_t child = index + 1; child < node().end; child = (*document)[child].end) {
-    all.push_back({document, child, this, {}, all.size()});
+    all.push_back({document, child});
   }
   if (size && all.size() != *size) refuse(expected);
   return all;
 }
 
-ObjectReader::ObjectReader(const Field& object) : object_(&object) {
+ObjectReader::ObjectReader(const Field& object) : object_(object) {
   if (object.node().kind != json::Kind::object) object.refuse("must be a JSON object");
+  const json::Document& document = *object.document;
+  members_.reserve(8);
+  for (std::size_t i = object.index + 1; i < object.node().end; i = document[i].end)
+    members_.push_back({json::unquote(document[i].key), {&document, i}});
 }
 
 std::optional<Field> ObjectReader::find(std::string_view name) {
-  known_.push_back(name);
-  const json::Document& document = *object_->document;
   std::optional<Field> found;
-  for (std::size_t i = object_->index + 1; i < object_->node().end; i = document[i].end) {
-    if (json::unquote(document[i].key) == name) found = Field{&document, i, object_, name, {}};
+  for (Member& member : members_) {
+    if (member.name != name) continue;
+    member.is_known = true;
+    found = member.field;
   }
+  if (!found) absent_.emplace_back(name);
   return found;
 }
 
 Field ObjectReader::need(std::string_view name) {
   if (const std::optional<Field> found = find(name)) return *found;
-  for (const Unknown& one : unknown()) {
-    if (one.likely) refuse(one);
-  }
-  Field{object_->document, object_->index, object_, name, {}}.refuse("is missing");
+  for (const Member& member : members_)
+    if (likely(member)) refuse(member);
+  std::string path = object_.path();
+  json::append_member(path, name);
+  refuse_at(path, "is missing");
 }
 
 void ObjectReader::refuse_unknown() const {
-  const json::Document& document = *object_->document;
-  for (std::size_t i = object_->index + 1; i < object_->node().end; i = document[i].end) {
-    if (!is_known(document[i].key)) refuse(unknown().front());
-  }
-}
-
-bool ObjectReader::is_known(std::string_view key) const {
-  return std::ranges::find(known_, json::unquote(key)) != known_.end();
+  for (const Member& member : members_)
+    if (!member.is_known) refuse(member);
 }
 
 bool ObjectReader::has_misspelt(std::string_view name) const {
-  const std::vector<Unknown> all = unknown();
-  return std::any_of(all.begin(), all.end(), [name](const Unknown& one) { return one.likely == name; });
+  return std::ranges::any_of(members_, [&](const Member& member) { return likely(member) == name; });
 }
 
-std::vector<ObjectReader::Unknown> ObjectReader::unknown() const {
-  const json::Document& document = *object_->document;
-  std::vector<std::string> absent(known_.begin(), known_.end());
-  std::vector<Unknown> all;
-  for (std::size_t i = object_->index + 1; i < object_->node().end; i = document[i].end) {
-    if (!is_known(document[i].key)) all.push_back({document[i].key});
-    std::erase(absent, json::unquote(document[i].key));
-  }
-  for (Unknown& one : all) one.likely = likely_name(json::unquote(one.key), absent);
-  return all;
+std::optional<std::string> ObjectReader::likely(const Member& member) const {
+  return member.is_known ? std::nullopt : likely_name(member.name, absent_);
 }
 
-void ObjectReader::refuse(const Unknown& one) const {
-  object_->refuse(fmt::format("has an unknown field {}{}", one.key,
-                              one.likely ? "; " + did_you_mean(*one.likely) : std::string()));
+void ObjectReader::refuse(const Member& unknown) const {
+  const auto meant = likely(unknown);
+  object_.refuse(fmt::format("has an unknown field {}{}", unknown.field.node().key,
+                             meant ? "; " + did_you_mean(*meant) : std::string()));
 }
 
 std::string read_string(const Field& field) {

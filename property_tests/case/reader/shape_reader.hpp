@@ -12,8 +12,8 @@
 
 namespace rayproof {
 
-/// The fields of a shape, or of a question without a ray, in the order of the format. Each is needed but for a
-/// bool, which keeps its default where it is left out.
+/// The fields of a shape, or of a question without a ray, in the order of the format. Each is needed but for
+/// a bool, which keeps its default where it is left out.
 template <class Shape>
 [[nodiscard]] Shape read_fields(ObjectReader& reader, Precision precision) {
   Shape shape{};

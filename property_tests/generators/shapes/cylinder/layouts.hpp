@@ -31,7 +31,8 @@ namespace rayproof::cylinder_family {
     const Turn turn = whole_turn(random);
     const double z = double{1} * random.between(0, static_cast<int>(tube.height));
     const glm::dvec3 slope(0, 0, random.between(-2, 2));
-    return looked_at_exactly(random, tube, exactly_at(tube, turn, z), exact_tangent(tube, turn) + slope);
+    return looked_at_exactly(random, tube, exactly_at(tube, turn, z),
+                             glm::round(tangent(tube, turn)) + slope);
   }
   const Tube tube = in_a_room(random);
   const Turn turn = any_turn(random);

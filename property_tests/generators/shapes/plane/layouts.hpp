@@ -7,13 +7,6 @@
 
 namespace rayproof::plane_family {
 
-/// A plane as a generator works on it: all point + a·u + b·v.
-using Sheet = ParametricPlane;
-
-[[nodiscard]] inline glm::dvec3 at(const Sheet& sheet, double a, double b) {
-  return sheet.point + a * sheet.u + b * sheet.v;
-}
-
 [[nodiscard]] inline glm::dvec3 normal_of(const Sheet& sheet) { return cross(sheet.u, sheet.v); }
 
 /// The scene with the sheet in one of the three forms.

@@ -1,4 +1,4 @@
-#include "case/similar_shapes.hpp"
+#include "case/each_number.hpp"
 #include "generators/number_by_number.hpp"
 #include "generators/outline_layouts.hpp"
 
@@ -14,7 +14,7 @@ template <const Layout& layout>
   const auto ask = [](Random& random, Precision precision) -> Question {
     return rounded(precision, layout.plan(random));
   };
-  return {"point_in_polygon", layout.name, layout.description, ask, std::move(shares)};
+  return {layout.name, layout.description, ask, std::move(shares)};
 }
 
 constexpr Layout far{
@@ -57,8 +57,6 @@ constexpr Layout many{"many", "30 to 200 vertices, half of them on a small grid"
 std::vector<Family> point_in_polygon_families() {
   using namespace point_in_polygon_family;
   namespace layout = outline_layout;
-  const char* const topic = "point_in_polygon";
-  constexpr auto any_places = any_query<PolygonCase>;
   return {
       planned<layout::level>({in_reach, {"inside", 0.14}, {"outside", 0.39}, {"boundary", 0.3}}),
       planned<layout::everyday>({in_reach, {"inside", 0.47}, {"outside", 0.37}}),
@@ -70,13 +68,12 @@ std::vector<Family> point_in_polygon_families() {
       planned<far>({in_reach, {"inside", 0.38}, {"outside", 0.35}, {"boundary", 0.1}}),
       planned<near_level>({in_reach, {"inside", 0.26}, {"outside", 0.58}}),
       planned<many>({in_reach, {"inside", 0.4}, {"outside", 0.21}, {"boundary", 0.22}}),
-      {topic,
-       "exponents",
+      {"exponents",
        "polygons of one size, of any exponent the format has",
        exponents,
        {{"inside", 0.46}, {"outside", 0.38}}},
-      special<any_places>(topic, {{"inside", 0.15}, {"outside", 0.68}, {"boundary", 0.003}}),
-      bit_patterns<any_places>(topic, {{"inside", 0.17}, {"outside", 0.66}}),
+      special<PolygonCase>({{"inside", 0.15}, {"outside", 0.68}, {"boundary", 0.003}}),
+      bit_patterns<PolygonCase>({{"inside", 0.17}, {"outside", 0.66}}),
   };
 }
 

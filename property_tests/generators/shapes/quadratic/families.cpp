@@ -71,16 +71,14 @@ namespace quadratic_family {
 /// The equations that `ask` makes.
 [[nodiscard]] Family asked(const char* name, const char* description, Question (*ask)(Random&, Precision),
                            std::vector<MinimumShare> shares) {
-  return {"quadratic", name, description, ask, std::move(shares)};
+  return {name, description, ask, std::move(shares)};
 }
 
 }  // namespace quadratic_family
 
 std::vector<Family> quadratic_families() {
   using namespace quadratic_family;
-  const char* const topic = "quadratic";
   const MinimumShare all_in_reach{"in reach", 1};
-  constexpr auto any_coefficients = any_query<Quadratic<double>>;
   return {
       asked("cancelling", "b² >> 4ac: one root is tiny beside the other", cancelling,
             {all_in_reach, {"two", 0.9}}),
@@ -94,8 +92,8 @@ std::vector<Family> quadratic_families() {
             {all_in_reach, {"two", 0.5}, {"double", 0.1}, {"none", 0.1}}),
       asked("exponents", "coefficients of any exponent, half the time with b² near ac in size", exponents,
             {{"two", 0.5}, {"none", 0.05}}),
-      special<any_coefficients>(topic, {{"two", 0.2}, {"none", 0.1}, {"linear", 0.02}, {"double", 0.001}}),
-      bit_patterns<any_coefficients>(topic, {{"two", 0.3}, {"none", 0.1}}),
+      special<Quadratic<double>>({{"two", 0.2}, {"none", 0.1}, {"linear", 0.02}, {"double", 0.001}}),
+      bit_patterns<Quadratic<double>>({{"two", 0.3}, {"none", 0.1}}),
   };
 }
 

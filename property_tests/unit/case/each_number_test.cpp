@@ -1,4 +1,4 @@
-#include "case/similar_shapes.hpp"
+#include "case/each_number.hpp"
 
 #include <gtest/gtest.h>
 
