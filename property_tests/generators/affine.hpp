@@ -26,24 +26,18 @@ namespace rayproof {
 
 /// The identity, a rotation, a shear, a stretch, or all of them.
 [[nodiscard]] inline glm::dmat3 linear_part(Random& random) {
-  switch (random.between(0, 4)) {
-    case 0:
-      return glm::dmat3(1);
-    case 1:
-      return rotation(random);
-    case 2: {
-      glm::dmat3 shear(1);
-      shear[random.between(1, 2)][0] = random.uniform(-10, 10);
-      return shear;
-    }
-    case 3:
-      return stretch(random, std::pow(10, random.uniform(0, 2)));
-    default: {
-      const glm::dmat3 first = rotation(random);
-      const glm::dmat3 second = stretch(random, std::pow(10, random.uniform(0, 6)));
-      return rotation(random) * second * first;
-    }
+  const int kind = random.between(0, 4);
+  if (kind == 0) return glm::dmat3(1);
+  if (kind == 1) return rotation(random);
+  if (kind == 2) {
+    glm::dmat3 shear(1);
+    shear[random.between(1, 2)][0] = random.uniform(-10, 10);
+    return shear;
   }
+  if (kind == 3) return stretch(random, std::pow(10, random.uniform(0, 2)));
+  const glm::dmat3 first = rotation(random);
+  const glm::dmat3 second = stretch(random, std::pow(10, random.uniform(0, 6)));
+  return rotation(random) * second * first;
 }
 
 /// Moves a scene that was laid out in the shape's own space into the world: the ray goes along, t stays.

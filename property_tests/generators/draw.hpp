@@ -94,12 +94,7 @@ template <class T>
 }
 
 /// Three numbers from one draw.
-[[nodiscard]] auto vector(auto&& draw) {
-  const auto x = draw();
-  const auto y = draw();
-  const auto z = draw();
-  return glm::vec<3, std::remove_const_t<decltype(x)>>(x, y, z);
-}
+[[nodiscard]] auto vector(auto&& draw) { return glm::vec<3, decltype(draw())>{draw(), draw(), draw()}; }
 
 /// A direction, uniform on the unit sphere, of length 1 to double rounding.
 [[nodiscard]] inline glm::dvec3 unit_vector(Random& random) {

@@ -48,8 +48,7 @@ template <class S>
     each_number(ray.direction, fill);
   } while (ray.direction == glm::dvec3(0));
   if (random.one_in(4)) {
-    const double t0 = number();
-    const double t1 = number();
+    const double t0 = number(), t1 = number();
     ray.t_min = std::min(t0, t1);
     ray.t_max = std::max(t0, t1);
   }

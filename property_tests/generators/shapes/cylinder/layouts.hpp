@@ -43,8 +43,7 @@ namespace rayproof::cylinder_family {
 }
 
 /// At the side, in whole numbers or in rounded ones; `z_of(tube, exactly)` is where.
-template <class Height>
-[[nodiscard]] Scene at_the_side(Random& random, Height&& z_of) {
+[[nodiscard]] Scene at_the_side(Random& random, auto&& z_of) {
   const bool exactly = random.one_in(2);
   const Tube tube = exactly ? whole(random) : in_a_room(random);
   const double z = z_of(tube, exactly);
@@ -115,11 +114,9 @@ template <class Height>
 }
 
 [[nodiscard]] inline glm::dvec3 on_the_surface(Random& random, const Tube& tube) {
-  if (random.one_in(2)) {
-    const double z = tube.height * random.unit();
-    return at(tube, any_turn(random), 1, z);
-  }
-  const double z = some_end(random, tube), share = random.unit();
+  const bool on_the_side = random.one_in(2);
+  const double z = on_the_side ? tube.height * random.unit() : some_end(random, tube);
+  const double share = on_the_side ? 1 : random.unit();
   return at(tube, any_turn(random), share, z);
 }
 

@@ -33,7 +33,7 @@ constexpr Layout far{
 constexpr Layout near_level{"near_level", "the point is level with a vertex, or an ulp or a little more off",
                             false, [](Random& random) -> PolygonCase {
                               const Outline vertices = star(random, vertex_count(random));
-                              const double y = some_vertex(random, vertices).y;
+                              const double y = vertices[some_index(random, vertices)].y;
                               const double off =
                                   random.one_in(2) ? 0 : draw::magnitude<double>(random, -52, -16);
                               return {{random.uniform(-8, 8), y * (1 + off)}, vertices};

@@ -10,8 +10,7 @@ namespace quadratic_family {
 }
 
 [[nodiscard]] Question everyday(Random& random, Precision precision) {
-  const auto coefficient = [&] { return random.uniform(-10, 10); };
-  const double a = coefficient(), b = coefficient(), c = coefficient();
+  const double a = random.uniform(-10, 10), b = random.uniform(-10, 10), c = random.uniform(-10, 10);
   return equation(precision, a, b, c);
 }
 
