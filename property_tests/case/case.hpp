@@ -3,11 +3,11 @@
 /// A case: one question with the bits of every input number fixed. The currency of the whole suite.
 
 #include <optional>
+#include <rayproof/quadratic.hpp>
 #include <rayproof/ray.hpp>
 #include <string>
 #include <variant>
 
-#include "case/queries.hpp"
 #include "case/shapes.hpp"
 
 namespace rayproof {
@@ -15,7 +15,6 @@ namespace rayproof {
 /// The format a case's numbers and its correctly rounded answers are rounded to.
 enum class Precision { float32, float64 };
 
-/// As the case format writes it.
 [[nodiscard]] constexpr const char* name_of(Precision precision) {
   return precision == Precision::float32 ? "float32" : "float64";
 }
@@ -32,6 +31,20 @@ struct RayQuestion {
   /// Object to world, column-major as GLM has it, affine and regular; the shape in the world is the shape's
   /// image.
   std::optional<glm::dmat4> transform{};
+};
+
+/// Written like a shape, its `type` as the case's `query`.
+template <>
+struct ShapeFormat<Quadratic<double>> {
+  static constexpr const char* type = "quadratic";
+
+  static void fields(auto& equation, auto&& visit) {
+    visit("a", equation.a);
+    visit("b", equation.b);
+    visit("c", equation.c);
+  }
+
+  static void validate(const Quadratic<double>& /*any finite numbers will do*/) {}
 };
 
 /// What can be asked. A new kind of question is a line here.

@@ -54,10 +54,9 @@ Query read_query(ObjectReader& reader, Precision precision) {
 Question read_question(ObjectReader& reader, Precision precision) {
   const auto query = reader.find("query");
   if (!query) return read_ray_question(reader, precision);
-  const std::string name = read_string(*query);
-  if (name == "quadratic") return read_query<Quadratic<double>>(reader, precision);
-  if (name == "point_in_polygon") return read_query<PointAndPolygon<double>>(reader, precision);
-  query->refuse_unknown("query", name, {"quadratic", "point_in_polygon"});
+  if (read_name(*query, "query", {"quadratic", "point_in_polygon"}) == 0)
+    return read_query<Quadratic<double>>(reader, precision);
+  return read_query<PointAndPolygon<double>>(reader, precision);
 }
 
 }  // namespace
@@ -65,10 +64,7 @@ Question read_question(ObjectReader& reader, Precision precision) {
 Precision read_precision(ObjectReader& reader) {
   const auto field = reader.find("precision");
   if (!field) return Precision::float64;
-  const std::string name = read_string(*field);
-  if (name == "float32") return Precision::float32;
-  if (name == "float64") return Precision::float64;
-  field->refuse_unknown("precision", name, {"float32", "float64"});
+  return static_cast<Precision>(read_name(*field, "precision", {"float32", "float64"}));
 }
 
 glm::dmat4 read_transform(const Field& field, Precision precision) {

@@ -67,31 +67,25 @@ void write(JsonWriter& json, const QuadraticAnswer<double>& answer) {
 
 std::string write_case(const Case& one) {
   JsonWriter json;
-  json.open('{');
   if (!one.id.empty()) json.member("id").raw(one.id);
   json.member("precision").string(name_of(one.precision));
   std::visit([&](const auto& question) { write(json, question, one.precision); }, one.question);
   if (!one.note.empty()) json.member("note").string(one.note);
-  json.close('}');
   return json.take();
 }
 
 std::string write_answer(const Case& one, const Answer& answer) {
   JsonWriter json;
-  json.open('{');
   if (!one.id.empty()) json.member("id").raw(one.id);
   std::visit([&](const auto& given) { write(json, given); }, answer);
-  json.close('}');
   return json.take();
 }
 
 std::string write_refusal(const RefusedCase& refused, std::size_t line) {
   JsonWriter json;
-  json.open('{');
   json.member("id").raw(refused.id().empty() ? "null" : refused.id());
   json.member("line").raw(std::to_string(line));
   json.member("error").string(refused.what());
-  json.close('}');
   return json.take();
 }
 

@@ -49,8 +49,8 @@ namespace rayproof {
 /// A plane as a generator works on it: all point + a·u + b·v.
 using Sheet = ParametricPlane;
 
-[[nodiscard]] inline glm::dvec3 at(const Sheet& sheet, double a, double b) {
-  return sheet.point + a * sheet.u + b * sheet.v;
+[[nodiscard]] inline glm::dvec3 at(const Sheet& sheet, const Vec2<double>& ab) {
+  return sheet.point + ab.x * sheet.u + ab.y * sheet.v;
 }
 
 /// `t` to the nearest number of the precision, or, half the time, a few ulps beside it.

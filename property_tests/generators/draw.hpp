@@ -81,7 +81,6 @@ template <class T>
   return in_precision(precision, [&]<class T>(T) { return double{nudged(static_cast<T>(x), steps)}; });
 }
 
-/// The number of digits of a significand.
 [[nodiscard]] inline int digits_of(Precision precision) {
   return in_precision(precision, []<class T>(T) { return std::numeric_limits<T>::digits; });
 }

@@ -25,7 +25,6 @@ template <auto layout, auto change>
 
 inline void leave(Random& /*random*/, Precision /*precision*/, const Scene& /*scene*/) {}
 
-/// The layout as it is.
 template <auto layout>
 [[nodiscard]] Family laid_out(const char* name, const char* description, std::vector<MinimumShare> shares) {
   return {name, description, ask<layout, leave>, std::move(shares)};

@@ -10,7 +10,6 @@ std::string write_finding(const Finding& finding) {
   Case with_note = finding.one;
   if (!finding.evidence.note.empty()) with_note.note = finding.evidence.note;
   JsonWriter json;
-  json.open('{');
   json.member("subject").string(finding.subject->full_name());
   json.member("shape").string(finding.subject->topic);
   json.member("method").string(finding.subject->name);
@@ -24,7 +23,6 @@ std::string write_finding(const Finding& finding) {
   } else {
     json.raw("null");
   }
-  json.close('}');
   return json.take();
 }
 

@@ -88,7 +88,12 @@ struct Reading {
     }
     constexpr bool is_flat = std::is_base_of_v<FlatHit<T>, Result>;
     result.contact = is_single && !is_flat ? Contact::tangent : Contact::crossing;
-    describe(question, asked, static_cast<T>(result.hits.t[0]), result);
+    const auto t = static_cast<T>(result.hits.t[0]);
+    result.point = glm::dvec3(point_at(ray, t));
+    const vec3<T> normal = normal_at(asked.shape, point_at(asked.ray, t));
+    const Space<T> object = space<T>(question);
+    const auto in_world = glm::dvec3(object ? normal_to_world(*object, normal) : normal);
+    if (dot(in_world, in_world) > 0) result.normal = in_world;  // not where the figure has none: NaN
     if constexpr (is_flat && std::is_same_v<ShapeIn<T>, Triangle<T>>)
       result.barycentric = glm::dvec3(T(1) - roots.u - roots.v, roots.u, roots.v);
     return result;
@@ -106,15 +111,6 @@ struct Reading {
       return is_inside && distinguishes ? Contact::in_surface : Contact::parallel;
     }
     return Contact::none;
-  }
-
-  template <class T>
-  static void describe(const RayQuestion& question, const Problem<T>& asked, T t, RayAnswer& result) {
-    result.point = glm::dvec3(point_at(convert<T>(question.ray), t));
-    const vec3<T> normal = normal_at(asked.shape, point_at(asked.ray, t));
-    const Space<T> object = space<T>(question);
-    const auto in_world = glm::dvec3(object ? normal_to_world(*object, normal) : normal);
-    if (dot(in_world, in_world) > 0) result.normal = in_world;  // not where the figure has none: NaN
   }
 };
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <clocale>
 #include <cmath>
@@ -88,12 +87,7 @@ void append_number(std::string& out, double x, Precision precision) {
 
 void append_hex(std::string& out, double x) {
   if (!std::isfinite(x)) return append_shortest(out, x);
-  out += std::signbit(x) ? "\"-0x" : "\"0x";
-  std::array<char, 32> digits{};
-  const auto written =
-      std::to_chars(digits.data(), digits.data() + digits.size(), std::abs(x), std::chars_format::hex);
-  out.append(digits.data(), written.ptr);
-  out += '"';
+  fmt::format_to(std::back_inserter(out), "\"{:a}\"", x);
 }
 
 }  // namespace rayproof

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Puts JSON together on one line, in the layout of the case format's examples.
+/// Puts a JSON object together on one line, in the layout of the case format's examples.
 
 #include <string>
 #include <string_view>
@@ -14,7 +14,10 @@ namespace rayproof {
 /// Appends value after value; `member` and `element` put the commas.
 class JsonWriter {
  public:
-  JsonWriter() { out_.reserve(256); }
+  JsonWriter() {
+    out_.reserve(256);
+    open('{');
+  }
 
   JsonWriter& open(char bracket) {
     out_ += bracket;
@@ -58,7 +61,11 @@ class JsonWriter {
     }
   }
 
-  [[nodiscard]] std::string take() { return std::move(out_); }
+  /// The object, closed.
+  [[nodiscard]] std::string take() {
+    close('}');
+    return std::move(out_);
+  }
 
  private:
   std::string out_{};

@@ -33,15 +33,6 @@ std::string did_you_mean(const std::string& name) {
 
 void Field::refuse(std::string_view what) const { refuse_at(path(), what); }
 
-void Field::refuse_unknown(std::string_view what, std::string_view given,
-                           const std::vector<std::string>& known) const {
-  const std::optional<std::string> likely = likely_name(given, known);
-  std::vector<std::string> quoted;
-  for (const std::string& one : known) quoted.push_back(json::quote(one));
-  refuse(fmt::format("is an unknown {}, {}; {}", what, json::quote(given),
-                     likely ? did_you_mean(*likely) : fmt::format("known: {}", fmt::join(quoted, ", "))));
-}
-
 std::vector<Field> Field::elements(std::string_view expected, std::optional<std::size_t> size) const {
   if (node().kind != json::Kind::array) refuse(expected);
   std::vector<Field> all;
@@ -102,6 +93,18 @@ void ObjectReader::refuse(const Member& unknown) const {
 std::string read_string(const Field& field) {
   if (field.node().kind != json::Kind::string) field.refuse("must be a string");
   return json::unquote(field.node().text);
+}
+
+std::size_t read_name(const Field& field, std::string_view what, const std::vector<std::string>& known) {
+  const std::string given = read_string(field);
+  const auto place = std::ranges::find(known, given);
+  if (place != known.end()) return static_cast<std::size_t>(place - known.begin());
+  const std::optional<std::string> likely = likely_name(given, known);
+  std::vector<std::string> quoted;
+  for (const std::string& one : known) quoted.push_back(json::quote(one));
+  field.refuse(
+      fmt::format("is an unknown {}, {}; {}", what, json::quote(given),
+                  likely ? did_you_mean(*likely) : fmt::format("known: {}", fmt::join(quoted, ", "))));
 }
 
 double read_number(const Field& field, Precision precision) {

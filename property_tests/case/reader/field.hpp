@@ -27,10 +27,6 @@ struct Field {
   /// Throws the Refusal "ray.origin[1] must be …": the path, then `what`.
   [[noreturn]] void refuse(std::string_view what) const;
 
-  /// Throws the Refusal of a `what` that is none of the known ones, and names the one most likely meant.
-  [[noreturn]] void refuse_unknown(std::string_view what, std::string_view given,
-                                   const std::vector<std::string>& known) const;
-
   /// The elements of an array of `size`; `expected` says what it must be otherwise.
   [[nodiscard]] std::vector<Field> elements(std::string_view expected,
                                             std::optional<std::size_t> size = {}) const;
@@ -69,6 +65,11 @@ class ObjectReader {
 };
 
 [[nodiscard]] std::string read_string(const Field& field);
+
+/// Which of the known names a string is. Refuses another as an unknown `what`, with the one most likely
+/// meant.
+[[nodiscard]] std::size_t read_name(const Field& field, std::string_view what,
+                                    const std::vector<std::string>& known);
 
 /// The number, rounded to the precision; may be infinite or NaN.
 [[nodiscard]] double read_number(const Field& field, Precision precision);

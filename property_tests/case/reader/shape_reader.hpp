@@ -72,8 +72,8 @@ void read_shape(const Field& object, Precision precision, std::variant<Shapes...
   std::size_t fewest_missing = std::numeric_limits<std::size_t>::max();
 
   ObjectReader reader(object);
-  const Field type_field = reader.need("type");
-  const std::string type = read_string(type_field);
+  static const std::vector<std::string> types = detail::list_of_types<Shapes...>();
+  const std::string& type = types[read_name(reader.need("type"), "shape type", types)];
   const auto consider = [&]<class Candidate>(std::type_identity<Candidate>, bool guesses) {
     if (type != ShapeFormat<Candidate>::type) return;
     const std::size_t missing = detail::count_missing<Candidate>(object, guesses);
@@ -84,9 +84,6 @@ void read_shape(const Field& object, Precision precision, std::variant<Shapes...
   (consider(std::type_identity<Shapes>{}, false), ...);
   if (fewest_missing > 0) (consider(std::type_identity<Shapes>{}, true), ...);
 
-  if (read == nullptr) {
-    type_field.refuse_unknown("shape type", type, detail::list_of_types<Shapes...>());
-  }
   shape = read(object, precision);
 }
 

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "properties/report/grid.hpp"
-#include "subjects/contract_names.hpp"
+#include "subjects/subject.hpp"
 
 namespace rayproof {
 

@@ -12,7 +12,7 @@
 #include "properties/report/page.hpp"
 #include "properties/report/text.hpp"
 #include "properties/report/words.hpp"
-#include "subjects/contract_names.hpp"
+#include "subjects/subject.hpp"
 #include "unit/properties/broken_subjects.hpp"
 #include "unit/properties/well_formed.hpp"
 

@@ -39,7 +39,6 @@ struct Turn {
   return {-tube.rx * turn.sine, tube.ry * turn.cosine, 0};
 }
 
-/// A cylinder of radii and height between 0.5 and 5.
 [[nodiscard]] inline Tube in_a_room(Random& random) {
   const double rx = random.uniform(0.5, 5), ry = random.one_in(4) ? rx : random.uniform(0.5, 5);
   return {rx, ry, random.uniform(0.5, 5), random.one_in(2)};
@@ -58,7 +57,6 @@ struct Turn {
   return place;
 }
 
-/// The height of one of the ends.
 [[nodiscard]] inline double some_end(Random& random, const Tube& tube) {
   return random.one_in(2) ? 0 : tube.height;
 }

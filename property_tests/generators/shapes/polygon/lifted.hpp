@@ -9,11 +9,6 @@ namespace rayproof::polygon_family {
 
 using outline_layout::PolygonCase;
 
-/// Where a place of the outline's plane lies in space.
-[[nodiscard]] inline glm::dvec3 at(const Sheet& sheet, const Vec2<double>& place) {
-  return at(sheet, place.x, place.y);
-}
-
 [[nodiscard]] inline Polygon<double> lifted(const Sheet& sheet, const Outline& vertices) {
   Polygon<double> polygon;
   for (const Vec2<double>& vertex : vertices) polygon.vertices.push_back(at(sheet, vertex));

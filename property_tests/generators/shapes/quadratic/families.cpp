@@ -4,7 +4,6 @@ namespace rayproof {
 
 namespace quadratic_family {
 
-/// The equation, its coefficients rounded.
 [[nodiscard]] Question equation(Precision precision, double a, double b, double c) {
   return rounded(precision, Quadratic<double>{a, b, c});
 }
@@ -67,7 +66,6 @@ namespace quadratic_family {
   return equation(precision, a, b, c);
 }
 
-/// The equations that `ask` makes.
 [[nodiscard]] Family asked(const char* name, const char* description, Question (*ask)(Random&, Precision),
                            std::vector<MinimumShare> shares) {
   return {name, description, ask, std::move(shares)};

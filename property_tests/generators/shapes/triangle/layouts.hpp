@@ -14,7 +14,6 @@ namespace rayproof::triangle_family {
   return t.a + beta * (t.b - t.a) + gamma * (t.c - t.a);
 }
 
-/// A triangle in a room.
 [[nodiscard]] inline Triangle<double> in_a_room(Random& random, double size = 10) {
   const glm::dvec3 a = point_in_a_room(random, size), b = point_in_a_room(random, size);
   return {a, b, point_in_a_room(random, size)};
@@ -51,7 +50,6 @@ namespace rayproof::triangle_family {
   return at(t, beta, random.uniform(-0.1, 1.1 - std::max(beta, 0.0)));
 }
 
-/// A point of the triangle.
 [[nodiscard]] inline glm::dvec3 inside(Random& random, const Triangle<double>& t) {
   const double beta = random.unit();
   return at(t, beta, (1 - beta) * random.unit());
