@@ -14,9 +14,6 @@
 
 namespace rayproof::draw {
 
-template <class T>
-using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
-
 /// The least and the greatest exponent of a normal number of type `T`: 2^lowest <= |x| < 2^(highest + 1).
 template <class T>
 inline constexpr int lowest_exponent = std::numeric_limits<T>::min_exponent - 1;
@@ -26,10 +23,11 @@ inline constexpr int highest_exponent = std::numeric_limits<T>::max_exponent - 1
 /// Any finite number, every bit pattern as likely as every other: -0 and subnormals included.
 template <class T>
 [[nodiscard]] T bit_pattern(Random& random) {
-  constexpr Bits<T> exponent = std::bit_cast<Bits<T>>(std::numeric_limits<T>::infinity());
-  constexpr Bits<T> top_of_exponent = exponent & ~(exponent >> 1U) & ~(Bits<T>{1} << (sizeof(T) * 8 - 1));
-  auto bits = static_cast<Bits<T>>(random.bits());
-  if ((bits & exponent) == exponent) bits &= static_cast<Bits<T>>(~top_of_exponent);
+  using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
+  constexpr auto exponent = std::bit_cast<Bits>(std::numeric_limits<T>::infinity());
+  constexpr Bits top_of_exponent = exponent & ~(exponent >> 1U);
+  auto bits = static_cast<Bits>(random.bits());
+  if ((bits & exponent) == exponent) bits &= ~top_of_exponent;
   return std::bit_cast<T>(bits);
 }
 

@@ -118,10 +118,7 @@ double read_number(const Field& field, Precision precision) {
 
 void read_value(const Field& field, Precision precision, double& value) {
   value = read_number(field, precision);
-  if (!std::isfinite(value)) {
-    field.refuse(precision == Precision::float32 ? "must be finite as a float32"
-                                                 : "must be finite as a float64");
-  }
+  if (!std::isfinite(value)) field.refuse(fmt::format("must be finite as a {}", name_of(precision)));
 }
 
 void read_value(const Field& field, Precision precision, glm::dvec3& value) {

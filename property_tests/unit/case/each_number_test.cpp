@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "case/case.hpp"
+
 namespace rayproof {
 namespace {
 

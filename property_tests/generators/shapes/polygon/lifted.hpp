@@ -2,7 +2,7 @@
 /// \file
 /// Polygons in space: an outline of the plane put into a plane of space, with a ray through the point.
 
-#include "generators/affine.hpp"
+#include "generators/layout.hpp"
 #include "generators/outline_layouts.hpp"
 
 namespace rayproof::polygon_family {
