@@ -7,7 +7,7 @@
 #include <rayproof/topics.hpp>
 
 #include "bench/figures/contender.hpp"
-#include "subjects/solve_topics.hpp"
+#include "subjects/reading.hpp"
 
 namespace rayproof::report {
 

@@ -7,22 +7,21 @@
 
 namespace rayproof {
 
-/// Whether the format takes a question of finite numbers.
-[[nodiscard]] inline bool is_accepted(const RayQuestion& asked) {
-  if (asked.ray.direction == glm::dvec3(0) || !(asked.ray.t_min <= asked.ray.t_max)) return false;
-  if (asked.transform && !is_regular(*asked.transform)) return false;
+/// Whether the format takes a shape, or a question without a ray, of finite numbers.
+template <class S>
+[[nodiscard]] bool is_accepted(const S& shape) {
   try {
-    std::visit([]<class S>(const S& shape) { ShapeFormat<S>::validate(shape); }, asked.shape);
+    ShapeFormat<S>::validate(shape);
+    return true;
   } catch (const Refusal&) {
     return false;
   }
-  return true;
 }
-[[nodiscard]] inline bool is_accepted(const Quadratic<double>& /*any finite numbers will do*/) {
-  return true;
-}
-[[nodiscard]] inline bool is_accepted(const PointAndPolygon<double>& asked) {
-  return asked.vertices.size() >= 3;
+/// The same of a ray and its shape.
+[[nodiscard]] inline bool is_accepted(const RayQuestion& asked) {
+  if (asked.ray.direction == glm::dvec3(0) || !(asked.ray.t_min <= asked.ray.t_max)) return false;
+  if (asked.transform && !is_regular(*asked.transform)) return false;
+  return std::visit([](const auto& shape) { return is_accepted(shape); }, asked.shape);
 }
 
 }  // namespace rayproof

@@ -15,9 +15,13 @@ namespace rayproof {
 /// The format a case's numbers and its correctly rounded answers are rounded to.
 enum class Precision { float32, float64 };
 
-/// As the case format writes it.
 [[nodiscard]] constexpr const char* name_of(Precision precision) {
   return precision == Precision::float32 ? "float32" : "float64";
+}
+
+/// `run(T{})` in the number type T of a precision.
+[[nodiscard]] auto in_precision(Precision precision, auto&& run) {
+  return precision == Precision::float32 ? run(float{}) : run(double{});
 }
 
 /// Where does a ray meet a shape? All numbers are already rounded to the case's precision.
@@ -27,6 +31,20 @@ struct RayQuestion {
   /// Object to world, column-major as GLM has it, affine and regular; the shape in the world is the shape's
   /// image.
   std::optional<glm::dmat4> transform{};
+};
+
+/// Written like a shape, its `type` as the case's `query`.
+template <>
+struct ShapeFormat<Quadratic<double>> {
+  static constexpr const char* type = "quadratic";
+
+  static void fields(auto& equation, auto&& visit) {
+    visit("a", equation.a);
+    visit("b", equation.b);
+    visit("c", equation.c);
+  }
+
+  static void validate(const Quadratic<double>& /*any finite numbers will do*/) {}
 };
 
 /// What can be asked. A new kind of question is a line here.
@@ -43,9 +61,14 @@ struct Case {
 };
 
 /// "sphere": the case format's name of the shape's type, which is its topic's, too.
-[[nodiscard]] std::string shape_name(const Shape& shape);
+[[nodiscard]] inline std::string shape_name(const Shape& shape) {
+  return std::visit([]<class S>(const S&) -> std::string { return ShapeFormat<S>::type; }, shape);
+}
 
 /// The case's topic, as in `sphere/centred`: "quadratic", "point_in_polygon", or the shape's type.
-[[nodiscard]] std::string topic_of(const Case& one);
+[[nodiscard]] inline std::string topic_of(const Case& one) {
+  if (const auto* asked = std::get_if<RayQuestion>(&one.question)) return shape_name(asked->shape);
+  return std::holds_alternative<Quadratic<double>>(one.question) ? "quadratic" : "point_in_polygon";
+}
 
 }  // namespace rayproof

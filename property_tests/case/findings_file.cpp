@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 
 namespace rayproof {
 
@@ -18,13 +18,10 @@ std::optional<std::size_t> finding_number(const std::string& text) {
 }
 
 std::vector<std::string> lines_in(const std::string& text) {
+  std::istringstream in(text);
   std::vector<std::string> lines;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    std::string line = text.substr(begin, end - begin);
-    if (line.find_first_not_of(" \t\r") != std::string::npos) lines.push_back(std::move(line));
-    begin = end + 1;
-  }
+  for (std::string line; std::getline(in, line);)
+    if (line.find_first_not_of(" \t\r") != std::string::npos) lines.push_back(line);
   return lines;
 }
 

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <limits>
 
+#include "case/independent.hpp"
 #include "case/reader/field.hpp"
 #include "case/reader/shape_reader.hpp"
-#include "case/reader/shared_fields.hpp"
 
 namespace rayproof {
 namespace {
@@ -44,32 +44,46 @@ RayQuestion read_ray_question(ObjectReader& reader, Precision precision) {
   return question;
 }
 
-Quadratic<double> read_quadratic(ObjectReader& reader, Precision precision) {
-  Quadratic<double> equation{};
-  read_value(reader.need("a"), precision, equation.a);
-  read_value(reader.need("b"), precision, equation.b);
-  read_value(reader.need("c"), precision, equation.c);
-  return equation;
-}
-
-PointAndPolygon<double> read_point_and_polygon(ObjectReader& reader, Precision precision) {
-  PointAndPolygon<double> question{};
-  read_value(reader.need("point"), precision, question.point);
-  read_value(reader.need("vertices"), precision, question.vertices);
-  validate_vertices(question.vertices.size());
+template <class Query>
+Query read_query(ObjectReader& reader, Precision precision) {
+  auto question = read_fields<Query>(reader, precision);
+  ShapeFormat<Query>::validate(question);
   return question;
 }
 
 Question read_question(ObjectReader& reader, Precision precision) {
   const auto query = reader.find("query");
   if (!query) return read_ray_question(reader, precision);
-  const std::string name = read_string(*query);
-  if (name == "quadratic") return read_quadratic(reader, precision);
-  if (name == "point_in_polygon") return read_point_and_polygon(reader, precision);
-  query->refuse_unknown("query", name, {"quadratic", "point_in_polygon"});
+  if (read_name(*query, "query", {"quadratic", "point_in_polygon"}) == 0)
+    return read_query<Quadratic<double>>(reader, precision);
+  return read_query<PointAndPolygon<double>>(reader, precision);
 }
 
 }  // namespace
+
+Precision read_precision(ObjectReader& reader) {
+  const auto field = reader.find("precision");
+  if (!field) return Precision::float64;
+  return static_cast<Precision>(read_name(*field, "precision", {"float32", "float64"}));
+}
+
+glm::dmat4 read_transform(const Field& field, Precision precision) {
+  constexpr glm::dvec4 last_row{0, 0, 0, 1};
+  constexpr auto expected = "must be an array of 4 rows of 4 numbers";
+  glm::dmat4 transform{};
+  const std::vector<Field> rows = field.elements(expected, 4);
+  for (glm::length_t row = 0; row < 4; ++row) {
+    const std::vector<Field> row_elements = rows[static_cast<std::size_t>(row)].elements(expected, 4);
+    for (glm::length_t column = 0; column < 4; ++column) {
+      read_value(row_elements[static_cast<std::size_t>(column)], precision, transform[column][row]);
+    }
+  }
+  for (glm::length_t column = 0; column < 4; ++column) {
+    if (transform[column][3] != last_row[column]) field.refuse("must be affine, with the last row 0 0 0 1");
+  }
+  if (!is_regular(transform)) field.refuse("must not be singular");
+  return transform;
+}
 
 Case read_case(std::string_view line) {
   Case one;

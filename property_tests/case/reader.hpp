@@ -22,6 +22,15 @@ class RefusedCase : public Refusal {
   std::string id_;
 };
 
+class ObjectReader;
+struct Field;
+
+/// The field `precision` of a case or a scene, float64 where it is left out.
+[[nodiscard]] Precision read_precision(ObjectReader& reader);
+
+/// An affine and regular object-to-world matrix, written by rows.
+[[nodiscard]] glm::dmat4 read_transform(const Field& field, Precision precision);
+
 /// The case on a line (without its newline), its numbers rounded to its precision and every rule of the
 /// format checked after that. Throws a RefusedCase.
 [[nodiscard]] Case read_case(std::string_view line);

@@ -18,14 +18,15 @@ class Refusal : public std::runtime_error {
   std::string field_;
 };
 
-/// Specialised for each shape, with
+/// Specialised for each shape, and for each question without a ray, with
 ///  - `type`, the name in the case format;
 ///  - `fields(shape, visit)`, which calls `visit("center", shape.center)` for each field in the order of the
 ///  format;
-///  - `in_words(shape, show)`, "a sphere of radius 1", with numbers as `show(number)` writes them; and, where
-///  its distance says something of a case, `middle(shape)`, a point to measure it to;
 ///  - `validate(shape)`, which throws a Refusal for a shape that the format refuses; numbers are finite by
-///  then.
+///  then;
+///  - `in_words(shape, show)`, "a sphere of radius 1", with numbers as `show(number)` writes them, where
+///  there is more to say of it than its type; and, where its distance says something of a case,
+///  `middle(shape)`, a point to measure it to.
 /// Reading, writing, rounding, shrinking and the NaN property all go through `fields`.
 template <class Shape>
 struct ShapeFormat;

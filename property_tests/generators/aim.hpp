@@ -46,6 +46,13 @@ namespace rayproof {
   return a + (random.between(0, 8) / 8.0) * (b - a);
 }
 
+/// A plane as a generator works on it: all point + a·u + b·v.
+using Sheet = ParametricPlane;
+
+[[nodiscard]] inline glm::dvec3 at(const Sheet& sheet, const Vec2<double>& ab) {
+  return sheet.point + ab.x * sheet.u + ab.y * sheet.v;
+}
+
 /// `t` to the nearest number of the precision, or, half the time, a few ulps beside it.
 [[nodiscard]] inline double at_or_beside(Random& random, Precision precision, double t) {
   return draw::nudged(precision, t, random.one_in(2) ? 0 : random.between(-3, 3));

@@ -14,9 +14,6 @@
 
 namespace rayproof::draw {
 
-template <class T>
-using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
-
 /// The least and the greatest exponent of a normal number of type `T`: 2^lowest <= |x| < 2^(highest + 1).
 template <class T>
 inline constexpr int lowest_exponent = std::numeric_limits<T>::min_exponent - 1;
@@ -26,10 +23,11 @@ inline constexpr int highest_exponent = std::numeric_limits<T>::max_exponent - 1
 /// Any finite number, every bit pattern as likely as every other: -0 and subnormals included.
 template <class T>
 [[nodiscard]] T bit_pattern(Random& random) {
-  constexpr Bits<T> exponent = std::bit_cast<Bits<T>>(std::numeric_limits<T>::infinity());
-  constexpr Bits<T> top_of_exponent = exponent & ~(exponent >> 1U) & ~(Bits<T>{1} << (sizeof(T) * 8 - 1));
-  auto bits = static_cast<Bits<T>>(random.bits());
-  if ((bits & exponent) == exponent) bits &= static_cast<Bits<T>>(~top_of_exponent);
+  using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
+  constexpr auto exponent = std::bit_cast<Bits>(std::numeric_limits<T>::infinity());
+  constexpr Bits top_of_exponent = exponent & ~(exponent >> 1U);
+  auto bits = static_cast<Bits>(random.bits());
+  if ((bits & exponent) == exponent) bits &= ~top_of_exponent;
   return std::bit_cast<T>(bits);
 }
 
@@ -50,18 +48,9 @@ template <class T>
 template <class T>
 [[nodiscard]] T special(Random& random) {
   using Limits = std::numeric_limits<T>;
-  static constexpr T named[] = {0,
-                                1,
-                                2,
-                                3,
-                                0.5,
-                                10,
-                                Limits::min(),
-                                Limits::denorm_min(),
-                                Limits::max(),
-                                Limits::epsilon(),
-                                1 + Limits::epsilon(),
-                                Limits::min() - Limits::denorm_min()};
+  constexpr T normal = Limits::min(), subnormal = Limits::denorm_min(), ulp = Limits::epsilon();
+  static constexpr T named[] = {
+      0, 1, 2, 3, 0.5, 10, normal, subnormal, Limits::max(), ulp, 1 + ulp, normal - subnormal};
   const int choice = random.between(0, 15);
   const T sign = random.one_in(2) ? T(1) : T(-1);
   if (choice < 12) return sign * named[choice];
@@ -77,29 +66,21 @@ template <class T>
   return x;
 }
 
-/// `draw(T{})` with the number type `T` of a precision, as a double.
-template <class Draw>
-[[nodiscard]] double in_precision(Precision precision, Draw&& draw) {
-  return precision == Precision::float32 ? double{draw(float{})} : draw(double{});
-}
-
 /// `bit_pattern` and `special` in the type of a precision.
 [[nodiscard]] inline double bit_pattern(Random& random, Precision precision) {
-  return in_precision(precision, [&]<class T>(T) { return bit_pattern<T>(random); });
+  return in_precision(precision, [&]<class T>(T) { return double{bit_pattern<T>(random)}; });
 }
 [[nodiscard]] inline double special(Random& random, Precision precision) {
-  return in_precision(precision, [&]<class T>(T) { return special<T>(random); });
+  return in_precision(precision, [&]<class T>(T) { return double{special<T>(random)}; });
 }
 
 /// `x` to the nearest number of a precision, or a few ulps beside it.
 [[nodiscard]] inline double nudged(Precision precision, double x, int steps) {
-  return in_precision(precision, [&]<class T>(T) { return nudged(static_cast<T>(x), steps); });
+  return in_precision(precision, [&]<class T>(T) { return double{nudged(static_cast<T>(x), steps)}; });
 }
 
-/// The number of digits of a significand.
-[[nodiscard]] constexpr int digits_of(Precision precision) {
-  return precision == Precision::float32 ? std::numeric_limits<float>::digits
-                                         : std::numeric_limits<double>::digits;
+[[nodiscard]] inline int digits_of(Precision precision) {
+  return in_precision(precision, []<class T>(T) { return std::numeric_limits<T>::digits; });
 }
 
 /// Any exponent of a normal number, at least `margin` from the least and the greatest.
@@ -110,13 +91,7 @@ template <class Draw>
 }
 
 /// Three numbers from one draw.
-template <class Draw>
-[[nodiscard]] auto vector(Draw&& draw) {
-  const auto x = draw();
-  const auto y = draw();
-  const auto z = draw();
-  return glm::vec<3, std::remove_const_t<decltype(x)>>(x, y, z);
-}
+[[nodiscard]] auto vector(auto&& draw) { return glm::vec<3, decltype(draw())>{draw(), draw(), draw()}; }
 
 /// A direction, uniform on the unit sphere, of length 1 to double rounding.
 [[nodiscard]] inline glm::dvec3 unit_vector(Random& random) {

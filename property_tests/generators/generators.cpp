@@ -13,23 +13,26 @@ std::vector<Family> box_families();
 std::vector<Family> parallelepiped_families();
 std::vector<Family> cylinder_families();
 
-constexpr std::vector<Family> (*of_each_topic[])() = {
-    sphere_families,            //
-    quadratic_families,         //
-    plane_families,             //
-    triangle_families,          //
-    polygon_families,           //
-    point_in_polygon_families,  //
-    box_families,               //
-    parallelepiped_families,    //
-    cylinder_families,          //
+constexpr std::pair<const char*, std::vector<Family> (*)()> of_each_topic[] = {
+    {"sphere", sphere_families},                      //
+    {"quadratic", quadratic_families},                //
+    {"plane", plane_families},                        //
+    {"triangle", triangle_families},                  //
+    {"polygon", polygon_families},                    //
+    {"point_in_polygon", point_in_polygon_families},  //
+    {"box", box_families},                            //
+    {"parallelepiped", parallelepiped_families},      //
+    {"cylinder", cylinder_families},                  //
 };
 
 const std::vector<Family>& families() {
   static const std::vector<Family> all = [] {
     std::vector<Family> gathered;
-    for (const auto of_topic : of_each_topic)
-      for (Family& family : of_topic()) gathered.push_back(std::move(family));
+    for (const auto& [topic, families_of_topic] : of_each_topic)
+      for (Family& family : families_of_topic()) {
+        family.topic = topic;
+        gathered.push_back(std::move(family));
+      }
     return gathered;
   }();
   return all;

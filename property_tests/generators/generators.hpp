@@ -23,12 +23,12 @@ inline const MinimumShare in_reach{"in reach", 0.95};
 
 /// A source of random cases of one kind.
 struct Family {
-  std::string topic;        ///< "sphere"
   std::string name;         ///< "grazing"
   std::string description;  ///< one line: what makes it hard
   /// A random question of numbers that the precision has.
   Question (*ask)(Random&, Precision) = nullptr;
   std::vector<MinimumShare> shares{};
+  std::string topic{};  ///< "sphere"; given by the registry
 
   /// The case that the seed stands for; the same seed always gives the same case.
   [[nodiscard]] Case generate(std::uint64_t seed, Precision precision) const {

@@ -3,34 +3,33 @@
 /// Families made of a layout: a function of `(Random&)`, or `(Random&, Precision)`, that puts a ray and a
 /// shape together. The same layout can be asked as it is, cut short, moved by a map, or in another size.
 
-#include "case/similar_shapes.hpp"
-#include "generators/affine.hpp"
+#include <glm/matrix.hpp>
+
+#include "case/each_number.hpp"
+#include "generators/aim.hpp"
 #include "generators/generators.hpp"
 
 namespace rayproof {
 
-/// The question of a layout's scene, once `change(scene)` has worked on it.
-template <auto layout, class Change>
-[[nodiscard]] RayQuestion ask_changed(Random& random, Precision precision, Change&& change) {
+/// The question of a layout's scene, once `change(random, precision, scene)` has worked on it.
+template <auto layout, auto change>
+[[nodiscard]] Question ask(Random& random, Precision precision) {
   return first_accepted([&] {
     Scene scene;
     if constexpr (std::is_invocable_v<decltype(layout), Random&, Precision>)
       scene = layout(random, precision);
     else
       scene = layout(random);
-    change(scene);
+    change(random, precision, scene);
     return question(precision, scene);
   });
 }
 
-/// The layout as it is.
+inline void leave(Random& /*random*/, Precision /*precision*/, const Scene& /*scene*/) {}
+
 template <auto layout>
-[[nodiscard]] Family laid_out(const char* topic, const char* name, const char* description,
-                              std::vector<MinimumShare> shares) {
-  const auto ask = [](Random& random, Precision precision) -> Question {
-    return ask_changed<layout>(random, precision, [](const Scene& /*scene*/) {});
-  };
-  return {topic, name, description, ask, std::move(shares)};
+[[nodiscard]] Family laid_out(const char* name, const char* description, std::vector<MinimumShare> shares) {
+  return {name, description, ask<layout, leave>, std::move(shares)};
 }
 
 /// Ends the interval of a ray that is aimed at the surface there, or a few ulps beside.
@@ -51,41 +50,91 @@ inline void cut(Random& random, Precision precision, Scene& scene) {
 
 /// The layout, which aims at the surface, cut there.
 template <auto layout>
-[[nodiscard]] Family cut_short(const char* topic, std::vector<MinimumShare> shares) {
-  const auto ask = [](Random& random, Precision precision) -> Question {
-    return ask_changed<layout>(random, precision, [&](Scene& scene) { cut(random, precision, scene); });
-  };
-  return {topic, "interval", "t_min or t_max at a hit or a few ulps beside it; segments", ask,
+[[nodiscard]] Family cut_short(std::vector<MinimumShare> shares) {
+  return {"interval", "t_min or t_max at a hit or a few ulps beside it; segments", ask<layout, cut>,
           std::move(shares)};
+}
+
+/// A rotation: three unit vectors at right angles.
+[[nodiscard]] inline glm::dmat3 rotation(Random& random) {
+  const glm::dvec3 x = draw::unit_vector(random);
+  const glm::dvec3 y = draw::perpendicular(random, x);
+  return {x, y, glm::cross(x, y)};
+}
+
+/// A stretch by factors of which the greatest is `condition` times the least; mirrored half the time.
+[[nodiscard]] inline glm::dmat3 stretch(Random& random, double condition) {
+  const double middle = std::exp(random.uniform(0, std::log(condition)));
+  const double mirror = random.one_in(2) ? -1 : 1;
+  const double size = std::exp2(random.uniform(-2, 2)) / std::sqrt(condition);
+  return {glm::dvec3(mirror * size, 0, 0), glm::dvec3(0, middle * size, 0),
+          glm::dvec3(0, 0, condition * size)};
+}
+
+/// The identity, a rotation, a shear, a stretch, or all of them.
+[[nodiscard]] inline glm::dmat3 linear_part(Random& random) {
+  const int kind = random.between(0, 4);
+  if (kind == 0) return glm::dmat3(1);
+  if (kind == 1) return rotation(random);
+  if (kind == 2) {
+    glm::dmat3 shear(1);
+    shear[random.between(1, 2)][0] = random.uniform(-10, 10);
+    return shear;
+  }
+  if (kind == 3) return stretch(random, std::pow(10, random.uniform(0, 2)));
+  const glm::dmat3 first = rotation(random);
+  const glm::dmat3 second = stretch(random, std::pow(10, random.uniform(0, 6)));
+  return rotation(random) * second * first;
+}
+
+/// Moves a scene that was laid out in the shape's own space into the world: the ray goes along, t stays.
+inline void move_by(Scene& scene, const glm::dmat3& linear, const glm::dvec3& moved_by) {
+  scene.origin = linear * scene.origin + moved_by;
+  scene.direction = linear * scene.direction;
+  glm::dmat4 whole(linear);
+  whole[3] = glm::dvec4(moved_by, 1);
+  scene.transform = whole;
+}
+
+/// The same by any map.
+inline void move_into_the_world(Random& random, Precision /*precision*/, Scene& scene) {
+  const glm::dmat3 linear = linear_part(random);
+  move_by(scene, linear, point_in_a_room(random));
+}
+
+/// The same by a map of small whole numbers, which rounds nothing in a scene of short numbers.
+inline void move_exactly(Random& random, Precision /*precision*/, Scene& scene) {
+  const auto whole = [&] { return whole_point(random, 2); };
+  glm::dmat3 linear(0);
+  while (glm::determinant(linear) == 0) linear = {whole(), whole(), whole()};
+  move_by(scene, linear, whole());
 }
 
 /// The layout under an affine map; a third of the time one of whole numbers under a whole map, where there is
 /// such a layout, so that the world's ray, too, passes exactly where it was aimed.
 template <auto layout, auto whole = nullptr>
-[[nodiscard]] Family transformed(const char* topic, std::vector<MinimumShare> shares) {
-  const auto ask = [](Random& random, Precision precision) -> Question {
-    if constexpr (!std::is_null_pointer_v<decltype(whole)>) {
-      if (random.one_in(3))
-        return ask_changed<whole>(random, precision, [&](Scene& scene) { move_exactly(random, scene); });
-    }
-    return ask_changed<layout>(random, precision, [&](Scene& scene) { move_into_the_world(random, scene); });
+[[nodiscard]] Family transformed(std::vector<MinimumShare> shares) {
+  const auto ask_moved = [](Random& random, Precision precision) {
+    if constexpr (!std::is_null_pointer_v<decltype(whole)>)
+      if (random.one_in(3)) return ask<whole, move_exactly>(random, precision);
+    return ask<layout, move_into_the_world>(random, precision);
   };
-  return {topic, "transformed", "an affine map of condition 1 to 1e6: moved, mirrored, sheared, stretched",
-          ask, std::move(shares)};
+  return {"transformed", "an affine map of condition 1 to 1e6: moved, mirrored, sheared, stretched",
+          ask_moved, std::move(shares)};
 }
 
-/// The layout, whose numbers are between 2^-8 and 2^8, as large or small as the format has numbers.
+/// Makes a scene, whose numbers are between 2^-8 and 2^8, as large or small as the format has numbers.
+inline void resize(Random& random, Precision precision, Scene& scene) {
+  const double size = std::exp2(draw::any_exponent(random, precision, 10));
+  scene.origin *= size;
+  scene.direction *= std::exp2(draw::any_exponent(random, precision, 10));
+  std::visit([size](auto& shape) { shape = grown(shape, size); }, scene.shape);
+}
+
 template <auto layout>
-[[nodiscard]] Family in_any_size(const char* topic, std::vector<MinimumShare> shares) {
-  const auto ask = [](Random& random, Precision precision) -> Question {
-    return ask_changed<layout>(random, precision, [&](Scene& scene) {
-      const double size = std::exp2(draw::any_exponent(random, precision, 10));
-      scene.origin *= size;
-      scene.direction *= std::exp2(draw::any_exponent(random, precision, 10));
-      scene.shape = std::visit([&](const auto& shape) -> Shape { return grown(shape, size); }, scene.shape);
-    });
-  };
-  return {topic, "exponents", "scenes of one size, of any exponent the format has", ask, std::move(shares)};
+[[nodiscard]] Family in_any_size(std::vector<MinimumShare> shares) {
+  return {"exponents", "scenes of one size, of any exponent the format has", ask<layout, resize>,
+          std::move(shares)};
 }
 
 }  // namespace rayproof

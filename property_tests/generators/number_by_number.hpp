@@ -10,14 +10,8 @@
 
 namespace rayproof {
 
-/// Makes of numbers drawn at random a shape that the format can take: how many numbers there are, and the
-/// signs and the order that it asks for. Overloaded for the shapes that ask for anything.
-template <class S>
-void prepare(Random& /*random*/, S& /*any*/) {}
-inline void prepare(Random& random, Polygon<double>& polygon) {
-  polygon.vertices.resize(static_cast<std::size_t>(random.between(3, 8)));
-}
-
+/// Makes of numbers drawn at random a shape that the format can take: the signs and the order that it asks
+/// for. Overloaded for the shapes that ask for anything.
 template <class S>
 void make_valid(Random& /*random*/, S& /*any*/) {}
 inline void make_valid(Random& /*random*/, Sphere<double>& sphere) {
@@ -32,22 +26,29 @@ inline void make_valid(Random& random, Cylinder<double>& cylinder) {
   cylinder.capped = random.one_in(2);
 }
 
-/// A shape `S` and a ray of numbers from `number()`, and the whole line or the default interval.
-template <class S, class Number>
-[[nodiscard]] RayQuestion from_numbers(Random& random, Number&& number) {
+/// A shape, or a question without a ray, of numbers from `number()`.
+template <class S>
+[[nodiscard]] S filled(Random& random, auto&& number) {
   S shape{};
-  prepare(random, shape);
-  const auto fill = [&](double& x) { x = static_cast<double>(number()); };
-  each_number(shape, fill);
+  if constexpr (requires { shape.vertices; })
+    shape.vertices.resize(static_cast<std::size_t>(random.between(3, 8)));
+  each_number(shape, [&](double& x) { x = static_cast<double>(number()); });
   make_valid(random, shape);
+  return shape;
+}
+
+/// A shape `S` and a ray of numbers from `number()`, and the whole line or the default interval.
+template <class S>
+[[nodiscard]] RayQuestion from_numbers(Random& random, auto&& number) {
+  const auto fill = [&](double& x) { x = static_cast<double>(number()); };
+  const auto shape = filled<S>(random, number);
   Ray<double> ray{};
   each_number(ray.origin, fill);
   do {
     each_number(ray.direction, fill);
   } while (ray.direction == glm::dvec3(0));
   if (random.one_in(4)) {
-    const double t0 = number();
-    const double t1 = number();
+    const double t0 = number(), t1 = number();
     ray.t_min = std::min(t0, t1);
     ray.t_max = std::max(t0, t1);
   }
@@ -65,38 +66,28 @@ template <class... Shapes, class Number>
   });
 }
 
-/// Draws one number after another.
-struct Numbers {
-  Random& random;
-  Precision precision;
-  double (*draw)(Random&, Precision);
+/// A question about one of the shapes, or one without a ray, of numbers that `draw` draws one after another.
+template <double (*draw)(Random&, Precision), class... Shapes>
+[[nodiscard]] Question ask_of_numbers(Random& random, Precision precision) {
+  const auto number = [&] { return draw(random, precision); };
+  if constexpr ((std::is_constructible_v<Shape, Shapes> && ...))
+    return one_from_numbers<Shapes...>(random, number);
+  else
+    return filled<Shapes...>(random, number);
+}
 
-  [[nodiscard]] double operator()() const { return draw(random, precision); }
-};
-
+/// Questions of any finite numbers.
 template <class... Shapes>
-[[nodiscard]] Question any_shape(Numbers number) {
-  return one_from_numbers<Shapes...>(number.random, number);
+[[nodiscard]] Family bit_patterns(std::vector<MinimumShare> shares) {
+  return {"bit_patterns", "every finite bit pattern as likely as every other",
+          ask_of_numbers<draw::bit_pattern, Shapes...>, std::move(shares)};
 }
 
-/// The questions that `ask` makes of any finite numbers.
-template <Question (*ask)(Numbers)>
-[[nodiscard]] Family bit_patterns(const char* topic, std::vector<MinimumShare> shares) {
-  return {topic, "bit_patterns", "every finite bit pattern as likely as every other",
-          [](Random& random, Precision precision) {
-            return ask({random, precision, draw::bit_pattern});
-          },
-          std::move(shares)};
-}
-
-/// The questions that `ask` makes of numbers by name.
-template <Question (*ask)(Numbers)>
-[[nodiscard]] Family special(const char* topic, std::vector<MinimumShare> shares) {
-  return {topic, "special", "0, -0, ±1, subnormals, the greatest number, powers of two, small integers",
-          [](Random& random, Precision precision) {
-            return ask({random, precision, draw::special});
-          },
-          std::move(shares)};
+/// Questions of numbers by name.
+template <class... Shapes>
+[[nodiscard]] Family special(std::vector<MinimumShare> shares) {
+  return {"special", "0, -0, ±1, subnormals, the greatest number, powers of two, small integers",
+          ask_of_numbers<draw::special, Shapes...>, std::move(shares)};
 }
 
 }  // namespace rayproof

@@ -19,8 +19,7 @@ using Outline = std::vector<Vec2<double>>;
 }
 
 [[nodiscard]] inline Vec2<double> whole_place(Random& random, int size) {
-  const double x = random.between(-size, size);
-  return {x, double{1} * random.between(-size, size)};
+  return {1.0 * random.between(-size, size), 1.0 * random.between(-size, size)};
 }
 
 /// A star around the origin: radii between 2 and 8, the angles ascending. With `turns` above 1 it goes round
@@ -81,14 +80,13 @@ using Outline = std::vector<Vec2<double>>;
   return vertices;
 }
 
-/// One of the vertices.
-[[nodiscard]] inline Vec2<double> some_vertex(Random& random, const Outline& vertices) {
-  return vertices[static_cast<std::size_t>(random.between(0, static_cast<int>(vertices.size()) - 1))];
+[[nodiscard]] inline std::size_t some_index(Random& random, const Outline& vertices) {
+  return static_cast<std::size_t>(random.between(0, static_cast<int>(vertices.size()) - 1));
 }
 
 /// A point on one of the sides, at this share of its length.
 [[nodiscard]] inline Vec2<double> on_a_side(Random& random, const Outline& vertices, double share) {
-  const auto k = static_cast<std::size_t>(random.between(0, static_cast<int>(vertices.size()) - 1));
+  const std::size_t k = some_index(random, vertices);
   const Vec2<double> a = vertices[k], b = vertices[(k + 1) % vertices.size()];
   return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
 }

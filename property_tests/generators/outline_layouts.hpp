@@ -19,23 +19,16 @@ struct Layout {
 
 /// An outline of whole vertices, of any kind.
 [[nodiscard]] inline Outline whole_outline(Random& random) {
-  switch (random.between(0, 3)) {
-    case 0:
-      return turned(random, comb(random, random.between(1, 6)));
-    case 1:
-      return padded(random, scattered(random, random.between(3, 8), 4));
-    case 2:
-      return scattered(random, vertex_count(random), 8);
-    default:
-      return scattered(random, random.between(3, 8), 4);
-  }
+  const int kind = random.between(0, 3);
+  if (kind == 0) return turned(random, comb(random, random.between(1, 6)));
+  if (kind == 2) return scattered(random, vertex_count(random), 8);
+  const Outline vertices = scattered(random, random.between(3, 8), 4);
+  return kind == 1 ? padded(random, vertices) : vertices;
 }
 
 /// `vertices` and a point of coordinates from `number()`.
-template <class Number>
-[[nodiscard]] PolygonCase with_point(const Outline& vertices, Number&& number) {
-  const double x = number();
-  return {{x, number()}, vertices};
+[[nodiscard]] PolygonCase with_point(const Outline& vertices, auto&& number) {
+  return {{number(), number()}, vertices};
 }
 
 inline constexpr Layout everyday{
@@ -48,7 +41,8 @@ inline constexpr Layout level{
     "level", "in whole numbers: the point is level with vertices and sides", true,
     [](Random& random) -> PolygonCase {
       const Outline vertices = whole_outline(random);
-      const Vec2<double> one = some_vertex(random, vertices), other = some_vertex(random, vertices);
+      const Vec2<double> one = vertices[some_index(random, vertices)],
+                         other = vertices[some_index(random, vertices)];
       return {{(one.x + other.x) / 2 + random.between(-1, 1) / 2.0, other.y}, vertices};
     }};
 

@@ -24,16 +24,11 @@ struct Scene {
   std::optional<glm::dmat4> transform{};
 };
 
-/// A number, vector, list or shape with every number rounded to the precision.
+/// A number, vector, matrix, list, shape or question with every number rounded to the precision.
 template <class V>
 [[nodiscard]] V rounded(Precision precision, V value) {
   each_number(value, [&](double& x) { x = round_to(precision, x); });
   return value;
-}
-[[nodiscard]] inline glm::dmat4 rounded(Precision precision, glm::dmat4 m) {
-  for (int column = 0; column < 4; ++column)
-    for (int row = 0; row < 4; ++row) m[column][row] = round_to(precision, m[column][row]);
-  return m;
 }
 
 /// The question that a scene asks once its numbers are rounded.
@@ -48,8 +43,7 @@ template <class V>
 
 /// The first of the questions from `draw()` that the format takes: rounding can make vectors dependent and a
 /// normal zero.
-template <class Draw>
-[[nodiscard]] RayQuestion first_accepted(Draw&& draw) {
+[[nodiscard]] RayQuestion first_accepted(auto&& draw) {
   for (;;) {
     RayQuestion asked = draw();
     if (is_accepted(asked)) return asked;

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "subjects/our_subject.hpp"
-#include "subjects/solve_topics.hpp"
+#include "subjects/reading.hpp"
 
 #ifndef RAYPROOF_TOPIC
 #define RAYPROOF_TOPIC sphere

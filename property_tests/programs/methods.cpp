@@ -7,7 +7,6 @@
 #include <rayproof/topics.hpp>
 
 #include "command_line/command_line.hpp"
-#include "subjects/contract_names.hpp"
 #include "subjects/subject.hpp"
 
 namespace {

@@ -10,7 +10,6 @@ std::string write_finding(const Finding& finding) {
   Case with_note = finding.one;
   if (!finding.evidence.note.empty()) with_note.note = finding.evidence.note;
   JsonWriter json;
-  json.open('{');
   json.member("subject").string(finding.subject->full_name());
   json.member("shape").string(finding.subject->topic);
   json.member("method").string(finding.subject->name);
@@ -20,11 +19,10 @@ std::string write_finding(const Finding& finding) {
   json.member("exact").raw(write_answer(finding.one, finding.evidence.exact));
   json.member("error_ulp");
   if (finding.evidence.error_ulp) {
-    json.number(*finding.evidence.error_ulp);
+    json.value(*finding.evidence.error_ulp);
   } else {
     json.raw("null");
   }
-  json.close('}');
   return json.take();
 }
 

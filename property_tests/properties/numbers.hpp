@@ -27,24 +27,22 @@ struct CaseNumber {
   const auto append = [&](std::string_view field, auto& value) {
     each_number(value, [&](double& x) { all.push_back({field, &x}); });
   };
-  if (auto* q = std::get_if<Quadratic<double>>(&one.question)) {
-    append("a", q->a);
-    append("b", q->b);
-    append("c", q->c);
-  } else if (auto* place = std::get_if<PointAndPolygon<double>>(&one.question)) {
-    append("point", place->point);
-    append("vertices", place->vertices);
-  } else {
-    auto& [ray, shape, transform] = std::get<RayQuestion>(one.question);
-    append("ray.origin", ray.origin);
-    append("ray.direction", ray.direction);
-    append("ray.t_min", ray.t_min);
-    all.push_back({"ray.t_max", &ray.t_max, infinity<double>});
-    std::visit([&]<class S>(S& of_shape) { ShapeFormat<S>::fields(of_shape, append); }, shape);
-    for (int column = 0; transform && column < 4; ++column)
-      for (int row = 0; row < 3; ++row)
-        all.push_back({"transform", &(*transform)[column][row], column == row ? 1.0 : 0.0});
-  }
+  const auto append_fields = [&]<class S>(S& shape) { ShapeFormat<S>::fields(shape, append); };
+  const auto append_question = [&]<class Query>(Query& asked) {
+    if constexpr (std::is_same_v<Query, RayQuestion>) {
+      append("ray.origin", asked.ray.origin);
+      append("ray.direction", asked.ray.direction);
+      append("ray.t_min", asked.ray.t_min);
+      all.push_back({"ray.t_max", &asked.ray.t_max, infinity<double>});
+      std::visit(append_fields, asked.shape);
+      for (int column = 0; asked.transform && column < 4; ++column)
+        for (int row = 0; row < 3; ++row)
+          all.push_back({"transform", &(*asked.transform)[column][row], column == row ? 1.0 : 0.0});
+    } else {
+      append_fields(asked);
+    }
+  };
+  std::visit(append_question, one.question);
   return all;
 }
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <set>
 
-#include "subjects/contract_names.hpp"
+#include "subjects/subject.hpp"
 
 namespace rayproof {
 

@@ -1,9 +1,7 @@
 #define GLM_ENABLE_EXPERIMENTAL
-#include "subjects/glm_sphere.hpp"
-
 #include <glm/gtx/intersect.hpp>
 
-#include "subjects/solve_topics.hpp"
+#include "subjects/reading.hpp"
 
 namespace rayproof {
 namespace {
@@ -26,12 +24,13 @@ RayAnswer answer_in(const Case& one) {
   return result;
 }
 
-Answer answer_case(const Case& one) {
-  return one.precision == Precision::float32 ? answer_in<float>(one) : answer_in<double>(one);
-}
-
 }  // namespace
 
+/// GLM's glm::intersectRaySphere as a subject: what everybody has at hand.
+///
+/// It wants a unit direction and gives the nearest distance beyond its own ε, so the ray's direction is made
+/// a unit vector and the distance divided by its length; hits outside [t_min, t_max] are dropped. Source:
+/// G-Truc Creation, "OpenGL Mathematics (GLM), gtx/intersect", 2020.
 Subject glm_sphere() {
   Subject subject;
   subject.topic = sphere::Topic::name;
@@ -42,7 +41,9 @@ Subject glm_sphere() {
       .standing = Standing::naive,
       .holds = {Claim::ascending, Claim::nan},
       .refuted = {{{Claim::robust, "|f|² and the squared projection of a far sphere's centre cancel"}}}};
-  subject.answer = answer_case;
+  subject.answer = [](const Case& one) {
+    return in_precision(one.precision, [&]<class T>(T) -> Answer { return answer_in<T>(one); });
+  };
   return subject;
 }
 

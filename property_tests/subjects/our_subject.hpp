@@ -4,26 +4,17 @@
 
 #include <rayproof/arithmetics/bounded.hpp>
 
-#include <rayproof/topics.hpp>
-
-#include "subjects/solve.hpp"
+#include "subjects/reading.hpp"
 
 namespace rayproof {
 
-/// The hits in running-error arithmetic: each t with the bound on its error.
-template <class Topic, class Method>
-[[nodiscard]] std::vector<std::pair<double, double>> bounded_case(const Case& one) {
-  return in_precision(one, [&]<class T>(T) {
-    const auto roots = solve_in<Topic, Method, Bounded<T>>(one);
-    std::vector<std::pair<double, double>> hits;
-    for (const Bounded<T>& root : {roots.lo, roots.hi}) {
-      if (root.value == root.value) hits.emplace_back(root.value, root.error);
-    }
-    return hits;
-  });
+/// Runs a method on a case in arithmetic `A`, transform included.
+template <class Topic, class Method, class A>
+[[nodiscard]] auto solve_in(const Case& one) {
+  return Topic::template solve<Method, A>(Reading<Topic>::template problem<A>(one));
 }
 
-/// What a method is and promises, and how to run it on cases.
+/// What a method is and promises, and how to run it on cases in their own precision.
 template <class Topic, class Method>
 [[nodiscard]] Subject our_subject() {
   Subject subject;
@@ -33,18 +24,29 @@ template <class Topic, class Method>
   subject.source = Method::source;
   subject.contract = Method::contract;
   if constexpr (requires { Method::far_power; }) subject.far_power = Method::far_power;
-  subject.answer = solve_case<Topic, Method>;
-  if constexpr (is_batched<Topic>) subject.answer_in_batch = solve_case_in_batch<Topic, Method>;
+  using Topical = Reading<Topic>;
+  subject.answer = [](const Case& one) {
+    return in_precision(one.precision, [&]<class T>(T) -> Answer {
+      return Topical::template answer<Method, T>(one, solve_in<Topic, Method, T>(one));
+    });
+  };
+  if constexpr (is_batched<Topic>)
+    subject.answer_in_batch = [](const Case& one) {
+      return in_precision(one.precision, [&]<class T>(T) -> Answer {
+        return Topical::template answer<Method, T>(one, Topical::template batch_roots<Method, T>(one));
+      });
+    };
   if constexpr (Method::contract.holds.contains(Claim::bounded))
-    subject.bounded_hits = bounded_case<Topic, Method>;
+    subject.bounded_hits = [](const Case& one) {
+      return in_precision(one.precision, [&]<class T>(T) {
+        const auto roots = solve_in<Topic, Method, Bounded<T>>(one);
+        std::vector<std::pair<double, double>> hits;
+        for (const Bounded<T>& root : {roots.lo, roots.hi})
+          if (root.value == root.value) hits.emplace_back(root.value, root.error);
+        return hits;
+      });
+    };
   return subject;
-}
-
-/// Every method of a topic, in the order of its list.
-template <class Topic>
-void append_methods(std::vector<Subject>& subjects) {
-  Topic::Methods::for_each(
-      [&]<class Method>(std::type_identity<Method>) { subjects.push_back(our_subject<Topic, Method>()); });
 }
 
 }  // namespace rayproof

@@ -3,14 +3,32 @@
 /// A subject is anything that answers cases: our methods, the formulas as printed, GLM.
 
 #include <algorithm>
+#include <array>
 #include <rayproof/method/contract.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "case/answer.hpp"
 #include "case/case.hpp"
 
 namespace rayproof {
+
+/// The names of the claims in listings and on command lines, in the order of `Claim`.
+inline constexpr std::array<std::string_view, claim_count> claim_names{
+    "verdict", "residual", "ulp",   "robust", "ascending", "moved",
+    "scaled",  "reversed", "batch", "nan",    "bounded",   "contact"};
+
+[[nodiscard]] constexpr std::string_view claim_name(Claim claim) {
+  return claim_names.at(static_cast<std::size_t>(claim));
+}
+
+/// The same of `Standing`.
+inline constexpr std::array<std::string_view, 3> standing_names{"sound", "naive", "printed"};
+
+[[nodiscard]] constexpr std::string_view standing_name(Standing standing) {
+  return standing_names.at(static_cast<std::size_t>(standing));
+}
 
 /// One method put on trial. `answer` computes in the case's own precision.
 struct Subject {

@@ -1,16 +1,19 @@
 /// \file
 /// The registration of the subjects' layer: every topic of the library, and one line for each guest.
 
-#include "subjects/glm_sphere.hpp"
 #include "subjects/our_subject.hpp"
-#include "subjects/solve_topics.hpp"
 
 namespace rayproof {
+
+Subject glm_sphere();
 
 const std::vector<Subject>& subjects() {
   static const std::vector<Subject> all = [] {
     std::vector<Subject> list;
-    Topics::for_each([&]<class Topic>(std::type_identity<Topic>) { append_methods<Topic>(list); });
+    Topics::for_each([&]<class Topic>(std::type_identity<Topic>) {
+      Topic::Methods::for_each(
+          [&]<class Method>(std::type_identity<Method>) { list.push_back(our_subject<Topic, Method>()); });
+    });
     list.push_back(glm_sphere());
     return list;
   }();

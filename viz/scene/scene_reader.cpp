@@ -7,8 +7,8 @@
 #include <iterator>
 
 #include "case/json/number_text.hpp"
+#include "case/reader.hpp"
 #include "case/reader/shape_reader.hpp"
-#include "case/reader/shared_fields.hpp"
 #include "viz/scene/camera_reader.hpp"
 #include "viz/scene/value_at.hpp"
 
@@ -46,17 +46,17 @@ class ObjectsReader {
   void read(const Field& shapes) {
     const std::vector<Field> entries = shapes.elements("must be an array of shapes and meshes");
     scene_.objects.reserve(entries.size());
-    for (const Field& entry : entries) {
-      ObjectReader reader(entry);
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      ObjectReader reader(entries[i]);
       const auto mesh = reader.find("mesh");
       const Field shape = mesh ? *mesh : reader.need("shape");
       std::optional<glm::dmat4> transform;
       if (const auto field = reader.find("transform")) transform = read_transform(*field, scene_.precision);
       reader.refuse_unknown();
       if (mesh)
-        add_mesh(shape, transform, *entry.position);
+        add_mesh(shape, transform, i);
       else
-        add_shape(shape, transform, *entry.position);
+        add_shape(shape, transform, i);
     }
   }
 

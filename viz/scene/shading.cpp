@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "subjects/solve_topics.hpp"
+#include "subjects/reading.hpp"
 #include "viz/scene/colours.hpp"
 #include "viz/scene/tiles.hpp"
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <clocale>
 #include <cmath>
@@ -73,8 +72,6 @@ double round_to(Precision precision, double x) {
   return precision == Precision::float32 ? static_cast<double>(static_cast<float>(x)) : x;
 }
 
-void append_number(std::string& out, double x) { append_shortest(out, x); }
-
 void append_number(std::string& out, double x, Precision precision) {
   const std::size_t start = out.size();
   if (precision == Precision::float32 && std::abs(x) <= std::numeric_limits<float>::max()) {
@@ -90,12 +87,7 @@ void append_number(std::string& out, double x, Precision precision) {
 
 void append_hex(std::string& out, double x) {
   if (!std::isfinite(x)) return append_shortest(out, x);
-  out += std::signbit(x) ? "\"-0x" : "\"0x";
-  std::array<char, 32> digits{};
-  const auto written =
-      std::to_chars(digits.data(), digits.data() + digits.size(), std::abs(x), std::chars_format::hex);
-  out.append(digits.data(), written.ptr);
-  out += '"';
+  fmt::format_to(std::back_inserter(out), "\"{:a}\"", x);
 }
 
 }  // namespace rayproof

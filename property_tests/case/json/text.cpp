@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <iterator>
+#include <nlohmann/json.hpp>
+
 #include "case/json/number_text.hpp"
 #include "case/json/scanner.hpp"
 #include "case/shape_format.hpp"
@@ -31,7 +34,7 @@ class Parser {
   void begin_value() {
     const std::string_view rest = text_.substr(scanner_.position());
     open_.push_back(document_.size());
-    document_.push_back({Kind::null, rest, key_, 0});
+    document_.push_back({Kind::null, rest, key_, std::string_view::npos});
     key_ = {};
     try {
       const Kind kind = document_.back().kind = scanner_.kind_of_next();
@@ -84,28 +87,11 @@ class Parser {
     const std::string_view word = rest.substr(0, rest.find_first_of(",]} \t\r\n"));
     const std::string_view spelling = case_spelling(word);
     if (spelling.empty()) return;
-    const std::string path = path_of_last();
+    const std::string path = path_to(document_, document_.size() - 1);
     throw Refusal(
         path, fmt::format("the line is not JSON: {} is {}, {}", path.empty() ? "the case" : path, word,
                           spelling == "nan" ? "which no number of a case may be"
                                             : fmt::format("which is written \"{}\", a string", spelling)));
-  }
-
-  /// "ray.origin[1]": the path to the value that is being read.
-  [[nodiscard]] std::string path_of_last() const {
-    std::string path;
-    for (std::size_t depth = 1; depth < open_.size(); ++depth) {
-      const std::size_t container = open_[depth - 1], child = open_[depth];
-      if (document_[container].kind == Kind::object) {
-        if (!path.empty()) path += '.';
-        path += unquote(document_[child].key);
-      } else {
-        std::size_t position = 0;
-        for (std::size_t i = container + 1; i < child; i = document_[i].end) ++position;
-        path += fmt::format("[{}]", position);
-      }
-    }
-    return path;
   }
 
   std::string_view text_;
@@ -118,5 +104,43 @@ class Parser {
 }  // namespace
 
 Document parse(std::string_view text) { return Parser(text).parse(); }
+
+std::string path_to(const Document& document, std::size_t node) {
+  std::string path;
+  for (std::size_t container = 0; container != node;) {
+    std::size_t child = container + 1, position = 0;
+    for (; document[child].end <= node; child = document[child].end) ++position;
+    if (document[container].kind == Kind::object)
+      append_member(path, unquote(document[child].key));
+    else
+      path += fmt::format("[{}]", position);
+    container = child;
+  }
+  return path;
+}
+
+void append_member(std::string& path, std::string_view name) {
+  if (!path.empty()) path += '.';
+  path += name;
+}
+
+std::string unquote(std::string_view quoted) {
+  const bool is_plain = quoted.find('\\') == std::string_view::npos;
+  return is_plain ? std::string(quoted.substr(1, quoted.size() - 2))
+                  : nlohmann::json::parse(quoted).get<std::string>();
+}
+
+std::string quote(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (static_cast<unsigned char>(c) < 0x20) {
+      fmt::format_to(std::back_inserter(out), "\\u{:04x}", static_cast<unsigned>(c));
+    } else {
+      if (c == '"' || c == '\\') out += '\\';
+      out += c;
+    }
+  }
+  return out + '"';
+}
 
 }  // namespace rayproof::json

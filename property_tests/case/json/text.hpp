@@ -19,7 +19,7 @@ struct Node {
   Kind kind = Kind::null;
   std::string_view text{};  ///< as written; a string with its quotes, an array or object with its brackets
   std::string_view key{};   ///< of a member of an object, with its quotes
-  std::size_t end = 0;      ///< index of the first node after this one's descendants
+  std::size_t end = 0;      ///< index of the first node after this one's descendants; beyond all while open
 };
 
 /// The values of one text in the order in which they begin, so that a container's first child is the node
@@ -29,6 +29,12 @@ using Document = std::vector<Node>;
 /// Reads one JSON text. Throws a Refusal that says what was expected at which byte. The document points into
 /// `text`.
 [[nodiscard]] Document parse(std::string_view text);
+
+/// "ray.origin[1]": the path to a node from the first, empty for that. Also while the document is being read.
+[[nodiscard]] std::string path_to(const Document& document, std::size_t node);
+
+/// Makes an object's path its member's.
+void append_member(std::string& path, std::string_view name);
 
 /// What a string in quotes, already read by `parse`, stands for, in UTF-8.
 [[nodiscard]] std::string unquote(std::string_view quoted);

@@ -1,13 +1,11 @@
 #pragma once
 /// \file
-/// Puts JSON together on one line, in the layout of the case format's examples.
+/// Puts a JSON object together on one line, in the layout of the case format's examples.
 
-#include <array>
-#include <glm/vec3.hpp>
 #include <string>
 #include <string_view>
-#include <vector>
 
+#include "case/each_number.hpp"
 #include "case/json/number_text.hpp"
 #include "case/json/text.hpp"
 
@@ -16,7 +14,10 @@ namespace rayproof {
 /// Appends value after value; `member` and `element` put the commas.
 class JsonWriter {
  public:
-  JsonWriter() { out_.reserve(256); }
+  JsonWriter() {
+    out_.reserve(256);
+    open('{');
+  }
 
   JsonWriter& open(char bracket) {
     out_ += bracket;
@@ -45,39 +46,28 @@ class JsonWriter {
   void string(std::string_view text) { out_ += json::quote(text); }
   void hex(double x) { append_hex(out_, x); }
 
-  /// A number of an answer: reads back, as a double, as exactly this.
-  void number(double x) { append_number(out_, x); }
-  void number(const glm::dvec3& v) {
-    list(std::array{v.x, v.y, v.z}, [this](double x) { number(x); });
+  /// A number, or a vector, matrix or list of them: reads back, rounded to the precision, as exactly this.
+  /// The numbers of an answer are doubles, whatever its case's precision.
+  template <class V>
+  void value(const V& value, Precision precision = Precision::float64) {
+    if constexpr (std::is_same_v<V, bool>) {
+      raw(value ? "true" : "false");
+    } else if constexpr (std::is_same_v<V, double>) {
+      append_number(out_, value, precision);
+    } else {
+      open('[');
+      each_element(value, [&](const auto& part) { element().value(part, precision); });
+      close(']');
+    }
   }
 
-  /// A value of a case: reads back, rounded to the case's precision, as exactly this.
-  void input(double x, Precision precision) { append_number(out_, x, precision); }
-  void input(bool yes, Precision /*precision*/) { raw(yes ? "true" : "false"); }
-  void input(const glm::dvec3& v, Precision precision) { input(std::array{v.x, v.y, v.z}, precision); }
-  void input(const Vec2<double>& v, Precision precision) { input(std::array{v.x, v.y}, precision); }
-  template <class T, std::size_t N>
-  void input(const std::array<T, N>& values, Precision precision) {
-    list(values, [&](const T& value) { input(value, precision); });
+  /// The object, closed.
+  [[nodiscard]] std::string take() {
+    close('}');
+    return std::move(out_);
   }
-  template <class T>
-  void input(const std::vector<T>& values, Precision precision) {
-    list(values, [&](const T& value) { input(value, precision); });
-  }
-
-  [[nodiscard]] std::string take() { return std::move(out_); }
 
  private:
-  template <class Values, class Write>
-  void list(const Values& values, Write&& write) {
-    open('[');
-    for (const auto& value : values) {
-      element();
-      write(value);
-    }
-    close(']');
-  }
-
   std::string out_{};
   bool is_first_ = true;
 };

@@ -12,14 +12,12 @@
 namespace rayproof {
 namespace {
 
-/// Whether a name in quotes is `name`.
-bool names(std::string_view quoted, std::string_view name) {
-  if (quoted.find('\\') != std::string_view::npos) return json::unquote(quoted) == name;
-  return quoted.substr(1, quoted.size() - 2) == name;
-}
-
 std::string did_you_mean(const std::string& name) {
   return fmt::format("did you mean {}?", json::quote(name));
+}
+
+[[noreturn]] void refuse_at(const std::string& path, std::string_view what) {
+  throw Refusal(path, fmt::format("{} {}", path.empty() ? "the case" : path, what));
 }
 
 [[noreturn]] void refuse_as_number(const Field& field) {
@@ -33,95 +31,80 @@ std::string did_you_mean(const std::string& name) {
 
 }  // namespace
 
-std::string Field::path() const {
-  if (parent == nullptr) return "";
-  if (position) return fmt::format("{}[{}]", parent->path(), *position);
-  const std::string before = parent->path();
-  return before.empty() ? std::string(name) : fmt::format("{}.{}", before, name);
-}
-
-void Field::refuse(std::string_view what) const {
-  const std::string where = path();
-  throw Refusal(where, fmt::format("{} {}", where.empty() ? "the case" : where, what));
-}
-
-void Field::refuse_unknown(std::string_view what, std::string_view given,
-                           const std::vector<std::string>& known) const {
-  const std::optional<std::string> likely = likely_name(given, known);
-  std::vector<std::string> quoted;
-  for (const std::string& one : known) quoted.push_back(json::quote(one));
-  refuse(fmt::format("is an unknown {}, {}; {}", what, json::quote(given),
-                     likely ? did_you_mean(*likely) : fmt::format("known: {}", fmt::join(quoted, ", "))));
-}
+void Field::refuse(std::string_view what) const { refuse_at(path(), what); }
 
 std::vector<Field> Field::elements(std::string_view expected, std::optional<std::size_t> size) const {
   if (node().kind != json::Kind::array) refuse(expected);
   std::vector<Field> all;
   for (std::size_t child = index + 1; child < node().end; child = (*document)[child].end) {
-    all.push_back({document, child, this, {}, all.size()});
+    all.push_back({document, child});
   }
   if (size && all.size() != *size) refuse(expected);
   return all;
 }
 
-ObjectReader::ObjectReader(const Field& object) : object_(&object) {
+ObjectReader::ObjectReader(const Field& object) : object_(object) {
   if (object.node().kind != json::Kind::object) object.refuse("must be a JSON object");
+  const json::Document& document = *object.document;
+  members_.reserve(8);
+  for (std::size_t i = object.index + 1; i < object.node().end; i = document[i].end)
+    members_.push_back({json::unquote(document[i].key), {&document, i}});
 }
 
 std::optional<Field> ObjectReader::find(std::string_view name) {
-  known_.push_back(name);
-  const json::Document& document = *object_->document;
   std::optional<Field> found;
-  for (std::size_t i = object_->index + 1; i < object_->node().end; i = document[i].end) {
-    if (names(document[i].key, name)) found = Field{&document, i, object_, name, {}};
+  for (Member& member : members_) {
+    if (member.name != name) continue;
+    member.is_known = true;
+    found = member.field;
   }
+  if (!found) absent_.emplace_back(name);
   return found;
 }
 
 Field ObjectReader::need(std::string_view name) {
   if (const std::optional<Field> found = find(name)) return *found;
-  for (const Unknown& one : unknown()) {
-    if (one.likely) refuse(one);
-  }
-  Field{object_->document, object_->index, object_, name, {}}.refuse("is missing");
+  for (const Member& member : members_)
+    if (likely(member)) refuse(member);
+  std::string path = object_.path();
+  json::append_member(path, name);
+  refuse_at(path, "is missing");
 }
 
 void ObjectReader::refuse_unknown() const {
-  const json::Document& document = *object_->document;
-  for (std::size_t i = object_->index + 1; i < object_->node().end; i = document[i].end) {
-    if (!is_known(document[i].key)) refuse(unknown().front());
-  }
-}
-
-bool ObjectReader::is_known(std::string_view key) const {
-  return std::any_of(known_.begin(), known_.end(), [key](std::string_view name) { return names(key, name); });
+  for (const Member& member : members_)
+    if (!member.is_known) refuse(member);
 }
 
 bool ObjectReader::has_misspelt(std::string_view name) const {
-  const std::vector<Unknown> all = unknown();
-  return std::any_of(all.begin(), all.end(), [name](const Unknown& one) { return one.likely == name; });
+  return std::ranges::any_of(members_, [&](const Member& member) { return likely(member) == name; });
 }
 
-std::vector<ObjectReader::Unknown> ObjectReader::unknown() const {
-  const json::Document& document = *object_->document;
-  std::vector<std::string> absent(known_.begin(), known_.end());
-  std::vector<Unknown> all;
-  for (std::size_t i = object_->index + 1; i < object_->node().end; i = document[i].end) {
-    if (!is_known(document[i].key)) all.push_back({document[i].key});
-    std::erase(absent, json::unquote(document[i].key));
-  }
-  for (Unknown& one : all) one.likely = likely_name(json::unquote(one.key), absent);
-  return all;
+std::optional<std::string> ObjectReader::likely(const Member& member) const {
+  return member.is_known ? std::nullopt : likely_name(member.name, absent_);
 }
 
-void ObjectReader::refuse(const Unknown& one) const {
-  object_->refuse(fmt::format("has an unknown field {}{}", one.key,
-                              one.likely ? "; " + did_you_mean(*one.likely) : std::string()));
+void ObjectReader::refuse(const Member& unknown) const {
+  const auto meant = likely(unknown);
+  object_.refuse(fmt::format("has an unknown field {}{}", unknown.field.node().key,
+                             meant ? "; " + did_you_mean(*meant) : std::string()));
 }
 
 std::string read_string(const Field& field) {
   if (field.node().kind != json::Kind::string) field.refuse("must be a string");
   return json::unquote(field.node().text);
+}
+
+std::size_t read_name(const Field& field, std::string_view what, const std::vector<std::string>& known) {
+  const std::string given = read_string(field);
+  const auto place = std::ranges::find(known, given);
+  if (place != known.end()) return static_cast<std::size_t>(place - known.begin());
+  const std::optional<std::string> likely = likely_name(given, known);
+  std::vector<std::string> quoted;
+  for (const std::string& one : known) quoted.push_back(json::quote(one));
+  field.refuse(
+      fmt::format("is an unknown {}, {}; {}", what, json::quote(given),
+                  likely ? did_you_mean(*likely) : fmt::format("known: {}", fmt::join(quoted, ", "))));
 }
 
 double read_number(const Field& field, Precision precision) {
@@ -135,10 +118,7 @@ double read_number(const Field& field, Precision precision) {
 
 void read_value(const Field& field, Precision precision, double& value) {
   value = read_number(field, precision);
-  if (!std::isfinite(value)) {
-    field.refuse(precision == Precision::float32 ? "must be finite as a float32"
-                                                 : "must be finite as a float64");
-  }
+  if (!std::isfinite(value)) field.refuse(fmt::format("must be finite as a {}", name_of(precision)));
 }
 
 void read_value(const Field& field, Precision precision, glm::dvec3& value) {

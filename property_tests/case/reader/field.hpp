@@ -14,25 +14,18 @@
 
 namespace rayproof {
 
-/// One value of a case and the path to it.
+/// One value of a case.
 struct Field {
   const json::Document* document = nullptr;
-  std::size_t index = 0;
-  const Field* parent = nullptr;          ///< null for the case itself
-  std::string_view name{};                ///< of a member of an object
-  std::optional<std::size_t> position{};  ///< of an element of an array
+  std::size_t index = 0;  ///< 0 for the case itself
 
   [[nodiscard]] const json::Node& node() const { return (*document)[index]; }
 
   /// "ray.origin[1]"; empty for the case itself.
-  [[nodiscard]] std::string path() const;
+  [[nodiscard]] std::string path() const { return json::path_to(*document, index); }
 
   /// Throws the Refusal "ray.origin[1] must be …": the path, then `what`.
   [[noreturn]] void refuse(std::string_view what) const;
-
-  /// Throws the Refusal of a `what` that is none of the known ones, and names the one most likely meant.
-  [[noreturn]] void refuse_unknown(std::string_view what, std::string_view given,
-                                   const std::vector<std::string>& known) const;
 
   /// The elements of an array of `size`; `expected` says what it must be otherwise.
   [[nodiscard]] std::vector<Field> elements(std::string_view expected,
@@ -43,7 +36,7 @@ struct Field {
 /// the last of the two.
 class ObjectReader {
  public:
-  /// Refuses a value that is not an object. `object` must outlive the reader and its fields.
+  /// Refuses a value that is not an object.
   explicit ObjectReader(const Field& object);
 
   [[nodiscard]] std::optional<Field> find(std::string_view name);
@@ -57,20 +50,26 @@ class ObjectReader {
   [[nodiscard]] bool has_misspelt(std::string_view name) const;
 
  private:
-  /// A field that was never asked for.
-  struct Unknown {
-    std::string_view key;                 ///< in quotes, as written
-    std::optional<std::string> likely{};  ///< what it stands for: a name that was asked for and is not there
+  struct Member {
+    std::string name;
+    Field field;
+    bool is_known = false;  ///< asked for
   };
-  [[nodiscard]] bool is_known(std::string_view key) const;
-  [[nodiscard]] std::vector<Unknown> unknown() const;
-  [[noreturn]] void refuse(const Unknown& one) const;
+  /// What a member that is not known stands for: a name that was asked for and is not there.
+  [[nodiscard]] std::optional<std::string> likely(const Member& member) const;
+  [[noreturn]] void refuse(const Member& unknown) const;
 
-  const Field* object_;
-  std::vector<std::string_view> known_{};
+  Field object_;
+  std::vector<Member> members_{};
+  std::vector<std::string> absent_{};  ///< asked for, and not there
 };
 
 [[nodiscard]] std::string read_string(const Field& field);
+
+/// Which of the known names a string is. Refuses another as an unknown `what`, with the one most likely
+/// meant.
+[[nodiscard]] std::size_t read_name(const Field& field, std::string_view what,
+                                    const std::vector<std::string>& known);
 
 /// The number, rounded to the precision; may be infinite or NaN.
 [[nodiscard]] double read_number(const Field& field, Precision precision);

@@ -11,25 +11,26 @@
 #include "case/shape_format.hpp"
 
 namespace rayproof {
-namespace detail {
 
-/// A shape's value is needed, but for a bool, which keeps its default where it is left out.
-template <class T>
-void read_shape_value(ObjectReader& reader, const char* name, Precision precision, T& value) {
-  if constexpr (std::is_same_v<T, bool>) {
-    if (const auto field = reader.find(name)) read_value(*field, precision, value);
-  } else {
-    read_value(reader.need(name), precision, value);
-  }
+/// The fields of a shape, or of a question without a ray, in the order of the format. Each is needed but for
+/// a bool, which keeps its default where it is left out.
+template <class Shape>
+[[nodiscard]] Shape read_fields(ObjectReader& reader, Precision precision) {
+  Shape shape{};
+  ShapeFormat<Shape>::fields(shape, [&]<class T>(const char* name, T& value) {
+    const auto field = std::is_same_v<T, bool> ? reader.find(name) : reader.need(name);
+    if (field) read_value(*field, precision, value);
+  });
+  return shape;
 }
+
+namespace detail {
 
 template <class Result, class Shape>
 Result read_one_shape(const Field& object, Precision precision) {
   ObjectReader reader(object);
   static_cast<void>(reader.need("type"));
-  Shape shape{};
-  ShapeFormat<Shape>::fields(
-      shape, [&](const char* name, auto& value) { read_shape_value(reader, name, precision, value); });
+  auto shape = read_fields<Shape>(reader, precision);
   reader.refuse_unknown();
   ShapeFormat<Shape>::validate(shape);
   return shape;
@@ -71,8 +72,8 @@ void read_shape(const Field& object, Precision precision, std::variant<Shapes...
   std::size_t fewest_missing = std::numeric_limits<std::size_t>::max();
 
   ObjectReader reader(object);
-  const Field type_field = reader.need("type");
-  const std::string type = read_string(type_field);
+  static const std::vector<std::string> types = detail::list_of_types<Shapes...>();
+  const std::string& type = types[read_name(reader.need("type"), "shape type", types)];
   const auto consider = [&]<class Candidate>(std::type_identity<Candidate>, bool guesses) {
     if (type != ShapeFormat<Candidate>::type) return;
     const std::size_t missing = detail::count_missing<Candidate>(object, guesses);
@@ -83,9 +84,6 @@ void read_shape(const Field& object, Precision precision, std::variant<Shapes...
   (consider(std::type_identity<Shapes>{}, false), ...);
   if (fewest_missing > 0) (consider(std::type_identity<Shapes>{}, true), ...);
 
-  if (read == nullptr) {
-    type_field.refuse_unknown("shape type", type, detail::list_of_types<Shapes...>());
-  }
   shape = read(object, precision);
 }
 

@@ -9,14 +9,12 @@ template <>
 struct ShapeFormat<Box<double>> {
   static constexpr const char* type = "box";
 
-  template <class S, class Visit>
-  static void fields(S& box, Visit&& visit) {
+  static void fields(auto& box, auto&& visit) {
     visit("min", box.min);
     visit("max", box.max);
   }
 
-  template <class Show>
-  static std::string in_words(const Box<double>& box, Show&& show) {
+  static std::string in_words(const Box<double>& box, auto&& show) {
     const glm::dvec3 size = box.max - box.min;
     return "a box of " + show(size.x) + " by " + show(size.y) + " by " + show(size.z);
   }

@@ -9,8 +9,7 @@ template <>
 struct ShapeFormat<Cylinder<double>> {
   static constexpr const char* type = "cylinder";
 
-  template <class S, class Visit>
-  static void fields(S& cylinder, Visit&& visit) {
+  static void fields(auto& cylinder, auto&& visit) {
     visit("rx", cylinder.rx);
     visit("ry", cylinder.ry);
     visit("height", cylinder.height);
@@ -19,8 +18,7 @@ struct ShapeFormat<Cylinder<double>> {
 
   static glm::dvec3 middle(const Cylinder<double>& cylinder) { return {0, 0, cylinder.height / 2}; }
 
-  template <class Show>
-  static std::string in_words(const Cylinder<double>& cylinder, Show&& show) {
+  static std::string in_words(const Cylinder<double>& cylinder, auto&& show) {
     const std::string size = cylinder.rx == cylinder.ry
                                  ? "radius " + show(cylinder.rx)
                                  : "radii " + show(cylinder.rx) + " and " + show(cylinder.ry);

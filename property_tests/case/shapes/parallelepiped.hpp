@@ -10,16 +10,9 @@ template <>
 struct ShapeFormat<Parallelepiped<double>> {
   static constexpr const char* type = "parallelepiped";
 
-  template <class S, class Visit>
-  static void fields(S& solid, Visit&& visit) {
+  static void fields(auto& solid, auto&& visit) {
     visit("corner", solid.corner);
     visit("edges", solid.edges);
-  }
-
-  template <class Show>
-  static std::string in_words(const Parallelepiped<double>& /*nothing of it is short*/,
-                              Show&& /*no number*/) {
-    return "a parallelepiped";
   }
 
   static void validate(const Parallelepiped<double>& solid) {

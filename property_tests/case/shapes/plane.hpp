@@ -39,60 +39,37 @@ struct ParametricPlane {
   return {PlaneForm::parametric, plane.point, {}, {}, plane.u, plane.v};
 }
 
-template <>
-struct ShapeFormat<ImplicitPlane> {
+/// What all forms have in common.
+struct PlaneFormat {
   static constexpr const char* type = "plane";
 
-  template <class S, class Visit>
-  static void fields(S& plane, Visit&& visit) {
+  static void validate(const auto& plane) {
+    if (plane.normal == glm::dvec3(0)) throw Refusal("normal", "the plane's normal must not be zero");
+  }
+};
+
+template <>
+struct ShapeFormat<ImplicitPlane> : PlaneFormat {
+  static void fields(auto& plane, auto&& visit) {
     visit("normal", plane.normal);
     visit("d", plane.d);
   }
-
-  template <class Show>
-  static std::string in_words(const ImplicitPlane& /*nothing of it is short*/, Show&& /*no number*/) {
-    return "a plane";
-  }
-
-  static void validate(const ImplicitPlane& plane) {
-    if (plane.normal == glm::dvec3(0)) throw Refusal("normal", "the plane's normal must not be zero");
-  }
 };
 
 template <>
-struct ShapeFormat<PointNormalPlane> {
-  static constexpr const char* type = "plane";
-
-  template <class S, class Visit>
-  static void fields(S& plane, Visit&& visit) {
+struct ShapeFormat<PointNormalPlane> : PlaneFormat {
+  static void fields(auto& plane, auto&& visit) {
     visit("point", plane.point);
     visit("normal", plane.normal);
   }
-
-  template <class Show>
-  static std::string in_words(const PointNormalPlane& /*nothing of it is short*/, Show&& /*no number*/) {
-    return "a plane";
-  }
-
-  static void validate(const PointNormalPlane& plane) {
-    if (plane.normal == glm::dvec3(0)) throw Refusal("normal", "the plane's normal must not be zero");
-  }
 };
 
 template <>
-struct ShapeFormat<ParametricPlane> {
-  static constexpr const char* type = "plane";
-
-  template <class S, class Visit>
-  static void fields(S& plane, Visit&& visit) {
+struct ShapeFormat<ParametricPlane> : PlaneFormat {
+  static void fields(auto& plane, auto&& visit) {
     visit("point", plane.point);
     visit("u", plane.u);
     visit("v", plane.v);
-  }
-
-  template <class Show>
-  static std::string in_words(const ParametricPlane& /*nothing of it is short*/, Show&& /*no number*/) {
-    return "a plane";
   }
 
   static void validate(const ParametricPlane& plane) {

@@ -5,26 +5,34 @@
 
 namespace rayproof {
 
-/// Refuses what is not a polygon, in space or in the plane.
-inline void validate_vertices(std::size_t count) {
-  if (count < 3) throw Refusal("vertices", "the polygon's vertices must be three or more");
-}
+/// What polygons in space and in the plane have in common.
+struct PolygonFormat {
+  static void validate(const auto& polygon) {
+    if (polygon.vertices.size() < 3)
+      throw Refusal("vertices", "the polygon's vertices must be three or more");
+  }
+};
 
 template <>
-struct ShapeFormat<Polygon<double>> {
+struct ShapeFormat<Polygon<double>> : PolygonFormat {
   static constexpr const char* type = "polygon";
 
-  template <class S, class Visit>
-  static void fields(S& polygon, Visit&& visit) {
-    visit("vertices", polygon.vertices);
-  }
+  static void fields(auto& polygon, auto&& visit) { visit("vertices", polygon.vertices); }
 
-  template <class Show>
-  static std::string in_words(const Polygon<double>& polygon, Show&& /*has no number to show*/) {
+  static std::string in_words(const Polygon<double>& polygon, auto&& /*has no number to show*/) {
     return "a polygon with " + std::to_string(polygon.vertices.size()) + " vertices";
   }
+};
 
-  static void validate(const Polygon<double>& polygon) { validate_vertices(polygon.vertices.size()); }
+/// A question without a ray is written like a shape, its `type` as the case's `query`.
+template <>
+struct ShapeFormat<PointAndPolygon<double>> : PolygonFormat {
+  static constexpr const char* type = "point_in_polygon";
+
+  static void fields(auto& asked, auto&& visit) {
+    visit("point", asked.point);
+    visit("vertices", asked.vertices);
+  }
 };
 
 }  // namespace rayproof

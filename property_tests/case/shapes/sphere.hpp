@@ -9,8 +9,7 @@ template <>
 struct ShapeFormat<Sphere<double>> {
   static constexpr const char* type = "sphere";
 
-  template <class S, class Visit>
-  static void fields(S& sphere, Visit&& visit) {
+  static void fields(auto& sphere, auto&& visit) {
     visit("center", sphere.center);
     visit("radius", sphere.radius);
   }
@@ -18,8 +17,7 @@ struct ShapeFormat<Sphere<double>> {
   /// A point near which the whole shape lies, for a sentence that says how far away it is.
   static glm::dvec3 middle(const Sphere<double>& sphere) { return sphere.center; }
 
-  template <class Show>
-  static std::string in_words(const Sphere<double>& sphere, Show&& show) {
+  static std::string in_words(const Sphere<double>& sphere, auto&& show) {
     return "a sphere of radius " + show(sphere.radius);
   }
 

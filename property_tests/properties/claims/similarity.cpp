@@ -5,7 +5,7 @@
 #include <glm/mat4x3.hpp>
 #include <rayproof/formulas/finite.hpp>
 
-#include "case/similar_shapes.hpp"
+#include "case/each_number.hpp"
 #include "generators/scene.hpp"
 #include "properties/numbers.hpp"
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "properties/report/grid.hpp"
-#include "subjects/contract_names.hpp"
+#include "subjects/subject.hpp"
 
 namespace rayproof {
 

@@ -19,7 +19,9 @@ std::string rough(double x) { return fmt::format("{:.4g}", x); }
 std::string things_in(const RayQuestion& asked) {
   return std::visit(
       [&]<class S>(const S& shape) {
-        std::string text = ShapeFormat<S>::in_words(shape, rough);
+        std::string text = std::string("a ") + ShapeFormat<S>::type;
+        if constexpr (requires { ShapeFormat<S>::in_words(shape, rough); })
+          text = ShapeFormat<S>::in_words(shape, rough);
         if (asked.transform) return text + " under a transform";
         if constexpr (requires { ShapeFormat<S>::middle(shape); }) {
           const double distance = glm::length(ShapeFormat<S>::middle(shape) - asked.ray.origin);

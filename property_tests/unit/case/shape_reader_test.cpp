@@ -127,11 +127,9 @@ TEST(shape_reader, knows_the_types_from_the_list_of_shapes) {
 TEST(json_writer, writes_a_new_shape_by_its_format_alone) {
   const Prism prism{{{1, 2, 3}}, {glm::dvec3(0), glm::dvec3(1)}, static_cast<double>(0.1F), true};
   JsonWriter json;
-  json.open('{');
   ShapeFormat<Prism>::fields(prism, [&](const char* name, const auto& value) {
-    json.member(name).input(value, Precision::float32);
+    json.member(name).value(value, Precision::float32);
   });
-  json.close('}');
   EXPECT_EQ(json.take(),
             R"({"base": [[1, 2, 3]], "ends": [[0, 0, 0], [1, 1, 1]], "height": 0.1, "capped": true})");
 }

@@ -20,7 +20,7 @@ TEST(Families, EachProducesWhatItIsFor) {
 }
 
 TEST(Families, ASmallSampleJudgesNoShareAndAWholeOneDoes) {
-  const Family never{"sphere", "never", "no tangent at all", nullptr, {{"tangent", 0.5}}};
+  const Family never{"never", "no tangent at all", nullptr, {{"tangent", 0.5}}};
   EXPECT_TRUE((LabelCount{&never, Precision::float32, label_sample - 1}.missed().empty()));
   EXPECT_EQ((LabelCount{&never, Precision::float32, label_sample}.missed().size()), 1U);
 }

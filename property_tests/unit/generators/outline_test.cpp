@@ -73,12 +73,12 @@ TEST(Outlines, ABoundaryPointIsExactlyOnASide) {
 TEST(LiftedPolygons, OfWholeNumbersLieInOnePlaneAndTheRayCrossesIt) {
   Random random(6);
   for (int k = 0; k < 300; ++k) {
-    const polygon_family::Sheet sheet = polygon_family::whole_sheet(random);
+    const Sheet sheet = polygon_family::whole_sheet(random);
     const glm::dvec3 normal = cross(sheet.u, sheet.v);
     EXPECT_NE(dot(normal, polygon_family::across(random, sheet)), 0);
     const Outline vertices = outline_layout::whole_outline(random);
     for (const glm::dvec3& vertex : polygon_family::lifted(sheet, vertices).vertices) {
-      EXPECT_EQ(dot(normal, vertex - sheet.origin), 0);
+      EXPECT_EQ(dot(normal, vertex - sheet.point), 0);
       EXPECT_EQ(rounded(Precision::float32, vertex), vertex);
     }
   }

@@ -62,7 +62,7 @@ TEST(Maps, AWholeMapRoundsNothingInAShortSceneAndCarriesTOver) {
   for (int k = 0; k < 500; ++k) {
     const glm::dvec3 target = whole_point(random, 8);
     Scene scene = looked_at_exactly(random, {}, target);
-    move_exactly(random, scene);
+    move_exactly(random, Precision::float32, scene);
     EXPECT_EQ(rounded(Precision::float32, scene.origin), scene.origin);
     EXPECT_EQ(rounded(Precision::float32, *scene.transform), *scene.transform);
     const glm::dvec3 moved(*scene.transform * glm::dvec4(target, 1));
@@ -102,7 +102,7 @@ Scene three_away(Random& /*random*/) {
 
 TEST(CutShort, HasAnIntervalThatEndsAtTheHitOrAFewUlpsBeside) {
   Random random(4);
-  const Family family = cut_short<three_away>("plane", {});
+  const Family family = cut_short<three_away>({});
   int at_the_hit = 0;
   for (int k = 0; k < 500; ++k) {
     const auto asked = std::get<RayQuestion>(family.ask(random, Precision::float32));
@@ -118,7 +118,7 @@ TEST(CutShort, HasAnIntervalThatEndsAtTheHitOrAFewUlpsBeside) {
 
 TEST(AnySize, KeepsTheSceneButForItsSize) {
   Random random(5);
-  const Family family = in_any_size<three_away>("plane", {});
+  const Family family = in_any_size<three_away>({});
   std::set<int> exponents;
   for (int k = 0; k < 500; ++k) {
     const auto asked = std::get<RayQuestion>(family.ask(random, Precision::float32));

@@ -9,7 +9,6 @@
 #include "case/case.hpp"
 #include "case/each_number.hpp"
 #include "case/independent.hpp"
-#include "case/similar_shapes.hpp"
 #include "properties/numbers.hpp"
 
 namespace rayproof::oracle::test {

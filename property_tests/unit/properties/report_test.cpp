@@ -9,7 +9,7 @@
 #include "properties/report/findings.hpp"
 #include "properties/report/grid.hpp"
 #include "properties/report/report.hpp"
-#include "subjects/contract_names.hpp"
+#include "subjects/subject.hpp"
 #include "unit/properties/broken_subjects.hpp"
 #include "unit/properties/well_formed.hpp"
 

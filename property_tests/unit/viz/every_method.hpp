@@ -7,7 +7,7 @@
 #include <random>
 #include <rayproof/topics.hpp>
 
-#include "subjects/solve_topics.hpp"
+#include "subjects/reading.hpp"
 #include "unit/shape_types.hpp"
 #include "viz/record.hpp"
 

@@ -6,7 +6,7 @@
 #include "generators/generators.hpp"
 #include "oracle/oracle.hpp"
 #include "subjects/our_subject.hpp"
-#include "subjects/solve_topics.hpp"
+#include "subjects/reading.hpp"
 #include "unit/bits.hpp"
 #include "unit/viz/every_shape.hpp"
 #include "viz/case_report.hpp"

@@ -2,7 +2,7 @@
 /// \file
 /// What every shape's figures are made by: the method's kernel inlined in the loop over the rays.
 
-#include "subjects/solve_topics.hpp"
+#include "subjects/reading.hpp"
 #include "viz/scene/figures.hpp"
 #include "viz/scene/figures/hull.hpp"
 

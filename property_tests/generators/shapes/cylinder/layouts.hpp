@@ -31,7 +31,8 @@ namespace rayproof::cylinder_family {
     const Turn turn = whole_turn(random);
     const double z = double{1} * random.between(0, static_cast<int>(tube.height));
     const glm::dvec3 slope(0, 0, random.between(-2, 2));
-    return looked_at_exactly(random, tube, exactly_at(tube, turn, z), exact_tangent(tube, turn) + slope);
+    return looked_at_exactly(random, tube, exactly_at(tube, turn, z),
+                             glm::round(tangent(tube, turn)) + slope);
   }
   const Tube tube = in_a_room(random);
   const Turn turn = any_turn(random);
@@ -42,8 +43,7 @@ namespace rayproof::cylinder_family {
 }
 
 /// At the side, in whole numbers or in rounded ones; `z_of(tube, exactly)` is where.
-template <class Height>
-[[nodiscard]] Scene at_the_side(Random& random, Height&& z_of) {
+[[nodiscard]] Scene at_the_side(Random& random, auto&& z_of) {
   const bool exactly = random.one_in(2);
   const Tube tube = exactly ? whole(random) : in_a_room(random);
   const double z = z_of(tube, exactly);
@@ -114,11 +114,9 @@ template <class Height>
 }
 
 [[nodiscard]] inline glm::dvec3 on_the_surface(Random& random, const Tube& tube) {
-  if (random.one_in(2)) {
-    const double z = tube.height * random.unit();
-    return at(tube, any_turn(random), 1, z);
-  }
-  const double z = some_end(random, tube), share = random.unit();
+  const bool on_the_side = random.one_in(2);
+  const double z = on_the_side ? tube.height * random.unit() : some_end(random, tube);
+  const double share = on_the_side ? 1 : random.unit();
   return at(tube, any_turn(random), share, z);
 }
 

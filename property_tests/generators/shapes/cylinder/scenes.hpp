@@ -2,6 +2,7 @@
 /// \file
 /// Elliptic cylinders to aim at, in rounded numbers and in whole ones.
 
+#include <glm/common.hpp>
 #include <numbers>
 
 #include "generators/aim.hpp"
@@ -38,7 +39,6 @@ struct Turn {
   return {-tube.rx * turn.sine, tube.ry * turn.cosine, 0};
 }
 
-/// A cylinder of radii and height between 0.5 and 5.
 [[nodiscard]] inline Tube in_a_room(Random& random) {
   const double rx = random.uniform(0.5, 5), ry = random.one_in(4) ? rx : random.uniform(0.5, 5);
   return {rx, ry, random.uniform(0.5, 5), random.one_in(2)};
@@ -50,17 +50,13 @@ struct Turn {
   return {rx, ry, double{1} * random.between(1, 8), random.one_in(2)};
 }
 
-/// `at` without the rounding of fifths.
+/// `at` the side without the rounding of fifths.
 [[nodiscard]] inline glm::dvec3 exactly_at(const Tube& tube, const Turn& turn, double z) {
-  const glm::dvec3 place = at(tube, turn, 1, z);
-  return {std::round(place.x), std::round(place.y), z};
-}
-[[nodiscard]] inline glm::dvec3 exact_tangent(const Tube& tube, const Turn& turn) {
-  const glm::dvec3 along = tangent(tube, turn);
-  return {std::round(along.x), std::round(along.y), 0};
+  glm::dvec3 place = glm::round(at(tube, turn, 1, 0));
+  place.z = z;
+  return place;
 }
 
-/// The height of one of the ends.
 [[nodiscard]] inline double some_end(Random& random, const Tube& tube) {
   return random.one_in(2) ? 0 : tube.height;
 }

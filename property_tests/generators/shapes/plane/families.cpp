@@ -1,33 +1,139 @@
+/// \file
+/// Planes in one of their three forms, and rays aimed at them: from near and far, almost along them, exactly
+/// in them.
+
 #include "generators/layout.hpp"
 #include "generators/number_by_number.hpp"
-#include "generators/shapes/plane/layouts.hpp"
 
 namespace rayproof {
 
+namespace plane_family {
+
+glm::dvec3 normal_of(const Sheet& sheet) { return cross(sheet.u, sheet.v); }
+
+/// The scene with the sheet in one of the three forms.
+Scene in_some_form(Random& random, const Sheet& sheet, Scene scene) {
+  const glm::dvec3 normal = normal_of(sheet);
+  const int form = random.between(0, 2);
+  if (form == 0) scene.shape = ImplicitPlane{normal, -dot(normal, sheet.point)};
+  if (form == 1) scene.shape = PointNormalPlane{sheet.point, normal};
+  if (form == 2) scene.shape = sheet;
+  return scene;
+}
+
+/// A plane in a room; u and v are 1/4 to 4 long and at no small angle.
+Sheet in_a_room(Random& random) {
+  const glm::dvec3 u = draw::unit_vector(random);
+  const double slant = random.uniform(-1, 1);
+  const glm::dvec3 v = draw::perpendicular(random, u) + slant * u;
+  const double length = std::exp2(random.uniform(-2, 2));
+  return {point_in_a_room(random), length * u, std::exp2(random.uniform(-2, 2)) * v};
+}
+
+Sheet whole(Random& random) {
+  for (;;) {
+    const Sheet sheet{whole_point(random, 8), whole_vector(random, 3), whole_vector(random, 3)};
+    if (normal_of(sheet) != glm::dvec3(0)) return sheet;
+  }
+}
+
+glm::dvec3 somewhere(Random& random, const Sheet& sheet) {
+  return at(sheet, {random.uniform(-4, 4), random.uniform(-4, 4)});
+}
+
+/// Exact for a plane of whole numbers.
+glm::dvec3 exactly_somewhere(Random& random, const Sheet& sheet) {
+  const double b = random.between(-3, 3);
+  return at(sheet, {1.0 * random.between(-3, 3), b});
+}
+
+Scene everyday(Random& random) {
+  const Sheet sheet = in_a_room(random);
+  Scene scene = looked_at(random, sheet, somewhere(random, sheet));
+  if (random.one_in(2)) scene = loosened(random, scene);
+  if (random.one_in(4)) scene.direction = -scene.direction;
+  return in_some_form(random, sheet, scene);
+}
+
+Scene near_parallel(Random& random, Precision precision) {
+  const Sheet sheet = in_a_room(random);
+  const double angle = draw::magnitude<double>(random, -draw::digits_of(precision), -4);
+  const glm::dvec3 any_direction = draw::unit_vector(random);
+  const glm::dvec3 off = random.uniform(-1, 1) * any_direction;
+  const glm::dvec3 origin = somewhere(random, sheet) + off;
+  const glm::dvec3 slope = angle * draw::unit_vector(random);
+  return in_some_form(random, sheet, {origin, random.uniform(-2, 2) * sheet.u + sheet.v + slope});
+}
+
+Scene in_plane(Random& random) {
+  const Sheet sheet = whole(random);
+  const auto step = [&] { return double{1} * random.between(-3, 3); };
+  const glm::dvec3 origin = at(sheet, {step(), step()});
+  const double along_v = random.between(1, 3);
+  Scene scene{origin, step() * sheet.u + along_v * sheet.v};
+  if (random.one_in(3)) scene.origin += whole_vector(random, 2);
+  return in_some_form(random, sheet, scene);
+}
+
+Scene surface(Random& random) {
+  const bool exactly = random.one_in(3);
+  const Sheet sheet = exactly ? whole(random) : in_a_room(random);
+  const glm::dvec3 origin = exactly ? exactly_somewhere(random, sheet) : somewhere(random, sheet);
+  return in_some_form(random, sheet, {origin, any_direction(random)});
+}
+
+Scene far(Random& random) {
+  Sheet sheet = in_a_room(random);
+  const double distance = std::pow(10, random.uniform(2, 6));
+  const glm::dvec3 target = somewhere(random, sheet);
+  if (random.one_in(2)) return in_some_form(random, sheet, looked_at_from_afar(random, sheet, target));
+  const Scene scene = looked_at(random, sheet, target);
+  const double b = distance * random.uniform(-1, 1);
+  sheet.point = at(sheet, {distance * random.uniform(-1, 1), b});
+  return in_some_form(random, sheet, scene);
+}
+
+Scene tiny_normal(Random& random, Precision precision) {
+  Sheet sheet = in_a_room(random);
+  const Scene scene = looked_at(random, sheet, somewhere(random, sheet));
+  const double size = std::exp2(random.uniform(-draw::digits_of(precision) / 4.0, -2));
+  sheet.u *= size;
+  sheet.v *= size;
+  return in_some_form(random, sheet, scene);
+}
+
+/// For the interval: half the time in whole numbers, so that the hit is exactly where the ray was aimed.
+Scene met(Random& random) {
+  const bool exactly = random.one_in(2);
+  const Sheet sheet = exactly ? whole(random) : in_a_room(random);
+  return in_some_form(random, sheet,
+                      exactly ? looked_at_exactly(random, sheet, exactly_somewhere(random, sheet))
+                              : looked_at(random, sheet, somewhere(random, sheet)));
+}
+
+}  // namespace plane_family
+
 std::vector<Family> plane_families() {
   using namespace plane_family;
-  const char* const topic = "plane";
-  constexpr auto any_plane = any_shape<ImplicitPlane, PointNormalPlane, ParametricPlane>;
   return {
-      laid_out<everyday>(topic, "random", "a plane in a room, in any of its forms; most rays hit",
+      laid_out<everyday>("random", "a plane in a room, in any of its forms; most rays hit",
                          {in_reach, {"hit", 0.61}, {"miss", 0.23}, {"behind", 0.23}}),
-      laid_out<near_parallel>(topic, "near_parallel", "the ray comes in at 2^-4 to an ulp off the plane",
+      laid_out<near_parallel>("near_parallel", "the ray comes in at 2^-4 to an ulp off the plane",
                               {in_reach, {"hit", 0.42}, {"miss", 0.42}}),
-      laid_out<in_plane>(topic, "in_plane",
-                         "in whole numbers: the ray runs exactly in the plane, or parallel to it",
+      laid_out<in_plane>("in_plane", "in whole numbers: the ray runs exactly in the plane, or parallel to it",
                          {in_reach, {"miss", 0.95}, {"in surface", 0.61}, {"parallel", 0.23}}),
-      laid_out<surface>(topic, "surface", "the origin lies in the plane or an ulp off, as secondary rays' do",
+      laid_out<surface>("surface", "the origin lies in the plane or an ulp off, as secondary rays' do",
                         {in_reach, {"hit", 0.56}, {"miss", 0.27}}),
-      laid_out<far>(topic, "far", "the origin, or the point that gives the plane, is 1e2 to 1e6 away",
+      laid_out<far>("far", "the origin, or the point that gives the plane, is 1e2 to 1e6 away",
                     {in_reach, {"hit", 0.95}}),
-      laid_out<tiny_normal>(topic, "tiny_normal", "the numbers that give the plane's slope are tiny",
+      laid_out<tiny_normal>("tiny_normal", "the numbers that give the plane's slope are tiny",
                             {in_reach, {"hit", 0.95}}),
-      cut_short<met>(topic, {in_reach, {"hit", 0.49}, {"miss", 0.35}, {"in surface", 0.03}, {"behind", 0.3}}),
+      cut_short<met>({in_reach, {"hit", 0.49}, {"miss", 0.35}, {"in surface", 0.03}, {"behind", 0.3}}),
       transformed<everyday, in_plane>(
-          topic, {in_reach, {"hit", 0.41}, {"miss", 0.43}, {"in surface", 0.21}, {"parallel", 0.06}}),
-      in_any_size<everyday>(topic, {{"hit", 0.61}, {"miss", 0.23}, {"behind", 0.23}}),
-      special<any_plane>(topic, {{"hit", 0.35}, {"miss", 0.49}}),
-      bit_patterns<any_plane>(topic, {{"hit", 0.38}, {"miss", 0.46}}),
+          {in_reach, {"hit", 0.41}, {"miss", 0.43}, {"in surface", 0.21}, {"parallel", 0.06}}),
+      in_any_size<everyday>({{"hit", 0.61}, {"miss", 0.23}, {"behind", 0.23}}),
+      special<ImplicitPlane, PointNormalPlane, ParametricPlane>({{"hit", 0.35}, {"miss", 0.49}}),
+      bit_patterns<ImplicitPlane, PointNormalPlane, ParametricPlane>({{"hit", 0.38}, {"miss", 0.46}}),
   };
 }
 

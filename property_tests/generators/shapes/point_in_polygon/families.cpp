@@ -1,4 +1,4 @@
-#include "case/similar_shapes.hpp"
+#include "case/each_number.hpp"
 #include "generators/number_by_number.hpp"
 #include "generators/outline_layouts.hpp"
 
@@ -9,16 +9,12 @@ namespace point_in_polygon_family {
 using outline_layout::Layout;
 using outline_layout::PolygonCase;
 
-[[nodiscard]] Question question(Precision precision, const PolygonCase& plan) {
-  return PolygonCase{rounded(precision, plan.point), rounded(precision, plan.vertices)};
-}
-
 template <const Layout& layout>
 [[nodiscard]] Family planned(std::vector<MinimumShare> shares) {
-  const auto ask = [](Random& random, Precision precision) {
-    return question(precision, layout.plan(random));
+  const auto ask = [](Random& random, Precision precision) -> Question {
+    return rounded(precision, layout.plan(random));
   };
-  return {"point_in_polygon", layout.name, layout.description, ask, std::move(shares)};
+  return {layout.name, layout.description, ask, std::move(shares)};
 }
 
 constexpr Layout far{
@@ -30,14 +26,14 @@ constexpr Layout far{
       const double y = distance * draw::symmetric<double>(random);
       const auto move = [&](Vec2<double>& v) { v = {v.x + x, v.y + y}; };
       move(plan.point);
-      for (Vec2<double>& vertex : plan.vertices) move(vertex);
+      each_element(plan.vertices, move);
       return plan;
     }};
 
 constexpr Layout near_level{"near_level", "the point is level with a vertex, or an ulp or a little more off",
                             false, [](Random& random) -> PolygonCase {
                               const Outline vertices = star(random, vertex_count(random));
-                              const double y = some_vertex(random, vertices).y;
+                              const double y = vertices[some_index(random, vertices)].y;
                               const double off =
                                   random.one_in(2) ? 0 : draw::magnitude<double>(random, -52, -16);
                               return {{random.uniform(-8, 8), y * (1 + off)}, vertices};
@@ -53,15 +49,7 @@ constexpr Layout many{"many", "30 to 200 vertices, half of them on a small grid"
 
 [[nodiscard]] Question exponents(Random& random, Precision precision) {
   const double size = std::exp2(draw::any_exponent(random, precision, 8));
-  return question(precision, grown(outline_layout::everyday.plan(random), size));
-}
-
-[[nodiscard]] Question any_places(Numbers number) {
-  PolygonCase plan{{}, Outline(static_cast<std::size_t>(number.random.between(3, 8)))};
-  const auto fill = [&](double& x) { x = number(); };
-  each_number(plan.point, fill);
-  each_number(plan.vertices, fill);
-  return plan;
+  return rounded(precision, grown(outline_layout::everyday.plan(random), size));
 }
 
 }  // namespace point_in_polygon_family
@@ -69,7 +57,6 @@ constexpr Layout many{"many", "30 to 200 vertices, half of them on a small grid"
 std::vector<Family> point_in_polygon_families() {
   using namespace point_in_polygon_family;
   namespace layout = outline_layout;
-  const char* const topic = "point_in_polygon";
   return {
       planned<layout::level>({in_reach, {"inside", 0.14}, {"outside", 0.39}, {"boundary", 0.3}}),
       planned<layout::everyday>({in_reach, {"inside", 0.47}, {"outside", 0.37}}),
@@ -81,13 +68,12 @@ std::vector<Family> point_in_polygon_families() {
       planned<far>({in_reach, {"inside", 0.38}, {"outside", 0.35}, {"boundary", 0.1}}),
       planned<near_level>({in_reach, {"inside", 0.26}, {"outside", 0.58}}),
       planned<many>({in_reach, {"inside", 0.4}, {"outside", 0.21}, {"boundary", 0.22}}),
-      {topic,
-       "exponents",
+      {"exponents",
        "polygons of one size, of any exponent the format has",
        exponents,
        {{"inside", 0.46}, {"outside", 0.38}}},
-      special<any_places>(topic, {{"inside", 0.15}, {"outside", 0.68}, {"boundary", 0.003}}),
-      bit_patterns<any_places>(topic, {{"inside", 0.17}, {"outside", 0.66}}),
+      special<PolygonCase>({{"inside", 0.15}, {"outside", 0.68}, {"boundary", 0.003}}),
+      bit_patterns<PolygonCase>({{"inside", 0.17}, {"outside", 0.66}}),
   };
 }
 

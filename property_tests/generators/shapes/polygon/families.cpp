@@ -8,8 +8,7 @@ namespace {
 
 template <const outline_layout::Layout& layout>
 Family family_in_space(std::vector<MinimumShare> shares) {
-  return laid_out<polygon_family::in_space<layout>>("polygon", layout.name, layout.description,
-                                                    std::move(shares));
+  return laid_out<polygon_family::in_space<layout>>(layout.name, layout.description, std::move(shares));
 }
 
 }  // namespace
@@ -17,11 +16,10 @@ Family family_in_space(std::vector<MinimumShare> shares) {
 std::vector<Family> polygon_families() {
   using namespace polygon_family;
   namespace layout = outline_layout;
-  const char* const topic = "polygon";
   return {
       family_in_space<layout::level>(
           {in_reach, {"hit", 0.44}, {"miss", 0.4}, {"edge", 0.16}, {"vertex", 0.14}}),
-      laid_out<everyday>(topic, layout::everyday.name, layout::everyday.description,
+      laid_out<everyday>(layout::everyday.name, layout::everyday.description,
                          {in_reach, {"hit", 0.39}, {"miss", 0.45}, {"behind", 0.06}}),
       family_in_space<layout::boundary>({in_reach, {"hit", 0.83}, {"edge", 0.51}, {"vertex", 0.32}}),
       family_in_space<layout::near_boundary>({in_reach, {"hit", 0.38}, {"miss", 0.45}}),
@@ -29,18 +27,18 @@ std::vector<Family> polygon_families() {
       family_in_space<layout::repeated>(
           {in_reach, {"hit", 0.16}, {"miss", 0.68}, {"edge", 0.04}, {"vertex", 0.012}, {"degenerate", 0.03}}),
       family_in_space<layout::no_area>({in_reach, {"miss", 0.95}, {"degenerate", 0.95}}),
-      laid_out<coplanar>(topic, "coplanar",
+      laid_out<coplanar>("coplanar",
                          "in whole numbers: the ray runs in the polygon's plane, or parallel to it",
                          {in_reach, {"miss", 0.95}, {"in surface", 0.62}, {"parallel", 0.21}}),
-      laid_out<far>(topic, "far", "the ray comes from 1e2 to 1e6 away, half the time near the boundary",
+      laid_out<far>("far", "the ray comes from 1e2 to 1e6 away, half the time near the boundary",
                     {in_reach, {"hit", 0.42}, {"miss", 0.42}}),
       cut_short<met>(
-          topic, {in_reach, {"hit", 0.37}, {"miss", 0.46}, {"edge", 0.18}, {"vertex", 0.1}, {"behind", 0.2}}),
+          {in_reach, {"hit", 0.37}, {"miss", 0.46}, {"edge", 0.18}, {"vertex", 0.1}, {"behind", 0.2}}),
       transformed<everyday, in_space<layout::boundary>>(
-          topic, {in_reach, {"hit", 0.54}, {"miss", 0.3}, {"edge", 0.18}, {"vertex", 0.1}}),
-      in_any_size<everyday>(topic, {{"hit", 0.39}, {"miss", 0.45}, {"behind", 0.06}}),
-      special<any_shape<Polygon<double>>>(topic, {{"hit", 0.04}, {"miss", 0.79}}),
-      bit_patterns<any_shape<Polygon<double>>>(topic, {{"hit", 0.05}, {"miss", 0.78}}),
+          {in_reach, {"hit", 0.54}, {"miss", 0.3}, {"edge", 0.18}, {"vertex", 0.1}}),
+      in_any_size<everyday>({{"hit", 0.39}, {"miss", 0.45}, {"behind", 0.06}}),
+      special<Polygon<double>>({{"hit", 0.04}, {"miss", 0.79}}),
+      bit_patterns<Polygon<double>>({{"hit", 0.05}, {"miss", 0.78}}),
   };
 }
 

@@ -2,23 +2,16 @@
 /// \file
 /// Polygons in space: an outline of the plane put into a plane of space, with a ray through the point.
 
-#include "generators/affine.hpp"
+#include "generators/layout.hpp"
 #include "generators/outline_layouts.hpp"
 
 namespace rayproof::polygon_family {
 
 using outline_layout::PolygonCase;
 
-/// Where the outline's plane lies in space: (x, y) is at origin + x·u + y·v.
-struct Sheet {
-  glm::dvec3 origin, u, v;
-
-  [[nodiscard]] glm::dvec3 at(const Vec2<double>& place) const { return origin + place.x * u + place.y * v; }
-};
-
 [[nodiscard]] inline Polygon<double> lifted(const Sheet& sheet, const Outline& vertices) {
   Polygon<double> polygon;
-  for (const Vec2<double>& vertex : vertices) polygon.vertices.push_back(sheet.at(vertex));
+  for (const Vec2<double>& vertex : vertices) polygon.vertices.push_back(at(sheet, vertex));
   return polygon;
 }
 
@@ -55,11 +48,11 @@ template <const outline_layout::Layout& layout>
   const PolygonCase plan = layout.plan(random);
   if constexpr (layout.is_exact) {
     const Sheet sheet = whole_sheet(random);
-    return looked_at_exactly(random, lifted(sheet, plan.vertices), sheet.at(plan.point),
+    return looked_at_exactly(random, lifted(sheet, plan.vertices), at(sheet, plan.point),
                              across(random, sheet));
   }
   const Sheet sheet = any_sheet(random);
-  return looked_at(random, lifted(sheet, plan.vertices), sheet.at(plan.point));
+  return looked_at(random, lifted(sheet, plan.vertices), at(sheet, plan.point));
 }
 
 /// Stars in space, looked at from all sides: some rays start behind the polygon.
@@ -70,14 +63,14 @@ template <const outline_layout::Layout& layout>
 [[nodiscard]] inline Scene far(Random& random) {
   const PolygonCase plan = outline_layout::either_plan(random);
   const Sheet sheet = any_sheet(random);
-  return looked_at_from_afar(random, lifted(sheet, plan.vertices), sheet.at(plan.point));
+  return looked_at_from_afar(random, lifted(sheet, plan.vertices), at(sheet, plan.point));
 }
 
 [[nodiscard]] inline Scene coplanar(Random& random) {
   const PolygonCase plan = outline_layout::level.plan(random);
   const Sheet sheet = whole_sheet(random);
   const double along_v = random.between(1, 3), along_u = random.between(-3, 3);
-  Scene scene{sheet.at(plan.point), along_u * sheet.u + along_v * sheet.v, lifted(sheet, plan.vertices)};
+  Scene scene{at(sheet, plan.point), along_u * sheet.u + along_v * sheet.v, lifted(sheet, plan.vertices)};
   if (random.one_in(3)) scene.origin += whole_vector(random, 2);
   return scene;
 }

@@ -4,14 +4,12 @@ namespace rayproof {
 
 namespace quadratic_family {
 
-/// The equation, its coefficients rounded.
-[[nodiscard]] Quadratic<double> equation(Precision precision, double a, double b, double c) {
-  return {round_to(precision, a), round_to(precision, b), round_to(precision, c)};
+[[nodiscard]] Question equation(Precision precision, double a, double b, double c) {
+  return rounded(precision, Quadratic<double>{a, b, c});
 }
 
 [[nodiscard]] Question everyday(Random& random, Precision precision) {
-  const auto coefficient = [&] { return random.uniform(-10, 10); };
-  const double a = coefficient(), b = coefficient(), c = coefficient();
+  const double a = random.uniform(-10, 10), b = random.uniform(-10, 10), c = random.uniform(-10, 10);
   return equation(precision, a, b, c);
 }
 
@@ -62,56 +60,37 @@ namespace quadratic_family {
   const double a = any(), c = any();
   const double between = (std::log2(std::abs(a)) + std::log2(std::abs(c))) / 2;
   const double highest =
-      draw::in_precision(precision, []<class T>(T) -> double { return draw::highest_exponent<T>; });
+      in_precision(precision, []<class T>(T) -> double { return draw::highest_exponent<T>; });
   const double b =
       random.one_in(2) ? any() : draw::magnitude<double>(random, between, std::min(between + 3, highest));
   return equation(precision, a, b, c);
 }
 
-[[nodiscard]] Question any_coefficients(Numbers number) {
-  const double a = number(), b = number(), c = number();
-  return Quadratic<double>{a, b, c};
+[[nodiscard]] Family asked(const char* name, const char* description, Question (*ask)(Random&, Precision),
+                           std::vector<MinimumShare> shares) {
+  return {name, description, ask, std::move(shares)};
 }
 
 }  // namespace quadratic_family
 
 std::vector<Family> quadratic_families() {
   using namespace quadratic_family;
-  const char* const topic = "quadratic";
   const MinimumShare all_in_reach{"in reach", 1};
   return {
-      {topic,
-       "cancelling",
-       "b² >> 4ac: one root is tiny beside the other",
-       cancelling,
-       {all_in_reach, {"two", 0.9}}},
-      {topic,
-       "random",
-       "coefficients between -10 and 10",
-       everyday,
-       {all_in_reach, {"two", 0.4}, {"none", 0.2}}},
-      {topic,
-       "near_double",
-       "b² ≈ 4ac: (px + q)² exactly, or a few ulps beside a double root",
-       near_double,
-       {all_in_reach, {"two", 0.2}, {"double", 0.1}, {"none", 0.2}}},
-      {topic,
-       "small_a",
-       "a goes to 0, or is 0",
-       small_a,
-       {all_in_reach, {"linear", 0.15}, {"two", 0.4}, {"constant", 0.005}}},
-      {topic,
-       "integers",
-       "whole numbers, most of them factors multiplied out",
-       integers,
-       {all_in_reach, {"two", 0.5}, {"double", 0.1}, {"none", 0.1}}},
-      {topic,
-       "exponents",
-       "coefficients of any exponent, half the time with b² near ac in size",
-       exponents,
-       {{"two", 0.5}, {"none", 0.05}}},
-      special<any_coefficients>(topic, {{"two", 0.2}, {"none", 0.1}, {"linear", 0.02}, {"double", 0.001}}),
-      bit_patterns<any_coefficients>(topic, {{"two", 0.3}, {"none", 0.1}}),
+      asked("cancelling", "b² >> 4ac: one root is tiny beside the other", cancelling,
+            {all_in_reach, {"two", 0.9}}),
+      asked("random", "coefficients between -10 and 10", everyday,
+            {all_in_reach, {"two", 0.4}, {"none", 0.2}}),
+      asked("near_double", "b² ≈ 4ac: (px + q)² exactly, or a few ulps beside a double root", near_double,
+            {all_in_reach, {"two", 0.2}, {"double", 0.1}, {"none", 0.2}}),
+      asked("small_a", "a goes to 0, or is 0", small_a,
+            {all_in_reach, {"linear", 0.15}, {"two", 0.4}, {"constant", 0.005}}),
+      asked("integers", "whole numbers, most of them factors multiplied out", integers,
+            {all_in_reach, {"two", 0.5}, {"double", 0.1}, {"none", 0.1}}),
+      asked("exponents", "coefficients of any exponent, half the time with b² near ac in size", exponents,
+            {{"two", 0.5}, {"none", 0.05}}),
+      special<Quadratic<double>>({{"two", 0.2}, {"none", 0.1}, {"linear", 0.02}, {"double", 0.001}}),
+      bit_patterns<Quadratic<double>>({{"two", 0.3}, {"none", 0.1}}),
   };
 }
 

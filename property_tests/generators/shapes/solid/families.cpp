@@ -1,65 +1,149 @@
+/// \file
+/// Rays aimed at solids: at faces, edges and corners, along them, from inside and from afar.
+
 #include "generators/layout.hpp"
 #include "generators/number_by_number.hpp"
-#include "generators/shapes/solid/layouts.hpp"
+#include "generators/shapes/solid/scenes.hpp"
 
 namespace rayproof {
 
-namespace {
+namespace solid_family {
+
+/// Whole a third of the time.
+glm::dvec3 some_direction(Random& random) {
+  return random.one_in(3) ? whole_vector(random, 3) : any_direction(random);
+}
+
+/// `Kind` is Boxes or Oblique.
+template <class Kind>
+struct SolidLayouts {
+  static Scene everyday(Random& random) {
+    const Frame frame = Kind::in_a_room(random);
+    const glm::dvec3 target = at(frame, draw::vector([&] { return random.uniform(-0.3, 1.3); }));
+    return loosened(random, looked_at(random, Kind::shape(frame), target));
+  }
+
+  static Scene edges(Random& random) {
+    const Frame frame = Kind::whole(random);
+    return looked_at_exactly(random, Kind::shape(frame),
+                             at(frame, exact_place(random, random.between(2, 3))));
+  }
+
+  static Scene near_edges(Random& random) {
+    const Frame frame = Kind::in_a_room(random);
+    return looked_at(random, Kind::shape(frame), at(frame, place(random, random.one_in(4) ? 3 : 2)));
+  }
+
+  /// For the interval: aimed at a face.
+  static Scene faces(Random& random) {
+    const bool exactly = random.one_in(2);
+    const Frame frame = exactly ? Kind::whole(random) : Kind::in_a_room(random);
+    return exactly ? looked_at_exactly(random, Kind::shape(frame), at(frame, exact_place(random, 1)))
+                   : looked_at(random, Kind::shape(frame), at(frame, place(random, 1)));
+  }
+
+  static Scene in_faces(Random& random) {
+    const Frame frame = Kind::whole(random);
+    const int across = random.between(0, 2);  // the axis the ray does not move along
+    glm::dvec3 start = draw::vector([&] { return random.between(-2, 6) / 4.0; }), direction(0);
+    start[across] = random.between(0, 1);
+    const int other = (across + random.between(1, 2)) % 3;
+    direction[other] = random.one_in(2) ? 1 : -1;
+    if (random.one_in(2)) direction[3 - across - other] = random.between(-2, 2);
+    Scene scene{at(frame, start), along(frame, direction), Kind::shape(frame)};
+    if (random.one_in(4)) scene.t_min = -std::numeric_limits<double>::infinity();
+    return scene;
+  }
+
+  static Scene surface(Random& random) {
+    const bool exactly = random.one_in(2);
+    const Frame frame = exactly ? Kind::whole(random) : Kind::in_a_room(random);
+    const int at_an_end = random.one_in(2) ? 1 : random.between(2, 3);
+    return {at(frame, exactly ? exact_place(random, at_an_end) : place(random, at_an_end)),
+            some_direction(random), Kind::shape(frame)};
+  }
+
+  static Scene inside(Random& random) {
+    const Frame frame = Kind::in_a_room(random);
+    return {at(frame, draw::vector([&] { return random.uniform(0.001, 0.999); })), some_direction(random),
+            Kind::shape(frame)};
+  }
+
+  static Scene axis_parallel(Random& random) {
+    const Frame frame = random.one_in(2) ? Kind::whole(random) : Kind::in_a_room(random);
+    const auto anywhere = [&] { return random.uniform(-0.3, 1.3); };
+    const glm::dvec3 target = at(frame, place(random, random.one_in(3) ? 1 : 0, anywhere));
+    glm::dvec3 sight = draw::vector([&] { return draw::magnitude<double>(random, -2, 0); });
+    const int first = random.between(0, 2);
+    for (int k = random.between(1, 2); k > 0; --k) sight[(first + k) % 3] *= 0;
+    return looked_along(random, Kind::shape(frame), target, sight);
+  }
+
+  static Scene flat(Random& random) {
+    const Frame frame = Kind::flat(random);
+    const glm::dvec3 target = at(frame, draw::vector([&] { return random.uniform(-0.2, 1.2); }));
+    const glm::dvec3 sight = random.one_in(4) ? whole_vector(random, 1) : draw::unit_vector(random);
+    return looked_along(random, Kind::shape(frame), target, sight);
+  }
+
+  static Scene far(Random& random) {
+    const Frame frame = Kind::in_a_room(random);
+    return looked_at_from_afar(random, Kind::shape(frame),
+                               at(frame, place(random, random.one_in(2) ? 2 : 0)));
+  }
+};
 
 /// The families of one kind of solid. Both have the same: what is hard is where two faces meet. `flat_shares`
 /// is what the flat ones must produce, of which only a box may have no thickness at all.
 template <class Kind>
-std::vector<Family> solid_families(const char* topic, const std::vector<MinimumShare>& flat_shares) {
-  using namespace solid_family;
+std::vector<Family> solid_families(const std::vector<MinimumShare>& flat_shares) {
+  using Layout = SolidLayouts<Kind>;
   return {
-      laid_out<everyday<Kind>>(topic, "random", "a solid in a room, about half the rays hit",
-                               {in_reach, {"hit", 0.39}, {"miss", 0.43}, {"behind", 0.05}}),
-      laid_out<axis_parallel<Kind>>(
-          topic, "axis_parallel",
+      laid_out<Layout::everyday>("random", "a solid in a room, about half the rays hit",
+                                 {in_reach, {"hit", 0.39}, {"miss", 0.43}, {"behind", 0.05}}),
+      laid_out<Layout::axis_parallel>(
+          "axis_parallel",
           "one or two components of the direction are exactly 0 or -0, some in the plane of a face",
           {in_reach, {"hit", 0.4}, {"miss", 0.37}, {"sharp", 0.004}}),
-      laid_out<edges<Kind>>(topic, "edges",
-                            "in whole numbers: the line passes exactly through an edge or a corner",
-                            {in_reach, {"hit", 0.95}, {"tangent", 0.32}, {"sharp", 0.74}}),
-      laid_out<near_edges<Kind>>(topic, "near_edges", "the line passes an ulp or so from an edge or a corner",
-                                 {in_reach, {"hit", 0.57}, {"miss", 0.24}}),
-      laid_out<in_faces<Kind>>(topic, "in_faces",
-                               "in whole numbers: the ray runs in the plane of a face or along an edge",
-                               {in_reach, {"hit", 0.42}, {"miss", 0.41}, {"tangent", 0.03}, {"sharp", 0.52}}),
-      laid_out<surface<Kind>>(
-          topic, "surface",
-          "the origin lies on a face, an edge or a corner, or an ulp off, as secondary rays' do",
+      laid_out<Layout::edges>("edges",
+                              "in whole numbers: the line passes exactly through an edge or a corner",
+                              {in_reach, {"hit", 0.95}, {"tangent", 0.32}, {"sharp", 0.74}}),
+      laid_out<Layout::near_edges>("near_edges", "the line passes an ulp or so from an edge or a corner",
+                                   {in_reach, {"hit", 0.57}, {"miss", 0.24}}),
+      laid_out<Layout::in_faces>(
+          "in_faces", "in whole numbers: the ray runs in the plane of a face or along an edge",
+          {in_reach, {"hit", 0.42}, {"miss", 0.41}, {"tangent", 0.03}, {"sharp", 0.52}}),
+      laid_out<Layout::surface>(
+          "surface", "the origin lies on a face, an edge or a corner, or an ulp off, as secondary rays' do",
           {in_reach, {"hit", 0.67}, {"tangent", 0.21}, {"sharp", 0.3}, {"cut", 0.24}, {"from inside", 0.03}}),
-      laid_out<flat<Kind>>(topic, "flat", "the solid is nearly flat, or exactly where it may be",
-                           flat_shares),
-      laid_out<inside<Kind>>(topic, "inside", "the origin lies inside",
-                             {in_reach, {"hit", 0.95}, {"cut", 0.95}, {"from inside", 0.95}}),
-      laid_out<far<Kind>>(topic, "far",
-                          "the solid is 1e2 to 1e6 sizes away, half the time aimed near an edge",
-                          {in_reach, {"hit", 0.74}, {"miss", 0.1}}),
-      cut_short<faces<Kind>>(topic, {in_reach,
-                                     {"hit", 0.65},
-                                     {"miss", 0.18},
-                                     {"tangent", 0.09},
-                                     {"sharp", 0.25},
-                                     {"behind", 0.18},
-                                     {"cut", 0.38}}),
-      transformed<everyday<Kind>, edges<Kind>>(
-          topic, {in_reach, {"hit", 0.54}, {"miss", 0.29}, {"tangent", 0.11}, {"sharp", 0.25}}),
-      in_any_size<everyday<Kind>>(topic, {{"hit", 0.39}, {"miss", 0.43}, {"behind", 0.05}}),
-      special<any_shape<typename Kind::Solid>>(topic, {{"hit", 0.03}, {"miss", 0.77}}),
-      bit_patterns<any_shape<typename Kind::Solid>>(topic, {{"hit", 0.03}, {"miss", 0.78}}),
+      laid_out<Layout::flat>("flat", "the solid is nearly flat, or exactly where it may be", flat_shares),
+      laid_out<Layout::inside>("inside", "the origin lies inside",
+                               {in_reach, {"hit", 0.95}, {"cut", 0.95}, {"from inside", 0.95}}),
+      laid_out<Layout::far>("far", "the solid is 1e2 to 1e6 sizes away, half the time aimed near an edge",
+                            {in_reach, {"hit", 0.74}, {"miss", 0.1}}),
+      cut_short<Layout::faces>({in_reach,
+                                {"hit", 0.65},
+                                {"miss", 0.18},
+                                {"tangent", 0.09},
+                                {"sharp", 0.25},
+                                {"behind", 0.18},
+                                {"cut", 0.38}}),
+      transformed<Layout::everyday, Layout::edges>(
+          {in_reach, {"hit", 0.54}, {"miss", 0.29}, {"tangent", 0.11}, {"sharp", 0.25}}),
+      in_any_size<Layout::everyday>({{"hit", 0.39}, {"miss", 0.43}, {"behind", 0.05}}),
+      special<typename Kind::Solid>({{"hit", 0.03}, {"miss", 0.77}}),
+      bit_patterns<typename Kind::Solid>({{"hit", 0.03}, {"miss", 0.78}}),
   };
 }
 
-}  // namespace
+}  // namespace solid_family
 
 std::vector<Family> box_families() {
-  return solid_families<solid_family::Boxes>(
-      "box", {in_reach, {"hit", 0.4}, {"miss", 0.4}, {"sharp", 0.15}, {"tangent", 0.12}});
+  return solid_family::solid_families<solid_family::Boxes>(
+      {in_reach, {"hit", 0.4}, {"miss", 0.4}, {"sharp", 0.15}, {"tangent", 0.12}});
 }
 std::vector<Family> parallelepiped_families() {
-  return solid_families<solid_family::Oblique>("parallelepiped", {in_reach, {"hit", 0.6}, {"miss", 0.15}});
+  return solid_family::solid_families<solid_family::Oblique>({in_reach, {"hit", 0.6}, {"miss", 0.15}});
 }
 
 }  // namespace rayproof

@@ -80,8 +80,7 @@ struct Oblique {
 
 /// A place in the solid given by r, s, t: how many of them (1 a face, 2 an edge, 3 a corner) are at an end.
 /// The others come from `free()`.
-template <class Free>
-[[nodiscard]] glm::dvec3 place(Random& random, int at_an_end, Free&& free) {
+[[nodiscard]] glm::dvec3 place(Random& random, int at_an_end, auto&& free) {
   glm::dvec3 rst = draw::vector(free);
   const int first = random.between(0, 2);
   for (int k = 0; k < at_an_end; ++k) rst[(first + k) % 3] = random.between(0, 1);

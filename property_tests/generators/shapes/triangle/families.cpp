@@ -6,15 +6,14 @@ namespace rayproof {
 
 std::vector<Family> triangle_families() {
   using namespace triangle_family;
-  const char* const topic = "triangle";
   return {
-      laid_out<everyday>(topic, "random", "a triangle in a room, about half the rays hit",
+      laid_out<everyday>("random", "a triangle in a room, about half the rays hit",
                          {in_reach, {"hit", 0.38}, {"miss", 0.46}, {"behind", 0.05}}),
-      laid_out<edges>(topic, "edges", "in whole numbers: the line passes exactly through an edge or a vertex",
+      laid_out<edges>("edges", "in whole numbers: the line passes exactly through an edge or a vertex",
                       {in_reach, {"hit", 0.83}, {"edge", 0.48}, {"vertex", 0.35}}),
-      laid_out<near_edges>(topic, "near_edges", "the line passes an ulp or so from an edge or a vertex",
+      laid_out<near_edges>("near_edges", "the line passes an ulp or so from an edge or a vertex",
                            {in_reach, {"hit", 0.33}, {"miss", 0.51}}),
-      laid_out<fans>(topic, "fans",
+      laid_out<fans>("fans",
                      "one of a fan's triangles; the ray passes exactly through the hub or a shared edge",
                      {in_reach,
                       {"hit", 0.76},
@@ -24,30 +23,27 @@ std::vector<Family> triangle_families() {
                       {"in surface", 0.04},
                       {"degenerate", 0.02}}),
       laid_out<upright>(
-          topic, "upright",
-          "in whole numbers: perpendicular to a coordinate plane or two, hit inside or on an edge",
+          "upright", "in whole numbers: perpendicular to a coordinate plane or two, hit inside or on an edge",
           {in_reach, {"hit", 0.8}, {"edge", 0.3}}),
-      laid_out<slivers>(topic, "slivers",
+      laid_out<slivers>("slivers",
                         "the third vertex is 2^-3 lengths beside an edge, or down to 3/4 of the digits",
                         {in_reach, {"hit", 0.44}, {"miss", 0.4}}),
-      laid_out<far>(topic, "far", "the triangle is 1e2 to 1e6 sizes away, half the time aimed near an edge",
+      laid_out<far>("far", "the triangle is 1e2 to 1e6 sizes away, half the time aimed near an edge",
                     {in_reach, {"hit", 0.38}, {"miss", 0.45}}),
-      laid_out<coplanar>(topic, "coplanar",
+      laid_out<coplanar>("coplanar",
                          "in whole numbers: the ray runs in the triangle's plane, or parallel to it",
                          {in_reach, {"miss", 0.95}, {"in surface", 0.57}, {"parallel", 0.27}}),
-      laid_out<near_coplanar>(topic, "near_coplanar",
-                              "the ray comes in at 2^-4 to an ulp off the triangle's plane",
+      laid_out<near_coplanar>("near_coplanar", "the ray comes in at 2^-4 to an ulp off the triangle's plane",
                               {in_reach, {"hit", 0.43}, {"miss", 0.41}}),
       laid_out<degenerate>(
-          topic, "degenerate",
-          "no area: vertices in a line, or two or three of them in one point; also almost so",
+          "degenerate", "no area: vertices in a line, or two or three of them in one point; also almost so",
           {in_reach, {"hit", 0.04}, {"miss", 0.77}, {"vertex", 0.03}, {"degenerate", 0.64}}),
-      cut_short<met>(topic, {in_reach, {"hit", 0.47}, {"miss", 0.34}, {"edge", 0.14}, {"behind", 0.34}}),
+      cut_short<met>({in_reach, {"hit", 0.47}, {"miss", 0.34}, {"edge", 0.14}, {"behind", 0.34}}),
       transformed<everyday, edges>(
-          topic, {in_reach, {"hit", 0.54}, {"miss", 0.3}, {"edge", 0.15}, {"vertex", 0.12}}),
-      in_any_size<everyday>(topic, {{"hit", 0.38}, {"miss", 0.46}, {"behind", 0.05}}),
-      special<any_shape<Triangle<double>>>(topic, {{"hit", 0.03}, {"miss", 0.8}}),
-      bit_patterns<any_shape<Triangle<double>>>(topic, {{"hit", 0.04}, {"miss", 0.79}}),
+          {in_reach, {"hit", 0.54}, {"miss", 0.3}, {"edge", 0.15}, {"vertex", 0.12}}),
+      in_any_size<everyday>({{"hit", 0.38}, {"miss", 0.46}, {"behind", 0.05}}),
+      special<Triangle<double>>({{"hit", 0.03}, {"miss", 0.8}}),
+      bit_patterns<Triangle<double>>({{"hit", 0.04}, {"miss", 0.79}}),
   };
 }
 

@@ -14,7 +14,6 @@ namespace rayproof::triangle_family {
   return t.a + beta * (t.b - t.a) + gamma * (t.c - t.a);
 }
 
-/// A triangle in a room.
 [[nodiscard]] inline Triangle<double> in_a_room(Random& random, double size = 10) {
   const glm::dvec3 a = point_in_a_room(random, size), b = point_in_a_room(random, size);
   return {a, b, point_in_a_room(random, size)};
@@ -28,19 +27,21 @@ namespace rayproof::triangle_family {
   }
 }
 
-/// A point on an edge, at a vertex a third of the time.
-[[nodiscard]] inline glm::dvec3 on_the_rim(Random& random, const Triangle<double>& t) {
+/// A point on an edge, at `share()` of its length.
+[[nodiscard]] inline glm::dvec3 on_an_edge(Random& random, const Triangle<double>& t, auto&& share) {
   const glm::dvec3 corners[] = {t.a, t.b, t.c, t.a};
   const int edge = random.between(0, 2);
-  const double share = random.one_in(3) ? 0 : random.uniform(0, 1);
-  return corners[edge] + share * (corners[edge + 1] - corners[edge]);
+  return corners[edge] + share() * (corners[edge + 1] - corners[edge]);
+}
+
+/// A point on an edge, at a vertex a third of the time.
+[[nodiscard]] inline glm::dvec3 on_the_rim(Random& random, const Triangle<double>& t) {
+  return on_an_edge(random, t, [&] { return random.one_in(3) ? 0 : random.unit(); });
 }
 
 /// The same, exact for whole coordinates.
 [[nodiscard]] inline glm::dvec3 exactly_on_the_rim(Random& random, const Triangle<double>& t) {
-  const glm::dvec3 corners[] = {t.a, t.b, t.c, t.a};
-  const int edge = random.between(0, 2);
-  return random.one_in(4) ? corners[edge] : eighth_between(random, corners[edge], corners[edge + 1]);
+  return on_an_edge(random, t, [&] { return random.one_in(4) ? 0 : random.between(0, 8) / 8.0; });
 }
 
 /// A point of the triangle's plane, within the triangle about half the time.
@@ -49,7 +50,6 @@ namespace rayproof::triangle_family {
   return at(t, beta, random.uniform(-0.1, 1.1 - std::max(beta, 0.0)));
 }
 
-/// A point of the triangle.
 [[nodiscard]] inline glm::dvec3 inside(Random& random, const Triangle<double>& t) {
   const double beta = random.unit();
   return at(t, beta, (1 - beta) * random.unit());

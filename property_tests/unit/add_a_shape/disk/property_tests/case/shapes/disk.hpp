@@ -9,8 +9,7 @@ template <>
 struct ShapeFormat<Disk<double>> {
   static constexpr const char* type = "disk";
 
-  template <class S, class Visit>
-  static void fields(S& disk, Visit&& visit) {
+  static void fields(auto& disk, auto&& visit) {
     visit("center", disk.center);
     visit("normal", disk.normal);
     visit("radius", disk.radius);
@@ -19,8 +18,7 @@ struct ShapeFormat<Disk<double>> {
   /// A point near which the whole shape lies, for a sentence that says how far away it is.
   static glm::dvec3 middle(const Disk<double>& disk) { return disk.center; }
 
-  template <class Show>
-  static std::string in_words(const Disk<double>& disk, Show&& show) {
+  static std::string in_words(const Disk<double>& disk, auto&& show) {
     return "a disk of radius " + show(disk.radius);
   }
 

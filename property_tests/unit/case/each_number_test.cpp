@@ -1,6 +1,8 @@
-#include "case/similar_shapes.hpp"
+#include "case/each_number.hpp"
 
 #include <gtest/gtest.h>
+
+#include "case/case.hpp"
 
 namespace rayproof {
 namespace {

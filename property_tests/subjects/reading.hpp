@@ -1,0 +1,151 @@
+#pragma once
+/// \file
+/// A case as a problem of the library, in any arithmetic, and what a kernel returns as an answer to it.
+
+#include <rayproof/batch/among_neighbours.hpp>
+#include <rayproof/normals.hpp>
+#include <rayproof/plane/forms.hpp>
+#include <rayproof/topics.hpp>
+#include <rayproof/transform.hpp>
+
+#include "subjects/subject.hpp"
+
+namespace rayproof {
+
+/// The library's shape of a case's: the same, but for what the format has in several forms.
+template <class S>
+[[nodiscard]] const S& library_shape(const S& shape) {
+  return shape;
+}
+
+/// What the case gives, exactly, in arithmetic A.
+template <class A>
+[[nodiscard]] auto exactly(const auto& given) {
+  return convert<A>(convert<Plain<A>>(given));
+}
+
+/// Reads the cases of a topic: here those of a shape's, which a topic that is no shape specialises.
+template <class Topic>
+struct Reading {
+  template <class A>
+  using Problem = typename Topic::template Problem<A>;
+  template <class A>
+  using ShapeIn = decltype(Problem<A>::shape);
+  template <class A>
+  using Space = std::optional<ObjectSpace<A>>;
+
+  /// The case's shape as the library has it; the case is of this topic.
+  [[nodiscard]] static ShapeIn<double> shape(const RayQuestion& question) {
+    return std::visit(
+        []<class S>(const S& given) -> ShapeIn<double> {
+          if constexpr (std::is_convertible_v<decltype(library_shape(given)), ShapeIn<double>>)
+            return library_shape(given);
+          else
+            throw std::logic_error("a case was given to the wrong topic");
+        },
+        question.shape);
+  }
+
+  /// The object's space in arithmetic A, computed from the exact matrix in A.
+  template <class A>
+  [[nodiscard]] static Space<A> space(const RayQuestion& question) {
+    if (!question.transform) return std::nullopt;
+    const auto column = [&](int i) { return exactly<A>(glm::dvec3((*question.transform)[i])); };
+    return object_space<A>(column(0), column(1), column(2), column(3));
+  }
+
+  /// The case's numbers exactly, the ray taken to object space in arithmetic A.
+  template <class A>
+  [[nodiscard]] static Problem<A> problem(const Case& one) {
+    const auto& question = std::get<RayQuestion>(one.question);
+    const Space<A> object = space<A>(question);
+    const Ray<A> ray = exactly<A>(question.ray);
+    return {object ? to_object(*object, ray) : ray, exactly<A>(shape(question))};
+  }
+
+  /// The roots by the batch kernels, the case placed among other problems; only of a batched topic.
+  template <class Method, class T>
+  [[nodiscard]] static Roots<T> batch_roots(const Case& one) {
+    const auto& question = std::get<RayQuestion>(one.question);
+    return batch::roots_among_neighbours<Method>(convert<T>(question.ray), convert<T>(shape(question)),
+                                                 space<T>(question));
+  }
+
+  /// What a kernel returned as an answer to the case (T is float or double): the hits in the ray's interval;
+  /// point and normal in the world, for the first of them.
+  template <class Method, class T, class Result>
+  [[nodiscard]] static RayAnswer answer(const Case& one, const Result& roots) {
+    const auto& question = std::get<RayQuestion>(one.question);
+    const Ray<T> ray = convert<T>(question.ray);
+    RayAnswer result;
+    const bool is_single = roots.discriminant == 0;
+    if (in_interval(ray, roots.lo)) result.hits.push_back(static_cast<double>(roots.lo));
+    if (!is_single && in_interval(ray, roots.hi)) result.hits.push_back(static_cast<double>(roots.hi));
+    const Problem<T> asked = problem<T>(one);
+    if (result.hits.count == 0) {
+      result.contact = contact_of_miss<Method, T>(asked);
+      return result;
+    }
+    constexpr bool is_flat = std::is_base_of_v<FlatHit<T>, Result>;
+    result.contact = is_single && !is_flat ? Contact::tangent : Contact::crossing;
+    const auto t = static_cast<T>(result.hits.t[0]);
+    result.point = glm::dvec3(point_at(ray, t));
+    const vec3<T> normal = normal_at(asked.shape, point_at(asked.ray, t));
+    const Space<T> object = space<T>(question);
+    const auto in_world = glm::dvec3(object ? normal_to_world(*object, normal) : normal);
+    if (dot(in_world, in_world) > 0) result.normal = in_world;  // not where the figure has none: NaN
+    if constexpr (is_flat && std::is_same_v<ShapeIn<T>, Triangle<T>>)
+      result.barycentric = glm::dvec3(T(1) - roots.u - roots.v, roots.u, roots.v);
+    return result;
+  }
+
+ private:
+  /// Why a ray misses a plane: it is parallel to it, or runs inside it. Of other shapes no more is said.
+  template <class Method, class T>
+  static Contact contact_of_miss([[maybe_unused]] const Problem<T>& asked) {
+    if constexpr (std::is_same_v<ShapeIn<T>, Plane<T>>) {
+      const auto [normal, d] = plane::as_implicit(asked.shape);
+      if (dot(normal, asked.ray.direction) != 0) return Contact::none;
+      const bool is_inside = dot(normal, asked.ray.origin) + d == 0;
+      constexpr bool distinguishes = !requires { Method::calls_in_plane_parallel; };
+      return is_inside && distinguishes ? Contact::in_surface : Contact::parallel;
+    }
+    return Contact::none;
+  }
+};
+
+template <>
+struct Reading<quadratic::Topic> {
+  template <class A>
+  [[nodiscard]] static quadratic::Topic::Problem<A> problem(const Case& one) {
+    return exactly<A>(std::get<Quadratic<double>>(one.question));
+  }
+
+  template <class Method, class T>
+  [[nodiscard]] static Roots<T> batch_roots(const Case& one) {
+    return batch::roots_among_neighbours<Method>(problem<T>(one));
+  }
+
+  template <class Method, class T>
+  [[nodiscard]] static QuadraticAnswer<double> answer(const Case& one, const Roots<T>& roots) {
+    const QuadraticAnswer<T> narrow = read(problem<T>(one), roots);
+    return {narrow.kind,
+            narrow.count,
+            {static_cast<double>(narrow.roots[0]), static_cast<double>(narrow.roots[1])}};
+  }
+};
+
+template <>
+struct Reading<point_in_polygon::Topic> {
+  template <class A>
+  [[nodiscard]] static point_in_polygon::Topic::Problem<A> problem(const Case& one) {
+    return convert<A>(std::get<PointAndPolygon<double>>(one.question));
+  }
+
+  template <class Method, class T>
+  [[nodiscard]] static Position answer(const Case& /*one*/, Position position) {
+    return position;
+  }
+};
+
+}  // namespace rayproof
