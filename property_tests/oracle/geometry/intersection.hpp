@@ -3,12 +3,13 @@
 /// The exact intersection of a ray and a shape, which both answers and judges.
 
 #include <array>
+#include <boost/container/static_vector.hpp>
 #include <cmath>
 #include <variant>
-#include <vector>
 
 #include "case/answer.hpp"
 #include "oracle/geometry/scene.hpp"
+#include "oracle/numbers/quotient.hpp"
 #include "oracle/numbers/root.hpp"
 
 namespace rayproof::oracle {
@@ -32,6 +33,7 @@ struct ExactContact {
   ExactNumber t;
   Contact contact;
 };
+using ExactContacts = boost::container::static_vector<ExactContact, 2>;  // a convex shape has two at most
 
 /// A normal of any length in the object's space: offset + t·slope, or the same at every t.
 struct ExactNormal {
@@ -51,7 +53,7 @@ class ExactIntersection {
   [[nodiscard]] const ObjectRay<Ring>& ray() const { return ray_; }
 
   /// The hits in the ray's interval, ascending, each once.
-  [[nodiscard]] virtual std::vector<ExactContact> hits() const = 0;
+  [[nodiscard]] virtual ExactContacts hits() const = 0;
   /// Why there is none.
   [[nodiscard]] virtual Contact miss() const { return Contact::none; }
   /// The normal at a hit; nothing where it is not unique.
@@ -62,7 +64,7 @@ class ExactIntersection {
  protected:
   /// Appends a hit of the whole line where the ray's interval holds it.
   template <class Number>
-  void add(std::vector<ExactContact>& hits, Number t, Contact contact) const {
+  void add(ExactContacts& hits, Number t, Contact contact) const {
     if (is_in_interval(t, question_.ray)) hits.push_back({std::move(t), contact});
   }
 

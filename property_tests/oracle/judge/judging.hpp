@@ -58,7 +58,7 @@ template <class Number>
 /// units. No residual can be asked of an x that is as good as the nearest number where the grid of floats
 /// itself is coarse or ends.
 template <class Residual>
-void note_error(double x, double ulps, const Residual& residual, Precision precision, Judgement& judgement) {
+void note_error(Judgement& judgement, Precision precision, double x, double ulps, const Residual& residual) {
   if (!judgement.wrong) judgement.ulp = std::max(judgement.ulp, ulps);
   const double smallest_normal = precision == Precision::float32 ? 0x1p-126 : 0x1p-1022;
   if (ulps <= 1 && (!std::isfinite(x) || std::abs(x) < smallest_normal)) return;

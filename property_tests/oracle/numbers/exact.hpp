@@ -16,8 +16,7 @@ using Ring = CGAL::Mpzf;
 /// precision.
 class Scaled {
  public:
-  Scaled() = default;
-  Scaled(long double mantissa, long exponent = 0) {  // NOLINT: a number is a Scaled
+  Scaled(long double mantissa = 0, long exponent = 0) {  // NOLINT: a number is a Scaled
     int shift = 0;
     mantissa_ = std::frexp(mantissa, &shift);
     exponent_ = mantissa_ == 0 ? 0 : exponent + shift;
@@ -54,8 +53,8 @@ class Scaled {
   friend Scaled abs(const Scaled& x) { return {std::abs(x.mantissa_), x.exponent_}; }
 
  private:
-  long double mantissa_ = 0;
-  long exponent_ = 0;
+  long double mantissa_;
+  long exponent_;
 };
 
 /// The sign of an exact number: -1, 0 or 1.

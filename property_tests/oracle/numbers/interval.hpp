@@ -9,12 +9,9 @@ namespace rayproof::oracle {
 
 /// Every real number within `radius` of `middle`; see Ball for overflow and underflow.
 struct Interval {
-  double middle = 0;
-  double radius = 0;
+  double middle, radius;
 
-  Interval() = default;
-  Interval(double exactly) : middle(exactly) {}  // NOLINT: every double is an interval
-  Interval(double m, double r) : middle(m), radius(r) {}
+  Interval(double m = 0, double r = 0) : middle(m), radius(r) {}  // NOLINT: every double is an interval
 };
 
 /// A rounding is off by at most 2^-53 of the result; 2^-51 also covers the roundings of the radius itself.

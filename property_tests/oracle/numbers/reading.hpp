@@ -6,10 +6,9 @@
 #include <optional>
 #include <utility>
 
-#include "oracle/numbers/ball.hpp"
+#include "oracle/numbers/double_double.hpp"
 #include "oracle/numbers/exact.hpp"
 #include "oracle/numbers/interval.hpp"
-#include "oracle/numbers/pair.hpp"
 
 namespace rayproof::oracle {
 

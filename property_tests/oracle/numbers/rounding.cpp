@@ -4,81 +4,41 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 
 namespace rayproof::oracle {
 namespace {
 
-/// The floats of type T in order as consecutive integers, so that neighbours and halfway points are
-/// arithmetic.
-template <class T, class Integer>
-struct FloatGrid {
-  static constexpr Integer sign_bit = std::numeric_limits<Integer>::min();
-  static constexpr Integer infinity = std::bit_cast<Integer>(std::numeric_limits<T>::infinity());
+/// The float as the ring has it; infinity stands for the power of two that would follow the largest number.
+template <class T>
+Ring exact(T x) {
+  if (std::isfinite(x)) return Ring(static_cast<double>(x));
+  const Ring half(std::copysign(std::ldexp(1.0, std::numeric_limits<T>::max_exponent - 1), x));
+  return half + half;
+}
 
-  static Integer index(T x) {
-    const auto bits = std::bit_cast<Integer>(x);
-    return bits < 0 ? sign_bit - bits : bits;
-  }
-  static T at(Integer index) { return std::bit_cast<T>(index < 0 ? sign_bit - index : index); }
+template <class T>
+bool is_odd(T x) {
+  using Bits = std::conditional_t<std::is_same_v<T, float>, std::uint32_t, std::uint64_t>;
+  return std::bit_cast<Bits>(x) % 2 != 0;
+}
 
-  /// The number as the ring has it; infinity stands for the power of two that would follow the largest
-  /// number.
-  static Ring exact(Integer index) {
-    if (index == infinity || index == -infinity) {
-      const Ring half = Ring(std::ldexp(1.0, std::numeric_limits<T>::max_exponent - 1));
-      return index > 0 ? half + half : -(half + half);
-    }
-    return Ring(static_cast<double>(at(index)));
-  }
-
-  /// The sign of (number - the point halfway between `index` and its upper neighbour).
-  template <class Number>
-  static int compare_halfway(const Number& number, Integer index) {
-    return number.compare((exact(index) + exact(index + 1)) * Ring(0.5));
-  }
-
-  /// Whether `index` or its upper neighbour is nearer; a tie goes to the even one.
-  template <class Number>
-  static bool rounds_above(const Number& number, Integer index) {
-    const int side = compare_halfway(number, index);
-    return side > 0 || (side == 0 && index % 2 != 0);
-  }
-};
-
-template <class T, class Integer, class Number>
+/// An estimate is certain to one part in 2^58: nearly always whatever it can stand for rounds to one float.
+/// Otherwise the exact number is compared with the point halfway between the two.
+template <class T, class Number>
 double round_in(const Number& number) {
-  using Floats = FloatGrid<T, Integer>;
-  const auto guess = static_cast<T>(number.estimate().value());
-  Integer low = Floats::index(guess);  // the answer is known to be >= low + 1 or low is the answer
-  // The estimate is nearly always right or one off: walk a few steps, and bisect if that was not enough.
-  for (int step = 0; step < 4; ++step) {
-    if (low < Floats::infinity && Floats::rounds_above(number, low)) {
-      ++low;
-    } else if (low > -Floats::infinity && !Floats::rounds_above(number, low - 1)) {
-      --low;
-    } else {
-      return static_cast<double>(Floats::at(low));
-    }
-  }
-  low = -Floats::infinity;
-  Integer high = Floats::infinity;
-  while (low < high) {
-    const Integer middle = std::midpoint(low, high);
-    if (Floats::rounds_above(number, middle)) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  return static_cast<double>(Floats::at(low));
+  const long double estimate = number.estimate().value() + 0.0L;  // makes an exact -0 a 0
+  const auto near = static_cast<T>(estimate * (1 - 0x1p-57L));
+  const auto far = static_cast<T>(estimate * (1 + 0x1p-57L));
+  if (near == far) return static_cast<double>(near);
+  const int above = number.compare((exact(near) + exact(far)) * Ring(0.5));
+  const int outwards = near < far ? above : -above;
+  return static_cast<double>(outwards > 0 || (outwards == 0 && is_odd(near)) ? far : near);
 }
 
 template <class Number>
 double round_number(const Number& number, Precision precision) {
-  const double rounded = precision == Precision::float32 ? round_in<float, std::int32_t>(number)
-                                                         : round_in<double, std::int64_t>(number);
-  // IEEE 754 rounds a negative number that is too small for its precision to -0.
-  return rounded == 0 && number.compare(Ring(0.0)) < 0 ? -0.0 : rounded;
+  return precision == Precision::float32 ? round_in<float>(number) : round_in<double>(number);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 /// \file
 /// Correct rounding of an exactly comparable number.
 
+#include "oracle/numbers/quotient.hpp"
 #include "oracle/numbers/root.hpp"
 #include "oracle/numbers/ulp.hpp"
 

@@ -26,10 +26,10 @@ class CylinderIntersection final : public MeasuredIntersection {
         equation_(ray(), cylinder),
         side_(equation_.side()) {}
 
-  [[nodiscard]] std::vector<ExactContact> hits() const override {
+  [[nodiscard]] ExactContacts hits() const override {
     // Convex with its caps: what goes in through a cap does so before it meets the side, and the other way
     // out. The two caps of a cylinder of no height are one.
-    std::vector<ExactContact> all;
+    ExactContacts all;
     add_cap(all, true);
     add_side(all);
     if (cylinder_.height > 0) add_cap(all, false);
@@ -95,7 +95,7 @@ class CylinderIntersection final : public MeasuredIntersection {
  private:
   /// The hit with the cap's plane that the line passes on its way in, or out, where it lies inside the rim.
   /// (On the rim it is the side's hit, unless the line runs inside the side.)
-  void add_cap(std::vector<ExactContact>& hits, bool of_entry) const {
+  void add_cap(ExactContacts& hits, bool of_entry) const {
     const bool is_ring = cylinder_.height == 0;  // an open cylinder of no height is all rim
     const int climb = sign(equation_.direction.z);
     if (!(cylinder_.capped || is_ring) || climb == 0) return;
@@ -106,9 +106,9 @@ class CylinderIntersection final : public MeasuredIntersection {
       add(hits, t, is_rim_of_own ? Contact::rim : Contact::crossing);
   }
 
-  void add_side(std::vector<ExactContact>& hits) const {
+  void add_side(ExactContacts& hits) const {
     if (equation_.is_axis_parallel()) return;
-    std::vector<ExactRoot> roots = real_roots(side_);
+    RootList roots = real_roots(side_);
     const Contact off_rim = roots.size() == 1 ? Contact::tangent : Contact::crossing;
     for (ExactRoot& t : roots) {
       const ExactRoot z = equation_.height_at(t);

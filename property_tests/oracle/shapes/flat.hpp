@@ -27,8 +27,8 @@ class FlatIntersection : public PlanarIntersection {
         gap_(ray().scale * plane.offset - dot(normal_, ray().origin)),
         slope_(dot(normal_, ray().direction)) {}
 
-  [[nodiscard]] std::vector<ExactContact> hits() const override {
-    std::vector<ExactContact> all;
+  [[nodiscard]] ExactContacts hits() const override {
+    ExactContacts all;
     if (is_parallel()) return all;
     Quotient at = t();
     if (!is_in_interval(at, question().ray)) return all;

@@ -28,8 +28,8 @@ Ring between(const Four& p, const std::array<Four, 4>& m, const Four& q) {
   return sum;
 }
 
-std::vector<ExactRoot> roots_between(const std::vector<ExactRoot>& roots, double low, double high) {
-  std::vector<ExactRoot> inside;
+RootList roots_between(const RootList& roots, double low, double high) {
+  RootList inside;
   for (const ExactRoot& root : roots)
     if (is_in_interval(root, low, high)) inside.push_back(root);
   return inside;
@@ -54,9 +54,9 @@ bool cover(const Ray<double>& ray, const EnclosedRoots<double>& claimed) {
   return !claimed.empty() && reached >= ray.t_max;
 }
 
-void judge_certain(const RootEnclosure<double>& one, const std::vector<ExactRoot>& inside, QuadricKind kind,
+void judge_certain(const RootEnclosure<double>& one, const RootList& inside, RootKind kind,
                    Precision precision, EnclosureJudgement& judgement) {
-  if (inside.size() != 1 || kind == QuadricKind::twice) {
+  if (inside.size() != 1 || kind == RootKind::twice) {
     judgement.is_wrong_certain = true;
     return;
   }
@@ -69,33 +69,34 @@ void judge_certain(const RootEnclosure<double>& one, const std::vector<ExactRoot
 
 }  // namespace
 
-QuadricOnLine::QuadricOnLine(const Ray<double>& ray, const implicit::Quadric<double>& quadric) {
+SolvedEquation meet(const Ray<double>& ray, const implicit::Quadric<double>& quadric) {
   const std::array<Four, 4> m = matrix_of(quadric);
   const Four o = four(ray.origin.x, ray.origin.y, ray.origin.z, 1);
   const Four d = four(ray.direction.x, ray.direction.y, ray.direction.z, 0);
-  equation_ = solve(between(d, m, d), between(o, m, d), between(o, m, o));
+  return solve(between(d, m, d), between(o, m, d), between(o, m, o));
 }
 
 EnclosureJudgement judge(const Ray<double>& ray, const implicit::Quadric<double>& quadric,
                          Precision precision, const EnclosedRoots<double>& claimed) {
-  const QuadricOnLine line(ray, quadric);
+  const auto [kind, roots] = meet(ray, quadric);
+  const bool is_everything = kind == RootKind::everything;
   EnclosureJudgement judgement;
   judgement.is_ordered = is_ordered(ray, claimed);
-  judgement.has_missed = line.kind() == QuadricKind::everything && !cover(ray, claimed);
-  const std::vector<ExactRoot> hits = roots_between(line.roots(), ray.t_min, ray.t_max);
+  judgement.has_missed = is_everything && !cover(ray, claimed);
+  const RootList hits = roots_between(roots, ray.t_min, ray.t_max);
   judgement.known = hits.size();
-  if (line.kind() == QuadricKind::twice) judgement.tangents = hits.size();
+  if (kind == RootKind::twice) judgement.tangents = hits.size();
   for (const ExactRoot& root : hits) {
     const auto holds = [&](const auto& one) { return is_in_interval(root, one.lo, one.hi); };
     judgement.has_missed = judgement.has_missed || std::none_of(claimed.begin(), claimed.end(), holds);
   }
   for (const RootEnclosure<double>& one : claimed) {
-    const std::vector<ExactRoot> inside = roots_between(hits, one.lo, one.hi);
+    const RootList inside = roots_between(hits, one.lo, one.hi);
     if (one.status == RootStatus::certain) {
-      judge_certain(one, inside, line.kind(), precision, judgement);
+      judge_certain(one, inside, kind, precision, judgement);
     } else if (one.status == RootStatus::everywhere) {
-      judgement.is_wrong_everywhere = judgement.is_wrong_everywhere || line.kind() != QuadricKind::everything;
-    } else if (inside.empty() && line.kind() != QuadricKind::everything) {
+      judgement.is_wrong_everywhere = judgement.is_wrong_everywhere || !is_everything;
+    } else if (inside.empty() && !is_everything) {
       ++judgement.idle;
     }
   }

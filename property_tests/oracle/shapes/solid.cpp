@@ -27,15 +27,21 @@ template <class Solid>
 class SolidIntersection final : public PlanarIntersection {
  public:
   SolidIntersection(const RayQuestion& question, const Solid& solid)
-      : PlanarIntersection(question), solid_(solid), met_(meetings(ray(), solid)), chord_(chord_of(met_)) {}
+      : PlanarIntersection(question), solid_(solid), met_(meetings(ray(), solid)) {}
 
-  [[nodiscard]] std::vector<ExactContact> hits() const override {
-    std::vector<ExactContact> all;
-    if (!chord_) return all;
-    const bool is_touch = chord_->is_touch();
-    const Contact contact = is_touch ? Contact::tangent : Contact::crossing;
-    add(all, chord_->entry, contact);
-    if (!is_touch) add(all, chord_->exit, contact);
+  [[nodiscard]] ExactContacts hits() const override {
+    std::optional<Quotient> entry, exit;  // the normals are independent: no line is parallel to all slabs
+    for (const SlabMeeting& slab : met_) {
+      if (slab.is_parallel() && !slab.is_inside()) return {};
+      if (slab.is_parallel()) continue;
+      Quotient in = slab.entry(), out = slab.exit();
+      if (!entry || in.compare(*entry) > 0) entry = std::move(in);
+      if (!exit || out.compare(*exit) < 0) exit = std::move(out);
+    }
+    ExactContacts all;
+    const int length = exit->compare(*entry);
+    if (length >= 0) add(all, std::move(*entry), length == 0 ? Contact::tangent : Contact::crossing);
+    if (length > 0) add(all, std::move(*exit), Contact::crossing);
     return all;
   }
 
@@ -104,7 +110,6 @@ class SolidIntersection final : public PlanarIntersection {
 
   const Solid& solid_;
   SlabMeetings met_;
-  std::optional<Chord> chord_;
 };
 
 }  // namespace

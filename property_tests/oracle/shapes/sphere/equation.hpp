@@ -1,16 +1,12 @@
 #pragma once
 /// \file
-/// What a ray and a sphere come to: a quadratic in t, everything that is asked about a given t, and the exact
-/// verdict. The formulas stand here once, over a ring R; they run over Interval, Ball and Pair, which know
-/// when they can't decide, and then over the exact Ring, which always can.
+/// What a ray and a sphere come to: a quadratic in t, and the lengths that the contract speaks of. The
+/// formulas stand here once, over a ring R; they run over Interval, Ball and Pair, which know when they can't
+/// decide, and then over the exact Ring, which always can.
 
-#include <cmath>
-#include <optional>
-#include <type_traits>
-#include <utility>
+#include <algorithm>
 
-#include "oracle/geometry/scene.hpp"
-#include "oracle/numbers/reading.hpp"
+#include "oracle/geometry/sizes.hpp"
 #include "oracle/numbers/root.hpp"
 
 namespace rayproof::oracle {
@@ -26,12 +22,12 @@ struct PowerAt {
 /// The sphere |q - center| = radius and the ray's line, relative to the centre and scaled as ObjectRay says.
 template <class R>
 struct SphereEquation {
+  ObjectRay<R> ray;
   Vector<R> from_center;  ///< scale · (o' - center)
-  Vector<R> direction;
-  R radius;  ///< scale · radius; its sign does not matter
+  R radius;               ///< scale · radius; its sign does not matter
 
-  SphereEquation(const ObjectRay<R>& ray, const Sphere<double>& sphere)
-      : from_center(Vector<R>::from(sphere.center)), direction(ray.direction), radius(sphere.radius) {
+  SphereEquation(const ObjectRay<R>& r, const Sphere<double>& sphere)
+      : ray(r), from_center(Vector<R>::from(sphere.center)), radius(sphere.radius) {
     if (ray.map) {  // nearly never, and four exact products otherwise
       from_center = ray.scale * from_center;
       radius = ray.scale * radius;
@@ -39,67 +35,55 @@ struct SphereEquation {
     from_center = ray.origin - from_center;
   }
 
-  [[nodiscard]] R a() const { return dot(direction, direction); }
-  [[nodiscard]] R h() const { return dot(from_center, direction); }
+  [[nodiscard]] R a() const { return dot(ray.direction, ray.direction); }
+  [[nodiscard]] R h() const { return dot(from_center, ray.direction); }
   [[nodiscard]] R c() const { return dot(from_center, from_center) - radius * radius; }
 
   [[nodiscard]] PowerAt<R> at(double t) const {
-    const Vector<R> p = from_center + R(t) * direction;
-    return {dot(p, p) - radius * radius, dot(p, direction)};
+    const Vector<R> p = from_center + R(t) * ray.direction;
+    return {dot(p, p) - radius * radius, dot(p, ray.direction)};
   }
 };
 
-[[nodiscard]] inline ExactQuadratic quadratic_of(const SphereEquation<Ring>& scene) {
-  return {scene.a(), scene.h(), scene.c()};
+[[nodiscard]] inline RootList roots_of(const SphereEquation<Ring>& scene) {
+  return real_roots({scene.a(), scene.h(), scene.c()});
 }
 
-/// Which roots lie in the ray's interval, and a quarter of the discriminant to one part in 2^20 (an exact 0
-/// is 0).
+/// In the scale of the equation.
 template <class Number>
-struct Truth {
-  bool lower = false;
-  bool upper = false;
-  Number discriminant{0};
-  Number a{0};
-
-  [[nodiscard]] std::size_t count() const {
-    return static_cast<std::size_t>(lower) + static_cast<std::size_t>(upper);
-  }
-  /// The side of the hit that comes `index`-th.
-  [[nodiscard]] int side(std::size_t index) const { return index > 0 || !lower ? 1 : -1; }
+struct SphereSizes {
+  Number size;       ///< S = |origin - center| + radius, as large as a transform makes its parts
+  Number radius;     ///< of the sphere
+  Number condition;  ///< of the transform, 1 without one
+  Number smallest, largest;
 };
 
-/// A ring's value as a `Number`: as `read` has it, or rounded to a double where doubles serve.
-template <class Number, class R>
-[[nodiscard]] Number read_as(const R& x) {
-  if constexpr (std::is_same_v<R, Ring> && std::is_same_v<Number, double>)
-    return x.to_double();
-  else
-    return read(x);
+template <class R>
+[[nodiscard]] SphereSizes<NumberOf<R>> sizes_of(const SphereEquation<R>& scene, const RayQuestion& question,
+                                                const Sphere<double>& sphere) {
+  using std::abs;
+  using Number = NumberOf<R>;
+  const Number radius = abs(read(scene.radius));
+  const Number direction = norm(Vector<R>::from(question.ray.direction));
+  if (!scene.ray.map) {
+    const Number size = norm(scene.from_center) + radius;
+    return {size, radius, Number(1), std::min(size, direction), std::max(size, direction)};
+  }
+  const InverseMap<R>& inverse = *scene.ray.map;
+  const MapSizes<R> map(*question.transform, inverse);
+  const Number scale = abs(read(scene.ray.scale));
+  const Number to_origin = norm(Vector<R>::from(question.ray.origin)) + norm(inverse.translation);
+  const Number size = map.backward * to_origin + scale * norm(Vector<R>::from(sphere.center)) + radius;
+  const auto all = {size / scale, direction, map.forward, scale / map.backward,
+                    norm(scene.ray.direction) / scale};
+  return {size, radius, map.forward * map.backward / scale, std::min(all), std::max(all)};
 }
 
-/// The exact verdict, or nothing where R can't decide.
-template <class Number, class R>
-[[nodiscard]] auto verdict(const SphereEquation<R>& scene, const Ray<double>& ray) {
-  using std::abs;
-  using Maybe = std::optional<Truth<Number>>;
-  const R a = scene.a(), h = scene.h(), c = scene.c();
-  const R discriminant = h * h - a * c;
-  const auto discriminant_sign = certain_sign(discriminant);
-  if (!discriminant_sign) return Maybe();
-  Truth<Number> truth{*discriminant_sign >= 0, *discriminant_sign > 0, read_as<Number>(discriminant),
-                      read_as<Number>(a)};
-  if (uncertainty(discriminant) > 0x1p-20 * abs(value(truth.discriminant))) return Maybe();
-  for (const auto& [end, inside] : {std::pair{ray.t_min, 1}, std::pair{ray.t_max, -1}}) {
-    if (std::isinf(end)) continue;
-    const PowerAt<R> at = end == 0 ? PowerAt<R>{c, h} : scene.at(end);
-    const auto power = certain_sign(at.power);
-    const auto slope = certain_sign(at.slope);
-    if (!power || !slope) return Maybe();
-    truth.lower = truth.lower && compare_root(-1, *power, *slope) * inside >= 0;
-    truth.upper = truth.upper && compare_root(1, *power, *slope) * inside >= 0;
-  }
-  return Maybe(truth);
+/// The distance from the surface is |power| over this sum, the distance from the centre plus the radius.
+template <class Number>
+[[nodiscard]] Number reach_of(const Number& power, const Number& radius) {
+  using std::abs, std::sqrt;
+  return sqrt(abs(power + radius * radius)) + radius;
 }
 
 }  // namespace rayproof::oracle

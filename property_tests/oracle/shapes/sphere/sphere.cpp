@@ -1,11 +1,10 @@
 /// \file
 /// The oracle for ray and sphere. It judges by the cheapest arithmetic that is certain.
 
-#include <optional>
 #include <tuple>
 
 #include "oracle/shapes/shapes.hpp"
-#include "oracle/shapes/sphere/measures.hpp"
+#include "oracle/shapes/sphere/verdict.hpp"
 
 namespace rayproof::oracle {
 namespace {
@@ -15,9 +14,9 @@ class SphereIntersection final : public ExactIntersection {
   SphereIntersection(const RayQuestion& question, const Sphere<double>& sphere)
       : ExactIntersection(question), scene_(ray(), sphere) {}
 
-  [[nodiscard]] std::vector<ExactContact> hits() const override {
-    std::vector<ExactContact> all;
-    std::vector<ExactRoot> roots = real_roots(quadratic_of(scene_));
+  [[nodiscard]] ExactContacts hits() const override {
+    ExactContacts all;
+    RootList roots = roots_of(scene_);
     const Contact contact = roots.size() == 1 ? Contact::tangent : Contact::crossing;
     for (ExactRoot& t : roots) add(all, std::move(t), contact);
     return all;
@@ -26,24 +25,27 @@ class SphereIntersection final : public ExactIntersection {
   /// None of a point, which is a sphere of radius 0.
   [[nodiscard]] std::optional<ExactNormal> normal(const ExactContact&) const override {
     if (sign(scene_.radius) == 0) return std::nullopt;
-    return ExactNormal{scene_.from_center, scene_.direction};
+    return ExactNormal{scene_.from_center, scene_.ray.direction};
   }
 
  private:
   SphereEquation<Ring> scene_;
 };
 
+/// How far the surface is from a point of this power, in the scale of the equation: as much must the radius
+/// change for the point to lie on it.
+Scaled distance_of(const Scaled& power, const SphereEquation<Ring>& scene) {
+  if (power.sign() == 0) return {};  // A point has no radius to divide by.
+  return abs(power) / reach_of(power, abs(approximate(scene.radius)));
+}
+
 /// How much the radius must change for another verdict, in the scale of the equation.
 Scaled distance_to_other_verdict(const SphereEquation<Ring>& scene, const Ray<double>& ray) {
-  const Scaled radius = abs(approximate(scene.radius));
-  const auto change = [&](const Scaled& power) {
-    if (power.sign() == 0) return Scaled{};  // A point has no radius to divide by.
-    return abs(power) / (sqrt(abs(power + radius * radius)) + radius);
-  };
   const Ring a = scene.a(), h = scene.h();
   // The line touches a sphere whose squared radius is larger by -D/a: the power of its nearest point.
-  Scaled nearest = change(approximate(a * scene.c() - h * h) / approximate(a));
-  for (const double end : finite_ends(ray)) reduce(nearest, change(approximate(scene.at(end).power)));
+  Scaled nearest = distance_of(approximate(a * scene.c() - h * h) / approximate(a), scene);
+  for (const double end : finite_ends(ray))
+    reduce(nearest, distance_of(approximate(scene.at(end).power), scene));
   return nearest;
 }
 
@@ -51,17 +53,8 @@ Scaled distance_to_other_verdict(const SphereEquation<Ring>& scene, const Ray<do
 double log2_of(double x) { return x > 0 ? static_cast<double>(exponent_of(x)) : -HUGE_VAL; }
 double log2_of(const Scaled& x) { return x.sign() == 0 ? -HUGE_VAL : static_cast<double>(x.exponent() - 1); }
 
-/// Everything the judge derives from a case in one ring.
-template <class R>
-struct Bench {
-  ObjectRay<R> ray;
-  SphereEquation<R> scene;
-
-  Bench(const RayQuestion& question, const Sphere<double>& sphere) : ray(question), scene(ray, sphere) {}
-};
-
-/// The judgement of one case. A ring's numbers are made only when they are asked for: those of the balls for
-/// the error of a hit, the exact ones when no filter could decide.
+/// The judgement of one case. A ring's equation is made only when it is asked for: that of the balls for the
+/// error of a hit, the exact one when no filter could decide.
 class SphereJudge {
  public:
   SphereJudge(const RayQuestion& question, const Sphere<double>& sphere, Precision precision)
@@ -69,88 +62,83 @@ class SphereJudge {
 
   Judgement judge(const RayAnswer& claimed) {
     // Without a transform one subtraction makes a coordinate, so that balls would have the same sizes.
-    const SphereSizes<double> sizes = question_.transform ? sizes_in<Ball>() : sizes_in<Interval>();
-    note_sizes(sizes);
+    const double unit = question_.transform ? unit_in<Ball>() : unit_in<Interval>();
     // Doubles serve only far from overflow and underflow (false for NaN too).
     if (judgement_.smallest > -200 && judgement_.largest < 200) {
-      judge_hits<Ball>(filtered_verdict(), sizes, claimed);
+      judge_hits(filtered_verdict(), unit, claimed);
     } else {
-      const SphereSizes<Scaled> exact_sizes = sizes_in<Ring>();
-      note_sizes(exact_sizes);
-      judge_hits<Ring>(*verdict<Scaled>(bench<Ring>().scene, question_.ray), exact_sizes, claimed);
+      judge_hits(*verdict_in<Ring>(), unit_in<Ring>(), claimed);
     }
     return judgement_;
   }
 
  private:
   template <class R>
-  const Bench<R>& bench() {
-    auto& made = std::get<std::optional<Bench<R>>>(benches_);
-    if (!made) made.emplace(question_, sphere_);
+  const SphereEquation<R>& scene() {
+    auto& made = std::get<std::optional<SphereEquation<R>>>(scenes_);
+    if (!made) made.emplace(ObjectRay<R>(question_), sphere_);
     return *made;
   }
 
   template <class R>
-  SphereSizes<NumberOf<R>> sizes_in() {
-    return sizes_of(bench<R>().scene, bench<R>().ray, question_, sphere_);
+  std::optional<Truth> verdict_in() {
+    return verdict(scene<R>(), question_.ray);
   }
-
-  template <class R>
-  std::optional<Truth<double>> verdict_in() {
-    return verdict<double>(bench<R>().scene, question_.ray);
-  }
-
-  Truth<double> filtered_verdict() {
+  Truth filtered_verdict() {
     if (const auto truth = verdict_in<Interval>()) return *truth;
     if (const auto truth = verdict_in<Ball>()) return *truth;
     if (const auto truth = verdict_in<Pair>()) return *truth;
     return *verdict_in<Ring>();
   }
 
-  template <class Number>
-  void note_sizes(const SphereSizes<Number>& sizes) {
+  /// The contract's unit of length, in the scale of the equation; notes the sizes.
+  template <class R>
+  NumberOf<R> unit_in() {
+    using Number = NumberOf<R>;
+    const SphereSizes<Number> sizes = sizes_of(scene<R>(), question_, sphere_);
     judgement_.far = Number(0) < sizes.radius ? value(sizes.size / sizes.radius) : HUGE_VAL;
     judgement_.smallest = log2_of(sizes.smallest);
     judgement_.largest = log2_of(sizes.largest);
+    return sizes.size * sizes.condition * Number(unit_roundoff(precision_));
   }
 
-  template <class R, class Number>
-  void judge_hits(const Truth<Number>& truth, const SphereSizes<Number>& sizes, const RayAnswer& claimed) {
-    using std::abs;
-    const Number unit = sizes.size * sizes.condition * Number(unit_roundoff(precision_));
+  template <class Number>
+  void judge_hits(const Truth& truth, const Number& unit, const RayAnswer& claimed) {
     judgement_.hit = truth.count() > 0;
     judgement_.wrong = is_wrong_count(truth.count(), claimed);
     for (std::size_t i = 0; i < claimed.hits.count; ++i) {
       const double t = claimed.hits.t[i];
-      const HitError error = hit<R>(truth, unit, truth.side(i), t);
-      note_error(
-          t, error.ulp, [&] { return error.residual; }, precision_, judgement_);
+      const HitError error = error_of(truth, unit, truth.side(i), t);
+      note_error(judgement_, precision_, t, error.ulp, [&] { return error.residual; });
     }
     if (!judgement_.wrong) return;
     judgement_.ulp = std::nan("");
-    if (!(Number(0) < abs(truth.discriminant)))
-      return;  // a tangent: any change of the radius changes the verdict
-    judgement_.margin = value(distance_to_other_verdict(bench<Ring>().scene, question_.ray) / Scaled(unit));
+    if (!truth.is_tangent)  // any change of the radius changes a tangent's verdict
+      judgement_.margin = value(distance_to_other_verdict(scene<Ring>(), question_.ray) / Scaled(unit));
   }
 
-  template <class R, class Number>
-  HitError hit(const Truth<Number>& truth, const Number& unit, int side, double t) {
-    if (!std::isfinite(t)) {
-      const std::vector<ExactRoot> roots = real_roots(quadratic_of(bench<Ring>().scene));
-      if (roots.empty()) return {HUGE_VAL, HUGE_VAL};
-      return {error_in_ulps(side < 0 ? roots.front() : roots.back(), t, precision_), HUGE_VAL};
+  HitError error_of(const Truth& truth, double unit, int side, double t) {
+    if (std::isfinite(t)) {
+      const auto error = hit_error(scene<Ball>(), truth, unit, side, t, precision_);
+      if (error) return *error;
     }
-    if (const auto error = hit_error(bench<R>().scene, truth, unit, side, t, precision_)) return *error;
-    const Truth<Scaled> widened{truth.lower, truth.upper, truth.discriminant, truth.a};
-    return *hit_error(bench<Ring>().scene, widened, Scaled(unit), side, t, precision_);
+    return error_of(truth, Scaled(unit), side, t);
+  }
+  /// The same exactly.
+  HitError error_of(const Truth&, const Scaled& unit, int side, double t) {
+    const RootList roots = roots_of(scene<Ring>());
+    const double ulp =
+        roots.empty() ? HUGE_VAL : error_in_ulps(side < 0 ? roots.front() : roots.back(), t, precision_);
+    if (!std::isfinite(t)) return {ulp, HUGE_VAL};
+    return {ulp, value(distance_of(approximate(scene<Ring>().at(t).power), scene<Ring>()) / unit)};
   }
 
   const RayQuestion& question_;
   const Sphere<double>& sphere_;
   Precision precision_;
-  std::tuple<std::optional<Bench<Interval>>, std::optional<Bench<Ball>>, std::optional<Bench<Pair>>,
-             std::optional<Bench<Ring>>>
-      benches_;
+  std::tuple<std::optional<SphereEquation<Interval>>, std::optional<SphereEquation<Ball>>,
+             std::optional<SphereEquation<Pair>>, std::optional<SphereEquation<Ring>>>
+      scenes_;
   Judgement judgement_;
 };
 
