@@ -23,10 +23,6 @@ template <class Number>
   const bool above = std::isinf(low) || t.compare(Ring(low)) >= 0;
   return above && (std::isinf(high) || t.compare(Ring(high)) <= 0);
 }
-template <class Number>
-[[nodiscard]] bool is_in_interval(const Number& t, const Ray<double>& ray) {
-  return is_in_interval(t, ray.t_min, ray.t_max);
-}
 
 /// A hit, and how the ray touches the shape there.
 struct ExactContact {
@@ -45,8 +41,6 @@ struct ExactNormal {
 class ExactIntersection {
  public:
   explicit ExactIntersection(const RayQuestion& question) : question_(question), ray_(question) {}
-  ExactIntersection(const ExactIntersection&) = delete;
-  ExactIntersection& operator=(const ExactIntersection&) = delete;
   virtual ~ExactIntersection() = default;
 
   [[nodiscard]] const RayQuestion& question() const { return question_; }
@@ -65,7 +59,7 @@ class ExactIntersection {
   /// Appends a hit of the whole line where the ray's interval holds it.
   template <class Number>
   void add(ExactContacts& hits, Number t, Contact contact) const {
-    if (is_in_interval(t, question_.ray)) hits.push_back({std::move(t), contact});
+    if (is_in_interval(t, question_.ray.t_min, question_.ray.t_max)) hits.push_back({std::move(t), contact});
   }
 
  private:

@@ -22,6 +22,14 @@ template <class R>
 }
 [[nodiscard]] inline Scaled norm(const glm::dvec3& v) { return norm(Vector<Scaled>::from(v)); }
 
+/// |p| + r of a point p with the power |p|² - r² with respect to a circle or a sphere about 0: the point's
+/// distance from it is |power| over this sum.
+template <class Number>
+[[nodiscard]] Number far_side(const Number& power, const Number& radius) {
+  using std::abs, std::sqrt;
+  return sqrt(abs(power + radius * radius)) + radius;
+}
+
 /// The Frobenius norm of a matrix.
 template <class R>
 [[nodiscard]] NumberOf<R> norm(const Vector<R>& x, const Vector<R>& y, const Vector<R>& z) {

@@ -9,8 +9,8 @@
 
 #include "case/each_number.hpp"
 #include "oracle/geometry/intersection.hpp"
-#include "oracle/judge/judgement.hpp"
 #include "oracle/numbers/rounding.hpp"
+#include "oracle/oracle.hpp"
 
 namespace rayproof::oracle {
 

@@ -36,16 +36,14 @@ double round_in(const Number& number) {
   return static_cast<double>(outwards > 0 || (outwards == 0 && is_odd(near)) ? far : near);
 }
 
+}  // namespace
+
 template <class Number>
-double round_number(const Number& number, Precision precision) {
+double round_correctly(const Number& number, Precision precision) {
   return precision == Precision::float32 ? round_in<float>(number) : round_in<double>(number);
 }
 
-}  // namespace
-
-double round_correctly(const ExactRoot& root, Precision precision) { return round_number(root, precision); }
-double round_correctly(const Quotient& quotient, Precision precision) {
-  return round_number(quotient, precision);
-}
+template double round_correctly(const ExactRoot&, Precision);
+template double round_correctly(const Quotient&, Precision);
 
 }  // namespace rayproof::oracle

@@ -9,7 +9,9 @@
 namespace rayproof::oracle {
 
 /// The number rounded to nearest, ties to even, in the case's precision; infinite where it overflows.
-[[nodiscard]] double round_correctly(const ExactRoot& root, Precision precision);
-[[nodiscard]] double round_correctly(const Quotient& quotient, Precision precision);
+template <class Number>
+[[nodiscard]] double round_correctly(const Number& number, Precision precision);
+extern template double round_correctly(const ExactRoot&, Precision);
+extern template double round_correctly(const Quotient&, Precision);
 
 }  // namespace rayproof::oracle

@@ -142,8 +142,7 @@ class CylinderIntersection final : public MeasuredIntersection {
   /// The relative change of the radius that puts a point of this power X² + Y² - R² on the circle.
   [[nodiscard]] Scaled change_of_radius(const Scaled& power) const {
     const Scaled radius = approximate(equation_.radius), relative = power / (radius * radius);
-    const Scaled distance = sqrt(abs(Scaled(1) + relative));
-    return abs(relative) / (distance + Scaled(1));
+    return abs(relative) / far_side(relative, Scaled(1));
   }
   [[nodiscard]] Scaled off_circle(const Quotient& t) const {
     const Scaled denominator = approximate(t.denominator());

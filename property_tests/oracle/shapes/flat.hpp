@@ -31,8 +31,8 @@ class FlatIntersection : public PlanarIntersection {
     ExactContacts all;
     if (is_parallel()) return all;
     Quotient at = t();
-    if (!is_in_interval(at, question().ray)) return all;
-    const Contact contact = contact_at(at);
+    const bool is_asked = is_in_interval(at, question().ray.t_min, question().ray.t_max);
+    const Contact contact = is_asked ? contact_at(at) : Contact::none;
     if (contact != Contact::none) all.push_back({std::move(at), contact});
     return all;
   }

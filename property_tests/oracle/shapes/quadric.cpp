@@ -35,25 +35,6 @@ RootList roots_between(const RootList& roots, double low, double high) {
   return inside;
 }
 
-bool is_ordered(const Ray<double>& ray, const EnclosedRoots<double>& claimed) {
-  double last = ray.t_min;
-  for (const RootEnclosure<double>& one : claimed) {
-    if (!(last <= one.lo && one.lo <= one.hi && one.hi <= ray.t_max)) return false;
-    last = one.hi;
-  }
-  return true;
-}
-
-/// Whether the enclosures leave no t of the interval out.
-bool cover(const Ray<double>& ray, const EnclosedRoots<double>& claimed) {
-  double reached = ray.t_min;
-  for (const RootEnclosure<double>& one : claimed) {
-    if (one.lo > reached) return false;
-    reached = one.hi;
-  }
-  return !claimed.empty() && reached >= ray.t_max;
-}
-
 void judge_certain(const RootEnclosure<double>& one, const RootList& inside, RootKind kind,
                    Precision precision, EnclosureJudgement& judgement) {
   if (inside.size() != 1 || kind == RootKind::twice) {
@@ -80,17 +61,20 @@ EnclosureJudgement judge(const Ray<double>& ray, const implicit::Quadric<double>
                          Precision precision, const EnclosedRoots<double>& claimed) {
   const auto [kind, roots] = meet(ray, quadric);
   const bool is_everything = kind == RootKind::everything;
-  EnclosureJudgement judgement;
-  judgement.is_ordered = is_ordered(ray, claimed);
-  judgement.has_missed = is_everything && !cover(ray, claimed);
   const RootList hits = roots_between(roots, ray.t_min, ray.t_max);
+  EnclosureJudgement judgement;
   judgement.known = hits.size();
   if (kind == RootKind::twice) judgement.tangents = hits.size();
   for (const ExactRoot& root : hits) {
     const auto holds = [&](const auto& one) { return is_in_interval(root, one.lo, one.hi); };
     judgement.has_missed = judgement.has_missed || std::none_of(claimed.begin(), claimed.end(), holds);
   }
+  double reached = ray.t_min;
+  bool has_gap = claimed.empty();
   for (const RootEnclosure<double>& one : claimed) {
+    if (!(reached <= one.lo && one.lo <= one.hi && one.hi <= ray.t_max)) judgement.is_ordered = false;
+    has_gap = has_gap || one.lo > reached;
+    reached = one.hi;
     const RootList inside = roots_between(hits, one.lo, one.hi);
     if (one.status == RootStatus::certain) {
       judge_certain(one, inside, kind, precision, judgement);
@@ -100,6 +84,8 @@ EnclosureJudgement judge(const Ray<double>& ray, const implicit::Quadric<double>
       ++judgement.idle;
     }
   }
+  has_gap = has_gap || reached < ray.t_max;
+  judgement.has_missed = judgement.has_missed || (is_everything && has_gap);
   return judgement;
 }
 

@@ -4,7 +4,7 @@
 #include <tuple>
 
 #include "oracle/shapes/shapes.hpp"
-#include "oracle/shapes/sphere/verdict.hpp"
+#include "oracle/shapes/sphere/equation.hpp"
 
 namespace rayproof::oracle {
 namespace {
@@ -36,7 +36,7 @@ class SphereIntersection final : public ExactIntersection {
 /// change for the point to lie on it.
 Scaled distance_of(const Scaled& power, const SphereEquation<Ring>& scene) {
   if (power.sign() == 0) return {};  // A point has no radius to divide by.
-  return abs(power) / reach_of(power, abs(approximate(scene.radius)));
+  return abs(power) / far_side(power, abs(approximate(scene.radius)));
 }
 
 /// How much the radius must change for another verdict, in the scale of the equation.
@@ -76,7 +76,7 @@ class SphereJudge {
   template <class R>
   const SphereEquation<R>& scene() {
     auto& made = std::get<std::optional<SphereEquation<R>>>(scenes_);
-    if (!made) made.emplace(ObjectRay<R>(question_), sphere_);
+    if (!made) made.emplace(question_, sphere_);
     return *made;
   }
 
