@@ -1,7 +1,6 @@
 #include "oracle/geometry/intersection.hpp"
 
 #include "oracle/geometry/sizes.hpp"
-#include "oracle/numbers/rounding.hpp"
 
 namespace rayproof::oracle {
 namespace {

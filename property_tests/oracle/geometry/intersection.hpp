@@ -37,7 +37,9 @@ struct ExactNormal {
   std::optional<Vector<Ring>> slope{};
 };
 
-/// What a ray and a shape come to. The question and its shape outlive it.
+/// What a ray and a shape come to, and how far claims are from it, in the units of the shape's contract but
+/// for ε. An answer needs no such measures: what is costly in them waits until one is asked for. The question
+/// and its shape outlive the intersection.
 class ExactIntersection {
  public:
   explicit ExactIntersection(const RayQuestion& question) : question_(question), ray_(question) {}
@@ -54,6 +56,13 @@ class ExactIntersection {
   [[nodiscard]] virtual std::optional<ExactNormal> normal(const ExactContact& hit) const = 0;
   /// [α, β, γ] of a triangle's hit.
   [[nodiscard]] virtual std::optional<std::array<Quotient, 3>> barycentric() const { return std::nullopt; }
+
+  /// How far p(t) is from the surface.
+  [[nodiscard]] virtual Scaled residual(double t) const = 0;
+  /// How near the case is to a change of verdict.
+  [[nodiscard]] virtual Scaled margin() const = 0;
+  /// The ratio by which naive methods degrade.
+  [[nodiscard]] virtual double far() const { return 1; }
 
  protected:
   /// Appends a hit of the whole line where the ray's interval holds it.

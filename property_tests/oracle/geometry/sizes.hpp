@@ -3,10 +3,17 @@
 /// Lengths of vectors and sizes of maps, read from the exact numbers and from the filters' alike: what the
 /// units of the contracts are made of.
 
+#include <utility>
+
 #include "oracle/geometry/scene.hpp"
-#include "oracle/numbers/reading.hpp"
+#include "oracle/numbers/exact.hpp"
+#include "oracle/numbers/filters.hpp"
 
 namespace rayproof::oracle {
+
+/// What an R is read by.
+template <class R>
+using NumberOf = decltype(read(std::declval<R>()));
 
 /// |v|².
 template <class R>

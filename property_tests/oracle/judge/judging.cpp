@@ -10,7 +10,7 @@ std::vector<double> finite_ends(const Ray<double>& ray) {
   return ends;
 }
 
-Judgement judge(const MeasuredIntersection& exact, Precision precision, const RayAnswer& claimed) {
+Judgement judge(const ExactIntersection& exact, Precision precision, const RayAnswer& claimed) {
   const RayQuestion& question = exact.question();
   const ExactContacts hits = exact.hits();
   Judgement judgement;

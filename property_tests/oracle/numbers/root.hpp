@@ -7,7 +7,8 @@
 #include <rayproof/quadratic.hpp>
 #include <utility>
 
-#include "oracle/numbers/exact.hpp"
+#include "case/case.hpp"
+#include "oracle/numbers/quotient.hpp"
 
 namespace rayproof::oracle {
 
@@ -74,6 +75,12 @@ class ExactRoot {
   ExactQuadratic quadratic_;
   int side_;
 };
+
+/// The number rounded to nearest, ties to even, in the case's precision; infinite where it overflows.
+template <class Number>
+[[nodiscard]] double round_correctly(const Number& number, Precision precision);
+extern template double round_correctly(const ExactRoot&, Precision);
+extern template double round_correctly(const Quotient&, Precision);
 
 /// The real roots, ascending, a double one once.
 using RootList = boost::container::static_vector<ExactRoot, 2>;

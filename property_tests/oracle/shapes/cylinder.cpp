@@ -18,10 +18,10 @@ struct CylinderSizes {
   Scaled level, climb;
 };
 
-class CylinderIntersection final : public MeasuredIntersection {
+class CylinderIntersection final : public ExactIntersection {
  public:
   CylinderIntersection(const RayQuestion& question, const Cylinder<double>& cylinder)
-      : MeasuredIntersection(question),
+      : ExactIntersection(question),
         cylinder_(cylinder),
         equation_(ray(), cylinder),
         side_(equation_.side()) {}
@@ -62,7 +62,7 @@ class CylinderIntersection final : public MeasuredIntersection {
   [[nodiscard]] double far() const override { return value(sizes().from_axis); }
 
   [[nodiscard]] Scaled residual(double t) const override {
-    const Quotient at(Ring(t), Ring(1.0));
+    const Quotient at(t);
     const Scaled from_side = off_circle(at), from_cap = off_caps(at);
     const Ring z = equation_.height_at(at);
     const bool is_between_caps = sign(z) >= 0 && sign(equation_.height - z) >= 0;
@@ -76,11 +76,7 @@ class CylinderIntersection final : public MeasuredIntersection {
     Scaled nearest = endless();
     std::vector<double> places = finite_ends(question().ray);
     places.push_back(0);  // for a line that is parallel to the axis or to the caps
-    for (const double end : places) {
-      const Quotient at(Ring(end), Ring(1.0));
-      reduce(nearest, off_circle(at));
-      reduce(nearest, off_caps(at));
-    }
+    for (const Quotient at : places) reduce(nearest, std::min(off_circle(at), off_caps(at)));
     if (sign(equation_.direction.z) != 0) {
       for (const bool is_lower : {true, false}) {
         const Quotient t = equation_.cap(is_lower);
@@ -181,7 +177,7 @@ class CylinderIntersection final : public MeasuredIntersection {
 
 }  // namespace
 
-MeasuredPointer intersection_of(const RayQuestion& question, const Cylinder<double>& cylinder) {
+ExactPointer intersection_of(const RayQuestion& question, const Cylinder<double>& cylinder) {
   return std::make_unique<CylinderIntersection>(question, cylinder);
 }
 

@@ -19,9 +19,9 @@ struct PlanarSizes {
   [[nodiscard]] Scaled unit(std::size_t plane, const Scaled& t) const { return normals[plane] * reach(t); }
 };
 
-class PlanarIntersection : public MeasuredIntersection {
+class PlanarIntersection : public ExactIntersection {
  public:
-  using MeasuredIntersection::MeasuredIntersection;
+  using ExactIntersection::ExactIntersection;
 
  protected:
   /// Bounds the distance of the shape's numbers from (0, 0, 0).

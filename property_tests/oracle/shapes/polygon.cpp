@@ -94,7 +94,7 @@ class PolygonIntersection final : public FlatIntersection {
 
 }  // namespace
 
-MeasuredPointer intersection_of(const RayQuestion& question, const Polygon<double>& polygon) {
+ExactPointer intersection_of(const RayQuestion& question, const Polygon<double>& polygon) {
   return std::make_unique<PolygonIntersection>(question, polygon);
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "oracle/geometry/intersection.hpp"
-#include "oracle/numbers/rounding.hpp"
+#include "oracle/numbers/ulp.hpp"
 
 namespace rayproof::oracle {
 namespace {

@@ -10,8 +10,6 @@
 namespace rayproof::oracle {
 namespace {
 
-Quotient exactly(double t) { return {Ring(t), Ring(1.0)}; }
-
 Scaled position_of(const Box<double>& box) { return norm(box.min) + norm(box.max); }
 std::array<Scaled, 3> normal_sizes_of(const Box<double>&) { return {Scaled(1), Scaled(1), Scaled(1)}; }
 
@@ -61,14 +59,14 @@ class SolidIntersection final : public PlanarIntersection {
 
   [[nodiscard]] Scaled residual(double t) const override {
     Scaled nearest = endless();
-    for (std::size_t i = 0; i < 3; ++i) reduce(nearest, distance(i, exactly(t)));
+    for (std::size_t i = 0; i < 3; ++i) reduce(nearest, distance(i, t));
     return nearest;
   }
 
   [[nodiscard]] Scaled margin() const override {
     Scaled nearest = endless();
     for (std::size_t i = 0; i < 3; ++i) {
-      for (const double end : finite_ends(question().ray)) reduce(nearest, distance(i, exactly(end)));
+      for (const double end : finite_ends(question().ray)) reduce(nearest, distance(i, end));
       for (std::size_t j = 0; j < 3; ++j) {
         if (i == j || met_[j].is_parallel()) continue;
         reduce(nearest, distance(i, met_[j].entry()));
@@ -114,11 +112,11 @@ class SolidIntersection final : public PlanarIntersection {
 
 }  // namespace
 
-MeasuredPointer intersection_of(const RayQuestion& question, const Box<double>& box) {
+ExactPointer intersection_of(const RayQuestion& question, const Box<double>& box) {
   return std::make_unique<SolidIntersection<Box<double>>>(question, box);
 }
 
-MeasuredPointer intersection_of(const RayQuestion& question, const Parallelepiped<double>& solid) {
+ExactPointer intersection_of(const RayQuestion& question, const Parallelepiped<double>& solid) {
   return std::make_unique<SolidIntersection<Parallelepiped<double>>>(question, solid);
 }
 

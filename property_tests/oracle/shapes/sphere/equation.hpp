@@ -50,17 +50,27 @@ struct SphereEquation {
   }
 };
 
-[[nodiscard]] inline RootList roots_of(const SphereEquation<Ring>& scene) {
-  return real_roots({scene.a(), scene.h(), scene.c()});
+/// log2, rounded down to a whole number.
+[[nodiscard]] inline double log2_of(double x) {
+  return x > 0 ? static_cast<double>(exponent_of(x)) : -HUGE_VAL;
+}
+[[nodiscard]] inline double log2_of(const Scaled& x) {
+  return x.sign() == 0 ? -HUGE_VAL : static_cast<double>(x.exponent() - 1);
 }
 
-/// In the scale of the equation.
+/// What the judgement says of lengths, and what it measures them by.
 template <class Number>
 struct SphereSizes {
-  Number size;       ///< S = |origin - center| + radius, as large as a transform makes its parts
-  Number radius;     ///< of the sphere
-  Number condition;  ///< of the transform, 1 without one
-  Number smallest, largest;
+  Number unit;  ///< S times the transform's condition, in the scale of the equation
+  double far, smallest, largest;
+
+  /// S = |origin - center| + radius, as large as a transform makes its parts.
+  SphereSizes(const Number& size, const Number& radius, const Number& condition, const Number& shortest,
+              const Number& longest)
+      : unit(size * condition),
+        far(Number(0) < radius ? value(size / radius) : HUGE_VAL),
+        smallest(log2_of(shortest)),
+        largest(log2_of(longest)) {}
 };
 
 template <class R>

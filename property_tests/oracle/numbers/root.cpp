@@ -1,4 +1,4 @@
-#include "oracle/numbers/rounding.hpp"
+#include "oracle/numbers/root.hpp"
 
 #include <bit>
 #include <cmath>
