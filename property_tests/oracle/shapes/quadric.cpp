@@ -12,20 +12,13 @@ using Four = std::array<Ring, 4>;
 
 Four four(double x, double y, double z, double w) { return {Ring(x), Ring(y), Ring(z), Ring(w)}; }
 
-/// The quadric as the symmetric matrix M with pᵀMp = 2·f(p), p homogeneous.
-std::array<Four, 4> matrix_of(const implicit::Quadric<double>& q) {
-  std::array<Four, 4> m{four(q.xx, q.xy, q.xz, q.xw), four(q.xy, q.yy, q.yz, q.yw),
-                        four(q.xz, q.yz, q.zz, q.zw), four(q.xw, q.yw, q.zw, q.ww)};
-  for (std::size_t i = 0; i < 4; ++i) m[i][i] = m[i][i] + m[i][i];
-  return m;
-}
-
-/// pᵀMq.
-Ring between(const Four& p, const std::array<Four, 4>& m, const Four& q) {
-  Ring sum(0.0);
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; j < 4; ++j) sum = sum + p[i] * m[i][j] * q[j];
-  return sum;
+/// The polar form of twice the quadric: 2·f(p) for q = p, both homogeneous.
+Ring polar(const implicit::Quadric<double>& f, const Four& p, const Four& q) {
+  const auto term = [&](double coefficient, std::size_t i, std::size_t j) {
+    return Ring(coefficient) * (p[i] * q[j] + p[j] * q[i]);
+  };
+  return term(f.xx, 0, 0) + term(f.yy, 1, 1) + term(f.zz, 2, 2) + term(f.ww, 3, 3) + term(f.xy, 0, 1) +
+         term(f.xz, 0, 2) + term(f.yz, 1, 2) + term(f.xw, 0, 3) + term(f.yw, 1, 3) + term(f.zw, 2, 3);
 }
 
 RootList roots_between(const RootList& roots, double low, double high) {
@@ -51,10 +44,9 @@ void judge_certain(const RootEnclosure<double>& one, const RootList& inside, Roo
 }  // namespace
 
 SolvedEquation meet(const Ray<double>& ray, const implicit::Quadric<double>& quadric) {
-  const std::array<Four, 4> m = matrix_of(quadric);
   const Four o = four(ray.origin.x, ray.origin.y, ray.origin.z, 1);
   const Four d = four(ray.direction.x, ray.direction.y, ray.direction.z, 0);
-  return solve(between(d, m, d), between(o, m, d), between(o, m, o));
+  return solve(polar(quadric, d, d), polar(quadric, o, d), polar(quadric, o, o));
 }
 
 EnclosureJudgement judge(const Ray<double>& ray, const implicit::Quadric<double>& quadric,

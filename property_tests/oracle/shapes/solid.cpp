@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "oracle/geometry/slabs.hpp"
-#include "oracle/shapes/planar.hpp"
+#include "oracle/shapes/flat.hpp"
 #include "oracle/shapes/shapes.hpp"
 
 namespace rayproof::oracle {

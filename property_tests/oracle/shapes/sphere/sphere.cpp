@@ -65,7 +65,8 @@ class SphereJudge {
 
   Judgement judge(Precision precision, const RayAnswer& claimed) {
     // Without a transform one subtraction makes a coordinate, so that balls would have the same sizes.
-    const SphereSizes<double> sizes = question_.transform ? sizes_in<Ball>() : sizes_in<Interval>();
+    const SphereSizes<double> sizes = question_.transform ? sizes_of(scene<Ball>(), question_, sphere_)
+                                                          : sizes_of(scene<Interval>(), question_, sphere_);
     // Doubles serve only far from overflow and underflow (false for NaN too).
     if (!(sizes.smallest > -200 && sizes.largest < 200)) return judge_exactly(precision, claimed);
     const Truth truth = filtered_verdict();
@@ -96,10 +97,6 @@ class SphereJudge {
     if (!made) made.emplace(question_, sphere_);
     return *made;
   }
-  template <class R>
-  SphereSizes<double> sizes_in() {
-    return sizes_of(scene<R>(), question_, sphere_);
-  }
   Truth filtered_verdict() {
     if (const auto truth = verdict(scene<Interval>(), question_.ray)) return *truth;
     if (const auto truth = verdict(scene<Ball>(), question_.ray)) return *truth;
@@ -107,15 +104,15 @@ class SphereJudge {
     return *verdict(SphereEquation<Ring>(question_, sphere_), question_.ray);
   }
 
-  [[nodiscard]] HitError exact_error(const Truth& truth, double unit, int side, double t,
-                                     Precision precision) const {
+  [[nodiscard, gnu::noinline]] HitError exact_error(const Truth& truth, double unit, int side, double t,
+                                                    Precision precision) const {
     const SphereIntersection exact(question_, sphere_);
     const ExactRoot root(exact.quadratic(), side);
     return {truth.count() > 0 ? error_in_ulps(root, t, precision) : HUGE_VAL,
             std::isfinite(t) ? value(exact.distance_at(t) / Scaled(unit)) : HUGE_VAL};
   }
 
-  Judgement judge_exactly(Precision precision, const RayAnswer& claimed) const {
+  [[gnu::noinline]] Judgement judge_exactly(Precision precision, const RayAnswer& claimed) const {
     const SphereIntersection exact(question_, sphere_);
     const SphereSizes<Scaled> sizes = exact.sizes();
     Judgement judgement = oracle::judge(exact, precision, claimed);
