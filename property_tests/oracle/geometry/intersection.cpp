@@ -10,7 +10,8 @@ namespace {
 template <class Number>
 glm::dvec3 unit_normal(const ObjectRay<Ring>& ray, ExactNormal& normal, const Number& t,
                        Precision precision) {
-  auto& [offset, slope] = normal;
+  Vector<Ring>& offset = normal.offset;
+  std::optional<Vector<Ring>>& slope = normal.slope;
   if (ray.map) offset = ray.map->apply_transposed(offset);
   if (ray.map && slope) slope = ray.map->apply_transposed(*slope);
   const auto at = [&](int axis) {
