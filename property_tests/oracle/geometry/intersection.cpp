@@ -34,25 +34,20 @@ RayAnswer answer(const ExactIntersection& exact, Precision precision) {
   const ExactContacts hits = exact.hits();
   RayAnswer answer{hits.empty() ? exact.miss() : hits.front().contact};
   if (hits.empty()) return answer;
-  for (const ExactContact& hit : hits) {
-    const auto rounded = [&](const auto& t) { return round_correctly(t, precision); };
-    answer.hits.push_back(std::visit(rounded, hit.t));
-  }
+  const auto rounded = [&](const auto& number) { return round_correctly(number, precision); };
+  for (const ExactContact& hit : hits) answer.hits.push_back(std::visit(rounded, hit.t));
   const auto describe = [&](const auto& t) {
     const Ray<double>& ray = exact.question().ray;
     glm::dvec3& point = answer.point.emplace();
-    for (int axis = 0; axis < 3; ++axis) {
-      point[axis] =
-          round_correctly(t.affine_image(Ring(ray.origin[axis]), Ring(ray.direction[axis])), precision);
-    }
+    for (int axis = 0; axis < 3; ++axis)
+      point[axis] = rounded(t.affine_image(Ring(ray.origin[axis]), Ring(ray.direction[axis])));
     if (auto normal = exact.normal(hits.front()))
       answer.normal = unit_normal(exact.ray(), *normal, t, precision);
   };
   std::visit(describe, hits.front().t);
   if (const auto weights = exact.barycentric()) {
     glm::dvec3& barycentric = answer.barycentric.emplace();
-    for (int i = 0; i < 3; ++i)
-      barycentric[i] = round_correctly(weights->at(static_cast<std::size_t>(i)), precision);
+    for (int i = 0; i < 3; ++i) barycentric[i] = rounded(weights->at(static_cast<std::size_t>(i)));
   }
   return answer;
 }

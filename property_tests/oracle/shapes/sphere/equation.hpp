@@ -18,8 +18,7 @@ namespace rayproof::oracle {
 /// lower and upper root r₋, r₊ of the power satisfy slope = ±√D, and D = slope² - a·power at every t.
 template <class R>
 struct PowerAt {
-  R power;
-  R slope;
+  R power, slope;
 };
 
 /// The sphere |q - center| = radius and the ray's line, relative to the centre and scaled as ObjectRay says.
@@ -129,8 +128,7 @@ template <class R>
 /// The error of a claimed t against the root on `side`, and the distance of p(t) from the surface in units of
 /// `unit`.
 struct HitError {
-  double ulp;
-  double residual;
+  double ulp, residual;
 };
 
 /// The error of a finite t; nothing where balls can't decide.

@@ -29,7 +29,10 @@ class SphereIntersection final : public ExactIntersection {
   }
 
   [[nodiscard]] ExactQuadratic quadratic() const { return {scene_.a(), scene_.h(), scene_.c()}; }
-  [[nodiscard]] SphereSizes<Scaled> sizes() const { return sizes_of(scene_, question(), sphere_); }
+  [[nodiscard]] const SphereSizes<Scaled>& sizes() const {
+    if (!sizes_) sizes_ = sizes_of(scene_, question(), sphere_);
+    return *sizes_;
+  }
 
   /// How far p(t) is from the surface, in the scale of the equation.
   [[nodiscard]] Scaled distance_at(double t) const { return distance(approximate(scene_.at(t).power)); }
@@ -54,6 +57,7 @@ class SphereIntersection final : public ExactIntersection {
 
   const Sphere<double>& sphere_;
   SphereEquation<Ring> scene_;
+  mutable std::optional<SphereSizes<Scaled>> sizes_;
 };
 
 /// The judgement of one case. A ring's equation is made only when it is asked for: that of the balls for the
@@ -114,10 +118,9 @@ class SphereJudge {
   }
   [[gnu::noinline]] Judgement judge_exactly(Precision precision, const RayAnswer& claimed) const {
     const SphereIntersection exact(question_, sphere_);
-    const SphereSizes<Scaled> sizes = exact.sizes();
     Judgement judgement = oracle::judge(exact, precision, claimed);
-    judgement.smallest = sizes.smallest;
-    judgement.largest = sizes.largest;
+    judgement.smallest = exact.sizes().smallest;
+    judgement.largest = exact.sizes().largest;
     return judgement;
   }
 
