@@ -3,12 +3,13 @@
 /// The exact intersection of a ray and a shape, which both answers and judges.
 
 #include <array>
+#include <boost/container/static_vector.hpp>
 #include <cmath>
 #include <variant>
-#include <vector>
 
 #include "case/answer.hpp"
 #include "oracle/geometry/scene.hpp"
+#include "oracle/numbers/quotient.hpp"
 #include "oracle/numbers/root.hpp"
 
 namespace rayproof::oracle {
@@ -22,16 +23,13 @@ template <class Number>
   const bool above = std::isinf(low) || t.compare(Ring(low)) >= 0;
   return above && (std::isinf(high) || t.compare(Ring(high)) <= 0);
 }
-template <class Number>
-[[nodiscard]] bool is_in_interval(const Number& t, const Ray<double>& ray) {
-  return is_in_interval(t, ray.t_min, ray.t_max);
-}
 
 /// A hit, and how the ray touches the shape there.
 struct ExactContact {
   ExactNumber t;
   Contact contact;
 };
+using ExactContacts = boost::container::static_vector<ExactContact, 2>;  // a convex shape has two at most
 
 /// A normal of any length in the object's space: offset + t·slope, or the same at every t.
 struct ExactNormal {
@@ -39,19 +37,19 @@ struct ExactNormal {
   std::optional<Vector<Ring>> slope{};
 };
 
-/// What a ray and a shape come to. The question and its shape outlive it.
+/// What a ray and a shape come to, and how far claims are from it, in the units of the shape's contract but
+/// for ε. An answer needs no such measures: what is costly in them waits until one is asked for. The question
+/// and its shape outlive the intersection.
 class ExactIntersection {
  public:
   explicit ExactIntersection(const RayQuestion& question) : question_(question), ray_(question) {}
-  ExactIntersection(const ExactIntersection&) = delete;
-  ExactIntersection& operator=(const ExactIntersection&) = delete;
   virtual ~ExactIntersection() = default;
 
   [[nodiscard]] const RayQuestion& question() const { return question_; }
   [[nodiscard]] const ObjectRay<Ring>& ray() const { return ray_; }
 
   /// The hits in the ray's interval, ascending, each once.
-  [[nodiscard]] virtual std::vector<ExactContact> hits() const = 0;
+  [[nodiscard]] virtual ExactContacts hits() const = 0;
   /// Why there is none.
   [[nodiscard]] virtual Contact miss() const { return Contact::none; }
   /// The normal at a hit; nothing where it is not unique.
@@ -59,11 +57,18 @@ class ExactIntersection {
   /// [α, β, γ] of a triangle's hit.
   [[nodiscard]] virtual std::optional<std::array<Quotient, 3>> barycentric() const { return std::nullopt; }
 
+  /// How far p(t) is from the surface.
+  [[nodiscard]] virtual Scaled residual(double t) const = 0;
+  /// How near the case is to a change of verdict.
+  [[nodiscard]] virtual Scaled margin() const = 0;
+  /// The ratio by which naive methods degrade.
+  [[nodiscard]] virtual double far() const { return 1; }
+
  protected:
   /// Appends a hit of the whole line where the ray's interval holds it.
   template <class Number>
-  void add(std::vector<ExactContact>& hits, Number t, Contact contact) const {
-    if (is_in_interval(t, question_.ray)) hits.push_back({std::move(t), contact});
+  void add(ExactContacts& hits, Number t, Contact contact) const {
+    if (is_in_interval(t, question_.ray.t_min, question_.ray.t_max)) hits.push_back({std::move(t), contact});
   }
 
  private:

@@ -1,51 +1,31 @@
 #include "oracle/geometry/locate.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace rayproof::oracle {
-namespace {
-
-/// A vertex as seen from the point, both times the weight, and the sign of how far it lies above.
-struct SeenVertex {
-  PlanePoint to;
-  int above;
-};
-
-/// What one side says: the point lies on it, or a ray to the right crosses it, or neither.
-struct CrossedSide {
-  bool holds_point;
-  bool is_crossed;
-};
-
-CrossedSide side_of(const SeenVertex& from, const SeenVertex& to) {
-  if (from.above == 0 && to.above == 0) return {sign(from.to.x) * sign(to.to.x) <= 0, false};
-  if (from.above * to.above > 0) return {false, false};
-  // The signed area seen from the point: positive where the side passes it on the right, going up.
-  const int area = sign(from.to.x * to.to.y - from.to.y * to.to.x);
-  if (area == 0) return {true, false};
-  // Each side holds its lower end, not its upper one, so that a vertex that is passed counts once.
-  const bool goes_up = from.above <= 0 && to.above > 0;
-  const bool goes_down = to.above <= 0 && from.above > 0;
-  return {false, (goes_up && area > 0) || (goes_down && area < 0)};
-}
-
-}  // namespace
-
 Contact locate(const PlanePoint& point, const Ring& weight, const std::vector<PlanePoint>& vertices) {
-  const auto seen = [&](const PlanePoint& vertex) {
-    const PlanePoint to{weight * vertex.x - point.x, weight * vertex.y - point.y};
-    return SeenVertex{to, sign(to.y)};
+  const auto seen = [&](const PlanePoint& vertex) {  // from the point, times the weight
+    return PlanePoint{weight * vertex.x - point.x, weight * vertex.y - point.y};
   };
   bool is_on_side = false;
   bool is_inside = false;
-  SeenVertex from = seen(vertices.back());
+  PlanePoint from = seen(vertices.back());
   for (const PlanePoint& vertex : vertices) {
-    const SeenVertex to = seen(vertex);
-    if (to.above == 0 && sign(to.to.x) == 0) return Contact::vertex;
-    const CrossedSide side = side_of(from, to);
-    is_on_side = is_on_side || side.holds_point;
-    is_inside = is_inside != side.is_crossed;
-    from = to;
+    PlanePoint to = seen(vertex);
+    const int start = sign(from.y), end = sign(to.y);
+    if (end == 0 && sign(to.x) == 0) return Contact::vertex;
+    if (start == 0 && end == 0) {
+      is_on_side = is_on_side || sign(from.x) * sign(to.x) <= 0;
+    } else if (start * end <= 0) {
+      // The signed area seen from the point: positive where the side passes it on the right, going up.
+      const int area = sign(from.x * to.y - from.y * to.x);
+      is_on_side = is_on_side || area == 0;
+      // Each side holds its lower end, not its upper one, so that a vertex that is passed counts once.
+      const bool passes = (start > 0) != (end > 0);
+      is_inside = is_inside != (passes && (area > 0) == (end > 0));
+    }
+    from = std::move(to);
   }
   if (is_on_side) return Contact::edge;
   return is_inside ? Contact::crossing : Contact::none;

@@ -3,10 +3,17 @@
 /// Lengths of vectors and sizes of maps, read from the exact numbers and from the filters' alike: what the
 /// units of the contracts are made of.
 
+#include <utility>
+
 #include "oracle/geometry/scene.hpp"
-#include "oracle/numbers/reading.hpp"
+#include "oracle/numbers/exact.hpp"
+#include "oracle/numbers/filters.hpp"
 
 namespace rayproof::oracle {
+
+/// What an R is read by.
+template <class R>
+using NumberOf = decltype(read(std::declval<R>()));
 
 /// |v|².
 template <class R>
@@ -21,6 +28,14 @@ template <class R>
   return sqrt(squared_norm(v));
 }
 [[nodiscard]] inline Scaled norm(const glm::dvec3& v) { return norm(Vector<Scaled>::from(v)); }
+
+/// |p| + r of a point p with the power |p|² - r² with respect to a circle or a sphere about 0: the point's
+/// distance from it is |power| over this sum.
+template <class Number>
+[[nodiscard]] Number far_side(const Number& power, const Number& radius) {
+  using std::abs, std::sqrt;
+  return sqrt(abs(power + radius * radius)) + radius;
+}
 
 /// The Frobenius norm of a matrix.
 template <class R>

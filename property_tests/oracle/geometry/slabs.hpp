@@ -1,10 +1,9 @@
 #pragma once
 /// \file
-/// A convex solid between three pairs of parallel planes and a line, exactly: what box and parallelepiped
+/// The three pairs of parallel planes of a convex solid and a line, exactly: what box and parallelepiped
 /// share.
 
 #include <array>
-#include <optional>
 
 #include "oracle/geometry/scene.hpp"
 #include "oracle/numbers/quotient.hpp"
@@ -37,14 +36,25 @@ struct SlabMeeting {
 };
 using SlabMeetings = std::array<SlabMeeting, 3>;
 
-[[nodiscard]] SlabMeetings meetings(const ObjectRay<Ring>& ray, const Box<double>& box);
-[[nodiscard]] SlabMeetings meetings(const ObjectRay<Ring>& ray, const Parallelepiped<double>& solid);
+[[nodiscard]] inline SlabMeetings meetings(const ObjectRay<Ring>& ray, const Box<double>& box) {
+  const auto slab = [&](int axis) {
+    glm::dvec3 normal(0);
+    normal[axis] = 1;
+    return SlabMeeting(ray, Vector<Ring>::from(normal), Ring(box.min[axis]), Ring(box.max[axis]));
+  };
+  return {slab(0), slab(1), slab(2)};
+}
 
-/// The part of the line inside the solid, from entry to exit; nothing where there is none.
-struct Chord {
-  Quotient entry, exit;
-  [[nodiscard]] bool is_touch() const { return entry.compare(exit) == 0; }
-};
-[[nodiscard]] std::optional<Chord> chord_of(const SlabMeetings& slabs);
+[[nodiscard]] inline SlabMeetings meetings(const ObjectRay<Ring>& ray, const Parallelepiped<double>& solid) {
+  const auto corner = Vector<Ring>::from(solid.corner);
+  const auto edge = [&](std::size_t i) { return Vector<Ring>::from(solid.edges[i % 3]); };
+  const auto slab = [&](std::size_t i) {
+    Vector<Ring> normal = cross(edge(i + 1), edge(i + 2));
+    if (sign(dot(normal, edge(i))) < 0) normal = -normal;
+    const Ring low = dot(normal, corner);
+    return SlabMeeting(ray, normal, low, low + dot(normal, edge(i)));
+  };
+  return {slab(0), slab(1), slab(2)};
+}
 
 }  // namespace rayproof::oracle

@@ -10,9 +10,9 @@ std::vector<double> finite_ends(const Ray<double>& ray) {
   return ends;
 }
 
-Judgement judge(const MeasuredIntersection& exact, Precision precision, const RayAnswer& claimed) {
+Judgement judge(const ExactIntersection& exact, Precision precision, const RayAnswer& claimed) {
   const RayQuestion& question = exact.question();
-  const std::vector<ExactContact> hits = exact.hits();
+  const ExactContacts hits = exact.hits();
   Judgement judgement;
   const glm::dmat4 map = question.transform.value_or(glm::dmat4(0));  // zeros have no magnitude to note
   const auto note = [&](const auto& shape) {
@@ -31,8 +31,7 @@ Judgement judge(const MeasuredIntersection& exact, Precision precision, const Ra
     const double t = claimed.hits.t[i];
     const auto ulps_from = [&](const auto& number) { return error_in_ulps(number, t, precision); };
     const double ulps = judgement.wrong ? HUGE_VAL : std::visit(ulps_from, hits[i].t);
-    note_error(
-        t, ulps, [&] { return in_units(exact.residual(t), precision); }, precision, judgement);
+    note_error(judgement, precision, t, ulps, [&] { return in_units(exact.residual(t), precision); });
   }
   return judgement;
 }

@@ -9,35 +9,20 @@
 
 #include "case/each_number.hpp"
 #include "oracle/geometry/intersection.hpp"
-#include "oracle/judge/judgement.hpp"
-#include "oracle/numbers/rounding.hpp"
+#include "oracle/numbers/ulp.hpp"
+#include "oracle/oracle.hpp"
 
 namespace rayproof::oracle {
 
-/// An intersection and how far claims are from it, in the units of the shape's contract but for ε. An answer
-/// needs no measures: what is costly in them waits until one is asked for.
-class MeasuredIntersection : public ExactIntersection {
- public:
-  using ExactIntersection::ExactIntersection;
-
-  /// How far p(t) is from the surface.
-  [[nodiscard]] virtual Scaled residual(double t) const = 0;
-  /// How near the case is to a change of verdict.
-  [[nodiscard]] virtual Scaled margin() const = 0;
-  /// The ratio by which naive methods degrade.
-  [[nodiscard]] virtual double far() const { return 1; }
-};
-
 /// Judges claimed hits against the exact ones.
-[[nodiscard]] Judgement judge(const MeasuredIntersection& exact, Precision precision,
-                              const RayAnswer& claimed);
+[[nodiscard]] Judgement judge(const ExactIntersection& exact, Precision precision, const RayAnswer& claimed);
 
 /// The finite ends of the ray's interval.
 [[nodiscard]] std::vector<double> finite_ends(const Ray<double>& ray);
 
 /// A measure in units of ε.
 [[nodiscard]] inline double in_units(const Scaled& measure, Precision precision) {
-  return static_cast<double>((measure / Scaled(unit_roundoff(precision))).value());
+  return value(measure / Scaled(unit_roundoff(precision)));
 }
 
 /// Whether `claimed` has another count of hits than the exact one.
@@ -51,14 +36,14 @@ template <class Number>
 [[nodiscard]] double error_in_ulps(const Number& exact, double x, Precision precision) {
   const double nearest = round_correctly(exact, precision);
   if (!std::isfinite(x) || !std::isfinite(nearest)) return x == nearest ? 0 : HUGE_VAL;
-  return static_cast<double>((abs(exact.minus(x)) / Scaled(ulp_of(nearest, precision))).value());
+  return value(abs(exact.minus(x)) / Scaled(ulp_of(nearest, precision)));
 }
 
 /// Notes the worst of the claimed numbers' errors: x is off by `ulps`, and residual() is what it leaves, in
 /// units. No residual can be asked of an x that is as good as the nearest number where the grid of floats
 /// itself is coarse or ends.
 template <class Residual>
-void note_error(double x, double ulps, const Residual& residual, Precision precision, Judgement& judgement) {
+void note_error(Judgement& judgement, Precision precision, double x, double ulps, const Residual& residual) {
   if (!judgement.wrong) judgement.ulp = std::max(judgement.ulp, ulps);
   const double smallest_normal = precision == Precision::float32 ? 0x1p-126 : 0x1p-1022;
   if (ulps <= 1 && (!std::isfinite(x) || std::abs(x) < smallest_normal)) return;

@@ -4,8 +4,9 @@
 
 #include <CGAL/Mpzf.h>
 
+#include <algorithm>
 #include <cmath>
-#include <cstdlib>
+#include <optional>
 
 namespace rayproof::oracle {
 
@@ -16,8 +17,7 @@ using Ring = CGAL::Mpzf;
 /// precision.
 class Scaled {
  public:
-  Scaled() = default;
-  Scaled(long double mantissa, long exponent = 0) {  // NOLINT: a number is a Scaled
+  Scaled(long double mantissa = 0, long exponent = 0) {  // NOLINT: a number is a Scaled
     int shift = 0;
     mantissa_ = std::frexp(mantissa, &shift);
     exponent_ = mantissa_ == 0 ? 0 : exponent + shift;
@@ -25,8 +25,7 @@ class Scaled {
 
   /// The nearest long double; overflows to infinity and underflows to 0.
   [[nodiscard]] long double value() const {
-    if (exponent_ > 20000) return mantissa_ * HUGE_VALL;
-    return exponent_ < -20000 ? 0 : std::ldexp(mantissa_, static_cast<int>(exponent_));
+    return std::ldexp(mantissa_, static_cast<int>(std::clamp(exponent_, -20000L, 20000L)));
   }
   /// e with 2^(e-1) <= |x| < 2^e.
   [[nodiscard]] long exponent() const { return exponent_; }
@@ -54,8 +53,8 @@ class Scaled {
   friend Scaled abs(const Scaled& x) { return {std::abs(x.mantissa_), x.exponent_}; }
 
  private:
-  long double mantissa_ = 0;
-  long exponent_ = 0;
+  long double mantissa_;
+  long exponent_;
 };
 
 /// The sign of an exact number: -1, 0 or 1.
@@ -72,5 +71,16 @@ class Scaled {
   }
   return Scaled(static_cast<long double>(leading) + (x - Ring(leading)).to_double());
 }
+
+/// What formulas over any ring ask of a number; for the filters see filters.hpp. Values are read as numbers
+/// of any size.
+[[nodiscard]] inline Scaled read(const Ring& x) { return approximate(x); }
+[[nodiscard]] inline Scaled read(const Scaled& x) { return x; }
+[[nodiscard]] inline double uncertainty(const Ring&) { return 0; }
+[[nodiscard]] inline std::optional<int> certain_sign(const Ring& x) { return sign(x); }
+
+/// What was read as a double.
+[[nodiscard]] inline double value(double x) { return x; }
+[[nodiscard]] inline double value(const Scaled& x) { return static_cast<double>(x.value()); }
 
 }  // namespace rayproof::oracle

@@ -11,6 +11,7 @@ namespace rayproof::oracle {
 /// numerator / denominator, exactly; the denominator is made positive.
 class Quotient {
  public:
+  Quotient(double x) : numerator_(x), denominator_(1.0) {}  // NOLINT: every double is a quotient
   /// `denominator` is not 0.
   Quotient(Ring numerator, Ring denominator)
       : numerator_(std::move(numerator)), denominator_(std::move(denominator)) {

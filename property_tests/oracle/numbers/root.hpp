@@ -3,11 +3,11 @@
 /// The real roots of an exact quadratic as exact numbers: compared, estimated and rounded without error.
 
 #include <array>
+#include <boost/container/static_vector.hpp>
 #include <rayproof/quadratic.hpp>
 #include <utility>
-#include <vector>
 
-#include "oracle/numbers/exact.hpp"
+#include "case/case.hpp"
 #include "oracle/numbers/quotient.hpp"
 
 namespace rayproof::oracle {
@@ -18,6 +18,12 @@ struct ExactQuadratic {
 
   /// A quarter of the discriminant.
   [[nodiscard]] Ring discriminant() const { return h * h - a * c; }
+
+  /// The quadratic whose roots are those of this one less x: half its slope and its value at x.
+  [[nodiscard]] ExactQuadratic seen_from(const Ring& x) const {
+    const Ring slope = a * x + h;
+    return {a, slope, (slope + h) * x + c};
+  }
 };
 
 /// The sign of (root - x) for the root on `side` of a quadratic with a > 0, from the signs of its value and
@@ -32,25 +38,28 @@ struct ExactQuadratic {
 /// = 1).
 class ExactRoot {
  public:
-  ExactRoot(ExactQuadratic quadratic, int side)
-      : quadratic_(std::move(quadratic)), side_(side), estimate_(estimated()) {}
+  ExactRoot(ExactQuadratic quadratic, int side) : quadratic_(std::move(quadratic)), side_(side) {}
 
   /// The sign of (root - x), exactly.
   [[nodiscard]] int compare(const Ring& x) const {
-    const Ring slope = quadratic_.a * x + quadratic_.h;
-    return compare_root(side_, sign((slope + quadratic_.h) * x + quadratic_.c), sign(slope));
+    const auto [a, slope, value] = quadratic_.seen_from(x);
+    return compare_root(side_, sign(value), sign(slope));
   }
 
-  /// root - x to one part in 2^58, however near they are: the difference is itself a root, of the quadratic
-  /// moved by x.
+  /// root - x to one part in 2^58, however near they are: the difference is itself a root.
   [[nodiscard]] Scaled minus(double x) const {
-    const Ring slope = quadratic_.a * Ring(x) + quadratic_.h;
-    return ExactRoot({quadratic_.a, slope, (slope + quadratic_.h) * Ring(x) + quadratic_.c}, side_)
-        .estimate();
+    return ExactRoot(quadratic_.seen_from(Ring(x)), side_).estimate();
   }
 
   /// The root to one part in 2^58, by the branches that do not cancel.
-  [[nodiscard]] const Scaled& estimate() const { return estimate_; }
+  [[nodiscard]] Scaled estimate() const {
+    const Scaled s = sqrt(approximate(quadratic_.discriminant()));
+    const Scaled h = approximate(quadratic_.h);
+    const Scaled size = abs(h) + s;
+    const Scaled q = h.sign() > 0 ? -size : size;
+    const bool adds_up = side_ == (h.sign() > 0 ? -1 : 1);
+    return adds_up || q.sign() == 0 ? q / approximate(quadratic_.a) : approximate(quadratic_.c) / q;
+  }
 
   /// offset + slope·root, as a root itself: of the quadratic that (X - offset)/slope solves. With slope 0 it
   /// has the double root `offset`.
@@ -62,32 +71,22 @@ class ExactRoot {
     return {image, sign(slope) < 0 ? -side_ : side_};
   }
 
-  /// The sign of (root - quotient), exactly.
-  [[nodiscard]] int compare(const Quotient& quotient) const {
-    // The root times the denominator, against the numerator.
-    return affine_image(Ring(0.0), quotient.denominator()).compare(quotient.numerator());
-  }
-
  private:
-  [[nodiscard]] Scaled estimated() const {
-    const Scaled s = sqrt(approximate(quadratic_.discriminant()));
-    const Scaled h = approximate(quadratic_.h);
-    const Scaled q = abs(h) + s;
-    const bool adds_up = side_ == (h.sign() > 0 ? -1 : 1);
-    if (adds_up || q.sign() == 0) return (h.sign() > 0 ? -q : q) / approximate(quadratic_.a);
-    return approximate(quadratic_.c) / (h.sign() > 0 ? -q : q);
-  }
-
   ExactQuadratic quadratic_;
   int side_;
-  Scaled estimate_;
 };
 
+/// The number rounded to nearest, ties to even, in the case's precision; infinite where it overflows.
+template <class Number>
+[[nodiscard]] double round_correctly(const Number& number, Precision precision);
+extern template double round_correctly(const ExactRoot&, Precision);
+extern template double round_correctly(const Quotient&, Precision);
+
 /// The real roots, ascending, a double one once.
-[[nodiscard]] inline std::vector<ExactRoot> real_roots(const ExactQuadratic& quadratic) {
+using RootList = boost::container::static_vector<ExactRoot, 2>;
+[[nodiscard]] inline RootList real_roots(const ExactQuadratic& quadratic) {
   const int discriminant = sign(quadratic.discriminant());
-  std::vector<ExactRoot> roots;
-  roots.reserve(static_cast<std::size_t>(discriminant + 1));
+  RootList roots;
   if (discriminant >= 0) roots.emplace_back(quadratic, -1);
   if (discriminant > 0) roots.emplace_back(quadratic, 1);
   return roots;
@@ -96,7 +95,7 @@ class ExactRoot {
 /// What an equation a·x² + 2·h·x + c = 0 comes to, whatever its coefficients.
 struct SolvedEquation {
   RootKind kind = RootKind::none;
-  std::vector<ExactRoot> roots{};
+  RootList roots{};
 };
 
 [[nodiscard]] inline SolvedEquation solve(const Ring& a, const Ring& h, const Ring& c) {
@@ -106,8 +105,7 @@ struct SolvedEquation {
     const Ring b = h + h;  // the square of 2·h·x + c has its root as a double one
     return {RootKind::linear, real_roots({b * b, b * c, c * c})};
   }
-  std::vector<ExactRoot> roots =
-      real_roots(opening > 0 ? ExactQuadratic{a, h, c} : ExactQuadratic{-a, -h, -c});
+  RootList roots = real_roots(opening > 0 ? ExactQuadratic{a, h, c} : ExactQuadratic{-a, -h, -c});
   constexpr std::array kinds{RootKind::none, RootKind::twice, RootKind::two};
   return {kinds.at(roots.size()), std::move(roots)};
 }

@@ -18,18 +18,18 @@ struct CylinderSizes {
   Scaled level, climb;
 };
 
-class CylinderIntersection final : public MeasuredIntersection {
+class CylinderIntersection final : public ExactIntersection {
  public:
   CylinderIntersection(const RayQuestion& question, const Cylinder<double>& cylinder)
-      : MeasuredIntersection(question),
+      : ExactIntersection(question),
         cylinder_(cylinder),
         equation_(ray(), cylinder),
         side_(equation_.side()) {}
 
-  [[nodiscard]] std::vector<ExactContact> hits() const override {
+  [[nodiscard]] ExactContacts hits() const override {
     // Convex with its caps: what goes in through a cap does so before it meets the side, and the other way
     // out. The two caps of a cylinder of no height are one.
-    std::vector<ExactContact> all;
+    ExactContacts all;
     add_cap(all, true);
     add_side(all);
     if (cylinder_.height > 0) add_cap(all, false);
@@ -62,7 +62,7 @@ class CylinderIntersection final : public MeasuredIntersection {
   [[nodiscard]] double far() const override { return value(sizes().from_axis); }
 
   [[nodiscard]] Scaled residual(double t) const override {
-    const Quotient at(Ring(t), Ring(1.0));
+    const Quotient at(t);
     const Scaled from_side = off_circle(at), from_cap = off_caps(at);
     const Ring z = equation_.height_at(at);
     const bool is_between_caps = sign(z) >= 0 && sign(equation_.height - z) >= 0;
@@ -76,11 +76,7 @@ class CylinderIntersection final : public MeasuredIntersection {
     Scaled nearest = endless();
     std::vector<double> places = finite_ends(question().ray);
     places.push_back(0);  // for a line that is parallel to the axis or to the caps
-    for (const double end : places) {
-      const Quotient at(Ring(end), Ring(1.0));
-      reduce(nearest, off_circle(at));
-      reduce(nearest, off_caps(at));
-    }
+    for (const Quotient at : places) reduce(nearest, std::min(off_circle(at), off_caps(at)));
     if (sign(equation_.direction.z) != 0) {
       for (const bool is_lower : {true, false}) {
         const Quotient t = equation_.cap(is_lower);
@@ -95,7 +91,7 @@ class CylinderIntersection final : public MeasuredIntersection {
  private:
   /// The hit with the cap's plane that the line passes on its way in, or out, where it lies inside the rim.
   /// (On the rim it is the side's hit, unless the line runs inside the side.)
-  void add_cap(std::vector<ExactContact>& hits, bool of_entry) const {
+  void add_cap(ExactContacts& hits, bool of_entry) const {
     const bool is_ring = cylinder_.height == 0;  // an open cylinder of no height is all rim
     const int climb = sign(equation_.direction.z);
     if (!(cylinder_.capped || is_ring) || climb == 0) return;
@@ -106,9 +102,9 @@ class CylinderIntersection final : public MeasuredIntersection {
       add(hits, t, is_rim_of_own ? Contact::rim : Contact::crossing);
   }
 
-  void add_side(std::vector<ExactContact>& hits) const {
+  void add_side(ExactContacts& hits) const {
     if (equation_.is_axis_parallel()) return;
-    std::vector<ExactRoot> roots = real_roots(side_);
+    RootList roots = real_roots(side_);
     const Contact off_rim = roots.size() == 1 ? Contact::tangent : Contact::crossing;
     for (ExactRoot& t : roots) {
       const ExactRoot z = equation_.height_at(t);
@@ -142,8 +138,7 @@ class CylinderIntersection final : public MeasuredIntersection {
   /// The relative change of the radius that puts a point of this power X² + Y² - R² on the circle.
   [[nodiscard]] Scaled change_of_radius(const Scaled& power) const {
     const Scaled radius = approximate(equation_.radius), relative = power / (radius * radius);
-    const Scaled distance = sqrt(abs(Scaled(1) + relative));
-    return abs(relative) / (distance + Scaled(1));
+    return abs(relative) / far_side(relative, Scaled(1));
   }
   [[nodiscard]] Scaled off_circle(const Quotient& t) const {
     const Scaled denominator = approximate(t.denominator());
@@ -182,7 +177,7 @@ class CylinderIntersection final : public MeasuredIntersection {
 
 }  // namespace
 
-MeasuredPointer intersection_of(const RayQuestion& question, const Cylinder<double>& cylinder) {
+ExactPointer intersection_of(const RayQuestion& question, const Cylinder<double>& cylinder) {
   return std::make_unique<CylinderIntersection>(question, cylinder);
 }
 

@@ -1,10 +1,47 @@
 #pragma once
 /// \file
-/// A ray and a flat shape, exactly: what plane, triangle and polygon share.
+/// What the shapes bounded by planes share: the units that distances from the planes are measured in; and for
+/// the flat ones, plane, triangle and polygon, the exact intersection with a ray.
 
-#include "oracle/shapes/planar.hpp"
+#include "oracle/geometry/sizes.hpp"
+#include "oracle/judge/judging.hpp"
 
 namespace rayproof::oracle {
+
+/// The lengths that the units of a contract are made of.
+struct PlanarSizes {
+  Scaled origin;                  ///< the ray's, and the distance of the shape's numbers from (0, 0, 0)
+  Scaled direction;               ///< the ray's
+  std::array<Scaled, 3> normals;  ///< the planes', in the scale of ObjectRay
+
+  /// L(t) of the contracts.
+  [[nodiscard]] Scaled reach(const Scaled& t) const { return origin + abs(t) * direction; }
+  /// |normal|·L(t).
+  [[nodiscard]] Scaled unit(std::size_t plane, const Scaled& t) const { return normals[plane] * reach(t); }
+};
+
+class PlanarIntersection : public ExactIntersection {
+ public:
+  using ExactIntersection::ExactIntersection;
+
+ protected:
+  /// Bounds the distance of the shape's numbers from (0, 0, 0).
+  [[nodiscard]] virtual Scaled position() const = 0;
+  /// Bounds the lengths of the planes' normals as the shape's numbers give them.
+  [[nodiscard]] virtual std::array<Scaled, 3> normal_sizes() const = 0;
+
+  [[nodiscard]] const PlanarSizes& sizes() const {
+    if (!sizes_) {
+      const RaySizes of_ray(question(), ray());
+      sizes_ = {of_ray.origin + position(), of_ray.direction, normal_sizes()};
+      for (Scaled& normal : sizes_->normals) normal = approximate(ray().scale) * normal;
+    }
+    return *sizes_;
+  }
+
+ private:
+  mutable std::optional<PlanarSizes> sizes_;
+};
 
 /// The plane normal·q = offset in the object's space.
 struct FlatEquation {
@@ -27,12 +64,12 @@ class FlatIntersection : public PlanarIntersection {
         gap_(ray().scale * plane.offset - dot(normal_, ray().origin)),
         slope_(dot(normal_, ray().direction)) {}
 
-  [[nodiscard]] std::vector<ExactContact> hits() const override {
-    std::vector<ExactContact> all;
+  [[nodiscard]] ExactContacts hits() const override {
+    ExactContacts all;
     if (is_parallel()) return all;
     Quotient at = t();
-    if (!is_in_interval(at, question().ray)) return all;
-    const Contact contact = contact_at(at);
+    const bool is_asked = is_in_interval(at, question().ray.t_min, question().ray.t_max);
+    const Contact contact = is_asked ? contact_at(at) : Contact::none;
     if (contact != Contact::none) all.push_back({std::move(at), contact});
     return all;
   }

@@ -43,13 +43,13 @@ class PlaneIntersection final : public FlatIntersection {
 
 }  // namespace
 
-MeasuredPointer intersection_of(const RayQuestion& question, const ImplicitPlane& plane) {
+ExactPointer intersection_of(const RayQuestion& question, const ImplicitPlane& plane) {
   return std::make_unique<PlaneIntersection<ImplicitPlane>>(question, plane);
 }
-MeasuredPointer intersection_of(const RayQuestion& question, const PointNormalPlane& plane) {
+ExactPointer intersection_of(const RayQuestion& question, const PointNormalPlane& plane) {
   return std::make_unique<PlaneIntersection<PointNormalPlane>>(question, plane);
 }
-MeasuredPointer intersection_of(const RayQuestion& question, const ParametricPlane& plane) {
+ExactPointer intersection_of(const RayQuestion& question, const ParametricPlane& plane) {
   return std::make_unique<PlaneIntersection<ParametricPlane>>(question, plane);
 }
 

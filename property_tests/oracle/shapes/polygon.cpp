@@ -26,12 +26,7 @@ struct Projection {
   }
 
   [[nodiscard]] PlanePoint operator()(const Vector<Ring>& v) const { return {v[x], v[y]}; }
-  [[nodiscard]] std::vector<PlanePoint> operator()(const std::vector<glm::dvec3>& vertices) const {
-    std::vector<PlanePoint> points;
-    points.reserve(vertices.size());
-    for (const glm::dvec3& vertex : vertices) points.push_back({Ring(vertex[x]), Ring(vertex[y])});
-    return points;
-  }
+  [[nodiscard]] PlanePoint operator()(const glm::dvec3& v) const { return {Ring(v[x]), Ring(v[y])}; }
 };
 
 class PolygonIntersection final : public FlatIntersection {
@@ -84,9 +79,12 @@ class PolygonIntersection final : public FlatIntersection {
     std::vector<PlanePoint> vertices;
   };
   [[nodiscard]] PlaneMeeting meeting(const Quotient& t) const {
-    const Projection projection(plane_normal());
+    const Projection project(plane_normal());
     const Vector<Ring> point = t.denominator() * ray().origin + t.numerator() * ray().direction;
-    return {projection(point), ray().scale * t.denominator(), projection(polygon_.vertices)};
+    PlaneMeeting at{project(point), ray().scale * t.denominator(), {}};
+    at.vertices.reserve(polygon_.vertices.size());
+    for (const glm::dvec3& vertex : polygon_.vertices) at.vertices.push_back(project(vertex));
+    return at;
   }
 
   const Polygon<double>& polygon_;
@@ -94,7 +92,7 @@ class PolygonIntersection final : public FlatIntersection {
 
 }  // namespace
 
-MeasuredPointer intersection_of(const RayQuestion& question, const Polygon<double>& polygon) {
+ExactPointer intersection_of(const RayQuestion& question, const Polygon<double>& polygon) {
   return std::make_unique<PolygonIntersection>(question, polygon);
 }
 

@@ -51,8 +51,7 @@ Judgement judge(const Quadratic<double>& equation, Precision precision,
   for (std::size_t i = 0; i < claimed.count; ++i) {
     const double x = claimed.roots.at(i);
     const double ulps = judgement.wrong ? HUGE_VAL : error_in_ulps(exact.roots[i], x, precision);
-    note_error(
-        x, ulps, [&] { return in_units(residual_of(equation, x), precision); }, precision, judgement);
+    note_error(judgement, precision, x, ulps, [&] { return in_units(residual_of(equation, x), precision); });
   }
   return judgement;
 }

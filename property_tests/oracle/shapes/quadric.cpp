@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "oracle/geometry/intersection.hpp"
-#include "oracle/numbers/rounding.hpp"
+#include "oracle/numbers/ulp.hpp"
 
 namespace rayproof::oracle {
 namespace {
@@ -12,51 +12,25 @@ using Four = std::array<Ring, 4>;
 
 Four four(double x, double y, double z, double w) { return {Ring(x), Ring(y), Ring(z), Ring(w)}; }
 
-/// The quadric as the symmetric matrix M with pᵀMp = 2·f(p), p homogeneous.
-std::array<Four, 4> matrix_of(const implicit::Quadric<double>& q) {
-  std::array<Four, 4> m{four(q.xx, q.xy, q.xz, q.xw), four(q.xy, q.yy, q.yz, q.yw),
-                        four(q.xz, q.yz, q.zz, q.zw), four(q.xw, q.yw, q.zw, q.ww)};
-  for (std::size_t i = 0; i < 4; ++i) m[i][i] = m[i][i] + m[i][i];
-  return m;
+/// The polar form of twice the quadric: 2·f(p) for q = p, both homogeneous.
+Ring polar(const implicit::Quadric<double>& f, const Four& p, const Four& q) {
+  const auto term = [&](double coefficient, std::size_t i, std::size_t j) {
+    return Ring(coefficient) * (p[i] * q[j] + p[j] * q[i]);
+  };
+  return term(f.xx, 0, 0) + term(f.yy, 1, 1) + term(f.zz, 2, 2) + term(f.ww, 3, 3) + term(f.xy, 0, 1) +
+         term(f.xz, 0, 2) + term(f.yz, 1, 2) + term(f.xw, 0, 3) + term(f.yw, 1, 3) + term(f.zw, 2, 3);
 }
 
-/// pᵀMq.
-Ring between(const Four& p, const std::array<Four, 4>& m, const Four& q) {
-  Ring sum(0.0);
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; j < 4; ++j) sum = sum + p[i] * m[i][j] * q[j];
-  return sum;
-}
-
-std::vector<ExactRoot> roots_between(const std::vector<ExactRoot>& roots, double low, double high) {
-  std::vector<ExactRoot> inside;
+RootList roots_between(const RootList& roots, double low, double high) {
+  RootList inside;
   for (const ExactRoot& root : roots)
     if (is_in_interval(root, low, high)) inside.push_back(root);
   return inside;
 }
 
-bool is_ordered(const Ray<double>& ray, const EnclosedRoots<double>& claimed) {
-  double last = ray.t_min;
-  for (const RootEnclosure<double>& one : claimed) {
-    if (!(last <= one.lo && one.lo <= one.hi && one.hi <= ray.t_max)) return false;
-    last = one.hi;
-  }
-  return true;
-}
-
-/// Whether the enclosures leave no t of the interval out.
-bool cover(const Ray<double>& ray, const EnclosedRoots<double>& claimed) {
-  double reached = ray.t_min;
-  for (const RootEnclosure<double>& one : claimed) {
-    if (one.lo > reached) return false;
-    reached = one.hi;
-  }
-  return !claimed.empty() && reached >= ray.t_max;
-}
-
-void judge_certain(const RootEnclosure<double>& one, const std::vector<ExactRoot>& inside, QuadricKind kind,
+void judge_certain(const RootEnclosure<double>& one, const RootList& inside, RootKind kind,
                    Precision precision, EnclosureJudgement& judgement) {
-  if (inside.size() != 1 || kind == QuadricKind::twice) {
+  if (inside.size() != 1 || kind == RootKind::twice) {
     judgement.is_wrong_certain = true;
     return;
   }
@@ -69,36 +43,41 @@ void judge_certain(const RootEnclosure<double>& one, const std::vector<ExactRoot
 
 }  // namespace
 
-QuadricOnLine::QuadricOnLine(const Ray<double>& ray, const implicit::Quadric<double>& quadric) {
-  const std::array<Four, 4> m = matrix_of(quadric);
+SolvedEquation meet(const Ray<double>& ray, const implicit::Quadric<double>& quadric) {
   const Four o = four(ray.origin.x, ray.origin.y, ray.origin.z, 1);
   const Four d = four(ray.direction.x, ray.direction.y, ray.direction.z, 0);
-  equation_ = solve(between(d, m, d), between(o, m, d), between(o, m, o));
+  return solve(polar(quadric, d, d), polar(quadric, o, d), polar(quadric, o, o));
 }
 
 EnclosureJudgement judge(const Ray<double>& ray, const implicit::Quadric<double>& quadric,
                          Precision precision, const EnclosedRoots<double>& claimed) {
-  const QuadricOnLine line(ray, quadric);
+  const auto [kind, roots] = meet(ray, quadric);
+  const bool is_everything = kind == RootKind::everything;
+  const RootList hits = roots_between(roots, ray.t_min, ray.t_max);
   EnclosureJudgement judgement;
-  judgement.is_ordered = is_ordered(ray, claimed);
-  judgement.has_missed = line.kind() == QuadricKind::everything && !cover(ray, claimed);
-  const std::vector<ExactRoot> hits = roots_between(line.roots(), ray.t_min, ray.t_max);
   judgement.known = hits.size();
-  if (line.kind() == QuadricKind::twice) judgement.tangents = hits.size();
+  if (kind == RootKind::twice) judgement.tangents = hits.size();
   for (const ExactRoot& root : hits) {
     const auto holds = [&](const auto& one) { return is_in_interval(root, one.lo, one.hi); };
     judgement.has_missed = judgement.has_missed || std::none_of(claimed.begin(), claimed.end(), holds);
   }
+  double reached = ray.t_min;
+  bool has_gap = claimed.empty();
   for (const RootEnclosure<double>& one : claimed) {
-    const std::vector<ExactRoot> inside = roots_between(hits, one.lo, one.hi);
+    if (!(reached <= one.lo && one.lo <= one.hi && one.hi <= ray.t_max)) judgement.is_ordered = false;
+    has_gap = has_gap || one.lo > reached;
+    reached = one.hi;
+    const RootList inside = roots_between(hits, one.lo, one.hi);
     if (one.status == RootStatus::certain) {
-      judge_certain(one, inside, line.kind(), precision, judgement);
+      judge_certain(one, inside, kind, precision, judgement);
     } else if (one.status == RootStatus::everywhere) {
-      judgement.is_wrong_everywhere = judgement.is_wrong_everywhere || line.kind() != QuadricKind::everything;
-    } else if (inside.empty() && line.kind() != QuadricKind::everything) {
+      judgement.is_wrong_everywhere = judgement.is_wrong_everywhere || !is_everything;
+    } else if (inside.empty() && !is_everything) {
       ++judgement.idle;
     }
   }
+  has_gap = has_gap || reached < ray.t_max;
+  judgement.has_missed = judgement.has_missed || (is_everything && has_gap);
   return judgement;
 }
 

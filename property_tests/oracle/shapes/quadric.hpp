@@ -4,30 +4,16 @@
 
 #include <rayproof/implicit.hpp>
 #include <rayproof/implicit/quadric.hpp>
-#include <vector>
 
 #include "case/case.hpp"
 #include "oracle/numbers/root.hpp"
 
 namespace rayproof::oracle {
 
-/// What a line and a quadric come to: an equation. `linear` where the line has a direction of the quadric at
-/// infinity; `constant` where there is no root, nor a chance of one.
-using QuadricKind = RootKind;
-
-/// The restriction of a quadric to the line of a ray, exactly: a·t² + 2·h·t + c over the ring.
-class QuadricOnLine {
- public:
-  /// The coefficients and the ray are finite.
-  QuadricOnLine(const Ray<double>& ray, const implicit::Quadric<double>& quadric);
-
-  [[nodiscard]] QuadricKind kind() const { return equation_.kind; }
-  /// The roots on the whole line, ascending, a double one once; none for `everything`.
-  [[nodiscard]] const std::vector<ExactRoot>& roots() const { return equation_.roots; }
-
- private:
-  SolvedEquation equation_;
-};
+/// What the line of a ray and a quadric come to, of finite numbers: `linear` where the line has a direction
+/// of the quadric at infinity; `constant` where there is no root, nor a chance of one. The roots on the whole
+/// line are ascending, a double one once; none for `everything`.
+[[nodiscard]] SolvedEquation meet(const Ray<double>& ray, const implicit::Quadric<double>& quadric);
 
 /// How claimed enclosures do against the exact roots in the ray's interval.
 struct EnclosureJudgement {

@@ -9,20 +9,20 @@
 
 namespace rayproof::oracle {
 
-using MeasuredPointer = std::unique_ptr<MeasuredIntersection>;
+using ExactPointer = std::unique_ptr<ExactIntersection>;
 
 /// The exact intersection of a ray and a shape, under a transform or not, for as long as both live.
-[[nodiscard]] MeasuredPointer intersection_of(const RayQuestion&, const ImplicitPlane&);
-[[nodiscard]] MeasuredPointer intersection_of(const RayQuestion&, const PointNormalPlane&);
-[[nodiscard]] MeasuredPointer intersection_of(const RayQuestion&, const ParametricPlane&);
-[[nodiscard]] MeasuredPointer intersection_of(const RayQuestion&, const Triangle<double>&);
-[[nodiscard]] MeasuredPointer intersection_of(const RayQuestion&, const Polygon<double>&);
-[[nodiscard]] MeasuredPointer intersection_of(const RayQuestion&, const Box<double>&);
-[[nodiscard]] MeasuredPointer intersection_of(const RayQuestion&, const Parallelepiped<double>&);
-[[nodiscard]] MeasuredPointer intersection_of(const RayQuestion&, const Cylinder<double>&);
+[[nodiscard]] ExactPointer intersection_of(const RayQuestion&, const ImplicitPlane&);
+[[nodiscard]] ExactPointer intersection_of(const RayQuestion&, const PointNormalPlane&);
+[[nodiscard]] ExactPointer intersection_of(const RayQuestion&, const ParametricPlane&);
+[[nodiscard]] ExactPointer intersection_of(const RayQuestion&, const Triangle<double>&);
+[[nodiscard]] ExactPointer intersection_of(const RayQuestion&, const Polygon<double>&);
+[[nodiscard]] ExactPointer intersection_of(const RayQuestion&, const Box<double>&);
+[[nodiscard]] ExactPointer intersection_of(const RayQuestion&, const Parallelepiped<double>&);
+[[nodiscard]] ExactPointer intersection_of(const RayQuestion&, const Cylinder<double>&);
+[[nodiscard]] ExactPointer intersection_of(const RayQuestion&, const Sphere<double>&);
 
 /// The sphere has a judge of its own, for speed.
-[[nodiscard]] std::unique_ptr<ExactIntersection> intersection_of(const RayQuestion&, const Sphere<double>&);
 [[nodiscard]] Judgement judge(const RayQuestion&, const Sphere<double>&, Precision, const RayAnswer& claimed);
 
 /// The exact kind and the correctly rounded roots of ax² + bx + c = 0.

@@ -4,13 +4,11 @@
 #include <algorithm>
 
 #include "oracle/geometry/slabs.hpp"
-#include "oracle/shapes/planar.hpp"
+#include "oracle/shapes/flat.hpp"
 #include "oracle/shapes/shapes.hpp"
 
 namespace rayproof::oracle {
 namespace {
-
-Quotient exactly(double t) { return {Ring(t), Ring(1.0)}; }
 
 Scaled position_of(const Box<double>& box) { return norm(box.min) + norm(box.max); }
 std::array<Scaled, 3> normal_sizes_of(const Box<double>&) { return {Scaled(1), Scaled(1), Scaled(1)}; }
@@ -27,15 +25,21 @@ template <class Solid>
 class SolidIntersection final : public PlanarIntersection {
  public:
   SolidIntersection(const RayQuestion& question, const Solid& solid)
-      : PlanarIntersection(question), solid_(solid), met_(meetings(ray(), solid)), chord_(chord_of(met_)) {}
+      : PlanarIntersection(question), solid_(solid), met_(meetings(ray(), solid)) {}
 
-  [[nodiscard]] std::vector<ExactContact> hits() const override {
-    std::vector<ExactContact> all;
-    if (!chord_) return all;
-    const bool is_touch = chord_->is_touch();
-    const Contact contact = is_touch ? Contact::tangent : Contact::crossing;
-    add(all, chord_->entry, contact);
-    if (!is_touch) add(all, chord_->exit, contact);
+  [[nodiscard]] ExactContacts hits() const override {
+    std::optional<Quotient> entry, exit;  // the normals are independent: no line is parallel to all slabs
+    for (const SlabMeeting& slab : met_) {
+      if (slab.is_parallel() && !slab.is_inside()) return {};
+      if (slab.is_parallel()) continue;
+      Quotient in = slab.entry(), out = slab.exit();
+      if (!entry || in.compare(*entry) > 0) entry = std::move(in);
+      if (!exit || out.compare(*exit) < 0) exit = std::move(out);
+    }
+    ExactContacts all;
+    const int length = exit->compare(*entry);
+    if (length >= 0) add(all, std::move(*entry), length == 0 ? Contact::tangent : Contact::crossing);
+    if (length > 0) add(all, std::move(*exit), Contact::crossing);
     return all;
   }
 
@@ -55,14 +59,14 @@ class SolidIntersection final : public PlanarIntersection {
 
   [[nodiscard]] Scaled residual(double t) const override {
     Scaled nearest = endless();
-    for (std::size_t i = 0; i < 3; ++i) reduce(nearest, distance(i, exactly(t)));
+    for (std::size_t i = 0; i < 3; ++i) reduce(nearest, distance(i, t));
     return nearest;
   }
 
   [[nodiscard]] Scaled margin() const override {
     Scaled nearest = endless();
     for (std::size_t i = 0; i < 3; ++i) {
-      for (const double end : finite_ends(question().ray)) reduce(nearest, distance(i, exactly(end)));
+      for (const double end : finite_ends(question().ray)) reduce(nearest, distance(i, end));
       for (std::size_t j = 0; j < 3; ++j) {
         if (i == j || met_[j].is_parallel()) continue;
         reduce(nearest, distance(i, met_[j].entry()));
@@ -104,16 +108,15 @@ class SolidIntersection final : public PlanarIntersection {
 
   const Solid& solid_;
   SlabMeetings met_;
-  std::optional<Chord> chord_;
 };
 
 }  // namespace
 
-MeasuredPointer intersection_of(const RayQuestion& question, const Box<double>& box) {
+ExactPointer intersection_of(const RayQuestion& question, const Box<double>& box) {
   return std::make_unique<SolidIntersection<Box<double>>>(question, box);
 }
 
-MeasuredPointer intersection_of(const RayQuestion& question, const Parallelepiped<double>& solid) {
+ExactPointer intersection_of(const RayQuestion& question, const Parallelepiped<double>& solid) {
   return std::make_unique<SolidIntersection<Parallelepiped<double>>>(question, solid);
 }
 

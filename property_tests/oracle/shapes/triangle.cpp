@@ -80,7 +80,7 @@ class TriangleIntersection final : public FlatIntersection {
 
 }  // namespace
 
-MeasuredPointer intersection_of(const RayQuestion& question, const Triangle<double>& triangle) {
+ExactPointer intersection_of(const RayQuestion& question, const Triangle<double>& triangle) {
   return std::make_unique<TriangleIntersection>(question, triangle);
 }
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "oracle/geometry/scene.hpp"
-#include "oracle/numbers/interval.hpp"
+#include "oracle/numbers/filters.hpp"
 #include "viz/scene/bounds.hpp"
 
 namespace rayproof::render {

@@ -1,17 +1,16 @@
 #pragma once
 /// \file
-/// What a ray and a sphere come to: a quadratic in t, everything that is asked about a given t, and the exact
+/// What a ray and a sphere come to: a quadratic in t, the lengths that the contract speaks of, and the exact
 /// verdict. The formulas stand here once, over a ring R; they run over Interval, Ball and Pair, which know
 /// when they can't decide, and then over the exact Ring, which always can.
 
-#include <cmath>
+#include <algorithm>
 #include <optional>
-#include <type_traits>
 #include <utility>
 
-#include "oracle/geometry/scene.hpp"
-#include "oracle/numbers/reading.hpp"
+#include "oracle/geometry/sizes.hpp"
 #include "oracle/numbers/root.hpp"
+#include "oracle/numbers/ulp.hpp"
 
 namespace rayproof::oracle {
 
@@ -19,19 +18,20 @@ namespace rayproof::oracle {
 /// lower and upper root r₋, r₊ of the power satisfy slope = ±√D, and D = slope² - a·power at every t.
 template <class R>
 struct PowerAt {
-  R power;
-  R slope;
+  R power, slope;
 };
 
 /// The sphere |q - center| = radius and the ray's line, relative to the centre and scaled as ObjectRay says.
 template <class R>
 struct SphereEquation {
+  ObjectRay<R> ray;
   Vector<R> from_center;  ///< scale · (o' - center)
-  Vector<R> direction;
-  R radius;  ///< scale · radius; its sign does not matter
+  R radius;               ///< scale · radius; its sign does not matter
 
-  SphereEquation(const ObjectRay<R>& ray, const Sphere<double>& sphere)
-      : from_center(Vector<R>::from(sphere.center)), direction(ray.direction), radius(sphere.radius) {
+  /// Of a RayQuestion, or of its ObjectRay.
+  template <class From>
+  SphereEquation(const From& from, const Sphere<double>& sphere)
+      : ray(from), from_center(Vector<R>::from(sphere.center)), radius(sphere.radius) {
     if (ray.map) {  // nearly never, and four exact products otherwise
       from_center = ray.scale * from_center;
       radius = ray.scale * radius;
@@ -39,67 +39,117 @@ struct SphereEquation {
     from_center = ray.origin - from_center;
   }
 
-  [[nodiscard]] R a() const { return dot(direction, direction); }
-  [[nodiscard]] R h() const { return dot(from_center, direction); }
+  [[nodiscard]] R a() const { return dot(ray.direction, ray.direction); }
+  [[nodiscard]] R h() const { return dot(from_center, ray.direction); }
   [[nodiscard]] R c() const { return dot(from_center, from_center) - radius * radius; }
 
   [[nodiscard]] PowerAt<R> at(double t) const {
-    const Vector<R> p = from_center + R(t) * direction;
-    return {dot(p, p) - radius * radius, dot(p, direction)};
+    const Vector<R> p = from_center + R(t) * ray.direction;
+    return {dot(p, p) - radius * radius, dot(p, ray.direction)};
   }
 };
 
-[[nodiscard]] inline ExactQuadratic quadratic_of(const SphereEquation<Ring>& scene) {
-  return {scene.a(), scene.h(), scene.c()};
+/// log2, rounded down to a whole number.
+[[nodiscard]] inline double log2_of(double x) {
+  return x > 0 ? static_cast<double>(exponent_of(x)) : -HUGE_VAL;
+}
+[[nodiscard]] inline double log2_of(const Scaled& x) {
+  return x.sign() == 0 ? -HUGE_VAL : static_cast<double>(x.exponent() - 1);
 }
 
-/// Which roots lie in the ray's interval, and a quarter of the discriminant to one part in 2^20 (an exact 0
-/// is 0).
+/// What the judgement says of lengths, and what it measures them by.
 template <class Number>
-struct Truth {
-  bool lower = false;
-  bool upper = false;
-  Number discriminant{0};
-  Number a{0};
+struct SphereSizes {
+  Number unit;  ///< S times the transform's condition, in the scale of the equation
+  double far, smallest, largest;
 
-  [[nodiscard]] std::size_t count() const {
-    return static_cast<std::size_t>(lower) + static_cast<std::size_t>(upper);
+  /// S = |origin - center| + radius, as large as a transform makes its parts.
+  SphereSizes(const Number& size, const Number& radius, const Number& condition, const Number& shortest,
+              const Number& longest)
+      : unit(size * condition),
+        far(Number(0) < radius ? value(size / radius) : HUGE_VAL),
+        smallest(log2_of(shortest)),
+        largest(log2_of(longest)) {}
+};
+
+template <class R>
+[[nodiscard]] SphereSizes<NumberOf<R>> sizes_of(const SphereEquation<R>& scene, const RayQuestion& question,
+                                                const Sphere<double>& sphere) {
+  using std::abs;
+  using Number = NumberOf<R>;
+  const Number radius = abs(read(scene.radius));
+  const Number direction = norm(Vector<R>::from(question.ray.direction));
+  if (!scene.ray.map) {
+    const Number size = norm(scene.from_center) + radius;
+    return {size, radius, Number(1), std::min(size, direction), std::max(size, direction)};
   }
+  const InverseMap<R>& inverse = *scene.ray.map;
+  const MapSizes<R> map(*question.transform, inverse);
+  const Number scale = abs(read(scene.ray.scale));
+  const Number to_origin = norm(Vector<R>::from(question.ray.origin)) + norm(inverse.translation);
+  const Number size = map.backward * to_origin + scale * norm(Vector<R>::from(sphere.center)) + radius;
+  const auto all = {size / scale, direction, map.forward, scale / map.backward,
+                    norm(scene.ray.direction) / scale};
+  return {size, radius, map.forward * map.backward / scale, std::min(all), std::max(all)};
+}
+
+/// Which roots lie in the ray's interval, and a quarter of the discriminant to one part in 2^20.
+struct Truth {
+  bool lower, upper;
+  bool is_tangent;  ///< the discriminant is 0
+  double discriminant, a;
+
+  [[nodiscard]] std::size_t count() const { return std::size_t{lower} + std::size_t{upper}; }
   /// The side of the hit that comes `index`-th.
   [[nodiscard]] int side(std::size_t index) const { return index > 0 || !lower ? 1 : -1; }
 };
 
-/// A ring's value as a `Number`: as `read` has it, or rounded to a double where doubles serve.
-template <class Number, class R>
-[[nodiscard]] Number read_as(const R& x) {
-  if constexpr (std::is_same_v<R, Ring> && std::is_same_v<Number, double>)
-    return x.to_double();
-  else
-    return read(x);
-}
-
 /// The exact verdict, or nothing where R can't decide.
-template <class Number, class R>
-[[nodiscard]] auto verdict(const SphereEquation<R>& scene, const Ray<double>& ray) {
-  using std::abs;
-  using Maybe = std::optional<Truth<Number>>;
+template <class R>
+[[nodiscard]] std::optional<Truth> verdict(const SphereEquation<R>& scene, const Ray<double>& ray) {
   const R a = scene.a(), h = scene.h(), c = scene.c();
   const R discriminant = h * h - a * c;
-  const auto discriminant_sign = certain_sign(discriminant);
-  if (!discriminant_sign) return Maybe();
-  Truth<Number> truth{*discriminant_sign >= 0, *discriminant_sign > 0, read_as<Number>(discriminant),
-                      read_as<Number>(a)};
-  if (uncertainty(discriminant) > 0x1p-20 * abs(value(truth.discriminant))) return Maybe();
+  const auto side = certain_sign(discriminant);
+  if (!side) return std::nullopt;
+  Truth truth{*side >= 0, *side > 0, *side == 0, value(read(discriminant)), value(read(a))};
+  if (uncertainty(discriminant) > 0x1p-20 * std::abs(truth.discriminant)) return std::nullopt;
   for (const auto& [end, inside] : {std::pair{ray.t_min, 1}, std::pair{ray.t_max, -1}}) {
     if (std::isinf(end)) continue;
     const PowerAt<R> at = end == 0 ? PowerAt<R>{c, h} : scene.at(end);
     const auto power = certain_sign(at.power);
     const auto slope = certain_sign(at.slope);
-    if (!power || !slope) return Maybe();
+    if (!power || !slope) return std::nullopt;
     truth.lower = truth.lower && compare_root(-1, *power, *slope) * inside >= 0;
     truth.upper = truth.upper && compare_root(1, *power, *slope) * inside >= 0;
   }
-  return Maybe(truth);
+  return truth;
+}
+
+/// The error of a claimed t against the root on `side`, and the distance of p(t) from the surface in units of
+/// `unit`.
+struct HitError {
+  double ulp, residual;
+};
+
+/// The error of a finite t; nothing where balls can't decide.
+[[nodiscard]] inline std::optional<HitError> hit_error(const SphereEquation<Ball>& scene, const Truth& truth,
+                                                       double unit, int side, double t, Precision precision) {
+  const PowerAt<Ball> at = scene.at(t);
+  const double power = read(at.power), slope = read(at.slope);
+  const double w = std::sqrt(std::abs(truth.discriminant));
+  const double u = side > 0 ? slope : -slope;
+  const double sum = std::abs(u) + w;
+  // root - t, by the branch that does not cancel: from the slope at a double root, from the power beside a
+  // single one.
+  const bool by_power = !truth.is_tangent && u > 0;
+  if (by_power && uncertainty(at.slope) > 0x1p-20 * sum) return std::nullopt;
+  const double to_root = by_power ? (side > 0 ? -power : power) / sum : (side > 0 ? w - u : u - w) / truth.a;
+  const double ulp = ulp_of(t + to_root, precision);
+  const double of_slope = uncertainty(at.slope) / truth.a;
+  const double doubt = by_power ? uncertainty(at.power) / sum + 0x1p-20 * of_slope : of_slope;
+  if (!(doubt <= std::max(0x1p-20 * std::abs(to_root), 0x1p-30 * ulp))) return std::nullopt;
+  return HitError{std::abs(to_root) / ulp,
+                  std::abs(power) / (far_side(power, std::abs(read(scene.radius))) * unit)};
 }
 
 }  // namespace rayproof::oracle

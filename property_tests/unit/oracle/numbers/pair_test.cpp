@@ -1,7 +1,7 @@
 /// \file
 /// The oracle's third filter: what it knows is exact, and what it can't hold it says it does not know.
 
-#include "oracle/numbers/pair.hpp"
+#include "oracle/numbers/filters.hpp"
 
 #include <gtest/gtest.h>
 

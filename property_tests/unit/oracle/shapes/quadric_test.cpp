@@ -17,43 +17,43 @@ namespace {
 
 constexpr double inf = infinity<double>;
 
-QuadricOnLine unit_sphere(const glm::dvec3& origin, const glm::dvec3& direction) {
-  return {{origin, direction}, {.xx = 1, .yy = 1, .zz = 1, .ww = -1}};
+SolvedEquation unit_sphere(const glm::dvec3& origin, const glm::dvec3& direction) {
+  return meet({origin, direction}, {.xx = 1, .yy = 1, .zz = 1, .ww = -1});
 }
 
 TEST(QuadricOracle, CrossesTheUnitSphereAtFourAndSix) {
-  const QuadricOnLine line = unit_sphere({0, 0, -5}, {0, 0, 1});
-  EXPECT_EQ(line.kind(), QuadricKind::two);
-  ASSERT_EQ(line.roots().size(), 2U);
-  EXPECT_EQ(line.roots()[0].compare(Ring(4.0)), 0);
-  EXPECT_EQ(line.roots()[1].compare(Ring(6.0)), 0);
+  const SolvedEquation line = unit_sphere({0, 0, -5}, {0, 0, 1});
+  EXPECT_EQ(line.kind, RootKind::two);
+  ASSERT_EQ(line.roots.size(), 2U);
+  EXPECT_EQ(line.roots[0].compare(Ring(4.0)), 0);
+  EXPECT_EQ(line.roots[1].compare(Ring(6.0)), 0);
 }
 
 TEST(QuadricOracle, DistinguishesATangentFromItsNeighbours) {
   const double above = std::nextafter(1.0, 2.0), below = std::nextafter(1.0, 0.0);
-  EXPECT_EQ(unit_sphere({0, 1, -5}, {0, 0, 1}).kind(), QuadricKind::twice);
-  EXPECT_EQ(unit_sphere({0, above, -5}, {0, 0, 1}).kind(), QuadricKind::none);
-  EXPECT_EQ(unit_sphere({0, below, -5}, {0, 0, 1}).kind(), QuadricKind::two);
+  EXPECT_EQ(unit_sphere({0, 1, -5}, {0, 0, 1}).kind, RootKind::twice);
+  EXPECT_EQ(unit_sphere({0, above, -5}, {0, 0, 1}).kind, RootKind::none);
+  EXPECT_EQ(unit_sphere({0, below, -5}, {0, 0, 1}).kind, RootKind::two);
 }
 
 TEST(QuadricOracle, MeetsAConeOnceAlongAnAsymptote) {
   const implicit::Quadric<double> cone{.xx = 1, .yy = 1, .zz = -1};
-  const QuadricOnLine line({{3, 0, -1}, {0, 3, 3}}, cone);
-  EXPECT_EQ(line.kind(), QuadricKind::linear);
-  ASSERT_EQ(line.roots().size(), 1U);  // 9 + 9t² - (3t - 1)² = 0
-  EXPECT_EQ(line.roots()[0].compare(Quotient(Ring(-4.0), Ring(3.0))), 0);
+  const SolvedEquation line = meet({{3, 0, -1}, {0, 3, 3}}, cone);
+  EXPECT_EQ(line.kind, RootKind::linear);
+  ASSERT_EQ(line.roots.size(), 1U);  // 9 + 9t² - (3t - 1)² = 0
+  EXPECT_EQ(line.roots[0].affine_image(Ring(0.0), Ring(3.0)).compare(Ring(-4.0)), 0);
 }
 
 TEST(QuadricOracle, KnowsARulingOfAHyperboloid) {
   const implicit::Quadric<double> hyperboloid{.xx = 1, .yy = 1, .zz = -1, .ww = -1};
-  EXPECT_EQ(QuadricOnLine({{1, 0, 0}, {0, 1, 1}}, hyperboloid).kind(), QuadricKind::everything);
-  EXPECT_EQ(QuadricOnLine({{0, 0, 0}, {0, 1, 1}}, hyperboloid).kind(), QuadricKind::constant);
+  EXPECT_EQ(meet({{1, 0, 0}, {0, 1, 1}}, hyperboloid).kind, RootKind::everything);
+  EXPECT_EQ(meet({{0, 0, 0}, {0, 1, 1}}, hyperboloid).kind, RootKind::constant);
 }
 
 TEST(QuadricOracle, TakesMixedTermsOnce) {
-  const QuadricOnLine line({{2, 0, 0}, {0, 1, 0}}, {.xy = 1, .ww = -6});  // xy = 6 at x = 2
-  EXPECT_EQ(line.kind(), QuadricKind::linear);
-  EXPECT_EQ(line.roots()[0].compare(Ring(3.0)), 0);
+  const SolvedEquation line = meet({{2, 0, 0}, {0, 1, 0}}, {.xy = 1, .ww = -6});  // xy = 6 at x = 2
+  EXPECT_EQ(line.kind, RootKind::linear);
+  EXPECT_EQ(line.roots[0].compare(Ring(3.0)), 0);
 }
 
 TEST(QuadricOracle, CatchesEveryWayToBeWrong) {

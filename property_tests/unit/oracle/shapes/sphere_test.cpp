@@ -93,6 +93,13 @@ TEST(SphereOracle, BearsSubnormalsAndTheLargestNumbers) {
   EXPECT_TRUE(std::isinf(overflowing.hits.t[0]));
 }
 
+TEST(SphereOracle, MeasuresAHitFarFromASmallRootInTheRootsOwnUlps) {
+  const Case one = sphere_case({0, 0, -0x1p210 - 0x1p160}, {0, 0, 1}, {0, 0, 0}, 0x1p210);  // met at 2^160
+  RayAnswer claimed{.nearest_only = true};
+  claimed.hits.push_back(0x1p220);
+  EXPECT_EQ(judge(one, claimed).ulp, 0x1p112);
+}
+
 TEST(SphereOracle, RoundsToTheCasesPrecision) {
   Case one = sphere_case({0, 0, 0}, {0, 0, 3}, {0, 0, 0}, 1);
   EXPECT_EQ(ray_answer(one).hits.t[0], 1.0 / 3);

@@ -57,7 +57,7 @@ class DiskIntersection final : public FlatIntersection {
 
 }  // namespace
 
-MeasuredPointer intersection_of(const RayQuestion& question, const Disk<double>& disk) {
+ExactPointer intersection_of(const RayQuestion& question, const Disk<double>& disk) {
   return std::make_unique<DiskIntersection>(question, disk);
 }
 
