@@ -36,7 +36,7 @@ struct ExactSide {
     const double t = equation.approximate(side);
     const double difference = t - x.approximate;
     const double doubt = 0x1p-46 * (abs(t) + abs(x.approximate)) + std::numeric_limits<double>::min();
-    if (abs(difference) > doubt) return difference > 0 ? 1 : -1;
+    if (sign(E) > 0 && abs(difference) > doubt) return difference > 0 ? 1 : -1;
     return equation.compare(side, x);
   }
 

@@ -31,7 +31,7 @@ struct ExactQuadratic {
     const double q = estimate(b) + copysign(half_chord, estimate(b));
     const double t1 = q / estimate(a);
     const double t0 = q == 0 ? q : estimate(c) / q;
-    approximate_roots = {min(t0, t1), max(t0, t1)};
+    approximate_roots = {min(t1, t0), max(t1, t0)};
   }
 
   [[nodiscard]] double approximate(int side) const { return approximate_roots[side < 0 ? 0 : 1]; }

@@ -26,9 +26,9 @@ inline constexpr double infinite_from = sizeof(T) < sizeof(double) ? 0x1.ffffffp
 /// ends of the ray's interval and of the ends of T's normal numbers.
 template <std::floating_point T>
 [[nodiscard]] inline bool is_clear_of_ends(const Ray<double>& ray, double t) {
-  const auto is_beside = [&](double end) { return abs(t - end) <= 0x1p-22 * abs(t); };
-  return abs(t) >= double{std::numeric_limits<T>::min()} && !is_beside(ray.t_min) && !is_beside(ray.t_max) &&
-         !(abs(abs(t) - infinite_from<T>) <= 0x1p-22 * abs(t));
+  const double size = abs(t);
+  const double nearest = min(min(abs(t - ray.t_min), abs(t - ray.t_max)), abs(size - infinite_from<T>));
+  return size >= double{std::numeric_limits<T>::min()} && nearest > 0x1p-22 * size;
 }
 
 /// t in T; beside the greatest float, the exact number says whether it is infinite. `compare(x)` is the exact
