@@ -27,7 +27,12 @@ struct ExactSide {
     const auto b = -(fx * dx + fy * dy);
     const auto c = fx * fx + fy * fy - area * area;
     const auto E = a - moment * moment;
-    return {{a, b, c, sign(E) > 0 ? sqrt(estimate(E)) * abs(estimate(area)) : 0}, E};
+    const double s = sign(E) > 0 ? sqrt(estimate(E)) * abs(estimate(area)) : 0;
+    // One root from the sum in which nothing cancels, the other from Viète.
+    const double q = estimate(b) + (estimate(b) > 0 ? s : -s);
+    const double t0 = q / estimate(a);
+    const double t1 = estimate(c) / q;
+    return {{a, b, c, s, {min(t0, t1), max(t0, t1)}}, E};
   }
 
   /// The exact sign of (root - x) for the lower (side = -1) or upper (side = 1) root; exact products are

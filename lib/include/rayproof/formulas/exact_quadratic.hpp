@@ -24,16 +24,6 @@ struct ExactQuadratic {
   double half_chord;  ///< √(b² - a·c): what a·t - b comes to at the upper root, rounded
   std::array<double, 2> approximate_roots;  ///< to within 2^-49 of their size
 
-  ExactQuadratic(const Expansion<double, A>& exact_a, const Expansion<double, B>& exact_b,
-                 const Expansion<double, C>& exact_c, double root_of_discriminant)
-      : a(exact_a), b(exact_b), c(exact_c), half_chord(root_of_discriminant) {
-    // One root from the sum in which nothing cancels, the other from Viète.
-    const double q = estimate(b) + copysign(half_chord, estimate(b));
-    const double t1 = q / estimate(a);
-    const double t0 = q == 0 ? q : estimate(c) / q;
-    approximate_roots = {min(t1, t0), max(t1, t0)};
-  }
-
   [[nodiscard]] double approximate(int side) const { return approximate_roots[side < 0 ? 0 : 1]; }
 
   /// The exact sign of (root - t).
@@ -65,5 +55,9 @@ struct ExactQuadratic {
   [[nodiscard]] auto at(double t) const { return (a * exact(t) - exact(2.0) * b) * exact(t) + c; }
   [[nodiscard]] auto slope_at(double t) const { return a * exact(t) - b; }
 };
+
+template <std::size_t A, std::size_t B, std::size_t C>
+ExactQuadratic(Expansion<double, A>, Expansion<double, B>, Expansion<double, C>, double,
+               std::array<double, 2>) -> ExactQuadratic<A, B, C>;
 
 }  // namespace rayproof

@@ -78,7 +78,11 @@ struct Compensated {
     if (!(estimate(D) >= 0 && sign(a) > 0)) return {estimate(D) < 0 ? T(-1) : nan, nan, nan};
 
     step<T>(steps::roots_by_viete);
-    const ExactQuadratic equation(a, b, c, sqrt(estimate(D)));
+    const double s = sqrt(estimate(D));
+    const double q = estimate(b) + copysign(s, estimate(b));
+    const double t1 = q / estimate(a);
+    const double t0 = q == 0 ? q : estimate(c) / q;
+    const ExactQuadratic equation{a, b, c, s, std::array{min(t0, t1), max(t0, t1)}};
 
     step<T>("Round each root to its own side of the interval's ends",
             "Each root is compared exactly with t_min and t_max, so rounding cannot move it into the "
