@@ -24,15 +24,15 @@ struct ExactSide {
     const auto area = rx * ry;
     const auto moment = o.x * d.y - o.y * d.x;
     const auto a = dx * dx + dy * dy;
-    const auto b = -(fx * dx + fy * dy);
+    const auto minus_b = fx * dx + fy * dy;
     const auto c = fx * fx + fy * fy - area * area;
     const auto E = a - moment * moment;
     const double s = sign(E) > 0 ? sqrt(estimate(E)) * abs(estimate(area)) : 0;
     // One root from the sum in which nothing cancels, the other from Viète.
-    const double q = estimate(b) + (estimate(b) > 0 ? s : -s);
+    const double q = -(estimate(minus_b) + copysign(s, estimate(minus_b)));
     const double t0 = q / estimate(a);
     const double t1 = estimate(c) / q;
-    return {{a, b, c, s, {min(t0, t1), max(t0, t1)}}, E};
+    return {{a, -minus_b, c, s, {min(t0, t1), max(t0, t1)}}, E};
   }
 
   /// The exact sign of (root - x) for the lower (side = -1) or upper (side = 1) root; exact products are
