@@ -55,8 +55,7 @@ struct Compensated {
     if (!(D * D > 0x1p-42 * EE)) return false;  // not for a point touched: 0 > 0
     if (D < 0) return true;
     const double smaller = min(abs(wide.lo), abs(wide.hi));
-    const double larger = max(abs(wide.lo), abs(wide.hi));
-    const double kept = D * (smaller / larger);
+    const double kept = D * (smaller / max(abs(wide.lo), abs(wide.hi)));
     if (!(kept * kept >= 0x1p-40 * EE)) return false;
     if (!(smaller * smaller * dot(ray.direction, ray.direction) >= 0x1p-42 * SS)) return false;
     return is_clear_of_ends<T>(ray, wide.lo) && is_clear_of_ends<T>(ray, wide.hi);
