@@ -20,8 +20,8 @@ struct ExactSlab {
             const Expansion<double, N>& above)
       : is_parallel(sign(speed) == 0),
         is_between(sign(below) <= 0 && sign(above) >= 0),
-        entry(sign(speed) > 0 ? below : above, speed),
-        exit(sign(speed) > 0 ? above : below, speed) {}
+        entry{sign(speed) > 0 ? below : above, speed},
+        exit{sign(speed) > 0 ? above : below, speed} {}
 };
 
 /// What three slabs have in common, as `chord`: the verdict is exact, and each end is rounded once.

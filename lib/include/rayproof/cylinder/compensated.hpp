@@ -49,7 +49,7 @@ struct ExactSide {
   /// sides.
   template <class T>
   [[nodiscard]] T root(const Ray<T>& ray, int side) const {
-    return sign(E) == 0 ? rounded(ray, ExactRatio(equation.b, equation.a)) : equation.root(ray, side);
+    return sign(E) == 0 ? rounded(ray, ExactRatio{equation.b, equation.a}) : equation.root(ray, side);
   }
 };
 

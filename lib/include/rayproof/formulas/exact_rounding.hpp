@@ -62,10 +62,8 @@ template <std::size_t N, std::size_t M>
 struct ExactRatio {
   Expansion<double, N> numerator;
   Expansion<double, M> denominator;
-  double approximate;  ///< within 2^-50 of its size: spares most comparisons their exact products
-
-  ExactRatio(const Expansion<double, N>& above, const Expansion<double, M>& below)
-      : numerator(above), denominator(below), approximate(estimate(above) / estimate(below)) {}
+  /// Within 2^-50 of its size: spares most comparisons their exact products.
+  double approximate = estimate(numerator) / estimate(denominator);
 
   /// The exact sign of (ratio - x) for a finite x.
   [[nodiscard]] int compare(double x) const {
@@ -80,6 +78,8 @@ struct ExactRatio {
            sign(other.denominator);
   }
 };
+template <std::size_t N, std::size_t M>
+ExactRatio(Expansion<double, N>, Expansion<double, M>) -> ExactRatio<N, M>;
 
 /// The ratio in T, within 0.501 ulp, on its own side of the ends of the ray's interval: in_interval(ray, t)
 /// is what it is for the exact ratio.
