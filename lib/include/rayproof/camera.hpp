@@ -3,9 +3,7 @@
 /// The camera of raycasting: one ray through each pixel of an image.
 
 #include <numbers>
-#include <rayproof/formulas/normalized.hpp>
-#include <rayproof/method/narration.hpp>
-#include <rayproof/method/sources.hpp>
+#include <rayproof/method/method.hpp>
 #include <rayproof/ray.hpp>
 
 namespace rayproof {

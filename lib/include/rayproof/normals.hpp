@@ -4,10 +4,9 @@
 
 #include <rayproof/box.hpp>
 #include <rayproof/cylinder.hpp>
-#include <rayproof/formulas/normalized.hpp>
+#include <rayproof/formulas/polygon_sides.hpp>
 #include <rayproof/parallelepiped.hpp>
 #include <rayproof/plane/forms.hpp>
-#include <rayproof/polygon/newell.hpp>
 #include <rayproof/sphere.hpp>
 #include <rayproof/triangle.hpp>
 

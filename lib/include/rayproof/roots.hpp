@@ -27,6 +27,12 @@ struct FlatHit : Roots<T> {
   T v;
 };
 
+/// Neither root, and no hit: what an exact method answers without a computation.
+template <std::floating_point T>
+inline constexpr Roots<T> no_roots{T(-1), not_a_number<T>, not_a_number<T>};
+template <std::floating_point T>
+inline constexpr FlatHit<T> no_hit{no_roots<T>, T(0), T(0)};
+
 /// A hit at t where `is_hit`, none elsewhere. `is_hit` false and a NaN for t mean the same.
 template <class T>
 [[nodiscard]] constexpr FlatHit<T> flat_hit(const Mask<T>& is_hit, const T& t, const T& u, const T& v) {

@@ -2,7 +2,6 @@
 /// \file
 /// The sphere, and the meaning of a ray/sphere method's answers.
 
-#include <rayproof/formulas/normalized.hpp>
 #include <rayproof/roots.hpp>
 
 namespace rayproof {
@@ -11,12 +10,12 @@ namespace rayproof {
 ///
 /// Units of the contracts. Let S = |origin - center| + radius, the size of the scene as the ray sees it, and
 /// ε the unit roundoff (2^-24 in float, 2^-53 in double). *Verdict* and *residual* are lengths in units of
-/// ε·S·(S/radius)^p with p = `far_power` of the method: a verdict may be wrong only where a sphere whose
-/// radius differs by that length has the other verdict, and every hit p(t) is within that length of the
-/// surface. *Ulp* is in ulps of the exact t. *Domain* speaks of S and of |direction|. Under a transform,
-/// lengths are measured in the sphere's own space, the unit grows by the transform's condition number, no ulp
-/// is promised, and a method that promises less than `sphere_robust_bound` promises just that: the ray has
-/// been rounded before the method sees it.
+/// ε·S·(S/radius)^p with p = `far_power` of the method, 0 where it has none: a verdict may be wrong only
+/// where a sphere whose radius differs by that length has the other verdict, and every hit p(t) is within
+/// that length of the surface. *Ulp* is in ulps of the exact t. *Domain* speaks of S and of |direction|.
+/// Under a transform, lengths are measured in the sphere's own space, the unit grows by the transform's
+/// condition number, no ulp is promised, and a method that promises less than `sphere_robust_bound` promises
+/// just that: the ray has been rounded before the method sees it.
 template <class T>
 struct Sphere {
   vec3<T> center;

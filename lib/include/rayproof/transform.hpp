@@ -4,7 +4,6 @@
 
 #include <rayproof/arithmetics/error_free.hpp>
 #include <rayproof/formulas/difference_of_products.hpp>
-#include <rayproof/formulas/normalized.hpp>
 #include <rayproof/ray.hpp>
 
 namespace rayproof {

@@ -65,6 +65,12 @@ template <std::floating_point T>
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
+/// v / |v|; NaN where v is 0.
+template <class T>
+[[nodiscard]] vec3<T> normalized(const vec3<T>& v) {
+  return (T(1) / sqrt(dot(v, v))) * v;
+}
+
 /// The same vector in another arithmetic.
 template <class To, class V>
 [[nodiscard]] constexpr vec3<To> convert(const V& v) {

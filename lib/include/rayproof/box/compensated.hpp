@@ -1,9 +1,7 @@
 #pragma once
 #include <rayproof/box.hpp>
 #include <rayproof/box/exact_slab.hpp>
-#include <rayproof/method/contract.hpp>
-#include <rayproof/method/narration.hpp>
-#include <rayproof/method/sources.hpp>
+#include <rayproof/method/method.hpp>
 
 namespace rayproof::box {
 
@@ -17,18 +15,15 @@ struct Compensated {
   static constexpr const char* name = "compensated";
   static constexpr const char* title = "slabs compared exactly by expansions";
   static constexpr Source source = sources::shewchuk;
-  static constexpr int far_power = 0;
   static constexpr Contract contract{
       .verdict = {.measured = 0, .promised = 0},
       .ulp = {.measured = 0.5, .promised = 0.501},
       .domain = {.reach_float = 1000, .reach_double = 480, .every_number = true},
-      .holds = always_claimed | Claims{Claim::verdict, Claim::ulp, Claim::robust, Claim::moved, Claim::scaled,
-                                       Claim::reversed}};
+      .holds = robust_claims | Claims{Claim::ulp}};
 
   template <std::floating_point T>
   [[nodiscard]] static Roots<T> roots(const Ray<T>& ray, const Box<T>& box) {
-    constexpr T nan = not_a_number<T>;
-    if (!are_finite(ray.origin, ray.direction, box.min, box.max)) return {T(-1), nan, nan};
+    if (!are_finite(ray.origin, ray.direction, box.min, box.max)) return no_roots<T>;
 
     step<T>("Form the distance to each plane exactly",
             "No difference is rounded, so each entry and exit is an exact quotient.");

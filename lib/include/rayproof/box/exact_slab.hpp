@@ -4,29 +4,8 @@
 
 #include <array>
 #include <rayproof/formulas/exact_rounding.hpp>
-#include <rayproof/formulas/finite.hpp>
-#include <rayproof/method/narration.hpp>
-#include <rayproof/roots.hpp>
 
 namespace rayproof::box {
-
-/// An exact t, and a double within 2^-50 of its size that spares most comparisons their exact products.
-template <std::size_t N, std::size_t M>
-struct ExactTime {
-  ExactRatio<N, M> ratio;
-  double approximate;
-
-  ExactTime(const Expansion<double, N>& numerator, const Expansion<double, M>& denominator)
-      : ratio{numerator, denominator}, approximate(estimate(numerator) / estimate(denominator)) {}
-
-  /// The exact sign of (this - other).
-  [[nodiscard]] int compare(const ExactTime& other) const {
-    const double difference = approximate - other.approximate;
-    const double doubt = 0x1p-48 * (abs(approximate) + abs(other.approximate));
-    if (abs(difference) > doubt) return difference > 0 ? 1 : -1;
-    return ratio.compare(other.ratio);
-  }
-};
 
 /// When a line is between two parallel planes, as `Slab` has it. Where it runs parallel to them, entry and
 /// exit mean nothing, and it is in the slab for all t or for none.
@@ -34,15 +13,15 @@ template <std::size_t N, std::size_t M>
 struct ExactSlab {
   bool is_parallel;
   bool is_between;  ///< of the origin
-  ExactTime<N, M> entry, exit;
+  ExactRatio<N, M> entry, exit;
 
   /// As `slab_of`: the planes are `below` and `above` ahead of a line that gains `speed` per unit of t.
   ExactSlab(const Expansion<double, M>& speed, const Expansion<double, N>& below,
             const Expansion<double, N>& above)
       : is_parallel(sign(speed) == 0),
         is_between(sign(below) <= 0 && sign(above) >= 0),
-        entry(sign(speed) > 0 ? below : above, speed),
-        exit(sign(speed) > 0 ? above : below, speed) {}
+        entry{sign(speed) > 0 ? below : above, speed},
+        exit{sign(speed) > 0 ? above : below, speed} {}
 };
 
 /// What three slabs have in common, as `chord`: the verdict is exact, and each end is rounded once.
@@ -51,21 +30,20 @@ template <std::floating_point T, std::size_t N, std::size_t M>
   step<T>(
       "Compare entries and exits by cross products, and round the last and the first",
       "The cross products of two quotients are exact: so is the verdict, and only the answer is rounded.");
-  constexpr Roots<T> miss{T(-1), not_a_number<T>, not_a_number<T>};
-  const ExactTime<N, M>* entry = nullptr;
-  const ExactTime<N, M>* exit = nullptr;
+  const ExactRatio<N, M>* entry = nullptr;
+  const ExactRatio<N, M>* exit = nullptr;
   for (const ExactSlab<N, M>& slab : slabs) {
-    if (slab.is_parallel && !slab.is_between) return miss;
+    if (slab.is_parallel && !slab.is_between) return no_roots<T>;
     if (slab.is_parallel) continue;
     if (entry == nullptr || slab.entry.compare(*entry) > 0) entry = &slab.entry;
     if (exit == nullptr || slab.exit.compare(*exit) < 0) exit = &slab.exit;
   }
-  if (entry == nullptr) return miss;  // the direction is 0
+  if (entry == nullptr) return no_roots<T>;  // the direction is 0
   const int length = exit->compare(*entry);
-  if (length < 0) return miss;
-  const T t_entry = rounded(ray, entry->ratio);
+  if (length < 0) return no_roots<T>;
+  const T t_entry = rounded(ray, *entry);
   if (length == 0) return {T(0), t_entry, t_entry};
-  return ascending(T(1), t_entry, rounded(ray, exit->ratio));
+  return ascending(T(1), t_entry, rounded(ray, *exit));
 }
 
 }  // namespace rayproof::box

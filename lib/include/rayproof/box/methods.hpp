@@ -11,7 +11,6 @@
 
 namespace rayproof::box {
 
-/// The topic as the registries see it.
 struct Topic : RayTopic<Box> {
   static constexpr const char* name = "box";
   static constexpr double robust_bound = box_robust_bound;

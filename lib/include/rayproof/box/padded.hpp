@@ -15,7 +15,6 @@ struct Padded {
   static constexpr const char* name = "padded";
   static constexpr const char* title = "slabs with the far end moved two ulps on";
   static constexpr Source source{"T. Ize", "Robust BVH Ray Traversal", 2013};
-  static constexpr int far_power = 0;
   static constexpr Contract contract{
       .standing = Standing::naive,
       .verdict = {.measured = 3.1, .promised = 2},  // what the same slabs keep without the padding

@@ -1,21 +1,19 @@
 #pragma once
 #include <rayproof/box.hpp>
 #include <rayproof/box/slab.hpp>
-#include <rayproof/method/contract.hpp>
-#include <rayproof/method/sources.hpp>
+#include <rayproof/method/method.hpp>
 
 namespace rayproof::box {
 
 /// Slabs with a precomputed 1/v and no thought of v = 0, **as printed** in the source.
 ///
-/// Kept so that the property tests refute it. Where v = 0 the products are ∞ and -∞, which serve, unless the
+/// Where v = 0 the products are ∞ and -∞, which serve, unless the
 /// origin is in a face's plane: 0·∞ is NaN, with which every comparison is false, and the ray in the face is
 /// lost. SlabsInverse is the mended form.
 struct PrintedSlabs {
   static constexpr const char* name = "printed_slabs";
   static constexpr const char* title = "as printed: 0·∞ for a ray in a face";
   static constexpr Source source = sources::ban;
-  static constexpr int far_power = 0;
   static constexpr Contract contract{
       .standing = Standing::printed,
       .holds = always_claimed,

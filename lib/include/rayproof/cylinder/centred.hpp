@@ -1,8 +1,7 @@
 #pragma once
 #include <rayproof/cylinder/side.hpp>
 #include <rayproof/formulas/quadratic_formula.hpp>
-#include <rayproof/method/contract.hpp>
-#include <rayproof/method/sources.hpp>
+#include <rayproof/method/method.hpp>
 
 namespace rayproof::cylinder {
 
@@ -15,13 +14,10 @@ struct Centred {
   static constexpr const char* name = "centred";
   static constexpr const char* title = "discriminant from the point nearest the axis";
   static constexpr Source source = sources::haines_2019;
-  static constexpr int far_power = 0;
-  static constexpr Contract contract{
-      .verdict = {.measured = 1.67, .promised = cylinder_robust_bound},
-      .residual = {.measured = 4.19, .promised = cylinder_robust_bound},
-      .domain = {.reach_float = 20, .reach_double = 200, .every_number = true},
-      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::robust, Claim::moved,
-                                       Claim::scaled, Claim::reversed, Claim::bounded}};
+  static constexpr Contract contract{.verdict = {.measured = 1.67, .promised = cylinder_robust_bound},
+                                     .residual = {.measured = 4.19, .promised = cylinder_robust_bound},
+                                     .domain = {.reach_float = 20, .reach_double = 200, .every_number = true},
+                                     .holds = robust_claims | Claims{Claim::residual, Claim::bounded}};
 
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Cylinder<T>& cylinder) {

@@ -1,11 +1,57 @@
 #pragma once
-#include <rayproof/cylinder/exact_side.hpp>
+#include <rayproof/box/exact_slab.hpp>
 #include <rayproof/cylinder/side.hpp>
-#include <rayproof/method/contract.hpp>
-#include <rayproof/method/narration.hpp>
-#include <rayproof/method/sources.hpp>
+#include <rayproof/formulas/exact_quadratic.hpp>
+#include <rayproof/method/method.hpp>
+#include <utility>
 
 namespace rayproof::cylinder {
+
+/// The exact equation a·t² - 2·b·t + c = 0 of a line and a cylinder's side, free of division: both sides are
+/// multiplied by rx²·ry². A quarter of its discriminant is (rx·ry)²·E with E = a - (o.x·d.y - o.y·d.x)².
+struct ExactSide {
+  ExactQuadratic<16, 16, 24> equation;  ///< has roots where a > 0 and E >= 0
+  Expansion<double, 48> E;
+
+  template <class T>
+  [[nodiscard]] static ExactSide of(const Ray<T>& ray, const Cylinder<T>& cylinder) {
+    const auto o = exact_vector<double>(ray.origin);
+    const auto d = exact_vector<double>(ray.direction);
+    const auto rx = exact(double{cylinder.rx});
+    const auto ry = exact(double{cylinder.ry});
+    const auto [fx, fy] = std::pair(o.x * ry, o.y * rx);
+    const auto [dx, dy] = std::pair(d.x * ry, d.y * rx);
+    const auto area = rx * ry;
+    const auto moment = o.x * d.y - o.y * d.x;
+    const auto a = dx * dx + dy * dy;
+    const auto minus_b = fx * dx + fy * dy;
+    const auto c = fx * fx + fy * fy - area * area;
+    const auto E = a - moment * moment;
+    const double s = sign(E) > 0 ? sqrt(estimate(E)) * abs(estimate(area)) : 0;
+    // One root from the sum in which nothing cancels, the other from Viète.
+    const double q = -(estimate(minus_b) + copysign(s, estimate(minus_b)));
+    const double t0 = q / estimate(a);
+    const double t1 = estimate(c) / q;
+    return {{a, -minus_b, c, s, {min(t0, t1), max(t0, t1)}}, E};
+  }
+
+  /// The exact sign of (root - x) for the lower (side = -1) or upper (side = 1) root; exact products are
+  /// spared where the approximate numbers are clear of each other.
+  [[nodiscard]] int compare(int side, const ExactRatio<2, 1>& x) const {
+    const double t = equation.approximate(side);
+    const double difference = t - x.approximate;
+    const double doubt = 0x1p-46 * (abs(t) + abs(x.approximate)) + std::numeric_limits<double>::min();
+    if (sign(E) > 0 && abs(difference) > doubt) return difference > 0 ? 1 : -1;
+    return equation.compare(side, x);
+  }
+
+  /// A root in T, on its own side of the ends of the ray's interval. A double root is the same number on both
+  /// sides.
+  template <class T>
+  [[nodiscard]] T root(const Ray<T>& ray, int side) const {
+    return sign(E) == 0 ? rounded(ray, ExactRatio{equation.b, equation.a}) : equation.root(ray, side);
+  }
+};
 
 /// The side's equation and discriminant by exact expansions, and every comparison of a root with a height
 /// exact: the verdict is the exact one, tangents and rims that are touched included.
@@ -17,35 +63,32 @@ struct Compensated {
   static constexpr const char* name = "compensated";
   static constexpr const char* title = "exact discriminant and heights by expansions";
   static constexpr Source source = sources::shewchuk;
-  static constexpr int far_power = 0;
   static constexpr Contract contract{
       .verdict = {.measured = 0, .promised = 0},
       .residual = {.measured = 1, .promised = 4},
       .ulp = {.measured = 0.501, .promised = 1},
       .domain = {.reach_float = 1000, .reach_double = 100, .every_number = true},
-      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::ulp, Claim::robust,
-                                       Claim::moved, Claim::scaled, Claim::reversed}};
+      .holds = robust_claims | Claims{Claim::residual, Claim::ulp}};
 
   template <std::floating_point T>
   [[nodiscard]] static Roots<T> roots(const Ray<T>& ray, const Cylinder<T>& cylinder) {
     const vec3<T> size{cylinder.rx, cylinder.ry, cylinder.height};
     const bool is_solid = size.x != 0 && size.y != 0 && size.z >= 0;
-    if (!is_solid || !are_finite(ray.origin, ray.direction, size)) return miss<T>;
+    if (!is_solid || !are_finite(ray.origin, ray.direction, size)) return no_roots<T>;
 
     step<T>(
         "Form the distances to both ends exactly",
         "The ray meets z = 0 and z = height at quotients of these differences, and none of them is rounded.");
-    const auto o_z = exact(static_cast<double>(ray.origin.z));
-    const auto height = exact(static_cast<double>(cylinder.height));
-    const Heights heights(exact(static_cast<double>(ray.direction.z)), Expansion<double, 1>() - o_z,
-                          height - o_z);
-    if (heights.is_parallel && !heights.is_between) return miss<T>;
+    const auto o_z = exact(double{ray.origin.z});
+    const Heights heights(exact(double{ray.direction.z}), Expansion<double, 1>() - o_z,
+                          exact(double{cylinder.height}) - o_z);
+    if (heights.is_parallel && !heights.is_between) return no_roots<T>;
 
     step<T>("Form the coefficients and the discriminant of the side exactly",
             "The sign of an exact discriminant says with certainty whether the line meets the side.");
-    const ExactSide side(ray, cylinder);
-    if (sign(side.A) == 0) return along_axis(ray, cylinder, side, heights);
-    if (sign(side.E) < 0) return miss<T>;
+    const ExactSide side = ExactSide::of(ray, cylinder);
+    if (sign(side.equation.a) == 0) return along_axis(ray, cylinder, side, heights);
+    if (sign(side.E) < 0) return no_roots<T>;
 
     step<T>("Compare the roots with the ends, and round what is hit",
             "Exact comparisons of roots and ends decide which of them are hits; only then is t rounded.");
@@ -55,8 +98,6 @@ struct Compensated {
 
  private:
   using Heights = box::ExactSlab<2, 1>;
-  template <class T>
-  static constexpr Roots<T> miss{T(-1), not_a_number<T>, not_a_number<T>};
 
   /// The signs of (root - entry) and (root - exit) for one root of the side; a line that runs between both
   /// ends never enters nor leaves.
@@ -74,9 +115,9 @@ struct Compensated {
   static Roots<T> along_axis(const Ray<T>& ray, const Cylinder<T>& cylinder, const ExactSide& side,
                              const Heights& heights) {
     const bool is_ring = cylinder.height == 0;  // an open cylinder of no height is all rim
-    const bool meets = cylinder.capped ? sign(side.C) <= 0 : is_ring && sign(side.C) == 0;
-    if (!meets || heights.is_parallel) return miss<T>;
-    const Roots<T> both{T(1), rounded(ray, heights.entry.ratio), rounded(ray, heights.exit.ratio)};
+    const bool meets = cylinder.capped ? sign(side.equation.c) <= 0 : is_ring && sign(side.equation.c) == 0;
+    if (!meets || heights.is_parallel) return no_roots<T>;
+    const Roots<T> both{T(1), rounded(ray, heights.entry), rounded(ray, heights.exit)};
     return kept(both, !is_ring, true);
   }
 
@@ -84,7 +125,7 @@ struct Compensated {
   static Roots<T> open(const Ray<T>& ray, const ExactSide& side, const Heights& heights) {
     const bool is_lo = place(side, -1, heights).is_between();
     const bool is_hi = place(side, 1, heights).is_between();
-    if (!is_lo && !is_hi) return miss<T>;
+    if (!is_lo && !is_hi) return no_roots<T>;
     const Roots<T> both = ascending(T(sign(side.E)), side.root(ray, -1), side.root(ray, 1));
     return kept(both, is_lo, is_hi);
   }
@@ -93,11 +134,11 @@ struct Compensated {
   static Roots<T> capped(const Ray<T>& ray, const ExactSide& side, const Heights& heights) {
     const Place lo = place(side, -1, heights);
     const Place hi = place(side, 1, heights);
-    if (hi.after_entry < 0 || lo.after_exit > 0) return miss<T>;
+    if (hi.after_entry < 0 || lo.after_exit > 0) return no_roots<T>;
     const bool is_flat = !heights.is_parallel && heights.entry.compare(heights.exit) == 0;
     const bool is_one = hi.after_entry == 0 || lo.after_exit == 0 || is_flat;
-    const T entry = lo.after_entry >= 0 ? side.root(ray, -1) : rounded(ray, heights.entry.ratio);
-    const T exit = hi.after_exit <= 0 ? side.root(ray, 1) : rounded(ray, heights.exit.ratio);
+    const T entry = lo.after_entry >= 0 ? side.root(ray, -1) : rounded(ray, heights.entry);
+    const T exit = hi.after_exit <= 0 ? side.root(ray, 1) : rounded(ray, heights.exit);
     const Roots<T> both = ascending(T(1), entry, exit);
     return kept(both, !is_one, true);
   }

@@ -10,7 +10,6 @@
 
 namespace rayproof::cylinder {
 
-/// The topic as the registries see it.
 struct Topic : RayTopic<Cylinder> {
   static constexpr const char* name = "cylinder";
   static constexpr double robust_bound = cylinder_robust_bound;

@@ -1,18 +1,17 @@
 #pragma once
 #include <rayproof/cylinder/textbook.hpp>
-#include <rayproof/method/sources.hpp>
+#include <rayproof/method/method.hpp>
 
 namespace rayproof::cylinder {
 
 /// The side by the quadratic formula with t in [0, 1] and no caps, **as printed** in the source.
 ///
-/// Kept so that the property tests refute it. A t in [0, 1] is a segment's, though the text calls it a ray,
+/// A t in [0, 1] is a segment's, though the text calls it a ray,
 /// and the ends of a closed cylinder are not named. Textbook is the mended form.
 struct Printed {
   static constexpr const char* name = "printed";
   static constexpr const char* title = "as printed: t in [0, 1], no caps";
   static constexpr Source source = sources::maric;
-  static constexpr int far_power = 0;
   static constexpr Contract contract{
       .standing = Standing::printed,
       .holds = always_claimed,

@@ -1,8 +1,7 @@
 #pragma once
 #include <rayproof/cylinder/side.hpp>
 #include <rayproof/formulas/quadratic_formula.hpp>
-#include <rayproof/method/contract.hpp>
-#include <rayproof/method/sources.hpp>
+#include <rayproof/method/method.hpp>
 
 namespace rayproof::cylinder {
 

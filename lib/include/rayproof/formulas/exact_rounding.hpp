@@ -4,8 +4,9 @@
 /// becomes a plain number on its own side of the interval's ends.
 
 #include <rayproof/arithmetics/expansion.hpp>
+#include <rayproof/formulas/finite.hpp>
 #include <rayproof/method/narration.hpp>
-#include <rayproof/ray.hpp>
+#include <rayproof/roots.hpp>
 
 namespace rayproof {
 
@@ -21,6 +22,15 @@ template <class T>
 inline constexpr double infinite_from = sizeof(T) < sizeof(double) ? 0x1.ffffffp127
                                                                    : std::numeric_limits<double>::infinity();
 
+/// Whether rounding a double to T can't carry it across an end: it is clear, by 2^-22 of its size, of both
+/// ends of the ray's interval and of the ends of T's normal numbers.
+template <std::floating_point T>
+[[nodiscard]] inline bool is_clear_of_ends(const Ray<double>& ray, double t) {
+  const double size = abs(t);
+  const double nearest = min(min(abs(t - ray.t_min), abs(t - ray.t_max)), abs(size - infinite_from<T>));
+  return size >= double{std::numeric_limits<T>::min()} && nearest > 0x1p-22 * size;
+}
+
 /// t in T; beside the greatest float, the exact number says whether it is infinite. `compare(x)` is the exact
 /// sign of (number - x).
 template <class T, class Compare>
@@ -30,10 +40,11 @@ template <class T, class Compare>
   return static_cast<T>(copysign(beyond < 0 ? double{std::numeric_limits<T>::max()} : infinity<double>, t));
 }
 
-/// Puts a rounded number on the exact number's side of each end of the ray's interval, where rounding carried
-/// it across. `compare(end)` is the exact sign of (number - end).
+/// An exact number in T, on its own side of each end of the ray's interval, where rounding carried its
+/// estimate across. `compare(x)` is the exact sign of (number - x).
 template <class T, class Compare>
-[[nodiscard]] T keep_side(const Ray<T>& ray, T t, Compare&& compare) {
+[[nodiscard]] T rounded(const Ray<T>& ray, double estimated, Compare&& compare) {
+  T t = narrowed<T>(estimated, compare);
   const auto is_near = [&](T end) { return abs(end) < infinity<T> && std::nextafter(t, end) == end; };
   if (is_near(ray.t_min)) {
     const bool is_inside = compare(static_cast<double>(ray.t_min)) >= 0;
@@ -46,27 +57,23 @@ template <class T, class Compare>
   return t;
 }
 
-/// The sign of (root - x) for the lower (side = -1) or upper (side = 1) root of a quadratic that opens
-/// upwards, from the signs of its value and of its slope at x.
-[[nodiscard]] constexpr int compare_root(int side, int value, int slope) {
-  if (value > 0) return slope > 0 ? -1 : 1;  // outside the roots: both lie on one side of x
-  if (value < 0) return side;                // between the roots
-  return slope * side >= 0 ? 0 : side;       // x is a root: this one, or the other
-}
-
-/// numerator / denominator, both exact expansions; the denominator is not 0.
+/// numerator / denominator, both exact expansions; the denominator is not 0 where the ratio is of use.
 template <std::size_t N, std::size_t M>
 struct ExactRatio {
   Expansion<double, N> numerator;
   Expansion<double, M> denominator;
+  /// Within 2^-50 of its size: spares most comparisons their exact products.
+  double approximate = estimate(numerator) / estimate(denominator);
 
   /// The exact sign of (ratio - x) for a finite x.
   [[nodiscard]] int compare(double x) const {
     return sign(numerator - denominator * exact(x)) * sign(denominator);
   }
   /// The exact sign of (ratio - other).
-  template <std::size_t P, std::size_t Q>
-  [[nodiscard]] int compare(const ExactRatio<P, Q>& other) const {
+  [[nodiscard]] int compare(const ExactRatio& other) const {
+    const double difference = approximate - other.approximate;
+    const double doubt = 0x1p-48 * (abs(approximate) + abs(other.approximate));
+    if (abs(difference) > doubt) return difference > 0 ? 1 : -1;
     return sign(numerator * other.denominator - other.numerator * denominator) * sign(denominator) *
            sign(other.denominator);
   }
@@ -78,12 +85,11 @@ ExactRatio(Expansion<double, N>, Expansion<double, M>) -> ExactRatio<N, M>;
 /// is what it is for the exact ratio.
 template <std::floating_point T, std::size_t N, std::size_t M>
 [[nodiscard]] T rounded(const Ray<T>& ray, const ExactRatio<N, M>& ratio) {
-  const auto compare = [&](double x) { return ratio.compare(x); };
-  double t = estimate(ratio.numerator) / estimate(ratio.denominator);
+  double t = ratio.approximate;
   if (sizeof(T) == sizeof(double) && abs(t) < infinity<double>) {
     t += estimate(ratio.numerator - ratio.denominator * exact(t)) / estimate(ratio.denominator);
   }
-  return keep_side(ray, narrowed<T>(t, compare), compare);
+  return rounded(ray, t, [&](double x) { return ratio.compare(x); });
 }
 
 /// The same where no interval is to be minded.

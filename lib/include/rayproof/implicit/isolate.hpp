@@ -6,7 +6,6 @@
 /// Source: R. E. Moore, "Interval Analysis", 1966; applied to ray tracing by D. P. Mitchell, "Robust Ray
 /// Intersection with Interval Arithmetic", Graphics Interface 1990.
 
-#include <array>
 #include <rayproof/implicit.hpp>
 #include <rayproof/implicit/newton.hpp>
 
@@ -25,43 +24,39 @@ class Isolation {
   /// way that a part holds none.
   template <class IsRootless>
   void search(const Interval<T>& range, IsRootless&& is_rootless) {
-    std::vector<Interval<T>> waiting{range};
+    std::vector<Interval<T>> waiting;
+    if (!range.is_empty()) waiting.push_back(range);
     for (std::size_t next = 0; next < waiting.size(); ++next) {
+      const Interval<T> part = waiting[next];
       if (spent_ >= budget_) {
-        add(waiting[next], RootStatus::undecided);
-      } else if (!is_rootless(waiting[next])) {
-        const Parts<T> parts = examine(Interval<T>(waiting[next]));
-        if (!parts.left.is_empty()) waiting.push_back(parts.left);
-        if (!parts.right.is_empty()) waiting.push_back(parts.right);
+        add(part, RootStatus::undecided);
+      } else if (!is_rootless(part)) {
+        for (const Interval<T>& left : examine(part))
+          if (!left.is_empty()) waiting.push_back(left);
       }
     }
   }
-  void search(const Interval<T>& range) {
-    search(range, [](const Interval<T>&) { return false; });
-  }
 
  private:
-  static Parts<T> nothing() { return {Interval<T>::empty(), Interval<T>::empty()}; }
+  static constexpr Parts<T> nothing{Interval<T>::empty(), Interval<T>::empty()};
 
-  void add(const Interval<T>& range, RootStatus status) { found_.push_back({range.lo, range.hi, status}); }
+  /// Adds an enclosure; nothing of it is left to examine.
+  Parts<T> add(const Interval<T>& range, RootStatus status) {
+    found_.push_back({range.lo, range.hi, status});
+    return nothing;
+  }
 
   /// Excludes a range, decides it, or gives the parts of it that are left to examine.
   Parts<T> examine(const Interval<T>& range) {
     const Dual<Interval<T>> g = g_(variable(range));
     ++spent_;
-    if (!g.value.contains(T(0))) return nothing();
-    if (g.value.is_point() && !range.is_point()) {
-      add(range, RootStatus::everywhere);
-      return nothing();
-    }
+    if (!g.value.contains(T(0))) return nothing;
+    if (g.value.is_point() && !range.is_point()) return add(range, RootStatus::everywhere);
     const Interval<T> slope = slope_of(g);
-    if (!slope.contains(T(0)) && range.is_bounded()) {
-      const Contracted<T> left = refine_monotone(g_, range, slope, spent_);
-      if (!left.range.is_empty())
-        add(left.range, left.has_root ? RootStatus::certain : RootStatus::undecided);
-      return nothing();
-    }
-    return split(range, slope);
+    if (slope.contains(T(0)) || !range.is_bounded()) return split(range, slope);
+    const auto [left, has_root] = refine_monotone(g_, range, slope, spent_);
+    if (left.is_empty()) return nothing;
+    return add(left, has_root ? RootStatus::certain : RootStatus::undecided);
   }
 
   Parts<T> split(const Interval<T>& range, const Interval<T>& slope) {
@@ -71,18 +66,13 @@ class Isolation {
     if (range.is_bounded()) {
       // The mean value theorem: g(t) = g(m) + g'(somewhere)·(t - m).
       const Interval<T> change = slope * (range - middle);
-      if (!(at_middle + change).contains(T(0))) return nothing();
+      if (!(at_middle + change).contains(T(0))) return nothing;
       // Where rounding alone is as large as all that g changes, cutting finer decides nothing.
-      if (at_middle.contains(T(0)) && change.width() <= 4 * at_middle.width()) {
-        add(range, RootStatus::undecided);
-        return nothing();
-      }
+      if (at_middle.contains(T(0)) && change.width() <= 4 * at_middle.width())
+        return add(range, RootStatus::undecided);
     }
     const T cut = at_middle.contains(T(0)) ? beside_the_middle(range, middle.lo) : middle.lo;
-    if (!(range.lo < cut && cut < range.hi)) {
-      add(range, RootStatus::undecided);
-      return nothing();
-    }
+    if (!(range.lo < cut && cut < range.hi)) return add(range, RootStatus::undecided);
     return parts_beside(range, cut, cut == middle.lo ? at_middle : g_(Interval<T>(cut)), slope);
   }
 

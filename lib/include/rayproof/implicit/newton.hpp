@@ -5,6 +5,7 @@
 /// Source: R. E. Moore, "Interval Analysis", 1966; the step by a slope that contains 0: E. R. Hansen,
 /// S. Sengupta, "Bounding Solutions of Systems of Equations Using Interval Analysis", 1981.
 
+#include <array>
 #include <rayproof/arithmetics/dual.hpp>
 
 namespace rayproof::implicit {
@@ -20,11 +21,6 @@ struct Contracted {
 template <class T>
 [[nodiscard]] Interval<T> slope_of(const Dual<Interval<T>>& over_range) {
   return over_range.slope.is_empty() ? Interval<T>::whole() : over_range.slope;
-}
-/// The derivative of g over `range`.
-template <class T, class G>
-[[nodiscard]] Interval<T> slope_over(const G& g, const Interval<T>& range) {
-  return slope_of(g(variable(range)));
 }
 
 /// Shrinks a range on which g is monotone to the root it holds, if any, quadratically:
@@ -42,7 +38,7 @@ template <class T, class G>
     const bool is_slow = !(left.width() < T(0.75) * range.width());
     range = left;
     if (is_slow) break;
-    slope = intersection(slope, slope_over(g, range));
+    slope = intersection(slope, slope_of(g(variable(range))));
     if (slope.is_empty()) break;
   }
   // No relative width is small at 0, the root of every ray that starts on the surface.
@@ -68,24 +64,24 @@ template <class T, class G>
 }
 
 /// What the extended Newton step leaves of a range whose slope contains 0: a part to the left of its middle
-/// and one to the right, either perhaps empty. With g(m) not 0, a gap about the middle holds no root.
+/// and one to the right, either perhaps empty.
 template <class T>
-struct Parts {
-  Interval<T> left, right;
-};
+using Parts = std::array<Interval<T>, 2>;
+
+/// With g(m) not 0, a gap about the middle holds no root.
 template <class T>
 [[nodiscard]] Parts<T> parts_beside(const Interval<T>& range, T middle, const Interval<T>& at_middle,
                                     const Interval<T>& slope) {
-  Parts<T> parts{Interval<T>::between(range.lo, middle), Interval<T>::between(middle, range.hi)};
-  if (!(at_middle.lo > 0 || at_middle.hi < 0)) return parts;
-  const Interval<T> falling = Interval<T>::between(slope.lo, min(slope.hi, T(0)));
-  const Interval<T> rising = Interval<T>::between(max(slope.lo, T(0)), slope.hi);
+  const auto left = Interval<T>::between(range.lo, middle);
+  const auto right = Interval<T>::between(middle, range.hi);
+  const int side = at_middle.sign_or_two();
+  if (side != 1 && side != -1) return {left, right};
+  const auto falling = Interval<T>::between(slope.lo, min(slope.hi, T(0)));
+  const auto rising = Interval<T>::between(max(slope.lo, T(0)), slope.hi);
   const auto reached = [&](const Interval<T>& half) { return Interval<T>(middle) - at_middle / half; };
-  const bool is_above = at_middle.lo > 0;
   // To the right of the middle g comes down to 0 by a falling slope only, or up by a rising one.
-  parts.right = intersection(parts.right, reached(is_above ? falling : rising));
-  parts.left = intersection(parts.left, reached(is_above ? rising : falling));
-  return parts;
+  return {intersection(left, reached(side > 0 ? rising : falling)),
+          intersection(right, reached(side > 0 ? falling : rising))};
 }
 
 }  // namespace rayproof::implicit

@@ -31,41 +31,36 @@ class Refinement {
   /// Cuts off what lies outside of the range, and with it the certainty; false where nothing is left.
   bool clip(RootEnclosure<T>& one) const {
     const Interval<T> left = intersection(range_of(one), range_);
-    if (left.is_empty()) return false;
     const bool was_cut = left.lo != one.lo || left.hi != one.hi;
     if (was_cut && one.status == RootStatus::certain) one.status = RootStatus::undecided;
     one.lo = left.lo;
     one.hi = left.hi;
-    return true;
+    return !left.is_empty();
   }
 
   /// Two that overlap, or touch where one of them is undecided, may share a root.
+  [[nodiscard]] bool are_apart(const RootEnclosure<T>& a, const RootEnclosure<T>& b) const {
+    return a.hi < b.lo || (a.hi == b.lo && a.status == RootStatus::certain &&
+                           b.status == RootStatus::certain && !g_(Interval<T>(b.lo)).contains(T(0)));
+  }
+
   [[nodiscard]] EnclosedRoots<T> unite(const EnclosedRoots<T>& found) const {
     EnclosedRoots<T> united;
     for (const RootEnclosure<T>& one : found) {
-      if (united.empty() || united.back().hi < one.lo) {
+      if (united.empty() || are_apart(united.back(), one)) {
         united.push_back(one);
         continue;
       }
       RootEnclosure<T>& last = united.back();
-      // The same point found from both sides. (Equal ranges are not enough: beyond the greatest number there
-      // is one range for all.)
-      const bool are_alike = last.lo == one.hi && last.status == one.status;
-      const bool are_apart = last.hi == one.lo && last.status == RootStatus::certain &&
-                             one.status == RootStatus::certain && !may_be_root(one.lo);
-      const bool are_everywhere =
-          last.status == RootStatus::everywhere && one.status == RootStatus::everywhere;
-      if (are_apart) {
-        united.push_back(one);
-      } else {
-        last.hi = max(last.hi, one.hi);
-        if (!are_alike && !are_everywhere) last.status = RootStatus::undecided;
-      }
+      // All roots, or the same point found from both sides. (Equal ranges are not enough: beyond the greatest
+      // number there is one range for all.)
+      const bool are_alike =
+          last.status == one.status && (one.status == RootStatus::everywhere || last.lo == one.hi);
+      if (!are_alike) last.status = RootStatus::undecided;
+      last.hi = max(last.hi, one.hi);
     }
     return united;
   }
-
-  [[nodiscard]] bool may_be_root(T t) const { return g_(Interval<T>(t)).contains(T(0)); }
 
   /// Tries to tighten what is certain and to decide what is not; takes out (as NaN) what holds no root.
   void refine(EnclosedRoots<T>& all, std::size_t i) {
@@ -78,7 +73,7 @@ class Refinement {
     }
     if (!wider.is_bounded()) return;
     if (one.status == RootStatus::undecided) wider = widened(all, i);
-    const Interval<T> slope = slope_over(g_, wider);
+    const Interval<T> slope = slope_of(g_(variable(wider)));
     spent_ += 2;
     if (slope.contains(T(0))) return;
     const Contracted<T> found = one.status == RootStatus::undecided

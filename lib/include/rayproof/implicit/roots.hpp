@@ -2,12 +2,21 @@
 /// \file
 /// All hits of a ray with a surface f(x, y, z) = 0, none of them missed.
 
-#include <rayproof/formulas/searchable.hpp>
-#include <rayproof/implicit/along_ray.hpp>
+#include <rayproof/formulas/finite.hpp>
 #include <rayproof/implicit/isolate.hpp>
 #include <rayproof/implicit/refine.hpp>
 
 namespace rayproof::implicit {
+
+/// A power of two, about the t at which the ray is as far from its origin as the origin from the world's: to
+/// either side of it lie the t's that matter and the 1/t's that do.
+template <std::floating_point P>
+[[nodiscard]] P turning_point(const Ray<P>& ray) {
+  const auto largest = [](const vec3<P>& v) { return max(abs(v.x), max(abs(v.y), abs(v.z))); };
+  const P apart = exponent(max(largest(ray.origin), P(1))) - exponent(largest(ray.direction));
+  constexpr P most = P(std::numeric_limits<P>::max_exponent / 2);
+  return scale_exponent(P(1), max(-most, min(most, apart + 2)));
+}
 
 /// What a search came to, and how many evaluations of f it took.
 template <class T>
@@ -42,33 +51,46 @@ template <class Surface, std::floating_point T>
 [[nodiscard]] Search<T> search(const Ray<T>& ray, const Surface& f, std::size_t budget = default_budget) {
   Search<T> result;
   if (!is_searchable(ray)) return result;
-  const AlongRay<Surface, T> along{f, ray};
+  // f(p(t)) as a function of t in any arithmetic.
+  const auto along = [&]<class N>(const N& t) -> N {
+    const vec3<N> p = point_at(convert<N>(ray), t);
+    if constexpr (Homogeneous<Surface, N>) {
+      return f(p.x, p.y, p.z, N(1));
+    } else {
+      return f(p.x, p.y, p.z);
+    }
+  };
   const auto range = Interval<T>::between(ray.t_min, ray.t_max);
   EnclosedRoots<T> found;
+  const auto search_in = [&](const Interval<T>& part) {
+    Isolation(along, budget, result.evaluations, found).search(part, [](const auto&) { return false; });
+  };
   if constexpr (Homogeneous<Surface, Interval<T>>) {
-    const NearInfinity<Surface, T> far{f, ray};
+    // f(s·origin + direction, s), which for s = 1/t has the same roots: a root at s = 0 is a direction of the
+    // surface at infinity, and no hit.
+    const auto far = [&]<class N>(const N& s) -> N {
+      const vec3<N> p = s * convert<N>(ray.origin) + convert<N>(ray.direction);
+      return f(p.x, p.y, p.z, s);
+    };
     const T turn = turning_point(ray);
     EnclosedRoots<T> inverse;
-    const auto beyond = [&](const Interval<T>& side) {
-      const Interval<T> part = intersection(range, side);
-      if (part.is_empty()) return;
+    const auto search_beyond = [&](const Interval<T>& part) {
       Isolation(far, budget, result.evaluations, inverse)
           .search(Interval<T>(1) / part, [&](const Interval<T>& s) {
             ++result.evaluations;  // a ray along a cylinder: no root, but a double one at infinity
             return !along(Interval<T>(1) / s).contains(T(0));
           });
     };
-    const Interval<T> near = intersection(range, Interval<T>::between(-turn, turn));
-    if (!near.is_empty()) Isolation(along, budget, result.evaluations, found).search(near);
-    beyond(Interval<T>::between(turn, infinity<T>));
-    beyond(Interval<T>::between(-infinity<T>, -turn));
+    search_in(intersection(range, Interval<T>::between(-turn, turn)));
+    search_beyond(intersection(range, Interval<T>::between(turn, infinity<T>)));
+    search_beyond(intersection(range, Interval<T>::between(-infinity<T>, -turn)));
     for (const RootEnclosure<T>& one : inverse) {
       if (one.lo == 0 && one.hi == 0) continue;  // at infinity, and nowhere else
       const Interval<T> t = Interval<T>(1) / Interval<T>::between(one.lo, one.hi);
       found.push_back({t.lo, t.hi, one.status});
     }
   } else {
-    Isolation(along, budget, result.evaluations, found).search(range);
+    search_in(range);
   }
   result.roots = Refinement(along, range, 2 * budget, result.evaluations).of(std::move(found));
   return result;

@@ -96,4 +96,8 @@ struct Source {
 /// The claims every method makes, however bad its formula.
 inline constexpr Claims always_claimed{Claim::ascending, Claim::batch, Claim::nan};
 
+/// The claims of every method that keeps the robust bound, wherever the scene lies and whatever its size.
+inline constexpr Claims robust_claims =
+    always_claimed | Claims{Claim::verdict, Claim::robust, Claim::moved, Claim::scaled, Claim::reversed};
+
 }  // namespace rayproof

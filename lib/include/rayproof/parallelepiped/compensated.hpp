@@ -1,8 +1,6 @@
 #pragma once
 #include <rayproof/box/exact_slab.hpp>
-#include <rayproof/method/contract.hpp>
-#include <rayproof/method/narration.hpp>
-#include <rayproof/method/sources.hpp>
+#include <rayproof/method/method.hpp>
 #include <rayproof/parallelepiped.hpp>
 
 namespace rayproof::parallelepiped {
@@ -18,20 +16,17 @@ struct Compensated {
   static constexpr const char* name = "compensated";
   static constexpr const char* title = "face planes compared exactly by expansions";
   static constexpr Source source = sources::shewchuk;
-  static constexpr int far_power = 0;
   static constexpr Contract contract{
       .verdict = {.measured = 0, .promised = 0},
       .residual = {.measured = 0.441, .promised = 2},
       .ulp = {.measured = 0.5, .promised = 0.501},
       .domain = {.reach_float = 1000, .reach_double = 120, .every_number = true},
-      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::ulp, Claim::robust,
-                                       Claim::moved, Claim::scaled, Claim::reversed}};
+      .holds = robust_claims | Claims{Claim::residual, Claim::ulp}};
 
   template <std::floating_point T>
   [[nodiscard]] static Roots<T> roots(const Ray<T>& ray, const Parallelepiped<T>& solid) {
-    constexpr T nan = not_a_number<T>;
     const auto& [e0, e1, e2] = solid.edges;
-    if (!are_finite(ray.origin, ray.direction, solid.corner, e0, e1, e2)) return {T(-1), nan, nan};
+    if (!are_finite(ray.origin, ray.direction, solid.corner, e0, e1, e2)) return no_roots<T>;
 
     step<T>("Form the normals and the distance to each face exactly",
             "Nothing is rounded; where the volume is exactly 0, the edges lie in one plane and there is no "
@@ -40,7 +35,7 @@ struct Compensated {
     const auto d = exact_vector<double>(ray.direction);
     const std::array edges{exact_vector<double>(e0), exact_vector<double>(e1), exact_vector<double>(e2)};
     const auto volume = dot(cross(edges[1], edges[2]), edges[0]);
-    if (sign(volume) == 0) return {T(-1), nan, nan};
+    if (sign(volume) == 0) return no_roots<T>;
     const auto slab = [&](std::size_t j, std::size_t k) {
       const auto n = cross(edges[j], edges[k]);
       const auto near_plane = dot(n, f) + decltype(volume)();

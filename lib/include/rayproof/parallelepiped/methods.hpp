@@ -9,7 +9,6 @@
 
 namespace rayproof::parallelepiped {
 
-/// The topic as the registries see it.
 struct Topic : RayTopic<Parallelepiped> {
   static constexpr const char* name = "parallelepiped";
   static constexpr double robust_bound = parallelepiped_robust_bound;

@@ -1,6 +1,5 @@
 #pragma once
-#include <rayproof/method/contract.hpp>
-#include <rayproof/method/narration.hpp>
+#include <rayproof/method/method.hpp>
 #include <rayproof/parametric/bezier.hpp>
 #include <rayproof/quadratic/kahan.hpp>
 

@@ -22,9 +22,14 @@ struct Meeting {
   [[nodiscard]] Seen<I> seen(const I& u, const I& v) const { return line(r(u, v)); }
   [[nodiscard]] Jet<I> jet(const Rectangle<T>& X) const { return jet_of(r, line, X.u, X.v); }
 
-  /// Krawczyk's image of a rectangle.
+  /// Krawczyk's image c - Y·f(c) + (I - Y·J)·(X - c) of the rectangle X with middle c: it holds every root
+  /// that X holds, and where X surrounds it, X holds just one.
   [[nodiscard]] Rectangle<T> image_of(const Rectangle<T>& X, const Preconditioned<T>& p) const {
-    return krawczyk(X, p, seen(I(X.u.middle()), I(X.v.middle())));
+    const I c_u(X.u.middle()), c_v(X.v.middle());
+    const I du = X.u - c_u, dv = X.v - c_v;
+    const Seen<I> at_middle = seen(c_u, c_v);
+    return {c_u - p.Y.u(at_middle.F, at_middle.G) + (p.R_uu * du + p.R_uv * dv),
+            c_v - p.Y.v(at_middle.F, at_middle.G) + (p.R_vu * du + p.R_vv * dv)};
   }
 
   /// Whether the functions are one to one over a rectangle, which then holds one root at most.

@@ -3,7 +3,7 @@
 /// All hits of a ray with a surface r(u, v) over the unit square, none of them missed.
 
 #include <algorithm>
-#include <rayproof/formulas/searchable.hpp>
+#include <rayproof/formulas/finite.hpp>
 #include <rayproof/parametric/confirm.hpp>
 #include <rayproof/parametric/piece.hpp>
 
@@ -36,17 +36,17 @@ class HitSearch {
   }
 
  private:
-  struct Found {
-    Rectangle<T> root, only_one;
+  struct Found : Confirmed<T> {
     bool is_certain;
   };
 
-  [[nodiscard]] I t_of(const I& ahead) const { return ahead / I(line_.direction[line_.k]); }
-  [[nodiscard]] I interval() const { return I::between(ray_.t_min, ray_.t_max); }
+  [[nodiscard]] I t_of(const Seen<I>& seen) const { return seen.ahead / I(line_.direction[line_.k]); }
+  [[nodiscard]] I in_interval(const I& t) const {
+    return intersection(t, I::between(ray_.t_min, ray_.t_max));
+  }
 
   [[nodiscard]] bool may_hit(const Seen<I>& seen) const {
-    return seen.F.contains(T(0)) && seen.G.contains(T(0)) &&
-           !intersection(t_of(seen.ahead), interval()).is_empty();
+    return seen.F.contains(T(0)) && seen.G.contains(T(0)) && !in_interval(t_of(seen)).is_empty();
   }
 
   /// Whether the piece is done with: it holds no root, or one that is proven, or one outside of the square.
@@ -70,11 +70,11 @@ class HitSearch {
     for (const Found& known : found_)
       if (known.is_certain && (known.only_one.contains(one.root) || one.only_one.contains(known.root)))
         return;
-    found_.push_back({one.root, one.only_one, true});
+    found_.push_back({one, true});
   }
 
   void add_undecided(const Rectangle<T>& X) {
-    found_.push_back({X, X, false});
+    found_.push_back({{X, X}, false});
     for (std::size_t i = found_.size() - 1; i-- > 0;) {  // touching ones become one
       Found& last = found_.back();
       if (found_[i].is_certain || intersection(found_[i].root, last.root).is_empty()) continue;
@@ -89,8 +89,8 @@ class HitSearch {
     for (const Found& one : found_) {
       const Rectangle<T> inside = intersection(one.root, Rectangle<T>::unit());
       if (inside.is_empty()) continue;
-      const I t = t_of(meeting_.seen(inside.u, inside.v).ahead);
-      const I t_inside = intersection(t, interval());
+      const I t = t_of(meeting_.seen(inside.u, inside.v));
+      const I t_inside = in_interval(t);
       if (t_inside.is_empty()) continue;
       const bool is_whole = inside.contains(one.root) && t_inside.contains(t);
       all.push_back({t_inside.middle(), inside.u.middle(), inside.v.middle(), 0, one.is_certain && is_whole,

@@ -82,16 +82,4 @@ template <class T>
                            -Y->v(jet.F_u, jet.G_u), I(1) - Y->v(jet.F_v, jet.G_v)};
 }
 
-/// Krawczyk's image c - Y·f(c) + (I - Y·J)·(X - c) of the rectangle X with middle c: it holds every root that
-/// X holds, and where X surrounds it, X holds just one.
-template <class T>
-[[nodiscard]] Rectangle<T> krawczyk(const Rectangle<T>& X, const Preconditioned<T>& p,
-                                    const Seen<Interval<T>>& at_middle) {
-  using I = Interval<T>;
-  const I c_u(X.u.middle()), c_v(X.v.middle());
-  const I du = X.u - c_u, dv = X.v - c_v;
-  return {c_u - p.Y.u(at_middle.F, at_middle.G) + (p.R_uu * du + p.R_uv * dv),
-          c_v - p.Y.v(at_middle.F, at_middle.G) + (p.R_vu * du + p.R_vv * dv)};
-}
-
 }  // namespace rayproof::parametric

@@ -1,9 +1,6 @@
 #pragma once
 #include <rayproof/formulas/exact_rounding.hpp>
-#include <rayproof/formulas/finite.hpp>
-#include <rayproof/method/contract.hpp>
-#include <rayproof/method/narration.hpp>
-#include <rayproof/method/sources.hpp>
+#include <rayproof/method/method.hpp>
 #include <rayproof/plane.hpp>
 
 namespace rayproof::plane {
@@ -17,18 +14,16 @@ struct Compensated {
   static constexpr const char* name = "compensated";
   static constexpr const char* title = "exact numerator and denominator by expansions";
   static constexpr Source source = sources::shewchuk;
-  static constexpr int far_power = 0;
   static constexpr Contract contract{
       .verdict = {.measured = 0, .promised = 0},
       .residual = {.measured = 0.5, .promised = 2},
       .ulp = {.measured = 0.501, .promised = 1},
       .domain = {.reach_float = 1000, .reach_double = 200, .every_number = true},
-      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::ulp, Claim::robust,
-                                       Claim::moved, Claim::scaled, Claim::reversed}};
+      .holds = robust_claims | Claims{Claim::residual, Claim::ulp}};
 
   template <std::floating_point T>
   [[nodiscard]] static FlatHit<T> roots(const Ray<T>& ray, const Plane<T>& plane) {
-    if (!are_finite(ray.origin, ray.direction)) return no_hit<T>();
+    if (!are_finite(ray.origin, ray.direction)) return no_hit<T>;
     switch (plane.form) {
       case PlaneForm::implicit:
         return meet_implicit(ray, plane);
@@ -37,44 +32,39 @@ struct Compensated {
       case PlaneForm::parametric:
         return meet_parametric(ray, plane);
     }
-    return no_hit<T>();
+    return no_hit<T>;
   }
 
  private:
   template <class T>
-  static FlatHit<T> no_hit() {
-    return flat_hit(false, T(not_a_number<T>), T(0), T(0));
-  }
-
-  template <class T>
   static FlatHit<T> meet_implicit(const Ray<T>& ray, const Plane<T>& plane) {
-    if (!are_finite(plane.normal, plane.d)) return no_hit<T>();
+    if (!are_finite(plane.normal, plane.d)) return no_hit<T>;
     step<T>("Put the ray into the plane's equation exactly",
             "n·o + d and n·d⃗ are exact, so a parallel ray is recognised with certainty; "
             "t = −(n·o + d) / (n·d⃗) is rounded once.");
     const auto n = exact_vector<double>(plane.normal);
     const auto at_origin = dot(n, exact_vector<double>(ray.origin)) + exact(double{plane.d});
     const auto along = dot(n, exact_vector<double>(ray.direction));
-    if (sign(along) == 0) return no_hit<T>();
+    if (sign(along) == 0) return no_hit<T>;
     return flat_hit(true, rounded(ray, ExactRatio{-at_origin, along}), T(0), T(0));
   }
 
   template <class T>
   static FlatHit<T> meet_point_normal(const Ray<T>& ray, const Plane<T>& plane) {
-    if (!are_finite(plane.normal, plane.point)) return no_hit<T>();
+    if (!are_finite(plane.normal, plane.point)) return no_hit<T>;
     step<T>("Form the distance to the plane and the ray's progress exactly",
             "n·(p − o) and n·d⃗ are exact, so a parallel ray is recognised with certainty; their quotient t "
             "is rounded once.");
     const auto n = exact_vector<double>(plane.normal);
     const auto w = exact_vector<double>(plane.point) - exact_vector<double>(ray.origin);
     const auto along = dot(n, exact_vector<double>(ray.direction));
-    if (sign(along) == 0) return no_hit<T>();
+    if (sign(along) == 0) return no_hit<T>;
     return flat_hit(true, rounded(ray, ExactRatio{dot(n, w), along}), T(0), T(0));
   }
 
   template <class T>
   static FlatHit<T> meet_parametric(const Ray<T>& ray, const Plane<T>& plane) {
-    if (!are_finite(plane.point, plane.u, plane.v)) return no_hit<T>();
+    if (!are_finite(plane.point, plane.u, plane.v)) return no_hit<T>;
     step<T>(
         "Form the determinants of Cramer's rule exactly",
         "D is the exact volume of u, v and the direction: 0 only where the ray is parallel to the plane.");
@@ -84,7 +74,7 @@ struct Compensated {
     const auto w = exact_vector<double>(ray.origin) - exact_vector<double>(plane.point);
     const auto n = cross(u, v);
     const auto D = dot(n, d);
-    if (sign(D) == 0) return no_hit<T>();
+    if (sign(D) == 0) return no_hit<T>;
 
     step<T>(steps::round_quotients);
     return flat_hit(true, rounded(ray, ExactRatio{-dot(n, w), D}),

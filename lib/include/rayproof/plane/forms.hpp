@@ -6,11 +6,6 @@
 #include <rayproof/method/narration.hpp>
 #include <rayproof/plane.hpp>
 
-namespace rayproof::steps {
-inline constexpr Step solve_for_t{"Solve it for t",
-                                  "The equation is 0 where t·(n·d⃗) is minus the value at the ray's origin."};
-}  // namespace rayproof::steps
-
 namespace rayproof::plane {
 
 /// normal·q + d = 0.

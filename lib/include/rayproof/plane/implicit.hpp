@@ -1,9 +1,16 @@
 #pragma once
-#include <rayproof/method/contract.hpp>
-#include <rayproof/method/sources.hpp>
+#include <rayproof/method/method.hpp>
 #include <rayproof/plane/forms.hpp>
 
 namespace rayproof::plane {
+
+/// The t at which the plane's equation is 0, from its value at the ray's origin and what each unit of t adds;
+/// none where it adds 0.
+template <class T>
+[[nodiscard]] constexpr FlatHit<T> solved_for_t(const T& at_origin, const T& along) {
+  step<T>("Solve it for t", "The equation is 0 where t·(n·d⃗) is minus the value at the ray's origin.");
+  return flat_hit(along != T(0), named("t", -at_origin / along), T(0), T(0));
+}
 
 /// t = -(n·o + d) / (n·d⃗), the ray put into the plane's equation.
 ///
@@ -12,12 +19,9 @@ struct ByEquation {
   static constexpr const char* name = "implicit";
   static constexpr const char* title = "the ray in the plane's equation";
   static constexpr Source source = sources::ban;
-  static constexpr int far_power = 0;
-  static constexpr Contract contract{
-      .verdict = {.measured = 1.68, .promised = plane_robust_bound},
-      .residual = {.measured = 1.79, .promised = plane_robust_bound},
-      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::robust, Claim::moved,
-                                       Claim::scaled, Claim::reversed, Claim::bounded}};
+  static constexpr Contract contract{.verdict = {.measured = 1.68, .promised = plane_robust_bound},
+                                     .residual = {.measured = 1.79, .promised = plane_robust_bound},
+                                     .holds = robust_claims | Claims{Claim::residual, Claim::bounded}};
 
   template <class T>
   [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Plane<T>& plane) {
@@ -27,9 +31,7 @@ struct ByEquation {
             "n·o + d is the value of the equation at the ray's origin; each unit of t adds n·d⃗ to it.");
     const T at_origin = named("n·o + d", dot(n, ray.origin) + d);
     const T along = named("n·d⃗", dot(n, ray.direction));
-
-    step<T>(steps::solve_for_t);
-    return flat_hit(along != T(0), named("t", -at_origin / along), T(0), T(0));
+    return solved_for_t(at_origin, along);
   }
 };
 

@@ -12,7 +12,6 @@
 
 namespace rayproof::plane {
 
-/// The topic as the registries see it.
 struct Topic : RayTopic<Plane> {
   static constexpr const char* name = "plane";
   static constexpr double robust_bound = plane_robust_bound;

@@ -1,6 +1,5 @@
 #pragma once
-#include <rayproof/method/contract.hpp>
-#include <rayproof/method/sources.hpp>
+#include <rayproof/method/method.hpp>
 #include <rayproof/plane/forms.hpp>
 
 namespace rayproof::plane {
@@ -23,12 +22,9 @@ struct ByPointAndNormal {
   static constexpr const char* name = "point_normal";
   static constexpr const char* title = "a point of the plane and its normal";
   static constexpr Source source = sources::ban;
-  static constexpr int far_power = 0;
-  static constexpr Contract contract{
-      .verdict = {.measured = 1.68, .promised = plane_robust_bound},
-      .residual = {.measured = 1.79, .promised = plane_robust_bound},
-      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::robust, Claim::moved,
-                                       Claim::scaled, Claim::reversed, Claim::bounded}};
+  static constexpr Contract contract{.verdict = {.measured = 1.68, .promised = plane_robust_bound},
+                                     .residual = {.measured = 1.79, .promised = plane_robust_bound},
+                                     .holds = robust_claims | Claims{Claim::residual, Claim::bounded}};
 
   template <class T>
   [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Plane<T>& plane) {

@@ -1,19 +1,16 @@
 #pragma once
-#include <rayproof/method/contract.hpp>
-#include <rayproof/method/sources.hpp>
-#include <rayproof/plane/forms.hpp>
+#include <rayproof/plane/implicit.hpp>
 
 namespace rayproof::plane {
 
 /// t = -(x₀ + y₀ + z₀ + D) / (n·d⃗), **as printed** in the source: the coefficients A, B, C are missing in the
 /// numerator.
 ///
-/// Kept so that the property tests refute it; right only for A = B = C = 1. ByEquation is the mended form.
+/// Right only for A = B = C = 1. ByEquation is the mended form.
 struct PrintedImplicit {
   static constexpr const char* name = "printed_implicit";
   static constexpr const char* title = "as printed: no coefficients in the numerator";
   static constexpr Source source = sources::ban;
-  static constexpr int far_power = 0;
   static constexpr Contract contract{
       .standing = Standing::printed,
       .holds = always_claimed,
@@ -28,9 +25,7 @@ struct PrintedImplicit {
     const vec3<T> o = ray.origin;
     const T at_origin = named("x₀ + y₀ + z₀ + D", o.x + o.y + o.z + d);
     const T along = named("n·d⃗", dot(n, ray.direction));
-
-    step<T>(steps::solve_for_t);
-    return flat_hit(along != T(0), named("t", -at_origin / along), T(0), T(0));
+    return solved_for_t(at_origin, along);
   }
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-#include <rayproof/method/sources.hpp>
+#include <rayproof/method/method.hpp>
 #include <rayproof/plane/implicit.hpp>
 
 namespace rayproof::plane {
@@ -13,7 +13,6 @@ struct PrintedParallel {
   static constexpr const char* name = "printed_parallel";
   static constexpr const char* title = "as printed: a ray inside the plane is parallel";
   static constexpr Source source = sources::lecture_001;
-  static constexpr int far_power = 0;
   /// A ray inside the plane is reported as parallel to it, not as in the surface.
   static constexpr bool calls_in_plane_parallel = true;
   static constexpr Contract contract{

@@ -1,7 +1,6 @@
 #pragma once
 #include <rayproof/formulas/polygon_sides.hpp>
-#include <rayproof/method/contract.hpp>
-#include <rayproof/method/narration.hpp>
+#include <rayproof/method/method.hpp>
 
 namespace rayproof::point_in_polygon {
 

@@ -10,7 +10,6 @@
 
 namespace rayproof::polygon {
 
-/// The topic as the registries see it.
 struct Topic : RayTopic<Polygon> {
   static constexpr const char* name = "polygon";
   static constexpr double robust_bound = polygon_robust_bound;

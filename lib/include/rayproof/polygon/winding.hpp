@@ -1,5 +1,4 @@
 #pragma once
-#include <rayproof/method/contract.hpp>
 #include <rayproof/point_in_polygon/winding.hpp>
 #include <rayproof/polygon/in_plane.hpp>
 
@@ -8,21 +7,12 @@ namespace rayproof::polygon {
 /// The Newell plane, then the parity of the winding number in the projection.
 ///
 /// The rounding of the hit point decides beside the boundary.
-struct Winding {
+struct Winding : InPlane<point_in_polygon::Winding> {
   static constexpr const char* name = "winding";
   static constexpr const char* title = "Newell plane, then odd or even winding number";
-  static constexpr Source source = point_in_polygon::Winding::source;
-  static constexpr int far_power = 0;
-  static constexpr Contract contract{
-      .verdict = {.measured = 0.346, .promised = polygon_robust_bound},
-      .residual = {.measured = 0.759, .promised = polygon_robust_bound},
-      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::robust, Claim::moved,
-                                       Claim::scaled, Claim::reversed}};
-
-  template <std::floating_point T>
-  [[nodiscard]] static FlatHit<T> roots(const Ray<T>& ray, const Polygon<T>& polygon) {
-    return meet_by<point_in_polygon::Winding>(ray, polygon);
-  }
+  static constexpr Contract contract{.verdict = {.measured = 0.346, .promised = polygon_robust_bound},
+                                     .residual = {.measured = 0.759, .promised = polygon_robust_bound},
+                                     .holds = robust_claims | Claims{Claim::residual}};
 };
 
 }  // namespace rayproof::polygon

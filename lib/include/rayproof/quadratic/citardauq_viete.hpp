@@ -1,8 +1,6 @@
 #pragma once
 #include <rayproof/formulas/quadratic_formula.hpp>
-#include <rayproof/method/contract.hpp>
-#include <rayproof/method/narration.hpp>
-#include <rayproof/method/sources.hpp>
+#include <rayproof/method/method.hpp>
 #include <rayproof/quadratic.hpp>
 
 namespace rayproof::quadratic {

@@ -1,8 +1,6 @@
 #pragma once
 #include <rayproof/formulas/quadratic_formula.hpp>
-#include <rayproof/method/contract.hpp>
-#include <rayproof/method/narration.hpp>
-#include <rayproof/method/sources.hpp>
+#include <rayproof/method/method.hpp>
 #include <rayproof/sphere.hpp>
 
 namespace rayproof::sphere {
@@ -18,12 +16,9 @@ struct Centred {
   static constexpr const char* name = "centred";
   static constexpr const char* title = "discriminant from the ray point nearest the centre";
   static constexpr Source source = sources::haines_2019;
-  static constexpr int far_power = 0;
-  static constexpr Contract contract{
-      .verdict = {.measured = 4.97, .promised = sphere_robust_bound},
-      .residual = {.measured = 5.9, .promised = sphere_robust_bound},
-      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::robust, Claim::moved,
-                                       Claim::scaled, Claim::reversed, Claim::bounded}};
+  static constexpr Contract contract{.verdict = {.measured = 4.97, .promised = sphere_robust_bound},
+                                     .residual = {.measured = 5.9, .promised = sphere_robust_bound},
+                                     .holds = robust_claims | Claims{Claim::residual, Claim::bounded}};
 
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Sphere<T>& sphere) {

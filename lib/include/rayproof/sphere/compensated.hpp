@@ -1,9 +1,7 @@
 #pragma once
-#include <rayproof/formulas/exact_rounding.hpp>
+#include <rayproof/formulas/exact_quadratic.hpp>
 #include <rayproof/formulas/quadratic_formula.hpp>
-#include <rayproof/method/contract.hpp>
-#include <rayproof/method/narration.hpp>
-#include <rayproof/method/sources.hpp>
+#include <rayproof/method/method.hpp>
 #include <rayproof/sphere.hpp>
 #include <rayproof/sphere/centred.hpp>
 
@@ -21,14 +19,12 @@ struct Compensated {
   static constexpr const char* name = "compensated";
   static constexpr const char* title = "exact discriminant by expansions";
   static constexpr Source source = sources::shewchuk;
-  static constexpr int far_power = 0;
   static constexpr Contract contract{
       .verdict = {.measured = 0, .promised = 0},
       .residual = {.measured = 1.0, .promised = 2},
       .ulp = {.measured = 0.501, .promised = 1},
       .domain = {.reach_float = 1000, .reach_double = 200, .every_number = true},
-      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::ulp, Claim::robust,
-                                       Claim::moved, Claim::scaled, Claim::reversed}};
+      .holds = robust_claims | Claims{Claim::residual, Claim::ulp}};
 
   template <std::floating_point T>
   [[nodiscard]] static Roots<T> roots(const Ray<T>& ray, const Sphere<T>& sphere) {
@@ -37,34 +33,13 @@ struct Compensated {
       const Sphere<double> wide_sphere = convert<double>(sphere);
       const Roots<double> wide = Centred::roots(wide_ray, wide_sphere);
       if (is_clear<T>(wide_ray, wide_sphere, wide)) {
-        return {sign_as<T>(wide.discriminant), static_cast<T>(wide.lo), static_cast<T>(wide.hi)};
+        return {T(wide.discriminant > 0 ? 1 : -1), T(wide.lo), T(wide.hi)};
       }
     }
     return exact_roots(ray, sphere);
   }
 
  private:
-  /// The exact quadratic a·t² - 2b·t + c of a ray and a sphere.
-  template <class A, class B, class C>
-  struct Equation {
-    A a;
-    B b;
-    C c;
-
-    [[nodiscard]] auto at(double t) const { return (a * exact(t) - exact(2.0) * b) * exact(t) + c; }
-    [[nodiscard]] auto slope_at(double t) const { return a * exact(t) - b; }
-
-    /// The sign of (root - t) for the lower (side = -1) or upper (side = 1) root, exactly.
-    [[nodiscard]] int compare(int side, double t) const {
-      return compare_root(side, sign(at(t)), sign(slope_at(t)));
-    }
-  };
-
-  template <class T>
-  static T sign_as(double x) {
-    return static_cast<T>((x > 0) - (x < 0));
-  }
-
   /// Whether double rounding errors can't have touched the verdict or moved a root by more than 2^-5 float
   /// ulps.
   ///
@@ -80,15 +55,10 @@ struct Compensated {
     if (!(D * D > 0x1p-42 * EE)) return false;  // not for a point touched: 0 > 0
     if (D < 0) return true;
     const double smaller = min(abs(wide.lo), abs(wide.hi));
-    const double larger = max(abs(wide.lo), abs(wide.hi));
-    const double kept = D * (smaller / larger);
+    const double kept = D * (smaller / max(abs(wide.lo), abs(wide.hi)));
     if (!(kept * kept >= 0x1p-40 * EE)) return false;
     if (!(smaller * smaller * dot(ray.direction, ray.direction) >= 0x1p-42 * SS)) return false;
-    if (!(smaller >= static_cast<double>(std::numeric_limits<T>::min()))) return false;
-    const auto is_beside = [](double t, double end) { return abs(t - end) <= 0x1p-22 * abs(t); };
-    return !(is_beside(wide.lo, ray.t_min) || is_beside(wide.lo, ray.t_max) ||
-             is_beside(wide.hi, ray.t_min) || is_beside(wide.hi, ray.t_max) ||
-             is_beside(smaller, infinite_from<T>) || is_beside(larger, infinite_from<T>));
+    return is_clear_of_ends<T>(ray, wide.lo) && is_clear_of_ends<T>(ray, wide.hi);
   }
 
   template <class T>
@@ -111,25 +81,12 @@ struct Compensated {
     const double q = estimate(b) + copysign(s, estimate(b));
     const double t1 = q / estimate(a);
     const double t0 = q == 0 ? q : estimate(c) / q;
+    const ExactQuadratic equation{a, b, c, s, std::array{min(t0, t1), max(t0, t1)}};
 
     step<T>("Round each root to its own side of the interval's ends",
             "Each root is compared exactly with t_min and t_max, so rounding cannot move it into the "
             "interval or out of it.");
-    const Equation<decltype(a), decltype(b), decltype(c)> equation{a, b, c};
-    const auto root = [&](int side, double t) {
-      if constexpr (sizeof(T) == sizeof(double)) t = refine(equation, side * s, t);
-      const auto compare = [&](double x) { return equation.compare(side, x); };
-      return keep_side(ray, narrowed<T>(t, compare), compare);
-    };
-    return {sign_as<T>(estimate(D)), root(-1, min(t0, t1)), root(1, max(t0, t1))};
-  }
-
-  /// t less its exact residual over the exact slope between t and the root: rounds once.
-  template <class E>
-  static double refine(const E& equation, double signed_s, double t) {
-    if (!(abs(t) < infinity<double>)) return t;
-    const double slope = estimate(equation.slope_at(t)) + signed_s;
-    return slope == 0 ? t : t - estimate(equation.at(t)) / slope;
+    return {T(sign(D)), equation.root(ray, -1), equation.root(ray, 1)};
   }
 };
 

@@ -14,7 +14,6 @@
 
 namespace rayproof::sphere {
 
-/// The topic as the registries see it.
 struct Topic : RayTopic<Sphere> {
   static constexpr const char* name = "sphere";
   static constexpr double robust_bound = sphere_robust_bound;

@@ -1,19 +1,15 @@
 #pragma once
-#include <rayproof/formulas/quadratic_formula.hpp>
-#include <rayproof/method/contract.hpp>
-#include <rayproof/method/sources.hpp>
-#include <rayproof/sphere/coefficients.hpp>
+#include <rayproof/sphere/textbook.hpp>
 
 namespace rayproof::sphere {
 
 /// The quadratic formula with the denominator 2ac, **as printed** in the source: wrong unless c = 1.
 ///
-/// Kept so that the property tests refute it. The right denominator is 2a (see Textbook).
+/// The right denominator is 2a (see Textbook).
 struct Printed2ac {
   static constexpr const char* name = "printed_2ac";
   static constexpr const char* title = "as printed: denominator 2ac";
   static constexpr Source source = sources::drabek;
-  static constexpr int far_power = 0;
   static constexpr Contract contract{
       .standing = Standing::printed,
       .holds = always_claimed,

@@ -1,19 +1,16 @@
 #pragma once
-#include <rayproof/method/contract.hpp>
-#include <rayproof/method/narration.hpp>
-#include <rayproof/method/sources.hpp>
+#include <rayproof/method/method.hpp>
 #include <rayproof/sphere.hpp>
 
 namespace rayproof::sphere {
 
 /// t = -b ± √(b² - c), **as printed** in the source, which does not say that it needs |d| = 1.
 ///
-/// Kept so that the property tests refute it on a direction of another length. HalfB is the mended form.
+/// Refuted by a direction of another length. HalfB is the mended form.
 struct PrintedHalfB {
   static constexpr const char* name = "printed_half_b";
   static constexpr const char* title = "as printed: half-b form without |d| = 1";
   static constexpr Source source = sources::lecture_001;
-  static constexpr int far_power = 0;
   static constexpr Contract contract{
       .standing = Standing::printed,
       .holds = always_claimed,

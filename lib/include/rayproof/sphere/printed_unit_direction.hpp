@@ -1,5 +1,5 @@
 #pragma once
-#include <rayproof/method/sources.hpp>
+#include <rayproof/method/method.hpp>
 #include <rayproof/sphere/centred.hpp>
 
 namespace rayproof::sphere {
@@ -12,7 +12,6 @@ struct PrintedUnitDirection {
   static constexpr const char* name = "printed_unit_direction";
   static constexpr const char* title = "as printed: t as a distance in object space";
   static constexpr Source source = sources::ban;
-  static constexpr int far_power = 0;
   static constexpr Contract contract{
       .standing = Standing::printed,
       .holds = always_claimed,

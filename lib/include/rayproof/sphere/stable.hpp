@@ -1,8 +1,5 @@
 #pragma once
-#include <rayproof/formulas/quadratic_formula.hpp>
-#include <rayproof/method/contract.hpp>
-#include <rayproof/method/sources.hpp>
-#include <rayproof/sphere/coefficients.hpp>
+#include <rayproof/sphere/textbook.hpp>
 
 namespace rayproof::sphere {
 

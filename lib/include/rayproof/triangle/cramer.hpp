@@ -1,7 +1,6 @@
 #pragma once
-#include <rayproof/method/contract.hpp>
-#include <rayproof/method/sources.hpp>
-#include <rayproof/plane/cramer.hpp>
+#include <rayproof/method/method.hpp>
+#include <rayproof/plane/parametric.hpp>
 #include <rayproof/triangle.hpp>
 #include <rayproof/triangle/barycentric.hpp>
 
@@ -15,21 +14,15 @@ struct Cramer {
   static constexpr const char* name = "cramer";
   static constexpr const char* title = "parametric plane by Cramer's rule";
   static constexpr Source source = sources::ban;
-  static constexpr int far_power = 0;
-  static constexpr Contract contract{
-      .verdict = {.measured = 0.916, .promised = triangle_robust_bound},
-      .residual = {.measured = 1.11, .promised = triangle_robust_bound},
-      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::robust, Claim::moved,
-                                       Claim::scaled, Claim::reversed, Claim::bounded}};
+  static constexpr Contract contract{.verdict = {.measured = 0.916, .promised = triangle_robust_bound},
+                                     .residual = {.measured = 1.11, .promised = triangle_robust_bound},
+                                     .holds = robust_claims | Claims{Claim::residual, Claim::bounded}};
 
   template <class T>
   [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Triangle<T>& triangle) {
     const auto [D, t, u, v] = plane::meet_by_cramer(ray, triangle.a, vec3<T>(triangle.b - triangle.a),
                                                     vec3<T>(triangle.c - triangle.a));
-
-    step<T>(steps::ask_whether_inside);
-    const Mask<T> is_inside = u >= T(0) && v >= T(0) && u + v <= T(1);
-    return flat_hit(D != T(0) && is_inside, t, u, v);
+    return hit_by_parameters(D, t, u, v);
   }
 };
 

@@ -1,4 +1,7 @@
 #pragma once
+/// \file
+/// Edge functions: on which side of an edge a ray passes.
+
 #include <rayproof/arithmetic.hpp>
 #include <rayproof/formulas/difference_of_products.hpp>
 
@@ -15,6 +18,13 @@ template <class T>
   } else {
     return difference_of_products(a, b, c, d);
   }
+}
+
+/// Whether the ray passes all three edges on the same side or on them: none of the numbers is of the other
+/// sign. False where one is NaN, true where all are 0.
+template <class T>
+[[nodiscard]] constexpr Mask<T> same_side(const T& U, const T& V, const T& W) {
+  return (U >= T(0) && V >= T(0) && W >= T(0)) || (U <= T(0) && V <= T(0) && W <= T(0));
 }
 
 }  // namespace rayproof::triangle

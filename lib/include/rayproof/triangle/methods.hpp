@@ -15,7 +15,6 @@
 
 namespace rayproof::triangle {
 
-/// The topic as the registries see it.
 struct Topic : RayTopic<Triangle> {
   static constexpr const char* name = "triangle";
   static constexpr double robust_bound = triangle_robust_bound;

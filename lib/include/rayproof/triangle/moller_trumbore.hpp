@@ -1,6 +1,5 @@
 #pragma once
-#include <rayproof/method/contract.hpp>
-#include <rayproof/method/narration.hpp>
+#include <rayproof/method/method.hpp>
 #include <rayproof/triangle.hpp>
 #include <rayproof/triangle/barycentric.hpp>
 
@@ -15,12 +14,9 @@ struct MollerTrumbore {
   static constexpr const char* title = "Möller–Trumbore, two-sided and branch-free";
   static constexpr Source source{"T. Möller, B. Trumbore", "Fast, Minimum Storage Ray/Triangle Intersection",
                                  1997};
-  static constexpr int far_power = 0;
-  static constexpr Contract contract{
-      .verdict = {.measured = 0.828, .promised = triangle_robust_bound},
-      .residual = {.measured = 1.32, .promised = triangle_robust_bound},
-      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::robust, Claim::moved,
-                                       Claim::scaled, Claim::reversed, Claim::bounded}};
+  static constexpr Contract contract{.verdict = {.measured = 0.828, .promised = triangle_robust_bound},
+                                     .residual = {.measured = 1.32, .promised = triangle_robust_bound},
+                                     .holds = robust_claims | Claims{Claim::residual, Claim::bounded}};
 
   static constexpr Step find_u{"Find u from s = o − a",
                                "u is a quotient of two volumes: D with s in the place of e₁, over D."};
@@ -46,9 +42,7 @@ struct MollerTrumbore {
     const T v = named("v", dot(ray.direction, q) / D);
     const T t = named("t", dot(e2, q) / D);
 
-    step<T>(steps::ask_whether_inside);
-    const Mask<T> is_inside = u >= T(0) && v >= T(0) && u + v <= T(1);
-    return flat_hit(D != T(0) && is_inside, t, u, v);
+    return hit_by_parameters(D, t, u, v);
   }
 };
 

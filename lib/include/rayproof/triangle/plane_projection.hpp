@@ -1,7 +1,6 @@
 #pragma once
-#include <rayproof/method/contract.hpp>
-#include <rayproof/method/sources.hpp>
-#include <rayproof/triangle/in_plane.hpp>
+#include <rayproof/method/method.hpp>
+#include <rayproof/triangle/barycentric.hpp>
 
 namespace rayproof::triangle {
 
@@ -15,7 +14,6 @@ struct PlaneProjection {
   static constexpr const char* name = "plane_projection";
   static constexpr const char* title = "plane, then barycentric coordinates in a projection";
   static constexpr Source source = sources::ban;
-  static constexpr int far_power = 0;
   static constexpr Contract contract{
       .standing = Standing::naive,
       .residual = {.measured = 1.24, .promised = triangle_robust_bound},
@@ -26,9 +24,7 @@ struct PlaneProjection {
 
   template <class T>
   [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Triangle<T>& triangle) {
-    const auto [t, point, normal] = meet_plane(ray, triangle);
-
-    const auto [q, a, b, c] = Projected<T>::along_largest(normal, point, triangle.a, triangle.b, triangle.c);
+    const auto [t, q, a, b, c] = meet_and_project(ray, triangle);
 
     step<T>("Find the barycentric coordinates in the projection",
             "Each is the area opposite a vertex over the whole area; q is inside where none is negative.");

@@ -1,8 +1,7 @@
 #pragma once
-#include <rayproof/method/contract.hpp>
-#include <rayproof/method/narration.hpp>
+#include <rayproof/method/method.hpp>
 #include <rayproof/triangle.hpp>
-#include <rayproof/triangle/same_side.hpp>
+#include <rayproof/triangle/edge_function.hpp>
 
 namespace rayproof::triangle {
 
@@ -16,12 +15,9 @@ struct Pluecker {
   static constexpr const char* title = "signs of the three Plücker sides";
   static constexpr Source source{"R. Jones", "Intersecting a Ray and a Triangle with Plücker Coordinates",
                                  2000};
-  static constexpr int far_power = 0;
-  static constexpr Contract contract{
-      .verdict = {.measured = 0.587, .promised = triangle_robust_bound},
-      .residual = {.measured = 1.24, .promised = triangle_robust_bound},
-      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::robust, Claim::moved,
-                                       Claim::scaled, Claim::reversed, Claim::bounded}};
+  static constexpr Contract contract{.verdict = {.measured = 0.587, .promised = triangle_robust_bound},
+                                     .residual = {.measured = 1.24, .promised = triangle_robust_bound},
+                                     .holds = robust_claims | Claims{Claim::residual, Claim::bounded}};
 
   template <class T>
   [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Triangle<T>& triangle) {

@@ -1,19 +1,15 @@
 #pragma once
-#include <rayproof/method/contract.hpp>
-#include <rayproof/method/sources.hpp>
-#include <rayproof/triangle/in_plane.hpp>
+#include <rayproof/method/method.hpp>
+#include <rayproof/triangle/barycentric.hpp>
 
 namespace rayproof::triangle {
 
 /// PlaneProjection with λ₂ = (-(a_y-c_y)(x-c_x) - (a_x-c_x)(y-c_y)) / D, **as printed** in the source: the
 /// second sign must be +.
-///
-/// Kept so that the property tests refute it.
 struct PrintedLambda2 {
   static constexpr const char* name = "printed_lambda2";
   static constexpr const char* title = "as printed: a wrong sign in the second barycentric coordinate";
   static constexpr Source source = sources::ban;
-  static constexpr int far_power = 0;
   static constexpr Contract contract{.standing = Standing::printed,
                                      .residual = {.measured = 1.03, .promised = triangle_robust_bound},
                                      .holds = always_claimed | Claims{Claim::residual},
@@ -21,9 +17,7 @@ struct PrintedLambda2 {
 
   template <class T>
   [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Triangle<T>& triangle) {
-    const auto [t, point, normal] = meet_plane(ray, triangle);
-
-    const auto [q, a, b, c] = Projected<T>::along_largest(normal, point, triangle.a, triangle.b, triangle.c);
+    const auto [t, q, a, b, c] = meet_and_project(ray, triangle);
 
     step<T>("Find the barycentric coordinates, the second as printed",
             "The second sign in the numerator of λ₂ is wrong: it must be +.");

@@ -1,20 +1,16 @@
 #pragma once
-#include <rayproof/method/contract.hpp>
-#include <rayproof/method/sources.hpp>
-#include <rayproof/plane/cramer.hpp>
+#include <rayproof/method/method.hpp>
+#include <rayproof/plane/parametric.hpp>
 #include <rayproof/triangle.hpp>
 
 namespace rayproof::triangle {
 
 /// Cramer with 'inside exactly when 0 <= u <= 1 and 0 <= v <= 1', **as printed** in the source: u + v <= 1 is
 /// missing, and the figure is the parallelogram over the triangle.
-///
-/// Kept so that the property tests refute it.
 struct PrintedParallelogram {
   static constexpr const char* name = "printed_parallelogram";
   static constexpr const char* title = "as printed: u and v each in [0, 1], a parallelogram";
   static constexpr Source source = sources::ban;
-  static constexpr int far_power = 0;
   static constexpr Contract contract{
       .standing = Standing::printed,
       .residual = {.measured = 1.24, .promised = triangle_robust_bound},

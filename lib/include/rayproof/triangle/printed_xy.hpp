@@ -1,20 +1,18 @@
 #pragma once
-#include <rayproof/method/contract.hpp>
-#include <rayproof/method/sources.hpp>
-#include <rayproof/triangle/in_plane.hpp>
+#include <rayproof/method/method.hpp>
+#include <rayproof/triangle/barycentric.hpp>
 
 namespace rayproof::triangle {
 
 /// Barycentric coordinates from the equations of x and y whatever the triangle's attitude, **as printed** in
 /// the source: z is always dropped.
 ///
-/// Kept so that the property tests refute it. A triangle perpendicular to the xy plane has no area in x and
-/// y and is never hit; one nearly so is hit at random. PlaneProjection is the mended form.
+/// A triangle perpendicular to the xy plane has no area in x and y and is never hit; one nearly so is hit at
+/// random. PlaneProjection is the mended form.
 struct PrintedXy {
   static constexpr const char* name = "printed_xy";
   static constexpr const char* title = "as printed: barycentric coordinates in x and y alone";
   static constexpr Source source = sources::drabek;
-  static constexpr int far_power = 0;
   static constexpr Contract contract{
       .standing = Standing::printed,
       .residual = {.measured = 1.24, .promised = triangle_robust_bound},
@@ -23,8 +21,7 @@ struct PrintedXy {
 
   template <class T>
   [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Triangle<T>& triangle) {
-    const T t = meet_plane(ray, triangle).t;
-    const vec3<T> q = point_at(ray, t);
+    const auto [t, q, n] = meet_plane(ray, triangle);
     const auto drop_z = [](const vec3<T>& p) { return Vec2<T>{p.x, p.y}; };
 
     step<T>("Find the barycentric coordinates in x and y, as printed",

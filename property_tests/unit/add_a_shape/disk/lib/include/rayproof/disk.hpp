@@ -2,7 +2,6 @@
 /// \file
 /// The disk, and the meaning of a ray/disk method's answers.
 
-#include <rayproof/formulas/normalized.hpp>
 #include <rayproof/roots.hpp>
 
 namespace rayproof {
