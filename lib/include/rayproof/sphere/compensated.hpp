@@ -55,10 +55,15 @@ struct Compensated {
     if (!(D * D > 0x1p-42 * EE)) return false;  // not for a point touched: 0 > 0
     if (D < 0) return true;
     const double smaller = min(abs(wide.lo), abs(wide.hi));
-    const double kept = D * (smaller / max(abs(wide.lo), abs(wide.hi)));
+    const double larger = max(abs(wide.lo), abs(wide.hi));
+    const double kept = D * (smaller / larger);
     if (!(kept * kept >= 0x1p-40 * EE)) return false;
     if (!(smaller * smaller * dot(ray.direction, ray.direction) >= 0x1p-42 * SS)) return false;
-    return is_clear_of_ends<T>(ray, wide.lo) && is_clear_of_ends<T>(ray, wide.hi);
+    if (!(smaller >= double{std::numeric_limits<T>::min()})) return false;
+    const auto is_beside = [](double t, double end) { return abs(t - end) <= 0x1p-22 * abs(t); };
+    return !(is_beside(wide.lo, ray.t_min) || is_beside(wide.lo, ray.t_max) ||
+             is_beside(wide.hi, ray.t_min) || is_beside(wide.hi, ray.t_max) ||
+             is_beside(smaller, infinite_from<T>) || is_beside(larger, infinite_from<T>));
   }
 
   template <class T>
