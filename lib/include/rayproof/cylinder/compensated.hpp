@@ -1,7 +1,7 @@
 #pragma once
 #include <rayproof/box/exact_slab.hpp>
 #include <rayproof/cylinder/side.hpp>
-#include <rayproof/formulas/exact_quadratic.hpp>
+#include <rayproof/formulas/expanded_quadratic.hpp>
 #include <rayproof/method/method.hpp>
 #include <utility>
 
@@ -10,7 +10,7 @@ namespace rayproof::cylinder {
 /// The exact equation a·t² - 2·b·t + c = 0 of a line and a cylinder's side, free of division: both sides are
 /// multiplied by rx²·ry². A quarter of its discriminant is (rx·ry)²·E with E = a - (o.x·d.y - o.y·d.x)².
 struct ExactSide {
-  ExactQuadratic<16, 16, 24> equation;  ///< has roots where a > 0 and E >= 0
+  ExpandedQuadratic<16, 16, 24> equation;  ///< has roots where a > 0 and E >= 0
   Expansion<double, 48> E;
 
   template <class T>

@@ -4,7 +4,7 @@
 #include <rayproof/formulas/largest_axis.hpp>
 #include <rayproof/method/method.hpp>
 #include <rayproof/point_in_polygon/winding.hpp>
-#include <rayproof/polygon/in_plane.hpp>
+#include <rayproof/polygon/by_projection.hpp>
 
 namespace rayproof::polygon {
 

@@ -1,13 +1,13 @@
 #pragma once
 #include <rayproof/point_in_polygon/parity.hpp>
-#include <rayproof/polygon/in_plane.hpp>
+#include <rayproof/polygon/by_projection.hpp>
 
 namespace rayproof::polygon {
 
 /// The Newell plane, then the crossings of half-open sides in the projection.
 ///
 /// The rounding of the hit point decides beside the boundary.
-struct Parity : InPlane<point_in_polygon::Parity> {
+struct Parity : ByProjection<point_in_polygon::Parity> {
   static constexpr const char* name = "parity";
   static constexpr const char* title = "Newell plane, then odd or even crossings";
   static constexpr Contract contract{.verdict = {.measured = 0.346, .promised = polygon_robust_bound},

@@ -1,11 +1,11 @@
 #pragma once
 #include <rayproof/point_in_polygon/printed_parity.hpp>
-#include <rayproof/polygon/in_plane.hpp>
+#include <rayproof/polygon/by_projection.hpp>
 
 namespace rayproof::polygon {
 
 /// The Newell plane, then point in polygon **as printed** in the source, with sides closed at both ends.
-struct PrintedParity : InPlane<point_in_polygon::PrintedParity> {
+struct PrintedParity : ByProjection<point_in_polygon::PrintedParity> {
   static constexpr const char* name = "printed_parity";
   static constexpr const char* title = "as printed: sides closed at both ends";
   static constexpr Contract contract{

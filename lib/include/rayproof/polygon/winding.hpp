@@ -1,13 +1,13 @@
 #pragma once
 #include <rayproof/point_in_polygon/winding.hpp>
-#include <rayproof/polygon/in_plane.hpp>
+#include <rayproof/polygon/by_projection.hpp>
 
 namespace rayproof::polygon {
 
 /// The Newell plane, then the parity of the winding number in the projection.
 ///
 /// The rounding of the hit point decides beside the boundary.
-struct Winding : InPlane<point_in_polygon::Winding> {
+struct Winding : ByProjection<point_in_polygon::Winding> {
   static constexpr const char* name = "winding";
   static constexpr const char* title = "Newell plane, then odd or even winding number";
   static constexpr Contract contract{.verdict = {.measured = 0.346, .promised = polygon_robust_bound},

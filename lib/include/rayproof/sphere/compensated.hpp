@@ -1,5 +1,5 @@
 #pragma once
-#include <rayproof/formulas/exact_quadratic.hpp>
+#include <rayproof/formulas/expanded_quadratic.hpp>
 #include <rayproof/formulas/quadratic_formula.hpp>
 #include <rayproof/method/method.hpp>
 #include <rayproof/sphere.hpp>
@@ -55,10 +55,15 @@ struct Compensated {
     if (!(D * D > 0x1p-42 * EE)) return false;  // not for a point touched: 0 > 0
     if (D < 0) return true;
     const double smaller = min(abs(wide.lo), abs(wide.hi));
-    const double kept = D * (smaller / max(abs(wide.lo), abs(wide.hi)));
+    const double larger = max(abs(wide.lo), abs(wide.hi));
+    const double kept = D * (smaller / larger);
     if (!(kept * kept >= 0x1p-40 * EE)) return false;
     if (!(smaller * smaller * dot(ray.direction, ray.direction) >= 0x1p-42 * SS)) return false;
-    return is_clear_of_ends<T>(ray, wide.lo) && is_clear_of_ends<T>(ray, wide.hi);
+    if (!(smaller >= double{std::numeric_limits<T>::min()})) return false;
+    const auto is_beside = [](double t, double end) { return abs(t - end) <= 0x1p-22 * abs(t); };
+    return !(is_beside(wide.lo, ray.t_min) || is_beside(wide.lo, ray.t_max) ||
+             is_beside(wide.hi, ray.t_min) || is_beside(wide.hi, ray.t_max) ||
+             is_beside(smaller, infinite_from<T>) || is_beside(larger, infinite_from<T>));
   }
 
   template <class T>
@@ -81,7 +86,7 @@ struct Compensated {
     const double q = estimate(b) + copysign(s, estimate(b));
     const double t1 = q / estimate(a);
     const double t0 = q == 0 ? q : estimate(c) / q;
-    const ExactQuadratic equation{a, b, c, s, std::array{min(t0, t1), max(t0, t1)}};
+    const ExpandedQuadratic equation{a, b, c, s, std::array{min(t0, t1), max(t0, t1)}};
 
     step<T>("Round each root to its own side of the interval's ends",
             "Each root is compared exactly with t_min and t_max, so rounding cannot move it into the "

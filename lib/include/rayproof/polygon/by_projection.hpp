@@ -16,7 +16,7 @@ template <std::floating_point T>
 /// polygon's plane, projected along the largest axis of the Newell normal, is inside the projected polygon or
 /// on its boundary by `Locator::locate`, a method of point_in_polygon.
 template <class Locator>
-struct InPlane {
+struct ByProjection {
   static constexpr Source source = Locator::source;
 
   template <std::floating_point T>

@@ -17,7 +17,7 @@ namespace rayproof {
 /// a·t² - 2·b·t + c with a > 0 and b² >= a·c, in exact expansions. Its lower root is that of side = -1, its
 /// upper one that of side = 1.
 template <std::size_t A, std::size_t B, std::size_t C>
-struct ExactQuadratic {
+struct ExpandedQuadratic {
   Expansion<double, A> a;
   Expansion<double, B> b;
   Expansion<double, C> c;
@@ -57,7 +57,7 @@ struct ExactQuadratic {
 };
 
 template <std::size_t A, std::size_t B, std::size_t C>
-ExactQuadratic(Expansion<double, A>, Expansion<double, B>, Expansion<double, C>, double,
-               std::array<double, 2>) -> ExactQuadratic<A, B, C>;
+ExpandedQuadratic(Expansion<double, A>, Expansion<double, B>, Expansion<double, C>, double,
+                  std::array<double, 2>) -> ExpandedQuadratic<A, B, C>;
 
 }  // namespace rayproof
