@@ -10,9 +10,10 @@ namespace rayproof {
 /// interval of t inside it, as `chord` has it.
 ///
 /// Units of the contracts. A box has six planes, and each meets the ray at a t; everything is a comparison of
-/// two such t, or of one with an end of the ray's interval. *Verdict* is the least |s - t| / (ε·(|s| + |t|))
-/// over the pairs that decide, an entry and its own exit among them; whether
-/// a ray along an axis is inside the slabs of the others is decided without rounding, and no band excuses it.
+/// two such t, or of one with an end of the ray's interval. *Verdict* is |s - t| / (ε·(|s| + |t|)) of the
+/// pair that decides: of a ray that meets the box, the nearest pair (an entry and its own exit only where the
+/// two are taken for one hit); of one that passes it by, the pair that is farthest out of order. Whether a
+/// ray along an axis is inside the slabs of the others is decided without rounding, and no band excuses it.
 /// *Ulp* is in ulps of the exact t. Under a transform both are those of a parallelepiped. *Domain* speaks of
 /// all numbers of the case that are not 0.
 template <class T>

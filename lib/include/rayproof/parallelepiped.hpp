@@ -12,10 +12,9 @@ namespace rayproof {
 ///
 /// Units of the contracts. Face pair i has the normal nᵢ = eⱼ×eₖ of size Nᵢ = |eⱼ||eₖ|; S = |origin - corner|
 /// + |e₀| + |e₁| + |e₂| and L(t) = S + |t||direction|. *Residual* is the distance of p(t) from the nearest
-/// face plane: |nᵢ·(p(t) - point of the plane)| / (ε·Nᵢ·L(t)). *Verdict* is the least such number at the ends
-/// of the ray's interval, at the entries and exits of the other face pairs, and, for a face pair that is
-/// nearly parallel to the ray, of |nᵢ·direction| / (ε·Nᵢ·|direction|). *Ulp* is in ulps of the exact t.
-/// *Domain* speaks of all numbers of the case that are not 0.
+/// face plane: |nᵢ·(p(t) - point of the plane)| / (ε·Nᵢ·L(t)). *Verdict* is such a number of the pair of
+/// planes that decides, where the ray meets the other, as for a box, or of an end of the ray's interval.
+/// *Ulp* is in ulps of the exact t. *Domain* speaks of all numbers of the case that are not 0.
 template <class T>
 struct Parallelepiped {
   vec3<T> corner;

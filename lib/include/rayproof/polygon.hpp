@@ -13,10 +13,9 @@ namespace rayproof {
 ///
 /// Units of the contracts. Let V = Σ|vᵢ||vᵢ₊₁| (which bounds the Newell normal), P the largest |vᵢ|, and
 /// L(t) = |origin| + P + |t||direction|. *Residual* is |normal·(p(t) - v₀)| / (ε·V·L(t)). *Verdict* is the
-/// least of the same at the ends of the ray's interval, of |normal·direction| / (ε·V·|direction|) (nearly
-/// parallel), and of the distance in the projection from the exact hit point to the polygon's boundary in
-/// units of ε·L(t)·V·|direction| / |normal·direction|. *Ulp* is in ulps of the exact t. *Domain* speaks of
-/// all numbers of the case that are not 0.
+/// least distance of the ray from a side of the polygon, or of an end of its interval from the polygon, in
+/// units of ε·L(t) where it is nearest. *Ulp* is in ulps of the exact t. *Domain* speaks of all numbers of
+/// the case that are not 0.
 template <class T>
 struct Polygon {
   std::vector<vec3<T>> vertices;
@@ -32,9 +31,8 @@ template <class To, class From>
 
 /// A point and a closed polygon of the plane by the even-odd rule.
 ///
-/// Units of the contracts. *Verdict* is how near the point is to the boundary or to a line through a side:
-/// the least |orientation(point, vᵢ, vᵢ₊₁)| over the sides whose closed range of y holds the point's y, in
-/// units of ε·(|point| + P)², P the largest |vᵢ|; 0 for a point on the boundary. *Domain* speaks of all
+/// Units of the contracts. *Verdict* is the point's distance from the nearest side in units of ε·(|point|
+/// + P), P the largest |vᵢ|; 0 for a point on the boundary. *Domain* speaks of all
 /// numbers of the case that are not 0.
 template <class T>
 struct PointAndPolygon {

@@ -59,12 +59,19 @@ class ExactIntersection {
 
   /// How far p(t) is from the surface.
   [[nodiscard]] virtual Scaled residual(double t) const = 0;
-  /// How near the case is to a change of verdict.
-  [[nodiscard]] virtual Scaled margin() const = 0;
+  /// How near the case is to another verdict: how much its lengths must change. Two hits that `may_merge` are
+  /// taken for one where they are near one another.
+  [[nodiscard]] virtual Scaled margin(bool may_merge) const = 0;
   /// The ratio by which naive methods degrade.
   [[nodiscard]] virtual double far() const { return 1; }
 
  protected:
+  /// Whether the ray stays beyond something: its finite end at t is its first point and it moves away
+  /// (way > 0), or its last and it has been coming nearer (way < 0).
+  [[nodiscard]] bool stays_beyond(int way, double t) const {
+    return (way > 0 && t == question_.ray.t_min) || (way < 0 && t == question_.ray.t_max);
+  }
+
   /// Appends a hit of the whole line where the ray's interval holds it.
   template <class Number>
   void add(ExactContacts& hits, Number t, Contact contact) const {

@@ -83,10 +83,10 @@ class FlatIntersection : public PlanarIntersection {
   }
 
   [[nodiscard]] Scaled residual(double t) const override {
-    return ratio(abs(approximate(slope_ * Ring(t) - gap_)), sizes().unit(0, Scaled(t)));
+    return ratio(abs(approximate(height_at(t))), sizes().unit(0, Scaled(t)));
   }
   /// Of the ends of the interval; and of an open end, how near the ray is to being parallel.
-  [[nodiscard]] Scaled margin() const override {
+  [[nodiscard]] Scaled margin(bool) const override {
     const std::vector<double> ends = finite_ends(question().ray);
     Scaled nearest = ends.size() < 2 ? steepness() : endless();
     for (const double end : ends) reduce(nearest, residual(end));
@@ -99,6 +99,8 @@ class FlatIntersection : public PlanarIntersection {
 
   [[nodiscard]] const Vector<Ring>& plane_normal() const { return normal_; }
   [[nodiscard]] bool is_parallel() const { return sign(slope_) == 0; }
+  /// normal·p(t) - offset.
+  [[nodiscard]] Ring height_at(double t) const { return slope_ * Ring(t) - gap_; }
   /// Of a line that is not parallel.
   [[nodiscard]] Quotient t() const { return {gap_, slope_}; }
   /// |normal·direction| / (N·|direction|): how near the ray is to being parallel.

@@ -9,32 +9,35 @@
 namespace rayproof::oracle {
 namespace {
 
-/// The least |orientation| of the point and a side at its height, in units of (|point| + P)².
+/// A point of the plane in exact numbers.
+PlanePoint exactly(const Vec2<double>& v) { return {Ring(v.x), Ring(v.y)}; }
+
+std::vector<PlanePoint> exactly(const std::vector<Vec2<double>>& vertices) {
+  std::vector<PlanePoint> points;
+  points.reserve(vertices.size());
+  for (const auto& vertex : vertices) points.push_back(exactly(vertex));
+  return points;
+}
+
+/// The distance of the point from the nearest side in units of |point| + P.
 Scaled margin_of(const PointAndPolygon<double>& question) {
   const auto length = [](const Vec2<double>& v) { return norm(glm::dvec3(v.x, v.y, 0)); };
-  Scaled farthest;
+  Scaled farthest, nearest = endless();
   for (const auto& vertex : question.vertices) farthest = std::max(farthest, length(vertex));
   const Scaled reach = length(question.point) + farthest;
-  Scaled nearest = endless();
-  const Ring x(question.point.x), y(question.point.y);
-  const Vec2<double>* from = &question.vertices.back();
-  for (const Vec2<double>& to : question.vertices) {
-    if (std::min(from->y, to.y) <= question.point.y && question.point.y <= std::max(from->y, to.y)) {
-      const Ring area = (Ring(from->x) - x) * (Ring(to.y) - y) - (Ring(from->y) - y) * (Ring(to.x) - x);
-      reduce(nearest, ratio(abs(approximate(area)), reach * reach));
-    }
-    from = &to;
-  }
+  const PlanePoint point = exactly(question.point);
+  const std::vector<PlanePoint> vertices = exactly(question.vertices);
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    reduce(
+        nearest,
+        ratio(distance_to_side(point, Ring(1.0), vertices[i], vertices[(i + 1) % vertices.size()]), reach));
   return nearest;
 }
 
 }  // namespace
 
 Position answer(const PointAndPolygon<double>& question, Precision) {
-  std::vector<PlanePoint> vertices;
-  vertices.reserve(question.vertices.size());
-  for (const auto& vertex : question.vertices) vertices.push_back({Ring(vertex.x), Ring(vertex.y)});
-  const Contact contact = locate({Ring(question.point.x), Ring(question.point.y)}, Ring(1.0), vertices);
+  const Contact contact = locate(exactly(question.point), Ring(1.0), exactly(question.vertices));
   if (contact == Contact::crossing) return Position::inside;
   return contact == Contact::none ? Position::outside : Position::boundary;
 }
@@ -47,7 +50,7 @@ Judgement judge(const PointAndPolygon<double>& question, Precision precision, Po
   judgement.wrong = claimed != exact;
   if (judgement.wrong) {
     judgement.ulp = std::nan("");
-    judgement.margin = in_units(margin_of(question), precision);
+    judgement.margin = exact == Position::boundary ? 0 : in_units(margin_of(question), precision);
   }
   return judgement;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "oracle/geometry/clearance.hpp"
 #include "oracle/geometry/locate.hpp"
 #include "oracle/geometry/newell.hpp"
 #include "oracle/shapes/flat.hpp"
@@ -35,24 +36,28 @@ class PolygonIntersection final : public FlatIntersection {
       : FlatIntersection(question, plane_through(polygon.vertices.front(), newell_normal<Ring>(polygon))),
         polygon_(polygon) {}
 
-  [[nodiscard]] Scaled margin() const override {
-    Scaled nearest = FlatIntersection::margin();
-    reduce(nearest, steepness());
-    if (is_parallel()) return nearest;
-    const Scaled unit = sizes().reach(t().estimate()) / steepness();
-    const PlaneMeeting at = meeting(t());
-    const PlanePoint* from = &at.vertices.back();
-    for (const PlanePoint& to : at.vertices) {
-      reduce(nearest, ratio(distance_to_side(at.point, at.weight, *from, to), unit));
-      from = &to;
+  /// How near the ray comes to a side, or one of its ends to the polygon.
+  [[nodiscard]] Scaled margin(bool) const override {
+    const Scaled scale = approximate(ray().scale);
+    const RayPart part{approximate(ray().direction), question().ray.t_min, question().ray.t_max,
+                       scale * sizes().origin, scale * sizes().direction};
+    const auto seen = [&](const glm::dvec3& vertex) {
+      return approximate(ray().scale * Vector<Ring>::from(vertex) - ray().origin);
+    };
+    Scaled nearest = endless();
+    Vector<Scaled> from = seen(polygon_.vertices.back());
+    for (const glm::dvec3& vertex : polygon_.vertices) {
+      const Vector<Scaled> to = seen(vertex);
+      reduce(nearest, part.distance_to(from, to));
+      from = to;
     }
+    for (const double end : finite_ends(question().ray)) reduce(nearest, height_over_polygon(end));
     return nearest;
   }
 
  protected:
   [[nodiscard]] Contact contact_at(const Quotient& t) const override {
-    const PlaneMeeting at = meeting(t);
-    return locate(at.point, at.weight, at.vertices);
+    return located(t.denominator() * ray().origin + t.numerator() * ray().direction, t.denominator());
   }
 
   [[nodiscard]] Scaled position() const override {
@@ -72,19 +77,25 @@ class PolygonIntersection final : public FlatIntersection {
   }
 
  private:
-  /// The point in which the line meets the plane, times a positive weight, and the vertices, projected.
-  struct PlaneMeeting {
-    PlanePoint point;
-    Ring weight;
-    std::vector<PlanePoint> vertices;
-  };
-  [[nodiscard]] PlaneMeeting meeting(const Quotient& t) const {
+  /// How a point of the plane touches the polygon; the point comes times a positive weight.
+  [[nodiscard]] Contact located(const Vector<Ring>& point, const Ring& weight) const {
     const Projection project(plane_normal());
-    const Vector<Ring> point = t.denominator() * ray().origin + t.numerator() * ray().direction;
-    PlaneMeeting at{project(point), ray().scale * t.denominator(), {}};
-    at.vertices.reserve(polygon_.vertices.size());
-    for (const glm::dvec3& vertex : polygon_.vertices) at.vertices.push_back(project(vertex));
-    return at;
+    std::vector<PlanePoint> vertices;
+    vertices.reserve(polygon_.vertices.size());
+    for (const glm::dvec3& vertex : polygon_.vertices) vertices.push_back(project(vertex));
+    return locate(project(point), ray().scale * weight, vertices);
+  }
+
+  /// The distance of p(t) from the polygon in units of L(t), where its foot on the plane lies in it; endless
+  /// beside it, where its sides are nearest, and where it has no area.
+  [[nodiscard]] Scaled height_over_polygon(double t) const {
+    const Vector<Ring>& normal = plane_normal();
+    const Ring squared = dot(normal, normal), height = height_at(t);
+    if (sign(squared) == 0) return endless();
+    const Vector<Ring> foot = squared * (ray().origin + Ring(t) * ray().direction) - height * normal;
+    if (located(foot, squared) == Contact::none) return endless();
+    const Scaled reach = approximate(ray().scale) * sizes().reach(Scaled(t));
+    return ratio(abs(approximate(height)), sqrt(approximate(squared)) * reach);
   }
 
   const Polygon<double>& polygon_;

@@ -19,9 +19,10 @@ Scaled residual_of(const Quadratic<double>& q, double x) {
   return ratio(abs(approximate(axx + bx + Ring(q.c))), size);
 }
 
-/// How near the discriminant is to 0, in units of b² + 4|ac|.
+/// How near the discriminant is to 0, in units of b² + 4|ac|. No change by a share of its own makes a 0
+/// another number.
 Scaled margin_of(const Quadratic<double>& q) {
-  if (q.a == 0) return endless();
+  if (q.a == 0 || (q.b == 0 && q.c == 0)) return endless();
   const Ring bb = Ring(q.b) * Ring(q.b);
   const Ring ac4 = Ring(4.0) * Ring(q.a) * Ring(q.c);
   return ratio(abs(approximate(bb - ac4)), approximate(bb) + abs(approximate(ac4)));

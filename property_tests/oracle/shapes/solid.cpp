@@ -63,18 +63,27 @@ class SolidIntersection final : public PlanarIntersection {
     return nearest;
   }
 
-  [[nodiscard]] Scaled margin() const override {
-    Scaled nearest = endless();
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (const double end : finite_ends(question().ray)) reduce(nearest, distance(i, end));
-      for (std::size_t j = 0; j < 3; ++j) {
-        if (i == j || met_[j].is_parallel()) continue;
-        reduce(nearest, distance(i, met_[j].entry()));
-        reduce(nearest, distance(i, met_[j].exit()));
+  /// The line is in the solid where it has come into every slab and left none: the condition that is broken
+  /// most, or the one that holds most narrowly. An end of the ray counts where the line meets the solid.
+  [[nodiscard]] Scaled margin(bool may_merge) const override {
+    Scaled narrowest = endless();
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j)
+        if (i != j || may_merge)
+          reduce(narrowest, met_[i].is_parallel() ? depth(i, Quotient(0.0)) : lead(i, j));
+    Scaled nearest = abs(narrowest), beyond;
+    for (const double end : finite_ends(question().ray)) {
+      const Quotient at(end);
+      Scaled inside = endless();
+      for (std::size_t i = 0; i < 3; ++i) {
+        const SlabMeeting& met = met_[i];
+        reduce(inside, depth(i, at));
+        const int side = sign(met.beyond(met.high, at)) > 0 ? 1 : std::min(sign(met.beyond(met.low, at)), 0);
+        if (stays_beyond(side * sign(met.speed), end)) beyond = std::max(beyond, abs(depth(i, at)));
       }
-      reduce(nearest, thickness(i));
+      if (narrowest.sign() >= 0) reduce(nearest, abs(inside));
     }
-    return nearest;
+    return std::max(nearest, beyond);
   }
 
  protected:
@@ -98,12 +107,24 @@ class SolidIntersection final : public PlanarIntersection {
   [[nodiscard]] Scaled distance(std::size_t slab, const Quotient& t) const {
     return std::min(distance(slab, met_[slab].low, t), distance(slab, met_[slab].high, t));
   }
-  /// How far the two planes of a slab are apart where the line meets them: two hits may round to one.
-  [[nodiscard]] Scaled thickness(std::size_t slab) const {
-    const SlabMeeting& met = met_[slab];
-    // A slab of no thickness is met at one t by any method: its two planes are the same number.
-    if (met.is_parallel() || sign(met.high - met.low) == 0) return endless();
-    return distance(slab, sign(met.speed) > 0 ? met.high : met.low, met.entry());
+  /// How far inside a slab p(t) is; negative outside.
+  [[nodiscard]] Scaled depth(std::size_t slab, const Quotient& t) const {
+    const auto beyond = [&](const Ring& bound, int side) {
+      const Scaled gap = distance(slab, bound, t);
+      return side * sign(met_[slab].beyond(bound, t)) < 0 ? -gap : gap;
+    };
+    return std::min(beyond(met_[slab].low, 1), beyond(met_[slab].high, -1));
+  }
+  /// How long the line has come into slab i, to which it is not parallel, when it leaves slab j; negative
+  /// where it has left before. Two hits of one slab may round to one, but a slab of no thickness is met at
+  /// one t by any method: its two planes are the same number.
+  [[nodiscard]] Scaled lead(std::size_t i, std::size_t j) const {
+    const SlabMeeting &into = met_[i], &out_of = met_[j];
+    if (out_of.is_parallel() || (i == j && sign(into.high - into.low) == 0)) return endless();
+    const Quotient entry = into.entry(), exit = out_of.exit();
+    const Scaled gap = std::min(distance(i, sign(into.speed) > 0 ? into.low : into.high, exit),
+                                distance(j, sign(out_of.speed) > 0 ? out_of.high : out_of.low, entry));
+    return exit.compare(entry) < 0 ? -gap : gap;
   }
 
   const Solid& solid_;

@@ -36,8 +36,8 @@ class TriangleIntersection final : public FlatIntersection {
     return std::array{weight(volumes_[0]), weight(volumes_[1]), weight(volumes_[2])};
   }
 
-  [[nodiscard]] Scaled margin() const override {
-    Scaled nearest = FlatIntersection::margin();
+  [[nodiscard]] Scaled margin(bool may_merge) const override {
+    Scaled nearest = FlatIntersection::margin(may_merge);
     reduce(nearest, steepness());
     const Scaled scale = approximate(ray().scale), length = sizes().origin;
     const Scaled unit = scale * scale * scale * length * length * sizes().direction;

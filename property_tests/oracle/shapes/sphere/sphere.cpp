@@ -45,7 +45,9 @@ class SphereIntersection final : public ExactIntersection {
     return nearest;
   }
   [[nodiscard]] Scaled residual(double t) const override { return distance_at(t) / sizes().unit; }
-  [[nodiscard]] Scaled margin() const override { return ratio(distance_to_other_verdict(), sizes().unit); }
+  [[nodiscard]] Scaled margin(bool) const override {
+    return ratio(distance_to_other_verdict(), sizes().unit);
+  }
   [[nodiscard]] double far() const override { return sizes().far; }
 
  private:

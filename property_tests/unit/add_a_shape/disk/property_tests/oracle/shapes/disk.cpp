@@ -13,8 +13,8 @@ class DiskIntersection final : public FlatIntersection {
       : FlatIntersection(question, plane_through(disk.center, Vector<Ring>::from(disk.normal))),
         disk_(disk) {}
 
-  [[nodiscard]] Scaled margin() const override {
-    Scaled nearest = FlatIntersection::margin();
+  [[nodiscard]] Scaled margin(bool may_merge) const override {
+    Scaled nearest = FlatIntersection::margin(may_merge);
     reduce(nearest, steepness());
     if (!is_parallel()) reduce(nearest, from_rim());
     return nearest;
