@@ -69,9 +69,9 @@ std::vector<double> reach_of(Case one, double share) {
 }
 
 /// A search for an input whose numbers lie within `reach` of the case's and whose verdict is another one.
-class Search {
+class VerdictSearch {
  public:
-  Search(const Case& one, double share)
+  VerdictSearch(const Case& one, double share)
       : given_(one), near_(one), reach_(reach_of(one, share)), verdict_(verdict_of(one)) {
     near_.precision = given_.precision = Precision::float64;  // holds the inputs between the floats
   }
@@ -151,7 +151,7 @@ TEST_P(Margin, OfAnExcusedVerdictHasAnInputOfAnotherVerdictWithinTheBand) {
           judgement.smallest >= -28 && judgement.largest <= 28 && judgement.far < 0x1p28;
       if (!is_in_domain || judgement.margin > band) continue;
       ++excused;
-      if (!Search(one, 2 * band * unit_roundoff(one.precision)).finds_another_verdict())
+      if (!VerdictSearch(one, 2 * band * unit_roundoff(one.precision)).finds_another_verdict())
         unexplained.push_back(family.name + " " + write_case(one));
     }
   }
