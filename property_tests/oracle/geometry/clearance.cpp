@@ -7,8 +7,7 @@
 namespace rayproof::oracle {
 
 Scaled RayPart::in_units(const Vector<Scaled>& apart, const Scaled& t) const {
-  const Scaled distance = norm(apart);
-  return distance.sign() == 0 ? distance : distance / (origin_reach + abs(t) * direction_reach);
+  return ratio(norm(apart), origin_reach + abs(t) * direction_reach);
 }
 
 Scaled RayPart::distance_to(const Vector<Scaled>& point) const {

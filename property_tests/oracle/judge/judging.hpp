@@ -68,11 +68,6 @@ inline void reduce(Scaled& smallest, const Scaled& x) {
   if (x < smallest) smallest = x;
 }
 
-/// error / unit; an error of 0 is 0 in units of 0, too.
-[[nodiscard]] inline Scaled ratio(const Scaled& error, const Scaled& unit) {
-  return error.sign() == 0 ? error : error / unit;
-}
-
 /// More than any margin that matters.
 [[nodiscard]] inline Scaled endless() { return {1, 1L << 40}; }
 

@@ -57,6 +57,11 @@ class Scaled {
   long exponent_;
 };
 
+/// error / unit; an error of 0 is 0 in units of 0, too.
+[[nodiscard]] inline Scaled ratio(const Scaled& error, const Scaled& unit) {
+  return error.sign() == 0 ? error : error / unit;
+}
+
 /// The sign of an exact number: -1, 0 or 1.
 [[nodiscard]] inline int sign(const Ring& x) { return static_cast<int>(x.sign()); }
 
