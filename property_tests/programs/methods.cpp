@@ -17,7 +17,9 @@ using namespace rayproof;
 /// JSON has no infinity: a bound that is not promised is null.
 Json to_json(const Bound& bound) {
   const auto finite_or_null = [](double x) { return std::isfinite(x) ? Json(x) : Json(); };
-  return {{"measured", finite_or_null(bound.measured)}, {"promised", finite_or_null(bound.promised)}};
+  return {{"measured", finite_or_null(bound.measured)},
+          {"promised", finite_or_null(bound.promised)},
+          {"far_power", bound.far_power}};
 }
 
 Json to_json(const Contract& contract) {
@@ -48,7 +50,6 @@ Json to_json(const Subject& subject) {
           {"title", subject.title},
           {"source", {{"author", source.author}, {"title", source.title}, {"year", source.year}}},
           {"standing", standing_name(subject.contract.standing)},
-          {"far_power", subject.far_power},
           {"contract", to_json(subject.contract)}};
 }
 
@@ -96,8 +97,9 @@ void print_table() {
     fmt::print(row, subject.full_name(), standing_name(contract.standing), in_words(contract.verdict),
                in_words(contract.residual), in_words(contract.ulp));
     print_detail(fmt::format("{} ({}, {}, {})", subject.title, source.author, source.title, source.year));
-    print_detail(in_words(contract.domain) +
-                 (subject.far_power == 0 ? "" : fmt::format("; far_power {}", subject.far_power)));
+    print_detail(
+        in_words(contract.domain) +
+        (contract.verdict.far_power == 0 ? "" : fmt::format("; far_power {}", contract.verdict.far_power)));
     for (const auto& [claim, because] : contract.refuted)
       if (!because.empty()) print_detail(fmt::format("breaks {}: {}", claim_name(claim), because));
   }
@@ -131,8 +133,10 @@ does, its source, its domain, and which properties of rayproof check it breaks.
              last place: distances from one floating-point number to the next.
   domain     The bounds hold while the sizes that enter the formula lie between
              2^-N and 2^N (2^±N); beyond, it may overflow or underflow.
-  far_power  Where it is 1, the units of verdict and residual grow with the
-             origin's distance over the shape's size; else they do not.
+  far_power  Where it is 1, the unit of the verdict's band grows: for a sphere
+             or a cylinder, as that of the residual, with the origin's distance
+             over the shape's size; for a triangle with 1 over its steepness,
+             that is, where it is thin or seen edge-on.
   breaks     A property that the method fails, and why; rayproof check must find
              the counterexample.
 

@@ -44,11 +44,12 @@ struct Worst {
     ++cases;
     if (is_transformed(trial.question())) ++transformed;
     const oracle::Judgement& judgement = trial.judgement();
-    const double unit = std::pow(judgement.far, trial.subject().far_power);
-    residual = std::max(residual, judgement.residual / unit);
+    const Contract& contract = trial.subject().contract;
+    const auto unit = [&](const Bound& bound) { return std::pow(judgement.far, bound.far_power); };
+    residual = std::max(residual, judgement.residual / unit(contract.residual));
     if (judgement.wrong) {
       ++wrong;
-      verdict = std::max(verdict, judgement.margin / unit);
+      verdict = std::max(verdict, judgement.margin / unit(contract.verdict));
     } else {
       ulp = std::max(ulp, judgement.ulp);
     }

@@ -23,7 +23,6 @@ template <class Topic, class Method>
   subject.title = Method::title;
   subject.source = Method::source;
   subject.contract = Method::contract;
-  if constexpr (requires { Method::far_power; }) subject.far_power = Method::far_power;
   using Topical = Reading<Topic>;
   subject.answer = [](const Case& one) {
     return in_precision(one.precision, [&]<class T>(T) -> Answer {

@@ -37,7 +37,6 @@ struct Subject {
   std::string title;  ///< one line on what it does
   Source source{};
   Contract contract{};
-  int far_power = 0;
   /// Answers a case; never throws, whatever the bits (a NaN anywhere gives a miss).
   Answer (*answer)(const Case&) = nullptr;
   /// The same through the library's batch interface, the case repeated among `lanes` others; null where there

@@ -14,12 +14,12 @@ namespace rayproof {
 /// 0 where the line touches the side and `lo == hi`, positive for one or two hits, negative for none.
 ///
 /// Units of the contracts. In the plane scaled by (1/rx, 1/ry) the side is the unit circle; let S = |origin|
-/// there + 1, with p = `far_power` and Z(t) = |origin.z| + height + |t||direction.z|. *Residual* of a hit on
-/// the side is its distance from the circle in units of ε·S·S^p; of one on a cap, its distance from the cap's
-/// plane in units of ε·Z(t). *Verdict* is the least change of the circle's radius (units ε·S·S^p) or of a
-/// cap's height (units ε·Z(t)) that changes the number of hits; of a ray that several of them keep from the
-/// cylinder, the greatest. *Ulp* is in ulps of the exact t. *Domain*
-/// speaks of all numbers of the case that are not 0.
+/// there + 1, with p = `far_power` of the bound, and Z(t) = |origin.z| + height + |t||direction.z|.
+/// *Residual* of a hit on the side is its distance from the circle in units of ε·S·S^p; of one on a cap, its
+/// distance from the cap's plane in units of ε·Z(t). *Verdict* is the least change of the circle's radius
+/// (units ε·S·S^p) or of a cap's height (units ε·Z(t)) that changes the number of hits; of a ray that several
+/// of them keep from the cylinder, the greatest. *Ulp* is in ulps of the exact t. *Domain* speaks of all
+/// numbers of the case that are not 0.
 template <class T>
 struct Cylinder {
   T rx, ry, height;

@@ -10,7 +10,7 @@ namespace rayproof {
 ///
 /// Units of the contracts. Let S = |origin - center| + radius, the size of the scene as the ray sees it, and
 /// ε the unit roundoff (2^-24 in float, 2^-53 in double). *Verdict* and *residual* are lengths in units of
-/// ε·S·(S/radius)^p with p = `far_power` of the method, 0 where it has none: a verdict may be wrong only
+/// ε·S·(S/radius)^p with p = `far_power` of the bound: a verdict may be wrong only
 /// where a sphere whose radius differs by that length has the other verdict, and every hit p(t) is within
 /// that length of the surface. *Ulp* is in ulps of the exact t. *Domain* speaks of S and of |direction|.
 /// Under a transform, lengths are measured in the sphere's own space, the unit grows by the transform's

@@ -9,11 +9,12 @@ namespace rayproof {
 /// The closed triangle a b c: edges and vertices belong to it, from either side. Its normal is (b-a)×(c-a).
 ///
 /// Units of the contracts. Let E be the product of the lengths of its two longest edges, P the largest of
-/// |a|, |b|, |c|, S = |origin| + P, and L(t) = S + |t||direction|. *Residual* is the distance of p(t) from
-/// the triangle's plane: |normal·(p(t) - a)| / (ε·E·L(t)). *Verdict* is the least of the same at the ends of
-/// the ray's interval, of |normal·direction| / (ε·E·|direction|) (nearly parallel), and of the three volumes
-/// |direction·((a-o)×(b-o))| / (ε·S²·|direction|) (a ray that passes near an edge). *Ulp* is in ulps of the
-/// exact t. *Domain* speaks of all numbers of the case that are not 0.
+/// |a|, |b|, |c|, and L(t) = |origin| + P + |t||direction|. *Residual* is the distance of p(t) from the
+/// triangle's plane: |normal·(p(t) - a)| / (ε·E·L(t)). *Verdict* is the least distance of the ray from an
+/// edge of the triangle, or of an end of its interval from the triangle, in units of ε·L(t) where it is
+/// nearest; of a bound with a `far_power` p in units of ε·L(t)/s^p, where s = |normal·direction| /
+/// (E·|direction|), the *steepness*, is small for a thin triangle and for one seen edge-on. *Ulp* is in ulps
+/// of the exact t. *Domain* speaks of all numbers of the case that are not 0.
 template <class T>
 struct Triangle {
   vec3<T> a, b, c;
@@ -27,5 +28,9 @@ template <class To, class From>
 
 /// The bound, in the units above, that a robust ray/triangle method keeps (Claim::robust).
 inline constexpr double triangle_robust_bound = 4;
+
+/// Why the methods that divide volumes do not keep it.
+inline constexpr const char* triangle_volumes_cancel =
+    "the volumes of a triangle thin or seen edge-on are small beside their rounding";
 
 }  // namespace rayproof

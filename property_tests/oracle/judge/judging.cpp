@@ -20,9 +20,9 @@ Judgement judge(const ExactIntersection& exact, Precision precision, const RayAn
                glm::dvec3(map[1]), glm::dvec3(map[2]), glm::dvec3(map[3]));
   };
   std::visit(note, question.shape);
-  judgement.far = exact.far();
   judgement.hit = !hits.empty();
   judgement.wrong = is_wrong_count(hits.size(), claimed);
+  if (judgement.wrong || claimed.hits.count > 0) judgement.far = exact.far();
   if (judgement.wrong) {
     const bool may_merge = hits.size() == 2 && claimed.hits.count == 1 && !claimed.nearest_only;
     judgement.margin = in_units(exact.margin(may_merge), precision);

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "oracle/shapes/flat.hpp"
+#include "oracle/shapes/outlined.hpp"
 #include "oracle/shapes/shapes.hpp"
 
 namespace rayproof::oracle {
@@ -24,11 +24,11 @@ std::array<Ring, 3> volumes_of(const ObjectRay<Ring>& ray, const Triangle<double
   return {dot(ray.direction, cross(b, c)), dot(ray.direction, cross(c, a)), dot(ray.direction, cross(a, b))};
 }
 
-class TriangleIntersection final : public FlatIntersection {
+class TriangleIntersection final : public OutlinedIntersection {
  public:
   TriangleIntersection(const RayQuestion& question, const Triangle<double>& triangle)
-      : FlatIntersection(question, plane_of(triangle)),
-        triangle_(triangle),
+      : OutlinedIntersection(question, plane_of(triangle)),
+        corners_{triangle.a, triangle.b, triangle.c},
         volumes_(volumes_of(ray(), triangle)) {}
 
   [[nodiscard]] std::optional<std::array<Quotient, 3>> barycentric() const override {
@@ -36,16 +36,11 @@ class TriangleIntersection final : public FlatIntersection {
     return std::array{weight(volumes_[0]), weight(volumes_[1]), weight(volumes_[2])};
   }
 
-  [[nodiscard]] Scaled margin(bool may_merge) const override {
-    Scaled nearest = FlatIntersection::margin(may_merge);
-    reduce(nearest, steepness());
-    const Scaled scale = approximate(ray().scale), length = sizes().origin;
-    const Scaled unit = scale * scale * scale * length * length * sizes().direction;
-    for (const Ring& volume : volumes_) reduce(nearest, ratio(abs(approximate(volume)), unit));
-    return nearest;
-  }
+  /// 1 over the steepness.
+  [[nodiscard]] double far() const override { return 1 / value(steepness()); }
 
  protected:
+  [[nodiscard]] std::span<const glm::dvec3> corners() const override { return corners_; }
   [[nodiscard]] Contact contact_at(const Quotient&) const override {
     const int whole = sign(sum());
     int on_sides = 0;
@@ -57,16 +52,13 @@ class TriangleIntersection final : public FlatIntersection {
     return on_sides == 2 ? Contact::vertex : on_sides == 1 ? Contact::edge : Contact::crossing;
   }
 
-  [[nodiscard]] Scaled position() const override {
-    return std::max({norm(triangle_.a), norm(triangle_.b), norm(triangle_.c)});
-  }
   /// The product of the two longest edges.
   [[nodiscard]] std::array<Scaled, 3> normal_sizes() const override {
     const auto edge = [](const glm::dvec3& from, const glm::dvec3& to) {
       return norm(Vector<Ring>::from(to) - Vector<Ring>::from(from));
     };
-    std::array<Scaled, 3> edges{edge(triangle_.a, triangle_.b), edge(triangle_.b, triangle_.c),
-                                edge(triangle_.c, triangle_.a)};
+    std::array<Scaled, 3> edges{edge(corners_[0], corners_[1]), edge(corners_[1], corners_[2]),
+                                edge(corners_[2], corners_[0])};
     std::ranges::sort(edges, [](const Scaled& x, const Scaled& y) { return x < y; });
     return {edges[1] * edges[2]};
   }
@@ -74,7 +66,7 @@ class TriangleIntersection final : public FlatIntersection {
  private:
   [[nodiscard]] Ring sum() const { return volumes_[0] + volumes_[1] + volumes_[2]; }
 
-  const Triangle<double>& triangle_;
+  std::array<glm::dvec3, 3> corners_;
   std::array<Ring, 3> volumes_;
 };
 

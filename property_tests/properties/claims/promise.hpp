@@ -29,12 +29,17 @@ struct Promise {
   return bound;
 }
 
-/// A naive method's bounds grow with the scene's size. Under a transform the ray has been rounded before the
+/// The bound in the units of the topic's contract with far_power 0, for a case of that ratio.
+[[nodiscard]] inline double promised(const Bound& bound, double far) {
+  return bound.promised * std::pow(far, bound.far_power);
+}
+
+/// Under a transform the ray has been rounded before the
 /// method sees it: then nobody is held to more than the robust bound, and no ulp is promised.
 [[nodiscard]] inline Promise promise_for(Trial& trial) {
   const Contract& contract = trial.subject().contract;
-  const double growth = std::pow(trial.judgement().far, trial.subject().far_power);
-  const Promise promise{contract.verdict.promised * growth, contract.residual.promised * growth,
+  const double far = trial.judgement().far;
+  const Promise promise{promised(contract.verdict, far), promised(contract.residual, far),
                         contract.ulp.promised};
   if (!is_transformed(trial.question())) return promise;
   const double robust = robust_bound(trial.subject().topic).value_or(0);

@@ -18,8 +18,8 @@ that was met, “of” the one that is promised. A wrong verdict within its prom
 <dt>robust</dt><dd>Verdict and residual keep the bound that the best plain methods of the shape keep.</dd>
 <dt>domain</dt><dd>The sizes of numbers for which a method promises anything: between 2⁻ʳ and 2ʳ, where r is its reach. Outside,
 intermediate results over- or underflow. Cases outside the domain are not counted here.</dd>
-<dt>far_power</dt><dd>A naive method's contract unit grows with the distance of the shape: by (size of the scene ÷ size of the
-shape) to this power. So a naive method can keep its own contract and still err by 10¹⁶ ulps: its contract promises that little.</dd>
+<dt>far_power</dt><dd>A naive method's contract unit grows: by (size of the scene ÷ size of the shape) to this power; of a
+triangle, by 1 ÷ its steepness, which is small where it is thin or seen edge-on. So a naive method can keep its own contract and still err by 10¹⁶ ulps: its contract promises that little.</dd>
 <dt>sound, naive, printed</dt><dd>A sound method keeps a small bound everywhere in its domain. A naive one is the right formula
 in an arithmetic that loses its digits. A printed one is copied from a lecture together with the lecture's error. Of naive and printed
 methods the contract declares what they break, and the check must find a counterexample (‡).</dd></dl></details>

@@ -27,11 +27,10 @@ struct Textbook {
   static constexpr const char* name = "textbook";
   static constexpr const char* title = "quadratic formula for the side, then the heights";
   static constexpr Source source = sources::maric;
-  static constexpr int far_power = 1;
   static constexpr Contract contract{
       .standing = Standing::naive,
-      .verdict = {.measured = 2.2, .promised = 16},
-      .residual = {.measured = 2.55, .promised = 16},
+      .verdict = {.measured = 2.2, .promised = 16, .far_power = 1},
+      .residual = {.measured = 2.55, .promised = 16, .far_power = 1},
       .domain = {.reach_float = 12, .reach_double = 110, .every_number = true},
       .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::moved, Claim::scaled,
                                        Claim::reversed, Claim::bounded},

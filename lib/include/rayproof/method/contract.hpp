@@ -46,10 +46,12 @@ class Claims {
 
 /// An error bound: the worst error ever measured, and the bound that is promised and tested. The unit is the
 /// shape's (`sphere.hpp`, `quadratic.hpp` say which); docs/nightly.md has the command that measures. Where
-/// nothing is promised, `promised` is infinite.
+/// nothing is promised, `promised` is infinite. The unit of a naive method's bound grows with the ratio by
+/// which its arithmetic suffers, to the power `far_power`; the shape says which ratio.
 struct Bound {
   double measured = std::numeric_limits<double>::infinity();
   double promised = std::numeric_limits<double>::infinity();
+  int far_power = 0;
 };
 
 /// How far a method is to be trusted.

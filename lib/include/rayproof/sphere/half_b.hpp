@@ -12,11 +12,10 @@ struct HalfB {
   static constexpr const char* name = "half_b";
   static constexpr const char* title = "half-b form, any direction length";
   static constexpr Source source{"E. V. Shikin, A. V. Boreskov", "Komp'yuternaya grafika", 1996};
-  static constexpr int far_power = 1;
   static constexpr Contract contract{
       .standing = Standing::naive,
-      .verdict = {.measured = 3.92, .promised = 16},
-      .residual = {.measured = 4.08, .promised = 16},
+      .verdict = {.measured = 3.92, .promised = 16, .far_power = 1},
+      .residual = {.measured = 4.08, .promised = 16, .far_power = 1},
       .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::moved, Claim::scaled,
                                        Claim::reversed, Claim::bounded},
       .refuted = {{{Claim::robust, "b² and ac of a far sphere agree in all the digits that are kept"}}}};

@@ -13,11 +13,10 @@ struct Stable {
   static constexpr const char* name = "stable";
   static constexpr const char* title = "stable roots on the textbook's coefficients";
   static constexpr Source source = sources::press;
-  static constexpr int far_power = 1;
   static constexpr Contract contract{
       .standing = Standing::naive,
-      .verdict = {.measured = 3.92, .promised = 16},
-      .residual = {.measured = 4.08, .promised = 16},
+      .verdict = {.measured = 3.92, .promised = 16, .far_power = 1},
+      .residual = {.measured = 4.08, .promised = 16, .far_power = 1},
       .holds = always_claimed |
                Claims{Claim::verdict, Claim::residual, Claim::moved, Claim::scaled, Claim::bounded},
       .refuted = {

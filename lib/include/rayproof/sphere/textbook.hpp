@@ -32,11 +32,10 @@ struct Textbook {
   static constexpr const char* name = "textbook";
   static constexpr const char* title = "quadratic formula in a, b, c";
   static constexpr Source source = sources::ban;
-  static constexpr int far_power = 1;
   static constexpr Contract contract{
       .standing = Standing::naive,
-      .verdict = {.measured = 3.92, .promised = 16},
-      .residual = {.measured = 4.08, .promised = 16},
+      .verdict = {.measured = 3.92, .promised = 16, .far_power = 1},
+      .residual = {.measured = 4.08, .promised = 16, .far_power = 1},
       .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::moved, Claim::scaled,
                                        Claim::reversed, Claim::bounded},
       .refuted = {{{Claim::robust, "b² and 4ac of a far sphere agree in all the digits that are kept"}}}};

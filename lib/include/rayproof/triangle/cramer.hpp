@@ -14,9 +14,13 @@ struct Cramer {
   static constexpr const char* name = "cramer";
   static constexpr const char* title = "parametric plane by Cramer's rule";
   static constexpr Source source = sources::ban;
-  static constexpr Contract contract{.verdict = {.measured = 0.916, .promised = triangle_robust_bound},
-                                     .residual = {.measured = 1.11, .promised = triangle_robust_bound},
-                                     .holds = robust_claims | Claims{Claim::residual, Claim::bounded}};
+  static constexpr Contract contract{
+      .standing = Standing::naive,
+      .verdict = {.measured = 0.916, .promised = triangle_robust_bound, .far_power = 1},
+      .residual = {.measured = 1.11, .promised = triangle_robust_bound},
+      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::moved, Claim::scaled,
+                                       Claim::reversed, Claim::bounded},
+      .refuted = {{{Claim::robust, triangle_volumes_cancel}}}};
 
   template <class T>
   [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Triangle<T>& triangle) {

@@ -14,9 +14,13 @@ struct MollerTrumbore {
   static constexpr const char* title = "Möller–Trumbore, two-sided and branch-free";
   static constexpr Source source{"T. Möller, B. Trumbore", "Fast, Minimum Storage Ray/Triangle Intersection",
                                  1997};
-  static constexpr Contract contract{.verdict = {.measured = 0.828, .promised = triangle_robust_bound},
-                                     .residual = {.measured = 1.32, .promised = triangle_robust_bound},
-                                     .holds = robust_claims | Claims{Claim::residual, Claim::bounded}};
+  static constexpr Contract contract{
+      .standing = Standing::naive,
+      .verdict = {.measured = 0.828, .promised = triangle_robust_bound, .far_power = 1},
+      .residual = {.measured = 1.32, .promised = triangle_robust_bound},
+      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::moved, Claim::scaled,
+                                       Claim::reversed, Claim::bounded},
+      .refuted = {{{Claim::robust, triangle_volumes_cancel}}}};
 
   static constexpr Step find_u{"Find u from s = o − a",
                                "u is a quotient of two volumes: D with s in the place of e₁, over D."};

@@ -130,8 +130,8 @@ bool is_slim(const Case& one) {
 // which excuses more than a change of the input explains.
 using Margin = EveryShape;
 INSTANTIATE_TEST_SUITE_P(Of, Margin,
-                         testing::Values("quadratic", "point_in_polygon", "plane", "polygon", "sphere", "box",
-                                         "cylinder"),
+                         testing::Values("quadratic", "point_in_polygon", "plane", "triangle", "polygon",
+                                         "sphere", "box", "cylinder"),
                          topic_name);
 
 // The search may go twice as far as the band: it moves numbers, and the bands are of lengths of vectors.

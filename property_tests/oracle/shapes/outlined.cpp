@@ -1,0 +1,73 @@
+#include "oracle/shapes/outlined.hpp"
+
+#include <algorithm>
+
+#include "oracle/geometry/clearance.hpp"
+#include "oracle/geometry/locate.hpp"
+
+namespace rayproof::oracle {
+namespace {
+
+/// The coordinates that are left where the axis of the normal's largest component is dropped (ties: the later
+/// axis).
+struct Projection {
+  int x = 0, y = 1;
+
+  explicit Projection(const Vector<Ring>& normal) {
+    const auto magnitude = [&](int axis) { return sign(normal[axis]) < 0 ? -normal[axis] : normal[axis]; };
+    int largest = 0;
+    for (const int axis : {1, 2})
+      if (sign(magnitude(axis) - magnitude(largest)) >= 0) largest = axis;
+    x = largest == 0 ? 1 : 0;
+    y = largest == 2 ? 1 : 2;
+  }
+
+  [[nodiscard]] PlanePoint operator()(const Vector<Ring>& v) const { return {v[x], v[y]}; }
+  [[nodiscard]] PlanePoint operator()(const glm::dvec3& v) const { return {Ring(v[x]), Ring(v[y])}; }
+};
+
+}  // namespace
+
+Scaled OutlinedIntersection::margin(bool) const {
+  const Scaled scale = approximate(ray().scale);
+  const RayPart part{approximate(ray().direction), question().ray.t_min, question().ray.t_max,
+                     scale * sizes().origin, scale * sizes().direction};
+  const auto seen = [&](const glm::dvec3& corner) {
+    return approximate(ray().scale * Vector<Ring>::from(corner) - ray().origin);
+  };
+  Scaled nearest = endless();
+  Vector<Scaled> from = seen(corners().back());
+  for (const glm::dvec3& corner : corners()) {
+    const Vector<Scaled> to = seen(corner);
+    reduce(nearest, part.distance_to(from, to));
+    from = to;
+  }
+  for (const double end : finite_ends(question().ray)) reduce(nearest, height_over_shape(end));
+  return nearest;
+}
+
+Scaled OutlinedIntersection::position() const {
+  Scaled farthest;
+  for (const glm::dvec3& corner : corners()) farthest = std::max(farthest, norm(corner));
+  return farthest;
+}
+
+Contact OutlinedIntersection::located(const Vector<Ring>& point, const Ring& weight) const {
+  const Projection project(plane_normal());
+  std::vector<PlanePoint> outline;
+  outline.reserve(corners().size());
+  for (const glm::dvec3& corner : corners()) outline.push_back(project(corner));
+  return locate(project(point), ray().scale * weight, outline);
+}
+
+Scaled OutlinedIntersection::height_over_shape(double t) const {
+  const Vector<Ring>& normal = plane_normal();
+  const Ring squared = dot(normal, normal), height = height_at(t);
+  if (sign(squared) == 0) return endless();
+  const Vector<Ring> foot = squared * (ray().origin + Ring(t) * ray().direction) - height * normal;
+  if (located(foot, squared) == Contact::none) return endless();
+  const Scaled reach = approximate(ray().scale) * sizes().reach(Scaled(t));
+  return ratio(abs(approximate(height)), sqrt(approximate(squared)) * reach);
+}
+
+}  // namespace rayproof::oracle
