@@ -23,7 +23,8 @@ struct Judgement {
   /// The worst error of the claimed hits, in ulps of the exact t at the case's precision; NaN where `wrong`.
   double ulp = 0;
   /// The ratio by which naive methods degrade: S/radius of a sphere or a cylinder, 1/steepness of a triangle
-  /// (triangle.hpp), 1 of the rest and where nothing is wrong and nothing was hit.
+  /// (triangle.hpp), 1 over the volume of unit edges of a parallelepiped, 1 of the rest and where nothing is
+  /// wrong and nothing was hit.
   double far = 1;
   /// log2 of the smallest and the largest length the domain of a contract speaks of.
   double smallest = 0;

@@ -12,9 +12,11 @@ namespace rayproof {
 ///
 /// Units of the contracts. Face pair i has the normal nᵢ = eⱼ×eₖ of size Nᵢ = |eⱼ||eₖ|; S = |origin - corner|
 /// + |e₀| + |e₁| + |e₂| and L(t) = S + |t||direction|. *Residual* is the distance of p(t) from the nearest
-/// face plane: |nᵢ·(p(t) - point of the plane)| / (ε·Nᵢ·L(t)). *Verdict* is such a number of the pair of
-/// planes that decides, where the ray meets the other, as for a box, or of an end of the ray's interval.
-/// *Ulp* is in ulps of the exact t. *Domain* speaks of all numbers of the case that are not 0.
+/// face plane: |nᵢ·(p(t) - point of the plane)| / (ε·Nᵢ·L(t)). *Verdict* is the least distance of the ray
+/// from an edge of its outline (between a face that it enters by and one that it leaves by), or of an end of
+/// its interval from the surface, in units of ε·L(t) where it is nearest; of a bound with a `far_power` p in
+/// units of ε·L(t)/v^p, where v is the volume with edges of length 1, small for edges that nearly lie in a
+/// plane. *Ulp* is in ulps of the exact t. *Domain* speaks of all numbers of the case that are not 0.
 template <class T>
 struct Parallelepiped {
   vec3<T> corner;
@@ -29,5 +31,9 @@ template <class To, class From>
 
 /// The bound, in the units above, that a robust method keeps (Claim::robust).
 inline constexpr double parallelepiped_robust_bound = 8;
+
+/// Why the methods that round the normals do not keep it.
+inline constexpr const char* parallelepiped_normals_turn =
+    "rounding turns the normals of edges that nearly lie in one plane";
 
 }  // namespace rayproof

@@ -79,8 +79,8 @@ struct SolidLayouts {
     return looked_along(random, Kind::shape(frame), target, sight);
   }
 
-  static Scene flat(Random& random) {
-    const Frame frame = Kind::flat(random);
+  static Scene flat(Random& random, Precision precision) {
+    const Frame frame = Kind::flat(random, precision);
     const glm::dvec3 target = at(frame, draw::vector([&] { return random.uniform(-0.2, 1.2); }));
     const glm::dvec3 sight = random.one_in(4) ? whole_vector(random, 1) : draw::unit_vector(random);
     return looked_along(random, Kind::shape(frame), target, sight);

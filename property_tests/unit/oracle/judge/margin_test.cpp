@@ -126,17 +126,17 @@ bool is_slim(const Case& one) {
   return t_max - t_min < 0x1p-10 * (std::abs(t_min) + std::abs(t_max)) || t_max - t_min < 0x1p-100;
 }
 
-// Of triangles and parallelepipeds the margin is still that of the lines and planes through their sides,
-// which excuses more than a change of the input explains.
 using Margin = EveryShape;
 INSTANTIATE_TEST_SUITE_P(Of, Margin,
                          testing::Values("quadratic", "point_in_polygon", "plane", "triangle", "polygon",
-                                         "sphere", "box", "cylinder"),
+                                         "sphere", "box", "parallelepiped", "cylinder"),
                          topic_name);
 
-// The search may go twice as far as the band: it moves numbers, and the bands are of lengths of vectors.
-// Chance rarely finds the inputs beside a ray that runs in the plane of a polygon or in the side of a
-// cylinder.
+// Found, before it was mended, that a margin to the line of a side excused a wrong place beside the side (of
+// a point in a polygon, no such input for 76 of 667), and that the planes of a solid and the volumes of a
+// triangle excused as much. The search may go twice as far as the band: it moves numbers, and the bands are
+// of lengths of vectors. Chance rarely finds the inputs beside a ray that runs in the plane of a polygon or
+// in the side of a cylinder.
 TEST_P(Margin, OfAnExcusedVerdictHasAnInputOfAnotherVerdictWithinTheBand) {
   const double band = robust_bound(GetParam()).value();
   std::size_t excused = 0;

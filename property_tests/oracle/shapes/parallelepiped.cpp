@@ -1,0 +1,100 @@
+/// \file
+/// The oracle for ray and parallelepiped.
+
+#include <algorithm>
+
+#include "oracle/geometry/clearance.hpp"
+#include "oracle/shapes/shapes.hpp"
+#include "oracle/shapes/solid.hpp"
+
+namespace rayproof::oracle {
+namespace {
+
+class ParallelepipedIntersection final : public SolidIntersection {
+ public:
+  ParallelepipedIntersection(const RayQuestion& question, const Parallelepiped<double>& solid)
+      : SolidIntersection(question, solid), solid_(solid) {}
+
+  /// How near the ray comes to an edge between a face that it enters by and one that it leaves by, or one of
+  /// its ends to the solid's surface; of two hits taken for one, also how thin the solid is.
+  [[nodiscard]] Scaled margin(bool may_merge) const override {
+    Scaled nearest = distance_to_edges(question().ray.t_min, question().ray.t_max, true);
+    for (const double end : finite_ends(question().ray)) {
+      reduce(nearest, distance_to_edges(end, end, false));
+      for (std::size_t slab = 0; slab < 3; ++slab)
+        for (const Ring& bound : {met(slab).low, met(slab).high})
+          reduce(nearest, height_over_face(slab, bound, end));
+    }
+    for (std::size_t slab = 0; may_merge && slab < 3; ++slab) {
+      const Scaled normal = sqrt(approximate(dot(met(slab).normal, met(slab).normal)));
+      const Scaled thickness = approximate(met(slab).high - met(slab).low) / normal;
+      reduce(nearest, thickness / (approximate(ray().scale) * sizes().origin));
+    }
+    return nearest;
+  }
+
+  /// 1 over the volume of the solid with edges of length 1.
+  [[nodiscard]] double far() const override {
+    const Scaled lengths = norm(solid_.edges[0]) * norm(solid_.edges[1]) * norm(solid_.edges[2]);
+    return value(approximate(ray().scale) * lengths / approximate(met(0).high - met(0).low));
+  }
+
+ protected:
+  [[nodiscard]] Scaled position() const override {
+    return norm(solid_.corner) + norm(solid_.edges[0]) + norm(solid_.edges[1]) + norm(solid_.edges[2]);
+  }
+  [[nodiscard]] std::array<Scaled, 3> normal_sizes() const override {
+    const Scaled e0 = norm(solid_.edges[0]), e1 = norm(solid_.edges[1]), e2 = norm(solid_.edges[2]);
+    return {e1 * e2, e2 * e0, e0 * e1};
+  }
+
+ private:
+  /// The least distance of the ray between two t from the solid's edges, in units of L(t). An edge in the
+  /// `outline` has a face on each side of which the ray enters by one and leaves by the other, or runs along
+  /// it.
+  [[nodiscard]] Scaled distance_to_edges(double t_min, double t_max, bool outline) const {
+    const Scaled scale = approximate(ray().scale);
+    const RayPart part{approximate(ray().direction), t_min, t_max, scale * sizes().origin,
+                       scale * sizes().direction};
+    const auto edge = [&](std::size_t i) { return Vector<Ring>::from(solid_.edges[i % 3]); };
+    const auto seen = [&](const Vector<Ring>& place) {
+      return approximate(ray().scale * place - ray().origin);
+    };
+    Scaled nearest = endless();
+    for (std::size_t i = 0; i < 3; ++i)
+      for (const int j : {0, 1})
+        for (const int k : {0, 1}) {
+          const int turn = (j == k ? 1 : -1) * sign(met((i + 1) % 3).speed) * sign(met((i + 2) % 3).speed);
+          if (outline && turn > 0) continue;
+          const Vector<Ring> from =
+              Vector<Ring>::from(solid_.corner) + Ring(j) * edge(i + 1) + Ring(k) * edge(i + 2);
+          reduce(nearest, part.distance_to(seen(from), seen(from + edge(i))));
+        }
+    return nearest;
+  }
+
+  /// The distance of p(t) from a face in units of L(t), where its foot on the face's plane lies in the face;
+  /// endless beside it, where its edges are nearest.
+  [[nodiscard]] Scaled height_over_face(std::size_t slab, const Ring& bound, double t) const {
+    const Vector<Ring>& normal = met(slab).normal;
+    const Ring squared = dot(normal, normal), height = met(slab).position + met(slab).speed * Ring(t) - bound;
+    const Vector<Ring> foot = squared * (ray().origin + Ring(t) * ray().direction) - height * normal;
+    for (const std::size_t other : {(slab + 1) % 3, (slab + 2) % 3}) {
+      const Ring place = dot(met(other).normal, foot);
+      if (sign(place - squared * met(other).low) < 0 || sign(squared * met(other).high - place) < 0)
+        return endless();
+    }
+    const Scaled reach = approximate(ray().scale) * sizes().reach(Scaled(t));
+    return ratio(abs(approximate(height)), sqrt(approximate(squared)) * reach);
+  }
+
+  const Parallelepiped<double>& solid_;
+};
+
+}  // namespace
+
+ExactPointer intersection_of(const RayQuestion& question, const Parallelepiped<double>& solid) {
+  return std::make_unique<ParallelepipedIntersection>(question, solid);
+}
+
+}  // namespace rayproof::oracle

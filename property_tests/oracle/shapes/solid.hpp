@@ -1,0 +1,66 @@
+#pragma once
+/// \file
+/// What the oracles of box and parallelepiped share: three slabs, and the interval of t in all of them.
+
+#include "oracle/geometry/slabs.hpp"
+#include "oracle/shapes/flat.hpp"
+
+namespace rayproof::oracle {
+
+/// A convex solid between three pairs of parallel planes.
+class SolidIntersection : public PlanarIntersection {
+ public:
+  template <class Solid>
+  SolidIntersection(const RayQuestion& question, const Solid& solid)
+      : PlanarIntersection(question), met_(meetings(ray(), solid)) {}
+
+  [[nodiscard]] ExactContacts hits() const override {
+    std::optional<Quotient> entry, exit;  // the normals are independent: no line is parallel to all slabs
+    for (const SlabMeeting& slab : met_) {
+      if (slab.is_parallel() && !slab.is_inside()) return {};
+      if (slab.is_parallel()) continue;
+      Quotient in = slab.entry(), out = slab.exit();
+      if (!entry || in.compare(*entry) > 0) entry = std::move(in);
+      if (!exit || out.compare(*exit) < 0) exit = std::move(out);
+    }
+    ExactContacts all;
+    const int length = exit->compare(*entry);
+    if (length >= 0) add(all, std::move(*entry), length == 0 ? Contact::tangent : Contact::crossing);
+    if (length > 0) add(all, std::move(*exit), Contact::crossing);
+    return all;
+  }
+
+  /// Outward from the face that holds the point; nothing on an edge or corner, where several do.
+  [[nodiscard]] std::optional<ExactNormal> normal(const ExactContact& hit) const override {
+    const auto& t = std::get<Quotient>(hit.t);
+    std::optional<ExactNormal> normal;
+    int faces = 0;
+    for (const SlabMeeting& met : met_) {
+      const bool is_low = sign(met.beyond(met.low, t)) == 0;
+      const bool is_high = sign(met.beyond(met.high, t)) == 0;
+      if (is_low || is_high) normal = {is_high ? met.normal : -met.normal};
+      faces += static_cast<int>(is_low) + static_cast<int>(is_high);
+    }
+    return faces == 1 ? normal : std::nullopt;
+  }
+
+  [[nodiscard]] Scaled residual(double t) const override {
+    Scaled nearest = endless();
+    for (std::size_t i = 0; i < 3; ++i)
+      for (const Ring& bound : {met(i).low, met(i).high}) reduce(nearest, distance(i, bound, t));
+    return nearest;
+  }
+
+ protected:
+  [[nodiscard]] const SlabMeeting& met(std::size_t slab) const { return met_.at(slab); }
+  /// How far p(t) is from one plane of a slab, in the contract's units.
+  [[nodiscard]] virtual Scaled distance(std::size_t slab, const Ring& bound, const Quotient& t) const {
+    const Scaled gap = abs(approximate(met(slab).beyond(bound, t))) / approximate(t.denominator());
+    return ratio(gap, sizes().unit(slab, t.estimate()));
+  }
+
+ private:
+  SlabMeetings met_;
+};
+
+}  // namespace rayproof::oracle
