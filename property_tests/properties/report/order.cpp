@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "case/writer.hpp"
+#include "properties/plan.hpp"
 
 namespace rayproof {
 
@@ -23,8 +24,13 @@ bool is_same_failure(const Finding& a, const Finding& b) {
   const auto stands_alone = [](const Finding& one) {
     return !one.is_declared || one.subject->contract.standing == Standing::printed;
   };
-  return !stands_alone(a) && !stands_alone(b) && a.subject->topic == b.subject->topic &&
-         write_case(a.one) == write_case(b.one) && in_words(a) == in_words(b);
+  if (stands_alone(a) || stands_alone(b) || a.subject->topic != b.subject->topic) return false;
+  const auto reason = [](const Finding& one) {
+    const Refutation* declared = declared_refutation(*one.subject, *one.property);
+    return declared == nullptr ? std::string_view() : declared->because;
+  };
+  const bool has_one_reason = !reason(a).empty() && reason(a) == reason(b);
+  return has_one_reason || (write_case(a.one) == write_case(b.one) && in_words(a) == in_words(b));
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ struct UnitCube {
   static constexpr Source source = sources::ban;
   static constexpr Contract contract{
       .standing = Standing::naive,
-      .verdict = {.measured = 0.561, .promised = 8, .far_power = 1},
+      .verdict = {.measured = 0.651, .promised = 8, .far_power = 1},
       .residual = {.measured = 2.12, .promised = 8},
       .domain = {.reach_float = 16, .reach_double = 150, .every_number = true},
       .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::moved, Claim::scaled,

@@ -39,7 +39,8 @@ struct Boxes {
   [[nodiscard]] static Frame flat(Random& random, Precision precision) {
     const bool exactly = random.one_in(2);
     Frame flat = exactly ? whole(random) : in_a_room(random);
-    const double thinness = random.one_in(2) ? 0 : std::exp2(random.uniform(4 - draw::digits_of(precision), -4));
+    const double thinness =
+        random.one_in(2) ? 0 : std::exp2(random.uniform(4 - draw::digits_of(precision), -4));
     const int axis = random.between(0, 2);
     flat.edges.at(static_cast<std::size_t>(axis)) *= thinness;
     if (random.one_in(8)) flat.edges.at(static_cast<std::size_t>((axis + 1) % 3)) *= thinness;
@@ -70,7 +71,8 @@ struct Oblique {
   /// The third edge is almost in the plane of the others: only the last bits distinguish them.
   [[nodiscard]] static Frame flat(Random& random, Precision precision) {
     Frame flat = in_a_room(random);
-    const double thinness = std::exp2(random.uniform(6 - draw::digits_of(precision), -4));
+    const int thinnest = 6 - draw::digits_of(precision);
+    const double thinness = std::exp2(random.uniform(thinnest, random.one_in(2) ? -4 : thinnest + 6));
     const double second = random.uniform(-1, 1), first = random.uniform(-1, 1);
     flat.edges[2] = first * flat.edges[0] + second * flat.edges[1] + thinness * flat.edges[2];
     return flat;

@@ -35,6 +35,8 @@ std::vector<Family> triangle_families() {
                          {in_reach, {"miss", 0.95}, {"in surface", 0.57}, {"parallel", 0.27}}),
       laid_out<near_coplanar>("near_coplanar", "the ray comes in at 2^-4 to an ulp off the triangle's plane",
                               {in_reach, {"hit", 0.43}, {"miss", 0.41}}),
+      laid_out<decimals>("decimals", "in tenths: ray and triangle lie in one plane until they are rounded",
+                         {in_reach, {"miss", 0.6}}),
       laid_out<degenerate>(
           "degenerate", "no area: vertices in a line, or two or three of them in one point; also almost so",
           {in_reach, {"hit", 0.04}, {"miss", 0.77}, {"vertex", 0.03}, {"degenerate", 0.64}}),

@@ -135,6 +135,23 @@ namespace rayproof::triangle_family {
   return scene;
 }
 
+/// In tenths, as people write scenes: what lies in one plane there is rounded off it.
+[[nodiscard]] inline Scene decimals(Random& random) {
+  const auto tenths = [&](int most) { return random.between(-most, most) / 10.0; };
+  const int last = random.between(0, 2);
+  const double slope_x = tenths(20), slope_y = tenths(20);
+  const auto in_plane = [&](double height, int most) {
+    const double x = tenths(most), y = tenths(most);
+    const glm::dvec3 v(slope_x * x + slope_y * y + height, x, y);
+    return glm::dvec3(v[last], v[(last + 1) % 3], v[(last + 2) % 3]);
+  };
+  const double height = tenths(9);
+  const Triangle<double> triangle{in_plane(height, 90), in_plane(height, 90), in_plane(height, 90)};
+  glm::dvec3 direction = in_plane(0, 9);
+  while (direction == glm::dvec3(0)) direction = in_plane(0, 9);
+  return {in_plane(height, 90), direction, triangle};
+}
+
 [[nodiscard]] inline Scene near_coplanar(Random& random, Precision precision) {
   const Triangle<double> triangle = in_a_room(random);
   const glm::dvec3 in_plane = inside(random, triangle) - triangle.a;
