@@ -13,7 +13,7 @@ namespace rayproof::mutation {
 
 namespace {
 
-constexpr int most_seconds = 1;                   ///< of one case; the slowest sound one takes less than 0.1
+constexpr int most_microseconds = 500'000;        ///< of one case; the slowest sound one takes a tenth of it
 constexpr rlim_t most_memory = rlim_t{8} << 30U;  ///< of a process, that of its parent included
 
 /// What the process of a mutant sends to its parent.
@@ -23,13 +23,14 @@ struct Message {
 };
 
 void start_watch() {
-  const itimerval watch{{0, 0}, {most_seconds, 0}};
+  const itimerval watch{{0, 0}, {0, most_microseconds}};
   setitimer(ITIMER_PROF, &watch, nullptr);  // whoever doesn't wind it up again in time is ended by SIGPROF
 }
 
 /// What the child does. Never returns.
-[[noreturn]] void run_in_child(const Target& target, const std::vector<Input>& inputs, const Note& note,
+[[noreturn]] void run_in_child(const Target& target, const std::vector<Input>& inputs, const Notes& notes,
                                int number, int out) {
+  const Note& note = notes.of[static_cast<std::size_t>(number)];
   const rlimit memory{most_memory, most_memory}, no_dump{0, 0};
   setrlimit(RLIMIT_AS, &memory);
   setrlimit(RLIMIT_CORE, &no_dump);
@@ -38,7 +39,8 @@ void start_watch() {
   for (; message.input < inputs.size() && message.property == 0; ++message.input) {
     if (!note.differs[message.input]) continue;
     start_watch();
-    if (const Property* broken = broken_by(target.subject, inputs[message.input])) {
+    if (const Property* broken =
+            broken_by(target.subject, inputs[message.input], notes.known[message.input])) {
       message.property = static_cast<std::size_t>(broken - properties().data()) + 1;
       break;
     }
@@ -59,7 +61,7 @@ MutantResult try_mutant(const Target& target, const std::vector<Input>& inputs, 
   if (child < 0) throw std::runtime_error("no process of its own");
   if (child == 0) {
     try {
-      run_in_child(target, inputs, note, number, ends[1]);
+      run_in_child(target, inputs, notes, number, ends[1]);
     } catch (...) {
       _exit(4);
     }

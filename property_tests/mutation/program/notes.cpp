@@ -34,8 +34,10 @@ Notes note_all(const Target& target, const std::vector<Input>& inputs, const std
   desk = {&notes.of};
   target.state.note = write_down;
   target.state.is_noting = true;
-  for (; desk.input < inputs.size() && notes.broken == nullptr; ++desk.input)
-    notes.broken = broken_by(target.subject, inputs[desk.input]);
+  for (; desk.input < inputs.size() && notes.broken == nullptr; ++desk.input) {
+    notes.known.push_back(judged(target.subject, inputs[desk.input]));
+    notes.broken = broken_by(target.subject, inputs[desk.input], notes.known.back());
+  }
   target.state.is_noting = false;
   if (notes.broken != nullptr) notes.broken_in = &inputs[desk.input - 1];
   return notes;

@@ -20,7 +20,8 @@ struct Note {
 
 /// What was noted of all of them, and the property that the unmutated method breaks, if any.
 struct Notes {
-  std::vector<Note> of{};  ///< by the mutant's number
+  std::vector<Note> of{};       ///< by the mutant's number
+  std::vector<Judged> known{};  ///< the method's answers, by the number of the case
   const Property* broken = nullptr;
   const Input* broken_in = nullptr;
 };

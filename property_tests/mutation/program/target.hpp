@@ -6,6 +6,7 @@
 
 #include "case/case.hpp"
 #include "mutation/planted/state.hpp"
+#include "oracle/oracle.hpp"
 #include "properties/property.hpp"
 #include "subjects/subject.hpp"
 
@@ -28,7 +29,17 @@ struct Input {
 /// default, in both precisions, by turns; before case 0 the corpus.
 [[nodiscard]] std::vector<Input> inputs_of(const Subject& subject, unsigned first, unsigned last);
 
-/// The first property that the subject claims and breaks there; null where it breaks none.
-[[nodiscard]] const Property* broken_by(const Subject& subject, const Input& input);
+/// An answer, and what the oracle says of it.
+struct Judged {
+  Answer answer{};
+  oracle::Judgement judgement{};
+};
+
+/// The unmutated method's answer.
+[[nodiscard]] Judged judged(const Subject& subject, const Input& input);
+
+/// The first property that the subject claims and breaks there; null where it breaks none. The oracle is not
+/// asked again about an answer that is `known` bit for bit.
+[[nodiscard]] const Property* broken_by(const Subject& subject, const Input& input, const Judged& known);
 
 }  // namespace rayproof::mutation
