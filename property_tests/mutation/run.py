@@ -1,114 +1,107 @@
-"""Plants one error at a time in the library's kernels and sees whether check finds it.
+"""Plants every one-token error in the library's kernels and sees whether check finds it.
 
-    cmake --build BUILD --target rayproof-check-mutant
-    python3 property_tests/mutation/run.py --build BUILD [--jobs N] [--only TEXT ...] [--write] [--list]
+    cmake --build BUILD --target rayproof-check-mutants
+    python3 property_tests/mutation/run.py --build BUILD [--jobs N] [--topics TOPIC ...] [--only TEXT ...] [--write]
 
-First every method is run through check as it is, with the default budget, and must pass. Then, for each mutant of
-mutants/*.jsonl, the method is compiled with that one change and run through check, which must end with status 1 and a
-counterexample. Exit status: 0 where the methods pass and all mutants are killed but those whose survival the list
-explains, which must survive; else 1; 2 where the program is missing.
+Every method is run on the cases of check as it is, and must pass; each mutant on those in which it makes a difference.
+Exit status: 0 where the methods pass, and every mutant is killed or explained in equivalent.jsonl and no explanation is
+of one that is killed or gone; else 1; 2 where the program is missing. A run that was ended goes on where it was.
 """
 
 import argparse
-from concurrent.futures import ThreadPoolExecutor
 import os
 import sys
-import tempfile
+import time
 
-from laboratory import BUDGETS, Broken, Laboratory, Outcome
-from mutants import faults, read_mutants
+from explanations import misfits, read_explanations
+from objects import TOPICS, Broken, Objects, Planting
 from page import write_page
+from results import Results
+from runner import Runner
 
 
-def in_parallel(jobs, work, items):
-    """(item, outcome or complaint) for each item, in order, as soon as it is there."""
-    def guarded(item):
-        try:
-            with tempfile.TemporaryDirectory(prefix="rayproof-mutant-") as folder:
-                return item, work(item, folder)
-        except Broken as trouble:
-            return item, str(trouble)
-
-    with ThreadPoolExecutor(jobs) as pool:
-        yield from pool.map(guarded, items)
+def say(text):
+    print(text, flush=True)
 
 
-def control(laboratory, methods, jobs, budgets):
-    """Runs the methods through check as they are; the number of those that fail."""
-    failures = 0
-    for method, outcome in in_parallel(
-            jobs, lambda method, folder: laboratory.try_method(method, folder, budgets), methods):
-        passed = isinstance(outcome, Outcome) and not outcome.properties
-        failures += not passed
-        ended = f"passes unmutated, {outcome.seconds:.1f} s" if passed else f"FAILED unmutated: {outcome}"
-        print(f"{method}: {ended}", flush=True)
-    return failures
+def state_of(mutant, fate, dead, reasons):
+    """What the table counts a mutant as."""
+    if mutant.number in dead or (fate.is_reached and not fate.is_met):
+        return "not compiling"
+    if fate.killed_by:
+        return "killed"
+    return "explained" if mutant.key in reasons else "surviving"
 
 
-def verdict(mutant, outcome):
-    """(is it as the list says?, the line about it)"""
-    if isinstance(outcome, str):
-        return False, f"FAILED {mutant.id}: {outcome}"
-    if outcome.properties and not mutant.survives:
-        return True, (f"killed {mutant.id}: {', '.join(outcome.properties)}; "
-                      f"{outcome.cases} cases, {outcome.seconds:.1f} s")
-    if outcome.properties:
-        return False, f"FAILED {mutant.id}: listed as a survivor, but killed by {', '.join(outcome.properties)}"
-    if mutant.survives:
-        return True, f"survives {mutant.id}, as explained: {mutant.survives} ({outcome.seconds:.1f} s)"
-    return False, f"SURVIVED {mutant.id} ({mutant.file}:{mutant.line}), {outcome.seconds:.1f} s"
+def why_alive(fate):
+    """How far a survivor got."""
+    if not fate.is_reached:
+        return "no case gets there"
+    if not fate.differs:
+        return "no case makes a difference"
+    return "differs in " + ", ".join(f"{count} of {method}" for method, count in fate.differs.items())
 
 
-def run_mutants(laboratory, mutants, jobs):
-    """(mutant, outcome) for all, and the number of those that are not as the list says."""
-    def work(mutant, folder):
-        mutant.write_into(folder)
-        return laboratory.try_method(mutant.method, folder)
+def shown(mutant, fate):
+    return (f"SURVIVES {mutant.file}:{mutant.line} {mutant.function} [{mutant.kind}] {mutant.find}  ->  {mutant.put}"
+            f"{f' ({mutant.again})' if mutant.again else ''}: {why_alive(fate)}")
 
-    results, failures = [], 0
-    for mutant, outcome in in_parallel(jobs, work, mutants):
-        is_expected, line = verdict(mutant, outcome)
-        failures += not is_expected
-        results.append((mutant, outcome))
-        print(line, flush=True)
-    return results, failures
+
+def parsed():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
+    parser.add_argument("--build", default="build/release", help="build tree with rayproof-check-mutants")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="methods at a time")
+    parser.add_argument("--topics", nargs="+", default=TOPICS, choices=TOPICS, help="only the methods of these")
+    parser.add_argument("--only", nargs="+", help="only mutants whose `file function find -> put` has one of these in it")
+    parser.add_argument("--list", action="store_true", help="only see whether the explanations fit the kernels")
+    parser.add_argument("--write", action="store_true", help="write the table of docs/mutation.md")
+    return parser.parse_args()
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
-    parser.add_argument("--build", default="build/release", help="build tree with rayproof-check-mutant")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="mutants at a time")
-    parser.add_argument("--only", nargs="+", help="mutants whose name has one of these in it; a quick control")
-    parser.add_argument("--list", action="store_true", help="only see whether the list fits the kernels")
-    parser.add_argument("--write", action="store_true", help="write the table of docs/mutation.md")
-    options = parser.parse_args()
-
-    mutants = read_mutants()
-    misfits = list(faults(mutants))
-    for fault in misfits:
-        print(f"FAILED {fault}")
-    if options.list or misfits:
-        return 1 if misfits else 0
+    options = parsed()
+    planting, reasons = Planting(), read_explanations()
+    mutants = planting.mutants()
+    failures = list(misfits(reasons, mutants))
+    for failure in failures:
+        say(f"FAILED {failure}")
+    if options.list:
+        say(f"{len(mutants)} mutants, {len(reasons)} explained")
+        return 1 if failures else 0
     if options.only:
-        mutants = [mutant for mutant in mutants if any(text in mutant.id for text in options.only)]
-    if not mutants:
-        parser.error("no mutant has such a name")
-    laboratory = Laboratory(options.build)
+        mutants = [mutant for mutant in mutants if any(
+            text in f"{mutant.file} {mutant.function} {mutant.find} -> {mutant.put}" for text in options.only)]
 
-    methods = list(dict.fromkeys(mutant.method for mutant in mutants))
-    failures = control(laboratory, methods, options.jobs, BUDGETS[:1] if options.only else (None,))
-    results, unexpected = run_mutants(laboratory, mutants, options.jobs)
-    killed = sum(isinstance(outcome, Outcome) and bool(outcome.properties) for _, outcome in results)
-    print(f"{killed} of {len(results)} mutants killed, {sum(bool(m.survives) for m, _ in results)} explained as "
-          f"survivors, {unexpected} not as listed; {failures} of {len(methods)} methods fail unmutated")
-    if options.write and not (failures or unexpected or options.only):
-        write_page(results)
-    return 1 if failures or unexpected else 0
+    start = time.monotonic()
+    objects = Objects(options.build, planting, say)
+    objects.make(options.topics, options.jobs)
+    name = "results.jsonl" if tuple(options.topics) == TOPICS and not options.only else "some_results.jsonl"
+    results = Results(objects.folder.parent / name, f"{objects.stamp()} {options.topics} {options.only}", say)
+    runner = Runner(objects, results, mutants)
+    failures += runner.run_all(runner.methods(options.topics), options.jobs, say)
+
+    dead = set(planting.dead())
+    counted = [(mutant, results.fate(mutant.number), state_of(mutant, results.fate(mutant.number), dead, reasons))
+               for mutant in mutants]
+    for mutant, fate, state in counted:
+        if state == "surviving":
+            say(shown(mutant, fate))
+        elif mutant.key in reasons and state != "explained":
+            failures.append(str(mutant))
+            say(f"FAILED explained, but {state} by {fate.killed_by} of {fate.method}: {shown(mutant, fate)[9:]}")
+    numbers = {state: sum(state == other for _, _, other in counted)
+               for state in ("not compiling", "killed", "explained", "surviving")}
+    minutes = (time.monotonic() - start) / 60
+    say(f"{len(counted)} mutants in {minutes:.0f} min: " + ", ".join(f"{n} {state}" for state, n in numbers.items()))
+    is_whole = tuple(options.topics) == TOPICS and not options.only
+    if options.write and is_whole and not failures:
+        write_page(counted, reasons, sum(results.seconds.values()))
+    return 1 if failures or numbers["surviving"] else 0
 
 
 if __name__ == "__main__":
     try:
         sys.exit(main())
-    except Broken as missing:
-        print(missing, file=sys.stderr)
+    except Broken as trouble:
+        print(trouble, file=sys.stderr)
         sys.exit(2)

@@ -88,13 +88,23 @@ std::uint64_t hash_of(const std::string& text) {
   return hash;
 }
 
+/// Nothing of the subject is in the seed: subjects are put the same cases until one of them breaks.
+std::uint64_t start_of(const Family& family, Precision precision, std::uint64_t seed) {
+  return combine(combine(seed, hash_of(family.topic + "/" + family.name)),
+                 precision == Precision::float32 ? 32U : 64U);
+}
+
 }  // namespace
 
+std::uint64_t seed_of_first_block(const Family& family, Precision precision, std::uint64_t seed) {
+  std::uint64_t found = 0;
+  check(combine(start_of(family, precision, seed), 0), 1,
+        [&](std::uint64_t block_seed) { found = block_seed; });
+  return found;
+}
+
 void Hunt::run() {
-  const Family& family = *unit.family;
-  // Nothing of the subject is in the seed: subjects are put the same cases until one of them breaks.
-  const std::uint64_t start = combine(combine(seed, hash_of(family.topic + "/" + family.name)),
-                                      unit.precision == Precision::float32 ? 32U : 64U);
+  const std::uint64_t start = start_of(*unit.family, unit.precision, seed);
   std::uint64_t done = 0;
   std::exception_ptr failure;
   const auto test_block = [&](std::uint64_t block_seed) {

@@ -25,6 +25,11 @@ struct Unit {
 /// case's.
 inline constexpr unsigned cases_in_block = 16384;
 
+/// The seed of the first block of cases of a family: its case k, below `cases_in_block`, is the one that
+/// combine(this, k) stands for. Every run with this seed begins with these.
+[[nodiscard]] std::uint64_t seed_of_first_block(const Family& family, Precision precision,
+                                                std::uint64_t seed);
+
 /// A rapidcheck test of one unit. Where a case breaks a property for the first time, the test fails there,
 /// the case is handed to `found`, and the test goes on behind it with that property known to be broken.
 ///

@@ -45,6 +45,11 @@ class Trial {
     if (!claimed_) claimed_ = subject_->answer(*case_);
     return *claimed_;
   }
+  /// The subject's answer and its judgement are known from before: nobody is asked again.
+  void recall(const Answer& answer, const oracle::Judgement& judgement) {
+    claimed_ = answer;
+    judgement_ = judgement;
+  }
   [[nodiscard]] const oracle::Judgement& judgement() {
     if (!judgement_) judgement_ = oracle::judge(*case_, claimed());
     return *judgement_;

@@ -2,7 +2,6 @@
 /// \file
 /// Transformed objects: the ray goes into the object's own space, the answer comes back out.
 
-#include <rayproof/arithmetics/error_free.hpp>
 #include <rayproof/formulas/difference_of_products.hpp>
 #include <rayproof/ray.hpp>
 
@@ -10,9 +9,10 @@ namespace rayproof {
 
 /// The map from the world into an object's space: p ↦ A⁻¹(p - b) for the object-to-world map q ↦ A·q + b.
 ///
-/// The entries of A⁻¹ are good to a few ulps each even where A is badly conditioned: cofactors and
-/// determinant are formed without cancelling their rounding errors. What a transformed ray then loses is the
-/// conditioning of A itself.
+/// But for one factor common to all, the entries of A⁻¹ are good to a few ulps each even where A is badly
+/// conditioned: cofactors are formed without cancelling their rounding errors. That factor, the determinant's
+/// error, is within a few ε of A's condition, as is what a transformed ray loses to the conditioning of A
+/// itself.
 template <class T>
 struct ObjectSpace {
   vec3<T> row_x, row_y, row_z;  ///< the rows of A⁻¹
@@ -23,18 +23,6 @@ struct ObjectSpace {
   }
   [[nodiscard]] constexpr vec3<T> point(const vec3<T>& p) const { return direction(p - translation); }
 };
-
-/// a·b as if computed in twice the digits and rounded once (T. Ogita, S. M. Rump, S. Oishi, "Accurate Sum and
-/// Dot Product", 2005, algorithm Dot2).
-template <class T>
-[[nodiscard]] constexpr T dot_compensated(const vec3<T>& a, const vec3<T>& b) {
-  const auto x = two_product(a.x, b.x);
-  const auto y = two_product(a.y, b.y);
-  const auto z = two_product(a.z, b.z);
-  const auto xy = two_sum(x.rounded, y.rounded);
-  const auto xyz = two_sum(xy.rounded, z.rounded);
-  return xyz.rounded + (x.rest + y.rest + z.rest + xy.rest + xyz.rest);
-}
 
 /// a × b, every component within 1.5 ulp.
 template <class T>
@@ -49,7 +37,7 @@ template <class T>
 [[nodiscard]] constexpr ObjectSpace<T> object_space(const vec3<T>& a, const vec3<T>& b, const vec3<T>& c,
                                                     const vec3<T>& translation) {
   const vec3<T> bc = cross_compensated<T>(b, c);
-  const T determinant = dot_compensated<T>(a, bc);
+  const T determinant = dot(a, bc);
   const auto row = [&](const vec3<T>& cofactors) {
     return vec3<T>{cofactors.x / determinant, cofactors.y / determinant, cofactors.z / determinant};
   };

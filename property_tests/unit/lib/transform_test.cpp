@@ -40,11 +40,13 @@ TEST(Transform, BendsNormalsByTheInverseTranspose) {
 
 TEST(Transform, InvertsANearlySingularMatrixToFewUlps) {
   glm::dmat4 m(1);
-  m[0] = {1 + 0x1p-30, 1, 0, 0};
-  m[1] = {1, 1 - 0x1p-30, 0, 0};  // determinant -2^-60, from two products that agree in 60 digits
+  m[0] = {0, 0, 1, 0};
+  m[1] = {1 + 0x1p-30, 1, 0, 0};
+  m[2] = {1, 1 - 0x1p-30, 0, 0};  // a cofactor of -2^-60, from two products that agree in 60 digits
   const auto space = object_space(m);
-  EXPECT_EQ(space.row_x.x, (1 - 0x1p-30) / -0x1p-60);
-  EXPECT_EQ(space.row_x.y, 0x1p+60);
+  EXPECT_EQ(space.row_x.z, 1);
+  EXPECT_EQ(space.row_y.x, (1 - 0x1p-30) / -0x1p-60);
+  EXPECT_EQ(space.row_y.y, 0x1p+60);
 }
 
 TEST(Transform, ASingularMatrixGivesAMiss) {

@@ -17,7 +17,7 @@ struct Compensated {
   static constexpr Contract contract{
       .verdict = {.measured = 0, .promised = 0},
       .residual = {.measured = 0.5, .promised = 2},
-      .ulp = {.measured = 0.501, .promised = 1},
+      .ulp = {.measured = 0.501, .promised = 0.51},
       .domain = {.reach_float = 1000, .reach_double = 200, .every_number = true},
       .holds = robust_claims | Claims{Claim::residual, Claim::ulp}};
 

@@ -1,16 +1,14 @@
 /// \file
-/// One method of the library as a shared object: all that has to be compiled again for a mutant.
+/// The methods of a topic as a shared object, compiled from headers with all their mutants in them.
 ///
-/// RAYPROOF_TOPIC is the namespace of the topic, RAYPROOF_METHOD the method's name in the listings.
+/// RAYPROOF_TOPIC is the namespace of the topic.
 
-#include <string_view>
-
+#include "mutation/planted/planting.hpp"
 #include "subjects/our_subject.hpp"
 #include "subjects/reading.hpp"
 
 #ifndef RAYPROOF_TOPIC
 #define RAYPROOF_TOPIC sphere
-#define RAYPROOF_METHOD "centred"
 #endif
 
 namespace rayproof {
@@ -25,11 +23,15 @@ struct Reading<Unbatched> : Reading<RAYPROOF_TOPIC::Topic> {};
 
 }  // namespace rayproof
 
-extern "C" __attribute__((visibility("default"))) void rayproof_add_subject(
+extern "C" __attribute__((visibility("default"))) rayproof::mutation::State* rayproof_mutation_state() {
+  return &rayproof::mutation::state;
+}
+
+extern "C" __attribute__((visibility("default"))) void rayproof_add_subjects(
     std::vector<rayproof::Subject>& subjects) {
   using namespace rayproof;
   Unbatched::Methods::for_each([&]<class Method>(std::type_identity<Method>) {
-    if constexpr (std::string_view(Method::name) == RAYPROOF_METHOD)
+    if constexpr (Method::contract.standing != Standing::printed)
       subjects.push_back(our_subject<Unbatched, Method>());
   });
 }
