@@ -3,6 +3,7 @@
 /// The parallelepiped, and the meaning of a ray/parallelepiped method's answers.
 
 #include <array>
+#include <rayproof/method/contract.hpp>
 #include <rayproof/roots.hpp>
 
 namespace rayproof {
@@ -29,5 +30,9 @@ template <class To, class From>
 
 /// The bound, in the units above, that a robust method keeps (Claim::robust).
 inline constexpr double parallelepiped_robust_bound = 8;
+
+/// What every sound method says of its first hit. K = Nᵢ/|nᵢ|. A face is near p(t) as for *residual*.
+inline constexpr HitBounds parallelepiped_hit_bounds{.point = {.measured = 0, .promised = 2},
+                                                     .normal = {.measured = 0, .promised = 4}};
 
 }  // namespace rayproof

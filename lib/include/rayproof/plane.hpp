@@ -2,6 +2,7 @@
 /// \file
 /// The plane in its three forms, and the meaning of a ray/plane method's answers.
 
+#include <rayproof/method/contract.hpp>
 #include <rayproof/roots.hpp>
 
 namespace rayproof {
@@ -38,5 +39,9 @@ template <class To, class From>
 
 /// The bound, in the units above, that a robust ray/plane method keeps (Claim::robust).
 inline constexpr double plane_robust_bound = 4;
+
+/// What every sound method says of its first hit. K is 1 where a normal is given, and else |u||v| / |u × v|.
+inline constexpr HitBounds plane_hit_bounds{.point = {.measured = 0, .promised = 2},
+                                            .normal = {.measured = 0, .promised = 4}};
 
 }  // namespace rayproof

@@ -2,6 +2,7 @@
 /// \file
 /// The triangle, and the meaning of a ray/triangle method's answers.
 
+#include <rayproof/method/contract.hpp>
 #include <rayproof/roots.hpp>
 
 namespace rayproof {
@@ -27,5 +28,12 @@ template <class To, class From>
 
 /// The bound, in the units above, that a robust ray/triangle method keeps (Claim::robust).
 inline constexpr double triangle_robust_bound = 4;
+
+/// What every sound method says of its first hit. For the normal K = E / |normal|. For the coordinates K = 1
+/// + M²|direction| / |normal·direction|, with M the largest distance of a vertex from the ray's origin, under
+/// a transform S.
+inline constexpr HitBounds triangle_hit_bounds{.point = {.measured = 0, .promised = 2},
+                                               .normal = {.measured = 0, .promised = 4},
+                                               .coordinates = {.measured = 0, .promised = 4}};
 
 }  // namespace rayproof

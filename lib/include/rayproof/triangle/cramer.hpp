@@ -14,9 +14,11 @@ struct Cramer {
   static constexpr const char* name = "cramer";
   static constexpr const char* title = "parametric plane by Cramer's rule";
   static constexpr Source source = sources::ban;
-  static constexpr Contract contract{.verdict = {.measured = 0.916, .promised = triangle_robust_bound},
-                                     .residual = {.measured = 1.11, .promised = triangle_robust_bound},
-                                     .holds = robust_claims | Claims{Claim::residual, Claim::bounded}};
+  static constexpr Contract contract{
+      .verdict = {.measured = 0.916, .promised = triangle_robust_bound},
+      .residual = {.measured = 1.11, .promised = triangle_robust_bound},
+      .hit = triangle_hit_bounds,
+      .holds = robust_claims | hit_claims | Claims{Claim::coordinates, Claim::residual, Claim::bounded}};
 
   template <class T>
   [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Triangle<T>& triangle) {

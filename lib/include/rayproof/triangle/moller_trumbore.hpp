@@ -14,9 +14,11 @@ struct MollerTrumbore {
   static constexpr const char* title = "Möller–Trumbore, two-sided and branch-free";
   static constexpr Source source{"T. Möller, B. Trumbore", "Fast, Minimum Storage Ray/Triangle Intersection",
                                  1997};
-  static constexpr Contract contract{.verdict = {.measured = 0.828, .promised = triangle_robust_bound},
-                                     .residual = {.measured = 1.32, .promised = triangle_robust_bound},
-                                     .holds = robust_claims | Claims{Claim::residual, Claim::bounded}};
+  static constexpr Contract contract{
+      .verdict = {.measured = 0.828, .promised = triangle_robust_bound},
+      .residual = {.measured = 1.32, .promised = triangle_robust_bound},
+      .hit = triangle_hit_bounds,
+      .holds = robust_claims | hit_claims | Claims{Claim::coordinates, Claim::residual, Claim::bounded}};
 
   static constexpr Step find_u{"Find u from s = o − a",
                                "u is a quotient of two volumes: D with s in the place of e₁, over D."};

@@ -17,8 +17,10 @@ struct PlaneProjection {
   static constexpr Contract contract{
       .standing = Standing::naive,
       .residual = {.measured = 1.24, .promised = triangle_robust_bound},
-      .holds = always_claimed |
-               Claims{Claim::residual, Claim::moved, Claim::scaled, Claim::reversed, Claim::bounded},
+      .hit = triangle_hit_bounds,
+      .holds = always_claimed | hit_claims |
+               Claims{Claim::coordinates, Claim::residual, Claim::moved, Claim::scaled, Claim::reversed,
+                      Claim::bounded},
       .refuted = {
           {{Claim::robust, "the rounding of the hit point is large beside a triangle thin as a needle"}}}};
 

@@ -15,9 +15,11 @@ struct Pluecker {
   static constexpr const char* title = "signs of the three Plücker sides";
   static constexpr Source source{"R. Jones", "Intersecting a Ray and a Triangle with Plücker Coordinates",
                                  2000};
-  static constexpr Contract contract{.verdict = {.measured = 0.587, .promised = triangle_robust_bound},
-                                     .residual = {.measured = 1.24, .promised = triangle_robust_bound},
-                                     .holds = robust_claims | Claims{Claim::residual, Claim::bounded}};
+  static constexpr Contract contract{
+      .verdict = {.measured = 0.587, .promised = triangle_robust_bound},
+      .residual = {.measured = 1.24, .promised = triangle_robust_bound},
+      .hit = triangle_hit_bounds,
+      .holds = robust_claims | hit_claims | Claims{Claim::coordinates, Claim::residual, Claim::bounded}};
 
   template <class T>
   [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Triangle<T>& triangle) {

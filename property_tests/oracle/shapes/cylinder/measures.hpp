@@ -28,11 +28,10 @@ class MeasuredCylinder : public ExactIntersection {
 
   [[nodiscard]] double far() const override { return value(sizes().from_axis); }
 
-  [[nodiscard]] Scaled residual(double t) const override {
-    const Quotient at(t);
+  [[nodiscard]] Scaled residual(const Quotient& at) const override {
     const Scaled from_side = off_circle(at), from_cap = off_caps(at);
     const Ring z = equation_.height_at(at);
-    const bool is_between_caps = sign(z) >= 0 && sign(equation_.height - z) >= 0;
+    const bool is_between_caps = sign(z) >= 0 && sign(equation_.height * at.denominator() - z) >= 0;
     const Scaled above = is_between_caps ? Scaled{} : from_cap;
     const Scaled beside = sign(equation_.power_at(at)) <= 0 ? Scaled{} : from_side;
     const Scaled to_side = std::max(from_side, above);
@@ -58,6 +57,24 @@ class MeasuredCylinder : public ExactIntersection {
   [[nodiscard]] const Cylinder<double>& cylinder() const { return cylinder_; }
   [[nodiscard]] const CylinderEquation& equation() const { return equation_; }
   [[nodiscard]] const ExactQuadratic& side() const { return side_; }
+
+  /// L(t) in the plane in which the side is the unit circle.
+  [[nodiscard]] Scaled reach_across(const Quotient& t) const {
+    return sizes().from_axis + abs(t.estimate()) * sizes().across;
+  }
+  /// How far p(t) is from the side without an end.
+  [[nodiscard]] Scaled off_circle(const Quotient& t) const {
+    const Scaled denominator = approximate(t.denominator());
+    const Scaled change = change_of_radius(approximate(equation_.power_at(t)) / (denominator * denominator));
+    return change / reach_across(t);
+  }
+  /// How far p(t) is from the plane of a cap.
+  [[nodiscard]] Scaled off_cap(const Quotient& t, bool is_lower) const {
+    const Ring z = equation_.height_at(t);
+    const Ring gap = is_lower ? z : equation_.height * t.denominator() - z;
+    const Scaled scale = approximate(ray().scale) * approximate(t.denominator());
+    return in_heights(abs(approximate(gap)) / scale, t.estimate());
+  }
 
  private:
   [[nodiscard]] const CylinderSizes& sizes() const {
@@ -85,17 +102,8 @@ class MeasuredCylinder : public ExactIntersection {
     const Scaled radius = approximate(equation_.radius), relative = power / (radius * radius);
     return abs(relative) / far_side(relative, Scaled(1));
   }
-  [[nodiscard]] Scaled off_circle(const Quotient& t) const {
-    const Scaled denominator = approximate(t.denominator());
-    const Scaled change = change_of_radius(approximate(equation_.power_at(t)) / (denominator * denominator));
-    return change / (sizes().from_axis + abs(t.estimate()) * sizes().across);
-  }
-
   [[nodiscard]] Scaled off_caps(const Quotient& t) const {
-    const Ring z = equation_.height_at(t);
-    const Scaled low = abs(approximate(z)), high = abs(approximate(equation_.height * t.denominator() - z));
-    const Scaled scale = approximate(ray().scale) * approximate(t.denominator());
-    return in_heights(std::min(low, high) / scale, t.estimate());
+    return std::min(off_cap(t, true), off_cap(t, false));
   }
   /// A distance along the axis at t in the contract's unit.
   [[nodiscard]] Scaled in_heights(const Scaled& distance, const Scaled& t) const {
