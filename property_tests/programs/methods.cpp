@@ -32,6 +32,9 @@ Json to_json(const Contract& contract) {
   return {{"verdict", to_json(contract.verdict)},
           {"residual", to_json(contract.residual)},
           {"ulp", to_json(contract.ulp)},
+          {"point", to_json(contract.hit.point)},
+          {"normal", to_json(contract.hit.normal)},
+          {"coordinates", to_json(contract.hit.coordinates)},
           {"domain",
            {{"float32", contract.domain.reach_float},
             {"float64", contract.domain.reach_double},
@@ -57,6 +60,16 @@ std::string in_words(const Bound& bound) {
   if (!std::isfinite(bound.promised)) return "-";
   if (!std::isfinite(bound.measured)) return fmt::format("{:g}", bound.promised);
   return fmt::format("{:.3g} of {:g}", bound.measured, bound.promised);
+}
+
+/// "first hit: point 1.6 of 2, normal 1.1 of 4"; nothing where nothing is promised of it.
+std::string in_words(const HitBounds& hit) {
+  std::string text;
+  for (const auto& [name, bound] : {std::pair{"point", hit.point}, std::pair{"normal", hit.normal},
+                                    std::pair{"coordinates", hit.coordinates}})
+    if (std::isfinite(bound.promised))
+      text += fmt::format("{} {} {}", text.empty() ? "first hit:" : ",", name, in_words(bound));
+  return text;
 }
 
 /// "2^±28", or "any size" where the reach is beyond every number of the format.
@@ -98,6 +111,7 @@ void print_table() {
     print_detail(fmt::format("{} ({}, {}, {})", subject.title, source.author, source.title, source.year));
     print_detail(in_words(contract.domain) +
                  (subject.far_power == 0 ? "" : fmt::format("; far_power {}", subject.far_power)));
+    if (const std::string hit = in_words(contract.hit); !hit.empty()) print_detail(hit);
     for (const auto& [claim, because] : contract.refuted)
       if (!because.empty()) print_detail(fmt::format("breaks {}: {}", claim_name(claim), because));
   }
@@ -133,6 +147,10 @@ does, its source, its domain, and which properties of rayproof check it breaks.
              2^-N and 2^N (2^±N); beyond, it may overflow or underflow.
   far_power  Where it is 1, the units of verdict and residual grow with the
              origin's distance over the shape's size; else they do not.
+  first hit  Bounds on what is said of it beside t: how far its point may be from
+             the ray at t, its normal from the surface's there, in angle, and its
+             barycentric coordinates from the exact ones; their units stand above
+             HitBounds in rayproof/method/contract.hpp.
   breaks     A property that the method fails, and why; rayproof check must find
              the counterexample.
 

@@ -64,11 +64,14 @@ class ExactIntersection {
   [[nodiscard]] virtual std::optional<ExactNormal> normal(const ExactContact& hit) const = 0;
   /// [α, β, γ] of a triangle's hit.
   [[nodiscard]] virtual std::optional<std::array<Quotient, 3>> barycentric() const { return std::nullopt; }
+  /// [α, β] of a parametric plane's hit, point + α·u + β·v.
+  [[nodiscard]] virtual std::optional<std::array<Quotient, 2>> parameters() const { return std::nullopt; }
 
   /// How far p(t) is from the surface.
   [[nodiscard]] virtual Scaled residual(const Quotient& t) const = 0;
-  /// The same in units of L(t), the lengths that p(t) itself is made of.
-  [[nodiscard]] virtual Scaled off_surface(const Quotient& t) const { return residual(t); }
+  /// How far a point of the shape's own space, in the scale of ObjectRay, is from the surface, in units of
+  /// the lengths that it is made of as p(t), L(t).
+  [[nodiscard]] virtual Scaled off_surface(const Vector<Ring>& point, const Quotient& t) const = 0;
   /// The parts of the surface, one of which p(t) is taken to lie on; none where the shape has no normal.
   [[nodiscard]] virtual SurfaceParts parts(const Quotient& t) const = 0;
   /// By what factor errors of the shape's numbers and of the ray change the coordinates of a hit.

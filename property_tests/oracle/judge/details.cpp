@@ -2,7 +2,7 @@
 /// The judgement of what an answer says of its first hit beside t: point, normal, barycentric coordinates.
 
 #include <algorithm>
-#include <utility>
+#include <numbers>
 
 #include "oracle/geometry/sizes.hpp"
 #include "oracle/judge/judging.hpp"
@@ -37,11 +37,11 @@ Scaled off_point(const Ray<double>& ray, const Number& t, const glm::dvec3& clai
   return norm(apart);
 }
 
-/// The point of the ray nearest to `point`, by its t.
-Quotient foot(const Ray<double>& ray, const glm::dvec3& point) {
-  const auto direction = Vector<Ring>::from(ray.direction);
-  return {dot(Vector<Ring>::from(point) - Vector<Ring>::from(ray.origin), direction),
-          dot(direction, direction)};
+/// A point of the world as the shape has it, in the scale of ObjectRay.
+Vector<Ring> in_object(const ExactIntersection& exact, const glm::dvec3& point) {
+  const auto own = Vector<Ring>::from(point);
+  const auto& map = exact.ray().map;
+  return map ? map->apply(own - map->translation) : own;
 }
 
 /// The angle between two vectors, from 0 to π.
@@ -91,22 +91,26 @@ Scaled error_of_normal(const ExactIntersection& exact, const SurfaceParts& parts
   return std::max(least, length);
 }
 
-/// How far p(t) is from where it has several normals, so that none may be given: endless where there are no
-/// two parts.
-Scaled error_of_no_normal(const SurfaceParts& parts) {
-  Scaled nearest = endless(), second = endless();
-  for (const SurfacePart& part : parts) {
-    if (!(part.apart < nearest)) reduce(second, part.apart);
-    if (part.apart < nearest) second = std::exchange(nearest, part.apart);
-  }
-  return second - nearest;
+/// Of no normal, where the surface has one: as if it were the worst. Near an edge, where it has several, as
+/// much as p(t) is farther from the second part than from the nearest.
+Scaled error_of_no_normal(const ExactIntersection& exact, const SurfaceParts& parts, const Quotient& t) {
+  const auto by_distance = [](const SurfacePart& a, const SurfacePart& b) { return a.apart < b.apart; };
+  const auto nearest = std::ranges::min_element(parts, by_distance);
+  Scaled least = Scaled(std::numbers::pi) / WorldNormal(exact, *nearest, t).condition;
+  for (const SurfacePart& part : parts)
+    if (&part != &*nearest) reduce(least, part.apart - nearest->apart);
+  return least;
 }
 
-/// The largest error of a coordinate.
-Scaled error_of_coordinates(const std::array<Quotient, 3>& exact, const glm::dvec3& claimed) {
+/// The largest error of a coordinate; endless where one is no number.
+template <std::size_t count>
+Scaled error_of_coordinates(const std::array<Quotient, count>& exact,
+                            const glm::vec<count, double>& claimed) {
   Scaled most;
-  for (int i = 0; i < 3; ++i)
+  for (int i = 0; i < static_cast<int>(count); ++i) {
+    if (!std::isfinite(claimed[i])) return endless();
     most = std::max(most, abs(exact.at(static_cast<std::size_t>(i)).minus(claimed[i])));
+  }
   return most;
 }
 
@@ -124,7 +128,8 @@ Details judge_details(const ExactIntersection& exact, Precision precision, const
   if (claimed.point) {
     const Scaled size = size_of_point(ray, t, precision);
     details.point = units(off_point(ray, t, *claimed.point, precision) / size);
-    if (is_finite(*claimed.point)) details.surface = units(exact.off_surface(foot(ray, *claimed.point)));
+    if (is_finite(*claimed.point))
+      details.surface = units(exact.off_surface(in_object(exact, *claimed.point), t));
     const auto off_exact = [&](const auto& number) {
       return off_point(ray, number, *claimed.point, precision);
     };
@@ -132,17 +137,17 @@ Details judge_details(const ExactIntersection& exact, Precision precision, const
   }
   if (const SurfaceParts parts = exact.parts(t); !parts.empty()) {
     if (!claimed.normal)
-      details.normal = units(error_of_no_normal(parts));
+      details.normal = units(error_of_no_normal(exact, parts, t));
     else
       details.normal =
           is_finite(*claimed.normal) ? units(error_of_normal(exact, parts, t, *claimed.normal)) : HUGE_VAL;
   }
-  if (const auto weights = exact.barycentric()) {
-    details.coordinates = HUGE_VAL;
-    if (claimed.barycentric && is_finite(*claimed.barycentric))
-      details.coordinates = units(error_of_coordinates(*weights, *claimed.barycentric));
-    details.condition = value(exact.condition_of_coordinates());
-  }
+  if (const auto weights = exact.barycentric())
+    details.coordinates =
+        claimed.barycentric ? units(error_of_coordinates(*weights, *claimed.barycentric)) : HUGE_VAL;
+  else if (const auto parameters = exact.parameters(); claimed.parameters && parameters)
+    details.coordinates = units(error_of_coordinates(*parameters, *claimed.parameters));
+  if (details.coordinates) details.condition = value(exact.condition_of_coordinates());
   return details;
 }
 

@@ -87,6 +87,10 @@ class FlatIntersection : public PlanarIntersection {
     const Scaled off = abs(approximate(height)) / approximate(t.denominator());
     return ratio(off, sizes().unit(0, t.estimate()));
   }
+  [[nodiscard]] Scaled off_surface(const Vector<Ring>& point, const Quotient& t) const override {
+    const Ring height = dot(normal_, point - ray().origin) - gap_;
+    return ratio(abs(approximate(height)), sizes().unit(0, t.estimate()));
+  }
   [[nodiscard]] SurfaceParts parts(const Quotient&) const override {
     if (is_degenerate()) return {};
     SurfaceParts plane;

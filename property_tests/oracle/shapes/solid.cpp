@@ -62,12 +62,12 @@ class SolidIntersection final : public PlanarIntersection {
     for (std::size_t i = 0; i < 3; ++i) reduce(nearest, distance(i, t));
     return nearest;
   }
-  [[nodiscard]] Scaled off_surface(const Quotient& t) const override {
+  [[nodiscard]] Scaled off_surface(const Vector<Ring>& point, const Quotient& t) const override {
     Scaled nearest = endless();
     for (std::size_t i = 0; i < 3; ++i) {
-      const Scaled unit = sizes().unit(i, t.estimate());
-      reduce(nearest, ratio(length_to(i, met_[i].low, t), unit));
-      reduce(nearest, ratio(length_to(i, met_[i].high, t), unit));
+      const Ring position = dot(met_[i].normal, point);
+      for (const Ring& gap : {position - met_[i].low, position - met_[i].high})
+        reduce(nearest, ratio(abs(approximate(gap)), sizes().unit(i, t.estimate())));
     }
     return nearest;
   }
@@ -119,14 +119,10 @@ class SolidIntersection final : public PlanarIntersection {
     const SlabMeeting& met = met_[slab];
     const bool is_box = std::is_same_v<Solid, Box<double>> && !question().transform;
     if (is_box && met.is_parallel()) return endless();  // inside or outside is decided without rounding
-    const Scaled gap = length_to(slab, bound, t);
+    const Scaled gap = abs(approximate(met.beyond(bound, t))) / approximate(t.denominator());
     if (!is_box) return ratio(gap, sizes().unit(slab, t.estimate()));
     const Scaled run = abs(approximate(met.speed) * t.estimate());
     return ratio(gap, run + abs(approximate(bound - met.position)));
-  }
-  /// The same as a length, times that of the slab's normal in the scale of ObjectRay.
-  [[nodiscard]] Scaled length_to(std::size_t slab, const Ring& bound, const Quotient& t) const {
-    return abs(approximate(met_[slab].beyond(bound, t))) / approximate(t.denominator());
   }
   /// The same from the nearer plane.
   [[nodiscard]] Scaled distance(std::size_t slab, const Quotient& t) const {

@@ -120,7 +120,7 @@ Evidence show_touch(Trial& trial) {
 
 std::vector<Property> details_properties() {
   return {
-      {Claim::verdict, "touch",
+      {Claim::point, "touch",
        "a hit is called tangent, edge, vertex or rim only where it is, outside the band", details_every,
        touch, show_touch},
       {Claim::point, "point", "the point of the first hit is the ray's at t to the promised bound",

@@ -23,9 +23,10 @@ enum class Claim : unsigned {
   nan,        ///< a NaN anywhere in the input never gives a hit
   bounded,    ///< the running-error arithmetic's bound encloses the exact answer
   contact,    ///< why a ray misses is given rightly: parallel to the surface, inside it, or neither
-  point,      ///< the point of the first hit lies on the ray and on the surface to the promised bounds
+  point,      ///< the first hit's point is on ray and surface to the promised bounds, and touches as is said
   normal,     ///< the normal of the first hit is the surface's there to the promised bound, its side included
-  coordinates  ///< the barycentric coordinates of a triangle's hit are the exact ones to the promised bound
+  coordinates  ///< a triangle's barycentric coordinates, a plane's parameters, are exact to the promised
+               ///< bound
 };
 inline constexpr std::size_t claim_count = 15;
 
@@ -61,7 +62,7 @@ struct Bound {
 /// farther from the surface than the residual and this together; *normal* the angle to the surface's outward
 /// (or given) normal at p(t), in units of ε·K with the condition K that the shape states, and the difference
 /// of its length from 1 in units of ε; near an edge it may be that of either face; *coordinates* the error of
-/// each barycentric coordinate in units of ε·K, of a method that promises ulps in units of ε. Under a
+/// each coordinate in units of ε·K, of a method that promises ulps in units of ε. Under a
 /// transform K grows by its condition number. The usual domain holds for them, however far a method's own may
 /// reach.
 struct HitBounds {

@@ -18,7 +18,7 @@ struct Compensated {
       .verdict = {.measured = 0, .promised = 0},
       .residual = {.measured = 0.5, .promised = 2},
       .ulp = {.measured = 0.501, .promised = 1},
-      .hit = plane_hit_bounds,
+      .hit = {plane_hit_bounds.point, plane_hit_bounds.normal},
       .domain = {.reach_float = 1000, .reach_double = 200, .every_number = true},
       .holds = robust_claims | hit_claims | Claims{Claim::residual, Claim::ulp}};
 

@@ -22,7 +22,7 @@ struct ByEquation {
   static constexpr Contract contract{
       .verdict = {.measured = 1.68, .promised = plane_robust_bound},
       .residual = {.measured = 1.79, .promised = plane_robust_bound},
-      .hit = plane_hit_bounds,
+      .hit = {plane_hit_bounds.point, plane_hit_bounds.normal},
       .holds = robust_claims | hit_claims | Claims{Claim::residual, Claim::bounded}};
 
   template <class T>

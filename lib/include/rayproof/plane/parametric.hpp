@@ -46,7 +46,8 @@ struct ByParameters {
       .verdict = {.measured = 1.68, .promised = plane_robust_bound},
       .residual = {.measured = 1.79, .promised = plane_robust_bound},
       .hit = plane_hit_bounds,
-      .holds = robust_claims | hit_claims | Claims{Claim::residual, Claim::bounded}};
+      .holds = robust_claims | hit_claims | Claims{Claim::coordinates, Claim::residual, Claim::bounded}};
+  static constexpr bool has_parameters = true;  ///< the answer's u and v say where on the plane the hit is
 
   template <class T>
   [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Plane<T>& plane) {

@@ -25,7 +25,7 @@ struct ByPointAndNormal {
   static constexpr Contract contract{
       .verdict = {.measured = 1.68, .promised = plane_robust_bound},
       .residual = {.measured = 1.79, .promised = plane_robust_bound},
-      .hit = plane_hit_bounds,
+      .hit = {plane_hit_bounds.point, plane_hit_bounds.normal},
       .holds = robust_claims | hit_claims | Claims{Claim::residual, Claim::bounded}};
 
   template <class T>

@@ -46,7 +46,9 @@ struct Pluecker {
     const T along = named("n·d⃗", dot(n, d));
     const T t = named("t", dot(n, a) / along);
     const T sum = named("U+V+W", U + V + W);
-    return flat_hit(along != T(0) && same_side(U, V, W), t, named("u", V / sum), named("v", W / sum));
+    // Of a triangle so far and small that all three vanish, any point is as near to the ray as another.
+    const T whole = select(sum == T(0), T(1), sum);
+    return flat_hit(along != T(0) && same_side(U, V, W), t, named("u", V / whole), named("v", W / whole));
   }
 };
 

@@ -43,12 +43,13 @@ class CylinderIntersection final : public MeasuredCylinder {
   /// The side, and the caps where there are any, each as if it had no end.
   [[nodiscard]] SurfaceParts parts(const Quotient& t) const override {
     SurfaceParts all;
+    const Place p = place_at(t);
     const Scaled growth = turn_of_side(t);
     if (growth.sign() > 0)
-      all.push_back({side_normal(), off_circle(t), Scaled(1) + growth * reach_across(t)});
+      all.push_back({side_normal(), off_circle(p), Scaled(1) + growth * reach_across(p.t)});
     if (!cylinder().capped) return all;
     for (const bool is_lower : {true, false})
-      all.push_back({{{Ring(0.0), Ring(0.0), Ring(is_lower ? -1.0 : 1.0)}}, off_cap(t, is_lower), Scaled(1)});
+      all.push_back({{{Ring(0.0), Ring(0.0), Ring(is_lower ? -1.0 : 1.0)}}, off_cap(p, is_lower), Scaled(1)});
     return all;
   }
 

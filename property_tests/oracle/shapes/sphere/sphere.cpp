@@ -50,9 +50,11 @@ class SphereIntersection final : public ExactIntersection {
     return nearest;
   }
   [[nodiscard]] Scaled residual(const Quotient& t) const override { return distance_at(t) / sizes().unit; }
-  [[nodiscard]] Scaled off_surface(const Quotient& t) const override {
+  [[nodiscard]] Scaled off_surface(const Vector<Ring>& point, const Quotient& t) const override {
+    const Vector<Ring> p = scene_.from_center + (point - scene_.ray.origin);
+    const Scaled apart = distance(approximate(dot(p, p) - scene_.radius * scene_.radius));
     const Scaled scale = approximate(scene_.ray.scale), radius = abs(approximate(scene_.radius));
-    return ratio(distance_at(t), scale * (reach(t) + norm(sphere_.center)) + radius);
+    return ratio(apart, scale * (reach(t) + norm(sphere_.center)) + radius);
   }
   [[nodiscard]] SurfaceParts parts(const Quotient& t) const override {
     SurfaceParts whole;
