@@ -103,9 +103,8 @@ Scaled error_of_no_normal(const ExactIntersection& exact, const SurfaceParts& pa
 }
 
 /// The largest error of a coordinate; endless where one is no number.
-template <std::size_t count>
-Scaled error_of_coordinates(const std::array<Quotient, count>& exact,
-                            const glm::vec<count, double>& claimed) {
+template <std::size_t count, class Claimed>
+Scaled error_of_coordinates(const std::array<Quotient, count>& exact, const Claimed& claimed) {
   Scaled most;
   for (int i = 0; i < static_cast<int>(count); ++i) {
     if (!std::isfinite(claimed[i])) return endless();
@@ -136,8 +135,9 @@ Details judge_details(const ExactIntersection& exact, Precision precision, const
     if (!hits.empty()) details.forward = units(std::visit(off_exact, hits.front().t) / size);
   }
   if (const SurfaceParts parts = exact.parts(t); !parts.empty()) {
+    const bool has_exact = hits.empty() || exact.normal(hits.front());
     if (!claimed.normal)
-      details.normal = units(error_of_no_normal(exact, parts, t));
+      details.normal = has_exact ? units(error_of_no_normal(exact, parts, t)) : 0;
     else
       details.normal =
           is_finite(*claimed.normal) ? units(error_of_normal(exact, parts, t, *claimed.normal)) : HUGE_VAL;

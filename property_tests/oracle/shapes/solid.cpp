@@ -78,8 +78,12 @@ class SolidIntersection final : public PlanarIntersection {
     for (std::size_t i = 0; i < 3; ++i) {
       const SlabMeeting& met = met_[i];
       const Scaled condition = sizes().normals[i] / (approximate(ray().scale) * norm(met.normal));
-      all.push_back({{-met.normal}, distance(i, met.low, t), condition});
-      all.push_back({{met.normal}, distance(i, met.high, t), condition});
+      // A line in a plane is exactly in it, however its distance is measured.
+      const auto apart = [&](const Ring& bound) {
+        return sign(met.beyond(bound, t)) == 0 ? Scaled{} : distance(i, bound, t);
+      };
+      all.push_back({{-met.normal}, apart(met.low), condition});
+      all.push_back({{met.normal}, apart(met.high), condition});
     }
     return all;
   }
