@@ -78,7 +78,8 @@ class DetailsJudge {
   void judge_normal(Details& details) const {
     SurfaceParts parts = exact_.parts(t_);
     if (parts.empty()) return;
-    std::ranges::sort(parts, [](const SurfacePart& a, const SurfacePart& b) { return a.apart < b.apart; });
+    const auto by_distance = [](const SurfacePart& a, const SurfacePart& b) { return a.apart < b.apart; };
+    std::iter_swap(parts.begin(), std::ranges::min_element(parts, by_distance));
     const bool is_sharp = !hits_.empty() && !exact_.normal(hits_.front());
     if (!claimed_.normal)
       details.normal = is_sharp ? 0 : units(error_of_no_normal(exact_, parts, t_));

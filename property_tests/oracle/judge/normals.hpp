@@ -40,14 +40,14 @@ struct WorldNormal {
 
 /// By how much a claimed normal turns away from that of the part that it fits best, in units of the part's
 /// condition, or by how much farther than the nearest part that one is, whichever is more; or how far it is
-/// from unit length. The parts are sorted by distance.
+/// from unit length. The nearest part is the first.
 [[nodiscard]] inline Scaled error_of_normal(const ExactIntersection& exact, const SurfaceParts& parts,
                                             const Quotient& t, const glm::dvec3& claimed) {
   const auto own = Vector<Scaled>::from(claimed);
   Scaled least = endless();
   for (const SurfacePart& part : parts) {
     const Scaled farther = part.apart - parts.front().apart;
-    if (!(farther < least)) break;
+    if (!(farther < least)) continue;
     const WorldNormal normal(exact, part, t);
     reduce(least, std::max(farther, Scaled(angle(own, normal.along)) / normal.condition));
   }
@@ -60,8 +60,9 @@ struct WorldNormal {
 /// much as p(t) is farther from the second part than from the nearest.
 [[nodiscard]] inline Scaled error_of_no_normal(const ExactIntersection& exact, const SurfaceParts& parts,
                                                const Quotient& t) {
-  const Scaled worst = Scaled(std::numbers::pi) / WorldNormal(exact, parts.front(), t).condition;
-  return parts.size() < 2 ? worst : std::min(worst, parts[1].apart - parts[0].apart);
+  Scaled least = Scaled(std::numbers::pi) / WorldNormal(exact, parts.front(), t).condition;
+  for (std::size_t i = 1; i < parts.size(); ++i) reduce(least, parts[i].apart - parts.front().apart);
+  return least;
 }
 
 }  // namespace rayproof::oracle
