@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <optional>
 #include <span>
 
 #include "oracle/oracle.hpp"
+#include "properties/trial.hpp"
 
 namespace rayproof::report {
 
@@ -54,7 +56,7 @@ double floats_between(double x, double y, Precision precision) {
 class AccuracySum {
  public:
   void add(const Answer& claimed, const Answer& exact, const oracle::Judgement& judgement,
-           Precision precision) {
+           const std::optional<oracle::Details>& details, Precision precision) {
     ++sum_.cases;
     const auto claims = numbers_of(claimed);
     const auto truths = numbers_of(exact);
@@ -66,6 +68,7 @@ class AccuracySum {
     }
     const std::size_t agreed = std::min(claims.size(), truths.size());
     if (agreed == 0) return;
+    if (details) add(*details);
     ulps_.push_back(judgement.ulp);
     sum_.agreed_hits += agreed;
     for (std::size_t i = 0; i < agreed; ++i)
@@ -73,19 +76,38 @@ class AccuracySum {
   }
 
   [[nodiscard]] Accuracy result() {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     std::ranges::sort(ulps_);
-    sum_.max_ulp = ulps_.empty() ? nan : ulps_.back();
-    sum_.p99_ulp = ulps_.empty() ? nan : ulps_[(ulps_.size() - 1) * 99 / 100];
-    sum_.mean_bits = sum_.agreed_hits == 0 ? nan : bits_ / static_cast<double>(sum_.agreed_hits);
+    sum_.max_ulp = ulps_.empty() ? none : ulps_.back();
+    sum_.p99_ulp = ulps_.empty() ? none : ulps_[(ulps_.size() - 1) * 99 / 100];
+    sum_.mean_bits = sum_.agreed_hits == 0 ? none : bits_ / static_cast<double>(sum_.agreed_hits);
     return sum_;
   }
 
  private:
-  Accuracy sum_;
+  void add(const oracle::Details& details) {
+    const auto note = [](double& worst, const std::optional<double>& error, double unit) {
+      if (error && !(*error / unit <= worst)) worst = *error / unit;  // of NaN, too
+    };
+    note(sum_.max_point, details.point, 1);
+    note(sum_.max_normal, details.normal, 1);
+    note(sum_.max_coordinates, details.coordinates, details.condition);
+  }
+
+  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  Accuracy sum_{.max_point = none, .max_normal = none, .max_coordinates = none};
   std::vector<double> ulps_;
   double bits_ = 0;
 };
+
+/// What the oracle says of the first hit beside t, of every eighth case, where it is in the usual domain:
+/// beyond it a point overflows.
+std::optional<oracle::Details> details_of(const Case& one, const Answer& claimed,
+                                          const oracle::Judgement& judgement, std::size_t index) {
+  const int reach = reach_of(Domain{}, one.precision);
+  const bool is_in_domain = judgement.smallest >= -reach && judgement.largest <= reach;
+  if (index % 8 != 0 || !is_in_domain) return std::nullopt;
+  return oracle::judge_details(one, claimed);
+}
 
 bool is_fair(const Answer& claimed, const Case& one) {
   if (!is_nearest_only(claimed)) return true;
@@ -112,11 +134,15 @@ Accuracies measure(const Subject& subject, const JudgedFamily& family) {
     const Answer claimed = subject.answer(one);
     if (!is_fair(claimed, one)) continue;
     const oracle::Judgement judgement = oracle::judge(one, claimed);
-    scalar.add(claimed, family.exact[i], judgement, one.precision);
+    const auto details = details_of(one, claimed, judgement, i);
+    scalar.add(claimed, family.exact[i], judgement, details, one.precision);
     if (subject.answer_in_batch == nullptr) continue;
     const Answer in_batch = subject.answer_in_batch(one);
     const bool is_same = same_numbers(claimed, in_batch);
-    batch.add(in_batch, family.exact[i], is_same ? judgement : oracle::judge(one, in_batch), one.precision);
+    if (is_same)
+      batch.add(in_batch, family.exact[i], judgement, details, one.precision);
+    else
+      batch.add(in_batch, family.exact[i], oracle::judge(one, in_batch), std::nullopt, one.precision);
   }
   return {scalar.result(), batch.result()};
 }

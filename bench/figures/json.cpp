@@ -31,6 +31,9 @@ Json row_of(const BenchRow& row, std::size_t timed_rays) {
   add("max_ulp", number(errors.max_ulp));
   add("p99_ulp", number(errors.p99_ulp));
   add("mean_bits", number(errors.mean_bits));
+  add("max_point", number(errors.max_point));
+  add("max_normal", number(errors.max_normal));
+  add("max_coordinates", number(errors.max_coordinates));
   return json;
 }
 

@@ -32,17 +32,20 @@ accurate; the dotted stair is the Pareto front, the dashed line what merely read
 <p class="soft">The families bit_patterns, exponents and special, in which everything over- and underflows, are left out of the
 plots and the first tables; their own tables stand below. Wrong verdicts are cases with a hit too many or too few by the exact oracle. Bits of error are
 log₂(1 + floats between the hit and the correctly rounded one), averaged over the hits that method and oracle agree on; wrong
-verdicts are never averaged in. Times are processor time, medians over families of median passes. For timing, each case's ray is moved and scaled
+verdicts are never averaged in. Point, normal and coordinates are the worst errors of the first hit's in contract units,
+about one rounding each; a normal on the wrong side is off by 10⁷ of them in float, 10¹⁶ in double. Times are processor time, medians over families of median passes. For timing, each case's ray is moved and scaled
 with its sphere until all lie at one sphere, as a batch needs. GLM reports only the nearest hit beyond 0, so it is judged on rays
 with the interval [0, ∞]; it asks for unit directions, which it was given beforehand, except under a transform, where that can
 only be done for each ray anew.</p>
 )html";
 
 std::string error_cells(const Accuracy& errors, bool is_floor) {
-  if (is_floor) return "<td></td><td></td><td></td><td></td><td></td><td></td>";
-  return fmt::format("<td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>", errors.cases,
-                     errors.wrong_hits, errors.wrong_misses, figure(errors.max_ulp), figure(errors.p99_ulp),
-                     figure(errors.mean_bits));
+  if (is_floor) return "<td></td><td></td><td></td><td></td><td></td><td></td><td></td><td></td><td></td>";
+  return fmt::format(
+      "<td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>",
+      errors.cases, errors.wrong_hits, errors.wrong_misses, figure(errors.max_ulp), figure(errors.p99_ulp),
+      figure(errors.mean_bits), figure(errors.max_point), figure(errors.max_normal),
+      figure(errors.max_coordinates));
 }
 
 /// A row of a summary or of a family: both have the same members.
@@ -63,7 +66,7 @@ std::string table(const Lines& lines, const Wanted& is_wanted) {
   return "<div class=\"wide\"><table><thead><tr><th>method</th><th>precision</th><th>arrangement</th><th>ns "
          "a ray</th>"
          "<th>cases</th><th>wrong hits</th><th>wrong misses</th><th>max ulp</th><th>p99 ulp</th><th>mean "
-         "bits</th></tr>"
+         "bits</th><th>point</th><th>normal</th><th>coordinates</th></tr>"
          "</thead><tbody>\n" +
          body + "</tbody></table></div>\n";
 }

@@ -26,6 +26,9 @@ void add(Accuracy& sum, const Accuracy& one) {
   sum.agreed_hits += one.agreed_hits;
   sum.max_ulp = larger(sum.max_ulp, one.max_ulp);
   sum.p99_ulp = larger(sum.p99_ulp, one.p99_ulp);
+  sum.max_point = larger(sum.max_point, one.max_point);
+  sum.max_normal = larger(sum.max_normal, one.max_normal);
+  sum.max_coordinates = larger(sum.max_coordinates, one.max_coordinates);
 }
 
 bool is_same(const MethodSummary& summary, const BenchRow& row) {

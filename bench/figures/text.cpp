@@ -19,15 +19,17 @@ std::string to_text(const Measurements& figures, const std::vector<MethodSummary
     const std::string own_group = fmt::format("{} {}", one.shape, name_of(one.precision));
     if (own_group != group) {
       group = own_group;
-      text += fmt::format("\n{:<18} {:<7} {:>10} {:>9} {:>11} {:>13} {:>9} {:>9} {:>9}\n", group, "",
-                          "ns/ray", "cases", "wrong hits", "wrong misses", "max ulp", "p99 ulp", "mean bits");
+      text += fmt::format("\n{:<22} {:<7} {:>7} {:>7} {:>10} {:>12} {:>8} {:>8} {:>9} {:>5} {:>6} {:>6}\n",
+                          group, "", "ns/ray", "cases", "wrong hits", "wrong misses", "max ulp", "p99 ulp",
+                          "mean bits", "point", "normal", "coord.");
     }
-    text += fmt::format("{:<18} {:<7} {:>10}", one.method, name_of(one.arrangement), figure(one.ns_per_ray));
+    text += fmt::format("{:<22} {:<7} {:>7}", one.method, name_of(one.arrangement), figure(one.ns_per_ray));
     const Accuracy& errors = one.accuracy;
     if (!one.is_floor())
-      text += fmt::format(" {:>9} {:>11} {:>13} {:>9} {:>9} {:>9}", errors.cases, errors.wrong_hits,
-                          errors.wrong_misses, figure(errors.max_ulp), figure(errors.p99_ulp),
-                          figure(errors.mean_bits));
+      text += fmt::format(" {:>7} {:>10} {:>12} {:>8} {:>8} {:>9} {:>5} {:>6} {:>6}", errors.cases,
+                          errors.wrong_hits, errors.wrong_misses, figure(errors.max_ulp),
+                          figure(errors.p99_ulp), figure(errors.mean_bits), figure(errors.max_point),
+                          figure(errors.max_normal), figure(errors.max_coordinates));
     text += '\n';
   }
   if (const auto found = headline(figures.rows))

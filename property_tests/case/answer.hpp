@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <rayproof/polygon.hpp>
@@ -39,6 +40,7 @@ struct RayAnswer {
   std::optional<glm::dvec3> point{};        ///< of the first hit
   std::optional<glm::dvec3> normal{};       ///< of the first hit, a unit vector
   std::optional<glm::dvec3> barycentric{};  ///< of a triangle's hit, [α, β, γ] of a, b, c
+  std::optional<glm::dvec2> parameters{};  ///< of a parametric plane's hit, [α, β] of point + α·u + β·v
 };
 
 /// The name of the case format.

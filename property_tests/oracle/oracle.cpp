@@ -25,6 +25,15 @@ Answer answer(const Case& one) {
                     one.question);
 }
 
+Details judge_details(const Case& one, const Answer& claimed) {
+  const auto* question = std::get_if<RayQuestion>(&one.question);
+  if (question == nullptr) return {};
+  const auto judge_as = [&](const auto& shape) {
+    return judge_details(*intersection_of(*question, shape), one.precision, std::get<RayAnswer>(claimed));
+  };
+  return std::visit(judge_as, question->shape);
+}
+
 Judgement judge(const Case& one, const Answer& claimed) {
   const auto judge_as = [&](const auto& question) {
     using Expected = decltype(answer(question, one.precision));

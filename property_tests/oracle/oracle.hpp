@@ -3,6 +3,8 @@
 /// The oracle: exact answers to cases, and exact judgement of other people's answers. Slow, final, and
 /// independent of every method it judges: it shares the case, never a formula.
 
+#include <optional>
+
 #include "case/answer.hpp"
 #include "case/case.hpp"
 
@@ -31,11 +33,38 @@ struct Judgement {
   double largest = 0;
 };
 
+/// What the exact truth says of an answer's first hit beside t: of its point, normal and barycentric
+/// coordinates, each nothing where there is none to judge, and infinite where one is missing or no number.
+///
+/// Point and normal are judged where the answer itself says that it hits, at the claimed t: how far p(t) is
+/// from a hit is the residual, and at a grazing ray neither can be near the exact hit. Lengths are in units
+/// of ε times the lengths that p(t) is made of, |origin| + |t||direction|, of the surface also the shape's
+/// own (L(t) of the contracts); a transform makes them larger by its condition.
+struct Details {
+  std::optional<double> point{};    ///< how far the point is from p(t), and so from the ray
+  std::optional<double> surface{};  ///< how far it is from the surface
+  std::optional<double> forward{};  ///< how far it is from the exact hit; nothing where that is a miss
+  /// The angle between the normal and the outward (or given) one of the surface at p(t), in units of ε times
+  /// the condition of that normal; of several faces the one that fits best, or how much farther from p(t) it
+  /// is than the nearest, whichever is more. Also how far from 1 its length is, in units of ε. Without a
+  /// normal, how far p(t) is from an edge.
+  std::optional<double> normal{};
+  /// The largest error of a triangle's [α, β, γ] at the exact hit, in units of ε; of a parametric plane's [α,
+  /// β], where they are given.
+  std::optional<double> coordinates{};
+  double condition = 1;              ///< of the coordinates: what plain methods may be off by
+  std::optional<Contact> contact{};  ///< how the exact first hit touches
+};
+
 /// The exact answer of a valid case, rounded once at the end as the case format says.
 [[nodiscard]] Answer answer(const Case& one);
 
 /// Judges `claimed` against the exact truth of `one`. Certain in every bit that decides a verdict; errors are
 /// certain to 2^-20 of their value or 2^-30 ulp, whichever is larger.
 [[nodiscard]] Judgement judge(const Case& one, const Answer& claimed);
+
+/// Judges what `claimed` says of its first hit beside t. It costs about as much as `judge`, and is not part
+/// of it. Nothing is judged of questions that are not of a ray.
+[[nodiscard]] Details judge_details(const Case& one, const Answer& claimed);
 
 }  // namespace rayproof::oracle

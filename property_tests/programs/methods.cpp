@@ -34,6 +34,9 @@ Json to_json(const Contract& contract) {
   return {{"verdict", to_json(contract.verdict)},
           {"residual", to_json(contract.residual)},
           {"ulp", to_json(contract.ulp)},
+          {"point", to_json(contract.hit.point)},
+          {"normal", to_json(contract.hit.normal)},
+          {"coordinates", to_json(contract.hit.coordinates)},
           {"domain",
            {{"float32", contract.domain.reach_float},
             {"float64", contract.domain.reach_double},
@@ -58,6 +61,16 @@ std::string in_words(const Bound& bound) {
   if (!std::isfinite(bound.promised)) return "-";
   if (!std::isfinite(bound.measured)) return fmt::format("{:g}", bound.promised);
   return fmt::format("{:.3g} of {:g}", bound.measured, bound.promised);
+}
+
+/// "first hit: point 1.6 of 2, normal 1.1 of 4"; nothing where nothing is promised of it.
+std::string in_words(const HitBounds& hit) {
+  std::string text;
+  for (const auto& [name, bound] : {std::pair{"point", hit.point}, std::pair{"normal", hit.normal},
+                                    std::pair{"coordinates", hit.coordinates}})
+    if (std::isfinite(bound.promised))
+      text += fmt::format("{} {} {}", text.empty() ? "first hit:" : ",", name, in_words(bound));
+  return text;
 }
 
 /// "2^±28", or "any size" where the reach is beyond every number of the format.
@@ -100,6 +113,7 @@ void print_table() {
     print_detail(
         in_words(contract.domain) +
         (contract.verdict.far_power == 0 ? "" : fmt::format("; far_power {}", contract.verdict.far_power)));
+    if (const std::string hit = in_words(contract.hit); !hit.empty()) print_detail(hit);
     for (const auto& [claim, because] : contract.refuted)
       if (!because.empty()) print_detail(fmt::format("breaks {}: {}", claim_name(claim), because));
   }
@@ -137,6 +151,10 @@ does, its source, its domain, and which properties of rayproof check it breaks.
              or a cylinder, as that of the residual, with the origin's distance
              over the shape's size; for a triangle with 1 over its steepness,
              that is, where it is thin or seen edge-on.
+  first hit  Bounds on what is said of it beside t: how far its point may be from
+             the ray at t, its normal from the surface's there, in angle, and its
+             barycentric coordinates from the exact ones; their units stand above
+             HitBounds in rayproof/method/contract.hpp.
   breaks     A property that the method fails, and why; rayproof check must find
              the counterexample.
 

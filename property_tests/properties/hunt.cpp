@@ -21,7 +21,6 @@ struct BlockResult {
   void put(const Unit& unit, const Case& one, unsigned k) {
     Trial trial(*unit.subject, one);
     ++tally.cases;
-    if (unit.measure) tally.worst.add(trial);
     const std::vector<Property>& all = properties();
     for (std::size_t p = 0; p < all.size(); ++p) {
       if (!unit.active[p] || k % all[p].every != 0) continue;
@@ -29,6 +28,7 @@ struct BlockResult {
       tally.properties[p].add(ruling);
       if (ruling == Ruling::broken) first_broken.emplace(p, k);
     }
+    if (unit.measure) tally.worst.add(trial);
   }
 
   BlockResult& operator+=(const BlockResult& more) {

@@ -33,9 +33,11 @@ struct PropertyTally {
 struct Worst {
   double verdict = 0;  ///< the widest margin at which a verdict was wrong
   double residual = 0;
-  double ulp = 0;  ///< where the verdict was right
+  double ulp = 0;                                 ///< where the verdict was right
+  double point = 0, normal = 0, coordinates = 0;  ///< of first hits, over `details` cases only
   std::uint64_t wrong = 0;
   std::uint64_t cases = 0;
+  std::uint64_t details = 0;      ///< of the cases; those whose point, normal and coordinates were judged
   std::uint64_t transformed = 0;  ///< of the cases; another promise holds for them (promise.hpp)
 
   /// Takes in one trial; a case outside the domain is left out.
@@ -53,16 +55,31 @@ struct Worst {
     } else {
       ulp = std::max(ulp, judgement.ulp);
     }
+    if (trial.has_details() && trial.in_domain_of_details()) add_details(trial);
   }
 
   Worst& operator+=(const Worst& more) {
     verdict = std::max(verdict, more.verdict);
     residual = std::max(residual, more.residual);
     ulp = std::max(ulp, more.ulp);
+    point = std::max(point, more.point);
+    normal = std::max(normal, more.normal);
+    coordinates = std::max(coordinates, more.coordinates);
     wrong += more.wrong;
     cases += more.cases;
+    details += more.details;
     transformed += more.transformed;
     return *this;
+  }
+
+ private:
+  void add_details(Trial& trial) {
+    const oracle::Details& judged = trial.details();
+    if (!judged.point) return;
+    ++details;
+    point = std::max(point, *judged.point);
+    normal = std::max(normal, judged.normal.value_or(0));
+    coordinates = std::max(coordinates, judged.coordinates.value_or(0) / trial.unit_of_coordinates());
   }
 };
 

@@ -55,10 +55,31 @@ class Trial {
     return *judgement_;
   }
 
+  [[nodiscard]] const oracle::Details& details() {
+    if (!details_) details_ = oracle::judge_details(*case_, claimed());
+    return *details_;
+  }
+  /// Whether a property has asked for them: they cost as much again, and not every case is worth that.
+  [[nodiscard]] bool has_details() const { return details_.has_value(); }
+
+  /// The unit of the coordinates' errors but for ε: their condition, or 1 for a method that promises ulps,
+  /// unless the ray has been rounded before the method sees it.
+  [[nodiscard]] double unit_of_coordinates() {
+    const bool is_exact = std::isfinite(subject_->contract.ulp.promised) && !is_transformed(*case_);
+    return is_exact ? 1 : details().condition;
+  }
+
   /// Whether every length of the case lies in the domain of the subject's bounds, `spare` powers of two
   /// inside it; and every number, too, where the domain asks for that.
-  [[nodiscard]] bool in_domain(int spare = 0) {
-    const int limit = reach() - spare;
+  [[nodiscard]] bool in_domain(int spare = 0) { return is_within(reach() - spare); }
+
+  /// The same of the domain in which point and normal are promised: no further than the usual one, since they
+  /// are plain arithmetic, however careful the method is that finds t.
+  [[nodiscard]] bool in_domain_of_details() {
+    return is_within(std::min(reach(), reach_of(Domain{}, case_->precision)));
+  }
+
+  [[nodiscard]] bool is_within(int limit) {
     return judgement().smallest >= -limit && judgement().largest <= limit &&
            (!subject_->contract.domain.every_number || all_numbers_within(limit));
   }
@@ -85,6 +106,7 @@ class Trial {
   const Case* case_;
   std::optional<Answer> claimed_{};
   std::optional<oracle::Judgement> judgement_{};
+  std::optional<oracle::Details> details_{};
 };
 
 }  // namespace rayproof

@@ -11,13 +11,13 @@ namespace {
 
 /// The unit normal in the world at t, either way round; NaN where the figure has none.
 glm::dvec3 normal_at_hit(const Object& object, const Ray<double>& ray, double t) {
-  const auto own_normal = [&object](const glm::dvec3& point) {
-    return std::visit([&](const auto& shape) { return glm::dvec3(normal_at(library_shape(shape), point)); },
+  const auto own_normal = [&](const Ray<double>& own) {
+    return std::visit([&](const auto& shape) { return normal_at(library_shape(shape), own, t); },
                       object.shape);
   };
-  if (!object.transform) return own_normal(point_at(ray, t));
+  if (!object.transform) return own_normal(ray);
   const ObjectSpace<double> space = object_space<double>(*object.transform);
-  return normal_to_world(space, own_normal(point_at(to_object(space, ray), t)));
+  return normal_to_world(space, own_normal(to_object(space, ray)));
 }
 
 /// How much of a colour the eye gets: 1 where it looks straight down on the surface.

@@ -2,6 +2,7 @@
 /// \file
 /// The axis-aligned box, and the meaning of a ray/box method's answers.
 
+#include <rayproof/method/contract.hpp>
 #include <rayproof/roots.hpp>
 
 namespace rayproof {
@@ -29,5 +30,9 @@ template <class To, class From>
 
 /// The bound, in the units above, that a robust ray/box method keeps (Claim::robust).
 inline constexpr double box_robust_bound = 4;
+
+/// What every sound method says of its first hit. K = 1. A face is near p(t) as for *verdict*.
+inline constexpr HitBounds box_hit_bounds{.point = {.measured = 1.19, .promised = 2},
+                                          .normal = {.measured = 1.19, .promised = 4}};
 
 }  // namespace rayproof

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// The unit normal of every figure at a point of its surface; the sphere's stands beside the sphere.
+/// The unit normal of every figure where a ray meets it, in its own space; the sphere's stands beside the
+/// sphere.
 
 #include <rayproof/box.hpp>
 #include <rayproof/cylinder.hpp>
@@ -31,60 +32,70 @@ template <std::floating_point T>
       polygon::newell_normal<T>(polygon.vertices, polygon::nearest_the_origin(polygon.vertices)));
 }
 
-namespace detail {
-
-/// Of three places between two faces each, 0 on the lower and 1 on the upper, the one nearest to a face:
-/// its index, and on which side it is.
-template <class T>
-struct NearestFace {
-  int pair = 0;
-  bool is_upper = false;
-
-  explicit NearestFace(const vec3<T>& place) {
-    T nearest = T(infinity<T>);
-    for (int i = 0; i < 3; ++i) {
-      const T to_lower = abs(place[i]), to_upper = abs(T(1) - place[i]);
-      if (!(min(to_lower, to_upper) < nearest)) continue;
-      nearest = min(to_lower, to_upper);
-      pair = i;
-      is_upper = to_upper < to_lower;
+/// Outward, of the face nearest to the point. Distances count in the rounding of each face, which grows with
+/// the product of its edges' lengths: of a face thin as a needle the cross product is less than that.
+template <std::floating_point T>
+[[nodiscard]] vec3<T> normal_at(const Parallelepiped<T>& solid, const vec3<T>& point) {
+  vec3<T> normal(0);
+  T nearest = infinity<T>;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const vec3<T>&e = solid.edges[i], &f = solid.edges[(i + 1) % 3], &g = solid.edges[(i + 2) % 3];
+    const vec3<T> along = cross(f, g);
+    const vec3<T> outward = dot(along, e) < T(0) ? -along : along;
+    const vec3<T> q = point - solid.corner;
+    const T size = sqrt(dot(f, f)) * sqrt(dot(g, g));
+    for (const bool is_lower : {true, false}) {
+      const T apart = abs(dot(along, is_lower ? q : q - e)) / size;
+      if (!(apart < nearest)) continue;
+      nearest = apart;
+      normal = is_lower ? -outward : outward;
     }
   }
-};
+  return normalized<T>(normal);
+}
 
-}  // namespace detail
+/// Of any shape that has a normal at a point: there where the ray, in the shape's own space, is at t.
+template <class Shape, std::floating_point T>
+requires requires(const Shape& shape, const vec3<T>& point) { normal_at(shape, point); }
+[[nodiscard]] vec3<T> normal_at(const Shape& shape, const Ray<T>& ray, const T& t) {
+  return normal_at(shape, point_at(ray, t));
+}
 
-/// Outward, of the face nearest to the point.
+/// Outward, of the face whose own t is nearest to the hit's; of two that are as near, the one that the ray
+/// enters by.
+///
+/// By t and not by the point: each t is off by the rounding of its own axis alone, while the point's
+/// rounding, far from (0, 0, 0), is large beside a thin box.
 template <std::floating_point T>
-[[nodiscard]] vec3<T> normal_at(const Box<T>& box, const vec3<T>& point) {
-  const detail::NearestFace<T> face((point - box.min) / (box.max - box.min));
+[[nodiscard]] vec3<T> normal_at(const Box<T>& box, const Ray<T>& ray, const T& t) {
   vec3<T> normal(0);
-  normal[face.pair] = face.is_upper ? T(1) : T(-1);
+  T nearest = infinity<T>;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const bool is_entry : {true, false}) {
+      const bool is_lower = (ray.direction[axis] > T(0)) == is_entry;
+      const T own = ((is_lower ? box.min : box.max)[axis] - ray.origin[axis]) / ray.direction[axis];
+      const T apart = own == t ? T(0) : abs(own - t) / (abs(own) + abs(t));
+      if (!(apart < nearest)) continue;  // also the NaN of a ray that is parallel to the face
+      nearest = apart;
+      normal = vec3<T>(0);
+      normal[axis] = is_lower ? T(-1) : T(1);
+    }
   return normal;
 }
 
-/// Outward, of the face nearest to the point.
+/// Outward, of the cap or the side, whichever is nearer. Distances count in the rounding that each has at t,
+/// as in the units of the contracts: else the side of a flat cylinder, or the cap of a thin one, would seem
+/// near.
 template <std::floating_point T>
-[[nodiscard]] vec3<T> normal_at(const Parallelepiped<T>& solid, const vec3<T>& point) {
-  const auto& e = solid.edges;
-  const vec3<T> normals[3] = {cross(e[1], e[2]), cross(e[2], e[0]), cross(e[0], e[1])};
-  const T volume = dot(e[0], normals[0]);
-  const vec3<T> q = point - solid.corner;
-  const detail::NearestFace<T> face(vec3<T>(dot(normals[0], q), dot(normals[1], q), dot(normals[2], q)) /
-                                    volume);
-  const T outward = face.is_upper == (volume > T(0)) ? T(1) : T(-1);
-  return normalized<T>(outward * normals[face.pair]);
-}
-
-/// Outward, of the cap or the side, whichever is nearer.
-template <std::floating_point T>
-[[nodiscard]] vec3<T> normal_at(const Cylinder<T>& cylinder, const vec3<T>& point) {
-  const T x = point.x / cylinder.rx, y = point.y / cylinder.ry;
-  const T off_side = abs(T(1) - sqrt(x * x + y * y));
-  const T off_bottom = abs(point.z), off_top = abs(cylinder.height - point.z);
-  const T off_cap = min(off_bottom, off_top) / (cylinder.height > T(0) ? cylinder.height : T(1));
-  if (cylinder.capped && off_cap < off_side) return {0, 0, off_top < off_bottom ? T(1) : T(-1)};
-  return normalized<T>({x / cylinder.rx, y / cylinder.ry, T(0)});
+[[nodiscard]] vec3<T> normal_at(const Cylinder<T>& cylinder, const Ray<T>& ray, const T& t) {
+  const auto scaled = [&](const vec3<T>& v) { return vec3<T>{v.x / cylinder.rx, v.y / cylinder.ry, v.z}; };
+  const auto across = [](const vec3<T>& v) { return sqrt(v.x * v.x + v.y * v.y); };
+  const vec3<T> p = scaled(point_at(ray, t)), origin = scaled(ray.origin), run = t * scaled(ray.direction);
+  const T off_side = abs(T(1) - across(p)) / (across(origin) + T(1) + across(run));
+  const T to_bottom = abs(p.z), to_top = abs(cylinder.height - p.z);
+  const T off_cap = min(to_bottom, to_top) / (abs(origin.z) + cylinder.height + abs(run.z));
+  if (cylinder.capped && !(off_side <= off_cap)) return {0, 0, to_top < to_bottom ? T(1) : T(-1)};
+  return normalized<T>({p.x / cylinder.rx, p.y / cylinder.ry, T(0)});
 }
 
 }  // namespace rayproof

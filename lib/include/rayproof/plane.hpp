@@ -2,6 +2,7 @@
 /// \file
 /// The plane in its three forms, and the meaning of a ray/plane method's answers.
 
+#include <rayproof/method/contract.hpp>
 #include <rayproof/roots.hpp>
 
 namespace rayproof {
@@ -38,5 +39,12 @@ template <class To, class From>
 
 /// The bound, in the units above, that a robust ray/plane method keeps (Claim::robust).
 inline constexpr double plane_robust_bound = 4;
+
+/// What every sound method says of its first hit. For the normal K is 1 where one is given, and else
+/// |u||v| / |u×v|. For the coordinates α, β of a parametric plane's hit, point + α·u + β·v, which
+/// `parametric` gives, K = (|origin - point| + |α||u| + |β||v|)·max(|u|, |v|)·|direction| / |n·direction|.
+inline constexpr HitBounds plane_hit_bounds{.point = {.measured = 1.74, .promised = 2},
+                                            .normal = {.measured = 2.59, .promised = 4},
+                                            .coordinates = {.measured = 1.11, .promised = 4}};
 
 }  // namespace rayproof

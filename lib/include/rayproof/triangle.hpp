@@ -2,6 +2,7 @@
 /// \file
 /// The triangle, and the meaning of a ray/triangle method's answers.
 
+#include <rayproof/method/contract.hpp>
 #include <rayproof/roots.hpp>
 
 namespace rayproof {
@@ -32,5 +33,12 @@ inline constexpr double triangle_robust_bound = 4;
 /// Why the methods that divide volumes do not keep it.
 inline constexpr const char* triangle_volumes_cancel =
     "the volumes of a triangle thin or seen edge-on are small beside their rounding";
+
+/// What every sound method says of its first hit. For the normal K = E / |normal|. For the coordinates K = 1
+/// + M²|direction| / |normal·direction|, with M the largest distance of a vertex from the ray's origin, under
+/// a transform S.
+inline constexpr HitBounds triangle_hit_bounds{.point = {.measured = 1.04, .promised = 2},
+                                               .normal = {.measured = 2.36, .promised = 4},
+                                               .coordinates = {.measured = 1.86, .promised = 4}};
 
 }  // namespace rayproof

@@ -37,6 +37,14 @@ struct ExactNormal {
   std::optional<Vector<Ring>> slope{};
 };
 
+/// A part of a shape's surface: a face, a cap, the side.
+struct SurfacePart {
+  ExactNormal normal;  ///< of its surface through p(t), on the side that the shape names
+  Scaled apart{};      ///< how far p(t) is from it
+  Scaled condition;    ///< by what factor errors of the shape's numbers and of p(t) may turn that normal
+};
+using SurfaceParts = boost::container::static_vector<SurfacePart, 6>;  // a solid has six faces
+
 /// What a ray and a shape come to, and how far claims are from it, in the units of the shape's contract but
 /// for ε. An answer needs no such measures: what is costly in them waits until one is asked for. The question
 /// and its shape outlive the intersection.
@@ -56,9 +64,18 @@ class ExactIntersection {
   [[nodiscard]] virtual std::optional<ExactNormal> normal(const ExactContact& hit) const = 0;
   /// [α, β, γ] of a triangle's hit.
   [[nodiscard]] virtual std::optional<std::array<Quotient, 3>> barycentric() const { return std::nullopt; }
+  /// [α, β] of a parametric plane's hit, point + α·u + β·v.
+  [[nodiscard]] virtual std::optional<std::array<Quotient, 2>> parameters() const { return std::nullopt; }
 
   /// How far p(t) is from the surface.
-  [[nodiscard]] virtual Scaled residual(double t) const = 0;
+  [[nodiscard]] virtual Scaled residual(const Quotient& t) const = 0;
+  /// How far a point of the shape's own space, in the scale of ObjectRay, is from the surface, in units of
+  /// the lengths that it is made of as p(t), L(t).
+  [[nodiscard]] virtual Scaled off_surface(const Vector<Ring>& point, const Quotient& t) const = 0;
+  /// The parts of the surface, one of which p(t) is taken to lie on; none where the shape has no normal.
+  [[nodiscard]] virtual SurfaceParts parts(const Quotient& t) const = 0;
+  /// By what factor errors of the shape's numbers and of the ray change the coordinates of a hit.
+  [[nodiscard]] virtual Scaled condition_of_coordinates() const { return Scaled(1); }
   /// How near the case is to another verdict: how much its lengths must change. Two hits that `may_merge` are
   /// taken for one where they are near one another.
   [[nodiscard]] virtual Scaled margin(bool may_merge) const = 0;

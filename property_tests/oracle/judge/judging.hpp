@@ -17,6 +17,10 @@ namespace rayproof::oracle {
 /// Judges claimed hits against the exact ones.
 [[nodiscard]] Judgement judge(const ExactIntersection& exact, Precision precision, const RayAnswer& claimed);
 
+/// Judges what they say of their first hit beside t.
+[[nodiscard]] Details judge_details(const ExactIntersection& exact, Precision precision,
+                                    const RayAnswer& claimed);
+
 /// The finite ends of the ray's interval.
 [[nodiscard]] std::vector<double> finite_ends(const Ray<double>& ray);
 

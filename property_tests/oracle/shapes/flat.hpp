@@ -75,15 +75,27 @@ class FlatIntersection : public PlanarIntersection {
   }
   [[nodiscard]] Contact miss() const override {
     if (!is_parallel()) return Contact::none;
-    if (sign(normal_.x) == 0 && sign(normal_.y) == 0 && sign(normal_.z) == 0) return Contact::degenerate;
+    if (is_degenerate()) return Contact::degenerate;
     return sign(gap_) == 0 ? Contact::in_surface : Contact::parallel;
   }
   [[nodiscard]] std::optional<ExactNormal> normal(const ExactContact&) const override {
     return ExactNormal{normal_};
   }
 
-  [[nodiscard]] Scaled residual(double t) const override {
-    return ratio(abs(approximate(height_at(t))), sizes().unit(0, Scaled(t)));
+  [[nodiscard]] Scaled residual(const Quotient& t) const override {
+    const Ring height = slope_ * t.numerator() - gap_ * t.denominator();
+    const Scaled off = abs(approximate(height)) / approximate(t.denominator());
+    return ratio(off, sizes().unit(0, t.estimate()));
+  }
+  [[nodiscard]] Scaled off_surface(const Vector<Ring>& point, const Quotient& t) const override {
+    const Ring height = dot(normal_, point - ray().origin) - gap_;
+    return ratio(abs(approximate(height)), sizes().unit(0, t.estimate()));
+  }
+  [[nodiscard]] SurfaceParts parts(const Quotient&) const override {
+    if (is_degenerate()) return {};
+    SurfaceParts plane;
+    plane.push_back({{normal_}, {}, size_of_products() / norm(normal_)});
+    return plane;
   }
   /// Of the ends of the interval; and of an open end, how near the ray is to being parallel.
   [[nodiscard]] Scaled margin(bool) const override {
@@ -98,6 +110,13 @@ class FlatIntersection : public PlanarIntersection {
   [[nodiscard]] virtual Contact contact_at(const Quotient&) const { return Contact::crossing; }
 
   [[nodiscard]] const Vector<Ring>& plane_normal() const { return normal_; }
+  /// What the products are as large as that the normal is the sum of.
+  [[nodiscard]] virtual Scaled size_of_products() const {
+    return sizes().normals[0] / approximate(ray().scale);
+  }
+  [[nodiscard]] bool is_degenerate() const {
+    return sign(normal_.x) == 0 && sign(normal_.y) == 0 && sign(normal_.z) == 0;
+  }
   [[nodiscard]] bool is_parallel() const { return sign(slope_) == 0; }
   /// normal·p(t) - offset.
   [[nodiscard]] Ring height_at(double t) const { return slope_ * Ring(t) - gap_; }

@@ -23,6 +23,33 @@ class PlaneIntersection final : public FlatIntersection {
   PlaneIntersection(const RayQuestion& question, const Plane& plane)
       : FlatIntersection(question, equation_of(plane)), plane_(plane) {}
 
+  /// From where the line meets the plane: as seen from the given point, its products with u and v along the
+  /// normal.
+  [[nodiscard]] std::optional<std::array<Quotient, 2>> parameters() const override {
+    if constexpr (requires { plane_.u; }) {
+      if (is_parallel()) return std::nullopt;
+      const Quotient at = t();
+      const Ring& weight = at.denominator();
+      const Vector<Ring> place = weight * from_point() + at.numerator() * ray().direction;
+      const Ring whole = weight * ray().scale * dot(plane_normal(), plane_normal());
+      const auto u = Vector<Ring>::from(plane_.u), v = Vector<Ring>::from(plane_.v);
+      return std::array{Quotient(dot(cross(place, v), plane_normal()), whole),
+                        Quotient(dot(cross(u, place), plane_normal()), whole)};
+    }
+    return std::nullopt;
+  }
+  /// How large the volumes may be of which they are quotients.
+  [[nodiscard]] Scaled condition_of_coordinates() const override {
+    if constexpr (requires { plane_.u; }) {
+      const auto [alpha, beta] = *parameters();
+      const Scaled u = norm(plane_.u), v = norm(plane_.v), scale = approximate(ray().scale);
+      const Scaled origin = ray().map ? scale * sizes().origin : norm(from_point());
+      const Scaled reach = origin + scale * (abs(alpha.estimate()) * u + abs(beta.estimate()) * v);
+      return reach * std::max(u, v) / (scale * steepness() * size_of_products());
+    }
+    return Scaled(1);
+  }
+
  protected:
   [[nodiscard]] Scaled position() const override {
     if constexpr (requires { plane_.point; })
@@ -38,6 +65,11 @@ class PlaneIntersection final : public FlatIntersection {
   }
 
  private:
+  /// The ray's origin as seen from the given point, in the scale of ObjectRay.
+  [[nodiscard]] Vector<Ring> from_point() const {
+    return ray().origin - ray().scale * Vector<Ring>::from(plane_.point);
+  }
+
   const Plane& plane_;
 };
 

@@ -30,6 +30,14 @@ class PolygonIntersection final : public OutlinedIntersection {
     }
     return {sum};
   }
+  /// As large as seen from any of its vertices.
+  [[nodiscard]] Scaled size_of_products() const override {
+    const auto first = Vector<Ring>::from(polygon_.vertices.front());
+    Scaled reach;
+    for (const glm::dvec3& vertex : polygon_.vertices)
+      reach = std::max(reach, norm(Vector<Ring>::from(vertex) - first));
+    return Scaled(static_cast<double>(polygon_.vertices.size())) * reach * reach;
+  }
 
  private:
   const Polygon<double>& polygon_;

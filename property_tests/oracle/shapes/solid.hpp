@@ -44,11 +44,36 @@ class SolidIntersection : public PlanarIntersection {
     return faces == 1 ? normal : std::nullopt;
   }
 
-  [[nodiscard]] Scaled residual(double t) const override {
+  [[nodiscard]] Scaled residual(const Quotient& t) const override {
     Scaled nearest = endless();
     for (std::size_t i = 0; i < 3; ++i)
       for (const Ring& bound : {met(i).low, met(i).high}) reduce(nearest, distance(i, bound, t));
     return nearest;
+  }
+  [[nodiscard]] Scaled off_surface(const Vector<Ring>& point, const Quotient& t) const override {
+    Scaled nearest = endless();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Ring position = dot(met(i).normal, point);
+      for (const Ring& gap : {position - met(i).low, position - met(i).high})
+        reduce(nearest, ratio(abs(approximate(gap)), sizes().unit(i, t.estimate())));
+    }
+    return nearest;
+  }
+
+  /// The six faces.
+  [[nodiscard]] SurfaceParts parts(const Quotient& t) const override {
+    SurfaceParts all;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const SlabMeeting& slab = met(i);
+      const Scaled condition = sizes().normals[i] / (approximate(ray().scale) * norm(slab.normal));
+      // A line in a plane is exactly in it, however its distance is measured.
+      const auto apart = [&](const Ring& bound) {
+        return sign(slab.beyond(bound, t)) == 0 ? Scaled{} : distance(i, bound, t);
+      };
+      all.push_back({{-slab.normal}, apart(slab.low), condition});
+      all.push_back({{slab.normal}, apart(slab.high), condition});
+    }
+    return all;
   }
 
  protected:

@@ -32,12 +32,23 @@ class TriangleIntersection final : public OutlinedIntersection {
         volumes_(volumes_of(ray(), triangle)) {}
 
   [[nodiscard]] std::optional<std::array<Quotient, 3>> barycentric() const override {
+    if (sign(sum()) == 0) return std::nullopt;  // parallel to its plane
     const auto weight = [whole = sum()](const Ring& volume) { return Quotient(volume, whole); };
     return std::array{weight(volumes_[0]), weight(volumes_[1]), weight(volumes_[2])};
   }
 
   /// 1 over the steepness.
   [[nodiscard]] double far() const override { return 1 / value(steepness()); }
+  /// How large the volumes may be over their sum, with the vertices as far from the origin as they are; under
+  /// a transform as far as its rounding may put them.
+  [[nodiscard]] Scaled condition_of_coordinates() const override {
+    const Scaled scale = approximate(ray().scale);
+    const auto apart = [&](const glm::dvec3& v) {
+      return ray().map ? scale * sizes().origin : norm(Vector<Ring>::from(v) - ray().origin);
+    };
+    const Scaled reach = std::max({apart(corners_[0]), apart(corners_[1]), apart(corners_[2])});
+    return Scaled(1) + reach * reach * scale * sizes().direction / abs(approximate(sum()));
+  }
 
  protected:
   [[nodiscard]] std::span<const glm::dvec3> corners() const override { return corners_; }

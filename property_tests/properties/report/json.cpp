@@ -14,11 +14,17 @@ Json bound(double measured, double promised) {
 }
 
 Json worst_errors(const Worst& worst, const Contract& contract) {
-  return {{"verdict", bound(worst.verdict, contract.verdict.promised)},
-          {"residual", bound(worst.residual, contract.residual.promised)},
-          {"ulp", bound(worst.ulp, contract.ulp.promised)},
-          {"wrong_verdicts", worst.wrong},
-          {"cases_in_domain", worst.cases}};
+  Json json{{"verdict", bound(worst.verdict, contract.verdict.promised)},
+            {"residual", bound(worst.residual, contract.residual.promised)},
+            {"ulp", bound(worst.ulp, contract.ulp.promised)}};
+  if (worst.details > 0) {
+    json["point"] = bound(worst.point, contract.hit.point.promised);
+    json["normal"] = bound(worst.normal, contract.hit.normal.promised);
+    json["coordinates"] = bound(worst.coordinates, contract.hit.coordinates.promised);
+  }
+  json["wrong_verdicts"] = worst.wrong;
+  json["cases_in_domain"] = worst.cases;
+  return json;
 }
 
 Json json_of(const Row& row) {

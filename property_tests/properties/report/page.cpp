@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
+
 #include "case/escape.hpp"
 #include "properties/report/page_legend.hpp"
 #include "properties/report/page_style.hpp"
@@ -48,22 +50,33 @@ std::string status_cell(const Cell& one) {
                      text_of(one.status).sign);
 }
 
+/// "1.6 of 2, 1.1 of 4, 0.9 of 4": point, normal and, of a triangle, coordinates; nothing where none was
+/// judged.
+std::string hit_figures(const Worst& worst, const HitBounds& bounds) {
+  if (worst.details == 0) return "";
+  const std::string text =
+      figure(worst.point, bounds.point.promised) + ", " + figure(worst.normal, bounds.normal.promised);
+  const bool has_coordinates = std::isfinite(bounds.coordinates.promised);
+  return has_coordinates ? text + ", " + figure(worst.coordinates, bounds.coordinates.promised) : text;
+}
+
 /// "0.93 of 8" for each measure; nothing where none was taken.
 std::string measured_cells(const Row& row) {
   const Contract& contract = row.subject->contract;
   const Worst& worst = row.worst;
-  if (!row.is_measured()) return "<td></td><td></td><td></td><td></td>";
+  if (!row.is_measured()) return "<td></td><td></td><td></td><td></td><td></td>";
   return cell(fmt::format("{} of {}", worst.wrong, worst.cases)) +
          cell(figure(worst.verdict, contract.verdict.promised)) +
          cell(figure(worst.residual, contract.residual.promised)) +
-         cell(figure(worst.ulp, contract.ulp.promised));
+         cell(figure(worst.ulp, contract.ulp.promised)) + cell(hit_figures(worst, contract.hit));
 }
 
 std::string main_table(const Summary& summary) {
   std::string head = heads({"method", "precision", "cases"});
   for (const Property& property : properties())
     head += fmt::format("<th title=\"{}\">{}</th>", escaped(property.statement), escaped(property.name));
-  head += heads({"wrong verdicts, in the domain", "widest verdict band", "worst residual", "worst ulp"});
+  head += heads({"wrong verdicts, in the domain", "widest verdict band", "worst residual", "worst ulp",
+                 "worst point, normal, coordinates"});
   std::string body;
   for (const Row& row : summary.rows) {
     body += fmt::format("<tr><td title=\"{}\">{}</td><td>{}</td><td>{}</td>", escaped(row.subject->title),

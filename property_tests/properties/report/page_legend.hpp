@@ -10,6 +10,9 @@ boundary). It is right or wrong; it has no size.</dd>
 <dt>residual</dt><dd>How far the answer misses its own equation: for a ray, how far the point p(t) lies from the surface.</dd>
 <dt>ulp</dt><dd>How far t is from the exact t, counted in units in the last place of the exact t. Measured where the verdict
 is right.</dd>
+<dt>point, normal, coordinates</dt><dd>What a method says of its first hit beside t, on every eighth case: how far the point lies from
+the ray at t, how far the normal turns from the surface's there (a normal on the wrong side by half a circle), and how far the
+barycentric coordinates of a triangle are from the exact ones.</dd>
 <dt>contract unit</dt><dd>The length in which band and residual are measured: the rounding of one operation, ε (2⁻²⁴ in
 float32, 2⁻⁵³ in float64), times the size of the scene. Each shape's header in the library says which size.</dd>
 <dt>verdict band</dt><dd>A ray that nearly touches may be called a hit or a miss by any method that rounds. The band is how

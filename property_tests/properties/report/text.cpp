@@ -10,8 +10,13 @@ namespace rayproof {
 
 namespace {
 
-constexpr std::array<std::pair<const char*, double Worst::*>, 3> measures{
-    {{"verdict band", &Worst::verdict}, {"residual", &Worst::residual}, {"ulp", &Worst::ulp}}};
+constexpr std::array<std::pair<const char*, double Worst::*>, 6> measures{
+    {{"verdict band", &Worst::verdict},
+     {"residual", &Worst::residual},
+     {"ulp", &Worst::ulp},
+     {"point", &Worst::point},
+     {"normal", &Worst::normal},
+     {"coordinates", &Worst::coordinates}}};
 
 /// The worst error over the precisions; nothing where it was not measured.
 std::string worst_of(const RunResult& result, const Subject* subject, const Family* family,
@@ -35,6 +40,15 @@ std::string table_of(const Plan& plan, const RunResult& result, const std::strin
       if (subject->topic == topic) rows.back().push_back(worst_of(result, subject, family, measure));
   }
   return in_columns(rows);
+}
+
+/// The part of the first hit's bounds, where they were measured.
+std::string measured_hit(const Worst& worst) {
+  if (worst.details == 0) return "";
+  return fmt::format(
+      ", .hit = {{.point = {{.measured = {:.3g}}}, .normal = {{.measured = {:.3g}}}, "
+      ".coordinates = {{.measured = {:.3g}}}}}",
+      worst.point, worst.normal, worst.coordinates);
 }
 
 }  // namespace
@@ -63,9 +77,9 @@ std::string text_measured(const Summary& summary) {
     if (row.is_measured())
       text += fmt::format(
           "{} {}: .verdict = {{.measured = {:.3g}}}, .residual = {{.measured = {:.3g}}}, "
-          ".ulp = {{.measured = {:.3g}}}  // {} wrong verdicts in {} cases of the domain\n",
+          ".ulp = {{.measured = {:.3g}}}{}  // {} wrong verdicts in {} cases of the domain\n",
           row.subject->full_name(), name_of(row.precision), row.worst.verdict, row.worst.residual,
-          row.worst.ulp, row.worst.wrong, row.worst.cases);
+          row.worst.ulp, measured_hit(row.worst), row.worst.wrong, row.worst.cases);
   return text;
 }
 

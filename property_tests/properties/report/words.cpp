@@ -120,6 +120,20 @@ class Compared {
   std::optional<std::size_t> rank_{};
 };
 
+/// "(0, 0, 1)", or "none".
+std::string shown(const std::optional<glm::dvec3>& v) {
+  return v ? fmt::format("({}, {}, {})", rough(v->x), rough(v->y), rough(v->z)) : "none";
+}
+
+/// "at the point (0, 0, 1) (exact (0, 0, 2))": what is said of the first hit.
+std::string said_of_hit(Claim claim, const RayAnswer& got, const RayAnswer& exact) {
+  const auto [member, before] = claim == Claim::point ? std::pair{&RayAnswer::point, "point"}
+                                : claim == Claim::normal
+                                    ? std::pair{&RayAnswer::normal, "normal"}
+                                    : std::pair{&RayAnswer::barycentric, "barycentric coordinates"};
+  return fmt::format("{} {} (exact {})", before, shown(got.*member), shown(exact.*member));
+}
+
 }  // namespace
 
 std::string in_words(const Finding& finding) {
@@ -136,6 +150,9 @@ std::string in_words(const Finding& finding) {
     return fmt::format("calls the miss of {} '{}' (exact '{}')", things,
                        name_of(std::get<RayAnswer>(got).contact),
                        name_of(std::get<RayAnswer>(exact).contact));
+  if (claim == Claim::point || claim == Claim::normal || claim == Claim::coordinates)
+    return fmt::format("hits {} with the {}", things,
+                       said_of_hit(claim, std::get<RayAnswer>(got), std::get<RayAnswer>(exact)));
   const auto changed = circumstances.find(claim);
   if (changed == circumstances.end()) {
     const Compared compared(got, exact, finding.one.precision);

@@ -119,8 +119,9 @@ TEST(Json, HasTheKeysOfTheCaseFormatInEveryRow) {
       to_json({"machine", "compiler", 64, {row("centred", Arrangement::scalar, "random", 1, 2, 3), floor}}));
   EXPECT_EQ(json.at("machine"), "machine");
   for (const auto& one : json.at("rows")) {
-    for (const char* key : {"shape", "method", "precision", "arrangement", "family", "rays", "ns_per_ray",
-                            "wrong_hits", "wrong_misses", "max_ulp", "p99_ulp", "mean_bits"})
+    for (const char* key :
+         {"shape", "method", "precision", "arrangement", "family", "rays", "ns_per_ray", "wrong_hits",
+          "wrong_misses", "max_ulp", "p99_ulp", "mean_bits", "max_point", "max_normal", "max_coordinates"})
       EXPECT_TRUE(one.contains(key)) << key;
   }
   EXPECT_EQ(json["rows"][0]["wrong_misses"], 2);

@@ -33,9 +33,12 @@ namespace rayproof::broken {
   made.contract.verdict = {.measured = 0, .promised = 0};
   made.contract.residual = tight;
   made.contract.ulp = tight;
+  const Bound of_hit{.measured = 0, .promised = 4};
+  made.contract.hit = {of_hit, of_hit, of_hit};
   made.contract.holds =
-      Claims{Claim::verdict, Claim::residual, Claim::ulp,   Claim::robust, Claim::ascending, Claim::moved,
-             Claim::scaled,  Claim::reversed, Claim::batch, Claim::nan,    Claim::bounded};
+      Claims{Claim::verdict, Claim::residual, Claim::ulp,      Claim::robust,     Claim::ascending,
+             Claim::moved,   Claim::scaled,   Claim::reversed, Claim::batch,      Claim::nan,
+             Claim::bounded, Claim::point,    Claim::normal,   Claim::coordinates};
   return made;
 }
 

@@ -43,6 +43,9 @@ TEST(Subjects, PromiseNoLessThanWasMeasured) {
     expect_kept(Claim::verdict, subject.contract.verdict);
     expect_kept(Claim::residual, subject.contract.residual);
     expect_kept(Claim::ulp, subject.contract.ulp);
+    expect_kept(Claim::point, subject.contract.hit.point);
+    expect_kept(Claim::normal, subject.contract.hit.normal);
+    expect_kept(Claim::coordinates, subject.contract.hit.coordinates);
   }
 }
 

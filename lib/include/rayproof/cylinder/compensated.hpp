@@ -67,8 +67,9 @@ struct Compensated {
       .verdict = {.measured = 0, .promised = 0},
       .residual = {.measured = 1, .promised = 4},
       .ulp = {.measured = 0.501, .promised = 0.51},
+      .hit = cylinder_hit_bounds,
       .domain = {.reach_float = 1000, .reach_double = 100, .every_number = true},
-      .holds = robust_claims | Claims{Claim::residual, Claim::ulp}};
+      .holds = robust_claims | hit_claims | Claims{Claim::residual, Claim::ulp}};
 
   template <std::floating_point T>
   [[nodiscard]] static Roots<T> roots(const Ray<T>& ray, const Cylinder<T>& cylinder) {

@@ -22,9 +22,13 @@ enum class Claim : unsigned {
   batch,      ///< a batch gives bit for bit the scalar answers
   nan,        ///< a NaN anywhere in the input never gives a hit
   bounded,    ///< the running-error arithmetic's bound encloses the exact answer
-  contact     ///< why a ray misses is given rightly: parallel to the surface, inside it, or neither
+  contact,    ///< why a ray misses is given rightly: parallel to the surface, inside it, or neither
+  point,      ///< the first hit's point is on ray and surface to the promised bounds, and touches as is said
+  normal,     ///< the normal of the first hit is the surface's there to the promised bound, its side included
+  coordinates  ///< a triangle's barycentric coordinates, a plane's parameters, are exact to the promised
+               ///< bound
 };
-inline constexpr std::size_t claim_count = 12;
+inline constexpr std::size_t claim_count = 15;
 
 /// A set of claims.
 class Claims {
@@ -52,6 +56,21 @@ struct Bound {
   double measured = std::numeric_limits<double>::infinity();
   double promised = std::numeric_limits<double>::infinity();
   int far_power = 0;
+};
+
+/// Bounds on what an answer says of its first hit beside t, the same for all sound methods of a shape, which
+/// has them beside its units. With ε the unit roundoff:
+/// *point* is the distance of the point from p(t) in units of ε·(|origin| + |t||direction|), so that it is no
+/// farther from the surface than the residual and this together; *normal* the angle to the surface's outward
+/// (or given) normal at p(t), in units of ε·K with the condition K that the shape states, and the difference
+/// of its length from 1 in units of ε; near an edge it may be that of either face; *coordinates* the error of
+/// each coordinate in units of ε·K, of a method that promises ulps in units of ε. Under a
+/// transform K grows by its condition number. The usual domain holds for them, however far a method's own may
+/// reach.
+struct HitBounds {
+  Bound point{};
+  Bound normal{};
+  Bound coordinates{};
 };
 
 /// How far a method is to be trusted.
@@ -83,6 +102,7 @@ struct Contract {
   Bound verdict{};   ///< half-width of the band around a change of verdict in which the verdict may be wrong
   Bound residual{};  ///< residual of every answer
   Bound ulp{};       ///< error of every answer in ulps of the exact one
+  HitBounds hit{};   ///< errors of the first hit's point, normal and coordinates
   Domain domain{};
   Claims holds{};                       ///< claims the property tests hold the method to
   std::array<Refutation, 3> refuted{};  ///< claims it is known to break; unused entries have no `because`
@@ -101,5 +121,8 @@ inline constexpr Claims always_claimed{Claim::ascending, Claim::batch, Claim::na
 /// The claims of every method that keeps the robust bound, wherever the scene lies and whatever its size.
 inline constexpr Claims robust_claims =
     always_claimed | Claims{Claim::verdict, Claim::robust, Claim::moved, Claim::scaled, Claim::reversed};
+
+/// What every method claims of its first hit that keeps its shape's `HitBounds`.
+inline constexpr Claims hit_claims{Claim::point, Claim::normal};
 
 }  // namespace rayproof

@@ -19,9 +19,11 @@ struct ByEquation {
   static constexpr const char* name = "implicit";
   static constexpr const char* title = "the ray in the plane's equation";
   static constexpr Source source = sources::ban;
-  static constexpr Contract contract{.verdict = {.measured = 1.68, .promised = plane_robust_bound},
-                                     .residual = {.measured = 1.79, .promised = plane_robust_bound},
-                                     .holds = robust_claims | Claims{Claim::residual, Claim::bounded}};
+  static constexpr Contract contract{
+      .verdict = {.measured = 1.68, .promised = plane_robust_bound},
+      .residual = {.measured = 1.79, .promised = plane_robust_bound},
+      .hit = {plane_hit_bounds.point, plane_hit_bounds.normal},
+      .holds = robust_claims | hit_claims | Claims{Claim::residual, Claim::bounded}};
 
   template <class T>
   [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Plane<T>& plane) {

@@ -22,9 +22,11 @@ struct ByPointAndNormal {
   static constexpr const char* name = "point_normal";
   static constexpr const char* title = "a point of the plane and its normal";
   static constexpr Source source = sources::ban;
-  static constexpr Contract contract{.verdict = {.measured = 1.68, .promised = plane_robust_bound},
-                                     .residual = {.measured = 1.79, .promised = plane_robust_bound},
-                                     .holds = robust_claims | Claims{Claim::residual, Claim::bounded}};
+  static constexpr Contract contract{
+      .verdict = {.measured = 1.68, .promised = plane_robust_bound},
+      .residual = {.measured = 1.79, .promised = plane_robust_bound},
+      .hit = {plane_hit_bounds.point, plane_hit_bounds.normal},
+      .holds = robust_claims | hit_claims | Claims{Claim::residual, Claim::bounded}};
 
   template <class T>
   [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Plane<T>& plane) {

@@ -16,9 +16,11 @@ struct Centred {
   static constexpr const char* name = "centred";
   static constexpr const char* title = "discriminant from the ray point nearest the centre";
   static constexpr Source source = sources::haines_2019;
-  static constexpr Contract contract{.verdict = {.measured = 4.97, .promised = sphere_robust_bound},
-                                     .residual = {.measured = 5.9, .promised = sphere_robust_bound},
-                                     .holds = robust_claims | Claims{Claim::residual, Claim::bounded}};
+  static constexpr Contract contract{
+      .verdict = {.measured = 4.97, .promised = sphere_robust_bound},
+      .residual = {.measured = 5.9, .promised = sphere_robust_bound},
+      .hit = sphere_hit_bounds,
+      .holds = robust_claims | hit_claims | Claims{Claim::residual, Claim::bounded}};
 
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Sphere<T>& sphere) {

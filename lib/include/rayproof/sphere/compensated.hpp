@@ -23,8 +23,9 @@ struct Compensated {
       .verdict = {.measured = 0, .promised = 0},
       .residual = {.measured = 1.0, .promised = 2},
       .ulp = {.measured = 0.501, .promised = 0.54},
+      .hit = sphere_hit_bounds,
       .domain = {.reach_float = 1000, .reach_double = 200, .every_number = true},
-      .holds = robust_claims | Claims{Claim::residual, Claim::ulp}};
+      .holds = robust_claims | hit_claims | Claims{Claim::residual, Claim::ulp}};
 
   template <std::floating_point T>
   [[nodiscard]] static Roots<T> roots(const Ray<T>& ray, const Sphere<T>& sphere) {

@@ -17,6 +17,7 @@ struct Stable {
       .standing = Standing::naive,
       .verdict = {.measured = 3.92, .promised = 16, .far_power = 1},
       .residual = {.measured = 4.08, .promised = 16, .far_power = 1},
+      .hit = sphere_hit_bounds,
       .holds = always_claimed |
                Claims{Claim::verdict, Claim::residual, Claim::moved, Claim::scaled, Claim::bounded},
       .refuted = {

@@ -36,8 +36,10 @@ struct Textbook {
       .standing = Standing::naive,
       .verdict = {.measured = 3.92, .promised = 16, .far_power = 1},
       .residual = {.measured = 4.08, .promised = 16, .far_power = 1},
-      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::moved, Claim::scaled,
-                                       Claim::reversed, Claim::bounded},
+      .hit = sphere_hit_bounds,
+      .holds = always_claimed | hit_claims |
+               Claims{Claim::verdict, Claim::residual, Claim::moved, Claim::scaled, Claim::reversed,
+                      Claim::bounded},
       .refuted = {{{Claim::robust, "b² and 4ac of a far sphere agree in all the digits that are kept"}}}};
 
   template <class T>

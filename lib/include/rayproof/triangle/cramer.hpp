@@ -18,8 +18,10 @@ struct Cramer {
       .standing = Standing::naive,
       .verdict = {.measured = 0.476, .promised = triangle_robust_bound, .far_power = 1},
       .residual = {.measured = 1.11, .promised = triangle_robust_bound},
-      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::moved, Claim::scaled,
-                                       Claim::reversed, Claim::bounded},
+      .hit = triangle_hit_bounds,
+      .holds = always_claimed | hit_claims |
+               Claims{Claim::coordinates, Claim::verdict, Claim::residual, Claim::moved, Claim::scaled,
+                      Claim::reversed, Claim::bounded},
       .refuted = {{{Claim::robust, triangle_volumes_cancel}}}};
 
   template <class T>

@@ -18,8 +18,10 @@ struct MollerTrumbore {
       .standing = Standing::naive,
       .verdict = {.measured = 0.456, .promised = triangle_robust_bound, .far_power = 1},
       .residual = {.measured = 1.32, .promised = triangle_robust_bound},
-      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::moved, Claim::scaled,
-                                       Claim::reversed, Claim::bounded},
+      .hit = triangle_hit_bounds,
+      .holds = always_claimed | hit_claims |
+               Claims{Claim::coordinates, Claim::verdict, Claim::residual, Claim::moved, Claim::scaled,
+                      Claim::reversed, Claim::bounded},
       .refuted = {{{Claim::robust, triangle_volumes_cancel}}}};
 
   static constexpr Step find_u{"Find u from s = o − a",

@@ -18,8 +18,10 @@ struct PlaneProjection {
       .standing = Standing::naive,
       .verdict = {.measured = 0.476, .promised = triangle_robust_bound, .far_power = 1},
       .residual = {.measured = 1.24, .promised = triangle_robust_bound},
-      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::moved, Claim::scaled,
-                                       Claim::reversed, Claim::bounded},
+      .hit = {triangle_hit_bounds.point, triangle_hit_bounds.normal},
+      .holds = always_claimed | hit_claims |
+               Claims{Claim::verdict, Claim::residual, Claim::moved, Claim::scaled, Claim::reversed,
+                      Claim::bounded},
       .refuted = {
           {{Claim::robust, "the rounding of the hit point is large beside a triangle thin as a needle"}}}};
 

@@ -19,8 +19,10 @@ struct Pluecker {
       .standing = Standing::naive,
       .verdict = {.measured = 0.539, .promised = triangle_robust_bound, .far_power = 1},
       .residual = {.measured = 1.24, .promised = triangle_robust_bound},
-      .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::moved, Claim::scaled,
-                                       Claim::reversed, Claim::bounded},
+      .hit = triangle_hit_bounds,
+      .holds = always_claimed | hit_claims |
+               Claims{Claim::coordinates, Claim::verdict, Claim::residual, Claim::moved, Claim::scaled,
+                      Claim::reversed, Claim::bounded},
       .refuted = {{{Claim::robust, triangle_volumes_cancel}}}};
 
   template <class T>
@@ -50,7 +52,9 @@ struct Pluecker {
     const T along = named("n·d⃗", dot(n, d));
     const T t = named("t", dot(n, a) / along);
     const T sum = named("U+V+W", U + V + W);
-    return flat_hit(along != T(0) && same_side(U, V, W), t, named("u", V / sum), named("v", W / sum));
+    // Of a triangle so far and small that all three vanish, any point is as near to the ray as another.
+    const T whole = select(sum == T(0), T(1), sum);
+    return flat_hit(along != T(0) && same_side(U, V, W), t, named("u", V / whole), named("v", W / whole));
   }
 };
 

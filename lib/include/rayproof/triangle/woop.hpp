@@ -18,9 +18,11 @@ struct Woop {
   static constexpr const char* title = "watertight: sheared to the ray, exact edge functions";
   static constexpr Source source{"S. Woop, C. Benthin, I. Wald", "Watertight Ray/Triangle Intersection",
                                  2013};
-  static constexpr Contract contract{.verdict = {.measured = 1.28, .promised = triangle_robust_bound},
-                                     .residual = {.measured = 1.17, .promised = triangle_robust_bound},
-                                     .holds = robust_claims | Claims{Claim::residual, Claim::bounded}};
+  static constexpr Contract contract{
+      .verdict = {.measured = 1.28, .promised = triangle_robust_bound},
+      .residual = {.measured = 1.17, .promised = triangle_robust_bound},
+      .hit = triangle_hit_bounds,
+      .holds = robust_claims | hit_claims | Claims{Claim::coordinates, Claim::residual, Claim::bounded}};
 
   static constexpr Step shear_vertices{"Shear the vertices so that the ray becomes the z axis",
                                        "With o subtracted and the shear applied, the ray is the z axis: seen "

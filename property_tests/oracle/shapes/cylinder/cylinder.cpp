@@ -37,14 +37,46 @@ class CylinderIntersection final : public MeasuredCylinder {
       const bool is_lower = sign(equation().height_at(*t)) == 0;
       return ExactNormal{{Ring(0.0), Ring(0.0), Ring(is_lower ? -1.0 : 1.0)}};
     }
-    // The side's outward normal is the gradient (ry²·x, rx²·y, 0) of its equation.
-    const auto gradient = [&](const Vector<Ring>& v) {
-      return Vector<Ring>{v.x * Ring(cylinder().ry), v.y * Ring(cylinder().rx), Ring(0.0)};
-    };
-    return ExactNormal{gradient(equation().origin), gradient(equation().direction)};
+    return side_normal();
+  }
+
+  /// The side, and the caps where there are any, each as if it had no end.
+  [[nodiscard]] SurfaceParts parts(const Quotient& t) const override {
+    SurfaceParts all;
+    const Place p = place_at(t);
+    const Scaled growth = turn_of_side(t);
+    if (growth.sign() > 0)
+      all.push_back({side_normal(), off_circle(p), Scaled(1) + growth * reach_across(p.t)});
+    if (!cylinder().capped) return all;
+    for (const bool is_lower : {true, false})
+      all.push_back({{{Ring(0.0), Ring(0.0), Ring(is_lower ? -1.0 : 1.0)}}, off_cap(p, is_lower), Scaled(1)});
+    return all;
   }
 
  private:
+  /// Outward: the gradient (ry²·x, rx²·y, 0) of the side's equation.
+  [[nodiscard]] ExactNormal side_normal() const {
+    const auto gradient = [&](const Vector<Ring>& v) {
+      return Vector<Ring>{v.x * Ring(cylinder().ry), v.y * Ring(cylinder().rx), Ring(0.0)};
+    };
+    return {gradient(equation().origin), gradient(equation().direction)};
+  }
+  /// By how much the side's normal turns for a step across p(t) in the plane in which the side is the unit
+  /// circle; 0 on the axis, where there is no normal.
+  [[nodiscard]] Scaled turn_of_side(const Quotient& t) const {
+    const auto stretched = [&](const Ring& o, const Ring& d) {
+      return approximate(o * t.denominator() + d * t.numerator());
+    };
+    const Scaled x = stretched(equation().origin.x, equation().direction.x);
+    const Scaled y = stretched(equation().origin.y, equation().direction.y);
+    const Scaled r = sqrt(x * x + y * y),
+                 weight = approximate(t.denominator()) * approximate(equation().radius);
+    if (r.sign() == 0) return {};
+    // The normal n is (x/rx, y/ry); a step of δ along the circle turns it by δ·r/(rx·ry·n²).
+    const Scaled flatness = Scaled(cylinder().ry) / Scaled(cylinder().rx);
+    return r * weight / (x * x * flatness + y * y / flatness);
+  }
+
   /// The hit with the cap's plane that the line passes on its way in, or out, where it lies inside the rim.
   /// (On the rim it is the side's hit, unless the line runs inside the side.)
   void add_cap(ExactContacts& hits, bool of_entry) const {

@@ -28,15 +28,11 @@ class MeasuredCylinder : public ExactIntersection {
 
   [[nodiscard]] double far() const override { return value(sizes().from_axis); }
 
-  [[nodiscard]] Scaled residual(double t) const override {
-    const Quotient at(t);
-    const Scaled from_side = off_circle(at), from_cap = off_caps(at);
-    const Ring z = equation_.height_at(at);
-    const bool is_between_caps = sign(z) >= 0 && sign(equation_.height - z) >= 0;
-    const Scaled above = is_between_caps ? Scaled{} : from_cap;
-    const Scaled beside = sign(equation_.power_at(at)) <= 0 ? Scaled{} : from_side;
-    const Scaled to_side = std::max(from_side, above);
-    return cylinder_.capped ? std::min(to_side, std::max(from_cap, beside)) : to_side;
+  [[nodiscard]] Scaled residual(const Quotient& t) const override { return off_surface(place_at(t)); }
+  [[nodiscard]] Scaled off_surface(const Vector<Ring>& point, const Quotient& t) const override {
+    const Ring x = point.x * Ring(cylinder_.ry), y = point.y * Ring(cylinder_.rx);
+    const Ring power = x * x + y * y - equation_.radius * equation_.radius;
+    return off_surface(Place{power, point.z, Ring(1.0), t.estimate()});
   }
 
   /// Of the ray's ends and of the line: of the conditions under which it meets the cylinder, the one that is
@@ -59,7 +55,40 @@ class MeasuredCylinder : public ExactIntersection {
   [[nodiscard]] const CylinderEquation& equation() const { return equation_; }
   [[nodiscard]] const ExactQuadratic& side() const { return side_; }
 
+  /// A point as the cylinder sees it: X² + Y² - R² there times weight², z times weight, both in the scale of
+  /// the equation, and the t that the lengths it is made of go by.
+  struct Place {
+    Ring power, z, weight;
+    Scaled t;
+  };
+  [[nodiscard]] Place place_at(const Quotient& t) const {
+    return {equation_.power_at(t), equation_.height_at(t), t.denominator(), t.estimate()};
+  }
+  /// L(t) in the plane in which the side is the unit circle.
+  [[nodiscard]] Scaled reach_across(const Scaled& t) const {
+    return sizes().from_axis + abs(t) * sizes().across;
+  }
+  /// How far a point is from the side without an end.
+  [[nodiscard]] Scaled off_circle(const Place& p) const {
+    const Scaled weight = approximate(p.weight);
+    return change_of_radius(approximate(p.power) / (weight * weight)) / reach_across(p.t);
+  }
+  /// How far it is from the plane of a cap.
+  [[nodiscard]] Scaled off_cap(const Place& p, bool is_lower) const {
+    const Scaled gap = abs(approximate(is_lower ? p.z : equation_.height * p.weight - p.z));
+    return in_heights(gap / (approximate(ray().scale) * approximate(p.weight)), p.t);
+  }
+
  private:
+  /// How far it is from the surface, as far as that reaches.
+  [[nodiscard]] Scaled off_surface(const Place& p) const {
+    const Scaled from_side = off_circle(p), from_cap = std::min(off_cap(p, true), off_cap(p, false));
+    const bool is_between_caps = sign(p.z) >= 0 && sign(equation_.height * p.weight - p.z) >= 0;
+    const Scaled above = is_between_caps ? Scaled{} : from_cap;
+    const Scaled beside = sign(p.power) <= 0 ? Scaled{} : from_side;
+    const Scaled to_side = std::max(from_side, above);
+    return cylinder_.capped ? std::min(to_side, std::max(from_cap, beside)) : to_side;
+  }
   [[nodiscard]] const CylinderSizes& sizes() const {
     if (!sizes_) sizes_ = measured();
     return *sizes_;
@@ -85,17 +114,10 @@ class MeasuredCylinder : public ExactIntersection {
     const Scaled radius = approximate(equation_.radius), relative = power / (radius * radius);
     return abs(relative) / far_side(relative, Scaled(1));
   }
-  [[nodiscard]] Scaled off_circle(const Quotient& t) const {
-    const Scaled denominator = approximate(t.denominator());
-    const Scaled change = change_of_radius(approximate(equation_.power_at(t)) / (denominator * denominator));
-    return change / (sizes().from_axis + abs(t.estimate()) * sizes().across);
-  }
-
+  [[nodiscard]] Scaled off_circle(const Quotient& t) const { return off_circle(place_at(t)); }
   [[nodiscard]] Scaled off_caps(const Quotient& t) const {
-    const Ring z = equation_.height_at(t);
-    const Scaled low = abs(approximate(z)), high = abs(approximate(equation_.height * t.denominator() - z));
-    const Scaled scale = approximate(ray().scale) * approximate(t.denominator());
-    return in_heights(std::min(low, high) / scale, t.estimate());
+    const Place p = place_at(t);
+    return std::min(off_cap(p, true), off_cap(p, false));
   }
   /// A distance along the axis at t in the contract's unit.
   [[nodiscard]] Scaled in_heights(const Scaled& distance, const Scaled& t) const {

@@ -35,7 +35,12 @@ class SphereIntersection final : public ExactIntersection {
   }
 
   /// How far p(t) is from the surface, in the scale of the equation.
-  [[nodiscard]] Scaled distance_at(double t) const { return distance(approximate(scene_.at(t).power)); }
+  [[nodiscard]] Scaled distance_at(const Quotient& t) const {
+    const Ring& weight = t.denominator();
+    const Vector<Ring> p = from_center_at(t);
+    const Ring radius = weight * scene_.radius;
+    return distance(approximate(dot(p, p) - radius * radius) / approximate(weight * weight));
+  }
   /// How much the radius must change for another verdict, in the scale of the equation.
   [[nodiscard]] Scaled distance_to_other_verdict() const {
     // The line touches a sphere whose squared radius is larger by -D/a: the power of its nearest point.
@@ -44,14 +49,37 @@ class SphereIntersection final : public ExactIntersection {
     for (const double end : finite_ends(question().ray)) reduce(nearest, distance_at(end));
     return nearest;
   }
-  [[nodiscard]] Scaled residual(double t) const override { return distance_at(t) / sizes().unit; }
+  [[nodiscard]] Scaled residual(const Quotient& t) const override { return distance_at(t) / sizes().unit; }
+  [[nodiscard]] Scaled off_surface(const Vector<Ring>& point, const Quotient& t) const override {
+    const Vector<Ring> p = scene_.from_center + (point - scene_.ray.origin);
+    const Scaled apart = distance(approximate(dot(p, p) - scene_.radius * scene_.radius));
+    const Scaled scale = approximate(scene_.ray.scale), radius = abs(approximate(scene_.radius));
+    return ratio(apart, scale * (reach(t) + norm(sphere_.center)) + radius);
+  }
+  [[nodiscard]] SurfaceParts parts(const Quotient& t) const override {
+    SurfaceParts whole;
+    const Scaled from_center = norm(from_center_at(t)) / approximate(t.denominator());
+    if (sign(scene_.radius) == 0 || from_center.sign() == 0) return whole;
+    const Scaled condition = Scaled(1) + approximate(scene_.ray.scale) * reach(t) / from_center;
+    whole.push_back({{scene_.from_center, scene_.ray.direction}, {}, condition});
+    return whole;
+  }
   [[nodiscard]] Scaled margin(bool) const override {
     return ratio(distance_to_other_verdict(), sizes().unit);
   }
   [[nodiscard]] double far() const override { return sizes().far; }
 
  private:
-  /// The same of a point of this power.
+  /// L(t), of the ray alone.
+  [[nodiscard]] Scaled reach(const Quotient& t) const {
+    const RaySizes of_ray(question(), ray());
+    return of_ray.origin + abs(t.estimate()) * of_ray.direction;
+  }
+  /// p(t) as seen from the centre, in the scale of the equation and times the denominator of t.
+  [[nodiscard]] Vector<Ring> from_center_at(const Quotient& t) const {
+    return t.denominator() * scene_.from_center + t.numerator() * scene_.ray.direction;
+  }
+  /// The distance of a point of this power.
   [[nodiscard]] Scaled distance(const Scaled& power) const {
     if (power.sign() == 0) return {};  // a point has no radius to divide by
     return abs(power) / far_side(power, abs(approximate(scene_.radius)));

@@ -26,9 +26,10 @@ float after(double t) { return std::nextafter(static_cast<float>(t), HUGE_VALF);
 
 TEST(Properties, AllHoldForTheOracleItself) {
   for (const Property& property : properties()) {
-    // The oracle refuses NaN and has no running-error arithmetic; why a ray misses is asked of misses alone.
+    // The oracle refuses NaN and has no running-error arithmetic; why a ray misses is asked of misses alone,
+    // coordinates of triangles.
     if (property.claim == Claim::nan || property.claim == Claim::bounded) continue;
-    if (property.claim == Claim::contact) continue;
+    if (property.claim == Claim::contact || property.claim == Claim::coordinates) continue;
     EXPECT_EQ(rule(property.name.data(), broken::exactly), Ruling::held) << property.name;
   }
 }

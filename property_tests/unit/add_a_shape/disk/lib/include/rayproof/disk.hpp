@@ -2,6 +2,7 @@
 /// \file
 /// The disk, and the meaning of a ray/disk method's answers.
 
+#include <rayproof/method/contract.hpp>
 #include <rayproof/roots.hpp>
 
 namespace rayproof {
@@ -36,5 +37,8 @@ template <class T>
 
 /// The bound, in the units above, that a robust ray/disk method keeps (Claim::robust).
 inline constexpr double disk_robust_bound = 4;
+
+/// What every sound method says of its first hit. K = 1.
+inline constexpr HitBounds disk_hit_bounds{.point = {.promised = 2}, .normal = {.promised = 4}};
 
 }  // namespace rayproof

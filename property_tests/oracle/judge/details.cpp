@@ -1,0 +1,127 @@
+/// \file
+/// The judgement of what an answer says of its first hit beside t: point, normal, barycentric coordinates.
+
+#include <algorithm>
+
+#include "oracle/judge/normals.hpp"
+
+namespace rayproof::oracle {
+namespace {
+
+[[nodiscard]] bool is_finite(const glm::dvec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// The length of what a rounding of p(t) may be off by, but for ε: |origin| + |t||direction|, and what
+/// underflow loses.
+Scaled size_of_point(const Ray<double>& ray, const Quotient& t, Precision precision) {
+  const Scaled smallest = precision == Precision::float32 ? Scaled(1, -149) : Scaled(1, -1074);
+  return norm(ray.origin) + abs(t.estimate()) * norm(ray.direction) +
+         smallest / Scaled(unit_roundoff(precision));
+}
+
+/// |claimed - p(t)|; a coordinate that overflows counts as off by nothing where that of p(t) does.
+template <class Number>
+Scaled off_point(const Ray<double>& ray, const Number& t, const glm::dvec3& claimed, Precision precision) {
+  Vector<Scaled> apart{};
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto exact = t.affine_image(Ring(ray.origin[axis]), Ring(ray.direction[axis]));
+    Scaled& gap = axis == 0 ? apart.x : axis == 1 ? apart.y : apart.z;
+    if (std::isfinite(claimed[axis]))
+      gap = exact.minus(claimed[axis]);
+    else if (round_correctly(exact, precision) != claimed[axis])
+      gap = endless();
+  }
+  return norm(apart);
+}
+
+/// A point of the world as the shape has it, in the scale of ObjectRay.
+Vector<Ring> in_object(const ExactIntersection& exact, const glm::dvec3& point) {
+  const auto own = Vector<Ring>::from(point);
+  const auto& map = exact.ray().map;
+  return map ? map->apply(own - map->translation) : own;
+}
+
+/// The largest error of a coordinate; endless where one is no number.
+template <std::size_t count, class Claimed>
+Scaled error_of_coordinates(const std::array<Quotient, count>& exact, const Claimed& claimed) {
+  Scaled most;
+  for (int i = 0; i < static_cast<int>(count); ++i) {
+    if (!std::isfinite(claimed[i])) return endless();
+    most = std::max(most, abs(exact.at(static_cast<std::size_t>(i)).minus(claimed[i])));
+  }
+  return most;
+}
+
+/// The judgement of one answer.
+class DetailsJudge {
+ public:
+  DetailsJudge(const ExactIntersection& exact, Precision precision, const RayAnswer& claimed)
+      : exact_(exact),
+        hits_(exact.hits()),
+        precision_(precision),
+        claimed_(claimed),
+        t_(std::isfinite(claimed.hits.t[0]) ? claimed.hits.t[0] : 0) {}
+
+  void judge_point(Details& details) const {
+    details.point = details.surface = HUGE_VAL;
+    if (!claimed_.point) return;
+    const Ray<double>& ray = exact_.question().ray;
+    const glm::dvec3& point = *claimed_.point;
+    const Scaled size = size_of_point(ray, t_, precision_);
+    const auto off = [&](const auto& t) { return units(off_point(ray, t, point, precision_) / size); };
+    details.point = off(t_);
+    if (is_finite(point)) details.surface = units(exact_.off_surface(in_object(exact_, point), t_));
+    if (!hits_.empty()) details.forward = std::visit(off, hits_.front().t);
+  }
+
+  void judge_normal(Details& details) const {
+    SurfaceParts parts = exact_.parts(t_);
+    if (parts.empty()) return;
+    const auto by_distance = [](const SurfacePart& a, const SurfacePart& b) { return a.apart < b.apart; };
+    std::iter_swap(parts.begin(), std::ranges::min_element(parts, by_distance));
+    const bool is_sharp = !hits_.empty() && !exact_.normal(hits_.front());
+    if (!claimed_.normal)
+      details.normal = is_sharp ? 0 : units(error_of_no_normal(exact_, parts, t_));
+    else
+      details.normal = is_finite(*claimed_.normal)
+                           ? units(error_of_normal(exact_, parts, t_, *claimed_.normal))
+                           : HUGE_VAL;
+  }
+
+  void judge_coordinates(Details& details) const {
+    const auto& weights = claimed_.barycentric;
+    if (const auto exact = exact_.barycentric())
+      details.coordinates = weights ? units(error_of_coordinates(*exact, *weights)) : HUGE_VAL;
+    else if (const auto parameters = exact_.parameters(); claimed_.parameters && parameters)
+      details.coordinates = units(error_of_coordinates(*parameters, *claimed_.parameters));
+    if (details.coordinates) details.condition = value(exact_.condition_of_coordinates());
+  }
+
+  [[nodiscard]] Details judge() const {
+    Details details;
+    if (!hits_.empty()) details.contact = hits_.front().contact;
+    if (claimed_.hits.count == 0 || !std::isfinite(claimed_.hits.t[0])) return details;
+    judge_point(details);
+    judge_normal(details);
+    judge_coordinates(details);
+    return details;
+  }
+
+ private:
+  [[nodiscard]] double units(const Scaled& error) const { return in_units(error, precision_); }
+
+  const ExactIntersection& exact_;
+  ExactContacts hits_;
+  Precision precision_;
+  const RayAnswer& claimed_;
+  Quotient t_;
+};
+
+}  // namespace
+
+Details judge_details(const ExactIntersection& exact, Precision precision, const RayAnswer& claimed) {
+  return DetailsJudge(exact, precision, claimed).judge();
+}
+
+}  // namespace rayproof::oracle

@@ -1,0 +1,140 @@
+/// \file
+/// Properties of what an answer says of its first hit beside t: point, normal, barycentric coordinates,
+/// contact.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "properties/claims/promise.hpp"
+#include "properties/property.hpp"
+
+namespace rayproof {
+
+namespace {
+
+/// All of them are judged on the same cases, so that the oracle is asked once.
+constexpr unsigned details_every = 8;
+
+/// An error of a trial's first hit beside its bound; nothing where there is none to judge, or no promise.
+struct Measured {
+  double error, bound;
+};
+using Measure = std::optional<Measured> (*)(Trial&);
+
+std::optional<Measured> measured(const std::optional<double>& error, double bound) {
+  if (!error || std::isinf(bound)) return std::nullopt;
+  return Measured{*error, bound};
+}
+
+std::optional<Measured> of_point(Trial& trial) {
+  return measured(trial.details().point, trial.subject().contract.hit.point.promised);
+}
+/// No farther than the residual of t and the error of the point together.
+std::optional<Measured> of_surface(Trial& trial) {
+  return measured(trial.details().surface, promised_surface(trial));
+}
+std::optional<Measured> of_normal(Trial& trial) {
+  return measured(trial.details().normal, trial.subject().contract.hit.normal.promised);
+}
+std::optional<Measured> of_coordinates(Trial& trial) {
+  const double promised = trial.subject().contract.hit.coordinates.promised;
+  return measured(trial.details().coordinates, promised * trial.unit_of_coordinates());
+}
+
+template <Measure measure>
+Ruling is_within(Trial& trial) {
+  if (!trial.in_domain_of_details()) return Ruling::outside;
+  const auto found = measure(trial);
+  if (!found) return Ruling::outside;
+  return found->error <= found->bound ? Ruling::held : Ruling::broken;
+}
+
+template <Measure measure>
+double excess_of(Trial& trial) {
+  const auto found = measure(trial);
+  return found ? found->error / found->bound : 0;
+}
+
+/// The whole line with as many hits as its contact says: what is wrong with it where the contact is.
+oracle::Judgement of_line(Trial& trial, bool is_tangent) {
+  const Case line = on_whole_line(trial.question());
+  RayAnswer claimed;
+  const double t = std::get<RayAnswer>(trial.claimed()).hits.t[0];
+  for (int i = 0; i < (is_tangent ? 1 : 2); ++i) claimed.hits.push_back(t);
+  return oracle::judge(line, claimed);
+}
+
+/// A method need not say more of a hit than that there is one; what it says more than that must be so. One
+/// hit or two on the line is a verdict, for which the same band holds.
+Ruling touch(Trial& trial) {
+  const auto* claimed = std::get_if<RayAnswer>(&trial.claimed());
+  if (claimed == nullptr || claimed->hits.count == 0 || !trial.in_domain()) return Ruling::outside;
+  const double band = promise_for(trial).verdict;
+  if (std::isinf(band) || trial.judgement().wrong) return Ruling::outside;
+  const Contact exact = *trial.details().contact;
+  if (claimed->contact == exact) return Ruling::held;
+  const bool is_touch = claimed->contact == Contact::tangent || exact == Contact::tangent;
+  if (!is_touch) return claimed->contact == Contact::crossing ? Ruling::held : Ruling::broken;
+  if (exact == Contact::rim) return Ruling::held;  // where a line touches the side it is both
+  const oracle::Judgement of_count = of_line(trial, claimed->contact == Contact::tangent);
+  const bool is_excused = band > 0 && of_count.margin <= band;
+  return !of_count.wrong || is_excused ? Ruling::held : Ruling::broken;
+}
+
+std::string in_words(const glm::dvec3& v) { return fmt::format("[{:.9g}, {:.9g}, {:.9g}]", v.x, v.y, v.z); }
+std::string in_words(const std::optional<glm::dvec3>& v) { return v ? in_words(*v) : "none"; }
+
+template <std::optional<glm::dvec3> RayAnswer::*member>
+Evidence show(Trial& trial, const char* name, const std::string& error) {
+  const auto exact = std::get<RayAnswer>(oracle::answer(trial.question())).*member;
+  return show_answer(
+      trial, fmt::format("the {} of the first hit is {}, {}; the exact one is {}", name,
+                         in_words(std::get<RayAnswer>(trial.claimed()).*member), error, in_words(exact)));
+}
+
+Evidence show_point(Trial& trial) {
+  return show<&RayAnswer::point>(
+      trial, "point", fmt::format("{:.3g} contract units from the ray at t", *trial.details().point));
+}
+Evidence show_surface(Trial& trial) {
+  return show<&RayAnswer::point>(
+      trial, "point", fmt::format("{:.3g} contract units from the surface", *trial.details().surface));
+}
+Evidence show_normal(Trial& trial) {
+  return show<&RayAnswer::normal>(
+      trial, "normal", fmt::format("{:.3g} contract units from the surface's at t", *trial.details().normal));
+}
+Evidence show_coordinates(Trial& trial) {
+  return show<&RayAnswer::barycentric>(trial, "barycentric triple",
+                                       fmt::format("off by {:.3g} ε", *trial.details().coordinates));
+}
+Evidence show_touch(Trial& trial) {
+  return show_answer(trial, fmt::format("the first hit is called {}, and is {}",
+                                        name_of(std::get<RayAnswer>(trial.claimed()).contact),
+                                        name_of(*trial.details().contact)));
+}
+
+}  // namespace
+
+std::vector<Property> details_properties() {
+  return {
+      {Claim::point, "touch",
+       "a hit is called tangent, edge, vertex or rim only where it is, outside the band", details_every,
+       touch, show_touch},
+      {Claim::point, "point", "the point of the first hit is the ray's at t to the promised bound",
+       details_every, is_within<of_point>, show_point, excess_of<of_point>},
+      {Claim::point, "point-on-surface",
+       "the point of the first hit is no farther from the surface than promised", details_every,
+       is_within<of_surface>, show_surface, excess_of<of_surface>},
+      {Claim::normal, "normal",
+       "the normal of the first hit is the surface's, of unit length, on the right side", details_every,
+       is_within<of_normal>, show_normal, excess_of<of_normal>},
+      {Claim::coordinates, "coordinates",
+       "the barycentric coordinates of a hit are the exact ones to their bound", details_every,
+       is_within<of_coordinates>, show_coordinates, excess_of<of_coordinates>},
+  };
+}
+
+}  // namespace rayproof

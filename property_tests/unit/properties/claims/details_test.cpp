@@ -1,0 +1,87 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "case/reader.hpp"
+#include "unit/properties/broken_subjects.hpp"
+
+namespace rayproof {
+namespace {
+
+/// An ellipsoid, met beside its pole.
+const char* const on_ellipsoid =
+    R"({"precision": "float32", "ray": {"origin": [0.25,0,-5], "direction": [0,0,1]}, "transform": [[1,0,0,0],[0,1,0,0],[0,0,2,0],[0,0,0,1]], "shape": {"type": "sphere", "center": [0,0,0], "radius": 1}})";
+/// Touched at (0, 1, 0).
+const char* const touching =
+    R"({"precision": "float32", "ray": {"origin": [0,1,-5], "direction": [0,0,1]}, "shape": {"type": "sphere", "center": [0,0,0], "radius": 1}})";
+const char* const in_triangle =
+    R"({"precision": "float32", "ray": {"origin": [0.5,0.25,2], "direction": [0,0,-1]}, "shape": {"type": "triangle", "a": [0,0,0], "b": [1,0,0], "c": [0,1,0]}})";
+
+/// How a property rules on the exact answer after `change` has spoilt its details.
+template <class Change>
+Ruling rule(const char* property, const char* text, Change) {
+  const Case one = read_case(text);
+  const Subject subject = broken::subject(topic_of(one), [](const Case& asked) -> Answer {
+    auto answer = std::get<RayAnswer>(broken::exactly(asked));
+    Change{}(answer);
+    return answer;
+  });
+  Trial trial(subject, one);
+  return find_property(property)->rule(trial);
+}
+
+constexpr auto unchanged = [](RayAnswer&) {};
+
+TEST(DetailsProperties, HoldForTheOracleUnderATransformAndAreNotAskedOfWhatAShapeLacks) {
+  for (const char* name : {"point", "point-on-surface", "normal", "touch"})
+    EXPECT_EQ(rule(name, on_ellipsoid, unchanged), Ruling::held) << name;
+  EXPECT_EQ(rule("coordinates", on_ellipsoid, unchanged), Ruling::outside);
+  EXPECT_EQ(rule("coordinates", in_triangle, unchanged), Ruling::held);
+}
+
+TEST(DetailsProperties, APointOfTheObjectsSpaceIsOffRayAndSurface) {
+  const auto unmapped = [](RayAnswer& answer) { answer.point->z /= 2; };
+  EXPECT_EQ(rule("point", on_ellipsoid, unmapped), Ruling::broken);
+  EXPECT_EQ(rule("point-on-surface", on_ellipsoid, unmapped), Ruling::broken);
+}
+
+TEST(DetailsProperties, APointOfTheSecondHitIsOnTheSurfaceButNotAtT) {
+  const auto second = [](RayAnswer& answer) { answer.point->z = -answer.point->z; };
+  EXPECT_EQ(rule("point", on_ellipsoid, second), Ruling::broken);
+  EXPECT_EQ(rule("point-on-surface", on_ellipsoid, second), Ruling::held);
+}
+
+TEST(DetailsProperties, ANormalOnTheWrongSideLeftOutOrTooLongIsNoticed) {
+  EXPECT_EQ(rule("normal", on_ellipsoid, [](RayAnswer& answer) { answer.normal = -*answer.normal; }),
+            Ruling::broken);
+  EXPECT_EQ(rule("normal", on_ellipsoid, [](RayAnswer& answer) { answer.normal.reset(); }), Ruling::broken);
+  EXPECT_EQ(rule("normal", on_ellipsoid, [](RayAnswer& answer) { *answer.normal *= 1.00001; }),
+            Ruling::broken);
+}
+
+TEST(DetailsProperties, ANormalThatTheMapTookAlongInPlaceOfItsInverseIsNoticed) {
+  const auto taken_along = [](RayAnswer& answer) {
+    glm::dvec3 own = *answer.normal * glm::dvec3(1, 1, 2);  // the object's, but for its length
+    own *= glm::dvec3(1, 1, 2);
+    answer.normal = own / std::sqrt(own.x * own.x + own.y * own.y + own.z * own.z);
+  };
+  EXPECT_EQ(rule("normal", on_ellipsoid, taken_along), Ruling::broken);
+}
+
+TEST(DetailsProperties, CoordinatesOfAnotherVertexAreNoticed) {
+  const auto turned = [](RayAnswer& answer) { std::swap(answer.barycentric->x, answer.barycentric->y); };
+  EXPECT_EQ(rule("coordinates", in_triangle, turned), Ruling::broken);
+}
+
+TEST(DetailsProperties, ATouchMayGoUnsaidButNotBeInvented) {
+  const auto crossing = [](RayAnswer& answer) { answer.contact = Contact::crossing; };
+  const auto edge = [](RayAnswer& answer) { answer.contact = Contact::edge; };
+  EXPECT_EQ(rule("touch", touching, unchanged), Ruling::held);
+  EXPECT_EQ(rule("touch", touching, crossing), Ruling::broken);  // two hits of the line where there is one
+  EXPECT_EQ(rule("touch", in_triangle, edge), Ruling::broken);
+  EXPECT_EQ(rule("touch", on_ellipsoid, [](RayAnswer& answer) { answer.contact = Contact::tangent; }),
+            Ruling::broken);
+}
+
+}  // namespace
+}  // namespace rayproof
