@@ -40,7 +40,8 @@ Subject glm_sphere() {
   subject.contract = {
       .standing = Standing::naive,
       .holds = {Claim::ascending, Claim::nan},
-      .refuted = {{{Claim::robust, "|f|² and the squared projection of a far sphere's centre cancel"}}}};
+      .refuted = {{{Claim::robust, "|f|² and the squared projection of a far sphere's centre cancel"},
+                   {Claim::exact, "a tangent is missed, and so is an origin on the surface"}}}};
   subject.answer = [](const Case& one) {
     return in_precision(one.precision, [&]<class T>(T) -> Answer { return answer_in<T>(one); });
   };

@@ -34,7 +34,7 @@ struct Textbook {
       .residual = {.measured = 2.55, .promised = 16},
       .domain = {.reach_float = 12, .reach_double = 110, .every_number = true},
       .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::moved, Claim::scaled,
-                                       Claim::reversed, Claim::bounded},
+                                       Claim::reversed, Claim::bounded, Claim::exact},
       .refuted = {{{Claim::robust, "b² and 4ac of a far cylinder agree in all the digits that are kept"}}}};
 
   template <class T>

@@ -22,9 +22,10 @@ enum class Claim : unsigned {
   batch,      ///< a batch gives bit for bit the scalar answers
   nan,        ///< a NaN anywhere in the input never gives a hit
   bounded,    ///< the running-error arithmetic's bound encloses the exact answer
-  contact     ///< why a ray misses is given rightly: parallel to the surface, inside it, or neither
+  contact,    ///< why a ray misses is given rightly: parallel to the surface, inside it, or neither
+  exact       ///< where no step is rounded, everything is exactly right, boundaries included
 };
-inline constexpr std::size_t claim_count = 12;
+inline constexpr std::size_t claim_count = 13;
 
 /// A set of claims.
 class Claims {
@@ -84,6 +85,13 @@ struct Contract {
   Domain domain{};
   Claims holds{};                       ///< claims the property tests hold the method to
   std::array<Refutation, 3> refuted{};  ///< claims it is known to break; unused entries have no `because`
+
+  /// Whether the claim is made, or declared broken.
+  [[nodiscard]] constexpr bool speaks_of(Claim claim) const {
+    bool is_refuted = false;
+    for (const Refutation& one : refuted) is_refuted |= one.claim == claim && !one.because.empty();
+    return is_refuted || holds.contains(claim);
+  }
 };
 
 /// Author, title and year of the formula's source.
@@ -98,6 +106,7 @@ inline constexpr Claims always_claimed{Claim::ascending, Claim::batch, Claim::na
 
 /// The claims of every method that keeps the robust bound, wherever the scene lies and whatever its size.
 inline constexpr Claims robust_claims =
-    always_claimed | Claims{Claim::verdict, Claim::robust, Claim::moved, Claim::scaled, Claim::reversed};
+    always_claimed |
+    Claims{Claim::verdict, Claim::robust, Claim::moved, Claim::scaled, Claim::reversed, Claim::exact};
 
 }  // namespace rayproof

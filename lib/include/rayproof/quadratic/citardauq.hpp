@@ -16,7 +16,7 @@ struct Citardauq {
   static constexpr Contract contract{
       .standing = Standing::naive,
       .verdict = {.promised = 4},
-      .holds = always_claimed | Claims{Claim::scaled, Claim::bounded},
+      .holds = always_claimed | Claims{Claim::scaled, Claim::bounded, Claim::exact},
       .refuted = {{{Claim::robust, "for b² >> 4ac its other branch divides by what cancellation left"},
                    {Claim::verdict, "b = c = 0 leaves 0/0 for the root 0"}}}};
 

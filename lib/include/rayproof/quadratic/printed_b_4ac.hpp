@@ -15,7 +15,7 @@ struct PrintedB4ac {
   static constexpr Source source = sources::ban;
   static constexpr Contract contract{
       .standing = Standing::printed,
-      .holds = always_claimed,
+      .holds = always_claimed | Claims{Claim::exact},
       .refuted = {
           {{Claim::robust, "the condition must be b² ≫ 4ac: b² and 4ac have one unit, b and 4ac not"}}}};
 

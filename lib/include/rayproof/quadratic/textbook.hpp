@@ -15,7 +15,7 @@ struct Textbook {
   static constexpr Contract contract{
       .standing = Standing::naive,
       .verdict = {.promised = 4},
-      .holds = always_claimed | Claims{Claim::scaled, Claim::reversed, Claim::bounded},
+      .holds = always_claimed | Claims{Claim::scaled, Claim::reversed, Claim::bounded, Claim::exact},
       .refuted = {{{Claim::robust, "for b² >> 4ac, -b and √D cancel in the smaller root"},
                    {Claim::verdict, "a = 0 leaves 0/0, though a linear equation has its root"}}}};
 

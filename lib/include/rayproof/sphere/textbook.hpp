@@ -38,7 +38,7 @@ struct Textbook {
       .verdict = {.measured = 3.92, .promised = 16},
       .residual = {.measured = 4.08, .promised = 16},
       .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::moved, Claim::scaled,
-                                       Claim::reversed, Claim::bounded},
+                                       Claim::reversed, Claim::bounded, Claim::exact},
       .refuted = {{{Claim::robust, "b² and 4ac of a far sphere agree in all the digits that are kept"}}}};
 
   template <class T>

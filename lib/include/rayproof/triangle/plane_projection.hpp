@@ -17,8 +17,8 @@ struct PlaneProjection {
   static constexpr Contract contract{
       .standing = Standing::naive,
       .residual = {.measured = 1.24, .promised = triangle_robust_bound},
-      .holds = always_claimed |
-               Claims{Claim::residual, Claim::moved, Claim::scaled, Claim::reversed, Claim::bounded},
+      .holds = always_claimed | Claims{Claim::residual, Claim::moved, Claim::scaled, Claim::reversed,
+                                       Claim::bounded, Claim::exact},
       .refuted = {
           {{Claim::robust, "the rounding of the hit point is large beside a triangle thin as a needle"}}}};
 
