@@ -2,6 +2,7 @@
 /// Properties of cases in which nothing is rounded: there nothing is excused, boundaries least of all.
 
 #include <algorithm>
+#include <cmath>
 
 #include "properties/claims/promise.hpp"
 #include "properties/property.hpp"
@@ -58,21 +59,35 @@ bool is_exact_for_some_method(const Case& one) {
   });
 }
 
+/// Whether a subject that reports no hit but the first reports another hit of the line: it leaves out one
+/// that lies on a boundary, the origin on the surface, say.
+bool is_another_hit(const Case& one, const Answer& claimed) {
+  const auto* got = std::get_if<RayAnswer>(&claimed);
+  if (got == nullptr || !got->nearest_only || got->hits.count == 0) return false;
+  const auto distance = [t = got->hits.t[0]](double hit) { return std::abs(hit - t); };
+  const RayAnswer exact = std::get<RayAnswer>(oracle::answer(one));
+  return distance(exact.hits.t[exact.hits.count - 1]) < distance(exact.hits.t[0]);
+}
+
 /// Of a subject whose steps nobody knows. A verdict that is wrong by more than the bound of the best plain
 /// methods is no matter of where the boundary belongs: that is the verdict's property.
 Ruling boundary(Trial& trial) {
-  if (trial.subject().is_exact_on != nullptr) return Ruling::outside;
+  if (trial.subject().is_exact_on != nullptr || !trial.in_domain()) return Ruling::outside;
   const std::optional<double> bound = robust_bound(trial.subject().topic);
   if (!bound || !is_exact_for_some_method(trial.question())) return Ruling::outside;
   const oracle::Judgement& judgement = trial.judgement();
   if (judgement.wrong) return judgement.margin <= *bound ? Ruling::broken : Ruling::outside;
-  return is_contact_right(trial.question(), trial.claimed()) ? Ruling::held : Ruling::broken;
+  const bool is_right = is_contact_right(trial.question(), trial.claimed()) &&
+                        !is_another_hit(trial.question(), trial.claimed());
+  return is_right ? Ruling::held : Ruling::broken;
 }
 
 Evidence show_boundary(Trial& trial) {
-  return show_answer(trial, trial.judgement().wrong
-                                ? "the verdict is wrong on a boundary, where rounding nothing is possible"
-                                : "the contact is not the exact one, where rounding nothing is possible");
+  const char* const note = trial.judgement().wrong ? "the verdict is wrong on a boundary"
+                           : is_another_hit(trial.question(), trial.claimed())
+                               ? "the nearest hit, on a boundary, is left out, and the next one reported"
+                               : "the contact is not the exact one";
+  return show_answer(trial, std::string(note) + ", though a plain method rounds nothing here");
 }
 
 }  // namespace

@@ -62,46 +62,45 @@ struct CheckedMask {
   }
 };
 
-/// Whether z, the rounded result of an operation on plain numbers, is the exact one.
+/// Whether z, the result of an operation on plain numbers, is not rounded.
 ///
-/// An infinity or a NaN is exact only where an operand has it already, and a product or quotient so small
-/// that its rest might underflow counts as rounded.
+/// What IEEE 754 calls an invalid operation or a division by zero rounds nothing: NaN and infinity are its
+/// exact results, and a kernel that lets them decide owes them to its formula. An overflow is rounded, and so
+/// counts a product or quotient so small that its rest might underflow.
 namespace exactness {
 
 template <class T>
 inline constexpr T smallest_judged = std::numeric_limits<T>::min() /
                                      (std::numeric_limits<T>::epsilon() * std::numeric_limits<T>::epsilon());
 
-/// Of a z that is infinite or NaN.
-template <std::floating_point T, class... Operands>
-[[nodiscard]] bool is_inherited(T z, Operands... operands) {
-  return z != z ? ((operands != operands) || ...) : ((std::abs(operands) == infinity<T>) || ...);
+template <std::floating_point... T>
+[[nodiscard]] bool are_finite(T... operands) {
+  return (std::isfinite(operands) && ...);
 }
 
 template <std::floating_point T>
 [[nodiscard]] bool of_sum(T x, T y, T z) {
-  return std::isfinite(z) ? two_sum(x, y).rest == 0 : is_inherited(z, x, y);
+  return !are_finite(x, y) || (std::isfinite(z) && two_sum(x, y).rest == 0);
 }
 template <std::floating_point T>
 [[nodiscard]] bool of_product(T x, T y, T z) {
-  if (!std::isfinite(z)) return is_inherited(z, x, y);
-  return x == 0 || y == 0 || (std::abs(z) >= smallest_judged<T> && std::fma(x, y, -z) == 0);
+  if (!are_finite(x, y) || x == 0 || y == 0) return true;
+  return std::abs(z) >= smallest_judged<T> && std::fma(x, y, -z) == 0;
 }
 template <std::floating_point T>
 [[nodiscard]] bool of_quotient(T x, T y, T z) {
-  if (!std::isfinite(z)) return is_inherited(z, x, y);
-  return (x == 0 || std::abs(x) >= smallest_judged<T>)&&std::fma(z, y, -x) == 0;
+  if (!are_finite(x, y) || x == 0 || y == 0) return true;
+  return std::abs(x) >= smallest_judged<T> && std::fma(z, y, -x) == 0;
 }
-/// No number is the root of a negative one, and that is certain: NaN is its exact root.
 template <std::floating_point T>
 [[nodiscard]] bool of_root(T x, T z) {
-  if (!std::isfinite(z)) return x < 0 || is_inherited(z, x);
-  return x == 0 || (x >= smallest_judged<T> && std::fma(z, z, -x) == 0);
+  if (!(x > 0) || !std::isfinite(x)) return true;
+  return x >= smallest_judged<T> && std::fma(z, z, -x) == 0;
 }
 /// z = w + xy.
 template <std::floating_point T>
 [[nodiscard]] bool of_product_and_sum(T x, T y, T w, T z) {
-  if (!std::isfinite(z)) return is_inherited(z, x, y, w);
+  if (!are_finite(x, y, w)) return true;
   const auto [product, rest] = two_product(x, y);
   if (x != 0 && y != 0 && !(std::abs(product) >= smallest_judged<T>)) return false;
   const auto sum = two_sum(product, w);
@@ -112,8 +111,8 @@ template <std::floating_point T>
 
 }  // namespace exactness
 
-/// A number of type `T`, and whether it is exact: what the formula gives in real numbers, no step on the way
-/// to it rounded, and no comparison of rounded numbers having chosen it.
+/// A number of type `T`, and whether it is exact: no step on the way to it was rounded, and no comparison of
+/// rounded numbers has chosen it.
 ///
 /// Rounds bit for bit as `T` does. A result counts as rounded where an operand does.
 template <std::floating_point T>
