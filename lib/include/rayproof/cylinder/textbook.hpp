@@ -40,7 +40,7 @@ struct Textbook {
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Cylinder<T>& cylinder) {
     const auto [a, b, c] = side_equation(ray, cylinder);
-    return hits<T>(ray, cylinder, quadratic_formula(a, b, c), c <= T(0));
+    return hits<T>(ray, cylinder, quadratic_formula(a, b, c), c);
   }
 };
 
