@@ -75,8 +75,8 @@ inline constexpr Layout whole{
       if (kind == 0) return {vertices[some_index(random, vertices)], vertices};
       if (kind == 1) return {on_a_side(random, vertices, random.between(0, 8) / 8.0), vertices};
       if (kind == 2) return {on_a_side(random, vertices, random.between(-4, 12) / 8.0), vertices};
-      const double x = random.between(-8, 8) / 2.0;
-      return {{x, kind == 3 ? some_level(random) : random.between(-8, 8) / 2.0}, vertices};
+      const double x = random.between(-6, 6) / 2.0;
+      return {{x, kind == 3 ? some_level(random) : random.between(-6, 6) / 2.0}, vertices};
     }};
 
 inline constexpr Layout near_boundary{

@@ -145,8 +145,9 @@ std::vector<Family> plane_families() {
       cut_short<met>({in_reach, {"hit", 0.49}, {"miss", 0.35}, {"in surface", 0.03}, {"behind", 0.3}}),
       transformed<everyday, in_plane>(
           {in_reach, {"hit", 0.41}, {"miss", 0.43}, {"in surface", 0.21}, {"parallel", 0.06}}),
-      in_whole_numbers<whole_numbers>("so short that little is rounded: met at whole t, parallel, or run in",
-                                      {in_reach}),
+      in_whole_numbers<whole_numbers>(
+          "so short that little is rounded: met at whole t, parallel, or run in",
+          {in_reach, {"hit", 0.44}, {"miss", 0.39}, {"in surface", 0.25}, {"parallel", 0.06}}),
       in_any_size<everyday>({{"hit", 0.61}, {"miss", 0.23}, {"behind", 0.23}}),
       special<ImplicitPlane, PointNormalPlane, ParametricPlane>({{"hit", 0.35}, {"miss", 0.49}}),
       bit_patterns<ImplicitPlane, PointNormalPlane, ParametricPlane>({{"hit", 0.38}, {"miss", 0.46}}),

@@ -61,6 +61,7 @@ template <const outline_layout::Layout& layout>
   const PolygonCase plan = outline_layout::whole.plan(random);
   const Sheet sheet = whole_sheet(random);
   glm::dvec3 sight = short_vector(random);
+  while (dot(sight, cross(sheet.u, sheet.v)) == 0) sight = short_vector(random);
   if (random.one_in(8)) sight = 1.0 * random.between(-2, 2) * sheet.u + sheet.v;
   return looked_at_exactly(random, lifted(sheet, plan.vertices), at(sheet, plan.point), sight);
 }

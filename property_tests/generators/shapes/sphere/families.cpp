@@ -103,7 +103,7 @@ std::vector<Family> sphere_families() {
       transformed<near_its_origin>({all_in_reach, {"hit", 0.3}, {"miss", 0.1}}),
       in_whole_numbers<whole_numbers>(
           "so short that little is rounded: tangents, and chords between whole points of the surface",
-          {in_reach}),
+          {in_reach, {"hit", 0.66}, {"tangent", 0.24}, {"cut", 0.2}, {"behind", 0.12}, {"from inside", 0.1}}),
       laid_out<exponents>("exponents", "scenes of one size, of any exponent the format has",
                           {{"hit", 0.1}, {"miss", 0.1}}),
       special<Sphere<double>>({{"hit", 0.02}, {"miss", 0.3}}),

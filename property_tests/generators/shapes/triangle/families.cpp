@@ -42,7 +42,8 @@ std::vector<Family> triangle_families() {
       transformed<everyday, edges>(
           {in_reach, {"hit", 0.54}, {"miss", 0.3}, {"edge", 0.15}, {"vertex", 0.12}}),
       in_whole_numbers<whole_numbers>(
-          "so short that little is rounded: edges, vertices, their lines, the plane", {in_reach}),
+          "so short that little is rounded: edges, vertices, their lines, the plane",
+          {in_reach, {"hit", 0.47}, {"miss", 0.36}, {"edge", 0.26}, {"vertex", 0.25}, {"in surface", 0.15}}),
       in_any_size<everyday>({{"hit", 0.38}, {"miss", 0.46}, {"behind", 0.05}}),
       special<Triangle<double>>({{"hit", 0.03}, {"miss", 0.8}}),
       bit_patterns<Triangle<double>>({{"hit", 0.04}, {"miss", 0.79}}),

@@ -28,7 +28,8 @@ namespace rayproof::triangle_family {
   const int kind = random.between(0, 7);
   if (kind == 0) {
     const glm::dvec3 along = on_an_edge(random, t, [&] { return quarters(random, -1, 2); }) - t.a;
-    const glm::dvec3 origin = at(t, quarters(random, -1, 1), quarters(random, -1, 1));
+    const double beta = quarters(random, -1, 1);
+    const glm::dvec3 origin = at(t, beta, quarters(random, -1, 1));
     return {origin, along == glm::dvec3(0) ? short_vector(random) : along, t, 1};
   }
   const bool at_a_vertex = kind == 1, anywhere = kind == 2;
