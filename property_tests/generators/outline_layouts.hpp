@@ -53,6 +53,32 @@ inline constexpr Layout boundary{"boundary", "in whole numbers: the point is on 
                                    return {on_a_side(random, vertices, share), vertices};
                                  }};
 
+/// Levels whose distances are powers of two, so that a share of the way from one to another is exact.
+[[nodiscard]] inline double some_level(Random& random) { return 4 * random.between(-1, 1); }
+
+/// An outline whose vertices lie on three levels of y, and a third of the time on three of x.
+[[nodiscard]] inline Outline on_levels(Random& random) {
+  const bool both = random.one_in(3);
+  Outline vertices;
+  for (int k = random.between(3, 8); k > 0; --k) {
+    const double x = both ? some_level(random) : random.between(-4, 4);
+    vertices.push_back({x, some_level(random)});
+  }
+  return vertices;
+}
+
+inline constexpr Layout whole{
+    "whole", "so short that little is rounded: on sides, at vertices, on a side's line, level with vertices",
+    true, [](Random& random) -> PolygonCase {
+      const Outline vertices = on_levels(random);
+      const int kind = random.between(0, 4);
+      if (kind == 0) return {vertices[some_index(random, vertices)], vertices};
+      if (kind == 1) return {on_a_side(random, vertices, random.between(0, 8) / 8.0), vertices};
+      if (kind == 2) return {on_a_side(random, vertices, random.between(-4, 12) / 8.0), vertices};
+      const double x = random.between(-6, 6) / 2.0;
+      return {{x, kind == 3 ? some_level(random) : random.between(-6, 6) / 2.0}, vertices};
+    }};
+
 inline constexpr Layout near_boundary{
     "near_boundary", "the point is an ulp or so from a side or a vertex", false,
     [](Random& random) -> PolygonCase {

@@ -47,6 +47,7 @@ struct Property {
 [[nodiscard]] std::vector<Property> symmetry_properties();
 [[nodiscard]] std::vector<Property> safety_properties();
 [[nodiscard]] std::vector<Property> details_properties();
+[[nodiscard]] std::vector<Property> exact_properties();
 
 /// The subject's own answer beside the exact one.
 [[nodiscard]] Evidence show_answer(Trial& trial, std::string note);

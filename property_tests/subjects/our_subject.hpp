@@ -3,6 +3,7 @@
 /// A method of the library as a subject.
 
 #include <rayproof/arithmetics/bounded.hpp>
+#include <rayproof/arithmetics/checked.hpp>
 
 #include "subjects/reading.hpp"
 
@@ -12,6 +13,31 @@ namespace rayproof {
 template <class Topic, class Method, class A>
 [[nodiscard]] auto solve_in(const Case& one) {
   return Topic::template solve<Method, A>(Reading<Topic>::template problem<A>(one));
+}
+
+/// A method whose kernel takes checked numbers; the exact methods are written for plain ones alone.
+template <class Method>
+concept Checkable = requires {
+  typename std::type_identity<decltype(&Method::template roots<Checked<float>>)>::type;
+}
+|| requires { typename std::type_identity<decltype(&Method::template locate<Checked<float>>)>::type; };
+
+/// Whether the numbers that an answer is read from are exact; a position is read from decisions alone.
+template <class T>
+[[nodiscard]] bool is_exact(const Roots<Checked<T>>& roots) {
+  return roots.discriminant.is_exact && roots.lo.is_exact && roots.hi.is_exact;
+}
+[[nodiscard]] inline bool is_exact(Position /*any*/) { return true; }
+
+/// Whether a method rounds nothing on a case in `T`, nor does what its answer is read by.
+template <class Topic, class Method, class T>
+[[nodiscard]] bool runs_exactly(const Case& one) {
+  const RoundedDecision decision;
+  const auto problem = Reading<Topic>::template problem<Checked<T>>(one);
+  const auto result = Topic::template solve<Method, Checked<T>>(problem);
+  if constexpr (requires { problem.ray; })
+    (void)Reading<Topic>::template contact_of_miss<Method, Checked<T>>(problem);
+  return is_exact(result) && !decision.was_made();
 }
 
 /// What a method is and promises, and how to run it on cases in their own precision.
@@ -44,6 +70,10 @@ template <class Topic, class Method>
           if (root.value == root.value) hits.emplace_back(root.value, root.error);
         return hits;
       });
+    };
+  if constexpr (Checkable<Method> && Method::contract.speaks_of(Claim::exact))
+    subject.is_exact_on = [](const Case& one) {
+      return in_precision(one.precision, [&]<class T>(T) { return runs_exactly<Topic, Method, T>(one); });
     };
   return subject;
 }

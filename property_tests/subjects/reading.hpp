@@ -101,7 +101,6 @@ struct Reading {
     return result;
   }
 
- private:
   /// Why a ray misses a plane: it is parallel to it, or runs inside it. Of other shapes no more is said.
   template <class Method, class T>
   static Contact contact_of_miss([[maybe_unused]] const Problem<T>& asked) {

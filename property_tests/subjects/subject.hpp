@@ -16,8 +16,8 @@ namespace rayproof {
 
 /// The names of the claims in listings and on command lines, in the order of `Claim`.
 inline constexpr std::array<std::string_view, claim_count> claim_names{
-    "verdict", "residual", "ulp",     "robust",  "ascending", "moved",  "scaled",     "reversed",
-    "batch",   "nan",      "bounded", "contact", "point",     "normal", "coordinates"};
+    "verdict", "residual", "ulp",     "robust",  "ascending", "moved",  "scaled",      "reversed",
+    "batch",   "nan",      "bounded", "contact", "point",     "normal", "coordinates", "exact"};
 
 [[nodiscard]] constexpr std::string_view claim_name(Claim claim) {
   return claim_names.at(static_cast<std::size_t>(claim));
@@ -45,6 +45,10 @@ struct Subject {
   /// The answers in the running-error arithmetic: each hit's t and the bound on its error; null where there
   /// is none.
   std::vector<std::pair<double, double>> (*bounded_hits)(const Case&) = nullptr;
+
+  /// Whether the method rounds nothing on the case, the ray's way into object space included; null where
+  /// nobody knows.
+  bool (*is_exact_on)(const Case&) = nullptr;
 
   [[nodiscard]] std::string full_name() const { return topic + "/" + name; }
 };

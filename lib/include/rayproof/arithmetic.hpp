@@ -104,6 +104,13 @@ struct PlainOf<A> {
 template <class T>
 using Plain = typename PlainOf<T>::type;
 
+/// An arithmetic in which a kernel may branch on a comparison: plain numbers, and one that says so by a
+/// member `may_branch`, because it keeps account of what its masks decide.
+template <class T>
+concept Branching = std::floating_point<T> || requires {
+  requires T::may_branch;
+};
+
 /// Infinity, NaN, and the number of digits of the significand in the arithmetic `T`.
 template <class T>
 inline constexpr Plain<T> infinity = std::numeric_limits<Plain<T>>::infinity();

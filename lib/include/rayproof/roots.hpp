@@ -28,9 +28,9 @@ struct FlatHit : Roots<T> {
 };
 
 /// Neither root, and no hit: what an exact method answers without a computation.
-template <std::floating_point T>
-inline constexpr Roots<T> no_roots{T(-1), not_a_number<T>, not_a_number<T>};
-template <std::floating_point T>
+template <Branching T>
+inline constexpr Roots<T> no_roots{T(-1), T(not_a_number<T>), T(not_a_number<T>)};
+template <Branching T>
 inline constexpr FlatHit<T> no_hit{no_roots<T>, T(0), T(0)};
 
 /// A hit at t where `is_hit`, none elsewhere. `is_hit` false and a NaN for t mean the same.

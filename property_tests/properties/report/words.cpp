@@ -70,6 +70,12 @@ std::string list_of(const std::vector<double>& numbers, Precision precision) {
   return numbers.size() > most ? text + ", …" : text;
 }
 
+/// Whether both miss, or both hit at the same t, and only the contact differs.
+bool differ_in_contact_alone(const Answer& got, const Answer& exact) {
+  return std::holds_alternative<RayAnswer>(got) && same(got, exact) &&
+         std::get<RayAnswer>(got).contact != std::get<RayAnswer>(exact).contact;
+}
+
 /// The rank at which two lists of as many numbers differ most, relative to the second one's.
 std::size_t worst_rank(const std::vector<double>& got, const std::vector<double>& exact) {
   std::size_t worst = 0;
@@ -146,8 +152,8 @@ std::string in_words(const Finding& finding) {
   const Claim claim = finding.property->claim;
   const std::string things =
       std::visit([](const auto& asked) { return things_in(asked); }, finding.one.question);
-  if (claim == Claim::contact)
-    return fmt::format("calls the miss of {} '{}' (exact '{}')", things,
+  if (claim == Claim::contact || (claim == Claim::exact && differ_in_contact_alone(got, exact)))
+    return fmt::format("calls the {} of {} '{}' (exact '{}')", finds_something(got) ? "hit" : "miss", things,
                        name_of(std::get<RayAnswer>(got).contact),
                        name_of(std::get<RayAnswer>(exact).contact));
   if (claim == Claim::point || claim == Claim::normal || claim == Claim::coordinates)

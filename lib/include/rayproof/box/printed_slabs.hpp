@@ -17,7 +17,8 @@ struct PrintedSlabs {
   static constexpr Contract contract{
       .standing = Standing::printed,
       .holds = always_claimed,
-      .refuted = {{{Claim::robust, "a ray that runs in a face meets 0·∞, which is NaN and no hit"}}}};
+      .refuted = {{{Claim::robust, "a ray that runs in a face meets 0·∞, which is NaN and no hit"},
+                   {Claim::exact, "0·∞ is NaN, and no rounding is to blame"}}}};
 
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Box<T>& box) {

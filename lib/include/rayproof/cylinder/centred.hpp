@@ -36,7 +36,7 @@ struct Centred {
     step<T>(steps::compare_with_radius);
     const T D = named("D", T(1) - (lx * lx + ly * ly));
 
-    return hits<T>(ray, cylinder, ends_of_chord(t_c, D, per_a), fx * fx + fy * fy <= T(1));
+    return hits<T>(ray, cylinder, ends_of_chord(t_c, D, per_a), fx * fx + fy * fy - T(1));
   }
 };
 

@@ -16,7 +16,8 @@ struct Printed {
       .standing = Standing::printed,
       .holds = always_claimed,
       .refuted = {{{Claim::robust, "what lies beyond the direction's tip is dropped, and so are the caps"},
-                   {Claim::scaled, "a direction twice as long halves t and brings hits into [0, 1]"}}}};
+                   {Claim::scaled, "a direction twice as long halves t and brings hits into [0, 1]"},
+                   {Claim::exact, "caps are missing and t ends at 1 where nothing is rounded"}}}};
 
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Cylinder<T>& cylinder) {

@@ -60,15 +60,28 @@ template <class T>
                  entry <= exit);
 }
 
-/// The hits of either, given the roots of the side; `is_in_circle` is asked of the origin, for a line along
-/// the axis: it is inside the side for all t or for none, and no root's formula has anything to say of it.
+/// The roots of an open cylinder's side, and of a ring, which is what is left of it at height 0, also the one
+/// hit of a line along the axis through the ring.
+template <class T>
+[[nodiscard]] constexpr Roots<T> roots_of_open(const Roots<T>& side, const Mask<T>& is_through_ring,
+                                               const T& t) {
+  return {select(is_through_ring, T(1), side.discriminant),
+          select(is_through_ring, T(not_a_number<T>), side.lo), select(is_through_ring, t, side.hi)};
+}
+
+/// The hits of either, given the roots of the side and the sign of `outside` for the origin: negative inside
+/// the circle, 0 on it. It is for a line along the axis, which is inside the side for all t or for none: no
+/// root's formula has anything to say of it.
 template <class T>
 [[nodiscard]] constexpr Roots<T> hits(const Ray<T>& ray, const Cylinder<T>& cylinder, const Roots<T>& side,
-                                      const Mask<T>& is_in_circle) {
+                                      const T& outside) {
   const box::Slab<T> heights = between_heights(ray, cylinder);
-  if (!cylinder.capped) return open_hits(side, heights);
   const Mask<T> is_along = ray.direction.x == T(0) && ray.direction.y == T(0);
-  const T end = select(is_in_circle, T(infinity<T>), T(-infinity<T>));
+  if (!cylinder.capped) {
+    const Mask<T> is_ring = cylinder.height == T(0) && ray.direction.z != T(0);
+    return open_hits(roots_of_open(side, is_along && is_ring && outside == T(0), heights.entry), heights);
+  }
+  const T end = select(outside <= T(0), T(infinity<T>), T(-infinity<T>));
   const Roots<T> inside{select(is_along, T(1), side.discriminant), select(is_along, -end, side.lo),
                         select(is_along, end, side.hi)};
   return capped_hits(inside, heights);

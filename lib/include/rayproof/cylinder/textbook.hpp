@@ -35,13 +35,13 @@ struct Textbook {
       .domain = {.reach_float = 12, .reach_double = 110, .every_number = true},
       .holds = always_claimed | hit_claims |
                Claims{Claim::verdict, Claim::residual, Claim::moved, Claim::scaled, Claim::reversed,
-                      Claim::bounded},
+                      Claim::bounded, Claim::exact},
       .refuted = {{{Claim::robust, "b² and 4ac of a far cylinder agree in all the digits that are kept"}}}};
 
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Cylinder<T>& cylinder) {
     const auto [a, b, c] = side_equation(ray, cylinder);
-    return hits<T>(ray, cylinder, quadratic_formula(a, b, c), c <= T(0));
+    return hits<T>(ray, cylinder, quadratic_formula(a, b, c), c);
   }
 };
 

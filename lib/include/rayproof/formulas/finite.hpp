@@ -15,9 +15,13 @@ template <std::floating_point T>
 [[nodiscard]] inline bool is_finite(T x) {
   return std::isfinite(x);
 }
-template <std::floating_point T>
+template <Branching T>
 [[nodiscard]] inline bool is_finite(const Vec2<T>& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y);
+  return is_finite(v.x) && is_finite(v.y);
+}
+template <Branching T>
+[[nodiscard]] inline bool is_finite(const Vec3<T>& v) {
+  return is_finite(v.x) && is_finite(v.y) && is_finite(v.z);
 }
 template <std::floating_point T>
 [[nodiscard]] inline bool is_finite(const glm::vec<3, T>& v) {

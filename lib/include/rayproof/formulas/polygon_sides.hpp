@@ -78,7 +78,7 @@ template <class Vertices>
 }
 
 /// No coordinate is NaN or infinite: a crossing count takes no notice of a side it can't compare.
-template <std::floating_point T>
+template <Branching T>
 [[nodiscard]] bool is_finite(const PointAndPolygon<T>& question) {
   return are_finite(question.point, question.vertices);
 }

@@ -25,10 +25,11 @@ enum class Claim : unsigned {
   contact,    ///< why a ray misses is given rightly: parallel to the surface, inside it, or neither
   point,      ///< the first hit's point is on ray and surface to the promised bounds, and touches as is said
   normal,     ///< the normal of the first hit is the surface's there to the promised bound, its side included
-  coordinates  ///< a triangle's barycentric coordinates, a plane's parameters, are exact to the promised
-               ///< bound
+  coordinates,  ///< a triangle's barycentric coordinates, a plane's parameters, are exact to the promised
+                ///< bound
+  exact         ///< where no step is rounded, everything is exactly right, boundaries included
 };
-inline constexpr std::size_t claim_count = 15;
+inline constexpr std::size_t claim_count = 16;
 
 /// A set of claims.
 class Claims {
@@ -106,6 +107,13 @@ struct Contract {
   Domain domain{};
   Claims holds{};                       ///< claims the property tests hold the method to
   std::array<Refutation, 3> refuted{};  ///< claims it is known to break; unused entries have no `because`
+
+  /// Whether the claim is made, or declared broken.
+  [[nodiscard]] constexpr bool speaks_of(Claim claim) const {
+    bool is_refuted = false;
+    for (const Refutation& one : refuted) is_refuted |= one.claim == claim && !one.because.empty();
+    return is_refuted || holds.contains(claim);
+  }
 };
 
 /// Author, title and year of the formula's source.
@@ -120,7 +128,8 @@ inline constexpr Claims always_claimed{Claim::ascending, Claim::batch, Claim::na
 
 /// The claims of every method that keeps the robust bound, wherever the scene lies and whatever its size.
 inline constexpr Claims robust_claims =
-    always_claimed | Claims{Claim::verdict, Claim::robust, Claim::moved, Claim::scaled, Claim::reversed};
+    always_claimed |
+    Claims{Claim::verdict, Claim::robust, Claim::moved, Claim::scaled, Claim::reversed, Claim::exact};
 
 /// What every method claims of its first hit that keeps its shape's `HitBounds`.
 inline constexpr Claims hit_claims{Claim::point, Claim::normal};

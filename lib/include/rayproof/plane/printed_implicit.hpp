@@ -14,7 +14,8 @@ struct PrintedImplicit {
   static constexpr Contract contract{
       .standing = Standing::printed,
       .holds = always_claimed,
-      .refuted = {{{Claim::robust, "the numerator must be Ax₀ + By₀ + Cz₀ + D"}}}};
+      .refuted = {{{Claim::robust, "the numerator must be Ax₀ + By₀ + Cz₀ + D"},
+                   {Claim::exact, "without the coefficients the numerator is wrong, rounded or not"}}}};
 
   template <class T>
   [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Plane<T>& plane) {

@@ -20,7 +20,9 @@ struct PrintedParallel {
       .residual = {.measured = 1.79, .promised = plane_robust_bound},
       .holds = always_claimed |
                Claims{Claim::residual, Claim::moved, Claim::scaled, Claim::reversed, Claim::bounded},
-      .refuted = {{{Claim::contact, "a ray inside the plane is called parallel"}}}};
+      .refuted = {
+          {{Claim::contact, "a ray inside the plane is called parallel"},
+           {Claim::exact, "a ray inside the plane is called parallel, where nothing is rounded either"}}}};
 
   template <class T>
   [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Plane<T>& plane) {

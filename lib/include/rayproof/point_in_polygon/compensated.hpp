@@ -15,7 +15,7 @@ struct Compensated {
   static constexpr Contract contract{
       .verdict = {.measured = 0, .promised = 0},
       .domain = {.reach_float = 1000, .reach_double = 400, .every_number = true},
-      .holds = always_claimed | Claims{Claim::verdict, Claim::robust, Claim::scaled}};
+      .holds = always_claimed | Claims{Claim::verdict, Claim::robust, Claim::scaled, Claim::exact}};
 
   template <std::floating_point T>
   [[nodiscard]] static Position locate(const PointAndPolygon<T>& question) {

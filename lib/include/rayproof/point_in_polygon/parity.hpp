@@ -14,9 +14,9 @@ struct Parity {
   static constexpr Source source{"E. Haines", "Point in Polygon Strategies, Graphics Gems IV", 1994};
   static constexpr Contract contract{
       .verdict = {.measured = 0.876, .promised = point_in_polygon_robust_bound},
-      .holds = always_claimed | Claims{Claim::verdict, Claim::robust, Claim::scaled}};
+      .holds = always_claimed | Claims{Claim::verdict, Claim::robust, Claim::scaled, Claim::exact}};
 
-  template <std::floating_point T>
+  template <Branching T>
   [[nodiscard]] static Position locate(const PointAndPolygon<T>& question) {
     if (!polygon::is_finite(question)) return Position::outside;
     step<T>("Count the sides that a ray along +x crosses",

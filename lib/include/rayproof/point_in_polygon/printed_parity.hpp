@@ -15,9 +15,10 @@ struct PrintedParity {
   static constexpr Contract contract{
       .standing = Standing::printed,
       .holds = always_claimed | Claims{Claim::scaled},
-      .refuted = {{{Claim::robust, "a ray through a vertex crosses both of its sides and counts twice"}}}};
+      .refuted = {{{Claim::robust, "a ray through a vertex crosses both of its sides and counts twice"},
+                   {Claim::exact, "a vertex at the point's height counts twice where nothing is rounded"}}}};
 
-  template <std::floating_point T>
+  template <Branching T>
   [[nodiscard]] static Position locate(const PointAndPolygon<T>& question) {
     if (!polygon::is_finite(question)) return Position::outside;
     step<T>("Count the closed sides that a ray along +x meets, as printed",

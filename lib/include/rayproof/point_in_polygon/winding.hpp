@@ -11,7 +11,7 @@ namespace rayproof::point_in_polygon {
 ///
 /// Inside is where the winding number is odd: the even-odd rule. Where a polygon runs twice about a point,
 /// the point is wound about and yet outside.
-template <std::floating_point T, class Side>
+template <Branching T, class Side>
 [[nodiscard]] Position locate_by_winding(const PointAndPolygon<T>& question, Side&& side) {
   step<T>("Add up the turns of the sides about the point",
           "At the point's height, a rising side with the point on its left counts +1 and a falling side with "
@@ -47,9 +47,9 @@ struct Winding {
                                  "The Point in Polygon Problem for Arbitrary Polygons", 2001};
   static constexpr Contract contract{
       .verdict = {.measured = 0.347, .promised = point_in_polygon_robust_bound},
-      .holds = always_claimed | Claims{Claim::verdict, Claim::robust, Claim::scaled}};
+      .holds = always_claimed | Claims{Claim::verdict, Claim::robust, Claim::scaled, Claim::exact}};
 
-  template <std::floating_point T>
+  template <Branching T>
   [[nodiscard]] static Position locate(const PointAndPolygon<T>& question) {
     if (!polygon::is_finite(question)) return Position::outside;
     return locate_by_winding(question, [&](std::size_t i, std::size_t j) {

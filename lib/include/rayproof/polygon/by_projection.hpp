@@ -7,7 +7,7 @@
 namespace rayproof::polygon {
 
 /// Every coordinate of the vertices is a number.
-template <std::floating_point T>
+template <Branching T>
 [[nodiscard]] bool is_finite(const Polygon<T>& polygon) {
   return !polygon.vertices.empty() && rayproof::is_finite(polygon.vertices);
 }
@@ -19,7 +19,7 @@ template <class Locator>
 struct ByProjection {
   static constexpr Source source = Locator::source;
 
-  template <std::floating_point T>
+  template <Branching T>
   [[nodiscard]] static FlatHit<T> roots(const Ray<T>& ray, const Polygon<T>& polygon) {
     if (!is_finite(polygon)) return no_hit<T>;
     step<T>(

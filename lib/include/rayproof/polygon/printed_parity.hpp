@@ -12,7 +12,8 @@ struct PrintedParity : ByProjection<point_in_polygon::PrintedParity> {
       .standing = Standing::printed,
       .residual = {.measured = 0.759, .promised = polygon_robust_bound},
       .holds = always_claimed | Claims{Claim::residual, Claim::scaled},
-      .refuted = {{{Claim::robust, "a ray through the height of a vertex crosses both of its sides"}}}};
+      .refuted = {{{Claim::robust, "a ray through the height of a vertex crosses both of its sides"},
+                   {Claim::exact, "a vertex at the point's height counts twice where nothing is rounded"}}}};
 };
 
 }  // namespace rayproof::polygon

@@ -18,7 +18,8 @@ struct Citardauq {
       .verdict = {.promised = 4},
       .holds = always_claimed | Claims{Claim::scaled, Claim::bounded},
       .refuted = {{{Claim::robust, "for b² >> 4ac its other branch divides by what cancellation left"},
-                   {Claim::verdict, "b = c = 0 leaves 0/0 for the root 0"}}}};
+                   {Claim::verdict, "b = c = 0 leaves 0/0 for the root 0"},
+                   {Claim::exact, "b = c = 0 leaves 0/0, and no rounding is to blame"}}}};
 
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Quadratic<T>& q) {

@@ -17,7 +17,7 @@ struct CitardauqViete {
       .verdict = {.measured = 0.969, .promised = 4},
       .residual = {.measured = 2.95, .promised = 8},
       .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::robust, Claim::scaled,
-                                       Claim::reversed, Claim::bounded}};
+                                       Claim::reversed, Claim::bounded, Claim::exact}};
 
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Quadratic<T>& q) {

@@ -19,7 +19,7 @@ struct FullRange {
       .ulp = {.measured = 2.79, .promised = 4},
       .domain = any_finite,
       .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::ulp, Claim::robust,
-                                       Claim::scaled, Claim::reversed}};
+                                       Claim::scaled, Claim::reversed, Claim::exact}};
 
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Quadratic<T>& q) {

@@ -18,7 +18,7 @@ struct Kahan {
       .residual = {.measured = 2.95, .promised = 8},
       .ulp = {.measured = 2.79, .promised = 4},
       .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::ulp, Claim::robust,
-                                       Claim::scaled, Claim::reversed, Claim::bounded}};
+                                       Claim::scaled, Claim::reversed, Claim::bounded, Claim::exact}};
 
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Quadratic<T>& q) {

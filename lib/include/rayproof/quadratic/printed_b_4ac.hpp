@@ -17,7 +17,8 @@ struct PrintedB4ac {
       .standing = Standing::printed,
       .holds = always_claimed,
       .refuted = {
-          {{Claim::robust, "the condition must be b² ≫ 4ac: b² and 4ac have one unit, b and 4ac not"}}}};
+          {{Claim::robust, "the condition must be b² ≫ 4ac: b² and 4ac have one unit, b and 4ac not"},
+           {Claim::exact, "a = 0 leaves 0/0 to the branch that is left, and no rounding is to blame"}}}};
 
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Quadratic<T>& q) {

@@ -17,7 +17,8 @@ struct Textbook {
       .verdict = {.promised = 4},
       .holds = always_claimed | Claims{Claim::scaled, Claim::reversed, Claim::bounded},
       .refuted = {{{Claim::robust, "for b² >> 4ac, -b and √D cancel in the smaller root"},
-                   {Claim::verdict, "a = 0 leaves 0/0, though a linear equation has its root"}}}};
+                   {Claim::verdict, "a = 0 leaves 0/0, though a linear equation has its root"},
+                   {Claim::exact, "0/0 is no root of a linear equation, and no rounding is to blame"}}}};
 
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Quadratic<T>& q) {

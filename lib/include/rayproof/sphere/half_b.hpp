@@ -19,7 +19,7 @@ struct HalfB {
       .hit = sphere_hit_bounds,
       .holds = always_claimed | hit_claims |
                Claims{Claim::verdict, Claim::residual, Claim::moved, Claim::scaled, Claim::reversed,
-                      Claim::bounded},
+                      Claim::bounded, Claim::exact},
       .refuted = {{{Claim::robust, "b² and ac of a far sphere agree in all the digits that are kept"}}}};
 
   template <class T>

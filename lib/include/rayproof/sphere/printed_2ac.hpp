@@ -14,7 +14,8 @@ struct Printed2ac {
       .standing = Standing::printed,
       .holds = always_claimed,
       .refuted = {{{Claim::robust, "the denominator must be 2a, not 2ac"},
-                   {Claim::scaled, "2ac has the wrong dimension: t changes when the scene's unit does"}}}};
+                   {Claim::scaled, "2ac has the wrong dimension: t changes when the scene's unit does"},
+                   {Claim::exact, "a division by 2ac is wrong without a rounding, too"}}}};
 
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Sphere<T>& sphere) {

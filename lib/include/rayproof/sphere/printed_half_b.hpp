@@ -15,7 +15,8 @@ struct PrintedHalfB {
       .standing = Standing::printed,
       .holds = always_claimed,
       .refuted = {{{Claim::robust, "holds only for a direction of length 1"},
-                   {Claim::scaled, "a direction twice as long must halve t"}}}};
+                   {Claim::scaled, "a direction twice as long must halve t"},
+                   {Claim::exact, "|d| = 1 is assumed, and no rounding is to blame"}}}};
 
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Sphere<T>& sphere) {

@@ -16,7 +16,8 @@ struct PrintedUnitDirection {
       .standing = Standing::printed,
       .holds = always_claimed,
       .refuted = {{{Claim::robust, "t carries over where M⁻¹d is not normalised; here it was"},
-                   {Claim::scaled, "a direction twice as long must halve t"}}}};
+                   {Claim::scaled, "a direction twice as long must halve t"},
+                   {Claim::exact, "t is a distance, and no rounding is to blame"}}}};
 
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Sphere<T>& sphere) {

@@ -18,8 +18,9 @@ struct Stable {
       .verdict = {.measured = 3.92, .promised = 16, .far_power = 1},
       .residual = {.measured = 4.08, .promised = 16, .far_power = 1},
       .hit = sphere_hit_bounds,
-      .holds = always_claimed |
-               Claims{Claim::verdict, Claim::residual, Claim::moved, Claim::scaled, Claim::bounded},
+      .holds =
+          always_claimed | hit_claims |
+          Claims{Claim::verdict, Claim::residual, Claim::moved, Claim::scaled, Claim::bounded, Claim::exact},
       .refuted = {
           {{Claim::robust, "stable roots can't mend coefficients whose rounding already lost the sphere"}}}};
 

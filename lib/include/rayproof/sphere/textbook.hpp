@@ -39,7 +39,7 @@ struct Textbook {
       .hit = sphere_hit_bounds,
       .holds = always_claimed | hit_claims |
                Claims{Claim::verdict, Claim::residual, Claim::moved, Claim::scaled, Claim::reversed,
-                      Claim::bounded},
+                      Claim::bounded, Claim::exact},
       .refuted = {{{Claim::robust, "b² and 4ac of a far sphere agree in all the digits that are kept"}}}};
 
   template <class T>

@@ -21,7 +21,7 @@ struct PlaneProjection {
       .hit = {triangle_hit_bounds.point, triangle_hit_bounds.normal},
       .holds = always_claimed | hit_claims |
                Claims{Claim::verdict, Claim::residual, Claim::moved, Claim::scaled, Claim::reversed,
-                      Claim::bounded},
+                      Claim::bounded, Claim::exact},
       .refuted = {
           {{Claim::robust, "the rounding of the hit point is large beside a triangle thin as a needle"}}}};
 

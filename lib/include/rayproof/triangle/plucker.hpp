@@ -22,7 +22,7 @@ struct Pluecker {
       .hit = triangle_hit_bounds,
       .holds = always_claimed | hit_claims |
                Claims{Claim::coordinates, Claim::verdict, Claim::residual, Claim::moved, Claim::scaled,
-                      Claim::reversed, Claim::bounded},
+                      Claim::reversed, Claim::bounded, Claim::exact},
       .refuted = {{{Claim::robust, triangle_volumes_cancel}}}};
 
   template <class T>

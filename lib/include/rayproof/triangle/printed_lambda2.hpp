@@ -10,10 +10,12 @@ struct PrintedLambda2 {
   static constexpr const char* name = "printed_lambda2";
   static constexpr const char* title = "as printed: a wrong sign in the second barycentric coordinate";
   static constexpr Source source = sources::ban;
-  static constexpr Contract contract{.standing = Standing::printed,
-                                     .residual = {.measured = 1.03, .promised = triangle_robust_bound},
-                                     .holds = always_claimed | Claims{Claim::residual},
-                                     .refuted = {{{Claim::robust, "the second sign in λ₂ must be +"}}}};
+  static constexpr Contract contract{
+      .standing = Standing::printed,
+      .residual = {.measured = 1.03, .promised = triangle_robust_bound},
+      .holds = always_claimed | Claims{Claim::residual},
+      .refuted = {{{Claim::robust, "the second sign in λ₂ must be +"},
+                   {Claim::exact, "the wrong sign is wrong without a rounding, too"}}}};
 
   template <class T>
   [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Triangle<T>& triangle) {

@@ -1,6 +1,7 @@
 #include "generators/layout.hpp"
 #include "generators/number_by_number.hpp"
 #include "generators/shapes/cylinder/layouts.hpp"
+#include "generators/shapes/cylinder/whole.hpp"
 
 namespace rayproof {
 
@@ -41,6 +42,14 @@ std::vector<Family> cylinder_families() {
                        {"behind", 0.22},
                        {"cut", 0.28}}),
       transformed<everyday, rims>({in_reach, {"hit", 0.48}, {"miss", 0.36}, {"rim", 0.12}}),
+      in_whole_numbers<whole_numbers>(
+          "so short that little is rounded: rims, tangents, ends and their planes", {in_reach,
+                                                                                     {"hit", 0.5},
+                                                                                     {"miss", 0.33},
+                                                                                     {"rim", 0.38},
+                                                                                     {"tangent", 0.02},
+                                                                                     {"in surface", 0.04},
+                                                                                     {"cut", 0.07}}),
       in_any_size<everyday>({{"hit", 0.36}, {"miss", 0.48}, {"behind", 0.04}}),
       special<Cylinder<double>>({{"hit", 0.06}, {"miss", 0.76}}),
       bit_patterns<Cylinder<double>>({{"hit", 0.05}, {"miss", 0.78}}),

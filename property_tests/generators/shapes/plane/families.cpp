@@ -4,6 +4,7 @@
 
 #include "generators/layout.hpp"
 #include "generators/number_by_number.hpp"
+#include "generators/whole.hpp"
 
 namespace rayproof {
 
@@ -111,6 +112,19 @@ Scene met(Random& random) {
                               : looked_at(random, sheet, somewhere(random, sheet)));
 }
 
+/// Numbers so short that little of what is made of them is rounded: an axis or a small whole vector for a
+/// normal, and a ray that meets the plane or runs in it or beside it.
+Scene whole_numbers(Random& random) {
+  Sheet sheet{whole_point(random, 4), short_vector(random), short_vector(random)};
+  while (normal_of(sheet) == glm::dvec3(0)) sheet.v = short_vector(random);
+  const glm::dvec3 target = at(sheet, {quarters(random, -2, 2), quarters(random, -2, 2)});
+  glm::dvec3 sight = short_vector(random);
+  if (random.one_in(4)) sight = 1.0 * random.between(-2, 2) * sheet.u + sheet.v;
+  Scene scene = looked_at_exactly(random, sheet, target, sight);
+  if (random.one_in(4)) scene.origin += short_vector(random);
+  return in_some_form(random, sheet, scene);
+}
+
 }  // namespace plane_family
 
 std::vector<Family> plane_families() {
@@ -131,6 +145,9 @@ std::vector<Family> plane_families() {
       cut_short<met>({in_reach, {"hit", 0.49}, {"miss", 0.35}, {"in surface", 0.03}, {"behind", 0.3}}),
       transformed<everyday, in_plane>(
           {in_reach, {"hit", 0.41}, {"miss", 0.43}, {"in surface", 0.21}, {"parallel", 0.06}}),
+      in_whole_numbers<whole_numbers>(
+          "so short that little is rounded: met at whole t, parallel, or run in",
+          {in_reach, {"hit", 0.44}, {"miss", 0.39}, {"in surface", 0.25}, {"parallel", 0.06}}),
       in_any_size<everyday>({{"hit", 0.61}, {"miss", 0.23}, {"behind", 0.23}}),
       special<ImplicitPlane, PointNormalPlane, ParametricPlane>({{"hit", 0.35}, {"miss", 0.49}}),
       bit_patterns<ImplicitPlane, PointNormalPlane, ParametricPlane>({{"hit", 0.38}, {"miss", 0.46}}),

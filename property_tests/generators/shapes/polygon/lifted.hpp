@@ -4,6 +4,7 @@
 
 #include "generators/layout.hpp"
 #include "generators/outline_layouts.hpp"
+#include "generators/whole.hpp"
 
 namespace rayproof::polygon_family {
 
@@ -53,6 +54,16 @@ template <const outline_layout::Layout& layout>
   }
   const Sheet sheet = any_sheet(random);
   return looked_at(random, lifted(sheet, plan.vertices), at(sheet, plan.point));
+}
+
+/// A short outline in a plane of short numbers, seen along a short vector.
+[[nodiscard]] inline Scene whole_numbers(Random& random) {
+  const PolygonCase plan = outline_layout::whole.plan(random);
+  const Sheet sheet = whole_sheet(random);
+  glm::dvec3 sight = short_vector(random);
+  while (dot(sight, cross(sheet.u, sheet.v)) == 0) sight = short_vector(random);
+  if (random.one_in(8)) sight = 1.0 * random.between(-2, 2) * sheet.u + sheet.v;
+  return looked_at_exactly(random, lifted(sheet, plan.vertices), at(sheet, plan.point), sight);
 }
 
 /// Stars in space, looked at from all sides: some rays start behind the polygon.

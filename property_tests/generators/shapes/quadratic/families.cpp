@@ -44,9 +44,16 @@ namespace quadratic_family {
   return equation(precision, a, b, c);
 }
 
-[[nodiscard]] Question integers(Random& random, Precision precision) {
-  const double p = random.between(-20, 20), q = random.between(-20, 20);
-  const double r = random.between(-20, 20), s = random.between(-20, 20);
+/// ±1, ±2, ±4 or seldom 0: what the roots of short factors are divided by.
+[[nodiscard]] double short_divisor(Random& random) {
+  const double sign = random.one_in(2) ? -1 : 1;
+  return random.one_in(8) ? 0 : sign * std::exp2(random.between(0, 2));
+}
+
+[[nodiscard]] Question whole(Random& random, Precision precision) {
+  const bool is_short = random.one_in(2);
+  const auto divisor = [&] { return is_short ? short_divisor(random) : random.between(-20, 20); };
+  const double p = divisor(), q = random.between(-20, 20), r = divisor(), s = random.between(-20, 20);
   const int kind = random.between(0, 4);
   if (kind == 0) return equation(precision, p * p, 2 * p * q, q * q);
   return kind <= 2 ? equation(precision, p * r, p * s + q * r, q * s) : equation(precision, p, q, r);
@@ -85,8 +92,13 @@ std::vector<Family> quadratic_families() {
             {all_in_reach, {"two", 0.2}, {"double", 0.1}, {"none", 0.2}}),
       asked("small_a", "a goes to 0, or is 0", small_a,
             {all_in_reach, {"linear", 0.15}, {"two", 0.4}, {"constant", 0.005}}),
-      asked("integers", "whole numbers, most of them factors multiplied out", integers,
-            {all_in_reach, {"two", 0.5}, {"double", 0.1}, {"none", 0.1}}),
+      asked("whole", "so short that little is rounded: most of them factors multiplied out", whole,
+            {all_in_reach,
+             {"two", 0.5},
+             {"double", 0.1},
+             {"none", 0.07},
+             {"linear", 0.06},
+             {"constant", 0.01}}),
       asked("exponents", "coefficients of any exponent, half the time with b² near ac in size", exponents,
             {{"two", 0.5}, {"none", 0.05}}),
       special<Quadratic<double>>({{"two", 0.2}, {"none", 0.1}, {"linear", 0.02}, {"double", 0.001}}),

@@ -3,7 +3,7 @@
 
 #include "generators/layout.hpp"
 #include "generators/number_by_number.hpp"
-#include "generators/shapes/solid/scenes.hpp"
+#include "generators/shapes/solid/whole.hpp"
 
 namespace rayproof {
 
@@ -130,6 +130,9 @@ std::vector<Family> solid_families(const std::vector<MinimumShare>& flat_shares)
                                 {"cut", 0.38}}),
       transformed<Layout::everyday, Layout::edges>(
           {in_reach, {"hit", 0.54}, {"miss", 0.29}, {"tangent", 0.11}, {"sharp", 0.25}}),
+      in_whole_numbers<whole_numbers<Kind>>(
+          "so short that little is rounded: faces, their planes, edges, corners, no thickness",
+          {in_reach, {"hit", 0.62}, {"miss", 0.2}, {"tangent", 0.19}, {"sharp", 0.54}, {"cut", 0.11}}),
       in_any_size<Layout::everyday>({{"hit", 0.39}, {"miss", 0.43}, {"behind", 0.05}}),
       special<typename Kind::Solid>({{"hit", 0.03}, {"miss", 0.77}}),
       bit_patterns<typename Kind::Solid>({{"hit", 0.03}, {"miss", 0.78}}),

@@ -4,7 +4,7 @@
 
 #include "generators/layout.hpp"
 #include "generators/number_by_number.hpp"
-#include "generators/shapes/sphere/aimed.hpp"
+#include "generators/shapes/sphere/whole.hpp"
 
 namespace rayproof {
 
@@ -101,6 +101,9 @@ std::vector<Family> sphere_families() {
       laid_out<interval>("interval", "t_min or t_max at a hit or a few ulps beside it",
                          {all_in_reach, {"hit", 0.4}, {"cut", 0.2}}),
       transformed<near_its_origin>({all_in_reach, {"hit", 0.3}, {"miss", 0.1}}),
+      in_whole_numbers<whole_numbers>(
+          "so short that little is rounded: tangents, and chords between whole points of the surface",
+          {in_reach, {"hit", 0.66}, {"tangent", 0.24}, {"cut", 0.2}, {"behind", 0.12}, {"from inside", 0.1}}),
       laid_out<exponents>("exponents", "scenes of one size, of any exponent the format has",
                           {{"hit", 0.1}, {"miss", 0.1}}),
       special<Sphere<double>>({{"hit", 0.02}, {"miss", 0.3}}),

@@ -1,6 +1,6 @@
 #include "generators/layout.hpp"
 #include "generators/number_by_number.hpp"
-#include "generators/shapes/triangle/layouts.hpp"
+#include "generators/shapes/triangle/whole.hpp"
 
 namespace rayproof {
 
@@ -43,6 +43,9 @@ std::vector<Family> triangle_families() {
       cut_short<met>({in_reach, {"hit", 0.47}, {"miss", 0.34}, {"edge", 0.14}, {"behind", 0.34}}),
       transformed<everyday, edges>(
           {in_reach, {"hit", 0.54}, {"miss", 0.3}, {"edge", 0.15}, {"vertex", 0.12}}),
+      in_whole_numbers<whole_numbers>(
+          "so short that little is rounded: edges, vertices, their lines, the plane",
+          {in_reach, {"hit", 0.47}, {"miss", 0.36}, {"edge", 0.26}, {"vertex", 0.25}, {"in surface", 0.15}}),
       in_any_size<everyday>({{"hit", 0.38}, {"miss", 0.46}, {"behind", 0.05}}),
       special<Triangle<double>>({{"hit", 0.03}, {"miss", 0.8}}),
       bit_patterns<Triangle<double>>({{"hit", 0.04}, {"miss", 0.79}}),

@@ -174,6 +174,10 @@ TYPED_TEST(EveryCylinderMethod, AHeightOfZeroIsAnEllipseOrADisk) {
   this->expect_one({{1, 0, -1}, {0, 0, 1}}, disk, 1);
   this->expect_one({{1, 0, -1}, {1, 0, 1}}, ellipse, 1);
   this->expect_one({{1, 0, -1}, {1, 0, 1}}, disk, 1);
+  this->expect_one({{2, 0, -1}, {0, 0, 1}}, ellipse, 1);
+  this->expect_one({{0, -1, 3}, {0, 0, -1}}, ellipse, 3);
+  this->expect_no_roots({{0, 0, -1}, {0, 0, 1}}, ellipse);
+  this->expect_no_roots({{2, 0, 0}, {0, 0, 0}}, ellipse);
   this->expect_two({{-6, 0, 0}, {1, 0, 0}}, ellipse, 4, 8);
   this->expect_two({{-6, 0, 0}, {1, 0, 0}}, disk, 4, 8);
 }
