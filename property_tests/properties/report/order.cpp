@@ -17,7 +17,11 @@ std::string_view kind_of(const Property& property) {
   return property.name;
 }
 
+/// What is wrong where nothing is rounded, and declared so, is not a failure of its own.
+bool is_wrong_exactly(const Finding& one) { return one.is_declared && one.property->name == "exact"; }
+
 bool is_same_failure(const Finding& a, const Finding& b) {
+  if (is_wrong_exactly(a) && a.subject == b.subject && b.is_declared) return true;
   if (kind_of(*a.property) != kind_of(*b.property)) return false;
   if (a.subject == b.subject) return true;
   // Each formula as printed has an entry of its own, and so has each broken contract.
@@ -37,8 +41,7 @@ bool is_same_failure(const Finding& a, const Finding& b) {
 
 std::vector<std::vector<Finding>> alike(const std::vector<Finding>& findings, bool is_declared) {
   std::vector<std::vector<Finding>> groups;
-  for (const Finding& finding : findings) {
-    if (finding.is_declared != is_declared) continue;
+  const auto put = [&](const Finding& finding) {
     const auto group = std::ranges::find_if(groups, [&](const std::vector<Finding>& some) {
       return std::ranges::any_of(some, [&](const Finding& other) { return is_same_failure(finding, other); });
     });
@@ -47,7 +50,10 @@ std::vector<std::vector<Finding>> alike(const std::vector<Finding>& findings, bo
     } else {
       group->push_back(finding);
     }
-  }
+  };
+  for (const bool is_exact : {false, true})
+    for (const Finding& finding : findings)
+      if (finding.is_declared == is_declared && is_wrong_exactly(finding) == is_exact) put(finding);
   return groups;
 }
 

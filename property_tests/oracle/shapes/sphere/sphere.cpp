@@ -43,9 +43,13 @@ class SphereIntersection final : public ExactIntersection {
   }
   /// How much the radius must change for another verdict, in the scale of the equation.
   [[nodiscard]] Scaled distance_to_other_verdict() const {
-    // The line touches a sphere whose squared radius is larger by -D/a: the power of its nearest point.
     const ExactQuadratic q = quadratic();
-    Scaled nearest = distance(-approximate(q.discriminant()) / approximate(q.a));
+    const Ray<double>& ray = question().ray;
+    Scaled nearest = endless();
+    // The line touches a sphere whose squared radius is larger by -D/a: the power of its nearest point. Of
+    // the ray that is a change only where its interval holds that point.
+    if (is_in_interval(Quotient(-q.h, q.a), ray.t_min, ray.t_max))
+      nearest = distance(-approximate(q.discriminant()) / approximate(q.a));
     for (const double end : finite_ends(question().ray)) reduce(nearest, distance_at(end));
     return nearest;
   }
@@ -118,9 +122,8 @@ class SphereJudge {
     }
     if (!judgement.wrong) return judgement;
     judgement.ulp = std::nan("");
-    if (!truth.is_tangent)  // any change of the radius changes a tangent's verdict
-      judgement.margin =
-          value(SphereIntersection(question_, sphere_).distance_to_other_verdict() / Scaled(unit));
+    judgement.margin =
+        value(SphereIntersection(question_, sphere_).distance_to_other_verdict() / Scaled(unit));
     return judgement;
   }
 
