@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "properties/report/grid.hpp"
@@ -53,23 +52,35 @@ std::vector<std::string> line_of(const Subject& subject, const std::vector<Row>&
 
 }  // namespace
 
-std::array<std::string, 2> head_of(Claim claim) {
-  const std::string name(claim_name(claim));
-  static const std::map<Claim, std::size_t> breaks{
-      {Claim::verdict, 3},  {Claim::residual, 4}, {Claim::robust, 2},  {Claim::ascending, 6},
-      {Claim::reversed, 2}, {Claim::bounded, 5},  {Claim::contact, 3}, {Claim::coordinates, 6}};
-  const auto found = breaks.find(claim);
-  if (found == breaks.end()) return {"", name};
-  return {name.substr(0, found->second) + "-", name.substr(found->second)};
+std::array<std::string_view, 3> head_of(Claim claim) {
+  static constexpr std::array<std::array<std::string_view, 3>, claim_count> heads{
+      {{"", "ver-", "dict"},
+       {"re-", "si-", "dual"},
+       {"", "", "ulp"},
+       {"", "ro-", "bust"},
+       {"as-", "cend-", "ing"},
+       {"", "mo-", "ved"},
+       {"", "sca-", "led"},
+       {"re-", "ver-", "sed"},
+       {"", "ba-", "tch"},
+       {"", "", "nan"},
+       {"", "bou-", "nded"},
+       {"", "con-", "tact"},
+       {"", "po-", "int"},
+       {"", "nor-", "mal"},
+       {"co-", "ordi-", "nates"}}};
+  return heads.at(static_cast<std::size_t>(claim));
 }
 
 std::string text_table(const Summary& summary) {
   const std::vector<Claim> claims = claims_in_use(summary);
-  Rows rows{{""}, {"method"}};
+  Rows rows{{""}, {""}, {"method"}};
   for (const Claim claim : claims)
-    for (std::size_t line = 0; line < 2; ++line) rows[line].push_back(head_of(claim).at(line));
-  rows[0].emplace_back("wrong verdicts,");
-  rows[1].emplace_back("in the domain");
+    for (std::size_t line = 0; line < 3; ++line) rows[line].emplace_back(head_of(claim).at(line));
+  rows[0].emplace_back();
+  rows[1].emplace_back("wrong verdicts,");
+  rows[2].emplace_back("in the domain");
+  if (std::ranges::all_of(rows.front(), &std::string::empty)) rows.erase(rows.begin());
   const Subject* last = nullptr;
   for (const Row& row : summary.rows)
     if (std::exchange(last, row.subject) != row.subject)

@@ -43,7 +43,7 @@ bool is_in_reach(const Case& one) {
 
 using DetailsOf = EveryShape;
 
-TEST_P(DetailsOf, TheExactAnswerAreThoseOfItsRounding) {
+TEST_P(DetailsOf, ExactAnswersAreWithinTheirRounding) {
   const auto at_most = [](const std::optional<double>& error, double bound) {
     return !error || *error <= bound;
   };
@@ -57,10 +57,7 @@ TEST_P(DetailsOf, TheExactAnswerAreThoseOfItsRounding) {
     EXPECT_TRUE(at_most(details.coordinates, 1)) << *details.coordinates;
   });
 }
-INSTANTIATE_TEST_SUITE_P(Shapes, DetailsOf,
-                         testing::Values("plane", "triangle", "polygon", "sphere", "box", "parallelepiped",
-                                         "cylinder"),
-                         topic_name);
+INSTANTIATE_TEST_SUITE_P(Of, DetailsOf, testing::ValuesIn(ray_topics()), topic_name);
 
 TEST(Details, OfAMissAndOfWhatIsNoRayAreNone) {
   const Case beside = sphere_case({2, 0, 2}, {0, 0, -1}, {0, 0, 0}, 1);
