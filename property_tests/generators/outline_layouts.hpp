@@ -70,6 +70,7 @@ inline constexpr Layout boundary{"boundary", "in whole numbers: the point is on 
 inline constexpr Layout whole{
     "whole", "so short that little is rounded: on sides, at vertices, on a side's line, level with vertices",
     true, [](Random& random) -> PolygonCase {
+      if (random.one_in(3)) return level.plan(random);
       const Outline vertices = on_levels(random);
       const int kind = random.between(0, 4);
       if (kind == 0) return {vertices[some_index(random, vertices)], vertices};

@@ -115,14 +115,11 @@ Scene met(Random& random) {
 /// Numbers so short that little of what is made of them is rounded: an axis or a small whole vector for a
 /// normal, and a ray that meets the plane or runs in it or beside it.
 Scene whole_numbers(Random& random) {
+  if (random.one_in(3)) return in_plane(random);
   Sheet sheet{whole_point(random, 4), short_vector(random), short_vector(random)};
   while (normal_of(sheet) == glm::dvec3(0)) sheet.v = short_vector(random);
   const glm::dvec3 target = at(sheet, {quarters(random, -2, 2), quarters(random, -2, 2)});
-  glm::dvec3 sight = short_vector(random);
-  if (random.one_in(4)) sight = 1.0 * random.between(-2, 2) * sheet.u + sheet.v;
-  Scene scene = looked_at_exactly(random, sheet, target, sight);
-  if (random.one_in(4)) scene.origin += short_vector(random);
-  return in_some_form(random, sheet, scene);
+  return in_some_form(random, sheet, looked_at_exactly(random, sheet, target, short_vector(random)));
 }
 
 }  // namespace plane_family
@@ -134,8 +131,6 @@ std::vector<Family> plane_families() {
                          {in_reach, {"hit", 0.61}, {"miss", 0.23}, {"behind", 0.23}}),
       laid_out<near_parallel>("near_parallel", "the ray comes in at 2^-4 to an ulp off the plane",
                               {in_reach, {"hit", 0.42}, {"miss", 0.42}}),
-      laid_out<in_plane>("in_plane", "in whole numbers: the ray runs exactly in the plane, or parallel to it",
-                         {in_reach, {"miss", 0.95}, {"in surface", 0.61}, {"parallel", 0.23}}),
       laid_out<surface>("surface", "the origin lies in the plane or an ulp off, as secondary rays' do",
                         {in_reach, {"hit", 0.56}, {"miss", 0.27}}),
       laid_out<far>("far", "the origin, or the point that gives the plane, is 1e2 to 1e6 away",
@@ -147,7 +142,7 @@ std::vector<Family> plane_families() {
           {in_reach, {"hit", 0.41}, {"miss", 0.43}, {"in surface", 0.21}, {"parallel", 0.06}}),
       in_whole_numbers<whole_numbers>(
           "so short that little is rounded: met at whole t, parallel, or run in",
-          {in_reach, {"hit", 0.44}, {"miss", 0.39}, {"in surface", 0.25}, {"parallel", 0.06}}),
+          {in_reach, {"hit", 0.44}, {"miss", 0.39}, {"in surface", 0.28}, {"parallel", 0.06}}),
       in_any_size<everyday>({{"hit", 0.61}, {"miss", 0.23}, {"behind", 0.23}}),
       special<ImplicitPlane, PointNormalPlane, ParametricPlane>({{"hit", 0.35}, {"miss", 0.49}}),
       bit_patterns<ImplicitPlane, PointNormalPlane, ParametricPlane>({{"hit", 0.38}, {"miss", 0.46}}),

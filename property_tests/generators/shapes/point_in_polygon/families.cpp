@@ -58,14 +58,13 @@ std::vector<Family> point_in_polygon_families() {
   using namespace point_in_polygon_family;
   namespace layout = outline_layout;
   return {
-      planned<layout::level>({in_reach, {"inside", 0.14}, {"outside", 0.39}, {"boundary", 0.3}}),
+      planned<layout::whole>({in_reach, {"boundary", 0.44}, {"inside", 0.075}, {"outside", 0.3}}),
       planned<layout::everyday>({in_reach, {"inside", 0.47}, {"outside", 0.37}}),
       planned<layout::boundary>({in_reach, {"boundary", 0.95}}),
       planned<layout::near_boundary>({in_reach, {"inside", 0.3}, {"outside", 0.3}, {"boundary", 0.21}}),
       planned<layout::self_crossing>({in_reach, {"inside", 0.3}, {"outside", 0.54}}),
       planned<layout::repeated>({in_reach, {"inside", 0.09}, {"outside", 0.67}, {"boundary", 0.06}}),
       planned<layout::no_area>({in_reach, {"inside", 0.09}, {"outside", 0.15}, {"boundary", 0.6}}),
-      planned<layout::whole>({in_reach, {"boundary", 0.48}, {"inside", 0.035}, {"outside", 0.3}}),
       planned<far>({in_reach, {"inside", 0.38}, {"outside", 0.35}, {"boundary", 0.1}}),
       planned<near_level>({in_reach, {"inside", 0.26}, {"outside", 0.58}}),
       planned<many>({in_reach, {"inside", 0.4}, {"outside", 0.21}, {"boundary", 0.22}}),

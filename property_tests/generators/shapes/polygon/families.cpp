@@ -17,8 +17,9 @@ std::vector<Family> polygon_families() {
   using namespace polygon_family;
   namespace layout = outline_layout;
   return {
-      family_in_space<layout::level>(
-          {in_reach, {"hit", 0.44}, {"miss", 0.4}, {"edge", 0.16}, {"vertex", 0.14}}),
+      in_whole_numbers<whole_numbers>(
+          layout::whole.description,
+          {in_reach, {"hit", 0.38}, {"miss", 0.4}, {"edge", 0.16}, {"vertex", 0.16}}),
       laid_out<everyday>(layout::everyday.name, layout::everyday.description,
                          {in_reach, {"hit", 0.39}, {"miss", 0.45}, {"behind", 0.06}}),
       family_in_space<layout::boundary>({in_reach, {"hit", 0.83}, {"edge", 0.51}, {"vertex", 0.32}}),
@@ -36,9 +37,6 @@ std::vector<Family> polygon_families() {
           {in_reach, {"hit", 0.37}, {"miss", 0.46}, {"edge", 0.18}, {"vertex", 0.1}, {"behind", 0.2}}),
       transformed<everyday, in_space<layout::boundary>>(
           {in_reach, {"hit", 0.54}, {"miss", 0.3}, {"edge", 0.18}, {"vertex", 0.1}}),
-      in_whole_numbers<whole_numbers>(
-          layout::whole.description,
-          {in_reach, {"hit", 0.38}, {"miss", 0.4}, {"edge", 0.16}, {"vertex", 0.16}}),
       in_any_size<everyday>({{"hit", 0.39}, {"miss", 0.45}, {"behind", 0.06}}),
       special<Polygon<double>>({{"hit", 0.04}, {"miss", 0.79}}),
       bit_patterns<Polygon<double>>({{"hit", 0.05}, {"miss", 0.78}}),
