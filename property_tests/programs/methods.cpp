@@ -151,10 +151,10 @@ does, its source, its domain, and which properties of rayproof check it breaks.
              or a cylinder, as that of the residual, with the origin's distance
              over the shape's size; for a triangle with 1 over its steepness,
              that is, where it is thin or seen edge-on.
-  first hit  Bounds on what is said of it beside t: how far its point may be from
-             the ray at t, its normal from the surface's there, in angle, and its
-             barycentric coordinates from the exact ones; their units stand above
-             HitBounds in rayproof/method/contract.hpp.
+  first hit  Bounds on what is said of it beside t: how far its point may be
+             from the ray at t, its normal from the surface's there, in angle,
+             and its barycentric coordinates from the exact ones; their units
+             stand above HitBounds in rayproof/method/contract.hpp.
   breaks     A property that the method fails, and why; rayproof check must find
              the counterexample.
 

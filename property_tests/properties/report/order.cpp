@@ -20,8 +20,16 @@ std::string_view kind_of(const Property& property) {
 /// What is wrong where nothing is rounded, and declared so, is not a failure of its own.
 bool is_wrong_exactly(const Finding& one) { return one.is_declared && one.property->name == "exact"; }
 
+/// Why the contract says that the method fails there; nothing where it says that it does not.
+std::string_view reason(const Finding& one) {
+  const Refutation* declared = declared_refutation(*one.subject, *one.property);
+  return one.is_declared && declared != nullptr ? declared->because : std::string_view();
+}
+
 bool is_same_failure(const Finding& a, const Finding& b) {
   if (is_wrong_exactly(a) && a.subject == b.subject && b.is_declared) return true;
+  const bool has_one_reason = !reason(a).empty() && reason(a) == reason(b);
+  if (has_one_reason && a.subject == b.subject) return true;
   if (kind_of(*a.property) != kind_of(*b.property)) return false;
   if (a.subject == b.subject) return true;
   // Each formula as printed has an entry of its own, and so has each broken contract.
@@ -29,11 +37,6 @@ bool is_same_failure(const Finding& a, const Finding& b) {
     return !one.is_declared || one.subject->contract.standing == Standing::printed;
   };
   if (stands_alone(a) || stands_alone(b) || a.subject->topic != b.subject->topic) return false;
-  const auto reason = [](const Finding& one) {
-    const Refutation* declared = declared_refutation(*one.subject, *one.property);
-    return declared == nullptr ? std::string_view() : declared->because;
-  };
-  const bool has_one_reason = !reason(a).empty() && reason(a) == reason(b);
   return has_one_reason || (write_case(a.one) == write_case(b.one) && in_words(a) == in_words(b));
 }
 

@@ -53,22 +53,22 @@ std::vector<std::string> line_of(const Subject& subject, const std::vector<Row>&
 }  // namespace
 
 std::array<std::string_view, 3> head_of(Claim claim) {
-  static constexpr std::array<std::array<std::string_view, 3>, claim_count> heads{
-      {{"", "ver-", "dict"},
-       {"re-", "si-", "dual"},
-       {"", "", "ulp"},
-       {"", "ro-", "bust"},
-       {"as-", "cend-", "ing"},
-       {"", "mo-", "ved"},
-       {"", "sca-", "led"},
-       {"re-", "ver-", "sed"},
-       {"", "ba-", "tch"},
-       {"", "", "nan"},
-       {"", "bou-", "nded"},
-       {"", "con-", "tact"},
-       {"", "po-", "int"},
-       {"", "nor-", "mal"},
-       {"co-", "ordi-", "nates"}}};
+  static constexpr std::array<std::array<std::string_view, 3>, claim_count> heads{{{"ver-", "di-", "ct"},
+                                                                                   {"re-", "si-", "dual"},
+                                                                                   {"", "", "ulp"},
+                                                                                   {"ro-", "bu-", "st"},
+                                                                                   {"as-", "cen-", "ding"},
+                                                                                   {"", "mo-", "ved"},
+                                                                                   {"", "sca-", "led"},
+                                                                                   {"re-", "ver-", "sed"},
+                                                                                   {"", "ba-", "tch"},
+                                                                                   {"", "", "nan"},
+                                                                                   {"", "bou-", "nded"},
+                                                                                   {"", "con-", "tact"},
+                                                                                   {"", "po-", "int"},
+                                                                                   {"", "nor-", "mal"},
+                                                                                   {"co-", "ordi-", "nates"},
+                                                                                   {"", "ex-", "act"}}};
   return heads.at(static_cast<std::size_t>(claim));
 }
 
