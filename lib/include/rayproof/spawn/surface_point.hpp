@@ -1,0 +1,78 @@
+#pragma once
+/// \file
+/// A point of a surface as rounded arithmetic knows it, from which the next ray is to start: how far the
+/// exact surface may be from it, and how wrong its normal.
+
+#include <rayproof/arithmetic.hpp>
+#include <rayproof/vec3.hpp>
+
+namespace rayproof::spawn {
+
+using rayproof::convert;
+
+/// ε, the unit roundoff of the arithmetic: 2^-24 in float, 2^-53 in double.
+template <class T>
+inline constexpr Plain<T> unit = std::numeric_limits<Plain<T>>::epsilon() / 2;
+
+/// More than underflow can take from any length here, and less than any length that matters: 2^-100 in float,
+/// 2^-900 in double, for scenes whose lengths stay within 2^±28 and 2^±240.
+template <class T>
+inline constexpr Plain<T> least_offset = sizeof(Plain<T>) == 4 ? Plain<T>(0x1p-100) : Plain<T>(0x1p-900);
+
+/// Where a ray has met a surface and the next one leaves it.
+///
+/// `hit` is p(t), as the ray's own numbers give it. `point` is the same moved onto the surface: some point s
+/// of the exact surface has |point - s| <= `error` in each component. N is the exact unit normal at s, on the
+/// side to which the next ray goes.
+///
+/// What is bounded, all in lengths of the space the point is in:
+///  - |normal - N| <= `tilt`;
+///  - N·`radial` = 1, and from s along `radial` the surface falls away evenly to all sides;
+///  - an origin whose distance along N is more than `bend`·(w + `slide`)² above s, and that is beside it by w
+///    at most, is clear of the curvature: it is strictly on its side of a curved surface, and a ray from it
+///    leaves the surface if the direction leaves it at the foot of `hit`.
+template <class T>
+struct SurfacePoint {
+  vec3<T> hit;
+  vec3<T> point;
+  vec3<T> normal;
+  vec3<T> radial;
+  vec3<T> error;
+  T tilt;
+  T bend;
+  T slide;
+};
+
+/// The sides of a surface: `front` is where its normal points (outside a solid), `back` the other.
+enum class Side { front, back };
+
+/// The point for a ray that leaves to this side. A program knows the side, for it knows whether it reflects
+/// or refracts; the sign of a rounded normal·direction need not be the exact one where the ray grazes.
+template <class T>
+[[nodiscard]] constexpr SurfacePoint<T> towards(Side side, const SurfacePoint<T>& from) {
+  SurfacePoint<T> turned = from;
+  const T sign(side == Side::front ? 1 : -1);
+  turned.normal = sign * from.normal;
+  turned.radial = sign * from.radial;
+  return turned;
+}
+
+/// |v|, component by component.
+template <class T>
+[[nodiscard]] constexpr vec3<T> magnitudes(const vec3<T>& v) {
+  return vec3<T>{abs(v.x), abs(v.y), abs(v.z)};
+}
+
+/// x + y + z.
+template <class T>
+[[nodiscard]] constexpr T sum(const vec3<T>& v) {
+  return v.x + v.y + v.z;
+}
+
+/// `x` between `low` and `high`; their middle where they stand the wrong way round.
+template <class T>
+[[nodiscard]] constexpr T clamped(const T& x, const T& low, const T& high) {
+  return select(high < low, T(0.5) * (low + high), min(max(x, low), high));
+}
+
+}  // namespace rayproof::spawn
