@@ -20,6 +20,7 @@ struct ErrorBounds {
   static constexpr Source source{"M. Pharr, W. Jakob, G. Humphreys", "Physically Based Rendering, 6.8.6",
                                  2023};
   static constexpr bool is_proven = false;
+  static constexpr bool moves_to_surface = true;
 
   template <HasSteps T>
   [[nodiscard]] static constexpr vec3<T> origin(const SurfacePoint<T>& from) {

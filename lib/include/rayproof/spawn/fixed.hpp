@@ -14,6 +14,7 @@ struct Fixed {
   static constexpr const char* title = "1e-4 along the normal";
   static constexpr Source source{"P. Shirley", "Ray Tracing in One Weekend", 2016};
   static constexpr bool is_proven = false;
+  static constexpr bool moves_to_surface = false;
 
   template <class T>
   [[nodiscard]] static constexpr vec3<T> origin(const SurfacePoint<T>& from) {

@@ -3,7 +3,8 @@
 /// Leaving a plane, a triangle or a polygon: all are left as planes, in one form that is made once for each.
 
 #include <rayproof/arithmetics/error_free.hpp>
-#include <rayproof/formulas/difference_of_products.hpp>
+#include <rayproof/arithmetics/growing_expansion.hpp>
+#include <rayproof/formulas/polygon_sides.hpp>
 #include <rayproof/plane.hpp>
 #include <rayproof/polygon.hpp>
 #include <rayproof/spawn/surface_point.hpp>
@@ -54,7 +55,6 @@ template <class T>
           vec3<T>{error(sizes.x, point.x, moved.x), error(sizes.y, point.y, moved.y),
                   error(sizes.z, point.z, moved.z)},
           flat.tilt,
-          T(0),
           T(0)};
 }
 
@@ -95,7 +95,7 @@ struct ExactDifference {
   }
 };
 
-/// Σ aₖ×bₖ, and from it a plane.
+/// Σ aₖ×bₖ.
 template <std::floating_point T>
 struct LongNormal {
   LongSum<T> axis[3];
@@ -111,43 +111,73 @@ struct LongNormal {
     }
   }
 
-  [[nodiscard]] Flat<T> plane_through(const vec3<T>& anchor) const {
-    const vec3<T> n{axis[0].value(), axis[1].value(), axis[2].value()};
-    const T length = sqrt(dot(n, n));
-    const T off = axis[0].bound() + axis[1].bound() + axis[2].bound();
-    return {anchor, vec3<T>{n.x / length, n.y / length, n.z / length}, 2 * off / length + 6 * unit<T>, T(0)};
+  [[nodiscard]] vec3<T> value() const { return {axis[0].value(), axis[1].value(), axis[2].value()}; }
+  /// Whether each component is good to 4ε of the whole.
+  [[nodiscard]] bool is_clear() const {
+    const vec3<T> n = value();
+    return axis[0].bound() + axis[1].bound() + axis[2].bound() <= 4 * unit<T> * sqrt(dot(n, n));
   }
 };
 
+/// Twice the vector area of closed polygons: by sums in twice the digits, or, where the vertices are so
+/// nearly in a line that these do not suffice, exactly.
+template <std::floating_point T>
+[[nodiscard]] vec3<T> area_vector(const std::vector<vec3<T>>& vertices) {
+  const vec3<T>& v0 = vertices.front();
+  LongNormal<T> normal;
+  for (std::size_t i = 1; i + 1 < vertices.size(); ++i)
+    normal.add_cross({vertices[i], v0}, {vertices[i + 1], v0});
+  if (normal.is_clear()) return normal.value();
+  using Exact = GrowingExpansion<double>;
+  std::vector<Vec3<Exact>> exact;
+  for (const vec3<T>& v : vertices) exact.push_back(convert<Exact>(v));
+  const Vec3<Exact> n = polygon::newell_normal<Exact>(exact, exact.front());
+  const auto nearest = [](const Exact& x) { return estimate(compressed<24>(x)); };
+  const glm::dvec3 wide{nearest(n.x), nearest(n.y), nearest(n.z)};
+  return convert<T>(1 / sqrt(dot(wide, wide)) * wide);
+}
+
+/// Within 8ε of the exact unit normal n/|n| of a plane through the anchor.
+template <std::floating_point T>
+[[nodiscard]] Flat<T> plane_through(const vec3<T>& anchor, const vec3<T>& n) {
+  const T length = sqrt(dot(n, n));
+  return {anchor, vec3<T>{n.x / length, n.y / length, n.z / length}, 8 * unit<T>, T(0)};
+}
+
 }  // namespace detail
 
-/// Of unit length: the given normal, or u × v, within 1.5 ulp before it is divided by its length.
+/// By the given normal, or u × v within 1.5 ulp. Seen from its given point, or, where that is far away beside
+/// the plane's distance from (0, 0, 0), from the point nearest to (0, 0, 0), so that what is near there keeps
+/// its digits: n·point is then formed exactly, and the anchor is within 6ε of its distance.
 template <std::floating_point T>
 [[nodiscard]] Flat<T> flat_of(const Plane<T>& plane) {
   const bool is_parametric = plane.form == PlaneForm::parametric;
   const vec3<T> n = is_parametric ? cross_compensated<T>(plane.u, plane.v) : plane.normal;
-  const T squared = dot(n, n), length = sqrt(squared);
-  Flat<T> flat{plane.point, vec3<T>{n.x / length, n.y / length, n.z / length}, 8 * unit<T>, T(0)};
-  if (plane.form != PlaneForm::implicit) return flat;
-  flat.anchor = (-plane.d / squared) * n;
-  flat.slack = 6 * unit<T> * abs(plane.d) / length;
+  Flat<T> flat = detail::plane_through<T>(plane.point, n);
+  const T per_squared = T(1) / dot(n, n);
+  const auto foot = [&](T offset) { return (offset * per_squared) * n; };
+  T offset = -plane.d;
+  if (plane.form != PlaneForm::implicit) {
+    const T far = sum<T>(magnitudes<T>(plane.point));
+    if (far <= 4 * sum<T>(magnitudes<T>(foot(dot(n, plane.point))))) return flat;
+    using Exact = GrowingExpansion<double>;
+    const auto exact = [](const vec3<T>& v) { return convert<Exact>(v); };
+    const Vec3<Exact> normal = is_parametric ? cross(exact(plane.u), exact(plane.v)) : exact(n);
+    offset = static_cast<T>(estimate(compressed<24>(dot(normal, exact(plane.point)))));
+  }
+  flat.anchor = foot(offset);
+  flat.slack = 6 * unit<T> * abs(offset) * sqrt(per_squared);
   return flat;
 }
 
 /// With the normal from the exact edges, so that it is good to its last digits however thin the polygon.
 template <std::floating_point T>
 [[nodiscard]] Flat<T> flat_of(const Polygon<T>& polygon) {
-  const vec3<T>& v0 = polygon.vertices.front();
-  detail::LongNormal<T> normal;
-  for (std::size_t i = 1; i + 1 < polygon.vertices.size(); ++i)
-    normal.add_cross({polygon.vertices[i], v0}, {polygon.vertices[i + 1], v0});
-  return normal.plane_through(v0);
+  return detail::plane_through<T>(polygon.vertices.front(), detail::area_vector<T>(polygon.vertices));
 }
 template <std::floating_point T>
 [[nodiscard]] Flat<T> flat_of(const Triangle<T>& triangle) {
-  detail::LongNormal<T> normal;
-  normal.add_cross({triangle.b, triangle.a}, {triangle.c, triangle.a});
-  return normal.plane_through(triangle.a);
+  return detail::plane_through<T>(triangle.a, detail::area_vector<T>({triangle.a, triangle.b, triangle.c}));
 }
 
 }  // namespace rayproof::spawn

@@ -1,8 +1,8 @@
 #pragma once
 /// \file
-/// Leaving a transformed object: onto its surface in its own space, where that is exact or nearly so, and back
-/// out by the given map, which is exact too. What the inverse map is off by moves the point along the surface,
-/// never off it.
+/// Leaving a transformed object: onto its surface in its own space, where that is exact or nearly so, and
+/// back out by the given map, which is exact too. What the inverse map is off by moves the point along the
+/// surface, never off it.
 
 #include <rayproof/spawn/flat.hpp>
 #include <rayproof/spawn/round.hpp>
@@ -12,12 +12,12 @@
 
 namespace rayproof::spawn {
 
-/// An object-to-world map q ↦ A·q + b, its inverse, and how much either can stretch a vector.
+/// An object-to-world map q ↦ A·q + b, its inverse, and how much that can stretch a vector.
 template <class T>
 struct Placement {
   vec3<T> column_x, column_y, column_z;  ///< of A
   ObjectSpace<T> inverse;
-  T grows, shrinks;  ///< the Frobenius norms of A and of its inverse
+  T shrinks;  ///< the Frobenius norm of A's inverse
 
   [[nodiscard]] constexpr vec3<T> direction(const vec3<T>& v) const {
     return v.x * column_x + v.y * column_y + v.z * column_z;
@@ -32,7 +32,7 @@ struct Placement {
 template <class To, class From>
 [[nodiscard]] constexpr Placement<To> convert(const Placement<From>& from) {
   return {convert<To>(from.column_x), convert<To>(from.column_y), convert<To>(from.column_z),
-          convert<To>(from.inverse),  To(from.grows),             To(from.shrinks)};
+          convert<To>(from.inverse), To(from.shrinks)};
 }
 
 template <std::floating_point T>
@@ -42,7 +42,7 @@ template <std::floating_point T>
     return sqrt(dot(x, x) + dot(y, y) + dot(z, z));
   };
   const vec3<T> x{object_to_world[0]}, y{object_to_world[1]}, z{object_to_world[2]};
-  return {x, y, z, inverse, norm(x, y, z), norm(inverse.row_x, inverse.row_y, inverse.row_z)};
+  return {x, y, z, inverse, norm(inverse.row_x, inverse.row_y, inverse.row_z)};
 }
 
 /// How far the roundings still to come can move a point at p, along each axis of its own space: without a map
@@ -61,11 +61,10 @@ template <template <class> class Surface, class T>
 
 /// The same of an object under a map; p is in the world.
 ///
-/// Let x be the point of the object's surface, off by e. A·x + b, computed, is off by |A|·e + 5ε(|A||x| + |b|).
-/// w = A⁻ᵀn is off by 14ε of the sum of its terms' magnitudes (4ε an entry of A⁻¹ but for a common factor, 6ε
-/// the object's normal, 4ε the sums), and by |A⁻¹|·tilt; a distance along the object's normal is |w| times
-/// that along the world's. p as the object sees it is off by 16ε(|A||A⁻¹||x| + |A⁻¹||p - b|): x may be beside
-/// the foot of p by that. Lengths beside the foot grow by |A⁻¹| at most.
+/// Let x be the point of the object's surface, off by e. A·x + b, computed, is off by |A|·e + 5ε(|A||x| +
+/// |b|). w = A⁻ᵀn is off by 14ε of the sum of its terms' magnitudes (4ε an entry of A⁻¹ but for a common
+/// factor, 6ε the object's normal, 4ε the sums), and by |A⁻¹|·tilt; a distance along the object's normal is
+/// |w| times that along the world's. Other lengths grow by |A⁻¹| at most on their way to the object.
 template <template <class> class Surface, class T>
 [[nodiscard]] constexpr SurfacePoint<T> leave(const Surface<T>& surface, const Placement<T>& map,
                                               const vec3<T>& p) {
@@ -83,16 +82,13 @@ template <template <class> class Surface, class T>
   const vec3<T> w = x + y + z;
   const T climb = sqrt(dot(w, w)), per_climb = T(1) / climb;
   const T terms = sum<T>(magnitudes<T>(x)) + sum<T>(magnitudes<T>(y)) + sum<T>(magnitudes<T>(z));
-  const T beside = T(16 * eps) * (map.grows * map.shrinks * sum<T>(magnitudes<T>(seen)) +
-                                  map.shrinks * sum<T>(magnitudes<T>(p - inverse.translation)));
   return {p,
           map.direction(own.point) + inverse.translation,
           per_climb * w,
           climb * map.direction(own.radial),
           map.spread(own.error) + rounding_of(own.point),
           T(2) * per_climb * (T(14 * eps) * terms + map.shrinks * own.tilt) + T(6 * eps),
-          own.bend * map.shrinks * map.shrinks * per_climb,
-          (own.slide + beside) / map.shrinks};
+          own.bend * map.shrinks * map.shrinks * per_climb};
 }
 
 }  // namespace rayproof::spawn

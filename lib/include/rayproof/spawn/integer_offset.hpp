@@ -20,6 +20,7 @@ struct IntegerOffset {
       "C. Wächter, N. Binder",
       "A Fast and Robust Method for Avoiding Self-Intersection, Ray Tracing Gems ch. 6", 2019};
   static constexpr bool is_proven = false;
+  static constexpr bool moves_to_surface = false;
 
   template <HasSteps T>
   [[nodiscard]] static constexpr vec3<T> origin(const SurfacePoint<T>& from) {

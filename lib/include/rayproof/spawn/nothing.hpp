@@ -12,6 +12,7 @@ struct Nothing {
   static constexpr const char* title = "the hit point itself";
   static constexpr Source source{"R. Bán", "Számítógépes grafika: Raycasting", 2022};
   static constexpr bool is_proven = false;
+  static constexpr bool moves_to_surface = false;
 
   template <class T>
   [[nodiscard]] static constexpr vec3<T> origin(const SurfacePoint<T>& from) {

@@ -13,6 +13,7 @@ struct Relative {
   static constexpr const char* title = "1500 eps (1 + max|p|) along the normal";
   static constexpr Source source{"W. Jakob et al.", "Mitsuba 3", 2022};
   static constexpr bool is_proven = false;
+  static constexpr bool moves_to_surface = false;
 
   template <class T>
   [[nodiscard]] static constexpr vec3<T> origin(const SurfacePoint<T>& from) {

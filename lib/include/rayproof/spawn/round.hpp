@@ -4,17 +4,17 @@
 
 #include <rayproof/cylinder.hpp>
 #include <rayproof/formulas/largest_axis.hpp>
-#include <rayproof/sphere.hpp>
 #include <rayproof/spawn/surface_point.hpp>
+#include <rayproof/sphere.hpp>
 
 namespace rayproof::spawn {
 
 /// The point moved along the radius onto the sphere.
 ///
-/// With f = p - center rounded, center + r·f/|f| is a point of the sphere whatever the rounding; computed, r·f/|f|
-/// is off by 4.5ε of itself in each component, and the sum by ε. The normal has the same relative error. A
-/// plane that is a above the tangent plane is clear of the sphere beside the foot by w where a > w²/(2r), and
-/// inside it where a > w²/(1.5r); f's own roundings turn it by ε, which is r·ε of w.
+/// With f = p - center rounded, center + r·f/|f| is a point of the sphere whatever the rounding; computed,
+/// r·f/|f| is off by 4.5ε of itself in each component, and the sum by ε. The normal has the same relative
+/// error. A plane that is a above the tangent plane is clear of the sphere beside the foot by w where a >
+/// w²/(2r), and inside it where a > w²/(1.5r); f's own roundings turn it by ε, which is r·ε of w.
 template <class T>
 [[nodiscard]] constexpr SurfacePoint<T> surface_point(const Sphere<T>& sphere, const vec3<T>& p,
                                                       const vec3<T>& /*resolution*/) {
@@ -32,16 +32,15 @@ template <class T>
           n,
           vec3<T>{error(point.x, arm.x), error(point.y, arm.y), error(point.z, arm.z)},
           T(8 * eps),
-          T(1) / sphere.radius,
-          T(4 * eps) * sphere.radius};
+          T(1) / sphere.radius};
 }
 
 /// The point moved onto the side, along the ray from the axis, or onto the nearer cap, straight; and within
 /// the other, by `resolution` along each axis, so that what goes in from there stays in.
 ///
-/// In the plane scaled by (1/rx, 1/ry) the side is a circle and this is the sphere's derivation: (X, Y)/|(X, Y)|
-/// is on the circle whatever the rounding, and rx·X/|(X, Y)| is off by 6ε of itself. Lengths grow there by the
-/// larger of 1/rx and 1/ry, distances along the normal by |(X/rx, Y/ry)|/|(X, Y)|. A cap's z is exact.
+/// In the plane scaled by (1/rx, 1/ry) the side is a circle and this is the sphere's derivation: (X, Y)/|(X,
+/// Y)| is on the circle whatever the rounding, and rx·X/|(X, Y)| is off by 6ε of itself. Lengths grow there
+/// by the larger of 1/rx and 1/ry, distances along the normal by |(X/rx, Y/ry)|/|(X, Y)|. A cap's z is exact.
 template <class T>
 [[nodiscard]] constexpr SurfacePoint<T> surface_point(const Cylinder<T>& cylinder, const vec3<T>& p,
                                                       const vec3<T>& resolution) {
@@ -72,8 +71,7 @@ template <class T>
           select_vector<T>(is_cap, vec3<T>{zero, zero, zero},
                            vec3<T>{T(8 * eps) * abs(point.x), T(8 * eps) * abs(point.y), zero}),
           select(is_cap, zero, T(10 * eps)),
-          select(is_cap, zero, T(1.5) * stretch * stretch / climb),
-          select(is_cap, zero, T(8 * eps) / stretch)};
+          select(is_cap, zero, stretch * stretch / climb)};
 }
 
 }  // namespace rayproof::spawn

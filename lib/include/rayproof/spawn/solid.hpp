@@ -33,9 +33,7 @@ template <class T>
   const vec3<T> to_low = magnitudes<T>(p - box.min), to_high = magnitudes<T>(box.max - p);
   const SmallestOf<T> face(min(to_low.x, to_high.x), min(to_low.y, to_high.y), min(to_low.z, to_high.z));
   const auto outward = [](const T& low, const T& high) { return select(high < low, T(1), T(-1)); };
-  const auto onto = [](const T& side, const T& low, const T& high) {
-    return select(T(0) < side, high, low);
-  };
+  const auto onto = [](const T& side, const T& low, const T& high) { return select(T(0) < side, high, low); };
   const auto within = [](const T& at, const T& low, const T& high, const T& by) {
     return clamped(at, low + by, high - by);
   };
@@ -48,11 +46,10 @@ template <class T>
                    within(p.z, box.min.z, box.max.z, resolution.z)};
   const T zero(0);
   const vec3<T> nothing{zero, zero, zero};
-  const vec3<T> normal = face(vec3<T>{side.x, zero, zero}, vec3<T>{zero, side.y, zero},
-                              vec3<T>{zero, zero, side.z});
-  const vec3<T> point =
-      face(vec3<T>{on.x, in.y, in.z}, vec3<T>{in.x, on.y, in.z}, vec3<T>{in.x, in.y, on.z});
-  return {p, point, normal, normal, nothing, zero, zero, zero};
+  const vec3<T> normal =
+      face(vec3<T>{side.x, zero, zero}, vec3<T>{zero, side.y, zero}, vec3<T>{zero, zero, side.z});
+  const vec3<T> point = face(vec3<T>{on.x, in.y, in.z}, vec3<T>{in.x, on.y, in.z}, vec3<T>{in.x, in.y, on.z});
+  return {p, point, normal, normal, nothing, zero, zero};
 }
 
 /// A parallelepiped as its three pairs of faces: unit normals that look from the corner, and how far the
@@ -112,14 +109,15 @@ template <class T>
   SurfacePoint<T> from = surface_point(flat, p, resolution);
 
   const T own[3] = {face(T(0), T(1), T(1)), face(T(1), T(0), T(1)), face(T(1), T(1), T(0))};
-  const T least = sum<T>(resolution) +
-                  T(32 * eps) * (sum<T>(magnitudes<T>(f)) + sum<T>(magnitudes<T>(from.point)));
+  const T least =
+      sum<T>(resolution) + T(32 * eps) * (sum<T>(magnitudes<T>(f)) + sum<T>(magnitudes<T>(from.point)));
   for (int i = 0; i < 3; ++i) {
     const T depth = dot(solid.normals[i], from.point - solid.corner);
     const T wanted = clamped(depth, least, solid.heights[i] - least);
     const vec3<T> shift = (own[i] * ((wanted - depth) / solid.heights[i])) * solid.edges[i];
     from.point = from.point + shift;
-    from.error = from.error + T(2 * eps) * magnitudes<T>(shift) + own[i] * (T(eps) * magnitudes<T>(from.point));
+    from.error =
+        from.error + T(2 * eps) * magnitudes<T>(shift) + own[i] * (T(eps) * magnitudes<T>(from.point));
   }
   return from;
 }

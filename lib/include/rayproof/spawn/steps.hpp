@@ -28,6 +28,8 @@ template <class T, class Abi>
 
 /// Whether an arithmetic has bits to step along.
 template <class T>
-concept HasSteps = requires(const T& x) { moved_by_steps(x, x); };
+concept HasSteps = requires(const T& x) {
+  moved_by_steps(x, x);
+};
 
 }  // namespace rayproof::spawn

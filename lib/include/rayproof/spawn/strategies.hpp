@@ -12,7 +12,8 @@
 
 namespace rayproof::spawn {
 
-/// Every strategy has a `name`, a `title`, a `source`, `is_proven`, and `origin(SurfacePoint)`.
+/// Every strategy has a `name`, a `title`, a `source`, `is_proven` (no false hit is possible),
+/// `moves_to_surface` (starts from SurfacePoint::point, not from the hit), and `origin(SurfacePoint)`.
 using Strategies = TypeList<Nothing, Fixed, Relative, ErrorBounds, IntegerOffset, Proven>;
 
 }  // namespace rayproof::spawn

@@ -4,6 +4,7 @@
 /// exact surface may be from it, and how wrong its normal.
 
 #include <rayproof/arithmetic.hpp>
+#include <rayproof/spawn/side.hpp>
 #include <rayproof/vec3.hpp>
 
 namespace rayproof::spawn {
@@ -25,12 +26,12 @@ inline constexpr Plain<T> least_offset = sizeof(Plain<T>) == 4 ? Plain<T>(0x1p-1
 /// of the exact surface has |point - s| <= `error` in each component. N is the exact unit normal at s, on the
 /// side to which the next ray goes.
 ///
-/// What is bounded, all in lengths of the space the point is in:
+/// What is bounded, in lengths of the space the point is in:
 ///  - |normal - N| <= `tilt`;
-///  - N·`radial` = 1, and from s along `radial` the surface falls away evenly to all sides;
-///  - an origin whose distance along N is more than `bend`·(w + `slide`)² above s, and that is beside it by w
-///    at most, is clear of the curvature: it is strictly on its side of a curved surface, and a ray from it
-///    leaves the surface if the direction leaves it at the foot of `hit`.
+///  - `bend` bounds the curvature: there is an affine map that makes the surface a sphere, stretches no
+///    length by more than g and lengths along N by h, and bend >= g²/(h·radius) in the map's lengths; 0 for
+///    what is flat;
+///  - N·`radial` = 1, and what the map makes of `radial` looks away from the sphere's centre.
 template <class T>
 struct SurfacePoint {
   vec3<T> hit;
@@ -40,11 +41,7 @@ struct SurfacePoint {
   vec3<T> error;
   T tilt;
   T bend;
-  T slide;
 };
-
-/// The sides of a surface: `front` is where its normal points (outside a solid), `back` the other.
-enum class Side { front, back };
 
 /// The point for a ray that leaves to this side. A program knows the side, for it knows whether it reflects
 /// or refracts; the sign of a rounded normal·direction need not be the exact one where the ray grazes.
