@@ -34,7 +34,15 @@ void count(StrategyTally& tally, const Strategy& strategy, const Situation& situ
   Count& counted = tally.by_size.at(decade_of(situation.extent.size));
   ++counted.rays;
   counted.offsets.add(std::sqrt(dot(offset, offset)) / situation.extent.size);
-  const oracle::Departure departure = depart(strategy, situation, origin);
+  const RayQuestion ray = next_ray(strategy, situation, origin);
+  const spawn::Side side = situation.what.side;
+  const oracle::Departure departure = oracle::depart(ray, situation.piece, side);
+  const bool is_inward = side == spawn::Side::back && oracle::has_inside(ray.shape);
+  if (departure == oracle::Departure::clear && !is_inward && std::isfinite(origin.x + origin.y + origin.z)) {
+    const Case one{.precision = situation.precision(), .question = ray};
+    const Answer answer = plain_method_of(shape_name(ray.shape))->answer(one);
+    counted.misanswered += std::get<RayAnswer>(answer).hits.count > 0;
+  }
   if (departure == oracle::Departure::skipped) {
     ++counted.skipped;
     counted.thickest_skipped =

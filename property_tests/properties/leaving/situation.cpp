@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "case/accepted.hpp"
 #include "generators/aim.hpp"
@@ -21,12 +22,6 @@ constexpr std::pair<const char*, const char*> plain_methods[] = {
     {"parallelepiped", "parallelepiped/face_planes"},
     {"cylinder", "cylinder/centred"},
 };
-
-const Subject* plain_method_of(const std::string& topic) {
-  for (const auto& [shape, method] : plain_methods)
-    if (topic == shape) return find_subject(method);
-  return nullptr;
-}
 
 /// The families of numbers of any size, and of no sense.
 constexpr std::string_view any_numbers[] = {"special", "bit_patterns", "exponents"};
@@ -117,6 +112,16 @@ RayQuestion resized(RayQuestion question, double size, Precision precision) {
 }
 
 }  // namespace
+
+const Subject* plain_method_of(const std::string& topic) {
+  static const std::map<std::string, const Subject*> all = [] {
+    std::map<std::string, const Subject*> found;
+    for (const auto& [shape, method] : plain_methods) found[shape] = find_subject(method);
+    return found;
+  }();
+  const auto place = all.find(topic);
+  return place == all.end() ? nullptr : place->second;
+}
 
 RayQuestion Situation::leaves_from(const glm::dvec3& origin) const {
   RayQuestion leaving = question();

@@ -10,6 +10,7 @@
 
 #include "generators/generators.hpp"
 #include "oracle/leaving/leaving.hpp"
+#include "subjects/subject.hpp"
 
 namespace rayproof::leaving {
 
@@ -55,6 +56,9 @@ inline constexpr double thinnest_inside = 1024;
 
 /// The families of a topic whose scenes have lengths that a program would have.
 [[nodiscard]] std::vector<const Family*> families_of(const std::string& topic);
+
+/// The plain method whose hits are left, of a topic with rays; else null.
+[[nodiscard]] const Subject* plain_method_of(const std::string& topic);
 
 /// The shapes' topics, in the order of the registries.
 [[nodiscard]] std::vector<std::string> topics_with_rays();

@@ -28,15 +28,18 @@ class Lengths {
     return *this;
   }
 
-  /// To an eighth of a power of two; 0 where at least half are smaller than any that is counted apart.
-  [[nodiscard]] double median() const {
+  /// The length that `share` of all do not exceed, to an eighth of a power of two; 0 where these are smaller
+  /// than any that is counted apart.
+  [[nodiscard]] double quantile(double share) const {
     std::uint64_t below = 0;
     for (std::size_t i = 0; i < counts_.size(); ++i) {
       below += counts_.at(i);
-      if (2 * below >= all_) return i == 0 ? 0 : std::exp2(lowest + (static_cast<double>(i) + 0.5) / 4);
+      if (static_cast<double>(below) >= share * static_cast<double>(all_))
+        return i == 0 ? 0 : std::exp2(lowest + (static_cast<double>(i) + 0.5) / 4);
     }
     return 0;
   }
+  [[nodiscard]] double median() const { return quantile(0.5); }
   [[nodiscard]] double largest() const { return largest_; }
 
  private:
@@ -51,13 +54,15 @@ struct Count {
   std::uint64_t rays = 0;
   std::uint64_t false_hits = 0;
   std::uint64_t skipped = 0;
-  Lengths offsets{};            ///< from where the strategy starts, relative to the size of the scene
-  double thickest_skipped = 0;  ///< of the solids that were skipped, relative to the same
+  std::uint64_t misanswered = 0;  ///< clear by the exact answer, and the shape's plain method reports a hit
+  Lengths offsets{};              ///< from where the strategy starts, relative to the size of the scene
+  double thickest_skipped = 0;    ///< of the solids that were skipped, relative to the same
 
   Count& operator+=(const Count& more) {
     rays += more.rays;
     false_hits += more.false_hits;
     skipped += more.skipped;
+    misanswered += more.misanswered;
     offsets += more.offsets;
     thickest_skipped = std::max(thickest_skipped, more.thickest_skipped);
     return *this;

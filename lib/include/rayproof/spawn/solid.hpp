@@ -52,74 +52,82 @@ template <class T>
   return {p, point, normal, normal, nothing, zero, zero};
 }
 
-/// A parallelepiped as its three pairs of faces: unit normals that look from the corner, and how far the
-/// faces of a pair are from one another along them.
+/// A parallelepiped as its three pairs of faces: unit normals that look from the corner, and, for the pairs
+/// in turn, how far its faces are from one another along them, one over that, and what that is off by.
 template <class T>
 struct Slanted {
   vec3<T> corner;
-  vec3<T> edges[3];
-  vec3<T> normals[3];
-  T heights[3];
+  vec3<T> edge_x, edge_y, edge_z;
+  vec3<T> normal_x, normal_y, normal_z;
+  vec3<T> height, per_height, height_error;
 };
 
 template <class To, class From>
 [[nodiscard]] constexpr Slanted<To> convert(const Slanted<From>& from) {
-  Slanted<To> to{convert<To>(from.corner), {}, {}, {}};
-  for (int i = 0; i < 3; ++i) {
-    to.edges[i] = convert<To>(from.edges[i]);
-    to.normals[i] = convert<To>(from.normals[i]);
-    to.heights[i] = To(from.heights[i]);
-  }
-  return to;
+  return {convert<To>(from.corner),      convert<To>(from.edge_x),   convert<To>(from.edge_y),
+          convert<To>(from.edge_z),      convert<To>(from.normal_x), convert<To>(from.normal_y),
+          convert<To>(from.normal_z),    convert<To>(from.height),   convert<To>(from.per_height),
+          convert<To>(from.height_error)};
 }
 
+/// A normal has 1.5 ulp from its cross product and 4ε from its length; a height the same of each term.
 template <std::floating_point T>
 [[nodiscard]] Slanted<T> slanted(const Parallelepiped<T>& solid) {
-  Slanted<T> made{solid.corner, {solid.edges[0], solid.edges[1], solid.edges[2]}, {}, {}};
-  for (int i = 0; i < 3; ++i) {
-    const vec3<T> n = cross_compensated<T>(made.edges[(i + 1) % 3], made.edges[(i + 2) % 3]);
-    const T length = sqrt(dot(n, n)), height = dot_compensated<T>(n, made.edges[i]) / length;
-    made.normals[i] = (height < 0 ? T(-1) : T(1)) / length * n;
-    made.heights[i] = abs(height);
-  }
+  const auto& [x, y, z] = solid.edges;
+  Slanted<T> made{solid.corner, x, y, z, {}, {}, {}, {}, {}, {}};
+  const auto pair = [&](int i, vec3<T>& normal, const vec3<T>& edge, const vec3<T>& a, const vec3<T>& b) {
+    const vec3<T> n = cross_compensated<T>(a, b);
+    const T length = sqrt(dot(n, n)), height = dot_compensated<T>(n, edge) / length;
+    normal = (height < 0 ? T(-1) : T(1)) / length * n;
+    made.height[i] = abs(height);
+    made.per_height[i] = T(1) / abs(height);
+    made.height_error[i] = 8 * unit<T> * dot(magnitudes<T>(normal), magnitudes<T>(edge));
+  };
+  pair(0, made.normal_x, x, y, z);
+  pair(1, made.normal_y, y, z, x);
+  pair(2, made.normal_z, z, x, y);
   return made;
 }
 
-/// The point moved onto the nearest face's plane as a `Flat`, then along edges of that face within the other
-/// faces. An upper face's plane goes through corner + edge, which is rounded by ε in each component; a normal
-/// has 1.5 ulp from its cross product and 3ε from its length.
+/// The point moved along the edges: along one onto the nearest face, along the others within the other faces.
+///
+/// An edge lies in the planes of the other pairs, so that each move changes the distance from its own pair
+/// alone. That distance is off by 5ε·Σ|nᵢfᵢ| and tilt·|f|, and what is moved by 10ε of itself and the error
+/// of the height, which also stands between a lower and an upper face.
 template <class T>
 [[nodiscard]] constexpr SurfacePoint<T> surface_point(const Slanted<T>& solid, const vec3<T>& p,
                                                       const vec3<T>& resolution) {
   constexpr auto eps = unit<T>;
-  const vec3<T> f = p - solid.corner;
-  T low[3], high[3];
-  for (int i = 0; i < 3; ++i) {
-    low[i] = abs(dot(solid.normals[i], f));
-    high[i] = abs(dot(solid.normals[i], f - solid.edges[i]));
-  }
-  const SmallestOf<T> face(min(low[0], high[0]), min(low[1], high[1]), min(low[2], high[2]));
-  const Mask<T> is_high = face(high[0], high[1], high[2]) < face(low[0], low[1], low[2]);
-  const vec3<T> edge = face(solid.edges[0], solid.edges[1], solid.edges[2]);
-  const vec3<T> upper = solid.corner + edge;
-  const vec3<T> n = face(solid.normals[0], solid.normals[1], solid.normals[2]);
-  const T sign = select(is_high, T(1), T(-1));
-  const Flat<T> flat{select_vector<T>(is_high, upper, solid.corner), sign * n, T(9 * eps),
-                     select(is_high, T(eps) * dot(magnitudes<T>(n), magnitudes<T>(upper)), T(0))};
-  SurfacePoint<T> from = surface_point(flat, p, resolution);
+  const T zero(0), tilt(9 * eps);
+  const vec3<T> f = p - solid.corner, spread = magnitudes<T>(f), &height = solid.height;
+  const vec3<T> depth{dot(solid.normal_x, f), dot(solid.normal_y, f), dot(solid.normal_z, f)};
+  const vec3<T> to_low = magnitudes<T>(depth), to_high = magnitudes<T>(height - depth);
+  const SmallestOf<T> face(min(to_low.x, to_high.x), min(to_low.y, to_high.y), min(to_low.z, to_high.z));
+  const Mask<T> is_high = face(to_high.x, to_high.y, to_high.z) < face(to_low.x, to_low.y, to_low.z);
 
-  const T own[3] = {face(T(0), T(1), T(1)), face(T(1), T(0), T(1)), face(T(1), T(1), T(0))};
-  const T least =
-      sum<T>(resolution) + T(32 * eps) * (sum<T>(magnitudes<T>(f)) + sum<T>(magnitudes<T>(from.point)));
-  for (int i = 0; i < 3; ++i) {
-    const T depth = dot(solid.normals[i], from.point - solid.corner);
-    const T wanted = clamped(depth, least, solid.heights[i] - least);
-    const vec3<T> shift = (own[i] * ((wanted - depth) / solid.heights[i])) * solid.edges[i];
-    from.point = from.point + shift;
-    from.error =
-        from.error + T(2 * eps) * magnitudes<T>(shift) + own[i] * (T(eps) * magnitudes<T>(from.point));
-  }
-  return from;
+  const T least = sum<T>(resolution) + T(32 * eps) * (sum<T>(spread) + sum<T>(magnitudes<T>(p)));
+  const vec3<T> in{clamped(depth.x, least, height.x - least), clamped(depth.y, least, height.y - least),
+                   clamped(depth.z, least, height.z - least)};
+  const auto onto = [&](const T& whole) { return select(is_high, whole, zero); };
+  const vec3<T> wanted = face(vec3<T>{onto(height.x), in.y, in.z}, vec3<T>{in.x, onto(height.y), in.z},
+                              vec3<T>{in.x, in.y, onto(height.z)});
+  const vec3<T> by = wanted - depth;
+  const vec3<T> along_x = (by.x * solid.per_height.x) * solid.edge_x,
+                along_y = (by.y * solid.per_height.y) * solid.edge_y,
+                along_z = (by.z * solid.per_height.z) * solid.edge_z;
+  const vec3<T> point = p + (along_x + along_y + along_z);
+
+  const vec3<T> n = face(solid.normal_x, solid.normal_y, solid.normal_z), sizes = magnitudes<T>(n);
+  const T move = abs(face(by.x, by.y, by.z));
+  const T height_error = face(solid.height_error.x, solid.height_error.y, solid.height_error.z);
+  const T share = move * face(solid.per_height.x, solid.per_height.y, solid.per_height.z);
+  const T off = T(5 * eps) * dot(sizes, spread) + tilt * sum<T>(spread) + T(10 * eps) * move +
+                height_error * (share + select(is_high, T(1), zero));
+  const vec3<T> moved = magnitudes<T>(along_x) + magnitudes<T>(along_y) + magnitudes<T>(along_z);
+  const vec3<T> error =
+      off * sizes + T(eps) * (magnitudes<T>(point) + T(5) * moved) + (tilt * off) * vec3<T>{T(1), T(1), T(1)};
+  const vec3<T> outward = select(is_high, T(1), T(-1)) * n;
+  return {p, point, outward, outward, error, tilt, zero};
 }
 
 }  // namespace rayproof::spawn

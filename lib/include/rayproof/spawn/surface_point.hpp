@@ -43,15 +43,20 @@ struct SurfacePoint {
   T bend;
 };
 
+/// Turns the normal to the back where `side` is negative, to the front elsewhere. In place: g++ 12 copies a
+/// struct of packs in halves, which takes longer than all that is computed of it.
+template <class T>
+constexpr void turn(SurfacePoint<T>& from, const T& side) {
+  const T sign = copysign(T(1), side);
+  from.normal = sign * from.normal;
+  from.radial = sign * from.radial;
+}
 /// The point for a ray that leaves to this side. A program knows the side, for it knows whether it reflects
 /// or refracts; the sign of a rounded normal·direction need not be the exact one where the ray grazes.
 template <class T>
-[[nodiscard]] constexpr SurfacePoint<T> towards(Side side, const SurfacePoint<T>& from) {
-  SurfacePoint<T> turned = from;
-  const T sign(side == Side::front ? 1 : -1);
-  turned.normal = sign * from.normal;
-  turned.radial = sign * from.radial;
-  return turned;
+[[nodiscard]] constexpr SurfacePoint<T> towards(Side side, SurfacePoint<T> from) {
+  turn(from, T(side == Side::front ? 1 : -1));
+  return from;
 }
 
 /// |v|, component by component.
