@@ -42,7 +42,7 @@ glm::mat<4, 4, T> some_map() {
 }
 
 template <class T, class Shape>
-void add(const std::string& shape_name, const Shape& shape) {
+void add_spawn(const std::string& shape_name, const Shape& shape) {
   const auto surface = spawn::surface_of(shape);
   for (const bool is_moved : {false, true})
     for (const InstructionSet set : available_instruction_sets()) {
@@ -62,12 +62,12 @@ void add(const std::string& shape_name, const Shape& shape) {
 
 template <class T>
 void add_all_spawns() {
-  add<T>("triangle", Triangle<T>{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}});
-  add<T>("sphere", Sphere<T>{{0, 0, 0}, 1});
-  add<T>("box", Box<T>{{0, 0, 0}, {1, 1, 1}});
-  add<T>("parallelepiped",
-         Parallelepiped<T>{{0, 0, 0}, {vec3<T>{1, 0, 0}, vec3<T>{T(0.5), 1, 0}, vec3<T>{0, 0, 1}}});
-  add<T>("cylinder", Cylinder<T>{1, 2, 1, true});
+  add_spawn<T>("triangle", Triangle<T>{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}});
+  add_spawn<T>("sphere", Sphere<T>{{0, 0, 0}, 1});
+  add_spawn<T>("box", Box<T>{{0, 0, 0}, {1, 1, 1}});
+  add_spawn<T>("parallelepiped",
+               Parallelepiped<T>{{0, 0, 0}, {vec3<T>{1, 0, 0}, vec3<T>{T(0.5), 1, 0}, vec3<T>{0, 0, 1}}});
+  add_spawn<T>("cylinder", Cylinder<T>{1, 2, 1, true});
 }
 
 [[maybe_unused]] const bool spawn_is_registered = (add_all_spawns<float>(), add_all_spawns<double>(), true);

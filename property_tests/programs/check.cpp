@@ -75,8 +75,8 @@ int run(const check::Options& options) {
 
   const Summary summary = summarise(plan, result);
   outputs.write(plan, result, summary);
-  fmt::print("{}", text_outcome(options, plan, result, summary));
   const bool is_kept = !left || check::report_leaving(options, *left);
+  fmt::print("{}", text_outcome(options, plan, result, summary));
   if (summary.was_interrupted || is_interrupted) return 130;
   return summary.is_success() && is_kept ? 0 : 1;
 }

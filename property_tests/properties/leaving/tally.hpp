@@ -35,7 +35,7 @@ class Lengths {
     for (std::size_t i = 0; i < counts_.size(); ++i) {
       below += counts_.at(i);
       if (static_cast<double>(below) >= share * static_cast<double>(all_))
-        return i == 0 ? 0 : std::exp2(lowest + (static_cast<double>(i) + 0.5) / 4);
+        return i == 0 ? 0 : std::min(largest_, std::exp2(lowest + (static_cast<double>(i) + 0.5) / 4));
     }
     return 0;
   }
