@@ -14,11 +14,16 @@ namespace {
 /// Where a ray has hit an object, for the next ray.
 template <class T>
 spawn::SurfacePoint<T> surface_point_of(const Object& object, const Ray<T>& ray, T t) {
-  const auto leave = [&](const auto& shape) {
-    const auto surface = spawn::surface_of(convert<T>(library_shape(shape)));
-    const vec3<T> p = point_at(ray, t);
-    if (!object.transform) return spawn::leave(surface, p);
-    return spawn::leave(surface, spawn::placement(glm::mat<4, 4, T>(*object.transform)), p);
+  const auto leave = [&](const auto& given) -> spawn::SurfacePoint<T> {
+    const auto shape = convert<T>(library_shape(given));
+    if constexpr (spawn::can_be_left<decltype(shape)>) {
+      const auto surface = spawn::surface_of(shape);
+      const vec3<T> p = point_at(ray, t);
+      if (!object.transform) return spawn::leave(surface, p);
+      return spawn::leave(surface, spawn::placement(glm::mat<4, 4, T>(*object.transform)), p);
+    } else {
+      throw std::runtime_error("a shape of this scene can't be left: see spawn/surfaces.hpp");
+    }
   };
   return std::visit(leave, object.shape);
 }

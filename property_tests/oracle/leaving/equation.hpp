@@ -103,4 +103,10 @@ template <class R>
   return {x * x + y * y - radius * radius, x * (ry * ray.direction.x) + y * (rx * ray.direction.y), false};
 }
 
+/// Whether the judge knows the pieces of a shape; one that it does not know is never left.
+template <class S>
+inline constexpr bool has_pieces = requires(const ObjectRay<Ring>& ray, const S& shape, const Piece& piece) {
+  value_at(ray, shape, piece);
+};
+
 }  // namespace rayproof::oracle

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <limits>
+#include <stdexcept>
 
 #include "oracle/leaving/equation.hpp"
 #include "oracle/shapes/shapes.hpp"
@@ -19,8 +20,13 @@ enum class Asked { value, slope };
 template <class R>
 std::optional<int> sign_in(const RayQuestion& question, const Piece& piece, Asked asked) {
   const ObjectRay<R> ray(question);
-  const PieceValue<R> at =
-      std::visit([&](const auto& shape) { return value_at(ray, shape, piece); }, question.shape);
+  const auto value = [&]<class S>(const S& shape) -> PieceValue<R> {
+    if constexpr (has_pieces<S>)
+      return value_at(ray, shape, piece);
+    else
+      throw std::logic_error("the judge knows no pieces of this shape");
+  };
+  const PieceValue<R> at = std::visit(value, question.shape);
   const auto found = certain_sign(asked == Asked::value ? at.value : at.slope);
   if (!found || !at.is_odd || !question.transform) return found;
   const auto scale = certain_sign(ray.scale);

@@ -6,6 +6,7 @@
 
 #include "case/accepted.hpp"
 #include "generators/aim.hpp"
+#include "oracle/numbers/ulp.hpp"
 #include "subjects/reading.hpp"
 
 namespace rayproof::leaving {
@@ -43,18 +44,27 @@ spawn::SurfacePoint<double> widened(const spawn::SurfacePoint<T>& from) {
           double{from.bend}};
 }
 
+template <template <class> class Surface, class T>
+Left left_from(const Surface<T>& surface, const RayQuestion& question,
+               const std::type_identity_t<vec3<T>>& p) {
+  if (!question.transform) {
+    const auto from = spawn::leave(surface, p);
+    return {widened(from), convert<double>(from.normal)};
+  }
+  const auto map = spawn::placement(glm::mat<4, 4, T>(*question.transform));
+  const auto own = spawn::leave(surface, map.inverse.point(p));
+  return {widened(spawn::leave(surface, map, p)), convert<double>(own.normal)};
+}
+
 template <class T>
 Left leave_in(const RayQuestion& question, double t) {
   const vec3<T> p = point_at(convert<T>(question.ray), static_cast<T>(t));
-  const auto leave_shape = [&](const auto& shape) -> Left {
-    const auto surface = spawn::surface_of(convert<T>(library_shape(shape)));
-    if (!question.transform) {
-      const auto from = spawn::leave(surface, p);
-      return {widened(from), convert<double>(from.normal)};
-    }
-    const auto map = spawn::placement(glm::mat<4, 4, T>(*question.transform));
-    const auto own = spawn::leave(surface, map.inverse.point(p));
-    return {widened(spawn::leave(surface, map, p)), convert<double>(own.normal)};
+  const auto leave_shape = [&](const auto& given) -> Left {
+    const auto shape = convert<T>(library_shape(given));
+    if constexpr (spawn::can_be_left<decltype(shape)>)
+      return left_from(spawn::surface_of(shape), question, p);
+    else
+      throw std::logic_error("this shape can't be left");
   };
   return std::visit(leave_shape, question.shape);
 }

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t columns = 3;
 // In the picture's own pixels, png_scale device pixels each.
-constexpr double space = 16, title_height = 26;
+constexpr double space = 16, title_height = 22;
 
 void paint(viz::Raster& canvas, const viz::Raster& picture, int left, int top) {
   for (int y = 0; y < picture.height; ++y)
@@ -35,13 +35,13 @@ viz::Raster shadow_figure(const std::vector<ShadowPanel>& panels) {
   picture.height = space + rows * (height + title_height + space) + title_height;
   for (std::size_t i = 0; i < panels.size(); ++i)
     picture.elements.emplace_back(viz::Text{
-        viz::Role::text, {left_of(i), top_of(i) - 8}, panels[i].title, viz::Anchor::start, 14, true, false});
+        viz::Role::text, {left_of(i), top_of(i) - 8}, panels[i].title, viz::Anchor::start, 11, true, false});
   picture.elements.emplace_back(
       viz::Text{viz::Role::text,
                 {space, picture.height - 12},
                 "red: acne, dark though the light is seen; yellow: a leak, lit through something",
                 viz::Anchor::start,
-                13,
+                11,
                 false,
                 false});
   viz::Raster canvas = viz::PictureCanvas().draw(picture);

@@ -61,7 +61,7 @@ struct Proven {
 
     step<T>("Leave the surface by that much", "Rounding has been paid for: nothing is rounded away.");
     const vec3<T> way = select_vector<T>(is_along_normal, from.normal, from.radial);
-    return named("o", from.point + length * way);
+    return named("o′", from.point + length * way);
   }
 };
 

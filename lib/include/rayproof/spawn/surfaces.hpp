@@ -39,4 +39,10 @@ template <std::floating_point T>
   return cylinder;
 }
 
+/// Whether rays know how to leave a shape.
+template <class Shape>
+inline constexpr bool can_be_left = requires(const Shape& shape) {
+  surface_of(shape);
+};
+
 }  // namespace rayproof::spawn
