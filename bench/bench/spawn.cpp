@@ -20,10 +20,10 @@ constexpr std::size_t hit_count = 4096;
 
 /// Hits about a shape of size 1, and the sides to which they are left.
 template <class T>
-struct Columns {
+struct BenchHits {
   std::vector<T> x, y, z, side, to_x, to_y, to_z;
 
-  Columns() {
+  BenchHits() {
     Random random(14);
     const auto draw = [&](std::vector<T>& column) {
       for (std::size_t i = 0; i < hit_count; ++i) column.push_back(static_cast<T>(random.uniform(-1, 1)));
@@ -49,7 +49,7 @@ void add_spawn(const std::string& shape_name, const Shape& shape) {
       const std::string name = "spawn/proven/" + shape_name + (is_moved ? "/transformed/" : "/") +
                                std::string(name_of(set)) + (sizeof(T) == 4 ? "/float" : "/double");
       benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {
-        Columns<T> hits;
+        BenchHits<T> hits;
         std::optional<spawn::Placement<T>> map;
         if (is_moved) map = spawn::placement<T>(some_map<T>());
         for (auto _ : state)

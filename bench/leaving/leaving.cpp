@@ -24,18 +24,18 @@ struct Scale {
   }
 };
 
-struct Mark {
+struct ChartMark {
   double x, y;
   std::string words;
 };
 
 /// The marks of one strategy in one chart, a decade each.
-using Line = std::vector<Mark>;
+using Line = std::vector<ChartMark>;
 
 leaving::Count counted(const leaving::SearchResult& result, const leaving::Strategy* strategy,
                        Precision precision, std::size_t decade) {
   leaving::Count sum;
-  for (const leaving::Outcome& outcome : result.outcomes)
+  for (const leaving::StrategyOutcome& outcome : result.outcomes)
     if (outcome.strategy == strategy && outcome.precision == precision)
       sum += outcome.tally.by_size.at(decade);
   return sum;
@@ -82,7 +82,7 @@ std::string mark(std::size_t strategy, double x, double y, const std::string& wo
 
 std::string drawn(std::size_t strategy, const Line& line) {
   std::string path, marks;
-  for (const Mark& at : line) {
+  for (const ChartMark& at : line) {
     path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", at.x, at.y);
     marks += mark(strategy, at.x, at.y, at.words);
   }

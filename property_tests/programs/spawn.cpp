@@ -13,13 +13,13 @@ namespace {
 
 using namespace rayproof;
 
-struct Options {
+struct SpawnOptions {
   leaving::SearchSettings settings{};
   std::string json{};
   std::string findings{};
 };
 
-void describe(CLI::App& app, Options& options) {
+void describe(CLI::App& app, SpawnOptions& options) {
   const auto list = [&](const char* name, std::vector<std::string>& into, const char* text) {
     app.add_option(name, into, text)->delimiter(',');
   };
@@ -51,7 +51,7 @@ void open(std::ofstream& file, const std::string& name) {
   if (!file) throw std::runtime_error(name + " cannot be written");
 }
 
-int run(const Options& options) {
+int run(const SpawnOptions& options) {
   if (const std::string sentence = leaving::unknown_names(options.settings); !sentence.empty())
     throw std::runtime_error(sentence);
   std::ofstream json, findings;
@@ -79,7 +79,7 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
   CLI::App app("Leaves surfaces by every strategy, and judges the rays exactly.", "rayproof spawn");
-  Options options;
+  SpawnOptions options;
   describe(app, options);
   if (const auto status = parse_command_line(app, argc, argv)) return *status;
   try {

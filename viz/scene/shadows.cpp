@@ -36,11 +36,11 @@ class ShadowRays {
 
   /// Whether the light is seen from the nearest hit of the ray, and how squarely it falls; nothing where the
   /// ray hits nothing.
-  struct Seen {
+  struct LightSeen {
     bool is_hit = false, is_lit = false;
     double cosine = 0;
   };
-  [[nodiscard]] Seen seen_along(const Ray<T>& ray) const {
+  [[nodiscard]] LightSeen seen_along(const Ray<T>& ray) const {
     const Nearest<T> hit = meet<T>(figures_, nullptr, std::span(&ray, 1)).front();
     if (hit.object == no_object) return {};
     spawn::SurfacePoint<T> from = surface_point_of(scene_.objects[hit.object], ray, hit.t);

@@ -30,41 +30,47 @@ template <class R>
 }
 
 template <class R>
-[[nodiscard]] PieceValue<R> value_at(const ObjectRay<R>& ray, const ImplicitPlane& plane, const Piece&) {
+[[nodiscard]] PieceValue<R> value_at(const ObjectRay<R>& ray, const ImplicitPlane& plane,
+                                     const SurfacePiece&) {
   return value_of_plane(ray, Vector<R>::from(plane.normal), R(-plane.d));
 }
 template <class R>
-[[nodiscard]] PieceValue<R> value_at(const ObjectRay<R>& ray, const PointNormalPlane& plane, const Piece&) {
+[[nodiscard]] PieceValue<R> value_at(const ObjectRay<R>& ray, const PointNormalPlane& plane,
+                                     const SurfacePiece&) {
   const auto normal = Vector<R>::from(plane.normal);
   return value_of_plane(ray, normal, dot(normal, Vector<R>::from(plane.point)));
 }
 template <class R>
-[[nodiscard]] PieceValue<R> value_at(const ObjectRay<R>& ray, const ParametricPlane& plane, const Piece&) {
+[[nodiscard]] PieceValue<R> value_at(const ObjectRay<R>& ray, const ParametricPlane& plane,
+                                     const SurfacePiece&) {
   const Vector<R> normal = cross(Vector<R>::from(plane.u), Vector<R>::from(plane.v));
   return value_of_plane(ray, normal, dot(normal, Vector<R>::from(plane.point)));
 }
 template <class R>
 [[nodiscard]] PieceValue<R> value_at(const ObjectRay<R>& ray, const Triangle<double>& triangle,
-                                     const Piece&) {
+                                     const SurfacePiece&) {
   const auto a = Vector<R>::from(triangle.a);
   const Vector<R> normal = cross(Vector<R>::from(triangle.b) - a, Vector<R>::from(triangle.c) - a);
   return value_of_plane(ray, normal, dot(normal, a));
 }
 template <class R>
-[[nodiscard]] PieceValue<R> value_at(const ObjectRay<R>& ray, const Polygon<double>& polygon, const Piece&) {
+[[nodiscard]] PieceValue<R> value_at(const ObjectRay<R>& ray, const Polygon<double>& polygon,
+                                     const SurfacePiece&) {
   const auto normal = newell_normal<R>(polygon);
   return value_of_plane(ray, normal, dot(normal, Vector<R>::from(polygon.vertices.front())));
 }
 
 template <class R>
-[[nodiscard]] PieceValue<R> value_at(const ObjectRay<R>& ray, const Sphere<double>& sphere, const Piece&) {
+[[nodiscard]] PieceValue<R> value_at(const ObjectRay<R>& ray, const Sphere<double>& sphere,
+                                     const SurfacePiece&) {
   const Vector<R> f = ray.origin - ray.scale * Vector<R>::from(sphere.center);
   const R radius = ray.scale * R(sphere.radius);
   return {dot(f, f) - radius * radius, dot(f, ray.direction), false};
 }
 
 template <class R>
-[[nodiscard]] PieceValue<R> value_at(const ObjectRay<R>& ray, const Box<double>& box, const Piece& face) {
+[[nodiscard]] PieceValue<R> value_at(const ObjectRay<R>& ray, const Box<double>& box,
+                                     const SurfacePiece& face) {
   const R bound(face.is_upper ? box.max[face.index] : box.min[face.index]);
   const PieceValue<R> value{ray.origin[face.index] - ray.scale * bound, ray.direction[face.index]};
   return face.is_upper ? value : turned(value);
@@ -74,7 +80,7 @@ template <class R>
 /// that its sign is the exact one.
 template <class R>
 [[nodiscard]] PieceValue<R> value_at(const ObjectRay<R>& ray, const Parallelepiped<double>& solid,
-                                     const Piece& face) {
+                                     const SurfacePiece& face) {
   const auto edge = [&]<class S>(int i, S) {
     return Vector<S>::from(solid.edges.at(static_cast<std::size_t>(i % 3)));
   };
@@ -92,7 +98,7 @@ template <class R>
 
 template <class R>
 [[nodiscard]] PieceValue<R> value_at(const ObjectRay<R>& ray, const Cylinder<double>& cylinder,
-                                     const Piece& piece) {
+                                     const SurfacePiece& piece) {
   if (piece.index == 1) {
     const PieceValue<R> value{ray.origin.z - ray.scale * R(piece.is_upper ? cylinder.height : 0.0),
                               ray.direction.z};
@@ -105,7 +111,8 @@ template <class R>
 
 /// Whether the judge knows the pieces of a shape; one that it does not know is never left.
 template <class S>
-inline constexpr bool has_pieces = requires(const ObjectRay<Ring>& ray, const S& shape, const Piece& piece) {
+inline constexpr bool has_pieces = requires(const ObjectRay<Ring>& ray, const S& shape,
+                                            const SurfacePiece& piece) {
   value_at(ray, shape, piece);
 };
 

@@ -18,7 +18,7 @@ enum class Asked { value, slope };
 
 /// The sign that a ring is certain of, or nothing.
 template <class R>
-std::optional<int> sign_in(const RayQuestion& question, const Piece& piece, Asked asked) {
+std::optional<int> sign_in(const RayQuestion& question, const SurfacePiece& piece, Asked asked) {
   const ObjectRay<R> ray(question);
   const auto value = [&]<class S>(const S& shape) -> PieceValue<R> {
     if constexpr (has_pieces<S>)
@@ -45,7 +45,7 @@ bool is_in_reach(const RayQuestion& question) {
   return all;
 }
 
-int exact_sign(const RayQuestion& question, const Piece& piece, Asked asked) {
+int exact_sign(const RayQuestion& question, const SurfacePiece& piece, Asked asked) {
   if (is_in_reach(question)) {
     if (const auto found = sign_in<Interval>(question, piece, asked)) return *found;
     if (const auto found = sign_in<Ball>(question, piece, asked)) return *found;
@@ -59,9 +59,9 @@ bool has_hits(const RayQuestion& question) {
 }
 
 /// The pieces that bound a solid, or that are met at all from inside a tube.
-std::vector<Piece> pieces_of(const Shape& shape) {
+std::vector<SurfacePiece> pieces_of(const Shape& shape) {
   const auto faces = [] {
-    std::vector<Piece> all;
+    std::vector<SurfacePiece> all;
     for (int i = 0; i < 6; ++i) all.push_back({i / 2, i % 2 == 1});
     return all;
   };
@@ -82,14 +82,14 @@ bool has_inside(const Shape& shape) {
          std::holds_alternative<Cylinder<double>>(shape);
 }
 
-Piece piece_of(const Shape& shape, const glm::dvec3& normal) {
+SurfacePiece piece_of(const Shape& shape, const glm::dvec3& normal) {
   if (std::holds_alternative<Cylinder<double>>(shape))
-    return std::abs(normal.z) > 0.5 ? Piece{1, normal.z > 0} : Piece{};
+    return std::abs(normal.z) > 0.5 ? SurfacePiece{1, normal.z > 0} : SurfacePiece{};
   const auto* solid = std::get_if<Parallelepiped<double>>(&shape);
   if (solid == nullptr && !std::holds_alternative<Box<double>>(shape)) return {};
-  Piece nearest;
+  SurfacePiece nearest;
   double least = std::numeric_limits<double>::infinity();
-  for (const Piece& face : pieces_of(shape)) {
+  for (const SurfacePiece& face : pieces_of(shape)) {
     glm::dvec3 outward(0);
     outward[face.index] = 1;
     if (solid != nullptr) {
@@ -105,12 +105,12 @@ Piece piece_of(const Shape& shape, const glm::dvec3& normal) {
   return nearest;
 }
 
-int climb(const RayQuestion& ray, const Piece& piece) { return exact_sign(ray, piece, Asked::slope); }
+int climb(const RayQuestion& ray, const SurfacePiece& piece) { return exact_sign(ray, piece, Asked::slope); }
 
-Departure depart(const RayQuestion& ray, const Piece& piece, spawn::Side side) {
+Departure depart(const RayQuestion& ray, const SurfacePiece& piece, spawn::Side side) {
   const bool is_inward = side == spawn::Side::back && has_inside(ray.shape);
   if (is_inward) {
-    const auto is_inside = [&](const Piece& one) { return exact_sign(ray, one, Asked::value) < 0; };
+    const auto is_inside = [&](const SurfacePiece& one) { return exact_sign(ray, one, Asked::value) < 0; };
     if (std::ranges::all_of(pieces_of(ray.shape), is_inside)) return Departure::clear;
     return has_hits(ray) ? Departure::false_hit : Departure::skipped;
   }
@@ -122,12 +122,12 @@ Departure depart(const RayQuestion& ray, const Piece& piece, spawn::Side side) {
 
 namespace {
 
-Extent own_extent(const Sphere<double>& s) { return {length(s.center) + s.radius, 2 * s.radius}; }
-Extent own_extent(const Box<double>& box) {
+SceneExtent own_extent(const Sphere<double>& s) { return {length(s.center) + s.radius, 2 * s.radius}; }
+SceneExtent own_extent(const Box<double>& box) {
   const glm::dvec3 widths = box.max - box.min;
   return {std::max(length(box.min), length(box.max)), std::min({widths.x, widths.y, widths.z})};
 }
-Extent own_extent(const Parallelepiped<double>& p) {
+SceneExtent own_extent(const Parallelepiped<double>& p) {
   double width = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < 3; ++i) {
     const glm::dvec3 normal = glm::cross(p.edges.at((i + 1) % 3), p.edges.at((i + 2) % 3));
@@ -135,23 +135,23 @@ Extent own_extent(const Parallelepiped<double>& p) {
   }
   return {length(p.corner) + length(p.edges[0]) + length(p.edges[1]) + length(p.edges[2]), width};
 }
-Extent own_extent(const Cylinder<double>& c) {
+SceneExtent own_extent(const Cylinder<double>& c) {
   return {std::max({c.rx, c.ry, c.height}), std::min({2 * c.rx, 2 * c.ry, c.capped ? c.height : HUGE_VAL})};
 }
-Extent own_extent(const Triangle<double>& t) {
+SceneExtent own_extent(const Triangle<double>& t) {
   return {std::max({length(t.a), length(t.b), length(t.c)}), HUGE_VAL};
 }
-Extent own_extent(const Polygon<double>& polygon) {
+SceneExtent own_extent(const Polygon<double>& polygon) {
   double size = 0;
   for (const glm::dvec3& v : polygon.vertices) size = std::max(size, length(v));
   return {size, HUGE_VAL};
 }
-Extent own_extent(const auto& /*plane*/) { return {0, HUGE_VAL}; }
+SceneExtent own_extent(const auto& /*plane*/) { return {0, HUGE_VAL}; }
 
 }  // namespace
 
-Extent extent_of(const RayQuestion& question, const glm::dvec3& point) {
-  Extent extent = std::visit([](const auto& shape) { return own_extent(shape); }, question.shape);
+SceneExtent extent_of(const RayQuestion& question, const glm::dvec3& point) {
+  SceneExtent extent = std::visit([](const auto& shape) { return own_extent(shape); }, question.shape);
   if (question.transform) {
     const glm::dmat3 linear(*question.transform), back = glm::inverse(linear);
     const auto norm = [](const glm::dmat3& m) {

@@ -20,20 +20,20 @@ namespace rayproof::oracle {
 
 /// One piece of a shape's surface. A flat shape and a sphere have one; a box and a parallelepiped six, face
 /// `upper` of pair `index`; a cylinder its side (index 0) and two caps (index 1).
-struct Piece {
+struct SurfacePiece {
   int index = 0;
   bool is_upper = false;
 };
 
 /// The piece with this normal, in the shape's own space: of any length, and rounded.
-[[nodiscard]] Piece piece_of(const Shape& shape, const glm::dvec3& normal);
+[[nodiscard]] SurfacePiece piece_of(const Shape& shape, const glm::dvec3& normal);
 
 /// Whether a shape has an inside, to which rays are refracted: a sphere, a box, a parallelepiped, a cylinder
 /// (an open one, too: the inside of the tube).
 [[nodiscard]] bool has_inside(const Shape& shape);
 
 /// The sign of the derivative of the piece's f along the ray at its origin.
-[[nodiscard]] int climb(const RayQuestion& ray, const Piece& piece);
+[[nodiscard]] int climb(const RayQuestion& ray, const SurfacePiece& piece);
 
 /// What becomes of a ray that leaves a piece.
 enum class Departure {
@@ -45,14 +45,14 @@ enum class Departure {
 /// Judges the ray, whose direction leaves the piece for `side` at the foot of the hit, by its rounded origin.
 /// To the front of a solid, and to either side of a flat shape, no hit is true. To the back of a solid the
 /// origin must be strictly inside: then the one hit is the true far side.
-[[nodiscard]] Departure depart(const RayQuestion& ray, const Piece& piece, spawn::Side side);
+[[nodiscard]] Departure depart(const RayQuestion& ray, const SurfacePiece& piece, spawn::Side side);
 
 /// How the scene of a hit is measured, in double: how large it is, and how thin its solid.
-struct Extent {
+struct SceneExtent {
   double size;  ///< the largest coordinate of the point and of the shape in the world, about
   double
       width;  ///< the least distance of two parallel planes with the solid between them, about; or infinite
 };
-[[nodiscard]] Extent extent_of(const RayQuestion& question, const glm::dvec3& point);
+[[nodiscard]] SceneExtent extent_of(const RayQuestion& question, const glm::dvec3& point);
 
 }  // namespace rayproof::oracle

@@ -122,7 +122,7 @@ SearchResult search_all(const SearchSettings& settings, const std::atomic<bool>&
   for (const Strategy* strategy : asked) {
     std::optional<FalseHit> best;
     std::size_t least = 0;
-    for (const Outcome& outcome : result.outcomes) {
+    for (const StrategyOutcome& outcome : result.outcomes) {
       if (outcome.strategy != strategy || !outcome.tally.first_false_hit) continue;
       const auto situation =
           situation_number(settings, outcome.shape, outcome.precision, *outcome.tally.first_false_hit);

@@ -20,7 +20,7 @@ struct SearchSettings {
 };
 
 /// What a strategy has come to on a shape in a precision.
-struct Outcome {
+struct StrategyOutcome {
   const Strategy* strategy = nullptr;
   std::string shape{};
   Precision precision{};
@@ -36,7 +36,7 @@ struct FalseHit {
 };
 
 struct SearchResult {
-  std::vector<Outcome> outcomes{};
+  std::vector<StrategyOutcome> outcomes{};
   std::vector<FalseHit> failures{};  ///< the simplest of each strategy, and every one of a proven strategy's
   bool was_interrupted = false;
 };

@@ -27,8 +27,8 @@ struct Departing {
 struct Situation {
   Departing what{};
   spawn::SurfacePoint<double> from{};  ///< for the side; float numbers stand in doubles exactly
-  oracle::Piece piece{};
-  oracle::Extent extent{};
+  oracle::SurfacePiece piece{};
+  oracle::SceneExtent extent{};
   bool is_turned_back = false;  ///< `from` looks to the back
 
   [[nodiscard]] Precision precision() const { return what.incoming.precision; }

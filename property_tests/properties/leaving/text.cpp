@@ -11,14 +11,14 @@ namespace {
 /// The sum over what `is_meant` holds for.
 Count sum_of(const SearchResult& result, const auto& is_meant) {
   Count sum;
-  for (const Outcome& outcome : result.outcomes)
+  for (const StrategyOutcome& outcome : result.outcomes)
     if (is_meant(outcome)) sum += outcome.tally.all();
   return sum;
 }
 
 std::vector<const Strategy*> strategies_of(const SearchResult& result) {
   std::vector<const Strategy*> all;
-  for (const Outcome& outcome : result.outcomes)
+  for (const StrategyOutcome& outcome : result.outcomes)
     if (std::ranges::find(all, outcome.strategy) == all.end()) all.push_back(outcome.strategy);
   return all;
 }
@@ -26,7 +26,7 @@ std::vector<const Strategy*> strategies_of(const SearchResult& result) {
 /// The decades of size 1e-3 to 1e3: those of everyday scenes.
 Count everyday(const SearchResult& result, const Strategy* strategy, Precision precision) {
   Count sum;
-  for (const Outcome& outcome : result.outcomes)
+  for (const StrategyOutcome& outcome : result.outcomes)
     if (outcome.strategy == strategy && outcome.precision == precision)
       for (std::size_t i = decade_of(1e-3); i < decade_of(1e3); ++i) sum += outcome.tally.by_size.at(i);
   return sum;
@@ -40,8 +40,9 @@ std::string text_table(const SearchResult& result) {
                   "rays", "false hits", "skipped", "thickest", "misanswered", "median", "99.9 %", "largest");
   for (const Strategy* strategy : strategies_of(result))
     for (const Precision precision : {Precision::float32, Precision::float64}) {
-      const Count all = sum_of(
-          result, [&](const Outcome& one) { return one.strategy == strategy && one.precision == precision; });
+      const Count all = sum_of(result, [&](const StrategyOutcome& one) {
+        return one.strategy == strategy && one.precision == precision;
+      });
       if (all.rays == 0) continue;
       const Lengths offsets = everyday(result, strategy, precision).offsets;
       text += fmt::format("{:<15} {:<8} {:>10} {:>10} {:>9} {:>9.1e} {:>11}   {:>8.1e} {:>8.1e} {:>8.1e}\n",
@@ -65,7 +66,7 @@ std::string text_shapes(const SearchResult& result) {
   for (const Strategy* strategy : strategies_of(result))
     for (const std::string& shape : topics_with_rays()) {
       const auto of = [&](std::optional<Precision> precision) {
-        return sum_of(result, [&](const Outcome& one) {
+        return sum_of(result, [&](const StrategyOutcome& one) {
           return one.strategy == strategy && one.shape == shape &&
                  one.precision == precision.value_or(one.precision);
         });
@@ -90,7 +91,7 @@ std::string text_failures(const SearchResult& result) {
 std::vector<std::string> broken_promises(const SearchResult& result) {
   std::vector<std::string> broken;
   for (const Strategy* strategy : strategies_of(result)) {
-    const Count all = sum_of(result, [&](const Outcome& one) { return one.strategy == strategy; });
+    const Count all = sum_of(result, [&](const StrategyOutcome& one) { return one.strategy == strategy; });
     if (strategy->is_proven && all.false_hits > 0)
       broken.push_back(fmt::format("{} promises no false hit and has {}", strategy->name, all.false_hits));
     if (strategy->is_proven && all.skipped > 0)
@@ -102,7 +103,7 @@ std::vector<std::string> broken_promises(const SearchResult& result) {
 
 std::string json_text(const SearchSettings& settings, const SearchResult& result) {
   std::string rows;
-  for (const Outcome& outcome : result.outcomes)
+  for (const StrategyOutcome& outcome : result.outcomes)
     for (int i = 0; i < decades; ++i) {
       const Count& count = outcome.tally.by_size.at(static_cast<std::size_t>(i));
       if (count.rays == 0) continue;

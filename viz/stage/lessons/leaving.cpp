@@ -40,7 +40,7 @@ double height_of(const glm::dvec3& point, const Sphere<double>& sphere) {
   return std::sqrt(dot(f, f)) - sphere.radius;
 }
 
-/// Hit, moved point and origin over the sphere's surface, magnified until they can be told apart.
+/// Hit, moved point and origin over the sphere's surface, magnified until they can be distinguished.
 StageStep heights_step(const NumbersByName& n, const Sphere<double>& sphere, const Setting& setting) {
   const double hit = height_of(n.vector("p"), sphere), moved = height_of(n.vector("q"), sphere),
                origin = height_of(n.vector("o′"), sphere);
@@ -94,7 +94,7 @@ std::vector<Lesson> leaving_lessons() {
       {"leaving-a-sphere", "numbers", "Leaving a sphere: where the next ray starts",
        "The hit is rounded and lies below the surface; the next ray starts above it by the least offset that "
        "is proven.",
-       R"({"precision": "float32", "ray": {"origin": [-3.7, -0.9, 0.4], "direction": [1.3, 0.5, 0.1]},
+       R"({"precision": "float32", "ray": {"origin": [-3.5, -0.9, 0.8], "direction": [1.3, 0.2, 0.1]},
            "shape": {"type": "sphere", "center": [0.2, 0.1, 0.3], "radius": 1.4}})",
        "", leaving_stage},
   };

@@ -58,6 +58,12 @@ template <class T>
           T(0)};
 }
 
+/// A plane has no edges to stay away from.
+template <class T>
+[[nodiscard]] constexpr vec3<T> outermost(const Flat<T>& /*flat*/) {
+  return vec3<T>{T(0), T(0), T(0)};
+}
+
 namespace detail {
 
 /// Sums of products in twice the digits (T. Ogita, S. M. Rump, S. Oishi, "Accurate Sum and Dot Product",

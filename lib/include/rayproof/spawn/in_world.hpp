@@ -72,7 +72,8 @@ template <template <class> class Surface, class T>
   const ObjectSpace<T>& inverse = map.inverse;
   const vec3<T> seen = inverse.point(p), sizes = magnitudes<T>(inverse.translation);
   const auto rounding_of = [&](const vec3<T>& x) { return T(5 * eps) * (map.spread(x) + sizes); };
-  const T coarse = T(8) * sum<T>(rounding_of(seen)) + T(least_offset<T>);
+  const vec3<T> farthest = magnitudes<T>(seen) + outermost(surface);
+  const T coarse = T(16) * sum<T>(rounding_of(farthest)) + T(least_offset<T>);
   const auto along = [&](const vec3<T>& row) { return coarse * sum<T>(magnitudes<T>(row)); };
   const SurfacePoint<T> own =
       surface_point(surface, seen, vec3<T>{along(inverse.row_x), along(inverse.row_y), along(inverse.row_z)});

@@ -43,20 +43,22 @@ struct Proven {
     step<T>("Bound what the rounded point may be off",
             "In each component, the surface is within the error of the point, and the origin will be rounded "
             "once more.");
-    const vec3<T> room = named("room", from.error + T(unit<T>) * magnitudes<T>(from.point));
-    const T beside = sqrt(dot(room, room));
+    const vec3<T> room = named("room", named("e", from.error) + T(unit<T>) * magnitudes<T>(from.point));
+    const T beside = named("w", sqrt(dot(room, room)));
 
     step<T>("Measure it along the normal",
             "Only what lies along the normal can bring the origin to the wrong side; the normal itself is "
             "known to its tilt.");
-    const T reach = named("reach", dot(magnitudes<T>(from.normal), room) + from.tilt * beside);
-    const T flat = (T(1 + 32 * unit<T>) + T(2) * from.tilt) * reach;
+    const T tilt = named("tilt", from.tilt);
+    const T reach = named("reach", dot(magnitudes<T>(from.normal), room) + tilt * beside);
+    const T flat = named("flat", (T(1 + 32 * unit<T>) + T(2) * tilt) * reach);
 
     step<T>("Add what the curvature takes",
             "A curved surface falls away from its tangent plane by the square of a distance.");
-    const T along_normal = flat + T(5) * (from.bend * square(beside + flat));
-    const T along_radial = T(2) * reach + T(8) * (from.bend * square(beside));
-    const Mask<T> is_along_normal = from.bend * beside <= T(0.0625) && from.tilt <= T(0.25);
+    const T bend = named("bend", from.bend);
+    const T along_normal = flat + T(5) * (bend * square(beside + flat));
+    const T along_radial = T(2) * reach + T(8) * (bend * square(beside));
+    const Mask<T> is_along_normal = bend * beside <= T(0.0625) && tilt <= T(0.25);
     const T length = named("h", select(is_along_normal, along_normal, along_radial) + T(least_offset<T>));
 
     step<T>("Leave the surface by that much", "Rounding has been paid for: nothing is rounded away.");

@@ -74,4 +74,14 @@ template <class T>
           select(is_cap, zero, stretch * stretch / climb)};
 }
 
+/// How far, along each axis, no point of the body is from (0, 0, 0).
+template <class T>
+[[nodiscard]] constexpr vec3<T> outermost(const Sphere<T>& sphere) {
+  return magnitudes<T>(sphere.center) + vec3<T>{sphere.radius, sphere.radius, sphere.radius};
+}
+template <class T>
+[[nodiscard]] constexpr vec3<T> outermost(const Cylinder<T>& cylinder) {
+  return vec3<T>{cylinder.rx, cylinder.ry, cylinder.height};
+}
+
 }  // namespace rayproof::spawn

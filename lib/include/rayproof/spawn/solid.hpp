@@ -52,6 +52,12 @@ template <class T>
   return {p, point, normal, normal, nothing, zero, zero};
 }
 
+/// How far, along each axis, no point of the solid is from (0, 0, 0).
+template <class T>
+[[nodiscard]] constexpr vec3<T> outermost(const Box<T>& box) {
+  return magnitudes<T>(box.min) + magnitudes<T>(box.max);
+}
+
 /// A parallelepiped as its three pairs of faces: unit normals that look from the corner, and, for the pairs
 /// in turn, how far its faces are from one another along them, one over that, and what that is off by.
 template <class T>
@@ -89,6 +95,12 @@ template <std::floating_point T>
   return made;
 }
 
+/// |edge_x| + |edge_y| + |edge_z|, component by component.
+template <class T>
+[[nodiscard]] constexpr vec3<T> edge_sizes(const Slanted<T>& solid) {
+  return magnitudes<T>(solid.edge_x) + magnitudes<T>(solid.edge_y) + magnitudes<T>(solid.edge_z);
+}
+
 /// The point moved along the edges: along one onto the nearest face, along the others within the other faces.
 ///
 /// An edge lies in the planes of the other pairs, so that each move changes the distance from its own pair
@@ -105,7 +117,10 @@ template <class T>
   const SmallestOf<T> face(min(to_low.x, to_high.x), min(to_low.y, to_high.y), min(to_low.z, to_high.z));
   const Mask<T> is_high = face(to_high.x, to_high.y, to_high.z) < face(to_low.x, to_low.y, to_low.z);
 
-  const T least = sum<T>(resolution) + T(32 * eps) * (sum<T>(spread) + sum<T>(magnitudes<T>(p)));
+  const T shares = dot(vec3<T>{min(to_low.x, to_high.x), min(to_low.y, to_high.y), min(to_low.z, to_high.z)},
+                       solid.per_height);
+  const T least = sum<T>(resolution) + T(32 * eps) * (sum<T>(spread) + sum<T>(magnitudes<T>(p))) +
+                  T(24 * eps) * (T(1) + shares) * sum<T>(edge_sizes(solid));
   const vec3<T> in{clamped(depth.x, least, height.x - least), clamped(depth.y, least, height.y - least),
                    clamped(depth.z, least, height.z - least)};
   const auto onto = [&](const T& whole) { return select(is_high, whole, zero); };
@@ -128,6 +143,12 @@ template <class T>
       off * sizes + T(eps) * (magnitudes<T>(point) + T(5) * moved) + (tilt * off) * vec3<T>{T(1), T(1), T(1)};
   const vec3<T> outward = select(is_high, T(1), T(-1)) * n;
   return {p, point, outward, outward, error, tilt, zero};
+}
+
+/// The same of a parallelepiped.
+template <class T>
+[[nodiscard]] constexpr vec3<T> outermost(const Slanted<T>& solid) {
+  return magnitudes<T>(solid.corner) + edge_sizes(solid);
 }
 
 }  // namespace rayproof::spawn

@@ -38,7 +38,7 @@ TEST(Departure, BehindATriangleThatThePathPassesByIsNoFault) {
 }
 
 TEST(Departure, IntoASolidMustStartInside) {
-  const Piece top{2, true};
+  const SurfacePiece top{2, true};
   const glm::dvec3 down(0, 0, -1);
   EXPECT_EQ(depart(ray_from({0.5, 0.5, 1 - 0x1p-53}, down, cube), top, Side::back), Departure::clear);
   EXPECT_EQ(depart(ray_from({0.5, 0.5, 1}, down, cube), top, Side::back), Departure::false_hit);
@@ -46,7 +46,7 @@ TEST(Departure, IntoASolidMustStartInside) {
 }
 
 TEST(Departure, BesideTheEdgeOfABoxIsNotInside) {
-  const Piece top{2, true};
+  const SurfacePiece top{2, true};
   const RayQuestion beside = ray_from({1, 0.5, 0.75}, {-1, 0, -1}, cube);
   EXPECT_EQ(depart(beside, top, Side::back), Departure::false_hit);
 }
@@ -57,11 +57,11 @@ TEST(Departure, OfARayAlongTheSurfaceHangsOnTheOrigin) {
 }
 
 TEST(ThePieceOfANormal, IsTheFaceItLooksFrom) {
-  const Piece top = piece_of(cube, {0.01, -0.02, 0.9});
+  const SurfacePiece top = piece_of(cube, {0.01, -0.02, 0.9});
   EXPECT_EQ(top.index, 2);
   EXPECT_TRUE(top.is_upper);
   const Parallelepiped<double> slanted{{0, 0, 0}, {glm::dvec3{1, 0, 0}, {1, 1, 0}, {1, 1, -1}}};
-  const Piece low = piece_of(slanted, {0, 0, 1});
+  const SurfacePiece low = piece_of(slanted, {0, 0, 1});
   EXPECT_EQ(low.index, 2);
   EXPECT_FALSE(low.is_upper);
   EXPECT_EQ(piece_of(Cylinder<double>{1, 1, 1, true}, {0, 0, -1}).index, 1);

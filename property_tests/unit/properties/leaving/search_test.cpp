@@ -24,7 +24,7 @@ TEST(LeavingSearch, FindsNoFalseHitOfWhatIsProven) {
   const SearchResult result = searched({.cases = 1024, .strategies = {"proven"}});
   EXPECT_EQ(broken_promises(result), std::vector<std::string>{});
   EXPECT_TRUE(result.failures.empty());
-  for (const Outcome& outcome : result.outcomes)
+  for (const StrategyOutcome& outcome : result.outcomes)
     EXPECT_GT(outcome.tally.all().rays, 3000U) << outcome.shape << ' ' << name_of(outcome.precision);
 }
 
@@ -71,7 +71,7 @@ TEST(LeavingSearch, NoticesABrokenPromise) {
   SearchResult result = searched({.cases = 64, .shapes = {"sphere"}, .strategies = {"nothing"}});
   Strategy liar = *result.outcomes.front().strategy;
   liar.is_proven = true;
-  for (Outcome& outcome : result.outcomes) outcome.strategy = &liar;
+  for (StrategyOutcome& outcome : result.outcomes) outcome.strategy = &liar;
   EXPECT_EQ(broken_promises(result).size(), 2U);
 }
 
@@ -86,7 +86,7 @@ TEST(ASituation, IsLeftToEitherSide) {
 
 TEST(ASituation, OfEachShapeComesInEveryDecadeOfSize) {
   const SearchResult result = searched({.cases = 2048, .strategies = {"nothing"}});
-  for (const Outcome& outcome : result.outcomes)
+  for (const StrategyOutcome& outcome : result.outcomes)
     for (int decade = -5; decade < 6; ++decade)
       EXPECT_GT(outcome.tally.by_size.at(static_cast<std::size_t>(decade - least_decade)).rays, 10U)
           << outcome.shape << ' ' << decade;
