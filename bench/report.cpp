@@ -13,6 +13,9 @@
 #include "bench/vtk/plot_png.hpp"
 #include "command_line/command_line.hpp"
 #include "command_line/progress_line.hpp"
+#ifdef RAYPROOF_LEAVING
+#include "bench/leaving/leaving.hpp"
+#endif
 
 namespace {
 
@@ -23,6 +26,26 @@ void write_file(const std::filesystem::path& path, const std::string& text) {
   out << text;
   out.close();
   if (!out) throw std::runtime_error(path.string() + " can't be written");
+}
+
+/// Writes leaving.svg, of rays that leave surfaces by every strategy, where no filter asks for something
+/// else; gives the line that says so.
+std::string write_leaving([[maybe_unused]] const report::BenchOptions& options,
+                          [[maybe_unused]] ProgressLine& progress) {
+#ifdef RAYPROOF_LEAVING
+  if (!options.shapes.empty() || !options.methods.empty() || !options.families.empty()) return "";
+  constexpr std::size_t hits = 16384;
+  const std::atomic<bool> never{false};
+  const leaving::SearchResult result =
+      leaving::search({.cases = std::min(options.rays, hits), .precisions = options.wanted_precisions()},
+                      never, [&](double done, const std::string& what) { progress.show(done, what); });
+  progress.clear();
+  const std::filesystem::path file = std::filesystem::path(options.out) / "leaving.svg";
+  write_file(file, report::leaving_svg(result));
+  return "leaving the surface, over the size of the scene: " + file.string() + "\n";
+#else
+  return "";
+#endif
 }
 
 int run(const report::BenchOptions& options) {
@@ -40,6 +63,7 @@ int run(const report::BenchOptions& options) {
   write_file(out / "index.html", report::to_page(figures, summaries, plots));
   fmt::print("page: {}\n", (out / "index.html").string());
   for (const std::string& line : report::write_pngs(plots, out)) fmt::print("{}\n", line);
+  fmt::print("{}", write_leaving(options, progress));
   return 0;
 }
 

@@ -2,65 +2,15 @@
 /// The batch kernels: columns are read a pack at a time, made into problems, solved and written. Compiled
 /// once for each instruction set, with RAYPROOF_INSTRUCTION_SET naming the one it is for.
 
-#include <rayproof/arithmetics/pack.hpp>
 #include <rayproof/batch/kernels.hpp>
 
-/// Puts all that a function calls into the function itself; not under AddressSanitizer, which would take
-/// minutes.
-#ifdef __SANITIZE_ADDRESS__
-#define RAYPROOF_FLAT
-#else
-#define RAYPROOF_FLAT [[gnu::flatten]]
-#endif
+#include "columns.hpp"
 
 namespace rayproof::batch {
 
 namespace {
 
 constexpr bool is_baseline = InstructionSet::RAYPROOF_INSTRUCTION_SET == InstructionSet::baseline;
-
-/// How a pack is read from a column and written to one; a plain number is a pack of one lane.
-template <class N>
-struct LaneAccess {
-  static constexpr std::size_t width = N::size;
-  static N load(const Plain<N>* from) { return N::load(from); }
-  static void store(const N& value, Plain<N>* to) { value.store(to); }
-};
-template <std::floating_point T>
-struct LaneAccess<T> {
-  static constexpr std::size_t width = 1;
-  static T load(const T* from) { return *from; }
-  static void store(T value, T* to) { *to = value; }
-};
-
-/// Calls `solve(in, out)` for every `width` lanes of the columns. The last lanes are padded with copies of
-/// the very last one, so that they take the same path as all others.
-template <class N, class T, std::size_t In, std::size_t Out, class Solve>
-void run(const T* const (&in)[In], T* const (&out)[Out], std::size_t size, const Solve& solve) {
-  using Access = LaneAccess<N>;
-  constexpr std::size_t lanes = Access::width;
-  N from[In];
-  N to[Out];
-  std::size_t i = 0;
-  for (; i + lanes <= size; i += lanes) {
-    for (std::size_t column = 0; column < In; ++column) from[column] = Access::load(in[column] + i);
-    solve(from, to);
-    for (std::size_t column = 0; column < Out; ++column) Access::store(to[column], out[column] + i);
-  }
-  if (i == size) return;
-
-  T padded[lanes];
-  for (std::size_t column = 0; column < In; ++column) {
-    for (std::size_t lane = 0; lane < lanes; ++lane)
-      padded[lane] = in[column][i + lane < size ? i + lane : size - 1];
-    from[column] = Access::load(padded);
-  }
-  solve(from, to);
-  for (std::size_t column = 0; column < Out; ++column) {
-    Access::store(to[column], padded);
-    for (std::size_t lane = 0; i + lane < size; ++lane) out[column][i + lane] = padded[lane];
-  }
-}
 
 /// One equation a lane.
 template <bool is_moved, class N, class T>

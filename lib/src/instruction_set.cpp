@@ -1,5 +1,6 @@
 #include <cstdlib>
 #include <rayproof/batch/kernels.hpp>
+#include <rayproof/spawn/kernels.hpp>
 #include <stdexcept>
 #include <string>
 
@@ -60,6 +61,14 @@ InstructionSet preferred_instruction_set() {
 }
 
 const batch::KernelTable& batch::kernel_table(InstructionSet set) {
+#ifdef RAYPROOF_X86
+  if (set == InstructionSet::avx2) return built_table<InstructionSet::avx2>();
+  if (set == InstructionSet::avx512) return built_table<InstructionSet::avx512>();
+#endif
+  return built_table<InstructionSet::baseline>();
+}
+
+const spawn::KernelTable& spawn::kernel_table(InstructionSet set) {
 #ifdef RAYPROOF_X86
   if (set == InstructionSet::avx2) return built_table<InstructionSet::avx2>();
   if (set == InstructionSet::avx512) return built_table<InstructionSet::avx512>();

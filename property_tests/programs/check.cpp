@@ -5,6 +5,7 @@
 #include "command_line/interrupt.hpp"
 #include "command_line/progress_line.hpp"
 #include "programs/check/corpus.hpp"
+#include "programs/check/leaving.hpp"
 #include "programs/check/options.hpp"
 #include "programs/check/outputs.hpp"
 #include "properties/replay.hpp"
@@ -68,13 +69,16 @@ int run(const check::Options& options) {
   };
   RunResult result = run_plan(plan, corpus, listener, is_interrupted);
   put_in_order(result.findings);
+  const std::optional<leaving::SearchResult> left =
+      check::leave_surfaces(options.settings, listener.progress);
   progress.clear();
 
   const Summary summary = summarise(plan, result);
   outputs.write(plan, result, summary);
+  const bool is_kept = !left || check::report_leaving(options, *left);
   fmt::print("{}", text_outcome(options, plan, result, summary));
-  if (summary.was_interrupted) return 130;
-  return summary.is_success() ? 0 : 1;
+  if (summary.was_interrupted || is_interrupted) return 130;
+  return summary.is_success() && is_kept ? 0 : 1;
 }
 
 }  // namespace

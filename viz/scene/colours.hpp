@@ -4,6 +4,8 @@
 /// and K. Ito ("Color Universal Design", 2008), sizes of errors by lightness, after C. Brewer ("ColorBrewer",
 /// 2003).
 
+#include <cmath>
+
 #include "viz/raster.hpp"
 #include "viz/scene/errors.hpp"
 
@@ -18,6 +20,13 @@ inline constexpr Rgb background = rgb_of("#ffffff");
 inline constexpr std::array<Rgb, 7> object_colours{rgb_of("#0072b2"), rgb_of("#e69f00"), rgb_of("#009e73"),
                                                    rgb_of("#cc79a7"), rgb_of("#56b4e9"), rgb_of("#d55e00"),
                                                    rgb_of("#f0e442")};
+
+/// The colour with its light taken down to a share.
+[[nodiscard]] inline Rgb dimmed(const Rgb& colour, double by) {
+  Rgb dim{};
+  for (std::size_t i = 0; i < 3; ++i) dim[i] = static_cast<std::uint8_t>(std::lround(colour[i] * by));
+  return dim;
+}
 
 /// One for each of `ulp_steps`, ever darker.
 inline constexpr std::array<Rgb, ulp_steps.size()> ulp_colours{

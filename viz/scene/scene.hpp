@@ -27,6 +27,7 @@ struct RenderScene {
   int width = 0;  ///< of the image, in pixels
   int height = 0;
   std::vector<Object> objects{};
+  std::optional<glm::dvec3> light{};  ///< a point that shines to all sides
 };
 
 /// Index into `RenderScene::objects`; `no_object` where there is none.

@@ -104,6 +104,7 @@ void read_members(RenderScene& scene, const json::Document& document, const Read
   read_size(scene, reader, overrides);
   scene.camera = read_camera(reader.need("camera"), scene.precision);
   const Field shapes = reader.need("shapes");
+  if (const auto light = reader.find("light")) read_value(*light, scene.precision, scene.light.emplace());
   if (const auto note = reader.find("note")) static_cast<void>(read_string(*note));
   reader.refuse_unknown();
   ObjectsReader(scene, read_mesh).read(shapes);

@@ -28,12 +28,6 @@ double brightness(const Object& object, const Ray<double>& ray, double t) {
   return std::isfinite(cosine) ? least + (1 - least) * std::min(cosine, 1.0) : least;
 }
 
-Rgb dimmed(const Rgb& colour, double by) {
-  Rgb dim{};
-  for (std::size_t i = 0; i < 3; ++i) dim[i] = static_cast<std::uint8_t>(std::lround(colour[i] * by));
-  return dim;
-}
-
 }  // namespace
 
 viz::Raster shaded(const RenderScene& scene, const HitImage& hits, Shade shade, const Work& work) {

@@ -21,6 +21,7 @@ namespace rayproof::viz {
 [[nodiscard]] std::vector<Lesson> slab_interval_lessons();
 [[nodiscard]] std::vector<Lesson> digit_lessons();
 [[nodiscard]] std::vector<Lesson> leak_lessons();
+[[nodiscard]] std::vector<Lesson> leaving_lessons();
 
 inline constexpr std::vector<Lesson> (*lesson_groups[])() = {
     ray_lessons,            //
@@ -37,6 +38,7 @@ inline constexpr std::vector<Lesson> (*lesson_groups[])() = {
     slab_interval_lessons,  //
     digit_lessons,          //
     leak_lessons,           //
+    leaving_lessons,        //
 };
 
 }  // namespace rayproof::viz

@@ -12,7 +12,7 @@ PLACEHOLDERS = [
 UNKNOWN = re.compile(r"(?<![\w=$'\"-])(?:[A-Z]{2,}|[A-Z])(?![\w=])")  # in capitals still: no value of ours
 
 # Numbers that are set in a command whatever it has, and options that are added where it has none of a kind.
-SMALLER = [(r"rayproof check\b", "--cases", "200"), (r"--cases 400000", "--cases", "20"), (r"rayproof report\b", "--rays", "256"), (r"rayproof report\b", "--time", "0.02"),
+SMALLER = [(r"rayproof check\b", "--cases", "200"), (r"rayproof spawn\b", "--cases", "32"), (r"--cases 400000", "--cases", "20"), (r"rayproof report\b", "--rays", "256"), (r"rayproof report\b", "--time", "0.02"),
            (r"rayproof bench\b", "--benchmark_min_time", "0.001")]
 ADDED = [(r"rayproof check\b(?!.*--(shape|topic|method|replay)\b)", "--topic quadratic"),
          (r"rayproof report\b(?!.*--(shape|topic)\b)", "--shape quadratic"),

@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "case/reader/near_names.hpp"
+#include "viz/scene/shadows.hpp"
 
 namespace rayproof::render {
 namespace {
@@ -22,6 +23,12 @@ std::pair<int, int> parse_size(const std::string& text) {
                                    largest_side, text));
   }
   return size;
+}
+
+std::vector<std::string> known_strategies() {
+  std::vector<std::string> names = strategy_names();
+  names.emplace_back("all");
+  return names;
 }
 
 void choose(Methods& methods, const std::string& full_name) {
@@ -63,6 +70,11 @@ void RenderOptions::add_to(CLI::App& app) {
       ->type_name("SHAPE/METHOD")
       ->expected(2)
       ->allow_extra_args(false);
+  app.add_option("--spawn", strategies,
+                 "Draw the light and its shadows, with shadow rays started by a strategy, or by all of them")
+      ->type_name("STRATEGY")
+      ->delimiter(',')
+      ->check(CLI::IsMember(known_strategies()));
   app.add_option("--case", pixel, "Print the case of the pixel in column X and row Y, from 0 at the top left")
       ->type_name("X Y")
       ->expected(2)
@@ -84,9 +96,10 @@ void RenderOptions::add_to(CLI::App& app) {
 
 Mode RenderOptions::mode() const {
   const int kinds = static_cast<int>(is_exact) + static_cast<int>(is_error) +
-                    static_cast<int>(!compare.empty()) + static_cast<int>(!pixel.empty());
+                    static_cast<int>(!compare.empty()) + static_cast<int>(!pixel.empty()) +
+                    static_cast<int>(!strategies.empty());
   if (kinds > 1)
-    throw WrongCommand("only one of --exact, --error, --compare and --case can be done at a time");
+    throw WrongCommand("only one of --exact, --error, --compare, --spawn and --case can be done at a time");
   if (is_exact && !methods.empty()) throw WrongCommand("--exact asks no method: leave --method out");
   if (!pixel.empty() && !out.empty())
     throw WrongCommand("--case prints a case and draws no image: leave --out out");
@@ -94,6 +107,7 @@ Mode RenderOptions::mode() const {
   if (!pixel.empty()) return Mode::pixel;
   if (!compare.empty()) return Mode::compare;
   if (is_error) return Mode::error;
+  if (!strategies.empty()) return Mode::shadows;
   return is_exact ? Mode::exact_picture : Mode::picture;
 }
 

@@ -16,11 +16,11 @@ namespace rayproof::render {
 using viz::WrongCommand;
 
 /// What is asked for.
-enum class Mode { picture, exact_picture, error, compare, pixel };
+enum class Mode { picture, exact_picture, error, compare, pixel, shadows };
 
 struct RenderOptions {
   std::string scene{}, out{}, precision{}, size{}, shade = "normal";
-  std::vector<std::string> methods{}, error{}, compare{};
+  std::vector<std::string> methods{}, error{}, compare{}, strategies{};
   std::vector<int> pixel{};
   bool is_exact = false, is_error = false;
   int jobs = 0;

@@ -8,10 +8,12 @@
 #include "command_line/progress_line.hpp"
 #include "viz/programs/render/partial_file.hpp"
 #include "viz/scene/pixel_case.hpp"
+#include "viz/scene/shadows.hpp"
 #include "viz/vtk/offscreen_display.hpp"
 #include "viz/vtk/raster_png.hpp"
 #include "viz/vtk/scene/error_figure.hpp"
 #include "viz/vtk/scene/mesh_reader.hpp"
+#include "viz/vtk/scene/shadow_figure.hpp"
 
 namespace rayproof::render {
 namespace {
@@ -46,6 +48,7 @@ class Render {
       return shaded(scene_, hits, options_.shading(), work("shading"));
     }
     if (mode_ == Mode::exact_picture) return shaded(scene_, exactly(), options_.shading(), work("shading"));
+    if (mode_ == Mode::shadows) return shadows();
     std::vector<std::pair<std::string, Methods>> panels;
     if (mode_ == Mode::compare) {
       for (const std::string& method : options_.compare)
@@ -86,6 +89,24 @@ class Render {
     progress_.clear();
     const char* const precision = name_of(scene_.precision);
     return error_figure(fmt::format("Errors in {}, against the exact image", precision), panels);
+  }
+
+  /// The light by each strategy that is asked for, in panels.
+  viz::Raster shadows() {
+    if (!scene_.light) throw WrongCommand(options_.scene + " has no light, which --spawn needs");
+    const viz::OffscreenDisplay display;
+    const Methods methods = options_.chosen_methods();
+    const HitImage hits = by_methods(methods, "by the methods");
+    const bool is_all = options_.strategies.front() == "all";
+    std::vector<ShadowPanel> panels;
+    for (const std::string& strategy : is_all ? strategy_names() : options_.strategies) {
+      const LightImage light = light_up(scene_, strategy, methods, work(strategy));
+      panels.push_back({fmt::format("{}: {} acne, {} leaks", strategy, light.acne, light.leaks),
+                        shaded(scene_, light, hits)});
+      status_ += fmt::format("\n  {}", panels.back().title);
+    }
+    progress_.clear();
+    return shadow_figure(panels);
   }
 
   HitImage by_methods(const Methods& methods, const std::string& what) {

@@ -1,0 +1,35 @@
+#pragma once
+/// \file
+/// Steps along the floating-point numbers, taken in their bits: for plain numbers and for packs.
+
+#include <bit>
+#include <cstdint>
+#include <rayproof/arithmetics/pack_exponent.hpp>
+#include <type_traits>
+
+namespace rayproof::spawn {
+
+/// `x` moved by |k| numbers of its format, towards larger ones for k > 0, to smaller ones for k < 0; k is a
+/// whole number below 2^20. A number that steps over 0 goes wrong, as the published code does.
+template <std::floating_point T>
+[[nodiscard]] constexpr T moved_by_steps(T x, T k) {
+  using Word = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
+  const auto steps = static_cast<Word>(x < T(0) ? -k : k);
+  return std::bit_cast<T>(static_cast<Word>(std::bit_cast<Word>(x) + steps));
+}
+template <class T, class Abi>
+[[nodiscard]] Pack<T, Abi> moved_by_steps(const Pack<T, Abi>& x, const Pack<T, Abi>& k) {
+  using N = Pack<T, Abi>;
+  using Bits = PackBits<T, Abi>;
+  const N steps = select(x < N(0), -k, k);
+  const auto size = Bits::words(abs(steps) + N(Bits::shifter)) - Bits::words(N(Bits::shifter));
+  return select(steps < N(0), Bits::number(Bits::words(x) - size), Bits::number(Bits::words(x) + size));
+}
+
+/// Whether an arithmetic has bits to step along.
+template <class T>
+concept HasSteps = requires(const T& x) {
+  moved_by_steps(x, x);
+};
+
+}  // namespace rayproof::spawn

@@ -1,0 +1,51 @@
+#include "programs/check/leaving.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "case/writer.hpp"
+#include "command_line/interrupt.hpp"
+
+namespace rayproof::check {
+
+namespace {
+
+/// Hits for each shape and precision: a few seconds for all.
+constexpr std::uint64_t hits_to_leave = 1024;
+
+}  // namespace
+
+std::optional<leaving::SearchResult> leave_surfaces(
+    const Settings& settings, const std::function<void(const std::string&, double)>& progress) {
+  if (!settings.methods.empty() || !settings.properties.empty() || !settings.families.empty())
+    return std::nullopt;
+  leaving::SearchSettings search{
+      .seed = settings.seed, .cases = std::min(settings.cases, hits_to_leave), .jobs = settings.jobs};
+  const std::vector<std::string> known = leaving::topics_with_rays();
+  for (const std::string& shape : settings.shapes)
+    if (std::ranges::find(known, shape) != known.end()) search.shapes.push_back(shape);
+  if (!settings.shapes.empty() && search.shapes.empty()) return std::nullopt;
+  if (!settings.precisions.empty()) search.precisions = settings.precisions;
+  return leaving::search(search, is_interrupted, [&](double, const std::string& what) { progress(what, 1); });
+}
+
+bool report_leaving(const Options& options, const leaving::SearchResult& result) {
+  const std::filesystem::path file = std::filesystem::path(options.out) / "leaving.jsonl";
+  std::ofstream cases(file);
+  for (const leaving::FalseHit& failure : result.failures) cases << write_case(failure.left) << '\n';
+  fmt::print("Leaving the surface: rays from hits, by each strategy for their origin\n{}",
+             leaving::text_table(result));
+  const std::vector<std::string> broken = leaving::broken_promises(result);
+  for (const std::string& sentence : broken) fmt::print("FAILED: {}\n", sentence);
+  if (!result.failures.empty())
+    fmt::print(
+        "{}: the smallest case of each strategy that fails; more: ./rayproof spawn, "
+        "docs/leaving-the-surface.md\n\n",
+        file.string());
+  return broken.empty();
+}
+
+}  // namespace rayproof::check
