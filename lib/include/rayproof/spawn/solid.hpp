@@ -3,6 +3,7 @@
 /// Leaving a face of a box or a parallelepiped.
 
 #include <rayproof/box.hpp>
+#include <rayproof/formulas/dot_compensated.hpp>
 #include <rayproof/formulas/largest_axis.hpp>
 #include <rayproof/parallelepiped.hpp>
 #include <rayproof/spawn/flat.hpp>
