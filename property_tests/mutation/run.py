@@ -42,6 +42,16 @@ def why_alive(fate):
     return "differs in " + ", ".join(f"{count} of {method}" for method, count in fate.differs.items())
 
 
+def contains(mutant, texts):
+    return any(text in f"{mutant.file} {mutant.function} {mutant.find} -> {mutant.put}" for text in texts)
+
+
+def trusted(mutants):
+    """The numbers of the mutants that are explained at the moment."""
+    reasons = read_explanations()
+    return {mutant.number for mutant in mutants if mutant.key in reasons}
+
+
 def shown(mutant, fate):
     return (f"SURVIVES {mutant.file}:{mutant.line} {mutant.function} [{mutant.kind}] {mutant.find}  ->  {mutant.put}"
             f"{f' ({mutant.again})' if mutant.again else ''}: {why_alive(fate)}")
@@ -53,6 +63,8 @@ def parsed():
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="methods at a time")
     parser.add_argument("--topics", nargs="+", default=TOPICS, choices=TOPICS, help="only the methods of these")
     parser.add_argument("--only", nargs="+", help="only mutants whose `file function find -> put` has one of these in it")
+    parser.add_argument("--without", nargs="+", default=[], help="no mutants with one of these in it")
+    parser.add_argument("--trust", action="store_true", help="do not run what is explained: quicker while mutants are sorted")
     parser.add_argument("--list", action="store_true", help="only see whether the explanations fit the kernels")
     parser.add_argument("--write", action="store_true", help="write the table of docs/mutation.md")
     return parser.parse_args()
@@ -68,16 +80,16 @@ def main():
     if options.list:
         say(f"{len(mutants)} mutants, {len(reasons)} explained")
         return 1 if failures else 0
-    if options.only:
-        mutants = [mutant for mutant in mutants if any(
-            text in f"{mutant.file} {mutant.function} {mutant.find} -> {mutant.put}" for text in options.only)]
+    if options.only or options.without:
+        mutants = [mutant for mutant in mutants if
+                   (not options.only or contains(mutant, options.only)) and not contains(mutant, options.without)]
 
     start = time.monotonic()
     objects = Objects(options.build, planting, say)
     objects.make(options.topics, options.jobs)
     name = "results.jsonl" if tuple(options.topics) == TOPICS and not options.only else "some_results.jsonl"
     results = Results(objects.folder.parent / name, f"{objects.stamp()} {options.topics} {options.only}", say)
-    runner = Runner(objects, results, mutants)
+    runner = Runner(objects, results, mutants, (lambda: trusted(mutants)) if options.trust else set)
     failures += runner.run_all(runner.methods(options.topics), options.jobs, say)
 
     dead = set(planting.dead())
@@ -93,7 +105,7 @@ def main():
                for state in ("not compiling", "killed", "explained", "surviving")}
     minutes = (time.monotonic() - start) / 60
     say(f"{len(counted)} mutants in {minutes:.0f} min: " + ", ".join(f"{n} {state}" for state, n in numbers.items()))
-    is_whole = tuple(options.topics) == TOPICS and not options.only
+    is_whole = tuple(options.topics) == TOPICS and not (options.only or options.without or options.trust)
     if options.write and is_whole and not failures:
         write_page(counted, reasons, sum(results.seconds.values()))
     return 1 if failures or numbers["surviving"] else 0

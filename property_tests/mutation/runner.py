@@ -14,8 +14,8 @@ STAGES = ((0, 200), (200, 1000), (1000, 10000))
 class Runner:
     """The program, its shared objects, and the results so far."""
 
-    def __init__(self, objects, results, mutants):
-        self.objects, self.results = objects, results
+    def __init__(self, objects, results, mutants, left_out=set):
+        self.objects, self.results, self.left_out = objects, results, left_out
         self.program = objects.folder.parent / "rayproof-check-mutants"
         if not self.program.exists():
             raise Broken(f"{self.program} is missing: ninja -C {objects.build} rayproof-check-mutants")
@@ -29,7 +29,8 @@ class Runner:
                                            check=True).stdout.split()]
 
     def living(self):
-        return [number for number in self.numbers if not self.results.is_killed(number)]
+        left_out = self.left_out()
+        return [number for number in self.numbers if not (number in left_out or self.results.is_killed(number))]
 
     def run(self, stage, method):
         """One method on the cases of a stage; raises Broken where it does not pass unmutated."""

@@ -120,13 +120,21 @@ constexpr bool joined(bool stop, const A& a, const B& b) {
 
 }  // namespace detail
 
+/// a && b, of masks that are no bools, too: those are asked both.
 template <int First, class A, class B>
-constexpr bool both(const A& a, const B& b) {
-  return detail::joined<First>(false, a, b);
+constexpr auto both(const A& a, const B& b) {
+  if constexpr (std::is_same_v<decltype(a() && b()), bool>)
+    return detail::joined<First>(false, a, b);
+  else
+    return pick<First>([&] { return a() && b(); }, [&] { return a() || b(); }, a, b);
 }
+/// a || b, likewise.
 template <int First, class A, class B>
-constexpr bool either(const A& a, const B& b) {
-  return detail::joined<First>(true, a, b);
+constexpr auto either(const A& a, const B& b) {
+  if constexpr (std::is_same_v<decltype(a() || b()), bool>)
+    return detail::joined<First>(true, a, b);
+  else
+    return pick<First>([&] { return a() || b(); }, [&] { return a() && b(); }, a, b);
 }
 
 /// Whether the mutant of a statement is in force.
