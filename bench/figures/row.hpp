@@ -28,8 +28,8 @@ struct Accuracy {
   double p99_ulp = 0;
   /// Herbie's measure: the mean of log2(1 + floats between the hit and the correctly rounded one).
   double mean_bits = 0;
-  /// The worst errors of the first hit's point, normal and coordinates in contract units (method/contract.hpp,
-  /// HitBounds), over every eighth case; NaN where there are none.
+  /// The worst errors of the first hit's point, normal and coordinates in contract units
+  /// (method/contract.hpp, HitBounds), over every eighth case; NaN where there are none.
   double max_point = 0;
   double max_normal = 0;
   double max_coordinates = 0;

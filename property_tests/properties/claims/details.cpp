@@ -18,27 +18,27 @@ namespace {
 constexpr unsigned details_every = 8;
 
 /// An error of a trial's first hit beside its bound; nothing where there is none to judge, or no promise.
-struct ErrorAndBound {
+struct ErrorOfHit {
   double error, bound;
 };
-using Measure = std::optional<ErrorAndBound> (*)(Trial&);
+using Measure = std::optional<ErrorOfHit> (*)(Trial&);
 
-std::optional<ErrorAndBound> measured(const std::optional<double>& error, double bound) {
+std::optional<ErrorOfHit> measured(const std::optional<double>& error, double bound) {
   if (!error || std::isinf(bound)) return std::nullopt;
-  return ErrorAndBound{*error, bound};
+  return ErrorOfHit{*error, bound};
 }
 
-std::optional<ErrorAndBound> of_point(Trial& trial) {
+std::optional<ErrorOfHit> of_point(Trial& trial) {
   return measured(trial.details().point, trial.subject().contract.hit.point.promised);
 }
 /// No farther than the residual of t and the error of the point together.
-std::optional<ErrorAndBound> of_surface(Trial& trial) {
+std::optional<ErrorOfHit> of_surface(Trial& trial) {
   return measured(trial.details().surface, promised_surface(trial));
 }
-std::optional<ErrorAndBound> of_normal(Trial& trial) {
+std::optional<ErrorOfHit> of_normal(Trial& trial) {
   return measured(trial.details().normal, trial.subject().contract.hit.normal.promised);
 }
-std::optional<ErrorAndBound> of_coordinates(Trial& trial) {
+std::optional<ErrorOfHit> of_coordinates(Trial& trial) {
   const double promised = trial.subject().contract.hit.coordinates.promised;
   return measured(trial.details().coordinates, promised * trial.unit_of_coordinates());
 }

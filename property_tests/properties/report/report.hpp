@@ -16,8 +16,8 @@ namespace rayproof {
 /// line is wider than 120 columns.
 [[nodiscard]] std::string text_table(const Summary& summary);
 
-/// A claim's name in up to three short lines, the last ones filled: "re-", "si-", "dual". So the table fits 120
-/// columns.
+/// A claim's name in up to three short lines, the last ones filled: "re-", "si-", "dual". So the table fits
+/// 120 columns.
 [[nodiscard]] std::array<std::string_view, 3> head_of(Claim claim);
 
 /// The worst errors of each method on each family, one table for each topic and measure.

@@ -43,7 +43,7 @@ class CylinderIntersection final : public MeasuredCylinder {
   /// The side, and the caps where there are any, each as if it had no end.
   [[nodiscard]] SurfaceParts parts(const Quotient& t) const override {
     SurfaceParts all;
-    const SeenPlace p = place_at(t);
+    const CylinderPoint p = place_at(t);
     const Scaled growth = turn_of_side(t);
     if (growth.sign() > 0)
       all.push_back({side_normal(), off_circle(p), Scaled(1) + growth * reach_across(p.t)});

@@ -32,7 +32,7 @@ class MeasuredCylinder : public ExactIntersection {
   [[nodiscard]] Scaled off_surface(const Vector<Ring>& point, const Quotient& t) const override {
     const Ring x = point.x * Ring(cylinder_.ry), y = point.y * Ring(cylinder_.rx);
     const Ring power = x * x + y * y - equation_.radius * equation_.radius;
-    return off_surface(SeenPlace{power, point.z, Ring(1.0), t.estimate()});
+    return off_surface(CylinderPoint{power, point.z, Ring(1.0), t.estimate()});
   }
 
   /// Of the ray's ends and of the line: of the conditions under which it meets the cylinder, the one that is
@@ -57,11 +57,11 @@ class MeasuredCylinder : public ExactIntersection {
 
   /// A point as the cylinder sees it: X² + Y² - R² there times weight², z times weight, both in the scale of
   /// the equation, and the t that the lengths it is made of go by.
-  struct SeenPlace {
+  struct CylinderPoint {
     Ring power, z, weight;
     Scaled t;
   };
-  [[nodiscard]] SeenPlace place_at(const Quotient& t) const {
+  [[nodiscard]] CylinderPoint place_at(const Quotient& t) const {
     return {equation_.power_at(t), equation_.height_at(t), t.denominator(), t.estimate()};
   }
   /// L(t) in the plane in which the side is the unit circle.
@@ -69,19 +69,19 @@ class MeasuredCylinder : public ExactIntersection {
     return sizes().from_axis + abs(t) * sizes().across;
   }
   /// How far a point is from the side without an end.
-  [[nodiscard]] Scaled off_circle(const SeenPlace& p) const {
+  [[nodiscard]] Scaled off_circle(const CylinderPoint& p) const {
     const Scaled weight = approximate(p.weight);
     return change_of_radius(approximate(p.power) / (weight * weight)) / reach_across(p.t);
   }
   /// How far it is from the plane of a cap.
-  [[nodiscard]] Scaled off_cap(const SeenPlace& p, bool is_lower) const {
+  [[nodiscard]] Scaled off_cap(const CylinderPoint& p, bool is_lower) const {
     const Scaled gap = abs(approximate(is_lower ? p.z : equation_.height * p.weight - p.z));
     return in_heights(gap / (approximate(ray().scale) * approximate(p.weight)), p.t);
   }
 
  private:
   /// How far it is from the surface, as far as that reaches.
-  [[nodiscard]] Scaled off_surface(const SeenPlace& p) const {
+  [[nodiscard]] Scaled off_surface(const CylinderPoint& p) const {
     const Scaled from_side = off_circle(p), from_cap = std::min(off_cap(p, true), off_cap(p, false));
     const bool is_between_caps = sign(p.z) >= 0 && sign(equation_.height * p.weight - p.z) >= 0;
     const Scaled above = is_between_caps ? Scaled{} : from_cap;
@@ -116,7 +116,7 @@ class MeasuredCylinder : public ExactIntersection {
   }
   [[nodiscard]] Scaled off_circle(const Quotient& t) const { return off_circle(place_at(t)); }
   [[nodiscard]] Scaled off_caps(const Quotient& t) const {
-    const SeenPlace p = place_at(t);
+    const CylinderPoint p = place_at(t);
     return std::min(off_cap(p, true), off_cap(p, false));
   }
   /// A distance along the axis at t in the contract's unit.
