@@ -56,8 +56,9 @@ std::vector<std::string> line_of(const Subject& subject, const std::vector<Row>&
 std::array<std::string, 2> head_of(Claim claim) {
   const std::string name(claim_name(claim));
   static const std::map<Claim, std::size_t> breaks{
-      {Claim::verdict, 3},  {Claim::residual, 4}, {Claim::robust, 2}, {Claim::ascending, 6},
-      {Claim::reversed, 2}, {Claim::bounded, 5},  {Claim::contact, 3}};
+      {Claim::verdict, 3},  {Claim::residual, 4}, {Claim::robust, 2},  {Claim::ascending, 6},
+      {Claim::reversed, 2}, {Claim::bounded, 5},  {Claim::contact, 3}, {Claim::moved, 3},
+      {Claim::scaled, 4},   {Claim::exact, 2}};
   const auto found = breaks.find(claim);
   if (found == breaks.end()) return {"", name};
   return {name.substr(0, found->second) + "-", name.substr(found->second)};
