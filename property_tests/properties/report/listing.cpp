@@ -15,8 +15,9 @@ namespace {
 /// "41-46  sphere/textbook, half_b", or "41  sphere/textbook", and what the first of them does wrong.
 std::string line_of(const std::vector<Finding>& group) {
   const Finding& first = group.front();
-  std::string numbers = std::to_string(first.number);
-  if (group.size() > 1) numbers += fmt::format("-{}", group.back().number);
+  const auto [least, most] = std::ranges::minmax(group, {}, &Finding::number);
+  std::string numbers = std::to_string(least.number);
+  if (group.size() > 1) numbers += fmt::format("-{}", most.number);
   std::string methods = first.subject->full_name();
   std::vector<const Subject*> seen{first.subject};
   for (const Finding& finding : group) {
