@@ -30,9 +30,9 @@ template <class To, class From>
 /// The bound, in the units above, that a robust ray/triangle method keeps (Claim::robust).
 inline constexpr double triangle_robust_bound = 4;
 
-/// Why the methods that divide volumes do not keep it.
-inline constexpr const char* triangle_volumes_cancel =
-    "the volumes of a triangle thin or seen edge-on are small beside their rounding";
+/// Why the methods that divide by a volume or an area do not keep it.
+inline constexpr const char* triangle_divisor_vanishes =
+    "what is divided by is small beside its rounding where a triangle is thin or seen edge-on";
 
 /// What every sound method says of its first hit. For the normal K = E / |normal|. For the coordinates K = 1
 /// + M²|direction| / |normal·direction|, with M the largest distance of a vertex from the ray's origin, under

@@ -42,8 +42,8 @@ bool report_leaving(const Options& options, const leaving::SearchResult& result)
   for (const std::string& sentence : broken) fmt::print("FAILED: {}\n", sentence);
   if (!result.failures.empty())
     fmt::print(
-        "{}: the smallest case of each strategy that fails; more: ./rayproof spawn, "
-        "docs/leaving-the-surface.md\n\n",
+        "{}: the smallest case of each strategy that fails; what the words mean: ./rayproof spawn, "
+        "docs/leaving-the-surface.md\n",
         file.string());
   return broken.empty();
 }

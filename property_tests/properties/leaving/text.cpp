@@ -50,8 +50,11 @@ std::string text_table(const SearchResult& result) {
                           all.thickest_skipped, all.misanswered, offsets.median(), offsets.quantile(0.999),
                           offsets.largest());
     }
-  return text +
-         "false hits: the exact ray meets again what it has left. skipped: it was to start in a solid, and "
+  return text;
+}
+
+std::string text_legend() {
+  return "false hits: the exact ray meets again what it has left. skipped: it was to start in a solid, and "
          "starts beyond\n"
          "it; the thickest of them, relative to the size of its scene. misanswered: no exact hit, and none "
          "is true, but\n"

@@ -22,7 +22,7 @@ struct MollerTrumbore {
       .holds = always_claimed | hit_claims |
                Claims{Claim::coordinates, Claim::verdict, Claim::residual, Claim::moved, Claim::scaled,
                       Claim::reversed, Claim::bounded, Claim::exact},
-      .refuted = {{{Claim::robust, triangle_volumes_cancel}}}};
+      .refuted = {{{Claim::robust, triangle_divisor_vanishes}}}};
 
   static constexpr Step find_u{"Find u from s = o − a",
                                "u is a quotient of two volumes: D with s in the place of e₁, over D."};

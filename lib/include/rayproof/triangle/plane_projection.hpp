@@ -22,8 +22,7 @@ struct PlaneProjection {
       .holds = always_claimed | hit_claims |
                Claims{Claim::verdict, Claim::residual, Claim::moved, Claim::scaled, Claim::reversed,
                       Claim::bounded, Claim::exact},
-      .refuted = {
-          {{Claim::robust, "the rounding of the hit point is large beside a triangle thin as a needle"}}}};
+      .refuted = {{{Claim::robust, triangle_divisor_vanishes}}}};
 
   template <class T>
   [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Triangle<T>& triangle) {

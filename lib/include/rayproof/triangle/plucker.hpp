@@ -23,7 +23,7 @@ struct Pluecker {
       .holds = always_claimed | hit_claims |
                Claims{Claim::coordinates, Claim::verdict, Claim::residual, Claim::moved, Claim::scaled,
                       Claim::reversed, Claim::bounded, Claim::exact},
-      .refuted = {{{Claim::robust, triangle_volumes_cancel}}}};
+      .refuted = {{{Claim::robust, triangle_divisor_vanishes}}}};
 
   template <class T>
   [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Triangle<T>& triangle) {
