@@ -3,8 +3,8 @@
 /// The arithmetic that knows whether anything was rounded: every number carries a flag beside its value.
 ///
 /// The flag belongs to the number and not to the whole run: what a `select` discards takes nothing from the
-/// answer, and so most of the cases that lie on a boundary are still judged. The hardware's own flag would not
-/// do: a compiler may move an operation across the place where the flag is read, or compute its result
+/// answer, and so most of the cases that lie on a boundary are still judged. The hardware's own flag would
+/// not do: a compiler may move an operation across the place where the flag is read, or compute its result
 /// beforehand.
 
 #include <cmath>
