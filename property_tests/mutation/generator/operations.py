@@ -11,15 +11,15 @@ ASSIGNMENTS = {"+=": "-=", "-=": "+="}
 
 def without_ones(header, op, left, right):
     """The operands that may stand for the whole operation: dropping a factor of 1 changes nothing."""
-    sides = {"Left": left, "Right": right}
+    sides = {"LeftAlone": left, "RightAlone": right}
     if header.source(left) == header.source(right) and op not in "-%":
-        del sides["Right"]  # the square's two sides are one
+        del sides["RightAlone"]  # the square's two sides are one
     if op == "%":
-        del sides["Right"]
+        del sides["RightAlone"]
     if op in "*/" and header.source(right) in ("1", "1.0", "T(1)"):
-        del sides["Left"]
+        del sides["LeftAlone"]
     if op == "*" and header.source(left) in ("1", "1.0", "T(1)"):
-        sides.pop("Right", None)
+        sides.pop("RightAlone", None)
     return sides
 
 
@@ -42,7 +42,7 @@ def binary(header, i, function):
         if op in REVERSED:
             names, puts, kinds = [*names, REVERSED[op]], [*puts, f"{b} {op} {a}"], [*kinds, "operand"]
         for side, extent in sides.items():
-            is_taken_away = op == "-" and side == "Right"
+            is_taken_away = op == "-" and side == "RightAlone"
             names.append("MinusRight" if is_taken_away else side)
             puts.append("-" * is_taken_away + header.source(extent))
             kinds.append("operand")

@@ -72,6 +72,6 @@ def put_lambdas(first, numbers, original, alternatives, function="pick"):
 
 def put_operations(first, numbers, names, arguments):
     """The call that applies one of several operations to the same operands: names[0] is what the header has."""
-    chosen = [names[0]] + [name if number is not None else "Nothing"
+    chosen = [names[0]] + [name if number is not None else "NotMade"
                            for number, name in zip(numbers, names[1:], strict=True)]
     return f"rpm::apply<{first}>(rpm::Operations<{', '.join('rpm::' + name for name in chosen)}>{{}}, {arguments})"

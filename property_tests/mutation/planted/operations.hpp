@@ -6,7 +6,7 @@
 
 namespace rayproof::mutation {
 
-struct Nothing {
+struct NotMade {
   static constexpr auto of(const auto&... /*operands*/) { return NoMutant{}; }
 };
 struct Less {
@@ -93,10 +93,10 @@ struct Over {
 struct Modulo {
   static constexpr auto of(const auto& a, const auto& b) { return a % b; }
 };
-struct Left {
+struct LeftAlone {
   static constexpr auto of(const auto& a, const auto& /*b*/) { return a; }
 };
-struct Right {
+struct RightAlone {
   static constexpr auto of(const auto& /*a*/, const auto& b) { return b; }
 };
 struct Same {

@@ -12,7 +12,7 @@ namespace {
 /// A wrong verdict is one kind of failure, a wrong number another, and every other claim is a kind of its
 /// own.
 std::string_view kind_of(const Property& property) {
-  if (property.name == "robust-verdict" || property.name == "exact") return "verdict";
+  if (property.name == "robust-verdict") return "verdict";
   if (property.name == "robust-residual" || property.claim == Claim::ulp) return "residual";
   return property.name;
 }

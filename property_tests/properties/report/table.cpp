@@ -63,7 +63,7 @@ std::array<std::string_view, 3> head_of(Claim claim) {
                                                                                    {"re-", "ver-", "sed"},
                                                                                    {"", "ba-", "tch"},
                                                                                    {"", "", "nan"},
-                                                                                   {"", "bou-", "nded"},
+                                                                                   {"bo-", "un-", "ded"},
                                                                                    {"", "con-", "tact"},
                                                                                    {"", "po-", "int"},
                                                                                    {"", "nor-", "mal"},

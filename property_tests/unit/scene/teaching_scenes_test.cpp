@@ -52,8 +52,11 @@ TEST(TeachingScenes, ABadTransformSpoilsEvenTheCompensatedMethodALittle) {
 }
 
 TEST(TeachingScenes, EverySceneIsOnThePageWithItsPicture) {
-  std::ifstream in(docs / "raycasting.md");
-  const std::string page(std::istreambuf_iterator<char>(in), {});
+  std::string page;
+  for (const char* const file : {"raycasting.md", "leaving-the-surface.md"}) {
+    std::ifstream in(docs / file);
+    page.append(std::istreambuf_iterator<char>(in), {});
+  }
   for (const auto& entry : std::filesystem::directory_iterator(docs / "scenes")) {
     if (entry.path().extension() != ".json") continue;
     const std::string name = entry.path().stem().string();

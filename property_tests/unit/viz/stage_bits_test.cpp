@@ -8,11 +8,13 @@
 #include <rayproof/box/slab.hpp>
 #include <rayproof/camera.hpp>
 #include <rayproof/formulas/polygon_sides.hpp>
+#include <rayproof/spawn.hpp>
 #include <rayproof/topics.hpp>
 #include <rayproof/transform.hpp>
 #include <rayproof/triangle/barycentric.hpp>
 
 #include "case/reader.hpp"
+#include "oracle/oracle.hpp"
 #include "unit/bits.hpp"
 #include "unit/viz/heard.hpp"
 #include "unit/viz/stage_data.hpp"
@@ -101,6 +103,7 @@ class PlainRuns {
     if (lesson == "raycasting") return of_ball(title);
     if (lesson == "leak") return of_leak(title);
     if (lesson == "ray") along_ray();
+    if (lesson == "leaving-a-sphere") leave_sphere();
     if (lesson == "camera") camera();
     if (lesson == "barycentric") barycentric();
     if (lesson == "slab-intervals") slabs();
@@ -128,6 +131,14 @@ class PlainRuns {
     (void)named("p(2.5)", point_at(ray, H(2.5)));
     const H length = named("|d|", sqrt(dot(ray.direction, ray.direction)));
     (void)named("distance", H(2.5) * length);
+  }
+  void leave_sphere() {
+    const Answer exact = oracle::answer(one_);
+    const vec3<H> p = named("p", point_at(convert<H>(asked().ray), H(std::get<RayAnswer>(exact).hits.t[0])));
+    const auto from = spawn::leave(convert<H>(std::get<Sphere<double>>(asked().shape)), p);
+    (void)named("q", from.point);
+    (void)named("n", from.normal);
+    (void)spawn::Proven::origin(from);
   }
   void camera() {
     const rayproof::Camera<H> camera{given("eye"), given("center"), given("up"), given("half_w").x,
