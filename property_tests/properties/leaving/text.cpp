@@ -60,6 +60,21 @@ std::string text_table(const SearchResult& result) {
          "nearer to a surface than its offset is skipped.\n";
 }
 
+std::string text_brief(const SearchResult& result) {
+  std::string text = fmt::format("{:<15} {:>9} {:>11} {:>9}   {:>17} {:>17}\n", "leaving by", "rays",
+                                 "false hits", "skipped", "offset in float32", "in float64");
+  for (const Strategy* strategy : strategies_of(result)) {
+    const Count all = sum_of(result, [&](const StrategyOutcome& one) { return one.strategy == strategy; });
+    text += fmt::format("{:<15} {:>9} {:>11} {:>9}", strategy->name, all.rays, all.false_hits, all.skipped);
+    for (const Precision precision : {Precision::float32, Precision::float64}) {
+      const Lengths offsets = everyday(result, strategy, precision).offsets;
+      text += fmt::format("   {:>7.0e} to {:>5.0e}", offsets.median(), offsets.largest());
+    }
+    text += "\n";
+  }
+  return text;
+}
+
 std::string text_shapes(const SearchResult& result) {
   std::string text = fmt::format("{:<15} {:<15} {:>10} {:>14} {:>14} {:>10} {:>11}\n", "strategy", "shape",
                                  "rays", "false, float32", "false, float64", "skipped", "misanswered");
