@@ -36,15 +36,11 @@ bool report_leaving(const Options& options, const leaving::SearchResult& result)
   const std::filesystem::path file = std::filesystem::path(options.out) / "leaving.jsonl";
   std::ofstream cases(file);
   for (const leaving::FalseHit& failure : result.failures) cases << write_case(failure.left) << '\n';
-  fmt::print("Leaving the surface: rays from hits, by each strategy for their origin\n{}",
-             leaving::text_table(result));
+  fmt::print("{}", leaving::text_brief(result));
   const std::vector<std::string> broken = leaving::broken_promises(result);
   for (const std::string& sentence : broken) fmt::print("FAILED: {}\n", sentence);
-  if (!result.failures.empty())
-    fmt::print(
-        "{}: the smallest case of each strategy that fails; what the words mean: ./rayproof spawn, "
-        "docs/leaving-the-surface.md\n",
-        file.string());
+  fmt::print("more: ./rayproof spawn, docs/leaving-the-surface.md; a case of each that fails: {}\n",
+             file.string());
   return broken.empty();
 }
 

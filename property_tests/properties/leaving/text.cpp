@@ -50,17 +50,29 @@ std::string text_table(const SearchResult& result) {
                           all.thickest_skipped, all.misanswered, offsets.median(), offsets.quantile(0.999),
                           offsets.largest());
     }
-  return text;
-}
-
-std::string text_legend() {
-  return "false hits: the exact ray meets again what it has left. skipped: it was to start in a solid, and "
+  return text +
+         "false hits: the exact ray meets again what it has left. skipped: it was to start in a solid, and "
          "starts beyond\n"
          "it; the thickest of them, relative to the size of its scene. misanswered: no exact hit, and none "
          "is true, but\n"
          "the shape's plain method reports one. Offsets, in scenes of size 1e-3 to 1e3, relative to that: "
          "what is\n"
          "nearer to a surface than its offset is skipped.\n";
+}
+
+std::string text_brief(const SearchResult& result) {
+  std::string text = fmt::format("{:<15} {:>9} {:>11} {:>9}   {:>17} {:>17}\n", "leaving by", "rays",
+                                 "false hits", "skipped", "offset in float32", "in float64");
+  for (const Strategy* strategy : strategies_of(result)) {
+    const Count all = sum_of(result, [&](const StrategyOutcome& one) { return one.strategy == strategy; });
+    text += fmt::format("{:<15} {:>9} {:>11} {:>9}", strategy->name, all.rays, all.false_hits, all.skipped);
+    for (const Precision precision : {Precision::float32, Precision::float64}) {
+      const Lengths offsets = everyday(result, strategy, precision).offsets;
+      text += fmt::format("   {:>7.0e} to {:>5.0e}", offsets.median(), offsets.largest());
+    }
+    text += "\n";
+  }
+  return text;
 }
 
 std::string text_shapes(const SearchResult& result) {

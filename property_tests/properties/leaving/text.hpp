@@ -8,8 +8,8 @@ namespace rayproof::leaving {
 
 /// A line for each strategy: rays, false hits, solids skipped, offsets; at most 120 columns wide.
 [[nodiscard]] std::string text_table(const SearchResult& result);
-/// What the heads of that table mean.
-[[nodiscard]] std::string text_legend();
+/// The same in a line for each strategy: offsets, median and largest, relative to the size of the scene.
+[[nodiscard]] std::string text_brief(const SearchResult& result);
 /// A line for each strategy and shape: false hits in float and in double.
 [[nodiscard]] std::string text_shapes(const SearchResult& result);
 /// The failures, each with its smallest case.
