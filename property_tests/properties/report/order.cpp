@@ -30,8 +30,7 @@ bool is_same_failure(const Finding& a, const Finding& b) {
   if (is_wrong_exactly(a) && a.subject == b.subject && b.is_declared) return true;
   const bool has_one_reason = !reason(a).empty() && reason(a) == reason(b);
   const bool is_as_printed = a.subject->contract.standing == Standing::printed;
-  if (a.subject == b.subject && (has_one_reason || (is_as_printed && a.is_declared && b.is_declared)))
-    return true;
+  if (a.subject == b.subject && is_as_printed && a.is_declared && b.is_declared) return true;
   if (kind_of(*a.property) != kind_of(*b.property)) return false;
   if (a.subject == b.subject) return true;
   // Each formula as printed has an entry of its own, and so has each broken contract.

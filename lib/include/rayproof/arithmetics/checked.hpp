@@ -60,6 +60,14 @@ struct CheckedMask {
   friend constexpr CheckedMask operator&&(Plain a, CheckedMask b) {
     return CheckedMask(a) && b;
   }
+  template <std::same_as<bool> Plain>
+  friend constexpr CheckedMask operator||(CheckedMask a, Plain b) {
+    return a || CheckedMask(b);
+  }
+  template <std::same_as<bool> Plain>
+  friend constexpr CheckedMask operator||(Plain a, CheckedMask b) {
+    return CheckedMask(a) || b;
+  }
 };
 
 /// Whether z, the result of an operation on plain numbers, is not rounded.
