@@ -44,8 +44,10 @@ class Results:
     def fate(self, number):
         return self.fates.setdefault(number, Fate())
 
-    def is_killed(self, number):
-        return number in self.fates and bool(self.fates[number].killed_by)
+    def is_done_with(self, number):
+        """Killed, or its place was reached and what it puts there does not compile."""
+        fate = self.fates.get(number)
+        return fate is not None and (bool(fate.killed_by) or (fate.is_reached and not fate.is_met))
 
     def add(self, method, lines, stage, seconds):
         """Takes in one run: a method on the cases of a stage."""

@@ -29,8 +29,9 @@ class Runner:
                                            check=True).stdout.split()]
 
     def living(self):
+        """What is still to be run: neither killed nor found not to compile where it stands."""
         left_out = self.left_out()
-        return [number for number in self.numbers if not (number in left_out or self.results.is_killed(number))]
+        return [number for number in self.numbers if not (number in left_out or self.results.is_done_with(number))]
 
     def run(self, stage, method):
         """One method on the cases of a stage; raises Broken where it does not pass unmutated."""
@@ -49,6 +50,8 @@ class Runner:
         for stage in range(len(STAGES)):
             cost = {method: self.results.seconds.get((stage - 1, method), 0) for method in methods}
             ahead = [method for method in sorted(methods, key=cost.get) if (stage, method) not in self.results.done]
+            if not self.living():
+                break
             clock = Clock(stage, ahead, cost)
             with ThreadPoolExecutor(jobs) as pool:
                 running = {}
