@@ -40,16 +40,21 @@ double height_of(const glm::dvec3& point, const Sphere<double>& sphere) {
   return std::sqrt(dot(f, f)) - sphere.radius;
 }
 
+/// "1.1e-7 below", or "on it".
+std::string beside(double height) {
+  constexpr double least = 0x1p-48;  // what double itself can be off by here
+  if (std::abs(height) < least) return "on it";
+  return rough(std::abs(height), 3) + (height < 0 ? " below" : " above");
+}
+
 /// Hit, moved point and origin over the sphere's surface, magnified until they can be distinguished.
 StageStep heights_step(const NumbersByName& n, const Sphere<double>& sphere, const Setting& setting) {
   const double hit = height_of(n.vector("p"), sphere), moved = height_of(n.vector("q"), sphere),
                origin = height_of(n.vector("o′"), sphere);
   StageStep step;
   step.title = comparison_title;
-  step.caption = fmt::format(
-      "Exactly, p is {} {} the sphere, q {} {} it, and o′ {} above it: the next ray starts outside.",
-      rough(std::abs(hit), 3), hit < 0 ? "below" : "above", rough(std::abs(moved), 3),
-      moved < 0 ? "below" : "above", rough(origin, 3));
+  step.caption = fmt::format("Exactly, p is {} the sphere, q {}, and o′ {}: the next ray starts outside.",
+                             beside(hit), beside(moved), beside(origin));
   step.is_apart = true;
   step.magnification = 1 / std::max({std::abs(hit), std::abs(moved), std::abs(origin)});
   const auto at = [&](double sideways, double height) {
