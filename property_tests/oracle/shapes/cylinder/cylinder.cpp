@@ -72,12 +72,9 @@ class CylinderIntersection final : public MeasuredCylinder {
     const Scaled r = sqrt(x * x + y * y),
                  weight = approximate(t.denominator()) * approximate(equation().radius);
     if (r.sign() == 0) return {};
-    // Nearer to the axis than to the side, where a naive method's hit may be, a step can turn it all around.
-    const Scaled around = weight / r;
     // The normal n is (x/rx, y/ry); a step of δ along the circle turns it by δ·r/(rx·ry·n²).
     const Scaled flatness = Scaled(cylinder().ry) / Scaled(cylinder().rx);
-    const Scaled turn = r * weight / (x * x * flatness + y * y / flatness);
-    return Scaled(2) < around ? std::max(turn, around) : turn;
+    return r * weight / (x * x * flatness + y * y / flatness);
   }
 
   /// The hit with the cap's plane that the line passes on its way in, or out, where it lies inside the rim.
