@@ -39,7 +39,7 @@ inline constexpr double cylinder_robust_bound = 8;
 /// What every sound method says of its first hit. K of a cap is 1. K of the side, with (x, y) = p(t) in the
 /// scaled plane, is 1 + S(t)·|(x, y)| / (x²·ry/rx + y²·rx/ry), S(t) = S + |t||direction| there. Side and caps
 /// are near p(t) as for *residual*.
-inline constexpr HitBounds cylinder_hit_bounds{.point = {.measured = 1.09, .promised = 2},
-                                               .normal = {.measured = 2.48, .promised = 4}};
+inline constexpr HitBounds cylinder_hit_bounds{.point = {.measured = 1.32, .promised = 2},
+                                               .normal = {.measured = 2.49, .promised = 4}};
 
 }  // namespace rayproof

@@ -45,6 +45,6 @@ inline constexpr double plane_robust_bound = 4;
 /// `parametric` gives, K = (|origin - point| + |α||u| + |β||v|)·max(|u|, |v|)·|direction| / |n·direction|.
 inline constexpr HitBounds plane_hit_bounds{.point = {.measured = 1.74, .promised = 2},
                                             .normal = {.measured = 2.59, .promised = 4},
-                                            .coordinates = {.measured = 1.11, .promised = 4}};
+                                            .coordinates = {.measured = 1.31, .promised = 4}};
 
 }  // namespace rayproof

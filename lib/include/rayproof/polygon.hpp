@@ -58,7 +58,7 @@ inline constexpr double point_in_polygon_robust_bound = 4;
 
 /// What every sound method says of its first hit. K = n·D² / |Newell's normal|, with n vertices, none farther
 /// than D from the first.
-inline constexpr HitBounds polygon_hit_bounds{.point = {.measured = 0.931, .promised = 2},
-                                              .normal = {.measured = 2.28, .promised = 4}};
+inline constexpr HitBounds polygon_hit_bounds{.point = {.measured = 1.18, .promised = 2},
+                                              .normal = {.measured = 2.53, .promised = 4}};
 
 }  // namespace rayproof
