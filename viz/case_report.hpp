@@ -13,7 +13,7 @@
 namespace rayproof::viz {
 
 /// What the oracle measures of a method's answer, in the contract units of its topic
-/// (docs/reading-a-check.md), as a method without far_power has them.
+/// (docs/reading-a-check.md), as a bound without far_power has them.
 struct Measured {
   bool is_wrong = false;  ///< the verdict
   double margin = 0;      ///< of a wrong verdict: how far the case is from a change of verdict

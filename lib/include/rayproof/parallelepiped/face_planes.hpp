@@ -23,9 +23,9 @@ template <class T>
 
 /// Three pairs of parallel planes, met as the slabs of a box are.
 ///
-/// Errors are those of the normals: a few ε of the edges' lengths, however flat the solid; what a flat solid
-/// loses in thickness is within the bound. Edges that lie in one plane span no solid; here they are taken for
-/// a flat one.
+/// A normal is off by a few ε of its edges' lengths. Of edges that nearly lie in one plane that turns it: the
+/// ray may then meet a face far beside the solid, so the band grows with 1 over the volume. Edges that lie in
+/// one plane span no solid; here they are taken for a flat one.
 struct FacePlanes {
   static constexpr const char* name = "face_planes";
   static constexpr const char* title = "three pairs of parallel planes";
