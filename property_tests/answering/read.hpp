@@ -32,10 +32,10 @@ class ObjectMembers {
   }
 
  private:
-  struct NamedValue {
+  struct FoundValue {
     std::string_view name, value;
   };
-  std::array<NamedValue, 12> members_{};  // more than any object of the format has
+  std::array<FoundValue, 12> members_{};  // more than any object of the format has
   std::size_t count_ = 0;
 };
 
