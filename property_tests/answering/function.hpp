@@ -163,6 +163,8 @@ class AnsweringFunction final : public Answering {
     for (double& t : reply.hits) t = scaled_back(t, knows);
     finish_hits(reply, [&](double t) {
       if (said.verdict && (knows || std::isnan(t))) return true;
+      // The one hit of a ray is not behind its origin; a function that says so is not helped.
+      if (said.verdict && !said.all_hits && !options_.sees_whole_line && t < 0) return true;
       return ray.t_min <= t && t <= ray.t_max && std::isfinite(t);
     });
     const bool is_of_first = !said.t || (!reply.hits.empty() &&

@@ -41,6 +41,15 @@ TEST(option, no_interval_means_that_hits_outside_are_dropped_and_what_lies_befor
   EXPECT_EQ(answer_of(asked, plane), hit_at("2")) << "a plane has no farther hit";
 }
 
+TEST(option, no_interval_does_not_hide_a_hit_behind_the_origin) {
+  const auto f = [](F3 o, F3 d, F3, float r, float& t) {
+    t = (-o.z - r) / d.z;
+    return true;
+  };
+  EXPECT_EQ(answer_of(sphere_case("5"), f), hit_at("-3"));
+  EXPECT_EQ(answer_of(sphere_case("5"), f, whole_line), miss);
+}
+
 TEST(option, whole_line_takes_a_negative_t_for_a_hit) {
   const auto f = [](F3 o, F3 d, F3, float r) { return glm::vec2(-o.z - r, -o.z + r) / d.z; };
   const std::string asked = sphere_case("5", R"(, "t_min": "-inf")");

@@ -82,10 +82,20 @@ TEST(result_of_a_function, may_have_a_point_and_a_normal) {
     return true;
   };
   EXPECT_EQ(answer_of(sphere_case("-5"), outputs), whole);
-  EXPECT_EQ(answer_of(sphere_case("0"), outputs), miss) << "the point of a hit that does not count is none";
   const auto glsl = [](F3 o, F3 d, F3 c, float r) { return vec4(both(o, d, c, r).x, 0, 0, -1); };
   EXPECT_EQ(answer_of(sphere_case("-5"), glsl),
             "{\"id\": 7, \"verdict\": \"hit\", \"hits\": [{\"t\": 2}], \"normal\": [0, 0, -1]}\n");
+}
+
+TEST(result_of_a_function, keeps_its_point_with_its_hit) {
+  const auto all = [](F3, F3, F3, float, float& t0, float& t1, F3& point) {
+    t0 = -0.5F;
+    t1 = 0.5F;
+    point = F3(0, 0, -1);
+    return true;
+  };
+  EXPECT_EQ(answer_of(sphere_case("0"), all), hit_at("0.5"))
+      << "the point is that of a hit that does not count";
 }
 
 TEST(result_of_a_function, that_is_nan_beside_a_hit_is_not_hidden) {
