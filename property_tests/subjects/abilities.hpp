@@ -13,6 +13,11 @@ struct Abilities {
   bool normal = true;
   bool barycentric = true;
   bool boundary = true;  ///< says of a point that it is on the boundary of a polygon
+  // Whether its verdict where the line touches a shape, or meets an edge, or at an end of the interval is a
+  // rule of its own, and not what rounding makes of it.
+  bool rules_tangents = true;
+  bool rules_edges = true;
+  bool rules_ends = true;
 };
 
 /// The questions that a subject's documentation says it takes. What breaks outside is a fault of nobody;

@@ -20,19 +20,22 @@ struct Outcome {
     refused,      ///< it gave up on a valid case
     crashed,
     timed_out,
-    nonsense  ///< what came back is no answer to the case
+    nonsense,  ///< what came back is no answer to the case
+    not_asked  ///< it has failed too often to be asked more
   };
   Kind kind = Kind::answered;
   Answer answer{};         ///< where answered
   std::string sentence{};  ///< where not: what happened, in one sentence
 
   [[nodiscard]] bool is_answered() const { return kind == Kind::answered; }
+  /// Whether a valid case should have got an answer, and did not.
+  [[nodiscard]] bool is_failure() const { return Kind::refused <= kind && kind <= Kind::nonsense; }
 };
 
 /// The name of a kind, as findings have it.
 [[nodiscard]] constexpr std::string_view name_of(Outcome::Kind kind) {
-  constexpr std::array<std::string_view, 6> names{"answered", "unsupported", "refused",
-                                                  "crashed",  "timed out",   "nonsense"};
+  constexpr std::array<std::string_view, 7> names{"answered",  "unsupported", "refused",  "crashed",
+                                                  "timed out", "nonsense",    "not asked"};
   return names.at(static_cast<std::size_t>(kind));
 }
 

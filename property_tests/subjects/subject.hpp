@@ -19,8 +19,8 @@ namespace rayproof {
 
 /// The names of the claims in listings and on command lines, in the order of `Claim`.
 inline constexpr std::array<std::string_view, claim_count> claim_names{
-    "verdict", "residual", "ulp",     "robust",  "ascending", "moved",  "scaled",      "reversed",
-    "batch",   "nan",      "bounded", "contact", "point",     "normal", "coordinates", "exact"};
+    "verdict", "residual", "ulp",     "robust", "ascending", "moved",       "scaled", "reversed", "batch",
+    "nan",     "bounded",  "contact", "point",  "normal",    "coordinates", "exact",  "answers"};
 
 [[nodiscard]] constexpr std::string_view claim_name(Claim claim) {
   return claim_names.at(static_cast<std::size_t>(claim));
@@ -51,6 +51,8 @@ struct Subject {
   /// The same as a function that never throws, whatever the bits (a NaN anywhere gives a miss), for any
   /// number of threads; null where it takes an instance. Set both by `answer_by`.
   Answer (*function)(const Case&) = nullptr;
+  /// Why no more cases are to be given to it, in one sentence; empty, or null, as long as it may be asked.
+  std::function<std::string()> why_given_up{};
 
   /// The same through the library's batch interface, the case repeated among `lanes` others; null where there
   /// is none.
@@ -63,6 +65,8 @@ struct Subject {
   bool (*is_exact_on)(const Case&) = nullptr;
 
   [[nodiscard]] std::string full_name() const { return topic + "/" + name; }
+
+  [[nodiscard]] bool is_given_up() const { return why_given_up && !why_given_up().empty(); }
 
   void answer_by(Answer (*answering)(const Case&)) {
     function = answering;
