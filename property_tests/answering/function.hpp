@@ -43,7 +43,7 @@ class AnsweringFunction final : public Answering {
     Says all = says<Result>();
     std::size_t numbers = 0;
     ((numbers += is_output<P> && std::floating_point<std::decay_t<P>>), ...);
-    ((all = is_output<P> ? all | says<std::decay_t<P>>() : all), ...);
+    ((all = is_output<P> ? all | says_output<std::decay_t<P>>() : all), ...);
     all.all_hits = all.all_hits || numbers == 2;
     return all;
   }(std::type_identity<Parameters>{});

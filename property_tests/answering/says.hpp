@@ -42,7 +42,7 @@ struct Says {
   }
 };
 
-/// What is said by a result, or by a parameter that is written to.
+/// What is said by a result.
 template <class R>
 [[nodiscard]] constexpr Says says() {
   if constexpr (std::is_void_v<R>)
@@ -67,6 +67,15 @@ template <class R>
 };  // namespace rayproof::answering
 else if constexpr (List<R>) return {true, true, true};
 else return {};
+}
+
+/// What is said by a parameter that is written to: vectors are no t there.
+template <class O>
+[[nodiscard]] constexpr Says says_output() {
+  if constexpr (named_size<O>() > 0 || array_size < O >> 0 || std::is_same_v<O, bool>)
+    return {};
+  else
+    return says<O>();
 }
 
 }  // namespace rayproof::answering

@@ -54,9 +54,10 @@ std::string text_outcome(const check::Options& options, const Plan& plan, const 
 
 /// The same of programs: the findings in full, and what was judged of each shape.
 std::string text_of_guests(const check::Options& options, const Plan& plan, const RunResult& result) {
-  std::string text =
-      fmt::format("{}\nseed {}, {}{} cases for each shape, family and precision\n", options.command,
-                  plan.settings.seed, plan.settings.time ? "at most " : "", plan.settings.cases);
+  std::string text = fmt::format(
+      "{}\nseed {}, {}{} cases for each shape, family and precision\n",
+      options.command.empty() ? fmt::format("{}", fmt::join(options.subjects, ", ")) : options.command,
+      plan.settings.seed, plan.settings.time ? "at most " : "", plan.settings.cases);
   if (!result.findings.empty()) text += "\nFINDINGS\n" + text_failures(result.findings) + "\n";
   text += text_guests(plan, result);
   if (!result.findings.empty())
@@ -71,7 +72,7 @@ int run(const check::Options& options) {
   ProgressLine progress;
   keep_on_interrupt();
   std::vector<Subject> guests;
-  if (!options.command.empty()) {
+  if (options.has_guests()) {
     guests = check::subjects_of(options);
     check::learn_all(guests, options.settings, [&](double done) {
       progress.show(done, "what the program's answers hold is found out");
@@ -116,8 +117,8 @@ int main(int argc, char** argv) {
   check::describe(app, options);
   if (const auto status = parse_command_line(app, argc, argv)) return *status;
   options.settings.cases =
-      options.cases.value_or(options.command.empty() ? check::usual_cases : check::usual_cases_of_command);
-  options.settings.count_labels = options.command.empty();
+      options.cases.value_or(options.has_guests() ? check::usual_cases_of_command : check::usual_cases);
+  options.settings.count_labels = !options.has_guests();
   try {
     return options.replay.empty() ? run(options) : replay_file(options.replay);
   } catch (const std::runtime_error& trouble) {

@@ -1,8 +1,10 @@
 #include "programs/check/guests.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "command_line/interrupt.hpp"
+#include "programs/check/peers.hpp"
 #include "properties/probe.hpp"
 #include "subjects/command.hpp"
 
@@ -10,7 +12,12 @@ namespace rayproof::check {
 
 std::vector<Subject> subjects_of(const Options& options) {
   const std::chrono::milliseconds case_time(static_cast<std::int64_t>(1000 * options.case_seconds));
-  std::vector<Subject> all = subjects_of_command(command_name, options.command, case_time);
+  std::vector<Subject> all;
+  const auto add = [&](const std::string& name, const std::string& command) {
+    std::ranges::move(subjects_of_command(name, command, case_time), std::back_inserter(all));
+  };
+  if (!options.command.empty()) add(command_name, options.command);
+  for (const Peer& peer : peers_called(options.subjects)) add(peer.name, peer.command);
   const Plan wanted = make_plan(options.settings, all);  // refuses what is unknown
   std::erase_if(all, [&](const Subject& one) {
     return std::ranges::none_of(wanted.subjects, [&](const Subject* kept) { return kept == &one; });

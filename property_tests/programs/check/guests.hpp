@@ -10,7 +10,8 @@
 
 namespace rayproof::check {
 
-/// The program of --subject-command as a subject of every topic that the settings want. Throws UnknownName.
+/// The programs of --subject-command and --subject as subjects of every topic that the settings want. Throws
+/// UnknownName.
 [[nodiscard]] std::vector<Subject> subjects_of(const Options& options);
 
 /// Asks each subject of the plan what its answers hold.

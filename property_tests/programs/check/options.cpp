@@ -44,6 +44,12 @@ void describe_guests(CLI::App& app, Options& options) {
          "on standard input and writes an answer to each, in any order, each flushed "
          "(docs/case-format.md)")
       ->type_name("COMMAND");
+  app.add_option(
+         "--subject", options.subjects,
+         "Put these libraries on trial in place of our methods: names, or `peers` for all that are built "
+         "(docs/peers.md)")
+      ->delimiter(',')
+      ->type_name("NAME");
   app.add_option("--case-seconds", options.case_seconds,
                  "How long the program may be silent while a case waits for its answer")
       ->capture_default_str()

@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "properties/plan.hpp"
 #include "subjects/command.hpp"
@@ -13,6 +14,9 @@ struct Options {
   Settings settings{};
   std::optional<std::uint64_t> cases{};  ///< where left out, as many as suit who is on trial
   std::string command{};                 ///< --subject-command
+  std::vector<std::string> subjects{};   ///< --subject: names of the registry of peers
+  /// Whether others than our own methods are on trial.
+  [[nodiscard]] bool has_guests() const { return !command.empty() || !subjects.empty(); }
   double case_seconds = static_cast<double>(usual_case_time.count()) / 1000;
   std::string json{};
   std::string junit{};

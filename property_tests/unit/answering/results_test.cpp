@@ -87,6 +87,15 @@ TEST(result_of_a_function, may_have_a_point_and_a_normal) {
             "{\"id\": 7, \"verdict\": \"hit\", \"hits\": [{\"t\": 2}], \"normal\": [0, 0, -1]}\n");
 }
 
+TEST(result_of_a_function, may_be_a_point_without_t) {
+  const auto f = [](F3 o, F3 d, F3, float r, F3& point) {
+    point = F3(0, 0, -r);
+    return o.z * d.z < 0;
+  };
+  EXPECT_EQ(answer_of(sphere_case("-5"), f), "{\"id\": 7, \"verdict\": \"hit\", \"point\": [0, 0, -1]}\n");
+  EXPECT_EQ(answer_of(sphere_case("5"), f), "{\"id\": 7, \"verdict\": \"miss\"}\n");
+}
+
 TEST(result_of_a_function, keeps_its_point_with_its_hit) {
   const auto all = [](F3, F3, F3, float, float& t0, float& t1, F3& point) {
     t0 = -0.5F;
