@@ -82,7 +82,9 @@ struct Problem {
       ray.t_min *= length;
       ray.t_max *= length;
     }
-    return std::isfinite(dot(ray.direction, glm::dvec3(1))) && ray.direction != glm::dvec3(0) && length > 0;
+    // Beyond, the length is no number that t could be scaled back by.
+    if (!(length > 0x1p-1000 && length < 0x1p1000)) return false;
+    return std::isfinite(dot(ray.direction, glm::dvec3(1))) && ray.direction != glm::dvec3(0);
   }
 };
 

@@ -83,9 +83,11 @@ Hit plane(const Ray<float>& ray, glm::vec3 normal, float d) {
   return meet(shape, glm::vec3(0), peers::segment_past<float>(convert<double>(ray), passed, reach));
 }
 
-/// "btRayAabb": entry, or exit where the segment begins inside.
+/// A box is a solid to it: a segment that begins inside hits at its start, which is another question.
 Hit aabb(const Ray<float>& ray, glm::vec3 low, glm::vec3 high) {
   const auto segment = peers::segment_past<float>(convert<double>(ray), std::array{wide(low), wide(high)});
+  if (glm::all(glm::lessThanEqual(low, segment.start)) && glm::all(glm::lessThanEqual(segment.start, high)))
+    throw Unsupported();
   btScalar fraction = 1;
   btVector3 normal;
   if (!btRayAabb(bullet(segment.start), bullet(segment.end), bullet(low), bullet(high), fraction, normal))

@@ -24,7 +24,13 @@ using Point = Kernel::Point_3;
 using glm::dvec3;
 
 Point at(const dvec3& p) { return {p.x, p.y, p.z}; }
-Kernel::Vector_3 along(const dvec3& v) { return {v.x, v.y, v.z}; }
+
+/// The ray's direction, so long that the second point of CGAL's ray, origin + direction, turns it by little.
+Kernel::Vector_3 along(const Ray<double>& ray) {
+  const double ratio = glm::length(ray.origin) / glm::length(ray.direction);
+  const dvec3 v = std::exp2(std::ceil(std::log2(std::max(1.0, ratio)))) * ray.direction;
+  return {v.x, v.y, v.z};
+}
 
 /// The t of a point on the ray's line.
 double t_of(const Ray<double>& ray, const Point& point) {
@@ -51,9 +57,8 @@ std::vector<double> t_of_all(const Ray<double>& ray, const Found& found) {
 template <class Object>
 std::vector<double> common(const Ray<double>& ray, const Object& shape) {
   std::vector<double> hits =
-      ray.t_min < 0
-          ? t_of_all(ray, CGAL::intersection(Kernel::Line_3(at(ray.origin), along(ray.direction)), shape))
-          : t_of_all(ray, CGAL::intersection(Kernel::Ray_3(at(ray.origin), along(ray.direction)), shape));
+      ray.t_min < 0 ? t_of_all(ray, CGAL::intersection(Kernel::Line_3(at(ray.origin), along(ray)), shape))
+                    : t_of_all(ray, CGAL::intersection(Kernel::Ray_3(at(ray.origin), along(ray)), shape));
   std::erase_if(hits, [&](double t) { return !in_interval(ray, t); });
   return hits;
 }
@@ -79,16 +84,18 @@ std::vector<double> implicit(const Ray<double>& ray, dvec3 normal, double d) {
 }
 
 std::vector<double> point_normal(const Ray<double>& ray, dvec3 point, dvec3 normal) {
-  return common(ray, Kernel::Plane_3(at(point), along(normal)));
+  return common(ray, Kernel::Plane_3(at(point), Kernel::Vector_3(normal.x, normal.y, normal.z)));
 }
 
-/// A segment in common begins at the ray's origin where that is inside; the origin is no hit then.
+/// What the whole line has in common with the box: its ends are hits, as far as they are in the interval.
 std::vector<double> box(const Ray<double>& ray, dvec3 low, dvec3 high) {
   if (low.x == high.x || low.y == high.y || low.z == high.z) throw Unsupported();
-  std::vector<double> hits = common(ray, Kernel::Iso_cuboid_3(at(low), at(high)));
-  const bool is_inside =
-      glm::all(glm::lessThan(low, ray.origin)) && glm::all(glm::lessThan(ray.origin, high));
-  if (is_inside && ray.t_min >= 0 && !hits.empty() && hits.front() == 0) hits.erase(hits.begin());
+  const Kernel::Line_3 line(at(ray.origin), along(ray));
+  std::vector<double> hits = t_of_all(ray, CGAL::intersection(line, Kernel::Iso_cuboid_3(at(low), at(high))));
+  // Near hits of a far origin are lost where their points are rounded.
+  for (const double t : hits)
+    if (glm::length(ray.origin) > 8 * std::abs(t) * glm::length(ray.direction)) throw Unsupported();
+  std::erase_if(hits, [&](double t) { return !in_interval(ray, t); });
   return hits;
 }
 
@@ -96,7 +103,7 @@ bool sphere(const Ray<double>& ray, dvec3 center, double radius) {
   if (ray.t_min != 0 || ray.t_max != infinity<double> || radius == 0) throw Unsupported();
   const Kernel::Point_3 start = at(ray.origin);
   const Kernel::Sphere_3 surface(at(center), radius * radius);
-  return CGAL::do_intersect(surface, Kernel::Ray_3(start, along(ray.direction)));
+  return CGAL::do_intersect(surface, Kernel::Ray_3(start, along(ray)));
 }
 
 Position position(const PointAndPolygon<double>& asked) {
@@ -117,7 +124,7 @@ std::vector<double> tree(const Ray<double>& ray, dvec3 a, dvec3 b, dvec3 c) {
   using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::iterator>;
   Triangles triangles{triangle_of(a, b, c)};
   CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> all(triangles.begin(), triangles.end());
-  const auto found = all.first_intersection(Kernel::Ray_3(at(ray.origin), along(ray.direction)));
+  const auto found = all.first_intersection(Kernel::Ray_3(at(ray.origin), along(ray)));
   std::vector<double> hits;
   if (!found) return hits;
   if (const auto* point = boost::relaxed_get<Point>(&found->first)) hits = {t_of(ray, *point)};

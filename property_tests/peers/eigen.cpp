@@ -33,12 +33,6 @@ T implicit(vec3<T> origin, vec3<T> direction, vec3<T> normal, T d) {
   return meet<T>(origin, direction, plane);
 }
 
-template <class T>
-T parametric(vec3<T> origin, vec3<T> direction, vec3<T> point, vec3<T> u, vec3<T> v) {
-  const Vector<T> p = eigen<T>(point);
-  return meet<T>(origin, direction, Eigen::Hyperplane<T, 3>::Through(p, p + eigen<T>(u), p + eigen<T>(v)));
-}
-
 }  // namespace
 }  // namespace rayproof
 
@@ -46,6 +40,5 @@ int main() {
   using namespace rayproof;
   return answer_cases(takes<PointNormalPlane>(point_normal<float>),
                       takes<PointNormalPlane>(point_normal<double>), takes<ImplicitPlane>(implicit<float>),
-                      takes<ImplicitPlane>(implicit<double>), takes<ParametricPlane>(parametric<float>),
-                      takes<ParametricPlane>(parametric<double>), unit_direction, whole_line);
+                      takes<ImplicitPlane>(implicit<double>), unit_direction, whole_line);
 }

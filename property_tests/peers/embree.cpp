@@ -1,8 +1,9 @@
 /// \file
 /// Embree 3.13, rtcIntersect1 on a scene of one triangle, quad or sphere, in float; `robust` sets
 /// RTC_SCENE_FLAG_ROBUST. Its manual excludes segments that start behind the origin, and coordinates beyond
-/// ±1.844E18; directions need not have length 1. A quad is two triangles: asked are parallelograms alone.
-/// Whether a hit exactly at an end of the segment counts is open, says rtcIntersect1's page.
+/// ±1.844E18 (rtcCommitScene); directions need not have length 1. A quad is two triangles: asked are
+/// parallelograms alone. Whether a hit exactly at an end of the segment counts is open, says rtcIntersect1's
+/// page.
 #include <embree3/rtcore.h>
 
 #include <limits>
@@ -94,6 +95,7 @@ std::optional<float> quad(const Ray<float>& ray, const std::vector<vec3>& vertic
 
 std::optional<SurfaceHit> sphere(const Ray<float>& ray, vec3 center, float radius) {
   refuse_behind(ray);
+  if (radius == 0) throw Unsupported();  // has no normal
   refuse_large(center);
   refuse_large(center + radius);
   const RTCGeometry geometry = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_SPHERE_POINT);

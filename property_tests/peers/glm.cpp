@@ -1,6 +1,8 @@
 /// \file
 /// GLM 0.9.9, gtx/intersect, in float and double. Its documentation asks for unit directions, and for a unit
 /// normal of a plane; it says nothing of scale, of hits at the origin, or of rays that begin inside.
+#include <algorithm>
+#include <cmath>
 #include <string_view>
 
 #include "answer_cases.hpp"
@@ -33,6 +35,7 @@ bool sphere(vec3<T> origin, vec3<T> direction, vec3<T> center, T radius, T& t) {
 template <class T>
 bool sphere_details(vec3<T> origin, vec3<T> direction, vec3<T> center, T radius, vec3<T>& point,
                     vec3<T>& normal) {
+  if (radius == T(0)) throw Unsupported();  // a point has no normal
   return glm::intersectRaySphere(origin, direction, center, radius, point, normal);
 }
 
@@ -50,8 +53,11 @@ bool line_triangle(vec3<T> origin, vec3<T> direction, vec3<T> a, vec3<T> b, vec3
 template <class T>
 bool line_sphere(vec3<T> origin, vec3<T> direction, vec3<T> center, T radius, T& t0, T& t1) {
   vec3<T> point0{}, point1{}, normal0{}, normal1{};
-  const bool is_hit = glm::intersectLineSphere(origin, vec3<T>(origin + direction), center, radius, point0,
-                                               normal0, point1, normal1);
+  // Two points of the line, as far apart as they are from the sphere, so that rounding turns it by little.
+  const T distance = glm::length(origin) + glm::length(center - origin) + radius;
+  const T factor = std::exp2(std::ceil(std::log2(std::max(T(1), distance / glm::length(direction)))));
+  const bool is_hit = glm::intersectLineSphere(origin, vec3<T>(origin + factor * direction), center, radius,
+                                               point0, normal0, point1, normal1);
   const T length2 = dot(direction, direction);
   t0 = dot(point0 - origin, direction) / length2;
   t1 = dot(point1 - origin, direction) / length2;

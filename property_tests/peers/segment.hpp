@@ -27,13 +27,15 @@ struct Segment {
 };
 
 /// The segment of `ray` between t_min and t_max that passes everything within `radius` of `center`. Throws
-/// Unsupported where it has no length, or its ends no numbers of T.
+/// Unsupported where it has no length, or its ends no numbers of T, or where the ray begins behind its
+/// origin: t counts from the start of a segment.
 template <class T>
 [[nodiscard]] Segment<T> segment_past(const Ray<double>& ray, const glm::dvec3& center, double radius) {
   const double length = std::hypot(ray.direction.x, ray.direction.y, ray.direction.z);
   const double middle = dot(center - ray.origin, ray.direction / length) / length;
   const double reach = 2 * radius / length;
-  const double start = std::isfinite(ray.t_min) ? ray.t_min : std::min(middle - reach, ray.t_max - reach);
+  if (ray.t_min < 0) throw Unsupported();
+  const double start = ray.t_min;
   const double far = std::max(middle + reach, start + reach);
   const double end = std::min(ray.t_max, far);
   const Segment<T> made{glm::vec<3, T>(ray.origin + start * ray.direction),

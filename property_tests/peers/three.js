@@ -1,7 +1,8 @@
 #!/usr/bin/env node
 // three.js (Debian's libjs-three, release 111) under node: Ray.intersectSphere, intersectBox, intersectTriangle,
 // intersectPlane, in double. Its documentation: a Ray's direction "must be normalized for the methods to
-// operate properly". A Ray has no end and begins at its origin; it gives the point of the nearest hit, or null.
+// operate properly". A Ray has no end and begins at its origin; it gives the point of the nearest hit, or null;
+// t is read off the point, where that says it well.
 "use strict";
 
 const THREE = require(process.env.RAYPROOF_THREE || "/usr/share/javascript/three/three.js");
@@ -16,9 +17,8 @@ const meet = {
   plane: (ray, fields) => ray.intersectPlane(planeOf(fields), new THREE.Vector3()),
 };
 
-function planeOf({ normal, d, point, u, v }) {
+function planeOf({ normal, d, point }) {
   const plane = new THREE.Plane();
-  if (u) return plane.setFromCoplanarPoints(vector(point), vector(point).add(vector(u)), vector(point).add(vector(v)));
   if (point) return plane.setFromNormalAndCoplanarPoint(vector(normal).normalize(), vector(point));
   return plane.setComponents(...normal, d).normalize();
 }
@@ -30,16 +30,25 @@ function numbers(value, round) {
   return round(value === "inf" ? Infinity : value === "-inf" ? -Infinity : Number(value));
 }
 
+/** Whether a point rounded where `point` lies still says t as well as the case is judged by. */
+function saysT(type, origin, point) {
+  return (type !== "sphere" && type !== "box") || origin.length() <= 8 * point.distanceTo(origin);
+}
+
 function answer({ id, precision, ray: rayFields, shape, transform }) {
   const [given, fields] = numbers([rayFields || {}, shape || {}], precision === "float32" ? Math.fround : (x) => x);
-  const mayHaveFartherHit = shape?.type === "sphere" || shape?.type === "box";
-  if (!meet[shape?.type] || transform || given.t_min < 0 || (given.t_min > 0 && mayHaveFartherHit)) return { id, unsupported: true };
-  const origin = vector(given.origin), direction = vector(given.direction), length = direction.length();
-  const point = meet[shape.type](new THREE.Ray(origin, direction.normalize()), fields);
+  const type = shape?.type, mayHaveFartherHit = type === "sphere" || type === "box";
+  if (!meet[type] || transform || fields.u || given.t_min < 0 || (given.t_min > 0 && mayHaveFartherHit)) return { id, unsupported: true };
+  const length = Math.hypot(...given.direction);
+  if (!(length > 1e-300 && length < 1e300)) return { id, unsupported: true }; // no unit vector to be had
+  const origin = vector(given.origin), direction = vector(given.direction.map((d) => d / length));
+  const point = meet[type](new THREE.Ray(origin, direction), fields);
   if (!point) return { id, verdict: "miss", hits: [] };
   const t = point.clone().sub(origin).dot(direction) / length;
-  if (t < given.t_min && given.t_min > 0 || t > given.t_max) return { id, verdict: "miss", hits: [] };
-  return { id, verdict: "hit", hits: [{ t: Number.isNaN(t) ? "nan" : Number.isFinite(t) ? t : t > 0 ? "inf" : "-inf" }] };
+  if ((t < given.t_min && given.t_min > 0) || t > given.t_max) return { id, verdict: "miss", hits: [] };
+  const said = { id, verdict: "hit", point: point.toArray() };
+  if (saysT(type, origin, point)) said.hits = [{ t: Number.isNaN(t) ? "nan" : Number.isFinite(t) ? t : t > 0 ? "inf" : "-inf" }];
+  return said;
 }
 
 let rest = "";

@@ -1,6 +1,7 @@
 /// \file
 /// VTK 9.1: the routines of its cells and boxes (no argument), vtkOBBTree (`tree`) and vtkStaticCellLocator
-/// (`locator`) around one cell, and vtkBox::IntersectBox (`intersect-box`). All take the ends of a segment, t
+/// (`locator`) around one cell, vtkBox::IntersectBox (`intersect-box`), and vtkPolygon::PointInPolygon
+/// (`point-in-polygon`, apart, since it does not return from all cases). All take the ends of a segment, t
 /// running from 0 to 1 (IntersectBox: origin and direction), in double. A cell's tolerance is a length that
 /// only says how far outside a hit may be: 0 is the best there is. Of a ray in a triangle's plane VTK
 /// documents that it meets the triangle, so such rays are not asked. Degenerate polygons are excluded by the
@@ -93,10 +94,9 @@ std::vector<double> box(const Ray<double>& ray, dvec3 low, dvec3 high) {
 
 /// "Valid intersections will only occur between 0<=t<=1"; a ray that begins inside is said to hit at 0.
 Hit intersect_box(const Ray<double>& ray, dvec3 low, dvec3 high) {
-  const bool is_inside =
-      glm::all(glm::lessThanEqual(low, ray.origin)) && glm::all(glm::lessThanEqual(ray.origin, high));
-  if (is_inside) throw Unsupported();
   const auto segment = peers::segment_past<double>(ray, std::array{low, high});
+  if (glm::all(glm::lessThanEqual(low, segment.start)) && glm::all(glm::lessThanEqual(segment.start, high)))
+    throw Unsupported();
   const dvec3 direction = segment.end - segment.start;
   dvec3 x(0);
   double s = 0;
@@ -162,5 +162,6 @@ int main(int count, char** arguments) {
   if (which == "tree") return answer_cases(located<vtkOBBTree>);
   if (which == "locator") return answer_cases(located<vtkStaticCellLocator>);
   if (which == "intersect-box") return answer_cases(intersect_box);
-  return answer_cases(plane, triangle, polygon, box, is_in_polygon);
+  if (which == "point-in-polygon") return answer_cases(is_in_polygon);
+  return answer_cases(takes<PointNormalPlane>(plane), triangle, polygon, box);
 }
