@@ -1,7 +1,7 @@
-# Copies rapidcheck.hpp and every header of the laboratory that it includes from ${source} to ${headers}, with the names by
+# Copies rapidcheck.hpp, answer_cases.hpp and every header of the laboratory that they include from ${source} to ${headers}, with the names by
 # which a program outside includes them: under rayproof/laboratory/, where they meet no header of its own.
 file(REMOVE_RECURSE ${headers})
-set(wanted rapidcheck.hpp)
+set(wanted rapidcheck.hpp answer_cases.hpp)
 while(wanted)
   list(POP_FRONT wanted header)
   if(NOT EXISTS ${headers}/rayproof/laboratory/${header})

@@ -2,18 +2,13 @@
 /// \file
 /// Numbers as the case format writes them, to and from doubles, the same in every locale.
 
-#include <optional>
 #include <string>
 #include <string_view>
 
 #include "case/case.hpp"
+#include "case/json/parse_number.hpp"
 
 namespace rayproof {
-
-/// The double nearest to a decimal (`-12.5e3`) or a C hex float (`-0x1.8p+1`), ties to even; infinite where
-/// it overflows. Also reads "inf", "-inf" and "nan". Nothing for any other text: blanks, "infinity", "+inf",
-/// "1e".
-[[nodiscard]] std::optional<double> parse_number(std::string_view text);
 
 /// Of an infinity or NaN spelt as some language spells it ("Infinity", "+inf", "-INF", "NaN"), the case
 /// format's spelling; empty for any other text.

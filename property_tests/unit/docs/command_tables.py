@@ -44,6 +44,8 @@ NOT_RUN = [
     (r"^cmake --(build|install) build/laboratory|build/my_property", "install/ runs the page's recipe",
      "property_tests/unit/install/tests.cmake", "a_property_of_twenty_lines_finds_a_case_of_three_digits"),
     (r"^g\+\+ .* main\.cpp", "install/ runs the manual's command", "property_tests/unit/install/library/claims.py", '"Without CMake"'),
+    (r"^g\+\+ .* my_sphere\.cpp|--subject-command \./my_sphere", "own_code.py follows the page",
+     "property_tests/unit/docs/own_code.py", "your-own-code.md"),
     (r"^doxygen docs/Doxyfile", "takes long; .ci/run runs it", ".ci/run", "Doxyfile"),
     (r"^python3 \S+/add_a_shape/prove\.py", "takes minutes; .ci/run runs it", ".ci/run", "add_a_shape/prove.py"),
     (r"^python3 docs/errata\.py", "takes minutes; its page is compared case by case instead", "docs/errata.py", "in_words")]

@@ -13,8 +13,8 @@ import re
 import sys
 
 # From the lowest to the highest; parts of one line may know each other in one direction.
-LAYERS = [["lib"], ["case"], ["oracle", "generators", "subjects"], ["properties"], ["command_line", "rapidcheck.hpp"],
-          ["viz", "bench", "programs"]]
+LAYERS = [["lib"], ["case"], ["oracle", "generators", "subjects", "answering"], ["properties"], ["command_line", "rapidcheck.hpp", "answer_cases.hpp"],
+          ["viz", "bench", "programs", "peers"]]
 # Where the headers of each tree begin, as the compiler knows them.
 ROOTS = {"lib": "lib/include/rayproof", "": "property_tests", "viz": "viz", "bench": "bench"}
 INCLUDE = re.compile(r'^#include ["<]([^">]+)[">]', re.MULTILINE)

@@ -1,0 +1,114 @@
+#pragma once
+/// \file
+/// A function's parameters: which letter of a pattern each is, and which numbers it is computed in.
+
+#include <array>
+#include <span>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "answering/signature.hpp"
+
+namespace rayproof::answering {
+
+/// The element of a std::vector or a std::span of constants; void of anything else.
+template <class L>
+struct ElementOf {
+  using Type = void;
+};
+template <class E>
+struct ElementOf<std::vector<E>> {
+  using Type = E;
+};
+template <class E>
+struct ElementOf<std::span<const E>> {
+  using Type = E;
+};
+
+template <class A>
+inline constexpr bool is_ray = false;
+template <class T>
+inline constexpr bool is_ray<Ray<T>> = true;
+
+template <class A>
+inline constexpr bool is_triple_of_vectors = false;
+template <class V>
+inline constexpr bool is_triple_of_vectors<std::array<V, 3>> = VectorOf<V, 3>;
+
+/// Three numbers in a row, in the manner of C.
+template <class A>
+inline constexpr bool is_pointer_to_three = std::is_pointer_v<A>&& std::is_const_v<std::remove_pointer_t<A>>&&
+    std::is_floating_point_v<std::remove_pointer_t<A>>;
+
+/// The pattern's letter for a parameter that is read: FieldRow's letters, `R` for a ray, `S` for a structure;
+/// 0 for what no case can give.
+template <class A>
+[[nodiscard]] constexpr char letter_of() {
+  using Element = typename ElementOf<A>::Type;
+  if constexpr (is_ray<A>)
+    return 'R';
+  else if constexpr (std::is_same_v<A, bool>)
+    return 'b';
+  else if constexpr (std::floating_point<A>)
+    return 'n';
+  else if constexpr (VectorOf<A, 3> || is_pointer_to_three<A>)
+    return 'v';
+  else if constexpr (VectorOf<A, 2>)
+    return 'p';
+  else if constexpr (is_triple_of_vectors<A>)
+    return 'a';
+  else if constexpr (VectorOf<Element, 3>)
+    return 'V';
+  else if constexpr (VectorOf<Element, 2>)
+    return 'P';
+  else if constexpr (is_structure<A>())
+    return 'S';
+  else
+    return '\0';
+}
+
+/// The number type that a parameter shows; void where it shows none.
+template <class A>
+[[nodiscard]] constexpr auto number_shown() {
+  using Element = typename ElementOf<A>::Type;
+  if constexpr (std::floating_point<A>)
+    return A{};
+  else if constexpr (is_pointer_to_three<A>)
+    return std::remove_cvref_t<decltype(*std::declval<A>())>{};
+  else if constexpr (VectorOf<A, 3> || VectorOf<A, 2>)
+    return typename NumberOf<A>::Type{};
+  else if constexpr (!std::is_void_v<Element>)
+    return number_shown<Element>();
+  else if constexpr (!std::is_void_v<typename StructureNumber<A>::Type>)
+    return typename StructureNumber<A>::Type{};
+}
+
+/// The letters of the parameters that are read.
+template <class... P>
+[[nodiscard]] std::string pattern_of(std::type_identity<std::tuple<P...>>) {
+  std::string pattern;
+  const auto add = [&pattern]<class One>(std::type_identity<One>) {
+    if constexpr (!is_output<One>) {
+      static_assert(
+          letter_of<std::decay_t<One>>() != '\0',
+          "answer_cases: a parameter is no ray, vector, number, bool, list of vectors or shape of the "
+          "case format; wrap the function in a lambda that takes those");
+      pattern += letter_of<std::decay_t<One>>();
+    }
+  };
+  (add(std::type_identity<P>{}), ...);
+  return pattern;
+}
+
+/// The type of the numbers that a function computes with: that of the first parameter that shows one.
+template <class P, class... Rest>
+[[nodiscard]] constexpr auto first_number(std::type_identity<std::tuple<P, Rest...>>) {
+  if constexpr (std::is_void_v<decltype(number_shown<std::decay_t<P>>())>) {
+    return first_number(std::type_identity<std::tuple<Rest...>>{});
+  } else {
+    return number_shown<std::decay_t<P>>();
+  }
+}
+
+}  // namespace rayproof::answering

@@ -1,0 +1,93 @@
+#pragma once
+/// \file
+/// The members of a JSON object on a line that is known to be valid: views into the line, nothing copied.
+///
+/// A program on trial is sent valid cases alone and must read them quickly; whoever has to refuse a line, and
+/// say why, reads it by `read_case`.
+
+#include <cstddef>
+#include <string_view>
+
+namespace rayproof::answering {
+
+/// Walks over the values of a JSON text. On a text that is not JSON it stops early, and never reads beyond.
+class Walker {
+ public:
+  explicit Walker(std::string_view text) : rest_(text) {}
+
+  /// Passes over blanks, commas, colons and `bracket`s, which say nothing that their values do not.
+  void enter(char bracket) {
+    skip_filler();
+    if (!rest_.empty() && rest_.front() == bracket) rest_.remove_prefix(1);
+  }
+
+  /// The next value as it stands in the text; empty at the end of the object or array.
+  [[nodiscard]] std::string_view next() {
+    skip_filler();
+    if (rest_.empty() || rest_.front() == '}' || rest_.front() == ']') return {};
+    const std::size_t length = length_of_value();
+    const std::string_view value = rest_.substr(0, length);
+    rest_.remove_prefix(length);
+    return value;
+  }
+
+ private:
+  void skip_filler() {
+    std::size_t i = 0;
+    while (i < rest_.size() && (rest_[i] == ' ' || rest_[i] == ',' || rest_[i] == ':' || rest_[i] == '\t' ||
+                                rest_[i] == '\r' || rest_[i] == '\n'))
+      ++i;
+    rest_.remove_prefix(i);
+  }
+
+  /// The place after the string that begins at `i`.
+  [[nodiscard]] std::size_t end_of_string(std::size_t i) const {
+    for (++i; i < rest_.size() && rest_[i] != '"'; ++i)
+      if (rest_[i] == '\\') ++i;
+    return i < rest_.size() ? i + 1 : rest_.size();
+  }
+
+  [[nodiscard]] std::size_t length_of_value() const {
+    if (rest_.front() == '"') return end_of_string(0);
+    std::size_t depth = 0;
+    for (std::size_t i = 0; i < rest_.size(); ++i) {
+      const char c = rest_[i];
+      if (c == '"') {
+        i = end_of_string(i) - 1;
+      } else if (c == '{' || c == '[') {
+        ++depth;
+      } else if (c == '}' || c == ']') {
+        if (depth == 0) return i;
+        if (--depth == 0) return i + 1;
+      } else if (depth == 0 && (c == ',' || c == ' ' || c == '\t' || c == '\r' || c == '\n')) {
+        return i;
+      }
+    }
+    return rest_.size();
+  }
+
+  std::string_view rest_;
+};
+
+/// Calls `act(name, value)` for each member of a JSON object; names and strings without their quotes.
+void each_member(std::string_view object, auto&& act) {
+  Walker walker(object);
+  walker.enter('{');
+  for (std::string_view name = walker.next(); name.size() >= 2; name = walker.next())
+    act(name.substr(1, name.size() - 2), walker.next());
+}
+
+/// Calls `act(value)` for each element of a JSON array.
+void each_value(std::string_view array, auto&& act) {
+  Walker walker(array);
+  walker.enter('[');
+  for (std::string_view value = walker.next(); !value.empty(); value = walker.next()) act(value);
+}
+
+/// A string without its quotes (its escapes stay), any other value as it is.
+[[nodiscard]] inline std::string_view unquoted(std::string_view value) {
+  const bool is_string = value.size() >= 2 && value.front() == '"';
+  return is_string ? value.substr(1, value.size() - 2) : value;
+}
+
+}  // namespace rayproof::answering

@@ -1,0 +1,116 @@
+/// \file
+/// Embree 3.13, rtcIntersect1 on a scene of one triangle, quad or sphere, in float; `robust` sets
+/// RTC_SCENE_FLAG_ROBUST. Its manual excludes segments that start behind the origin, and coordinates beyond
+/// ±1.844E18 (rtcCommitScene); directions need not have length 1. A quad is two triangles: asked are
+/// parallelograms alone. Whether a hit exactly at an end of the segment counts is open, says rtcIntersect1's
+/// page.
+#include <embree3/rtcore.h>
+
+#include <limits>
+#include <string_view>
+
+#include "answer_cases.hpp"
+
+namespace rayproof {
+namespace {
+
+using glm::vec3;
+
+/// What a scene hits.
+struct SurfaceHit {
+  float t;
+  vec3 normal;
+};
+
+constexpr float largest = 1.844E18F;
+
+void refuse_large(const vec3& v) {
+  if (!(std::abs(v.x) < largest && std::abs(v.y) < largest && std::abs(v.z) < largest)) throw Unsupported();
+}
+
+RTCSceneFlags scene_flags = RTC_SCENE_FLAG_NONE;
+
+RTCDevice device() {
+  static const RTCDevice made = rtcNewDevice("threads=1,set_affinity=0");
+  return made;
+}
+
+/// The nearest hit of a scene that holds `geometry` alone, which it takes over.
+std::optional<SurfaceHit> nearest_hit(RTCGeometry geometry, const Ray<float>& ray) {
+  const RTCScene scene = rtcNewScene(device());
+  rtcSetSceneFlags(scene, scene_flags);
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(scene, geometry);
+  rtcReleaseGeometry(geometry);
+  rtcCommitScene(scene);
+  RTCRayHit asked{};
+  asked.ray.org_x = ray.origin.x, asked.ray.org_y = ray.origin.y, asked.ray.org_z = ray.origin.z;
+  asked.ray.dir_x = ray.direction.x, asked.ray.dir_y = ray.direction.y, asked.ray.dir_z = ray.direction.z;
+  asked.ray.tnear = ray.t_min;
+  asked.ray.tfar = ray.t_max;
+  asked.ray.mask = ~0U;
+  asked.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(scene, &context, &asked);
+  rtcReleaseScene(scene);
+  if (asked.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+  return SurfaceHit{asked.ray.tfar, glm::normalize(vec3(asked.hit.Ng_x, asked.hit.Ng_y, asked.hit.Ng_z))};
+}
+
+void refuse_behind(const Ray<float>& ray) {
+  if (ray.t_min < 0) throw Unsupported();
+  refuse_large(ray.origin);
+}
+
+/// A flat geometry with these corners and the indices 0, 1, 2, …
+std::optional<float> flat(RTCGeometryType type, RTCFormat format, std::span<const vec3> corners,
+                          const Ray<float>& ray) {
+  refuse_behind(ray);
+  const RTCGeometry geometry = rtcNewGeometry(device(), type);
+  auto* const vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
+      geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), corners.size()));
+  auto* const indices = static_cast<unsigned*>(rtcSetNewGeometryBuffer(
+      geometry, RTC_BUFFER_TYPE_INDEX, 0, format, corners.size() * sizeof(unsigned), 1));
+  for (unsigned i = 0; i < corners.size(); ++i) {
+    refuse_large(corners[i]);
+    for (int axis = 0; axis < 3; ++axis) vertices[3 * i + static_cast<unsigned>(axis)] = corners[i][axis];
+    indices[i] = i;
+  }
+  const auto hit = nearest_hit(geometry, ray);
+  return hit ? std::optional(hit->t) : std::nullopt;
+}
+
+std::optional<float> triangle(const Ray<float>& ray, vec3 a, vec3 b, vec3 c) {
+  return flat(RTC_GEOMETRY_TYPE_TRIANGLE, RTC_FORMAT_UINT3, std::array{a, b, c}, ray);
+}
+
+std::optional<float> quad(const Ray<float>& ray, const std::vector<vec3>& vertices) {
+  if (vertices.size() != 4) throw Unsupported();
+  const auto diagonals =
+      glm::dvec3(vertices[0]) + glm::dvec3(vertices[2]) - glm::dvec3(vertices[1]) - glm::dvec3(vertices[3]);
+  if (diagonals != glm::dvec3(0)) throw Unsupported();
+  return flat(RTC_GEOMETRY_TYPE_QUAD, RTC_FORMAT_UINT4, vertices, ray);
+}
+
+std::optional<SurfaceHit> sphere(const Ray<float>& ray, vec3 center, float radius) {
+  refuse_behind(ray);
+  if (radius == 0) throw Unsupported();  // has no normal
+  refuse_large(center);
+  refuse_large(center + radius);
+  const RTCGeometry geometry = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_SPHERE_POINT);
+  auto* const point = static_cast<float*>(
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 4 * sizeof(float), 1));
+  for (int axis = 0; axis < 3; ++axis) point[axis] = center[axis];
+  point[3] = radius;
+  return nearest_hit(geometry, ray);
+}
+
+}  // namespace
+}  // namespace rayproof
+
+int main(int count, char** arguments) {
+  using namespace rayproof;
+  if (count > 1 && std::string_view(arguments[1]) == "robust") scene_flags = RTC_SCENE_FLAG_ROBUST;
+  return answer_cases(triangle, quad, sphere);
+}

@@ -1,0 +1,109 @@
+/// \file
+/// ODE 0.16, dCollide of a ray with a sphere, box, cylinder, plane and triangle mesh. Its manual: at most one
+/// contact, where the ray meets the surface, "regardless of whether the ray starts from inside or outside the
+/// shape"; `depth` is the distance from the ray's start. A ray has a length, and its direction need not.
+#include <ode/ode.h>
+
+#include <memory>
+
+#include "peers/segment.hpp"
+
+namespace rayproof {
+namespace {
+
+using glm::dvec3;
+using Hit = std::optional<double>;
+
+/// dReal: what this ODE was built for.
+using T = dReal;
+using Vector = glm::vec<3, T>;
+
+struct Destroy {
+  void operator()(dGeomID geometry) const { dGeomDestroy(geometry); }
+};
+using Geometry = std::unique_ptr<dxGeom, Destroy>;
+
+/// The nearest hit of a segment with a geometry.
+Hit meet(dGeomID geometry, const peers::Segment<T>& segment) {
+  const Vector whole = segment.end - segment.start;
+  const T length = glm::length(whole);
+  const Geometry ray(dCreateRay(nullptr, length));
+  dGeomRaySet(ray.get(), segment.start.x, segment.start.y, segment.start.z, whole.x, whole.y, whole.z);
+  dGeomRaySetClosestHit(ray.get(), 1);
+  dGeomRaySetBackfaceCull(ray.get(), 0);
+  dContactGeom contact{};
+  if (dCollide(ray.get(), geometry, 1, &contact, sizeof contact) == 0) return {};
+  return segment.t_at(static_cast<double>(contact.depth / length));
+}
+
+Hit sphere(const Ray<T>& ray, Vector center, T radius) {
+  if (radius == 0) throw Unsupported();  // "the radius must be positive"
+  const Geometry geometry(dCreateSphere(nullptr, radius));
+  dGeomSetPosition(geometry.get(), center.x, center.y, center.z);
+  return meet(geometry.get(),
+              peers::segment_past<T>(convert<double>(ray), dvec3(center), static_cast<double>(radius)));
+}
+
+Hit box(const Ray<T>& ray, Vector low, Vector high) {
+  const Vector half = (high - low) / T(2), center = low + half;
+  // ODE's box has a center: asked are boxes that have one among its numbers.
+  if (center - half != low || center + half != high || half.x * half.y * half.z == 0) throw Unsupported();
+  const Geometry geometry(dCreateBox(nullptr, 2 * half.x, 2 * half.y, 2 * half.z));
+  dGeomSetPosition(geometry.get(), center.x, center.y, center.z);
+  return meet(geometry.get(),
+              peers::segment_past<T>(convert<double>(ray), std::array{dvec3(low), dvec3(high)}));
+}
+
+Hit cylinder(const Ray<T>& ray, T rx, T ry, T height, bool capped) {
+  if (!capped || rx != ry || height == 0) throw Unsupported();
+  const Geometry geometry(dCreateCylinder(nullptr, rx, height));
+  dGeomSetPosition(geometry.get(), 0, 0, height / 2);
+  const dvec3 center(0, 0, static_cast<double>(height) / 2);
+  const double reach = std::hypot(static_cast<double>(rx), center.z);
+  return meet(geometry.get(), peers::segment_past<T>(convert<double>(ray), center, reach));
+}
+
+/// "The normal vector must have length 1"; n·x = d. The plane is a half-space, met at its boundary.
+Hit plane(const Ray<T>& ray, Vector normal, T d) {
+  const T length = glm::length(normal);
+  const Geometry geometry(
+      dCreatePlane(nullptr, normal.x / length, normal.y / length, normal.z / length, -d / length));
+  const Ray<double> wide = convert<double>(ray);
+  const double t =
+      -(dot(dvec3(normal), wide.origin) + static_cast<double>(d)) / dot(dvec3(normal), wide.direction);
+  const dvec3 passed = wide.origin + (std::isfinite(t) ? std::abs(t) : 1.0) * wide.direction;
+  const double reach = glm::length(passed - wide.origin) + glm::length(wide.direction);
+  return meet(geometry.get(), peers::segment_past<T>(wide, passed, reach));
+}
+
+/// Its triangle meshes hold doubles here, though OPCODE computes in float.
+Hit triangle(const Ray<T>& ray, Vector a, Vector b, Vector c) {
+  const std::array<Vector, 3> vertices{a, b, c};
+  const std::array<dTriIndex, 3> indices{0, 1, 2};
+  const dTriMeshDataID data = dGeomTriMeshDataCreate();
+  if constexpr (sizeof(T) == sizeof(double)) {
+    dGeomTriMeshDataBuildDouble(data, vertices.data(), sizeof(Vector), 3, indices.data(), 3,
+                                3 * sizeof(dTriIndex));
+  } else {
+    dGeomTriMeshDataBuildSingle(data, vertices.data(), sizeof(Vector), 3, indices.data(), 3,
+                                3 * sizeof(dTriIndex));
+  }
+  Geometry geometry(dCreateTriMesh(nullptr, data, nullptr, nullptr, nullptr));
+  const auto destroy = [](dTriMeshDataID one) { dGeomTriMeshDataDestroy(one); };
+  const std::unique_ptr<dxTriMeshData, decltype(destroy)> owner(data);
+  const Geometry shape = std::move(geometry);  // goes before its data
+  return meet(shape.get(),
+              peers::segment_past<T>(convert<double>(ray), std::array{dvec3(a), dvec3(b), dvec3(c)}));
+}
+
+}  // namespace
+}  // namespace rayproof
+
+int main() {
+  using namespace rayproof;
+  dInitODE2(0);
+  dAllocateODEDataForThread(dAllocateMaskAll);
+  const int status = answer_cases(sphere, box, cylinder, takes<ImplicitPlane>(plane), triangle);
+  dCloseODE();
+  return status;
+}

@@ -1,0 +1,75 @@
+#include "programs/check/peers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
+#include "properties/plan.hpp"
+
+namespace rayproof::check {
+namespace {
+
+constexpr const char* all_peers = "peers";
+
+/// Where this program and its like lie.
+std::filesystem::path programs_folder() {
+  return std::filesystem::read_symlink("/proc/self/exe").parent_path();
+}
+
+/// A word that a shell takes as it stands.
+std::string quoted(const std::string& text) {
+  std::string safe = "'";
+  for (const char c : text) safe += c == '\'' ? "'\\''" : std::string(1, c);
+  return safe + "'";
+}
+
+/// A line of the registry: the peer, and whether its program is there.
+struct Entry {
+  Peer peer;
+  bool is_built;
+};
+
+std::vector<Entry> entries() {
+  const std::filesystem::path folder = programs_folder();
+  std::vector<Entry> all;
+  std::istringstream registry(peer_registry());
+  for (std::string line; std::getline(registry, line);) {
+    if (line.empty() || line.starts_with('#')) continue;
+    std::istringstream words(line);
+    std::string name, program, arguments;
+    words >> name >> program;
+    std::getline(words, arguments);
+    const std::filesystem::path path = folder / program;
+    all.push_back({{name, quoted(path.string()) + arguments}, std::filesystem::exists(path)});
+  }
+  return all;
+}
+
+/// Why a name calls nobody.
+UnknownName nobody_called(const std::string& name, const std::vector<Entry>& known) {
+  const auto is_called = [&](const Entry& entry) { return name == all_peers || name == entry.peer.name; };
+  if (std::ranges::any_of(known, is_called))
+    return UnknownName(fmt::format(
+        "--subject {0}: it is not built; in a checkout, ./rayproof check --subject {0} builds it", name));
+  std::string names = all_peers;
+  for (const Entry& entry : known) names += ", " + entry.peer.name;
+  return UnknownName(fmt::format("there is no subject \"{}\"; there are {}", name, names));
+}
+
+}  // namespace
+
+std::vector<Peer> peers_called(const std::vector<std::string>& names) {
+  const std::vector<Entry> known = entries();
+  std::vector<Peer> called;
+  for (const std::string& name : names) {
+    const std::size_t before = called.size();
+    for (const Entry& entry : known)
+      if (entry.is_built && (name == all_peers || name == entry.peer.name)) called.push_back(entry.peer);
+    if (called.size() == before) throw nobody_called(name, known);
+  }
+  return called;
+}
+
+}  // namespace rayproof::check

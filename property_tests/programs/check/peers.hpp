@@ -1,0 +1,23 @@
+#pragma once
+/// \file
+/// Other people's libraries by their names: the registry of the programs under property_tests/peers.
+
+#include <string>
+#include <vector>
+
+namespace rayproof::check {
+
+/// One library on trial: the name of --subject, and the shell line that starts its program.
+struct Peer {
+  std::string name;
+  std::string command;
+};
+
+/// The text of the registry, a line for each peer: its name, its program, the program's arguments.
+[[nodiscard]] std::string peer_registry();
+
+/// The peers of these names; `peers` stands for all whose programs lie beside this one. Throws UnknownName
+/// for a name that the registry lacks, and for one whose program is not built.
+[[nodiscard]] std::vector<Peer> peers_called(const std::vector<std::string>& names);
+
+}  // namespace rayproof::check
