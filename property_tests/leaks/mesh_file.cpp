@@ -1,0 +1,56 @@
+#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <stdexcept>
+#include <tuple>
+
+#include "leaks/mesh.hpp"
+
+namespace rayproof::leaks {
+
+namespace {
+
+using FilePoint = CGAL::Simple_cartesian<double>::Point_3;
+
+/// Numbers vertices by their place: files without indices (STL) repeat them for each triangle.
+class VertexNumbers {
+ public:
+  explicit VertexNumbers(ClosedMesh& mesh) : mesh_(mesh) {}
+
+  std::size_t operator()(const FilePoint& p) {
+    const auto [place, is_new] = numbers_.try_emplace(std::tuple(p.x(), p.y(), p.z()), mesh_.vertices.size());
+    if (is_new) mesh_.vertices.emplace_back(p.x(), p.y(), p.z());
+    return place->second;
+  }
+
+ private:
+  ClosedMesh& mesh_;
+  std::map<std::tuple<double, double, double>, std::size_t> numbers_{};
+};
+
+}  // namespace
+
+ClosedMesh read_mesh(const std::string& file) {
+  if (!std::filesystem::exists(file)) throw std::runtime_error(file + " does not exist");
+  std::vector<FilePoint> points;
+  std::vector<std::vector<std::size_t>> faces;
+  if (!CGAL::IO::read_polygon_soup(file, points, faces) || faces.empty())
+    throw std::runtime_error(file + " is no mesh in OFF, OBJ, STL or PLY that can be read");
+  ClosedMesh mesh{.name = std::filesystem::path(file).stem().string()};
+  VertexNumbers number_of(mesh);
+  for (const std::vector<std::size_t>& face : faces)
+    for (std::size_t k = 2; k < face.size(); ++k) {
+      const std::array<std::size_t, 3> corners{
+          number_of(points.at(face[0])), number_of(points.at(face[k - 1])), number_of(points.at(face[k]))};
+      const auto& [a, b, c] = corners;
+      if (a != b && b != c && c != a) mesh.triangles.push_back(corners);
+    }
+  for (const glm::dvec3& v : mesh.vertices)
+    if (!std::isfinite(v.x + v.y + v.z)) throw std::runtime_error(file + ": a vertex is not finite");
+  return turned_outward(std::move(mesh));
+}
+
+}  // namespace rayproof::leaks
