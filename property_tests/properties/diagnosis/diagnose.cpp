@@ -31,6 +31,14 @@ bool may_show(Aspect aspect, Claim claim) {
   }
 }
 
+/// Of the cases in percent: a model that foresees an answer digit by digit says more than a cure.
+constexpr std::size_t most_for_a_model = 60;
+constexpr std::size_t most_for_a_cure = 85;
+
+bool is_share(const Indices& part, const Indices& whole, std::size_t percent) {
+  return 100 * part.size() >= percent * whole.size() && !part.empty();
+}
+
 /// Looks for the cause of the failing cases that are left, one group after the other.
 class Search {
  public:
@@ -40,23 +48,21 @@ class Search {
   /// What explains most of the cases, or else the largest part of them; no cause where nothing explains
   /// enough.
   [[nodiscard]] Diagnosis next(const Indices& left) const {
-    const Indices small = explained_by("isolated", left);
-    const bool is_isolated = 2 * small.size() > left.size();
-    Diagnosis best;
+    Diagnosis best = best_model(left);
+    if (is_share(best.cases, left, most_for_a_model)) return best;
+    if (!is_part(best.cases, left)) best = {};
+    const bool is_isolated = is_share(explained_by("isolated", left), left, 50);
     for (const Hypothesis& one : hypotheses()) {
-      if (!may_be(one, is_isolated)) continue;
+      if (one.predict != nullptr || !may_be(one, is_isolated)) continue;
       const Indices cases = screened(one, left);
-      if (cases.size() <= best.cases.size() || !is_enough(one, cases, left)) continue;
-      if (examination_.is_contradicted(one)) continue;
+      const bool is_most = is_share(cases, left, most_for_a_cure);
+      if (!is_most && (cases.size() <= best.cases.size() || !is_proven(one, cases, left))) continue;
+      if (is_contradicted(one, cases)) continue;
       best.cause = &one;
       best.cases = cases;
-      if (is_most(cases, left)) break;
+      if (is_most) break;
     }
     return best;
-  }
-
-  [[nodiscard]] static bool is_most(const Indices& part, const Indices& whole) {
-    return 100 * part.size() >= 85 * whole.size();
   }
 
  private:
@@ -81,17 +87,51 @@ class Search {
     return cases;
   }
 
-  /// A part of the cases makes a group of its own where it is no matter of luck; small changes alone must not
-  /// do as much as a cure that rounds.
-  [[nodiscard]] bool is_enough(const Hypothesis& one, const Indices& cases, const Indices& left) const {
-    if (is_most(cases, left)) return true;
-    if (cases.size() < 3 || 4 * cases.size() < left.size()) return false;
-    return !one.perturbs || 3 * explained_by("isolated", cases).size() < cases.size();
+  /// The model that foresees most of the wrong answers, and no wrong one where the subject is right.
+  [[nodiscard]] Diagnosis best_model(const Indices& left) const {
+    Diagnosis best;
+    std::size_t most = 0;
+    for (const Hypothesis& one : hypotheses()) {
+      if (one.predict == nullptr || !may_be(one, false)) continue;
+      const Indices cases = screened(one, left);
+      if (cases.size() <= most || is_contradicted(one, cases)) continue;
+      const std::size_t balance = cases.size() - examination_.contradictions(one);
+      if (balance <= most) continue;
+      most = balance;
+      best.cause = &one;
+      best.cases = cases;
+    }
+    return best;
+  }
+
+  /// One contradiction may be another fault, or rounding.
+  [[nodiscard]] bool is_contradicted(const Hypothesis& one, const Indices& cases) const {
+    return examination_.contradictions(one) > std::max<std::size_t>(cases.size() / 8, 1);
+  }
+
+  /// A part of the cases makes a group of its own where it is no matter of luck.
+  [[nodiscard]] static bool is_part(const Indices& cases, const Indices& left) {
+    return cases.size() >= 3 && is_share(cases, left, 25);
+  }
+  /// And small changes alone must not do as much as a cure that rounds the case anew.
+  [[nodiscard]] bool is_proven(const Hypothesis& one, const Indices& cases, const Indices& left) const {
+    return is_part(cases, left) && !(one.perturbs && is_share(explained_by("isolated", cases), cases, 33));
   }
 
   const Patient& patient_;
   const Examination& examination_;
 };
+
+/// A few cases that nothing explains belong to the largest group: rounding, or two faults at once.
+void fold_rest(std::vector<Diagnosis>& groups, std::size_t all) {
+  if (groups.size() < 2 || groups.back().cause != nullptr || 4 * groups.back().cases.size() > all) return;
+  const Indices rest = std::move(groups.back().cases);
+  groups.pop_back();
+  Indices& cases =
+      std::ranges::max_element(groups, {}, [](const Diagnosis& one) { return one.cases.size(); })->cases;
+  cases.insert(cases.end(), rest.begin(), rest.end());
+  std::ranges::sort(cases);
+}
 
 /// What is said of cases that nothing explains.
 void describe_unknown(Diagnosis& group, const Examination& examination) {
@@ -130,6 +170,7 @@ std::vector<Diagnosis> diagnose(const Patient& patient, std::span<const Case> fa
     left = std::move(rest);
     groups.push_back(std::move(group));
   }
+  fold_rest(groups, failing.size());
   for (Diagnosis& group : groups) describe(group, examination);
   return groups;
 }

@@ -74,11 +74,12 @@ std::vector<std::size_t> Examination::cured(const Hypothesis& hypothesis,
   return all;
 }
 
-bool Examination::is_contradicted(const Hypothesis& hypothesis) const {
-  if (hypothesis.change != nullptr) return false;
-  const auto against =
-      std::ranges::count_if(passing_, [&](const Known& known) { return fits(hypothesis, known) == false; });
-  return 20 * against > static_cast<std::ptrdiff_t>(passing_.size());
+std::size_t Examination::contradictions(const Hypothesis& hypothesis) const {
+  if (hypothesis.change != nullptr) return 0;
+  return static_cast<std::size_t>(std::ranges::count_if(passing_, [&](const Known& known) {
+    return known.got && agree(known.asked.one, *known.got, known.asked.exact, hypothesis.aspect) &&
+           fits(hypothesis, known) == false;
+  }));
 }
 
 double Examination::error_of(std::size_t i) const {

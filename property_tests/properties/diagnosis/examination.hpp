@@ -15,8 +15,8 @@ class Examination {
   /// Which of these failing cases (by index) the hypothesis explains.
   [[nodiscard]] std::vector<std::size_t> explained(const Hypothesis& hypothesis,
                                                    std::span<const std::size_t> cases) const;
-  /// Whether the hypothesis expects wrong answers where the subject's are right.
-  [[nodiscard]] bool is_contradicted(const Hypothesis& hypothesis) const;
+  /// On how many of the passing cases the hypothesis expects wrong answers where the subject's are right.
+  [[nodiscard]] std::size_t contradictions(const Hypothesis& hypothesis) const;
 
   [[nodiscard]] std::size_t failing_count() const { return failing_.size(); }
   /// Of the failing cases, those on a boundary.

@@ -21,4 +21,7 @@ struct Patient {
   Claim claim = Claim::verdict;
 };
 
+/// A subject under one of the properties.
+[[nodiscard]] Patient patient_of(const Subject& subject, const Property& property);
+
 }  // namespace rayproof

@@ -58,16 +58,15 @@ std::vector<Hypothesis> cures_of_values() {
       exact_cure("renamed-axes", renamed_axes,
                  "right as soon as the axes are renamed: the code always leaves out the same coordinate, "
                  "whatever the figure's attitude"),
-      exact_cure("in-double", in_double, "right with the same numbers in double: float32 loses the digits",
-                 Severity::rounding),
+      exact_cure(
+          "tilted", tilted,
+          "right as soon as the direction is tilted off the axes: 0·∞ or a division by a component that is "
+          "0"),
       cure("unit-direction", unit_direction,
            "right as soon as the direction has length 1: the code takes it for a unit vector"),
       cure("unit-normal", unit_normal,
            "right as soon as the normal has length 1: the code takes it for a unit vector"),
       cure("leading-one", leading_one, "right as soon as a = 1: the code forgets a"),
-      cure("tilted", tilted,
-           "right as soon as the direction is tilted off the axes: 0·∞ or a division by a component that is "
-           "0"),
       cure("in-object-space", in_object_space,
            "right with the same ray in object space, without the transform: the fault lies in the transform",
            Severity::gross, Keeps::verdict),
@@ -83,6 +82,8 @@ std::vector<Hypothesis> cures_of_values() {
       cure("start-near", start_near,
            "right as soon as the ray starts near the shape: from afar its equation cancels",
            Severity::rounding, Keeps::verdict),
+      exact_cure("in-double", in_double, "right with the same numbers in double: float32 loses the digits",
+                 Severity::rounding),
       cure("shape-at-zero", shape_at_zero,
            "right as soon as the shape is at the origin of coordinates: far from it digits cancel, or its "
            "place is ignored",

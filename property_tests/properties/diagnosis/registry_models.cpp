@@ -1,6 +1,7 @@
 /// \file
 /// The registration of the models: one line each, the most specific first.
 
+#include "properties/diagnosis/models/digits.hpp"
 #include "properties/diagnosis/models/factor.hpp"
 #include "properties/diagnosis/models/first_hit.hpp"
 #include "properties/diagnosis/models/flat.hpp"
@@ -43,7 +44,7 @@ std::vector<Hypothesis> models_of_hits() {
             "hits exactly at t_min and t_max are left out: the interval is taken for open", boundary),
       gives("ignores-t-max", read_as<without_t_max>,
             "the answer is right for a ray without end: t_max is ignored"),
-      gives("t-min-is-zero", read_as<with_t_min_zero>, "the answer is right for t_min = 0: t_min is ignored"),
+      gives("t-min-is-zero", t_min_is_zero, "the answer is right for t_min = 0: t_min is ignored"),
       gives("ignores-t-min", read_as<without_t_min>,
             "the answer is right without t_min: hits behind the ray's beginning are reported"),
       gives("interval-is-zero-to-inf", read_as<from_origin_on>,
@@ -80,6 +81,47 @@ std::vector<Hypothesis> models_of_hits() {
       gives("boundary-outside", boundary_is_outside, "the boundary is taken for outside: the set is open",
             boundary),
       gives("boundary-inside", boundary_is_inside, "the boundary is taken for inside", boundary),
+  };
+}
+
+std::vector<Hypothesis> models_of_limits() {
+  return {
+      gives("epsilon-1e-10", drops_below<-10>,
+            "hits with t below about 1e-10 are left out: an absolute epsilon"),
+      gives("epsilon-1e-9", drops_below<-9>,
+            "hits with t below about 1e-9 are left out: an absolute epsilon"),
+      gives("epsilon-1e-8", drops_below<-8>,
+            "hits with t below about 1e-8 are left out: an absolute epsilon"),
+      gives("epsilon-1e-7", drops_below<-7>,
+            "hits with t below about 1e-7 are left out: an absolute epsilon"),
+      gives("epsilon-1e-6", drops_below<-6>,
+            "hits with t below about 1e-6 are left out: an absolute epsilon"),
+      gives("epsilon-1e-5", drops_below<-5>,
+            "hits with t below about 1e-5 are left out: an absolute epsilon"),
+      gives("epsilon-1e-4", drops_below<-4>,
+            "hits with t below about 1e-4 are left out: an absolute epsilon"),
+      gives("epsilon-1e-3", drops_below<-3>,
+            "hits with t below about 1e-3 are left out: an absolute epsilon"),
+      gives("epsilon-1e-2", drops_below<-2>,
+            "hits with t below about 1e-2 are left out: an absolute epsilon"),
+      gives("limit-1e30", drops_beyond<30>,
+            "hits with t beyond about 1e30 are left out: a fixed largest distance"),
+      gives("limit-1e20", drops_beyond<20>,
+            "hits with t beyond about 1e20 are left out: a fixed largest distance"),
+      gives("limit-1e10", drops_beyond<10>,
+            "hits with t beyond about 1e10 are left out: a fixed largest distance"),
+      gives("limit-1e8", drops_beyond<8>,
+            "hits with t beyond about 1e8 are left out: a fixed largest distance"),
+      gives("limit-1e6", drops_beyond<6>,
+            "hits with t beyond about 1e6 are left out: a fixed largest distance"),
+      gives("limit-1e5", drops_beyond<5>,
+            "hits with t beyond about 1e5 are left out: a fixed largest distance"),
+      gives("limit-1e4", drops_beyond<4>,
+            "hits with t beyond about 1e4 are left out: a fixed largest distance"),
+      gives("limit-1e3", drops_beyond<3>,
+            "hits with t beyond about 1e3 are left out: a fixed largest distance"),
+      gives("limit-1e2", drops_beyond<2>,
+            "hits with t beyond about 1e2 are left out: a fixed largest distance"),
   };
 }
 
@@ -125,6 +167,16 @@ std::vector<Hypothesis> models_of_numbers() {
   };
 }
 
+std::vector<Hypothesis> models_of_digits() {
+  return {
+      shows("computes-in-float", is_of_float,
+            "every number is one of float32, though the case is of float64: the code computes in float",
+            Severity::rounding),
+      shows("prints-six-digits", has_six_digits,
+            "no number has more than six digits: the code prints too few of them", Severity::rounding),
+  };
+}
+
 std::vector<Hypothesis> models_of_transforms() {
   return {
       gives("ignores-transform", read_as<without_transform>,
@@ -134,11 +186,10 @@ std::vector<Hypothesis> models_of_transforms() {
       gives("transposed-transform", read_as<with_transposed_transform>,
             "the answer is right for the transposed matrix: rows are taken for columns"),
       gives("ignores-translation", read_as<without_translation>,
-            "the answer is right without the transform's translation: it is ignored"),
+            "the answer is right without the transform's translation: it is ignored, or the origin is "
+            "transformed with w = 0"),
       gives("direction-translated", read_as<direction_as_point>,
             "the direction is translated like a point: it is transformed with w = 1 and must be with w = 0"),
-      gives("origin-not-translated", read_as<origin_as_direction>,
-            "the ray's origin is not translated: it is transformed with w = 0 and must be with w = 1"),
       gives("direction-not-transformed", read_as<direction_not_transformed>,
             "the direction is not taken into object space"),
   };
@@ -180,13 +231,11 @@ std::vector<Hypothesis> models_of_shapes() {
       gives("constant-negated", read_as<constant_negated>,
             "the answer is right for -d: the plane's constant has the wrong sign"),
       gives("constant-ignored", read_as<without_constant>,
-            "the answer is right for d = 0: the plane's constant is ignored"),
+            "the answer is right for a plane through the origin of coordinates: its constant, or point, is "
+            "ignored"),
       gives("constant-as-distance", read_as<constant_as_distance>,
             "the answer is right where d is a distance along a unit normal: the normal is taken for a unit "
             "vector"),
-      gives(
-          "plane-through-zero", read_as<plane_through_zero>,
-          "the answer is right for a plane through the origin of coordinates: the plane's point is ignored"),
       gives("plane-parallelogram", read_as<plane_as_parallelogram>,
             "only the parallelogram of u and v is hit, and not the whole plane"),
       gives("coefficients-missing", numerator_without_coefficients,
@@ -224,11 +273,9 @@ std::vector<Hypothesis> models_of_shapes() {
             "the answer is right for rx² and ry²: the radii are squared once too often"),
       gives("middle-at-zero", read_as<middle_at_zero>,
             "the answer is right for a cylinder from -height/2 to height/2"),
-      gives("sides-closed", inside_by<Inside::closed_sides>,
-            "a vertex level with the point counts for both of its sides: sides are closed at both ends, "
-            "where one end must be open"),
-      gives("sides-open", inside_by<Inside::open_sides>,
-            "a vertex level with the point counts for neither of its sides: sides are open at both ends"),
+      gives("level-vertex", inside_by<Inside::closed_sides>,
+            "a vertex level with the point counts for both of its sides or for neither: of each side one end "
+            "must be open and the other closed"),
       gives("level-outside", inside_by<Inside::not_level>,
             "a point level with a vertex is taken for outside"),
       gives("winding-rule", inside_by<Inside::winding>,

@@ -31,10 +31,10 @@ double size_of_shape(Case one) {
 
 }  // namespace
 
-Cases larger_scene(const Case& one) { return scaled_cases(one, {10, 20, 40}, true); }
-Cases smaller_scene(const Case& one) { return scaled_cases(one, {-10, -20, -40}, true); }
-Cases longer_direction(const Case& one) { return scaled_cases(one, {10, 20, 40}, false); }
-Cases shorter_direction(const Case& one) { return scaled_cases(one, {-10, -20, -40}, false); }
+Cases larger_scene(const Case& one) { return scaled_cases(one, {10, 20, 40, 100, 200}, true); }
+Cases smaller_scene(const Case& one) { return scaled_cases(one, {-10, -20, -40, -100, -200}, true); }
+Cases longer_direction(const Case& one) { return scaled_cases(one, {10, 20, 40, 100, 200}, false); }
+Cases shorter_direction(const Case& one) { return scaled_cases(one, {-10, -20, -40, -100, -200}, false); }
 
 Cases ordinary_sizes(const Case& one) {
   if (std::holds_alternative<PointAndPolygon<double>>(one.question)) return {};

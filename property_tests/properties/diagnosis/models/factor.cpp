@@ -19,6 +19,8 @@ double squared(const glm::dvec3& v) { return glm::dot(v, v); }
 Answers times(const Case& one, const Answer& exact, double factor) {
   if (std::holds_alternative<Position>(exact)) return {};
   const RayQuestion* asked = ray_question(one);
+  const auto* roots = std::get_if<QuadraticAnswer<double>>(&exact);
+  if (roots != nullptr && roots->kind == RootKind::linear) return {};  // another formula's
   if (asked == nullptr) return {stretched(exact, factor)};
   const auto line = std::get<RayAnswer>(stretched(hits_of_line(one), factor));
   Answers answers{hits_where(line, [&](double t) { return in_interval(asked->ray, t); })};

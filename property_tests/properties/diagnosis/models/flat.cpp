@@ -20,10 +20,18 @@ bool is_flat(const Case& one) {
          shape_in<ParametricPlane>(one) != nullptr || flat_figure(one).has_value();
 }
 
-template <class DoChange>
-std::vector<Case> with_implicit(const Case& one, DoChange&& change) {
-  return with_shape<ImplicitPlane>(one, [&](RayQuestion& /*asked*/, ImplicitPlane& plane) {
-    change(plane);
+/// A plane whose distance from the origin of coordinates is `factor(length of its normal)` times as large.
+template <class Factor>
+std::vector<Case> with_distance(const Case& one, Factor&& factor) {
+  return with_question(one, [&](RayQuestion& asked) {
+    if (auto* plane = std::get_if<ImplicitPlane>(&asked.shape))
+      plane->d *= factor(glm::length(plane->normal));
+    else if (auto* with_normal = std::get_if<PointNormalPlane>(&asked.shape))
+      with_normal->point *= factor(glm::length(with_normal->normal));
+    else if (auto* parametric = std::get_if<ParametricPlane>(&asked.shape))
+      parametric->point *= factor(glm::length(glm::cross(parametric->u, parametric->v)));
+    else
+      return false;
     return true;
   });
 }
@@ -49,7 +57,10 @@ Answers culls_front(const Case& one, const Answer& exact) {
   return is_flat(one) ? misses_side(one, exact, -1) : Answers{};
 }
 Answers misses_from_inside(const Case& one, const Answer& exact) {
-  return is_flat(one) ? Answers{} : misses_side(one, exact, 1);
+  const RayQuestion* asked = ray_question(one);
+  if (asked == nullptr || std::get<RayAnswer>(exact).hits.count == 0) return {};
+  const HitList line = hits_of_line(one).hits;
+  return line.count == 2 && line.t[0] < 0 && line.t[1] > 0 ? Answers{RayAnswer{}} : Answers{};
 }
 
 std::vector<Case> as_plane(const Case& one) {
@@ -71,21 +82,13 @@ std::vector<Case> as_parallelogram(const Case& one) {
 }
 
 std::vector<Case> constant_negated(const Case& one) {
-  return with_implicit(one, [](ImplicitPlane& plane) { plane.d = -plane.d; });
+  return with_distance(one, [](double /*length*/) { return -1.0; });
 }
 std::vector<Case> without_constant(const Case& one) {
-  return with_implicit(one, [](ImplicitPlane& plane) { plane.d = 0; });
+  return with_distance(one, [](double /*length*/) { return 0.0; });
 }
 std::vector<Case> constant_as_distance(const Case& one) {
-  return with_implicit(one, [](ImplicitPlane& plane) { plane.d *= glm::length(plane.normal); });
-}
-
-std::vector<Case> plane_through_zero(const Case& one) {
-  return with_question(one, [](RayQuestion& asked) {
-    if (auto* plane = std::get_if<PointNormalPlane>(&asked.shape)) plane->point = glm::dvec3(0);
-    if (auto* plane = std::get_if<ParametricPlane>(&asked.shape)) plane->point = glm::dvec3(0);
-    return true;
-  });
+  return with_distance(one, [](double length) { return length; });
 }
 
 std::vector<Case> plane_as_parallelogram(const Case& one) {

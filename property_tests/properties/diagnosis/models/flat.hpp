@@ -29,12 +29,11 @@ template <int vertex>
   });
 }
 
-/// @{ Readings of a plane: the constant with the other sign; without it; as a distance along the unit normal;
-/// through the origin of coordinates; only the parallelogram of a parametric plane's u and v.
+/// @{ Readings of a plane, in any form: the constant of its equation with the other sign; without it; as a
+/// distance along the unit normal; only the parallelogram of a parametric plane's u and v.
 [[nodiscard]] std::vector<Case> constant_negated(const Case& one);
 [[nodiscard]] std::vector<Case> without_constant(const Case& one);
 [[nodiscard]] std::vector<Case> constant_as_distance(const Case& one);
-[[nodiscard]] std::vector<Case> plane_through_zero(const Case& one);
 [[nodiscard]] std::vector<Case> plane_as_parallelogram(const Case& one);
 /// @}
 /// The origin's coordinates are added up without the plane's coefficients: t = -(x + y + z + D) / (n·d).

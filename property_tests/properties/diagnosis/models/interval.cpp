@@ -61,9 +61,11 @@ std::vector<Case> without_interval(const Case& one) {
   return with_interval(one, -infinity<double>, infinity<double>);
 }
 
-std::vector<Case> with_t_min_zero(const Case& one) {
+Answers t_min_is_zero(const Case& one, const Answer& /*exact*/) {
   const auto* ray = ray_of(one);
-  return ray == nullptr ? std::vector<Case>{} : with_interval(one, 0, ray->t_max);
+  if (ray == nullptr) return {};
+  if (ray->t_max < 0) return {RayAnswer{}};
+  return exact_of(with_interval(one, 0, ray->t_max));
 }
 
 std::vector<Case> from_origin_on(const Case& one) { return with_interval(one, 0, infinity<double>); }
@@ -77,6 +79,11 @@ std::vector<Case> interval_as_distances(const Case& one) {
     asked.ray.t_max /= length;
     return length != 1;
   });
+}
+
+Answers drops(const Case& one, const Answer& exact, bool (*is_dropped)(double t)) {
+  return without_hits(one, exact,
+                      [is_dropped](const Ray<double>& /*ray*/, double t) { return is_dropped(t); });
 }
 
 Answers open_at_t_min(const Case& one, const Answer& exact) {

@@ -2,6 +2,8 @@
 /// \file
 /// Models of faults with the ray's interval of t.
 
+#include <cmath>
+
 #include "properties/diagnosis/models/models.hpp"
 
 namespace rayproof::diagnosis {
@@ -11,17 +13,33 @@ namespace rayproof::diagnosis {
 [[nodiscard]] std::vector<Case> without_t_max(const Case& one);
 [[nodiscard]] std::vector<Case> without_t_min(const Case& one);
 [[nodiscard]] std::vector<Case> without_interval(const Case& one);
-[[nodiscard]] std::vector<Case> with_t_min_zero(const Case& one);
 [[nodiscard]] std::vector<Case> from_origin_on(const Case& one);
 [[nodiscard]] std::vector<Case> as_segment(const Case& one);
 [[nodiscard]] std::vector<Case> interval_as_distances(const Case& one);
 /// @}
+
+/// The interval begins at 0.
+[[nodiscard]] Answers t_min_is_zero(const Case& one, const Answer& exact);
+
+/// The exact hits without those that are dropped; nothing where none is.
+[[nodiscard]] Answers drops(const Case& one, const Answer& exact, bool (*is_dropped)(double t));
 
 /// @{ A hit that lies exactly on an end of the interval is left out.
 [[nodiscard]] Answers open_at_t_min(const Case& one, const Answer& exact);
 [[nodiscard]] Answers open_at_t_max(const Case& one, const Answer& exact);
 [[nodiscard]] Answers open_at_both_ends(const Case& one, const Answer& exact);
 /// @}
+
+/// Hits of t below 10^power, which the interval admits, are left out.
+template <int power>
+[[nodiscard]] Answers drops_below(const Case& one, const Answer& exact) {
+  return drops(one, exact, [](double t) { return t < std::pow(10.0, power); });
+}
+/// Hits of t beyond 10^power, which the interval admits, are left out.
+template <int power>
+[[nodiscard]] Answers drops_beyond(const Case& one, const Answer& exact) {
+  return drops(one, exact, [](double t) { return t > std::pow(10.0, power); });
+}
 
 /// The nearest hit of the line lies outside the interval, and the farther one is not looked at.
 [[nodiscard]] Answers first_hit_decides(const Case& one, const Answer& exact);

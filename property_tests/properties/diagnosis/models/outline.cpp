@@ -64,8 +64,6 @@ bool is_inside(Inside rule, const glm::dvec2& point, const Outline& outline) {
   switch (rule) {
     case Inside::closed_sides:
       return crossings(point, outline, all, [](double a, double b) { return a * b <= 0; }) % 2 == 1;
-    case Inside::open_sides:
-      return crossings(point, outline, all, [](double a, double b) { return a * b < 0; }) % 2 == 1;
     case Inside::not_level:
       return is_odd && std::ranges::none_of(outline, [&](const auto& v) { return v.y == point.y; });
     case Inside::winding:
@@ -111,7 +109,6 @@ Answers inside_by(const Case& one, const Answer& exact) {
 }
 
 template Answers inside_by<Inside::closed_sides>(const Case&, const Answer&);
-template Answers inside_by<Inside::open_sides>(const Case&, const Answer&);
 template Answers inside_by<Inside::not_level>(const Case&, const Answer&);
 template Answers inside_by<Inside::winding>(const Case&, const Answer&);
 template Answers inside_by<Inside::last_side>(const Case&, const Answer&);

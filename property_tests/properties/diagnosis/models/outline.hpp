@@ -8,8 +8,7 @@ namespace rayproof::diagnosis {
 
 /// Rules that a subject may follow in place of the even-odd one.
 enum class Inside {
-  closed_sides,    ///< sides closed at both ends: a level vertex counts twice
-  open_sides,      ///< sides open at both ends: a level vertex does not count
+  closed_sides,    ///< sides closed at both ends, or open at both: a level vertex counts twice or never
   not_level,       ///< the point must not be level with a vertex: then it is outside
   winding,         ///< what winds round the point any number of times but 0 is inside
   last_side,       ///< the side from the last vertex to the first is forgotten

@@ -16,8 +16,6 @@ namespace rayproof::diagnosis {
 
 /// The direction is translated as if it were a point (w = 1).
 [[nodiscard]] std::vector<Case> direction_as_point(const Case& one);
-/// The origin is not translated, as if it were a direction (w = 0).
-[[nodiscard]] std::vector<Case> origin_as_direction(const Case& one);
 /// The direction stays what it is in the world.
 [[nodiscard]] std::vector<Case> direction_not_transformed(const Case& one);
 
