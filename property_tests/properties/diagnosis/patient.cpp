@@ -14,6 +14,9 @@ Patient patient_of(const Subject& subject, const Property& property) {
     Trial trial(subject, one);
     trial.recall(answer, judgement);
     const Ruling ruling = property.rule(trial);
+    // Where the verdict is wrong, an error of t is no matter: that is not held, either.
+    if (ruling == Ruling::held && judgement.wrong && !property.name.ends_with("verdict"))
+      return Ruling::outside;
     // A boundary's property says nothing of a case beside the boundary: there the verdict alone counts.
     const bool is_beside = property.claim == Claim::exact && ruling == Ruling::outside;
     return is_beside && !judgement.wrong ? Ruling::held : ruling;

@@ -62,7 +62,7 @@ const Planted planted[] = {
     {"triangle", answer<no_beta_test>, "verdict", "edge-b-not-tested"},
     {"triangle", answer<no_test>, "verdict", "whole-plane"},
     {"triangle", answer<culls_back>, "verdict", "culls-back-faces"},
-    {"triangle", answer<absolute_epsilon>, "verdict", "larger-scene"},
+    {"triangle", answer<absolute_epsilon>, "verdict", "ordinary-sizes"},
     {"triangle", answer<edges_open>, "boundary", "boundary-outside"},
     {"triangle", answer<one_edge_open>, "boundary", "off-boundary"},
     {"triangle", answer<lambda_sign>, "verdict", "lambda2-second-sign"},

@@ -42,11 +42,14 @@ Cases tilted(const Case& one) {
   if (d.x != 0 && d.y != 0 && d.z != 0) return {};
   const double t = first_t(one), size = 0x1p-10 * glm::length(d);
   Cases all;
-  for (const double sign : {1.0, -1.0}) {
+  for (unsigned signs = 0; signs < 8; ++signs) {
     const auto changed = with_question(one, [&](RayQuestion& other) {
       glm::dvec3 direction = d;
-      for (int axis = 0; axis < 3; ++axis)
-        if (direction[axis] == 0) direction[axis] = sign * size;
+      for (int axis = 0; axis < 3; ++axis) {
+        const bool is_minus = (signs >> static_cast<unsigned>(axis) & 1U) != 0;
+        if (d[axis] == 0) direction[axis] = is_minus ? -size : size;
+        if (d[axis] != 0 && is_minus) return false;  // the same as without it
+      }
       turn_about(other.ray, t, direction);
       return true;
     });

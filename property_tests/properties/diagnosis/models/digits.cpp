@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "properties/claims/answers.hpp"
@@ -22,7 +23,9 @@ std::optional<bool> if_short(const Answer& got, const Answer& exact, IsShort&& i
 
 std::optional<bool> is_of_float(const Case& one, const Answer& got, const Answer& exact) {
   if (one.precision == Precision::float32) return std::nullopt;
-  return if_short(got, exact, [](double x) { return static_cast<double>(static_cast<float>(x)) == x; });
+  return if_short(got, exact, [](double x) {
+    return !std::isfinite(x) || static_cast<double>(static_cast<float>(x)) == x;
+  });
 }
 
 std::optional<bool> has_six_digits(const Case& /*one*/, const Answer& got, const Answer& exact) {
