@@ -72,6 +72,7 @@ CaseArgument read_case_argument(std::string_view text, std::optional<Precision> 
     const auto subject = members.find("subject");
     result.method = subject ? read_string(*subject)
                             : read_string(members.need("shape")) + "/" + read_string(members.need("method"));
+    if (const auto command = members.find("command")) result.command = read_string(*command);
     text = finding->node().text;
   }
   result.one = precision ? read_case(with_precision(text, *precision)) : read_case(text);

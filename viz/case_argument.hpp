@@ -14,7 +14,8 @@ namespace rayproof::viz {
 
 struct CaseArgument {
   Case one;
-  std::string method{};  ///< "sphere/textbook" where the case came in a finding; else empty
+  std::string method{};   ///< "sphere/textbook" where the case came in a finding; else empty
+  std::string command{};  ///< the shell line where the finding's subject is a program
 };
 
 /// The text a CASE stands for: the argument itself where it begins with a brace; where it is a number, the

@@ -37,6 +37,8 @@ struct RayAnswer {
   Contact contact = Contact::none;
   HitList hits{};
   bool nearest_only = false;                ///< the subject reports no hit but the first
+  bool says_contact = true;                 ///< the subject says how it touches, or why it misses
+  bool verdict_only = false;                ///< it says whether, and no t: that of a hit is NaN
   std::optional<glm::dvec3> point{};        ///< of the first hit
   std::optional<glm::dvec3> normal{};       ///< of the first hit, a unit vector
   std::optional<glm::dvec3> barycentric{};  ///< of a triangle's hit, [α, β, γ] of a, b, c

@@ -49,8 +49,8 @@ void write_numbers(JsonWriter& json, const char* name, const char* hex_name, con
 
 void write(JsonWriter& json, const RayAnswer& answer) {
   json.member("verdict").string(answer.hits.count > 0 ? "hit" : "miss");
-  json.member("contact").string(name_of(answer.contact));
-  write_numbers(json.member("hits"), "t", "t_hex", answer.hits.view());
+  if (answer.says_contact) json.member("contact").string(name_of(answer.contact));
+  if (!answer.verdict_only) write_numbers(json.member("hits"), "t", "t_hex", answer.hits.view());
   if (answer.point) json.member("point").value(*answer.point);
   if (answer.normal) json.member("normal").value(*answer.normal);
   if (answer.barycentric) json.member("barycentric").value(*answer.barycentric);

@@ -5,11 +5,13 @@
 #include "command_line/interrupt.hpp"
 #include "command_line/progress_line.hpp"
 #include "programs/check/corpus.hpp"
+#include "programs/check/guests.hpp"
 #include "programs/check/leaving.hpp"
 #include "programs/check/options.hpp"
 #include "programs/check/outputs.hpp"
 #include "properties/replay.hpp"
 #include "properties/report/findings.hpp"
+#include "properties/report/guest.hpp"
 #include "properties/report/report.hpp"
 
 namespace {
@@ -50,12 +52,34 @@ std::string text_outcome(const check::Options& options, const Plan& plan, const 
                      : "every contract holds\n");
 }
 
+/// The same of programs: the findings in full, and what was judged of each shape.
+std::string text_of_guests(const check::Options& options, const Plan& plan, const RunResult& result) {
+  std::string text =
+      fmt::format("{}\nseed {}, {}{} cases for each shape, family and precision\n", options.command,
+                  plan.settings.seed, plan.settings.time ? "at most " : "", plan.settings.cases);
+  if (!result.findings.empty()) text += "\nFINDINGS\n" + text_failures(result.findings) + "\n";
+  text += text_guests(plan, result);
+  if (!result.findings.empty())
+    text += fmt::format("./rayproof explain N, draw N, replay N{}: look into finding N\n",
+                        from_option(options.out));
+  text += fmt::format("page: {}/index.html\n", options.out);
+  if (result.was_interrupted) text += "interrupted: only what is shown was checked\n";
+  return text + verdict_on_guests(plan, result).sentence + "\n";
+}
+
 int run(const check::Options& options) {
-  const Plan plan = make_plan(options.settings);
+  ProgressLine progress;
+  keep_on_interrupt();
+  std::vector<Subject> guests;
+  if (!options.command.empty()) {
+    guests = check::subjects_of(options);
+    check::learn_all(guests, options.settings, [&](double done) {
+      progress.show(done, "what the program's answers hold is found out");
+    });
+  }
+  const Plan plan = guests.empty() ? make_plan(options.settings) : make_plan(options.settings, guests);
   const std::vector<Case> corpus = check::read_corpus(options.corpus);
   check::Outputs outputs(options);
-  keep_on_interrupt();
-  ProgressLine progress;
   std::size_t findings = 0;
 
   Listener listener;
@@ -70,14 +94,16 @@ int run(const check::Options& options) {
   RunResult result = run_plan(plan, corpus, listener, is_interrupted);
   put_in_order(result.findings);
   const std::optional<leaving::SearchResult> left =
-      check::leave_surfaces(options.settings, listener.progress);
+      guests.empty() ? check::leave_surfaces(options.settings, listener.progress) : std::nullopt;
   progress.clear();
 
   const Summary summary = summarise(plan, result);
   outputs.write(plan, result, summary);
   const bool is_kept = !left || check::report_leaving(options, *left);
-  fmt::print("{}", text_outcome(options, plan, result, summary));
+  fmt::print("{}", guests.empty() ? text_outcome(options, plan, result, summary)
+                                  : text_of_guests(options, plan, result));
   if (summary.was_interrupted || is_interrupted) return 130;
+  if (!guests.empty()) return verdict_on_guests(plan, result).is_clean ? 0 : 1;
   return summary.is_success() && is_kept ? 0 : 1;
 }
 
@@ -89,6 +115,9 @@ int main(int argc, char** argv) {
   check::Options options;
   check::describe(app, options);
   if (const auto status = parse_command_line(app, argc, argv)) return *status;
+  options.settings.cases =
+      options.cases.value_or(options.command.empty() ? check::usual_cases : check::usual_cases_of_command);
+  options.settings.count_labels = options.command.empty();
   try {
     return options.replay.empty() ? run(options) : replay_file(options.replay);
   } catch (const std::runtime_error& trouble) {

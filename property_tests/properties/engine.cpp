@@ -27,6 +27,19 @@ Unit unit_of(const Plan& plan, const Subject& subject, const Family& family, Pre
   return unit;
 }
 
+/// Whether simpler cases can be tried: each try at a case that is never answered takes seconds.
+bool can_be_shrunk(Trial& as_found) {
+  const Subject& subject = as_found.subject();
+  if (subject.function != nullptr) return true;
+  return !subject.is_given_up() && as_found.outcome().kind != Outcome::Kind::timed_out;
+}
+
+/// A program may be gone, or answer otherwise, when it is asked a second time.
+bool can_be_shown(const Property& property, Trial& as_found) {
+  return as_found.subject().function != nullptr || property.claim == Claim::answers ||
+         as_found.outcome().is_answered();
+}
+
 /// One run: the plan, who hears of it, and what has been found.
 class Run {
  public:
@@ -41,7 +54,7 @@ class Run {
 
   RunResult all(const std::vector<Case>& corpus) {
     for (const Case& one : corpus) put_corpus_case(one);
-    count_all_labels();
+    if (plan_.settings.count_labels) count_all_labels();
     put_families();
     result_.was_interrupted = stop_;
     return std::move(result_);
@@ -53,12 +66,13 @@ class Run {
     for (const Subject* subject : plan_.subjects) {
       if (subject->topic != topic_of(one) || stop_) continue;
       was_put = true;
+      Trial trial(*subject, one);
       for (std::size_t p = 0; p < properties().size(); ++p) {
         const Property& property = properties()[p];
-        Trial trial(*subject, one);
         // A declared refutation is to be found by the families, not handed over.
-        if (plan_.is_wanted[p] && claims(*subject, property) && property.rule(trial) == Ruling::broken)
-          report(*subject, property, one, "corpus");
+        if (plan_.is_wanted[p] && claims(*subject, property) && ruling_of(property, trial) == Ruling::broken)
+          report(*subject, property, one, "corpus",
+                 subject->function == nullptr && trial.outcome().is_failure() ? &trial.outcome() : nullptr);
       }
     }
     result_.corpus_cases += was_put ? 1 : 0;
@@ -86,6 +100,7 @@ class Run {
     for (std::uint64_t round = 0; round < rounds; ++round)
       for (Unit& unit : result_.units) {
         if (stop_ || (round > 0 && share_of_time() > 1)) return;
+        if (unit.subject->is_given_up()) continue;
         Hunt hunt{unit, broken_[{unit.subject, unit.precision}], stop_, combine(plan_.settings.seed, round),
                   std::min(in_round, all - round * in_round)};
         hunt.progress = [&](double of_unit) {
@@ -93,8 +108,8 @@ class Run {
               fmt::format("{} {} {}", unit.subject->full_name(), unit.family->name, name_of(unit.precision)),
               std::min(1.0, std::max((done + of_unit) / hunts, share_of_time())));
         };
-        hunt.found = [&](std::size_t property, const Case& one) {
-          report(*unit.subject, properties()[property], one, unit.family->name);
+        hunt.found = [&](std::size_t property, const Case& one, const Outcome* failure) {
+          report(*unit.subject, properties()[property], one, unit.family->name, failure);
         };
         hunt.run();
         ++done;
@@ -117,19 +132,28 @@ class Run {
     return write_case(shrunk) == write_case(bare) ? found : shrunk;
   }
 
-  /// Shrinks what was found, reports it, and keeps it.
-  void report(const Subject& subject, const Property& property, const Case& one, const std::string& family) {
+  /// Shrinks what was found, reports it, and keeps it. `failure` is what came of asking, where that is known
+  /// and is no answer: asked again, a program may behave.
+  void report(const Subject& subject, const Property& property, const Case& one, const std::string& family,
+              const Outcome* failure = nullptr) {
     Finding finding{.subject = &subject,
                     .property = &property,
                     .family = family,
                     .one = one,
                     .is_declared = is_declared_refuted(subject, property)};
     Trial as_found(subject, one);
+    if (failure != nullptr) as_found.know(*failure, {});
+    if (!can_be_shown(property, as_found)) return;
     finding.evidence = property.show(as_found);
     listener_.broken(finding);
-    finding.one = simplest(one, striking_break(subject, property, as_found));
-    Trial shrunk(subject, finding.one);
-    finding.evidence = property.show(shrunk);
+    if (can_be_shrunk(as_found)) {
+      finding.one = simplest(one, striking_break(subject, property, as_found));
+      Trial shrunk(subject, finding.one);
+      if (subject.function != nullptr || ruling_of(property, shrunk) == Ruling::broken)
+        finding.evidence = property.show(shrunk);
+      else
+        finding.one = one;
+    }
     listener_.finding(finding);
     result_.findings.push_back(std::move(finding));
   }

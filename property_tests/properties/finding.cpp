@@ -3,6 +3,8 @@
 #include "case/json/writer.hpp"
 #include "case/reader/field.hpp"
 #include "case/writer.hpp"
+#include "properties/kind.hpp"
+#include "subjects/command.hpp"
 
 namespace rayproof {
 
@@ -14,8 +16,15 @@ std::string write_finding(const Finding& finding) {
   json.member("shape").string(finding.subject->topic);
   json.member("method").string(finding.subject->name);
   json.member("property").string(finding.property->name);
+  if (!finding.subject->has_own_contract) json.member("kind").string(name_of(kind_of(finding)));
   json.member("case").raw(write_case(with_note));
-  json.member("got").raw(write_answer(finding.one, finding.evidence.got));
+  json.member("got");
+  if (finding.evidence.no_answer.empty()) {
+    json.raw(write_answer(finding.one, finding.evidence.got));
+  } else {
+    json.open('{').member("error").string(finding.evidence.no_answer);
+    json.close('}');
+  }
   json.member("exact").raw(write_answer(finding.one, finding.evidence.exact));
   json.member("error_ulp");
   if (finding.evidence.error_ulp) {
@@ -23,6 +32,7 @@ std::string write_finding(const Finding& finding) {
   } else {
     json.raw("null");
   }
+  if (finding.subject->name == command_name) json.member("command").string(finding.subject->title);
   return json.take();
 }
 
@@ -31,10 +41,11 @@ Replayed read_replayed(std::string_view line) {
   const Field whole{.document = &document};
   ObjectReader reader(whole);
   const auto nested = reader.find("case");
-  if (!nested) return {{}, {}, read_case(line)};
+  if (!nested) return {{}, {}, {}, read_case(line)};
   Replayed result;
   result.subject = read_string(reader.need("subject"));
   result.property = read_string(reader.need("property"));
+  if (const auto command = reader.find("command")) result.command = read_string(*command);
   result.one = read_case(nested->node().text);
   return result;
 }

@@ -29,6 +29,7 @@ struct Finding {
 struct Replayed {
   std::string subject{};
   std::string property{};
+  std::string command{};  ///< the shell line of a subject that is one
   Case one{};
 };
 

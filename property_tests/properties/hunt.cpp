@@ -17,18 +17,24 @@ struct BlockResult {
   Tally tally{};
   /// For each broken property (an index into properties()) the first case that broke it, by number.
   std::map<std::size_t, unsigned> first_broken{};
+  /// What came of asking the first case without an answer that should have got one, and its number.
+  std::optional<std::pair<unsigned, Outcome>> first_failure{};
 
-  void put(const Unit& unit, const Case& one, unsigned k) {
-    Trial trial(*unit.subject, one);
+  void put(const Unit& unit, Trial& trial, unsigned k) {
     ++tally.cases;
     const std::vector<Property>& all = properties();
     for (std::size_t p = 0; p < all.size(); ++p) {
-      if (!unit.active[p] || k % all[p].every != 0) continue;
-      const Ruling ruling = all[p].rule(trial);
+      if (!unit.active[p] || k % spacing(*unit.subject, all[p]) != 0) continue;
+      const Ruling ruling = ruling_of(all[p], trial);
       tally.properties[p].add(ruling);
       if (ruling == Ruling::broken) first_broken.emplace(p, k);
     }
-    if (unit.measure) tally.worst.add(trial);
+    const bool is_function = unit.subject->function != nullptr;
+    if (!is_function) {
+      tally.add(trial.outcome());
+      if (trial.outcome().is_failure() && !first_failure) first_failure = {k, trial.outcome()};
+    }
+    if (unit.measure && (is_function || trial.outcome().is_answered())) tally.worst.add(trial);
   }
 
   BlockResult& operator+=(const BlockResult& more) {
@@ -37,6 +43,9 @@ struct BlockResult {
       const auto place = first_broken.emplace(property, k).first;
       place->second = std::min(place->second, k);
     }
+    const bool is_later =
+        first_failure && more.first_failure && more.first_failure->first < first_failure->first;
+    if (is_later || !first_failure) first_failure = more.first_failure;
     return *this;
   }
 };
@@ -45,16 +54,70 @@ Case case_of(const Unit& unit, std::uint64_t block_seed, unsigned k) {
   return unit.family->generate(combine(block_seed, k), unit.precision);
 }
 
-BlockResult run_block(const Unit& unit, std::uint64_t block_seed, unsigned cases) {
+/// The cases of a range for a subject that is better asked many at once: theirs, and what the properties ask
+/// beside them.
+class AskedTogether {
+ public:
+  AskedTogether(const Unit& unit, std::uint64_t block_seed, unsigned begin, unsigned end) : begin_(begin) {
+    for (unsigned k = begin; k != end; ++k) cases_.push_back(case_of(unit, block_seed, k));
+    for (unsigned k = begin; k != end; ++k) {
+      first_other_.push_back(cases_.size());
+      for (std::size_t p = 0; p < unit.active.size(); ++p) {
+        const Property& property = properties()[p];
+        if (!unit.active[p] || property.asks == nullptr || k % spacing(*unit.subject, property) != 0)
+          continue;
+        for (Case& other : property.asks(cases_[k - begin])) cases_.push_back(std::move(other));
+      }
+    }
+    first_other_.push_back(cases_.size());
+    outcomes_.resize(cases_.size());
+    unit.subject->start()->answer(cases_, outcomes_);
+  }
+
+  void put_into(BlockResult& result, const Unit& unit) const {
+    for (std::size_t i = 0; i + 1 < first_other_.size(); ++i) {
+      std::vector<std::pair<const Case*, const Outcome*>> others;
+      for (std::size_t j = first_other_[i]; j < first_other_[i + 1]; ++j)
+        others.emplace_back(&cases_[j], &outcomes_[j]);
+      Trial trial(*unit.subject, cases_[i]);
+      trial.know(outcomes_[i], std::move(others));
+      result.put(unit, trial, begin_ + static_cast<unsigned>(i));
+    }
+  }
+
+ private:
+  unsigned begin_;
+  std::vector<Case> cases_{};
+  std::vector<Outcome> outcomes_{};
+  std::vector<std::size_t> first_other_{};  ///< for each case of the range, and one more
+};
+
+/// A program that fails on so many cases of a family is not asked the others.
+constexpr std::uint64_t enough_failures = 8;
+
+BlockResult run_block(const Unit& unit, std::uint64_t block_seed, unsigned cases,
+                      const std::atomic<bool>& stop) {
   using Range = tbb::blocked_range<unsigned>;
   constexpr unsigned cases_at_a_time = 256;
+  const bool is_function = unit.subject->function != nullptr;
+  std::atomic<std::uint64_t> failures = 0;
   BlockResult none;
   none.tally.properties.resize(properties().size());
   return tbb::parallel_reduce(
       Range(0, cases, cases_at_a_time), none,
       [&](const Range& range, BlockResult result) {
-        for (unsigned k = range.begin(); k != range.end(); ++k)
-          result.put(unit, case_of(unit, block_seed, k), k);
+        if (!is_function) {
+          if (stop || failures > enough_failures || unit.subject->is_given_up()) return result;
+          const std::uint64_t before = result.tally.failures;
+          AskedTogether(unit, block_seed, range.begin(), range.end()).put_into(result, unit);
+          failures += result.tally.failures - before;
+          return result;
+        }
+        for (unsigned k = range.begin(); k != range.end(); ++k) {
+          const Case one = case_of(unit, block_seed, k);
+          Trial trial(*unit.subject, one);
+          result.put(unit, trial, k);
+        }
         return result;
       },
       [](BlockResult left, const BlockResult& right) { return left += right; });
@@ -112,7 +175,7 @@ void Hunt::run() {
     const auto size = static_cast<unsigned>(std::min<std::uint64_t>(cases_in_block, cases - done));
     BlockResult result;
     try {
-      result = run_block(unit, block_seed, size);
+      result = run_block(unit, block_seed, size, stop);
     } catch (...) {  // rapidcheck would take it for a broken property, and repeat the same block endlessly
       failure = std::current_exception();
       return;
@@ -123,7 +186,8 @@ void Hunt::run() {
     bool is_new = false;
     for (const auto& [property, k] : result.first_broken) {
       if (!already_broken.insert(property).second) continue;
-      found(property, case_of(unit, block_seed, k));
+      const bool is_failure = properties()[property].claim == Claim::answers && result.first_failure;
+      found(property, case_of(unit, block_seed, k), is_failure ? &result.first_failure->second : nullptr);
       is_new = true;
     }
     if (is_new) RC_FAIL("a property is broken for the first time");

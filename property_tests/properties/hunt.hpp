@@ -42,7 +42,8 @@ struct Hunt {
   std::uint64_t seed = 0;
   std::uint64_t cases = 0;
   std::function<void(double)> progress{};  ///< the share of the cases that is done
-  std::function<void(std::size_t property, const Case& one)> found{};
+  /// With what came of asking, where that is no answer.
+  std::function<void(std::size_t property, const Case& one, const Outcome* failure)> found{};
 
   void run();
 };

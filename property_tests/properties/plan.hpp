@@ -24,6 +24,7 @@ struct Settings {
   std::vector<std::string> properties{};  ///< a property's name, or its claim's
   std::vector<std::string> families{};
   std::vector<Precision> precisions{};
+  bool count_labels = true;  ///< label a sample of each family
   bool measure_all = false;  ///< measure errors that no property asks for, too
 };
 

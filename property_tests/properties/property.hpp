@@ -20,6 +20,10 @@ struct Evidence {
   Answer exact{};
   std::optional<double> error_ulp{};  ///< nothing where the verdict is wrong
   std::string note{};                 ///< one sentence: what was found
+  /// Why there is no `got`: the subject gave no answer.
+  std::string no_answer{};
+  /// The other case that `got` and `exact` answer, where that is not the trial's.
+  std::optional<Case> other{};
 };
 
 /// One property. Two properties may serve one claim: a robust method keeps its verdict *and* its residual.
@@ -34,7 +38,16 @@ struct Property {
   /// How badly a broken trial breaks it: its error in units of the bound; null where there is only yes and
   /// no.
   double (*excess)(Trial&) = nullptr;
+  /// The other cases that it asks the subject, so that they can be asked together with the trial's.
+  std::vector<Case> (*asks)(const Case&) = nullptr;
 };
+
+/// What a property says of a trial that may have no answer: where it has none, only `answers` speaks.
+[[nodiscard]] Ruling ruling_of(const Property& property, Trial& trial);
+
+/// On one case in how many a property is tested: a guest is asked other cases more rarely, since those cost
+/// it as much as any.
+[[nodiscard]] unsigned spacing(const Subject& subject, const Property& property);
 
 /// Every property, in the order of the claims.
 [[nodiscard]] const std::vector<Property>& properties();
@@ -48,6 +61,7 @@ struct Property {
 [[nodiscard]] std::vector<Property> safety_properties();
 [[nodiscard]] std::vector<Property> details_properties();
 [[nodiscard]] std::vector<Property> exact_properties();
+[[nodiscard]] std::vector<Property> protocol_properties();
 
 /// The subject's own answer beside the exact one.
 [[nodiscard]] Evidence show_answer(Trial& trial, std::string note);

@@ -8,7 +8,9 @@
 #include "case/shape_format.hpp"
 #include "case/writer.hpp"
 #include "properties/plan.hpp"
+#include "properties/probe.hpp"
 #include "properties/report/findings.hpp"
+#include "subjects/command.hpp"
 
 namespace rayproof {
 
@@ -24,7 +26,7 @@ struct Replays {
 void judge(const Subject& subject, const Property& property, const Case& one, std::size_t number,
            Replays& replays) {
   Trial trial(subject, one);
-  const bool breaks = property.rule(trial) == Ruling::broken;
+  const bool breaks = ruling_of(property, trial) == Ruling::broken;
   const bool declared = is_declared_refuted(subject, property);
   ++(breaks == declared ? replays.as_declared : replays.otherwise);
   if (!breaks) {
@@ -46,7 +48,7 @@ void judge_all(const Case& one, std::size_t number, Replays& replays) {
     for (const Property& property : properties()) {
       if (!claims(subject, property)) continue;
       Trial trial(subject, one);
-      if (property.rule(trial) == Ruling::broken)
+      if (ruling_of(property, trial) == Ruling::broken)
         judge(subject, property, one, number, replays);
       else
         ++held;
@@ -56,12 +58,23 @@ void judge_all(const Case& one, std::size_t number, Replays& replays) {
   fmt::print("{} claims hold on {}\n", held, write_case(one));
 }
 
+/// The program of a finding as a subject of its case's topic; what its answers hold is asked of it again.
+std::vector<Subject> guests_of(const Replayed& replayed) {
+  std::vector<Subject> all = subjects_of_command(command_name, replayed.command, usual_case_time);
+  std::erase_if(all, [&](const Subject& one) { return one.full_name() != replayed.subject; });
+  static const std::atomic<bool> go_on{false};
+  for (Subject& one : all) learn_abilities(one, 0, {replayed.one.precision}, go_on);
+  return all;
+}
+
 /// Judges what stands on a line, which is refused where it is no finding and no case.
 void replay_line(const std::string& file, const std::string& line, std::size_t number, Replays& replays) {
   try {
     const Replayed replayed = read_replayed(line);
     if (replayed.subject.empty()) return judge_all(replayed.one, number, replays);
-    const Subject* const subject = find_subject(replayed.subject);
+    std::vector<Subject> guests;
+    if (!replayed.command.empty()) guests = guests_of(replayed);
+    const Subject* const subject = guests.empty() ? find_subject(replayed.subject) : &guests.front();
     const Property* const property = find_property(replayed.property);
     if (subject == nullptr) throw Refusal("subject", "subject is unknown: " + replayed.subject);
     if (property == nullptr) throw Refusal("property", "property is unknown: " + replayed.property);

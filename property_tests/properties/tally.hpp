@@ -86,11 +86,23 @@ struct Worst {
 /// What is counted for one subject, family and precision; `properties` in the order of properties().
 struct Tally {
   std::uint64_t cases = 0;
+  std::uint64_t unsupported = 0;  ///< of the cases; those that are not for the subject
+  std::uint64_t failures = 0;     ///< those that should have got an answer
+  std::uint64_t not_asked = 0;    ///< those that were left out after too many failures
   Worst worst{};
   std::vector<PropertyTally> properties{};
 
+  void add(const Outcome& outcome) {
+    if (outcome.kind == Outcome::Kind::unsupported) ++unsupported;
+    if (outcome.kind == Outcome::Kind::not_asked) ++not_asked;
+    if (outcome.is_failure()) ++failures;
+  }
+
   Tally& operator+=(const Tally& more) {
     cases += more.cases;
+    unsupported += more.unsupported;
+    failures += more.failures;
+    not_asked += more.not_asked;
     worst += more.worst;
     properties.resize(std::max(properties.size(), more.properties.size()));
     for (std::size_t p = 0; p < more.properties.size(); ++p) properties[p] += more.properties[p];

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "oracle/oracle.hpp"
+#include "properties/guest.hpp"
 #include "properties/numbers.hpp"
 #include "subjects/subject.hpp"
 
@@ -32,6 +33,10 @@ namespace rayproof {
   return one;
 }
 
+/// A guest's normal is judged no farther from a shape: a plain method's hit of a far cylinder may lie where
+/// the side has any normal.
+inline constexpr double far_for_details = 1024;
+
 /// A subject and a case. The subject's answer and its judgement are computed where a property first asks for
 /// them, and once only, so that properties share them.
 class Trial {
@@ -41,9 +46,29 @@ class Trial {
   [[nodiscard]] const Subject& subject() const { return *subject_; }
   [[nodiscard]] const Case& question() const { return *case_; }
 
+  /// What came of asking; of a function always an answer.
+  [[nodiscard]] const Outcome& outcome() {
+    if (!outcome_) outcome_ = ask(*case_);
+    return *outcome_;
+  }
+  /// Its answer, which must be there; a guest's with what it left out filled in.
   [[nodiscard]] const Answer& claimed() {
-    if (!claimed_) claimed_ = subject_->answer(*case_);
+    if (!claimed_)
+      claimed_ = subject_->function != nullptr ? subject_->function(*case_)
+                                               : completed(*subject_, *case_, outcome().answer);
     return *claimed_;
+  }
+  /// Asks the subject another case, unless its outcome is known.
+  [[nodiscard]] Outcome ask(const Case& other) const {
+    if (subject_->function != nullptr) return {.answer = subject_->function(other)};
+    for (const auto& [one, outcome] : known_)
+      if (is_same_question(*one, other)) return *outcome;
+    return subject_->start()->answer(other);
+  }
+  /// What has come of asking the case, and other cases: nobody is asked these again.
+  void know(const Outcome& own, std::vector<std::pair<const Case*, const Outcome*>> others) {
+    outcome_ = own;
+    known_ = std::move(others);
   }
   /// The subject's answer and its judgement are known from before: nobody is asked again.
   void recall(const Answer& answer, const oracle::Judgement& judgement) {
@@ -76,7 +101,8 @@ class Trial {
   /// The same of the domain in which point and normal are promised: no further than the usual one, since they
   /// are plain arithmetic, however careful the method is that finds t.
   [[nodiscard]] bool in_domain_of_details() {
-    return is_within(std::min(reach(), reach_of(Domain{}, case_->precision)));
+    return is_within(std::min(reach(), reach_of(Domain{}, case_->precision))) &&
+           (subject_->has_own_contract || judgement().far <= far_for_details);
   }
 
   [[nodiscard]] bool is_within(int limit) {
@@ -104,6 +130,8 @@ class Trial {
 
   const Subject* subject_;
   const Case* case_;
+  std::optional<Outcome> outcome_{};
+  std::vector<std::pair<const Case*, const Outcome*>> known_{};
   std::optional<Answer> claimed_{};
   std::optional<oracle::Judgement> judgement_{};
   std::optional<oracle::Details> details_{};

@@ -43,9 +43,9 @@ Subject glm_sphere() {
       .refuted = {
           {{Claim::robust, "|f|² and the squared projection of a far sphere's centre cancel"},
            {Claim::exact, "a hit at the origin is left out, and so is what its own ε takes for one"}}}};
-  subject.answer = [](const Case& one) {
+  subject.answer_by([](const Case& one) {
     return in_precision(one.precision, [&]<class T>(T) -> Answer { return answer_in<T>(one); });
-  };
+  });
   return subject;
 }
 

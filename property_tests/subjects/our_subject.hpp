@@ -50,11 +50,11 @@ template <class Topic, class Method>
   subject.source = Method::source;
   subject.contract = Method::contract;
   using Topical = Reading<Topic>;
-  subject.answer = [](const Case& one) {
+  subject.answer_by([](const Case& one) {
     return in_precision(one.precision, [&]<class T>(T) -> Answer {
       return Topical::template answer<Method, T>(one, solve_in<Topic, Method, T>(one));
     });
-  };
+  });
   if constexpr (is_batched<Topic>)
     subject.answer_in_batch = [](const Case& one) {
       return in_precision(one.precision, [&]<class T>(T) -> Answer {

@@ -11,7 +11,7 @@
 
 #include "case/reader/near_names.hpp"
 #include "command_line/command_line.hpp"
-#include "subjects/subject.hpp"
+#include "subjects/command.hpp"
 #include "viz/case_argument.hpp"
 #include "viz/programs/report_of.hpp"
 #include "viz/programs/wrong_command.hpp"
@@ -67,6 +67,14 @@ inline const Subject& subject_for(const Case& one, const std::string& method) {
   throw WrongCommand(fmt::format("there is no method {}; did you mean {}?", method, likely));
 }
 
+/// The same of a finding whose subject is a program, which is started and asked. Throws std::runtime_error
+/// where it gives no answer.
+[[nodiscard]] inline CaseReport report_on_program(const CaseArgument& argument) {
+  for (const Subject& one : subjects_of_command(command_name, argument.command, usual_case_time))
+    if (one.full_name() == argument.method) return report_of(argument.one, &one);
+  throw WrongCommand("there is no method " + argument.method);
+}
+
 /// Reads the case, asks the oracle and the method. Throws WrongCommand, UnreadableCase or a Refusal.
 [[nodiscard]] inline CaseReport report_case(const CaseOptions& options) {
   std::optional<Precision> precision;
@@ -74,6 +82,7 @@ inline const Subject& subject_for(const Case& one, const std::string& method) {
   if (options.precision == "float64") precision = Precision::float64;
   const auto argument =
       read_case_argument(text_of_case(options.text, options.line, options.findings), precision);
+  if (options.method.empty() && !argument.command.empty()) return report_on_program(argument);
   const std::string method = options.method.empty() ? argument.method : options.method;
   return report_of(argument.one, method.empty() ? nullptr : &subject_for(argument.one, method));
 }

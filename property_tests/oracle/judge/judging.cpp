@@ -28,6 +28,7 @@ Judgement judge(const ExactIntersection& exact, Precision precision, const RayAn
     judgement.margin = in_units(exact.margin(may_merge), precision);
     judgement.ulp = std::nan("");
   }
+  if (claimed.verdict_only) return judgement;
   for (std::size_t i = 0; i < claimed.hits.count; ++i) {
     const double t = claimed.hits.t[i];
     const auto ulps_from = [&](const auto& number) { return error_in_ulps(number, t, precision); };

@@ -29,8 +29,9 @@ namespace rayproof::oracle {
   return value(measure / Scaled(unit_roundoff(precision)));
 }
 
-/// Whether `claimed` has another count of hits than the exact one.
+/// Whether `claimed` has another count of hits than the exact one, as far as it speaks of that.
 [[nodiscard]] inline bool is_wrong_count(std::size_t exact, const RayAnswer& claimed) {
+  if (claimed.verdict_only) return (claimed.hits.count > 0) != (exact > 0);
   return claimed.hits.count != (claimed.nearest_only ? std::min<std::size_t>(exact, 1) : exact);
 }
 

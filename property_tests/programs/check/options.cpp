@@ -37,6 +37,19 @@ void describe_filters(CLI::App& app, Options& options) {
       ->check(CLI::IsMember({"float32", "float64"}));
 }
 
+void describe_guests(CLI::App& app, Options& options) {
+  app.add_option(
+         "--subject-command", options.command,
+         "Put this program on trial in place of our methods: a shell line that reads cases, one a line, "
+         "on standard input and writes an answer to each, in any order, each flushed "
+         "(docs/case-format.md)")
+      ->type_name("COMMAND");
+  app.add_option("--case-seconds", options.case_seconds,
+                 "How long the program may be silent while a case waits for its answer")
+      ->capture_default_str()
+      ->check(CLI::Range(0.01, 3600.0));
+}
+
 void describe_outputs(CLI::App& app, Options& options) {
   const auto file = [&](const char* name, std::string& into, const char* text) {
     app.add_option(name, into, text)->type_name("FILE");
@@ -60,8 +73,10 @@ void describe_outputs(CLI::App& app, Options& options) {
 void describe(CLI::App& app, Options& options) {
   Settings& settings = options.settings;
   app.add_option("--seed", settings.seed, "Where the random cases begin")->capture_default_str();
-  app.add_option("--cases", settings.cases, "Cases for each method, family and precision")
-      ->capture_default_str()
+  app.add_option("--cases", options.cases,
+                 fmt::format("Cases for each method, family and precision; {} of a --subject-command",
+                             usual_cases_of_command))
+      ->default_str(std::to_string(usual_cases))
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000'000}));
   app.add_option_function<long long>(
          "--time", [&options](long long seconds) { options.settings.time = std::chrono::seconds(seconds); },
@@ -69,6 +84,7 @@ void describe(CLI::App& app, Options& options) {
       ->check(CLI::PositiveNumber);
   app.add_option("--jobs", settings.jobs, "Threads; as many as the machine has where left out")
       ->check(CLI::Range(1, 1024));
+  describe_guests(app, options);
   describe_filters(app, options);
   describe_outputs(app, options);
   app.footer(footer);

@@ -1,14 +1,19 @@
 #pragma once
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 
 #include "properties/plan.hpp"
+#include "subjects/command.hpp"
 
 namespace rayproof::check {
 
 /// The command line of rayproof check.
 struct Options {
   Settings settings{};
+  std::optional<std::uint64_t> cases{};  ///< where left out, as many as suit who is on trial
+  std::string command{};                 ///< --subject-command
+  double case_seconds = static_cast<double>(usual_case_time.count()) / 1000;
   std::string json{};
   std::string junit{};
   std::string findings{};
@@ -17,6 +22,9 @@ struct Options {
   std::string out = "out/check";
   bool labels = false;
 };
+
+/// The default of --cases for our own methods, and for a command, which takes longer for each.
+inline constexpr std::uint64_t usual_cases = 10'000, usual_cases_of_command = 2'000;
 
 /// Describes the options to `app`, which fills `options`.
 void describe(CLI::App& app, Options& options);

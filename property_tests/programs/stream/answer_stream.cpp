@@ -71,7 +71,7 @@ class LineBlockReader {
 };
 
 /// The answer to a line. Throws a RefusedCase.
-std::string answer_line(std::string_view line, const Answerer& answer) {
+std::string answer_line(std::string_view line, const AnswerFunction& answer) {
   const Case one = read_case(line);
   try {
     return write_answer(one, answer(one));
@@ -81,7 +81,8 @@ std::string answer_line(std::string_view line, const Answerer& answer) {
 }
 
 /// The answers to a block's lines, each with its newline.
-std::string answer_block(const LineBlock& block, const Answerer& answer, std::atomic<std::size_t>& refused) {
+std::string answer_block(const LineBlock& block, const AnswerFunction& answer,
+                         std::atomic<std::size_t>& refused) {
   std::string answers;
   answers.reserve(block.text.size());
   std::size_t number = block.first_line;
@@ -111,7 +112,7 @@ void write_all(int file, std::string_view text) {
 
 }  // namespace
 
-std::size_t answer_stream(int input, int output, const Answerer& answer) {
+std::size_t answer_stream(int input, int output, const AnswerFunction& answer) {
   using tbb::filter_mode;
   constexpr std::size_t blocks_per_thread = 4;  // bounds the memory
   std::atomic<std::size_t> refused = 0;

@@ -12,12 +12,12 @@
 namespace rayproof {
 
 /// Answers a case, from several threads at once. Throws a Refusal for a case that it has no answer for.
-using Answerer = std::function<Answer(const Case&)>;
+using AnswerFunction = std::function<Answer(const Case&)>;
 
 /// Reads cases from file descriptor `input` and writes their answers, and errors for refused lines, to
 /// `output`, and counts the refused. Lines are answered by all cores; a line that has arrived is answered
 /// without waiting for more. Throws std::system_error where reading or writing fails.
-std::size_t answer_stream(int input, int output, const Answerer& answer);
+std::size_t answer_stream(int input, int output, const AnswerFunction& answer);
 
 /// The end of the --help of a program that answers a stream of cases.
 extern const char* const stream_help;
@@ -25,6 +25,6 @@ extern const char* const stream_help;
 /// Answers the cases in `file` ("-" for standard input) on standard output. Gives the exit status: 0 where
 /// every line was answered, 1 where one was refused, 2 where the file cannot be read, said in one sentence on
 /// standard error.
-int run_stream_program(const std::string& file, const Answerer& answer);
+int run_stream_program(const std::string& file, const AnswerFunction& answer);
 
 }  // namespace rayproof

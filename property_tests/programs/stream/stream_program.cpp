@@ -18,7 +18,7 @@ on. Each line is answered as soon as it arrives, so that another program can ask
 Exit status: 0 where every line was answered, 1 where a line was refused, 2 for a wrong command line or a file
 that cannot be read.)";
 
-int run_stream_program(const std::string& file, const Answerer& answer) {
+int run_stream_program(const std::string& file, const AnswerFunction& answer) {
   try {
     const int input = file == "-" ? STDIN_FILENO : ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
     if (input < 0) throw std::system_error(errno, std::generic_category(), file + " cannot be opened");

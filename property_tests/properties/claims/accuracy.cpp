@@ -42,7 +42,7 @@ Ruling verdict_within(Trial& trial) {
 template <BoundOf bound_of, double oracle::Judgement::*error>
 Ruling error_within(Trial& trial) {
   const std::optional<double> bound = bound_of(trial);
-  if (!bound || !trial.in_domain()) return Ruling::outside;
+  if (!bound || !gives_numbers(trial.claimed()) || !trial.in_domain()) return Ruling::outside;
   return trial.judgement().*error <= *bound ? Ruling::held : Ruling::broken;
 }
 

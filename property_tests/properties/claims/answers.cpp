@@ -20,6 +20,11 @@ bool finds_something(const Answer& answer) {
   return !numbers_in(answer).empty();
 }
 
+bool gives_numbers(const Answer& answer) {
+  const auto* hits = std::get_if<RayAnswer>(&answer);
+  return hits == nullptr || !hits->verdict_only;
+}
+
 bool same(const Answer& a, const Answer& b) {
   if (a.index() != b.index()) return false;
   if (const auto* position = std::get_if<Position>(&a)) return *position == std::get<Position>(b);

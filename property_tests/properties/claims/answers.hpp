@@ -14,6 +14,9 @@ namespace rayproof {
 /// Whether the answer has a hit, a root, or a place that is not outside.
 [[nodiscard]] bool finds_something(const Answer& answer);
 
+/// Whether it says where its hits are, and not only that there are some.
+[[nodiscard]] bool gives_numbers(const Answer& answer);
+
 /// Whether two answers are the same: the kind, the count, and every number (0 equals -0, NaN equals NaN).
 [[nodiscard]] bool same(const Answer& a, const Answer& b);
 

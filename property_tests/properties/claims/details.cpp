@@ -43,9 +43,17 @@ std::optional<ErrorOfHit> of_coordinates(Trial& trial) {
   return measured(trial.details().coordinates, promised * trial.unit_of_coordinates());
 }
 
-template <Measure measure>
+/// What a guest does not say is not judged; of others it is a part of the answer.
+template <auto member>
+bool is_judged(Trial& trial) {
+  if (trial.subject().has_own_contract) return true;
+  const auto* claimed = std::get_if<RayAnswer>(&trial.claimed());
+  return claimed != nullptr && (claimed->*member).has_value();
+}
+
+template <Measure measure, auto member>
 Ruling is_within(Trial& trial) {
-  if (!trial.in_domain_of_details()) return Ruling::outside;
+  if (!is_judged<member>(trial) || !trial.in_domain_of_details()) return Ruling::outside;
   const auto found = measure(trial);
   if (!found) return Ruling::outside;
   return found->error <= found->bound ? Ruling::held : Ruling::broken;
@@ -71,6 +79,7 @@ oracle::Judgement of_line(Trial& trial, bool is_tangent) {
 Ruling touch(Trial& trial) {
   const auto* claimed = std::get_if<RayAnswer>(&trial.claimed());
   if (claimed == nullptr || claimed->hits.count == 0 || !trial.in_domain()) return Ruling::outside;
+  if (!claimed->says_contact || claimed->verdict_only) return Ruling::outside;
   const double band = promise_for(trial).verdict;
   if (std::isinf(band) || trial.judgement().wrong) return Ruling::outside;
   const Contact exact = *trial.details().contact;
@@ -124,16 +133,16 @@ std::vector<Property> details_properties() {
        "a hit is called tangent, edge, vertex or rim only where it is, outside the band", details_every,
        touch, show_touch},
       {Claim::point, "point", "the point of the first hit is the ray's at t to the promised bound",
-       details_every, is_within<of_point>, show_point, excess_of<of_point>},
+       details_every, is_within<of_point, &RayAnswer::point>, show_point, excess_of<of_point>},
       {Claim::point, "point-on-surface",
        "the point of the first hit is no farther from the surface than promised", details_every,
-       is_within<of_surface>, show_surface, excess_of<of_surface>},
+       is_within<of_surface, &RayAnswer::point>, show_surface, excess_of<of_surface>},
       {Claim::normal, "normal",
        "the normal of the first hit is the surface's, of unit length, on the right side", details_every,
-       is_within<of_normal>, show_normal, excess_of<of_normal>},
+       is_within<of_normal, &RayAnswer::normal>, show_normal, excess_of<of_normal>},
       {Claim::coordinates, "coordinates",
        "the barycentric coordinates of a hit are the exact ones to their bound", details_every,
-       is_within<of_coordinates>, show_coordinates, excess_of<of_coordinates>},
+       is_within<of_coordinates, &RayAnswer::barycentric>, show_coordinates, excess_of<of_coordinates>},
   };
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "properties/boundary.hpp"
 #include "properties/claims/promise.hpp"
 #include "properties/property.hpp"
 
@@ -51,14 +52,6 @@ Evidence show_exact(Trial& trial) {
   return show_answer(trial, note);
 }
 
-/// Whether some method that claims as much decides the case without a rounding.
-bool is_exact_for_some_method(const Case& one) {
-  return std::ranges::any_of(subjects(), [&](const Subject& subject) {
-    return subject.topic == topic_of(one) && subject.is_exact_on != nullptr &&
-           subject.contract.holds.contains(Claim::exact) && subject.is_exact_on(one);
-  });
-}
-
 /// Whether a subject that reports no hit but the first reports another hit of the line: it leaves out one
 /// that lies on a boundary, the origin on the surface, say.
 bool is_another_hit(const Case& one, const Answer& claimed) {
@@ -69,9 +62,26 @@ bool is_another_hit(const Case& one, const Answer& claimed) {
   return distance(exact.hits.t[exact.hits.count - 1]) < distance(exact.hits.t[0]);
 }
 
+/// Whether what a guest says on such a boundary is its rule; what is left to its rounding is not judged.
+bool has_rule(const Abilities& abilities, BoundaryKind kind) {
+  return (kind == BoundaryKind::tangent && abilities.rules_tangents) ||
+         (kind == BoundaryKind::edge && abilities.rules_edges) ||
+         (kind == BoundaryKind::end && abilities.rules_ends);
+}
+
+Ruling boundary_of_guest(Trial& trial) {
+  const Abilities& able = trial.subject().abilities;
+  if (!(able.rules_tangents || able.rules_edges || able.rules_ends) || !trial.in_domain())
+    return Ruling::outside;
+  const Case& one = trial.question();
+  if (!is_exact_for_some_method(one) || !has_rule(able, boundary_in(one))) return Ruling::outside;
+  return trial.judgement().wrong ? Ruling::broken : Ruling::held;
+}
+
 /// Of a subject whose steps nobody knows. A verdict that is wrong by more than the bound of the best plain
 /// methods is no matter of where the boundary belongs: that is the verdict's property.
 Ruling boundary(Trial& trial) {
+  if (!trial.subject().has_own_contract) return boundary_of_guest(trial);
   if (trial.subject().is_exact_on != nullptr || !trial.in_domain()) return Ruling::outside;
   const std::optional<double> bound = robust_bound(trial.subject().topic);
   if (!bound || !is_exact_for_some_method(trial.question())) return Ruling::outside;

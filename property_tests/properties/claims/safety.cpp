@@ -15,6 +15,7 @@ namespace rayproof {
 namespace {
 
 Ruling ascending(Trial& trial) {
+  if (!gives_numbers(trial.claimed())) return Ruling::outside;
   const std::vector<double> numbers = numbers_in(trial.claimed());
   const auto* asked = std::get_if<RayQuestion>(&trial.question().question);
   const bool all_count = std::ranges::all_of(numbers, [&](double x) {
@@ -61,7 +62,7 @@ Evidence show_batch(Trial& trial) {
 Ruling contact(Trial& trial) {
   if (trial.judgement().wrong || trial.judgement().hit) return Ruling::outside;
   const auto* claimed = std::get_if<RayAnswer>(&trial.claimed());
-  if (claimed == nullptr) return Ruling::outside;
+  if (claimed == nullptr || !claimed->says_contact) return Ruling::outside;
   const Answer exact = oracle::answer(trial.question());
   return claimed->contact == std::get<RayAnswer>(exact).contact ? Ruling::held : Ruling::broken;
 }

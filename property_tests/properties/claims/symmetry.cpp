@@ -53,7 +53,7 @@ bool is_scalable(Trial& trial) {
 std::optional<std::pair<Scaling, Answer>> first_difference(Trial& trial) {
   for (const Scaling& by : scalings) {
     const Twin twin = scaled_twin(trial.question(), std::ldexp(1.0, by.lengths), std::ldexp(1.0, by.whole));
-    const Answer there = trial.subject().answer(twin.one);
+    const Answer there = trial.ask(twin.one).answer;
     const Answer got = stretched(there, 1 / twin.factor);
     const bool all_fit = std::ranges::all_of(numbers_in(there), [&](double x) { return fits(trial, x); });
     if (all_fit && !same(got, trial.claimed())) return std::pair{by, got};
@@ -61,12 +61,67 @@ std::optional<std::pair<Scaling, Answer>> first_difference(Trial& trial) {
   return std::nullopt;
 }
 
+/// The other case is a case like any other: its exact t is known, and the subject's bounds hold for it.
+Ruling keeps_promise(const Trial& trial, const Case& other) {
+  const Outcome outcome = trial.ask(other);
+  if (!outcome.is_answered()) return Ruling::outside;
+  Trial there(trial.subject(), other);
+  there.know(outcome, {});
+  if (!there.in_domain()) return Ruling::outside;
+  const oracle::Judgement& judgement = there.judgement();
+  const Promise promise = promise_for(there);
+  if (judgement.wrong) return judgement.margin <= promise.verdict ? Ruling::held : Ruling::broken;
+  return !gives_numbers(there.claimed()) || judgement.residual <= promise.residual ? Ruling::held
+                                                                                   : Ruling::broken;
+}
+
+/// The first of the cases whose answer breaks the promise, or null.
+const Case* first_broken(const Trial& trial, const std::vector<Case>& others) {
+  const auto place = std::ranges::find_if(
+      others, [&](const Case& other) { return keeps_promise(trial, other) == Ruling::broken; });
+  return place == others.end() ? nullptr : &*place;
+}
+
+/// A guest's answers to the other cases need not be the same bit for bit, but keep what is promised.
+Ruling all_kept(const Trial& trial, const std::vector<Case>& others) {
+  return first_broken(trial, others) == nullptr ? Ruling::held : Ruling::broken;
+}
+
+Evidence show_other(const Trial& trial, const std::vector<Case>& others, const std::string& note) {
+  const Case* const found = first_broken(trial, others);
+  const Case& other = found != nullptr ? *found : others.front();
+  Trial there(trial.subject(), other);
+  there.know(trial.ask(other), {});
+  Evidence evidence = show_answer(other, there.claimed(), note);
+  evidence.other = other;
+  return evidence;
+}
+
+std::vector<Case> scaled_cases(const Case& one) {
+  std::vector<Case> others;
+  for (const Scaling& by : scalings)
+    others.push_back(scaled_twin(one, std::ldexp(1.0, by.lengths), std::ldexp(1.0, by.whole)).one);
+  return others;
+}
+
+std::vector<Case> reversed_cases(const Case& one) { return {reversed_twin(one).one}; }
+
+std::vector<Case> moved_cases(const Case& one) {
+  const std::optional<Case> other = moved_case(one);
+  return other ? std::vector{*other} : std::vector<Case>{};
+}
+
 Ruling scaled(Trial& trial) {
   if (!is_scalable(trial)) return Ruling::outside;
+  if (!trial.subject().has_own_contract) return all_kept(trial, scaled_cases(trial.question()));
   return first_difference(trial) ? Ruling::broken : Ruling::held;
 }
 
 Evidence show_scaled(Trial& trial) {
+  if (!trial.subject().has_own_contract)
+    return show_other(trial, scaled_cases(trial.question()),
+                      "got and exact answer the scene with its lengths, or the direction (or the equation), "
+                      "multiplied by powers of two");
   const auto found = first_difference(trial);
   if (!found) return show_answer(trial, "");
   const auto& [scaling, got] = *found;
@@ -80,36 +135,34 @@ Evidence show_scaled(Trial& trial) {
 /// The answer to the case run backwards, mirrored.
 Answer mirrored(Trial& trial) {
   const Twin twin = reversed_twin(trial.question());
-  return stretched(trial.subject().answer(twin.one), 1 / twin.factor);
+  return stretched(trial.ask(twin.one).answer, 1 / twin.factor);
 }
 
 Ruling reversed(Trial& trial) {
   if (!trial.in_domain()) return Ruling::outside;
+  if (!trial.subject().has_own_contract) return all_kept(trial, reversed_cases(trial.question()));
   return same(mirrored(trial), trial.claimed()) ? Ruling::held : Ruling::broken;
 }
 
 Evidence show_reversed(Trial& trial) {
+  if (!trial.subject().has_own_contract)
+    return show_other(trial, reversed_cases(trial.question()), "got and exact answer the ray run backwards");
   return show_answer(
       trial.question(), mirrored(trial),
       "got is the answer to the ray run backwards, mirrored; forwards the method answers otherwise");
 }
 
-/// The moved case is a case like any other: its exact t is known, and the subject's bounds hold for it.
 Ruling moved(Trial& trial) {
   const std::optional<Case> other = moved_case(trial.question());
   if (!other || !trial.in_domain(scaling_reach)) return Ruling::outside;
-  Trial there(trial.subject(), *other);
-  if (!there.in_domain()) return Ruling::outside;
-  const oracle::Judgement& judgement = there.judgement();
-  const Promise promise = promise_for(there);
-  if (judgement.wrong) return judgement.margin <= promise.verdict ? Ruling::held : Ruling::broken;
-  return judgement.residual <= promise.residual ? Ruling::held : Ruling::broken;
+  return keeps_promise(trial, *other);
 }
 
 Evidence show_moved(Trial& trial) {
+  const char* const note = "got and exact answer the scene after an affine map moved object and ray together";
+  if (!trial.subject().has_own_contract) return show_other(trial, moved_cases(trial.question()), note);
   const std::optional<Case> other = moved_case(trial.question());
-  return show_answer(*other, trial.subject().answer(*other),
-                     "got and exact answer the scene after an affine map moved object and ray together");
+  return show_answer(*other, trial.ask(*other).answer, note);
 }
 
 }  // namespace
@@ -117,11 +170,11 @@ Evidence show_moved(Trial& trial) {
 std::vector<Property> symmetry_properties() {
   return {
       {Claim::moved, "moved", "t stays within its bounds when an affine map moves object and ray together", 4,
-       moved, show_moved},
+       moved, show_moved, nullptr, moved_cases},
       {Claim::scaled, "scaled", "scaling by powers of two changes nothing but exponents", 4, scaled,
-       show_scaled},
+       show_scaled, nullptr, scaled_cases},
       {Claim::reversed, "reversed", "reversing the ray mirrors its hits bit for bit", 2, reversed,
-       show_reversed},
+       show_reversed, nullptr, reversed_cases},
   };
 }
 

@@ -15,10 +15,18 @@ std::string error_in_words(const Evidence& evidence) {
                             : "the verdict itself is wrong, or nothing was promised";
 }
 
+/// What the picture shows of the answer: nothing where there is none, or it has no t.
+const Answer* shown_answer(const Evidence& evidence) {
+  const auto* hits = std::get_if<RayAnswer>(&evidence.got);
+  const bool is_bare = hits != nullptr && hits->verdict_only;
+  return evidence.no_answer.empty() && !is_bare ? &evidence.got : nullptr;
+}
+
 /// An answer's line of JSON, without the id.
 std::string answer_line(const Finding& finding, const Answer& answer) {
   Case bare = finding.one;
   bare.id.clear();
+  if (&answer == &finding.evidence.got && !finding.evidence.no_answer.empty()) return "no answer";
   return write_answer(bare, answer);
 }
 
@@ -50,7 +58,7 @@ got   {15}
 exact {16}</pre></details></div></article>
 )",
       finding.number, finding.is_declared ? "declared" : "undeclared",
-      tools.draw(finding.one, &evidence.exact, &evidence.got), escaped(finding.subject->full_name()),
+      tools.draw(finding.one, &evidence.exact, shown_answer(evidence)), escaped(finding.subject->full_name()),
       name_of(finding.one.precision), escaped(in_words(finding)),
       finding.is_declared ? "‡ breaks, as declared" : "✗ BREAKS", escaped(finding.property->statement),
       escaped(finding.property->name), because(finding), escaped(evidence.note),

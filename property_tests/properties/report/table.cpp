@@ -68,7 +68,8 @@ std::array<std::string_view, 3> head_of(Claim claim) {
                                                                                    {"", "po-", "int"},
                                                                                    {"", "nor-", "mal"},
                                                                                    {"co-", "ordi-", "nates"},
-                                                                                   {"", "ex-", "act"}}};
+                                                                                   {"", "ex-", "act"},
+                                                                                   {"an-", "swe-", "rs"}}};
   return heads.at(static_cast<std::size_t>(claim));
 }
 

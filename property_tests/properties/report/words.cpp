@@ -114,6 +114,7 @@ class Compared {
     const std::string what = outcome(answer);
     const bool has_numbers = !numbers_in(answer).empty();
     if (std::holds_alternative<Position>(answer)) return fmt::format("says '{}' of {}", what, things);
+    if (!gives_numbers(answer)) return "hits " + things;
     if (std::holds_alternative<RayAnswer>(answer))
       return has_numbers ? fmt::format("hits {} at t = {}", things, what) : fmt::format("misses {}", things);
     return has_numbers ? fmt::format("solves {} by x = {}", things, what)
@@ -148,7 +149,9 @@ std::string in_words(const Finding& finding) {
                                                           {Claim::reversed, "once reversed"},
                                                           {Claim::batch, "in a batch"},
                                                           {Claim::nan, "with a NaN in it"}};
-  const auto& [got, exact, error_ulp, note] = finding.evidence;
+  if (finding.property->claim == Claim::answers) return finding.evidence.note;
+  const Answer& got = finding.evidence.got;
+  const Answer& exact = finding.evidence.exact;
   const Claim claim = finding.property->claim;
   const std::string things =
       std::visit([](const auto& asked) { return things_in(asked); }, finding.one.question);
@@ -160,11 +163,13 @@ std::string in_words(const Finding& finding) {
     return fmt::format("hits {} with the {}", things,
                        said_of_hit(claim, std::get<RayAnswer>(got), std::get<RayAnswer>(exact)));
   const auto changed = circumstances.find(claim);
-  if (changed == circumstances.end()) {
+  if (changed == circumstances.end() || finding.evidence.other) {
     const Compared compared(got, exact, finding.one.precision);
-    // The evidence of `moved` is of the moved case itself.
-    return fmt::format("{}{} (exact {})", claim == Claim::moved ? "once moved, " : "",
-                       compared.deed(got, things), compared.outcome(exact));
+    // The evidence is of the other case itself.
+    const std::string before = changed != circumstances.end() ? fmt::format("{}, ", changed->second)
+                               : claim == Claim::moved        ? "once moved, "
+                                                              : "";
+    return fmt::format("{}{} (exact {})", before, compared.deed(got, things), compared.outcome(exact));
   }
   const Answer plain = finding.subject->answer(finding.one);
   const Compared compared(plain, got, finding.one.precision);

@@ -112,7 +112,7 @@ std::function<bool(const Case&)> striking_break(const Subject& subject, const Pr
   const double wanted = property.excess != nullptr ? std::min(property.excess(as_found), striking) : 0;
   return [&subject, &property, wanted](const Case& candidate) {
     Trial trial(subject, candidate);
-    return property.rule(trial) == Ruling::broken &&
+    return ruling_of(property, trial) == Ruling::broken &&
            (property.excess == nullptr || property.excess(trial) >= wanted);
   };
 }

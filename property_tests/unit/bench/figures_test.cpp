@@ -47,7 +47,7 @@ Answer always(const Case& /*one*/) {
 
 TEST(Accuracy, CountsAHitTooManyAndAveragesOnlyTheHitsThatAreAgreedOn) {
   Subject subject;
-  subject.answer = always<6>;
+  subject.answer_by(always<6>);
   const Accuracy found = measure(subject, two_cases()).scalar;
   EXPECT_EQ(found.cases, 2U);
   EXPECT_EQ(found.wrong_hits, 1U);
@@ -59,7 +59,7 @@ TEST(Accuracy, CountsAHitTooManyAndAveragesOnlyTheHitsThatAreAgreedOn) {
 
 TEST(Accuracy, CountsAHitTooFew) {
   Subject subject;
-  subject.answer = [](const Case&) { return Answer(RayAnswer{}); };
+  subject.answer_by([](const Case&) { return Answer(RayAnswer{}); });
   const Accuracy found = measure(subject, two_cases()).scalar;
   EXPECT_EQ(found.wrong_misses, 1U);
   EXPECT_EQ(found.wrong_hits, 0U);

@@ -27,7 +27,7 @@ namespace rayproof::broken {
   made.topic = topic;
   made.name = "on_purpose";
   made.title = "wrong on purpose";
-  made.answer = answer;
+  made.answer_by(answer);
   made.answer_in_batch = answer;
   const Bound tight{.measured = 0, .promised = 1};
   made.contract.verdict = {.measured = 0, .promised = 0};

@@ -27,9 +27,10 @@ enum class Claim : unsigned {
   normal,     ///< the normal of the first hit is the surface's there to the promised bound, its side included
   coordinates,  ///< a triangle's barycentric coordinates, a plane's parameters, are exact to the promised
                 ///< bound
-  exact         ///< where no step is rounded, everything is exactly right, boundaries included
+  exact,        ///< where no step is rounded, everything is exactly right, boundaries included
+  answers  ///< every valid case gets an answer in time; asked of programs, since a function always answers
 };
-inline constexpr std::size_t claim_count = 16;
+inline constexpr std::size_t claim_count = 17;
 
 /// A set of claims.
 class Claims {

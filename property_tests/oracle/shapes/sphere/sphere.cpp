@@ -114,7 +114,8 @@ class SphereJudge {
                         .smallest = sizes.smallest,
                         .largest = sizes.largest};
     const double unit = sizes.unit * unit_roundoff(precision);
-    for (std::size_t i = 0; i < claimed.hits.count; ++i) {
+    const std::size_t judged = claimed.verdict_only ? 0 : claimed.hits.count;
+    for (std::size_t i = 0; i < judged; ++i) {
       const double t = claimed.hits.t[i];
       auto error = hit_error(scene<Ball>(), truth, unit, truth.side(i), t, precision);
       if (!error) error = exact_error(unit, truth.side(i), t, precision);

@@ -1,0 +1,32 @@
+#include "programs/check/guests.hpp"
+
+#include <algorithm>
+
+#include "command_line/interrupt.hpp"
+#include "properties/probe.hpp"
+#include "subjects/command.hpp"
+
+namespace rayproof::check {
+
+std::vector<Subject> subjects_of(const Options& options) {
+  const std::chrono::milliseconds case_time(static_cast<std::int64_t>(1000 * options.case_seconds));
+  std::vector<Subject> all = subjects_of_command(command_name, options.command, case_time);
+  const Plan wanted = make_plan(options.settings, all);  // refuses what is unknown
+  std::erase_if(all, [&](const Subject& one) {
+    return std::ranges::none_of(wanted.subjects, [&](const Subject* kept) { return kept == &one; });
+  });
+  return all;
+}
+
+void learn_all(std::vector<Subject>& guests, const Settings& settings,
+               const std::function<void(double)>& progress) {
+  std::vector<Precision> precisions = settings.precisions;
+  if (precisions.empty()) precisions = {Precision::float32, Precision::float64};
+  double done = 0;
+  for (Subject& guest : guests) {
+    progress(done++ / static_cast<double>(guests.size()));
+    learn_abilities(guest, settings.seed, precisions, is_interrupted);
+  }
+}
+
+}  // namespace rayproof::check

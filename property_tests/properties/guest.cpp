@@ -1,0 +1,61 @@
+#include "properties/guest.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "oracle/oracle.hpp"
+#include "properties/numbers.hpp"
+
+namespace rayproof {
+namespace {
+
+RayAnswer completed_hits(const Abilities& abilities, const Case& one, RayAnswer answer) {
+  const auto& hits = answer.hits;
+  const bool is_double = hits.count == 2 && hits.t[0] == hits.t[1];
+  if (is_double) {  // a double root, or two hits that round to one number
+    const auto exact = std::get<RayAnswer>(oracle::answer(one));
+    if (exact.hits.count == 1) answer.hits.count = 1;
+  }
+  answer.nearest_only = !abilities.all_hits && answer.hits.count <= 1;
+  return answer;
+}
+
+/// Exact roots in the places of those that are not given; where one of two is, it stands for the nearer.
+QuadraticAnswer<double> completed_roots(const Case& one, QuadraticAnswer<double> answer) {
+  const auto exact = std::get<QuadraticAnswer<double>>(oracle::answer(one));
+  const bool is_bare = answer.count > 0 && std::isnan(answer.roots[0]);
+  if (answer.kind != exact.kind || (answer.count >= exact.count && !is_bare)) return answer;
+  if (is_bare || answer.count == 0) return exact;
+  const double given = answer.roots[0];
+  answer = exact;
+  const auto distance = [given](double root) { return std::abs(root - given); };
+  *std::ranges::min_element(answer.roots, {}, distance) = given;
+  return answer;
+}
+
+}  // namespace
+
+Answer completed(const Subject& subject, const Case& one, const Answer& given) {
+  if (subject.has_own_contract) return given;
+  if (const auto* hits = std::get_if<RayAnswer>(&given)) return completed_hits(subject.abilities, one, *hits);
+  if (const auto* roots = std::get_if<QuadraticAnswer<double>>(&given)) {
+    const bool may_lack = !subject.abilities.all_hits || (roots->count > 0 && std::isnan(roots->roots[0]));
+    return may_lack ? completed_roots(one, *roots) : given;
+  }
+  if (subject.abilities.boundary || std::get<Position>(given) == Position::boundary) return given;
+  const Answer exact = oracle::answer(one);
+  return std::get<Position>(exact) == Position::boundary ? exact : given;
+}
+
+bool is_same_question(const Case& a, const Case& b) {
+  if (a.precision != b.precision || a.question.index() != b.question.index()) return false;
+  Case one = a, other = b;
+  const std::vector<CaseNumber> ours = numbers_of(one), theirs = numbers_of(other);
+  return std::ranges::equal(ours, theirs, [](const CaseNumber& x, const CaseNumber& y) {
+    return x.field == y.field &&
+           std::bit_cast<std::uint64_t>(*x.value) == std::bit_cast<std::uint64_t>(*y.value);
+  });
+}
+
+}  // namespace rayproof

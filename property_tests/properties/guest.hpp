@@ -1,0 +1,17 @@
+#pragma once
+/// \file
+/// Guests: subjects without a contract of their own, whose answers may leave out a part.
+
+#include "subjects/subject.hpp"
+
+namespace rayproof {
+
+/// The answer with what is left out filled in by what is exact, so that only what is said is judged: a
+/// position on the boundary for one who never says so, the roots where only their kind is given, and the
+/// nearest hit alone, the verdict alone, two equal hits for one, as what they are.
+[[nodiscard]] Answer completed(const Subject& subject, const Case& one, const Answer& given);
+
+/// Whether two cases ask the same of the same numbers, bit for bit; their ids and notes don't count.
+[[nodiscard]] bool is_same_question(const Case& a, const Case& b);
+
+}  // namespace rayproof

@@ -1,0 +1,59 @@
+#include "properties/kind.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rayproof {
+namespace {
+
+/// Beyond 2^±28, where a cube of a float overflows before it is judged wrong.
+constexpr int ordinary = 28;
+/// An error below this share of what it is an error of is a loss of digits.
+constexpr double small_share = 1e-3;
+/// A verdict this near to its change, in shares of the scene's size, is a matter of the boundary.
+constexpr double near_boundary = 1e-6;
+
+bool has_extreme_numbers(Case one) {
+  const std::vector<CaseNumber> numbers = numbers_of(one);
+  return std::ranges::any_of(numbers, [](const CaseNumber& number) {
+    const double size = std::abs(*number.value);
+    return size != 0 && std::isfinite(size) && std::abs(std::log2(size)) > ordinary;
+  });
+}
+
+double roundoff_of(Precision precision) { return precision == Precision::float32 ? 0x1p-24 : 0x1p-53; }
+
+/// Whether two vectors are the same but for the last digits; where one is left out nothing can be compared.
+bool is_near(const std::optional<glm::dvec3>& got, const std::optional<glm::dvec3>& exact) {
+  return got && exact && glm::length(*got - *exact) <= small_share * std::max(1.0, glm::length(*exact));
+}
+
+bool is_rounding_of_hit(Claim claim, const Evidence& evidence) {
+  const auto* got = std::get_if<RayAnswer>(&evidence.got);
+  const auto* exact = std::get_if<RayAnswer>(&evidence.exact);
+  if (got == nullptr || exact == nullptr) return false;
+  return (claim == Claim::point && is_near(got->point, exact->point)) ||
+         (claim == Claim::normal && is_near(got->normal, exact->normal)) ||
+         (claim == Claim::coordinates && is_near(got->barycentric, exact->barycentric));
+}
+
+}  // namespace
+
+FindingKind kind_of(const Finding& finding) {
+  const Evidence& evidence = finding.evidence;
+  const Claim claim = finding.property->claim;
+  if (claim == Claim::answers) return FindingKind::protocol;
+  const Case& one = evidence.other ? *evidence.other : finding.one;
+  if (claim == Claim::exact) return FindingKind::boundary;
+  const oracle::Judgement judgement = oracle::judge(one, evidence.got);
+  const double share = roundoff_of(one.precision);
+  const bool is_at_boundary = judgement.wrong && judgement.margin * share <= near_boundary;
+  if (is_at_boundary || claim == Claim::contact) return FindingKind::boundary;
+  if (has_extreme_numbers(one)) return FindingKind::range;
+  const bool is_near_t = !judgement.wrong && judgement.residual * share <= small_share;
+  if ((claim == Claim::point || claim == Claim::normal || claim == Claim::coordinates))
+    return is_rounding_of_hit(claim, evidence) ? FindingKind::rounding : FindingKind::gross;
+  return is_near_t && claim != Claim::ascending ? FindingKind::rounding : FindingKind::gross;
+}
+
+}  // namespace rayproof

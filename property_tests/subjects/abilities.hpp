@@ -1,0 +1,34 @@
+#pragma once
+/// \file
+/// What a subject's answers hold, and which questions its documentation says it takes.
+
+namespace rayproof {
+
+/// What a subject's answers hold. What they leave out is not judged.
+struct Abilities {
+  bool all_hits = true;  ///< every hit in the interval; otherwise the nearest alone
+  bool numbers = true;   ///< the t of hits, the roots; otherwise the verdict, or the kind of roots, alone
+  bool contact = true;
+  bool point = true;
+  bool normal = true;
+  bool barycentric = true;
+  bool boundary = true;  ///< says of a point that it is on the boundary of a polygon
+  // Whether its verdict where the line touches a shape, or meets an edge, or at an end of the interval is a
+  // rule of its own, and not what rounding makes of it.
+  bool rules_tangents = true;
+  bool rules_edges = true;
+  bool rules_ends = true;
+};
+
+/// The questions that a subject's documentation says it takes. What breaks outside is a fault of nobody;
+/// where nothing is documented, every valid case is inside.
+struct DocumentedDomain {
+  enum class Ends { closed, half_open };
+  bool unit_direction = false;  ///< directions of length 1 alone
+  bool interval = true;      ///< it knows t_min and t_max; otherwise rays from their origin on, without end
+  Ends ends = Ends::closed;  ///< whether edges, vertices and the ends of the interval are promised
+  int smallest = -1074;      ///< log2 of the smallest length
+  int largest = 1024;        ///< log2 of the largest
+};
+
+}  // namespace rayproof

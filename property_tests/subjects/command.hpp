@@ -1,0 +1,25 @@
+#pragma once
+/// \file
+/// Any program as a subject: a shell line that reads cases and writes answers (docs/case-format.md).
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "subjects/program/program.hpp"
+#include "subjects/subject.hpp"
+
+namespace rayproof {
+
+/// The name of a subject made of a command that the user gave: "sphere/command".
+inline constexpr const char* command_name = "command";
+
+/// How long a command may be silent while a case waits, where nobody says otherwise.
+inline constexpr std::chrono::milliseconds usual_case_time{2000};
+
+/// A command as a subject of every topic, under what its users expect of it (default_contract.hpp). All of
+/// them share its processes. Instances throw program::CannotStart where the shell finds nothing to start.
+[[nodiscard]] std::vector<Subject> subjects_of_command(const std::string& name, const std::string& command,
+                                                       std::chrono::milliseconds case_time);
+
+}  // namespace rayproof

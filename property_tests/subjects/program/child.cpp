@@ -1,0 +1,145 @@
+#include "subjects/program/child.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <system_error>
+#include <thread>
+
+namespace rayproof::program {
+namespace {
+
+using std::chrono::milliseconds;
+
+[[noreturn]] void fail(const char* what) { throw std::system_error(errno, std::generic_category(), what); }
+
+/// The two ends of a pipe, to read and to write; closed in every program that is started later.
+std::array<int, 2> make_pipe() {
+  std::array<int, 2> ends{};
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail("a pipe cannot be made");
+  return ends;
+}
+
+void close_once(int& file) {
+  if (file >= 0) ::close(file);
+  file = -1;
+}
+
+void never_block(int file) { ::fcntl(file, F_SETFL, ::fcntl(file, F_GETFL) | O_NONBLOCK); }
+
+/// What the new process does between fork and exec: only what is allowed there.
+[[noreturn]] void become(const char* command, int input, int output, int errors) {
+  ::setpgid(0, 0);
+  ::signal(SIGPIPE, SIG_DFL);
+  ::signal(SIGINT, SIG_DFL);
+  ::dup2(input, STDIN_FILENO);
+  ::dup2(output, STDOUT_FILENO);
+  ::dup2(errors, STDERR_FILENO);
+  ::execl("/bin/sh", "sh", "-c", command, static_cast<char*>(nullptr));
+  ::_exit(127);
+}
+
+}  // namespace
+
+Child::Child(const std::string& command) {
+  static const auto ignore = std::signal(SIGPIPE, SIG_IGN);  // a child that has ended is no reason to end
+  (void)ignore;
+  std::array<int, 2> input = make_pipe(), output = make_pipe(), errors = make_pipe();
+  id_ = ::fork();
+  if (id_ < 0) fail("no process can be started");
+  if (id_ == 0) become(command.c_str(), input[0], output[1], errors[1]);
+  ::setpgid(id_, id_);  // whoever is first
+  for (const int theirs : {input[0], output[1], errors[1]}) ::close(theirs);
+  input_ = input[1];
+  output_ = output[0];
+  errors_ = errors[0];
+  for (const int file : {input_, output_, errors_}) never_block(file);
+}
+
+Child::~Child() {
+  ::kill(-id_, SIGKILL);
+  close_once(input_);
+  close_once(output_);
+  close_once(errors_);
+  if (!status_) ::waitpid(id_, nullptr, 0);
+}
+
+void Child::exchange(std::string& unsent, std::string& received, milliseconds limit) {
+  std::array<pollfd, 3> files{{{output_, POLLIN, 0}, {errors_, POLLIN, 0}, {input_, POLLOUT, 0}}};
+  if (unsent.empty()) files[2].fd = -1;
+  if (::poll(files.data(), files.size(), static_cast<int>(limit.count())) < 0 && errno != EINTR)
+    fail("the program cannot be waited for");
+  if (files[0].revents != 0 && !read_some(output_, received)) close_once(output_);
+  if (files[1].revents != 0 && !read_some(errors_, error_text_)) close_once(errors_);
+  if (files[2].revents != 0) write_some(unsent);
+  constexpr std::size_t kept = 4096;
+  if (error_text_.size() > 2 * kept) error_text_.erase(0, error_text_.size() - kept);
+}
+
+void Child::write_some(std::string& unsent) {
+  const ssize_t count = ::write(input_, unsent.data(), unsent.size());
+  if (count > 0) unsent.erase(0, static_cast<std::size_t>(count));
+  if (count >= 0 || errno == EAGAIN || errno == EINTR) return;
+  unsent.clear();  // it reads no more; whether it answers is another matter
+  close_once(input_);
+}
+
+bool Child::read_some(int file, std::string& into) {
+  constexpr std::size_t block = 1U << 16U;
+  const std::size_t before = into.size();
+  into.resize(before + block);
+  const ssize_t count = ::read(file, into.data() + before, block);
+  into.resize(before + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+  return count > 0 || (count < 0 && (errno == EAGAIN || errno == EINTR));
+}
+
+void Child::close_input() { close_once(input_); }
+
+bool Child::has_ended(milliseconds patience) {
+  const auto end = std::chrono::steady_clock::now() + patience;
+  while (!status_) {
+    int status = 0;
+    if (::waitpid(id_, &status, WNOHANG) == id_) status_ = status;
+    if (status_ || std::chrono::steady_clock::now() > end) break;
+    std::this_thread::sleep_for(milliseconds(1));
+  }
+  return status_.has_value();
+}
+
+std::string Child::how_it_ended() {
+  if (!has_ended(milliseconds(200))) return "";
+  if (WIFSIGNALED(*status_))
+    return fmt::format("was ended by signal {} ({})", WTERMSIG(*status_), ::strsignal(WTERMSIG(*status_)));
+  const int status = WEXITSTATUS(*status_);
+  if (status > 128 && status < 128 + 65)  // as the shell reports it
+    return fmt::format("was ended by signal {} ({})", status - 128, ::strsignal(status - 128));
+  return fmt::format("ended with exit status {}", status);
+}
+
+std::optional<int> Child::exit_status() const {
+  if (!status_ || !WIFEXITED(*status_)) return std::nullopt;
+  return WEXITSTATUS(*status_);
+}
+
+std::string Child::last_words() {
+  while (errors_ >= 0) {
+    const std::size_t before = error_text_.size();
+    if (!read_some(errors_, error_text_)) close_once(errors_);
+    if (error_text_.size() == before) break;
+  }
+  constexpr std::size_t longest = 400;
+  std::string text = error_text_.substr(error_text_.size() - std::min(error_text_.size(), longest));
+  for (char& c : text) c = c == '\n' ? '|' : c < ' ' || c > '~' ? '?' : c;
+  while (!text.empty() && (text.back() == '|' || text.back() == ' ')) text.pop_back();
+  return text;
+}
+
+}  // namespace rayproof::program

@@ -1,0 +1,142 @@
+#include "subjects/program/conversation.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "case/shape_format.hpp"
+#include "case/writer.hpp"
+
+namespace rayproof::program {
+
+using std::chrono::milliseconds;
+
+void Round::put(std::size_t i, Outcome outcome) {
+  if (!has_answer[i]) --waiting;
+  has_answer[i] = true;
+  outcomes[i] = std::move(outcome);
+}
+
+void Round::take_back(std::size_t i) {
+  if (has_answer[i]) ++waiting;
+  has_answer[i] = false;
+}
+
+void Conversation::write(const Round& round) {
+  first_id_ = program_->next_ids(round.cases.size());
+  for (std::size_t i = 0; i < round.cases.size(); ++i) {
+    unsent_ += fmt::format("{{\"id\": {}, ", first_id_ + i);
+    const Case& one = round.cases[i];
+    if (one.id.empty() && one.note.empty()) {
+      unsent_.append(write_case(one), 1);  // without its opening bracket
+    } else {
+      Case bare = one;
+      bare.id.clear();
+      bare.note.clear();
+      unsent_.append(write_case(bare), 1);
+    }
+    unsent_ += '\n';
+  }
+}
+
+Conversation::Ending Conversation::ask(Round& round) {
+  write(round);
+  Clock::time_point heard = Clock::now();
+  while (round.waiting > 0) {
+    const milliseconds limit = has_spoken_ ? program_->case_time() : program_->first_case_time();
+    const auto left = std::chrono::duration_cast<milliseconds>(heard + limit - Clock::now());
+    if (left <= milliseconds(0)) return Ending::silence;
+    const std::size_t waiting = round.waiting;
+    child_.exchange(unsent_, received_, left);
+    if (!take_lines(round)) return Ending::nonsense;
+    if (round.waiting < waiting) heard = Clock::now();
+    if (round.waiting > 0 && child_.is_output_closed())
+      return take_line(round, received_) && round.waiting == 0 ? Ending::complete : Ending::closed;
+  }
+  return goes_on(round) ? Ending::nonsense : Ending::complete;
+}
+
+bool Conversation::goes_on(Round& round) {
+  if (child_.is_output_closed()) return false;
+  child_.exchange(unsent_, received_, milliseconds(program_->repeats() ? 20 : 0));
+  return !take_lines(round);
+}
+
+bool Conversation::answers_at_the_end(Round& round) {
+  child_.close_input();
+  const Clock::time_point end = Clock::now() + milliseconds(1500);
+  while (round.waiting > 0 && !child_.is_output_closed() && Clock::now() < end) {
+    child_.exchange(unsent_, received_, milliseconds(100));
+    if (!take_lines(round)) return false;
+  }
+  return round.waiting == 0;
+}
+
+bool Conversation::take_lines(Round& round) {
+  std::size_t begin = 0;
+  bool is_well = true;
+  for (std::size_t end = 0; is_well && (end = received_.find('\n', begin)) != std::string::npos;
+       begin = end + 1)
+    is_well = take_line(round, std::string_view(received_).substr(begin, end - begin));
+  received_.erase(0, begin);
+  return is_well;
+}
+
+bool Conversation::take_line(Round& round, std::string_view line) {
+  if (line.find_first_not_of(" \t\r") == std::string_view::npos) return true;
+  const auto refuse = [&](const std::string& what) {
+    stray_ = fmt::format("{}; the line is {}", what, excerpt(line));
+    return false;
+  };
+  try {
+    const Reply reply(line);
+    const auto id = reply.id();
+    if (!id) return refuse("wrote a line without the id of a case");
+    const std::uint64_t i = *id - first_id_;
+    if (*id<first_id_&& * id> 0) {
+      program_->note_repeat();
+      return refuse("answered a case that was answered before");
+    }
+    if (i >= round.cases.size()) return refuse("wrote an id that no case has");
+    if (round.has_answer[i]) {
+      program_->note_repeat();
+      if (round.cases.size() > 1) {  // which of them is to blame is found by asking one by one
+        round.take_back(i);
+        return refuse("answered a case twice");
+      }
+      round.outcomes[i] = {
+          .kind = Outcome::Kind::nonsense,
+          .sentence = fmt::format("answered the case twice; the second line is {}", excerpt(line))};
+      return true;
+    }
+    if (!has_spoken_) program_->note_start(Clock::now() - start_);
+    has_spoken_ = true;
+    program_->note_answers(1);
+    round.put(i, reply.outcome(round.cases[i]));
+    return true;
+  } catch (const Refusal& why) {
+    return refuse(fmt::format("wrote a line that is no answer: {}", why.what()));
+  }
+}
+
+std::string Conversation::trouble(Ending ending) {
+  std::string text = stray_;
+  if (ending == Ending::silence)
+    text = fmt::format("gave no answer within {:g} s",
+                       static_cast<double>(program_->case_time().count()) / 1000);
+  if (ending == Ending::closed) {
+    text = child_.how_it_ended();
+    if (text.empty()) text = "closed its output";
+    text += " without an answer to the case";
+  }
+  const std::string words = last_words();
+  return words.empty() ? text : fmt::format("{}; its standard error ends in: {}", text, words);
+}
+
+bool Conversation::was_never_started() {
+  (void)child_.how_it_ended();
+  const auto status = child_.exit_status();
+  return !has_spoken_ && (status == 127 || status == 126);
+}
+
+}  // namespace rayproof::program

@@ -1,0 +1,69 @@
+#pragma once
+/// \file
+/// One process of a program, and the cases that it is asked.
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "subjects/program/child.hpp"
+#include "subjects/program/program.hpp"
+#include "subjects/program/reply.hpp"
+
+namespace rayproof::program {
+
+/// Some cases on their way, and what has come back so far.
+struct Round {
+  std::span<const Case> cases{};
+  std::span<Outcome> outcomes{};
+  std::vector<bool> has_answer{};
+  std::size_t waiting = 0;
+
+  Round(std::span<const Case> asked, std::span<Outcome> into)
+      : cases(asked), outcomes(into), has_answer(asked.size()), waiting(asked.size()) {}
+
+  void put(std::size_t i, Outcome outcome);
+  void take_back(std::size_t i);
+};
+
+/// A process that is asked round after round, as long as nothing goes wrong.
+class Conversation {
+ public:
+  /// How a round ends: with every answer, with silence, with the end of the output, or with a line that is no
+  /// answer to any case of the round.
+  enum class Ending { complete, silence, closed, nonsense };
+
+  explicit Conversation(Program& program) : program_(&program), child_(program.command()) {}
+
+  /// Asks all cases of the round at once.
+  [[nodiscard]] Ending ask(Round& round);
+  /// Closes the input, and whether every answer that was missing comes then.
+  [[nodiscard]] bool answers_at_the_end(Round& round);
+
+  /// What went wrong, in one sentence, with what the program said of it on standard error.
+  [[nodiscard]] std::string trouble(Ending ending);
+
+  /// Whether the shell found nothing to start.
+  [[nodiscard]] bool was_never_started();
+  [[nodiscard]] std::string last_words() { return child_.last_words(); }
+
+ private:
+  using Clock = Program::Clock;
+
+  void write(const Round& round);
+  /// Takes the whole lines that have come. False after one that is no answer.
+  [[nodiscard]] bool take_lines(Round& round);
+  [[nodiscard]] bool take_line(Round& round, std::string_view line);
+  /// Whether a second answer comes right behind the last one, from a program that has given such before.
+  [[nodiscard]] bool goes_on(Round& round);
+
+  Program* program_;
+  Child child_;
+  Clock::time_point start_ = Clock::now();
+  bool has_spoken_ = false;
+  std::uint64_t first_id_ = 0;  ///< of the round
+  std::string unsent_{}, received_{};
+  std::string stray_{};  ///< what is wrong with the line that is no answer
+};
+
+}  // namespace rayproof::program

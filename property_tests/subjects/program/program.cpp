@@ -1,0 +1,59 @@
+#include "subjects/program/program.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace rayproof::program {
+namespace {
+
+using std::chrono::milliseconds;
+
+/// What loading an interpreter and large libraries may take.
+constexpr milliseconds time_to_load{8000};
+/// A program that loses more time than this to crashes and silence has been heard.
+constexpr milliseconds patience{20000};
+/// So often may it fail without ever giving an answer.
+constexpr std::uint64_t first_failures = 6;
+
+std::int64_t in_milliseconds(Program::Clock::duration time) {
+  return std::chrono::duration_cast<milliseconds>(time).count();
+}
+
+}  // namespace
+
+milliseconds Program::first_case_time() const {
+  if (!has_answered()) return case_time_ + time_to_load;
+  return case_time_ + 2 * milliseconds(slowest_start_) + milliseconds(500);
+}
+
+void Program::note_start(Clock::duration time) {
+  const std::int64_t taken = in_milliseconds(time);
+  std::int64_t slowest = slowest_start_;
+  while (taken > slowest && !slowest_start_.compare_exchange_weak(slowest, taken)) {
+  }
+}
+
+void Program::note_trouble(std::size_t count, Clock::duration lost) {
+  troubles_ += count;
+  lost_ += in_milliseconds(lost);
+  if (!has_answered() && troubles_ >= first_failures)
+    give_up(fmt::format("it failed on all of the first {} cases", troubles_.load()));
+  else if (milliseconds(lost_) > patience)
+    give_up(fmt::format("it failed on {} cases, at which {:.0f} s were lost", troubles_.load(),
+                        static_cast<double>(lost_) / 1000));
+}
+
+void Program::give_up(const std::string& why) {
+  const std::lock_guard lock(mutex_);
+  if (is_given_up_) return;
+  why_ = why;
+  is_given_up_ = true;
+}
+
+std::string Program::why_given_up() {
+  const std::lock_guard lock(mutex_);
+  return why_;
+}
+
+}  // namespace rayproof::program

@@ -1,0 +1,62 @@
+#pragma once
+/// \file
+/// A program on trial: its command, and what all its instances know of it.
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <mutex>
+#include <stdexcept>
+#include <string>
+
+namespace rayproof::program {
+
+/// A command that the shell can't start; one sentence.
+class CannotStart : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// What the instances of a program share. Every member may be used by several threads at once.
+class Program {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  Program(std::string command, std::chrono::milliseconds case_time)
+      : command_(std::move(command)), case_time_(case_time) {}
+
+  [[nodiscard]] const std::string& command() const { return command_; }
+  /// How long it may be silent while a case waits for its answer.
+  [[nodiscard]] std::chrono::milliseconds case_time() const { return case_time_; }
+  /// The same of a process that has answered nothing yet, which may have much to load.
+  [[nodiscard]] std::chrono::milliseconds first_case_time() const;
+
+  /// The first of `count` numbers in a row that no case has had.
+  [[nodiscard]] std::uint64_t next_ids(std::size_t count) { return next_id_.fetch_add(count); }
+
+  /// A process took this long to its first answer.
+  void note_start(Clock::duration time);
+  void note_answers(std::size_t count) { answers_ += count; }
+  /// It has answered a case twice: from now on it pays to wait for that.
+  void note_repeat() { has_repeated_ = true; }
+  [[nodiscard]] bool repeats() const { return has_repeated_; }
+  /// Something went wrong, and this time was lost to it; `count` cases have no answer for that.
+  void note_trouble(std::size_t count, Clock::duration lost);
+  /// No more is to be asked of it, for this reason.
+  void give_up(const std::string& why);
+
+  [[nodiscard]] bool was_given_up() const { return is_given_up_; }
+  /// Why, in one sentence; empty where it was not.
+  [[nodiscard]] std::string why_given_up();
+  [[nodiscard]] bool has_answered() const { return answers_ > 0; }
+
+ private:
+  std::string command_;
+  std::chrono::milliseconds case_time_;
+  std::atomic<std::uint64_t> next_id_{1}, answers_{0}, troubles_{0};
+  std::atomic<std::int64_t> lost_{0}, slowest_start_{0};  ///< in milliseconds
+  std::atomic<bool> is_given_up_{false}, has_repeated_{false};
+  std::mutex mutex_{};
+  std::string why_{};
+};
+
+}  // namespace rayproof::program
