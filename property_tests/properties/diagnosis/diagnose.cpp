@@ -137,20 +137,20 @@ void fold_rest(std::vector<Diagnosis>& groups, std::size_t all) {
 void describe_unknown(Diagnosis& group, const Examination& examination) {
   double worst = 0;
   for (const std::size_t i : group.cases) worst = std::max(worst, examination.error_of(i));
-  group.severity = worst > 0x1p-8 ? Severity::gross : Severity::rounding;
+  group.kind = worst > 0x1p-8 ? FindingKind::gross : FindingKind::rounding;
   group.sentence = fmt::format("nothing that was tried cures it: wrong on {} {}", group.cases.size(),
                                group.cases.size() == 1 ? "case" : "cases");
 }
 
 void describe(Diagnosis& group, const Examination& examination) {
   if (group.cause == nullptr) return describe_unknown(group, examination);
-  group.severity = group.cause->severity;
+  group.kind = group.cause->kind;
   group.sentence = group.cause->sentence;
-  if (group.cause->change == nullptr || group.severity == Severity::gross) return;
+  if (group.cause->change == nullptr || group.kind == FindingKind::gross) return;
   const auto on_boundary =
       std::ranges::count_if(group.cases, [&](std::size_t i) { return examination.is_boundary_case(i); });
   const bool is_boundary = 2 * on_boundary > static_cast<std::ptrdiff_t>(group.cases.size());
-  if (group.severity == Severity::boundary && !is_boundary) group.severity = Severity::rounding;
+  if (group.kind == FindingKind::boundary && !is_boundary) group.kind = FindingKind::rounding;
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace rayproof {
 /// One fault, as far as is known.
 struct Diagnosis {
   const Hypothesis* cause = nullptr;  ///< null where nothing tried explains or cures it
-  Severity severity = Severity::gross;
+  FindingKind kind = FindingKind::gross;
   std::string sentence{};            ///< what is wrong, in words
   std::vector<std::size_t> cases{};  ///< of the failing cases, by index, ascending
 };

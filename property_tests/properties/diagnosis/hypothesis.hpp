@@ -9,23 +9,9 @@
 
 #include "case/answer.hpp"
 #include "case/case.hpp"
+#include "properties/finding_kind.hpp"
 
 namespace rayproof {
-
-/// How bad a fault is, the worst first.
-enum class Severity {
-  gross,     ///< a wrong verdict or number, far beyond any band
-  boundary,  ///< right but for edges, vertices, tangents, and the ends of the interval
-  range,     ///< wrong at very large or very small numbers only
-  rounding,  ///< the right formula loses digits
-  protocol   ///< no answer, or nonsense
-};
-
-/// The word of the findings file.
-[[nodiscard]] constexpr std::string_view name_of(Severity severity) {
-  constexpr std::array<std::string_view, 5> names{"gross", "boundary", "range", "rounding", "protocol"};
-  return names.at(static_cast<std::size_t>(severity));
-}
 
 /// The part of an answer that a fault shows in.
 enum class Aspect { hits, contact, point, normal, coordinates };
@@ -47,7 +33,7 @@ using Change = std::vector<Case> (*)(const Case& one);
 /// One line of the registry. Exactly one of the three functions is there.
 struct Hypothesis {
   std::string_view name{};      ///< "unit-direction"
-  Severity severity{};          ///< where nothing speaks for another one
+  FindingKind kind{};           ///< where nothing speaks for another one
   std::string_view sentence{};  ///< what is wrong, in words
   Aspect aspect = Aspect::hits;
   Predict predict = nullptr;

@@ -9,21 +9,21 @@ namespace {
 
 /// A cure that changes nothing but powers of two, signs, or the order of things.
 constexpr Hypothesis exact_cure(std::string_view name, Change change, std::string_view sentence,
-                                Severity severity = Severity::gross) {
-  return {.name = name, .severity = severity, .sentence = sentence, .change = change, .perturbs = false};
+                                FindingKind kind = FindingKind::gross) {
+  return {.name = name, .kind = kind, .sentence = sentence, .change = change, .perturbs = false};
 }
 
 /// A cure that rounds the case anew.
 constexpr Hypothesis cure(std::string_view name, Change change, std::string_view sentence,
-                          Severity severity = Severity::gross, Keeps keeps = Keeps::question) {
-  return {.name = name, .severity = severity, .sentence = sentence, .change = change, .keeps = keeps};
+                          FindingKind kind = FindingKind::gross, Keeps keeps = Keeps::question) {
+  return {.name = name, .kind = kind, .sentence = sentence, .change = change, .keeps = keeps};
 }
 
 /// A cure that leaves what only a boundary or a rounding can break.
 constexpr Hypothesis leaves(std::string_view name, Change change, std::string_view sentence,
-                            Severity severity = Severity::boundary) {
+                            FindingKind kind = FindingKind::boundary) {
   return {.name = name,
-          .severity = severity,
+          .kind = kind,
           .sentence = sentence,
           .change = change,
           .keeps = Keeps::verdict,
@@ -47,7 +47,7 @@ std::vector<Hypothesis> cures_of_values() {
       exact_cure("shorter-direction", shorter_direction,
                  "right as soon as the direction is shorter: something overflows, or has a fixed limit"),
       exact_cure("ordinary-sizes", ordinary_sizes,
-                 "right as soon as lengths and direction are of ordinary size", Severity::range),
+                 "right as soon as lengths and direction are of ordinary size", FindingKind::range),
       exact_cure("positive-a", positive_a,
                  "right as soon as a > 0: the order of the roots, or a sign, is wrong for a < 0"),
       exact_cure(
@@ -69,25 +69,25 @@ std::vector<Hypothesis> cures_of_values() {
       cure("leading-one", leading_one, "right as soon as a = 1: the code forgets a"),
       cure("in-object-space", in_object_space,
            "right with the same ray in object space, without the transform: the fault lies in the transform",
-           Severity::gross, Keeps::verdict),
+           FindingKind::gross, Keeps::verdict),
       cure("plain-interval", plain_interval,
-           "right as soon as the interval is [0, inf]: the fault lies with t_min or t_max", Severity::gross,
-           Keeps::verdict),
+           "right as soon as the interval is [0, inf]: the fault lies with t_min or t_max",
+           FindingKind::gross, Keeps::verdict),
       cure("start-behind", start_behind,
            "right as soon as the ray starts before its line meets the shape: an origin inside, or hits "
            "behind it, are not handled",
-           Severity::gross, Keeps::verdict),
+           FindingKind::gross, Keeps::verdict),
       cure("small-b", small_b, "right as soon as b² is not much larger than 4ac: -b ± √D cancels",
-           Severity::rounding),
+           FindingKind::rounding),
       cure("start-near", start_near,
            "right as soon as the ray starts near the shape: from afar its equation cancels",
-           Severity::rounding, Keeps::verdict),
+           FindingKind::rounding, Keeps::verdict),
       exact_cure("in-double", in_double, "right with the same numbers in double: float32 loses the digits",
-                 Severity::rounding),
+                 FindingKind::rounding),
       cure("shape-at-zero", shape_at_zero,
            "right as soon as the shape is at the origin of coordinates: far from it digits cancel, or its "
            "place is ignored",
-           Severity::rounding),
+           FindingKind::rounding),
   };
 }
 
@@ -100,10 +100,11 @@ std::vector<Hypothesis> cures_of_boundaries() {
       leaves("off-boundary", off_boundary,
              "right as soon as the ray passes a little aside: only edges, vertices and tangents are wrong"),
       leaves("few-digits", few_digits,
-             "right as soon as the numbers have few digits: what is wrong is rounding", Severity::rounding),
+             "right as soon as the numbers have few digits: what is wrong is rounding",
+             FindingKind::rounding),
       leaves("isolated", jiggled,
              "right as soon as any number changes a little: an isolated case of rounding",
-             Severity::rounding),
+             FindingKind::rounding),
   };
 }
 

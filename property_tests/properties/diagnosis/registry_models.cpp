@@ -18,18 +18,18 @@ namespace {
 
 /// A subject that gives these answers.
 constexpr Hypothesis gives(std::string_view name, Predict predict, std::string_view sentence,
-                           Severity severity = Severity::gross, Aspect aspect = Aspect::hits) {
-  return {.name = name, .severity = severity, .sentence = sentence, .aspect = aspect, .predict = predict};
+                           FindingKind kind = FindingKind::gross, Aspect aspect = Aspect::hits) {
+  return {.name = name, .kind = kind, .sentence = sentence, .aspect = aspect, .predict = predict};
 }
 
 /// A subject whose answers bear this mark.
 constexpr Hypothesis shows(std::string_view name, Recognise recognise, std::string_view sentence,
-                           Severity severity = Severity::gross, Aspect aspect = Aspect::hits) {
-  return {.name = name, .severity = severity, .sentence = sentence, .aspect = aspect, .recognise = recognise};
+                           FindingKind kind = FindingKind::gross, Aspect aspect = Aspect::hits) {
+  return {.name = name, .kind = kind, .sentence = sentence, .aspect = aspect, .recognise = recognise};
 }
 
-constexpr auto boundary = Severity::boundary;
-constexpr auto gross = Severity::gross;
+constexpr auto boundary = FindingKind::boundary;
+constexpr auto gross = FindingKind::gross;
 
 }  // namespace
 
@@ -171,9 +171,9 @@ std::vector<Hypothesis> models_of_digits() {
   return {
       shows("computes-in-float", is_of_float,
             "every number is one of float32, though the case is of float64: the code computes in float",
-            Severity::rounding),
+            FindingKind::rounding),
       shows("prints-six-digits", has_six_digits,
-            "no number has more than six digits: the code prints too few of them", Severity::rounding),
+            "no number has more than six digits: the code prints too few of them", FindingKind::rounding),
   };
 }
 

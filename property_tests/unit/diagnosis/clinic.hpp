@@ -3,30 +3,14 @@
 /// Diagnoses of subjects as an engine makes them: cases from every family of the topic.
 
 #include <algorithm>
-#include <rayproof/topics.hpp>
 #include <string>
 
 #include "generators/generators.hpp"
-#include "properties/claims/promise.hpp"
 #include "properties/diagnosis/diagnose.hpp"
+#include "properties/guest.hpp"
 #include "properties/plan.hpp"
 
 namespace rayproof::faulty {
-
-/// What a user expects of any code: the verdict and t that a plain textbook method gives.
-[[nodiscard]] inline Contract expected_of(const std::string& topic) {
-  const double bound = 8 * robust_bound(topic).value();
-  const bool is_of_solid = topic == "sphere" || topic == "cylinder" || topic == "parallelepiped";
-  Contract contract;
-  contract.verdict = {.promised = bound, .far_power = is_of_solid || topic == "triangle" ? 1 : 0};
-  contract.residual = {.promised = bound, .far_power = is_of_solid ? 1 : 0};
-  contract.hit = {.point = {.promised = 8}, .normal = {.promised = 64}, .coordinates = {.promised = 16}};
-  if (topic == "cylinder") contract.domain = {12, 110};
-  if (topic == "parallelepiped") contract.domain = {16, 150};
-  contract.holds = Claims{Claim::verdict, Claim::residual, Claim::ascending,   Claim::contact,
-                          Claim::point,   Claim::normal,   Claim::coordinates, Claim::exact};
-  return contract;
-}
 
 /// The cases on which a subject breaks a property, and some on which it keeps it.
 struct Complaint {
@@ -42,6 +26,7 @@ struct Complaint {
     for (const Family& family : families()) {
       if (family.topic != subject.topic) continue;
       const Case one = family.generate(k, precision);
+      if (!subject.has_own_contract && !is_for_guest(subject, one)) continue;
       Trial trial(subject, one);
       const Ruling ruling = property.rule(trial);
       if (ruling == Ruling::broken) found.failing.push_back(one);

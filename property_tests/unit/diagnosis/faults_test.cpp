@@ -4,6 +4,7 @@
 #include "case/writer.hpp"
 #include "properties/diagnosis/agreement.hpp"
 #include "properties/diagnosis/examination.hpp"
+#include "subjects/default_contract.hpp"
 #include "unit/diagnosis/clinic.hpp"
 #include "unit/diagnosis/faulty/faulty.hpp"
 
@@ -120,8 +121,9 @@ Subject subject_of(const char* topic, Answer (*code)(const Case&)) {
   Subject subject;
   subject.topic = topic;
   subject.name = "faulty";
-  subject.answer = code;
-  subject.contract = expected_of(topic);
+  subject.answer_by(code);
+  subject.contract = default_contract(topic);
+  subject.has_own_contract = false;
   return subject;
 }
 
