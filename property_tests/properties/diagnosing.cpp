@@ -42,6 +42,7 @@ class Consultation {
       failing_ = in_turn(sample->broken, is_declared ? most_declared : most_failing);
       passing_ = in_turn(sample->held, is_declared ? most_declared : most_passing);
     }
+    add_right_verdicts(samples);
     if (failing_.empty()) failing_.push_back(finding.one);
   }
 
@@ -59,6 +60,14 @@ class Consultation {
   }
 
  private:
+  /// A property of boundaries alone is kept on few cases; a model must not contradict the others.
+  void add_right_verdicts(const Samples& samples) {
+    const Samples::Sample* right =
+        samples.find(*finding_.subject, finding_.one.precision, *find_property("verdict"));
+    if (right == nullptr || finding_.property->claim != Claim::exact) return;
+    for (Case& one : in_turn(right->held, passing_.size())) passing_.push_back(std::move(one));
+  }
+
   /// The group whose cause explains the finding's own case; the largest where none does.
   const Diagnosis& own_group(const std::vector<Diagnosis>& groups) const {
     for (const Diagnosis& group : groups)

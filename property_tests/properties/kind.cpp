@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "properties/diagnosis/hypothesis.hpp"
+
 namespace rayproof {
 namespace {
 
@@ -61,8 +63,10 @@ FindingKind kind_of(const Finding& finding) {
   const FindingKind by_case = kind_of_case(finding);
   if (!finding.kind_of_fault || by_case == FindingKind::protocol) return by_case;
   if (finding.kind_of_fault != FindingKind::gross) return *finding.kind_of_fault;
-  const bool is_milder = finding.property->claim == Claim::exact || by_case == FindingKind::range;
-  return is_milder ? by_case : FindingKind::gross;
+  // A cure may help where digits are lost, too; a model foresees no rounding.
+  const bool is_model = finding.cause != nullptr && finding.cause->change == nullptr;
+  const bool may_be_gross = finding.property->claim != Claim::exact && by_case != FindingKind::range;
+  return is_model && may_be_gross ? FindingKind::gross : by_case;
 }
 
 }  // namespace rayproof

@@ -68,7 +68,7 @@ template <class T>
   const auto p = cross(ray.direction, e2);
   const T det = dot(e1, p);
   if (fault == Fault::culls_back && det < 0) return {};
-  if (det == 0 || (fault == Fault::absolute_epsilon && std::abs(det) < T(1e-5))) return {};
+  if (det == 0 || (fault == Fault::absolute_epsilon && std::abs(det) < T(1e-2))) return {};
   const auto s = ray.origin - triangle.a, q = cross(s, e1);
   const T u = dot(s, p) / det, v = dot(ray.direction, q) / det, t = dot(e2, q) / det;
   bool is_inside = u >= 0 && v >= 0 && u + v <= 1;
