@@ -9,6 +9,7 @@
 #include <map>
 
 #include "case/writer.hpp"
+#include "properties/diagnosing.hpp"
 #include "properties/shrink/shrink.hpp"
 
 namespace rayproof {
@@ -56,6 +57,7 @@ class Run {
     for (const Case& one : corpus) put_corpus_case(one);
     if (plan_.settings.count_labels) count_all_labels();
     put_families();
+    diagnose_findings(result_, samples_, listener_, stop_);
     result_.was_interrupted = stop_;
     return std::move(result_);
   }
@@ -111,6 +113,10 @@ class Run {
         hunt.found = [&](std::size_t property, const Case& one, const Outcome* failure) {
           report(*unit.subject, properties()[property], one, unit.family->name, failure);
         };
+        hunt.sampled = [&](std::size_t property, std::uint64_t block_seed, const BlockSample& sample) {
+          samples_.add(*unit.subject, *unit.family, unit.precision, properties()[property], block_seed,
+                       sample);
+        };
         hunt.run();
         ++done;
       }
@@ -163,6 +169,7 @@ class Run {
   const std::atomic<bool>& stop_;
   std::chrono::steady_clock::time_point start_;
   RunResult result_{};
+  Samples samples_{};
   std::map<std::pair<const Subject*, Precision>, std::set<std::size_t>> broken_{};
 };
 

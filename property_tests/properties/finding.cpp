@@ -16,7 +16,9 @@ std::string write_finding(const Finding& finding) {
   json.member("shape").string(finding.subject->topic);
   json.member("method").string(finding.subject->name);
   json.member("property").string(finding.property->name);
-  if (!finding.subject->has_own_contract) json.member("kind").string(name_of(kind_of(finding)));
+  json.member("kind").string(name_of(kind_of(finding)));
+  if (!finding.diagnosis.empty()) json.member("diagnosis").string(finding.diagnosis);
+  if (finding.cases > 0) json.member("cases").value(static_cast<double>(finding.cases));
   json.member("case").raw(write_case(with_note));
   json.member("got");
   if (finding.evidence.no_answer.empty()) {
@@ -32,6 +34,7 @@ std::string write_finding(const Finding& finding) {
   } else {
     json.raw("null");
   }
+  if (finding.striking) json.member("striking").raw(write_case(*finding.striking));
   if (finding.subject->name == command_name) json.member("command").string(finding.subject->title);
   return json.take();
 }

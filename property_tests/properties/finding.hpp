@@ -2,14 +2,19 @@
 /// \file
 /// Findings: a subject, a property, and the case that breaks it.
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include "properties/finding_kind.hpp"
 #include "properties/property.hpp"
 
 namespace rayproof {
 
-/// One broken property.
+struct Hypothesis;
+
+/// One broken property; of several faults that break it, one.
 struct Finding {
   std::size_t number = 0;  ///< from 1: the line in the findings file of the run; 0 before they are in order
   const Subject* subject = nullptr;
@@ -18,6 +23,12 @@ struct Finding {
   Case one{};
   Evidence evidence{};
   bool is_declared = false;  ///< the subject is known to break it, and says so
+  const Hypothesis* cause =
+      nullptr;  ///< what explains or cures it, once it is diagnosed; null where nothing does
+  std::optional<FindingKind> kind_of_fault{};  ///< as the diagnosis has it
+  std::string diagnosis{};                     ///< the same as a sentence; empty before it is diagnosed
+  std::uint64_t cases = 0;                     ///< about how many of the run's cases this fault broke
+  std::optional<Case> striking{};              ///< the case that it breaks worst, where that is another
 };
 
 /// The finding as a line of JSON without its newline, as the case format says; the evidence's note is the

@@ -15,6 +15,7 @@ namespace {
 /// What came of a block of cases. Its k-th case is the one that combine(seed of the block, k) stands for.
 struct BlockResult {
   Tally tally{};
+  std::vector<BlockSample> samples{};  ///< in the order of properties()
   /// For each broken property (an index into properties()) the first case that broke it, by number.
   std::map<std::size_t, unsigned> first_broken{};
   /// What came of asking the first case without an answer that should have got one, and its number.
@@ -27,6 +28,7 @@ struct BlockResult {
       if (!unit.active[p] || k % spacing(*unit.subject, all[p]) != 0) continue;
       const Ruling ruling = ruling_of(all[p], trial);
       tally.properties[p].add(ruling);
+      samples[p].add(ruling, k);
       if (ruling == Ruling::broken) first_broken.emplace(p, k);
     }
     const bool is_function = unit.subject->function != nullptr;
@@ -39,6 +41,7 @@ struct BlockResult {
 
   BlockResult& operator+=(const BlockResult& more) {
     tally += more.tally;
+    for (std::size_t p = 0; p < samples.size(); ++p) samples[p] += more.samples[p];
     for (const auto& [property, k] : more.first_broken) {
       const auto place = first_broken.emplace(property, k).first;
       place->second = std::min(place->second, k);
@@ -103,6 +106,7 @@ BlockResult run_block(const Unit& unit, std::uint64_t block_seed, unsigned cases
   std::atomic<std::uint64_t> failures = 0;
   BlockResult none;
   none.tally.properties.resize(properties().size());
+  none.samples.resize(properties().size());
   return tbb::parallel_reduce(
       Range(0, cases, cases_at_a_time), none,
       [&](const Range& range, BlockResult result) {
@@ -183,6 +187,7 @@ void Hunt::run() {
     unit.tally += result.tally;
     done += size;
     progress(static_cast<double>(done) / static_cast<double>(cases));
+    for (std::size_t p = 0; p < result.samples.size(); ++p) sampled(p, block_seed, result.samples[p]);
     bool is_new = false;
     for (const auto& [property, k] : result.first_broken) {
       if (!already_broken.insert(property).second) continue;

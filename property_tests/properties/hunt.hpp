@@ -7,6 +7,7 @@
 #include <set>
 
 #include "generators/generators.hpp"
+#include "properties/samples.hpp"
 #include "properties/tally.hpp"
 
 namespace rayproof {
@@ -44,6 +45,10 @@ struct Hunt {
   std::function<void(double)> progress{};  ///< the share of the cases that is done
   /// With what came of asking, where that is no answer.
   std::function<void(std::size_t property, const Case& one, const Outcome* failure)> found{};
+
+  /// For each property, the first cases of a block that broke it and that kept it.
+  std::function<void(std::size_t property, std::uint64_t block_seed, const BlockSample& sample)> sampled =
+      [](std::size_t, std::uint64_t, const BlockSample&) {};
 
   void run();
 };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "properties/diagnosis/hypothesis.hpp"
+
 namespace rayproof {
 namespace {
 
@@ -37,12 +39,11 @@ bool is_rounding_of_hit(Claim claim, const Evidence& evidence) {
          (claim == Claim::coordinates && is_near(got->barycentric, exact->barycentric));
 }
 
-}  // namespace
-
-FindingKind kind_of(const Finding& finding) {
+FindingKind kind_of_case(const Finding& finding) {
   const Evidence& evidence = finding.evidence;
   const Claim claim = finding.property->claim;
   if (claim == Claim::answers) return FindingKind::protocol;
+  if (claim == Claim::nan) return FindingKind::gross;
   const Case& one = evidence.other ? *evidence.other : finding.one;
   if (claim == Claim::exact) return FindingKind::boundary;
   const oracle::Judgement judgement = oracle::judge(one, evidence.got);
@@ -54,6 +55,18 @@ FindingKind kind_of(const Finding& finding) {
   if ((claim == Claim::point || claim == Claim::normal || claim == Claim::coordinates))
     return is_rounding_of_hit(claim, evidence) ? FindingKind::rounding : FindingKind::gross;
   return is_near_t && claim != Claim::ascending ? FindingKind::rounding : FindingKind::gross;
+}
+
+}  // namespace
+
+FindingKind kind_of(const Finding& finding) {
+  const FindingKind by_case = kind_of_case(finding);
+  if (!finding.kind_of_fault || by_case == FindingKind::protocol) return by_case;
+  if (finding.kind_of_fault != FindingKind::gross) return *finding.kind_of_fault;
+  // A cure may help where digits are lost, too; a model foresees no rounding.
+  const bool is_model = finding.cause != nullptr && finding.cause->change == nullptr;
+  const bool may_be_gross = finding.property->claim != Claim::exact && by_case != FindingKind::range;
+  return is_model && may_be_gross ? FindingKind::gross : by_case;
 }
 
 }  // namespace rayproof

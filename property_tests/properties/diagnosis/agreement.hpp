@@ -1,0 +1,17 @@
+#pragma once
+/// \file
+/// Whether two answers are the same but for rounding.
+
+#include "properties/diagnosis/hypothesis.hpp"
+
+namespace rayproof::diagnosis {
+
+/// Whether the aspect of `got` is that of `other`, to about three digits: a model must hit the very answer of
+/// a subject, but the subject may round. Where `got` says less than `other` (the nearest hit only, no point),
+/// what it leaves out agrees.
+[[nodiscard]] bool agree(const Case& one, const Answer& got, const Answer& other, Aspect aspect);
+
+/// Whether two numbers are the same to about three digits, in a problem where lengths of `scale` are rounded.
+[[nodiscard]] bool are_close(Precision precision, double x, double y, double scale);
+
+}  // namespace rayproof::diagnosis

@@ -1,0 +1,68 @@
+#pragma once
+/// \file
+/// Cures: changes of a case after which a subject with a certain fault is right. Each is a Change of
+/// hypothesis.hpp and returns the changed cases, the mildest change first; none where it is not for the case.
+
+#include "properties/diagnosis/changes.hpp"
+#include "properties/diagnosis/hypothesis.hpp"
+
+namespace rayproof::diagnosis {
+
+using Cases = std::vector<Case>;
+
+/// @{ The direction: of unit length; tilted off the axes by a thousandth without moving the hit; of positive
+/// components, the scene mirrored with it.
+[[nodiscard]] Cases unit_direction(const Case& one);
+[[nodiscard]] Cases tilted(const Case& one);
+[[nodiscard]] Cases positive_direction(const Case& one);
+/// @}
+/// Every -0 becomes 0.
+[[nodiscard]] Cases without_minus_zero(const Case& one);
+
+/// @{ Lengths, the direction, or the equation times powers of two.
+[[nodiscard]] Cases larger_scene(const Case& one);
+[[nodiscard]] Cases smaller_scene(const Case& one);
+[[nodiscard]] Cases longer_direction(const Case& one);
+[[nodiscard]] Cases shorter_direction(const Case& one);
+/// Scene and direction both, to sizes of about 1.
+[[nodiscard]] Cases ordinary_sizes(const Case& one);
+/// @}
+
+/// @{ The place: the shape at the origin of coordinates; the ray's origin near the shape; the ray started
+/// before its line meets anything; [0, inf] for an interval; the scene in the object's space.
+[[nodiscard]] Cases shape_at_zero(const Case& one);
+[[nodiscard]] Cases start_near(const Case& one);
+[[nodiscard]] Cases start_behind(const Case& one);
+[[nodiscard]] Cases plain_interval(const Case& one);
+[[nodiscard]] Cases in_object_space(const Case& one);
+/// @}
+
+/// @{ The ray moved aside, or the interval widened, by a millionth of the scene; or by a thousandth, where
+/// the hit is not on a boundary.
+[[nodiscard]] Cases off_boundary(const Case& one);
+[[nodiscard]] Cases off_interval_ends(const Case& one);
+[[nodiscard]] Cases off_level(const Case& one);
+/// @}
+
+/// @{ Digits: the same numbers in double; numbers of few digits, with which little is rounded; every number
+/// changed a little.
+[[nodiscard]] Cases in_double(const Case& one);
+[[nodiscard]] Cases few_digits(const Case& one);
+[[nodiscard]] Cases jiggled(const Case& one);
+/// @}
+
+/// @{ The shape: wound the other way round; with its axes renamed; with a normal, edges, of unit length; with
+/// orthogonal edges.
+[[nodiscard]] Cases reversed_winding(const Case& one);
+[[nodiscard]] Cases renamed_axes(const Case& one);
+[[nodiscard]] Cases unit_normal(const Case& one);
+[[nodiscard]] Cases unit_edges(const Case& one);
+/// @}
+
+/// @{ The equation: with a > 0; with a = 1; where b² is not much larger than 4ac.
+[[nodiscard]] Cases positive_a(const Case& one);
+[[nodiscard]] Cases leading_one(const Case& one);
+[[nodiscard]] Cases small_b(const Case& one);
+/// @}
+
+}  // namespace rayproof::diagnosis

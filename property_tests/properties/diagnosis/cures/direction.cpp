@@ -1,0 +1,84 @@
+#include <cmath>
+
+#include "properties/diagnosis/cures/cures.hpp"
+
+namespace rayproof::diagnosis {
+namespace {
+
+/// The ray with another direction that passes through the same point at t.
+void turn_about(Ray<double>& ray, double t, const glm::dvec3& direction) {
+  ray.origin += t * (ray.direction - direction);
+  ray.direction = direction;
+}
+
+/// The t of the first hit of the line; 0 where it misses.
+double first_t(const Case& one) {
+  const RayAnswer line = hits_of_line(one);
+  return line.hits.count > 0 && std::isfinite(line.hits.t[0]) ? line.hits.t[0] : 0;
+}
+
+bool has_minus_zero(Case one) {
+  for (const CaseNumber& number : numbers_of(one))
+    if (*number.value == 0 && std::signbit(*number.value)) return true;
+  return false;
+}
+
+}  // namespace
+
+Cases unit_direction(const Case& one) {
+  return with_question(one, [](RayQuestion& asked) {
+    const double length = glm::length(asked.ray.direction);
+    asked.ray.direction /= length;
+    asked.ray.t_min *= length;
+    asked.ray.t_max *= length;
+    return length != 1;
+  });
+}
+
+Cases tilted(const Case& one) {
+  const RayQuestion* asked = ray_question(one);
+  if (asked == nullptr) return {};
+  const glm::dvec3 d = asked->ray.direction;
+  if (d.x != 0 && d.y != 0 && d.z != 0) return {};
+  const double t = first_t(one), size = 0x1p-10 * glm::length(d);
+  Cases all;
+  for (unsigned signs = 0; signs < 8; ++signs) {
+    const auto changed = with_question(one, [&](RayQuestion& other) {
+      glm::dvec3 direction = d;
+      for (int axis = 0; axis < 3; ++axis) {
+        const bool is_minus = (signs >> static_cast<unsigned>(axis) & 1U) != 0;
+        if (d[axis] == 0) direction[axis] = is_minus ? -size : size;
+        if (d[axis] != 0 && is_minus) return false;  // the same as without it
+      }
+      turn_about(other.ray, t, direction);
+      return true;
+    });
+    all.insert(all.end(), changed.begin(), changed.end());
+  }
+  return all;
+}
+
+Cases positive_direction(const Case& one) {
+  return with_shape<Box<double>>(one, [](RayQuestion& asked, Box<double>& box) {
+    bool is_mirrored = false;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (asked.ray.direction[axis] >= 0) continue;
+      asked.ray.direction[axis] *= -1;
+      asked.ray.origin[axis] *= -1;
+      std::swap(box.min[axis], box.max[axis]);
+      box.min[axis] *= -1;
+      box.max[axis] *= -1;
+      is_mirrored = true;
+    }
+    return is_mirrored && !asked.transform;
+  });
+}
+
+Cases without_minus_zero(const Case& one) {
+  if (!has_minus_zero(one)) return {};
+  Case changed = one;
+  for (const CaseNumber& number : numbers_of(changed)) *number.value += 0.0;
+  return if_valid(changed);
+}
+
+}  // namespace rayproof::diagnosis

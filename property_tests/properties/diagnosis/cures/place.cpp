@@ -1,0 +1,95 @@
+#include <cmath>
+#include <string_view>
+
+#include "case/each_number.hpp"
+#include "properties/diagnosis/cures/cures.hpp"
+
+namespace rayproof::diagnosis {
+namespace {
+
+/// Calls `act(point)` for every field of a shape that is a point, and not a vector or a length.
+template <class S, class Act>
+void for_each_point(S& shape, Act&& act) {
+  ShapeFormat<S>::fields(shape, [&](std::string_view name, auto& value) {
+    using Value = std::remove_reference_t<decltype(value)>;
+    if constexpr (std::is_same_v<Value, glm::dvec3>) {
+      if (name != "normal" && name != "u" && name != "v") act(value);
+    } else if constexpr (std::is_same_v<Value, std::vector<glm::dvec3>>) {
+      for (glm::dvec3& point : value) act(point);
+    }
+  });
+}
+
+/// A point of the shape; nothing for one that the format has in one place only.
+std::optional<glm::dvec3> some_point(const Shape& shape) {
+  std::optional<glm::dvec3> found;
+  Shape copy = shape;
+  std::visit(
+      [&](auto& s) { for_each_point(s, [&](const glm::dvec3& point) { found = found.value_or(point); }); },
+      copy);
+  return found;
+}
+
+/// The ray started at another t: the same points, and the same interval of them.
+void start_at(Ray<double>& ray, double t) {
+  ray.origin += t * ray.direction;
+  ray.t_min -= t;
+  ray.t_max -= t;
+}
+
+}  // namespace
+
+Cases shape_at_zero(const Case& one) {
+  return with_question(one, [](RayQuestion& asked) {
+    const auto by = some_point(asked.shape);
+    if (!by || *by == glm::dvec3(0) || asked.transform) return false;
+    std::visit([&](auto& shape) { for_each_point(shape, [&](glm::dvec3& point) { point -= *by; }); },
+               asked.shape);
+    asked.ray.origin -= *by;
+    return true;
+  });
+}
+
+Cases start_near(const Case& one) {
+  return with_question(one, [&](RayQuestion& asked) {
+    const RayAnswer line = hits_of_line(one);
+    const glm::dvec3 way = some_point(asked.shape).value_or(glm::dvec3(0)) - asked.ray.origin;
+    const glm::dvec3& d = asked.ray.direction;
+    const double nearest = glm::dot(way, d) / glm::dot(d, d);
+    const double t = line.hits.count > 0 ? line.hits.t[0] - 1 / glm::length(d) : nearest;
+    if (!std::isfinite(t) || asked.transform) return false;
+    start_at(asked.ray, t);
+    return true;
+  });
+}
+
+Cases start_behind(const Case& one) {
+  return with_question(one, [&](RayQuestion& asked) {
+    const RayAnswer line = hits_of_line(one);
+    if (line.hits.count == 0 || line.hits.t[0] > asked.ray.t_min) return false;
+    const double gap = std::abs(line.hits.t[line.hits.count - 1] - line.hits.t[0]);
+    start_at(asked.ray, line.hits.t[0] - std::max(gap, 1 / glm::length(asked.ray.direction)));
+    asked.ray.t_min = 0;
+    return true;
+  });
+}
+
+Cases plain_interval(const Case& one) {
+  return with_question(one, [](RayQuestion& asked) {
+    const bool is_plain = asked.ray.t_min == 0 && asked.ray.t_max == infinity<double>;
+    asked.ray.t_min = 0;
+    asked.ray.t_max = infinity<double>;
+    return !is_plain;
+  });
+}
+
+Cases in_object_space(const Case& one) {
+  return with_question(one, [](RayQuestion& asked) {
+    if (!asked.transform) return false;
+    asked.ray = ray_in_object(asked);
+    asked.transform.reset();
+    return true;
+  });
+}
+
+}  // namespace rayproof::diagnosis

@@ -1,0 +1,95 @@
+#include <algorithm>
+
+#include "properties/diagnosis/cures/cures.hpp"
+
+namespace rayproof::diagnosis {
+namespace {
+
+bool reverse(Triangle<double>& triangle) {
+  std::swap(triangle.b, triangle.c);
+  return true;
+}
+bool reverse(Polygon<double>& polygon) {
+  std::reverse(polygon.vertices.begin() + 1, polygon.vertices.end());
+  return true;
+}
+bool reverse(ImplicitPlane& plane) {
+  plane.normal = -plane.normal;
+  plane.d = -plane.d;
+  return true;
+}
+bool reverse(PointNormalPlane& plane) {
+  plane.normal = -plane.normal;
+  return true;
+}
+bool reverse(ParametricPlane& plane) {
+  std::swap(plane.u, plane.v);
+  return true;
+}
+bool reverse(Parallelepiped<double>& solid) {
+  std::swap(solid.edges[0], solid.edges[1]);
+  return true;
+}
+template <class S>
+bool reverse(S& /*has no winding*/) {
+  return false;
+}
+
+/// x, y, z become y, z, x.
+void rename(glm::dvec3& v) { v = {v.y, v.z, v.x}; }
+
+bool rename_axes(RayQuestion& asked) {
+  if (asked.transform || std::holds_alternative<Cylinder<double>>(asked.shape)) return false;
+  rename(asked.ray.origin);
+  rename(asked.ray.direction);
+  const auto rename_field = [](const char* /*name*/, auto& value) {
+    using Value = std::remove_reference_t<decltype(value)>;
+    if constexpr (std::is_same_v<Value, glm::dvec3>)
+      rename(value);
+    else if constexpr (requires { std::ranges::for_each(value, rename); })
+      std::ranges::for_each(value, rename);
+  };
+  std::visit([&]<class S>(S& shape) { ShapeFormat<S>::fields(shape, rename_field); }, asked.shape);
+  return true;
+}
+
+}  // namespace
+
+Cases reversed_winding(const Case& one) {
+  if (auto changed = one; auto* place = std::get_if<PointAndPolygon<double>>(&changed.question)) {
+    std::reverse(place->vertices.begin() + 1, place->vertices.end());
+    return if_valid(std::move(changed));
+  }
+  return with_question(one, [](RayQuestion& asked) {
+    return std::visit([](auto& shape) { return reverse(shape); }, asked.shape);
+  });
+}
+
+Cases renamed_axes(const Case& one) {
+  Cases all = with_question(one, rename_axes);
+  if (all.empty()) return {};
+  for (const Case& twice : with_question(all.front(), rename_axes)) all.push_back(twice);
+  return all;
+}
+
+Cases unit_normal(const Case& one) {
+  return with_question(one, [](RayQuestion& asked) {
+    if (auto* plane = std::get_if<ImplicitPlane>(&asked.shape)) {
+      const double length = glm::length(plane->normal);
+      *plane = {plane->normal / length, plane->d / length};
+      return length != 1;
+    }
+    auto* plane = std::get_if<PointNormalPlane>(&asked.shape);
+    if (plane != nullptr) plane->normal = glm::normalize(plane->normal);
+    return plane != nullptr;
+  });
+}
+
+Cases unit_edges(const Case& one) {
+  return with_shape<Parallelepiped<double>>(one, [](RayQuestion& /*asked*/, Parallelepiped<double>& solid) {
+    for (glm::dvec3& edge : solid.edges) edge = glm::normalize(edge);
+    return true;
+  });
+}
+
+}  // namespace rayproof::diagnosis

@@ -1,0 +1,34 @@
+#pragma once
+/// \file
+/// The diagnosis: failing cases of one property grouped by what cures them, each group with its cause in
+/// words.
+
+#include <string>
+
+#include "properties/diagnosis/hypothesis.hpp"
+#include "properties/diagnosis/patient.hpp"
+
+namespace rayproof {
+
+/// One fault, as far as is known.
+struct Diagnosis {
+  const Hypothesis* cause = nullptr;  ///< null where nothing tried explains or cures it
+  FindingKind kind = FindingKind::gross;
+  std::string sentence{};            ///< what is wrong, in words
+  std::vector<std::size_t> cases{};  ///< of the failing cases, by index, ascending
+};
+
+/// The faults behind the failing cases, those of most cases first: every failing case belongs to one.
+///
+/// A hypothesis explains a case where the model predicts the subject's wrong answer, or the subject is right
+/// after the cure; it must explain most of the failing cases of its group, and a model must not contradict
+/// what the subject says where it is right: that is what `passing` cases are for. Where none explains most,
+/// the one that explains the largest part makes a group, and the rest is looked at again. The outcome depends
+/// on nothing but the answers.
+[[nodiscard]] std::vector<Diagnosis> diagnose(const Patient& patient, std::span<const Case> failing,
+                                              std::span<const Case> passing);
+
+/// Whether the hypothesis explains the patient's wrong answer to the case.
+[[nodiscard]] bool explains(const Patient& patient, const Hypothesis& hypothesis, const Case& one);
+
+}  // namespace rayproof

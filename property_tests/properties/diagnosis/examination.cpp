@@ -1,0 +1,96 @@
+#include "properties/diagnosis/examination.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "properties/claims/answers.hpp"
+#include "properties/diagnosis/agreement.hpp"
+
+namespace rayproof::diagnosis {
+namespace {
+
+/// A prediction as a subject gives it that reports the nearest hit alone.
+Answer as_reported(const Answer& predicted, const Answer& got) {
+  Answer reported = predicted;
+  const auto* mine = std::get_if<RayAnswer>(&got);
+  if (auto* ray = std::get_if<RayAnswer>(&reported); ray != nullptr && mine != nullptr && mine->nearest_only)
+    ray->hits.count = std::min<std::size_t>(ray->hits.count, 1);
+  return reported;
+}
+
+}  // namespace
+
+Examination::Examination(const Patient& patient, std::span<const Case> failing, std::span<const Case> passing)
+    : patient_(patient), failing_(ask(failing)), passing_(ask(passing)) {}
+
+std::vector<Examination::Known> Examination::ask(std::span<const Case> cases) const {
+  std::vector<std::optional<Answer>> answers = patient_.ask(cases);
+  std::vector<Known> known;
+  for (std::size_t i = 0; i < cases.size(); ++i) known.push_back({Answered(cases[i]), std::move(answers[i])});
+  return known;
+}
+
+std::optional<bool> Examination::fits(const Hypothesis& hypothesis, const Known& known) {
+  if (!known.got) return std::nullopt;
+  const auto& [one, exact] = known.asked;
+  const Answer& got = *known.got;
+  if (hypothesis.recognise != nullptr) return hypothesis.recognise(one, got, exact);
+  const bool is_right = agree(one, got, exact, hypothesis.aspect);
+  bool has_said = false;
+  for (const Answer& predicted : hypothesis.predict(one, exact)) {
+    const Answer reported = as_reported(predicted, got);
+    if (agree(one, as_reported(exact, got), reported, hypothesis.aspect)) continue;
+    if (!is_right && agree(one, got, reported, hypothesis.aspect)) return true;
+    has_said = true;
+  }
+  return has_said ? std::optional(false) : std::nullopt;
+}
+
+std::vector<std::size_t> Examination::explained(const Hypothesis& hypothesis,
+                                                std::span<const std::size_t> cases) const {
+  if (hypothesis.change != nullptr) return cured(hypothesis, cases);
+  std::vector<std::size_t> all;
+  for (const std::size_t i : cases)
+    if (fits(hypothesis, failing_.at(i)) == true) all.push_back(i);
+  return all;
+}
+
+std::vector<std::size_t> Examination::cured(const Hypothesis& hypothesis,
+                                            std::span<const std::size_t> cases) const {
+  std::vector<Case> asked;
+  std::vector<std::size_t> belongs_to;
+  for (const std::size_t i : cases)
+    for (Case& changed : hypothesis.change(failing_.at(i).asked.one)) {
+      if (!is_same_question(failing_.at(i).asked, Answered(changed), hypothesis.keeps)) continue;
+      asked.push_back(std::move(changed));
+      belongs_to.push_back(i);
+    }
+  const std::vector<std::optional<Answer>> answers = patient_.ask(asked);
+  std::vector<std::size_t> all;
+  for (std::size_t k = 0; k < asked.size(); ++k) {
+    if (!all.empty() && all.back() == belongs_to[k]) continue;
+    if (answers[k] && patient_.rule(asked[k], *answers[k]) == Ruling::held) all.push_back(belongs_to[k]);
+  }
+  return all;
+}
+
+std::size_t Examination::contradictions(const Hypothesis& hypothesis) const {
+  if (hypothesis.change != nullptr) return 0;
+  return static_cast<std::size_t>(std::ranges::count_if(passing_, [&](const Known& known) {
+    return known.got && agree(known.asked.one, *known.got, known.asked.exact, hypothesis.aspect) &&
+           fits(hypothesis, known) == false;
+  }));
+}
+
+double Examination::error_of(std::size_t i) const {
+  const Known& known = failing_.at(i);
+  if (!known.got || std::holds_alternative<Position>(*known.got)) return HUGE_VAL;
+  const std::vector<double> got = numbers_in(*known.got), exact = numbers_in(known.asked.exact);
+  if (got.size() > exact.size() || got.empty() != exact.empty()) return HUGE_VAL;
+  double worst = 0;
+  for (std::size_t k = 0; k < got.size(); ++k)
+    if (got[k] != exact[k]) worst = std::max(worst, std::abs(got[k] - exact[k]) / std::abs(exact[k]));
+  return worst;
+}
+
+}  // namespace rayproof::diagnosis

@@ -1,0 +1,45 @@
+#pragma once
+/// \file
+/// The subject's answers to the cases of a diagnosis, and how the hypotheses fit them.
+
+#include "properties/diagnosis/patient.hpp"
+#include "properties/diagnosis/question.hpp"
+
+namespace rayproof::diagnosis {
+
+/// The cases of a diagnosis with the subject's answers and the exact ones.
+class Examination {
+ public:
+  Examination(const Patient& patient, std::span<const Case> failing, std::span<const Case> passing);
+
+  /// Which of these failing cases (by index) the hypothesis explains.
+  [[nodiscard]] std::vector<std::size_t> explained(const Hypothesis& hypothesis,
+                                                   std::span<const std::size_t> cases) const;
+  /// On how many of the passing cases the hypothesis expects wrong answers where the subject's are right.
+  [[nodiscard]] std::size_t contradictions(const Hypothesis& hypothesis) const;
+
+  [[nodiscard]] std::size_t failing_count() const { return failing_.size(); }
+  /// Of the failing cases, those on a boundary.
+  [[nodiscard]] bool is_boundary_case(std::size_t i) const { return is_on_boundary(failing_.at(i).asked); }
+  /// The largest relative error of the numbers in the answer to a failing case; infinite where the verdict is
+  /// wrong.
+  [[nodiscard]] double error_of(std::size_t i) const;
+
+ private:
+  struct Known {
+    Answered asked;
+    std::optional<Answer> got;
+  };
+
+  [[nodiscard]] std::vector<Known> ask(std::span<const Case> cases) const;
+  [[nodiscard]] std::vector<std::size_t> cured(const Hypothesis& hypothesis,
+                                               std::span<const std::size_t> cases) const;
+  /// Whether a model's hypothesis fits an answer; nothing where it has nothing to say.
+  [[nodiscard]] static std::optional<bool> fits(const Hypothesis& hypothesis, const Known& known);
+
+  const Patient& patient_;
+  std::vector<Known> failing_;
+  std::vector<Known> passing_;
+};
+
+}  // namespace rayproof::diagnosis

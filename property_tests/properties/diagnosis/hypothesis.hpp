@@ -1,0 +1,53 @@
+#pragma once
+/// \file
+/// Hypotheses on what is wrong with a subject: models, which foresee its wrong answers, and cures, which
+/// change the case until the answer is right.
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "case/answer.hpp"
+#include "case/case.hpp"
+#include "properties/finding_kind.hpp"
+
+namespace rayproof {
+
+/// The part of an answer that a fault shows in.
+enum class Aspect { hits, contact, point, normal, coordinates };
+
+/// What must stay the same of a case that a cure changes: a cure that avoids the question is none.
+enum class Keeps {
+  question,  ///< verdict, number of hits, contact, and whether a hit lies on an end of the interval
+  verdict    ///< hit stays hit, miss stays miss
+};
+
+/// The answers that a subject with this fault may give to the case; none where the fault does not show.
+using Predict = std::vector<Answer> (*)(const Case& one, const Answer& exact);
+/// Whether an answer bears the fault's mark; nothing where the fault does not show in this case.
+using Recognise = std::optional<bool> (*)(const Case& one, const Answer& got, const Answer& exact);
+/// Other cases, the mildest change first, on one of which the subject is right if it has this fault; none
+/// where the cure is not for this case.
+using Change = std::vector<Case> (*)(const Case& one);
+
+/// One line of the registry. Exactly one of the three functions is there.
+struct Hypothesis {
+  std::string_view name{};      ///< "unit-direction"
+  FindingKind kind{};           ///< where nothing speaks for another one
+  std::string_view sentence{};  ///< what is wrong, in words
+  Aspect aspect = Aspect::hits;
+  Predict predict = nullptr;
+  Recognise recognise = nullptr;
+  Change change = nullptr;
+  Keeps keeps = Keeps::question;
+  /// The changed case differs in more than powers of two: no proof where any small change cures.
+  bool perturbs = true;
+};
+
+/// Every hypothesis, the most specific first: of two that explain as much, the first is taken.
+[[nodiscard]] const std::vector<Hypothesis>& hypotheses();
+
+/// The hypothesis of that name, or null.
+[[nodiscard]] const Hypothesis* find_hypothesis(std::string_view name);
+
+}  // namespace rayproof

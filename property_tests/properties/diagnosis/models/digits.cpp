@@ -1,0 +1,36 @@
+#include "properties/diagnosis/models/digits.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "properties/claims/answers.hpp"
+
+namespace rayproof::diagnosis {
+namespace {
+
+/// Whether all numbers of an answer are short; nothing where the exact ones are so, or there is none.
+template <class IsShort>
+std::optional<bool> if_short(const Answer& got, const Answer& exact, IsShort&& is_short) {
+  const std::vector<double> numbers = numbers_in(got), exactly = numbers_in(exact);
+  if (numbers.empty() || std::ranges::all_of(exactly, is_short)) return std::nullopt;
+  return std::ranges::all_of(numbers, is_short);
+}
+
+}  // namespace
+
+std::optional<bool> is_of_float(const Case& one, const Answer& got, const Answer& exact) {
+  if (one.precision == Precision::float32) return std::nullopt;
+  return if_short(got, exact, [](double x) {
+    return !std::isfinite(x) || static_cast<double>(static_cast<float>(x)) == x;
+  });
+}
+
+std::optional<bool> has_six_digits(const Case& /*one*/, const Answer& got, const Answer& exact) {
+  return if_short(got, exact,
+                  [](double x) { return std::strtod(fmt::format("{:.6g}", x).c_str(), nullptr) == x; });
+}
+
+}  // namespace rayproof::diagnosis

@@ -1,0 +1,14 @@
+#pragma once
+/// \file
+/// Marks of answers that have lost digits.
+
+#include "properties/diagnosis/models/models.hpp"
+
+namespace rayproof::diagnosis {
+
+/// Every number is one of float32, in a case of float64.
+[[nodiscard]] std::optional<bool> is_of_float(const Case& one, const Answer& got, const Answer& exact);
+/// Every number has six decimal digits at most.
+[[nodiscard]] std::optional<bool> has_six_digits(const Case& one, const Answer& got, const Answer& exact);
+
+}  // namespace rayproof::diagnosis

@@ -1,0 +1,77 @@
+#include "properties/diagnosis/models/factor.hpp"
+
+#include "properties/claims/answers.hpp"
+
+namespace rayproof::diagnosis {
+namespace {
+
+/// `measure(question)` of a ray question.
+template <class Measure>
+std::optional<double> of_ray(const Case& one, Measure&& measure) {
+  const RayQuestion* asked = ray_question(one);
+  return asked == nullptr ? std::nullopt : std::optional<double>(measure(*asked));
+}
+
+double squared(const glm::dvec3& v) { return glm::dot(v, v); }
+
+}  // namespace
+
+Answers times(const Case& one, const Answer& exact, double factor) {
+  if (std::holds_alternative<Position>(exact)) return {};
+  const RayQuestion* asked = ray_question(one);
+  const auto* roots = std::get_if<QuadraticAnswer<double>>(&exact);
+  if (roots != nullptr && roots->kind == RootKind::linear) return {};  // another formula's
+  if (asked == nullptr) return {stretched(exact, factor)};
+  const auto line = std::get<RayAnswer>(stretched(hits_of_line(one), factor));
+  Answers answers{hits_where(line, [&](double t) { return in_interval(asked->ray, t); })};
+  if (finds_something(exact)) answers.push_back(stretched(exact, factor));
+  return answers;
+}
+
+std::optional<double> minus_one(const Case& /*one*/) { return -1; }
+std::optional<double> two(const Case& /*one*/) { return 2; }
+
+std::optional<double> length_of_direction(const Case& one) {
+  return of_ray(one, [](const RayQuestion& asked) { return glm::length(asked.ray.direction); });
+}
+
+std::optional<double> square_of_direction(const Case& one) {
+  return of_ray(one, [](const RayQuestion& asked) { return squared(asked.ray.direction); });
+}
+
+std::optional<double> length_in_object(const Case& one) {
+  return of_ray(one, [](const RayQuestion& asked) { return glm::length(ray_in_object(asked).direction); });
+}
+
+std::optional<double> constant_of_sphere(const Case& one) {
+  const auto* sphere = shape_in<Sphere<double>>(one);
+  if (sphere == nullptr) return std::nullopt;
+  const glm::dvec3 origin = ray_in_object(*ray_question(one)).origin;
+  return squared(origin - sphere->center) - sphere->radius * sphere->radius;
+}
+
+std::optional<double> radius_of_sphere(const Case& one) {
+  const auto* sphere = shape_in<Sphere<double>>(one);
+  return sphere == nullptr ? std::nullopt : std::optional(sphere->radius);
+}
+
+std::optional<double> coefficient_a(const Case& one) {
+  const auto* equation = std::get_if<Quadratic<double>>(&one.question);
+  return equation == nullptr || equation->a == 0 ? std::nullopt : std::optional(equation->a);
+}
+
+std::optional<double> coefficient_c(const Case& one) {
+  const auto* equation = std::get_if<Quadratic<double>>(&one.question);
+  return equation == nullptr ? std::nullopt : std::optional(equation->c);
+}
+
+std::optional<double> length_of_normal(const Case& one) {
+  if (const auto* plane = shape_in<ImplicitPlane>(one)) return glm::length(plane->normal);
+  if (const auto* plane = shape_in<PointNormalPlane>(one)) return glm::length(plane->normal);
+  if (const auto* plane = shape_in<ParametricPlane>(one)) return glm::length(glm::cross(plane->u, plane->v));
+  if (const auto* t = shape_in<Triangle<double>>(one))
+    return glm::length(glm::cross(t->b - t->a, t->c - t->a));
+  return std::nullopt;
+}
+
+}  // namespace rayproof::diagnosis

@@ -1,0 +1,48 @@
+#pragma once
+/// \file
+/// Models of faults in the unit of t, or in a denominator: every number of the answer is the right one times
+/// a quantity of the case.
+
+#include <cmath>
+
+#include "properties/diagnosis/models/models.hpp"
+
+namespace rayproof::diagnosis {
+
+/// A quantity of the case; nothing where the case has none.
+using Quantity = std::optional<double> (*)(const Case&);
+
+/// The hits or roots times the factor: those of the exact answer, and those of the line that the interval
+/// admits when so multiplied.
+[[nodiscard]] Answers times(const Case& one, const Answer& exact, double factor);
+
+/// Every t or root is the right one times (or, with power -1, divided by) the quantity.
+template <Quantity quantity, int power = 1>
+[[nodiscard]] Answers scaled_by(const Case& one, const Answer& exact) {
+  const std::optional<double> factor = quantity(one);
+  if (!factor || *factor == 0 || !std::isfinite(*factor)) return {};
+  return times(one, exact, power > 0 ? *factor : 1 / *factor);
+}
+
+/// @{ Of any question.
+[[nodiscard]] std::optional<double> minus_one(const Case& one);
+[[nodiscard]] std::optional<double> two(const Case& one);
+/// @}
+/// @{ Of a ray: the length of the direction, its square, its length in the object's space.
+[[nodiscard]] std::optional<double> length_of_direction(const Case& one);
+[[nodiscard]] std::optional<double> square_of_direction(const Case& one);
+[[nodiscard]] std::optional<double> length_in_object(const Case& one);
+/// @}
+/// @{ Of a sphere and a ray, in the object's space: the constant |origin - center|² - r² of its equation, its
+/// radius.
+[[nodiscard]] std::optional<double> constant_of_sphere(const Case& one);
+[[nodiscard]] std::optional<double> radius_of_sphere(const Case& one);
+/// @}
+/// @{ Of a quadratic: its coefficients.
+[[nodiscard]] std::optional<double> coefficient_a(const Case& one);
+[[nodiscard]] std::optional<double> coefficient_c(const Case& one);
+/// @}
+/// Of a plane with a normal, or a figure with one: the normal's length.
+[[nodiscard]] std::optional<double> length_of_normal(const Case& one);
+
+}  // namespace rayproof::diagnosis

@@ -1,0 +1,99 @@
+#include "properties/diagnosis/models/first_hit.hpp"
+
+#include "properties/diagnosis/agreement.hpp"
+
+namespace rayproof::diagnosis {
+namespace {
+
+/// The exact answer with another normal: `change(question, normal)`.
+template <class DoChange>
+Answers with_normal(const Case& one, const Answer& exact, DoChange&& change) {
+  const auto* answer = std::get_if<RayAnswer>(&exact);
+  if (answer == nullptr || !answer->normal) return {};
+  RayAnswer other = *answer;
+  const glm::dvec3 normal = change(*ray_question(one), *answer->normal);
+  if (normal == glm::dvec3(0)) return {};
+  other.normal = glm::normalize(normal);
+  return {other};
+}
+
+Answers with_point(const Answer& exact, const glm::dvec3& point) {
+  RayAnswer other = std::get<RayAnswer>(exact);
+  other.point = point;
+  return {other};
+}
+
+const RayAnswer* hit_with_point(const Answer& exact) {
+  const auto* answer = std::get_if<RayAnswer>(&exact);
+  return answer != nullptr && answer->point ? answer : nullptr;
+}
+
+glm::dmat3 linear(const RayQuestion& asked) { return glm::dmat3(asked.transform.value_or(glm::dmat4(1))); }
+
+}  // namespace
+
+Answers normal_faces_ray(const Case& one, const Answer& exact) {
+  return with_normal(one, exact, [](const RayQuestion& asked, const glm::dvec3& normal) {
+    return glm::dot(normal, asked.ray.direction) > 0 ? -normal : normal;
+  });
+}
+
+Answers normal_flipped(const Case& one, const Answer& exact) {
+  return with_normal(one, exact,
+                     [](const RayQuestion& /*asked*/, const glm::dvec3& normal) { return -normal; });
+}
+
+std::optional<bool> normal_not_unit(const Case& one, const Answer& got, const Answer& exact) {
+  const auto *mine = std::get_if<RayAnswer>(&got), *answer = std::get_if<RayAnswer>(&exact);
+  if (mine == nullptr || answer == nullptr || !mine->normal || !answer->normal) return std::nullopt;
+  const double length = glm::length(*mine->normal);
+  if (are_close(one.precision, length, 1, 0)) return std::nullopt;
+  return glm::length(*mine->normal / length - *answer->normal) < 0x1p-8;
+}
+
+Answers normal_in_object(const Case& one, const Answer& exact) {
+  return with_normal(one, exact, [](const RayQuestion& asked, const glm::dvec3& normal) {
+    return glm::transpose(linear(asked)) * normal;
+  });
+}
+
+Answers normal_by_matrix(const Case& one, const Answer& exact) {
+  return with_normal(one, exact, [](const RayQuestion& asked, const glm::dvec3& normal) {
+    return linear(asked) * (glm::transpose(linear(asked)) * normal);
+  });
+}
+
+Answers normal_from_zero(const Case& one, const Answer& exact) {
+  const RayAnswer* answer = hit_with_point(exact);
+  if (answer == nullptr) return {};
+  return with_normal(
+      one, exact, [&](const RayQuestion& /*asked*/, const glm::dvec3& /*normal*/) { return *answer->point; });
+}
+
+Answers point_in_object(const Case& one, const Answer& exact) {
+  const RayAnswer* answer = hit_with_point(exact);
+  if (answer == nullptr || !ray_question(one)->transform) return {};
+  return with_point(exact, point_at(ray_in_object(*ray_question(one)), answer->hits.t[0]));
+}
+
+Answers point_without_origin(const Case& one, const Answer& exact) {
+  const RayAnswer* answer = hit_with_point(exact);
+  return answer == nullptr ? Answers{}
+                           : with_point(exact, answer->hits.t[0] * ray_question(one)->ray.direction);
+}
+
+Answers point_of_far_hit(const Case& one, const Answer& exact) {
+  const RayAnswer* answer = hit_with_point(exact);
+  if (answer == nullptr || answer->hits.count < 2) return {};
+  return with_point(exact, point_at(ray_question(one)->ray, answer->hits.t[1]));
+}
+
+std::optional<bool> point_right_t_wrong(const Case& one, const Answer& got, const Answer& exact) {
+  const auto* mine = std::get_if<RayAnswer>(&got);
+  const RayAnswer* answer = hit_with_point(exact);
+  if (mine == nullptr || answer == nullptr || !mine->point) return std::nullopt;
+  if (agree(one, got, exact, Aspect::hits)) return std::nullopt;
+  return agree(one, got, exact, Aspect::point);
+}
+
+}  // namespace rayproof::diagnosis

@@ -1,0 +1,40 @@
+#pragma once
+/// \file
+/// Models of faults in what an answer says of its first hit beside t: normal, point, barycentric coordinates.
+
+#include "properties/diagnosis/models/models.hpp"
+
+namespace rayproof::diagnosis {
+
+/// @{ Normals: on the side of the ray's origin whatever the surface says; on the wrong side; not of unit
+/// length; in the object's space; carried to the world by the matrix and not by its inverse transpose; from
+/// the origin of coordinates.
+[[nodiscard]] Answers normal_faces_ray(const Case& one, const Answer& exact);
+[[nodiscard]] Answers normal_flipped(const Case& one, const Answer& exact);
+[[nodiscard]] std::optional<bool> normal_not_unit(const Case& one, const Answer& got, const Answer& exact);
+[[nodiscard]] Answers normal_in_object(const Case& one, const Answer& exact);
+[[nodiscard]] Answers normal_by_matrix(const Case& one, const Answer& exact);
+[[nodiscard]] Answers normal_from_zero(const Case& one, const Answer& exact);
+/// @}
+
+/// @{ Points: in the object's space; not from the ray's origin; at the farthest hit; right although t is
+/// wrong.
+[[nodiscard]] Answers point_in_object(const Case& one, const Answer& exact);
+[[nodiscard]] Answers point_without_origin(const Case& one, const Answer& exact);
+[[nodiscard]] Answers point_of_far_hit(const Case& one, const Answer& exact);
+[[nodiscard]] std::optional<bool> point_right_t_wrong(const Case& one, const Answer& got,
+                                                      const Answer& exact);
+/// @}
+
+/// The barycentric coordinates in another order: place i holds the one that belongs in `order i`.
+template <int x, int y, int z>
+[[nodiscard]] Answers in_order(const Case& /*one*/, const Answer& exact) {
+  const auto* answer = std::get_if<RayAnswer>(&exact);
+  if (answer == nullptr || !answer->barycentric) return {};
+  RayAnswer permuted = *answer;
+  const glm::dvec3& own = *answer->barycentric;
+  permuted.barycentric = {own[x], own[y], own[z]};
+  return {permuted};
+}
+
+}  // namespace rayproof::diagnosis

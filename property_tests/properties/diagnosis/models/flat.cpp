@@ -1,0 +1,129 @@
+#include "properties/diagnosis/models/flat.hpp"
+
+#include <array>
+
+#include "properties/diagnosis/models/plane_hit.hpp"
+
+namespace rayproof::diagnosis {
+namespace {
+
+/// A miss where the first hit is on that side of the surface: 1 for a ray that runs along the normal.
+Answers misses_side(const Case& one, const Answer& exact, double side) {
+  const auto* answer = std::get_if<RayAnswer>(&exact);
+  if (answer == nullptr || !answer->normal) return {};
+  const double along = side * glm::dot(*answer->normal, ray_question(one)->ray.direction);
+  return along > 0 ? Answers{RayAnswer{}} : Answers{};
+}
+
+bool is_flat(const Case& one) {
+  return shape_in<ImplicitPlane>(one) != nullptr || shape_in<PointNormalPlane>(one) != nullptr ||
+         shape_in<ParametricPlane>(one) != nullptr || flat_figure(one).has_value();
+}
+
+/// A plane whose distance from the origin of coordinates is `factor(length of its normal)` times as large.
+template <class Factor>
+std::vector<Case> with_distance(const Case& one, Factor&& factor) {
+  return with_question(one, [&](RayQuestion& asked) {
+    if (auto* plane = std::get_if<ImplicitPlane>(&asked.shape))
+      plane->d *= factor(glm::length(plane->normal));
+    else if (auto* with_normal = std::get_if<PointNormalPlane>(&asked.shape))
+      with_normal->point *= factor(glm::length(with_normal->normal));
+    else if (auto* parametric = std::get_if<ParametricPlane>(&asked.shape))
+      parametric->point *= factor(glm::length(glm::cross(parametric->u, parametric->v)));
+    else
+      return false;
+    return true;
+  });
+}
+
+/// normal and d of any form of a plane.
+std::optional<std::pair<glm::dvec3, double>> implicit_form(const Case& one) {
+  if (const auto* p = shape_in<ImplicitPlane>(one)) return std::pair{p->normal, p->d};
+  if (const auto* p = shape_in<PointNormalPlane>(one))
+    return std::pair{p->normal, -glm::dot(p->normal, p->point)};
+  if (const auto* p = shape_in<ParametricPlane>(one)) {
+    const glm::dvec3 normal = glm::cross(p->u, p->v);
+    return std::pair{normal, -glm::dot(normal, p->point)};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Answers culls_back(const Case& one, const Answer& exact) {
+  return is_flat(one) ? misses_side(one, exact, 1) : Answers{};
+}
+Answers culls_front(const Case& one, const Answer& exact) {
+  return is_flat(one) ? misses_side(one, exact, -1) : Answers{};
+}
+Answers misses_from_inside(const Case& one, const Answer& exact) {
+  const RayQuestion* asked = ray_question(one);
+  if (asked == nullptr || std::get<RayAnswer>(exact).hits.count == 0) return {};
+  const HitList line = hits_of_line(one).hits;
+  return line.count == 2 && line.t[0] < 0 && line.t[1] > 0 ? Answers{RayAnswer{}} : Answers{};
+}
+
+std::vector<Case> as_plane(const Case& one) {
+  const auto figure = flat_figure(one);
+  if (!figure) return {};
+  return with_question(one, [&](RayQuestion& asked) {
+    asked.shape = PointNormalPlane{figure->vertices.front(), figure->normal};
+    return true;
+  });
+}
+
+std::vector<Case> as_parallelogram(const Case& one) {
+  return with_question(one, [](RayQuestion& asked) {
+    const auto* t = std::get_if<Triangle<double>>(&asked.shape);
+    if (t == nullptr) return false;
+    asked.shape = Polygon<double>{{t->a, t->b, t->b + t->c - t->a, t->c}};
+    return true;
+  });
+}
+
+std::vector<Case> constant_negated(const Case& one) {
+  return with_distance(one, [](double /*length*/) { return -1.0; });
+}
+std::vector<Case> without_constant(const Case& one) {
+  return with_distance(one, [](double /*length*/) { return 0.0; });
+}
+std::vector<Case> constant_as_distance(const Case& one) {
+  return with_distance(one, [](double length) { return length; });
+}
+
+std::vector<Case> plane_as_parallelogram(const Case& one) {
+  return with_question(one, [](RayQuestion& asked) {
+    const auto* p = std::get_if<ParametricPlane>(&asked.shape);
+    if (p == nullptr) return false;
+    asked.shape = Polygon<double>{{p->point, p->point + p->u, p->point + p->u + p->v, p->point + p->v}};
+    return true;
+  });
+}
+
+Answers numerator_without_coefficients(const Case& one, const Answer& /*exact*/) {
+  const auto plane = implicit_form(one);
+  if (!plane) return {};
+  const Ray<double> ray = ray_in_object(*ray_question(one));
+  const double slope = glm::dot(plane->first, ray.direction);
+  const double t = -(ray.origin.x + ray.origin.y + ray.origin.z + plane->second) / slope;
+  return slope == 0 ? Answers{} : hit_at(one, t, true);
+}
+
+template <int term>
+Answers wrong_sign(const Case& one, const Answer& /*exact*/) {
+  const auto hit = plane_hit(one);
+  if (!hit || hit->vertices.size() != 3) return {};
+  const glm::dvec2 a = hit->vertices[0], b = hit->vertices[1], c = hit->vertices[2], q = hit->point - c;
+  std::array<double, 4> terms{(b.y - c.y) * q.x, -(b.x - c.x) * q.y, -(a.y - c.y) * q.x, (a.x - c.x) * q.y};
+  terms.at(term) = -terms.at(term);
+  const double area = (b.y - c.y) * (a.x - c.x) - (b.x - c.x) * (a.y - c.y);
+  const double first = (terms[0] + terms[1]) / area, second = (terms[2] + terms[3]) / area;
+  return hit_at(one, hit->t, first >= 0 && second >= 0 && first + second <= 1);
+}
+
+template Answers wrong_sign<0>(const Case&, const Answer&);
+template Answers wrong_sign<1>(const Case&, const Answer&);
+template Answers wrong_sign<2>(const Case&, const Answer&);
+template Answers wrong_sign<3>(const Case&, const Answer&);
+
+}  // namespace rayproof::diagnosis

@@ -1,0 +1,119 @@
+#include "properties/diagnosis/models/hits.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "properties/claims/answers.hpp"
+
+namespace rayproof::diagnosis {
+namespace {
+
+const RayAnswer* hit_of(const Answer& exact) {
+  const auto* answer = std::get_if<RayAnswer>(&exact);
+  return answer != nullptr && answer->hits.count > 0 ? answer : nullptr;
+}
+
+bool is_contact(const Answer& exact, Contact contact) {
+  const auto* answer = std::get_if<RayAnswer>(&exact);
+  return answer != nullptr && answer->contact == contact;
+}
+
+Answers if_position(const Answer& exact, Position from, Position to) {
+  const auto* position = std::get_if<Position>(&exact);
+  return position != nullptr && *position == from ? Answers{to} : Answers{};
+}
+
+}  // namespace
+
+Answers never_hits(const Case& /*one*/, const Answer& exact) {
+  if (!finds_something(exact)) return {};
+  if (std::holds_alternative<Position>(exact)) return {Position::outside};
+  if (std::holds_alternative<RayAnswer>(exact)) return {RayAnswer{}};
+  return {QuadraticAnswer<double>{RootKind::none, 0, {}}};
+}
+
+std::optional<bool> always_hits(const Case& /*one*/, const Answer& got, const Answer& exact) {
+  if (finds_something(exact)) return std::nullopt;
+  return finds_something(got);
+}
+
+Answers descending(const Case& /*one*/, const Answer& exact) {
+  if (numbers_in(exact).size() < 2) return {};
+  Answer turned = exact;
+  if (auto* ray = std::get_if<RayAnswer>(&turned))
+    std::swap(ray->hits.t[0], ray->hits.t[1]);
+  else
+    std::ranges::reverse(std::get<QuadraticAnswer<double>>(turned).roots);
+  return {turned};
+}
+
+Answers farthest_alone(const Case& /*one*/, const Answer& exact) {
+  const RayAnswer* answer = hit_of(exact);
+  if (answer == nullptr || answer->hits.count < 2) return {};
+  RayAnswer last;
+  last.hits.push_back(answer->hits.t.at(answer->hits.count - 1));
+  return {last};
+}
+
+Answers first_alone(const Case& /*one*/, const Answer& exact) {
+  if (numbers_in(exact).size() < 2) return {};
+  Answer first = exact;
+  if (auto* ray = std::get_if<RayAnswer>(&first))
+    ray->hits.count = 1;
+  else
+    std::get<QuadraticAnswer<double>>(first).count = 1;
+  return {first};
+}
+
+Answers double_hit_twice(const Case& /*one*/, const Answer& exact) {
+  Answer twice = exact;
+  if (auto* ray = std::get_if<RayAnswer>(&twice)) {
+    if (ray->hits.count != 1 || ray->contact != Contact::tangent) return {};
+    ray->hits.push_back(ray->hits.t[0]);
+    return {twice};
+  }
+  auto* roots = std::get_if<QuadraticAnswer<double>>(&twice);
+  if (roots == nullptr || roots->kind != RootKind::twice) return {};
+  const double x = roots->roots[0];
+  return {QuadraticAnswer<double>{RootKind::two, 2, {x, x}},
+          QuadraticAnswer<double>{RootKind::twice, 2, {x, x}}};
+}
+
+Answers boundary_is_outside(const Case& /*one*/, const Answer& exact) {
+  if (std::holds_alternative<Position>(exact))
+    return if_position(exact, Position::boundary, Position::outside);
+  const RayAnswer* answer = hit_of(exact);
+  const bool is_on_it =
+      answer != nullptr && (answer->contact == Contact::edge || answer->contact == Contact::vertex);
+  return is_on_it ? Answers{RayAnswer{}} : Answers{};
+}
+
+Answers boundary_is_inside(const Case& /*one*/, const Answer& exact) {
+  return if_position(exact, Position::boundary, Position::inside);
+}
+
+std::optional<bool> in_surface_is_hit(const Case& /*one*/, const Answer& got, const Answer& exact) {
+  if (!is_contact(exact, Contact::in_surface)) return std::nullopt;
+  return finds_something(got);
+}
+
+Answers in_surface_is_parallel(const Case& /*one*/, const Answer& exact) {
+  if (!is_contact(exact, Contact::in_surface)) return {};
+  RayAnswer parallel;
+  parallel.contact = Contact::parallel;
+  return {parallel};
+}
+
+Answers no_reason(const Case& /*one*/, const Answer& exact) {
+  const auto* answer = std::get_if<RayAnswer>(&exact);
+  if (answer == nullptr || answer->hits.count > 0 || answer->contact == Contact::none) return {};
+  return {RayAnswer{}};
+}
+
+std::optional<bool> is_nan(const Case& /*one*/, const Answer& got, const Answer& exact) {
+  const auto is_number = [](double x) { return std::isfinite(x); };
+  if (!std::ranges::all_of(numbers_in(exact), is_number)) return std::nullopt;
+  return std::ranges::any_of(numbers_in(got), [](double x) { return std::isnan(x); });
+}
+
+}  // namespace rayproof::diagnosis

@@ -1,0 +1,42 @@
+#pragma once
+/// \file
+/// Models of faults in the list of hits, or of roots, and its order.
+
+#include "properties/diagnosis/models/models.hpp"
+
+namespace rayproof::diagnosis {
+
+/// Nothing is ever hit, no point is ever inside, there never is a root.
+[[nodiscard]] Answers never_hits(const Case& one, const Answer& exact);
+/// What is missed is hit somewhere, what is outside is inside.
+[[nodiscard]] std::optional<bool> always_hits(const Case& one, const Answer& got, const Answer& exact);
+/// Hits or roots in descending order.
+[[nodiscard]] Answers descending(const Case& one, const Answer& exact);
+/// The farthest hit alone in place of the nearest.
+[[nodiscard]] Answers farthest_alone(const Case& one, const Answer& exact);
+/// One of two hits or roots is left out: the second.
+[[nodiscard]] Answers first_alone(const Case& one, const Answer& exact);
+/// Two equal hits, or roots, where there is one double one.
+[[nodiscard]] Answers double_hit_twice(const Case& one, const Answer& exact);
+
+/// A hit that first touches in that manner is missed.
+template <Contact contact>
+[[nodiscard]] Answers misses_at(const Case& /*one*/, const Answer& exact) {
+  const auto* answer = std::get_if<RayAnswer>(&exact);
+  if (answer == nullptr || answer->hits.count == 0 || answer->contact != contact) return {};
+  return {RayAnswer{}};
+}
+/// A hit on an edge or a vertex is missed; where `Position` is asked, the boundary is outside.
+[[nodiscard]] Answers boundary_is_outside(const Case& one, const Answer& exact);
+/// The boundary of a polygon in the plane is inside.
+[[nodiscard]] Answers boundary_is_inside(const Case& one, const Answer& exact);
+/// A ray that runs inside the surface is a hit, or its contact is something else.
+[[nodiscard]] std::optional<bool> in_surface_is_hit(const Case& one, const Answer& got, const Answer& exact);
+/// A ray that runs inside a plane is called parallel.
+[[nodiscard]] Answers in_surface_is_parallel(const Case& one, const Answer& exact);
+/// The reason why a ray misses is not given.
+[[nodiscard]] Answers no_reason(const Case& one, const Answer& exact);
+/// A number that is no number, or infinite.
+[[nodiscard]] std::optional<bool> is_nan(const Case& one, const Answer& got, const Answer& exact);
+
+}  // namespace rayproof::diagnosis

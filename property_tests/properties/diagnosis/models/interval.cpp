@@ -1,0 +1,131 @@
+#include "properties/diagnosis/models/interval.hpp"
+
+#include <algorithm>
+
+namespace rayproof::diagnosis {
+namespace {
+
+std::vector<Case> with_interval(const Case& one, double t_min, double t_max) {
+  return with_question(one, [&](RayQuestion& asked) {
+    asked.ray.t_min = t_min;
+    asked.ray.t_max = t_max;
+    return true;
+  });
+}
+
+const Ray<double>* ray_of(const Case& one) {
+  const RayQuestion* asked = ray_question(one);
+  return asked == nullptr ? nullptr : &asked->ray;
+}
+
+/// The hits that are left where `is_dropped(ray, t)` drops some; nothing where it drops none.
+template <class Dropped>
+Answers without_hits(const Case& one, const Answer& exact, Dropped&& is_dropped) {
+  const Ray<double>* ray = ray_of(one);
+  if (ray == nullptr) return {};
+  const auto& all = std::get<RayAnswer>(exact);
+  const RayAnswer left = hits_where(all, [&](double t) { return !is_dropped(*ray, t); });
+  return left.hits.count == all.hits.count ? Answers{} : Answers{left};
+}
+
+bool is_cut(const RayAnswer& line, const Ray<double>& ray) {
+  return std::ranges::any_of(line.hits.view(), [&](double t) { return !in_interval(ray, t); });
+}
+
+Answers clipped(const Case& one, const Answer& exact, double t_max) {
+  const Ray<double>* ray = ray_of(one);
+  if (ray == nullptr) return {};
+  const RayAnswer line = hits_of_line(one);
+  if (line.hits.count != 2 || line.hits.t[1] < ray->t_min || line.hits.t[0] > ray->t_max) return {};
+  RayAnswer hits = std::get<RayAnswer>(exact);
+  hits.hits = {};
+  if (line.hits.t[0] <= t_max) hits.hits.push_back(std::max(line.hits.t[0], ray->t_min));
+  if (line.hits.t[1] <= ray->t_max || t_max < infinity<double>)
+    hits.hits.push_back(std::min(line.hits.t[1], t_max));
+  return {hits};
+}
+
+}  // namespace
+
+std::vector<Case> without_t_max(const Case& one) {
+  const auto* ray = ray_of(one);
+  return ray == nullptr ? std::vector<Case>{} : with_interval(one, ray->t_min, infinity<double>);
+}
+
+std::vector<Case> without_t_min(const Case& one) {
+  const auto* ray = ray_of(one);
+  return ray == nullptr ? std::vector<Case>{} : with_interval(one, -infinity<double>, ray->t_max);
+}
+
+std::vector<Case> without_interval(const Case& one) {
+  return with_interval(one, -infinity<double>, infinity<double>);
+}
+
+Answers t_min_is_zero(const Case& one, const Answer& /*exact*/) {
+  const auto* ray = ray_of(one);
+  if (ray == nullptr) return {};
+  if (ray->t_max < 0) return {RayAnswer{}};
+  return exact_of(with_interval(one, 0, ray->t_max));
+}
+
+std::vector<Case> from_origin_on(const Case& one) { return with_interval(one, 0, infinity<double>); }
+
+std::vector<Case> as_segment(const Case& one) { return with_interval(one, 0, 1); }
+
+std::vector<Case> interval_as_distances(const Case& one) {
+  return with_question(one, [](RayQuestion& asked) {
+    const double length = glm::length(asked.ray.direction);
+    asked.ray.t_min /= length;
+    asked.ray.t_max /= length;
+    return length != 1;
+  });
+}
+
+Answers drops(const Case& one, const Answer& exact, bool (*is_dropped)(double t)) {
+  return without_hits(one, exact,
+                      [is_dropped](const Ray<double>& /*ray*/, double t) { return is_dropped(t); });
+}
+
+Answers open_at_t_min(const Case& one, const Answer& exact) {
+  return without_hits(one, exact, [](const Ray<double>& ray, double t) { return t == ray.t_min; });
+}
+
+Answers open_at_t_max(const Case& one, const Answer& exact) {
+  return without_hits(one, exact, [](const Ray<double>& ray, double t) { return t == ray.t_max; });
+}
+
+Answers open_at_both_ends(const Case& one, const Answer& exact) {
+  return without_hits(one, exact,
+                      [](const Ray<double>& ray, double t) { return t == ray.t_min || t == ray.t_max; });
+}
+
+Answers first_hit_decides(const Case& one, const Answer& exact) {
+  const Ray<double>* ray = ray_of(one);
+  if (ray == nullptr || std::get<RayAnswer>(exact).hits.count == 0) return {};
+  const RayAnswer line = hits_of_line(one);
+  return in_interval(*ray, line.hits.t[0]) ? Answers{} : Answers{RayAnswer{}};
+}
+
+Answers one_hit_admits_all(const Case& one, const Answer& exact) {
+  const Ray<double>* ray = ray_of(one);
+  if (ray == nullptr || std::get<RayAnswer>(exact).hits.count == 0) return {};
+  const RayAnswer line = hits_of_line(one);
+  return is_cut(line, *ray) ? Answers{line} : Answers{};
+}
+
+Answers all_hits_or_none(const Case& one, const Answer& exact) {
+  const Ray<double>* ray = ray_of(one);
+  if (ray == nullptr || std::get<RayAnswer>(exact).hits.count == 0) return {};
+  return is_cut(hits_of_line(one), *ray) ? Answers{RayAnswer{}} : Answers{};
+}
+
+Answers clipped_to_interval(const Case& one, const Answer& exact) {
+  const Ray<double>* ray = ray_of(one);
+  return ray == nullptr ? Answers{} : clipped(one, exact, ray->t_max);
+}
+
+Answers clipped_at_t_min(const Case& one, const Answer& exact) {
+  return clipped(one, exact, infinity<double>);
+}
+
+}  // namespace rayproof::diagnosis

@@ -1,0 +1,55 @@
+#pragma once
+/// \file
+/// Models of faults with the ray's interval of t.
+
+#include <cmath>
+
+#include "properties/diagnosis/models/models.hpp"
+
+namespace rayproof::diagnosis {
+
+/// @{ Readings of the case: the interval has no upper end, no lower one, neither; begins at 0; is [0, inf];
+/// is a segment's; is meant in units of length.
+[[nodiscard]] std::vector<Case> without_t_max(const Case& one);
+[[nodiscard]] std::vector<Case> without_t_min(const Case& one);
+[[nodiscard]] std::vector<Case> without_interval(const Case& one);
+[[nodiscard]] std::vector<Case> from_origin_on(const Case& one);
+[[nodiscard]] std::vector<Case> as_segment(const Case& one);
+[[nodiscard]] std::vector<Case> interval_as_distances(const Case& one);
+/// @}
+
+/// The interval begins at 0.
+[[nodiscard]] Answers t_min_is_zero(const Case& one, const Answer& exact);
+
+/// The exact hits without those that are dropped; nothing where none is.
+[[nodiscard]] Answers drops(const Case& one, const Answer& exact, bool (*is_dropped)(double t));
+
+/// @{ A hit that lies exactly on an end of the interval is left out.
+[[nodiscard]] Answers open_at_t_min(const Case& one, const Answer& exact);
+[[nodiscard]] Answers open_at_t_max(const Case& one, const Answer& exact);
+[[nodiscard]] Answers open_at_both_ends(const Case& one, const Answer& exact);
+/// @}
+
+/// Hits of t below 10^power, which the interval admits, are left out.
+template <int power>
+[[nodiscard]] Answers drops_below(const Case& one, const Answer& exact) {
+  return drops(one, exact, [](double t) { return t < std::pow(10.0, power); });
+}
+/// Hits of t beyond 10^power, which the interval admits, are left out.
+template <int power>
+[[nodiscard]] Answers drops_beyond(const Case& one, const Answer& exact) {
+  return drops(one, exact, [](double t) { return t > std::pow(10.0, power); });
+}
+
+/// The nearest hit of the line lies outside the interval, and the farther one is not looked at.
+[[nodiscard]] Answers first_hit_decides(const Case& one, const Answer& exact);
+/// All hits of the line are reported where one of them lies in the interval.
+[[nodiscard]] Answers one_hit_admits_all(const Case& one, const Answer& exact);
+/// Every hit of the line must lie in the interval, else none is reported.
+[[nodiscard]] Answers all_hits_or_none(const Case& one, const Answer& exact);
+/// Where the interval begins or ends between two hits, its ends are reported as hits.
+[[nodiscard]] Answers clipped_to_interval(const Case& one, const Answer& exact);
+/// The same of its beginning alone.
+[[nodiscard]] Answers clipped_at_t_min(const Case& one, const Answer& exact);
+
+}  // namespace rayproof::diagnosis

@@ -1,0 +1,132 @@
+#include "properties/diagnosis/models/outline.hpp"
+
+#include <algorithm>
+
+#include "properties/diagnosis/agreement.hpp"
+#include "properties/diagnosis/models/plane_hit.hpp"
+
+namespace rayproof::diagnosis {
+namespace {
+
+using Outline = std::vector<glm::dvec2>;
+
+double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+/// How often a ray from the point along x crosses sides; `counts(from, to)` of the heights of a side's ends
+/// over the point decides whether a side is crossed at all.
+template <class Counts>
+int crossings(const glm::dvec2& point, const Outline& outline, std::size_t sides, Counts&& counts) {
+  int sum = 0;
+  for (std::size_t i = 0; i < sides; ++i) {
+    const glm::dvec2 a = outline[i], b = outline[(i + 1) % outline.size()];
+    if (a.y == b.y || !counts(a.y - point.y, b.y - point.y)) continue;
+    if (a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x) >= point.x) ++sum;
+  }
+  return sum;
+}
+
+bool half_open(double from, double to) { return (from <= 0) != (to <= 0); }
+
+int windings(const glm::dvec2& point, const Outline& outline) {
+  const auto passes = [&](bool is_upward) {
+    return crossings(point, outline, outline.size(), [is_upward](double from, double to) {
+      return is_upward ? from <= 0 && to > 0 : from > 0 && to <= 0;
+    });
+  };
+  return passes(true) - passes(false);
+}
+
+bool is_in_bounds(const glm::dvec2& point, const Outline& outline) {
+  glm::dvec2 low = outline.front(), high = low;
+  for (const glm::dvec2& vertex : outline) {
+    low = glm::min(low, vertex);
+    high = glm::max(high, vertex);
+  }
+  return low.x <= point.x && point.x <= high.x && low.y <= point.y && point.y <= high.y;
+}
+
+/// Whether no side turns away from the point against the others.
+bool is_on_one_side(const glm::dvec2& point, const Outline& outline) {
+  bool left = false, right = false;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const double turned = turn(outline[i], outline[(i + 1) % outline.size()], point);
+    left = left || turned > 0;
+    right = right || turned < 0;
+  }
+  return !(left && right);
+}
+
+bool is_inside(Inside rule, const glm::dvec2& point, const Outline& outline) {
+  const std::size_t all = outline.size();
+  const bool is_odd = crossings(point, outline, all, half_open) % 2 == 1;
+  switch (rule) {
+    case Inside::closed_sides:
+      return crossings(point, outline, all, [](double a, double b) { return a * b <= 0; }) % 2 == 1;
+    case Inside::not_level:
+      return is_odd && std::ranges::none_of(outline, [&](const auto& v) { return v.y == point.y; });
+    case Inside::winding:
+      return windings(point, outline) != 0;
+    case Inside::last_side:
+      return crossings(point, outline, all - 1, half_open) % 2 == 1;
+    case Inside::first_triangle:
+      return is_on_one_side(point, {outline[0], outline[1], outline[2]});
+    case Inside::one_side:
+      return is_on_one_side(point, outline);
+    case Inside::bounds:
+      return is_in_bounds(point, outline);
+  }
+  return false;
+}
+
+Outline outline_of(const PointAndPolygon<double>& place) {
+  Outline outline;
+  for (const auto& vertex : place.vertices) outline.emplace_back(vertex.x, vertex.y);
+  return outline;
+}
+
+Outline outline_of(const Case& one) {
+  if (const auto* place = std::get_if<PointAndPolygon<double>>(&one.question)) return outline_of(*place);
+  const auto hit = plane_hit(one);
+  return hit ? hit->vertices : Outline{};
+}
+
+}  // namespace
+
+template <Inside rule>
+Answers inside_by(const Case& one, const Answer& exact) {
+  if (const auto* place = std::get_if<PointAndPolygon<double>>(&one.question)) {
+    if (std::get<Position>(exact) == Position::boundary) return {};
+    const bool in = is_inside(rule, {place->point.x, place->point.y}, outline_of(*place));
+    return {in ? Position::inside : Position::outside};
+  }
+  if (shape_in<Polygon<double>>(one) == nullptr) return {};
+  const auto hit = plane_hit(one);
+  const Contact contact = std::get<RayAnswer>(exact).contact;
+  if (!hit || contact == Contact::edge || contact == Contact::vertex) return {};
+  return hit_at(one, hit->t, is_inside(rule, hit->point, hit->vertices));
+}
+
+template Answers inside_by<Inside::closed_sides>(const Case&, const Answer&);
+template Answers inside_by<Inside::not_level>(const Case&, const Answer&);
+template Answers inside_by<Inside::winding>(const Case&, const Answer&);
+template Answers inside_by<Inside::last_side>(const Case&, const Answer&);
+template Answers inside_by<Inside::first_triangle>(const Case&, const Answer&);
+template Answers inside_by<Inside::one_side>(const Case&, const Answer&);
+template Answers inside_by<Inside::bounds>(const Case&, const Answer&);
+
+std::optional<bool> wrong_where_concave(const Case& one, const Answer& got, const Answer& exact) {
+  const Outline outline = outline_of(one);
+  bool left = false, right = false;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const double turned =
+        turn(outline[i], outline[(i + 1) % outline.size()], outline[(i + 2) % outline.size()]);
+    left = left || turned > 0;
+    right = right || turned < 0;
+  }
+  if (!left || !right) return std::nullopt;
+  return !agree(one, got, exact, Aspect::hits);
+}
+
+}  // namespace rayproof::diagnosis

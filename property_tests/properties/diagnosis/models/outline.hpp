@@ -1,0 +1,28 @@
+#pragma once
+/// \file
+/// Models of faults in the question whether a point lies in a polygon, in the plane or in space.
+
+#include "properties/diagnosis/models/models.hpp"
+
+namespace rayproof::diagnosis {
+
+/// Rules that a subject may follow in place of the even-odd one.
+enum class Inside {
+  closed_sides,    ///< sides closed at both ends, or open at both: a level vertex counts twice or never
+  not_level,       ///< the point must not be level with a vertex: then it is outside
+  winding,         ///< what winds round the point any number of times but 0 is inside
+  last_side,       ///< the side from the last vertex to the first is forgotten
+  first_triangle,  ///< only the first three vertices are looked at
+  one_side,        ///< inside is where all sides turn one way: right for convex polygons only
+  bounds           ///< the bounding box
+};
+
+/// What a subject answers that follows the rule; none for points on the boundary.
+template <Inside rule>
+[[nodiscard]] Answers inside_by(const Case& one, const Answer& exact);
+
+/// The polygon of the case is not convex, and the answer is wrong.
+[[nodiscard]] std::optional<bool> wrong_where_concave(const Case& one, const Answer& got,
+                                                      const Answer& exact);
+
+}  // namespace rayproof::diagnosis

@@ -1,0 +1,56 @@
+#include "properties/diagnosis/models/plane_hit.hpp"
+
+#include <cmath>
+
+namespace rayproof::diagnosis {
+namespace {
+
+int largest_axis_of(const glm::dvec3& normal) {
+  int axis = 0;
+  for (int other = 1; other < 3; ++other)
+    if (std::abs(normal[other]) >= std::abs(normal[axis])) axis = other;
+  return axis;
+}
+
+glm::dvec2 projected(const glm::dvec3& point, int axis) {
+  return {point[(axis + 1) % 3], point[(axis + 2) % 3]};
+}
+
+}  // namespace
+
+std::optional<FlatFigure> flat_figure(const Case& one) {
+  FlatFigure figure{};
+  if (const auto* triangle = shape_in<Triangle<double>>(one))
+    figure.vertices = {triangle->a, triangle->b, triangle->c};
+  else if (const auto* polygon = shape_in<Polygon<double>>(one))
+    figure.vertices = polygon->vertices;
+  else
+    return std::nullopt;
+  const std::size_t count = figure.vertices.size();
+  const glm::dvec3 first = figure.vertices.front();
+  for (std::size_t i = 0; i < count; ++i)
+    figure.normal += glm::cross(figure.vertices[i] - first, figure.vertices[(i + 1) % count] - first);
+  if (figure.normal == glm::dvec3(0)) return std::nullopt;
+  return figure;
+}
+
+std::optional<PlaneHit> plane_hit(const Case& one) {
+  const auto figure = flat_figure(one);
+  if (!figure) return std::nullopt;
+  const Ray<double> ray = ray_in_object(*ray_question(one));
+  const double slope = glm::dot(figure->normal, ray.direction);
+  if (slope == 0) return std::nullopt;
+  const double t = glm::dot(figure->normal, figure->vertices.front() - ray.origin) / slope;
+  const int axis = largest_axis_of(figure->normal);
+  PlaneHit hit{t, projected(point_at(ray, t), axis), {}};
+  for (const glm::dvec3& vertex : figure->vertices) hit.vertices.push_back(projected(vertex, axis));
+  return hit;
+}
+
+Answers hit_at(const Case& one, double t, bool is_hit) {
+  RayAnswer answer;
+  if (is_hit && in_interval(ray_question(one)->ray, t)) answer.hits.push_back(t);
+  return {answer};
+}
+
+}  // namespace rayproof::diagnosis

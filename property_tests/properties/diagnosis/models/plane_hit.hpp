@@ -1,0 +1,32 @@
+#pragma once
+/// \file
+/// Where a line meets the plane of a flat figure, as the models of faults need it: in doubles.
+
+#include "properties/diagnosis/models/models.hpp"
+
+namespace rayproof::diagnosis {
+
+/// A flat figure's vertices and its Newell normal, in the object's space.
+struct FlatFigure {
+  std::vector<glm::dvec3> vertices;
+  glm::dvec3 normal;
+};
+
+/// The triangle or polygon of a case; nothing where it has none, or one without area.
+[[nodiscard]] std::optional<FlatFigure> flat_figure(const Case& one);
+
+/// A point of the figure's plane, projected along the axis where its normal is largest, and the t at which
+/// the ray passes it.
+struct PlaneHit {
+  double t;
+  glm::dvec2 point;
+  std::vector<glm::dvec2> vertices;
+};
+
+/// Where the line of the case meets the plane of its figure; nothing where it does not.
+[[nodiscard]] std::optional<PlaneHit> plane_hit(const Case& one);
+
+/// The answer of a ray that hits at t, if it does and t is in its interval.
+[[nodiscard]] Answers hit_at(const Case& one, double t, bool is_hit);
+
+}  // namespace rayproof::diagnosis

@@ -1,0 +1,55 @@
+#include "properties/diagnosis/models/quadratic.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "properties/diagnosis/agreement.hpp"
+
+namespace rayproof::diagnosis {
+namespace {
+
+using Roots2 = QuadraticAnswer<double>;
+
+/// What the textbook formula gives with another discriminant.
+Answers with_discriminant(const Case& one, double D) {
+  const auto* q = std::get_if<Quadratic<double>>(&one.question);
+  if (q == nullptr || q->a == 0) return {};
+  if (D < 0) return {Roots2{RootKind::none, 0, {}}};
+  const double s = std::sqrt(D), x = (-q->b - s) / (2 * q->a), y = (-q->b + s) / (2 * q->a);
+  if (D == 0) return {Roots2{RootKind::twice, 1, {x}}};
+  return {Roots2{RootKind::two, 2, {std::min(x, y), std::max(x, y)}}};
+}
+
+std::optional<bool> is_wrong_where(RootKind kind, const Case& one, const Answer& got, const Answer& exact) {
+  const auto* roots = std::get_if<Roots2>(&exact);
+  if (roots == nullptr || roots->kind != kind) return std::nullopt;
+  return !agree(one, got, exact, Aspect::hits);
+}
+
+}  // namespace
+
+std::optional<bool> wrong_where_linear(const Case& one, const Answer& got, const Answer& exact) {
+  return is_wrong_where(RootKind::linear, one, got, exact);
+}
+
+std::optional<bool> wrong_where_constant(const Case& one, const Answer& got, const Answer& exact) {
+  return is_wrong_where(RootKind::constant, one, got, exact);
+}
+
+Answers double_root_missed(const Case& /*one*/, const Answer& exact) {
+  const auto* roots = std::get_if<Roots2>(&exact);
+  if (roots == nullptr || roots->kind != RootKind::twice) return {};
+  return {Roots2{RootKind::none, 0, {}}};
+}
+
+Answers discriminant_without_sign(const Case& one, const Answer& /*exact*/) {
+  const auto* q = std::get_if<Quadratic<double>>(&one.question);
+  return q == nullptr ? Answers{} : with_discriminant(one, std::abs(q->b * q->b - 4 * q->a * q->c));
+}
+
+Answers discriminant_with_plus(const Case& one, const Answer& /*exact*/) {
+  const auto* q = std::get_if<Quadratic<double>>(&one.question);
+  return q == nullptr ? Answers{} : with_discriminant(one, q->b * q->b + 4 * q->a * q->c);
+}
+
+}  // namespace rayproof::diagnosis

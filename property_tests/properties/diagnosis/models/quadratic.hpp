@@ -1,0 +1,21 @@
+#pragma once
+/// \file
+/// Models of faults with the quadratic equation.
+
+#include "properties/diagnosis/models/models.hpp"
+
+namespace rayproof::diagnosis {
+
+/// The equation with a = 0 is not handled.
+[[nodiscard]] std::optional<bool> wrong_where_linear(const Case& one, const Answer& got, const Answer& exact);
+/// The equation with a = b = 0 is not handled.
+[[nodiscard]] std::optional<bool> wrong_where_constant(const Case& one, const Answer& got,
+                                                       const Answer& exact);
+/// A double root is no root.
+[[nodiscard]] Answers double_root_missed(const Case& one, const Answer& exact);
+/// The root of |D| is taken: roots where there are none.
+[[nodiscard]] Answers discriminant_without_sign(const Case& one, const Answer& exact);
+/// D = b² + 4ac.
+[[nodiscard]] Answers discriminant_with_plus(const Case& one, const Answer& exact);
+
+}  // namespace rayproof::diagnosis

@@ -1,0 +1,58 @@
+#pragma once
+/// \file
+/// Models of faults with spheres, boxes, parallelepipeds and cylinders.
+
+#include "properties/diagnosis/models/models.hpp"
+
+namespace rayproof::diagnosis {
+
+/// @{ Readings of a sphere: its radius squared, its root, doubled, halved; centred at 0; centred on the other
+/// side.
+[[nodiscard]] std::vector<Case> radius_squared(const Case& one);
+[[nodiscard]] std::vector<Case> radius_rooted(const Case& one);
+[[nodiscard]] std::vector<Case> radius_doubled(const Case& one);
+[[nodiscard]] std::vector<Case> radius_halved(const Case& one);
+[[nodiscard]] std::vector<Case> sphere_at_zero(const Case& one);
+[[nodiscard]] std::vector<Case> sphere_mirrored(const Case& one);
+/// @}
+
+/// A box without end along an axis.
+template <int axis>
+[[nodiscard]] std::vector<Case> endless_box(const Case& one) {
+  return with_shape<Box<double>>(one, [](RayQuestion& /*asked*/, Box<double>& box) {
+    box.min[axis] = -0x1p60;
+    box.max[axis] = 0x1p60;
+    return true;
+  });
+}
+/// A parallelepiped without end along an edge.
+template <int edge>
+[[nodiscard]] std::vector<Case> endless_parallelepiped(const Case& one) {
+  return with_shape<Parallelepiped<double>>(one, [](RayQuestion& /*asked*/, Parallelepiped<double>& solid) {
+    const glm::dvec3 along = 0x1p30 * solid.edges[edge];
+    solid.corner -= along;
+    solid.edges[edge] = 2.0 * along;
+    return true;
+  });
+}
+/// The box whose opposite corners are those of the parallelepiped.
+[[nodiscard]] std::vector<Case> parallelepiped_as_box(const Case& one);
+
+/// @{ Readings of a cylinder: without end; with caps, without them; a circular one of radius rx, of ry; with
+/// rx and ry exchanged; squared radii; from -height/2 to height/2.
+[[nodiscard]] std::vector<Case> endless_cylinder(const Case& one);
+[[nodiscard]] std::vector<Case> with_caps(const Case& one);
+[[nodiscard]] std::vector<Case> without_caps(const Case& one);
+[[nodiscard]] std::vector<Case> circular_rx(const Case& one);
+[[nodiscard]] std::vector<Case> circular_ry(const Case& one);
+[[nodiscard]] std::vector<Case> radii_exchanged(const Case& one);
+[[nodiscard]] std::vector<Case> radii_squared(const Case& one);
+[[nodiscard]] std::vector<Case> middle_at_zero(const Case& one);
+/// @}
+
+/// @{ A capped cylinder without its cap at z = 0, or at z = height.
+[[nodiscard]] Answers no_lower_cap(const Case& one, const Answer& exact);
+[[nodiscard]] Answers no_upper_cap(const Case& one, const Answer& exact);
+/// @}
+
+}  // namespace rayproof::diagnosis

@@ -1,0 +1,27 @@
+#pragma once
+/// \file
+/// What a diagnosis may ask: the subject, by cases alone, and a judge of its answers.
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "properties/property.hpp"
+
+namespace rayproof {
+
+/// A subject that breaks a property. A diagnosis knows neither its name nor its steps.
+struct Patient {
+  /// The answers to cases, in their order; nothing where the subject gives none.
+  std::function<std::vector<std::optional<Answer>>(std::span<const Case>)> ask{};
+  /// What the property says of an answer to a case.
+  std::function<Ruling(const Case&, const Answer&)> rule{};
+  /// What the property judges.
+  Claim claim = Claim::verdict;
+};
+
+/// A subject under one of the properties.
+[[nodiscard]] Patient patient_of(const Subject& subject, const Property& property);
+
+}  // namespace rayproof

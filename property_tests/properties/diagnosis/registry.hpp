@@ -1,0 +1,22 @@
+#pragma once
+/// \file
+/// The tables that make the registry of hypotheses.
+
+#include "properties/diagnosis/hypothesis.hpp"
+
+namespace rayproof::diagnosis {
+
+/// @{ Each hypothesis is one line of one of these.
+[[nodiscard]] std::vector<Hypothesis> models_of_hits();
+[[nodiscard]] std::vector<Hypothesis> models_of_limits();
+[[nodiscard]] std::vector<Hypothesis> models_of_numbers();
+[[nodiscard]] std::vector<Hypothesis> models_of_transforms();
+[[nodiscard]] std::vector<Hypothesis> models_of_shapes();
+[[nodiscard]] std::vector<Hypothesis> models_of_first_hits();
+[[nodiscard]] std::vector<Hypothesis> models_of_digits();
+[[nodiscard]] std::vector<Hypothesis> cures_of_values();
+[[nodiscard]] std::vector<Hypothesis> classes_of_cases();
+[[nodiscard]] std::vector<Hypothesis> cures_of_boundaries();
+/// @}
+
+}  // namespace rayproof::diagnosis

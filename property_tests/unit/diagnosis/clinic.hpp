@@ -1,0 +1,54 @@
+#pragma once
+/// \file
+/// Diagnoses of subjects as an engine makes them: cases from every family of the topic.
+
+#include <algorithm>
+#include <string>
+
+#include "generators/generators.hpp"
+#include "properties/diagnosis/diagnose.hpp"
+#include "properties/guest.hpp"
+#include "properties/plan.hpp"
+
+namespace rayproof::faulty {
+
+/// The cases on which a subject breaks a property, and some on which it keeps it.
+struct Complaint {
+  std::vector<Case> failing{}, passing{};
+};
+
+/// What breaks a property: some cases of each family in turn.
+[[nodiscard]] inline Complaint complaint(const Subject& subject, const Property& property,
+                                         Precision precision, unsigned cases = 400) {
+  constexpr std::size_t enough = 64;
+  Complaint found;
+  for (unsigned k = 0; k < cases && found.failing.size() < enough; ++k)
+    for (const Family& family : families()) {
+      if (family.topic != subject.topic) continue;
+      const Case one = family.generate(k, precision);
+      Trial trial(subject, one);
+      const Ruling ruling = property.rule(trial);
+      if (ruling == Ruling::broken) found.failing.push_back(one);
+      const bool is_right = ruling == Ruling::held || !trial.judgement().wrong;
+      if (is_right && ruling != Ruling::broken && found.passing.size() < 2 * enough) found.passing.push_back(one);
+    }
+  return found;
+}
+
+/// The faults that break the property.
+[[nodiscard]] inline std::vector<Diagnosis> faults_of(const Subject& subject, const Property& property,
+                                                      Precision precision, unsigned cases = 400) {
+  const auto [failing, passing] = complaint(subject, property, precision, cases);
+  return diagnose(patient_of(subject, property), failing, passing);
+}
+
+/// "unit-direction 31 | none 2": the causes by the number of their cases.
+[[nodiscard]] inline std::string in_words(const std::vector<Diagnosis>& groups) {
+  std::string text;
+  for (const Diagnosis& group : groups)
+    text += (text.empty() ? "" : " | ") + std::string(group.cause ? group.cause->name : "none") + " " +
+            std::to_string(group.cases.size());
+  return text;
+}
+
+}  // namespace rayproof::faulty
