@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <span>
 
@@ -34,7 +35,8 @@ template <class T>
   const double end = std::min(ray.t_max, std::max(middle + reach, reach));
   const Segment<T> made{glm::vec<3, T>(ray.origin), glm::vec<3, T>(ray.origin + end * ray.direction), end};
   const auto whole = made.end - made.start;
-  if (!std::isfinite(dot(whole, whole)) || whole == glm::vec<3, T>(0)) throw Unsupported();
+  const T length2 = dot(whole, whole);
+  if (!std::isfinite(length2) || length2 < std::numeric_limits<T>::min()) throw Unsupported();
   return made;
 }
 
