@@ -55,6 +55,8 @@ std::optional<SurfaceHit> nearest_hit(RTCGeometry geometry, const Ray<float>& ra
   rtcIntersect1(scene, &context, &asked);
   rtcReleaseScene(scene);
   if (asked.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+  for (const float end : {ray.t_min, ray.t_max})
+    if (std::abs(asked.ray.tfar - end) < 1e-6F * std::abs(end)) throw Unsupported();
   return SurfaceHit{asked.ray.tfar, glm::normalize(vec3(asked.hit.Ng_x, asked.hit.Ng_y, asked.hit.Ng_z))};
 }
 

@@ -1,10 +1,11 @@
 #pragma once
 /// \file
-/// The segment of a ray that a library is given where it takes no ray: from t_min on, beyond the shape at
-/// least, and not beyond t_max.
+/// The segment of a ray that a library is given where it takes no ray: from its origin on, beyond the shape
+/// at least, and not beyond t_max.
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <span>
 
@@ -12,36 +13,30 @@
 
 namespace rayproof::peers {
 
-/// The ends of the segment and what it says of t: t = t_start + s·(t_end - t_start) for s in [0, 1].
+/// The ends of the segment and what it says of t: s·t_end for s in [0, 1].
 template <class T>
 struct Segment {
   glm::vec<3, T> start, end;
-  double t_start, t_end;
+  double t_end;
 
-  /// t of the point at s, an end's own t at an end.
-  [[nodiscard]] double t_at(double s) const {
-    if (s <= 0 && s > -1e-12) return t_start;
-    if (s >= 1 && s < 1 + 1e-12) return t_end;
-    return t_start + s * (t_end - t_start);
-  }
+  /// t of the point at s.
+  [[nodiscard]] double t_at(double s) const { return s * t_end; }
 };
 
-/// The segment of `ray` between t_min and t_max that passes everything within `radius` of `center`. Throws
-/// Unsupported where it has no length, or its ends no numbers of T, or where the ray begins behind its
-/// origin: t counts from the start of a segment.
+/// The segment of `ray` that passes everything within `radius` of `center`. Throws Unsupported where it has
+/// no length, or its ends no numbers of T, and where the ray does not begin at its origin: t counts from the
+/// start of a segment.
 template <class T>
 [[nodiscard]] Segment<T> segment_past(const Ray<double>& ray, const glm::dvec3& center, double radius) {
+  if (ray.t_min != 0) throw Unsupported();
   const double length = std::hypot(ray.direction.x, ray.direction.y, ray.direction.z);
   const double middle = dot(center - ray.origin, ray.direction / length) / length;
   const double reach = 2 * radius / length;
-  if (ray.t_min < 0) throw Unsupported();
-  const double start = ray.t_min;
-  const double far = std::max(middle + reach, start + reach);
-  const double end = std::min(ray.t_max, far);
-  const Segment<T> made{glm::vec<3, T>(ray.origin + start * ray.direction),
-                        glm::vec<3, T>(ray.origin + end * ray.direction), start, end};
+  const double end = std::min(ray.t_max, std::max(middle + reach, reach));
+  const Segment<T> made{glm::vec<3, T>(ray.origin), glm::vec<3, T>(ray.origin + end * ray.direction), end};
   const auto whole = made.end - made.start;
-  if (!std::isfinite(dot(whole, whole)) || whole == glm::vec<3, T>(0)) throw Unsupported();
+  const T length2 = dot(whole, whole);
+  if (!std::isfinite(length2) || length2 < std::numeric_limits<T>::min()) throw Unsupported();
   return made;
 }
 

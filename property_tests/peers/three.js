@@ -30,6 +30,9 @@ function numbers(value, round) {
   return round(value === "inf" ? Infinity : value === "-inf" ? -Infinity : Number(value));
 }
 
+/** A number as JSON, which has no infinity and no NaN. */
+const written = (x) => (Number.isFinite(x) ? x : Number.isNaN(x) ? "nan" : x > 0 ? "inf" : "-inf");
+
 /** Whether a point rounded where `point` lies still says t as well as the case is judged by. */
 function saysT(type, origin, point) {
   return (type !== "sphere" && type !== "box") || origin.length() <= 8 * point.distanceTo(origin);
@@ -46,8 +49,8 @@ function answer({ id, precision, ray: rayFields, shape, transform }) {
   if (!point) return { id, verdict: "miss", hits: [] };
   const t = point.clone().sub(origin).dot(direction) / length;
   if ((t < given.t_min && given.t_min > 0) || t > given.t_max) return { id, verdict: "miss", hits: [] };
-  const said = { id, verdict: "hit", point: point.toArray() };
-  if (saysT(type, origin, point)) said.hits = [{ t: Number.isNaN(t) ? "nan" : Number.isFinite(t) ? t : t > 0 ? "inf" : "-inf" }];
+  const said = { id, verdict: "hit", point: point.toArray().map(written) };
+  if (saysT(type, origin, point)) said.hits = [{ t: written(t) }];
   return said;
 }
 

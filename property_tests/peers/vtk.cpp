@@ -23,6 +23,7 @@
 #include <string_view>
 
 #include "peers/segment.hpp"
+#include "peers/simple_polygon.hpp"
 
 namespace rayproof {
 namespace {
@@ -67,6 +68,7 @@ Hit triangle(const Ray<double>& ray, dvec3 a, dvec3 b, dvec3 c) {
 }
 
 Hit polygon(const Ray<double>& ray, const std::vector<dvec3>& vertices) {
+  if (!peers::is_simple(vertices)) throw Unsupported();
   const vtkNew<vtkPolygon> cell;
   for (const dvec3& vertex : vertices) {
     const vtkIdType id = cell->GetPoints()->InsertNextPoint(&vertex.x);
@@ -106,6 +108,7 @@ Hit intersect_box(const Ray<double>& ray, dvec3 low, dvec3 high) {
 }
 
 bool is_in_polygon(const PointAndPolygon<double>& asked) {
+  if (!peers::is_simple(asked.vertices)) throw Unsupported();
   std::vector<double> points;
   double bounds[6] = {
       asked.vertices[0].x, asked.vertices[0].x, asked.vertices[0].y, asked.vertices[0].y, 0, 0};

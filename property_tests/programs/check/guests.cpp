@@ -5,7 +5,6 @@
 
 #include "command_line/interrupt.hpp"
 #include "programs/check/peers.hpp"
-#include "properties/probe.hpp"
 #include "subjects/command.hpp"
 
 namespace rayproof::check {
@@ -25,15 +24,18 @@ std::vector<Subject> subjects_of(const Options& options) {
   return all;
 }
 
-void learn_all(std::vector<Subject>& guests, const Settings& settings,
-               const std::function<void(double)>& progress) {
+std::vector<Failure> learn_all(std::vector<Subject>& guests, const Settings& settings,
+                               const std::function<void(double)>& progress) {
   std::vector<Precision> precisions = settings.precisions;
   if (precisions.empty()) precisions = {Precision::float32, Precision::float64};
+  std::vector<Failure> failures;
   double done = 0;
   for (Subject& guest : guests) {
     progress(done++ / static_cast<double>(guests.size()));
-    learn_abilities(guest, settings.seed, precisions, is_interrupted);
+    for (Failure& failure : learn_abilities(guest, settings.seed, precisions, is_interrupted))
+      failures.push_back(std::move(failure));
   }
+  return failures;
 }
 
 }  // namespace rayproof::check

@@ -1,0 +1,73 @@
+"""Checks docs/your-own-code.md as a reader follows it: its function is compiled and put on trial, right and wrong.
+
+    python3 property_tests/unit/docs/own_code.py --source . --bin build/release/bin
+
+Numbers of cases and findings are not compared, since less is asked. Exit status: 0 where all is well, else 1.
+"""
+
+import argparse
+import os
+from pathlib import Path
+import re
+import subprocess
+import tempfile
+
+from page import Faults
+from page_commands import BLOCK
+
+OPTION = ", rayproof::unit_direction"
+CASES = 300  # for each family
+NUMBER = re.compile(r"-?\b\d[\d.e+-]*")
+
+
+def blocks_of(page, language):
+    return [block[2] for block in BLOCK.finditer(page) if block[1] == language]
+
+
+def run(command, folder, **options):
+    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False, **options)
+
+
+def trial(page, text, folder, source, programs, faults):
+    """What the page's two commands print for a program."""
+    (folder / "my_sphere.cpp").write_text(text)
+    compile_it, check_it = blocks_of(page, "sh")[0].splitlines()
+    includes = compile_it.replace("-I property_tests -I lib/include", f"-I {source}/property_tests -I {source}/lib/include")
+    ended = run(includes.replace("g++", os.environ.get("CXX", "g++"), 1), folder, shell=True)
+    faults.expect(ended.returncode == 0, f"{compile_it}: {ended.stderr}")
+    command = check_it.replace("./rayproof check", f"{programs}/rayproof-check") + f" --cases {CASES} --out {folder}/out"
+    return run(command, folder, shell=True)
+
+
+def compare(block, printed, faults):
+    """Each line of the block is printed, or is the end of one, in its order; numbers apart."""
+    lines = iter(NUMBER.sub("#", line) for line in printed.splitlines())
+    for line in block:
+        wanted = NUMBER.sub("#", line)
+        if line != "…":
+            faults.expect(any(one.endswith(wanted) for one in lines), f"not printed, or not here: {line}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--source", type=Path, required=True)
+    parser.add_argument("--bin", type=Path, required=True)
+    options = parser.parse_args()
+    source, programs = options.source.resolve(), options.bin.resolve()
+    page = (source / "docs/your-own-code.md").read_text()
+    faults = Faults("docs/your-own-code.md")
+    program = blocks_of(page, "cpp")[0]
+    right, wrong = (block.splitlines() for block in blocks_of(page, "")[:2])
+    faults.expect(OPTION in program, f"the page's program has no {OPTION}")
+    with tempfile.TemporaryDirectory() as folder:
+        ended = trial(page, program, Path(folder), source, programs, faults)
+        faults.expect(ended.returncode == 0, f"the right function ends with {ended.returncode}: {ended.stdout}")
+        compare(right, ended.stdout, faults)
+        ended = trial(page, program.replace(OPTION, ""), Path(folder), source, programs, faults)
+        faults.expect(ended.returncode == 1, f"the wrong function ends with {ended.returncode}")
+        compare(wrong[:2], ended.stdout, faults)
+    faults.end()
+
+
+if __name__ == "__main__":
+    main()
