@@ -65,14 +65,18 @@ void write(JsonWriter& json, const QuadraticAnswer<double>& answer) {
 
 }  // namespace
 
-std::string write_case(const Case& one) {
+static std::string write_case(const Case& one, Precision digits) {
   JsonWriter json;
   if (!one.id.empty()) json.member("id").raw(one.id);
   json.member("precision").string(name_of(one.precision));
-  std::visit([&](const auto& question) { write(json, question, one.precision); }, one.question);
+  std::visit([&](const auto& question) { write(json, question, digits); }, one.question);
   if (!one.note.empty()) json.member("note").string(one.note);
   return json.take();
 }
+
+std::string write_case(const Case& one) { return write_case(one, one.precision); }
+
+std::string write_case_for_doubles(const Case& one) { return write_case(one, Precision::float64); }
 
 std::string write_answer(const Case& one, const Answer& answer) {
   JsonWriter json;

@@ -71,13 +71,15 @@ int run(const check::Options& options) {
   ProgressLine progress;
   keep_on_interrupt();
   std::vector<Subject> guests;
+  std::vector<Failure> failures;
   if (!options.command.empty()) {
     guests = check::subjects_of(options);
-    check::learn_all(guests, options.settings, [&](double done) {
+    failures = check::learn_all(guests, options.settings, [&](double done) {
       progress.show(done, "what the program's answers hold is found out");
     });
   }
-  const Plan plan = guests.empty() ? make_plan(options.settings) : make_plan(options.settings, guests);
+  Plan plan = guests.empty() ? make_plan(options.settings) : make_plan(options.settings, guests);
+  plan.failures = std::move(failures);
   const std::vector<Case> corpus = check::read_corpus(options.corpus);
   check::Outputs outputs(options);
   std::size_t findings = 0;

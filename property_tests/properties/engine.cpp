@@ -54,6 +54,7 @@ class Run {
   }
 
   RunResult all(const std::vector<Case>& corpus) {
+    for (const Failure& failure : plan_.failures) put_failure(failure);
     for (const Case& one : corpus) put_corpus_case(one);
     if (plan_.settings.count_labels) count_all_labels();
     put_families();
@@ -63,16 +64,35 @@ class Run {
   }
 
  private:
+  /// What a guest failed at when it was first asked.
+  void put_failure(const Failure& failure) {
+    for (const Subject* subject : plan_.subjects)
+      for (std::size_t p = 0; p < properties().size(); ++p)
+        if (subject->full_name() == failure.subject && properties()[p].claim == Claim::answers &&
+            plan_.is_wanted[p] && broken_[{subject, failure.one.precision}].insert(p).second)
+          report(*subject, properties()[p], failure.one, "first questions", &failure.outcome);
+  }
+
+  [[nodiscard]] bool is_put_to_guest(const Subject& guest, const Case& one) const {
+    return is_for_guest(guest, one) &&
+           std::ranges::find(plan_.precisions, one.precision) != plan_.precisions.end();
+  }
+
   void put_corpus_case(const Case& one) {
     bool was_put = false;
     for (const Subject* subject : plan_.subjects) {
-      if (subject->topic != topic_of(one) || stop_) continue;
+      if (subject->topic != topic_of(one) || stop_ || subject->is_given_up()) continue;
+      if (!subject->has_own_contract && !is_put_to_guest(*subject, one)) continue;
       was_put = true;
       Trial trial(*subject, one);
       for (std::size_t p = 0; p < properties().size(); ++p) {
         const Property& property = properties()[p];
+        if (!subject->has_own_contract && property.asks != nullptr) continue;  // left to the families
         // A declared refutation is to be found by the families, not handed over.
-        if (plan_.is_wanted[p] && claims(*subject, property) && ruling_of(property, trial) == Ruling::broken)
+        if (!plan_.is_wanted[p] || !claims(*subject, property) ||
+            ruling_of(property, trial) != Ruling::broken)
+          continue;
+        if (subject->has_own_contract || broken_[{subject, one.precision}].insert(p).second)
           report(*subject, property, one, "corpus",
                  subject->function == nullptr && trial.outcome().is_failure() ? &trial.outcome() : nullptr);
       }
@@ -103,6 +123,7 @@ class Run {
       for (Unit& unit : result_.units) {
         if (stop_ || (round > 0 && share_of_time() > 1)) return;
         if (unit.subject->is_given_up()) continue;
+        unit.others_failed = &others_failed_[unit.subject];
         Hunt hunt{unit, broken_[{unit.subject, unit.precision}], stop_, combine(plan_.settings.seed, round),
                   std::min(in_round, all - round * in_round)};
         hunt.progress = [&](double of_unit) {
@@ -171,6 +192,7 @@ class Run {
   RunResult result_{};
   Samples samples_{};
   std::map<std::pair<const Subject*, Precision>, std::set<std::size_t>> broken_{};
+  std::map<const Subject*, std::atomic<unsigned>> others_failed_{};
 };
 
 }  // namespace

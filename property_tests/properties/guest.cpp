@@ -10,13 +10,25 @@
 namespace rayproof {
 namespace {
 
+/// Whether two hits, ascending, are one but for their last digits: a double root, or a rim that was met as a
+/// part of the side and of the cap.
+bool is_near(double t, double next, Precision precision) {
+  const double share = precision == Precision::float32 ? 0x1p-18 : 0x1p-46;
+  return std::abs(next - t) <= share * std::max(std::abs(t), std::abs(next));
+}
+
+/// Hits that are one but for their last digits are one where there are more than there should be.
+void merge_near_hits(const Case& one, HitList& hits) {
+  HitList merged;
+  for (const double t : hits.view())
+    if (merged.count == 0 || !is_near(merged.t.at(merged.count - 1), t, one.precision)) merged.push_back(t);
+  if (merged.count == hits.count) return;
+  const auto exact = std::get<RayAnswer>(oracle::answer(one));
+  if (hits.count > exact.hits.count) hits = merged;
+}
+
 RayAnswer completed_hits(const Abilities& abilities, const Case& one, RayAnswer answer) {
-  const auto& hits = answer.hits;
-  const bool is_double = hits.count == 2 && hits.t[0] == hits.t[1];
-  if (is_double) {  // a double root, or two hits that round to one number
-    const auto exact = std::get<RayAnswer>(oracle::answer(one));
-    if (exact.hits.count == 1) answer.hits.count = 1;
-  }
+  if (answer.hits.count > 1) merge_near_hits(one, answer.hits);
   answer.nearest_only = !abilities.all_hits && answer.hits.count <= 1;
   return answer;
 }
@@ -46,6 +58,17 @@ Answer completed(const Subject& subject, const Case& one, const Answer& given) {
   if (subject.abilities.boundary || std::get<Position>(given) == Position::boundary) return given;
   const Answer exact = oracle::answer(one);
   return std::get<Position>(exact) == Position::boundary ? exact : given;
+}
+
+bool is_for_guest(const Subject& guest, const Case& one) {
+  Case copy = one;
+  const Domain& domain = guest.contract.domain;
+  const int reach = one.precision == Precision::float32 ? domain.reach_float : domain.reach_double;
+  const std::vector<CaseNumber> numbers = numbers_of(copy);
+  return std::ranges::all_of(numbers, [reach](const CaseNumber& number) {
+    const double x = *number.value;
+    return x == 0 || std::isinf(x) || std::abs(std::ilogb(x)) <= reach;
+  });
 }
 
 bool is_same_question(const Case& a, const Case& b) {

@@ -11,6 +11,10 @@ namespace rayproof {
 /// nearest hit alone, the verdict alone, two equal hits for one, as what they are.
 [[nodiscard]] Answer completed(const Subject& subject, const Case& one, const Answer& given);
 
+/// Whether the case may be given to a guest: every number of it that is not 0 lies in the domain of its
+/// contract. Beyond that nothing is judged, and honest arithmetic overflows.
+[[nodiscard]] bool is_for_guest(const Subject& guest, const Case& one);
+
 /// Whether two cases ask the same of the same numbers, bit for bit; their ids and notes don't count.
 [[nodiscard]] bool is_same_question(const Case& a, const Case& b);
 

@@ -5,6 +5,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
 
+#include <algorithm>
 #include <exception>
 #include <map>
 
@@ -57,53 +58,77 @@ Case case_of(const Unit& unit, std::uint64_t block_seed, unsigned k) {
   return unit.family->generate(combine(block_seed, k), unit.precision);
 }
 
-/// The cases of a range for a subject that is better asked many at once: theirs, and what the properties ask
-/// beside them.
+/// A program that fails on as many cases of a family is not asked the others: each failure takes long.
+constexpr unsigned enough_failures = 4;
+
+/// How much the failures count: silence costs seconds, so that one is enough; a refusal costs nothing.
+unsigned weight_of(std::span<const Outcome> outcomes) {
+  unsigned weight = 0;
+  for (const Outcome& outcome : outcomes)
+    if (outcome.is_failure() && outcome.kind != Outcome::Kind::refused)
+      weight += outcome.kind == Outcome::Kind::timed_out ? enough_failures : 1;
+  return weight;
+}
+
+/// The cases of a range that are for a guest, and what the properties ask beside them, asked all at once.
 class AskedTogether {
  public:
-  AskedTogether(const Unit& unit, std::uint64_t block_seed, unsigned begin, unsigned end) : begin_(begin) {
-    for (unsigned k = begin; k != end; ++k) cases_.push_back(case_of(unit, block_seed, k));
-    for (unsigned k = begin; k != end; ++k) {
-      first_other_.push_back(cases_.size());
-      for (std::size_t p = 0; p < unit.active.size(); ++p) {
-        const Property& property = properties()[p];
-        if (!unit.active[p] || property.asks == nullptr || k % spacing(*unit.subject, property) != 0)
-          continue;
-        for (Case& other : property.asks(cases_[k - begin])) cases_.push_back(std::move(other));
+  AskedTogether(const Unit& unit, std::uint64_t block_seed, unsigned begin, unsigned end) {
+    for (unsigned k = begin; k != end; ++k)
+      if (Case one = case_of(unit, block_seed, k); is_for_guest(*unit.subject, one)) {
+        cases_.push_back(std::move(one));
+        numbers_.push_back(k);
       }
+    for (std::size_t i = 0; i < numbers_.size(); ++i) {
+      first_other_.push_back(cases_.size());
+      append_others(unit, cases_[i], numbers_[i]);
     }
     first_other_.push_back(cases_.size());
     outcomes_.resize(cases_.size());
     unit.subject->start()->answer(cases_, outcomes_);
+    if (unit.others_failed != nullptr)
+      *unit.others_failed += weight_of(std::span(outcomes_).subspan(numbers_.size()));
   }
 
+  /// How much the cases themselves count against asking more.
+  [[nodiscard]] unsigned weight() const { return weight_of(std::span(outcomes_).first(numbers_.size())); }
+
   void put_into(BlockResult& result, const Unit& unit) const {
-    for (std::size_t i = 0; i + 1 < first_other_.size(); ++i) {
+    for (std::size_t i = 0; i < numbers_.size(); ++i) {
       std::vector<std::pair<const Case*, const Outcome*>> others;
       for (std::size_t j = first_other_[i]; j < first_other_[i + 1]; ++j)
         others.emplace_back(&cases_[j], &outcomes_[j]);
       Trial trial(*unit.subject, cases_[i]);
       trial.know(outcomes_[i], std::move(others));
-      result.put(unit, trial, begin_ + static_cast<unsigned>(i));
+      result.put(unit, trial, numbers_[i]);
     }
   }
 
  private:
-  unsigned begin_;
-  std::vector<Case> cases_{};
-  std::vector<Outcome> outcomes_{};
-  std::vector<std::size_t> first_other_{};  ///< for each case of the range, and one more
-};
+  void append_others(const Unit& unit, const Case& one, unsigned k) {
+    if (unit.others_failed != nullptr && *unit.others_failed >= enough_failures) return;
+    std::vector<Case> others;
+    for (std::size_t p = 0; p < unit.active.size(); ++p) {
+      const Property& property = properties()[p];
+      if (!unit.active[p] || property.asks == nullptr || k % spacing(*unit.subject, property) != 0) continue;
+      for (Case& other : property.asks(one)) others.push_back(std::move(other));
+    }
+    for (Case& other : others)
+      if (is_for_guest(*unit.subject, other)) cases_.push_back(std::move(other));
+  }
 
-/// A program that fails on so many cases of a family is not asked the others.
-constexpr std::uint64_t enough_failures = 8;
+  std::vector<Case> cases_{};
+  std::vector<unsigned> numbers_{};  ///< of the cases in their block
+  std::vector<Outcome> outcomes_{};
+  std::vector<std::size_t> first_other_{};  ///< for each of the numbers, and one more
+};
 
 BlockResult run_block(const Unit& unit, std::uint64_t block_seed, unsigned cases,
                       const std::atomic<bool>& stop) {
   using Range = tbb::blocked_range<unsigned>;
   constexpr unsigned cases_at_a_time = 256;
   const bool is_function = unit.subject->function != nullptr;
-  std::atomic<std::uint64_t> failures = 0;
+  std::atomic<unsigned> failures = 0;
   BlockResult none;
   none.tally.properties.resize(properties().size());
   none.samples.resize(properties().size());
@@ -111,10 +136,12 @@ BlockResult run_block(const Unit& unit, std::uint64_t block_seed, unsigned cases
       Range(0, cases, cases_at_a_time), none,
       [&](const Range& range, BlockResult result) {
         if (!is_function) {
-          if (stop || failures > enough_failures || unit.subject->is_given_up()) return result;
-          const std::uint64_t before = result.tally.failures;
-          AskedTogether(unit, block_seed, range.begin(), range.end()).put_into(result, unit);
-          failures += result.tally.failures - before;
+          if (stop || failures >= enough_failures || unit.subject->is_given_up()) return result;
+          const std::uint64_t before = result.tally.cases;
+          const AskedTogether asked(unit, block_seed, range.begin(), range.end());
+          asked.put_into(result, unit);
+          result.tally.left_out += range.size() - (result.tally.cases - before);
+          failures += asked.weight();
           return result;
         }
         for (unsigned k = range.begin(); k != range.end(); ++k) {
@@ -168,6 +195,14 @@ std::uint64_t seed_of_first_block(const Family& family, Precision precision, std
   check(combine(start_of(family, precision, seed), 0), 1,
         [&](std::uint64_t block_seed) { found = block_seed; });
   return found;
+}
+
+std::vector<std::uint64_t> seeds_of_blocks(const Family& family, Precision precision,
+                                           std::uint64_t seed_of_run, std::uint64_t blocks) {
+  std::vector<std::uint64_t> seeds;
+  check(combine(start_of(family, precision, combine(seed_of_run, 0)), 0), blocks,
+        [&](std::uint64_t block_seed) { seeds.push_back(block_seed); });
+  return seeds;
 }
 
 void Hunt::run() {

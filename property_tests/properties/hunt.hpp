@@ -20,6 +20,8 @@ struct Unit {
   std::vector<bool> active{};  ///< for each of properties(): is it tested on the cases?
   bool measure = true;         ///< take the worst errors, too
   Tally tally{};
+  /// On how many of the other cases that properties ask a guest has failed: after some, it is asked none.
+  std::atomic<unsigned>* others_failed = nullptr;
 };
 
 /// rapidcheck draws a seed for this many cases at a time: its own cost for each draw would outweigh a cheap
@@ -30,6 +32,11 @@ inline constexpr unsigned cases_in_block = 16384;
 /// combine(this, k) stands for. Every run with this seed begins with these.
 [[nodiscard]] std::uint64_t seed_of_first_block(const Family& family, Precision precision,
                                                 std::uint64_t seed);
+
+/// The same of the first `blocks` blocks, as long as no property breaks, of a run of `rayproof check` with
+/// that seed and without a time limit.
+[[nodiscard]] std::vector<std::uint64_t> seeds_of_blocks(const Family& family, Precision precision,
+                                                         std::uint64_t seed_of_run, std::uint64_t blocks);
 
 /// A rapidcheck test of one unit. Where a case breaks a property for the first time, the test fails there,
 /// the case is handed to `found`, and the test goes on behind it with that property known to be broken.

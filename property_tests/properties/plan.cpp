@@ -58,7 +58,7 @@ const Refutation* declared_refutation(const Subject& subject, const Property& pr
 
 Plan make_plan(const Settings& settings, const std::vector<Subject>& all_subjects) {
   check_all_names(settings, all_subjects);
-  Plan plan{settings, {}, {}, {}, settings.precisions};
+  Plan plan{settings, {}, {}, {}, settings.precisions, {}};
   if (plan.precisions.empty()) plan.precisions = {Precision::float32, Precision::float64};
   for (const Subject& subject : all_subjects)
     if (is_wanted(settings.shapes, {subject.topic}) &&

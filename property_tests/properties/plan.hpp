@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "generators/generators.hpp"
+#include "properties/probe.hpp"
 #include "properties/property.hpp"
 
 namespace rayproof {
@@ -35,6 +36,7 @@ struct Plan {
   std::vector<const Family*> families{};
   std::vector<bool> is_wanted{};  ///< for each of properties()
   std::vector<Precision> precisions{};
+  std::vector<Failure> failures{};  ///< what the guests failed at before the run
 };
 
 /// A name that no registry knows: one sentence that says which names there are.

@@ -48,7 +48,7 @@ struct Learnt {
     wrong_on.at(static_cast<std::size_t>(boundary_in(one))).add(trial.judgement().wrong);
   }
 
-  void put_into(Abilities& abilities) const {
+  void put_into(const std::string& topic, Abilities& abilities) const {
     abilities.all_hits = !two.is_never();
     abilities.numbers = !numbers.is_never();
     abilities.contact = !contact.is_never();
@@ -60,7 +60,9 @@ struct Learnt {
       return wrong_on.at(static_cast<std::size_t>(kind)).is_mostly();
     };
     abilities.rules_tangents = has_rule(BoundaryKind::tangent);
-    abilities.rules_edges = has_rule(BoundaryKind::edge);
+    // Even and odd crossings leave some of a polygon's edges open, whatever one does.
+    const bool is_polygon = topic == "polygon" || topic == "point_in_polygon";
+    abilities.rules_edges = !is_polygon && has_rule(BoundaryKind::edge);
     abilities.rules_ends = has_rule(BoundaryKind::end);
   }
 
@@ -80,37 +82,40 @@ struct Learnt {
   }
 };
 
-std::vector<Case> cases_for(const std::string& topic, std::uint64_t seed, Precision precision) {
+std::vector<Case> cases_for(const Subject& guest, std::uint64_t seed, Precision precision) {
   std::vector<Case> cases;
   for (const Family& family : families()) {
-    if (family.topic != topic) continue;
+    if (family.topic != guest.topic) continue;
     const unsigned count = family.name == "whole" ? cases_on_boundaries : cases_of_family;
     for (unsigned k = 0; k < count; ++k) cases.push_back(family.generate(combine(seed, k), precision));
   }
+  std::erase_if(cases, [&](const Case& one) { return !is_for_guest(guest, one); });
   return cases;
 }
 
 }  // namespace
 
-void learn_abilities(Subject& guest, std::uint64_t seed, const std::vector<Precision>& precisions,
-                     const std::atomic<bool>& stop) {
-  if (guest.has_own_contract) return;
+std::vector<Failure> learn_abilities(Subject& guest, std::uint64_t seed,
+                                     const std::vector<Precision>& precisions,
+                                     const std::atomic<bool>& stop) {
+  std::vector<Failure> failures;
+  if (guest.has_own_contract) return failures;
   Learnt learnt;
-  std::size_t failures = 0;
   for (const Precision precision : precisions) {
-    const std::vector<Case> cases = cases_for(guest.topic, seed, precision);
-    for (std::size_t begin = 0; begin < cases.size() && failures <= enough; begin += cases_at_a_time) {
-      if (stop || guest.is_given_up()) return;
+    const std::vector<Case> cases = cases_for(guest, seed, precision);
+    for (std::size_t begin = 0; begin < cases.size() && failures.empty(); begin += cases_at_a_time) {
+      if (stop || guest.is_given_up()) return failures;
       const auto some = std::span(cases).subspan(begin, std::min(cases_at_a_time, cases.size() - begin));
       std::vector<Outcome> outcomes(some.size());
       guest.start()->answer(some, outcomes);
       for (std::size_t i = 0; i < some.size(); ++i) {
         if (outcomes[i].is_answered()) learnt.add(guest, some[i], outcomes[i].answer);
-        failures += outcomes[i].is_failure() ? 1 : 0;
+        if (outcomes[i].is_failure()) failures.push_back({guest.full_name(), some[i], outcomes[i]});
       }
     }
   }
-  learnt.put_into(guest.abilities);
+  learnt.put_into(guest.topic, guest.abilities);
+  return failures;
 }
 
 }  // namespace rayproof

@@ -63,7 +63,7 @@ std::vector<Subject> guests_of(const Replayed& replayed) {
   std::vector<Subject> all = subjects_of_command(command_name, replayed.command, usual_case_time);
   std::erase_if(all, [&](const Subject& one) { return one.full_name() != replayed.subject; });
   static const std::atomic<bool> go_on{false};
-  for (Subject& one : all) learn_abilities(one, 0, {replayed.one.precision}, go_on);
+  for (Subject& one : all) (void)learn_abilities(one, 0, {replayed.one.precision}, go_on);
   return all;
 }
 

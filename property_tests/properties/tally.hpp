@@ -89,6 +89,7 @@ struct Tally {
   std::uint64_t unsupported = 0;  ///< of the cases; those that are not for the subject
   std::uint64_t failures = 0;     ///< those that should have got an answer
   std::uint64_t not_asked = 0;    ///< those that were left out after too many failures
+  std::uint64_t left_out = 0;     ///< beside the cases; those with numbers beyond the domain of a guest
   Worst worst{};
   std::vector<PropertyTally> properties{};
 
@@ -103,6 +104,7 @@ struct Tally {
     unsupported += more.unsupported;
     failures += more.failures;
     not_asked += more.not_asked;
+    left_out += more.left_out;
     worst += more.worst;
     properties.resize(std::max(properties.size(), more.properties.size()));
     for (std::size_t p = 0; p < more.properties.size(); ++p) properties[p] += more.properties[p];

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "command_line/interrupt.hpp"
-#include "properties/probe.hpp"
 #include "subjects/command.hpp"
 
 namespace rayproof::check {
@@ -18,15 +17,18 @@ std::vector<Subject> subjects_of(const Options& options) {
   return all;
 }
 
-void learn_all(std::vector<Subject>& guests, const Settings& settings,
-               const std::function<void(double)>& progress) {
+std::vector<Failure> learn_all(std::vector<Subject>& guests, const Settings& settings,
+                               const std::function<void(double)>& progress) {
   std::vector<Precision> precisions = settings.precisions;
   if (precisions.empty()) precisions = {Precision::float32, Precision::float64};
+  std::vector<Failure> failures;
   double done = 0;
   for (Subject& guest : guests) {
     progress(done++ / static_cast<double>(guests.size()));
-    learn_abilities(guest, settings.seed, precisions, is_interrupted);
+    for (Failure& failure : learn_abilities(guest, settings.seed, precisions, is_interrupted))
+      failures.push_back(std::move(failure));
   }
+  return failures;
 }
 
 }  // namespace rayproof::check

@@ -63,6 +63,7 @@ std::optional<std::pair<Scaling, Answer>> first_difference(Trial& trial) {
 
 /// The other case is a case like any other: its exact t is known, and the subject's bounds hold for it.
 Ruling keeps_promise(const Trial& trial, const Case& other) {
+  if (!trial.subject().has_own_contract && !is_for_guest(trial.subject(), other)) return Ruling::outside;
   const Outcome outcome = trial.ask(other);
   if (!outcome.is_answered()) return Ruling::outside;
   Trial there(trial.subject(), other);

@@ -36,44 +36,59 @@ std::string line_of(const RunResult& result, const Subject& guest, const Tally& 
   if (tally.unsupported > 0) text += fmt::format(", {} unsupported", tally.unsupported);
   if (tally.failures > 0) text += fmt::format(", {} without an answer", tally.failures);
   if (tally.not_asked > 0) text += fmt::format(", {} not asked after these", tally.not_asked);
+  if (tally.left_out > 0) text += fmt::format(", {} left out for their sizes", tally.left_out);
   const std::vector<std::size_t> found = findings_on(result, guest);
   text += found.empty() ? ": nothing found" : fmt::format(": FINDINGS {}", fmt::join(found, ", "));
   return text + "\n";
 }
 
-/// Why a property was judged on no case; the reasons are what the guest leaves out, or the question has not.
-std::string why_not_judged(const Subject& guest, const Property& property) {
-  const Abilities& able = guest.abilities;
-  const auto is = [&](std::initializer_list<std::string_view> names) {
-    return std::ranges::find(names, property.name) != names.end();
-  };
-  if (property.claim == Claim::nan) return "every case sent is valid";
-  if (is({"batch", "bounded", "exact", "robust-verdict", "robust-residual", "ulp"}))
-    return "asked of our own methods alone";
-  if (is({"residual", "ascending"}) && !able.numbers) return "no t is given";
-  if (is({"contact", "touch"}) && !able.contact) return "no contact is given";
-  if (is({"point", "point-on-surface"}) && !able.point) return "no point is given";
-  if (is({"normal"}) && !able.normal) return "no normal is given";
-  if (is({"coordinates"}) && (guest.topic != "triangle" || !able.barycentric))
-    return "no barycentric coordinates are given";
-  if (is({"boundary"})) return "what it says on boundaries is its rounding's, or right";
-  return "no case of the question's has it";
+bool is_one_of(const Property& property, std::initializer_list<std::string_view> names) {
+  return std::ranges::find(names, property.name) != names.end();
 }
 
-/// "not judged: point, normal (…); nan (…)", and what is judged in part.
+/// What is never asked of a guest.
+bool is_for_own_methods(const Property& property) {
+  return is_one_of(property,
+                   {"batch", "bounded", "exact", "robust-verdict", "robust-residual", "ulp", "nan"});
+}
+
+/// Why a property was judged on no case: what the guest leaves out; empty where the question has it for
+/// nobody.
+std::string why_not_judged(const Subject& guest, const Property& property) {
+  const Abilities& able = guest.abilities;
+  if (is_one_of(property, {"residual", "ascending"}) && !able.numbers) return "no t is given";
+  if (is_one_of(property, {"contact", "touch"}) && !able.contact) return "no contact is given";
+  if (is_one_of(property, {"point", "point-on-surface"}) && !able.point) return "no point is given";
+  if (is_one_of(property, {"normal"}) && !able.normal) return "no normal is given";
+  if (guest.topic == "triangle" && is_one_of(property, {"coordinates"}))
+    return "no barycentric coordinates are given";
+  if (is_one_of(property, {"boundary"})) return "its verdict there is right, or what rounding makes of it";
+  return "";
+}
+
+/// "not judged: point, normal (…)", and what is judged in part; empty where nothing is left out.
 std::string not_judged(const Plan& plan, const Subject& guest, const Tally& tally) {
   std::map<std::string, std::vector<std::string_view>> by_reason;
-  for (std::size_t p = 0; p < properties().size(); ++p)
-    if (plan.is_wanted[p] && tally.properties[p].judged() == 0)
-      by_reason[why_not_judged(guest, properties()[p])].push_back(properties()[p].name);
+  for (std::size_t p = 0; p < properties().size(); ++p) {
+    const Property& property = properties()[p];
+    if (!plan.is_wanted[p] || tally.properties[p].judged() > 0 || is_for_own_methods(property)) continue;
+    by_reason[why_not_judged(guest, property)].push_back(property.name);
+  }
+  by_reason.erase("");
   std::vector<std::string> parts;
   for (const auto& [reason, names] : by_reason)
     parts.push_back(fmt::format("{} ({})", fmt::join(names, ", "), reason));
   if (!guest.abilities.all_hits) parts.emplace_back("hits behind the nearest (none is given)");
   if (guest.topic == "point_in_polygon" && !guest.abilities.boundary)
     parts.emplace_back("points on the boundary (it never says so)");
-  return fmt::format("  not judged: {}\n", fmt::join(parts, "; "));
+  return parts.empty() ? "" : fmt::format("  not judged: {}\n", fmt::join(parts, "; "));
 }
+
+constexpr const char* never_judged =
+    "never judged of a program: nan (every case sent is valid); batch, bounded, exact, robust, ulp (promises "
+    "of our "
+    "own methods)\nleft out for their sizes: cases with numbers beyond what a textbook's arithmetic can "
+    "hold\n";
 
 std::string judged(const Plan& plan, const Tally& tally) {
   std::vector<std::string_view> names;
@@ -85,13 +100,14 @@ std::string judged(const Plan& plan, const Tally& tally) {
 }  // namespace
 
 std::string text_guests(const Plan& plan, const RunResult& result) {
-  std::string text, last_not;
+  std::string text;
   for (const Subject* guest : plan.subjects) {
     if (guest->has_own_contract) continue;
     const Tally tally = tally_of(result, *guest);
     text += line_of(result, *guest, tally);
     if (tally.cases > tally.unsupported) text += judged(plan, tally) + not_judged(plan, *guest, tally);
   }
+  text += never_judged;
   for (const Subject* guest : plan.subjects)
     if (guest->is_given_up())
       return text + fmt::format("{} was asked no more: {}\n", guest->title, guest->why_given_up());
@@ -111,6 +127,8 @@ GuestVerdict verdict_on_guests(const Plan& plan, const RunResult& result) {
     for (const auto& [kind, count] : kinds) counts.push_back(fmt::format("{} {}", count, name_of(kind)));
     return {fmt::format("{} findings: {}", result.findings.size(), fmt::join(counts, ", ")), false};
   }
+  for (const Subject* guest : plan.subjects)
+    if (guest->is_given_up()) return {"no clean bill: the program was asked no more", false};
   if (answered == 0) return {"no case was answered, so that nothing was judged", false};
   return {fmt::format("a clean bill: nothing that was judged is wrong in {} answered cases", answered), true};
 }

@@ -13,7 +13,7 @@ constexpr const char* held_back =
     "answers only once its input is closed: each line must be flushed as soon as it is written";
 
 /// How many failures of one call are looked into; the cases that are left are not asked.
-constexpr int most_failures = 3;
+constexpr int most_failures = 2;
 
 Outcome failure(Ending ending, const std::string& sentence) {
   const auto kind = ending == Ending::silence  ? Outcome::Kind::timed_out
@@ -57,19 +57,25 @@ bool ProgramAnswerer::ask_rest(Round& all) {
   if (!is_all || ending != Ending::complete)
     for (std::size_t k = 0; k < places.size(); ++k)
       if (rest.has_answer[k]) all.put(places[k], rest.outcomes[k]);
-  if (ending == Ending::complete) return true;
+  if (ending == Ending::complete) {
+    program_->note_complete_round();
+    return true;
+  }
   const std::string trouble = conversation_->trouble(ending);
   if (!program_->has_answered() && conversation_->was_never_started())
     throw CannotStart(
         fmt::format("{} cannot be started: {}", program_->command(), conversation_->last_words()));
-  const bool is_held_back = ending == Ending::silence && holds_back(rest);
+  const bool is_held_back = ending == Ending::silence && program_->may_hold_back() && holds_back(rest);
   conversation_.reset();
-  if (is_held_back)
-    all.put(places.front(), failure(ending, held_back));
+  if (ending == Ending::silence && !program_->has_answered()) program_->give_up("it answered nothing at all");
+  if (program_->was_given_up())
+    all.put(places.front(), failure(ending, is_held_back ? held_back : trouble));
   else
     search(all, ending, trouble);
-  if (all.cases.size() > 1) program_->note_trouble(1, Program::Clock::now() - begin);
-  return false;
+  // One case alone that breaks is being shrunk; silence is too long to be overlooked even then.
+  if (all.cases.size() > 1 || ending == Ending::silence || !program_->has_answered())
+    program_->note_trouble(1, Program::Clock::now() - begin);
+  return ending == Ending::silence;  // the next would take as long
 }
 
 bool ProgramAnswerer::holds_back(Round& rest) {

@@ -20,7 +20,7 @@ class ProgramAnswerer final : public Answerer {
 
  private:
   [[nodiscard]] Conversation& conversation();
-  /// Asks what has no answer, all at once. Whether every case then has one, or no more is to be asked.
+  /// Asks what has no answer, all at once. Whether every case then has one, or no more is to be asked now.
   bool ask_rest(Round& all);
   /// Finds whom to blame for such an end, and puts that down as its outcome.
   void search(Round& all, Conversation::Ending ending, const std::string& trouble);

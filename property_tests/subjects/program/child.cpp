@@ -35,6 +35,14 @@ void close_once(int& file) {
 
 void never_block(int file) { ::fcntl(file, F_SETFL, ::fcntl(file, F_GETFL) | O_NONBLOCK); }
 
+/// A plain command takes the shell's place, so that its end and that of its output are seen as they are.
+std::string in_place_of_shell(const std::string& command) {
+  const bool is_plain = command.find_first_of(";|&()<>$`!{}\n\\") == std::string::npos;
+  const std::size_t word_end = std::min(command.find(' '), command.size());
+  const bool sets_variable = command.substr(0, word_end).find('=') != std::string::npos;
+  return is_plain && !sets_variable ? "exec " + command : command;
+}
+
 /// What the new process does between fork and exec: only what is allowed there.
 [[noreturn]] void become(const char* command, int input, int output, int errors) {
   ::setpgid(0, 0);
@@ -53,9 +61,10 @@ Child::Child(const std::string& command) {
   static const auto ignore = std::signal(SIGPIPE, SIG_IGN);  // a child that has ended is no reason to end
   (void)ignore;
   std::array<int, 2> input = make_pipe(), output = make_pipe(), errors = make_pipe();
+  const std::string line = in_place_of_shell(command);
   id_ = ::fork();
   if (id_ < 0) fail("no process can be started");
-  if (id_ == 0) become(command.c_str(), input[0], output[1], errors[1]);
+  if (id_ == 0) become(line.c_str(), input[0], output[1], errors[1]);
   ::setpgid(id_, id_);  // whoever is first
   for (const int theirs : {input[0], output[1], errors[1]}) ::close(theirs);
   input_ = input[1];

@@ -28,12 +28,12 @@ void Conversation::write(const Round& round) {
     unsent_ += fmt::format("{{\"id\": {}, ", first_id_ + i);
     const Case& one = round.cases[i];
     if (one.id.empty() && one.note.empty()) {
-      unsent_.append(write_case(one), 1);  // without its opening bracket
+      unsent_.append(write_case_for_doubles(one), 1);  // without its opening bracket
     } else {
       Case bare = one;
       bare.id.clear();
       bare.note.clear();
-      unsent_.append(write_case(bare), 1);
+      unsent_.append(write_case_for_doubles(bare), 1);
     }
     unsent_ += '\n';
   }

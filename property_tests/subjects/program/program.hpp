@@ -39,6 +39,9 @@ class Program {
   /// It has answered a case twice: from now on it pays to wait for that.
   void note_repeat() { has_repeated_ = true; }
   [[nodiscard]] bool repeats() const { return has_repeated_; }
+  /// It has answered all that it was asked, with its input open: it does not hold answers back.
+  void note_complete_round() { has_completed_ = true; }
+  [[nodiscard]] bool may_hold_back() const { return !has_completed_; }
   /// Something went wrong, and this time was lost to it; `count` cases have no answer for that.
   void note_trouble(std::size_t count, Clock::duration lost);
   /// No more is to be asked of it, for this reason.
@@ -54,7 +57,7 @@ class Program {
   std::chrono::milliseconds case_time_;
   std::atomic<std::uint64_t> next_id_{1}, answers_{0}, troubles_{0};
   std::atomic<std::int64_t> lost_{0}, slowest_start_{0};  ///< in milliseconds
-  std::atomic<bool> is_given_up_{false}, has_repeated_{false};
+  std::atomic<bool> is_given_up_{false}, has_repeated_{false}, has_completed_{false};
   std::mutex mutex_{};
   std::string why_{};
 };
