@@ -42,7 +42,7 @@ class Consultation {
       failing_ = in_turn(sample->broken, is_declared ? most_declared : most_failing);
       passing_ = in_turn(sample->held, is_declared ? most_declared : most_passing);
     }
-    add_right_verdicts(samples);
+    add_right_answers(samples);
     if (failing_.empty()) failing_.push_back(finding.one);
   }
 
@@ -60,12 +60,19 @@ class Consultation {
   }
 
  private:
-  /// A property of boundaries alone is kept on few cases; a model must not contradict the others.
-  void add_right_verdicts(const Samples& samples) {
-    const Samples::Sample* right =
-        samples.find(*finding_.subject, finding_.one.precision, *find_property("verdict"));
-    if (right == nullptr || finding_.property->claim != Claim::exact) return;
-    for (Case& one : in_turn(right->held, passing_.size())) passing_.push_back(std::move(one));
+  /// A property may be kept on few cases, or those of one kind; a model must not contradict what the subject
+  /// says rightly of any.
+  void add_right_answers(const Samples& samples) {
+    const Samples::Sample* any =
+        samples.find(*finding_.subject, finding_.one.precision, *find_property("ascending"));
+    if (any == nullptr) return;
+    for (Case& one : in_turn(any->held, finding_.is_declared ? most_declared : most_passing))
+      if (is_ordinary(one)) passing_.push_back(std::move(one));
+  }
+
+  /// Whether the subject promises anything of the case: beyond that models may overflow as it does.
+  [[nodiscard]] bool is_ordinary(const Case& one) const {
+    return finding_.subject->function == nullptr || Trial(*finding_.subject, one).in_domain();
   }
 
   /// The group whose cause explains the finding's own case; the largest where none does.
@@ -130,6 +137,22 @@ bool can_be_diagnosed(const Finding& finding) {
   return finding.property->claim != Claim::answers && !finding.subject->is_given_up();
 }
 
+/// A symmetry is broken by what is wrong with the answers themselves, where that is known.
+void adopt_cause(Finding& finding, const std::vector<Finding>& all) {
+  const Claim claim = finding.property->claim;
+  const bool is_symmetry = claim == Claim::scaled || claim == Claim::reversed || claim == Claim::moved;
+  if (!is_symmetry || finding.cause != nullptr) return;
+  for (const Finding& other : all) {
+    const bool is_of_answers = other.property->claim <= Claim::robust && other.cause != nullptr;
+    if (!is_of_answers || other.subject != finding.subject || other.one.precision != finding.one.precision)
+      continue;
+    finding.cause = other.cause;
+    finding.kind_of_fault = other.kind_of_fault;
+    finding.diagnosis = other.diagnosis;
+    return;
+  }
+}
+
 }  // namespace
 
 void diagnose_findings(RunResult& result, const Samples& samples, const Listener& listener,
@@ -140,6 +163,7 @@ void diagnose_findings(RunResult& result, const Samples& samples, const Listener
     if (stop || !can_be_diagnosed(result.findings[i])) return;
     others[i] = Consultation(result, samples, result.findings[i], stop).findings();
   });
+  for (Finding& finding : result.findings) adopt_cause(finding, result.findings);
   for (const std::vector<Finding>& some : others)
     for (const Finding& finding : some) {
       listener.broken(finding);

@@ -11,7 +11,8 @@ namespace rayproof::diagnosis {
 [[nodiscard]] std::vector<Hypothesis> models_of_limits();
 [[nodiscard]] std::vector<Hypothesis> models_of_numbers();
 [[nodiscard]] std::vector<Hypothesis> models_of_transforms();
-[[nodiscard]] std::vector<Hypothesis> models_of_shapes();
+[[nodiscard]] std::vector<Hypothesis> models_of_solids();
+[[nodiscard]] std::vector<Hypothesis> models_of_flat_figures();
 [[nodiscard]] std::vector<Hypothesis> models_of_first_hits();
 [[nodiscard]] std::vector<Hypothesis> models_of_digits();
 [[nodiscard]] std::vector<Hypothesis> cures_of_values();

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cctype>
+#include <tuple>
 
 #include "case/findings_file.hpp"
 #include "case/writer.hpp"
+#include "properties/kind.hpp"
 
 namespace rayproof {
 
@@ -28,13 +30,25 @@ std::string line_of(const std::vector<Finding>& group) {
   return fmt::format("{:>5}  {} {}  {}\n", numbers, methods, name_of(first.one.precision), in_words(first));
 }
 
+/// "gross: t is right divided by …": the worst of the findings of a group, or that of most cases. Nothing
+/// where none is diagnosed.
+std::string diagnosis_of(const std::vector<Finding>& group) {
+  const auto by_weight = [](const Finding& one) {
+    return std::tuple(one.diagnosis.empty(), one.cause == nullptr, kind_of(one), ~one.cases);
+  };
+  const Finding& worst = *std::ranges::min_element(group, {}, by_weight);
+  if (worst.diagnosis.empty()) return "";
+  return fmt::format("       {}: {}\n", name_of(kind_of(worst)), worst.diagnosis);
+}
+
 }  // namespace
 
 std::string text_finding(const Finding& finding) { return line_of({finding}); }
 
 std::string text_declared(const std::vector<Finding>& findings) {
   std::string text;
-  for (const std::vector<Finding>& group : alike(findings, true)) text += line_of(group);
+  for (const std::vector<Finding>& group : alike(findings, true))
+    text += line_of(group) + diagnosis_of(group);
   return text;
 }
 
@@ -42,9 +56,9 @@ std::string text_failures(const std::vector<Finding>& findings) {
   std::string text;
   for (const std::vector<Finding>& group : alike(findings, false)) {
     const Finding& first = group.front();
-    text += fmt::format("{}       breaks '{}': {}\n       family {}; {}\n       {}\n", line_of(group),
-                        first.property->name, first.property->statement, first.family, first.evidence.note,
-                        write_case(first.one));
+    text += fmt::format("{}{}       breaks '{}': {}\n       family {}; {}\n       {}\n", line_of(group),
+                        diagnosis_of(group), first.property->name, first.property->statement, first.family,
+                        first.evidence.note, write_case(first.one));
   }
   return text;
 }

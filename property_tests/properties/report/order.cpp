@@ -31,7 +31,11 @@ bool is_same_failure(const Finding& a, const Finding& b) {
   const bool has_one_reason = !reason(a).empty() && reason(a) == reason(b);
   const bool is_as_printed = a.subject->contract.standing == Standing::printed;
   if (a.subject == b.subject && is_as_printed && a.is_declared && b.is_declared) return true;
+  // One fault breaks several properties, and several faults break one.
+  const bool have_causes = !a.is_declared && !b.is_declared && a.cause != nullptr && b.cause != nullptr;
+  if (have_causes && a.subject == b.subject) return a.cause == b.cause;
   if (kind_of(*a.property) != kind_of(*b.property)) return false;
+  if (!a.is_declared && a.cause != b.cause) return false;
   if (a.subject == b.subject) return true;
   // Each formula as printed has an entry of its own, and so has each broken contract.
   const auto stands_alone = [](const Finding& one) {

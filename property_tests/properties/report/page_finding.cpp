@@ -4,6 +4,7 @@
 
 #include "case/escape.hpp"
 #include "case/writer.hpp"
+#include "properties/kind.hpp"
 #include "properties/report/findings.hpp"
 
 namespace rayproof {
@@ -35,6 +36,13 @@ std::string because(const Finding& finding) {
   return declared != nullptr ? fmt::format("<p>Declared: {}.</p>", escaped(declared->because)) : "";
 }
 
+/// What the diagnosis has found out, as entries of a list.
+std::string diagnosis_of(const Finding& finding) {
+  if (finding.diagnosis.empty()) return "";
+  return fmt::format("<dt>Diagnosis</dt><dd>{}: {} ({} {})</dd>", name_of(kind_of(finding)),
+                     escaped(finding.diagnosis), finding.cases, finding.cases == 1 ? "case" : "cases");
+}
+
 /// The commands that look into the finding, one a line.
 std::string commands_for(const Finding& finding, const std::filesystem::path& folder) {
   std::string lines;
@@ -51,7 +59,7 @@ std::string html_finding(const Finding& finding, const PageTools& tools) {
       R"(<article id="finding-{0}" class="{1}"><div><figure>{2}</figure></div><div>
 <h3><span class="number">{0}</span> {3} <span class="soft">{4}</span></h3>
 <p class="words">{5}</p><p>{6}: {7}. <span class="soft">({8})</span></p>{9}
-<dl><dt>Measured</dt><dd>{10}</dd><dt>Error</dt><dd>{11}</dd><dt>Found in family</dt><dd>{12}</dd></dl>
+<dl>{16}<dt>Measured</dt><dd>{10}</dd><dt>Error</dt><dd>{11}</dd><dt>Found in family</dt><dd>{12}</dd></dl>
 </div><div style="grid-column: 1 / -1"><pre class="commands">{13}</pre>
 <details><summary>The case and both answers</summary><pre>{14}
 got   {15}
@@ -64,7 +72,8 @@ exact {16}</pre></details></div></article>
       escaped(finding.property->name), because(finding), escaped(evidence.note),
       escaped(error_in_words(evidence)), escaped(finding.family),
       escaped(commands_for(finding, tools.folder)), escaped(write_case(finding.one)),
-      escaped(answer_line(finding, evidence.got)), escaped(answer_line(finding, evidence.exact)));
+      escaped(answer_line(finding, evidence.got)), escaped(answer_line(finding, evidence.exact)),
+      diagnosis_of(finding));
 }
 
 }  // namespace rayproof

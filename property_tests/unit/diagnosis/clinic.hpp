@@ -14,7 +14,7 @@ namespace rayproof::faulty {
 
 /// The cases on which a subject breaks a property, and some on which it keeps it.
 struct Complaint {
-  std::vector<Case> failing{}, passing{};
+  std::vector<Case> failing{}, passing{}, others{};
 };
 
 /// What breaks a property: some cases of each family in turn.
@@ -29,17 +29,19 @@ struct Complaint {
       Trial trial(subject, one);
       const Ruling ruling = property.rule(trial);
       if (ruling == Ruling::broken) found.failing.push_back(one);
-      const bool is_right = ruling == Ruling::held || !trial.judgement().wrong;
-      if (is_right && ruling != Ruling::broken && found.passing.size() < 2 * enough) found.passing.push_back(one);
+      const bool is_right = ruling == Ruling::outside && !trial.judgement().wrong && trial.in_domain();
+      if (is_right && found.others.size() < enough) found.others.push_back(one);
+      if (ruling == Ruling::held && found.passing.size() < enough) found.passing.push_back(one);
     }
+  found.passing.insert(found.passing.end(), found.others.begin(), found.others.end());
   return found;
 }
 
 /// The faults that break the property.
 [[nodiscard]] inline std::vector<Diagnosis> faults_of(const Subject& subject, const Property& property,
                                                       Precision precision, unsigned cases = 400) {
-  const auto [failing, passing] = complaint(subject, property, precision, cases);
-  return diagnose(patient_of(subject, property), failing, passing);
+  const Complaint found = complaint(subject, property, precision, cases);
+  return diagnose(patient_of(subject, property), found.failing, found.passing);
 }
 
 /// "unit-direction 31 | none 2": the causes by the number of their cases.

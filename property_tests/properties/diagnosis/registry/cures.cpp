@@ -1,36 +1,10 @@
 /// \file
-/// The registration of the cures: one line each, the most specific first.
+/// The cures.
 
 #include "properties/diagnosis/cures/cures.hpp"
-#include "properties/diagnosis/registry.hpp"
+#include "properties/diagnosis/registry/lines.hpp"
 
 namespace rayproof::diagnosis {
-namespace {
-
-/// A cure that changes nothing but powers of two, signs, or the order of things.
-constexpr Hypothesis exact_cure(std::string_view name, Change change, std::string_view sentence,
-                                FindingKind kind = FindingKind::gross) {
-  return {.name = name, .kind = kind, .sentence = sentence, .change = change, .perturbs = false};
-}
-
-/// A cure that rounds the case anew.
-constexpr Hypothesis cure(std::string_view name, Change change, std::string_view sentence,
-                          FindingKind kind = FindingKind::gross, Keeps keeps = Keeps::question) {
-  return {.name = name, .kind = kind, .sentence = sentence, .change = change, .keeps = keeps};
-}
-
-/// A cure that leaves what only a boundary or a rounding can break.
-constexpr Hypothesis leaves(std::string_view name, Change change, std::string_view sentence,
-                            FindingKind kind = FindingKind::boundary) {
-  return {.name = name,
-          .kind = kind,
-          .sentence = sentence,
-          .change = change,
-          .keeps = Keeps::verdict,
-          .perturbs = false};
-}
-
-}  // namespace
 
 std::vector<Hypothesis> cures_of_values() {
   return {
@@ -69,42 +43,39 @@ std::vector<Hypothesis> cures_of_values() {
       cure("leading-one", leading_one, "right as soon as a = 1: the code forgets a"),
       cure("in-object-space", in_object_space,
            "right with the same ray in object space, without the transform: the fault lies in the transform",
-           FindingKind::gross, Keeps::verdict),
+           gross, Keeps::verdict),
       cure("plain-interval", plain_interval,
-           "right as soon as the interval is [0, inf]: the fault lies with t_min or t_max",
-           FindingKind::gross, Keeps::verdict),
+           "right as soon as the interval is [0, inf]: the fault lies with t_min or t_max", gross,
+           Keeps::verdict),
       cure("start-behind", start_behind,
            "right as soon as the ray starts before its line meets the shape: an origin inside, or hits "
            "behind it, are not handled",
-           FindingKind::gross, Keeps::verdict),
-      cure("small-b", small_b, "right as soon as b² is not much larger than 4ac: -b ± √D cancels",
-           FindingKind::rounding),
+           gross, Keeps::verdict),
+      cure("small-b", small_b, "right as soon as b² is not much larger than 4ac: -b ± √D cancels", rounding),
       cure("start-near", start_near,
-           "right as soon as the ray starts near the shape: from afar its equation cancels",
-           FindingKind::rounding, Keeps::verdict),
+           "right as soon as the ray starts near the shape: from afar its equation cancels", rounding,
+           Keeps::verdict),
       exact_cure("in-double", in_double, "right with the same numbers in double: float32 loses the digits",
-                 FindingKind::rounding),
+                 rounding),
       cure("shape-at-zero", shape_at_zero,
            "right as soon as the shape is at the origin of coordinates: far from it digits cancel, or its "
            "place is ignored",
-           FindingKind::rounding),
+           rounding),
   };
 }
 
 std::vector<Hypothesis> cures_of_boundaries() {
   return {
-      leaves("off-level", off_level,
+      avoids("off-level", off_level,
              "right as soon as no vertex is level with the point: a ray through a vertex counts wrongly"),
-      leaves("off-interval-ends", off_interval_ends,
+      avoids("off-interval-ends", off_interval_ends,
              "right as soon as no hit lies on an end of the interval"),
-      leaves("off-boundary", off_boundary,
+      avoids("off-boundary", off_boundary,
              "right as soon as the ray passes a little aside: only edges, vertices and tangents are wrong"),
-      leaves("few-digits", few_digits,
-             "right as soon as the numbers have few digits: what is wrong is rounding",
-             FindingKind::rounding),
-      leaves("isolated", jiggled,
-             "right as soon as any number changes a little: an isolated case of rounding",
-             FindingKind::rounding),
+      avoids("few-digits", few_digits,
+             "right as soon as the numbers have few digits: what is wrong is rounding", rounding),
+      avoids("isolated", jiggled,
+             "right as soon as any number changes a little: an isolated case of rounding", rounding),
   };
 }
 

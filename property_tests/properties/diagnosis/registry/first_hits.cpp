@@ -1,0 +1,65 @@
+/// \file
+/// Faults in what is said of the first hit, and classes of cases that are not handled.
+
+#include "properties/diagnosis/models/first_hit.hpp"
+#include "properties/diagnosis/models/hits.hpp"
+#include "properties/diagnosis/models/outline.hpp"
+#include "properties/diagnosis/models/quadratic.hpp"
+#include "properties/diagnosis/registry/lines.hpp"
+
+namespace rayproof::diagnosis {
+
+std::vector<Hypothesis> models_of_first_hits() {
+  return {
+      gives("contact-parallel", in_surface_is_parallel, "a ray inside the plane is called parallel", gross,
+            Aspect::contact),
+      gives("no-reason", no_reason, "it does not say why the ray misses", gross, Aspect::contact),
+      gives("normal-faces-ray", normal_faces_ray,
+            "the normal is turned to face the ray, whatever side the surface says", gross, Aspect::normal),
+      gives("normal-flipped", normal_flipped, "the normal is right with the other sign", gross,
+            Aspect::normal),
+      shows("normal-not-unit", normal_not_unit, "the normal's direction is right, and its length is not 1",
+            gross, Aspect::normal),
+      gives("normal-by-matrix", normal_by_matrix,
+            "the normal is carried to the world by the matrix, and must be by its inverse transpose", gross,
+            Aspect::normal),
+      gives("normal-in-object", normal_in_object, "the normal is the one in object space", gross,
+            Aspect::normal),
+      gives("normal-from-zero", normal_from_zero,
+            "the normal points from the origin of coordinates, and must from the centre", gross,
+            Aspect::normal),
+      shows("point-right-t-wrong", point_right_t_wrong, "the point is right although t is wrong"),
+      gives("point-in-object", point_in_object, "the point is the one in object space", gross, Aspect::point),
+      gives("point-without-origin", point_without_origin, "the point is t·d: the origin is missing", gross,
+            Aspect::point),
+      gives("point-of-far-hit", point_of_far_hit, "the point is the far hit's", gross, Aspect::point),
+      gives("barycentric-acb", in_order<0, 2, 1>, "the barycentric coordinates stand in the order of a, c, b",
+            gross, Aspect::coordinates),
+      gives("barycentric-bac", in_order<1, 0, 2>, "the barycentric coordinates stand in the order of b, a, c",
+            gross, Aspect::coordinates),
+      gives("barycentric-bca", in_order<1, 2, 0>, "the barycentric coordinates stand in the order of b, c, a",
+            gross, Aspect::coordinates),
+      gives("barycentric-cab", in_order<2, 0, 1>, "the barycentric coordinates stand in the order of c, a, b",
+            gross, Aspect::coordinates),
+      gives("barycentric-cba", in_order<2, 1, 0>, "the barycentric coordinates stand in the order of c, b, a",
+            gross, Aspect::coordinates),
+  };
+}
+
+std::vector<Hypothesis> classes_of_cases() {
+  return {
+      shows("linear-not-handled", wrong_where_linear, "equations with a = 0 are not handled"),
+      shows("no-constant-not-handled", wrong_where_c_is_zero,
+            "equations with c = 0, which have a root 0, are not handled"),
+      shows("constant-not-handled", wrong_where_constant, "equations with a = b = 0 are not handled"),
+      shows("in-surface-hit", in_surface_is_hit, "a ray that runs inside the surface is reported as a hit",
+            boundary),
+      shows("wrong-where-concave", wrong_where_concave,
+            "right on convex polygons: concave ones are not handled"),
+      shows("is-nan", is_nan, "a number of the answer is NaN"),
+      shows("always-hits", always_hits,
+            "it finds something on every case tried, even where there is nothing"),
+  };
+}
+
+}  // namespace rayproof::diagnosis

@@ -1,0 +1,62 @@
+/// \file
+/// Faults with planes, triangles and polygons.
+
+#include "properties/diagnosis/models/flat.hpp"
+#include "properties/diagnosis/models/outline.hpp"
+#include "properties/diagnosis/registry/lines.hpp"
+
+namespace rayproof::diagnosis {
+
+std::vector<Hypothesis> models_of_flat_figures() {
+  return {
+      gives("culls-back-faces", culls_back, "a surface seen from behind is missed: back faces are culled"),
+      gives("culls-front-faces", culls_front,
+            "a surface seen from the front is missed: front faces are culled"),
+      gives("parallelogram", read_as<as_parallelogram>,
+            "the other half of the parallelogram is hit, too: u + v <= 1 is not tested"),
+      gives("edge-a-not-tested", read_as<without_edge_opposite<0>>,
+            "the edge bc is not tested: alpha >= 0 is missing"),
+      gives("edge-b-not-tested", read_as<without_edge_opposite<1>>,
+            "the edge ca is not tested: beta >= 0 is missing"),
+      gives("edge-c-not-tested", read_as<without_edge_opposite<2>>,
+            "the edge ab is not tested: gamma >= 0 is missing"),
+      gives("whole-plane", read_as<as_plane>,
+            "the whole plane of the figure is hit: nothing tests whether the point is inside"),
+      gives("lambda1-first-sign", wrong_sign<0>,
+            "the sign of the first term of λ1 is wrong, a barycentric coordinate's in the projection"),
+      gives("lambda1-second-sign", wrong_sign<1>,
+            "the sign of the second term of λ1 is wrong, a barycentric coordinate's in the projection"),
+      gives("lambda2-first-sign", wrong_sign<2>,
+            "the sign of the first term of λ2 is wrong, a barycentric coordinate's in the projection"),
+      gives("lambda2-second-sign", wrong_sign<3>,
+            "the sign of the second term of λ2 is wrong, a barycentric coordinate's in the projection"),
+      gives("constant-negated", read_as<constant_negated>,
+            "the answer is right for -d: the plane's constant has the wrong sign"),
+      gives("constant-ignored", read_as<without_constant>,
+            "the answer is right for a plane through the origin of coordinates: its constant, or point, is "
+            "ignored"),
+      gives("constant-as-distance", read_as<constant_as_distance>,
+            "the answer is right where d is a distance along a unit normal: the normal is taken for a unit "
+            "vector"),
+      gives("plane-parallelogram", read_as<plane_as_parallelogram>,
+            "only the parallelogram of u and v is hit, and not the whole plane"),
+      gives("coefficients-missing", numerator_without_coefficients,
+            "t is -(x + y + z + D) / (n·d): the plane's coefficients are missing in the numerator"),
+      gives("level-vertex", inside_by<Inside::closed_sides>,
+            "a vertex level with the point counts for both of its sides or for neither: of each side one end "
+            "must be open and the other closed"),
+      gives("level-outside", inside_by<Inside::not_level>,
+            "a point level with a vertex is taken for outside"),
+      gives("winding-rule", inside_by<Inside::winding>,
+            "the answer is right for the non-zero winding rule, and not for the even-odd one"),
+      gives("last-side-missing", inside_by<Inside::last_side>,
+            "the side from the last vertex to the first is forgotten"),
+      gives("first-triangle", inside_by<Inside::first_triangle>,
+            "only the first three vertices are looked at"),
+      gives("taken-as-convex", inside_by<Inside::one_side>,
+            "inside is where all sides turn one way: the polygon is taken for convex"),
+      gives("bounding-box", inside_by<Inside::bounds>, "the whole bounding box of the polygon is hit"),
+  };
+}
+
+}  // namespace rayproof::diagnosis

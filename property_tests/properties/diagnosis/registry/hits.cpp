@@ -1,0 +1,62 @@
+/// \file
+/// Faults in the interval and in the list of hits.
+
+#include "properties/diagnosis/models/hits.hpp"
+#include "properties/diagnosis/models/flat.hpp"
+#include "properties/diagnosis/models/interval.hpp"
+#include "properties/diagnosis/registry/lines.hpp"
+
+namespace rayproof::diagnosis {
+
+std::vector<Hypothesis> models_of_hits() {
+  return {
+      gives("never-hits", never_hits, "it finds nothing on any case tried"),
+      gives("open-at-t-min", open_at_t_min,
+            "a hit exactly at t_min is left out: the interval is taken for open there", boundary),
+      gives("open-at-t-max", open_at_t_max,
+            "a hit exactly at t_max is left out: the interval is taken for open there", boundary),
+      gives("open-interval", open_at_both_ends,
+            "hits exactly at t_min and t_max are left out: the interval is taken for open", boundary),
+      gives("ignores-t-max", read_as<without_t_max>,
+            "the answer is right for a ray without end: t_max is ignored"),
+      gives("t-min-is-zero", t_min_is_zero, "the answer is right for t_min = 0: t_min is ignored"),
+      gives("ignores-t-min", read_as<without_t_min>,
+            "the answer is right without t_min: hits behind the ray's beginning are reported"),
+      gives("interval-is-zero-to-inf", read_as<from_origin_on>,
+            "the answer is right for the interval [0, inf]: t_min and t_max are ignored"),
+      gives("whole-line", read_as<without_interval>,
+            "the answer is right for the whole line: the interval of t is ignored"),
+      gives("segment", read_as<as_segment>,
+            "the answer is right for t in [0, 1]: the ray is taken for a segment"),
+      gives("interval-as-distances", read_as<interval_as_distances>,
+            "the answer is right where t_min and t_max are lengths: they are compared with distances, not "
+            "with t"),
+      gives("first-hit-decides", first_hit_decides,
+            "it misses where the line's nearest hit lies before t_min, although a farther one lies in the "
+            "interval: only the smaller root is looked at"),
+      gives("misses-from-inside", misses_from_inside, "every ray that starts inside misses"),
+      gives("one-hit-admits-all", one_hit_admits_all,
+            "where one hit lies in the interval, the line's others are reported too: not each is compared "
+            "with the interval"),
+      gives("all-hits-or-none", all_hits_or_none,
+            "it misses where one of the line's hits lies outside the interval, although another lies inside"),
+      gives("starts-at-t-min", clipped_at_t_min,
+            "a ray that starts inside is said to hit at t_min, where there is no surface"),
+      gives("clipped-to-interval", clipped_to_interval,
+            "where the interval ends inside the solid, its end is reported as a hit"),
+      gives("farthest-hit", farthest_alone, "the farthest hit is reported in place of the nearest"),
+      gives("second-hit-missing", first_alone, "of two answers only the first is given"),
+      gives("descending", descending, "the answers stand in descending order"),
+      gives("double-hit-twice", double_hit_twice, "a double root is reported twice", boundary),
+      gives("tangent-missed", misses_at<Contact::tangent>, "a ray that only touches is missed", boundary),
+      gives("edge-missed", misses_at<Contact::edge>,
+            "every hit on an edge is missed: the shape is taken without its edges", boundary),
+      gives("vertex-missed", misses_at<Contact::vertex>, "every hit on a vertex is missed", boundary),
+      gives("rim-missed", misses_at<Contact::rim>, "every hit on a rim is missed", boundary),
+      gives("boundary-outside", boundary_is_outside, "the boundary is taken for outside: the set is open",
+            boundary),
+      gives("boundary-inside", boundary_is_inside, "the boundary is taken for inside", boundary),
+  };
+}
+
+}  // namespace rayproof::diagnosis

@@ -1,0 +1,49 @@
+#pragma once
+/// \file
+/// What the lines of the registry are made by.
+
+#include "properties/diagnosis/registry.hpp"
+
+namespace rayproof::diagnosis {
+
+inline constexpr auto gross = FindingKind::gross;
+inline constexpr auto boundary = FindingKind::boundary;
+inline constexpr auto rounding = FindingKind::rounding;
+
+/// A subject that gives these answers.
+[[nodiscard]] constexpr Hypothesis gives(std::string_view name, Predict predict, std::string_view sentence,
+                                         FindingKind kind = gross, Aspect aspect = Aspect::hits) {
+  return {.name = name, .kind = kind, .sentence = sentence, .aspect = aspect, .predict = predict};
+}
+
+/// A subject whose answers bear this mark.
+[[nodiscard]] constexpr Hypothesis shows(std::string_view name, Recognise recognise,
+                                         std::string_view sentence, FindingKind kind = gross,
+                                         Aspect aspect = Aspect::hits) {
+  return {.name = name, .kind = kind, .sentence = sentence, .aspect = aspect, .recognise = recognise};
+}
+
+/// A cure that changes nothing but powers of two, signs, or the order of things.
+[[nodiscard]] constexpr Hypothesis exact_cure(std::string_view name, Change change, std::string_view sentence,
+                                              FindingKind kind = gross) {
+  return {.name = name, .kind = kind, .sentence = sentence, .change = change, .perturbs = false};
+}
+
+/// A cure that rounds the case anew.
+[[nodiscard]] constexpr Hypothesis cure(std::string_view name, Change change, std::string_view sentence,
+                                        FindingKind kind = gross, Keeps keeps = Keeps::question) {
+  return {.name = name, .kind = kind, .sentence = sentence, .change = change, .keeps = keeps};
+}
+
+/// A cure that avoids what only a boundary or a rounding can break.
+[[nodiscard]] constexpr Hypothesis avoids(std::string_view name, Change change, std::string_view sentence,
+                                          FindingKind kind = boundary) {
+  return {.name = name,
+          .kind = kind,
+          .sentence = sentence,
+          .change = change,
+          .keeps = Keeps::verdict,
+          .perturbs = false};
+}
+
+}  // namespace rayproof::diagnosis

@@ -1,0 +1,105 @@
+/// \file
+/// Faults in limits, units and digits of t.
+
+#include "properties/diagnosis/models/digits.hpp"
+#include "properties/diagnosis/models/factor.hpp"
+#include "properties/diagnosis/models/interval.hpp"
+#include "properties/diagnosis/models/quadratic.hpp"
+#include "properties/diagnosis/registry/lines.hpp"
+
+namespace rayproof::diagnosis {
+
+std::vector<Hypothesis> models_of_limits() {
+  return {
+      gives("epsilon-1e-10", drops_below<-10>,
+            "hits with t below about 1e-10 are left out: an absolute epsilon"),
+      gives("epsilon-1e-9", drops_below<-9>,
+            "hits with t below about 1e-9 are left out: an absolute epsilon"),
+      gives("epsilon-1e-8", drops_below<-8>,
+            "hits with t below about 1e-8 are left out: an absolute epsilon"),
+      gives("epsilon-1e-7", drops_below<-7>,
+            "hits with t below about 1e-7 are left out: an absolute epsilon"),
+      gives("epsilon-1e-6", drops_below<-6>,
+            "hits with t below about 1e-6 are left out: an absolute epsilon"),
+      gives("epsilon-1e-5", drops_below<-5>,
+            "hits with t below about 1e-5 are left out: an absolute epsilon"),
+      gives("epsilon-1e-4", drops_below<-4>,
+            "hits with t below about 1e-4 are left out: an absolute epsilon"),
+      gives("epsilon-1e-3", drops_below<-3>,
+            "hits with t below about 1e-3 are left out: an absolute epsilon"),
+      gives("epsilon-1e-2", drops_below<-2>,
+            "hits with t below about 1e-2 are left out: an absolute epsilon"),
+      gives("limit-1e30", drops_beyond<30>,
+            "hits with t beyond about 1e30 are left out: a fixed largest distance"),
+      gives("limit-1e20", drops_beyond<20>,
+            "hits with t beyond about 1e20 are left out: a fixed largest distance"),
+      gives("limit-1e10", drops_beyond<10>,
+            "hits with t beyond about 1e10 are left out: a fixed largest distance"),
+      gives("limit-1e8", drops_beyond<8>,
+            "hits with t beyond about 1e8 are left out: a fixed largest distance"),
+      gives("limit-1e6", drops_beyond<6>,
+            "hits with t beyond about 1e6 are left out: a fixed largest distance"),
+      gives("limit-1e5", drops_beyond<5>,
+            "hits with t beyond about 1e5 are left out: a fixed largest distance"),
+      gives("limit-1e4", drops_beyond<4>,
+            "hits with t beyond about 1e4 are left out: a fixed largest distance"),
+      gives("limit-1e3", drops_beyond<3>,
+            "hits with t beyond about 1e3 are left out: a fixed largest distance"),
+      gives("limit-1e2", drops_beyond<2>,
+            "hits with t beyond about 1e2 are left out: a fixed largest distance"),
+  };
+}
+
+std::vector<Hypothesis> models_of_numbers() {
+  return {
+      gives(
+          "t-as-distance", scaled_by<length_of_direction>,
+          "t is right divided by the direction's length: it is a distance, not in lengths of the direction"),
+      gives("t-as-object-distance", scaled_by<length_in_object>,
+            "t is right divided by the length of the direction in object space: that direction was made a "
+            "unit vector"),
+      gives("t-over-length", scaled_by<length_of_direction, -1>,
+            "t is right times the direction's length: it was divided by |d| once too often"),
+      gives("t-times-square", scaled_by<square_of_direction>,
+            "t is right divided by d·d: the division by d·d is missing"),
+      gives("t-over-square", scaled_by<square_of_direction, -1>,
+            "t is right times d·d: it was divided by d·d once too often"),
+      gives("negated", scaled_by<minus_one>, "every number is right with the other sign"),
+      gives("doubled", scaled_by<two>,
+            "every number is twice the right one: a factor 2 in the denominator is missing"),
+      gives("halved", scaled_by<two, -1>,
+            "every number is half the right one: a factor 2 too many in the denominator"),
+      gives("over-constant", scaled_by<constant_of_sphere, -1>,
+            "t is right times c = |o - center|² - r²: the denominator is 2ac and must be 2a"),
+      gives("over-radius", scaled_by<radius_of_sphere, -1>,
+            "t is right times the radius: it is measured in radii"),
+      gives("times-radius", scaled_by<radius_of_sphere>, "t is right divided by the radius"),
+      gives("times-a", scaled_by<coefficient_a>,
+            "every root is right divided by a: the division by a is missing"),
+      gives("over-a", scaled_by<coefficient_a, -1>,
+            "every root is right times a: a stands once too often in the denominator"),
+      gives("over-c", scaled_by<coefficient_c, -1>,
+            "every root is right times c: the denominator is 2ac and must be 2a"),
+      gives("times-normal", scaled_by<length_of_normal>,
+            "t is right divided by the normal's length: a division by it is missing"),
+      gives("over-normal", scaled_by<length_of_normal, -1>,
+            "t is right times the normal's length: the normal is taken for a unit vector"),
+      gives("double-root-missed", double_root_missed, "a double root is taken for none", boundary),
+      gives("discriminant-sign-lost", discriminant_without_sign,
+            "roots are reported where D < 0: the root of |D| was taken"),
+      gives("discriminant-plus", discriminant_with_plus,
+            "the answer is right for D = b² + 4ac: a sign is wrong in the discriminant"),
+  };
+}
+
+std::vector<Hypothesis> models_of_digits() {
+  return {
+      shows("computes-in-float", is_of_float,
+            "every number is one of float32, though the case is of float64: the code computes in float",
+            rounding),
+      shows("prints-six-digits", has_six_digits,
+            "no number has more than six digits: the code prints too few of them", rounding),
+  };
+}
+
+}  // namespace rayproof::diagnosis
