@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numeric>
+#include <optional>
 
 #include "oracle/oracle.hpp"
 #include "properties/numbers.hpp"
@@ -33,6 +35,22 @@ RayAnswer completed_hits(const Abilities& abilities, const Case& one, RayAnswer 
   return answer;
 }
 
+/// Where the nearest hit alone is given and is another one of the line: the case whose ray ends before that.
+/// The nearer one is missed there.
+std::optional<Case> cut_before_next_hit(const Case& one, const Answer& claimed) {
+  const auto* got = std::get_if<RayAnswer>(&claimed);
+  if (got == nullptr || !got->nearest_only || got->hits.count == 0) return std::nullopt;
+  const auto exact = std::get<RayAnswer>(oracle::answer(one));
+  const auto distance = [t = got->hits.t[0]](double hit) { return std::abs(hit - t); };
+  if (exact.hits.count < 2 || !(distance(exact.hits.t[exact.hits.count - 1]) < distance(exact.hits.t[0])))
+    return std::nullopt;
+  Case cut = one;
+  const double between = std::midpoint(exact.hits.t[0], exact.hits.t[1]);
+  std::get<RayQuestion>(cut.question).ray.t_max =
+      one.precision == Precision::float32 ? double{static_cast<float>(between)} : between;
+  return cut;
+}
+
 /// Exact roots in the places of those that are not given; where one of two is, it stands for the nearer.
 QuadraticAnswer<double> completed_roots(const Case& one, QuadraticAnswer<double> answer) {
   const auto exact = std::get<QuadraticAnswer<double>>(oracle::answer(one));
@@ -58,6 +76,12 @@ Answer completed(const Subject& subject, const Case& one, const Answer& given) {
   if (subject.abilities.boundary || std::get<Position>(given) == Position::boundary) return given;
   const Answer exact = oracle::answer(one);
   return std::get<Position>(exact) == Position::boundary ? exact : given;
+}
+
+oracle::Judgement judged(const Case& one, const Answer& claimed) {
+  if (const std::optional<Case> cut = cut_before_next_hit(one, claimed))
+    return oracle::judge(*cut, RayAnswer{.nearest_only = true});
+  return oracle::judge(one, claimed);
 }
 
 bool is_for_guest(const Subject& guest, const Case& one) {

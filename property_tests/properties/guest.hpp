@@ -2,6 +2,7 @@
 /// \file
 /// Guests: subjects without a contract of their own, whose answers may leave out a part.
 
+#include "oracle/oracle.hpp"
 #include "subjects/subject.hpp"
 
 namespace rayproof {
@@ -10,6 +11,10 @@ namespace rayproof {
 /// position on the boundary for one who never says so, the roots where only their kind is given, and the
 /// nearest hit alone, the verdict alone, two equal hits for one, as what they are.
 [[nodiscard]] Answer completed(const Subject& subject, const Case& one, const Answer& given);
+
+/// The judgement on a guest's completed answer. A guest that gives the nearest hit alone, and gives another
+/// of the line's, misses the nearer one.
+[[nodiscard]] oracle::Judgement judged(const Case& one, const Answer& claimed);
 
 /// Whether the case may be given to a guest: every number of it that is not 0 lies in the domain of its
 /// contract. Beyond that nothing is judged, and honest arithmetic overflows.

@@ -76,7 +76,8 @@ class Trial {
     judgement_ = judgement;
   }
   [[nodiscard]] const oracle::Judgement& judgement() {
-    if (!judgement_) judgement_ = oracle::judge(*case_, claimed());
+    if (!judgement_)
+      judgement_ = subject_->has_own_contract ? oracle::judge(*case_, claimed()) : judged(*case_, claimed());
     return *judgement_;
   }
 
