@@ -10,6 +10,7 @@
 
 #include "case/writer.hpp"
 #include "properties/diagnosing.hpp"
+#include "properties/one_fault.hpp"
 #include "properties/shrink/shrink.hpp"
 
 namespace rayproof {
@@ -58,7 +59,9 @@ class Run {
     for (const Case& one : corpus) put_corpus_case(one);
     if (plan_.settings.count_labels) count_all_labels();
     put_families();
+    leave_out_twins(result_.findings);
     diagnose_findings(result_, samples_, listener_, stop_);
+    put_together(result_.findings);
     result_.was_interrupted = stop_;
     return std::move(result_);
   }

@@ -35,6 +35,7 @@ Outputs::Outputs(const Options& options) : folder_(options.out) {
   if (std::filesystem::path(options.findings).lexically_normal() !=
       folder_.lexically_normal() / "findings.jsonl")
     open(asked_findings_, options.findings);
+  asked_path_ = options.findings;
   open(json_, options.json);
   open(junit_, options.junit);
 }
@@ -54,6 +55,11 @@ void Outputs::write(const Plan& plan, const RunResult& result, const Summary& su
   for (const Finding& finding : result.findings) in_order += write_finding(finding) + "\n";
   findings_.close();
   replace(folder_ / "findings.jsonl", in_order);
+  // What was written at once had neither number nor diagnosis; a pipe has been read meanwhile.
+  if (asked_findings_.is_open() && std::filesystem::is_regular_file(asked_path_)) {
+    asked_findings_.close();
+    replace(asked_path_, in_order);
+  }
   replace(folder_ / "index.html", html_page(plan, result, summary, {folder_, viz::svg_of}));
 }
 

@@ -26,6 +26,7 @@ class Outputs {
   std::ofstream as_found_{};
   std::ofstream findings_{};  ///< as they come; in order, and numbered by their lines, once the run ends
   std::ofstream asked_findings_{};  ///< the same for --findings
+  std::filesystem::path asked_path_{};
   std::ofstream json_{};
   std::ofstream junit_{};
 };

@@ -1,0 +1,93 @@
+#include "properties/one_fault.hpp"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "properties/shrink/shrink.hpp"
+
+namespace rayproof {
+
+namespace {
+
+bool is_of_guest(const Finding& finding) { return !finding.subject->has_own_contract; }
+
+bool is_of_twin(const Finding& finding) {
+  const Claim claim = finding.property->claim;
+  return claim == Claim::scaled || claim == Claim::reversed || claim == Claim::moved;
+}
+
+/// Whether anything at all is known of the subject beside what its twins show.
+bool has_direct_finding(const std::vector<Finding>& findings, const Subject* subject) {
+  return std::ranges::any_of(findings, [&](const Finding& one) {
+    return one.subject == subject && !is_of_twin(one) && one.property->claim != Claim::answers;
+  });
+}
+
+FindingKind gravity(const Finding& finding) { return finding.kind_of_fault.value_or(FindingKind::gross); }
+
+/// What makes two findings one: the cause, or, where none is known, the property.
+auto fault_of(const Finding& finding) {
+  const bool is_known = finding.cause != nullptr;
+  return std::tuple(finding.subject, finding.cause, is_known ? nullptr : finding.property);
+}
+
+/// The one that is shown: the gravest, and of these the simplest.
+bool is_better(const Finding& one, const Finding& other) {
+  return std::tuple(gravity(one), complexity(one.one)) < std::tuple(gravity(other), complexity(other.one));
+}
+
+/// Findings of several properties are about the same cases, those of two precisions about others.
+std::uint64_t cases_of(const std::vector<const Finding*>& alike) {
+  std::map<Precision, std::uint64_t> most;
+  for (const Finding* one : alike) {
+    std::uint64_t& cases = most[one->one.precision];
+    cases = std::max(cases, one->cases);
+  }
+  std::uint64_t sum = 0;
+  for (const auto& [precision, cases] : most) sum += cases;
+  return sum;
+}
+
+/// Whether a known cause of the same subject does as much harm: what is left without a cause is mostly its
+/// work.
+bool is_overshadowed(const Finding& finding, const std::vector<Finding>& all) {
+  return finding.cause == nullptr && std::ranges::any_of(all, [&](const Finding& one) {
+           return one.subject == finding.subject && one.cause != nullptr &&
+                  gravity(one) <= gravity(finding) && one.cases >= finding.cases;
+         });
+}
+
+}  // namespace
+
+void leave_out_twins(std::vector<Finding>& findings) {
+  std::vector<Finding> kept;
+  for (Finding& one : findings)
+    if (!is_of_guest(one) || !is_of_twin(one) || !has_direct_finding(findings, one.subject))
+      kept.push_back(one);
+  findings = std::move(kept);
+}
+
+void put_together(std::vector<Finding>& findings) {
+  std::vector<Finding> kept;
+  std::map<decltype(fault_of(findings.front())), std::vector<const Finding*>> faults;
+  for (const Finding& one : findings)
+    if (is_of_guest(one) && one.property->claim != Claim::answers) faults[fault_of(one)].push_back(&one);
+  for (const Finding& one : findings) {
+    const auto alike = faults.find(fault_of(one));
+    if (alike == faults.end() || one.property->claim == Claim::answers) {
+      kept.push_back(one);
+      continue;
+    }
+    if (alike->second.front() != &one) continue;
+    Finding fault = **std::ranges::min_element(
+        alike->second, [](const Finding* a, const Finding* b) { return is_better(*a, *b); });
+    fault.cases = cases_of(alike->second);
+    kept.push_back(std::move(fault));
+  }
+  const std::vector<Finding> all = kept;
+  std::erase_if(kept, [&](const Finding& one) { return is_of_guest(one) && is_overshadowed(one, all); });
+  findings = std::move(kept);
+}
+
+}  // namespace rayproof

@@ -1,0 +1,20 @@
+#pragma once
+/// \file
+/// Of programs: one fault breaks many properties, in both precisions, and is one finding all the same.
+
+#include <vector>
+
+#include "properties/finding.hpp"
+
+namespace rayproof {
+
+/// Leaves out what is found by a twin of a case (scaled, reversed, moved) of a program that answers wrongly
+/// to cases themselves: a twin is a case like any other.
+void leave_out_twins(std::vector<Finding>& findings);
+
+/// Makes one of the findings of a program that have one cause: the simplest case of the gravest kind, with
+/// the cases of all. Those without a known cause are one for each property, and none where a cause is known
+/// for its kind.
+void put_together(std::vector<Finding>& findings);
+
+}  // namespace rayproof
