@@ -69,7 +69,7 @@ Hit triangle(const Ray<float>& ray, glm::vec3 a, glm::vec3 b, glm::vec3 c) {
   mesh.addTriangle(bullet(a), bullet(b), bullet(c));
   btBvhTriangleMeshShape shape(&mesh, false);
   return meet(shape, glm::vec3(0),
-              peers::segment_past<float>(convert<double>(ray), std::array{wide(a), wide(b), wide(c)}));
+              peers::segment_past<float>(convert<double>(ray), std::array{wide(a), wide(b), wide(c)}, true));
 }
 
 /// The normal has length 1, says its manual; the plane is n·x = constant.
@@ -80,7 +80,7 @@ Hit plane(const Ray<float>& ray, glm::vec3 normal, float d) {
                    dot(wide(normal), wide(ray.direction));
   const dvec3 passed = wide(ray.origin) + (std::isfinite(t) ? std::abs(t) : 1.0) * wide(ray.direction);
   const double reach = glm::length(passed - wide(ray.origin)) + glm::length(wide(ray.direction));
-  return meet(shape, glm::vec3(0), peers::segment_past<float>(convert<double>(ray), passed, reach));
+  return meet(shape, glm::vec3(0), peers::segment_past<float>(convert<double>(ray), passed, reach, true));
 }
 
 /// A box is a solid to it: a segment that begins inside hits at its start, which is another question.

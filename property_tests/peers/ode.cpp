@@ -73,7 +73,7 @@ Hit plane(const Ray<T>& ray, Vector normal, T d) {
       -(dot(dvec3(normal), wide.origin) + static_cast<double>(d)) / dot(dvec3(normal), wide.direction);
   const dvec3 passed = wide.origin + (std::isfinite(t) ? std::abs(t) : 1.0) * wide.direction;
   const double reach = glm::length(passed - wide.origin) + glm::length(wide.direction);
-  return meet(geometry.get(), peers::segment_past<T>(wide, passed, reach));
+  return meet(geometry.get(), peers::segment_past<T>(wide, passed, reach, true));
 }
 
 /// Its triangle meshes hold doubles here, though OPCODE computes in float.
@@ -93,7 +93,7 @@ Hit triangle(const Ray<T>& ray, Vector a, Vector b, Vector c) {
   const std::unique_ptr<dxTriMeshData, decltype(destroy)> owner(data);
   const Geometry shape = std::move(geometry);  // goes before its data
   return meet(shape.get(),
-              peers::segment_past<T>(convert<double>(ray), std::array{dvec3(a), dvec3(b), dvec3(c)}));
+              peers::segment_past<T>(convert<double>(ray), std::array{dvec3(a), dvec3(b), dvec3(c)}, true));
 }
 
 }  // namespace

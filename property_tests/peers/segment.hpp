@@ -27,7 +27,8 @@ struct Segment {
 /// no length, or its ends no numbers of T, and where the ray does not begin at its origin: t counts from the
 /// start of a segment.
 template <class T>
-[[nodiscard]] Segment<T> segment_past(const Ray<double>& ray, const glm::dvec3& center, double radius) {
+[[nodiscard]] Segment<T> segment_past(const Ray<double>& ray, const glm::dvec3& center, double radius,
+                                      bool is_flat = false) {
   if (ray.t_min != 0) throw Unsupported();
   const double length = std::hypot(ray.direction.x, ray.direction.y, ray.direction.z);
   const double middle = dot(center - ray.origin, ray.direction / length) / length;
@@ -37,18 +38,20 @@ template <class T>
   const auto whole = made.end - made.start;
   const T length2 = dot(whole, whole);
   if (!std::isfinite(length2) || length2 < std::numeric_limits<T>::min()) throw Unsupported();
+  if (!is_flat && glm::length(made.start) > T(8) * std::sqrt(length2)) throw Unsupported();
   return made;
 }
 
 /// The same past points.
 template <class T>
-[[nodiscard]] Segment<T> segment_past(const Ray<double>& ray, std::span<const glm::dvec3> points) {
+[[nodiscard]] Segment<T> segment_past(const Ray<double>& ray, std::span<const glm::dvec3> points,
+                                      bool is_flat = false) {
   glm::dvec3 center(0);
   for (const glm::dvec3& point : points) center += point / static_cast<double>(points.size());
   double radius = 0;
   for (const glm::dvec3& point : points)
     radius = std::max(radius, std::hypot(point.x - center.x, point.y - center.y, point.z - center.z));
-  return segment_past<T>(ray, center, radius);
+  return segment_past<T>(ray, center, radius, is_flat);
 }
 
 }  // namespace rayproof::peers

@@ -3,9 +3,9 @@
 /// (`locator`) around one cell, vtkBox::IntersectBox (`intersect-box`), and vtkPolygon::PointInPolygon
 /// (`point-in-polygon`, apart, since it does not return from all cases). All take the ends of a segment, t
 /// running from 0 to 1 (IntersectBox: origin and direction), in double. A cell's tolerance is a length that
-/// only says how far outside a hit may be: 0 is the best there is. Of a ray in a triangle's plane VTK
-/// documents that it meets the triangle, so such rays are not asked. Degenerate polygons are excluded by the
-/// -1 of PointInPolygon. vtkSphere and vtkCylinder have no routine for rays.
+/// only says how far outside a hit may be: it is 0, or the least that rounding asks for. Of a ray in a
+/// triangle's plane VTK documents that it meets the triangle, so such rays are not asked. Degenerate polygons
+/// are excluded by the -1 of PointInPolygon. vtkSphere and vtkCylinder have no routine for rays.
 #include <vtkBox.h>
 #include <vtkCellArray.h>
 #include <vtkGenericCell.h>
@@ -41,8 +41,8 @@ void refuse_coplanar(const Ray<double>& ray, dvec3 a, dvec3 b, dvec3 c) {
 Hit plane(const Ray<double>& ray, const PointNormalPlane& given) {
   const double t_plane = dot(given.point - ray.origin, given.normal) / dot(ray.direction, given.normal);
   const dvec3 passed = ray.origin + (std::isfinite(t_plane) ? std::abs(t_plane) : 1.0) * ray.direction;
-  const auto segment =
-      peers::segment_past<double>(ray, passed, glm::length(passed - ray.origin) + glm::length(ray.direction));
+  const auto segment = peers::segment_past<double>(
+      ray, passed, glm::length(passed - ray.origin) + glm::length(ray.direction), true);
   dvec3 normal = given.normal, point = given.point, x(0);
   double s = 0;
   if (vtkPlane::IntersectWithLine(&segment.start.x, &segment.end.x, &normal.x, &point.x, s, &x.x) == 0)
@@ -51,11 +51,12 @@ Hit plane(const Ray<double>& ray, const PointNormalPlane& given) {
 }
 
 /// A cell met by a segment, by its own routine.
-Hit meet(vtkCell& cell, std::span<const dvec3> vertices, const Ray<double>& ray) {
-  const auto segment = peers::segment_past<double>(ray, vertices);
+Hit meet(vtkCell& cell, std::span<const dvec3> vertices, const Ray<double>& ray, double tolerance = 0) {
+  const auto segment = peers::segment_past<double>(ray, vertices, true);
   double s = 0, x[3], coordinates[3];
   int part = 0;
-  if (cell.IntersectWithLine(&segment.start.x, &segment.end.x, 0, s, x, coordinates, part) == 0) return {};
+  if (cell.IntersectWithLine(&segment.start.x, &segment.end.x, tolerance, s, x, coordinates, part) == 0)
+    return {};
   return segment.t_at(s);
 }
 
@@ -74,7 +75,10 @@ Hit polygon(const Ray<double>& ray, const std::vector<dvec3>& vertices) {
     const vtkIdType id = cell->GetPoints()->InsertNextPoint(&vertex.x);
     cell->GetPointIds()->InsertNextId(id);
   }
-  return meet(*cell, vertices, ray);
+  // Its hits must be within the tolerance of its plane, which rounding alone takes them off by.
+  double size = glm::length(ray.origin);
+  for (const dvec3& vertex : vertices) size = std::max(size, glm::length(vertex));
+  return meet(*cell, vertices, ray, 1e-14 * size);
 }
 
 std::array<double, 6> bounds_of(dvec3 low, dvec3 high) {
@@ -142,7 +146,7 @@ template <class Locator>
 Hit located(const Ray<double>& ray, dvec3 a, dvec3 b, dvec3 c) {
   refuse_coplanar(ray, a, b, c);
   const std::array vertices{a, b, c};
-  const auto segment = peers::segment_past<double>(ray, vertices);
+  const auto segment = peers::segment_past<double>(ray, vertices, true);
   const vtkNew<Locator> locator;
   locator->SetDataSet(data_of(vertices));
   locator->BuildLocator();

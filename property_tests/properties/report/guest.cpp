@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "properties/kind.hpp"
+#include "subjects/command.hpp"
 
 namespace rayproof {
 namespace {
@@ -27,12 +29,18 @@ std::vector<std::size_t> findings_on(const RunResult& result, const Subject& gue
   return numbers;
 }
 
+/// The shape, and the name of the guest where it has one.
+std::string label_of(const Subject& guest) {
+  return guest.name == command_name ? guest.topic : guest.full_name();
+}
+
 /// "56000 cases, 1200 unsupported: findings 1, 4".
 std::string line_of(const RunResult& result, const Subject& guest, const Tally& tally) {
-  if (tally.cases == 0) return fmt::format("{:<17}not asked\n", guest.topic);
+  if (tally.cases == 0) return fmt::format("{:<16} not asked\n", label_of(guest));
   if (tally.unsupported == tally.cases)
-    return fmt::format("{:<17}unsupported: the program says so of all {} cases\n", guest.topic, tally.cases);
-  std::string text = fmt::format("{:<17}{} cases", guest.topic, tally.cases);
+    return fmt::format("{:<16} unsupported: the program says so of all {} cases\n", label_of(guest),
+                       tally.cases);
+  std::string text = fmt::format("{:<16} {} cases", label_of(guest), tally.cases);
   if (tally.unsupported > 0) text += fmt::format(", {} unsupported", tally.unsupported);
   if (tally.failures > 0) text += fmt::format(", {} without an answer", tally.failures);
   if (tally.not_asked > 0) text += fmt::format(", {} not asked after these", tally.not_asked);
@@ -106,14 +114,17 @@ std::string text_guests(const Plan& plan, const RunResult& result) {
   for (const Subject* guest : plan.subjects) {
     if (guest->has_own_contract) continue;
     const Tally tally = tally_of(result, *guest);
+    // A library is not asked to know every shape.
+    if (guest->name != command_name && tally.unsupported == tally.cases && tally.cases > 0) continue;
     text += line_of(result, *guest, tally);
     if (tally.cases > tally.unsupported)
       text += judged(plan, *guest, tally) + not_judged(plan, *guest, tally);
   }
   text += never_judged;
+  std::set<std::string> given_up;  // all topics of a program give up together
   for (const Subject* guest : plan.subjects)
-    if (guest->is_given_up())
-      return text + fmt::format("{} was asked no more: {}\n", guest->title, guest->why_given_up());
+    if (guest->is_given_up() && given_up.insert(guest->title).second)
+      text += fmt::format("{} was asked no more: {}\n", guest->title, guest->why_given_up());
   return text;
 }
 

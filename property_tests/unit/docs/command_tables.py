@@ -46,6 +46,8 @@ NOT_RUN = [
     (r"^g\+\+ .* main\.cpp", "install/ runs the manual's command", "property_tests/unit/install/library/claims.py", '"Without CMake"'),
     (r"^g\+\+ .* my_sphere\.cpp|--subject-command \./my_sphere", "own_code.py follows the page",
      "property_tests/unit/docs/own_code.py", "your-own-code.md"),
+    (r"check --subject [a-z]", "needs the libraries; each is asked where it is built", "property_tests/unit/peers/easy.py",
+     "registry.txt"),
     (r"^doxygen docs/Doxyfile", "takes long; .ci/run runs it", ".ci/run", "Doxyfile"),
     (r"^python3 \S+/add_a_shape/prove\.py", "takes minutes; .ci/run runs it", ".ci/run", "add_a_shape/prove.py"),
     (r"^python3 docs/errata\.py", "takes minutes; its page is compared case by case instead", "docs/errata.py", "in_words")]

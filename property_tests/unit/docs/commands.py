@@ -50,7 +50,7 @@ class Runner:
     def checkout(self, folder):
         """A copy of what commands read: scenes, cases, and the findings of a check."""
         checkout = Checkout(folder, self.source, self.programs)
-        for folder in ("scenes", "cases"):
+        for folder in ("scenes", "cases", "subjects"):
             shutil.copytree(self.source / "docs" / folder, checkout.folder / "docs" / folder)
         for folder in ("scenes", "reading"):
             (checkout.folder / "docs/images" / folder).mkdir(parents=True)
