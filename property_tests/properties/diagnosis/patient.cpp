@@ -11,7 +11,7 @@ std::vector<std::optional<Answer>> answers_of(const Subject& subject, std::span<
   std::vector<Case> asked;
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    if (subject.is_given_up()) continue;
+    if (subject.is_given_up() || (!subject.has_own_contract && !is_for_guest(subject, cases[i]))) continue;
     asked.push_back(cases[i]);
     places.push_back(i);
   }

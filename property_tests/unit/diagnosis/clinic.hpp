@@ -26,6 +26,7 @@ struct Complaint {
     for (const Family& family : families()) {
       if (family.topic != subject.topic) continue;
       const Case one = family.generate(k, precision);
+      if (!subject.has_own_contract && !is_for_guest(subject, one)) continue;
       Trial trial(subject, one);
       const Ruling ruling = property.rule(trial);
       if (ruling == Ruling::broken) found.failing.push_back(one);

@@ -140,7 +140,7 @@ TEST(Report, AMethodThatFailsOnManyCasesFailsInOneBlock) {
   run.result.findings.assign(50, failure);
   put_in_order(run.result.findings);
   const std::string text = text_failures(run.result.findings);
-  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 4) << text;
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 5) << text;
   EXPECT_NE(text.find(" 1-50  sphere/"), std::string::npos) << text;
 }
 

@@ -1,6 +1,7 @@
 #include "properties/diagnosis/models/outline.hpp"
 
 #include <algorithm>
+#include <glm/vec2.hpp>
 
 #include "properties/diagnosis/agreement.hpp"
 #include "properties/diagnosis/models/plane_hit.hpp"
@@ -58,6 +59,23 @@ bool is_on_one_side(const glm::dvec2& point, const Outline& outline) {
   return !(left && right);
 }
 
+double distance_to_side(const glm::dvec2& point, const glm::dvec2& a, const glm::dvec2& b) {
+  const glm::dvec2 side = b - a, way = point - a;
+  const double length = glm::dot(side, side);
+  const double along = length > 0 ? std::clamp(glm::dot(way, side) / length, 0.0, 1.0) : 0.0;
+  return glm::length(way - along * side);
+}
+
+/// Whether the point is so near a side that rounding decides.
+bool is_at_side(Precision precision, const glm::dvec2& point, const Outline& outline) {
+  double size = glm::length(point);
+  for (const glm::dvec2& vertex : outline) size = std::max(size, glm::length(vertex));
+  const double near = size * (precision == Precision::float32 ? 0x1p-18 : 0x1p-44);
+  for (std::size_t i = 0; i < outline.size(); ++i)
+    if (distance_to_side(point, outline[i], outline[(i + 1) % outline.size()]) <= near) return true;
+  return false;
+}
+
 bool is_inside(Inside rule, const glm::dvec2& point, const Outline& outline) {
   const std::size_t all = outline.size();
   const bool is_odd = crossings(point, outline, all, half_open) % 2 == 1;
@@ -98,13 +116,14 @@ template <Inside rule>
 Answers inside_by(const Case& one, const Answer& exact) {
   if (const auto* place = std::get_if<PointAndPolygon<double>>(&one.question)) {
     if (std::get<Position>(exact) == Position::boundary) return {};
-    const bool in = is_inside(rule, {place->point.x, place->point.y}, outline_of(*place));
+    const glm::dvec2 point(place->point.x, place->point.y);
+    if (is_at_side(one.precision, point, outline_of(*place))) return {};
+    const bool in = is_inside(rule, point, outline_of(*place));
     return {in ? Position::inside : Position::outside};
   }
   if (shape_in<Polygon<double>>(one) == nullptr) return {};
   const auto hit = plane_hit(one);
-  const Contact contact = std::get<RayAnswer>(exact).contact;
-  if (!hit || contact == Contact::edge || contact == Contact::vertex) return {};
+  if (!hit || is_at_side(one.precision, hit->point, hit->vertices)) return {};
   return hit_at(one, hit->t, is_inside(rule, hit->point, hit->vertices));
 }
 

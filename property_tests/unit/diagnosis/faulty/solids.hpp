@@ -113,7 +113,9 @@ template <class T>
   for (const T z : {low, high}) {
     const T t = (z - ray.origin.z) / ray.direction.z;
     const glm::vec<3, T> q = o + t * d;
-    const bool is_new = std::ranges::none_of(found.hits, [t](const auto& hit) { return hit.t == t; });
+    const bool is_new = std::ranges::none_of(found.hits, [t](const auto& hit) {
+      return std::abs(hit.t - t) <= 64 * std::numeric_limits<T>::epsilon() * std::abs(t);
+    });
     if (c.capped && dot(q, q) <= 1 && is_new) found.hits.push_back({t, {0, 0, z == low ? -1 : 1}});
   }
   std::ranges::sort(found.hits, {}, &Found<T>::Hit::t);
