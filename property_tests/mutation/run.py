@@ -46,7 +46,7 @@ def contains(mutant, texts):
     return any(text in f"{mutant.file} {mutant.function} {mutant.find} -> {mutant.put}" for text in texts)
 
 
-def trusted(mutants):
+def explained(mutants):
     """The numbers of the mutants that are explained at the moment."""
     reasons = read_explanations()
     return {mutant.number for mutant in mutants if mutant.key in reasons}
@@ -64,6 +64,7 @@ def parsed():
     parser.add_argument("--topics", nargs="+", default=TOPICS, choices=TOPICS, help="only the methods of these")
     parser.add_argument("--only", nargs="+", help="only mutants whose `file function find -> put` has one of these in it")
     parser.add_argument("--without", nargs="+", default=[], help="no mutants with one of these in it")
+    parser.add_argument("--again", action="store_true", help="ask all cases again of what lives: families or claims have changed")
     parser.add_argument("--trust", action="store_true", help="do not run what is explained: quicker while mutants are sorted")
     parser.add_argument("--list", action="store_true", help="only see whether the explanations fit the kernels")
     parser.add_argument("--write", action="store_true", help="write the table of docs/mutation.md")
@@ -89,7 +90,9 @@ def main():
     objects.make(options.topics, options.jobs)
     name = "results.jsonl" if tuple(options.topics) == TOPICS and not options.only else "some_results.jsonl"
     results = Results(objects.folder.parent / name, f"{objects.stamp()} {options.topics} {options.only}", say)
-    runner = Runner(objects, results, mutants, (lambda: trusted(mutants)) if options.trust else set)
+    if options.again:
+        results.done.clear()
+    runner = Runner(objects, results, mutants, lambda: explained(mutants), options.trust)
     failures += runner.run_all(runner.methods(options.topics), options.jobs, say)
 
     dead = set(planting.dead())
