@@ -88,8 +88,10 @@ def main():
     start = time.monotonic()
     objects = Objects(options.build, planting, say)
     objects.make(options.topics, options.jobs)
-    name = "results.jsonl" if tuple(options.topics) == TOPICS and not options.only else "some_results.jsonl"
-    results = Results(objects.folder.parent / name, f"{objects.stamp()} {options.topics} {options.only}", say)
+    is_of_all = not (options.only or options.without or options.trust)
+    stamps = {topic: f"{objects.stamp(topic)} {options.only} {options.without} {options.trust}" for topic in options.topics}
+    results = Results(objects.folder.parent / ("results.jsonl" if is_of_all else "some_results.jsonl"),
+                      lambda method: stamps.get(method.split("/", maxsplit=1)[0]), say)
     if options.again:
         results.done.clear()
     runner = Runner(objects, results, mutants, lambda: explained(mutants), options.trust)
@@ -108,7 +110,7 @@ def main():
                for state in ("not compiling", "killed", "explained", "surviving")}
     minutes = (time.monotonic() - start) / 60
     say(f"{len(counted)} mutants in {minutes:.0f} min: " + ", ".join(f"{n} {state}" for state, n in numbers.items()))
-    is_whole = tuple(options.topics) == TOPICS and not (options.only or options.without or options.trust)
+    is_whole = tuple(options.topics) == TOPICS and is_of_all
     if options.write and is_whole and not failures:
         write_page(counted, reasons, sum(results.seconds.values()))
     return 1 if failures or numbers["surviving"] else 0
