@@ -21,6 +21,8 @@ SHARED = ("roots.hpp", "ray.hpp", "transform.hpp", "normals.hpp", "vec3.hpp", "a
           "arithmetics/error_free.hpp", "arithmetics/expansion.hpp", "arithmetics/growing_expansion.hpp")
 COMPILED = sorted([*HERE.glob("planted/*.?pp"), *HERE.glob("generator/*.py")])
 ERROR = re.compile(r"^(\S+?/planted/rayproof/(\S+?)):(\d+):(\d+): (?:fatal )?error: (.*)$", re.MULTILINE)
+INCLUDED = re.compile(r"^#include <rayproof/(\S+)>", re.MULTILINE)
+ROOM = 5000  # numbers for each header, so that those of the others stay when one is changed
 MARK = re.compile(rb"/\*<(\d+)\*/|/\*(\d+)>\*/")
 
 
@@ -36,15 +38,27 @@ def headers():
     return [file for file in files if file.exists() and not file.name.startswith("printed")]
 
 
+def reached(topic):
+    """All headers of the library that the methods of a topic and their normals are made of."""
+    found, ahead = set(), [f"{topic}/methods.hpp", *SHARED]
+    while ahead:
+        path = ahead.pop()
+        if path not in found:
+            found.add(path)
+            ahead += INCLUDED.findall((INCLUDE / path).read_text(encoding="utf-8"))
+    return sorted(found)
+
+
 class Planting:
-    """All headers with their sites, numbered through."""
+    """All headers with their sites, each header's numbered from a multiple of ROOM on."""
 
     def __init__(self, files=None):
-        self.planted, first = [], 0
-        for file in files or headers():
-            one = Planted(str(file.relative_to(INCLUDE)), file.read_text(encoding="utf-8"), first)
+        self.planted = []
+        for i, file in enumerate(files or headers()):
+            one = Planted(str(file.relative_to(INCLUDE)), file.read_text(encoding="utf-8"), i * ROOM)
+            if one.end > (i + 1) * ROOM:
+                raise Broken(f"{file} has more than {ROOM} mutants")
             self.planted.append(one)
-            first = one.end
         self.sites = [site for one in self.planted for site in one.sites]
 
     def mutants(self):
@@ -96,18 +110,18 @@ class Objects:
     def path(self, topic):
         return self.folder / f"{topic}.so"
 
-    def stamp(self):
-        """A text that changes where the objects would."""
-        parts = [one.header.text for one in self.planting.planted]
+    def stamp(self, topic):
+        """A text that changes where the object of the topic would."""
+        headers_here = reached(topic)
+        parts = [(INCLUDE / path).read_text(encoding="utf-8") for path in headers_here]
+        parts += [f"{one.header.path} {one.first}" for one in self.planting.planted if one.header.path in headers_here]
         parts += [file.read_text(encoding="utf-8") for file in COMPILED]
         return hashlib.sha256("\0".join(parts + self.command).encode()).hexdigest()
 
     def make(self, topics=TOPICS, jobs=1):
         """Compiles what is not there yet. What does not compile is left out, and everything written again."""
         note = self.folder / "made.json"
-        known = json.loads(note.read_text(encoding="utf-8")) if note.exists() else {}
-        if known.get("stamp") != self.stamp():
-            known = {"stamp": self.stamp(), "dead": known.get("dead", []), "made": []}
+        known = json.loads(note.read_text(encoding="utf-8")) if note.exists() else {"dead": [], "made": {}}
         # By their words: what did not compile in headers of another day will not compile in these.
         words = {tuple(key) for key in known["dead"]}
         self.planting.bury(mutant.number for mutant in self.planting.mutants() if mutant.key in words)
@@ -119,13 +133,13 @@ class Objects:
             with self.lock:
                 dead = set(self.planting.dead())
                 known["dead"] = [mutant.key for mutant in self.planting.mutants() if mutant.number in dead]
-                known["made"].append(topic)
+                known["made"][topic] = self.stamp(topic)
                 note.write_text(json.dumps(known), encoding="utf-8")
                 self.log(f"compiled {topic}; {len(dead)} mutants do not compile")
 
         with ThreadPoolExecutor(jobs) as pool:
             list(pool.map(make_one, [topic for topic in topics
-                                     if topic not in known["made"] or not self.path(topic).exists()]))
+                                     if known["made"].get(topic) != self.stamp(topic) or not self.path(topic).exists()]))
 
     def _compile(self, topic):
         before, command = set(self.planting.dead()), list(self.command)

@@ -29,17 +29,18 @@ class Fate:
 class Results:
     """The fates by the mutants' numbers, in memory and in a file."""
 
-    def __init__(self, path, stamp, log=print):
-        self.path, self.fates, self.done, self.seconds = path, {}, set(), {}
-        lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
-        if lines and json.loads(lines[0]) == {"stamp": stamp}:
-            for line in lines[1:]:
-                self._take(json.loads(line))
-            log(f"going on with {path}: {len(self.done)} runs are done")
-            self.file = path.open("a", encoding="utf-8")
-        else:
-            self.file = path.open("w", encoding="utf-8")
-            self._write({"stamp": stamp})
+    def __init__(self, path, stamp_of, log=print):
+        """`stamp_of(method)` changes where its results would; others are left out."""
+        self.path, self.stamp_of, self.fates, self.done, self.seconds = path, stamp_of, {}, set(), {}
+        run = []
+        for text in path.read_text(encoding="utf-8").splitlines() if path.exists() else []:
+            run.append(json.loads(text))
+            if "done" in run[-1]:
+                if run[-1]["stamp"] == stamp_of(run[-1]["done"][1]):
+                    self._take(run)
+                run = []
+        log(f"{path}: {len(self.done)} runs are done")
+        self.file = path.open("a", encoding="utf-8")
 
     def fate(self, number):
         return self.fates.setdefault(number, Fate())
@@ -51,21 +52,15 @@ class Results:
 
     def add(self, method, lines, stage, seconds):
         """Takes in one run: a method on the cases of a stage."""
-        kept = [line for line in lines if line["reached"]]
-        for line in kept:
-            self._write(dict(line, method=method))
-        done = {"done": [stage, method], "seconds": round(seconds, 1)}
-        self._write(done)
-        for line in kept:
-            self.fate(line["number"]).add(method, line)
-        self._take(done)
+        run = [line for line in lines if line["reached"]]
+        run.append({"done": [stage, method], "seconds": round(seconds, 1), "stamp": self.stamp_of(method)})
+        print("\n".join(map(json.dumps, run)), file=self.file, flush=True)
+        self._take(run)
 
-    def _take(self, line):
-        if "done" in line:
-            self.done.add(tuple(line["done"]))
-            self.seconds[tuple(line["done"])] = line["seconds"]
-        elif "number" in line:
-            self.fate(line["number"]).add(line["method"], line)
-
-    def _write(self, line):
-        print(json.dumps(line), file=self.file, flush=True)
+    def _take(self, run):
+        """The lines of one run; the last says which it is."""
+        done = tuple(run[-1]["done"])
+        self.done.add(done)
+        self.seconds[done] = run[-1]["seconds"]
+        for line in run[:-1]:
+            self.fate(line["number"]).add(done[1], line)

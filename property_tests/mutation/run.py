@@ -46,7 +46,7 @@ def contains(mutant, texts):
     return any(text in f"{mutant.file} {mutant.function} {mutant.find} -> {mutant.put}" for text in texts)
 
 
-def trusted(mutants):
+def explained(mutants):
     """The numbers of the mutants that are explained at the moment."""
     reasons = read_explanations()
     return {mutant.number for mutant in mutants if mutant.key in reasons}
@@ -64,6 +64,7 @@ def parsed():
     parser.add_argument("--topics", nargs="+", default=TOPICS, choices=TOPICS, help="only the methods of these")
     parser.add_argument("--only", nargs="+", help="only mutants whose `file function find -> put` has one of these in it")
     parser.add_argument("--without", nargs="+", default=[], help="no mutants with one of these in it")
+    parser.add_argument("--again", action="store_true", help="ask all cases again of what lives: families or claims have changed")
     parser.add_argument("--trust", action="store_true", help="do not run what is explained: quicker while mutants are sorted")
     parser.add_argument("--list", action="store_true", help="only see whether the explanations fit the kernels")
     parser.add_argument("--write", action="store_true", help="write the table of docs/mutation.md")
@@ -87,9 +88,13 @@ def main():
     start = time.monotonic()
     objects = Objects(options.build, planting, say)
     objects.make(options.topics, options.jobs)
-    name = "results.jsonl" if tuple(options.topics) == TOPICS and not options.only else "some_results.jsonl"
-    results = Results(objects.folder.parent / name, f"{objects.stamp()} {options.topics} {options.only}", say)
-    runner = Runner(objects, results, mutants, (lambda: trusted(mutants)) if options.trust else set)
+    is_of_all = not (options.only or options.without or options.trust)
+    stamps = {topic: f"{objects.stamp(topic)} {options.only} {options.without} {options.trust}" for topic in options.topics}
+    results = Results(objects.folder.parent / ("results.jsonl" if is_of_all else "some_results.jsonl"),
+                      lambda method: stamps.get(method.split("/", maxsplit=1)[0]), say)
+    if options.again:
+        results.done.clear()
+    runner = Runner(objects, results, mutants, lambda: explained(mutants), options.trust)
     failures += runner.run_all(runner.methods(options.topics), options.jobs, say)
 
     dead = set(planting.dead())
@@ -105,7 +110,7 @@ def main():
                for state in ("not compiling", "killed", "explained", "surviving")}
     minutes = (time.monotonic() - start) / 60
     say(f"{len(counted)} mutants in {minutes:.0f} min: " + ", ".join(f"{n} {state}" for state, n in numbers.items()))
-    is_whole = tuple(options.topics) == TOPICS and not (options.only or options.without or options.trust)
+    is_whole = tuple(options.topics) == TOPICS and is_of_all
     if options.write and is_whole and not failures:
         write_page(counted, reasons, sum(results.seconds.values()))
     return 1 if failures or numbers["surviving"] else 0

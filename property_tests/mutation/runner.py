@@ -1,21 +1,38 @@
 """Running the mutants on the cases of check: one process for a method and a range of cases, several at a time."""
 
 from concurrent.futures import FIRST_COMPLETED, ThreadPoolExecutor, wait
+import hashlib
 import json
 import subprocess
 import time
 
-from objects import Broken
+from objects import HERE, Broken
 
-# Cases FIRST to LAST - 1 of each family and precision; the last is what check does by default.
-STAGES = ((0, 200), (200, 1000), (1000, 10000))
+# The corpus, then cases FIRST to LAST - 1 of each family and precision; the last is what check does by default.
+STAGES = ("corpus", (0, 200), (200, 1000), (1000, 4000), (4000, 7000), (7000, 10000))
+# What is explained is asked on these only: most of it changes the last bit of most answers, and costs most.
+STAGES_OF_EXPLAINED = 2
+
+
+def corpus_of(method):
+    return HERE.parent / "corpus" / f"{method.split('/', maxsplit=1)[0]}.jsonl"
+
+
+def name_of(stage, method):
+    """What the results call a run of a method on the cases of a stage: of the corpus as it is, so that cases which
+    are added to it are asked of what is still alive."""
+    if STAGES[stage] == "corpus":
+        return "corpus " + hashlib.sha256(corpus_of(method).read_bytes()).hexdigest()[:12]
+    return "{}-{}".format(*STAGES[stage])
 
 
 class Runner:
     """The program, its shared objects, and the results so far."""
 
-    def __init__(self, objects, results, mutants, left_out=set):
-        self.objects, self.results, self.left_out = objects, results, left_out
+    def __init__(self, objects, results, mutants, explained, trust=False):
+        """`explained()` gives the numbers of what is, at the moment; none of it is run with `trust`."""
+        self.objects, self.results, self.explained = objects, results, explained
+        self.stages_of_explained = 0 if trust else STAGES_OF_EXPLAINED
         self.program = objects.folder.parent / "rayproof-check-mutants"
         if not self.program.exists():
             raise Broken(f"{self.program} is missing: ninja -C {objects.build} rayproof-check-mutants")
@@ -28,17 +45,17 @@ class Runner:
                 for name in subprocess.run([self.program, self.objects.path(topic)], capture_output=True, text=True,
                                            check=True).stdout.split()]
 
-    def living(self):
+    def living(self, stage):
         """What is still to be run: neither killed nor found not to compile where it stands."""
-        left_out = self.left_out()
+        left_out = self.explained() if stage >= self.stages_of_explained else set()
         return [number for number in self.numbers if not (number in left_out or self.results.is_done_with(number))]
 
     def run(self, stage, method):
         """One method on the cases of a stage; raises Broken where it does not pass unmutated."""
         start = time.monotonic()
-        first, last = STAGES[stage]
-        done = subprocess.run([self.program, self.objects.path(method.split("/", maxsplit=1)[0]), method, str(first), str(last)],
-                              input="\n".join(map(str, self.living())), capture_output=True, text=True, check=False)
+        cases = [corpus_of(method)] if STAGES[stage] == "corpus" else map(str, STAGES[stage])
+        done = subprocess.run([self.program, self.objects.path(method.split("/", maxsplit=1)[0]), method, *cases],
+                              input="\n".join(map(str, self.living(stage))), capture_output=True, text=True, check=False)
         lines = [json.loads(line) for line in done.stdout.splitlines()]
         if done.returncode != 0 or (lines and "unmutated" in lines[0]):
             raise Broken(f"{method} fails unmutated: {done.stdout[:500]} {done.stderr[-300:]}")
@@ -48,9 +65,10 @@ class Runner:
         """All stages of all methods, the cheap ones first."""
         failures = []
         for stage in range(len(STAGES)):
-            cost = {method: self.results.seconds.get((stage - 1, method), 0) for method in methods}
-            ahead = [method for method in sorted(methods, key=cost.get) if (stage, method) not in self.results.done]
-            if not self.living():
+            cost = {method: self.results.seconds.get((name_of(stage - 1, method), method), 0) for method in methods}
+            ahead = [method for method in sorted(methods, key=cost.get)
+                     if (name_of(stage, method), method) not in self.results.done]
+            if not self.living(stage):
                 break
             clock = Clock(stage, ahead, cost)
             with ThreadPoolExecutor(jobs) as pool:
@@ -67,8 +85,8 @@ class Runner:
                             failures.append(str(trouble))
                             log(f"FAILED {trouble}")
                             continue
-                        self.results.add(method, lines, stage, seconds)
-                        log(clock.line(method, seconds, len(self.living())))
+                        self.results.add(method, lines, name_of(stage, method), seconds)
+                        log(clock.line(method, seconds, len(self.living(stage))))
         return failures
 
 

@@ -74,7 +74,7 @@ template <std::floating_point T>
     for (const bool is_entry : {true, false}) {
       const bool is_lower = (ray.direction[axis] > T(0)) == is_entry;
       const T own = ((is_lower ? box.min : box.max)[axis] - ray.origin[axis]) / ray.direction[axis];
-      const T apart = own == t ? T(0) : abs(own - t) / (abs(own) + abs(t));
+      const T apart = abs(own - t);
       if (!(apart < nearest)) continue;  // also the NaN of a ray that is parallel to the face
       nearest = apart;
       normal = vec3<T>(0);

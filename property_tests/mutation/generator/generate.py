@@ -42,6 +42,7 @@ class Planted:
             if site.puts and not site.function.startswith(LEFT_OUT):
                 self.sites.append(site)
         self.roots = nested(self.sites)
+        self.first = first
         for site in self.sites:
             site.first = first
             first += len(site.puts)

@@ -50,11 +50,9 @@ Target find(void* object, const std::string& method) {
   throw std::runtime_error("there is no method " + method);
 }
 
-int run(const std::string& object, const std::string& method, unsigned first, unsigned last) {
-  const Target target = find(load(object), method);
+int run(const Target& target, const std::vector<Input>& inputs) {
   std::vector<int> mutants;
   for (int number = 0; std::cin >> number;) mutants.push_back(number);
-  const std::vector<Input> inputs = inputs_of(target.subject, first, last);
   const Notes notes = note_all(target, inputs, mutants);
   if (notes.broken) {
     fmt::print("{{\"unmutated\": \"{}\", \"case\": {}}}\n", notes.broken->name,
@@ -74,17 +72,23 @@ unsigned number_in(const std::string& text) { return static_cast<unsigned>(std::
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2 && argc != 5) {
+  if (argc != 2 && argc != 4 && argc != 5) {
     fmt::print(stderr,
                "rayproof-check-mutants OBJECT: the methods in it, a line each\n"
                "rayproof-check-mutants OBJECT METHOD FIRST LAST < NUMBERS: the mutants of these numbers on "
-               "cases FIRST to LAST - 1\n");
+               "cases FIRST to LAST - 1\n"
+               "rayproof-check-mutants OBJECT METHOD FILE < NUMBERS: on the cases of a file\n");
     return 2;
   }
   try {
-    if (argc == 5) return run(argv[1], argv[2], number_in(argv[3]), number_in(argv[4]));
-    for (const Subject& subject : subjects_in(load(argv[1]))) fmt::print("{}\n", subject.full_name());
-    return 0;
+    void* const object = load(argv[1]);
+    if (argc == 2) {
+      for (const Subject& subject : subjects_in(object)) fmt::print("{}\n", subject.full_name());
+      return 0;
+    }
+    const Target target = find(object, argv[2]);
+    return run(target, argc == 4 ? inputs_of(target.subject, argv[3])
+                                 : inputs_of(target.subject, number_in(argv[3]), number_in(argv[4])));
   } catch (const std::exception& trouble) {
     fmt::print(stderr, "rayproof-check-mutants: {}\n", trouble.what());
     return 2;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <string_view>
 
 namespace rayproof::mutation {
 
@@ -38,6 +39,8 @@ void start_watch() {
   Message message;
   for (; message.input < inputs.size() && message.property == 0; ++message.input) {
     if (!note.differs[message.input]) continue;
+    start_watch();
+    if (repeats(target.subject, notes.transcripts[message.input])) continue;
     start_watch();
     if (const Property* broken =
             broken_by(target.subject, inputs[message.input], notes.known[message.input])) {
@@ -87,6 +90,7 @@ std::string as_json(int number, const Notes& notes, const MutantResult& result,
     const Input& input = inputs[result.input];
     text += fmt::format(", \"family\": \"{}\", \"precision\": \"{}\", \"case\": {}", input.family,
                         input.one.precision == Precision::float32 ? "float32" : "float64", input.k);
+    if (input.family == std::string_view("corpus")) text += fmt::format(", \"place\": {}", result.input);
   }
   return text + "}";
 }

@@ -36,7 +36,8 @@ Notes note_all(const Target& target, const std::vector<Input>& inputs, const std
   target.state.is_noting = true;
   for (; desk.input < inputs.size() && notes.broken == nullptr; ++desk.input) {
     notes.known.push_back(judged(target.subject, inputs[desk.input]));
-    notes.broken = broken_by(target.subject, inputs[desk.input], notes.known.back());
+    const Subject recording = recorded(target.subject, notes.transcripts.emplace_back());
+    notes.broken = broken_by(recording, inputs[desk.input], notes.known.back());
   }
   target.state.is_noting = false;
   if (notes.broken != nullptr) notes.broken_in = &inputs[desk.input - 1];

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mutation/program/target.hpp"
+#include "mutation/program/transcript.hpp"
 
 namespace rayproof::mutation {
 
@@ -20,8 +21,9 @@ struct Note {
 
 /// What was noted of all of them, and the property that the unmutated method breaks, if any.
 struct Notes {
-  std::vector<Note> of{};       ///< by the mutant's number
-  std::vector<Judged> known{};  ///< the method's answers, by the number of the case
+  std::vector<Note> of{};                 ///< by the mutant's number
+  std::vector<Judged> known{};            ///< the method's answers, by the number of the case
+  std::vector<Transcript> transcripts{};  ///< and what it is asked beside, likewise
   const Property* broken = nullptr;
   const Input* broken_in = nullptr;
 };

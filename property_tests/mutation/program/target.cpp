@@ -1,10 +1,8 @@
 #include "mutation/program/target.hpp"
 
-#include <algorithm>
-#include <bit>
-
 #include "generators/generators.hpp"
 #include "generators/random.hpp"
+#include "mutation/program/transcript.hpp"
 #include "programs/check/corpus.hpp"
 #include "properties/hunt.hpp"
 #include "properties/plan.hpp"
@@ -31,43 +29,17 @@ std::vector<SeededFamily> sources_of(const std::string& topic) {
   return sources;
 }
 
-bool is_identical(double a, double b) {
-  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
-}
-bool is_identical(const std::optional<glm::dvec3>& a, const std::optional<glm::dvec3>& b) {
-  if (!a || !b) return a.has_value() == b.has_value();
-  return is_identical(a->x, b->x) && is_identical(a->y, b->y) && is_identical(a->z, b->z);
-}
-bool is_identical(const RayAnswer& a, const RayAnswer& b) {
-  const auto same_t = [](double x, double y) { return is_identical(x, y); };
-  return a.contact == b.contact && a.nearest_only == b.nearest_only &&
-         std::ranges::equal(a.hits.view(), b.hits.view(), same_t) && is_identical(a.point, b.point) &&
-         is_identical(a.normal, b.normal) && is_identical(a.barycentric, b.barycentric);
-}
-bool is_identical(const QuadraticAnswer<double>& a, const QuadraticAnswer<double>& b) {
-  return a.kind == b.kind && a.count == b.count && is_identical(a.roots[0], b.roots[0]) &&
-         is_identical(a.roots[1], b.roots[1]);
-}
-bool is_identical(Position a, Position b) { return a == b; }
-
-/// Bit for bit, -0 and 0 apart.
-bool is_identical(const Answer& a, const Answer& b) {
-  const auto compare = []<class A, class B>(const A& x, const B& y) {
-    if constexpr (std::is_same_v<A, B>)
-      return is_identical(x, y);
-    else
-      return false;
-  };
-  return std::visit(compare, a, b);
-}
-
 }  // namespace
+
+std::vector<Input> inputs_of(const Subject& subject, const std::string& file) {
+  std::vector<Input> inputs;
+  for (Case& one : check::read_corpus(file))
+    if (topic_of(one) == subject.topic) inputs.push_back({std::move(one)});
+  return inputs;
+}
 
 std::vector<Input> inputs_of(const Subject& subject, unsigned first, unsigned last) {
   std::vector<Input> inputs;
-  if (first == 0)
-    for (Case& one : check::read_corpus(""))
-      if (topic_of(one) == subject.topic) inputs.push_back({std::move(one)});
   const std::vector<SeededFamily> sources = sources_of(subject.topic);
   for (unsigned k = first; k < last; ++k)
     for (const auto& [family, precision, seed] : sources)

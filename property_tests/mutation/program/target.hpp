@@ -2,6 +2,7 @@
 /// \file
 /// A method with its mutants, and the cases it is run on.
 
+#include <string>
 #include <vector>
 
 #include "case/case.hpp"
@@ -18,7 +19,7 @@ struct Target {
   State& state;
 };
 
-/// A case of the corpus, or case k of a family.
+/// A case of a file, or case k of a family.
 struct Input {
   Case one{};
   unsigned k = 0;
@@ -26,7 +27,7 @@ struct Input {
 };
 
 /// Cases `first` to `last` - 1 of each family of the subject's topic as `rayproof check` asks them by
-/// default, in both precisions, by turns; before case 0 the corpus.
+/// default, in both precisions, by turns.
 [[nodiscard]] std::vector<Input> inputs_of(const Subject& subject, unsigned first, unsigned last);
 
 /// An answer, and what the oracle says of it.
@@ -34,6 +35,10 @@ struct Judged {
   Answer answer{};
   oracle::Judgement judgement{};
 };
+
+/// The cases of a file that are of the subject's topic, one a line; `k` is 0, so that every property is
+/// asked.
+[[nodiscard]] std::vector<Input> inputs_of(const Subject& subject, const std::string& file);
 
 /// The unmutated method's answer.
 [[nodiscard]] Judged judged(const Subject& subject, const Input& input);

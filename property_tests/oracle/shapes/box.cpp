@@ -37,6 +37,21 @@ class BoxIntersection final : public SolidIntersection {
     return std::max(nearest, beyond);
   }
 
+  /// The six faces; of a slab of no thickness the one that the ray enters by, which faces it. How a transform
+  /// rounds may turn a ray that nearly runs along it.
+  [[nodiscard]] SurfaceParts parts(const Quotient& t) const override {
+    const SurfaceParts faces = SolidIntersection::parts(t);
+    if (question().transform) return faces;
+    SurfaceParts met_by_ray;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const bool is_flat = sign(met(i).high - met(i).low) == 0;
+      const int way = sign(met(i).speed);
+      if (!is_flat || way >= 0) met_by_ray.push_back(faces[2 * i]);
+      if (!is_flat || way <= 0) met_by_ray.push_back(faces[2 * i + 1]);
+    }
+    return met_by_ray;
+  }
+
  protected:
   [[nodiscard]] Scaled position() const override { return norm(box_.min) + norm(box_.max); }
   [[nodiscard]] std::array<Scaled, 3> normal_sizes() const override {

@@ -24,6 +24,12 @@ Ruling ascending(Trial& trial) {
   return all_count && std::ranges::is_sorted(numbers) ? Ruling::held : Ruling::broken;
 }
 
+/// Whether an equation is said to have two roots or a double one, be they numbers or not.
+bool claims_roots(const Answer& answer) {
+  const auto* roots = std::get_if<QuadraticAnswer<double>>(&answer);
+  return roots != nullptr && (roots->kind == RootKind::two || roots->kind == RootKind::twice);
+}
+
 /// The number of the case that gives a hit when it becomes NaN, and that answer; nothing where none does.
 std::optional<std::pair<CaseNumber, Answer>> hit_from_nan(Trial& trial) {
   Case spoilt = trial.question();
@@ -32,7 +38,7 @@ std::optional<std::pair<CaseNumber, Answer>> hit_from_nan(Trial& trial) {
     *number.value = std::numeric_limits<double>::quiet_NaN();
     const Answer answer = trial.subject().answer(spoilt);
     *number.value = kept;
-    if (finds_something(answer)) return std::pair{number, answer};
+    if (finds_something(answer) || claims_roots(answer)) return std::pair{number, answer};
   }
   return std::nullopt;
 }

@@ -40,7 +40,7 @@ struct ExactSide {
   [[nodiscard]] int compare(int side, const ExactRatio<2, 1>& x) const {
     const double t = equation.approximate(side);
     const double difference = t - x.approximate;
-    const double doubt = 0x1p-46 * (abs(t) + abs(x.approximate)) + std::numeric_limits<double>::min();
+    const double doubt = 0x1p-46 * (abs(t) + abs(x.approximate));
     if (sign(E) > 0 && abs(difference) > doubt) return difference > 0 ? 1 : -1;
     return equation.compare(side, x);
   }

@@ -40,19 +40,18 @@ template <class T, class Compare>
   return static_cast<T>(copysign(beyond < 0 ? double{std::numeric_limits<T>::max()} : infinity<double>, t));
 }
 
-/// An exact number in T, on its own side of each end of the ray's interval, where rounding carried its
-/// estimate across. `compare(x)` is the exact sign of (number - x).
+/// An exact number in T, on its own side of each end of the ray's interval. The estimate is within 0.6 ulp,
+/// so that rounding carries it onto an end at most, and never over. `compare(x)` is the exact sign of (number
+/// - x).
 template <class T, class Compare>
 [[nodiscard]] T rounded(const Ray<T>& ray, double estimated, Compare&& compare) {
   T t = narrowed<T>(estimated, compare);
   const auto is_near = [&](T end) { return abs(end) < infinity<T> && std::nextafter(t, end) == end; };
-  if (is_near(ray.t_min)) {
-    const bool is_inside = compare(static_cast<double>(ray.t_min)) >= 0;
-    t = is_inside ? max(t, ray.t_min) : min(t, std::nextafter(ray.t_min, -infinity<T>));
+  if (is_near(ray.t_min) && compare(static_cast<double>(ray.t_min)) < 0) {
+    t = std::nextafter(ray.t_min, -infinity<T>);
   }
-  if (is_near(ray.t_max)) {
-    const bool is_inside = compare(static_cast<double>(ray.t_max)) <= 0;
-    t = is_inside ? min(t, ray.t_max) : max(t, std::nextafter(ray.t_max, infinity<T>));
+  if (is_near(ray.t_max) && compare(static_cast<double>(ray.t_max)) > 0) {
+    t = std::nextafter(ray.t_max, infinity<T>);
   }
   return t;
 }

@@ -60,18 +60,16 @@ template <class T>
   return {named("p", point_of(plane)), named("n", normal_of(plane))};
 }
 
-/// The first spanning vector of a normal n: n turned by a right angle about the axis along which it is
-/// shortest, so that nothing cancels and no component is rounded. The second is n × u.
+/// The first spanning vector of a normal n: n turned by a right angle about y or z, along whichever it is
+/// shorter, so that no component is rounded and no more than half of n² is lost. The second is n × u.
 template <class T>
 [[nodiscard]] constexpr Parametric<T> as_parametric(const Plane<T>& plane) {
   if (plane.form == PlaneForm::parametric) return {plane.point, plane.u, plane.v};
   step<T>("Find a point of the plane and two vectors that span it",
           "u and v lie in the plane: they are perpendicular to its normal and to each other.");
   const vec3<T> n = plane.normal;
-  const Mask<T> x_is_smallest = abs(n.x) <= abs(n.y) && abs(n.x) <= abs(n.z);
-  const vec3<T> about_y_or_z =
-      select_vector<T>(abs(n.y) <= abs(n.z), vec3<T>{n.z, T(0), -n.x}, vec3<T>{-n.y, n.x, T(0)});
-  const vec3<T> u = named("u", select_vector<T>(x_is_smallest, vec3<T>{T(0), -n.z, n.y}, about_y_or_z));
+  const vec3<T> u =
+      named("u", select_vector<T>(abs(n.y) <= abs(n.z), vec3<T>{n.z, T(0), -n.x}, vec3<T>{-n.y, n.x, T(0)}));
   return {named("p", point_of(plane)), u, named("v", cross(n, u))};
 }
 

@@ -45,7 +45,7 @@ struct FullRange {
     const Mask<T> b_rules = q.b != T(0) && (q.a == T(0) || q.c == T(0) || T(digits<T>) < e_b);
     const T small = -q.c / q.b;
     const T large = select(q.a == T(0), small, -q.b / q.a);
-    const T positive = T(1) + (q.a - q.a) + (q.c - q.c);  // or NaN where a or c is
+    const T positive = T(1) + (q.a - q.a) + (q.b - q.b);  // or NaN where a or b is; with c NaN, b rules no D
     return ascending(select(b_rules, positive, y.discriminant), select(b_rules, large, x0),
                      select(b_rules, small, x1));
   }

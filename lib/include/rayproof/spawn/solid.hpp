@@ -3,9 +3,9 @@
 /// Leaving a face of a box or a parallelepiped.
 
 #include <rayproof/box.hpp>
-#include <rayproof/formulas/dot_compensated.hpp>
 #include <rayproof/formulas/largest_axis.hpp>
 #include <rayproof/parallelepiped.hpp>
+#include <rayproof/spawn/dot_compensated.hpp>
 #include <rayproof/spawn/flat.hpp>
 
 namespace rayproof::spawn {

@@ -47,7 +47,8 @@ struct Compensated {
   /// With E = (r + |l|)·(|f| + r), Centred's D is off by at most 2^-49·E, which moves a root by less than
   /// 2^-50·E/D of the larger root, and the middle t_c is off by at most 2^-51·(|f| + r)/|d|. That is little
   /// of the smaller root, too, where it keeps 2^-20·E/D of the larger one: this is no less than √D/|d|, and
-  /// √D no more than r, so that the smaller one is at least 2^-20·(|f| + r)/|d|.
+  /// √D no more than r, so that the smaller one is at least 2^-20·(|f| + r)/|d|. SS is at least (|f| + r)²
+  /// and EE at least E².
   template <class T>
   static bool is_clear(const Ray<double>& ray, const Sphere<double>& sphere, const Roots<double>& wide) {
     const glm::dvec3 f = ray.origin - sphere.center;
@@ -55,17 +56,11 @@ struct Compensated {
     const double rr = sphere.radius * sphere.radius;
     const double SS = 2 * (dot(f, f) + rr);
     const double EE = 2 * (rr + (rr - D)) * SS;
-    if (!(D * D > 0x1p-42 * EE)) return false;  // not for a point touched: 0 > 0
-    if (D < 0) return true;
     const double smaller = min(abs(wide.lo), abs(wide.hi));
     const double larger = max(abs(wide.lo), abs(wide.hi));
-    const double kept = D * (smaller / larger);
-    if (!(kept * kept >= 0x1p-40 * EE)) return false;
-    if (!(smaller >= double{std::numeric_limits<T>::min()})) return false;
-    const auto is_beside = [](double t, double end) { return abs(t - end) <= 0x1p-22 * abs(t); };
-    return !(is_beside(wide.lo, ray.t_min) || is_beside(wide.lo, ray.t_max) ||
-             is_beside(wide.hi, ray.t_min) || is_beside(wide.hi, ray.t_max) ||
-             is_beside(smaller, infinite_from<T>) || is_beside(larger, infinite_from<T>));
+    const double kept = D < 0 ? D : D * (smaller / larger);
+    if (!(kept * kept > 0x1p-40 * EE)) return false;  // not for a point touched: 0 > 0
+    return D < 0 || (is_clear_of_ends<T>(ray, wide.lo) && is_clear_of_ends<T>(ray, wide.hi));
   }
 
   template <class T>

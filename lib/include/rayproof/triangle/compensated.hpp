@@ -35,17 +35,12 @@ class ClearSides {
     return any_positive && any_negative;
   }
 
-  /// All sides are clear and of one sign, and t, u and v are good to 2^-34, t clear of both ends of the ray's
-  /// interval, and all of the ends of T's normal numbers.
+  /// Of what is no such miss: all sides are clear, and so of one sign, and t, u and v are good to 2^-34, t
+  /// clear of both ends of the ray's interval and of the ends of T's normal numbers.
   template <class T>
   [[nodiscard]] bool is_hit(const Ray<double>& ray) const {
-    const bool is_inside = (U_.value > U_.error && V_.value > V_.error && W_.value > W_.error) ||
-                           (U_.value < -U_.error && V_.value < -V_.error && W_.value < -W_.error);
-    if (!is_inside || !V_.has_digits() || !W_.has_digits() || !D_.has_digits() || !at_origin_.has_digits()) {
-      return false;
-    }
-    constexpr double least = std::numeric_limits<T>::min();
-    return u() >= least && v() >= least && is_clear_of_ends<T>(ray, t());
+    const bool have_digits = V_.has_digits() && W_.has_digits() && D_.has_digits() && at_origin_.has_digits();
+    return U_.is_clear() && have_digits && is_clear_of_ends<T>(ray, t());
   }
 
   [[nodiscard]] double t() const { return at_origin_.value / D_.value; }
@@ -56,6 +51,8 @@ class ClearSides {
   struct Volume {
     double value = 0;
     double error = 0;
+    [[nodiscard]] bool is_clear() const { return abs(value) > error; }
+    /// An error of 0 is that of an exact 0: a side that the ray meets, or a t that is none.
     [[nodiscard]] bool has_digits() const { return abs(value) >= 0x1p36 * error; }
   };
 

@@ -2,7 +2,7 @@
 #include <rayproof/arithmetics/error_free.hpp>
 #include <rayproof/vec3.hpp>
 
-namespace rayproof {
+namespace rayproof::spawn {
 
 /// a·b as if computed in twice the digits and rounded once.
 ///
@@ -17,4 +17,4 @@ template <class T>
   return xyz.rounded + (x.rest + y.rest + z.rest + xy.rest + xyz.rest);
 }
 
-}  // namespace rayproof
+}  // namespace rayproof::spawn
