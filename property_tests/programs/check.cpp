@@ -4,69 +4,20 @@
 #include "command_line/command_line.hpp"
 #include "command_line/interrupt.hpp"
 #include "command_line/progress_line.hpp"
+#include "programs/check/campaign.hpp"
 #include "programs/check/corpus.hpp"
 #include "programs/check/guests.hpp"
 #include "programs/check/leaving.hpp"
 #include "programs/check/options.hpp"
 #include "programs/check/outputs.hpp"
+#include "programs/check/text.hpp"
 #include "properties/replay.hpp"
 #include "properties/report/findings.hpp"
 #include "properties/report/guest.hpp"
-#include "properties/report/report.hpp"
 
 namespace {
 
 using namespace rayproof;
-
-/// What breaks a contract, in full: first what has a counterexample.
-std::string all_failures(const RunResult& result, const Summary& summary) {
-  if (summary.is_success()) return "";
-  std::string text = "\nFAILED\n" + text_failures(result.findings);
-  for (const std::string& sentence : summary.without_counterexample()) text += sentence + "\n";
-  return text;
-}
-
-/// What is printed at the end: the table, the failures in full, the findings, and what may be done with them;
-/// at most 120 columns wide but for the cases of failures.
-std::string text_outcome(const check::Options& options, const Plan& plan, const RunResult& result,
-                         const Summary& summary) {
-  std::string text = fmt::format(
-      "seed {}, {}{} cases for each method, family and precision, {} corpus cases\n", plan.settings.seed,
-      plan.settings.time ? "at most " : "", plan.settings.cases, result.corpus_cases);
-  if (options.labels) text += text_labels(result) + "\n";
-  if (plan.settings.measure_all) text += text_families(plan, result) + text_measured(summary) + "\n";
-  text += text_table(summary) + all_failures(result, summary);
-  if (const std::string declared = text_declared(result.findings); !declared.empty())
-    text +=
-        "\nFindings that the contracts declare (several numbers: the same failure in the other precision or "
-        "method)\n" +
-        declared;
-  if (!result.findings.empty())
-    text += fmt::format("\n./rayproof explain N, walk N, draw N, replay N{}: look into finding N\n",
-                        from_option(options.out));
-  text += fmt::format("how to read it: docs/reading-a-check.md\npage: {}/index.html\n", options.out);
-  if (summary.was_interrupted) text += "interrupted: only what is shown was checked\n";
-  return text + (!summary.is_success() ? "NOT every contract holds\n"
-                 : summary.was_interrupted
-                     ? "no contract is broken by what was checked before the interrupt\n"
-                     : "every contract holds\n");
-}
-
-/// The same of programs: the findings in full, and what was judged of each shape.
-std::string text_of_guests(const check::Options& options, const Plan& plan, const RunResult& result) {
-  std::string text = fmt::format(
-      "{}\nseed {}, {}{} cases for each shape, family and precision\n",
-      options.command.empty() ? fmt::format("{}", fmt::join(options.subjects, ", ")) : options.command,
-      plan.settings.seed, plan.settings.time ? "at most " : "", plan.settings.cases);
-  if (!result.findings.empty()) text += "\nFINDINGS\n" + text_failures(result.findings) + "\n";
-  text += text_guests(plan, result);
-  if (!result.findings.empty())
-    text += fmt::format("./rayproof explain N, draw N, replay N{}: look into finding N\n",
-                        from_option(options.out));
-  text += fmt::format("page: {}/index.html\n", options.out);
-  if (result.was_interrupted) text += "interrupted: only what is shown was checked\n";
-  return text + verdict_on_guests(plan, result).sentence + "\n";
-}
 
 int run(const check::Options& options) {
   ProgressLine progress;
@@ -103,8 +54,8 @@ int run(const check::Options& options) {
   const Summary summary = summarise(plan, result);
   outputs.write(plan, result, summary);
   const bool is_kept = !left || check::report_leaving(options, *left);
-  fmt::print("{}", guests.empty() ? text_outcome(options, plan, result, summary)
-                                  : text_of_guests(options, plan, result));
+  fmt::print("{}", guests.empty() ? check::text_outcome(options, plan, result, summary)
+                                  : check::text_of_guests(options, plan, result));
   if (summary.was_interrupted || is_interrupted) return 130;
   if (!guests.empty()) return verdict_on_guests(plan, result).is_clean ? 0 : 1;
   return summary.is_success() && is_kept ? 0 : 1;
@@ -122,6 +73,7 @@ int main(int argc, char** argv) {
       options.cases.value_or(options.has_guests() ? check::usual_cases_of_command : check::usual_cases);
   options.settings.count_labels = !options.has_guests();
   try {
+    if (options.campaign) return check::run_campaign(options);
     return options.replay.empty() ? run(options) : replay_file(options.replay);
   } catch (const std::runtime_error& trouble) {
     fmt::print(stderr, "rayproof check: {}\n", trouble.what());

@@ -8,10 +8,9 @@
 #include <algorithm>
 #include <map>
 
-#include "case/writer.hpp"
 #include "properties/diagnosing.hpp"
+#include "properties/found.hpp"
 #include "properties/one_fault.hpp"
-#include "properties/shrink/shrink.hpp"
 
 namespace rayproof {
 
@@ -29,29 +28,12 @@ Unit unit_of(const Plan& plan, const Subject& subject, const Family& family, Pre
   return unit;
 }
 
-/// Whether simpler cases can be tried: each try at a case that is never answered takes seconds.
-bool can_be_shrunk(Trial& as_found) {
-  const Subject& subject = as_found.subject();
-  if (subject.function != nullptr) return true;
-  return !subject.is_given_up() && as_found.outcome().kind != Outcome::Kind::timed_out;
-}
-
-/// A program may be gone, or answer otherwise, when it is asked a second time.
-bool can_be_shown(const Property& property, Trial& as_found) {
-  return as_found.subject().function != nullptr || property.claim == Claim::answers ||
-         as_found.outcome().is_answered();
-}
-
 /// One run: the plan, who hears of it, and what has been found.
 class Run {
  public:
   Run(const Plan& plan, const Listener& listener, const std::atomic<bool>& stop)
       : plan_(plan), listener_(listener), stop_(stop), start_(std::chrono::steady_clock::now()) {
-    for (const Subject* subject : plan.subjects)
-      for (const Precision precision : plan.precisions)
-        for (const Family* family : plan.families)
-          if (family->topic == subject->topic)
-            result_.units.push_back(unit_of(plan, *subject, *family, precision));
+    result_.units = units_of(plan);
   }
 
   RunResult all(const std::vector<Case>& corpus) {
@@ -152,43 +134,10 @@ class Run {
     return plan_.settings.time ? elapsed / *plan_.settings.time : 0;
   }
 
-  /// The simplest case like the one found. What is simpler is another case: it has no id, and what is noted
-  /// of the first is not true of it.
-  [[nodiscard]] Case simplest(const Case& found, const std::function<bool(const Case&)>& breaks,
-                              std::chrono::milliseconds time) const {
-    Case bare = found;
-    bare.id.clear();
-    bare.note.clear();
-    Case shrunk = shrink(bare, breaks, {.time = time, .stop = &stop_});
-    return write_case(shrunk) == write_case(bare) ? found : shrunk;
-  }
-
-  /// Shrinks what was found, reports it, and keeps it. `failure` is what came of asking, where that is known
-  /// and is no answer: asked again, a program may behave.
   void report(const Subject& subject, const Property& property, const Case& one, const std::string& family,
               const Outcome* failure = nullptr) {
-    Finding finding{.subject = &subject,
-                    .property = &property,
-                    .family = family,
-                    .one = one,
-                    .is_declared = is_declared_refuted(subject, property)};
-    Trial as_found(subject, one);
-    if (failure != nullptr) as_found.know(*failure, {});
-    if (!can_be_shown(property, as_found)) return;
-    finding.evidence = property.show(as_found);
-    listener_.broken(finding);
-    if (can_be_shrunk(as_found)) {
-      const bool is_crash = property.claim == Claim::answers;  // each try costs a new process
-      finding.one = simplest(one, striking_break(subject, property, as_found),
-                             is_crash ? std::chrono::milliseconds(1000) : ShrinkBudget{}.time);
-      Trial shrunk(subject, finding.one);
-      if (subject.function != nullptr || ruling_of(property, shrunk) == Ruling::broken)
-        finding.evidence = property.show(shrunk);
-      else
-        finding.one = one;
-    }
-    listener_.finding(finding);
-    result_.findings.push_back(std::move(finding));
+    if (auto finding = made_of({subject, property, one, family, failure}, listener_, stop_))
+      result_.findings.push_back(std::move(*finding));
   }
 
   const Plan& plan_;
@@ -202,6 +151,15 @@ class Run {
 };
 
 }  // namespace
+
+std::vector<Unit> units_of(const Plan& plan) {
+  std::vector<Unit> units;
+  for (const Subject* subject : plan.subjects)
+    for (const Precision precision : plan.precisions)
+      for (const Family* family : plan.families)
+        if (family->topic == subject->topic) units.push_back(unit_of(plan, *subject, *family, precision));
+  return units;
+}
 
 RunResult run_plan(const Plan& plan, const std::vector<Case>& corpus, const Listener& listener,
                    const std::atomic<bool>& stop) {

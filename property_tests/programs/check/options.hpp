@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "properties/plan.hpp"
+#include "properties/campaign/state.hpp"
 #include "subjects/command.hpp"
 
 namespace rayproof::check {
@@ -25,6 +25,9 @@ struct Options {
   std::string corpus{};
   std::string out = "out/check";
   bool labels = false;
+  bool campaign = false;
+  bool resume = false;  ///< go on with the campaign in the folder
+  campaign::Shard shard{};
 };
 
 /// The default of --cases for our own methods, and for a command, which takes longer for each.

@@ -46,13 +46,16 @@ struct Promise {
   return {std::max(promise.verdict, robust), std::max(promise.residual, robust), infinity<double>};
 }
 
-/// How far the point of a hit may be from the surface: as far as p(t), whose residual is promised, or else
-/// the robust bound, and as far from p(t) as is promised.
+/// How far the point of a hit may be from the surface: as far as p(t), whose residual is promised, or, where
+/// the contract promises none, the robust bound, and as far from p(t) as is promised. A promise that grows
+/// with the ratio `far` is none for a shape without size.
 [[nodiscard]] inline double promised_surface(Trial& trial) {
+  const Contract& contract = trial.subject().contract;
   const double residual = promise_for(trial).residual;
-  const double of_t =
-      std::isfinite(residual) ? residual : robust_bound(trial.subject().topic).value_or(residual);
-  return of_t + trial.subject().contract.hit.point.promised;
+  const double of_t = std::isfinite(contract.residual.promised)
+                          ? residual
+                          : robust_bound(trial.subject().topic).value_or(residual);
+  return of_t + contract.hit.point.promised;
 }
 
 }  // namespace rayproof

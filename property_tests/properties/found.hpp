@@ -1,0 +1,26 @@
+#pragma once
+/// \file
+/// From a case that breaks a property to the finding that people read.
+
+#include <atomic>
+#include <optional>
+
+#include "properties/engine.hpp"
+
+namespace rayproof {
+
+/// A case that broke a property.
+struct Found {
+  const Subject& subject;
+  const Property& property;
+  const Case& one;
+  const std::string& family;
+  /// What came of asking, where that is known and is no answer: asked again, a program may behave.
+  const Outcome* failure = nullptr;
+};
+
+/// Shrinks what was found and tells the listener; nothing where it cannot be shown again.
+[[nodiscard]] std::optional<Finding> made_of(const Found& found, const Listener& listener,
+                                             const std::atomic<bool>& stop);
+
+}  // namespace rayproof

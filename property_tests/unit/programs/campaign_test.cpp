@@ -1,0 +1,108 @@
+/// \file
+/// Campaigns as somebody outside runs them: in shards, killed and gone on with, side by side.
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "unit/command.hpp"
+
+namespace rayproof {
+namespace {
+
+/// A folder of its own for each test, gone with the object. Every campaign writes to `out/check` of some
+/// folder in it.
+class CampaignProgram : public testing::Test {
+ protected:
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  [[nodiscard]] test::Ended run_in(const std::string& name, const std::string& command) const {
+    std::filesystem::create_directories(folder_ / name);
+    return test::run("cd " + (folder_ / name).string() + " && PATH=" + RAYPROOF_BIN_DIR + ":$PATH && " +
+                     command);
+  }
+
+  [[nodiscard]] std::string text_of(const std::string& name) const {
+    std::ostringstream text;
+    text << std::ifstream(folder_ / name).rdbuf();
+    return text.str();
+  }
+
+  /// All that two campaigns wrote is the same.
+  void expect_same(const std::string& one, const std::string& other) const {
+    for (const char* const file : {"campaign.json", "findings.jsonl", "index.html"}) {
+      const std::string text = text_of(one + "/out/check/" + file);
+      EXPECT_GT(text.size(), 100U) << file;
+      EXPECT_TRUE(text == text_of(other + "/out/check/" + file)) << file;
+    }
+  }
+
+ private:
+  std::filesystem::path folder_ =
+      std::filesystem::path(testing::TempDir()) / ("rayproof_campaign_" + std::to_string(::getpid()));
+};
+
+const std::string campaign =
+    "rayproof-check --campaign --cases 4e5 --shape quadratic --method textbook --family random,whole";
+
+TEST_F(CampaignProgram, TwoShardsMergedAreByteForByteOneRun) {
+  ASSERT_EQ(run_in("whole", campaign).status, 0);
+  for (const char* const shard : {"1", "2"})
+    ASSERT_EQ(run_in(shard, campaign + " --shard " + shard + "/2").status, 0);
+  const test::Ended merged =
+      run_in("merged", "rayproof-merge ../1/out/check ../2/out/check/campaign.json --out out/check");
+  ASSERT_EQ(merged.status, 0) << merged.output;
+  expect_same("whole", "merged");
+}
+
+TEST_F(CampaignProgram, KilledAndResumedIsByteForByteOneRun) {
+  ASSERT_EQ(run_in("whole", campaign).status, 0);
+  const test::Ended stopped =
+      run_in("killed", campaign + " --time 1s --jobs 1 & sleep 0.3; kill -INT $!; wait $!");
+  EXPECT_TRUE(stopped.status == 130 || stopped.status == 0) << stopped.output;
+  (void)run_in("killed", "timeout -s KILL 0.4 " + campaign + " --resume");
+  ASSERT_EQ(run_in("killed", campaign + " --resume").status, 0);
+  expect_same("whole", "killed");
+}
+
+TEST_F(CampaignProgram, DoesNotOverwriteWhatAnotherFound) {
+  ASSERT_EQ(run_in("one", campaign).status, 0);
+  const std::string before = text_of("one/out/check/campaign.json");
+  const test::Ended again = run_in("one", campaign);
+  EXPECT_EQ(again.status, 2);
+  EXPECT_NE(again.output.find("--resume goes on with it"), std::string::npos) << again.output;
+  const test::Ended other = run_in("one", campaign + " --seed 3 --resume");
+  EXPECT_EQ(other.status, 2);
+  EXPECT_NE(other.output.find("holds another campaign"), std::string::npos) << other.output;
+  EXPECT_EQ(text_of("one/out/check/campaign.json"), before);
+}
+
+TEST_F(CampaignProgram, AMistakeEndsWithTwoAndOneSentence) {
+  for (const char* const mistake :
+       {"--campaign --cases 1.5", "--campaign --cases 1e13", "--campaign --shard 0/2",
+        "--campaign --shard 3/2", "--campaign --shard half", "--shard 1/2", "--resume",
+        "--campaign --subject-command true", "--campaign --time 5x"}) {
+    const test::Ended ended = run_in("one", std::string("rayproof-check ") + mistake);
+    EXPECT_EQ(ended.status, 2) << mistake;
+    EXPECT_EQ(std::count(ended.output.begin(), ended.output.end(), '\n'), 1) << ended.output;
+  }
+  EXPECT_EQ(run_in("one", "rayproof-merge nowhere --out x").status, 2);
+}
+
+TEST_F(CampaignProgram, ShardsRunSideBySideUnderGnuParallel) {
+  if (test::run("parallel --version").status != 0) GTEST_SKIP() << "GNU parallel is not installed";
+  ASSERT_EQ(run_in("whole", campaign).status, 0);
+  const test::Ended shards = run_in(
+      "parts", "parallel --will-cite -j 2 " + campaign + " --jobs 1 --shard {}/4 --out shard{} ::: 1 2 3 4");
+  ASSERT_EQ(shards.status, 0) << shards.output;
+  const test::Ended merged = run_in("parts", "rayproof-merge shard1 shard2 shard3 shard4 --out out/check");
+  ASSERT_EQ(merged.status, 0) << merged.output;
+  expect_same("whole", "parts");
+}
+
+}  // namespace
+}  // namespace rayproof
