@@ -24,6 +24,9 @@ class Child {
   /// soon as there is something to do or the time is over.
   void exchange(std::string& unsent, std::string& received, std::chrono::milliseconds limit);
 
+  /// The number of its process group.
+  [[nodiscard]] pid_t group() const { return id_; }
+
   /// From now on it reads the end of its input.
   void close_input();
   /// Whether it has closed its output, or has ended.

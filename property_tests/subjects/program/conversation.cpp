@@ -6,10 +6,18 @@
 
 #include "case/shape_format.hpp"
 #include "case/writer.hpp"
+#include "subjects/program/starvation.hpp"
 
 namespace rayproof::program {
 
 using std::chrono::milliseconds;
+
+namespace {
+
+/// How often a program that does not get the processor is given its time once more.
+constexpr int most_extensions = 5;
+
+}  // namespace
 
 void Round::put(std::size_t i, Outcome outcome) {
   if (!has_answer[i]) --waiting;
@@ -42,10 +50,16 @@ void Conversation::write(const Round& round) {
 Conversation::Ending Conversation::ask(Round& round) {
   write(round);
   Clock::time_point heard = Clock::now();
+  Starvation starvation(child_.group());
+  int patience = most_extensions;
   while (round.waiting > 0) {
     const milliseconds limit = has_spoken_ ? program_->case_time() : program_->first_case_time();
     const auto left = std::chrono::duration_cast<milliseconds>(heard + limit - Clock::now());
-    if (left <= milliseconds(0)) return Ending::silence;
+    if (left <= milliseconds(0)) {
+      if (patience-- == 0 || !starvation.goes_on()) return Ending::silence;
+      heard = Clock::now();
+      continue;
+    }
     const std::size_t waiting = round.waiting;
     child_.exchange(unsent_, received_, left);
     if (!take_lines(round)) return Ending::nonsense;
