@@ -100,7 +100,7 @@ class FunctionPanel {
   FunctionOptions options_;
   std::vector<std::unique_ptr<Answering>> members_{};
   Case one_{};
-  Reply reply_{};
+  FunctionReply reply_{};
 };
 
 }  // namespace answering

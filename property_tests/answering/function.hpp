@@ -30,7 +30,7 @@ class Answering {
   /// What the function computes in.
   [[nodiscard]] virtual Precision precision() const = 0;
   /// Answers a case that it takes. May throw what the function throws.
-  virtual void answer(const Case& one, Reply& reply) = 0;
+  virtual void answer(const Case& one, FunctionReply& reply) = 0;
 };
 
 /// One function, its parameters matched with the case format's shapes when it is made.
@@ -64,7 +64,7 @@ class AnsweringFunction final : public Answering {
     return std::is_same_v<Number, float> ? Precision::float32 : Precision::float64;
   }
 
-  void answer(const Case& one, Reply& reply) override {
+  void answer(const Case& one, FunctionReply& reply) override {
     const Order& order = orders_[ordinal_of(one.question)];
     if (!set_problem(one.question, order)) {
       reply.is_unsupported = true;
@@ -132,7 +132,7 @@ class AnsweringFunction final : public Answering {
     return said.all_hits || t_min <= 0 || order.is_flat;
   }
 
-  void call(Reply& reply) {
+  void call(FunctionReply& reply) {
     [&]<class... P>(std::type_identity<std::tuple<P...>>) {
       ArgumentMaker maker{problem_, problem_.fields.row.data()};
       std::tuple<HeldFor<P>...> held{maker.template make<P>()...};
@@ -156,7 +156,7 @@ class AnsweringFunction final : public Answering {
 
   /// Scales t back, drops what does not count, and takes point and normal to the
   /// world.
-  void finish_ray(const Order& order, Reply& reply) {
+  void finish_ray(const Order& order, FunctionReply& reply) {
     const Ray<double>& ray = problem_.asked->ray;
     const double first = reply.hits.empty() ? 0 : reply.hits.front() / problem_.length;
     const bool knows = has_interval(order);
@@ -190,7 +190,7 @@ class AnsweringFunction final : public Answering {
   }
 
   /// Keeps the hits that count, each once; the verdict follows them where the function gives any.
-  void finish_hits(Reply& reply, auto&& counts) {
+  void finish_hits(FunctionReply& reply, auto&& counts) {
     reply.lists_hits = said.t;
     if (!said.t) return;
     if (reply.is_hit == false) reply.hits.clear();

@@ -23,7 +23,7 @@ class Unsupported : public std::runtime_error {
 namespace answering {
 
 /// One reply. What is empty is not written, and what is not written is not judged.
-struct Reply {
+struct FunctionReply {
   bool is_unsupported = false;
   std::string error{};
   std::optional<bool> is_hit{};
@@ -85,7 +85,8 @@ inline void append_list(std::string& out, const std::vector<double>& numbers, st
 }
 
 /// The reply as a line, its newline included.
-inline void append_reply(std::string& out, std::string_view id, const Reply& reply, bool is_quadratic) {
+inline void append_reply(std::string& out, std::string_view id, const FunctionReply& reply,
+                         bool is_quadratic) {
   out.append("{\"id\": ").append(id.empty() ? "null" : id);
   if (!reply.error.empty()) {
     append_string(out += ", \"error\": ", reply.error);

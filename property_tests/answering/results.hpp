@@ -18,7 +18,7 @@ namespace rayproof::answering {
 
 /// Writes what `result` says into the reply.
 struct ResultTaker {
-  Reply& reply;
+  FunctionReply& reply;
   std::size_t numbers = 0, vectors = 0;  ///< outputs met so far
 
   template <class R>

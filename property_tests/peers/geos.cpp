@@ -10,10 +10,10 @@
 namespace rayproof {
 namespace {
 
-struct Destroy {
+struct DestroyGeometry {
   void operator()(GEOSGeometry* geometry) const { GEOSGeom_destroy(geometry); }
 };
-using Geometry = std::unique_ptr<GEOSGeometry, Destroy>;
+using Geometry = std::unique_ptr<GEOSGeometry, DestroyGeometry>;
 
 Geometry polygon_of(const std::vector<Vec2<double>>& vertices) {
   const auto count = static_cast<unsigned>(vertices.size());

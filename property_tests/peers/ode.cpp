@@ -18,10 +18,10 @@ using Hit = std::optional<double>;
 using T = dReal;
 using Vector = glm::vec<3, T>;
 
-struct Destroy {
+struct DestroyGeom {
   void operator()(dGeomID geometry) const { dGeomDestroy(geometry); }
 };
-using Geometry = std::unique_ptr<dxGeom, Destroy>;
+using Geometry = std::unique_ptr<dxGeom, DestroyGeom>;
 
 /// The nearest hit of a segment with a geometry.
 Hit meet(dGeomID geometry, const peers::Segment<T>& segment) {

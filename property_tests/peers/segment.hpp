@@ -38,7 +38,9 @@ template <class T>
   const auto whole = made.end - made.start;
   const T length2 = dot(whole, whole);
   if (!std::isfinite(length2) || length2 < std::numeric_limits<T>::min()) throw Unsupported();
-  if (!is_flat && glm::length(made.start) > T(8) * std::sqrt(length2)) throw Unsupported();
+  for (int axis = 0; axis < 3; ++axis)
+    if (!is_flat && whole[axis] != 0 && std::abs(made.start[axis]) > 8 * std::abs(whole[axis]))
+      throw Unsupported();
   return made;
 }
 

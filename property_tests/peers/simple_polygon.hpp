@@ -41,26 +41,36 @@ namespace rayproof::peers {
   return true;
 }
 
-/// The same in space, where all vertices also lie in one plane, but for their rounding.
-[[nodiscard]] inline bool is_simple(std::span<const glm::dvec3> vertices) {
+/// The Newell normal of a polygon seen from its first vertex.
+[[nodiscard]] inline glm::dvec3 newell_normal(std::span<const glm::dvec3> vertices) {
   glm::dvec3 normal(0);
+  for (std::size_t i = 0; i + 1 < vertices.size(); ++i)
+    normal += cross(vertices[i] - vertices[0], vertices[i + 1] - vertices[0]);
+  return normal;
+}
+
+/// How far the farthest vertex is from the plane through the first, normal to the Newell normal.
+[[nodiscard]] inline double distance_from_plane(std::span<const glm::dvec3> vertices) {
+  const glm::dvec3 normal = glm::normalize(newell_normal(vertices));
+  double distance = 0;
+  for (const glm::dvec3& vertex : vertices)
+    distance = std::max(distance, std::abs(dot(vertex - vertices[0], normal)));
+  return distance;
+}
+
+/// The same in space, where all vertices also lie in one plane, but for their rounding to float.
+[[nodiscard]] inline bool is_simple(std::span<const glm::dvec3> vertices) {
+  const glm::dvec3 normal = newell_normal(vertices);
   double size = 0;
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const glm::dvec3 side = vertices[i] - vertices[0],
-                     next = vertices[(i + 1) % vertices.size()] - vertices[0];
-    normal += cross(side, next);
-    size = std::max(size, glm::length(side));
-  }
-  if (!(glm::length(normal) > 1e-12 * size * size)) return false;
+  for (const glm::dvec3& vertex : vertices) size = std::max(size, glm::length(vertex - vertices[0]));
+  if (!(glm::length(normal) > 1e-12 * size * size) || distance_from_plane(vertices) > 1e-6 * size)
+    return false;
   int axis = 0;
   for (const int other : {1, 2})
     if (std::abs(normal[other]) >= std::abs(normal[axis])) axis = other;
   std::vector<Vec2<double>> flat;
-  for (const glm::dvec3& vertex : vertices) {
-    // Rounded to float, vertices are off their plane by as much.
-    if (std::abs(dot(vertex - vertices[0], glm::normalize(normal))) > 1e-6 * size) return false;
-    flat.push_back({vertex[(axis + 1) % 3], vertex[(axis + 2) % 3]});
-  }
+  flat.reserve(vertices.size());
+  for (const glm::dvec3& vertex : vertices) flat.push_back({vertex[(axis + 1) % 3], vertex[(axis + 2) % 3]});
   return is_simple(flat);
 }
 

@@ -75,10 +75,10 @@ Hit polygon(const Ray<double>& ray, const std::vector<dvec3>& vertices) {
     const vtkIdType id = cell->GetPoints()->InsertNextPoint(&vertex.x);
     cell->GetPointIds()->InsertNextId(id);
   }
-  // Its hits must be within the tolerance of its plane, which rounding alone takes them off by.
+  // Its hits must be within the tolerance of its planes, which rounding alone takes hits and vertices off by.
   double size = glm::length(ray.origin);
   for (const dvec3& vertex : vertices) size = std::max(size, glm::length(vertex));
-  return meet(*cell, vertices, ray, 1e-14 * size);
+  return meet(*cell, vertices, ray, 1e-14 * size + 2 * peers::distance_from_plane(vertices));
 }
 
 std::array<double, 6> bounds_of(dvec3 low, dvec3 high) {
