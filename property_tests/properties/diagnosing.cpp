@@ -148,6 +148,19 @@ bool is_of_symmetry(const Finding& finding) {
   return claim == Claim::scaled || claim == Claim::reversed || claim == Claim::moved;
 }
 
+/// Whether a boundary's finding says no more than that it is one.
+bool is_vague(const Finding& finding) {
+  const bool is_avoided =
+      finding.cause == nullptr || (finding.cause->keeps == Keeps::verdict && !finding.cause->perturbs);
+  return finding.property->claim == Claim::exact && is_avoided;
+}
+
+void adopt(Finding& finding, const Finding& from) {
+  finding.cause = from.cause;
+  finding.kind_of_fault = from.kind_of_fault;
+  finding.diagnosis = from.diagnosis;
+}
+
 /// All findings of one subject, those of its symmetries last: they are broken by what is wrong with its
 /// answers themselves, where that is known.
 std::vector<Finding> diagnose_subject(RunResult& result, const std::vector<std::size_t>& of_subject,
@@ -160,14 +173,13 @@ std::vector<Finding> diagnose_subject(RunResult& result, const std::vector<std::
       Finding& finding = result.findings[i];
       if (stop || !can_be_diagnosed(finding) || is_of_symmetry(finding) != are_symmetries) continue;
       if (are_symmetries && first != nullptr) {
-        finding.cause = first->cause;
-        finding.kind_of_fault = first->kind_of_fault;
-        finding.diagnosis = first->diagnosis;
+        adopt(finding, *first);
         finding.cases = broken_cases(result, finding);
         continue;
       }
       std::vector<Finding> more = Consultation(result, samples, finding, stop).findings(known);
       std::ranges::move(more, std::back_inserter(others));
+      if (first != nullptr && is_vague(finding)) adopt(finding, *first);
       const bool is_worse = first == nullptr || finding.cases > first->cases;
       if (!are_symmetries && finding.cause != nullptr && is_worse) first = &finding;
     }
