@@ -151,11 +151,12 @@ class Run {
 
   /// The simplest case like the one found. What is simpler is another case: it has no id, and what is noted
   /// of the first is not true of it.
-  [[nodiscard]] Case simplest(const Case& found, const std::function<bool(const Case&)>& breaks) const {
+  [[nodiscard]] Case simplest(const Case& found, const std::function<bool(const Case&)>& breaks,
+                              std::chrono::milliseconds time) const {
     Case bare = found;
     bare.id.clear();
     bare.note.clear();
-    Case shrunk = shrink(bare, breaks, {.stop = &stop_});
+    Case shrunk = shrink(bare, breaks, {.time = time, .stop = &stop_});
     return write_case(shrunk) == write_case(bare) ? found : shrunk;
   }
 
@@ -174,7 +175,9 @@ class Run {
     finding.evidence = property.show(as_found);
     listener_.broken(finding);
     if (can_be_shrunk(as_found)) {
-      finding.one = simplest(one, striking_break(subject, property, as_found));
+      const bool is_crash = property.claim == Claim::answers;  // each try costs a new process
+      finding.one = simplest(one, striking_break(subject, property, as_found),
+                             is_crash ? std::chrono::milliseconds(1000) : ShrinkBudget{}.time);
       Trial shrunk(subject, finding.one);
       if (subject.function != nullptr || ruling_of(property, shrunk) == Ruling::broken)
         finding.evidence = property.show(shrunk);

@@ -46,4 +46,19 @@ struct CaseNumber {
   return all;
 }
 
+/// Calls `act(x)` for every number of the case, in the order of the format.
+void each_number_of(const Case& one, auto&& act) {
+  const auto visit_field = [&](const char* /*name*/, const auto& field) { each_number(field, act); };
+  const auto visit_shape = [&]<class S>(const S& shape) { ShapeFormat<S>::fields(shape, visit_field); };
+  const auto* asked = std::get_if<RayQuestion>(&one.question);
+  if (const auto* equation = std::get_if<Quadratic<double>>(&one.question)) return visit_shape(*equation);
+  if (asked == nullptr) return visit_shape(std::get<PointAndPolygon<double>>(one.question));
+  each_number(asked->ray.origin, act);
+  each_number(asked->ray.direction, act);
+  act(asked->ray.t_min);
+  act(asked->ray.t_max);
+  std::visit(visit_shape, asked->shape);
+  if (asked->transform) each_number(*asked->transform, act);
+}
+
 }  // namespace rayproof

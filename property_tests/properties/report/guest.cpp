@@ -52,9 +52,8 @@ bool is_for_own_methods(const Property& property) {
                    {"batch", "bounded", "exact", "robust-verdict", "robust-residual", "ulp", "nan"});
 }
 
-/// Why a property was judged on no case: what the guest leaves out; empty where the question has it for
-/// nobody.
-std::string why_not_judged(const Subject& guest, const Property& property) {
+/// Why a property is not judged: what the guest leaves out; empty where it leaves out nothing.
+std::string left_out(const Subject& guest, const Property& property) {
   const Abilities& able = guest.abilities;
   if (is_one_of(property, {"residual", "ascending"}) && !able.numbers) return "no t is given";
   if (is_one_of(property, {"contact", "touch"}) && !able.contact) return "no contact is given";
@@ -62,7 +61,6 @@ std::string why_not_judged(const Subject& guest, const Property& property) {
   if (is_one_of(property, {"normal"}) && !able.normal) return "no normal is given";
   if (guest.topic == "triangle" && is_one_of(property, {"coordinates"}))
     return "no barycentric coordinates are given";
-  if (is_one_of(property, {"boundary"})) return "its verdict there is right, or what rounding makes of it";
   return "";
 }
 
@@ -71,8 +69,11 @@ std::string not_judged(const Plan& plan, const Subject& guest, const Tally& tall
   std::map<std::string, std::vector<std::string_view>> by_reason;
   for (std::size_t p = 0; p < properties().size(); ++p) {
     const Property& property = properties()[p];
-    if (!plan.is_wanted[p] || tally.properties[p].judged() > 0 || is_for_own_methods(property)) continue;
-    by_reason[why_not_judged(guest, property)].push_back(property.name);
+    if (!plan.is_wanted[p] || is_for_own_methods(property)) continue;
+    std::string reason = left_out(guest, property);
+    if (is_one_of(property, {"boundary"}) && tally.properties[p].judged() == 0)
+      reason = "its verdict there is right, or what rounding makes of it";
+    by_reason[reason].push_back(property.name);
   }
   by_reason.erase("");
   std::vector<std::string> parts;
@@ -90,10 +91,11 @@ constexpr const char* never_judged =
     "own methods)\nleft out for their sizes: cases with numbers beyond what a textbook's arithmetic can "
     "hold\n";
 
-std::string judged(const Plan& plan, const Tally& tally) {
+std::string judged(const Plan& plan, const Subject& guest, const Tally& tally) {
   std::vector<std::string_view> names;
   for (std::size_t p = 0; p < properties().size(); ++p)
-    if (plan.is_wanted[p] && tally.properties[p].judged() > 0) names.push_back(properties()[p].name);
+    if (plan.is_wanted[p] && tally.properties[p].judged() > 0 && left_out(guest, properties()[p]).empty())
+      names.push_back(properties()[p].name);
   return names.empty() ? "" : fmt::format("  judged: {}\n", fmt::join(names, ", "));
 }
 
@@ -105,7 +107,8 @@ std::string text_guests(const Plan& plan, const RunResult& result) {
     if (guest->has_own_contract) continue;
     const Tally tally = tally_of(result, *guest);
     text += line_of(result, *guest, tally);
-    if (tally.cases > tally.unsupported) text += judged(plan, tally) + not_judged(plan, *guest, tally);
+    if (tally.cases > tally.unsupported)
+      text += judged(plan, *guest, tally) + not_judged(plan, *guest, tally);
   }
   text += never_judged;
   for (const Subject* guest : plan.subjects)
