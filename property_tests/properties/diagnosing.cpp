@@ -3,6 +3,8 @@
 #include <tbb/parallel_for.h>
 
 #include <cmath>
+#include <iterator>
+#include <map>
 
 #include "case/writer.hpp"
 #include "properties/diagnosis/diagnose.hpp"
@@ -46,9 +48,13 @@ class Consultation {
     if (failing_.empty()) failing_.push_back(finding.one);
   }
 
-  /// Completes the finding; the others that its property deserves.
-  std::vector<Finding> findings() {
-    const std::vector<Diagnosis> groups = diagnose(patient_, failing_, passing_);
+  /// Completes the finding; the others that its property deserves. Causes that are `known` of the subject are
+  /// tried first, and new ones added.
+  std::vector<Finding> findings(std::vector<const Hypothesis*>& known) {
+    const std::vector<Diagnosis> groups = diagnose(patient_, failing_, passing_, known);
+    for (const Diagnosis& group : groups)
+      if (group.cause != nullptr && std::ranges::find(known, group.cause) == known.end())
+        known.push_back(group.cause);
     const Diagnosis& own = own_group(groups);
     describe(finding_, own);
     std::vector<Finding> others;
@@ -137,20 +143,47 @@ bool can_be_diagnosed(const Finding& finding) {
   return finding.property->claim != Claim::answers && !finding.subject->is_given_up();
 }
 
-/// A symmetry is broken by what is wrong with the answers themselves, where that is known.
-void adopt_cause(Finding& finding, const std::vector<Finding>& all) {
+bool is_of_symmetry(const Finding& finding) {
   const Claim claim = finding.property->claim;
-  const bool is_symmetry = claim == Claim::scaled || claim == Claim::reversed || claim == Claim::moved;
-  if (!is_symmetry || finding.cause != nullptr) return;
-  for (const Finding& other : all) {
-    const bool is_of_answers = other.property->claim <= Claim::robust && other.cause != nullptr;
-    if (!is_of_answers || other.subject != finding.subject || other.one.precision != finding.one.precision)
-      continue;
-    finding.cause = other.cause;
-    finding.kind_of_fault = other.kind_of_fault;
-    finding.diagnosis = other.diagnosis;
-    return;
-  }
+  return claim == Claim::scaled || claim == Claim::reversed || claim == Claim::moved;
+}
+
+/// Whether a boundary's finding says no more than that it is one.
+bool is_vague(const Finding& finding) {
+  const bool is_avoided =
+      finding.cause == nullptr || (finding.cause->keeps == Keeps::verdict && !finding.cause->perturbs);
+  return finding.property->claim == Claim::exact && is_avoided;
+}
+
+void adopt(Finding& finding, const Finding& from) {
+  finding.cause = from.cause;
+  finding.kind_of_fault = from.kind_of_fault;
+  finding.diagnosis = from.diagnosis;
+}
+
+/// All findings of one subject, those of its symmetries last: they are broken by what is wrong with its
+/// answers themselves, where that is known.
+std::vector<Finding> diagnose_subject(RunResult& result, const std::vector<std::size_t>& of_subject,
+                                      const Samples& samples, const std::atomic<bool>& stop) {
+  std::vector<const Hypothesis*> known;
+  std::vector<Finding> others;
+  const Finding* first = nullptr;
+  for (const bool are_symmetries : {false, true})
+    for (const std::size_t i : of_subject) {
+      Finding& finding = result.findings[i];
+      if (stop || !can_be_diagnosed(finding) || is_of_symmetry(finding) != are_symmetries) continue;
+      if (are_symmetries && first != nullptr) {
+        adopt(finding, *first);
+        finding.cases = broken_cases(result, finding);
+        continue;
+      }
+      std::vector<Finding> more = Consultation(result, samples, finding, stop).findings(known);
+      std::ranges::move(more, std::back_inserter(others));
+      if (first != nullptr && is_vague(finding)) adopt(finding, *first);
+      const bool is_worse = first == nullptr || finding.cases > first->cases;
+      if (!are_symmetries && finding.cause != nullptr && is_worse) first = &finding;
+    }
+  return others;
 }
 
 }  // namespace
@@ -158,12 +191,16 @@ void adopt_cause(Finding& finding, const std::vector<Finding>& all) {
 void diagnose_findings(RunResult& result, const Samples& samples, const Listener& listener,
                        const std::atomic<bool>& stop) {
   listener.progress("what cures the findings", 1);
-  std::vector<std::vector<Finding>> others(result.findings.size());
-  tbb::parallel_for(std::size_t{0}, result.findings.size(), [&](std::size_t i) {
-    if (stop || !can_be_diagnosed(result.findings[i])) return;
-    others[i] = Consultation(result, samples, result.findings[i], stop).findings();
+  std::map<const Subject*, std::vector<std::size_t>> by_subject;
+  for (std::size_t i = 0; i < result.findings.size(); ++i)
+    by_subject[result.findings[i].subject].push_back(i);
+  std::vector<std::vector<std::size_t>> subjects_found;
+  for (const Finding& finding : result.findings)
+    if (auto node = by_subject.extract(finding.subject)) subjects_found.push_back(std::move(node.mapped()));
+  std::vector<std::vector<Finding>> others(subjects_found.size());
+  tbb::parallel_for(std::size_t{0}, subjects_found.size(), [&](std::size_t i) {
+    others[i] = diagnose_subject(result, subjects_found[i], samples, stop);
   });
-  for (Finding& finding : result.findings) adopt_cause(finding, result.findings);
   for (const std::vector<Finding>& some : others)
     for (const Finding& finding : some) {
       listener.broken(finding);

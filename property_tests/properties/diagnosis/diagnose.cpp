@@ -42,12 +42,16 @@ bool is_share(const Indices& part, const Indices& whole, std::size_t percent) {
 /// Looks for the cause of the failing cases that are left, one group after the other.
 class Search {
  public:
-  Search(const Patient& patient, const Examination& examination)
-      : patient_(patient), examination_(examination) {}
+  Search(const Patient& patient, const Examination& examination, std::span<const Hypothesis* const> known)
+      : patient_(patient), examination_(examination), known_(known) {}
 
   /// What explains most of the cases, or else the largest part of them; no cause where nothing explains
   /// enough.
   [[nodiscard]] Diagnosis next(const Indices& left) const {
+    for (const Hypothesis* one : known_)
+      if (Indices cases = screened(*one, left);
+          may_show(one->aspect, patient_.claim) && is_most(*one, cases, left))
+        return {.cause = one, .cases = std::move(cases)};
     Diagnosis best = best_model(left);
     if (is_share(best.cases, left, most_for_a_model)) return best;
     if (!is_part(best.cases, left)) best = {};
@@ -55,12 +59,12 @@ class Search {
     for (const Hypothesis& one : hypotheses()) {
       if (one.predict != nullptr || !may_be(one, is_isolated)) continue;
       const Indices cases = screened(one, left);
-      const bool is_most = is_share(cases, left, most_for_a_cure);
-      if (!is_most && (cases.size() <= best.cases.size() || !is_proven(one, cases, left))) continue;
+      const bool is_enough = is_share(cases, left, most_for_a_cure);
+      if (!is_enough && (cases.size() <= best.cases.size() || !is_proven(one, cases, left))) continue;
       if (is_contradicted(one, cases)) continue;
       best.cause = &one;
       best.cases = cases;
-      if (is_most) break;
+      if (is_enough) break;
     }
     return best;
   }
@@ -85,6 +89,11 @@ class Search {
     const Indices more = examination_.explained(one, all.subspan(few));
     cases.insert(cases.end(), more.begin(), more.end());
     return cases;
+  }
+
+  [[nodiscard]] bool is_most(const Hypothesis& one, const Indices& cases, const Indices& left) const {
+    return is_share(cases, left, one.predict != nullptr ? most_for_a_model : most_for_a_cure) &&
+           !is_contradicted(one, cases);
   }
 
   /// The model that foresees most of the wrong answers, and no wrong one where the subject is right.
@@ -120,17 +129,27 @@ class Search {
 
   const Patient& patient_;
   const Examination& examination_;
+  std::span<const Hypothesis* const> known_;
 };
 
-/// A few cases that nothing explains belong to the largest group: rounding, or two faults at once.
-void fold_rest(std::vector<Diagnosis>& groups, std::size_t all) {
-  if (groups.size() < 2 || groups.back().cause != nullptr || 4 * groups.back().cases.size() > all) return;
-  const Indices rest = std::move(groups.back().cases);
-  groups.pop_back();
-  Indices& cases =
-      std::ranges::max_element(groups, {}, [](const Diagnosis& one) { return one.cases.size(); })->cases;
-  cases.insert(cases.end(), rest.begin(), rest.end());
-  std::ranges::sort(cases);
+/// Whether a group after the first is no fault of its own: rounding, or two faults at once. A model that
+/// foresees answers is proof enough.
+bool is_rest(const Diagnosis& group, std::size_t all) {
+  const bool is_model = group.cause != nullptr && group.cause->change == nullptr;
+  return !is_model && 4 * group.cases.size() < all;
+}
+
+/// Small rests belong to the largest group.
+void fold_rests(std::vector<Diagnosis>& groups, std::size_t all) {
+  Diagnosis& largest =
+      *std::ranges::max_element(groups, {}, [](const Diagnosis& one) { return one.cases.size(); });
+  if (largest.cause == nullptr) return;
+  for (const Diagnosis& group : groups)
+    if (&group != &largest && is_rest(group, all))
+      largest.cases.insert(largest.cases.end(), group.cases.begin(), group.cases.end());
+  std::ranges::sort(largest.cases);
+  const Hypothesis* const kept = largest.cause;
+  std::erase_if(groups, [&](const Diagnosis& group) { return group.cause != kept && is_rest(group, all); });
 }
 
 /// What is said of cases that nothing explains.
@@ -156,9 +175,10 @@ void describe(Diagnosis& group, const Examination& examination) {
 }  // namespace
 
 std::vector<Diagnosis> diagnose(const Patient& patient, std::span<const Case> failing,
-                                std::span<const Case> passing) {
+                                std::span<const Case> passing, std::span<const Hypothesis* const> known) {
+  if (failing.empty()) return {};
   const Examination examination(patient, failing, passing);
-  const Search search(patient, examination);
+  const Search search(patient, examination, known);
   Indices left(failing.size());
   std::iota(left.begin(), left.end(), 0);
   std::vector<Diagnosis> groups;
@@ -170,7 +190,7 @@ std::vector<Diagnosis> diagnose(const Patient& patient, std::span<const Case> fa
     left = std::move(rest);
     groups.push_back(std::move(group));
   }
-  fold_rest(groups, failing.size());
+  fold_rests(groups, failing.size());
   for (Diagnosis& group : groups) describe(group, examination);
   return groups;
 }

@@ -25,8 +25,12 @@ struct Diagnosis {
 /// what the subject says where it is right: that is what `passing` cases are for. Where none explains most,
 /// the one that explains the largest part makes a group, and the rest is looked at again. The outcome depends
 /// on nothing but the answers.
+///
+/// A fault that is `known` of the subject is taken first, where it explains as much as is asked of any. After
+/// the first group a cure must help in a good part of all cases to make another: small rests are rounding.
 [[nodiscard]] std::vector<Diagnosis> diagnose(const Patient& patient, std::span<const Case> failing,
-                                              std::span<const Case> passing);
+                                              std::span<const Case> passing,
+                                              std::span<const Hypothesis* const> known = {});
 
 /// Whether the hypothesis explains the patient's wrong answer to the case.
 [[nodiscard]] bool explains(const Patient& patient, const Hypothesis& hypothesis, const Case& one);

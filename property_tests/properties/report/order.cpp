@@ -26,6 +26,12 @@ std::string_view reason(const Finding& one) {
   return one.is_declared && declared != nullptr ? declared->because : std::string_view();
 }
 
+/// What breaks a symmetry shows less than what is wrong by itself.
+bool is_of_symmetry(const Finding& one) {
+  const Claim claim = one.property->claim;
+  return claim == Claim::scaled || claim == Claim::reversed || claim == Claim::moved;
+}
+
 bool is_same_failure(const Finding& a, const Finding& b) {
   if (is_wrong_exactly(a) && a.subject == b.subject && b.is_declared) return true;
   const bool has_one_reason = !reason(a).empty() && reason(a) == reason(b);
@@ -62,6 +68,8 @@ std::vector<std::vector<Finding>> alike(const std::vector<Finding>& findings, bo
   for (const bool is_exact : {false, true})
     for (const Finding& finding : findings)
       if (finding.is_declared == is_declared && is_wrong_exactly(finding) == is_exact) put(finding);
+  if (!is_declared)
+    for (std::vector<Finding>& group : groups) std::ranges::stable_sort(group, {}, is_of_symmetry);
   return groups;
 }
 
