@@ -30,11 +30,19 @@ bool is_contact_right(const Case& one, const Answer& claimed) {
   return topic_of(one) == "plane" ? got->contact == exact : is_true(got->contact, exact);
 }
 
+/// The sign of a barycentric coordinate decides: so it is a quotient of exact numbers, or 1 less two of them,
+/// and off by a few roundings of 1 at most.
+bool are_coordinates_right(Trial& trial) {
+  const auto* got = std::get_if<RayAnswer>(&trial.claimed());
+  return got == nullptr || !got->barycentric || trial.details().coordinates.value_or(0) <= 4;
+}
+
 /// Each t of a case that rounds nothing is a number of its precision, and another is half an ulp away at
 /// least.
 bool is_exactly_right(Trial& trial) {
   const oracle::Judgement& judgement = trial.judgement();
-  return !judgement.wrong && judgement.ulp < 0.25 && is_contact_right(trial.question(), trial.claimed());
+  return !judgement.wrong && judgement.ulp < 0.25 && is_contact_right(trial.question(), trial.claimed()) &&
+         are_coordinates_right(trial);
 }
 
 Ruling exact(Trial& trial) {
@@ -45,10 +53,12 @@ Ruling exact(Trial& trial) {
 
 Evidence show_exact(Trial& trial) {
   const oracle::Judgement& judgement = trial.judgement();
-  const char* const note = judgement.wrong ? "no step is rounded, and yet the verdict is wrong"
-                           : judgement.ulp >= 0.25
-                               ? "no step is rounded, and yet t is not the exact one"
-                               : "no step is rounded, and yet the contact is not the exact one";
+  const char* const note =
+      judgement.wrong         ? "no step is rounded, and yet the verdict is wrong"
+      : judgement.ulp >= 0.25 ? "no step is rounded, and yet t is not the exact one"
+      : !are_coordinates_right(trial)
+          ? "no step is rounded, and yet the barycentric coordinates are not the exact ones"
+          : "no step is rounded, and yet the contact is not the exact one";
   return show_answer(trial, note);
 }
 
@@ -104,8 +114,9 @@ Evidence show_boundary(Trial& trial) {
 
 std::vector<Property> exact_properties() {
   return {
-      {Claim::exact, "exact", "where no step is rounded, verdict, t and contact are exactly right", 1, exact,
-       show_exact},
+      {Claim::exact, "exact",
+       "where no step is rounded, verdict, t and contact are exactly right, and coordinates to a rounding", 1,
+       exact, show_exact},
       {Claim::exact, "boundary",
        "where a plain method rounds nothing, the boundary belongs to the shape for this one, too", 1,
        boundary, show_boundary},

@@ -19,7 +19,7 @@ float32, 2⁻⁵³ in float64), times the size of the scene. Each shape's header
 far, in contract units, a case may be from a change of verdict where a wrong verdict is still excused. The table shows the widest
 that was met, “of” the one that is promised. A wrong verdict within its promised band breaks no contract.</dd>
 <dt>robust</dt><dd>Verdict and residual keep the bound that the best plain methods of the shape keep.</dd>
-<dt>exact</dt><dd>Where no step of the method is rounded, verdict, t and contact are exactly right, boundaries included: no band
+<dt>exact</dt><dd>Where no step of the method is rounded, verdict, t and contact are exactly right and coordinates to a few roundings, boundaries included: no band
 excuses anything there. Of a method whose steps nobody can see, the <i>boundary</i> is judged: on cases that some plain method of the shape
 decides without a rounding, a wrong verdict nearer to a change of verdict than the robust bound.</dd>
 <dt>domain</dt><dd>The sizes of numbers for which a method promises anything: between 2⁻ʳ and 2ʳ, where r is its reach. Outside,
