@@ -21,7 +21,7 @@
 #include "case/writer.hpp"
 #include "generators/generators.hpp"
 #include "oracle/oracle.hpp"
-#include "properties/labels.hpp"
+#include "properties/engine/labels.hpp"
 #include "properties/property.hpp"
 #include "properties/shrink/shrink.hpp"
 

@@ -1,4 +1,5 @@
-// A program on trial: g++ -std=c++20 -O2 -I property_tests -I lib/include docs/subjects/sphere.cpp -o out/sphere
+// A program on trial: g++ -std=c++20 -O2 -I property_tests -I lib/include docs/subjects/sphere.cpp -o
+// out/sphere
 //                     ./rayproof check --subject-command out/sphere --shape sphere
 #include "answer_cases.hpp"
 
@@ -14,5 +15,6 @@ vec2 sphere(vec3 origin, vec3 direction, vec3 center, float radius) {
 }
 
 int main() {
-  return rayproof::answer_cases(sphere);  // more shapes: answer_cases(sphere, triangle, box), a function for each
+  return rayproof::answer_cases(
+      sphere);  // more shapes: answer_cases(sphere, triangle, box), a function for each
 }

@@ -30,15 +30,15 @@ double largest_coordinate(const std::vector<Case>& cases) {
 }
 
 /// What is wrong with the t reported of one crossing, if anything.
-std::optional<Failure> failure_of(const PatchCrossing& crossing, const std::vector<double>& hits,
-                                  Precision precision) {
-  if (hits.empty()) return Failure::leak;
+std::optional<LossKind> failure_of(const PatchCrossing& crossing, const std::vector<double>& hits,
+                                   Precision precision) {
+  if (hits.empty()) return LossKind::leak;
   const auto [least, most] = std::ranges::minmax(hits);
   if (least == most) return std::nullopt;
   const glm::dvec3& d = crossing.aim.ray.direction;
   const double apart = (most - least) * std::sqrt(dot(d, d));
   const bool is_one = apart <= same_hit_ulps * oracle::ulp_of(largest_coordinate(crossing.cases), precision);
-  return is_one ? std::nullopt : std::optional(Failure::double_hit);
+  return is_one ? std::nullopt : std::optional(LossKind::double_hit);
 }
 
 }  // namespace
@@ -74,10 +74,10 @@ void judge(Outcomes& into, const PatchCrossing& crossing, std::span<const Outcom
   }
   const auto target = static_cast<std::size_t>(crossing.aim.target);
   ++into.rays.at(target);
-  const std::optional<Failure> failure = failure_of(crossing, all, into.precision);
+  const std::optional<LossKind> failure = failure_of(crossing, all, into.precision);
   if (!failure) return;
-  ++(*failure == Failure::leak ? into.leaks : into.doubles).at(target);
-  into.leaks_from_inside += *failure == Failure::leak && crossing.aim.from_inside;
+  ++(*failure == LossKind::leak ? into.leaks : into.doubles).at(target);
+  into.leaks_from_inside += *failure == LossKind::leak && crossing.aim.from_inside;
   std::optional<Loss>& first = into.first.at(static_cast<std::size_t>(*failure));
   if (!first || crossing.number < first->number)
     first = Loss{crossing.number, *failure, crossing.aim, crossing.cases, std::move(got), crossing.is_hit};

@@ -19,7 +19,7 @@ struct LeakSettings {
 };
 
 /// What may be wrong where a ray crosses the surface once.
-enum class Failure {
+enum class LossKind {
   leak,       ///< no triangle around the target is hit: the ray is inside out from there on
   double_hit  ///< triangles around the target are hit at places more than `same_hit_ulps` apart
 };
@@ -32,7 +32,7 @@ inline constexpr double same_hit_ulps = 8;
 /// One ray that a subject lost or met twice.
 struct Loss {
   std::uint64_t number = 0;  ///< of the ray
-  Failure failure{};
+  LossKind failure{};
   Aim aim{};
   std::vector<Case> cases{};               ///< the ray and each triangle of the patch
   std::vector<std::vector<double>> got{};  ///< the t that the subject reports of each
@@ -46,7 +46,7 @@ struct Outcomes {
   std::array<std::uint64_t, target_count> rays{}, leaks{}, doubles{};  ///< by target
   std::uint64_t leaks_from_inside = 0;                                 ///< of the leaks
   std::uint64_t unanswered = 0;                                        ///< rays with a triangle unanswered
-  std::array<std::optional<Loss>, 2> first{};                          ///< by Failure
+  std::array<std::optional<Loss>, 2> first{};                          ///< by LossKind
 
   [[nodiscard]] std::uint64_t total(const std::array<std::uint64_t, target_count>& counts) const;
   Outcomes& operator+=(const Outcomes& more);

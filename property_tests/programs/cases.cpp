@@ -6,7 +6,7 @@
 
 #include "case/writer.hpp"
 #include "command_line/command_line.hpp"
-#include "properties/hunt.hpp"
+#include "properties/engine/hunt.hpp"
 
 namespace {
 

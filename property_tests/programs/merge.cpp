@@ -9,10 +9,10 @@ namespace {
 using namespace rayproof;
 
 int run(const std::vector<std::string>& files, const check::Options& options) {
-  std::vector<campaign::State> shards;
+  std::vector<campaign::CampaignState> shards;
   for (const std::string& file : files)
     shards.push_back(campaign::load(std::filesystem::is_directory(file) ? file + "/campaign.json" : file));
-  const campaign::State whole = campaign::merged(shards);
+  const campaign::CampaignState whole = campaign::merged(shards);
   std::filesystem::create_directories(options.out);
   campaign::save(whole, check::state_file(options));
   return check::report_campaign(whole, options);

@@ -3,7 +3,7 @@
 #include "case/json/writer.hpp"
 #include "case/reader/field.hpp"
 #include "case/writer.hpp"
-#include "properties/kind.hpp"
+#include "properties/engine/kind.hpp"
 #include "subjects/command.hpp"
 
 namespace rayproof {

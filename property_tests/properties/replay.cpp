@@ -7,8 +7,8 @@
 #include "case/findings_file.hpp"
 #include "case/shape_format.hpp"
 #include "case/writer.hpp"
-#include "properties/plan.hpp"
-#include "properties/probe.hpp"
+#include "properties/engine/plan.hpp"
+#include "properties/guests/probe.hpp"
 #include "properties/report/findings.hpp"
 #include "subjects/command.hpp"
 

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "oracle/oracle.hpp"
-#include "properties/guest.hpp"
+#include "properties/guests/guest.hpp"
 #include "properties/numbers.hpp"
 #include "subjects/subject.hpp"
 

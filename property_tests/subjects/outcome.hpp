@@ -12,28 +12,32 @@
 
 namespace rayproof {
 
+/// What kind of outcome it is.
+enum class OutcomeKind {
+  answered,
+  unsupported,  ///< the case is not for this subject, which says so: counted, never judged
+  refused,      ///< it gave up on a valid case
+  crashed,
+  timed_out,
+  nonsense,  ///< what came back is no answer to the case
+  not_asked  ///< it has failed too often to be asked more
+};
+
 /// What came of asking a subject one case.
 struct Outcome {
-  enum class Kind {
-    answered,
-    unsupported,  ///< the case is not for this subject, which says so: counted, never judged
-    refused,      ///< it gave up on a valid case
-    crashed,
-    timed_out,
-    nonsense,  ///< what came back is no answer to the case
-    not_asked  ///< it has failed too often to be asked more
-  };
-  Kind kind = Kind::answered;
+  OutcomeKind kind = OutcomeKind::answered;
   Answer answer{};         ///< where answered
   std::string sentence{};  ///< where not: what happened, in one sentence
 
-  [[nodiscard]] bool is_answered() const { return kind == Kind::answered; }
+  [[nodiscard]] bool is_answered() const { return kind == OutcomeKind::answered; }
   /// Whether a valid case should have got an answer, and did not.
-  [[nodiscard]] bool is_failure() const { return Kind::refused <= kind && kind <= Kind::nonsense; }
+  [[nodiscard]] bool is_failure() const {
+    return OutcomeKind::refused <= kind && kind <= OutcomeKind::nonsense;
+  }
 };
 
 /// The name of a kind, as findings have it.
-[[nodiscard]] constexpr std::string_view name_of(Outcome::Kind kind) {
+[[nodiscard]] constexpr std::string_view name_of(OutcomeKind kind) {
   constexpr std::array<std::string_view, 7> names{"answered",  "unsupported", "refused",  "crashed",
                                                   "timed out", "nonsense",    "not asked"};
   return names.at(static_cast<std::size_t>(kind));

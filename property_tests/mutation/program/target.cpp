@@ -4,8 +4,8 @@
 #include "generators/random.hpp"
 #include "mutation/program/transcript.hpp"
 #include "programs/check/corpus.hpp"
-#include "properties/hunt.hpp"
-#include "properties/plan.hpp"
+#include "properties/engine/hunt.hpp"
+#include "properties/engine/plan.hpp"
 
 namespace rayproof::mutation {
 

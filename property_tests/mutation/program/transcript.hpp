@@ -11,7 +11,7 @@
 
 namespace rayproof::mutation {
 
-/// The questions put to a method, and what it said.
+/// The questions given to a method, and what it said.
 struct Transcript {
   std::vector<std::pair<Case, Answer>> answers{};
   std::vector<std::pair<Case, std::vector<std::pair<double, double>>>> bounds{};

@@ -18,14 +18,14 @@ namespace {
 /// How long a campaign that is killed loses at most, beside the round that it was in.
 constexpr std::chrono::seconds between_saves{2};
 
-campaign::State state_of(const Options& options) {
-  campaign::State fresh = campaign::begin(options.settings, options.shard);
+campaign::CampaignState state_of(const Options& options) {
+  campaign::CampaignState fresh = campaign::begin(options.settings, options.shard);
   const std::string file = state_file(options);
   if (!std::filesystem::exists(file)) return fresh;
   if (!options.resume)
     throw std::runtime_error(file +
                              " holds a campaign: --resume goes on with it, --out names another folder");
-  campaign::State begun = campaign::load(file);
+  campaign::CampaignState begun = campaign::load(file);
   const bool is_same = begun.shard == fresh.shard && campaign::is_alike(begun, fresh);
   if (!is_same)
     throw std::runtime_error(file +
@@ -36,7 +36,7 @@ campaign::State state_of(const Options& options) {
 }
 
 /// "12 of 40 rounds of shard 2/4".
-std::string progress_text(const campaign::State& state) {
+std::string progress_text(const campaign::CampaignState& state) {
   return fmt::format(
       "{} of {} rounds{}", state.rounds, state.all_rounds(),
       state.shard.count > 1 ? fmt::format(" of shard {}/{}", state.shard.number, state.shard.count) : "");
@@ -52,12 +52,12 @@ int run_campaign(const Options& options) {
   if (options.has_guests() || !options.replay.empty())
     throw std::runtime_error(
         "--campaign is about the library's own methods: leave --subject, --subject-command and --replay out");
-  campaign::State state = state_of(options);
+  campaign::CampaignState state = state_of(options);
   std::filesystem::create_directories(options.out);
   keep_on_interrupt();
   ProgressLine progress;
   auto saved = std::chrono::steady_clock::now();
-  const auto save = [&](const campaign::State& now) {
+  const auto save = [&](const campaign::CampaignState& now) {
     if (std::chrono::steady_clock::now() - saved < between_saves) return;
     campaign::save(now, state_file(options));
     saved = std::chrono::steady_clock::now();
@@ -69,7 +69,7 @@ int run_campaign(const Options& options) {
   return report_campaign(state, options);
 }
 
-int report_campaign(const campaign::State& state, const Options& options) {
+int report_campaign(const campaign::CampaignState& state, const Options& options) {
   Outputs outputs(options);
   Listener listener;
   listener.broken = [&](const Finding& finding) { outputs.keep_as_found(finding); };

@@ -10,7 +10,7 @@ namespace rayproof::check {
 [[nodiscard]] int run_campaign(const Options& options);
 
 /// Writes what came of a campaign, as `check` does, and prints it; the exit status.
-[[nodiscard]] int report_campaign(const campaign::State& state, const Options& options);
+[[nodiscard]] int report_campaign(const campaign::CampaignState& state, const Options& options);
 
 /// The file of the state in the folder of the outputs.
 [[nodiscard]] std::string state_file(const Options& options);

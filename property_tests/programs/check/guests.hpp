@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "programs/check/options.hpp"
-#include "properties/probe.hpp"
+#include "properties/guests/probe.hpp"
 
 namespace rayproof::check {
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <sstream>
 
-#include "properties/plan.hpp"
+#include "properties/engine/plan.hpp"
 
 namespace rayproof::check {
 namespace {

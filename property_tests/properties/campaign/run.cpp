@@ -7,20 +7,20 @@
 #include <set>
 
 #include "generators/random.hpp"
-#include "properties/block.hpp"
-#include "properties/found.hpp"
+#include "properties/engine/block.hpp"
+#include "properties/engine/found.hpp"
 
 namespace rayproof::campaign {
 
 namespace {
 
 /// The seed of a block is a function of its number: every shard can make its own.
-std::uint64_t seed_of(const State& state, const Unit& unit, std::uint64_t block) {
+std::uint64_t seed_of(const CampaignState& state, const Unit& unit, std::uint64_t block) {
   return combine(stream_of(*unit.family, unit.precision, state.settings.seed), block);
 }
 
 /// One block of a unit, or nothing where it has no more cases there.
-UnitState block_of(const State& state, const UnitState& one, std::uint64_t block,
+UnitState block_of(const CampaignState& state, const UnitState& one, std::uint64_t block,
                    const std::atomic<bool>& stop) {
   const std::uint64_t all = state.cases_of(one.unit), begin = block * cases_in_block;
   UnitState more;
@@ -34,7 +34,7 @@ UnitState block_of(const State& state, const UnitState& one, std::uint64_t block
 }
 
 /// One round; nothing of it counts where it was stopped within.
-void run_round(State& state, const std::atomic<bool>& stop) {
+void run_round(CampaignState& state, const std::atomic<bool>& stop) {
   const std::uint64_t block = state.rounds * state.shard.count + state.shard.number - 1;
   std::vector<UnitState> more;
   for (const UnitState& one : state.units) {
@@ -48,7 +48,7 @@ void run_round(State& state, const std::atomic<bool>& stop) {
 
 }  // namespace
 
-void run(State& state, const Watch& watch, const std::atomic<bool>& stop) {
+void run(CampaignState& state, const Watch& watch, const std::atomic<bool>& stop) {
   const int jobs = state.settings.jobs > 0 ? state.settings.jobs : tbb::this_task_arena::max_concurrency();
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(jobs));
@@ -65,13 +65,13 @@ void run(State& state, const Watch& watch, const std::atomic<bool>& stop) {
   });
 }
 
-Plan plan_of(const State& state) {
+Plan plan_of(const CampaignState& state) {
   Plan plan = make_plan(state.settings);
   if (!state.units.empty()) plan.settings.cases = state.cases_of(state.units.front().unit);
   return plan;
 }
 
-RunResult result_of(const State& state, const Listener& listener, const std::atomic<bool>& stop) {
+RunResult result_of(const CampaignState& state, const Listener& listener, const std::atomic<bool>& stop) {
   RunResult result;
   std::set<std::tuple<const Subject*, Precision, std::size_t>> is_shown;
   for (const UnitState& one : state.units) {

@@ -13,7 +13,7 @@ std::string name_of(const Shard& shard) { return fmt::format("shard {}/{}", shar
 
 }  // namespace
 
-bool is_alike(const State& a, const State& b) {
+bool is_alike(const CampaignState& a, const CampaignState& b) {
   const Settings &one = a.settings, &other = b.settings;
   return one.seed == other.seed && one.cases == other.cases && one.shapes == other.shapes &&
          one.methods == other.methods && one.properties == other.properties &&
@@ -29,21 +29,21 @@ void UnitState::add(const UnitState& more) {
   }
 }
 
-std::uint64_t State::cases_of(const Unit& unit) const {
+std::uint64_t CampaignState::cases_of(const Unit& unit) const {
   const auto shares = static_cast<std::uint64_t>(
       std::ranges::count_if(units, [&](const UnitState& one) { return one.unit.subject == unit.subject; }));
   return (settings.cases + shares - 1) / shares;
 }
 
-std::uint64_t State::all_rounds() const {
+std::uint64_t CampaignState::all_rounds() const {
   std::uint64_t most = 0;
   for (const UnitState& one : units) most = std::max(most, cases_of(one.unit));
   const std::uint64_t blocks = (most + cases_in_block - 1) / cases_in_block;
   return (blocks + shard.count - shard.number) / shard.count;
 }
 
-State begin(const Settings& settings, Shard shard) {
-  State state{.settings = settings, .shard = shard};
+CampaignState begin(const Settings& settings, Shard shard) {
+  CampaignState state{.settings = settings, .shard = shard};
   for (Unit& unit : units_of(make_plan(settings))) {
     unit.tally.properties.resize(properties().size());
     state.units.push_back({std::move(unit)});
@@ -51,11 +51,11 @@ State begin(const Settings& settings, Shard shard) {
   return state;
 }
 
-State merged(const std::vector<State>& shards) {
+CampaignState merged(const std::vector<CampaignState>& shards) {
   if (shards.empty()) throw std::runtime_error("there is nothing to merge");
-  State whole = begin(shards.front().settings, {});
+  CampaignState whole = begin(shards.front().settings, {});
   std::vector<bool> is_there(shards.front().shard.count, false);
-  for (const State& one : shards) {
+  for (const CampaignState& one : shards) {
     if (!is_alike(one, shards.front()))
       throw std::runtime_error(
           "the shards are not of one campaign: seed, cases, filters or their number differ");

@@ -1,11 +1,11 @@
 #pragma once
 /// \file
-/// A campaign: a run over so many cases that it is parted among machines and evenings.
+/// A campaign: a run of more cases than one evening has room for, parted among machines and evenings.
 
 #include <map>
 #include <string>
 
-#include "properties/engine.hpp"
+#include "properties/engine/engine.hpp"
 
 namespace rayproof::campaign {
 
@@ -25,7 +25,7 @@ struct UnitState {
 };
 
 /// All that a campaign has found out. It is written as one JSON object, and sums up in any order to the same.
-struct State {
+struct CampaignState {
   Settings settings{};  ///< `cases` is for each method: its families and precisions share them
   Shard shard{};
   std::uint64_t rounds = 0;  ///< done by this shard; a round is a block of each unit
@@ -38,22 +38,22 @@ struct State {
 };
 
 /// Whether two are of one campaign: seed, cases, filters and the number of shards are the same.
-[[nodiscard]] bool is_alike(const State& a, const State& b);
+[[nodiscard]] bool is_alike(const CampaignState& a, const CampaignState& b);
 
 /// A campaign that has not begun. Throws UnknownName as make_plan does.
-[[nodiscard]] State begin(const Settings& settings, Shard shard);
+[[nodiscard]] CampaignState begin(const Settings& settings, Shard shard);
 
 /// The state as text, and from it. Throws std::runtime_error where the text is no state of a campaign, or of
 /// one with methods or families that there are no longer.
-[[nodiscard]] std::string write_state(const State& state);
-[[nodiscard]] State read_state(const std::string& text);
+[[nodiscard]] std::string write_state(const CampaignState& state);
+[[nodiscard]] CampaignState read_state(const std::string& text);
 
 /// The same of a file.
-void save(const State& state, const std::string& file);
-[[nodiscard]] State load(const std::string& file);
+void save(const CampaignState& state, const std::string& file);
+[[nodiscard]] CampaignState load(const std::string& file);
 
 /// What one run would have come to. Throws std::runtime_error where the shards are not all of one campaign's,
 /// each once and to its end.
-[[nodiscard]] State merged(const std::vector<State>& shards);
+[[nodiscard]] CampaignState merged(const std::vector<CampaignState>& shards);
 
 }  // namespace rayproof::campaign

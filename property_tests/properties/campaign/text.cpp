@@ -109,7 +109,7 @@ Settings settings_of(const Json& json) {
 
 }  // namespace
 
-std::string write_state(const State& state) {
+std::string write_state(const CampaignState& state) {
   const Settings& settings = state.settings;
   Json precisions = Json::array(), units = Json::array();
   for (const Precision one : settings.precisions) precisions.push_back(name_of(one));
@@ -128,14 +128,14 @@ std::string write_state(const State& state) {
   return json.dump(1) + "\n";
 }
 
-State read_state(const std::string& text) {
+CampaignState read_state(const std::string& text) {
   try {
     const Json json = Json::parse(text);
     const Shard shard{json.at("shard").at(0).get<std::uint64_t>(),
                       json.at("shard").at(1).get<std::uint64_t>()};
     if (shard.number < 1 || shard.number > shard.count)
       throw std::runtime_error("its shard is not one of its shards");
-    State state = begin(settings_of(json), shard);
+    CampaignState state = begin(settings_of(json), shard);
     state.rounds = json.at("rounds").get<std::uint64_t>();
     if (json.at("units").size() != state.units.size())
       throw std::runtime_error("its methods and families are not those of this program");
@@ -146,7 +146,7 @@ State read_state(const std::string& text) {
   }
 }
 
-void save(const State& state, const std::string& file) {
+void save(const CampaignState& state, const std::string& file) {
   const std::string beside = file + ".new";
   std::error_code error;
   if (!(std::ofstream(beside) << write_state(state) << std::flush))
@@ -155,7 +155,7 @@ void save(const State& state, const std::string& file) {
   if (error) throw std::runtime_error(file + " cannot be written");
 }
 
-State load(const std::string& file) {
+CampaignState load(const std::string& file) {
   std::ifstream stream(file);
   if (!stream) throw std::runtime_error(file + " cannot be read");
   std::ostringstream text;

@@ -40,9 +40,10 @@ bool is_share(const Indices& part, const Indices& whole, std::size_t percent) {
 }
 
 /// Looks for the cause of the failing cases that are left, one group after the other.
-class Search {
+class CauseSearch {
  public:
-  Search(const Patient& patient, const Examination& examination, std::span<const Hypothesis* const> known)
+  CauseSearch(const Patient& patient, const Examination& examination,
+              std::span<const Hypothesis* const> known)
       : patient_(patient), examination_(examination), known_(known) {}
 
   /// What explains most of the cases, or else the largest part of them; no cause where nothing explains
@@ -178,7 +179,7 @@ std::vector<Diagnosis> diagnose(const Patient& patient, std::span<const Case> fa
                                 std::span<const Case> passing, std::span<const Hypothesis* const> known) {
   if (failing.empty()) return {};
   const Examination examination(patient, failing, passing);
-  const Search search(patient, examination, known);
+  const CauseSearch search(patient, examination, known);
   Indices left(failing.size());
   std::iota(left.begin(), left.end(), 0);
   std::vector<Diagnosis> groups;

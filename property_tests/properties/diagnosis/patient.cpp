@@ -1,6 +1,6 @@
 #include "properties/diagnosis/patient.hpp"
 
-#include "properties/guest.hpp"
+#include "properties/guests/guest.hpp"
 
 namespace rayproof {
 namespace {

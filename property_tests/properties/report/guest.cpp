@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "properties/kind.hpp"
+#include "properties/engine/kind.hpp"
 #include "subjects/command.hpp"
 
 namespace rayproof {

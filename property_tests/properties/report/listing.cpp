@@ -8,7 +8,7 @@
 
 #include "case/findings_file.hpp"
 #include "case/writer.hpp"
-#include "properties/kind.hpp"
+#include "properties/engine/kind.hpp"
 
 namespace rayproof {
 

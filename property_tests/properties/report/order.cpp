@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "case/writer.hpp"
-#include "properties/plan.hpp"
+#include "properties/engine/plan.hpp"
 
 namespace rayproof {
 

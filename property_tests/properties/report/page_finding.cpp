@@ -4,7 +4,7 @@
 
 #include "case/escape.hpp"
 #include "case/writer.hpp"
-#include "properties/kind.hpp"
+#include "properties/engine/kind.hpp"
 #include "properties/report/findings.hpp"
 
 namespace rayproof {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "properties/engine.hpp"
+#include "properties/engine/engine.hpp"
 
 namespace rayproof {
 

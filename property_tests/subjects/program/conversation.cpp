@@ -47,7 +47,7 @@ void Conversation::write(const Round& round) {
   }
 }
 
-Conversation::Ending Conversation::ask(Round& round) {
+Conversation::RoundEnding Conversation::ask(Round& round) {
   write(round);
   Clock::time_point heard = Clock::now();
   Starvation starvation(child_.group());
@@ -56,18 +56,18 @@ Conversation::Ending Conversation::ask(Round& round) {
     const milliseconds limit = has_spoken_ ? program_->case_time() : program_->first_case_time();
     const auto left = std::chrono::duration_cast<milliseconds>(heard + limit - Clock::now());
     if (left <= milliseconds(0)) {
-      if (patience-- == 0 || !starvation.goes_on()) return Ending::silence;
+      if (patience-- == 0 || !starvation.goes_on()) return RoundEnding::silence;
       heard = Clock::now();
       continue;
     }
     const std::size_t waiting = round.waiting;
     child_.exchange(unsent_, received_, left);
-    if (!take_lines(round)) return Ending::nonsense;
+    if (!take_lines(round)) return RoundEnding::nonsense;
     if (round.waiting < waiting) heard = Clock::now();
     if (round.waiting > 0 && child_.is_output_closed())
-      return take_line(round, received_) && round.waiting == 0 ? Ending::complete : Ending::closed;
+      return take_line(round, received_) && round.waiting == 0 ? RoundEnding::complete : RoundEnding::closed;
   }
-  return goes_on(round) ? Ending::nonsense : Ending::complete;
+  return goes_on(round) ? RoundEnding::nonsense : RoundEnding::complete;
 }
 
 bool Conversation::goes_on(Round& round) {
@@ -103,7 +103,7 @@ bool Conversation::take_line(Round& round, std::string_view line) {
     return false;
   };
   try {
-    const Reply reply(line);
+    const ReplyLine reply(line);
     const auto id = reply.id();
     if (!id) return refuse("wrote a line without the id of a case");
     const std::uint64_t i = *id - first_id_;
@@ -119,7 +119,7 @@ bool Conversation::take_line(Round& round, std::string_view line) {
         return refuse("answered a case twice");
       }
       round.outcomes[i] = {
-          .kind = Outcome::Kind::nonsense,
+          .kind = OutcomeKind::nonsense,
           .sentence = fmt::format("answered the case twice; the second line is {}", excerpt(line))};
       return true;
     }
@@ -133,12 +133,12 @@ bool Conversation::take_line(Round& round, std::string_view line) {
   }
 }
 
-std::string Conversation::trouble(Ending ending) {
+std::string Conversation::trouble(RoundEnding ending) {
   std::string text = stray_;
-  if (ending == Ending::silence)
+  if (ending == RoundEnding::silence)
     text = fmt::format("gave no answer within {:g} s",
                        static_cast<double>(program_->case_time().count()) / 1000);
-  if (ending == Ending::closed) {
+  if (ending == RoundEnding::closed) {
     text = child_.how_it_ended();
     if (text.empty()) text = "closed its output";
     text += " without an answer to the case";

@@ -126,11 +126,11 @@ bool is_true(const std::optional<Field>& field) { return field && field->node().
 
 }  // namespace
 
-Reply::Reply(std::string_view line) : line_(line), document_(json::parse(line)) {
+ReplyLine::ReplyLine(std::string_view line) : line_(line), document_(json::parse(line)) {
   if (document_.front().kind != json::Kind::object) throw Refusal("line", "the line is not a JSON object");
 }
 
-std::optional<std::uint64_t> Reply::id() const {
+std::optional<std::uint64_t> ReplyLine::id() const {
   const auto field = member(document_, "id");
   if (!field || field->node().kind != json::Kind::number) return std::nullopt;
   const std::string_view text = field->node().text;
@@ -140,16 +140,16 @@ std::optional<std::uint64_t> Reply::id() const {
   return id;
 }
 
-Outcome Reply::outcome(const Case& one) const {
+Outcome ReplyLine::outcome(const Case& one) const {
   try {
-    if (is_true(member(document_, "unsupported"))) return {.kind = Outcome::Kind::unsupported};
+    if (is_true(member(document_, "unsupported"))) return {.kind = OutcomeKind::unsupported};
     if (const auto error = member(document_, "error"))
-      return {.kind = Outcome::Kind::refused,
+      return {.kind = OutcomeKind::refused,
               .sentence = "gave up: " +
                           (error->node().kind == json::Kind::string ? read_string(*error) : excerpt(line_))};
     return {.answer = read_answer(document_, one)};
   } catch (const Refusal& why) {
-    return {.kind = Outcome::Kind::nonsense,
+    return {.kind = OutcomeKind::nonsense,
             .sentence = fmt::format("{}; the line is {}", why.what(), excerpt(line_))};
   }
 }

@@ -13,10 +13,10 @@
 namespace rayproof::program {
 
 /// A line of the answer format, read in two steps: whose answer it is, and then what it says.
-class Reply {
+class ReplyLine {
  public:
   /// Throws a Refusal where the line is no JSON object. It must outlive the reply.
-  explicit Reply(std::string_view line);
+  explicit ReplyLine(std::string_view line);
 
   /// The number of the case; nothing where there is none, or something else stands there.
   [[nodiscard]] std::optional<std::uint64_t> id() const;

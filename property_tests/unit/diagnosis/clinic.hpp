@@ -7,8 +7,8 @@
 
 #include "generators/generators.hpp"
 #include "properties/diagnosis/diagnose.hpp"
-#include "properties/guest.hpp"
-#include "properties/plan.hpp"
+#include "properties/engine/plan.hpp"
+#include "properties/guests/guest.hpp"
 
 namespace rayproof::faulty {
 

@@ -5,7 +5,7 @@
 #include "case/reader.hpp"
 #include "case/writer.hpp"
 #include "generators/generators.hpp"
-#include "properties/labels.hpp"
+#include "properties/engine/labels.hpp"
 
 namespace rayproof {
 namespace {

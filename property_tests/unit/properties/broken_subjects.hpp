@@ -6,8 +6,8 @@
 #include <string>
 
 #include "oracle/oracle.hpp"
+#include "properties/engine/plan.hpp"
 #include "properties/numbers.hpp"
-#include "properties/plan.hpp"
 
 namespace rayproof::broken {
 

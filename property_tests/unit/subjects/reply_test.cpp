@@ -68,15 +68,15 @@ TEST(Reply, AContradictionOrAWrongTypeIsNonsense) {
         R"({"id": 7, "verdict": "hit", "hits": [{"t": 1}], "point": [1, 2]})",
         R"({"id": 7, "verdict": "hit", "hits": [1, 2, 3, 4, 5]})"}) {
     const Outcome outcome = outcome_of(line);
-    EXPECT_EQ(outcome.kind, Outcome::Kind::nonsense) << line;
+    EXPECT_EQ(outcome.kind, OutcomeKind::nonsense) << line;
     EXPECT_NE(outcome.sentence.find(line), std::string::npos) << outcome.sentence;
   }
 }
 
 TEST(Reply, MayDeclineOrGiveUp) {
-  EXPECT_EQ(outcome_of(R"({"id": 7, "unsupported": true})").kind, Outcome::Kind::unsupported);
+  EXPECT_EQ(outcome_of(R"({"id": 7, "unsupported": true})").kind, OutcomeKind::unsupported);
   const Outcome refused = outcome_of(R"({"id": 7, "error": "too far"})");
-  EXPECT_EQ(refused.kind, Outcome::Kind::refused);
+  EXPECT_EQ(refused.kind, OutcomeKind::refused);
   EXPECT_EQ(refused.sentence, "gave up: too far");
 }
 
@@ -96,8 +96,8 @@ TEST(Reply, RootsMayBeGivenInPart) {
 TEST(Reply, APositionIsOneOfThree) {
   EXPECT_EQ(std::get<Position>(outcome_of(R"({"id": 1, "position": "boundary"})", a_point()).answer),
             Position::boundary);
-  EXPECT_EQ(outcome_of(R"({"id": 1, "position": "between"})", a_point()).kind, Outcome::Kind::nonsense);
-  EXPECT_EQ(outcome_of(R"({"id": 1, "verdict": "hit"})", a_point()).kind, Outcome::Kind::nonsense);
+  EXPECT_EQ(outcome_of(R"({"id": 1, "position": "between"})", a_point()).kind, OutcomeKind::nonsense);
+  EXPECT_EQ(outcome_of(R"({"id": 1, "verdict": "hit"})", a_point()).kind, OutcomeKind::nonsense);
 }
 
 TEST(Reply, AnIdIsAWholeNumber) {

@@ -18,14 +18,14 @@ Settings few(const std::string& shape = "quadratic") {
           .families = {"random", "whole"}};
 }
 
-State done(Shard shard, Settings settings = few(), int jobs = 2) {
+CampaignState done(Shard shard, Settings settings = few(), int jobs = 2) {
   settings.jobs = jobs;
-  State state = begin(settings, shard);
+  CampaignState state = begin(settings, shard);
   run(state, {}, never);
   return state;
 }
 
-std::string trouble_with(const std::vector<State>& shards) {
+std::string trouble_with(const std::vector<CampaignState>& shards) {
   try {
     (void)merged(shards);
   } catch (const std::runtime_error& trouble) {
@@ -35,14 +35,14 @@ std::string trouble_with(const std::vector<State>& shards) {
 }
 
 TEST(Campaign, MergedFromItsShardsIsOneRun) {
-  const State whole = done({}), again = merged({done({2, 3}), done({3, 3}), done({1, 3})});
+  const CampaignState whole = done({}), again = merged({done({2, 3}), done({3, 3}), done({1, 3})});
   EXPECT_TRUE(whole.is_whole());
   EXPECT_EQ(write_state(whole), write_state(again));
   EXPECT_EQ(write_state(merged({whole})), write_state(whole));
 }
 
 TEST(Campaign, GivesEachMethodAsManyCasesAsAreAskedFor) {
-  const State whole = done({});
+  const CampaignState whole = done({});
   std::uint64_t cases = 0;
   for (const UnitState& one : whole.units) cases += one.unit.tally.cases;
   EXPECT_EQ(cases, 400'000U);
@@ -54,12 +54,12 @@ TEST(Campaign, IsTheSameForEveryNumberOfThreads) {
 }
 
 TEST(Campaign, ThatWasStoppedGoesOnToTheSameEnd) {
-  State state = begin(few(), {});
+  CampaignState state = begin(few(), {});
   std::atomic<bool> stop{false};
-  run(state, {.round = [&](const State& now) { stop = now.rounds == 3; }}, stop);
+  run(state, {.round = [&](const CampaignState& now) { stop = now.rounds == 3; }}, stop);
   EXPECT_EQ(state.rounds, 3U);
   EXPECT_FALSE(state.is_whole());
-  State later = read_state(write_state(state));
+  CampaignState later = read_state(write_state(state));
   run(later, {}, never);
   EXPECT_EQ(write_state(later), write_state(done({})));
 }
@@ -70,18 +70,18 @@ TEST(Campaign, ReadsBackWhatItWrites) {
 }
 
 TEST(Campaign, FindsWhatIsBrokenFirstAndShrinksIt) {
-  const State state = done({});
+  const CampaignState state = done({});
   const RunResult result = result_of(state, {}, never);
   ASSERT_FALSE(result.findings.empty());
   for (const Finding& finding : result.findings) EXPECT_TRUE(finding.is_declared);
 }
 
 TEST(Campaign, RefusesShardsThatAreNotOneCampaign) {
-  const State one = done({1, 2}), two = done({2, 2});
+  const CampaignState one = done({1, 2}), two = done({2, 2});
   EXPECT_EQ(trouble_with({}), "there is nothing to merge");
   EXPECT_EQ(trouble_with({one}), "shard 2/2 is missing");
   EXPECT_EQ(trouble_with({one, one}), "shard 1/2 is given twice");
-  State unfinished = begin(few(), {2, 2});
+  CampaignState unfinished = begin(few(), {2, 2});
   EXPECT_EQ(trouble_with({one, unfinished}),
             "shard 2/2 is not finished: 0 of 3 rounds are done; go on with --resume");
   Settings other = few();

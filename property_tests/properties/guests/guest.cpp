@@ -1,4 +1,4 @@
-#include "properties/guest.hpp"
+#include "properties/guests/guest.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -1,4 +1,4 @@
-#include "properties/engine.hpp"
+#include "properties/engine/engine.hpp"
 
 #include <gtest/gtest.h>
 

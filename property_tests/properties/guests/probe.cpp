@@ -1,4 +1,4 @@
-#include "properties/probe.hpp"
+#include "properties/guests/probe.hpp"
 
 #include <array>
 #include <cmath>

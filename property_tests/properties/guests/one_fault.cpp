@@ -1,4 +1,4 @@
-#include "properties/one_fault.hpp"
+#include "properties/guests/one_fault.hpp"
 
 #include <algorithm>
 #include <map>

@@ -2,10 +2,10 @@
 /// \file
 /// The engine: runs every subject on every family under rapidcheck, shrinks what breaks, and adds up.
 
+#include "properties/engine/hunt.hpp"
+#include "properties/engine/labels.hpp"
+#include "properties/engine/plan.hpp"
 #include "properties/finding.hpp"
-#include "properties/hunt.hpp"
-#include "properties/labels.hpp"
-#include "properties/plan.hpp"
 
 namespace rayproof {
 
@@ -28,7 +28,7 @@ struct Listener {
   std::function<void(const Finding&)> finding = [](const Finding&) {};
 };
 
-/// What the plan puts to whom, in the order in which it is done.
+/// Which subject the plan gives which cases, in the order in which it is done.
 [[nodiscard]] std::vector<Unit> units_of(const Plan& plan);
 
 /// Runs the plan: the corpus first, then the labels, then the families. Stops early, with what it has, once

@@ -1,4 +1,4 @@
-#include "properties/engine.hpp"
+#include "properties/engine/engine.hpp"
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>
@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <map>
 
-#include "properties/diagnosing.hpp"
-#include "properties/found.hpp"
-#include "properties/one_fault.hpp"
+#include "properties/engine/diagnosing.hpp"
+#include "properties/engine/found.hpp"
+#include "properties/guests/one_fault.hpp"
 
 namespace rayproof {
 

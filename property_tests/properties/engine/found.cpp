@@ -1,4 +1,4 @@
-#include "properties/found.hpp"
+#include "properties/engine/found.hpp"
 
 #include "case/writer.hpp"
 #include "properties/shrink/shrink.hpp"
@@ -11,7 +11,7 @@ namespace {
 bool can_be_shrunk(Trial& as_found) {
   const Subject& subject = as_found.subject();
   if (subject.function != nullptr) return true;
-  return !subject.is_given_up() && as_found.outcome().kind != Outcome::Kind::timed_out;
+  return !subject.is_given_up() && as_found.outcome().kind != OutcomeKind::timed_out;
 }
 
 /// A program may be gone, or answer otherwise, when it is asked a second time.
@@ -33,7 +33,8 @@ Case simplest(const Case& found, const std::function<bool(const Case&)>& breaks,
 
 }  // namespace
 
-std::optional<Finding> made_of(const Found& found, const Listener& listener, const std::atomic<bool>& stop) {
+std::optional<Finding> made_of(const BrokenCase& found, const Listener& listener,
+                               const std::atomic<bool>& stop) {
   const auto& [subject, property, one, family, failure] = found;
   Finding finding{.subject = &subject,
                   .property = &property,

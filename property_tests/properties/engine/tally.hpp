@@ -94,8 +94,8 @@ struct Tally {
   std::vector<PropertyTally> properties{};
 
   void add(const Outcome& outcome) {
-    if (outcome.kind == Outcome::Kind::unsupported) ++unsupported;
-    if (outcome.kind == Outcome::Kind::not_asked) ++not_asked;
+    if (outcome.kind == OutcomeKind::unsupported) ++unsupported;
+    if (outcome.kind == OutcomeKind::not_asked) ++not_asked;
     if (outcome.is_failure()) ++failures;
   }
 

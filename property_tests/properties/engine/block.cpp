@@ -1,4 +1,4 @@
-#include "properties/block.hpp"
+#include "properties/engine/block.hpp"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
@@ -22,8 +22,8 @@ constexpr unsigned enough_failures = 4;
 unsigned weight_of(std::span<const Outcome> outcomes) {
   unsigned weight = 0;
   for (const Outcome& outcome : outcomes)
-    if (outcome.is_failure() && outcome.kind != Outcome::Kind::refused)
-      weight += outcome.kind == Outcome::Kind::timed_out ? enough_failures : 1;
+    if (outcome.is_failure() && outcome.kind != OutcomeKind::refused)
+      weight += outcome.kind == OutcomeKind::timed_out ? enough_failures : 1;
   return weight;
 }
 

@@ -5,12 +5,12 @@
 #include <atomic>
 #include <optional>
 
-#include "properties/engine.hpp"
+#include "properties/engine/engine.hpp"
 
 namespace rayproof {
 
 /// A case that broke a property.
-struct Found {
+struct BrokenCase {
   const Subject& subject;
   const Property& property;
   const Case& one;
@@ -19,8 +19,8 @@ struct Found {
   const Outcome* failure = nullptr;
 };
 
-/// Shrinks what was found and tells the listener; nothing where it cannot be shown again.
-[[nodiscard]] std::optional<Finding> made_of(const Found& found, const Listener& listener,
+/// Shrinks what was found and reports it to the listener; nothing where it cannot be shown again.
+[[nodiscard]] std::optional<Finding> made_of(const BrokenCase& found, const Listener& listener,
                                              const std::atomic<bool>& stop);
 
 }  // namespace rayproof

@@ -1,11 +1,11 @@
 #pragma once
 /// \file
-/// A block of a family's cases put to a subject, by all threads.
+/// A block of a family's cases given to a subject, by all threads.
 
 #include <atomic>
 #include <map>
 
-#include "properties/hunt.hpp"
+#include "properties/engine/hunt.hpp"
 
 namespace rayproof {
 

@@ -7,8 +7,8 @@
 #include <set>
 
 #include "generators/generators.hpp"
-#include "properties/samples.hpp"
-#include "properties/tally.hpp"
+#include "properties/engine/samples.hpp"
+#include "properties/engine/tally.hpp"
 
 namespace rayproof {
 

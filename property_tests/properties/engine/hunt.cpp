@@ -1,4 +1,4 @@
-#include "properties/hunt.hpp"
+#include "properties/engine/hunt.hpp"
 
 #include <rapidcheck.h>
 #include <rapidcheck/detail/TestListenerAdapter.h>
@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <exception>
 
-#include "properties/block.hpp"
+#include "properties/engine/block.hpp"
 
 namespace rayproof {
 

@@ -4,8 +4,8 @@
 
 #include <atomic>
 
-#include "properties/engine.hpp"
-#include "properties/samples.hpp"
+#include "properties/engine/engine.hpp"
+#include "properties/engine/samples.hpp"
 
 namespace rayproof {
 

@@ -1,4 +1,4 @@
-#include "properties/labels.hpp"
+#include "properties/engine/labels.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "properties/diagnosing.hpp"
+#include "properties/engine/diagnosing.hpp"
 
 #include <tbb/parallel_for.h>
 
@@ -39,7 +39,8 @@ class Consultation {
         patient_(patient_of(*finding.subject, *finding.property)),
         broken_(broken_cases(result, finding)) {
     const bool is_declared = finding.is_declared;
-    const Samples::Sample* sample = samples.find(*finding.subject, finding.one.precision, *finding.property);
+    const Samples::KeptCases* sample =
+        samples.find(*finding.subject, finding.one.precision, *finding.property);
     if (sample != nullptr) {
       failing_ = in_turn(sample->broken, is_declared ? most_declared : most_failing);
       passing_ = in_turn(sample->held, is_declared ? most_declared : most_passing);
@@ -69,7 +70,7 @@ class Consultation {
   /// A property may be kept on few cases, or those of one kind; a model must not contradict what the subject
   /// says rightly of any.
   void add_right_answers(const Samples& samples) {
-    const Samples::Sample* any =
+    const Samples::KeptCases* any =
         samples.find(*finding_.subject, finding_.one.precision, *find_property("ascending"));
     if (any == nullptr) return;
     for (Case& one : in_turn(any->held, finding_.is_declared ? most_declared : most_passing))

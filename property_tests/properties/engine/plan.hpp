@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "generators/generators.hpp"
-#include "properties/probe.hpp"
+#include "properties/guests/probe.hpp"
 #include "properties/property.hpp"
 
 namespace rayproof {

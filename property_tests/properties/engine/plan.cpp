@@ -1,4 +1,4 @@
-#include "properties/plan.hpp"
+#include "properties/engine/plan.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

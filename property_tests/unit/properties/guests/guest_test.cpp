@@ -1,12 +1,12 @@
-#include "properties/guest.hpp"
+#include "properties/guests/guest.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "case/reader.hpp"
-#include "properties/kind.hpp"
-#include "properties/probe.hpp"
+#include "properties/engine/kind.hpp"
+#include "properties/guests/probe.hpp"
 #include "subjects/default_contract.hpp"
 #include "unit/properties/broken_subjects.hpp"
 
@@ -85,7 +85,7 @@ TEST(Probe, TakesForARuleOnlyWhatIsWrongOnMostBoundaries) {
 TEST(Probe, GivesTheCasesThatAreNotAnswered) {
   struct Silent final : Answerer {
     void answer(std::span<const Case> /*cases*/, std::span<Outcome> outcomes) override {
-      for (Outcome& outcome : outcomes) outcome = {.kind = Outcome::Kind::timed_out, .sentence = "is silent"};
+      for (Outcome& outcome : outcomes) outcome = {.kind = OutcomeKind::timed_out, .sentence = "is silent"};
     }
   };
   Subject silent = guest("sphere", nullptr);

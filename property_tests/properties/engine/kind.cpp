@@ -1,4 +1,4 @@
-#include "properties/kind.hpp"
+#include "properties/engine/kind.hpp"
 
 #include <algorithm>
 #include <cmath>
