@@ -49,7 +49,7 @@ std::string right_answer_in_words(const CaseReport& report) {
                                    ? fmt::format("The answer is {}.", accuracy_of(report))
                                    : fmt::format("Rounding changed the answer by {} at most.", in_ulps(ulps));
   const Walkthrough& walk = *report.walk;
-  if (walk.outcome == WalkOutcome::faithful || !walk.decisive_loss) return sentence;
+  if (walk.outcome == Faithfulness::faithful || !walk.decisive_loss) return sentence;
   return fmt::format("{} In step '{}' {}.", sentence, walk.decisive_loss->step,
                      in_words(*walk.decisive_loss));
 }
@@ -84,7 +84,7 @@ std::string conclusion_of(const CaseReport& report) {
   if (!verdicts_differ(&report.exact, report.claim()) && ulps_of(report) <= a_few_ulps)
     return right_answer_in_words(report);
   const std::string sentence = verdict_sentence(*report.walk);
-  if (report.walk->outcome != WalkOutcome::faithful) return sentence;
+  if (report.walk->outcome != Faithfulness::faithful) return sentence;
   if (ends_decide(report)) {
     return sentence +
            " A root lies so near an end of the ray's interval that the last rounding decides the verdict.";

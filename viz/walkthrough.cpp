@@ -112,14 +112,14 @@ void judge(Walkthrough& walk, const Tape& tape, const Ending& ending) {
   const int exact = sign_of_discriminant(D.exact);
   OperationId worst = ending.discriminant;
   if (rounded != exact) {
-    walk.outcome = WalkOutcome::flipped;
+    walk.outcome = Faithfulness::flipped;
   } else if (exact < 0) {
     return;  // a miss in both: nothing hangs on the digits
   } else {
     const auto lost = [&](OperationId id) { return lost_by_answer(tape.at(id), walk.precision); };
     worst = lost(ending.lo) >= lost(ending.hi) ? ending.lo : ending.hi;
     if (lost(worst) < noteworthy) return;
-    walk.outcome = WalkOutcome::inaccurate;
+    walk.outcome = Faithfulness::inaccurate;
   }
   walk.answer_bits_lost = tape.at(worst).bits_lost;
   walk.decisive_loss = find_decisive_loss(tape, worst, noteworthy);
@@ -162,11 +162,11 @@ Walkthrough walkthrough_of(const Tape& tape, const Ending& ending, Precision pre
 }
 
 std::string verdict_sentence(const Walkthrough& walk) {
-  if (walk.outcome == WalkOutcome::faithful) {
+  if (walk.outcome == Faithfulness::faithful) {
     return "Rounding changed the result of the formula by a few ulps at most.";
   }
   const std::string consequence =
-      walk.outcome == WalkOutcome::flipped
+      walk.outcome == Faithfulness::flipped
           ? walk.decider + " is left with the wrong sign, and the verdict is wrong"
           : fmt::format("the answer keeps {:.0f} of its {} bits",
                         std::max(0.0, walk.digits - walk.answer_bits_lost), walk.digits);

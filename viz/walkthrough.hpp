@@ -84,7 +84,7 @@ struct WalkStep {
 };
 
 /// How the float run came out beside the same formula in real numbers.
-enum class WalkOutcome {
+enum class Faithfulness {
   faithful,    ///< the answers agree to a few ulps, the verdict with them
   inaccurate,  ///< the answers have lost digits
   flipped      ///< the number whose sign decides has the wrong one: the verdict is noise
@@ -99,7 +99,7 @@ struct Walkthrough {
   std::vector<WalkStep> steps{};
   double lo = 0;  ///< the roots the method came to, ascending; NaN for none
   double hi = 0;
-  WalkOutcome outcome = WalkOutcome::faithful;
+  Faithfulness outcome = Faithfulness::faithful;
   std::string decider = "the discriminant";  ///< the number whose sign decides; empty where comparisons do
   std::string known_fault{};                 ///< why the method is known to go wrong; empty for a sound one
   bool is_printed = false;                   ///< copied from a source together with the source's error

@@ -15,8 +15,8 @@ namespace rayproof {
 /// case that the format refuses (a NaN put there on purpose) is written all the same.
 [[nodiscard]] std::string write_case(const Case& one);
 
-/// The same case with enough digits that one who reads its numbers as doubles, and does not round them to its
-/// precision, has the same numbers.
+/// The same case with all digits that a double takes: who reads its numbers as doubles, and does not round
+/// them to its precision, has the same numbers.
 [[nodiscard]] std::string write_case_for_doubles(const Case& one);
 
 /// The answer to `one`, whoever gave it.

@@ -7,7 +7,7 @@
 namespace rayproof::program {
 namespace {
 
-using RoundEnding = Conversation::RoundEnding;
+using RoundEnd = Conversation::RoundEnd;
 
 constexpr const char* held_back =
     "answers only once its input is closed: each line must be flushed as soon as it is written";
@@ -15,10 +15,10 @@ constexpr const char* held_back =
 /// How many failures of one call are looked into; the cases that are left are not asked.
 constexpr int most_failures = 2;
 
-Outcome failure(RoundEnding ending, const std::string& sentence) {
-  const auto kind = ending == RoundEnding::silence  ? OutcomeKind::timed_out
-                    : ending == RoundEnding::closed ? OutcomeKind::crashed
-                                                    : OutcomeKind::nonsense;
+Outcome failure(RoundEnd ending, const std::string& sentence) {
+  const auto kind = ending == RoundEnd::silence  ? OutcomeKind::timed_out
+                    : ending == RoundEnd::closed ? OutcomeKind::crashed
+                                                 : OutcomeKind::nonsense;
   return {.kind = kind, .sentence = sentence};
 }
 
@@ -53,11 +53,11 @@ bool ProgramAnswerer::ask_rest(Round& all) {
     for (const std::size_t i : places) cases.push_back(all.cases[i]);
   Round rest = is_all ? Round(all.cases, all.outcomes) : Round(cases, outcomes);
   const auto begin = Program::Clock::now();
-  const RoundEnding ending = conversation().ask(rest);
-  if (!is_all || ending != RoundEnding::complete)
+  const RoundEnd ending = conversation().ask(rest);
+  if (!is_all || ending != RoundEnd::complete)
     for (std::size_t k = 0; k < places.size(); ++k)
       if (rest.has_answer[k]) all.put(places[k], rest.outcomes[k]);
-  if (ending == RoundEnding::complete) {
+  if (ending == RoundEnd::complete) {
     program_->note_complete_round();
     return true;
   }
@@ -65,18 +65,18 @@ bool ProgramAnswerer::ask_rest(Round& all) {
   if (!program_->has_answered() && conversation_->was_never_started())
     throw CannotStart(
         fmt::format("{} cannot be started: {}", program_->command(), conversation_->last_words()));
-  const bool is_held_back = ending == RoundEnding::silence && program_->may_hold_back() && holds_back(rest);
+  const bool is_held_back = ending == RoundEnd::silence && program_->may_hold_back() && holds_back(rest);
   conversation_.reset();
-  if (ending == RoundEnding::silence && !program_->has_answered())
+  if (ending == RoundEnd::silence && !program_->has_answered())
     program_->give_up("it answered nothing at all");
   if (program_->was_given_up())
     all.put(places.front(), failure(ending, is_held_back ? held_back : trouble));
   else
     search(all, ending, trouble);
   // One case alone that breaks is being shrunk; silence is too long to be overlooked even then.
-  if (all.cases.size() > 1 || ending == RoundEnding::silence || !program_->has_answered())
+  if (all.cases.size() > 1 || ending == RoundEnd::silence || !program_->has_answered())
     program_->note_trouble(1, Program::Clock::now() - begin);
-  return ending == RoundEnding::silence;  // the next would take as long
+  return ending == RoundEnd::silence;  // the next would take as long
 }
 
 bool ProgramAnswerer::holds_back(Round& rest) {
@@ -88,7 +88,7 @@ bool ProgramAnswerer::holds_back(Round& rest) {
     Outcome outcome;
     Round again(rest.cases.subspan(other, 1), {&outcome, 1});
     conversation_.reset();
-    if (conversation().ask(again) != RoundEnding::silence || !conversation_->answers_at_the_end(again))
+    if (conversation().ask(again) != RoundEnd::silence || !conversation_->answers_at_the_end(again))
       return false;
   }
   program_->give_up(std::string("it ") + held_back);
@@ -97,17 +97,17 @@ bool ProgramAnswerer::holds_back(Round& rest) {
 
 bool ProgramAnswerer::ask_alone(Round& all, std::size_t i) {
   Round single(all.cases.subspan(i, 1), all.outcomes.subspan(i, 1));
-  const RoundEnding ending = conversation().ask(single);
-  if (ending != RoundEnding::complete) {
+  const RoundEnd ending = conversation().ask(single);
+  if (ending != RoundEnd::complete) {
     const std::string trouble = conversation_->trouble(ending);
     conversation_.reset();
     all.outcomes[i] = failure(ending, trouble);
   }
   all.put(i, all.outcomes[i]);
-  return ending == RoundEnding::complete && all.outcomes[i].kind != OutcomeKind::nonsense;
+  return ending == RoundEnd::complete && all.outcomes[i].kind != OutcomeKind::nonsense;
 }
 
-void ProgramAnswerer::search(Round& all, RoundEnding ending, const std::string& trouble) {
+void ProgramAnswerer::search(Round& all, RoundEnd ending, const std::string& trouble) {
   // A line that belongs to nobody may have come behind the last answer: then all are asked again.
   if (all.waiting == 0)
     for (std::size_t i = 0; i < all.cases.size(); ++i) all.take_back(i);
@@ -115,7 +115,7 @@ void ProgramAnswerer::search(Round& all, RoundEnding ending, const std::string& 
   for (const std::size_t i : suspects)
     if (program_->was_given_up() || !ask_alone(all, i)) return;
   // Alone, each is answered. Silence may have been the machine's; all else needs what was asked before.
-  if (ending != RoundEnding::silence)
+  if (ending != RoundEnd::silence)
     all.put(suspects.front(), failure(ending, trouble + "; asked alone, it answers the case"));
 }
 

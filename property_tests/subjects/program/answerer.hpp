@@ -23,7 +23,7 @@ class ProgramAnswerer final : public Answerer {
   /// Asks what has no answer, all at once. Whether every case then has one, or no more is to be asked now.
   bool ask_rest(Round& all);
   /// Finds whom to blame for such an end, and puts that down as its outcome.
-  void search(Round& all, Conversation::RoundEnding ending, const std::string& trouble);
+  void search(Round& all, Conversation::RoundEnd ending, const std::string& trouble);
   /// Whether silence means that answers are held back until the input is closed; then it is given up.
   bool holds_back(Round& rest);
   [[nodiscard]] bool ask_alone(Round& all, std::size_t i);

@@ -47,7 +47,7 @@ void Conversation::write(const Round& round) {
   }
 }
 
-Conversation::RoundEnding Conversation::ask(Round& round) {
+Conversation::RoundEnd Conversation::ask(Round& round) {
   write(round);
   Clock::time_point heard = Clock::now();
   Starvation starvation(child_.group());
@@ -56,18 +56,18 @@ Conversation::RoundEnding Conversation::ask(Round& round) {
     const milliseconds limit = has_spoken_ ? program_->case_time() : program_->first_case_time();
     const auto left = std::chrono::duration_cast<milliseconds>(heard + limit - Clock::now());
     if (left <= milliseconds(0)) {
-      if (patience-- == 0 || !starvation.goes_on()) return RoundEnding::silence;
+      if (patience-- == 0 || !starvation.goes_on()) return RoundEnd::silence;
       heard = Clock::now();
       continue;
     }
     const std::size_t waiting = round.waiting;
     child_.exchange(unsent_, received_, left);
-    if (!take_lines(round)) return RoundEnding::nonsense;
+    if (!take_lines(round)) return RoundEnd::nonsense;
     if (round.waiting < waiting) heard = Clock::now();
     if (round.waiting > 0 && child_.is_output_closed())
-      return take_line(round, received_) && round.waiting == 0 ? RoundEnding::complete : RoundEnding::closed;
+      return take_line(round, received_) && round.waiting == 0 ? RoundEnd::complete : RoundEnd::closed;
   }
-  return goes_on(round) ? RoundEnding::nonsense : RoundEnding::complete;
+  return goes_on(round) ? RoundEnd::nonsense : RoundEnd::complete;
 }
 
 bool Conversation::goes_on(Round& round) {
@@ -133,12 +133,12 @@ bool Conversation::take_line(Round& round, std::string_view line) {
   }
 }
 
-std::string Conversation::trouble(RoundEnding ending) {
+std::string Conversation::trouble(RoundEnd ending) {
   std::string text = stray_;
-  if (ending == RoundEnding::silence)
+  if (ending == RoundEnd::silence)
     text = fmt::format("gave no answer within {:g} s",
                        static_cast<double>(program_->case_time().count()) / 1000);
-  if (ending == RoundEnding::closed) {
+  if (ending == RoundEnd::closed) {
     text = child_.how_it_ended();
     if (text.empty()) text = "closed its output";
     text += " without an answer to the case";

@@ -31,17 +31,17 @@ class Conversation {
  public:
   /// How a round ends: with every answer, with silence, with the end of the output, or with a line that is no
   /// answer to any case of the round.
-  enum class RoundEnding { complete, silence, closed, nonsense };
+  enum class RoundEnd { complete, silence, closed, nonsense };
 
   explicit Conversation(Program& program) : program_(&program), child_(program.command()) {}
 
   /// Asks all cases of the round at once.
-  [[nodiscard]] RoundEnding ask(Round& round);
+  [[nodiscard]] RoundEnd ask(Round& round);
   /// Closes the input, and whether every answer that was missing comes then.
   [[nodiscard]] bool answers_at_the_end(Round& round);
 
   /// What went wrong, in one sentence, with what the program said of it on standard error.
-  [[nodiscard]] std::string trouble(RoundEnding ending);
+  [[nodiscard]] std::string trouble(RoundEnd ending);
 
   /// Whether the shell found nothing to start.
   [[nodiscard]] bool was_never_started();

@@ -27,7 +27,7 @@ constexpr const char* tame_sphere =
 TEST(Explain, TheSmallRootLosesPrecisionInTheSumOfMinusBAndTheRoot) {
   const Walkthrough walkthrough = walk(small_root, "textbook");
   ASSERT_TRUE(walkthrough.decisive_loss);
-  EXPECT_EQ(walkthrough.outcome, Outcome::inaccurate);
+  EXPECT_EQ(walkthrough.outcome, Faithfulness::inaccurate);
   EXPECT_EQ(walkthrough.decisive_loss->step, "Apply the quadratic formula");
   EXPECT_EQ(walkthrough.decisive_loss->formula, "−b + √D");
   EXPECT_EQ(walkthrough.decisive_loss->kind, "subtraction");
@@ -42,7 +42,7 @@ TEST(Explain, AFarSphereLosesPrecisionInTheDiscriminant) {
   for (const char* method : {"textbook", "printed_2ac"}) {
     const Walkthrough walkthrough = walk(far_sphere, method);
     ASSERT_TRUE(walkthrough.decisive_loss) << method;
-    EXPECT_EQ(walkthrough.outcome, Outcome::flipped);
+    EXPECT_EQ(walkthrough.outcome, Faithfulness::flipped);
     EXPECT_EQ(walkthrough.decisive_loss->step, "Form the discriminant");
     EXPECT_EQ(walkthrough.decisive_loss->formula, "b·b − 4·a·c");
     EXPECT_EQ(walkthrough.decisive_loss->name, "D");
@@ -61,9 +61,9 @@ TEST(Explain, ANearlyDoubleRootLosesPrecisionInTheDiscriminant) {
 }
 
 TEST(Explain, AStableMethodLosesNothing) {
-  EXPECT_EQ(walk(small_root, "citardauq_viete").outcome, Outcome::faithful);
-  EXPECT_EQ(walk(near_double, "kahan").outcome, Outcome::faithful);
-  EXPECT_EQ(walk(far_sphere, "centred").outcome, Outcome::faithful);
+  EXPECT_EQ(walk(small_root, "citardauq_viete").outcome, Faithfulness::faithful);
+  EXPECT_EQ(walk(near_double, "kahan").outcome, Faithfulness::faithful);
+  EXPECT_EQ(walk(far_sphere, "centred").outcome, Faithfulness::faithful);
   EXPECT_FALSE(walk(tame_sphere, "textbook").decisive_loss);
 }
 
