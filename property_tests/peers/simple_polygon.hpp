@@ -49,9 +49,9 @@ namespace rayproof::peers {
   return normal;
 }
 
-/// How far the farthest vertex is from the plane through the first, normal to the Newell normal.
-[[nodiscard]] inline double distance_from_plane(std::span<const glm::dvec3> vertices) {
-  const glm::dvec3 normal = glm::normalize(newell_normal(vertices));
+/// How far the farthest vertex is from the plane through the first with this normal, a unit vector.
+[[nodiscard]] inline double distance_from_plane(std::span<const glm::dvec3> vertices,
+                                                const glm::dvec3& normal) {
   double distance = 0;
   for (const glm::dvec3& vertex : vertices)
     distance = std::max(distance, std::abs(dot(vertex - vertices[0], normal)));
