@@ -10,18 +10,20 @@
 namespace rayproof {
 namespace {
 
-/// Whether two hits, ascending, are one but for their last digits: a double root, or a rim that was met as a
-/// part of the side and of the cap.
-bool is_near(double t, double next, Precision precision) {
-  const double share = precision == Precision::float32 ? 0x1p-18 : 0x1p-46;
-  return std::abs(next - t) <= share * std::max(std::abs(t), std::abs(next));
+/// A share of t below which two numbers are one but for the digits that cancel in a plain method's equation.
+double last_digits(Precision precision) { return precision == Precision::float32 ? 0x1p-12 : 0x1p-32; }
+
+bool is_near(double t, double other, double share) {
+  return std::abs(other - t) <= share * std::max(std::abs(t), std::abs(other));
 }
 
-/// Hits that are one but for their last digits are one where there are more than there should be.
+/// Hits that are one but for their last digits (a double root, or a rim that was met as a part of the side
+/// and of the cap) are one where there are more than there should be.
 void merge_near_hits(const Case& one, HitList& hits) {
   HitList merged;
   for (const double t : hits.view())
-    if (merged.count == 0 || !is_near(merged.t.at(merged.count - 1), t, one.precision)) merged.push_back(t);
+    if (merged.count == 0 || !is_near(merged.t.at(merged.count - 1), t, last_digits(one.precision)))
+      merged.push_back(t);
   if (merged.count == hits.count) return;
   const auto exact = std::get<RayAnswer>(oracle::answer(one));
   if (hits.count > exact.hits.count) hits = merged;
@@ -51,9 +53,9 @@ void add_hits_at_rims(const Case& one, HitList& hits) {
   const auto exact = std::get<RayAnswer>(oracle::answer(one));
   if (exact.hits.count <= hits.count) return;
   HitList all;
+  const double share = last_digits(one.precision);
   for (const double t : exact.hits.view()) {
-    const auto same =
-        std::ranges::find_if(hits.view(), [&](double own) { return is_near(own, t, one.precision); });
+    const auto same = std::ranges::find_if(hits.view(), [&](double own) { return is_near(own, t, share); });
     if (same != hits.view().end())
       all.push_back(*same);
     else if (is_at_rim(one, t))

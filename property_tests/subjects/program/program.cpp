@@ -10,7 +10,7 @@ namespace {
 using std::chrono::milliseconds;
 
 /// What loading an interpreter and large libraries may take.
-constexpr milliseconds time_to_load{6000};
+constexpr milliseconds time_to_load{10000};
 /// A program that loses more time than this to crashes and silence has been heard.
 constexpr milliseconds patience{15000};
 /// So often may it fail without ever giving an answer.

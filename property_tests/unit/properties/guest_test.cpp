@@ -1,0 +1,176 @@
+#include "properties/guest.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "case/reader.hpp"
+#include "properties/kind.hpp"
+#include "properties/probe.hpp"
+#include "subjects/default_contract.hpp"
+#include "unit/properties/broken_subjects.hpp"
+
+namespace rayproof {
+namespace {
+
+const std::atomic<bool> never_stopped{false};
+
+/// A subject without a contract of its own; a function, so that no process is needed.
+Subject guest(const std::string& topic, Answer (*answer)(const Case&)) {
+  Subject made;
+  made.topic = topic;
+  made.name = "stranger";
+  made.title = "somebody else's";
+  made.contract = default_contract(topic);
+  made.has_own_contract = false;
+  made.start = [answer] { return std::make_unique<FunctionAnswerer>(answer); };
+  return made;
+}
+
+Abilities learnt(const std::string& topic, Answer (*answer)(const Case&)) {
+  Subject one = guest(topic, answer);
+  EXPECT_TRUE(learn_abilities(one, 1, {Precision::float64}, never_stopped).empty());
+  return one.abilities;
+}
+
+const Case& from_five_away() {
+  static const Case one = read_case(
+      R"({"ray": {"origin": [0.25,0,-5], "direction": [0,0,1]}, "shape": {"type": "sphere", "center": [0,0,0], "radius": 1}})");
+  return one;
+}
+
+Answer nearest_alone(const Case& one) {
+  auto answer = std::get<RayAnswer>(oracle::answer(one));
+  answer.hits.count = std::min<std::size_t>(answer.hits.count, 1);
+  answer.says_contact = false;
+  answer.point.reset();
+  answer.normal.reset();
+  return answer;
+}
+
+Answer verdict_alone(const Case& one) {
+  RayAnswer answer;
+  answer.verdict_only = std::get<RayAnswer>(oracle::answer(one)).hits.count > 0;
+  if (answer.verdict_only) answer.hits.push_back(std::nan(""));
+  return answer;
+}
+
+Answer without_boundary(const Case& one) {
+  const Answer exact = oracle::answer(one);
+  return std::get<Position>(exact) == Position::boundary ? Answer(Position::inside) : exact;
+}
+
+Answer without_tangents(const Case& one) {
+  const auto exact = std::get<RayAnswer>(oracle::answer(one));
+  return exact.contact == Contact::tangent ? RayAnswer{} : exact;
+}
+
+TEST(Probe, FindsOutWhatAnswersHold) {
+  const Abilities all = learnt("sphere", oracle::answer);
+  EXPECT_TRUE(all.all_hits && all.numbers && all.contact && all.point && all.normal);
+  EXPECT_FALSE(all.barycentric);
+  const Abilities first = learnt("sphere", nearest_alone);
+  EXPECT_TRUE(first.numbers);
+  EXPECT_FALSE(first.all_hits || first.contact || first.point || first.normal);
+  EXPECT_FALSE(learnt("sphere", verdict_alone).numbers);
+  EXPECT_TRUE(learnt("point_in_polygon", oracle::answer).boundary);
+  EXPECT_FALSE(learnt("point_in_polygon", without_boundary).boundary);
+}
+
+TEST(Probe, TakesForARuleOnlyWhatIsWrongOnMostBoundaries) {
+  EXPECT_FALSE(learnt("sphere", oracle::answer).rules_tangents);
+  EXPECT_TRUE(learnt("sphere", without_tangents).rules_tangents);
+}
+
+TEST(Probe, GivesTheCasesThatAreNotAnswered) {
+  struct Silent final : Answerer {
+    void answer(std::span<const Case> /*cases*/, std::span<Outcome> outcomes) override {
+      for (Outcome& outcome : outcomes) outcome = {.kind = Outcome::Kind::timed_out, .sentence = "is silent"};
+    }
+  };
+  Subject silent = guest("sphere", nullptr);
+  silent.start = [] { return std::make_unique<Silent>(); };
+  const auto failures = learn_abilities(silent, 1, {Precision::float32}, never_stopped);
+  ASSERT_FALSE(failures.empty());
+  EXPECT_EQ(failures.front().outcome.sentence, "is silent");
+}
+
+TEST(Guest, IsJudgedByWhatItSaysAlone) {
+  for (Answer (*const answer)(const Case&) : {nearest_alone, verdict_alone}) {
+    Subject one = guest("sphere", answer);
+    (void)learn_abilities(one, 1, {Precision::float64}, never_stopped);
+    Trial trial(one, from_five_away());
+    EXPECT_FALSE(trial.judgement().wrong);
+    for (const Property& property : properties())
+      if (one.contract.holds.contains(property.claim)) {
+        EXPECT_NE(ruling_of(property, trial), Ruling::broken) << property.name;
+      }
+  }
+}
+
+TEST(Guest, EqualHitsOfATangentAreOne) {
+  Subject one = guest("sphere", nullptr);
+  const Case grazed = read_case(
+      R"({"ray": {"origin": [1,0,-5], "direction": [0,0,1]}, "shape": {"type": "sphere", "center": [0,0,0], "radius": 1}})");
+  RayAnswer twice;
+  twice.hits.push_back(5);
+  twice.hits.push_back(5.000000000000001);
+  EXPECT_EQ(std::get<RayAnswer>(completed(one, grazed, twice)).hits.count, 1U);
+  EXPECT_EQ(std::get<RayAnswer>(completed(one, from_five_away(), twice)).hits.count, 2U);
+}
+
+TEST(Guest, AHitAtARimMayFallBetweenSideAndCap) {
+  Subject one = guest("cylinder", nullptr);
+  const Case at_rim = read_case(
+      R"({"ray": {"origin": [-2,0,-1], "direction": [1,0,1]}, "shape": {"type": "cylinder", "rx": 1, "ry": 1, "height": 1, "capped": true}})");
+  RayAnswer behind;
+  behind.hits.push_back(2);
+  EXPECT_EQ(std::get<RayAnswer>(completed(one, at_rim, behind)).hits.count, 2U);
+  const Case through_cap = read_case(
+      R"({"ray": {"origin": [0.5,0,-1], "direction": [0,0,1]}, "shape": {"type": "cylinder", "rx": 1, "ry": 1, "height": 1, "capped": true}})");
+  EXPECT_EQ(std::get<RayAnswer>(completed(one, through_cap, behind)).hits.count, 1U);
+}
+
+TEST(Guest, RootsThatAreLeftOutAreNotJudged) {
+  Subject one = guest("quadratic", nullptr);
+  const Case equation = read_case(R"({"query": "quadratic", "a": 1, "b": -3, "c": 2})");
+  const QuadraticAnswer<double> bare{RootKind::two, 2, {std::nan(""), std::nan("")}};
+  EXPECT_FALSE(oracle::judge(equation, completed(one, equation, bare)).wrong);
+  const QuadraticAnswer<double> other{RootKind::none};
+  EXPECT_TRUE(oracle::judge(equation, completed(one, equation, other)).wrong);
+}
+
+TEST(Guest, IsAskedNothingBeyondItsDomain) {
+  const Subject one = guest("sphere", nullptr);
+  Case huge = from_five_away();
+  EXPECT_TRUE(is_for_guest(one, huge));
+  std::get<RayQuestion>(huge.question).ray.origin.x = 1e100;
+  EXPECT_FALSE(is_for_guest(one, huge));
+}
+
+FindingKind kind_with(const char* property, const Case& one, const Answer& got) {
+  static const Subject somebody = guest("sphere", nullptr);
+  Finding finding{.subject = &somebody, .property = find_property(property), .one = one};
+  finding.evidence.got = got;
+  finding.evidence.exact = oracle::answer(one);
+  return kind_of(finding);
+}
+
+TEST(Kind, SaysHowBadAFindingIs) {
+  EXPECT_EQ(kind_with("answers", from_five_away(), RayAnswer{}), FindingKind::protocol);
+  EXPECT_EQ(kind_with("boundary", from_five_away(), RayAnswer{}), FindingKind::boundary);
+  EXPECT_EQ(kind_with("verdict", from_five_away(), RayAnswer{}), FindingKind::gross);
+  RayAnswer off = std::get<RayAnswer>(oracle::answer(from_five_away()));
+  off.hits.t[0] += 1e-7;
+  EXPECT_EQ(kind_with("residual", from_five_away(), off), FindingKind::rounding);
+  off.hits.t[0] += 1;
+  EXPECT_EQ(kind_with("residual", from_five_away(), off), FindingKind::gross);
+  Case large = from_five_away();
+  auto& asked = std::get<RayQuestion>(large.question);
+  asked.ray.origin.z = -1e15;
+  asked.shape = Sphere<double>{{0, 0, 0}, 1e14};
+  EXPECT_EQ(kind_with("verdict", large, RayAnswer{}), FindingKind::range);
+}
+
+}  // namespace
+}  // namespace rayproof
