@@ -49,21 +49,22 @@ namespace rayproof::peers {
   return normal;
 }
 
-/// How far the farthest vertex is from the plane through the first, normal to the Newell normal.
-[[nodiscard]] inline double distance_from_plane(std::span<const glm::dvec3> vertices) {
-  const glm::dvec3 normal = glm::normalize(newell_normal(vertices));
+/// How far the farthest vertex is from the plane through the first with this normal, a unit vector.
+[[nodiscard]] inline double distance_from_plane(std::span<const glm::dvec3> vertices,
+                                                const glm::dvec3& normal) {
   double distance = 0;
   for (const glm::dvec3& vertex : vertices)
     distance = std::max(distance, std::abs(dot(vertex - vertices[0], normal)));
   return distance;
 }
 
-/// The same in space, where all vertices also lie in one plane, but for their rounding to float.
+/// The same in space, where all vertices also lie in one plane, but for a rounding in double.
 [[nodiscard]] inline bool is_simple(std::span<const glm::dvec3> vertices) {
   const glm::dvec3 normal = newell_normal(vertices);
   double size = 0;
   for (const glm::dvec3& vertex : vertices) size = std::max(size, glm::length(vertex - vertices[0]));
-  if (!(glm::length(normal) > 1e-12 * size * size) || distance_from_plane(vertices) > 1e-6 * size)
+  if (!(glm::length(normal) > 1e-12 * size * size) ||
+      distance_from_plane(vertices, glm::normalize(normal)) > 1e-13 * size)
     return false;
   int axis = 0;
   for (const int other : {1, 2})

@@ -76,9 +76,11 @@ Hit polygon(const Ray<double>& ray, const std::vector<dvec3>& vertices) {
     cell->GetPointIds()->InsertNextId(id);
   }
   // Its hits must be within the tolerance of its planes, which rounding alone takes hits and vertices off by.
+  dvec3 normal(0);
+  vtkPolygon::ComputeNormal(cell->GetPoints(), &normal.x);
   double size = glm::length(ray.origin);
   for (const dvec3& vertex : vertices) size = std::max(size, glm::length(vertex));
-  return meet(*cell, vertices, ray, 1e-14 * size + 2 * peers::distance_from_plane(vertices));
+  return meet(*cell, vertices, ray, 1e-14 * size + 2 * peers::distance_from_plane(vertices, normal));
 }
 
 std::array<double, 6> bounds_of(dvec3 low, dvec3 high) {

@@ -24,7 +24,7 @@ const Case& a_point() {
   return one;
 }
 
-Outcome outcome_of(const char* line, const Case& one = a_ray()) { return Reply(line).outcome(one); }
+Outcome outcome_of(const char* line, const Case& one = a_ray()) { return ReplyLine(line).outcome(one); }
 
 RayAnswer hits_of(const char* line) {
   const Outcome outcome = outcome_of(line);
@@ -101,14 +101,14 @@ TEST(Reply, APositionIsOneOfThree) {
 }
 
 TEST(Reply, AnIdIsAWholeNumber) {
-  EXPECT_EQ(Reply(R"({"id": 12, "verdict": "miss"})").id(), 12U);
+  EXPECT_EQ(ReplyLine(R"({"id": 12, "verdict": "miss"})").id(), 12U);
   for (const char* line : {R"({"verdict": "miss"})", R"({"id": "12"})", R"({"id": -1})", R"({"id": 1.5})"})
-    EXPECT_FALSE(Reply(line).id()) << line;
+    EXPECT_FALSE(ReplyLine(line).id()) << line;
 }
 
 TEST(Reply, WhatIsNoObjectIsRefused) {
   for (const char* line : {"", "hello", "[1]", "{", R"({"id": 7, "verdict": NaN})"})
-    EXPECT_THROW(Reply reply(line), Refusal) << line;
+    EXPECT_THROW(ReplyLine reply(line), Refusal) << line;
 }
 
 TEST(Reply, AnExcerptIsShortAndPlain) {
