@@ -9,7 +9,7 @@
 #include <map>
 
 #include "case/writer.hpp"
-#include "properties/diagnosing.hpp"
+#include "properties/diagnosis/findings.hpp"
 #include "properties/shrink/shrink.hpp"
 
 namespace rayproof {

@@ -26,7 +26,8 @@ Examination::Examination(const Patient& patient, std::span<const Case> failing, 
 std::vector<Examination::Known> Examination::ask(std::span<const Case> cases) const {
   std::vector<std::optional<Answer>> answers = patient_.ask(cases);
   std::vector<Known> known;
-  for (std::size_t i = 0; i < cases.size(); ++i) known.push_back({Answered(cases[i]), std::move(answers[i])});
+  for (std::size_t i = 0; i < cases.size(); ++i)
+    known.push_back({AnsweredCase(cases[i]), std::move(answers[i])});
   return known;
 }
 
@@ -61,7 +62,7 @@ std::vector<std::size_t> Examination::cured(const Hypothesis& hypothesis,
   std::vector<std::size_t> belongs_to;
   for (const std::size_t i : cases)
     for (Case& changed : hypothesis.change(failing_.at(i).asked.one)) {
-      if (!is_same_question(failing_.at(i).asked, Answered(changed), hypothesis.keeps)) continue;
+      if (!is_same_question(failing_.at(i).asked, AnsweredCase(changed), hypothesis.keeps)) continue;
       asked.push_back(std::move(changed));
       belongs_to.push_back(i);
     }

@@ -27,7 +27,7 @@ class Examination {
 
  private:
   struct Known {
-    Answered asked;
+    AnsweredCase asked;
     std::optional<Answer> got;
   };
 

@@ -8,7 +8,7 @@
 namespace rayproof::diagnosis {
 namespace {
 
-bool is_at_end(const Answered& asked) {
+bool is_at_end(const AnsweredCase& asked) {
   const RayQuestion* question = ray_question(asked.one);
   return question != nullptr && std::ranges::any_of(numbers_in(asked.exact), [&](double t) {
            return t == question->ray.t_min || t == question->ray.t_max;
@@ -17,9 +17,9 @@ bool is_at_end(const Answered& asked) {
 
 }  // namespace
 
-Answered::Answered(Case asked) : one(std::move(asked)), exact(oracle::answer(one)) {}
+AnsweredCase::AnsweredCase(Case asked) : one(std::move(asked)), exact(oracle::answer(one)) {}
 
-bool is_same_question(const Answered& a, const Answered& b, Keeps keeps) {
+bool is_same_question(const AnsweredCase& a, const AnsweredCase& b, Keeps keeps) {
   if (finds_something(a.exact) != finds_something(b.exact)) return false;
   if (keeps == Keeps::verdict) return true;
   if (const auto* position = std::get_if<Position>(&a.exact)) return *position == std::get<Position>(b.exact);
@@ -29,7 +29,7 @@ bool is_same_question(const Answered& a, const Answered& b, Keeps keeps) {
          numbers_in(a.exact).size() == numbers_in(b.exact).size() && is_at_end(a) == is_at_end(b);
 }
 
-bool is_on_boundary(const Answered& one) {
+bool is_on_boundary(const AnsweredCase& one) {
   if (const auto* position = std::get_if<Position>(&one.exact)) return *position == Position::boundary;
   if (const auto* roots = std::get_if<QuadraticAnswer<double>>(&one.exact))
     return roots->kind == RootKind::twice;

@@ -7,18 +7,18 @@
 namespace rayproof::diagnosis {
 
 /// A case and its exact answer.
-struct Answered {
+struct AnsweredCase {
   Case one{};
   Answer exact{};
 
-  explicit Answered(Case asked);
+  explicit AnsweredCase(Case asked);
 };
 
 /// Whether a changed case asks the same kind of thing.
-[[nodiscard]] bool is_same_question(const Answered& a, const Answered& b, Keeps keeps);
+[[nodiscard]] bool is_same_question(const AnsweredCase& a, const AnsweredCase& b, Keeps keeps);
 
 /// Whether the exact answer lies on a boundary: a tangent, an edge, a vertex, a rim, an end of the interval,
 /// a polygon's side, a double root.
-[[nodiscard]] bool is_on_boundary(const Answered& one);
+[[nodiscard]] bool is_on_boundary(const AnsweredCase& one);
 
 }  // namespace rayproof::diagnosis

@@ -48,7 +48,7 @@ bool is_in_bounds(const glm::dvec2& point, const Outline& outline) {
   return low.x <= point.x && point.x <= high.x && low.y <= point.y && point.y <= high.y;
 }
 
-/// Whether no side turns away from the point against the others.
+/// Whether all sides turn one way round the point.
 bool is_on_one_side(const glm::dvec2& point, const Outline& outline) {
   bool left = false, right = false;
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -76,23 +76,23 @@ bool is_at_side(Precision precision, const glm::dvec2& point, const Outline& out
   return false;
 }
 
-bool is_inside(Inside rule, const glm::dvec2& point, const Outline& outline) {
+bool is_inside(InsideRule rule, const glm::dvec2& point, const Outline& outline) {
   const std::size_t all = outline.size();
   const bool is_odd = crossings(point, outline, all, half_open) % 2 == 1;
   switch (rule) {
-    case Inside::closed_sides:
+    case InsideRule::closed_sides:
       return crossings(point, outline, all, [](double a, double b) { return a * b <= 0; }) % 2 == 1;
-    case Inside::not_level:
+    case InsideRule::not_level:
       return is_odd && std::ranges::none_of(outline, [&](const auto& v) { return v.y == point.y; });
-    case Inside::winding:
+    case InsideRule::winding:
       return windings(point, outline) != 0;
-    case Inside::last_side:
+    case InsideRule::last_side:
       return crossings(point, outline, all - 1, half_open) % 2 == 1;
-    case Inside::first_triangle:
+    case InsideRule::first_triangle:
       return is_on_one_side(point, {outline[0], outline[1], outline[2]});
-    case Inside::one_side:
+    case InsideRule::one_side:
       return is_on_one_side(point, outline);
-    case Inside::bounds:
+    case InsideRule::bounds:
       return is_in_bounds(point, outline);
   }
   return false;
@@ -112,7 +112,7 @@ Outline outline_of(const Case& one) {
 
 }  // namespace
 
-template <Inside rule>
+template <InsideRule rule>
 Answers inside_by(const Case& one, const Answer& exact) {
   if (const auto* place = std::get_if<PointAndPolygon<double>>(&one.question)) {
     if (std::get<Position>(exact) == Position::boundary) return {};
@@ -127,13 +127,13 @@ Answers inside_by(const Case& one, const Answer& exact) {
   return hit_at(one, hit->t, is_inside(rule, hit->point, hit->vertices));
 }
 
-template Answers inside_by<Inside::closed_sides>(const Case&, const Answer&);
-template Answers inside_by<Inside::not_level>(const Case&, const Answer&);
-template Answers inside_by<Inside::winding>(const Case&, const Answer&);
-template Answers inside_by<Inside::last_side>(const Case&, const Answer&);
-template Answers inside_by<Inside::first_triangle>(const Case&, const Answer&);
-template Answers inside_by<Inside::one_side>(const Case&, const Answer&);
-template Answers inside_by<Inside::bounds>(const Case&, const Answer&);
+template Answers inside_by<InsideRule::closed_sides>(const Case&, const Answer&);
+template Answers inside_by<InsideRule::not_level>(const Case&, const Answer&);
+template Answers inside_by<InsideRule::winding>(const Case&, const Answer&);
+template Answers inside_by<InsideRule::last_side>(const Case&, const Answer&);
+template Answers inside_by<InsideRule::first_triangle>(const Case&, const Answer&);
+template Answers inside_by<InsideRule::one_side>(const Case&, const Answer&);
+template Answers inside_by<InsideRule::bounds>(const Case&, const Answer&);
 
 std::optional<bool> wrong_where_concave(const Case& one, const Answer& got, const Answer& exact) {
   const Outline outline = outline_of(one);

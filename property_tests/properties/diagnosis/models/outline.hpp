@@ -7,7 +7,7 @@
 namespace rayproof::diagnosis {
 
 /// Rules that a subject may follow in place of the even-odd one.
-enum class Inside {
+enum class InsideRule {
   closed_sides,    ///< sides closed at both ends, or open at both: a level vertex counts twice or never
   not_level,       ///< the point must not be level with a vertex: then it is outside
   winding,         ///< what winds round the point any number of times but 0 is inside
@@ -18,7 +18,7 @@ enum class Inside {
 };
 
 /// What a subject answers that follows the rule; none for points on the boundary.
-template <Inside rule>
+template <InsideRule rule>
 [[nodiscard]] Answers inside_by(const Case& one, const Answer& exact);
 
 /// The polygon of the case is not convex, and the answer is wrong.

@@ -42,20 +42,20 @@ std::vector<Hypothesis> models_of_flat_figures() {
             "only the parallelogram of u and v is hit, and not the whole plane"),
       gives("coefficients-missing", numerator_without_coefficients,
             "t is -(x + y + z + D) / (n·d): the plane's coefficients are missing in the numerator"),
-      gives("level-vertex", inside_by<Inside::closed_sides>,
+      gives("level-vertex", inside_by<InsideRule::closed_sides>,
             "a vertex level with the point counts for both of its sides or for neither: of each side one end "
             "must be open and the other closed"),
-      gives("level-outside", inside_by<Inside::not_level>,
+      gives("level-outside", inside_by<InsideRule::not_level>,
             "a point level with a vertex is taken for outside"),
-      gives("winding-rule", inside_by<Inside::winding>,
+      gives("winding-rule", inside_by<InsideRule::winding>,
             "the answer is right for the non-zero winding rule, and not for the even-odd one"),
-      gives("last-side-missing", inside_by<Inside::last_side>,
+      gives("last-side-missing", inside_by<InsideRule::last_side>,
             "the side from the last vertex to the first is forgotten"),
-      gives("first-triangle", inside_by<Inside::first_triangle>,
+      gives("first-triangle", inside_by<InsideRule::first_triangle>,
             "only the first three vertices are looked at"),
-      gives("taken-as-convex", inside_by<Inside::one_side>,
+      gives("taken-as-convex", inside_by<InsideRule::one_side>,
             "inside is where all sides turn one way: the polygon is taken for convex"),
-      gives("bounding-box", inside_by<Inside::bounds>, "the whole bounding box of the polygon is hit"),
+      gives("bounding-box", inside_by<InsideRule::bounds>, "the whole bounding box of the polygon is hit"),
   };
 }
 
