@@ -4,6 +4,7 @@
 #include <map>
 
 #include "case/accepted.hpp"
+#include "oracle/numbers/ulp.hpp"
 #include "subjects/reading.hpp"
 
 namespace rayproof::leaving {
