@@ -5,133 +5,14 @@
 #include <algorithm>
 #include <numeric>
 
-#include "properties/diagnosis/examination.hpp"
+#include "properties/diagnosis/cause_search.hpp"
 
 namespace rayproof {
 namespace {
 
+using diagnosis::CauseSearch;
 using diagnosis::Examination;
-using Indices = std::vector<std::size_t>;
-
-/// Whether the fault can show where the property was broken.
-bool may_show(Aspect aspect, Claim claim) {
-  switch (claim) {
-    case Claim::point:
-      return aspect == Aspect::point || aspect == Aspect::contact;
-    case Claim::normal:
-      return aspect == Aspect::normal;
-    case Claim::coordinates:
-      return aspect == Aspect::coordinates;
-    case Claim::contact:
-      return aspect == Aspect::contact;
-    case Claim::exact:
-      return aspect == Aspect::hits || aspect == Aspect::contact;
-    default:
-      return aspect == Aspect::hits;
-  }
-}
-
-/// Of the cases in percent: a model that foresees an answer digit by digit says more than a cure.
-constexpr std::size_t most_for_a_model = 60;
-constexpr std::size_t most_for_a_cure = 85;
-
-bool is_share(const Indices& part, const Indices& whole, std::size_t percent) {
-  return 100 * part.size() >= percent * whole.size() && !part.empty();
-}
-
-/// Looks for the cause of the failing cases that are left, one group after the other.
-class CauseSearch {
- public:
-  CauseSearch(const Patient& patient, const Examination& examination,
-              std::span<const Hypothesis* const> known)
-      : patient_(patient), examination_(examination), known_(known) {}
-
-  /// What explains most of the cases, or else the largest part of them; no cause where nothing explains
-  /// enough.
-  [[nodiscard]] Diagnosis next(const Indices& left) const {
-    for (const Hypothesis* one : known_)
-      if (Indices cases = screened(*one, left);
-          may_show(one->aspect, patient_.claim) && is_most(*one, cases, left))
-        return {.cause = one, .cases = std::move(cases)};
-    Diagnosis best = best_model(left);
-    if (is_share(best.cases, left, most_for_a_model)) return best;
-    if (!is_part(best.cases, left)) best = {};
-    const bool is_isolated = is_share(explained_by("isolated", left), left, 50);
-    for (const Hypothesis& one : hypotheses()) {
-      if (one.predict != nullptr || !may_be(one, is_isolated)) continue;
-      const Indices cases = screened(one, left);
-      const bool is_enough = is_share(cases, left, most_for_a_cure);
-      if (!is_enough && (cases.size() <= best.cases.size() || !is_proven(one, cases, left))) continue;
-      if (is_contradicted(one, cases)) continue;
-      best.cause = &one;
-      best.cases = cases;
-      if (is_enough) break;
-    }
-    return best;
-  }
-
- private:
-  /// Where any small change cures, a cure that rounds the case anew proves nothing.
-  [[nodiscard]] bool may_be(const Hypothesis& one, bool is_isolated) const {
-    if (one.change != nullptr) return !(is_isolated && one.perturbs);
-    return may_show(one.aspect, patient_.claim);
-  }
-
-  [[nodiscard]] Indices explained_by(std::string_view name, const Indices& left) const {
-    return examination_.explained(*find_hypothesis(name), left);
-  }
-
-  /// A few cases first: most hypotheses explain none of them.
-  [[nodiscard]] Indices screened(const Hypothesis& one, const Indices& left) const {
-    constexpr std::size_t few = 8;
-    const std::span<const std::size_t> all(left);
-    Indices cases = examination_.explained(one, all.first(std::min(few, all.size())));
-    if (cases.empty() || all.size() <= few) return cases;
-    const Indices more = examination_.explained(one, all.subspan(few));
-    cases.insert(cases.end(), more.begin(), more.end());
-    return cases;
-  }
-
-  [[nodiscard]] bool is_most(const Hypothesis& one, const Indices& cases, const Indices& left) const {
-    return is_share(cases, left, one.predict != nullptr ? most_for_a_model : most_for_a_cure) &&
-           !is_contradicted(one, cases);
-  }
-
-  /// The model that foresees most of the wrong answers, and no wrong one where the subject is right.
-  [[nodiscard]] Diagnosis best_model(const Indices& left) const {
-    Diagnosis best;
-    std::size_t most = 0;
-    for (const Hypothesis& one : hypotheses()) {
-      if (one.predict == nullptr || !may_be(one, false)) continue;
-      const Indices cases = screened(one, left);
-      if (cases.size() <= most || is_contradicted(one, cases)) continue;
-      const std::size_t balance = cases.size() - examination_.contradictions(one);
-      if (balance <= most) continue;
-      most = balance;
-      best.cause = &one;
-      best.cases = cases;
-    }
-    return best;
-  }
-
-  /// One contradiction may be another fault, or rounding.
-  [[nodiscard]] bool is_contradicted(const Hypothesis& one, const Indices& cases) const {
-    return examination_.contradictions(one) > std::max<std::size_t>(cases.size() / 8, 1);
-  }
-
-  /// A part of the cases makes a group of its own where it is no matter of luck.
-  [[nodiscard]] static bool is_part(const Indices& cases, const Indices& left) {
-    return cases.size() >= 3 && is_share(cases, left, 25);
-  }
-  /// And small changes alone must not do as much as a cure that rounds the case anew.
-  [[nodiscard]] bool is_proven(const Hypothesis& one, const Indices& cases, const Indices& left) const {
-    return is_part(cases, left) && !(one.perturbs && is_share(explained_by("isolated", cases), cases, 33));
-  }
-
-  const Patient& patient_;
-  const Examination& examination_;
-  std::span<const Hypothesis* const> known_;
-};
+using diagnosis::Indices;
 
 /// Whether a group after the first is no fault of its own: rounding, or two faults at once. A model that
 /// foresees answers is proof enough.

@@ -50,14 +50,14 @@ struct SeededCase {
 /// The samples of a whole run, by subject, precision and property.
 class Samples {
  public:
-  struct KeptCases {
+  struct PropertySample {
     std::vector<SeededCase> broken{};
     std::vector<SeededCase> held{};
   };
 
   void add(const Subject& subject, const Family& family, Precision precision, const Property& property,
            std::uint64_t block_seed, const BlockSample& block) {
-    KeptCases& sample = all_[{&subject, precision, &property}];
+    PropertySample& sample = all_[{&subject, precision, &property}];
     const auto append = [&](std::vector<SeededCase>& to, const std::vector<unsigned>& numbers,
                             std::size_t most) {
       for (const unsigned k : numbers)
@@ -68,14 +68,14 @@ class Samples {
   }
 
   /// Null where nothing was sampled.
-  [[nodiscard]] const KeptCases* find(const Subject& subject, Precision precision,
-                                      const Property& property) const {
+  [[nodiscard]] const PropertySample* find(const Subject& subject, Precision precision,
+                                           const Property& property) const {
     const auto place = all_.find({&subject, precision, &property});
     return place == all_.end() ? nullptr : &place->second;
   }
 
  private:
-  std::map<std::tuple<const Subject*, Precision, const Property*>, KeptCases> all_{};
+  std::map<std::tuple<const Subject*, Precision, const Property*>, PropertySample> all_{};
 };
 
 /// At most `most` of the cases: of each family in turn, so that the first few are as different as can be.

@@ -48,7 +48,7 @@ bool is_in_bounds(const glm::dvec2& point, const Outline& outline) {
   return low.x <= point.x && point.x <= high.x && low.y <= point.y && point.y <= high.y;
 }
 
-/// Whether no side turns away from the point against the others.
+/// Whether all sides turn one way round the point.
 bool is_on_one_side(const glm::dvec2& point, const Outline& outline) {
   bool left = false, right = false;
   for (std::size_t i = 0; i < outline.size(); ++i) {

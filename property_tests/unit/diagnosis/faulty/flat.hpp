@@ -8,7 +8,7 @@ namespace rayproof::faulty {
 
 /// normal·q + d = 0.
 template <class T>
-[[nodiscard]] CodeHits<T> find_plane(const Ray<T>& ray, const glm::vec<3, T>& normal, T d, Fault fault) {
+[[nodiscard]] FoundHits<T> find_plane(const Ray<T>& ray, const glm::vec<3, T>& normal, T d, Fault fault) {
   const T slope = dot(normal, ray.direction);
   const auto& o = ray.origin;
   if (fault == Fault::constant_sign) d = -d;
@@ -25,23 +25,23 @@ template <class T>
 }
 
 template <class T>
-[[nodiscard]] CodeHits<T> find(const Ray<T>& ray, const ImplicitPlane& plane, Fault fault) {
+[[nodiscard]] FoundHits<T> find(const Ray<T>& ray, const ImplicitPlane& plane, Fault fault) {
   return find_plane<T>(ray, glm::vec<3, T>(plane.normal), T(plane.d), fault);
 }
 template <class T>
-[[nodiscard]] CodeHits<T> find(const Ray<T>& ray, const PointNormalPlane& plane, Fault fault) {
+[[nodiscard]] FoundHits<T> find(const Ray<T>& ray, const PointNormalPlane& plane, Fault fault) {
   const glm::vec<3, T> normal(plane.normal);
   return find_plane<T>(ray, normal, -dot(normal, glm::vec<3, T>(plane.point)), fault);
 }
 template <class T>
-[[nodiscard]] CodeHits<T> find(const Ray<T>& ray, const ParametricPlane& plane, Fault fault) {
+[[nodiscard]] FoundHits<T> find(const Ray<T>& ray, const ParametricPlane& plane, Fault fault) {
   const glm::vec<3, T> normal = cross(glm::vec<3, T>(plane.u), glm::vec<3, T>(plane.v));
   return find_plane<T>(ray, normal, -dot(normal, glm::vec<3, T>(plane.point)), fault);
 }
 
 /// λ1 and λ2 in the projection along the normal's largest axis, or always along z.
 template <class T>
-[[nodiscard]] CodeHits<T> find_by_projection(const Ray<T>& ray, const Triangle<T>& triangle, Fault fault) {
+[[nodiscard]] FoundHits<T> find_by_projection(const Ray<T>& ray, const Triangle<T>& triangle, Fault fault) {
   const auto n = cross(triangle.b - triangle.a, triangle.c - triangle.a);
   const T slope = dot(n, ray.direction);
   if (slope == 0) return {};
@@ -62,7 +62,7 @@ template <class T>
 
 /// Möller–Trumbore.
 template <class T>
-[[nodiscard]] CodeHits<T> find(const Ray<T>& ray, const Triangle<T>& triangle, Fault fault) {
+[[nodiscard]] FoundHits<T> find(const Ray<T>& ray, const Triangle<T>& triangle, Fault fault) {
   if (fault == Fault::lambda_sign || fault == Fault::drops_z) return find_by_projection(ray, triangle, fault);
   const auto e1 = triangle.b - triangle.a, e2 = triangle.c - triangle.a;
   const auto p = cross(ray.direction, e2);
@@ -107,7 +107,7 @@ template <class T>
 }
 
 template <class T>
-[[nodiscard]] CodeHits<T> find(const Ray<T>& ray, const Polygon<T>& polygon, Fault fault) {
+[[nodiscard]] FoundHits<T> find(const Ray<T>& ray, const Polygon<T>& polygon, Fault fault) {
   glm::vec<3, T> n{};
   const auto& v = polygon.vertices;
   for (std::size_t i = 0; i < v.size(); ++i) n += cross(v[i] - v[0], v[(i + 1) % v.size()] - v[0]);

@@ -16,13 +16,13 @@ namespace rayproof::faulty {
 
 /// The hits of the whole line, ascending, and the normal at each; in the object's space.
 template <class T>
-struct CodeHits {
-  struct CodeHit {
+struct FoundHits {
+  struct Hit {
     T t;
     glm::vec<3, T> normal;
     std::optional<glm::dvec3> barycentric{};
   };
-  std::vector<CodeHit> hits{};
+  std::vector<Hit> hits{};
   Contact contact = Contact::none;
 };
 
@@ -44,8 +44,8 @@ template <class T>
 
 /// The hits that count, in the order in which they are reported.
 template <class T>
-[[nodiscard]] std::vector<typename CodeHits<T>::CodeHit> counted(const CodeHits<T>& found, const Ray<T>& ray,
-                                                                 Fault fault) {
+[[nodiscard]] std::vector<typename FoundHits<T>::Hit> counted(const FoundHits<T>& found, const Ray<T>& ray,
+                                                              Fault fault) {
   const auto counts = [&](T t) {
     if (fault == Fault::ignores_t_max) return ray.t_min <= t;
     if (fault == Fault::ignores_t_min) return t <= ray.t_max;
@@ -56,7 +56,7 @@ template <class T>
     if (fault == Fault::segment) return T(0) <= t && t <= T(1);
     return in_interval(ray, t);
   };
-  std::vector<typename CodeHits<T>::CodeHit> kept;
+  std::vector<typename FoundHits<T>::Hit> kept;
   bool any = false;
   for (const auto& hit : found.hits) any = any || counts(hit.t);
   for (const auto& hit : found.hits)
@@ -93,7 +93,7 @@ template <class T, class Find>
     ray.direction /= length;
   }
   RayAnswer answer;
-  const CodeHits<T> found = find(ray, fault);
+  const FoundHits<T> found = find(ray, fault);
   answer.contact = found.contact;
   const auto hits = counted(found, world, fault);
   for (const auto& hit : hits) answer.hits.push_back(static_cast<double>(hit.t));

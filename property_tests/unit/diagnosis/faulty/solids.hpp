@@ -30,7 +30,7 @@ template <class T>
 }
 
 template <class T>
-[[nodiscard]] CodeHits<T> find(const Ray<T>& ray, const Sphere<T>& sphere, Fault fault) {
+[[nodiscard]] FoundHits<T> find(const Ray<T>& ray, const Sphere<T>& sphere, Fault fault) {
   glm::vec<3, T> f = ray.origin - sphere.center;
   if (fault == Fault::centre_ignored) f = ray.origin;
   if (fault == Fault::centre_negated) f = ray.origin + sphere.center;
@@ -38,7 +38,7 @@ template <class T>
   const T r2 = fault == Fault::radius_not_squared ? r : r * r;
   const T a = fault == Fault::unit_direction ? T(1) : dot(ray.direction, ray.direction);
   const T c = dot(f, f) - r2;
-  CodeHits<T> found;
+  FoundHits<T> found;
   if (fault == Fault::from_inside_missed && c < 0) return found;
   for (const T t : real_roots(a, 2 * dot(f, ray.direction), c, fault))
     found.hits.push_back({t, (f + t * ray.direction) / sphere.radius});
@@ -49,9 +49,9 @@ template <class T>
 /// The chord of the line through three slabs that are given by each axis' distances to the two planes and
 /// the direction's component, with the normals of the planes.
 template <class T>
-[[nodiscard]] CodeHits<T> chord_of(const glm::vec<3, T>& below, const glm::vec<3, T>& above,
-                                   const glm::vec<3, T>& d, const glm::vec<3, T> (&normals)[3], const T start,
-                                   Fault fault) {
+[[nodiscard]] FoundHits<T> chord_of(const glm::vec<3, T>& below, const glm::vec<3, T>& above,
+                                    const glm::vec<3, T>& d, const glm::vec<3, T> (&normals)[3],
+                                    const T start, Fault fault) {
   T near = -std::numeric_limits<T>::infinity(), far = std::numeric_limits<T>::infinity();
   glm::vec<3, T> near_normal{}, far_normal{};
   for (int i = 0; i < 3; ++i) {
@@ -73,13 +73,13 @@ template <class T>
 }
 
 template <class T>
-[[nodiscard]] CodeHits<T> find(const Ray<T>& ray, const Box<T>& box, Fault fault) {
+[[nodiscard]] FoundHits<T> find(const Ray<T>& ray, const Box<T>& box, Fault fault) {
   const glm::vec<3, T> normals[3]{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   return chord_of<T>(box.min - ray.origin, box.max - ray.origin, ray.direction, normals, ray.t_min, fault);
 }
 
 template <class T>
-[[nodiscard]] CodeHits<T> find(const Ray<T>& ray, const Parallelepiped<T>& solid, Fault fault) {
+[[nodiscard]] FoundHits<T> find(const Ray<T>& ray, const Parallelepiped<T>& solid, Fault fault) {
   if (fault == Fault::as_box) {
     const glm::vec<3, T> a = solid.corner, b = a + solid.edges[0] + solid.edges[1] + solid.edges[2];
     return find(ray, Box<T>{glm::min(a, b), glm::max(a, b)}, fault);
@@ -98,14 +98,14 @@ template <class T>
 }
 
 template <class T>
-[[nodiscard]] CodeHits<T> find(const Ray<T>& ray, const Cylinder<T>& given, Fault fault) {
+[[nodiscard]] FoundHits<T> find(const Ray<T>& ray, const Cylinder<T>& given, Fault fault) {
   Cylinder<T> c = given;
   if (fault == Fault::caps_always) c.capped = true;
   if (fault == Fault::caps_never) c.capped = false;
   if (fault == Fault::circle) c.ry = c.rx;
   const T low = fault == Fault::height_centred ? -c.height / 2 : T(0), high = low + c.height;
   const glm::vec<3, T> scale{1 / c.rx, 1 / c.ry, 0}, o = ray.origin * scale, d = ray.direction * scale;
-  CodeHits<T> found;
+  FoundHits<T> found;
   for (const T t : real_roots(dot(d, d), 2 * dot(o, d), dot(o, o) - 1, fault)) {
     const T z = ray.origin.z + t * ray.direction.z;
     if (fault == Fault::no_height || (low <= z && z <= high)) found.hits.push_back({t, (o + t * d) * scale});
@@ -118,7 +118,7 @@ template <class T>
     });
     if (c.capped && dot(q, q) <= 1 && is_new) found.hits.push_back({t, {0, 0, z == low ? -1 : 1}});
   }
-  std::ranges::sort(found.hits, {}, &CodeHits<T>::CodeHit::t);
+  std::ranges::sort(found.hits, {}, &FoundHits<T>::Hit::t);
   return found;
 }
 

@@ -1,0 +1,38 @@
+#pragma once
+/// \file
+/// The search for the hypothesis that explains most of some failing cases.
+
+#include "properties/diagnosis/diagnose.hpp"
+#include "properties/diagnosis/examination.hpp"
+
+namespace rayproof::diagnosis {
+
+/// Failing cases, by index.
+using Indices = std::vector<std::size_t>;
+
+/// Looks for the cause of the failing cases that are left, one group after the other.
+class CauseSearch {
+ public:
+  CauseSearch(const Patient& patient, const Examination& examination,
+              std::span<const Hypothesis* const> known)
+      : patient_(patient), examination_(examination), known_(known) {}
+
+  /// What explains most of the cases, or else the largest part of them; no cause where nothing explains
+  /// enough. Only cause and cases are given.
+  [[nodiscard]] Diagnosis next(const Indices& left) const;
+
+ private:
+  [[nodiscard]] bool may_be(const Hypothesis& one, bool is_isolated) const;
+  [[nodiscard]] Indices explained_by(std::string_view name, const Indices& left) const;
+  [[nodiscard]] Indices screened(const Hypothesis& one, const Indices& left) const;
+  [[nodiscard]] bool is_most(const Hypothesis& one, const Indices& cases, const Indices& left) const;
+  [[nodiscard]] Diagnosis best_model(const Indices& left) const;
+  [[nodiscard]] bool is_contradicted(const Hypothesis& one, const Indices& cases) const;
+  [[nodiscard]] bool is_proven(const Hypothesis& one, const Indices& cases, const Indices& left) const;
+
+  const Patient& patient_;
+  const Examination& examination_;
+  std::span<const Hypothesis* const> known_;
+};
+
+}  // namespace rayproof::diagnosis

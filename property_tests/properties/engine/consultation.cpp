@@ -1,0 +1,124 @@
+#include "properties/engine/consultation.hpp"
+
+#include <cmath>
+
+#include "properties/shrink/shrink.hpp"
+
+namespace rayproof::diagnosis {
+namespace {
+
+constexpr std::size_t most_failing = 64, most_passing = 96;
+/// What is declared has been diagnosed by its author: a few cases are enough.
+constexpr std::size_t most_declared = 24;
+
+}  // namespace
+
+std::uint64_t broken_cases(const RunResult& result, const Finding& finding) {
+  std::uint64_t sum = 0;
+  const auto p = static_cast<std::size_t>(finding.property - properties().data());
+  for (const Unit& unit : result.units)
+    if (unit.subject == finding.subject && unit.precision == finding.one.precision &&
+        p < unit.tally.properties.size())
+      sum += unit.tally.properties[p].broken;
+  return std::max<std::uint64_t>(sum, 1);
+}
+
+Consultation::Consultation(const RunResult& result, const Samples& samples, Finding& finding,
+                           const std::atomic<bool>& stop)
+    : finding_(finding),
+      stop_(stop),
+      patient_(patient_of(*finding.subject, *finding.property)),
+      broken_(broken_cases(result, finding)) {
+  const bool is_declared = finding.is_declared;
+  const Samples::PropertySample* sample =
+      samples.find(*finding.subject, finding.one.precision, *finding.property);
+  if (sample != nullptr) {
+    failing_ = in_turn(sample->broken, is_declared ? most_declared : most_failing);
+    passing_ = in_turn(sample->held, is_declared ? most_declared : most_passing);
+  }
+  add_right_answers(samples);
+  if (failing_.empty()) failing_.push_back(finding.one);
+}
+
+std::vector<Finding> Consultation::findings(std::vector<const Hypothesis*>& known) {
+  const std::vector<Diagnosis> groups = diagnose(patient_, failing_, passing_, known);
+  for (const Diagnosis& group : groups)
+    if (group.cause != nullptr && std::ranges::find(known, group.cause) == known.end())
+      known.push_back(group.cause);
+  const Diagnosis& own = own_group(groups);
+  describe(finding_, own);
+  std::vector<Finding> others;
+  for (const Diagnosis& group : groups) {
+    if (&group == &own || finding_.is_declared || stop_) continue;
+    if (auto other = of_group(group)) others.push_back(std::move(*other));
+  }
+  return others;
+}
+
+/// A property may be kept on few cases, or those of one kind; a model must not contradict what the subject
+/// says rightly of any.
+void Consultation::add_right_answers(const Samples& samples) {
+  const Samples::PropertySample* any =
+      samples.find(*finding_.subject, finding_.one.precision, *find_property("ascending"));
+  if (any == nullptr) return;
+  for (Case& one : in_turn(any->held, finding_.is_declared ? most_declared : most_passing))
+    if (is_ordinary(one)) passing_.push_back(std::move(one));
+}
+
+/// Whether the subject promises anything of the case: beyond that models may overflow as it does.
+bool Consultation::is_ordinary(const Case& one) const {
+  return finding_.subject->function == nullptr || Trial(*finding_.subject, one).in_domain();
+}
+
+/// The group whose cause explains the finding's own case; the largest where none does.
+const Diagnosis& Consultation::own_group(const std::vector<Diagnosis>& groups) const {
+  for (const Diagnosis& group : groups)
+    if (group.cause != nullptr && explains(patient_, *group.cause, finding_.one)) return group;
+  return *std::ranges::max_element(groups, {}, [](const Diagnosis& one) { return one.cases.size(); });
+}
+
+void Consultation::describe(Finding& finding, const Diagnosis& group) const {
+  finding.cause = group.cause;
+  finding.kind_of_fault = group.cause == nullptr ? std::nullopt : std::optional(group.kind);
+  finding.diagnosis = group.sentence;
+  const double share = static_cast<double>(group.cases.size()) / static_cast<double>(failing_.size());
+  finding.cases = std::max<std::uint64_t>(1, std::llround(share * static_cast<double>(broken_)));
+  finding.striking = most_striking(group);
+}
+
+/// The case of the group that breaks the property worst; nothing where there is only yes and no.
+std::optional<Case> Consultation::most_striking(const Diagnosis& group) const {
+  std::optional<Case> worst;
+  double most = 0;
+  if (finding_.property->excess == nullptr || finding_.subject->function == nullptr) return worst;
+  for (const std::size_t i : group.cases) {
+    Trial trial(*finding_.subject, failing_[i]);
+    const double excess = finding_.property->excess(trial);
+    if (!(excess > most)) continue;
+    most = excess;
+    worst = failing_[i];
+  }
+  return worst;
+}
+
+/// A finding of its own for a group, its simplest case made simpler.
+std::optional<Finding> Consultation::of_group(const Diagnosis& group) const {
+  Finding other = finding_;
+  const auto simplest =
+      std::ranges::min(group.cases, {}, [&](std::size_t i) { return complexity(failing_[i]); });
+  other.one = shrink(failing_[simplest], [&](const Case& one) { return is_of(group, one); },
+                     {.tries = 3000, .time = std::chrono::milliseconds(1500), .stop = &stop_});
+  Trial shrunk(*other.subject, other.one);
+  if (ruling_of(*other.property, shrunk) != Ruling::broken) return std::nullopt;  // a program's mood
+  other.evidence = other.property->show(shrunk);
+  describe(other, group);
+  return other;
+}
+
+bool Consultation::is_of(const Diagnosis& group, const Case& one) const {
+  const auto answer = patient_.ask({&one, 1}).front();
+  if (!answer || patient_.rule(one, *answer) != Ruling::broken) return false;
+  return group.cause == nullptr || explains(patient_, *group.cause, one);
+}
+
+}  // namespace rayproof::diagnosis
