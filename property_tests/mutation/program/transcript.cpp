@@ -66,7 +66,7 @@ bool is_identical(const Answer& a, const Answer& b) {
 Subject recorded(const Subject& subject, Transcript& transcript) {
   clerk = {&subject, &transcript};
   Subject recording = subject;
-  recording.answer = record_answer;
+  recording.answer_by(record_answer);
   if (subject.bounded_hits != nullptr) recording.bounded_hits = record_bounds;
   if (subject.is_exact_on != nullptr) recording.is_exact_on = record_exactness;
   return recording;

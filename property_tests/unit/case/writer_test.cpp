@@ -19,7 +19,8 @@ Case with_id(std::string id) {
 }
 
 TEST(writer, writes_an_answer_as_the_format_has_it) {
-  RayAnswer answer{Contact::crossing, {}, false, glm::dvec3(0, 0, -1), glm::dvec3(0, -0.0, -1)};
+  RayAnswer answer{
+      .contact = Contact::crossing, .point = glm::dvec3(0, 0, -1), .normal = glm::dvec3(0, -0.0, -1)};
   answer.hits.push_back(4);
   answer.hits.push_back(6);
   EXPECT_EQ(write_answer(with_id("7"), answer),
@@ -33,7 +34,7 @@ TEST(writer, leaves_out_what_an_answer_has_not) {
 }
 
 TEST(writer, writes_infinities_as_strings) {
-  RayAnswer answer{Contact::tangent, {}, false, glm::dvec3(-infinity<double>, 0, infinity<double>), {}};
+  RayAnswer answer{.contact = Contact::tangent, .point = glm::dvec3(-infinity<double>, 0, infinity<double>)};
   answer.hits.push_back(infinity<double>);
   EXPECT_EQ(write_answer(with_id("[1]"), answer),
             R"({"id": [1], "verdict": "hit", "contact": "tangent", "hits": [{"t": "inf", "t_hex": "inf"}], )"

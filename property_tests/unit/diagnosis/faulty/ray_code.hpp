@@ -17,12 +17,12 @@ namespace rayproof::faulty {
 /// The hits of the whole line, ascending, and the normal at each; in the object's space.
 template <class T>
 struct FoundHits {
-  struct Hit {
+  struct CodeHit {
     T t;
     glm::vec<3, T> normal;
     std::optional<glm::dvec3> barycentric{};
   };
-  std::vector<Hit> hits{};
+  std::vector<CodeHit> hits{};
   Contact contact = Contact::none;
 };
 
@@ -44,8 +44,8 @@ template <class T>
 
 /// The hits that count, in the order in which they are reported.
 template <class T>
-[[nodiscard]] std::vector<typename FoundHits<T>::Hit> counted(const FoundHits<T>& found, const Ray<T>& ray,
-                                                              Fault fault) {
+[[nodiscard]] std::vector<typename FoundHits<T>::CodeHit> counted(const FoundHits<T>& found,
+                                                                  const Ray<T>& ray, Fault fault) {
   const auto counts = [&](T t) {
     if (fault == Fault::ignores_t_max) return ray.t_min <= t;
     if (fault == Fault::ignores_t_min) return t <= ray.t_max;
@@ -56,7 +56,7 @@ template <class T>
     if (fault == Fault::segment) return T(0) <= t && t <= T(1);
     return in_interval(ray, t);
   };
-  std::vector<typename FoundHits<T>::Hit> kept;
+  std::vector<typename FoundHits<T>::CodeHit> kept;
   bool any = false;
   for (const auto& hit : found.hits) any = any || counts(hit.t);
   for (const auto& hit : found.hits)

@@ -118,7 +118,7 @@ template <class T>
     });
     if (c.capped && dot(q, q) <= 1 && is_new) found.hits.push_back({t, {0, 0, z == low ? -1 : 1}});
   }
-  std::ranges::sort(found.hits, {}, &FoundHits<T>::Hit::t);
+  std::ranges::sort(found.hits, {}, &FoundHits<T>::CodeHit::t);
   return found;
 }
 
