@@ -121,7 +121,9 @@ class Objects:
     def make(self, topics=TOPICS, jobs=1):
         """Compiles what is not there yet. What does not compile is left out, and everything written again."""
         note = self.folder / "made.json"
-        known = json.loads(note.read_text(encoding="utf-8")) if note.exists() else {"dead": [], "made": {}}
+        known = json.loads(note.read_text(encoding="utf-8")) if note.exists() else {}
+        if not isinstance(known.get("made"), dict):  # none yet, or of an older form
+            known = {"dead": [], "made": {}}
         # By their words: what did not compile in headers of another day will not compile in these.
         words = {tuple(key) for key in known["dead"]}
         self.planting.bury(mutant.number for mutant in self.planting.mutants() if mutant.key in words)

@@ -77,13 +77,14 @@ int report_campaign(const campaign::CampaignState& state, const Options& options
   // What was found is shown however the run ended.
   const std::atomic<bool> never{false};
   RunResult result = campaign::result_of(state, listener, never);
+  result.was_interrupted |= state.shard.count > 1;  // a part finds less than the whole
   put_in_order(result.findings);
   const Plan plan = campaign::plan_of(state);
   const Summary summary = summarise(plan, result);
   outputs.write(plan, result, summary);
   fmt::print("{}campaign: {}, {}\n", text_outcome(options, plan, result, summary), progress_text(state),
              state_file(options));
-  if (!state.is_whole()) return is_interrupted ? 130 : summary.failures().empty() ? 0 : 1;
+  if (is_interrupted) return 130;
   return summary.is_success() ? 0 : 1;
 }
 

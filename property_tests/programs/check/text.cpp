@@ -38,11 +38,12 @@ std::string text_outcome(const Options& options, const Plan& plan, const RunResu
     text += fmt::format("\n./rayproof explain N, walk N, draw N, replay N{}: look into finding N\n",
                         from_option(options.out));
   text += fmt::format("how to read it: docs/reading-a-check.md\npage: {}/index.html\n", options.out);
-  if (summary.was_interrupted) text += "interrupted: only what is shown was checked\n";
-  return text + (!summary.is_success() ? "NOT every contract holds\n"
-                 : summary.was_interrupted
-                     ? "no contract is broken by what was checked before the interrupt\n"
-                     : "every contract holds\n");
+  if (summary.was_interrupted)
+    text += options.shard.count > 1 ? "a shard: rayproof merge judges the whole\n"
+                                    : "interrupted: only what is shown was checked\n";
+  return text + (!summary.is_success()     ? "NOT every contract holds\n"
+                 : summary.was_interrupted ? "no contract is broken by what was checked\n"
+                                           : "every contract holds\n");
 }
 
 std::string text_of_guests(const Options& options, const Plan& plan, const RunResult& result) {

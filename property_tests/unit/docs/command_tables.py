@@ -48,12 +48,18 @@ NOT_RUN = [
      "property_tests/unit/docs/own_code.py", "your-own-code.md"),
     (r"check --subject [a-z]", "needs the libraries; each is asked where it is built", "property_tests/unit/peers/easy.py",
      "registry.txt"),
+    (r"^(parallel|\./rayproof (check --campaign|merge)|rayproof merge|rayproof check --campaign)", "needs many cases; tests run shards, merge and GNU parallel",
+     "property_tests/unit/programs/campaign_test.cpp", "GnuParallel"),
+    (r"rayproof leak (MESH\.off|\[MESH\])", "needs a mesh; a test reads one in each format",
+     "property_tests/unit/leaks/mesh_test.cpp", "IsTheSameInEveryFormat"),
     (r"^doxygen docs/Doxyfile", "takes long; .ci/run runs it", ".ci/run", "Doxyfile"),
     (r"^python3 \S+/add_a_shape/prove\.py", "takes minutes; .ci/run runs it", ".ci/run", "add_a_shape/prove.py"),
     (r"^python3 docs/errata\.py", "takes minutes; its page is compared case by case instead", "docs/errata.py", "in_words")]
 
 # Blocks that are no command and no output of one, and the file that compares them.
-HELD_ELSEWHERE = [("this method has no batch kernels", "property_tests/unit/install/library/refusals.py"),
+HELD_ELSEWHERE = [("#SBATCH --array", "property_tests/unit/programs/campaign_test.cpp"),
+                  ("hits a sphere of radius 1 at t = 1 (exact 0.33333334)", "property_tests/unit/docs/own_code.py"),
+                  ("this method has no batch kernels", "property_tests/unit/install/library/refusals.py"),
                   ("rayproof needs NaN, infinity and exact rounding", "property_tests/unit/install/library/refusals.py")]
 
 # What a build or a machine may lack; said on standard error.

@@ -30,8 +30,7 @@ std::vector<Hypothesis> cures_of_values() {
       exact_cure("reversed-winding", reversed_winding,
                  "right as soon as the winding is reversed: only one orientation is handled"),
       exact_cure("renamed-axes", renamed_axes,
-                 "right as soon as the axes are renamed: the code always leaves out the same coordinate, "
-                 "whatever the figure's attitude"),
+                 "right as soon as the axes are renamed: the code always leaves out the same coordinate"),
       exact_cure(
           "tilted", tilted,
           "right as soon as the direction is tilted off the axes: 0·∞ or a division by a component that is "

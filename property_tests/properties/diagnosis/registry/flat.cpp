@@ -43,8 +43,7 @@ std::vector<Hypothesis> models_of_flat_figures() {
       gives("coefficients-missing", numerator_without_coefficients,
             "t is -(x + y + z + D) / (n·d): the plane's coefficients are missing in the numerator"),
       gives("level-vertex", inside_by<InsideRule::closed_sides>,
-            "a vertex level with the point counts for both of its sides or for neither: of each side one end "
-            "must be open and the other closed"),
+            "a vertex level with the point counts for both its sides, or for neither: it must count for one"),
       gives("level-outside", inside_by<InsideRule::not_level>,
             "a point level with a vertex is taken for outside"),
       gives("winding-rule", inside_by<InsideRule::winding>,

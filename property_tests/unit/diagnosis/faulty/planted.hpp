@@ -2,6 +2,8 @@
 /// \file
 /// Which fault is planted in which code, and what the diagnosis must call it.
 
+#include <ostream>
+
 #include "unit/diagnosis/faulty/faulty.hpp"
 
 namespace rayproof::faulty {
@@ -14,6 +16,10 @@ struct Planted {
   const char* cause;
   Precision precision = Precision::float64;
 };
+/// What a failing test shows of it.
+inline void PrintTo(const Planted& one, std::ostream* out) {
+  *out << one.topic << ": " << one.cause << " by " << one.property << " in " << name_of(one.precision);
+}
 
 using enum Fault;
 
