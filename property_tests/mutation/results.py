@@ -36,7 +36,7 @@ class Results:
         for text in path.read_text(encoding="utf-8").splitlines() if path.exists() else []:
             run.append(json.loads(text))
             if "done" in run[-1]:
-                if run[-1]["stamp"] == stamp_of(run[-1]["done"][1]):
+                if run[-1].get("stamp") == stamp_of(run[-1]["done"][1]):
                     self._take(run)
                 run = []
         log(f"{path}: {len(self.done)} runs are done")

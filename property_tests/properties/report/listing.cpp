@@ -48,7 +48,7 @@ std::string text_finding(const Finding& finding) { return line_of({finding}); }
 std::string text_declared(const std::vector<Finding>& findings) {
   std::string text;
   for (const std::vector<Finding>& group : alike(findings, true))
-    text += line_of(group) + diagnosis_of(group);
+    text += line_of(group);  // the contract says why; the page and the file have the diagnosis
   return text;
 }
 
