@@ -139,7 +139,9 @@ GuestVerdict verdict_on_guests(const Plan& plan, const RunResult& result) {
     for (const Finding& finding : result.findings) ++kinds[kind_of(finding)];
     std::vector<std::string> counts;
     for (const auto& [kind, count] : kinds) counts.push_back(fmt::format("{} {}", count, name_of(kind)));
-    return {fmt::format("{} findings: {}", result.findings.size(), fmt::join(counts, ", ")), false};
+    return {fmt::format("{} finding{}: {}", result.findings.size(), result.findings.size() == 1 ? "" : "s",
+                        fmt::join(counts, ", ")),
+            false};
   }
   for (const Subject* guest : plan.subjects)
     if (guest->is_given_up()) return {"no clean bill: the program was asked no more", false};
