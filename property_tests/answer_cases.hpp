@@ -103,6 +103,19 @@ class FunctionPanel {
   FunctionReply reply_{};
 };
 
+/// The panel of the functions given; the options among them hold for all.
+template <class... G>
+[[nodiscard]] FunctionPanel panel_of(G... given) {
+  FunctionOptions options;
+  const auto read = [&options](const auto& one) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(one)>, Option>) options.set(one);
+  };
+  (read(given), ...);
+  FunctionPanel panel(options);
+  (panel.add(std::move(given)), ...);
+  return panel;
+}
+
 }  // namespace answering
 
 /// Answers the cases on standard input by the given functions until it is closed; the program's exit status.
@@ -110,13 +123,7 @@ class FunctionPanel {
 template <class... G>
 [[nodiscard]] int answer_cases(G... given) {
   try {
-    answering::FunctionOptions options;
-    const auto read = [&options](const auto& one) {
-      if constexpr (std::is_same_v<std::decay_t<decltype(one)>, Option>) options.set(one);
-    };
-    (read(given), ...);
-    answering::FunctionPanel panel(options);
-    (panel.add(std::move(given)), ...);
+    answering::FunctionPanel panel = answering::panel_of(std::move(given)...);
     answering::answer_lines(STDIN_FILENO, STDOUT_FILENO,
                             [&panel](std::string_view line, std::string& out) { panel.answer(line, out); });
     return 0;

@@ -31,6 +31,12 @@ struct Finding {
   std::optional<Case> striking{};              ///< the case that it breaks worst, where that is another
 };
 
+/// Whether it was found by a twin of a case: scaled, reversed or moved.
+[[nodiscard]] inline bool breaks_symmetry(const Finding& finding) {
+  const Claim claim = finding.property->claim;
+  return claim == Claim::scaled || claim == Claim::reversed || claim == Claim::moved;
+}
+
 /// The finding as a line of JSON without its newline, as the case format says; the evidence's note is the
 /// case's.
 [[nodiscard]] std::string write_finding(const Finding& finding);

@@ -14,11 +14,6 @@ bool can_be_diagnosed(const Finding& finding) {
   return finding.property->claim != Claim::answers && !finding.subject->is_given_up();
 }
 
-bool breaks_symmetry(const Finding& finding) {
-  const Claim claim = finding.property->claim;
-  return claim == Claim::scaled || claim == Claim::reversed || claim == Claim::moved;
-}
-
 /// Whether a boundary's finding says no more than that it is one.
 bool is_vague(const Finding& finding) {
   const bool is_avoided =

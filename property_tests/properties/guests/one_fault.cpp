@@ -12,15 +12,10 @@ namespace {
 
 bool is_of_guest(const Finding& finding) { return !finding.subject->has_own_contract; }
 
-bool is_of_twin(const Finding& finding) {
-  const Claim claim = finding.property->claim;
-  return claim == Claim::scaled || claim == Claim::reversed || claim == Claim::moved;
-}
-
 /// Whether anything at all is known of the subject beside what its twins show.
 bool has_direct_finding(const std::vector<Finding>& findings, const Subject* subject) {
   return std::ranges::any_of(findings, [&](const Finding& one) {
-    return one.subject == subject && !is_of_twin(one) && one.property->claim != Claim::answers;
+    return one.subject == subject && !breaks_symmetry(one) && one.property->claim != Claim::answers;
   });
 }
 
@@ -63,7 +58,7 @@ bool is_overshadowed(const Finding& finding, const std::vector<Finding>& all) {
 void leave_out_twins(std::vector<Finding>& findings) {
   std::vector<Finding> kept;
   for (Finding& one : findings)
-    if (!is_of_guest(one) || !is_of_twin(one) || !has_direct_finding(findings, one.subject))
+    if (!is_of_guest(one) || !breaks_symmetry(one) || !has_direct_finding(findings, one.subject))
       kept.push_back(one);
   findings = std::move(kept);
 }

@@ -15,13 +15,7 @@ using D3 = glm::dvec3;
 /// What functions, asked together, say of a line; options among them hold for all.
 template <class... G>
 std::string answer_of(const std::string& line, G... given) {
-  answering::FunctionOptions options;
-  const auto read = [&options](const auto& one) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(one)>, Option>) options.set(one);
-  };
-  (read(given), ...);
-  answering::FunctionPanel panel(options);
-  (panel.add(std::move(given)), ...);
+  answering::FunctionPanel panel = answering::panel_of(std::move(given)...);
   std::string out;
   panel.answer(line, out);
   return out;
