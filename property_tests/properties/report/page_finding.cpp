@@ -59,7 +59,7 @@ std::string html_finding(const Finding& finding, const PageTools& tools) {
       R"(<article id="finding-{0}" class="{1}"><div><figure>{2}</figure></div><div>
 <h3><span class="number">{0}</span> {3} <span class="soft">{4}</span></h3>
 <p class="words">{5}</p><p>{6}: {7}. <span class="soft">({8})</span></p>{9}
-<dl>{16}<dt>Measured</dt><dd>{10}</dd><dt>Error</dt><dd>{11}</dd><dt>Found in family</dt><dd>{12}</dd></dl>
+<dl>{17}<dt>Measured</dt><dd>{10}</dd><dt>Error</dt><dd>{11}</dd><dt>Found in family</dt><dd>{12}</dd></dl>
 </div><div style="grid-column: 1 / -1"><pre class="commands">{13}</pre>
 <details><summary>The case and both answers</summary><pre>{14}
 got   {15}
