@@ -154,6 +154,16 @@ TEST(Report, ThePageSaysEachCommandWithTheRunItBelongsTo) {
             std::string::npos);
 }
 
+TEST(Report, ThePageSaysTheDiagnosisAndTheExactAnswerInTheirPlaces) {
+  ShortRun run;
+  run.result.findings.resize(1);
+  run.result.findings[0].diagnosis = "right as soon as a < b";
+  const std::string page = html_page(run.plan, run.result, run.summary, {"out/check", no_picture});
+  EXPECT_NE(page.find("<dl><dt>Diagnosis</dt>"), std::string::npos);
+  EXPECT_NE(page.find("right as soon as a &lt; b"), std::string::npos);
+  EXPECT_NE(page.find("\nexact {&quot;verdict&quot;"), std::string::npos);
+}
+
 TEST(Report, ThePageSaysWhatItsWordsMean) {
   const ShortRun run;
   const std::string page = html_page(run.plan, run.result, run.summary, {"out/check", no_picture});
