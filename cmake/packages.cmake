@@ -18,8 +18,9 @@ find_library(RAYPROOF_MPFR mpfr REQUIRED)
 rayproof_find(CGAL "the oracle and the programs that ask it")
 rayproof_find(rapidcheck "the property tests (rayproof check)")
 rayproof_find(GTest "the unit tests")
-rayproof_find(VTK "PNG pictures and the window" COMPONENTS CommonCore CommonDataModel FiltersSources RenderingOpenGL2
+rayproof_find(VTK "PNG pictures and the window" COMPONENTS CommonCore CommonDataModel CommonComputationalGeometry FiltersSources FiltersCore FiltersGeneral
+              FiltersGeometry FiltersHybrid RenderingOpenGL2
               RenderingFreeType RenderingAnnotation RenderingContextOpenGL2 RenderingUI InteractionStyle ChartsCore IOImage
-              IOGeometry IOPLY FiltersCore)
+              IOGeometry IOPLY)
 rayproof_find(embree "the quick search through scenes of many objects" 3)
 rayproof_find(benchmark "rayproof-bench")

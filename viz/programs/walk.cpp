@@ -14,7 +14,8 @@
 #include "viz/stage/stage_picture.hpp"
 #ifdef RAYPROOF_HAS_VTK
 #include "viz/vtk/offscreen_display.hpp"
-#include "viz/vtk/picture_png.hpp"
+#include "viz/vtk/raster_png.hpp"
+#include "viz/vtk/slide_canvas.hpp"
 #endif
 
 namespace {
@@ -30,10 +31,6 @@ struct WalkOptions {
   bool is_list = false;
   bool is_json = false;
 };
-
-/// Slides are 1600 pixels wide, contact sheets about 2000.
-constexpr double slide_scale = 5.0 / 3;
-constexpr double sheet_scale = 2.0 / 3;
 
 /// One page where the path is that of a page; else a folder of pages with a gallery.
 void write_pages(const std::vector<viz::Walk>& walks, const std::string& path, ProgressLine& progress) {
@@ -54,19 +51,21 @@ void write_pages(const std::vector<viz::Walk>& walks, const std::string& path, P
 void write_pngs(const std::vector<viz::Walk>& walks, const std::string& folder, ProgressLine& progress) {
 #ifdef RAYPROOF_HAS_VTK
   const viz::OffscreenDisplay display;
-  viz::PictureCanvas canvas;
+  viz::SlideCanvas canvas;
   viz::make_folder(folder);
   std::size_t all = 0;
-  for (const viz::Walk& walk : walks) all += walk.stage.steps.size() + 1;
+  for (const viz::Walk& walk : walks) all += walk.stage.steps.size();
   std::size_t done = 0;
-  const auto draw = [&](const viz::Picture& picture, const std::string& name, double scale) {
-    progress.show(viz::share(done++, all), fmt::format("picture {}.png", name));
-    canvas.write(picture, fmt::format("{}/{}.png", folder, name), scale);
-  };
+  const auto path = [&](const std::string& name) { return fmt::format("{}/{}.png", folder, name); };
   for (const auto& [group, stage] : walks) {
-    for (std::size_t i = 0; i < stage.steps.size(); ++i)
-      draw(viz::slide_picture(stage, i), fmt::format("{}-{}", stage.name, i + 1), slide_scale);
-    draw(viz::contact_sheet(stage), stage.name, sheet_scale);
+    std::vector<viz::Raster> slides;
+    for (std::size_t i = 0; i < stage.steps.size(); ++i) {
+      const std::string name = fmt::format("{}-{}", stage.name, i + 1);
+      progress.show(viz::share(done++, all), fmt::format("picture {}.png", name));
+      slides.push_back(canvas.draw(stage, i));
+      viz::write_png(slides.back(), path(name));
+    }
+    viz::write_png(viz::contact_sheet(slides), path(stage.name));
   }
 #else
   (void)walks;

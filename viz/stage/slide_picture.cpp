@@ -43,22 +43,6 @@ void draw_legend(Picture& picture, const Stage& stage) {
   }
 }
 
-void move(Element& element, double dx, double dy) {
-  const auto shift = [&](Point& p) {
-    p.x += dx;
-    p.y += dy;
-  };
-  std::visit(
-      [&](auto& one) {
-        if constexpr (requires { one.points; }) {
-          for (Point& p : one.points) shift(p);
-        } else {
-          shift(one.at);
-        }
-      },
-      element);
-}
-
 }  // namespace
 
 std::vector<LegendEntry> legend_of(const Stage& stage) {
@@ -86,7 +70,7 @@ std::vector<LegendEntry> legend_of(const Stage& stage) {
   return used;
 }
 
-Picture slide_picture(const Stage& stage, std::size_t number) {
+Picture slide_frame(const Stage& stage, std::size_t number) {
   const StageStep& step = stage.steps.at(number);
   Picture picture;
   picture.width = slide_width;
@@ -99,7 +83,6 @@ Picture slide_picture(const Stage& stage, std::size_t number) {
   add_text(picture, Role::text, {slide_margin, 34}, title, title_size, true);
   add_text(picture, Role::muted, {slide_margin, 54}, cut(stage.title, 700, 13), 13);
   picture.elements.emplace_back(Text{Role::muted, {slide_width - slide_margin, 34}, place, Anchor::end, 14});
-  draw_scene(picture, slide_scene, stage, number);
   if (step.is_apart && step.magnification != 1) {
     picture.elements.emplace_back(Text{Role::muted,
                                        {slide_scene.left, slide_scene.bottom() - 4},
@@ -113,29 +96,10 @@ Picture slide_picture(const Stage& stage, std::size_t number) {
   return picture;
 }
 
-Picture contact_sheet(const Stage& stage) {
-  constexpr double gap = 12;
-  const std::size_t columns = stage.steps.size() > 4 ? 3 : 2;
-  const std::size_t rows = (stage.steps.size() + columns - 1) / columns;
-  Picture sheet;
-  sheet.title = stage.title;
-  sheet.width = gap + static_cast<double>(columns) * (slide_width + gap);
-  const double top = 70;
-  sheet.height = top + static_cast<double>(rows) * (slide_height + gap);
-  add_text(sheet, Role::text, {gap + slide_margin, 46}, stage.title, 30, true);
-  for (std::size_t i = 0; i < stage.steps.size(); ++i) {
-    const double x = gap + static_cast<double>(i % columns) * (slide_width + gap);
-    const double y = top + static_cast<double>(i / columns) * (slide_height + gap);
-    sheet.elements.emplace_back(PixelLine{
-        Role::frame,
-        {{x, y}, {x + slide_width, y}, {x + slide_width, y + slide_height}, {x, y + slide_height}, {x, y}},
-        1.5});
-    for (Element& element : slide_picture(stage, i).elements) {
-      move(element, x, y);
-      sheet.elements.push_back(std::move(element));
-    }
-  }
-  return sheet;
+Picture slide_picture(const Stage& stage, std::size_t number) {
+  Picture picture = slide_frame(stage, number);
+  draw_scene(picture, slide_scene, stage, number);
+  return picture;
 }
 
 }  // namespace rayproof::viz

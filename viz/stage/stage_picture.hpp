@@ -26,13 +26,13 @@ void draw_scene(Picture& picture, const PixelBox& frame, const Stage& stage, std
 /// A slide's size, and what stays free along its border.
 inline constexpr double slide_width = 960, slide_height = 540, slide_margin = 24;
 /// Where a slide's scene lies; the numbers stand in the column at its right.
-inline constexpr PixelBox slide_scene{slide_margin, 64, 590, 350};
+inline constexpr PixelBox slide_scene{slide_margin, 60, 596, 368};
+
+/// A slide without its scene: title, numbers, caption, legend.
+[[nodiscard]] Picture slide_frame(const Stage& stage, std::size_t step);
 
 /// A slide of slide_width by slide_height.
 [[nodiscard]] Picture slide_picture(const Stage& stage, std::size_t step);
-
-/// All slides of a stage side by side.
-[[nodiscard]] Picture contact_sheet(const Stage& stage);
 
 /// The roles that a stage's pictures use, with a word on each.
 struct LegendEntry {

@@ -1,0 +1,33 @@
+#pragma once
+/// \file
+/// Slides: a step of a walkthrough in true space, with its title, numbers and caption.
+
+#include <memory>
+#include <vector>
+
+#include "viz/raster.hpp"
+#include "viz/stage/stage.hpp"
+
+namespace rayproof::viz {
+
+/// An off-screen window in which slides are drawn one after another. Needs a display (OffscreenDisplay) that
+/// outlives it.
+class SlideCanvas {
+ public:
+  SlideCanvas();
+  ~SlideCanvas();
+  SlideCanvas(const SlideCanvas&) = delete;
+  SlideCanvas& operator=(const SlideCanvas&) = delete;
+
+  /// The step in 1600 by 900 pixels.
+  [[nodiscard]] Raster draw(const Stage& stage, std::size_t step);
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Slides side by side, at half their size, all of one size.
+[[nodiscard]] Raster contact_sheet(const std::vector<Raster>& slides);
+
+}  // namespace rayproof::viz

@@ -1,0 +1,39 @@
+#pragma once
+/// \file
+/// The geometry of a stage's items, made by VTK's sources and filters. All coordinates are of the view:
+/// its centre is 0, its radius 1.
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "viz/picture.hpp"
+#include "viz/stage/stage.hpp"
+
+namespace rayproof::viz {
+
+using Geometry = vtkSmartPointer<vtkPolyData>;
+using SpacePoints = std::vector<glm::dvec3>;
+
+/// A line as a tube, in dashes or dots where its pattern says so.
+[[nodiscard]] Geometry tube_of(const SpacePoints& line, double radius, Pattern pattern);
+
+/// A shaft and a head that ends in `to`.
+[[nodiscard]] Geometry arrow_of(const glm::dvec3& from, const glm::dvec3& to, double radius);
+
+/// A point's mark; a ring and a cross face the eye, which lies in the direction `toward`.
+[[nodiscard]] Geometry mark_of(MarkShape shape, const glm::dvec3& at, double radius,
+                               const glm::dvec3& toward);
+
+/// The surface with this outline: a filled polygon by the even-odd rule, the convex hull of points in space
+/// or in a plane, an ellipsoid of a centre and the tips of three conjugate semi-axes.
+[[nodiscard]] Geometry polygon_of(const SpacePoints& corners);
+[[nodiscard]] Geometry hull_of(const SpacePoints& points);
+[[nodiscard]] Geometry ellipsoid_of(const SpacePoints& centre_and_tips);
+
+/// The line where the surface turns away from the eye, as a tube.
+[[nodiscard]] Geometry silhouette_of(const Geometry& surface, const glm::dvec3& eye, double radius);
+
+}  // namespace rayproof::viz
