@@ -10,6 +10,7 @@
 #include "viz/picture.hpp"
 #include "viz/stage/shown_items.hpp"
 #include "viz/stage/stage.hpp"
+#include "viz/vtk/space/space_camera.hpp"
 
 namespace rayproof::viz {
 
@@ -20,31 +21,24 @@ namespace rayproof::viz {
 /// VTK's own numbers are floats: all coordinates are taken relative to the view, in units of its radius.
 class SpaceScene {
  public:
-  /// The renderer must outlive it. Its viewport must be set already, `width` by `height` pixels in size.
+  /// The renderer must outlive it; its viewport must be set already.
   SpaceScene(vtkRenderer& renderer, const Stage& stage, std::size_t step);
 
-  /// Where an item is seen, in the pixels of a frame that the renderer's viewport fills.
+  /// Where an item is seen, in the pixels of a frame that the renderer's viewport fills; nothing of a round
+  /// surface.
   [[nodiscard]] std::vector<Point> seen(const StageItem& item, const PixelBox& frame) const;
 
  private:
-  [[nodiscard]] glm::dvec3 placed(const glm::dvec3& p) const;
   [[nodiscard]] std::vector<glm::dvec3> placed(const StageItem& item) const;
-  void set_camera(const Stage& stage, const std::vector<ShownItem>& shown);
-  /// The points that the stage's own view shows, and of round things the outline as it is seen from the other
-  /// camera.
-  [[nodiscard]] std::vector<glm::dvec3> points_in_view(const StageCamera& chosen, const StageCamera& turned,
-                                                       const std::vector<ShownItem>& shown) const;
   void add(const ShownItem& shown);
-  void add_floor();
+  void add_mark(const ShownItem& shown, const glm::dvec3& at);
+  void add_line(const ShownItem& shown, const std::vector<glm::dvec3>& points);
   void add_surface(const ShownItem& shown, const std::vector<glm::dvec3>& points);
+  void add_floor();
 
   vtkRenderer& renderer_;
   StageView view_;
-  bool is_flat_;
-  glm::dvec3 toward_{};  ///< from the scene to the eye, a unit vector
-  glm::dvec3 up_{};      ///< the axis of the world that points up
-  double distance_ = 1;  ///< of the eye from the middle of what is seen
-  glm::dvec3 eye_{};
+  SpaceCamera camera_;
 };
 
 }  // namespace rayproof::viz

@@ -24,8 +24,8 @@ using SpacePoints = std::vector<glm::dvec3>;
 [[nodiscard]] Geometry arrow_of(const glm::dvec3& from, const glm::dvec3& to, double radius);
 
 /// A point's mark; a ring and a cross face the eye, which lies in the direction `toward`.
-[[nodiscard]] Geometry mark_of(MarkShape shape, const glm::dvec3& at, double radius,
-                               const glm::dvec3& toward);
+[[nodiscard]] Geometry mark_geometry(MarkShape shape, const glm::dvec3& at, double radius,
+                                     const glm::dvec3& toward);
 
 /// The surface with this outline: a filled polygon by the even-odd rule, the convex hull of points in space
 /// or in a plane, an ellipsoid of a centre and the tips of three conjugate semi-axes.

@@ -1,62 +1,21 @@
-#include "viz/vtk/space/solid_geometry.hpp"
-
 #include <vtkAppendPolyData.h>
-#include <vtkCellArray.h>
 #include <vtkConeSource.h>
-#include <vtkContourTriangulator.h>
-#include <vtkDelaunay2D.h>
-#include <vtkDelaunay3D.h>
-#include <vtkGeometryFilter.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkParametricFunctionSource.h>
 #include <vtkParametricTorus.h>
 #include <vtkPlatonicSolidSource.h>
-#include <vtkPoints.h>
-#include <vtkPolyDataNormals.h>
-#include <vtkPolyDataSilhouette.h>
 #include <vtkSphereSource.h>
 #include <vtkTransform.h>
-#include <vtkTransformPolyDataFilter.h>
-#include <vtkTubeFilter.h>
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "viz/vtk/space/geometry_parts.hpp"
+
 namespace rayproof::viz {
 namespace {
-
-vtkSmartPointer<vtkPoints> points_of(const SpacePoints& points) {
-  vtkNew<vtkPoints> made;
-  made->SetDataTypeToDouble();
-  for (const glm::dvec3& p : points) made->InsertNextPoint(p.x, p.y, p.z);
-  return made;
-}
-
-Geometry lines_of(const std::vector<SpacePoints>& lines) {
-  vtkNew<vtkPolyData> data;
-  vtkNew<vtkCellArray> cells;
-  SpacePoints all;
-  for (const SpacePoints& line : lines) {
-    cells->InsertNextCell(static_cast<int>(line.size()));
-    for (const glm::dvec3& p : line) {
-      cells->InsertCellPoint(static_cast<vtkIdType>(all.size()));
-      all.push_back(p);
-    }
-  }
-  data->SetPoints(points_of(all));
-  data->SetLines(cells);
-  return data;
-}
-
-Geometry placed(vtkAlgorithm& source, vtkTransform& transform) {
-  vtkNew<vtkTransformPolyDataFilter> filter;
-  filter->SetInputConnection(source.GetOutputPort());
-  filter->SetTransform(&transform);
-  filter->Update();
-  return filter->GetOutput();
-}
 
 /// With its z axis turned into the direction.
 vtkSmartPointer<vtkTransform> turned(const glm::dvec3& at, const glm::dvec3& z, double size) {
@@ -99,16 +58,6 @@ std::vector<SpacePoints> pieces_of(const SpacePoints& line, double radius, Patte
   return pieces;
 }
 
-Geometry tubes_of(const Geometry& lines, double radius) {
-  vtkNew<vtkTubeFilter> tube;
-  tube->SetInputData(lines);
-  tube->SetRadius(radius);
-  tube->SetNumberOfSides(16);
-  tube->CappingOn();
-  tube->Update();
-  return tube->GetOutput();
-}
-
 }  // namespace
 
 Geometry tube_of(const SpacePoints& line, double radius, Pattern pattern) {
@@ -134,7 +83,7 @@ Geometry arrow_of(const glm::dvec3& from, const glm::dvec3& to, double radius) {
   return both->GetOutput();
 }
 
-Geometry mark_of(MarkShape shape, const glm::dvec3& at, double radius, const glm::dvec3& toward) {
+Geometry mark_geometry(MarkShape shape, const glm::dvec3& at, double radius, const glm::dvec3& toward) {
   const auto transform = turned(at, toward, radius);
   switch (shape) {
     case MarkShape::ring: {
@@ -166,71 +115,6 @@ Geometry mark_of(MarkShape shape, const glm::dvec3& at, double radius, const glm
     }
   }
   return vtkSmartPointer<vtkPolyData>::New();
-}
-
-Geometry polygon_of(const SpacePoints& corners) {
-  SpacePoints ring = corners;
-  ring.push_back(corners.front());
-  vtkNew<vtkContourTriangulator> filled;
-  filled->SetInputData(lines_of({ring}));
-  filled->Update();
-  return filled->GetOutput();
-}
-
-Geometry hull_of(const SpacePoints& points) {
-  vtkNew<vtkPolyData> cloud;
-  cloud->SetPoints(points_of(points));
-  vtkNew<vtkDelaunay3D> solid;
-  solid->SetInputData(cloud);
-  solid->SetTolerance(1e-9);
-  solid->Update();
-  vtkNew<vtkGeometryFilter> surface;
-  surface->SetInputConnection(solid->GetOutputPort());
-  surface->Update();
-  Geometry made = surface->GetOutput();
-  if (made->GetNumberOfPolys() == 0) {
-    vtkNew<vtkDelaunay2D> flat;
-    flat->SetInputData(cloud);
-    flat->SetProjectionPlaneMode(VTK_BEST_FITTING_PLANE);
-    flat->Update();
-    return flat->GetOutput();
-  }
-  vtkNew<vtkPolyDataNormals> normals;  // round sides look round, edges stay sharp
-  normals->SetInputData(made);
-  normals->SetFeatureAngle(30);
-  normals->ConsistencyOn();
-  normals->AutoOrientNormalsOn();
-  normals->Update();
-  return normals->GetOutput();
-}
-
-Geometry ellipsoid_of(const SpacePoints& centre_and_tips) {
-  vtkNew<vtkSphereSource> ball;
-  ball->SetRadius(1);
-  ball->SetThetaResolution(96);
-  ball->SetPhiResolution(64);
-  vtkNew<vtkMatrix4x4> matrix;
-  const glm::dvec3& centre = centre_and_tips.at(0);
-  for (int axis = 0; axis < 3; ++axis) {
-    const glm::dvec3 tip = centre_and_tips.at(static_cast<std::size_t>(axis) + 1) - centre;
-    for (int i = 0; i < 3; ++i) matrix->SetElement(i, axis, tip[i]);
-    matrix->SetElement(axis, 3, centre[axis]);
-  }
-  vtkNew<vtkTransform> transform;
-  transform->SetMatrix(matrix);
-  return placed(*ball, *transform);
-}
-
-Geometry silhouette_of(const Geometry& surface, const glm::dvec3& eye, double radius) {
-  vtkNew<vtkPolyDataSilhouette> silhouette;
-  silhouette->SetInputData(surface);
-  silhouette->SetDirectionToSpecifiedOrigin();
-  silhouette->SetOrigin(eye.x, eye.y, eye.z);
-  silhouette->SetEnableFeatureAngle(1);
-  silhouette->SetFeatureAngle(30);
-  silhouette->BorderEdgesOn();
-  silhouette->Update();
-  return tubes_of(silhouette->GetOutput(), radius);
 }
 
 }  // namespace rayproof::viz

@@ -1,0 +1,97 @@
+#include "viz/vtk/space/space_camera.hpp"
+
+#include <vtkCamera.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "viz/stage/fit_view.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+constexpr double view_angle = 24;  ///< degrees, from top to bottom
+constexpr double elevation = 20;   ///< degrees, of the eye above the floor
+constexpr double margin = 1.14;    ///< for marks and labels
+
+double radians(double degrees) { return degrees * std::numbers::pi / 180; }
+
+/// The axis of the world that points up most as the stage is seen.
+glm::dvec3 upright_axis(const StageCamera& camera) {
+  int axis = 0;
+  for (int i = 1; i < 3; ++i) {
+    if (std::abs(camera.up[i]) > std::abs(camera.up[axis])) axis = i;
+  }
+  glm::dvec3 up(0);
+  up[axis] = camera.up[axis] < 0 ? -1 : 1;
+  return up;
+}
+
+/// The middle of what the points take up as they are seen.
+glm::dvec3 middle_of(const std::vector<glm::dvec3>& points, const StageCamera& camera) {
+  glm::dvec3 middle(0);
+  for (const glm::dvec3& axis : {camera.right, camera.up, camera.toward}) {
+    const auto along = [&](const glm::dvec3& a, const glm::dvec3& b) {
+      return glm::dot(a, axis) < glm::dot(b, axis);
+    };
+    const auto [least, most] = std::minmax_element(points.begin(), points.end(), along);
+    middle += 0.5 * (glm::dot(*least, axis) + glm::dot(*most, axis)) * axis;
+  }
+  return middle;
+}
+
+/// The points that the stage's own view shows; of round things the outline as it is seen from the eye.
+std::vector<glm::dvec3> points_in_view(const StageCamera& chosen, const StageView& view,
+                                       const StageCamera& eye, const std::vector<ShownItem>& shown) {
+  constexpr double a_little_more = 1.05;
+  std::vector<glm::dvec3> points;
+  for (const ShownItem& one : shown) {
+    for (const glm::dvec3& p : extent_of(*one.item, eye)) {
+      const glm::dvec3 q = in_view(view, p);
+      const bool is_in = std::abs(glm::dot(q, chosen.right)) <= a_little_more * view_aspect &&
+                         std::abs(glm::dot(q, chosen.up)) <= a_little_more && glm::length(q) <= reach;
+      if (is_in) points.push_back(q);
+    }
+  }
+  if (points.size() < 2) points = {chosen.up, -chosen.up};
+  return points;
+}
+
+}  // namespace
+
+void SpaceCamera::set(vtkCamera& camera) const {
+  const glm::dvec3 at = eye();
+  camera.SetFocalPoint(middle.x, middle.y, middle.z);
+  camera.SetPosition(at.x, at.y, at.z);
+  camera.SetViewUp(up.x, up.y, up.z);
+  camera.SetViewAngle(view_angle);
+  camera.SetParallelProjection(is_flat ? 1 : 0);
+  camera.SetParallelScale(margin);
+  camera.SetClippingRange(0.2 * distance, distance + 2 * reach);
+}
+
+SpaceCamera space_camera(const Stage& stage, std::size_t step, const std::vector<ShownItem>& shown) {
+  const double half = std::tan(radians(view_angle / 2));
+  SpaceCamera camera{stage.camera.up, stage.camera.toward, glm::dvec3(0), margin / half, true};
+  if (stage.camera.is_flat || stage.steps.at(step).is_apart) return camera;
+  camera.is_flat = false;
+  camera.up = upright_axis(stage.camera);
+  const glm::dvec3 level = glm::normalize(camera.toward - glm::dot(camera.toward, camera.up) * camera.up);
+  camera.toward = std::cos(radians(elevation)) * level + std::sin(radians(elevation)) * camera.up;
+  const glm::dvec3 right = glm::normalize(glm::cross(camera.up, camera.toward));
+  const StageCamera eye{right, glm::cross(camera.toward, right), camera.toward};
+  const std::vector<glm::dvec3> points = points_in_view(stage.camera, stage.steps.at(step).view, eye, shown);
+  camera.middle = middle_of(points, eye);
+  camera.distance = 0;
+  for (const glm::dvec3& p : points) {
+    const glm::dvec3 q = p - camera.middle;
+    const double size =
+        std::max(std::abs(glm::dot(q, eye.right)) / view_aspect, std::abs(glm::dot(q, eye.up)));
+    camera.distance = std::max(camera.distance, margin * size / half + glm::dot(q, eye.toward));
+  }
+  return camera;
+}
+
+}  // namespace rayproof::viz

@@ -1,0 +1,40 @@
+#pragma once
+/// \file
+/// From where a step is seen in space.
+
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "viz/stage/shown_items.hpp"
+#include "viz/stage/stage.hpp"
+
+class vtkCamera;
+
+namespace rayproof::viz {
+
+/// How far around the view things are built, in its radii.
+inline constexpr double reach = 6;
+
+/// An eye above a floor, or straight before a drawing in a plane. All coordinates are of the view: its centre
+/// is 0, its radius 1.
+struct SpaceCamera {
+  glm::dvec3 up{};       ///< the axis of the world that points up most; of a drawing its own up
+  glm::dvec3 toward{};   ///< from the scene to the eye, a unit vector
+  glm::dvec3 middle{};   ///< where the eye looks
+  double distance = 1;   ///< of the eye from there
+  bool is_flat = false;  ///< without perspective
+
+  [[nodiscard]] glm::dvec3 eye() const { return middle + distance * toward; }
+  void set(vtkCamera& camera) const;
+};
+
+/// A point of the world in the view's coordinates.
+[[nodiscard]] inline glm::dvec3 in_view(const StageView& view, const glm::dvec3& p) {
+  return (p - view.centre) / view.radius;
+}
+
+/// Near enough that what the step's own view shows just fits.
+[[nodiscard]] SpaceCamera space_camera(const Stage& stage, std::size_t step,
+                                       const std::vector<ShownItem>& shown);
+
+}  // namespace rayproof::viz

@@ -1,0 +1,81 @@
+#include <vtkContourTriangulator.h>
+#include <vtkDelaunay2D.h>
+#include <vtkDelaunay3D.h>
+#include <vtkGeometryFilter.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkPolyDataNormals.h>
+#include <vtkPolyDataSilhouette.h>
+#include <vtkSphereSource.h>
+#include <vtkTransform.h>
+
+#include "viz/vtk/space/geometry_parts.hpp"
+
+namespace rayproof::viz {
+
+Geometry polygon_of(const SpacePoints& corners) {
+  SpacePoints ring = corners;
+  ring.push_back(corners.front());
+  vtkNew<vtkContourTriangulator> filled;
+  filled->SetInputData(lines_of({ring}));
+  filled->Update();
+  return filled->GetOutput();
+}
+
+Geometry hull_of(const SpacePoints& points) {
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(points_of(points));
+  vtkNew<vtkDelaunay3D> solid;
+  solid->SetInputData(cloud);
+  solid->SetTolerance(1e-9);
+  solid->Update();
+  vtkNew<vtkGeometryFilter> surface;
+  surface->SetInputConnection(solid->GetOutputPort());
+  surface->Update();
+  Geometry made = surface->GetOutput();
+  if (made->GetNumberOfPolys() == 0) {
+    vtkNew<vtkDelaunay2D> flat;
+    flat->SetInputData(cloud);
+    flat->SetProjectionPlaneMode(VTK_BEST_FITTING_PLANE);
+    flat->Update();
+    return flat->GetOutput();
+  }
+  vtkNew<vtkPolyDataNormals> normals;  // round sides look round, edges stay sharp
+  normals->SetInputData(made);
+  normals->SetFeatureAngle(30);
+  normals->ConsistencyOn();
+  normals->AutoOrientNormalsOn();
+  normals->Update();
+  return normals->GetOutput();
+}
+
+Geometry ellipsoid_of(const SpacePoints& centre_and_tips) {
+  vtkNew<vtkSphereSource> ball;
+  ball->SetRadius(1);
+  ball->SetThetaResolution(96);
+  ball->SetPhiResolution(64);
+  vtkNew<vtkMatrix4x4> matrix;
+  const glm::dvec3& centre = centre_and_tips.at(0);
+  for (int axis = 0; axis < 3; ++axis) {
+    const glm::dvec3 tip = centre_and_tips.at(static_cast<std::size_t>(axis) + 1) - centre;
+    for (int i = 0; i < 3; ++i) matrix->SetElement(i, axis, tip[i]);
+    matrix->SetElement(axis, 3, centre[axis]);
+  }
+  vtkNew<vtkTransform> transform;
+  transform->SetMatrix(matrix);
+  return placed(*ball, *transform);
+}
+
+Geometry silhouette_of(const Geometry& surface, const glm::dvec3& eye, double radius) {
+  vtkNew<vtkPolyDataSilhouette> silhouette;
+  silhouette->SetInputData(surface);
+  silhouette->SetDirectionToSpecifiedOrigin();
+  silhouette->SetOrigin(eye.x, eye.y, eye.z);
+  silhouette->SetEnableFeatureAngle(1);
+  silhouette->SetFeatureAngle(30);
+  silhouette->BorderEdgesOn();
+  silhouette->Update();
+  return tubes_of(silhouette->GetOutput(), radius);
+}
+
+}  // namespace rayproof::viz
