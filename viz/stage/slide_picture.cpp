@@ -12,21 +12,26 @@ namespace rayproof::viz {
 namespace {
 
 void draw_caption(Picture& picture, const StageStep& step) {
-  double y = slide_scene.bottom() + 26;
   const double width = slide_width - 2 * slide_margin;
-  const double lines = step.digits.empty() ? 2.6 : 2;  // there is room for three, wrapped
-  const double size = text_width(step.caption, 16) > lines * width ? 13 : 16;
-  for (const std::string& line : wrapped(step.caption, width, size)) {
-    add_text(picture, Role::text, {slide_margin, y}, line, size);
-    y += size * 1.3;
-    if (y > slide_height - 58) break;
+  const double bottom = slide_height - 32;
+  double y = slide_scene.bottom() + 22;
+  const auto write = [&](Role role, const std::string& text, double size) {
+    for (const std::string& line : wrapped(text, width, size)) {
+      if (y > bottom) return;
+      add_text(picture, role, {slide_margin, y}, line, size);
+      y += size * 1.3;
+    }
+  };
+  // The largest letters in which all of it has room.
+  double size = 0;
+  for (const double tried : {16.0, 14.4, 13.0}) {
+    size = tried;
+    const std::size_t lines = wrapped(step.caption, width, size).size() +
+                              wrapped(step.digits, width, 14.4).size() - (step.digits.empty() ? 1 : 0);
+    if (y + (static_cast<double>(lines) - 1) * size * 1.3 <= bottom) break;
   }
-  if (step.digits.empty()) return;
-  for (const std::string& line : wrapped(step.digits, width, 13)) {
-    if (y > slide_height - 40) break;
-    add_text(picture, Role::muted, {slide_margin, y}, line, 13);
-    y += 17;
-  }
+  write(Role::text, step.caption, size);
+  if (!step.digits.empty()) write(Role::muted, step.digits, std::min(size, 14.4));
 }
 
 void draw_legend(Picture& picture, const Stage& stage) {

@@ -1,0 +1,117 @@
+#ifdef RAYPROOF_HAS_VTK
+
+#include <gtest/gtest.h>
+#include <vtkFeatureEdges.h>
+#include <vtkMassProperties.h>
+#include <vtkNew.h>
+#include <vtkTriangleFilter.h>
+
+#include <numbers>
+
+#include "unit/viz/every_shape.hpp"
+#include "unit/viz/stage_data.hpp"
+#include "viz/stage/lesson.hpp"
+#include "viz/stage/stage_of.hpp"
+#include "viz/vtk/offscreen_display.hpp"
+#include "viz/vtk/slide_canvas.hpp"
+#include "viz/vtk/space/floor.hpp"
+#include "viz/vtk/space/geometry.hpp"
+
+namespace {
+
+using namespace rayproof;
+using namespace rayproof::viz;
+
+double area_of(const Geometry& surface) {
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(surface);
+  vtkNew<vtkMassProperties> mass;
+  mass->SetInputConnection(triangles->GetOutputPort());
+  mass->Update();
+  return mass->GetSurfaceArea();
+}
+
+TEST(SpaceGeometry, TheHullOfACubesCornersIsTheCube) {
+  SpacePoints corners;
+  for (int i = 0; i < 8; ++i) corners.emplace_back((i & 1) * 2 - 1, (i & 2) - 1, (i & 4) / 2 - 1);
+  const Geometry cube = hull_of(corners);
+  EXPECT_NEAR(area_of(cube), 24, 1e-6);
+}
+
+TEST(SpaceGeometry, TheHullOfPointsInATiltedPlaneIsFlat) {
+  const Geometry patch = hull_of({{0, 0, 0}, {1, 0, 1}, {1, 1, 1}, {0, 1, 0}});
+  EXPECT_NEAR(area_of(patch), std::numbers::sqrt2, 1e-6);
+}
+
+TEST(SpaceGeometry, AConcavePolygonIsFilledWithoutItsNotch) {
+  const Geometry notched = polygon_of({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1, 0.5, 0}, {0, 2, 0}});
+  EXPECT_NEAR(area_of(notched), 4 - 1.5, 1e-6);
+}
+
+TEST(SpaceGeometry, AnEllipsoidReachesTheTipsOfItsAxes) {
+  const Geometry ellipsoid = ellipsoid_of({{1, 0, 0}, {4, 0, 0}, {1, 2, 0}, {1, 0, 1}});
+  const double* const bounds = ellipsoid->GetBounds();
+  EXPECT_NEAR(bounds[0], -2, 0.01);
+  EXPECT_NEAR(bounds[1], 4, 0.01);
+  EXPECT_NEAR(bounds[3], 2, 0.01);
+  EXPECT_NEAR(bounds[5], 1, 0.01);
+}
+
+TEST(SpaceGeometry, AnArrowEndsWhereItPoints) {
+  const double* const bounds = arrow_of({0, 0, 0}, {0, 0, 1}, 0.01)->GetBounds();
+  EXPECT_NEAR(bounds[5], 1, 1e-6);
+  EXPECT_NEAR(bounds[4], 0, 1e-6);
+}
+
+TEST(SpaceGeometry, ADashedLineHasGapsAndEndsInsideTheLine) {
+  const SpacePoints line{{0, 0, 0}, {1, 0, 0}};
+  const Geometry solid = tube_of(line, 0.01, Pattern::solid);
+  const Geometry dashed = tube_of(line, 0.01, Pattern::dashed);
+  EXPECT_LT(area_of(dashed), 0.8 * area_of(solid));
+  EXPECT_LE(dashed->GetBounds()[1], 1 + 1e-6);
+}
+
+TEST(Floor, HasItsLinesAtRoundNumbers) {
+  EXPECT_DOUBLE_EQ(grid_step(2), 1);
+  EXPECT_DOUBLE_EQ(grid_step(5), 2);
+  EXPECT_DOUBLE_EQ(grid_step(10), 5);
+  EXPECT_DOUBLE_EQ(grid_step(2e-3), 1e-3);
+}
+
+/// How many pixels of the slide's scene are of such a colour.
+template <class Test>
+int count(const Raster& slide, const Test& test) {
+  int count = 0;
+  for (int y = 110; y < 700; ++y) {
+    for (int x = 50; x < 1020; ++x) count += test(slide.at(x, y)) ? 1 : 0;
+  }
+  return count;
+}
+
+bool is_bluish(const Rgb& c) { return c[2] > c[0] + 25; }
+bool is_black(const Rgb& c) { return c[0] < 40 && c[1] < 40 && c[2] < 48; }
+bool is_dark_blue(const Rgb& c) { return c[0] < 50 && c[1] < 90 && c[2] > c[0] + 20; }
+
+TEST(Slide, ShowsTheRayInTheBallThroughItsSurface) {
+  const OffscreenDisplay display;
+  const Stage stage = stage_of(*lessons_of("sphere").front(), report_lesson);
+  const Raster slide = SlideCanvas().draw(stage, 0);
+  EXPECT_EQ(slide.width, 1600);
+  EXPECT_EQ(slide.height, 900);
+  EXPECT_GT(count(slide, is_bluish), 50000);    // the ball
+  EXPECT_GT(count(slide, is_black), 1000);      // the ray before it
+  EXPECT_GT(count(slide, is_dark_blue), 1000);  // and in it
+}
+
+TEST(Slide, ShowsEveryShape) {
+  const OffscreenDisplay display;
+  SlideCanvas canvas;
+  for (const std::string& type : ray_topics()) {
+    const Stage stage = stage_of(report_lesson(with_shape(shapes_of(type).front()), ""));
+    EXPECT_GT(count(canvas.draw(stage, 0), is_bluish), 5000) << type;
+  }
+}
+
+}  // namespace
+
+#endif
