@@ -99,8 +99,10 @@ void SpaceScene::add(const ShownItem& shown) {
 void SpaceScene::add_mark(const ShownItem& shown, const glm::dvec3& at) {
   if (!has_mark(shown.item->role) || glm::length(at) > reach) return;
   const double size = shown.emphasis == Emphasis::bright ? 0.034 : 0.027;
-  const glm::dvec3 before_lines = camera_.is_flat ? at + 0.1 * camera_.toward : at;
-  const Geometry mark = mark_geometry(mark_of(shown.item->role), before_lines, size, camera_.toward);
+  // In a drawing what comes later stands before what was there, and marks before lines.
+  const double height = camera_.is_flat ? 0.1 + 0.01 * renderer_.GetActors()->GetNumberOfItems() : 0;
+  const glm::dvec3 place = at + height * camera_.toward;
+  const Geometry mark = mark_geometry(mark_of(shown.item->role), place, size, camera_.toward);
   renderer_.AddActor(actor_of(mark, shown_role(shown)));
 }
 
