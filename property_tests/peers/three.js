@@ -9,18 +9,58 @@ const THREE = require(process.env.RAYPROOF_THREE || "/usr/share/javascript/three
 
 const vector = ([x, y, z]) => new THREE.Vector3(x, y, z);
 
-// By the case format's type: the shape's fields, as three.js holds them, met by a ray.
+/** A vector as a program has it. */
+const text = (v) => `new THREE.Vector3(${v.map((x) => (Object.is(x, -0) ? "-0" : String(x))).join(", ")})`;
+
+const scaled = (v, s) => v.map((x) => x * s);
+const lengthOf = (v) => Math.hypot(...v);
+/** The plane's normal as a unit vector, and its constant. */
+function hesse({ normal, d, point }) {
+  const n = scaled(normal, 1 / lengthOf(normal));
+  return { normal: n, d: point ? -(n[0] * point[0] + n[1] * point[1] + n[2] * point[2]) : d / lengthOf(normal) };
+}
+
+// By the case format's type: the fields as three.js takes them, the call, and the same as a program has it.
 const meet = {
-  sphere: (ray, { center, radius }) => ray.intersectSphere(new THREE.Sphere(vector(center), radius), new THREE.Vector3()),
-  box: (ray, { min, max }) => ray.intersectBox(new THREE.Box3(vector(min), vector(max)), new THREE.Vector3()),
-  triangle: (ray, { a, b, c }) => ray.intersectTriangle(vector(a), vector(b), vector(c), false, new THREE.Vector3()),
-  plane: (ray, fields) => ray.intersectPlane(planeOf(fields), new THREE.Vector3()),
+  sphere: {
+    call: (ray, { center, radius }) => ray.intersectSphere(new THREE.Sphere(vector(center), radius), new THREE.Vector3()),
+    source: ({ center, radius }) => `ray.intersectSphere(new THREE.Sphere(${text(center)}, ${radius}), new THREE.Vector3())`,
+  },
+  box: {
+    call: (ray, { min, max }) => ray.intersectBox(new THREE.Box3(vector(min), vector(max)), new THREE.Vector3()),
+    source: ({ min, max }) => `ray.intersectBox(new THREE.Box3(${text(min)}, ${text(max)}), new THREE.Vector3())`,
+  },
+  triangle: {
+    call: (ray, { a, b, c }) => ray.intersectTriangle(vector(a), vector(b), vector(c), false, new THREE.Vector3()),
+    source: ({ a, b, c }) => `ray.intersectTriangle(${text(a)}, ${text(b)}, ${text(c)}, false, new THREE.Vector3())`,
+  },
+  plane: {
+    prepare: hesse,
+    call: (ray, { normal, d }) => ray.intersectPlane(new THREE.Plane(vector(normal), d), new THREE.Vector3()),
+    source: ({ normal, d }) => `ray.intersectPlane(new THREE.Plane(${text(normal)}, ${d}), new THREE.Vector3())`,
+  },
 };
 
-function planeOf({ normal, d, point }) {
-  const plane = new THREE.Plane();
-  if (point) return plane.setFromNormalAndCoplanarPoint(vector(normal).normalize(), vector(point));
-  return plane.setComponents(...normal, d).normalize();
+const isReproducing = process.argv.includes("--reproduce");
+const show = (object) => process.stdout.write(JSON.stringify(object) + "\n");
+
+/** Asks three.js, and shows a program that asks the same, and what it prints, where that is wanted. */
+function asked(type, origin, direction, fields) {
+  if (isReproducing) {
+    const source = `const THREE = require("three/build/three.js");
+const ray = new THREE.Ray(${text(origin)}, ${text(direction)});
+const point = ${meet[type].source(fields)};
+console.log(point ? "hit = 1, point = " + point.toArray() : "hit = 0");
+`;
+    const named = type === "box" ? { low: fields.min, high: fields.max } : fields;
+    show({ function: `Ray.${source.match(/ray\.(\w+)/)[1]}`, source, inputs: { origin, direction, ...named } });
+  }
+  const point = meet[type].call(new THREE.Ray(vector(origin), vector(direction)), fields);
+  if (isReproducing) {
+    const said = point ? { hit: 1, x: point.x, y: point.y, z: point.z } : { hit: 0 };
+    show({ printed: point ? "hit = 1, point = " + point.toArray() : "hit = 0", said });
+  }
+  return point;
 }
 
 /** The case's numbers, rounded to its precision. */
@@ -44,14 +84,24 @@ function answer({ id, precision, ray: rayFields, shape, transform }) {
   if (!meet[type] || transform || fields.u || given.t_min < 0 || (given.t_min > 0 && mayHaveFartherHit)) return { id, unsupported: true };
   const length = Math.hypot(...given.direction);
   if (!(length > 1e-300 && length < 1e300)) return { id, unsupported: true }; // no unit vector to be had
-  const origin = vector(given.origin), direction = vector(given.direction.map((d) => d / length));
-  const point = meet[type](new THREE.Ray(origin, direction), fields);
+  const unit = given.direction.map((d) => d / length), prepared = meet[type].prepare ? meet[type].prepare(fields) : fields;
+  const origin = vector(given.origin), direction = vector(unit), point = asked(type, given.origin, unit, prepared);
   if (!point) return { id, verdict: "miss", hits: [] };
   const t = point.clone().sub(origin).dot(direction) / length;
   if ((t < given.t_min && given.t_min > 0) || t > given.t_max) return { id, verdict: "miss", hits: [] };
   const said = { id, verdict: "hit", point: point.toArray().map(written) };
   if (saysT(type, origin, point)) said.hits = [{ t: written(t) }];
   return said;
+}
+
+if (process.argv.includes("--about")) {
+  show({
+    library: "three.js",
+    version: `r${THREE.REVISION}`,
+    build: "NODE_PATH=/usr/share/javascript node reproduction.js",
+    tracker: "https://github.com/mrdoob/three.js/issues",
+  });
+  process.exit(0);
 }
 
 let rest = "";
