@@ -43,7 +43,7 @@ std::string objection_to(const Dossier& dossier) {
 
 std::string got_of(const Reproduction& reproduction) {
   return reproduction.has_returned ? "`" + reproduction.printed + "`"
-                                   : fmt::format("no answer: the program {}.", reproduction.ending);
+                                   : fmt::format("no answer, the program {}", reproduction.ending);
 }
 
 }  // namespace
@@ -65,8 +65,10 @@ Dossier open_dossier(RecordedFinding recorded, const std::string& command) {
   dossier.right = by_hand(dossier.recorded.shape, dossier.reproduction.inputs);
   dossier.comparison = compare(dossier.right, dossier.reproduction, dossier.recorded.shape, one.precision);
   dossier.objection = objection_to(dossier);
+  const Finding& finding = dossier.recorded.finding;
   for (const auto& [fault, sentence] : dossier.library.documented)
-    if (dossier.recorded.finding.diagnosis.find(fault) != std::string::npos) dossier.documentation = sentence;
+    if ((std::string(finding.property->name) + ": " + finding.diagnosis).find(fault) != std::string::npos)
+      dossier.documentation = sentence;
   return dossier;
 }
 

@@ -52,7 +52,9 @@ bool is_worse(const FiledFinding& a, const FiledFinding& b) {
 
 FiledFinding filed(const std::string& line, const std::string& command) {
   FiledFinding made;
-  made.line = line;
+  Json bare = Json::parse(line);
+  bare.erase("command");  // a path of this machine
+  made.line = bare.dump();
   RecordedFinding recorded = read_recorded(line, 0);
   try {
     made.dossier = open_dossier(recorded, command);

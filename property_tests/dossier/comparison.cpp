@@ -35,7 +35,8 @@ std::optional<double> t_said(const Reproduction& library) {
   for (const char* const name : {"t", "fraction", "t1"})
     if (const auto t = said(library, name)) return t;
   // A distance along the direction.
-  if (const auto depth = said(library, "depth")) return *depth / length_of(library.inputs.at("direction"));
+  for (const char* const name : {"depth", "distance"})
+    if (const auto depth = said(library, name)) return *depth / length_of(library.inputs.at("direction"));
   const auto x = said(library, "x"), y = said(library, "y"), z = said(library, "z");
   if (!x || !y || !z) return std::nullopt;
   const bool is_segment = library.inputs.contains("start");
@@ -44,6 +45,34 @@ std::optional<double> t_said(const Reproduction& library) {
   for (std::size_t i = 0; is_segment && i < 3; ++i) d[i] -= o[i];
   const double square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
   return ((*x - o[0]) * d[0] + (*y - o[1]) * d[1] + (*z - o[2]) * d[2]) / square;
+}
+
+/// What the library measures a hit by, and how much of it is one t of the calculation.
+struct Quantity {
+  const char* name;
+  double factor;
+};
+
+Quantity quantity_of(const Reproduction& library) {
+  for (const char* const name : {"depth", "distance"})
+    if (library.said.contains(name)) return {name, length_of(library.inputs.at("direction"))};
+  return {library.said.contains("fraction") ? "fraction" : "t", 1};
+}
+
+/// "t = 1/2 and 1", "depth ≈ 0.1".
+std::string places(const HandCalculation& right, const Quantity& quantity) {
+  std::vector<std::string> texts = right.hits_as_text;
+  for (std::size_t i = 0; i < texts.size() && quantity.factor != 1; ++i)
+    texts[i] = "≈ " + fmt::format("{}", right.hits[i] * quantity.factor);
+  const std::string list = fmt::format("{}", fmt::join(texts, " and "));
+  return quantity.name + std::string(list.starts_with("≈") ? " " : " = ") + list;
+}
+
+/// The nearest hit alone.
+HandCalculation nearest_of(HandCalculation right) {
+  right.hits = {right.hits.front()};
+  right.hits_as_text = {right.hits_as_text.front()};
+  return right;
 }
 
 /// "a triangle", "a plane".
@@ -80,7 +109,9 @@ void compare_numbers(Comparison& made, const HandCalculation& right, const Repro
   };
   if (const auto t = t_said(library); t && differ(*t, right.hits.front())) {
     made.is_wrong = true;
-    made.deed = fmt::format("gives t = {} for a hit at t = {}", *t, right.hits_as_text.front());
+    const Quantity quantity = quantity_of(library);
+    made.deed = fmt::format("gives {} = {} for a hit at {}", quantity.name, *t * quantity.factor,
+                            places(nearest_of(right), quantity));
     return;
   }
   const auto u = said(library, "u"), v = said(library, "v");
@@ -100,25 +131,27 @@ Comparison compare(const HandCalculation& right, const Reproduction& library, co
   if (right.is_position) {
     made = compare_positions(right, library);
   } else {
-    made.expected = right.is_hit()
-                        ? fmt::format("a hit at t = {}", fmt::join(right.hits_as_text, " and t = "))
-                        : "no hit";
+    const Quantity quantity = quantity_of(library);
+    made.expected = right.is_hit() ? "a hit at " + places(right, quantity) : "no hit";
     const auto t = said(library, "t");
     const bool is_hit = said(library, "hit").value_or(t && std::isfinite(*t) ? 1 : 0) != 0;
     if (is_hit != right.is_hit()) {
       made.is_wrong = true;
       const auto at = t_said(library);
-      made.deed = right.is_hit() ? fmt::format("misses {} that is hit at t = {}", named(shape),
-                                               right.hits_as_text.front())
-                  : at           ? fmt::format("hits {} at t = {} where there is no hit", named(shape), *at)
-                                 : fmt::format("hits {} where there is no hit", named(shape));
+      made.deed = right.is_hit() ? fmt::format("misses {} that is hit at {}", named(shape),
+                                               places(nearest_of(right), quantity))
+                  : at ? fmt::format("hits {} at {} = {} where there is no hit", named(shape), quantity.name,
+                                     *at * quantity.factor)
+                       : fmt::format("hits {} where there is no hit", named(shape));
     } else if (is_hit) {
       compare_numbers(made, right, library, precision);
     }
   }
   if (!library.has_returned) {
     made.is_wrong = true;
-    made.deed = library.ending == "did not return" ? "does not return" : library.ending;
+    made.deed = (library.ending == "did not return" ? "does not return, asked for "
+                                                    : "ends the program, asked for ") +
+                named(right.is_position ? "point in a polygon" : shape);
   }
   return made;
 }

@@ -17,7 +17,7 @@ struct LibraryFacts {
   std::string version{};
   std::string build{};  ///< the shell line that builds and runs a reproduction
   std::string tracker{};
-  /// What its documentation says of some faults: words of the diagnosis, and a sentence.
+  /// What its documentation says of some faults: words of "property: diagnosis", and a sentence.
   std::vector<std::pair<std::string, std::string>> documented{};
   [[nodiscard]] bool is_javascript() const { return build.find("node ") != std::string::npos; }
 };

@@ -153,13 +153,18 @@ std::printf("hit = %d, fraction = %.9g\n", hit, fraction);)",
 
 int main(int count, char** arguments) {
   using namespace rayproof;
+  const std::string_view which = count > 1 && arguments[1][0] != '-' ? arguments[1] : "";
+  using Documented = std::vector<std::pair<std::string, std::string>>;
+  const Documented approximate{
+      {"residual:",
+       "btRaycastCallback.h says of this ray caster, the default: \"an approximate but "
+       "faster ray versus convex intersection algorithm\"."}};
   const int version = btGetVersion();
   peers::introduce(
       count, arguments,
       {"Bullet", std::to_string(version / 100) + "." + std::to_string(version % 100),
        peers::built_with("-I/usr/include/bullet -lBulletDynamics -lBulletCollision -lLinearMath"),
-       "https://github.com/bulletphysics/bullet3/issues"});
-  const std::string_view which = count > 1 ? arguments[1] : "";
+       "https://github.com/bulletphysics/bullet3/issues", which.empty() ? approximate : Documented()});
   if (which == "aabb") return answer_cases(aabb);
   if (which == "gjk") ray_flags = btTriangleRaycastCallback::kF_UseGjkConvexCastRaytest;
   return answer_cases(sphere, box, cylinder, triangle, takes<ImplicitPlane>(plane));

@@ -149,9 +149,16 @@ rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT
 
 int main(int count, char** arguments) {
   using namespace rayproof;
-  peers::introduce(count, arguments,
-                   {"Embree", RTC_VERSION_STRING, peers::built_with("-lembree3"),
-                    "https://github.com/RenderKit/embree/issues"});
+  peers::introduce(
+      count, arguments,
+      {"Embree",
+       RTC_VERSION_STRING,
+       peers::built_with("-lembree3"),
+       "https://github.com/RenderKit/embree/issues",
+       {{"exactly at t_min",
+         "The page of rtcIntersect1 does not say whether an end of the interval belongs to it."},
+        {"exactly at t_max",
+         "The page of rtcIntersect1 does not say whether an end of the interval belongs to it."}}});
   if (count > 1 && std::string_view(arguments[1]) == "robust") scene_flags = RTC_SCENE_FLAG_ROBUST;
   return answer_cases(triangle, quad, sphere);
 }

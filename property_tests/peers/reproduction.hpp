@@ -19,6 +19,8 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "answer_cases.hpp"
 #include "peers/source_text.hpp"
@@ -31,6 +33,8 @@ struct Library {
   std::string version{};  ///< as the library itself says it
   std::string build{};    ///< the shell line that makes `reproduction` of reproduction.cpp, and runs it
   std::string tracker{};  ///< where its makers take reports
+  /// What its documentation says of some faults: words of "property: diagnosis", and a sentence.
+  std::vector<std::pair<std::string, std::string>> documented{};
 };
 
 /// Whether the program was asked to show how it calls the library.
@@ -42,10 +46,15 @@ inline void introduce(int count, char** arguments, const Library& library) {
     const std::string_view argument = arguments[i];
     is_reproducing |= argument == "--reproduce";
     if (argument != "--about") continue;
+    std::string documented;
+    for (const auto& [fault, sentence] : library.documented)
+      documented += (documented.empty() ? "" : ", ") + ("{\"fault\": " + json_text(fault)) +
+                    ", \"sentence\": " + json_text(sentence) + "}";
     answering::write_all(STDOUT_FILENO, "{\"library\": " + json_text(library.name) +
                                             ", \"version\": " + json_text(library.version) +
                                             ", \"build\": " + json_text(library.build) +
-                                            ", \"tracker\": " + json_text(library.tracker) + "}\n");
+                                            ", \"tracker\": " + json_text(library.tracker) +
+                                            ", \"documented\": [" + documented + "]}\n");
     std::exit(0);
   }
 }

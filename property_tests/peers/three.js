@@ -2,7 +2,8 @@
 // three.js (Debian's libjs-three, release 111) under node: Ray.intersectSphere, intersectBox, intersectTriangle,
 // intersectPlane, in double. Its documentation: a Ray's direction "must be normalized for the methods to
 // operate properly". A Ray has no end and begins at its origin; it gives the point of the nearest hit, or null;
-// t is read off the point, where that says it well.
+// t is read off the point, where that says it well. `mesh`: Raycaster.intersectObject on a Mesh of one triangle, both
+// sides, which stands in the world by its matrix; near and far are distances.
 "use strict";
 
 const THREE = require(process.env.RAYPROOF_THREE || "/usr/share/javascript/three/three.js");
@@ -41,6 +42,8 @@ const meet = {
   },
 };
 
+const IDENTITY = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]];
+const bothSides = new THREE.MeshBasicMaterial({ side: THREE.DoubleSide });
 const isReproducing = process.argv.includes("--reproduce");
 const show = (object) => process.stdout.write(JSON.stringify(object) + "\n");
 
@@ -94,6 +97,36 @@ function answer({ id, precision, ray: rayFields, shape, transform }) {
   return said;
 }
 
+/** A Mesh of one triangle in the world, by a Raycaster. */
+function answerByMesh({ id, precision, ray: rayFields, shape, transform }) {
+  const [given, fields, rows] = numbers([rayFields || {}, shape || {}, transform || IDENTITY], precision === "float32" ? Math.fround : (x) => x);
+  const length = given.direction ? lengthOf(given.direction) : 0;
+  if (shape?.type !== "triangle" || given.t_min < 0 || !(length > 1e-300 && length < 1e300)) return { id, unsupported: true };
+  const direction = scaled(given.direction, 1 / length), near = given.t_min * length, far = given.t_max * length;
+  const corners = [...fields.a, ...fields.b, ...fields.c], matrix = rows.flat();
+  if (isReproducing) {
+    const source = `const THREE = require("three/build/three.js");
+const geometry = new THREE.BufferGeometry();
+geometry.setAttribute("position", new THREE.BufferAttribute(new Float64Array([${corners.join(", ")}]), 3));
+const mesh = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({ side: THREE.DoubleSide }));
+mesh.matrixWorld.set(${matrix.join(", ")});
+const raycaster = new THREE.Raycaster(${text(given.origin)}, ${text(direction)}, ${near}, ${far});
+const [hit] = raycaster.intersectObject(mesh);
+console.log(hit ? "hit = 1, distance = " + hit.distance : "hit = 0");
+`;
+    const ends = { t_min: near, t_max: far === Infinity ? "inf" : far };
+    show({ function: "Raycaster.intersectObject", source, inputs: { ...fields, matrix, origin: given.origin, direction, ...ends } });
+  }
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute("position", new THREE.BufferAttribute(new Float64Array(corners), 3));
+  const mesh = new THREE.Mesh(geometry, bothSides);
+  mesh.matrixWorld.set(...matrix);
+  const [hit] = new THREE.Raycaster(vector(given.origin), vector(direction), near, far).intersectObject(mesh);
+  if (isReproducing) show({ printed: hit ? "hit = 1, distance = " + hit.distance : "hit = 0", said: hit ? { hit: 1, distance: hit.distance } : { hit: 0 } });
+  if (!hit) return { id, verdict: "miss", hits: [] };
+  return { id, verdict: "hit", hits: [{ t: written(hit.distance / length) }], point: hit.point.toArray().map(written) };
+}
+
 if (process.argv.includes("--about")) {
   show({
     library: "three.js",
@@ -104,9 +137,10 @@ if (process.argv.includes("--about")) {
   process.exit(0);
 }
 
+const answerBy = process.argv.includes("mesh") ? answerByMesh : answer;
 let rest = "";
 process.stdin.setEncoding("utf8").on("data", (text) => {
   const lines = (rest + text).split("\n");
   rest = lines.pop();
-  process.stdout.write(lines.filter(Boolean).map((line) => JSON.stringify(answer(JSON.parse(line))) + "\n").join(""));
+  process.stdout.write(lines.filter(Boolean).map((line) => JSON.stringify(answerBy(JSON.parse(line))) + "\n").join(""));
 });

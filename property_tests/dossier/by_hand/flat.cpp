@@ -10,6 +10,15 @@
 namespace rayproof::dossier {
 namespace {
 
+/// The image of a point under an affine matrix, whose numbers stand by rows.
+FractionVector carried(const std::vector<double>& matrix, const FractionVector& p) {
+  const auto row = [&](std::size_t i) {
+    return Fraction(Fraction(matrix.at(4 * i)) * p.x + Fraction(matrix.at(4 * i + 1)) * p.y +
+                    Fraction(matrix.at(4 * i + 2)) * p.z + Fraction(matrix.at(4 * i + 3)));
+  };
+  return {row(0), row(1), row(2)};
+}
+
 /// t on the plane n·(x - p) = 0; nothing, with a sentence, where the line is parallel.
 std::optional<Fraction> t_on_plane(HandCalculation& calculation, const HandLine& line,
                                    const FractionVector& n, const FractionVector& p) {
@@ -44,7 +53,12 @@ void plane_by_hand(HandCalculation& calculation, const HandLine& line, const Nam
 }
 
 void triangle_by_hand(HandCalculation& calculation, const HandLine& line, const NamedNumbers& inputs) {
-  const FractionVector a = vector_in(inputs, "a"), b = vector_in(inputs, "b"), c = vector_in(inputs, "c");
+  FractionVector a = vector_in(inputs, "a"), b = vector_in(inputs, "b"), c = vector_in(inputs, "c");
+  if (inputs.contains("matrix")) {
+    for (FractionVector* const corner : {&a, &b, &c}) *corner = carried(inputs.at("matrix"), *corner);
+    calculation.steps.push_back(
+        fmt::format("The matrix takes the corners to a = {}, b = {}, c = {}.", shown(a), shown(b), shown(c)));
+  }
   const FractionVector n = cross(b - a, c - a);
   calculation.steps.push_back(
       fmt::format("The triangle's normal is n = (b - a) × (c - a) = {}, p = a.", shown(n)));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cmath>
 #include <stdexcept>
 
 namespace rayproof::dossier {
@@ -24,12 +25,13 @@ std::string digits(double number) { return fmt::format("{}", number); }
 std::string shown(const HandNumber& number) {
   const auto near = number.value.convert_to<double>();
   if (!number.is_rational) return "≈ " + digits(near);
-  if (Fraction(near) == number.value && digits(near).size() <= 12) return digits(near);
+  const bool is_double = std::isfinite(near) && Fraction(near) == number.value;
+  if (is_double && digits(near).size() <= 12) return digits(near);
   const cpp_int above = boost::multiprecision::numerator(number.value),
                 below = boost::multiprecision::denominator(number.value);
   const std::string fraction = above.str() + "/" + below.str();
   if (below != 1 && fraction.size() <= 12) return fraction;
-  return (Fraction(near) == number.value ? "" : "≈ ") + digits(near);
+  return (is_double ? "" : "≈ ") + digits(near);
 }
 
 std::string shown(const Fraction& number) { return shown(HandNumber{number}); }

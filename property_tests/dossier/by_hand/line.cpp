@@ -50,7 +50,7 @@ void keep_hits(HandCalculation& calculation, const HandLine& line, const std::ve
   const std::string counted = calculation.hits_as_text.empty()
                                   ? "none of them"
                                   : fmt::format("{}", fmt::join(calculation.hits_as_text, " and "));
-  calculation.steps.push_back(fmt::format("The line meets it at t = {}; with {}, {} count{}.",
+  calculation.steps.push_back(fmt::format("The line meets it where t is {}; with {}, {} count{}.",
                                           fmt::join(texts, " and "), line.range(), counted,
                                           calculation.hits_as_text.size() == 1 ? "s" : ""));
 }
@@ -65,6 +65,8 @@ HandCalculation by_hand(const std::string& topic, const NamedNumbers& inputs) {
   if (line.is_segment)
     calculation.steps.push_back(
         fmt::format("The line is start + t·d with d = end - start = {}.", shown(line.direction)));
+  if (inputs.contains("length"))
+    calculation.steps.emplace_back("The line is origin + t·d, d the direction; the depth is t·|d|.");
   using Formula = void (*)(HandCalculation&, const HandLine&, const NamedNumbers&);
   static const std::map<std::string, Formula> formulas{
       {"sphere", sphere_by_hand},   {"plane", plane_by_hand}, {"triangle", triangle_by_hand},

@@ -50,8 +50,9 @@ HandInterval quadratic_interval(HandCalculation& calculation, const std::string&
   }
   const HandNumber root = root_of(discriminant);
   const HandNumber from{(-b - root.value) / a, root.is_rational}, to{(-b + root.value) / a, root.is_rational};
-  calculation.steps.push_back(fmt::format("b² - a·c = {}, so between t = (-b ± √(b² - a·c)) / a = {} and {}.",
-                                          shown(discriminant), shown(from), shown(to)));
+  calculation.steps.push_back(fmt::format(
+      "b² - a·c = {}, so for t from (-b - √(b² - a·c)) / a, which is {}, to (-b + √(b² - a·c)) / a, {}.",
+      shown(discriminant), shown(from), shown(to)));
   return {.from = from, .to = to};
 }
 

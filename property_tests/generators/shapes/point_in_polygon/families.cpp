@@ -1,4 +1,5 @@
 #include "case/each_number.hpp"
+#include "generators/narrow.hpp"
 #include "generators/number_by_number.hpp"
 #include "generators/outline_layouts.hpp"
 
@@ -72,6 +73,7 @@ std::vector<Family> point_in_polygon_families() {
        "polygons of one size, of any exponent the format has",
        exponents,
        {{"inside", 0.46}, {"outside", 0.38}}},
+      planned<layout::narrow>({in_reach, {"inside", 0.3}, {"outside", 0.3}}),
       special<PolygonCase>({{"inside", 0.15}, {"outside", 0.68}, {"boundary", 0.003}}),
       bit_patterns<PolygonCase>({{"inside", 0.17}, {"outside", 0.66}}),
   };

@@ -1,4 +1,5 @@
 #include "generators/layout.hpp"
+#include "generators/narrow.hpp"
 #include "generators/number_by_number.hpp"
 #include "generators/shapes/polygon/lifted.hpp"
 
@@ -38,6 +39,7 @@ std::vector<Family> polygon_families() {
       transformed<everyday, in_space<layout::boundary>>(
           {in_reach, {"hit", 0.54}, {"miss", 0.3}, {"edge", 0.18}, {"vertex", 0.1}}),
       in_any_size<everyday>({{"hit", 0.39}, {"miss", 0.45}, {"behind", 0.06}}),
+      family_in_space<layout::narrow>({in_reach, {"hit", 0.25}, {"miss", 0.3}}),
       special<Polygon<double>>({{"hit", 0.04}, {"miss", 0.79}}),
       bit_patterns<Polygon<double>>({{"hit", 0.05}, {"miss", 0.78}}),
   };
