@@ -3,7 +3,8 @@
 // intersectPlane, in double. Its documentation: a Ray's direction "must be normalized for the methods to
 // operate properly". A Ray has no end and begins at its origin; it gives the point of the nearest hit, or null;
 // t is read off the point, where that says it well. `mesh`: Raycaster.intersectObject on a Mesh of one triangle, both
-// sides, which stands in the world by its matrix; near and far are distances.
+// sides, which stands in the world by its matrix; near and far are distances. `mesh interval`: the same without a matrix,
+// intervals of no length too.
 "use strict";
 
 const THREE = require(process.env.RAYPROOF_THREE || "/usr/share/javascript/three/three.js");
@@ -97,11 +98,14 @@ function answer({ id, precision, ray: rayFields, shape, transform }) {
   return said;
 }
 
+/** Its far = 0 means no end; that is asked where there is no matrix, so that it is not mixed with what a matrix does. */
+const isLeftOut = ({ t_min, t_max }, transform) => (process.argv.includes("interval") ? transform : !(t_max > t_min));
+
 /** A Mesh of one triangle in the world, by a Raycaster. */
 function answerByMesh({ id, precision, ray: rayFields, shape, transform }) {
   const [given, fields, rows] = numbers([rayFields || {}, shape || {}, transform || IDENTITY], precision === "float32" ? Math.fround : (x) => x);
   const length = given.direction ? lengthOf(given.direction) : 0;
-  if (shape?.type !== "triangle" || given.t_min < 0 || !(length > 1e-300 && length < 1e300)) return { id, unsupported: true };
+  if (shape?.type !== "triangle" || given.t_min < 0 || isLeftOut(given, transform) || !(length > 1e-300 && length < 1e300)) return { id, unsupported: true };
   const direction = scaled(given.direction, 1 / length), near = given.t_min * length, far = given.t_max * length;
   const corners = [...fields.a, ...fields.b, ...fields.c], matrix = rows.flat();
   if (isReproducing) {
