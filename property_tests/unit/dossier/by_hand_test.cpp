@@ -61,8 +61,9 @@ TEST(ACalculationByHand, HasTheVerdictAndTheHitsOfTheOracle) {
       ++compared[family.topic];
       ASSERT_EQ(right.hits.size(), exact.hits.count) << write_case(one);
       for (std::size_t i = 0; i < right.hits.size(); ++i)
-        if (right.hits[i] != exact.hits.t[i])  // beyond all doubles both are infinite
+        if (right.hits[i] != exact.hits.t[i]) {  // beyond all doubles both are infinite
           EXPECT_NEAR(right.hits[i], exact.hits.t[i], 1e-13 * std::abs(exact.hits.t[i])) << write_case(one);
+        }
     }
   }
   for (const char* const topic : {"sphere", "triangle", "box", "polygon"})
