@@ -66,6 +66,7 @@ std::vector<Family> point_in_polygon_families() {
       planned<layout::self_crossing>({in_reach, {"inside", 0.3}, {"outside", 0.54}}),
       planned<layout::repeated>({in_reach, {"inside", 0.09}, {"outside", 0.67}, {"boundary", 0.06}}),
       planned<layout::no_area>({in_reach, {"inside", 0.09}, {"outside", 0.15}, {"boundary", 0.6}}),
+      planned<layout::narrow>({in_reach, {"inside", 0.3}, {"outside", 0.3}}),
       planned<far>({in_reach, {"inside", 0.38}, {"outside", 0.35}, {"boundary", 0.1}}),
       planned<near_level>({in_reach, {"inside", 0.26}, {"outside", 0.58}}),
       planned<many>({in_reach, {"inside", 0.4}, {"outside", 0.21}, {"boundary", 0.22}}),
@@ -73,7 +74,6 @@ std::vector<Family> point_in_polygon_families() {
        "polygons of one size, of any exponent the format has",
        exponents,
        {{"inside", 0.46}, {"outside", 0.38}}},
-      planned<layout::narrow>({in_reach, {"inside", 0.3}, {"outside", 0.3}}),
       special<PolygonCase>({{"inside", 0.15}, {"outside", 0.68}, {"boundary", 0.003}}),
       bit_patterns<PolygonCase>({{"inside", 0.17}, {"outside", 0.66}}),
   };

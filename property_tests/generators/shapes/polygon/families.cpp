@@ -29,6 +29,7 @@ std::vector<Family> polygon_families() {
       family_in_space<layout::repeated>(
           {in_reach, {"hit", 0.16}, {"miss", 0.68}, {"edge", 0.04}, {"vertex", 0.012}, {"degenerate", 0.03}}),
       family_in_space<layout::no_area>({in_reach, {"miss", 0.95}, {"degenerate", 0.95}}),
+      family_in_space<layout::narrow>({in_reach, {"hit", 0.25}, {"miss", 0.3}}),
       laid_out<coplanar>("coplanar",
                          "in whole numbers: the ray runs in the polygon's plane, or parallel to it",
                          {in_reach, {"miss", 0.95}, {"in surface", 0.62}, {"parallel", 0.21}}),
@@ -39,7 +40,6 @@ std::vector<Family> polygon_families() {
       transformed<everyday, in_space<layout::boundary>>(
           {in_reach, {"hit", 0.54}, {"miss", 0.3}, {"edge", 0.18}, {"vertex", 0.1}}),
       in_any_size<everyday>({{"hit", 0.39}, {"miss", 0.45}, {"behind", 0.06}}),
-      family_in_space<layout::narrow>({in_reach, {"hit", 0.25}, {"miss", 0.3}}),
       special<Polygon<double>>({{"hit", 0.04}, {"miss", 0.79}}),
       bit_patterns<Polygon<double>>({{"hit", 0.05}, {"miss", 0.78}}),
   };
