@@ -102,6 +102,18 @@ inline void move_into_the_world(Random& random, Precision /*precision*/, Scene& 
   move_by(scene, linear, point_in_a_room(random));
 }
 
+/// The same by a stretch along any axes, and the point that was aimed at is looked at from any side of the
+/// world: what is stretched is mostly seen from across.
+inline void move_and_look_again(Random& random, Precision /*precision*/, Scene& scene) {
+  const glm::dmat3 first = rotation(random);
+  const glm::dmat3 second = stretch(random, std::pow(10, random.uniform(0.5, 2.5)));
+  const glm::dmat3 linear = rotation(random) * second * first;
+  move_by(scene, linear, point_in_a_room(random));
+  const glm::dvec3 target = scene.origin + scene.aimed_at * scene.direction;
+  scene.direction = draw::unit_vector(random);
+  scene.origin = target - scene.aimed_at * scene.direction;
+}
+
 /// The same by a map of small whole numbers, which rounds nothing in a scene of short numbers.
 inline void move_exactly(Random& random, Precision /*precision*/, Scene& scene) {
   const auto whole = [&] { return whole_point(random, 2); };

@@ -14,7 +14,7 @@
 #include <list>
 #include <string_view>
 
-#include "answer_cases.hpp"
+#include "peers/reproduction.hpp"
 
 namespace rayproof {
 namespace {
@@ -53,12 +53,37 @@ std::vector<double> t_of_all(const Ray<double>& ray, const Found& found) {
   return hits;
 }
 
+using peers::given;
+using peers::LibraryCall;
+
+/// How `function` is asked with a ray, or a line, and a shape that the text makes.
+template <class... V>
+LibraryCall call_of(const char* function, const char* line, const Ray<double>& ray, const char* shape,
+                    const peers::Given<V>&... inputs) {
+  const Kernel::Vector_3 v = along(ray);
+  const dvec3 direction(v.x(), v.y(), v.z());
+  LibraryCall call(function, R"(#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/intersections.h>
+using K = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = K::Point_3;)");
+  const std::string kind = line;
+  call.add("K::$kind ray(Point($origin), K::Vector_3($direction));", given("kind", kind),
+           given("origin", ray.origin), given("direction", direction));
+  if (kind == "Line_3") call.add("", given("t_min", -infinity<double>));
+  call.add(shape, inputs...);
+  call.ask();
+  return call;
+}
+
 /// What `shape` and the ray have in common, or the line where the ray goes on behind its origin.
-template <class Object>
-std::vector<double> common(const Ray<double>& ray, const Object& shape) {
+template <class Object, class... V>
+std::vector<double> common(const Ray<double>& ray, const Object& shape, const char* made,
+                           const peers::Given<V>&... inputs) {
+  const auto call = call_of("CGAL::intersection", ray.t_min < 0 ? "Line_3" : "Ray_3", ray, made, inputs...);
   std::vector<double> hits =
       ray.t_min < 0 ? t_of_all(ray, CGAL::intersection(Kernel::Line_3(at(ray.origin), along(ray)), shape))
                     : t_of_all(ray, CGAL::intersection(Kernel::Ray_3(at(ray.origin), along(ray)), shape));
+  call.said(given("hit", !hits.empty()));
   std::erase_if(hits, [&](double t) { return !in_interval(ray, t); });
   return hits;
 }
@@ -76,22 +101,34 @@ Kernel::Triangle_3 triangle_of(dvec3 a, dvec3 b, dvec3 c) {
 }
 
 std::vector<double> triangle(const Ray<double>& ray, dvec3 a, dvec3 b, dvec3 c) {
-  return crossing(common(ray, triangle_of(a, b, c)));
+  return crossing(common(ray, triangle_of(a, b, c), R"(K::Triangle_3 shape(Point($a), Point($b), Point($c));
+std::printf("hit = %d\n", bool(CGAL::intersection(ray, shape)));)",
+                         given("a", a), given("b", b), given("c", c)));
 }
 
 std::vector<double> implicit(const Ray<double>& ray, dvec3 normal, double d) {
-  return common(ray, Kernel::Plane_3(normal.x, normal.y, normal.z, d));
+  return common(ray, Kernel::Plane_3(normal.x, normal.y, normal.z, d), R"(K::Plane_3 shape($normal, $d);
+std::printf("hit = %d\n", bool(CGAL::intersection(ray, shape)));)",
+                given("normal", normal), given("d", d));
 }
 
 std::vector<double> point_normal(const Ray<double>& ray, dvec3 point, dvec3 normal) {
-  return common(ray, Kernel::Plane_3(at(point), Kernel::Vector_3(normal.x, normal.y, normal.z)));
+  return common(ray, Kernel::Plane_3(at(point), Kernel::Vector_3(normal.x, normal.y, normal.z)),
+                R"(K::Plane_3 shape(Point($point), K::Vector_3($normal));
+std::printf("hit = %d\n", bool(CGAL::intersection(ray, shape)));)",
+                given("point", point), given("normal", normal));
 }
 
 /// What the whole line has in common with the box: its ends are hits, as far as they are in the interval.
 std::vector<double> box(const Ray<double>& ray, dvec3 low, dvec3 high) {
   if (low.x == high.x || low.y == high.y || low.z == high.z) throw Unsupported();
   const Kernel::Line_3 line(at(ray.origin), along(ray));
+  const auto call =
+      call_of("CGAL::intersection", "Line_3", ray, R"(K::Iso_cuboid_3 shape(Point($low), Point($high));
+std::printf("hit = %d\n", bool(CGAL::intersection(ray, shape)));)",
+              given("low", low), given("high", high));
   std::vector<double> hits = t_of_all(ray, CGAL::intersection(line, Kernel::Iso_cuboid_3(at(low), at(high))));
+  call.said(given("hit", !hits.empty()));
   // Near hits of a far origin are lost where their points are rounded.
   for (const double t : hits)
     if (glm::length(ray.origin) > 8 * std::abs(t) * glm::length(ray.direction)) throw Unsupported();
@@ -103,15 +140,32 @@ bool sphere(const Ray<double>& ray, dvec3 center, double radius) {
   if (ray.t_min != 0 || ray.t_max != infinity<double> || radius == 0) throw Unsupported();
   const Kernel::Point_3 start = at(ray.origin);
   const Kernel::Sphere_3 surface(at(center), radius * radius);
-  return CGAL::do_intersect(surface, Kernel::Ray_3(start, along(ray)));
+  const double radius2 = radius * radius;
+  const auto call =
+      call_of("CGAL::do_intersect", "Ray_3", ray, R"(K::Sphere_3 shape(Point($center), $radius2);
+std::printf("hit = %d\n", CGAL::do_intersect(shape, ray));)",
+              given("center", center), given("radius2", radius2));
+  const bool is_hit = CGAL::do_intersect(surface, Kernel::Ray_3(start, along(ray)));
+  call.said(given("hit", is_hit));
+  return is_hit;
 }
 
 Position position(const PointAndPolygon<double>& asked) {
   std::vector<Kernel::Point_2> vertices;
   for (const auto& [x, y] : asked.vertices) vertices.emplace_back(x, y);
   if (!CGAL::is_simple_2(vertices.begin(), vertices.end(), Kernel())) throw Unsupported();  // a precondition
+  LibraryCall call("CGAL::bounded_side_2",
+                   R"(#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_2_algorithms.h>
+using K = CGAL::Exact_predicates_inexact_constructions_kernel;
+K::Point_2 corners[] = {$corners}, point($point);
+std::printf("side = %d\n", CGAL::bounded_side_2(std::begin(corners), std::end(corners), point, K()));)",
+                   given("corners", asked.vertices), given("point", asked.point),
+                   given("vertices", asked.vertices));
+  call.ask();
   const auto side = CGAL::bounded_side_2(vertices.begin(), vertices.end(),
                                          Kernel::Point_2(asked.point.x, asked.point.y), Kernel());
+  call.said(given("side", static_cast<int>(side)));
   return side == CGAL::ON_BOUNDED_SIDE ? Position::inside
          : side == CGAL::ON_BOUNDARY   ? Position::boundary
                                        : Position::outside;
@@ -124,8 +178,18 @@ std::vector<double> tree(const Ray<double>& ray, dvec3 a, dvec3 b, dvec3 c) {
   using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::iterator>;
   Triangles triangles{triangle_of(a, b, c)};
   CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> all(triangles.begin(), triangles.end());
+  const auto call = call_of("CGAL::AABB_tree::first_intersection", "Ray_3", ray,
+                            R"(#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/AABB_triangle_primitive.h>
+using Primitive = CGAL::AABB_triangle_primitive<K, K::Triangle_3*>;
+K::Triangle_3 shape(Point($a), Point($b), Point($c));
+CGAL::AABB_tree<CGAL::AABB_traits<K, Primitive>> tree(&shape, &shape + 1);
+std::printf("hit = %d\n", bool(tree.first_intersection(ray)));)",
+                            given("a", a), given("b", b), given("c", c));
   const auto found = all.first_intersection(Kernel::Ray_3(at(ray.origin), along(ray)));
   std::vector<double> hits;
+  call.said(given("hit", bool(found)));
   if (!found) return hits;
   if (const auto* point = boost::relaxed_get<Point>(&found->first)) hits = {t_of(ray, *point)};
   std::erase_if(hits, [&](double t) { return !in_interval(ray, t); });
@@ -137,6 +201,9 @@ std::vector<double> tree(const Ray<double>& ray, dvec3 a, dvec3 b, dvec3 c) {
 
 int main(int count, char** arguments) {
   using namespace rayproof;
+  peers::introduce(count, arguments,
+                   {"CGAL", CGAL_VERSION_STR, peers::built_with("-frounding-math -lgmp -lmpfr"),
+                    "https://github.com/CGAL/cgal/issues"});
   if (count > 1 && std::string_view(arguments[1]) == "tree") return answer_cases(tree);
   return answer_cases(triangle, takes<ImplicitPlane>(implicit), takes<PointNormalPlane>(point_normal), box,
                       sphere, position);

@@ -33,7 +33,9 @@ template <class T>
   const double length = std::hypot(ray.direction.x, ray.direction.y, ray.direction.z);
   const double middle = dot(center - ray.origin, ray.direction / length) / length;
   const double reach = 2 * radius / length;
-  const double end = std::min(ray.t_max, std::max(middle + reach, reach));
+  // A power of two, so that the segment's numbers are as short as the ray's.
+  const double far = std::exp2(std::ceil(std::log2(std::max(middle + reach, reach))));
+  const double end = std::min(ray.t_max, far);
   const Segment<T> made{glm::vec<3, T>(ray.origin), glm::vec<3, T>(ray.origin + end * ray.direction), end};
   const auto whole = made.end - made.start;
   const T length2 = dot(whole, whole);

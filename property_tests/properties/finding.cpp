@@ -35,7 +35,7 @@ std::string write_finding(const Finding& finding) {
     json.raw("null");
   }
   if (finding.striking) json.member("striking").raw(write_case(*finding.striking));
-  if (finding.subject->name == command_name) json.member("command").string(finding.subject->title);
+  if (!finding.subject->has_own_contract) json.member("command").string(finding.subject->title);
   return json.take();
 }
 

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "properties/report/guest.hpp"
 #include "properties/report/report.hpp"
 #include "viz/svg.hpp"
 
@@ -60,6 +61,8 @@ void Outputs::write(const Plan& plan, const RunResult& result, const Summary& su
     asked_findings_.close();
     replace(asked_path_, in_order);
   }
+  if (const std::string judged = json_guests(plan, result); !judged.empty())
+    replace(folder_ / "judged.jsonl", judged);
   replace(folder_ / "index.html", html_page(plan, result, summary, {folder_, viz::svg_of}));
 }
 

@@ -56,6 +56,9 @@ std::string text_of_guests(const Options& options, const Plan& plan, const RunRe
   if (!result.findings.empty())
     text += fmt::format("./rayproof explain N, draw N, replay N{}: look into finding N\n",
                         from_option(options.out));
+  if (!result.findings.empty() && !options.subjects.empty())
+    text += fmt::format("./rayproof bugreport N{}: finding N as a report to the library's makers\n",
+                        from_option(options.out));
   text += fmt::format("page: {}/index.html\n", options.out);
   if (result.was_interrupted) text += "interrupted: only what is shown was checked\n";
   return text + verdict_on_guests(plan, result).sentence + "\n";

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "case/json/writer.hpp"
 #include "properties/engine/kind.hpp"
 #include "subjects/command.hpp"
 
@@ -125,6 +126,30 @@ std::string text_guests(const Plan& plan, const RunResult& result) {
   for (const Subject* guest : plan.subjects)
     if (guest->is_given_up() && given_up.insert(guest->title).second)
       text += fmt::format("{} was asked no more: {}\n", guest->title, guest->why_given_up());
+  return text;
+}
+
+std::string json_guests(const Plan& plan, const RunResult& result) {
+  std::string text;
+  for (const Subject* guest : plan.subjects) {
+    const Tally tally = tally_of(result, *guest);
+    if (guest->has_own_contract || tally.cases == 0 || tally.unsupported == tally.cases) continue;
+    std::vector<std::string> counts;
+    for (std::size_t p = 0; p < properties().size(); ++p)
+      if (plan.is_wanted[p] && tally.properties[p].judged() > 0 && left_out(*guest, properties()[p]).empty())
+        counts.push_back(fmt::format("\"{}\": {}", properties()[p].name, tally.properties[p].judged()));
+    JsonWriter json;
+    json.member("shape").string(guest->topic);
+    json.member("method").string(guest->name);
+    json.member("seed").raw(std::to_string(plan.settings.seed));
+    json.member("cases_each").raw(std::to_string(plan.settings.cases));
+    json.member("cases").raw(std::to_string(tally.cases));
+    json.member("unsupported").raw(std::to_string(tally.unsupported));
+    json.member("failures").raw(std::to_string(tally.failures + tally.not_asked));
+    json.member("judged").raw(fmt::format("{{{}}}", fmt::join(counts, ", ")));
+    json.member("not_judged").string(not_judged(plan, *guest, tally));
+    text += json.take() + "\n";
+  }
   return text;
 }
 

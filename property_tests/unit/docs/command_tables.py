@@ -46,6 +46,8 @@ NOT_RUN = [
     (r"^g\+\+ .* main\.cpp", "install/ runs the manual's command", "property_tests/unit/install/library/claims.py", '"Without CMake"'),
     (r"^g\+\+ .* my_sphere\.cpp|--subject-command \./my_sphere", "own_code.py follows the page",
      "property_tests/unit/docs/own_code.py", "your-own-code.md"),
+    (r"rayproof (findings|bugreport)\b", "needs the libraries; reports are made and their programs run where they are built",
+     "property_tests/unit/peers/reproductions.py", "rayproof-bugreport"),
     (r"check --subject [a-z]", "needs the libraries; each is asked where it is built", "property_tests/unit/peers/easy.py",
      "registry.txt"),
     (r"^(parallel|\./rayproof (check --campaign|merge)|rayproof merge|rayproof check --campaign)", "needs many cases; tests run shards, merge and GNU parallel",

@@ -1,4 +1,5 @@
 #include "case/each_number.hpp"
+#include "generators/narrow.hpp"
 #include "generators/number_by_number.hpp"
 #include "generators/outline_layouts.hpp"
 
@@ -65,6 +66,7 @@ std::vector<Family> point_in_polygon_families() {
       planned<layout::self_crossing>({in_reach, {"inside", 0.3}, {"outside", 0.54}}),
       planned<layout::repeated>({in_reach, {"inside", 0.09}, {"outside", 0.67}, {"boundary", 0.06}}),
       planned<layout::no_area>({in_reach, {"inside", 0.09}, {"outside", 0.15}, {"boundary", 0.6}}),
+      planned<layout::narrow>({in_reach, {"inside", 0.3}, {"outside", 0.3}}),
       planned<far>({in_reach, {"inside", 0.38}, {"outside", 0.35}, {"boundary", 0.1}}),
       planned<near_level>({in_reach, {"inside", 0.26}, {"outside", 0.58}}),
       planned<many>({in_reach, {"inside", 0.4}, {"outside", 0.21}, {"boundary", 0.22}}),

@@ -1,4 +1,5 @@
 #include "generators/layout.hpp"
+#include "generators/narrow.hpp"
 #include "generators/number_by_number.hpp"
 #include "generators/shapes/polygon/lifted.hpp"
 
@@ -28,6 +29,7 @@ std::vector<Family> polygon_families() {
       family_in_space<layout::repeated>(
           {in_reach, {"hit", 0.16}, {"miss", 0.68}, {"edge", 0.04}, {"vertex", 0.012}, {"degenerate", 0.03}}),
       family_in_space<layout::no_area>({in_reach, {"miss", 0.95}, {"degenerate", 0.95}}),
+      family_in_space<layout::narrow>({in_reach, {"hit", 0.25}, {"miss", 0.3}}),
       laid_out<coplanar>("coplanar",
                          "in whole numbers: the ray runs in the polygon's plane, or parallel to it",
                          {in_reach, {"miss", 0.95}, {"in surface", 0.62}, {"parallel", 0.21}}),

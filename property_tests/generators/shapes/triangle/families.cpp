@@ -40,6 +40,10 @@ std::vector<Family> triangle_families() {
       cut_short<met>({in_reach, {"hit", 0.47}, {"miss", 0.34}, {"edge", 0.14}, {"behind", 0.34}}),
       transformed<everyday, edges>(
           {in_reach, {"hit", 0.54}, {"miss", 0.3}, {"edge", 0.15}, {"vertex", 0.12}}),
+      {"corners",
+       "near a vertex, seen from anywhere, under an affine map of condition 3 to 300",
+       ask<corners, move_and_look_again>,
+       {in_reach, {"hit", 0.7}}},
       in_whole_numbers<whole_numbers>(
           "so short that little is rounded: edges, vertices, their lines, the plane",
           {in_reach, {"hit", 0.55}, {"miss", 0.29}, {"edge", 0.26}, {"vertex", 0.25}, {"in surface", 0.15}}),

@@ -70,6 +70,13 @@ namespace rayproof::triangle_family {
   return looked_at(random, triangle, on_the_rim(random, triangle));
 }
 
+/// Aimed at a point within the triangle, nearer to one vertex than to the others.
+[[nodiscard]] inline Scene corners(Random& random) {
+  const Triangle<double> triangle = in_a_room(random);
+  const double beta = std::exp2(-random.uniform(2, 8));
+  return looked_at(random, triangle, at(triangle, beta, std::exp2(-random.uniform(2, 8))));
+}
+
 /// For the interval: aimed at a point of the triangle.
 [[nodiscard]] inline Scene met(Random& random) {
   const bool exactly = random.one_in(3);

@@ -1,0 +1,134 @@
+#include "dossier/collection.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <stdexcept>
+
+#include "case/findings_file.hpp"
+
+namespace rayproof::dossier {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::vector<std::string> lines_of(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  if (!in)
+    throw std::runtime_error(file.string() + " can't be read: it is written by rayproof check --subject");
+  return lines_in({std::istreambuf_iterator<char>(in), {}});
+}
+
+JudgedShape judged_in(const std::string& line) {
+  const Json json = Json::parse(line);
+  JudgedShape judged;
+  judged.shape = json.at("shape");
+  judged.name = json.at("method");
+  for (const auto& [name, into] :
+       {std::pair("seed", &judged.seed), std::pair("cases_each", &judged.cases_each),
+        std::pair("cases", &judged.cases), std::pair("unsupported", &judged.unsupported),
+        std::pair("failures", &judged.failures)})
+    *into = json.at(name).get<std::uint64_t>();
+  for (const auto& [claim, count] : json.at("judged").items()) judged.claims.emplace_back(claim, count);
+  judged.not_judged = json.at("not_judged");
+  return judged;
+}
+
+/// The worst kind first; of one kind what broke on most cases.
+bool is_worse(const FiledFinding& a, const FiledFinding& b) {
+  static const std::map<std::string, int> ranks{
+      {"gross", 0}, {"protocol", 1}, {"boundary", 2}, {"range", 3}, {"rounding", 4}};
+  const auto rank = [](const FiledFinding& one) {
+    return std::pair(ranks.at(one.recorded().kind), -static_cast<double>(one.recorded().finding.cases));
+  };
+  return rank(a) < rank(b);
+}
+
+FiledFinding filed(const std::string& line, const std::string& command) {
+  FiledFinding made;
+  Json bare = Json::parse(line);
+  bare.erase("command");  // a path of this machine
+  made.line = bare.dump();
+  RecordedFinding recorded = read_recorded(line, 0);
+  try {
+    made.dossier = open_dossier(recorded, command);
+  } catch (const std::runtime_error& problem) {
+    made.trouble = problem.what();
+    made.dossier.recorded = std::move(recorded);
+  }
+  return made;
+}
+
+/// The library of a name, made where there is none.
+LibraryDossier& library_called(std::vector<LibraryDossier>& all, const LibraryFacts& facts) {
+  const auto found =
+      std::ranges::find_if(all, [&](const LibraryDossier& one) { return one.facts.name == facts.name; });
+  if (found != all.end()) return *found;
+  all.push_back({facts});
+  return all.back();
+}
+
+}  // namespace
+
+std::vector<LibraryDossier> collect(const std::vector<std::filesystem::path>& folders,
+                                    const std::vector<std::pair<std::string, std::string>>& commands,
+                                    const std::function<void(double)>& progress) {
+  std::vector<std::string> findings, judged;
+  for (const std::filesystem::path& folder : folders) {
+    std::ranges::move(lines_of(folder / "findings.jsonl"), std::back_inserter(findings));
+    std::ranges::move(lines_of(folder / "judged.jsonl"), std::back_inserter(judged));
+  }
+  std::vector<LibraryDossier> all;
+  double done = 0;
+  for (const auto& [name, command] : commands) {
+    progress(done++ / static_cast<double>(commands.size()));
+    LibraryDossier& library = library_called(all, facts_of(command));
+    for (const std::string& line : judged)
+      if (JudgedShape one = judged_in(line); one.name == name) library.judged.push_back(std::move(one));
+    for (const std::string& line : findings)
+      if (Json::parse(line).at("method") == name) library.findings.push_back(filed(line, command));
+  }
+  std::erase_if(all, [](const LibraryDossier& one) { return one.judged.empty(); });
+  std::size_t number = 0;
+  for (LibraryDossier& library : all) {
+    std::ranges::stable_sort(library.findings, is_worse);
+    for (FiledFinding& one : library.findings) one.dossier.recorded.finding.number = ++number;
+  }
+  return all;
+}
+
+std::string findings_file(const std::vector<LibraryDossier>& libraries) {
+  std::string text;
+  for (const LibraryDossier& library : libraries)
+    for (const FiledFinding& one : library.findings) text += one.line + "\n";
+  return text;
+}
+
+std::string picture_of(const FiledFinding& filed, const DrawCase& draw) {
+  const Evidence& evidence = filed.recorded().finding.evidence;
+  const auto* hits = std::get_if<RayAnswer>(&evidence.got);
+  const bool has_picture = evidence.no_answer.empty() && !(hits != nullptr && hits->verdict_only);
+  return draw(filed.recorded().finding.one, &evidence.exact, has_picture ? &evidence.got : nullptr);
+}
+
+std::string budget_in_words(const std::vector<LibraryDossier>& libraries) {
+  std::set<std::pair<std::uint64_t, std::uint64_t>> budgets;
+  for (const LibraryDossier& library : libraries)
+    for (const JudgedShape& one : library.judged) budgets.emplace(one.seed, one.cases_each);
+  std::vector<std::string> texts;
+  for (const auto& [seed, cases] : budgets)
+    texts.push_back(fmt::format("seed {}, {} cases for each shape, family and precision", seed, cases));
+  return fmt::format("{}", fmt::join(texts, "; "));
+}
+
+std::string documentation_of(const FiledFinding& filed) {
+  return filed.dossier.documentation.empty() ? "It does not exclude this." : filed.dossier.documentation;
+}
+
+}  // namespace rayproof::dossier

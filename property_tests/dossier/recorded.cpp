@@ -1,0 +1,60 @@
+#include "dossier/recorded.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "case/reader.hpp"
+#include "oracle/oracle.hpp"
+#include "properties/report/findings.hpp"
+#include "subjects/program/reply.hpp"
+
+namespace rayproof::dossier {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What was answered; where nothing was, the evidence says so.
+void read_got(const Json& line, Finding& finding) {
+  const Json& got = line.at("got");
+  if (got.contains("error")) {
+    finding.evidence.no_answer = got.at("error").get<std::string>();
+    return;
+  }
+  const std::string text = got.dump();
+  Outcome outcome = program::ReplyLine(text).outcome(finding.one);
+  if (!outcome.is_answered()) throw std::runtime_error(outcome.sentence);
+  finding.evidence.got = std::move(outcome.answer);
+}
+
+RecordedFinding recorded(const Json& line, std::size_t number) {
+  RecordedFinding read;
+  read.shape = line.at("shape").get<std::string>();
+  read.name = line.at("method").get<std::string>();
+  read.kind = line.at("kind").get<std::string>();
+  Finding& finding = read.finding;
+  finding.number = number;
+  finding.property = find_property(line.at("property").get<std::string>());
+  if (finding.property == nullptr) throw std::runtime_error("its property is unknown");
+  finding.diagnosis = line.value("diagnosis", "");
+  finding.cases = static_cast<std::uint64_t>(line.value("cases", 0.0));
+  finding.one = read_case(line.at("case").dump());
+  finding.evidence.note = finding.one.note;
+  finding.evidence.exact = oracle::answer(finding.one);
+  finding.evidence.other = finding.one;  // the words are of the answers that stand here
+  read_got(line, finding);
+  read.says = in_words(finding);
+  return read;
+}
+
+}  // namespace
+
+RecordedFinding read_recorded(std::string_view line, std::size_t number) {
+  try {
+    return recorded(Json::parse(line), number);
+  } catch (const std::exception& problem) {
+    throw std::runtime_error(fmt::format("finding {} can't be read: {}", number, problem.what()));
+  }
+}
+
+}  // namespace rayproof::dossier
