@@ -9,6 +9,7 @@
 #include "properties/claims/answers.hpp"
 #include "properties/claims/promise.hpp"
 #include "properties/property.hpp"
+#include "subjects/default_contract.hpp"
 
 namespace rayproof {
 
@@ -44,6 +45,30 @@ Ruling error_within(Trial& trial) {
   const std::optional<double> bound = bound_of(trial);
   if (!bound || !gives_numbers(trial.claimed()) || !trial.in_domain()) return Ruling::outside;
   return trial.judgement().*error <= *bound ? Ruling::held : Ruling::broken;
+}
+
+/// A dozen binary digits more than the topic's best plain methods lose.
+std::optional<double> far_beyond_robust(Trial& trial) {
+  const std::optional<double> bound = robust(trial);
+  return bound ? std::optional(0x1p12 * *bound) : std::nullopt;
+}
+
+/// Of a guest: its own bound is that of the textbook, which loses with the distance what others keep.
+Ruling keeps_digits(Trial& trial) {
+  if (trial.subject().has_own_contract || !loses_digits_from_afar(trial.subject().topic))
+    return Ruling::outside;
+  const std::optional<double> bound = far_beyond_robust(trial);
+  if (!bound || !trial.in_domain()) return Ruling::outside;
+  const oracle::Judgement& judgement = trial.judgement();
+  if (!judgement.wrong && !gives_numbers(trial.claimed())) return Ruling::outside;
+  return (judgement.wrong ? judgement.margin : judgement.residual) <= *bound ? Ruling::held : Ruling::broken;
+}
+
+Evidence show_digits(Trial& trial) {
+  const oracle::Judgement& judgement = trial.judgement();
+  return show_answer(trial, fmt::format("{:.3g} contract units off, where the best plain methods keep {:.3g}",
+                                        judgement.wrong ? judgement.margin : judgement.residual,
+                                        robust_bound(trial.subject().topic).value_or(0)));
 }
 
 /// The error in units of its bound; where the bound is 0, in units of the contract.
@@ -109,6 +134,9 @@ std::vector<Property> accuracy_properties() {
       {Claim::residual, "residual", "every answer satisfies its equation to the promised residual", 1,
        error_within<promised_residual, &Judgement::residual>, show_residual,
        excess<promised_residual, &Judgement::residual>},
+      {Claim::residual, "digits",
+       "from afar no more than a dozen binary digits are lost beyond those that the best plain methods lose",
+       1, keeps_digits, show_digits, excess<far_beyond_robust, &Judgement::residual>},
       {Claim::ulp, "ulp", "every answer is within the promised ulps of the exact one", 1,
        error_within<promised_ulp, &Judgement::ulp>, show_ulp, excess<promised_ulp, &Judgement::ulp>},
       {Claim::robust, "robust-verdict", "the verdict keeps the bound of the topic's best plain methods", 1,

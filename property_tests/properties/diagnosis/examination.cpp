@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <tuple>
 
 #include "properties/claims/answers.hpp"
 #include "properties/diagnosis/agreement.hpp"
+#include "properties/diagnosis/changes.hpp"
 
 namespace rayproof::diagnosis {
 namespace {
@@ -16,6 +19,16 @@ Answer as_reported(const Answer& predicted, const Answer& got) {
   if (auto* ray = std::get_if<RayAnswer>(&reported); ray != nullptr && mine != nullptr && mine->nearest_only)
     ray->hits.count = std::min<std::size_t>(ray->hits.count, 1);
   return reported;
+}
+
+/// What a fault may be confined to: the kind of shape, whether it is capped, whether there is a transform.
+using Form = std::tuple<std::size_t, bool, bool>;
+
+Form form_of(const Case& one) {
+  const RayQuestion* asked = ray_question(one);
+  if (asked == nullptr) return {};
+  const auto* cylinder = std::get_if<Cylinder<double>>(&asked->shape);
+  return {asked->shape.index(), cylinder != nullptr && cylinder->capped, asked->transform.has_value()};
 }
 
 }  // namespace
@@ -49,10 +62,27 @@ std::optional<bool> Examination::fits(const Hypothesis& hypothesis, const Known&
 
 std::vector<std::size_t> Examination::explained(const Hypothesis& hypothesis,
                                                 std::span<const std::size_t> cases) const {
+  if (hypothesis.is_asked_alone) return cured_alone(cases);
   if (hypothesis.change != nullptr) return cured(hypothesis, cases);
   std::vector<std::size_t> all;
   for (const std::size_t i : cases)
     if (fits(hypothesis, failing_.at(i)) == true) all.push_back(i);
+  return all;
+}
+
+bool Examination::is_equation() const {
+  return !failing_.empty() && std::holds_alternative<Quadratic<double>>(failing_.front().asked.one.question);
+}
+
+std::vector<std::size_t> Examination::cured_alone(std::span<const std::size_t> cases) const {
+  std::vector<std::size_t> all;
+  if (!patient_.ask_alone) return all;
+  for (const std::size_t i : cases) {
+    const Case& one = failing_.at(i).asked.one;
+    const auto answer = patient_.ask_alone(one);
+    if (!answer || patient_.rule(one, *answer) != Ruling::held) break;  // each costs a process
+    all.push_back(i);
+  }
   return all;
 }
 
@@ -75,10 +105,14 @@ std::vector<std::size_t> Examination::cured(const Hypothesis& hypothesis,
   return all;
 }
 
-std::size_t Examination::contradictions(const Hypothesis& hypothesis) const {
+std::size_t Examination::contradictions(const Hypothesis& hypothesis,
+                                        std::span<const std::size_t> explained) const {
   if (hypothesis.change != nullptr) return 0;
+  std::set<Form> forms;
+  for (const std::size_t i : explained) forms.insert(form_of(failing_.at(i).asked.one));
   return static_cast<std::size_t>(std::ranges::count_if(passing_, [&](const Known& known) {
-    return known.got && agree(known.asked.one, *known.got, known.asked.exact, hypothesis.aspect) &&
+    return known.got && forms.contains(form_of(known.asked.one)) &&
+           agree(known.asked.one, *known.got, known.asked.exact, hypothesis.aspect) &&
            fits(hypothesis, known) == false;
   }));
 }

@@ -19,8 +19,6 @@ bool has_direct_finding(const std::vector<Finding>& findings, const Subject* sub
   });
 }
 
-FindingKind gravity(const Finding& finding) { return finding.kind_of_fault.value_or(FindingKind::gross); }
-
 /// What makes two findings one: the cause, or, where none is known, the property.
 auto fault_of(const Finding& finding) {
   const bool is_known = finding.cause != nullptr;
@@ -28,7 +26,7 @@ auto fault_of(const Finding& finding) {
 }
 
 /// The one that is shown: the gravest, and of these the simplest.
-bool is_better(const Finding& one, const Finding& other) {
+bool is_better(const Finding& one, const Finding& other, KindOf gravity) {
   return std::tuple(gravity(one), complexity(one.one)) < std::tuple(gravity(other), complexity(other.one));
 }
 
@@ -44,9 +42,18 @@ std::uint64_t cases_of(const std::vector<const Finding*>& alike) {
   return sum;
 }
 
+/// Whether it says no more than that digits are lost, of a subject of which more is known.
+bool is_lost_in_more(const Finding& finding, const std::vector<Finding>& all) {
+  return finding.property->name == "digits" && std::ranges::any_of(all, [&](const Finding& one) {
+           return one.subject == finding.subject && one.property != finding.property &&
+                  one.property->claim != Claim::answers &&
+                  (finding.cause == nullptr || one.cause == finding.cause);
+         });
+}
+
 /// Whether a known cause of the same subject does as much harm: what is left without a cause is mostly its
 /// work.
-bool is_overshadowed(const Finding& finding, const std::vector<Finding>& all) {
+bool is_overshadowed(const Finding& finding, const std::vector<Finding>& all, KindOf gravity) {
   return finding.cause == nullptr && std::ranges::any_of(all, [&](const Finding& one) {
            return one.subject == finding.subject && one.cause != nullptr &&
                   gravity(one) <= gravity(finding) && one.cases >= finding.cases;
@@ -63,7 +70,7 @@ void leave_out_twins(std::vector<Finding>& findings) {
   findings = std::move(kept);
 }
 
-void put_together(std::vector<Finding>& findings) {
+void put_together(std::vector<Finding>& findings, KindOf gravity) {
   std::vector<Finding> kept;
   std::map<decltype(fault_of(findings.front())), std::vector<const Finding*>> faults;
   for (const Finding& one : findings)
@@ -76,12 +83,14 @@ void put_together(std::vector<Finding>& findings) {
     }
     if (alike->second.front() != &one) continue;
     Finding fault = **std::ranges::min_element(
-        alike->second, [](const Finding* a, const Finding* b) { return is_better(*a, *b); });
+        alike->second, [&](const Finding* a, const Finding* b) { return is_better(*a, *b, gravity); });
     fault.cases = cases_of(alike->second);
     kept.push_back(std::move(fault));
   }
   const std::vector<Finding> all = kept;
-  std::erase_if(kept, [&](const Finding& one) { return is_of_guest(one) && is_overshadowed(one, all); });
+  std::erase_if(kept, [&](const Finding& one) {
+    return is_of_guest(one) && (is_overshadowed(one, all, gravity) || is_lost_in_more(one, all));
+  });
   findings = std::move(kept);
 }
 
