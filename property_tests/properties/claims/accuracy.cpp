@@ -66,9 +66,10 @@ Ruling keeps_digits(Trial& trial) {
 
 Evidence show_digits(Trial& trial) {
   const oracle::Judgement& judgement = trial.judgement();
-  return show_answer(trial, fmt::format("{:.3g} contract units off, where the best plain methods keep {:.3g}",
-                                        judgement.wrong ? judgement.margin : judgement.residual,
-                                        robust_bound(trial.subject().topic).value_or(0)));
+  return show_answer(trial,
+                     fmt::format("{:.3g} units of rounding off, where the best plain methods keep {:.3g}",
+                                 judgement.wrong ? judgement.margin : judgement.residual,
+                                 robust_bound(trial.subject().topic).value_or(0)));
 }
 
 /// The error in units of its bound; where the bound is 0, in units of the contract.
@@ -105,18 +106,24 @@ Evidence show_bounded(Trial& trial) {
   return show_answer(trial, text);
 }
 
+/// The units of a judgement in words: of a program nobody has written a contract.
+const char* units(const Trial& trial) {
+  return trial.subject().has_own_contract ? "contract units" : "units of rounding";
+}
+
 Evidence show_verdict(Trial& trial) {
   const oracle::Judgement& judgement = trial.judgement();
   const char* const kind = !finds_something(trial.claimed()) ? "misses what is there"
                            : judgement.hit                   ? "finds what is there, but not as often"
                                                              : "finds what is not there";
-  return show_answer(trial, fmt::format("the method {}, {:.3g} contract units from a change of verdict", kind,
-                                        judgement.margin));
+  return show_answer(trial, fmt::format("{} {}, {:.3g} {} from a change of verdict",
+                                        trial.subject().has_own_contract ? "the method" : "it", kind,
+                                        judgement.margin, units(trial)));
 }
 
 Evidence show_residual(Trial& trial) {
-  return show_answer(trial, fmt::format("the answer misses its equation by {:.3g} contract units",
-                                        trial.judgement().residual));
+  return show_answer(trial, fmt::format("the answer misses its equation by {:.3g} {}",
+                                        trial.judgement().residual, units(trial)));
 }
 
 Evidence show_ulp(Trial& trial) {

@@ -111,7 +111,7 @@ std::size_t Examination::contradictions(const Hypothesis& hypothesis,
   std::set<Form> forms;
   for (const std::size_t i : explained) forms.insert(form_of(failing_.at(i).asked.one));
   return static_cast<std::size_t>(std::ranges::count_if(passing_, [&](const Known& known) {
-    return known.got && forms.contains(form_of(known.asked.one)) &&
+    return known.got && (hypothesis.speaks_of_all || forms.contains(form_of(known.asked.one))) &&
            agree(known.asked.one, *known.got, known.asked.exact, hypothesis.aspect) &&
            fits(hypothesis, known) == false;
   }));

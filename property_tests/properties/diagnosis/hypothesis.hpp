@@ -44,6 +44,7 @@ struct Hypothesis {
   bool perturbs = true;
   /// The changed case is asked of a program that has been asked nothing before.
   bool is_asked_alone = false;
+  bool speaks_of_all = false;      ///< of every form of a shape, whatever forms the failing cases have
   std::string_view of_equation{};  ///< the sentence where the cases are quadratic equations, if it is another
 };
 

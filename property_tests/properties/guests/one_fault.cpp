@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <string>
 #include <tuple>
 
 #include "properties/shrink/shrink.hpp"
@@ -23,6 +25,14 @@ bool has_direct_finding(const std::vector<Finding>& findings, const Subject* sub
 auto fault_of(const Finding& finding) {
   const bool is_known = finding.cause != nullptr;
   return std::tuple(finding.subject, finding.cause, is_known ? nullptr : finding.property);
+}
+
+/// What went wrong without its numbers, and without what the program said of it: two findings of the protocol
+/// that share it are one.
+std::string trouble_in(const Finding& finding) {
+  std::string text = finding.evidence.no_answer.substr(0, finding.evidence.no_answer.find(';'));
+  std::erase_if(text, [](char c) { return '0' <= c && c <= '9'; });
+  return text;
 }
 
 /// The one that is shown: the gravest, and of these the simplest.
@@ -75,9 +85,14 @@ void put_together(std::vector<Finding>& findings, KindOf gravity) {
   std::map<decltype(fault_of(findings.front())), std::vector<const Finding*>> faults;
   for (const Finding& one : findings)
     if (is_of_guest(one) && one.property->claim != Claim::answers) faults[fault_of(one)].push_back(&one);
+  std::set<std::pair<const Subject*, std::string>> troubles;
   for (const Finding& one : findings) {
     const auto alike = faults.find(fault_of(one));
-    if (alike == faults.end() || one.property->claim == Claim::answers) {
+    if (one.property->claim == Claim::answers) {
+      if (troubles.insert({one.subject, trouble_in(one)}).second) kept.push_back(one);
+      continue;
+    }
+    if (alike == faults.end()) {
       kept.push_back(one);
       continue;
     }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "properties/boundary.hpp"
+
 namespace rayproof::diagnosis {
 namespace {
 
@@ -14,7 +16,7 @@ double size_of(const Cylinder<double>& cylinder) {
 }
 
 /// The exact hits without those of which `is_dropped(z, height)` is true, z in object space; none where
-/// nothing is dropped.
+/// nothing is dropped, or rounding decides.
 template <class Dropped>
 Answers without_heights(const Case& one, const Answer& exact, Dropped&& is_dropped) {
   const auto* cylinder = shape_in<Cylinder<double>>(one);
@@ -23,7 +25,8 @@ Answers without_heights(const Case& one, const Answer& exact, Dropped&& is_dropp
   const auto& all = std::get<RayAnswer>(exact);
   const RayAnswer left = hits_where(
       all, [&](double t) { return !is_dropped(ray.origin.z + t * ray.direction.z, cylinder->height); });
-  return left.hits.count == all.hits.count ? Answers{} : Answers{left};
+  const bool is_decided = left.hits.count < all.hits.count && is_exact_for_some_method(one);
+  return is_decided ? Answers{left} : Answers{};
 }
 
 /// Whether z, the sum of these two, is 0 but for its rounding.

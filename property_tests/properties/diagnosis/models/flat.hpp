@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "properties/boundary.hpp"
 #include "properties/diagnosis/models/models.hpp"
 
 namespace rayproof::diagnosis {
@@ -52,10 +53,10 @@ template <int power>
 
 /// Hits on the edge opposite to a vertex, 0 for a, are left out.
 template <int vertex>
-[[nodiscard]] Answers open_at_edge(const Case& /*one*/, const Answer& exact) {
+[[nodiscard]] Answers open_at_edge(const Case& one, const Answer& exact) {
   const auto* answer = std::get_if<RayAnswer>(&exact);
   const bool is_on_edge = answer != nullptr && answer->barycentric && (*answer->barycentric)[vertex] == 0;
-  return is_on_edge ? Answers{RayAnswer{}} : Answers{};
+  return is_on_edge && is_exact_for_some_method(one) ? Answers{RayAnswer{}} : Answers{};
 }
 /// The part of the triangle's plane in its bounding box.
 [[nodiscard]] Answers triangle_bounds(const Case& one, const Answer& exact);
