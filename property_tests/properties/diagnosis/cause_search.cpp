@@ -113,7 +113,8 @@ Diagnosis CauseSearch::best_model(const Indices& left) const {
 
 /// One contradiction may be another fault, or rounding.
 bool CauseSearch::is_contradicted(const Hypothesis& one, const Indices& cases) const {
-  return examination_.contradictions(one, cases) > std::max<std::size_t>(cases.size() / 8, 1);
+  const std::size_t admitted = one.speaks_of_all ? 1 : cases.size() / 8;
+  return examination_.contradictions(one, cases) > std::max<std::size_t>(admitted, 1);
 }
 
 /// And small changes alone must not do as much as a cure that rounds the case anew.

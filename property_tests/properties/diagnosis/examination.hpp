@@ -39,6 +39,7 @@ class Examination {
   [[nodiscard]] std::vector<Known> ask(std::span<const Case> cases) const;
   [[nodiscard]] std::vector<std::size_t> cured(const Hypothesis& hypothesis,
                                                std::span<const std::size_t> cases) const;
+  [[nodiscard]] static bool is_excused(const Hypothesis& hypothesis, const Known& known);
   /// The first of the cases to which the subject is right when it is asked each alone.
   [[nodiscard]] std::vector<std::size_t> cured_alone(std::span<const std::size_t> cases) const;
   /// Whether a model's hypothesis fits an answer; nothing where it has nothing to say.

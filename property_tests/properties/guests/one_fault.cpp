@@ -37,7 +37,10 @@ std::string trouble_in(const Finding& finding) {
 
 /// The one that is shown: the gravest, and of these the simplest.
 bool is_better(const Finding& one, const Finding& other, KindOf gravity) {
-  return std::tuple(gravity(one), complexity(one.one)) < std::tuple(gravity(other), complexity(other.one));
+  const auto rank = [&](const Finding& some) {
+    return std::tuple(gravity(some), some.property->name == "digits", complexity(some.one));
+  };
+  return rank(one) < rank(other);
 }
 
 /// Findings of several properties are about the same cases, those of two precisions about others.

@@ -134,8 +134,9 @@ GuestVerdict verdict_on_guests(const Plan& plan, const RunResult& result) {
     const Tally tally = tally_of(result, *guest);
     answered += tally.cases - tally.unsupported - tally.failures - tally.not_asked;
   }
-  const auto lost = std::ranges::count_if(
-      result.findings, [](const Finding& finding) { return finding.property->name == "digits"; });
+  const auto lost = std::ranges::count_if(result.findings, [](const Finding& finding) {
+    return finding.property->name == "digits" && kind_of(finding) == FindingKind::rounding;
+  });
   const bool is_lost_alone = lost == std::ssize(result.findings);
   if (lost > 0 && is_lost_alone)
     return {

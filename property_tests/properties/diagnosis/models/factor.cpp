@@ -26,8 +26,8 @@ Answers times(const Case& one, const Answer& exact, double factor) {
   if (asked == nullptr) return {stretched(exact, factor)};
   const auto line = std::get<RayAnswer>(stretched(hits_of_line(one), factor));
   Answers answers{hits_where(line, [&](double t) { return in_interval(asked->ray, t); })};
+  answers.push_back(stretched(exact, factor));  // where t is compared with the interval before that
   if (!finds_something(exact)) return answers;
-  answers.push_back(stretched(exact, factor));
   RayAnswer in_order = std::get<RayAnswer>(exact);  // nor are they sorted anew where the factor is negative
   for (std::size_t i = 0; i < in_order.hits.count; ++i) in_order.hits.t.at(i) *= factor;
   if (factor < 0) answers.push_back(in_order);
