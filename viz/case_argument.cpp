@@ -73,6 +73,9 @@ CaseArgument read_case_argument(std::string_view text, std::optional<Precision> 
     result.method = subject ? read_string(*subject)
                             : read_string(members.need("shape")) + "/" + read_string(members.need("method"));
     if (const auto command = members.find("command")) result.command = read_string(*command);
+    if (const auto seconds = members.find("case_seconds"))
+      result.case_time =
+          std::chrono::milliseconds(std::llround(1000 * read_number(*seconds, Precision::float64)));
     text = finding->node().text;
   }
   result.one = precision ? read_case(with_precision(text, *precision)) : read_case(text);

@@ -9,6 +9,7 @@
 
 #include "case/case.hpp"
 #include "case/findings_file.hpp"
+#include "subjects/command.hpp"
 
 namespace rayproof::viz {
 
@@ -16,6 +17,8 @@ struct CaseArgument {
   Case one;
   std::string method{};   ///< "sphere/textbook" where the case came in a finding; else empty
   std::string command{};  ///< the shell line where the finding's subject is a program
+  /// How long that may be silent.
+  std::chrono::milliseconds case_time{usual_case_time};
 };
 
 /// The text a CASE stands for: the argument itself where it begins with a brace; where it is a number, the

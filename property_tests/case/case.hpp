@@ -6,6 +6,7 @@
 #include <rayproof/quadratic.hpp>
 #include <rayproof/ray.hpp>
 #include <string>
+#include <string_view>
 #include <variant>
 
 #include "case/shapes.hpp"
@@ -17,6 +18,11 @@ enum class Precision { float32, float64 };
 
 [[nodiscard]] constexpr const char* name_of(Precision precision) {
   return precision == Precision::float32 ? "float32" : "float64";
+}
+
+/// The precision of that name; float64 of any other.
+[[nodiscard]] constexpr Precision precision_named(std::string_view name) {
+  return name == name_of(Precision::float32) ? Precision::float32 : Precision::float64;
 }
 
 /// `run(T{})` in the number type T of a precision.

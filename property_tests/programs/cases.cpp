@@ -6,6 +6,7 @@
 
 #include "case/writer.hpp"
 #include "command_line/command_line.hpp"
+#include "command_line/precision_option.hpp"
 #include "properties/engine/hunt.hpp"
 
 namespace {
@@ -13,14 +14,16 @@ namespace {
 using namespace rayproof;
 
 struct CasesOptions {
-  std::vector<std::string> shapes{}, families{}, precisions{};
+  std::vector<std::string> shapes{}, families{};
+  std::vector<Precision> precisions{};
   std::uint64_t count = 100;
   std::uint64_t seed = 2022;
   bool list = false;
 };
 
-bool is_wanted(const std::vector<std::string>& wanted, const std::string& name) {
-  return wanted.empty() || std::ranges::find(wanted, name) != wanted.end();
+template <class T>
+bool is_wanted(const std::vector<T>& wanted, const T& one) {
+  return wanted.empty() || std::ranges::find(wanted, one) != wanted.end();
 }
 
 void describe(CLI::App& app, CasesOptions& options) {
@@ -35,9 +38,7 @@ void describe(CLI::App& app, CasesOptions& options) {
   app.add_option("--family", options.families, "Only this family")
       ->delimiter(',')
       ->check(CLI::IsMember(names(&Family::name)));
-  app.add_option("--precision", options.precisions, "Only float32 or float64")
-      ->delimiter(',')
-      ->check(CLI::IsMember({"float32", "float64"}));
+  add_precision_option(app, options.precisions);
   app.add_option("--count", options.count, "Cases of each family and precision")
       ->capture_default_str()
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000'000}));
@@ -67,8 +68,7 @@ int run(const CasesOptions& options) {
     has_any = true;
     if (options.list) fmt::print("{:<17}{:<17}{}\n", family.topic, family.name, family.description);
     for (const Precision precision : {Precision::float32, Precision::float64})
-      if (!options.list && is_wanted(options.precisions, name_of(precision)))
-        print_cases(family, precision, options);
+      if (!options.list && is_wanted(options.precisions, precision)) print_cases(family, precision, options);
   }
   if (!has_any) fmt::print(stderr, "rayproof cases: no such family has cases about such a shape\n");
   return has_any ? 0 : 2;

@@ -6,6 +6,7 @@
 
 #include "command_line/command_line.hpp"
 #include "command_line/interrupt.hpp"
+#include "command_line/precision_option.hpp"
 #include "command_line/progress_line.hpp"
 #include "leaks/text.hpp"
 
@@ -35,14 +36,7 @@ void describe(CLI::App& app, LeakOptions& options) {
   app.add_option("--rays", settings.rays, "Rays for each precision")->capture_default_str();
   app.add_option("--jobs", settings.jobs, "Threads; as many as the machine has where left out")
       ->check(CLI::Range(1, 1024));
-  const auto set_precisions = [&settings](const std::vector<std::string>& names) {
-    settings.precisions.clear();
-    for (const std::string& name : names)
-      settings.precisions.push_back(name == "float32" ? Precision::float32 : Precision::float64);
-  };
-  app.add_option_function<std::vector<std::string>>("--precision", set_precisions, "Only float32 or float64")
-      ->delimiter(',')
-      ->check(CLI::IsMember({"float32", "float64"}));
+  add_precision_option(app, settings.precisions);
   app.add_option("--out", options.out, "Folder for the page and the cases")->capture_default_str();
   app.footer(footer);
 }

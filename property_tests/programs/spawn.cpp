@@ -6,6 +6,7 @@
 #include "case/writer.hpp"
 #include "command_line/command_line.hpp"
 #include "command_line/interrupt.hpp"
+#include "command_line/precision_option.hpp"
 #include "command_line/progress_line.hpp"
 #include "properties/leaving/text.hpp"
 
@@ -30,14 +31,7 @@ void describe(CLI::App& app, SpawnOptions& options) {
   app.add_option("--jobs", settings.jobs, "Threads; as many as the machine has where left out");
   list("--shape", settings.shapes, "Only these shapes");
   list("--strategy", settings.strategies, "Only these strategies");
-  const auto set_precisions = [&options](const std::vector<std::string>& names) {
-    options.settings.precisions.clear();
-    for (const std::string& name : names)
-      options.settings.precisions.push_back(name == "float32" ? Precision::float32 : Precision::float64);
-  };
-  app.add_option_function<std::vector<std::string>>("--precision", set_precisions, "Only float32 or float64")
-      ->delimiter(',')
-      ->check(CLI::IsMember({"float32", "float64"}));
+  add_precision_option(app, options.settings.precisions);
   app.add_option("--json", options.json, "Write all figures, by the size of the scene, as JSON")
       ->type_name("FILE");
   app.add_option("--findings", options.findings, "Write the failing rays as cases, one a line")

@@ -1,6 +1,9 @@
 #include "properties/boundary.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/matrix.hpp>
 
 #include "oracle/oracle.hpp"
 #include "properties/trial.hpp"
@@ -8,25 +11,99 @@
 namespace rayproof {
 namespace {
 
+using enum BoundaryPlace;
+
+/// Of whole numbers, in object space: what is not equal differs by far more.
+bool is_same(double x, double y) {
+  return std::abs(x - y) <= 0x1p-20 * std::max(std::abs(x), std::abs(y)) + 0x1p-60;
+}
+
+BoundaryPlaces only(BoundaryPlace place) {
+  BoundaryPlaces places;
+  places.set(static_cast<std::size_t>(place));
+  return places;
+}
+
+/// The edge of a triangle that a point of these barycentric coordinates lies on.
+BoundaryPlaces edge_of(const glm::dvec3& weights) {
+  constexpr std::array edges{edge_a, edge_b, edge_c};
+  BoundaryPlaces places;
+  for (int i = 0; i < 3; ++i)
+    if (weights[i] == 0) places |= only(edges.at(static_cast<std::size_t>(i)));
+  return places.count() > 1 ? only(vertex) : places;
+}
+
+/// The faces of the unit cube, at 0 or at 1, in which the line runs.
+BoundaryPlaces faces_of(const glm::dvec3& origin, const glm::dvec3& direction) {
+  BoundaryPlaces places;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!is_same(direction[axis] + 1, 1)) continue;
+    if (is_same(origin[axis] + 1, 1)) places |= only(low_face);
+    if (is_same(origin[axis], 1)) places |= only(high_face);
+  }
+  return places.any() ? places : only(edge);
+}
+
+/// Which edge, of a case that lies on one.
+struct EdgeOf {
+  const Ray<double>& ray;  ///< in object space
+  const RayAnswer& exact;
+
+  template <class S>
+  BoundaryPlaces operator()(const S& /*shape*/) const {
+    return only(edge);
+  }
+  BoundaryPlaces operator()(const Triangle<double>& /*triangle*/) const {
+    return exact.barycentric ? edge_of(*exact.barycentric) : only(edge);
+  }
+  BoundaryPlaces operator()(const Box<double>& box) const {
+    const glm::dvec3 size = glm::max(box.max - box.min, glm::dvec3(0x1p-1000));
+    return faces_of((ray.origin - box.min) / size, ray.direction / glm::length(ray.direction));
+  }
+  BoundaryPlaces operator()(const Parallelepiped<double>& solid) const {
+    const glm::dmat3 inverse = glm::inverse(glm::dmat3(solid.edges[0], solid.edges[1], solid.edges[2]));
+    return faces_of(inverse * (ray.origin - solid.corner),
+                    inverse * ray.direction / glm::length(inverse * ray.direction));
+  }
+  BoundaryPlaces operator()(const Cylinder<double>& cylinder) const {
+    if (cylinder.capped) return only(edge);
+    BoundaryPlaces places;
+    for (const double t : exact.hits.view()) {
+      const double z = ray.origin.z + t * ray.direction.z;
+      if (is_same(z + cylinder.height, cylinder.height)) places |= only(low_rim);
+      if (is_same(z, cylinder.height)) places |= only(high_rim);
+    }
+    return places;
+  }
+};
+
 /// Only hits are on a boundary that belongs to the shape; a change of verdict is then at no distance.
-BoundaryKind kind_of(const Case& one, const RayQuestion& asked, const RayAnswer& exact) {
-  if (exact.hits.count == 0) return BoundaryKind::none;
-  const auto line = std::get<RayAnswer>(oracle::answer(on_whole_line(one)));
-  const auto is_end = [&](double t) { return t == asked.ray.t_min || t == asked.ray.t_max; };
-  if (std::ranges::any_of(line.hits.view(), is_end)) return BoundaryKind::end;
-  if (exact.contact == Contact::tangent) return BoundaryKind::tangent;
-  return oracle::judge(one, RayAnswer{}).margin == 0 ? BoundaryKind::edge : BoundaryKind::none;
+BoundaryPlaces places_of(const Case& one, const RayQuestion& asked, RayAnswer exact, bool is_first_alone) {
+  BoundaryPlaces places;
+  if (exact.hits.count == 0) return places;
+  if (is_first_alone) exact.hits.count = 1;
+  for (const double t : exact.hits.view()) {
+    if (t == asked.ray.t_min) places |= only(t_min);
+    if (t == asked.ray.t_max) places |= only(t_max);
+  }
+  if (exact.contact == Contact::tangent) return places | only(tangent);
+  const Ray<double> ray = ray_in_object(asked);
+  const auto edges = [&] { return std::visit(EdgeOf{ray, exact}, asked.shape); };
+  if (const auto* cylinder = std::get_if<Cylinder<double>>(&asked.shape); cylinder && !cylinder->capped)
+    return places | edges();
+  if (places.any()) return exact.contact == Contact::crossing ? places : places | edges();
+  return oracle::judge(one, RayAnswer{}).margin == 0 ? edges() : places;
 }
 
 }  // namespace
 
-BoundaryKind boundary_in(const Case& one) {
+BoundaryPlaces boundary_places(const Case& one, bool is_first_alone) {
   const Answer exact = oracle::answer(one);
   if (const auto* position = std::get_if<Position>(&exact))
-    return *position == Position::boundary ? BoundaryKind::edge : BoundaryKind::none;
+    return *position == Position::boundary ? only(edge) : BoundaryPlaces{};
   if (const auto* roots = std::get_if<QuadraticAnswer<double>>(&exact))
-    return roots->kind == RootKind::twice ? BoundaryKind::tangent : BoundaryKind::none;
-  return kind_of(one, std::get<RayQuestion>(one.question), std::get<RayAnswer>(exact));
+    return roots->kind == RootKind::twice ? only(tangent) : BoundaryPlaces{};
+  return places_of(one, std::get<RayQuestion>(one.question), std::get<RayAnswer>(exact), is_first_alone);
 }
 
 bool is_exact_for_some_method(const Case& one) {

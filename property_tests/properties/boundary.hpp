@@ -2,15 +2,37 @@
 /// \file
 /// Cases that lie on a boundary of what is a hit, and nothing of which a plain method rounds.
 
+#include <bitset>
+#include <cstddef>
+
 #include "case/case.hpp"
 
 namespace rayproof {
 
-/// What decides a case that lies exactly on a boundary: a double root, the edge of a shape (or the boundary
-/// of a polygon), an end of the ray's interval.
-enum class BoundaryKind { none, tangent, edge, end };
+/// What decides a case that lies exactly on a boundary. Code has a comparison for each of these, so that one
+/// may be open and the others closed.
+enum class BoundaryPlace {
+  tangent,  ///< a double root; a solid touched at one t
+  t_min,    ///< a hit exactly at t_min
+  t_max,    ///< a hit exactly at t_max
+  edge_a,   ///< the triangle's edge opposite to a, without its ends
+  edge_b,
+  edge_c,
+  vertex,     ///< a vertex of a triangle
+  low_face,   ///< a line in a face of a box at its min, or of a parallelepiped at its corner
+  high_face,  ///< the same of the opposite faces
+  low_rim,    ///< an open cylinder's rim at z = 0
+  high_rim,   ///< an open cylinder's rim at z = height
+  edge        ///< any other edge, or the boundary of a polygon
+};
+inline constexpr std::size_t boundary_place_count = 12;
 
-[[nodiscard]] BoundaryKind boundary_in(const Case& one);
+/// Some of these places.
+using BoundaryPlaces = std::bitset<boundary_place_count>;
+
+/// The places that the exact answer lies on. With `is_first_alone`, only those that its first hit shows: who
+/// reports no other hit has nothing to say of those.
+[[nodiscard]] BoundaryPlaces boundary_places(const Case& one, bool is_first_alone = false);
 
 /// Whether some method that claims as much decides the case without a rounding.
 [[nodiscard]] bool is_exact_for_some_method(const Case& one);

@@ -1,5 +1,7 @@
 #include "properties/finding.hpp"
 
+#include <cmath>
+
 #include "case/json/writer.hpp"
 #include "case/reader/field.hpp"
 #include "case/writer.hpp"
@@ -36,6 +38,9 @@ std::string write_finding(const Finding& finding) {
   }
   if (finding.striking) json.member("striking").raw(write_case(*finding.striking));
   if (!finding.subject->has_own_contract) json.member("command").string(finding.subject->title);
+  const std::chrono::duration<double> patience = finding.subject->case_time;
+  if (finding.subject->name == command_name && finding.subject->case_time != usual_case_time)
+    json.member("case_seconds").value(patience.count());
   return json.take();
 }
 
@@ -44,11 +49,14 @@ Replayed read_replayed(std::string_view line) {
   const Field whole{.document = &document};
   ObjectReader reader(whole);
   const auto nested = reader.find("case");
-  if (!nested) return {{}, {}, {}, read_case(line)};
+  if (!nested) return {.one = read_case(line)};
   Replayed result;
   result.subject = read_string(reader.need("subject"));
   result.property = read_string(reader.need("property"));
   if (const auto command = reader.find("command")) result.command = read_string(*command);
+  if (const auto seconds = reader.find("case_seconds"))
+    result.case_time =
+        std::chrono::milliseconds(std::llround(1000 * read_number(*seconds, Precision::float64)));
   result.one = read_case(nested->node().text);
   return result;
 }

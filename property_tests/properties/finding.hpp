@@ -9,6 +9,7 @@
 
 #include "properties/finding_kind.hpp"
 #include "properties/property.hpp"
+#include "subjects/command.hpp"
 
 namespace rayproof {
 
@@ -47,6 +48,8 @@ struct Replayed {
   std::string subject{};
   std::string property{};
   std::string command{};  ///< the shell line of a subject that is one
+  /// How long that may be silent while a case waits.
+  std::chrono::milliseconds case_time{usual_case_time};
   Case one{};
 };
 

@@ -61,7 +61,7 @@ void judge_all(const Case& one, std::size_t number, Replays& replays) {
 /// The program of a finding as a subject of its case's topic; what its answers hold is asked of it again.
 std::vector<Subject> guests_of(const Replayed& replayed) {
   const std::string name = replayed.subject.substr(replayed.subject.find('/') + 1);
-  std::vector<Subject> all = subjects_of_command(name, replayed.command, usual_case_time);
+  std::vector<Subject> all = subjects_of_command(name, replayed.command, replayed.case_time);
   std::erase_if(all, [&](const Subject& one) { return one.full_name() != replayed.subject; });
   static const std::atomic<bool> go_on{false};
   for (Subject& one : all) (void)learn_abilities(one, 0, {replayed.one.precision}, go_on);

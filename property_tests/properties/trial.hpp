@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 #include <optional>
 
 #include "oracle/oracle.hpp"
@@ -31,6 +33,16 @@ namespace rayproof {
     asked->ray.t_max = infinity<double>;
   }
   return one;
+}
+
+/// A ray in the object's space: the world's where no transform stands between them.
+[[nodiscard]] inline Ray<double> ray_in_object(const RayQuestion& asked) {
+  if (!asked.transform) return asked.ray;
+  Ray<double> ray = asked.ray;
+  const glm::dmat3 inverse = glm::inverse(glm::dmat3(*asked.transform));
+  ray.origin = inverse * (ray.origin - glm::dvec3((*asked.transform)[3]));
+  ray.direction = inverse * ray.direction;
+  return ray;
 }
 
 /// A guest's normal is judged no farther from a shape: a plain method's hit of a far cylinder may lie where

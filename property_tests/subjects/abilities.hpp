@@ -2,6 +2,8 @@
 /// \file
 /// What a subject's answers hold, and which questions its documentation says it takes.
 
+#include <bitset>
+
 namespace rayproof {
 
 /// What a subject's answers hold. What they leave out is not judged.
@@ -13,11 +15,9 @@ struct Abilities {
   bool normal = true;
   bool barycentric = true;
   bool boundary = true;  ///< says of a point that it is on the boundary of a polygon
-  // Whether its verdict where the line touches a shape, or meets an edge, or at an end of the interval is a
-  // rule of its own, and not what rounding makes of it.
-  bool rules_tangents = true;
-  bool rules_edges = true;
-  bool rules_ends = true;
+  /// The places (properties/boundary.hpp) where its wrong verdict is a rule of its own, and not what rounding
+  /// makes of it.
+  std::bitset<12> rules{0xfff};
 };
 
 /// The questions that a subject's documentation says it takes. What breaks outside is a fault of nobody;

@@ -7,8 +7,8 @@
 namespace rayproof {
 
 std::vector<Subject> subjects_of_command(const std::string& name, const std::string& command,
-                                         std::chrono::milliseconds case_time) {
-  const auto program = std::make_shared<program::Program>(command, case_time);
+                                         std::chrono::milliseconds case_time, const std::atomic<bool>* stop) {
+  const auto program = std::make_shared<program::Program>(command, case_time, stop);
   const StartAnswerer start =
       pooled([program] { return std::make_unique<program::ProgramAnswerer>(program); });
   std::vector<Subject> all;
@@ -19,6 +19,7 @@ std::vector<Subject> subjects_of_command(const std::string& name, const std::str
     subject.title = command;
     subject.contract = default_contract(topic);
     subject.has_own_contract = false;
+    subject.case_time = case_time;
     subject.start = start;
     subject.why_given_up = [program] { return program->why_given_up(); };
   }

@@ -18,8 +18,10 @@ inline constexpr const char* command_name = "command";
 inline constexpr std::chrono::milliseconds usual_case_time{2000};
 
 /// A command as a subject of every topic, under what its users expect of it (default_contract.hpp). All of
-/// them share its processes. Instances throw program::CannotStart where the shell finds nothing to start.
+/// them share its processes, and give no more answers once `stop` is true. Instances throw
+/// program::CannotStart where the shell finds nothing to start.
 [[nodiscard]] std::vector<Subject> subjects_of_command(const std::string& name, const std::string& command,
-                                                       std::chrono::milliseconds case_time);
+                                                       std::chrono::milliseconds case_time,
+                                                       const std::atomic<bool>* stop = nullptr);
 
 }  // namespace rayproof

@@ -55,4 +55,6 @@ Contract default_contract(const std::string& topic) {
   return contract;
 }
 
+bool loses_digits_from_afar(std::string_view topic) { return topic == "sphere" || topic == "cylinder"; }
+
 }  // namespace rayproof

@@ -12,4 +12,8 @@ namespace rayproof {
 /// same operations; the domain is the one that all of them share. Throws std::logic_error for no topic.
 [[nodiscard]] Contract default_contract(const std::string& topic);
 
+/// Whether the textbook's formula loses digits with the distance of a shape that the best plain methods keep
+/// from any distance.
+[[nodiscard]] bool loses_digits_from_afar(std::string_view topic);
+
 }  // namespace rayproof

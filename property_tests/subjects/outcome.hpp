@@ -54,6 +54,9 @@ class Answerer {
   /// Puts what comes of asking `cases[i]` into `outcomes[i]`, of which there are as many.
   virtual void answer(std::span<const Case> cases, std::span<Outcome> outcomes) = 0;
 
+  /// Forgets all that it was asked: a program is started anew with the next case.
+  virtual void forget() {}
+
   /// One case alone.
   [[nodiscard]] Outcome answer(const Case& one) {
     Outcome outcome;

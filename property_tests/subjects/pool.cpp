@@ -33,6 +33,7 @@ class LentAnswerer final : public Answerer {
   void answer(std::span<const Case> cases, std::span<Outcome> outcomes) override {
     own_->answer(cases, outcomes);
   }
+  void forget() override { own_->forget(); }
 
  private:
   std::shared_ptr<IdleAnswerers> home_;

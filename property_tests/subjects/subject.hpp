@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <rayproof/method/contract.hpp>
@@ -51,6 +52,8 @@ struct Subject {
   /// The same as a function that never throws, whatever the bits (a NaN anywhere gives a miss), for any
   /// number of threads; null where it takes an instance. Set both by `answer_by`.
   Answer (*function)(const Case&) = nullptr;
+  /// How long a program may be silent while a case waits; 0 of a function.
+  std::chrono::milliseconds case_time{0};
   /// Why no more cases are to be given to it, in one sentence; empty, or null, as long as it may be asked.
   std::function<std::string()> why_given_up{};
 

@@ -70,7 +70,7 @@ inline const Subject& subject_for(const Case& one, const std::string& method) {
 /// The same of a finding whose subject is a program, which is started and asked. Throws std::runtime_error
 /// where it gives no answer.
 [[nodiscard]] inline CaseReport report_on_program(const CaseArgument& argument) {
-  for (const Subject& one : subjects_of_command(command_name, argument.command, usual_case_time))
+  for (const Subject& one : subjects_of_command(command_name, argument.command, argument.case_time))
     if (one.full_name() == argument.method) return report_of(argument.one, &one);
   throw WrongCommand("there is no method " + argument.method);
 }

@@ -13,7 +13,8 @@ std::vector<Subject> subjects_of(const Options& options) {
   const std::chrono::milliseconds case_time(static_cast<std::int64_t>(1000 * options.case_seconds));
   std::vector<Subject> all;
   const auto add = [&](const std::string& name, const std::string& command) {
-    std::ranges::move(subjects_of_command(name, command, case_time), std::back_inserter(all));
+    std::ranges::move(subjects_of_command(name, command, case_time, &is_interrupted),
+                      std::back_inserter(all));
   };
   if (!options.command.empty()) add(command_name, options.command);
   for (const Peer& peer : peers_called(options.subjects)) add(peer.name, peer.command);

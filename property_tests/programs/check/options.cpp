@@ -7,6 +7,7 @@
 #include <map>
 #include <sstream>
 
+#include "command_line/precision_option.hpp"
 #include "subjects/subject.hpp"
 
 namespace rayproof::check {
@@ -32,13 +33,7 @@ void describe_filters(CLI::App& app, Options& options) {
   list("--method", settings.methods, "Only this method: centred, or sphere/centred");
   list("--property", settings.properties, "Only this property");
   list("--family", settings.families, "Only this family of cases");
-  const auto add_precisions = [&options](const std::vector<std::string>& names) {
-    for (const std::string& name : names)
-      options.settings.precisions.push_back(name == "float32" ? Precision::float32 : Precision::float64);
-  };
-  app.add_option_function<std::vector<std::string>>("--precision", add_precisions, "Only float32 or float64")
-      ->delimiter(',')
-      ->check(CLI::IsMember({"float32", "float64"}));
+  add_precision_option(app, settings.precisions);
 }
 
 void describe_guests(CLI::App& app, Options& options) {

@@ -101,8 +101,7 @@ Settings settings_of(const Json& json) {
   settings.methods = names("methods");
   settings.properties = names("properties");
   settings.families = names("families");
-  for (const std::string& name : names("precisions"))
-    settings.precisions.push_back(name == "float32" ? Precision::float32 : Precision::float64);
+  for (const std::string& name : names("precisions")) settings.precisions.push_back(precision_named(name));
   settings.measure_all = json.at("measure").get<bool>();
   return settings;
 }

@@ -9,6 +9,7 @@
 #include "properties/claims/answers.hpp"
 #include "properties/claims/promise.hpp"
 #include "properties/property.hpp"
+#include "subjects/default_contract.hpp"
 
 namespace rayproof {
 
@@ -46,6 +47,31 @@ Ruling error_within(Trial& trial) {
   return trial.judgement().*error <= *bound ? Ruling::held : Ruling::broken;
 }
 
+/// A dozen binary digits more than the topic's best plain methods lose.
+std::optional<double> far_beyond_robust(Trial& trial) {
+  const std::optional<double> bound = robust(trial);
+  return bound ? std::optional(0x1p12 * *bound) : std::nullopt;
+}
+
+/// Of a guest: its own bound is that of the textbook, which loses with the distance what others keep.
+Ruling keeps_digits(Trial& trial) {
+  if (trial.subject().has_own_contract || !loses_digits_from_afar(trial.subject().topic))
+    return Ruling::outside;
+  const std::optional<double> bound = far_beyond_robust(trial);
+  if (!bound || !trial.in_domain()) return Ruling::outside;
+  const oracle::Judgement& judgement = trial.judgement();
+  if (!judgement.wrong && !gives_numbers(trial.claimed())) return Ruling::outside;
+  return (judgement.wrong ? judgement.margin : judgement.residual) <= *bound ? Ruling::held : Ruling::broken;
+}
+
+Evidence show_digits(Trial& trial) {
+  const oracle::Judgement& judgement = trial.judgement();
+  return show_answer(trial,
+                     fmt::format("{:.3g} units of rounding off, where the best plain methods keep {:.3g}",
+                                 judgement.wrong ? judgement.margin : judgement.residual,
+                                 robust_bound(trial.subject().topic).value_or(0)));
+}
+
 /// The error in units of its bound; where the bound is 0, in units of the contract.
 template <BoundOf bound_of, double oracle::Judgement::*error>
 double excess(Trial& trial) {
@@ -80,18 +106,24 @@ Evidence show_bounded(Trial& trial) {
   return show_answer(trial, text);
 }
 
+/// The units of a judgement in words: of a program nobody has written a contract.
+const char* units(const Trial& trial) {
+  return trial.subject().has_own_contract ? "contract units" : "units of rounding";
+}
+
 Evidence show_verdict(Trial& trial) {
   const oracle::Judgement& judgement = trial.judgement();
   const char* const kind = !finds_something(trial.claimed()) ? "misses what is there"
                            : judgement.hit                   ? "finds what is there, but not as often"
                                                              : "finds what is not there";
-  return show_answer(trial, fmt::format("the method {}, {:.3g} contract units from a change of verdict", kind,
-                                        judgement.margin));
+  return show_answer(trial, fmt::format("{} {}, {:.3g} {} from a change of verdict",
+                                        trial.subject().has_own_contract ? "the method" : "it", kind,
+                                        judgement.margin, units(trial)));
 }
 
 Evidence show_residual(Trial& trial) {
-  return show_answer(trial, fmt::format("the answer misses its equation by {:.3g} contract units",
-                                        trial.judgement().residual));
+  return show_answer(trial, fmt::format("the answer misses its equation by {:.3g} {}",
+                                        trial.judgement().residual, units(trial)));
 }
 
 Evidence show_ulp(Trial& trial) {
@@ -109,6 +141,9 @@ std::vector<Property> accuracy_properties() {
       {Claim::residual, "residual", "every answer satisfies its equation to the promised residual", 1,
        error_within<promised_residual, &Judgement::residual>, show_residual,
        excess<promised_residual, &Judgement::residual>},
+      {Claim::residual, "digits",
+       "from afar no more than a dozen binary digits are lost beyond those that the best plain methods lose",
+       1, keeps_digits, show_digits, excess<far_beyond_robust, &Judgement::residual>},
       {Claim::ulp, "ulp", "every answer is within the promised ulps of the exact one", 1,
        error_within<promised_ulp, &Judgement::ulp>, show_ulp, excess<promised_ulp, &Judgement::ulp>},
       {Claim::robust, "robust-verdict", "the verdict keeps the bound of the topic's best plain methods", 1,

@@ -72,19 +72,13 @@ bool is_another_hit(const Case& one, const Answer& claimed) {
   return distance(exact.hits.t[exact.hits.count - 1]) < distance(exact.hits.t[0]);
 }
 
-/// Whether what a guest says on such a boundary is its rule; what is left to its rounding is not judged.
-bool has_rule(const Abilities& abilities, BoundaryKind kind) {
-  return (kind == BoundaryKind::tangent && abilities.rules_tangents) ||
-         (kind == BoundaryKind::edge && abilities.rules_edges) ||
-         (kind == BoundaryKind::end && abilities.rules_ends);
-}
-
+/// Whether what a guest says there is its rule; what is left to its rounding is not judged.
 Ruling boundary_of_guest(Trial& trial) {
   const Abilities& able = trial.subject().abilities;
-  if (!(able.rules_tangents || able.rules_edges || able.rules_ends) || !trial.in_domain())
-    return Ruling::outside;
+  if (able.rules.none() || !trial.in_domain()) return Ruling::outside;
   const Case& one = trial.question();
-  if (!is_exact_for_some_method(one) || !has_rule(able, boundary_in(one))) return Ruling::outside;
+  if (!is_exact_for_some_method(one) || (boundary_places(one, !able.all_hits) & able.rules).none())
+    return Ruling::outside;
   return trial.judgement().wrong ? Ruling::broken : Ruling::held;
 }
 

@@ -39,6 +39,7 @@ bool is_part(const Indices& cases, const Indices& left) {
 }  // namespace
 
 Diagnosis CauseSearch::next(const Indices& left) const {
+  if (depends_on_others(left)) return {.cause = find_hypothesis("asked-alone"), .cases = left};
   for (const Hypothesis* one : known_)
     if (Indices cases = screened(*one, left);
         may_show(one->aspect, patient_.claim) && is_most(*one, cases, left))
@@ -48,7 +49,7 @@ Diagnosis CauseSearch::next(const Indices& left) const {
   if (!is_part(best.cases, left)) best = {};
   const bool is_isolated = is_share(explained_by("isolated", left), left, 50);
   for (const Hypothesis& one : hypotheses()) {
-    if (one.predict != nullptr || !may_be(one, is_isolated)) continue;
+    if (one.predict != nullptr || one.is_asked_alone || !may_be(one, is_isolated)) continue;
     const Indices cases = screened(one, left);
     const bool is_enough = is_share(cases, left, most_for_a_cure);
     if (!is_enough && (cases.size() <= best.cases.size() || !is_proven(one, cases, left))) continue;
@@ -58,6 +59,13 @@ Diagnosis CauseSearch::next(const Indices& left) const {
     if (is_enough) break;
   }
   return best;
+}
+
+/// Whether the subject is right on the first few cases when it is asked each alone.
+bool CauseSearch::depends_on_others(const Indices& left) const {
+  constexpr std::size_t few = 4;
+  const auto first = std::span<const std::size_t>(left).first(std::min(few, left.size()));
+  return examination_.explained(*find_hypothesis("asked-alone"), first).size() == first.size();
 }
 
 /// Where any small change cures, a cure that rounds the case anew proves nothing.
@@ -94,7 +102,7 @@ Diagnosis CauseSearch::best_model(const Indices& left) const {
     if (one.predict == nullptr || !may_be(one, false)) continue;
     const Indices cases = screened(one, left);
     if (cases.size() <= most || is_contradicted(one, cases)) continue;
-    const std::size_t balance = cases.size() - examination_.contradictions(one);
+    const std::size_t balance = cases.size() - examination_.contradictions(one, cases);
     if (balance <= most) continue;
     most = balance;
     best.cause = &one;
@@ -105,7 +113,8 @@ Diagnosis CauseSearch::best_model(const Indices& left) const {
 
 /// One contradiction may be another fault, or rounding.
 bool CauseSearch::is_contradicted(const Hypothesis& one, const Indices& cases) const {
-  return examination_.contradictions(one) > std::max<std::size_t>(cases.size() / 8, 1);
+  const std::size_t admitted = one.speaks_of_all ? 1 : cases.size() / 8;
+  return examination_.contradictions(one, cases) > std::max<std::size_t>(admitted, 1);
 }
 
 /// And small changes alone must not do as much as a cure that rounds the case anew.

@@ -22,6 +22,7 @@ class CauseSearch {
   [[nodiscard]] Diagnosis next(const Indices& left) const;
 
  private:
+  [[nodiscard]] bool depends_on_others(const Indices& left) const;
   [[nodiscard]] bool may_be(const Hypothesis& one, bool is_isolated) const;
   [[nodiscard]] Indices explained_by(std::string_view name, const Indices& left) const;
   [[nodiscard]] Indices screened(const Hypothesis& one, const Indices& left) const;

@@ -74,16 +74,6 @@ template <class Keep>
   return some;
 }
 
-/// A ray in the object's space: the world's where no transform stands between them.
-[[nodiscard]] inline Ray<double> ray_in_object(const RayQuestion& asked) {
-  if (!asked.transform) return asked.ray;
-  Ray<double> ray = asked.ray;
-  const glm::dmat3 inverse = glm::inverse(glm::dmat3(*asked.transform));
-  ray.origin = inverse * (ray.origin - glm::dvec3((*asked.transform)[3]));
-  ray.direction = inverse * ray.direction;
-  return ray;
-}
-
 /// The size of the largest number that gives a length of the scene: origin and shape.
 [[nodiscard]] inline double size_of_scene(Case one) {
   double size = 0;

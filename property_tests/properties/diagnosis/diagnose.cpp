@@ -46,7 +46,8 @@ void describe_unknown(Diagnosis& group, const Examination& examination) {
 void describe(Diagnosis& group, const Examination& examination) {
   if (group.cause == nullptr) return describe_unknown(group, examination);
   group.kind = group.cause->kind;
-  group.sentence = group.cause->sentence;
+  const bool has_own_words = examination.is_equation() && !group.cause->of_equation.empty();
+  group.sentence = has_own_words ? group.cause->of_equation : group.cause->sentence;
   if (group.cause->change == nullptr || group.kind == FindingKind::gross) return;
   const auto on_boundary =
       std::ranges::count_if(group.cases, [&](std::size_t i) { return examination.is_boundary_case(i); });

@@ -16,7 +16,12 @@ class Examination {
   [[nodiscard]] std::vector<std::size_t> explained(const Hypothesis& hypothesis,
                                                    std::span<const std::size_t> cases) const;
   /// On how many of the passing cases the hypothesis expects wrong answers where the subject's are right.
-  [[nodiscard]] std::size_t contradictions(const Hypothesis& hypothesis) const;
+  /// Only cases of the same forms count as those of the failing cases that it explains: one form of a plane,
+  /// say, or capped cylinders, may be all that is wrong.
+  [[nodiscard]] std::size_t contradictions(const Hypothesis& hypothesis,
+                                           std::span<const std::size_t> explained) const;
+  /// Whether the cases are quadratic equations.
+  [[nodiscard]] bool is_equation() const;
 
   [[nodiscard]] std::size_t failing_count() const { return failing_.size(); }
   /// Of the failing cases, those on a boundary.
@@ -34,6 +39,9 @@ class Examination {
   [[nodiscard]] std::vector<Known> ask(std::span<const Case> cases) const;
   [[nodiscard]] std::vector<std::size_t> cured(const Hypothesis& hypothesis,
                                                std::span<const std::size_t> cases) const;
+  [[nodiscard]] static bool is_excused(const Hypothesis& hypothesis, const Known& known);
+  /// The first of the cases to which the subject is right when it is asked each alone.
+  [[nodiscard]] std::vector<std::size_t> cured_alone(std::span<const std::size_t> cases) const;
   /// Whether a model's hypothesis fits an answer; nothing where it has nothing to say.
   [[nodiscard]] static std::optional<bool> fits(const Hypothesis& hypothesis, const Known& known);
 

@@ -42,6 +42,10 @@ struct Hypothesis {
   Keeps keeps = Keeps::question;
   /// The changed case differs in more than powers of two: no proof where any small change cures.
   bool perturbs = true;
+  /// The changed case is asked of a program that has been asked nothing before.
+  bool is_asked_alone = false;
+  bool speaks_of_all = false;      ///< of every form of a shape, whatever forms the failing cases have
+  std::string_view of_equation{};  ///< the sentence where the cases are quadratic equations, if it is another
 };
 
 /// Every hypothesis, the most specific first: of two that explain as much, the first is taken.

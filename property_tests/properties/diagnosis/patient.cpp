@@ -23,9 +23,19 @@ std::vector<std::optional<Answer>> answers_of(const Subject& subject, std::span<
   return answers;
 }
 
+std::optional<Answer> answer_alone(const Subject& subject, const Case& one) {
+  if (subject.is_given_up() || (!subject.has_own_contract && !is_for_guest(subject, one)))
+    return std::nullopt;
+  const std::unique_ptr<Answerer> own = subject.start();
+  own->forget();
+  const Outcome outcome = own->answer(one);
+  return outcome.is_answered() ? std::optional(completed(subject, one, outcome.answer)) : std::nullopt;
+}
+
 /// What a property says of an answer to a changed case.
 Ruling ruling_on(const Subject& subject, const Property& property, const Case& one, const Answer& answer) {
-  const oracle::Judgement judgement = oracle::judge(one, answer);
+  const oracle::Judgement judgement =
+      subject.has_own_contract ? oracle::judge(one, answer) : judged(one, answer);
   Trial trial(subject, one);
   trial.know({.answer = answer}, {});
   trial.recall(answer, judgement);
@@ -43,6 +53,8 @@ Ruling ruling_on(const Subject& subject, const Property& property, const Case& o
 Patient patient_of(const Subject& subject, const Property& property) {
   Patient patient;
   patient.ask = [&subject](std::span<const Case> cases) { return answers_of(subject, cases); };
+  if (subject.function == nullptr)
+    patient.ask_alone = [&subject](const Case& one) { return answer_alone(subject, one); };
   patient.rule = [&subject, &property](const Case& one, const Answer& answer) {
     return ruling_on(subject, property, one, answer);
   };

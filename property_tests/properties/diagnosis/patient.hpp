@@ -15,6 +15,8 @@ namespace rayproof {
 struct Patient {
   /// The answers to cases, in their order; nothing where the subject gives none.
   std::function<std::vector<std::optional<Answer>>(std::span<const Case>)> ask{};
+  /// The same of one case, asked of a program that has been asked nothing before; null of a function.
+  std::function<std::optional<Answer>(const Case&)> ask_alone{};
   /// What the property says of an answer to a case.
   std::function<Ruling(const Case&, const Answer&)> rule{};
   /// What the property judges.

@@ -13,11 +13,13 @@ namespace rayproof::diagnosis {
 [[nodiscard]] std::vector<Hypothesis> models_of_transforms();
 [[nodiscard]] std::vector<Hypothesis> models_of_solids();
 [[nodiscard]] std::vector<Hypothesis> models_of_flat_figures();
+[[nodiscard]] std::vector<Hypothesis> models_of_readings();
 [[nodiscard]] std::vector<Hypothesis> models_of_first_hits();
 [[nodiscard]] std::vector<Hypothesis> models_of_digits();
 [[nodiscard]] std::vector<Hypothesis> cures_of_values();
 [[nodiscard]] std::vector<Hypothesis> classes_of_cases();
 [[nodiscard]] std::vector<Hypothesis> cures_of_boundaries();
+[[nodiscard]] std::vector<Hypothesis> pairs_of_cures();
 /// @}
 
 }  // namespace rayproof::diagnosis

@@ -84,19 +84,17 @@ class AskedTogether {
 
 void BlockResult::put(const Unit& unit, Trial& trial, unsigned k) {
   ++tally.cases;
+  const bool is_function = unit.subject->function != nullptr;
   const std::vector<Property>& all = properties();
   for (std::size_t p = 0; p < all.size(); ++p) {
     if (!unit.active[p] || k % spacing(*unit.subject, all[p]) != 0) continue;
     const Ruling ruling = ruling_of(all[p], trial);
     tally.properties[p].add(ruling);
     samples[p].add(ruling, k);
-    if (ruling == Ruling::broken) first_broken.emplace(p, k);
+    if (ruling == Ruling::broken && first_broken.emplace(p, k).second && !is_function)
+      outcomes[p] = trial.outcome();
   }
-  const bool is_function = unit.subject->function != nullptr;
-  if (!is_function) {
-    tally.add(trial.outcome());
-    if (trial.outcome().is_failure() && !first_failure) first_failure = {k, trial.outcome()};
-  }
+  if (!is_function) tally.add(trial.outcome());
   if (unit.measure && (is_function || trial.outcome().is_answered())) tally.worst.add(trial);
 }
 
@@ -104,12 +102,12 @@ BlockResult& BlockResult::operator+=(const BlockResult& more) {
   tally += more.tally;
   for (std::size_t p = 0; p < samples.size(); ++p) samples[p] += more.samples[p];
   for (const auto& [property, k] : more.first_broken) {
-    const auto place = first_broken.emplace(property, k).first;
-    place->second = std::min(place->second, k);
+    const auto [place, is_new] = first_broken.emplace(property, k);
+    if (!is_new && k >= place->second) continue;
+    place->second = k;
+    if (const auto outcome = more.outcomes.find(property); outcome != more.outcomes.end())
+      outcomes[property] = outcome->second;
   }
-  const bool is_later =
-      first_failure && more.first_failure && more.first_failure->first < first_failure->first;
-  if (is_later || !first_failure) first_failure = more.first_failure;
   return *this;
 }
 

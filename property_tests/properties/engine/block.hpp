@@ -15,8 +15,8 @@ struct BlockResult {
   std::vector<BlockSample> samples{};  ///< in the order of properties()
   /// For each broken property (an index into properties()) the first case that broke it, by number.
   std::map<std::size_t, unsigned> first_broken{};
-  /// What came of asking the first case without an answer that should have got one, and its number.
-  std::optional<std::pair<unsigned, Outcome>> first_failure{};
+  /// Of a program: what came of asking each of those. Asked again, it may behave.
+  std::map<std::size_t, Outcome> outcomes{};
 
   void put(const Unit& unit, Trial& trial, unsigned k);
   BlockResult& operator+=(const BlockResult& more);

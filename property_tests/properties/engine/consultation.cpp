@@ -90,13 +90,18 @@ void Consultation::describe(Finding& finding, const Diagnosis& group) const {
 std::optional<Case> Consultation::most_striking(const Diagnosis& group) const {
   std::optional<Case> worst;
   double most = 0;
-  if (finding_.property->excess == nullptr || finding_.subject->function == nullptr) return worst;
-  for (const std::size_t i : group.cases) {
-    Trial trial(*finding_.subject, failing_[i]);
+  if (finding_.property->excess == nullptr) return worst;
+  std::vector<Case> cases;
+  for (const std::size_t i : group.cases) cases.push_back(failing_[i]);
+  const std::vector<std::optional<Answer>> answers = patient_.ask(cases);
+  for (std::size_t k = 0; k < cases.size(); ++k) {
+    if (!answers[k] || patient_.rule(cases[k], *answers[k]) != Ruling::broken) continue;
+    Trial trial(*finding_.subject, cases[k]);
+    trial.know({.answer = *answers[k]}, {});
     const double excess = finding_.property->excess(trial);
     if (!(excess > most)) continue;
     most = excess;
-    worst = failing_[i];
+    worst = cases[k];
   }
   return worst;
 }
@@ -116,6 +121,7 @@ std::optional<Finding> Consultation::of_group(const Diagnosis& group) const {
 }
 
 bool Consultation::is_of(const Diagnosis& group, const Case& one) const {
+  if (group.cause != nullptr && group.cause->is_asked_alone) return false;  // nor is a simpler one
   const auto answer = patient_.ask({&one, 1}).front();
   if (!answer || patient_.rule(one, *answer) != Ruling::broken) return false;
   return group.cause == nullptr || explains(patient_, *group.cause, one);

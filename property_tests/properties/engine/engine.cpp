@@ -10,6 +10,7 @@
 
 #include "properties/engine/diagnosing.hpp"
 #include "properties/engine/found.hpp"
+#include "properties/engine/kind.hpp"
 #include "properties/guests/one_fault.hpp"
 
 namespace rayproof {
@@ -43,7 +44,7 @@ class Run {
     put_families();
     leave_out_twins(result_.findings);
     diagnose_findings(result_, samples_, listener_, stop_);
-    put_together(result_.findings);
+    put_together(result_.findings, kind_of);
     result_.was_interrupted = stop_;
     return std::move(result_);
   }
@@ -79,7 +80,7 @@ class Run {
           continue;
         if (subject->has_own_contract || broken_[{subject, one.precision}].insert(p).second)
           report(*subject, property, one, "corpus",
-                 subject->function == nullptr && trial.outcome().is_failure() ? &trial.outcome() : nullptr);
+                 subject->function == nullptr ? &trial.outcome() : nullptr);
       }
     }
     result_.corpus_cases += was_put ? 1 : 0;
@@ -116,8 +117,8 @@ class Run {
               fmt::format("{} {} {}", unit.subject->full_name(), unit.family->name, name_of(unit.precision)),
               std::min(1.0, std::max((done + of_unit) / hunts, share_of_time())));
         };
-        hunt.found = [&](std::size_t property, const Case& one, const Outcome* failure) {
-          report(*unit.subject, properties()[property], one, unit.family->name, failure);
+        hunt.found = [&](std::size_t property, const Case& one, const Outcome* outcome) {
+          report(*unit.subject, properties()[property], one, unit.family->name, outcome);
         };
         hunt.sampled = [&](std::size_t property, std::uint64_t block_seed, const BlockSample& sample) {
           samples_.add(*unit.subject, *unit.family, unit.precision, properties()[property], block_seed,
@@ -135,8 +136,8 @@ class Run {
   }
 
   void report(const Subject& subject, const Property& property, const Case& one, const std::string& family,
-              const Outcome* failure = nullptr) {
-    if (auto finding = made_of({subject, property, one, family, failure}, listener_, stop_))
+              const Outcome* outcome = nullptr) {
+    if (auto finding = made_of({subject, property, one, family, outcome}, listener_, stop_))
       result_.findings.push_back(std::move(*finding));
   }
 

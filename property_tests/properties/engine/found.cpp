@@ -35,14 +35,14 @@ Case simplest(const Case& found, const std::function<bool(const Case&)>& breaks,
 
 std::optional<Finding> made_of(const BrokenCase& found, const Listener& listener,
                                const std::atomic<bool>& stop) {
-  const auto& [subject, property, one, family, failure] = found;
+  const auto& [subject, property, one, family, outcome] = found;
   Finding finding{.subject = &subject,
                   .property = &property,
                   .family = family,
                   .one = one,
                   .is_declared = is_declared_refuted(subject, property)};
   Trial as_found(subject, one);
-  if (failure != nullptr) as_found.know(*failure, {});
+  if (outcome != nullptr) as_found.know(*outcome, {});
   if (!can_be_shown(property, as_found)) return std::nullopt;
   finding.evidence = property.show(as_found);
   listener.broken(finding);

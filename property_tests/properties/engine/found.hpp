@@ -15,8 +15,8 @@ struct BrokenCase {
   const Property& property;
   const Case& one;
   const std::string& family;
-  /// What came of asking, where that is known and is no answer: asked again, a program may behave.
-  const Outcome* failure = nullptr;
+  /// What came of asking, where that is known: asked again, a program may behave.
+  const Outcome* outcome = nullptr;
 };
 
 /// Shrinks what was found and reports it to the listener; nothing where it cannot be shown again.

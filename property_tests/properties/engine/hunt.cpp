@@ -72,8 +72,9 @@ void Hunt::run() {
     bool is_new = false;
     for (const auto& [property, k] : result.first_broken) {
       if (!already_broken.insert(property).second) continue;
-      const bool is_failure = properties()[property].claim == Claim::answers && result.first_failure;
-      found(property, case_of(unit, block_seed, k), is_failure ? &result.first_failure->second : nullptr);
+      const auto outcome = result.outcomes.find(property);
+      found(property, case_of(unit, block_seed, k),
+            outcome == result.outcomes.end() ? nullptr : &outcome->second);
       is_new = true;
     }
     if (is_new) RC_FAIL("a property is broken for the first time");

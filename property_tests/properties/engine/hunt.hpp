@@ -50,8 +50,8 @@ struct Hunt {
   std::uint64_t seed = 0;
   std::uint64_t cases = 0;
   std::function<void(double)> progress{};  ///< the share of the cases that is done
-  /// With what came of asking, where that is no answer.
-  std::function<void(std::size_t property, const Case& one, const Outcome* failure)> found{};
+  /// With what came of asking a program; null of a function.
+  std::function<void(std::size_t property, const Case& one, const Outcome* outcome)> found{};
 
   /// For each property, the first cases of a block that broke it and that kept it.
   std::function<void(std::size_t property, std::uint64_t block_seed, const BlockSample& sample)> sampled =

@@ -46,6 +46,7 @@ FindingKind kind_of_case(const Finding& finding) {
   if (claim == Claim::nan) return FindingKind::gross;
   const Case& one = evidence.other ? *evidence.other : finding.one;
   if (claim == Claim::exact) return FindingKind::boundary;
+  if (finding.property->name == "digits") return FindingKind::rounding;
   const oracle::Judgement judgement = oracle::judge(one, evidence.got);
   const double share = roundoff_of(one.precision);
   const bool is_at_boundary = judgement.wrong && judgement.margin * share <= near_boundary;

@@ -66,9 +66,17 @@ void add_hits_at_rims(const Case& one, HitList& hits) {
   if (all.count == exact.hits.count) hits = all;
 }
 
+/// A hit that is given by its point alone: t is where the ray passes nearest to that, for the judgement of
+/// the point; it is not judged itself.
+void add_t_of_point(const RayQuestion& asked, RayAnswer& answer) {
+  const glm::dvec3& d = asked.ray.direction;
+  answer.hits.t[0] = glm::dot(*answer.point - asked.ray.origin, d) / glm::dot(d, d);
+}
+
 RayAnswer completed_hits(const Abilities& abilities, const Case& one, RayAnswer answer) {
   if (answer.hits.count > 1) merge_near_hits(one, answer.hits);
   if (!answer.verdict_only) add_hits_at_rims(one, answer.hits);
+  if (answer.verdict_only && answer.point) add_t_of_point(std::get<RayQuestion>(one.question), answer);
   answer.nearest_only = !abilities.all_hits && answer.hits.count <= 1;
   return answer;
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <string>
 #include <tuple>
 
 #include "properties/shrink/shrink.hpp"
@@ -19,17 +21,26 @@ bool has_direct_finding(const std::vector<Finding>& findings, const Subject* sub
   });
 }
 
-FindingKind gravity(const Finding& finding) { return finding.kind_of_fault.value_or(FindingKind::gross); }
-
 /// What makes two findings one: the cause, or, where none is known, the property.
 auto fault_of(const Finding& finding) {
   const bool is_known = finding.cause != nullptr;
   return std::tuple(finding.subject, finding.cause, is_known ? nullptr : finding.property);
 }
 
+/// What went wrong without its numbers, and without what the program said of it: two findings of the protocol
+/// that share it are one.
+std::string trouble_in(const Finding& finding) {
+  std::string text = finding.evidence.no_answer.substr(0, finding.evidence.no_answer.find(';'));
+  std::erase_if(text, [](char c) { return '0' <= c && c <= '9'; });
+  return text;
+}
+
 /// The one that is shown: the gravest, and of these the simplest.
-bool is_better(const Finding& one, const Finding& other) {
-  return std::tuple(gravity(one), complexity(one.one)) < std::tuple(gravity(other), complexity(other.one));
+bool is_better(const Finding& one, const Finding& other, KindOf gravity) {
+  const auto rank = [&](const Finding& some) {
+    return std::tuple(gravity(some), some.property->name == "digits", complexity(some.one));
+  };
+  return rank(one) < rank(other);
 }
 
 /// Findings of several properties are about the same cases, those of two precisions about others.
@@ -44,9 +55,18 @@ std::uint64_t cases_of(const std::vector<const Finding*>& alike) {
   return sum;
 }
 
+/// Whether it says no more than that digits are lost, of a subject of which more is known.
+bool is_lost_in_more(const Finding& finding, const std::vector<Finding>& all) {
+  return finding.property->name == "digits" && std::ranges::any_of(all, [&](const Finding& one) {
+           return one.subject == finding.subject && one.property != finding.property &&
+                  one.property->claim != Claim::answers &&
+                  (finding.cause == nullptr || one.cause == finding.cause);
+         });
+}
+
 /// Whether a known cause of the same subject does as much harm: what is left without a cause is mostly its
 /// work.
-bool is_overshadowed(const Finding& finding, const std::vector<Finding>& all) {
+bool is_overshadowed(const Finding& finding, const std::vector<Finding>& all, KindOf gravity) {
   return finding.cause == nullptr && std::ranges::any_of(all, [&](const Finding& one) {
            return one.subject == finding.subject && one.cause != nullptr &&
                   gravity(one) <= gravity(finding) && one.cases >= finding.cases;
@@ -63,25 +83,32 @@ void leave_out_twins(std::vector<Finding>& findings) {
   findings = std::move(kept);
 }
 
-void put_together(std::vector<Finding>& findings) {
+void put_together(std::vector<Finding>& findings, KindOf gravity) {
   std::vector<Finding> kept;
   std::map<decltype(fault_of(findings.front())), std::vector<const Finding*>> faults;
   for (const Finding& one : findings)
     if (is_of_guest(one) && one.property->claim != Claim::answers) faults[fault_of(one)].push_back(&one);
+  std::set<std::pair<const Subject*, std::string>> troubles;
   for (const Finding& one : findings) {
     const auto alike = faults.find(fault_of(one));
-    if (alike == faults.end() || one.property->claim == Claim::answers) {
+    if (one.property->claim == Claim::answers) {
+      if (troubles.insert({one.subject, trouble_in(one)}).second) kept.push_back(one);
+      continue;
+    }
+    if (alike == faults.end()) {
       kept.push_back(one);
       continue;
     }
     if (alike->second.front() != &one) continue;
     Finding fault = **std::ranges::min_element(
-        alike->second, [](const Finding* a, const Finding* b) { return is_better(*a, *b); });
+        alike->second, [&](const Finding* a, const Finding* b) { return is_better(*a, *b, gravity); });
     fault.cases = cases_of(alike->second);
     kept.push_back(std::move(fault));
   }
   const std::vector<Finding> all = kept;
-  std::erase_if(kept, [&](const Finding& one) { return is_of_guest(one) && is_overshadowed(one, all); });
+  std::erase_if(kept, [&](const Finding& one) {
+    return is_of_guest(one) && (is_overshadowed(one, all, gravity) || is_lost_in_more(one, all));
+  });
   findings = std::move(kept);
 }
 

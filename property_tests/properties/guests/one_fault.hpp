@@ -12,9 +12,12 @@ namespace rayproof {
 /// to cases themselves: a twin is a case like any other.
 void leave_out_twins(std::vector<Finding>& findings);
 
+/// How bad a finding is.
+using KindOf = FindingKind (*)(const Finding&);
+
 /// Makes one of the findings of a program that have one cause: the simplest case of the gravest kind, with
 /// the cases of all. Those without a known cause are one for each property, and none where a cause is known
 /// for its kind.
-void put_together(std::vector<Finding>& findings);
+void put_together(std::vector<Finding>& findings, KindOf gravity);
 
 }  // namespace rayproof

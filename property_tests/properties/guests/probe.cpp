@@ -1,6 +1,7 @@
 #include "properties/guests/probe.hpp"
 
 #include <array>
+#include <bit>
 #include <cmath>
 
 #include "generators/generators.hpp"
@@ -26,13 +27,17 @@ struct Share {
     count += is_so ? 1 : 0;
   }
   [[nodiscard]] bool is_never() const { return of >= enough && count == 0; }
-  [[nodiscard]] bool is_mostly() const { return of >= enough && 3 * count >= 2 * of; }
+  /// Two times in three, and oftener than a coin would be so in any run.
+  [[nodiscard]] bool is_mostly() const {
+    return of >= enough && 3 * count >= 2 * of && count >= 0.5 * of + 2 * std::sqrt(static_cast<double>(of));
+  }
 };
 
 /// What the answers so far hold.
 struct Learnt {
   Share two{}, numbers{}, contact{}, point{}, normal{}, barycentric{}, boundary{};
-  std::array<Share, 4> wrong_on{};  ///< by BoundaryKind
+  /// By BoundaryPlace: of cases that lie on that one alone; the same of who reports the first hit alone.
+  std::array<std::array<Share, boundary_place_count>, 2> wrong_on{};
 
   void add(const Subject& guest, const Case& one, const Answer& given) {
     const Answer exact = oracle::answer(one);
@@ -45,7 +50,13 @@ struct Learnt {
     if (!is_exact_for_some_method(one)) return;
     Trial trial(guest, one);
     trial.know({.answer = given}, {});
-    wrong_on.at(static_cast<std::size_t>(boundary_in(one))).add(trial.judgement().wrong);
+    for (const bool is_first_alone : {false, true}) {
+      const BoundaryPlaces places = boundary_places(one, is_first_alone);
+      if (places.count() == 1)
+        wrong_on.at(is_first_alone ? 1 : 0)
+            .at(static_cast<std::size_t>(std::countr_zero(places.to_ulong())))
+            .add(trial.judgement().wrong);
+    }
   }
 
   void put_into(const std::string& topic, Abilities& abilities) const {
@@ -56,14 +67,11 @@ struct Learnt {
     abilities.normal = !normal.is_never();
     abilities.barycentric = !barycentric.is_never();
     abilities.boundary = !boundary.is_never();
-    const auto has_rule = [&](BoundaryKind kind) {
-      return wrong_on.at(static_cast<std::size_t>(kind)).is_mostly();
-    };
-    abilities.rules_tangents = has_rule(BoundaryKind::tangent);
+    for (std::size_t place = 0; place < boundary_place_count; ++place)
+      abilities.rules[place] = wrong_on.at(abilities.all_hits ? 0 : 1).at(place).is_mostly();
     // Even and odd crossings leave some of a polygon's edges open, whatever one does.
-    const bool is_polygon = topic == "polygon" || topic == "point_in_polygon";
-    abilities.rules_edges = !is_polygon && has_rule(BoundaryKind::edge);
-    abilities.rules_ends = has_rule(BoundaryKind::end);
+    if (topic == "polygon" || topic == "point_in_polygon")
+      abilities.rules.reset(static_cast<std::size_t>(BoundaryPlace::edge));
   }
 
  private:

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "case/escape.hpp"
+#include "properties/report/guest.hpp"
 #include "properties/report/page_style.hpp"
 #include "properties/report/page_tables.hpp"
 
@@ -27,6 +30,29 @@ dl.words dt { font-weight: 600; color: inherit; } dl.words dd { margin: 0; }
 @media screen and (max-width: 48rem) { article { grid-template-columns: minmax(0, 1fr); } dl.words { grid-template-columns: 1fr; } }
 )css";
 
+bool is_of_programs(const Plan& plan) {
+  return !plan.subjects.empty() && std::ranges::none_of(plan.subjects, &Subject::has_own_contract);
+}
+
+/// What is said of programs and of methods in the same places.
+struct PageWords {
+  const char* each;      ///< what each number of cases is for
+  const char* claims;    ///< the heading of the table of claims
+  const char* errors;    ///< the heading of the table of errors
+  const char* findings;  ///< the heading of the findings
+};
+constexpr PageWords of_methods{"method", "Methods and what they claim", "Worst errors of each method",
+                               "Findings that break a contract"};
+constexpr PageWords of_programs{"shape", "What is expected of the program", "Worst errors on each shape",
+                                "Findings"};
+
+/// "a clean bill", or how many findings of which kind.
+std::string outcome_of_programs(const Plan& plan, const RunResult& result) {
+  const GuestVerdict verdict = verdict_on_guests(plan, result);
+  return fmt::format("<p class=\"verdict {}\">{} {}</p>\n", verdict.is_clean ? "holds" : "broken",
+                     verdict.is_clean ? "✓" : "✗", escaped(verdict.sentence));
+}
+
 std::string outcome(const Summary& summary) {
   const auto [style, sentence] =
       !summary.is_success() ? std::pair{"broken", "✗ not every contract holds"}
@@ -39,7 +65,8 @@ std::string outcome(const Summary& summary) {
 }
 
 /// What breaks a contract first; then what the contracts declare, method by method.
-std::string all_findings(const Plan& plan, const RunResult& result, const PageTools& tools) {
+std::string all_findings(const Plan& plan, const RunResult& result, const PageTools& tools,
+                         const PageWords& words) {
   std::string failures;
   for (const Finding& finding : result.findings)
     if (!finding.is_declared) failures += html_finding(finding, tools);
@@ -53,7 +80,7 @@ std::string all_findings(const Plan& plan, const RunResult& result, const PageTo
                               escaped(subject->title), of_method);
   }
   std::string text;
-  if (!failures.empty()) text += "<h2>Findings that break a contract</h2>\n" + failures;
+  if (!failures.empty()) text += fmt::format("<h2>{}</h2>\n", words.findings) + failures;
   if (!declared.empty()) text += "<h2>Findings that the contracts declare</h2>\n" + declared;
   return text.empty() ? "<h2>Findings</h2>\n<p>None.</p>\n" : text;
 }
@@ -62,15 +89,17 @@ std::string all_findings(const Plan& plan, const RunResult& result, const PageTo
 
 std::string html_page(const Plan& plan, const RunResult& result, const Summary& summary,
                       const PageTools& tools) {
+  const bool is_guests = is_of_programs(plan);
+  const PageWords& words = is_guests ? of_programs : of_methods;
   return html_head("rayproof check", std::string(figures_style) + check_style) +
          fmt::format(
              "</head>\n<body>\n<main>\n<h1>rayproof check</h1>\n<p class=\"soft\">Seed {}, {} cases for each "
-             "method, family and precision{}; {} corpus cases.</p>\n{}<h2>Methods and what they "
-             "claim</h2>\n{}"
-             "<h2>Worst errors of each method</h2>\n{}{}<h2>Figures</h2>\n{}{}</main>\n</body>\n</html>\n",
-             plan.settings.seed, plan.settings.cases, plan.settings.time ? " at most" : "",
-             result.corpus_cases, outcome(summary), claims_table(summary), errors_table(summary),
-             all_findings(plan, result, tools), family_table(result), label_table(result));
+             "{}, family and precision{}; {} corpus cases.</p>\n{}<h2>{}</h2>\n{}<h2>{}</h2>\n{}{}"
+             "<h2>Figures</h2>\n{}{}</main>\n</body>\n</html>\n",
+             plan.settings.seed, plan.settings.cases, words.each, plan.settings.time ? " at most" : "",
+             result.corpus_cases, is_guests ? outcome_of_programs(plan, result) : outcome(summary),
+             words.claims, claims_table(summary), words.errors, errors_table(summary),
+             all_findings(plan, result, tools, words), family_table(result), label_table(result));
 }
 
 }  // namespace rayproof

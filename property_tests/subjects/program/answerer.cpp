@@ -61,6 +61,10 @@ bool ProgramAnswerer::ask_rest(Round& all) {
     program_->note_complete_round();
     return true;
   }
+  if (program_->is_stopped()) {
+    conversation_.reset();
+    return true;
+  }
   const std::string trouble = conversation_->trouble(ending);
   if (!program_->has_answered() && conversation_->was_never_started())
     throw CannotStart(
@@ -100,6 +104,8 @@ bool ProgramAnswerer::ask_alone(Round& all, std::size_t i) {
   const RoundEnd ending = conversation().ask(single);
   if (ending != RoundEnd::complete) {
     const std::string trouble = conversation_->trouble(ending);
+    if (ending == RoundEnd::silence && program_->is_stopped()) return false;
+    if (ending == RoundEnd::silence && program_->has_answered()) program_->note_silence();
     conversation_.reset();
     all.outcomes[i] = failure(ending, trouble);
   }
@@ -108,6 +114,9 @@ bool ProgramAnswerer::ask_alone(Round& all, std::size_t i) {
 }
 
 void ProgramAnswerer::search(Round& all, RoundEnd ending, const std::string& trouble) {
+  // That silence is the next case's was seen once: to see it each time would take as long again.
+  if (ending == RoundEnd::silence && program_->is_known_for_silence())
+    return all.put(waiting_in(all).front(), failure(ending, trouble));
   // A line that belongs to nobody may have come behind the last answer: then all are asked again.
   if (all.waiting == 0)
     for (std::size_t i = 0; i < all.cases.size(); ++i) all.take_back(i);

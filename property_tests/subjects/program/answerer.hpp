@@ -17,6 +17,7 @@ class ProgramAnswerer final : public Answerer {
 
   /// Throws CannotStart.
   void answer(std::span<const Case> cases, std::span<Outcome> outcomes) override;
+  void forget() override { conversation_.reset(); }
 
  private:
   [[nodiscard]] Conversation& conversation();

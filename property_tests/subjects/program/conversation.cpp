@@ -6,7 +6,6 @@
 
 #include "case/shape_format.hpp"
 #include "case/writer.hpp"
-#include "subjects/program/starvation.hpp"
 
 namespace rayproof::program {
 
@@ -14,8 +13,8 @@ using std::chrono::milliseconds;
 
 namespace {
 
-/// How often a program that does not get the processor is given its time once more.
-constexpr int most_extensions = 5;
+/// So long at most nobody looks whether the program is to be asked no more.
+constexpr milliseconds a_while{100};
 
 }  // namespace
 
@@ -49,25 +48,32 @@ void Conversation::write(const Round& round) {
 
 Conversation::RoundEnd Conversation::ask(Round& round) {
   write(round);
-  Clock::time_point heard = Clock::now();
-  Starvation starvation(child_.group());
-  int patience = most_extensions;
+  Silence silence{.since = Clock::now(), .starvation = Starvation(child_.group())};
   while (round.waiting > 0) {
-    const milliseconds limit = has_spoken_ ? program_->case_time() : program_->first_case_time();
-    const auto left = std::chrono::duration_cast<milliseconds>(heard + limit - Clock::now());
-    if (left <= milliseconds(0)) {
-      if (patience-- == 0 || !starvation.goes_on()) return RoundEnd::silence;
-      heard = Clock::now();
-      continue;
-    }
+    if (program_->is_stopped() || is_too_long(silence)) return RoundEnd::silence;
     const std::size_t waiting = round.waiting;
-    child_.exchange(unsent_, received_, left);
+    child_.exchange(unsent_, received_, a_while);
     if (!take_lines(round)) return RoundEnd::nonsense;
-    if (round.waiting < waiting) heard = Clock::now();
+    if (round.waiting < waiting) silence.since = Clock::now();
     if (round.waiting > 0 && child_.is_output_closed())
       return take_line(round, received_) && round.waiting == 0 ? RoundEnd::complete : RoundEnd::closed;
   }
   return goes_on(round) ? RoundEnd::nonsense : RoundEnd::complete;
+}
+
+/// A program that loads much before its first answer has its time; one that only sleeps has no more than any.
+bool Conversation::is_too_long(Silence& silence) const {
+  const Clock::duration silent = Clock::now() - silence.since;
+  if (silent <= program_->patience_of_case()) return false;
+  if (!has_spoken_ && silent <= program_->first_case_time()) {
+    if (Clock::now() - silence.looked < milliseconds(500)) return false;
+    silence.looked = Clock::now();
+    silence.idle = silence.starvation.is_idle() ? silence.idle + 1 : 0;
+    return silence.idle > 2;
+  }
+  if (silence.patience-- == 0 || !silence.starvation.goes_on()) return true;
+  silence.since = Clock::now();
+  return false;
 }
 
 bool Conversation::goes_on(Round& round) {
@@ -129,15 +135,28 @@ bool Conversation::take_line(Round& round, std::string_view line) {
     round.put(i, reply.outcome(round.cases[i]));
     return true;
   } catch (const Refusal& why) {
-    return refuse(fmt::format("wrote a line that is no answer: {}", why.what()));
+    const std::string what = fmt::format("wrote a line that is no answer: {}", why.what());
+    return put_nonsense(round, line, what) || refuse(what);
   }
+}
+
+/// A line that is no JSON may still say whose it is, as one with a NaN does: then nobody need be asked again.
+bool Conversation::put_nonsense(Round& round, std::string_view line, const std::string& what) {
+  const std::optional<std::uint64_t> id = id_in_text(line);
+  const std::uint64_t i = id.value_or(0) - first_id_;
+  if (!id || i >= round.cases.size() || round.has_answer[i]) return false;
+  has_spoken_ = true;
+  program_->note_answers(1);
+  round.put(
+      i, {.kind = OutcomeKind::nonsense, .sentence = fmt::format("{}; the line is {}", what, excerpt(line))});
+  return true;
 }
 
 std::string Conversation::trouble(RoundEnd ending) {
   std::string text = stray_;
   if (ending == RoundEnd::silence)
     text = fmt::format("gave no answer within {:g} s",
-                       static_cast<double>(program_->case_time().count()) / 1000);
+                       static_cast<double>(program_->patience_of_case().count()) / 1000);
   if (ending == RoundEnd::closed) {
     text = child_.how_it_ended();
     if (text.empty()) text = "closed its output";

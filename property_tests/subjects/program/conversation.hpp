@@ -9,6 +9,7 @@
 #include "subjects/program/child.hpp"
 #include "subjects/program/program.hpp"
 #include "subjects/program/reply.hpp"
+#include "subjects/program/starvation.hpp"
 
 namespace rayproof::program {
 
@@ -50,10 +51,22 @@ class Conversation {
  private:
   using Clock = Program::Clock;
 
+  /// How long the program has been silent, and why.
+  struct Silence {
+    Clock::time_point since{};
+    Starvation starvation;
+    int patience = 5;            ///< how often one that does not get the processor has its time once more
+    Clock::time_point looked{};  ///< when it was last looked at
+    int idle = 0;                ///< how often in a row it did nothing then
+  };
+
   void write(const Round& round);
+  [[nodiscard]] bool is_too_long(Silence& silence) const;
   /// Takes the whole lines that have come. False after one that is no answer.
   [[nodiscard]] bool take_lines(Round& round);
   [[nodiscard]] bool take_line(Round& round, std::string_view line);
+  /// Whether the line, which is no answer, could be put down as that of a case.
+  [[nodiscard]] bool put_nonsense(Round& round, std::string_view line, const std::string& what);
   /// Whether a second answer comes right behind the last one, from a program that has given such before.
   [[nodiscard]] bool goes_on(Round& round);
 

@@ -11,8 +11,11 @@ using std::chrono::milliseconds;
 
 /// What loading an interpreter and large libraries may take.
 constexpr milliseconds time_to_load{10000};
-/// A program that loses more time than this to crashes and silence has been heard.
-constexpr milliseconds patience{15000};
+/// A program that loses more time than this to crashes and silence has been heard; one that is slow to start
+/// may lose the time of some starts.
+constexpr milliseconds patience{8000};
+constexpr int patient_starts = 16;
+constexpr milliseconds most_patience{15000};
 /// So often may it fail without ever giving an answer.
 constexpr std::uint64_t first_failures = 6;
 
@@ -39,7 +42,8 @@ void Program::note_trouble(std::size_t count, Clock::duration lost) {
   lost_ += in_milliseconds(lost);
   if (!has_answered() && troubles_ >= first_failures)
     give_up(fmt::format("it failed on all of the first {} cases", troubles_.load()));
-  else if (milliseconds(lost_) > patience)
+  else if (milliseconds(lost_) >
+           std::clamp(patient_starts * milliseconds(slowest_start_), patience, most_patience))
     give_up(fmt::format("it failed on {} cases, at which {:.0f} s were lost", troubles_.load(),
                         static_cast<double>(lost_) / 1000));
 }

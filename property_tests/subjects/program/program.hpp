@@ -21,14 +21,23 @@ class Program {
  public:
   using Clock = std::chrono::steady_clock;
 
-  Program(std::string command, std::chrono::milliseconds case_time)
-      : command_(std::move(command)), case_time_(case_time) {}
+  Program(std::string command, std::chrono::milliseconds case_time, const std::atomic<bool>* stop = nullptr)
+      : command_(std::move(command)), case_time_(case_time), stop_(stop) {}
 
   [[nodiscard]] const std::string& command() const { return command_; }
   /// How long it may be silent while a case waits for its answer.
   [[nodiscard]] std::chrono::milliseconds case_time() const { return case_time_; }
   /// The same of a process that has answered nothing yet, which may have much to load.
   [[nodiscard]] std::chrono::milliseconds first_case_time() const;
+  /// How long it may be silent once it is known to be so on some cases: those are waited for no longer.
+  [[nodiscard]] std::chrono::milliseconds patience_of_case() const {
+    return silences_ > 0 ? case_time_ / 4 : case_time_;
+  }
+  /// It was asked a case alone, and gave no answer in its time.
+  void note_silence() { ++silences_; }
+  [[nodiscard]] bool is_known_for_silence() const { return silences_ > 0; }
+  /// Whether whoever asks wants no more answers.
+  [[nodiscard]] bool is_stopped() const { return stop_ != nullptr && *stop_; }
 
   /// The first of `count` numbers in a row that no case has had.
   [[nodiscard]] std::uint64_t next_ids(std::size_t count) { return next_id_.fetch_add(count); }
@@ -55,7 +64,8 @@ class Program {
  private:
   std::string command_;
   std::chrono::milliseconds case_time_;
-  std::atomic<std::uint64_t> next_id_{1}, answers_{0}, troubles_{0};
+  const std::atomic<bool>* stop_;
+  std::atomic<std::uint64_t> next_id_{1}, answers_{0}, troubles_{0}, silences_{0};
   std::atomic<std::int64_t> lost_{0}, slowest_start_{0};  ///< in milliseconds
   std::atomic<bool> is_given_up_{false}, has_repeated_{false}, has_completed_{false};
   std::mutex mutex_{};

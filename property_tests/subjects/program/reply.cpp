@@ -154,6 +154,16 @@ Outcome ReplyLine::outcome(const Case& one) const {
   }
 }
 
+std::optional<std::uint64_t> id_in_text(std::string_view line) {
+  constexpr std::string_view key = "\"id\":";
+  std::size_t at = line.find(key);
+  if (at == std::string_view::npos) return std::nullopt;
+  at = std::min(line.find_first_not_of(' ', at + key.size()), line.size());
+  std::uint64_t id = 0;
+  const auto [end, error] = std::from_chars(line.data() + at, line.data() + line.size(), id);
+  return error == std::errc{} ? std::optional(id) : std::nullopt;
+}
+
 std::string excerpt(std::string_view line) {
   constexpr std::size_t longest = 160;
   std::string text;

@@ -29,6 +29,9 @@ class ReplyLine {
   json::Document document_;
 };
 
+/// The number behind "id": in a line that is no JSON; nothing where there is none.
+[[nodiscard]] std::optional<std::uint64_t> id_in_text(std::string_view line);
+
 /// The beginning of a line as a sentence quotes it.
 [[nodiscard]] std::string excerpt(std::string_view line);
 

@@ -14,6 +14,7 @@ namespace {
 /// What Linux says of the processes of a group.
 struct GroupState {
   bool is_ready = false;
+  bool waits_for_disk = false;
   double used = 0;
 };
 
@@ -32,6 +33,7 @@ void add(GroupState& state, const std::filesystem::path& stat, pid_t group) {
   for (int k = 6; k <= 13; ++k) fields >> skipped;
   fields >> user >> system;
   state.is_ready |= letter == "R";
+  state.waits_for_disk |= letter == "D";
   state.used += static_cast<double>(user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK));
 }
 
@@ -47,6 +49,13 @@ GroupState state_of(pid_t group) {
 }
 
 }  // namespace
+
+bool Starvation::is_idle() {
+  const GroupState now = state_of(group_);
+  const bool is_idle = !now.is_ready && !now.waits_for_disk && now.used <= used_idle_;
+  used_idle_ = now.used;
+  return is_idle;
+}
 
 bool Starvation::goes_on() {
   const GroupState now = state_of(group_);

@@ -18,6 +18,9 @@ class Starvation {
   /// Whether some process of the group is ready to run and they have had less than half of the processor
   /// since the last call; of the first call, whether one is ready.
   [[nodiscard]] bool goes_on();
+  /// Whether no process of the group is ready to run or waits for a disk, and they have not run since the
+  /// last call of this.
+  [[nodiscard]] bool is_idle();
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -25,7 +28,8 @@ class Starvation {
   pid_t group_;
   bool was_asked_ = false;
   Clock::time_point last_{};
-  double used_ = 0;  ///< seconds of the processor, all processes of the group together
+  double used_ = 0;        ///< seconds of the processor, all processes of the group together
+  double used_idle_ = -1;  ///< the same when it was last asked whether it is idle
 };
 
 }  // namespace rayproof::program

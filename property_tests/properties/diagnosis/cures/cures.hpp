@@ -10,6 +10,8 @@ namespace rayproof::diagnosis {
 
 using Cases = std::vector<Case>;
 
+/// The case itself.
+[[nodiscard]] Cases unchanged(const Case& one);
 /// @{ The direction: of unit length; tilted off the axes by a thousandth without moving the hit; of positive
 /// components, the scene mirrored with it.
 [[nodiscard]] Cases unit_direction(const Case& one);

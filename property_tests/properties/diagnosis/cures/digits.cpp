@@ -24,6 +24,8 @@ double to_bits(double x, int bits) {
 
 }  // namespace
 
+Cases unchanged(const Case& one) { return {one}; }
+
 Cases in_double(const Case& one) {
   if (one.precision == Precision::float64) return {};
   Case changed = one;

@@ -33,4 +33,15 @@ std::optional<bool> has_six_digits(const Case& /*one*/, const Answer& got, const
                   [](double x) { return std::strtod(fmt::format("{:.6g}", x).c_str(), nullptr) == x; });
 }
 
+std::optional<bool> has_six_decimals(const Case& /*one*/, const Answer& got, const Answer& exact) {
+  return if_short(got, exact, [](double x) {
+    return !std::isfinite(x) || std::abs(x) > 0x1p52 ||
+           std::strtod(fmt::format("{:.6f}", x).c_str(), nullptr) == x;
+  });
+}
+
+std::optional<bool> has_whole_numbers(const Case& /*one*/, const Answer& got, const Answer& exact) {
+  return if_short(got, exact, [](double x) { return !std::isfinite(x) || std::trunc(x) == x; });
+}
+
 }  // namespace rayproof::diagnosis

@@ -11,4 +11,9 @@ namespace rayproof::diagnosis {
 /// Every number has six decimal digits at most.
 [[nodiscard]] std::optional<bool> has_six_digits(const Case& one, const Answer& got, const Answer& exact);
 
+/// @{ No number of the answer has more than six decimals, or any at all.
+[[nodiscard]] std::optional<bool> has_six_decimals(const Case& one, const Answer& got, const Answer& exact);
+[[nodiscard]] std::optional<bool> has_whole_numbers(const Case& one, const Answer& got, const Answer& exact);
+/// @}
+
 }  // namespace rayproof::diagnosis

@@ -1,5 +1,7 @@
 #include "properties/diagnosis/models/factor.hpp"
 
+#include <algorithm>
+
 #include "properties/claims/answers.hpp"
 
 namespace rayproof::diagnosis {
@@ -24,8 +26,21 @@ Answers times(const Case& one, const Answer& exact, double factor) {
   if (asked == nullptr) return {stretched(exact, factor)};
   const auto line = std::get<RayAnswer>(stretched(hits_of_line(one), factor));
   Answers answers{hits_where(line, [&](double t) { return in_interval(asked->ray, t); })};
-  if (finds_something(exact)) answers.push_back(stretched(exact, factor));
+  answers.push_back(stretched(exact, factor));  // where t is compared with the interval before that
+  if (!finds_something(exact)) return answers;
+  RayAnswer in_order = std::get<RayAnswer>(exact);  // nor are they sorted anew where the factor is negative
+  for (std::size_t i = 0; i < in_order.hits.count; ++i) in_order.hits.t.at(i) *= factor;
+  if (factor < 0) answers.push_back(in_order);
   return answers;
+}
+
+Answers absolute(const Case& one, const Answer& /*exact*/) {
+  const RayQuestion* asked = ray_question(one);
+  if (asked == nullptr) return {};
+  RayAnswer line = hits_of_line(one);
+  for (double& t : line.hits.t) t = std::abs(t);
+  std::sort(line.hits.t.begin(), line.hits.t.begin() + static_cast<std::ptrdiff_t>(line.hits.count));
+  return {hits_where(line, [&](double t) { return in_interval(asked->ray, t); })};
 }
 
 std::optional<double> minus_one(const Case& /*one*/) { return -1; }
@@ -65,13 +80,33 @@ std::optional<double> coefficient_c(const Case& one) {
   return equation == nullptr ? std::nullopt : std::optional(equation->c);
 }
 
-std::optional<double> length_of_normal(const Case& one) {
-  if (const auto* plane = shape_in<ImplicitPlane>(one)) return glm::length(plane->normal);
-  if (const auto* plane = shape_in<PointNormalPlane>(one)) return glm::length(plane->normal);
-  if (const auto* plane = shape_in<ParametricPlane>(one)) return glm::length(glm::cross(plane->u, plane->v));
-  if (const auto* t = shape_in<Triangle<double>>(one))
-    return glm::length(glm::cross(t->b - t->a, t->c - t->a));
+namespace {
+
+/// The normal of a plane or a triangle, of any length.
+std::optional<glm::dvec3> some_normal(const Case& one) {
+  if (const auto* plane = shape_in<ImplicitPlane>(one)) return plane->normal;
+  if (const auto* plane = shape_in<PointNormalPlane>(one)) return plane->normal;
+  if (const auto* plane = shape_in<ParametricPlane>(one)) return glm::cross(plane->u, plane->v);
+  if (const auto* t = shape_in<Triangle<double>>(one)) return glm::cross(t->b - t->a, t->c - t->a);
   return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<double> length_of_normal(const Case& one) {
+  const auto normal = some_normal(one);
+  return normal ? std::optional(glm::length(*normal)) : std::nullopt;
+}
+
+std::optional<double> slope(const Case& one) {
+  const auto normal = some_normal(one);
+  return normal ? std::optional(glm::dot(*normal, ray_in_object(*ray_question(one)).direction))
+                : std::nullopt;
+}
+
+std::optional<double> minus_slope(const Case& one) {
+  const auto along = slope(one);
+  return along ? std::optional(-*along) : std::nullopt;
 }
 
 }  // namespace rayproof::diagnosis

@@ -16,6 +16,9 @@ using Quantity = std::optional<double> (*)(const Case&);
 /// admits when so multiplied.
 [[nodiscard]] Answers times(const Case& one, const Answer& exact, double factor);
 
+/// Every t of the line without its sign, as far as the interval admits it then.
+[[nodiscard]] Answers absolute(const Case& one, const Answer& exact);
+
 /// Every t or root is the right one times (or, with power -1, divided by) the quantity.
 template <Quantity quantity, int power = 1>
 [[nodiscard]] Answers scaled_by(const Case& one, const Answer& exact) {
@@ -42,6 +45,9 @@ template <Quantity quantity, int power = 1>
 [[nodiscard]] std::optional<double> coefficient_a(const Case& one);
 [[nodiscard]] std::optional<double> coefficient_c(const Case& one);
 /// @}
+/// Of a plane or a flat figure: its normal times the direction.
+[[nodiscard]] std::optional<double> slope(const Case& one);
+[[nodiscard]] std::optional<double> minus_slope(const Case& one);
 /// Of a plane with a normal, or a figure with one: the normal's length.
 [[nodiscard]] std::optional<double> length_of_normal(const Case& one);
 

@@ -2,6 +2,8 @@
 /// \file
 /// Models of faults in what an answer says of its first hit beside t: normal, point, barycentric coordinates.
 
+#include <cmath>
+
 #include "properties/diagnosis/models/models.hpp"
 
 namespace rayproof::diagnosis {
@@ -35,6 +37,19 @@ template <int x, int y, int z>
   const glm::dvec3& own = *answer->barycentric;
   permuted.barycentric = {own[x], own[y], own[z]};
   return {permuted};
+}
+
+/// One barycentric coordinate is wrong, and the two others are right.
+template <int place>
+[[nodiscard]] std::optional<bool> weight_is_wrong(const Case& /*one*/, const Answer& got,
+                                                  const Answer& exact) {
+  const auto *mine = std::get_if<RayAnswer>(&got), *answer = std::get_if<RayAnswer>(&exact);
+  if (mine == nullptr || answer == nullptr || !mine->barycentric || !answer->barycentric) return std::nullopt;
+  const auto is_right = [&](int i) {
+    return std::abs((*mine->barycentric)[i] - (*answer->barycentric)[i]) < 0x1p-12;
+  };
+  if (is_right(0) && is_right(1) && is_right(2)) return std::nullopt;
+  return !is_right(place) && is_right((place + 1) % 3) && is_right((place + 2) % 3);
 }
 
 }  // namespace rayproof::diagnosis

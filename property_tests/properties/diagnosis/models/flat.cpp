@@ -109,6 +109,45 @@ Answers numerator_without_coefficients(const Case& one, const Answer& /*exact*/)
   return slope == 0 ? Answers{} : hit_at(one, t, true);
 }
 
+Answers within_weights(const Case& one, const Answer& /*exact*/, double least) {
+  const auto* triangle = shape_in<Triangle<double>>(one);
+  const auto hit = plane_hit(one);
+  if (triangle == nullptr || !hit) return {};
+  const glm::dvec2 a = hit->vertices[0], b = hit->vertices[1], c = hit->vertices[2];
+  const auto cross = [](const glm::dvec2& u, const glm::dvec2& v) { return u.x * v.y - u.y * v.x; };
+  const double area = cross(b - a, c - a);
+  const double beta = cross(hit->point - a, c - a) / area, gamma = cross(b - a, hit->point - a) / area;
+  return hit_at(one, hit->t, beta >= least && gamma >= least && 1 - beta - gamma >= least);
+}
+
+Answers triangle_bounds(const Case& one, const Answer& /*exact*/) {
+  const auto* triangle = shape_in<Triangle<double>>(one);
+  const auto hit = plane_hit(one);
+  if (triangle == nullptr || !hit) return {};
+  const auto& [a, b, c] = *triangle;
+  const glm::dvec3 low = glm::min(a, glm::min(b, c)), high = glm::max(a, glm::max(b, c));
+  const glm::dvec3 point = point_at(ray_in_object(*ray_question(one)), hit->t);
+  const glm::dvec3 slack = 0x1p-30 * (glm::abs(point) + (high - low));
+  const auto is_in = [&](int i) { return low[i] - slack[i] <= point[i] && point[i] <= high[i] + slack[i]; };
+  return hit_at(one, hit->t, is_in(0) && is_in(1) && is_in(2));
+}
+
+Answers culls_by_first_corner(const Case& one, const Answer& exact) {
+  const auto* polygon = shape_in<Polygon<double>>(one);
+  if (polygon == nullptr || std::get<RayAnswer>(exact).hits.count == 0) return {};
+  const auto& v = polygon->vertices;
+  const glm::dvec3 normal = glm::cross(v[1] - v[0], v[2] - v[0]);
+  const double along = glm::dot(normal, ray_in_object(*ray_question(one)).direction);
+  return along >= 0 ? Answers{RayAnswer{}} : Answers{};
+}
+
+std::optional<bool> parallel_is_hit(const Case& /*one*/, const Answer& got, const Answer& exact) {
+  const auto* answer = std::get_if<RayAnswer>(&exact);
+  if (answer == nullptr) return std::nullopt;
+  const bool is_along = answer->contact == Contact::parallel || answer->contact == Contact::in_surface;
+  return is_along ? std::optional(std::get<RayAnswer>(got).hits.count > 0) : std::nullopt;
+}
+
 template <int term>
 Answers wrong_sign(const Case& one, const Answer& /*exact*/) {
   const auto hit = plane_hit(one);

@@ -2,6 +2,10 @@
 /// \file
 /// Models of faults with planes, triangles and polygons.
 
+#include <cmath>
+#include <optional>
+
+#include "properties/boundary.hpp"
 #include "properties/diagnosis/models/models.hpp"
 
 namespace rayproof::diagnosis {
@@ -38,6 +42,28 @@ template <int vertex>
 /// @}
 /// The origin's coordinates are added up without the plane's coefficients: t = -(x + y + z + D) / (n·d).
 [[nodiscard]] Answers numerator_without_coefficients(const Case& one, const Answer& exact);
+
+/// The hits of the triangle's plane whose barycentric coordinates are at least so much.
+[[nodiscard]] Answers within_weights(const Case& one, const Answer& exact, double least);
+/// Hits beside the triangle count where no barycentric coordinate is below -10^power.
+template <int power>
+[[nodiscard]] Answers edges_with_tolerance(const Case& one, const Answer& exact) {
+  return within_weights(one, exact, -std::pow(10.0, power));
+}
+
+/// Hits on the edge opposite to a vertex, 0 for a, are left out.
+template <int vertex>
+[[nodiscard]] Answers open_at_edge(const Case& one, const Answer& exact) {
+  const auto* answer = std::get_if<RayAnswer>(&exact);
+  const bool is_on_edge = answer != nullptr && answer->barycentric && (*answer->barycentric)[vertex] == 0;
+  return is_on_edge && is_exact_for_some_method(one) ? Answers{RayAnswer{}} : Answers{};
+}
+/// The part of the triangle's plane in its bounding box.
+[[nodiscard]] Answers triangle_bounds(const Case& one, const Answer& exact);
+/// A polygon is missed where the ray runs along the normal of its first corner.
+[[nodiscard]] Answers culls_by_first_corner(const Case& one, const Answer& exact);
+/// A ray along the plane is reported as a hit.
+[[nodiscard]] std::optional<bool> parallel_is_hit(const Case& one, const Answer& got, const Answer& exact);
 
 /// The sign of one term of λ1 or λ2 is wrong, in the barycentric coordinates of the projection along the
 /// normal's largest axis: term 0 or 1 of λ1, 2 or 3 of λ2.

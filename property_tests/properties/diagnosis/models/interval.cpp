@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "properties/boundary.hpp"
+
 namespace rayproof::diagnosis {
 namespace {
 
@@ -26,6 +28,13 @@ Answers without_hits(const Case& one, const Answer& exact, Dropped&& is_dropped)
   const auto& all = std::get<RayAnswer>(exact);
   const RayAnswer left = hits_where(all, [&](double t) { return !is_dropped(*ray, t); });
   return left.hits.count == all.hits.count ? Answers{} : Answers{left};
+}
+
+/// The same at the interval's ends, unless rounding decides whether t is an end.
+template <class AtEnd>
+Answers open_where(const Case& one, const Answer& exact, AtEnd&& is_at_end) {
+  const Answers open = without_hits(one, exact, is_at_end);
+  return open.empty() || is_exact_for_some_method(one) ? open : Answers{};
 }
 
 bool is_cut(const RayAnswer& line, const Ray<double>& ray) {
@@ -87,16 +96,16 @@ Answers drops(const Case& one, const Answer& exact, bool (*is_dropped)(double t)
 }
 
 Answers open_at_t_min(const Case& one, const Answer& exact) {
-  return without_hits(one, exact, [](const Ray<double>& ray, double t) { return t == ray.t_min; });
+  return open_where(one, exact, [](const Ray<double>& ray, double t) { return t == ray.t_min; });
 }
 
 Answers open_at_t_max(const Case& one, const Answer& exact) {
-  return without_hits(one, exact, [](const Ray<double>& ray, double t) { return t == ray.t_max; });
+  return open_where(one, exact, [](const Ray<double>& ray, double t) { return t == ray.t_max; });
 }
 
 Answers open_at_both_ends(const Case& one, const Answer& exact) {
-  return without_hits(one, exact,
-                      [](const Ray<double>& ray, double t) { return t == ray.t_min || t == ray.t_max; });
+  return open_where(one, exact,
+                    [](const Ray<double>& ray, double t) { return t == ray.t_min || t == ray.t_max; });
 }
 
 Answers first_hit_decides(const Case& one, const Answer& exact) {

@@ -92,6 +92,10 @@ bool is_inside(InsideRule rule, const glm::dvec2& point, const Outline& outline)
       return is_on_one_side(point, {outline[0], outline[1], outline[2]});
     case InsideRule::one_side:
       return is_on_one_side(point, outline);
+    case InsideRule::fan:
+      for (std::size_t i = 1; i + 1 < all; ++i)
+        if (is_on_one_side(point, {outline[0], outline[i], outline[i + 1]})) return true;
+      return false;
     case InsideRule::bounds:
       return is_in_bounds(point, outline);
   }
@@ -133,7 +137,14 @@ template Answers inside_by<InsideRule::winding>(const Case&, const Answer&);
 template Answers inside_by<InsideRule::last_side>(const Case&, const Answer&);
 template Answers inside_by<InsideRule::first_triangle>(const Case&, const Answer&);
 template Answers inside_by<InsideRule::one_side>(const Case&, const Answer&);
+template Answers inside_by<InsideRule::fan>(const Case&, const Answer&);
 template Answers inside_by<InsideRule::bounds>(const Case&, const Answer&);
+
+Answers inside_out(const Case& /*one*/, const Answer& exact) {
+  const auto* position = std::get_if<Position>(&exact);
+  if (position == nullptr || *position == Position::boundary) return {};
+  return {*position == Position::inside ? Position::outside : Position::inside};
+}
 
 std::optional<bool> wrong_where_concave(const Case& one, const Answer& got, const Answer& exact) {
   const Outline outline = outline_of(one);

@@ -14,12 +14,16 @@ enum class InsideRule {
   last_side,       ///< the side from the last vertex to the first is forgotten
   first_triangle,  ///< only the first three vertices are looked at
   one_side,        ///< inside is where all sides turn one way: right for convex polygons only
+  fan,             ///< the triangles of the fan from the first vertex, all together
   bounds           ///< the bounding box
 };
 
 /// What a subject answers that follows the rule; none for points on the boundary.
 template <InsideRule rule>
 [[nodiscard]] Answers inside_by(const Case& one, const Answer& exact);
+
+/// Inside is called outside, and outside inside.
+[[nodiscard]] Answers inside_out(const Case& one, const Answer& exact);
 
 /// The polygon of the case is not convex, and the answer is wrong.
 [[nodiscard]] std::optional<bool> wrong_where_concave(const Case& one, const Answer& got,

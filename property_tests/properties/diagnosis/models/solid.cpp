@@ -1,6 +1,9 @@
 #include "properties/diagnosis/models/solid.hpp"
 
 #include <cmath>
+#include <optional>
+
+#include "properties/diagnosis/models/cylinder.hpp"
 
 namespace rayproof::diagnosis {
 namespace {
@@ -21,23 +24,19 @@ std::vector<Case> with_cylinder(const Case& one, DoChange&& change) {
   });
 }
 
-/// The object moved along its own z axis.
-void lift(RayQuestion& asked, double by) {
-  glm::dmat4 map = asked.transform.value_or(glm::dmat4(1));
-  map[3] += by * map[2];
-  asked.transform = map;
-}
+/// a t² + 2 b t + c = 0, the equation of a ray and a sphere.
+struct EquationOfLine {
+  double a = 0, b = 0, c = 0;
+  [[nodiscard]] double discriminant() const { return b * b - a * c; }
+};
 
-/// Without the hits at which the ray passes the plane z = height of the object's space.
-Answers without_hits_at(const Case& one, const Answer& exact, bool is_upper) {
-  const auto* cylinder = shape_in<Cylinder<double>>(one);
-  if (cylinder == nullptr || !cylinder->capped) return {};
+std::optional<EquationOfLine> sphere_equation(const Case& one) {
+  const auto* sphere = shape_in<Sphere<double>>(one);
+  if (sphere == nullptr) return std::nullopt;
   const Ray<double> ray = ray_in_object(*ray_question(one));
-  const double t_cap = ((is_upper ? cylinder->height : 0) - ray.origin.z) / ray.direction.z;
-  const auto& all = std::get<RayAnswer>(exact);
-  const RayAnswer left = hits_where(
-      all, [&](double t) { return !(std::abs(t - t_cap) <= 0x1p-16 * (std::abs(t) + std::abs(t_cap))); });
-  return left.hits.count == all.hits.count ? Answers{} : Answers{left};
+  const glm::dvec3 way = ray.origin - sphere->center;
+  return EquationOfLine{glm::dot(ray.direction, ray.direction), glm::dot(way, ray.direction),
+                        glm::dot(way, way) - sphere->radius * sphere->radius};
 }
 
 }  // namespace
@@ -72,15 +71,6 @@ std::vector<Case> parallelepiped_as_box(const Case& one) {
   });
 }
 
-std::vector<Case> endless_cylinder(const Case& one) {
-  return with_shape<Cylinder<double>>(one, [](RayQuestion& asked, Cylinder<double>& cylinder) {
-    const double half = 0x1p30 * std::max({cylinder.height, cylinder.rx, cylinder.ry});
-    lift(asked, -half);
-    cylinder.height = 2 * half;
-    cylinder.capped = false;
-    return true;
-  });
-}
 std::vector<Case> with_caps(const Case& one) {
   return with_cylinder(one, [](Cylinder<double>& cylinder) { cylinder.capped = true; });
 }
@@ -109,7 +99,71 @@ std::vector<Case> middle_at_zero(const Case& one) {
   });
 }
 
-Answers no_lower_cap(const Case& one, const Answer& exact) { return without_hits_at(one, exact, false); }
-Answers no_upper_cap(const Case& one, const Answer& exact) { return without_hits_at(one, exact, true); }
+Answers sphere_without_sign(const Case& one, const Answer& /*exact*/) {
+  const auto equation = sphere_equation(one);
+  if (!equation || equation->discriminant() >= 0) return {};
+  const double s = std::sqrt(-equation->discriminant());
+  RayAnswer line;
+  for (const double root : {-equation->b - s, -equation->b + s}) line.hits.push_back(root / equation->a);
+  return {hits_where(line, [&](double t) { return in_interval(ray_question(one)->ray, t); })};
+}
+
+Answers nearest_point_of_line(const Case& one, const Answer& exact) {
+  const auto equation = sphere_equation(one);
+  if (!equation || hits_of_line(one).hits.count == 0) return {};
+  RayAnswer nearest;
+  nearest.hits.push_back(-equation->b / equation->a);
+  const bool is_hit = std::get<RayAnswer>(exact).hits.count > 0;
+  Answers answers{hits_where(nearest, [&](double t) { return in_interval(ray_question(one)->ray, t); })};
+  if (is_hit) answers.push_back(nearest);
+  return answers;
+}
+
+Answers flat_box_missed(const Case& one, const Answer& exact) {
+  const auto* box = shape_in<Box<double>>(one);
+  if (box == nullptr || std::get<RayAnswer>(exact).hits.count == 0) return {};
+  const bool is_flat = box->min.x == box->max.x || box->min.y == box->max.y || box->min.z == box->max.z;
+  return is_flat ? Answers{RayAnswer{}} : Answers{};
+}
+
+std::vector<Case> max_as_size(const Case& one) {
+  return with_shape<Box<double>>(one, [](RayQuestion& /*asked*/, Box<double>& box) {
+    box.max += box.min;
+    return true;
+  });
+}
+
+std::vector<Case> parallelepiped_as_bounds(const Case& one) {
+  return with_question(one, [](RayQuestion& asked) {
+    const auto* solid = std::get_if<Parallelepiped<double>>(&asked.shape);
+    if (solid == nullptr) return false;
+    glm::dvec3 low = solid->corner, high = low;
+    for (const glm::dvec3& edge : solid->edges) {
+      low += glm::min(edge, glm::dvec3(0));
+      high += glm::max(edge, glm::dvec3(0));
+    }
+    asked.shape = Box<double>{low, high};
+    return true;
+  });
+}
+
+std::vector<Case> edges_as_orthogonal(const Case& one) {
+  return with_shape<Parallelepiped<double>>(one, [](RayQuestion& /*asked*/, Parallelepiped<double>& solid) {
+    const auto& e = solid.edges;
+    const glm::dmat3 dual = glm::transpose(glm::inverse(glm::dmat3(e[0], e[1], e[2])));
+    for (int i = 0; i < 3; ++i) {
+      glm::dvec3& edge = solid.edges.at(static_cast<std::size_t>(i));
+      edge = glm::dot(edge, edge) * dual[i];
+    }
+    return true;
+  });
+}
+
+std::vector<Case> corner_as_centre(const Case& one) {
+  return with_shape<Parallelepiped<double>>(one, [](RayQuestion& /*asked*/, Parallelepiped<double>& solid) {
+    solid.corner -= 0.5 * (solid.edges[0] + solid.edges[1] + solid.edges[2]);
+    return true;
+  });
+}
 
 }  // namespace rayproof::diagnosis

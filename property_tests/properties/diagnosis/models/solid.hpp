@@ -35,12 +35,26 @@ template <int edge>
     return true;
   });
 }
-/// The box whose opposite corners are those of the parallelepiped.
-[[nodiscard]] std::vector<Case> parallelepiped_as_box(const Case& one);
+/// @{ Of a sphere: hits where the discriminant is negative; the line's nearest point to the centre for a hit.
+[[nodiscard]] Answers sphere_without_sign(const Case& one, const Answer& exact);
+[[nodiscard]] Answers nearest_point_of_line(const Case& one, const Answer& exact);
+/// @}
 
-/// @{ Readings of a cylinder: without end; with caps, without them; a circular one of radius rx, of ry; with
+/// @{ A box of size 0 along an axis is missed; a box whose max is its size.
+[[nodiscard]] Answers flat_box_missed(const Case& one, const Answer& exact);
+[[nodiscard]] std::vector<Case> max_as_size(const Case& one);
+/// @}
+
+/// @{ Readings of a parallelepiped: the box with two of its opposite corners; its bounding box; its edges
+/// taken for orthogonal, so that projections on them are coordinates; its corner taken for the centre.
+[[nodiscard]] std::vector<Case> parallelepiped_as_box(const Case& one);
+[[nodiscard]] std::vector<Case> parallelepiped_as_bounds(const Case& one);
+[[nodiscard]] std::vector<Case> edges_as_orthogonal(const Case& one);
+[[nodiscard]] std::vector<Case> corner_as_centre(const Case& one);
+/// @}
+
+/// @{ Readings of a cylinder: with caps, without them; a circular one of radius rx, of ry; with
 /// rx and ry exchanged; squared radii; from -height/2 to height/2.
-[[nodiscard]] std::vector<Case> endless_cylinder(const Case& one);
 [[nodiscard]] std::vector<Case> with_caps(const Case& one);
 [[nodiscard]] std::vector<Case> without_caps(const Case& one);
 [[nodiscard]] std::vector<Case> circular_rx(const Case& one);
@@ -48,11 +62,6 @@ template <int edge>
 [[nodiscard]] std::vector<Case> radii_exchanged(const Case& one);
 [[nodiscard]] std::vector<Case> radii_squared(const Case& one);
 [[nodiscard]] std::vector<Case> middle_at_zero(const Case& one);
-/// @}
-
-/// @{ A capped cylinder without its cap at z = 0, or at z = height.
-[[nodiscard]] Answers no_lower_cap(const Case& one, const Answer& exact);
-[[nodiscard]] Answers no_upper_cap(const Case& one, const Answer& exact);
 /// @}
 
 }  // namespace rayproof::diagnosis

@@ -48,6 +48,12 @@ std::vector<Case> direction_as_point(const Case& one) {
       one, [](RayQuestion& asked, const glm::dmat4& map) { asked.ray.direction -= glm::dvec3(map[3]); });
 }
 
+std::vector<Case> origin_not_transformed(const Case& one) {
+  return with_map(one, [](RayQuestion& asked, const glm::dmat4& map) {
+    asked.ray.origin = glm::dvec3(map * glm::dvec4(asked.ray.origin, 1));
+  });
+}
+
 std::vector<Case> direction_not_transformed(const Case& one) {
   return with_map(one, [](RayQuestion& asked, const glm::dmat4& map) {
     asked.ray.direction = glm::dmat3(map) * asked.ray.direction;

@@ -18,5 +18,7 @@ namespace rayproof::diagnosis {
 [[nodiscard]] std::vector<Case> direction_as_point(const Case& one);
 /// The direction stays what it is in the world.
 [[nodiscard]] std::vector<Case> direction_not_transformed(const Case& one);
+/// The origin stays what it is in the world.
+[[nodiscard]] std::vector<Case> origin_not_transformed(const Case& one);
 
 }  // namespace rayproof::diagnosis

@@ -8,18 +8,35 @@ namespace rayproof::diagnosis {
 
 std::vector<Hypothesis> cures_of_values() {
   return {
+      {.name = "asked-alone",
+       .kind = gross,
+       .sentence =
+           "right when it is asked this case alone: the answer depends on the cases asked before, or on "
+           "chance",
+       .change = unchanged,
+       .perturbs = false,
+       .is_asked_alone = true},
       exact_cure("minus-zero", without_minus_zero,
                  "right as soon as 0 stands for -0: the sign of zero is taken for a sign"),
       exact_cure(
           "larger-scene", larger_scene,
-          "right as soon as the scene is larger: the code takes small lengths for 0, an absolute epsilon"),
+          "right as soon as the scene is larger: the code takes small lengths for 0, an absolute epsilon",
+          gross,
+          "right as soon as the roots are larger: the code takes a small coefficient, or a small "
+          "discriminant, "
+          "for 0, an absolute epsilon"),
       exact_cure("smaller-scene", smaller_scene,
-                 "right as soon as the scene is smaller: a fixed largest distance, or an overflow"),
+                 "right as soon as the scene is smaller: a fixed largest distance, or an overflow", gross,
+                 "right as soon as the roots are smaller: a fixed largest number, or an overflow"),
       exact_cure("longer-direction", longer_direction,
                  "right as soon as the direction is longer: the code takes small products with it for 0, an "
-                 "absolute epsilon"),
+                 "absolute epsilon",
+                 gross,
+                 "right as soon as a, b and c are larger: the code takes a small coefficient, or a small "
+                 "discriminant, for 0, an absolute epsilon"),
       exact_cure("shorter-direction", shorter_direction,
-                 "right as soon as the direction is shorter: something overflows, or has a fixed limit"),
+                 "right as soon as the direction is shorter: something overflows, or has a fixed limit",
+                 gross, "right as soon as a, b and c are smaller: something overflows, or has a fixed limit"),
       exact_cure("ordinary-sizes", ordinary_sizes,
                  "right as soon as lengths and direction are of ordinary size", FindingKind::range),
       exact_cure("positive-a", positive_a,

@@ -2,6 +2,7 @@
 /// Faults in what is said of the first hit, and classes of cases that are not handled.
 
 #include "properties/diagnosis/models/first_hit.hpp"
+#include "properties/diagnosis/models/flat.hpp"
 #include "properties/diagnosis/models/hits.hpp"
 #include "properties/diagnosis/models/outline.hpp"
 #include "properties/diagnosis/models/quadratic.hpp"
@@ -43,6 +44,12 @@ std::vector<Hypothesis> models_of_first_hits() {
             gross, Aspect::coordinates),
       gives("barycentric-cba", in_order<2, 1, 0>, "the barycentric coordinates stand in the order of c, b, a",
             gross, Aspect::coordinates),
+      shows("alpha-wrong", weight_is_wrong<0>, "alpha is wrong, and beta and gamma are right", gross,
+            Aspect::coordinates),
+      shows("beta-wrong", weight_is_wrong<1>, "beta is wrong, and alpha and gamma are right", gross,
+            Aspect::coordinates),
+      shows("gamma-wrong", weight_is_wrong<2>, "gamma is wrong, and alpha and beta are right", gross,
+            Aspect::coordinates),
   };
 }
 
@@ -51,7 +58,10 @@ std::vector<Hypothesis> classes_of_cases() {
       shows("linear-not-handled", wrong_where_linear, "equations with a = 0 are not handled"),
       shows("no-constant-not-handled", wrong_where_c_is_zero,
             "equations with c = 0, which have a root 0, are not handled"),
+      shows("no-linear-term-not-handled", wrong_where_b_is_zero, "equations with b = 0 are not handled"),
       shows("constant-not-handled", wrong_where_constant, "equations with a = b = 0 are not handled"),
+      shows("parallel-hit", parallel_is_hit,
+            "a ray along the plane, parallel to it or inside it, is reported as a hit"),
       shows("in-surface-hit", in_surface_is_hit, "a ray that runs inside the surface is reported as a hit",
             boundary),
       shows("wrong-where-concave", wrong_where_concave,

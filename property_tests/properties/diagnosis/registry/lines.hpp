@@ -25,8 +25,13 @@ inline constexpr auto rounding = FindingKind::rounding;
 
 /// A cure that changes nothing but powers of two, signs, or the order of things.
 [[nodiscard]] constexpr Hypothesis exact_cure(std::string_view name, Change change, std::string_view sentence,
-                                              FindingKind kind = gross) {
-  return {.name = name, .kind = kind, .sentence = sentence, .change = change, .perturbs = false};
+                                              FindingKind kind = gross, std::string_view of_equation = "") {
+  return {.name = name,
+          .kind = kind,
+          .sentence = sentence,
+          .change = change,
+          .perturbs = false,
+          .of_equation = of_equation};
 }
 
 /// A cure that rounds the case anew.

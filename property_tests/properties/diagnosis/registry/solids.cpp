@@ -2,6 +2,7 @@
 /// Faults with transforms and with solids.
 
 #include "properties/diagnosis/cures/cures.hpp"
+#include "properties/diagnosis/models/cylinder.hpp"
 #include "properties/diagnosis/models/solid.hpp"
 #include "properties/diagnosis/models/transform.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
@@ -14,11 +15,13 @@ std::vector<Hypothesis> models_of_transforms() {
             "the answer is right without the transform: it is ignored"),
       gives("inverse-transform", read_as<with_inverse_transform>,
             "the answer is right for the inverse transform: the matrix is used where its inverse must be"),
-      gives("transposed-transform", read_as<with_transposed_transform>,
-            "the answer is right for the transposed matrix: rows are taken for columns"),
       gives("ignores-translation", read_as<without_translation>,
             "the answer is right without the transform's translation: it is ignored, or the origin is "
             "transformed with w = 0"),
+      gives("origin-not-transformed", read_as<origin_not_transformed>,
+            "the origin is not taken into object space"),
+      gives("transposed-transform", read_as<with_transposed_transform>,
+            "the answer is right for the transposed matrix: rows are taken for columns"),
       gives("direction-translated", read_as<direction_as_point>,
             "the direction is translated like a point: it is transformed with w = 1 and must be with w = 0"),
       gives("direction-not-transformed", read_as<direction_not_transformed>,
@@ -38,6 +41,13 @@ std::vector<Hypothesis> models_of_solids() {
             "the answer is right for a sphere at the origin of coordinates: the centre is ignored"),
       gives("centre-negated", read_as<sphere_mirrored>,
             "the answer is right for the centre's opposite: a sign is wrong in o - center"),
+      gives("discriminant-of-sphere", sphere_without_sign,
+            "hits are reported where D < 0: the root of |D| was taken, or D < 0 is not tested"),
+      gives("nearest-point", nearest_point_of_line,
+            "t is the line's nearest point to the centre: ±√D is left out"),
+      gives("flat-box-missed", flat_box_missed, "a box without thickness along an axis is missed", boundary),
+      gives("max-as-size", read_as<max_as_size>,
+            "the answer is right for a box from min to min + max: max is taken for the size"),
       gives("endless-box-x", read_as<endless_box<0>>,
             "the answer is right for a box without end along x: that slab is not tested"),
       gives("endless-box-y", read_as<endless_box<1>>,
@@ -52,6 +62,13 @@ std::vector<Hypothesis> models_of_solids() {
             "the faces at the ends of edge 2 are not tested"),
       gives("parallelepiped-as-box", read_as<parallelepiped_as_box>,
             "the answer is right for the upright box between opposite corners"),
+      gives("parallelepiped-as-bounds", read_as<parallelepiped_as_bounds>,
+            "the answer is right for the upright bounding box"),
+      gives("edges-as-orthogonal", read_as<edges_as_orthogonal>,
+            "the answer is right where a point's coordinates are its projections on the edges: the edges are "
+            "taken for orthogonal, a rectangular solid's"),
+      gives("corner-as-centre", read_as<corner_as_centre>,
+            "the answer is right for a solid centred at the corner: the corner is taken for the centre"),
       gives("unit-edges", read_as<unit_edges>,
             "the answer is right for edges of length 1: the edges are taken for unit vectors"),
       gives("caps-added", read_as<with_caps>,
@@ -62,6 +79,21 @@ std::vector<Hypothesis> models_of_solids() {
       gives("upper-cap-missing", no_upper_cap, "hits on the cap at z = height are missing"),
       gives("endless-cylinder", read_as<endless_cylinder>,
             "the answer is right for a cylinder without end: the height is not tested"),
+      gives("upper-end-not-tested", upper_end_not_tested,
+            "the upper end of the cylinder is not tested: z <= height is missing"),
+      gives("lower-end-not-tested", lower_end_not_tested,
+            "the lower end of the cylinder is not tested: z >= 0 is missing"),
+      gives("first-side-hit-decides", first_side_hit_decides,
+            "it misses where the side's first hit lies beyond an end, although the other one is on the "
+            "cylinder"),
+      gives("low-rim-missed", without_low_rim, "hits on the rim at z = 0 are left out: z > 0 is asked",
+            boundary),
+      gives("high-rim-missed", without_high_rim,
+            "hits on the rim at z = height are left out: z < height is asked", boundary),
+      gives("rims-missed", without_rims, "hits on both rims are left out: the height is taken for open",
+            boundary),
+      gives("cylinder-as-box", read_as<cylinder_as_box>,
+            "the answer is right for the box round the cylinder: the caps are rectangles"),
       gives("circle-rx", read_as<circular_rx>,
             "the answer is right for ry = rx: the ellipse is taken for a circle of radius rx"),
       gives("circle-ry", read_as<circular_ry>,

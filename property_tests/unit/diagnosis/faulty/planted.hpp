@@ -65,7 +65,7 @@ inline const Planted planted[] = {
     {"triangle", answer<culls_back>, "verdict", "culls-back-faces"},
     {"triangle", answer<absolute_epsilon>, "verdict", "larger-scene"},
     {"triangle", answer<edges_open>, "boundary", "boundary-outside"},
-    {"triangle", answer<one_edge_open>, "boundary", "off-boundary"},
+    {"triangle", answer<one_edge_open>, "boundary", "edge-a-open"},
     {"triangle", answer<lambda_sign>, "verdict", "lambda2-second-sign"},
     {"triangle", answer<drops_z>, "verdict", "renamed-axes"},
     {"plane", answer<constant_sign>, "residual", "constant-negated"},

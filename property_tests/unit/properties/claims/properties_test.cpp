@@ -31,6 +31,7 @@ TEST(Properties, AllHoldForTheOracleItself) {
     if (property.claim == Claim::nan || property.claim == Claim::bounded) continue;
     if (property.claim == Claim::contact || property.claim == Claim::coordinates) continue;
     if (property.claim == Claim::exact) continue;  // every plain method rounds on this case
+    if (property.name == "digits") continue;       // it speaks of guests alone
     EXPECT_EQ(rule(property.name.data(), broken::exactly), Ruling::held) << property.name;
   }
 }

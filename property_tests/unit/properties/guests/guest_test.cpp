@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "case/reader.hpp"
+#include "properties/boundary.hpp"
 #include "properties/engine/kind.hpp"
 #include "properties/guests/probe.hpp"
 #include "subjects/default_contract.hpp"
@@ -78,8 +79,9 @@ TEST(Probe, FindsOutWhatAnswersHold) {
 }
 
 TEST(Probe, TakesForARuleOnlyWhatIsWrongOnMostBoundaries) {
-  EXPECT_FALSE(learnt("sphere", oracle::answer).rules_tangents);
-  EXPECT_TRUE(learnt("sphere", without_tangents).rules_tangents);
+  EXPECT_TRUE(learnt("sphere", oracle::answer).rules.none());
+  const auto place = static_cast<std::size_t>(BoundaryPlace::tangent);
+  EXPECT_EQ(learnt("sphere", without_tangents).rules, BoundaryPlaces(1U << place));
 }
 
 TEST(Probe, GivesTheCasesThatAreNotAnswered) {

@@ -1,0 +1,70 @@
+#include "properties/diagnosis/models/coordinates.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "case/each_number.hpp"
+
+namespace rayproof::diagnosis {
+namespace {
+
+bool names_directions(std::string_view field) {
+  return field == "normal" || field == "u" || field == "v" || field == "edges";
+}
+
+/// Calls `act` for each vector among the shape's points, or directions.
+template <class Act>
+void for_each_vector(Shape& shape, bool are_directions, Act&& act) {
+  const auto visit_field = [&](std::string_view name, auto& value) {
+    using Value = std::remove_reference_t<decltype(value)>;
+    if (names_directions(name) != are_directions) return;
+    if constexpr (std::is_same_v<Value, glm::dvec3>)
+      act(value);
+    else if constexpr (requires { std::ranges::for_each(value, act); })
+      std::ranges::for_each(value, act);
+  };
+  std::visit([&]<class S>(S& some) { ShapeFormat<S>::fields(some, visit_field); }, shape);
+}
+
+}  // namespace
+
+std::vector<Case> with_vectors(const Case& one, Vectors which, void (*change)(glm::dvec3&)) {
+  return with_question(one, [&](RayQuestion& asked) {
+    if (which == Vectors::origin)
+      change(asked.ray.origin);
+    else if (which == Vectors::direction)
+      change(asked.ray.direction);
+    else
+      for_each_vector(asked.shape, which == Vectors::directions, change);
+    return true;
+  });
+}
+
+std::vector<Case> truncated_shape(const Case& one) {
+  return with_question(one, [](RayQuestion& asked) {
+    std::visit([](auto& shape) { each_number(shape, [](double& x) { x = std::trunc(x); }); }, asked.shape);
+    return true;
+  });
+}
+
+std::vector<Case> without_origin(const Case& one) {
+  return with_vectors(one, Vectors::origin, [](glm::dvec3& origin) { origin = glm::dvec3(0); });
+}
+
+std::vector<Case> direction_as_target(const Case& one) {
+  return with_question(one, [](RayQuestion& asked) {
+    asked.ray.direction -= asked.ray.origin;
+    return asked.ray.origin != glm::dvec3(0);
+  });
+}
+
+std::vector<Case> point_exchanged(const Case& one) {
+  Case changed = one;
+  auto* place = std::get_if<PointAndPolygon<double>>(&changed.question);
+  if (place == nullptr) return {};
+  std::swap(place->point.x, place->point.y);
+  return {changed};
+}
+
+}  // namespace rayproof::diagnosis

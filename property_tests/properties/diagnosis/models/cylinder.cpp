@@ -1,0 +1,120 @@
+#include "properties/diagnosis/models/cylinder.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "properties/boundary.hpp"
+
+namespace rayproof::diagnosis {
+namespace {
+
+/// How many times its size a cylinder is long that has no end.
+constexpr double without_end = 0x1p30;
+
+double size_of(const Cylinder<double>& cylinder) {
+  return std::max({cylinder.height, cylinder.rx, cylinder.ry});
+}
+
+/// The exact hits without those of which `is_dropped(z, height)` is true, z in object space; none where
+/// nothing is dropped, or rounding decides.
+template <class Dropped>
+Answers without_heights(const Case& one, const Answer& exact, Dropped&& is_dropped) {
+  const auto* cylinder = shape_in<Cylinder<double>>(one);
+  if (cylinder == nullptr) return {};
+  const Ray<double> ray = ray_in_object(*ray_question(one));
+  const auto& all = std::get<RayAnswer>(exact);
+  const RayAnswer left = hits_where(
+      all, [&](double t) { return !is_dropped(ray.origin.z + t * ray.direction.z, cylinder->height); });
+  const bool is_decided = left.hits.count < all.hits.count && is_exact_for_some_method(one);
+  return is_decided ? Answers{left} : Answers{};
+}
+
+/// Whether z, the sum of these two, is 0 but for its rounding.
+bool is_zero(double z, double size) { return std::abs(z) <= 0x1p-40 * size; }
+
+/// Without the hits at which the ray passes the plane z = height of the object's space.
+Answers without_hits_at(const Case& one, const Answer& exact, bool is_upper) {
+  const auto* cylinder = shape_in<Cylinder<double>>(one);
+  if (cylinder == nullptr || !cylinder->capped) return {};
+  const Ray<double> ray = ray_in_object(*ray_question(one));
+  const double t_cap = ((is_upper ? cylinder->height : 0) - ray.origin.z) / ray.direction.z;
+  const auto& all = std::get<RayAnswer>(exact);
+  const RayAnswer left = hits_where(
+      all, [&](double t) { return !(std::abs(t - t_cap) <= 0x1p-16 * (std::abs(t) + std::abs(t_cap))); });
+  return left.hits.count == all.hits.count ? Answers{} : Answers{left};
+}
+
+/// The cylinder made longer at one end, without what lies at the new end.
+Answers lengthened(const Case& one, bool is_upwards) {
+  double length = 0;
+  const auto longer = with_shape<Cylinder<double>>(one, [&](RayQuestion& asked, Cylinder<double>& cylinder) {
+    length = without_end * size_of(cylinder);
+    cylinder.height += length;
+    if (!is_upwards) lift(asked, -length);
+    return true;
+  });
+  if (longer.empty()) return {};
+  const Ray<double> ray = ray_in_object(*ray_question(one));
+  const auto all = std::get<RayAnswer>(oracle::answer(longer.front()));
+  return {
+      hits_where(all, [&](double t) { return std::abs(ray.origin.z + t * ray.direction.z) < length / 2; })};
+}
+
+}  // namespace
+
+void lift(RayQuestion& asked, double by) {
+  glm::dmat4 map = asked.transform.value_or(glm::dmat4(1));
+  map[3] += by * map[2];
+  asked.transform = map;
+}
+
+std::vector<Case> endless_cylinder(const Case& one) {
+  return with_shape<Cylinder<double>>(one, [](RayQuestion& asked, Cylinder<double>& cylinder) {
+    const double half = without_end * size_of(cylinder);
+    lift(asked, -half);
+    cylinder.height = 2 * half;
+    cylinder.capped = false;
+    return true;
+  });
+}
+
+std::vector<Case> cylinder_as_box(const Case& one) {
+  return with_question(one, [](RayQuestion& asked) {
+    const auto* cylinder = std::get_if<Cylinder<double>>(&asked.shape);
+    if (cylinder == nullptr) return false;
+    const glm::dvec3 corner(cylinder->rx, cylinder->ry, 0);
+    asked.shape = Box<double>{-corner, corner + glm::dvec3(0, 0, cylinder->height)};
+    return true;
+  });
+}
+
+Answers no_lower_cap(const Case& one, const Answer& exact) { return without_hits_at(one, exact, false); }
+Answers no_upper_cap(const Case& one, const Answer& exact) { return without_hits_at(one, exact, true); }
+
+Answers upper_end_not_tested(const Case& one, const Answer& /*exact*/) { return lengthened(one, true); }
+Answers lower_end_not_tested(const Case& one, const Answer& /*exact*/) { return lengthened(one, false); }
+
+Answers first_side_hit_decides(const Case& one, const Answer& exact) {
+  const auto* cylinder = shape_in<Cylinder<double>>(one);
+  if (cylinder == nullptr || cylinder->capped || std::get<RayAnswer>(exact).hits.count == 0) return {};
+  const std::vector<Case> endless = endless_cylinder(one);
+  if (endless.empty()) return {};
+  const RayAnswer side = hits_of_line(endless.front());
+  if (side.hits.count < 2) return {};
+  const Ray<double> ray = ray_in_object(*ray_question(one));
+  const double z = ray.origin.z + side.hits.t[0] * ray.direction.z;
+  return 0 <= z && z <= cylinder->height ? Answers{} : Answers{RayAnswer{}};
+}
+
+Answers without_low_rim(const Case& one, const Answer& exact) {
+  return without_heights(one, exact, [](double z, double height) { return is_zero(z, height); });
+}
+Answers without_high_rim(const Case& one, const Answer& exact) {
+  return without_heights(one, exact, [](double z, double height) { return is_zero(z - height, height); });
+}
+Answers without_rims(const Case& one, const Answer& exact) {
+  return without_heights(
+      one, exact, [](double z, double height) { return is_zero(z, height) || is_zero(z - height, height); });
+}
+
+}  // namespace rayproof::diagnosis

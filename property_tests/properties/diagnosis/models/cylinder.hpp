@@ -1,0 +1,37 @@
+#pragma once
+/// \file
+/// Models of faults with the ends of a cylinder.
+
+#include "properties/diagnosis/models/models.hpp"
+
+namespace rayproof::diagnosis {
+
+/// @{ A capped cylinder without its cap at z = 0, or at z = height.
+[[nodiscard]] Answers no_lower_cap(const Case& one, const Answer& exact);
+[[nodiscard]] Answers no_upper_cap(const Case& one, const Answer& exact);
+/// @}
+
+/// @{ A cylinder without end upwards, or downwards.
+[[nodiscard]] Answers upper_end_not_tested(const Case& one, const Answer& exact);
+[[nodiscard]] Answers lower_end_not_tested(const Case& one, const Answer& exact);
+/// @}
+
+/// Of the hits of the side without end only the first is compared with the height.
+[[nodiscard]] Answers first_side_hit_decides(const Case& one, const Answer& exact);
+
+/// @{ Hits of an open cylinder exactly at an end, or at either, are left out.
+[[nodiscard]] Answers without_low_rim(const Case& one, const Answer& exact);
+[[nodiscard]] Answers without_high_rim(const Case& one, const Answer& exact);
+[[nodiscard]] Answers without_rims(const Case& one, const Answer& exact);
+/// @}
+
+/// The upright box round the cylinder.
+[[nodiscard]] std::vector<Case> cylinder_as_box(const Case& one);
+
+/// A cylinder without end or caps.
+[[nodiscard]] std::vector<Case> endless_cylinder(const Case& one);
+
+/// The object moved along its own z axis.
+void lift(RayQuestion& asked, double by);
+
+}  // namespace rayproof::diagnosis

@@ -1,0 +1,106 @@
+#include <gtest/gtest.h>
+
+#include "oracle/oracle.hpp"
+#include "subjects/default_contract.hpp"
+#include "unit/diagnosis/clinic.hpp"
+
+namespace rayproof::faulty {
+namespace {
+
+/// A subject that has the fault of a model: it gives the answer that the model foresees.
+struct Foreseen {
+  const char* topic;
+  const char* model;
+};
+void PrintTo(const Foreseen& one, std::ostream* out) { *out << one.topic << ": " << one.model; }
+
+Answer foreseen(const Hypothesis& model, const Case& one) {
+  const Answer exact = oracle::answer(one);
+  const std::vector<Answer> answers = model.predict(one, exact);
+  return answers.empty() ? exact : answers.front();
+}
+
+/// What is wrong of the verdicts and numbers of such a subject.
+Patient patient_with(const Hypothesis& model) {
+  Patient patient;
+  patient.ask = [&model](std::span<const Case> cases) {
+    std::vector<std::optional<Answer>> answers;
+    for (const Case& one : cases) answers.emplace_back(foreseen(model, one));
+    return answers;
+  };
+  patient.rule = [](const Case& one, const Answer& answer) {
+    const oracle::Judgement judgement = oracle::judge(one, answer);
+    return judgement.wrong || judgement.residual > 64 * judgement.far ? Ruling::broken : Ruling::held;
+  };
+  return patient;
+}
+
+class Model : public testing::TestWithParam<Foreseen> {};
+
+TEST_P(Model, IsNamedWhereASubjectAnswersAsItForesees) {
+  const Hypothesis* model = find_hypothesis(GetParam().model);
+  ASSERT_NE(model, nullptr);
+  const Patient patient = patient_with(*model);
+  Subject guest;
+  guest.contract = default_contract(GetParam().topic);
+  std::vector<Case> failing, passing;
+  for (unsigned k = 0; k < 60; ++k)
+    for (const Family& family : families()) {
+      if (family.topic != GetParam().topic || failing.size() >= 64) continue;
+      const Case one = family.generate(k, Precision::float64);
+      if (!is_for_guest(guest, one)) continue;
+      const bool is_wrong = patient.rule(one, foreseen(*model, one)) == Ruling::broken;
+      if (is_wrong || passing.size() < 64) (is_wrong ? failing : passing).push_back(one);
+    }
+  ASSERT_FALSE(failing.empty());
+  const auto groups = diagnose(patient, failing, passing);
+  EXPECT_TRUE(in_words(groups).starts_with(std::string(model->name) + " ")) << in_words(groups);
+}
+
+const Foreseen foreseen_faults[] = {
+    {"sphere", "origin-ignored"},
+    {"sphere", "origin-negated"},
+    {"sphere", "direction-as-target"},
+    {"sphere", "points-y-z"},
+    {"box", "points-x-z"},
+    {"plane", "vectors-x-y"},
+    {"triangle", "origin-x-z"},
+    {"sphere", "direction-y-z"},
+    {"point_in_polygon", "point-x-y"},
+    {"sphere", "whole-points"},
+    {"sphere", "whole-origin"},
+    {"sphere", "discriminant-of-sphere"},
+    {"sphere", "nearest-point"},
+    {"sphere", "negated"},
+    {"plane", "absolute"},
+    {"plane", "times-slope"},
+    {"sphere", "origin-not-transformed"},
+    {"box", "flat-box-missed"},
+    {"box", "max-as-size"},
+    {"parallelepiped", "parallelepiped-as-bounds"},
+    {"parallelepiped", "edges-as-orthogonal"},
+    {"parallelepiped", "corner-as-centre"},
+    {"cylinder", "caps-missing"},
+    {"cylinder", "upper-cap-missing"},
+    {"cylinder", "upper-end-not-tested"},
+    {"cylinder", "lower-end-not-tested"},
+    {"cylinder", "first-side-hit-decides"},
+    {"cylinder", "cylinder-as-box"},
+    {"triangle", "edges-loose-1e-2"},
+    {"triangle", "triangle-bounds"},
+    {"triangle", "edge-b-open"},
+    {"polygon", "first-corner-culls"},
+    {"polygon", "fan"},
+    {"point_in_polygon", "inside-out"},
+};
+
+std::string name_of_model(const testing::TestParamInfo<Foreseen>& info) {
+  std::string name = std::string(info.param.topic) + "_" + info.param.model;
+  std::ranges::replace(name, '-', '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Diagnosis, Model, testing::ValuesIn(foreseen_faults), name_of_model);
+
+}  // namespace
+}  // namespace rayproof::faulty

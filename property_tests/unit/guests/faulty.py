@@ -1,0 +1,75 @@
+"""A right program, but for one fault in what it says: python3 faulty.py FAULT."""
+
+import json
+import random
+import sys
+
+from right import answer
+
+
+def hits_of(case):
+    return answer(case).get("hits", [])
+
+
+def with_hits(ts):
+    return {"verdict": "hit" if ts else "miss", "hits": [{"t": t} for t in ts]}
+
+
+def ends_of(case):
+    ray = case["ray"]
+    return float(ray.get("t_min", 0)), float(ray.get("t_max", "inf"))
+
+
+def open_at_t_min(case):
+    return with_hits([hit["t"] for hit in hits_of(case) if hit["t"] > ends_of(case)[0]])
+
+
+def open_at_t_max(case):
+    return with_hits([hit["t"] for hit in hits_of(case) if hit["t"] < ends_of(case)[1]])
+
+
+def rounded(case):
+    return with_hits([round(hit["t"], 6) for hit in hits_of(case)])
+
+
+def other_sign(case):
+    return with_hits([-hit["t"] for hit in hits_of(case)])
+
+
+def point_alone(case):
+    """A point and no t: t·d, and must be o + t·d."""
+    hits = hits_of(case)
+    if not hits:
+        return {"verdict": "miss"}
+    return {"verdict": "hit", "point": [hits[0]["t"] * float(x) for x in case["ray"]["direction"]]}
+
+
+class Rare:
+    """A miss now and then, whatever the case."""
+
+    def __init__(self):
+        self.random = random.Random(5)
+
+    def __call__(self, case):
+        return with_hits([]) if self.random.random() < 0.01 else answer(case)
+
+
+def uncapped(case):
+    return answer({**case, "shape": {**case["shape"], "capped": False}})
+
+
+FAULTS = {
+    "open_at_t_min": open_at_t_min,
+    "open_at_t_max": open_at_t_max,
+    "rounded": rounded,
+    "other_sign": other_sign,
+    "point_alone": point_alone,
+    "rare": Rare(),
+    "uncapped": uncapped,
+}
+
+if __name__ == "__main__":
+    fault = FAULTS[sys.argv[1]]
+    for line in sys.stdin:
+        given = json.loads(line)
+        print(json.dumps({"id": given["id"], **fault(given)}), flush=True)
