@@ -20,6 +20,12 @@ Judgement judge(const ExactIntersection& exact, Precision precision, const RayAn
                glm::dvec3(map[1]), glm::dvec3(map[2]), glm::dvec3(map[3]));
   };
   std::visit(note, question.shape);
+  if (const auto& inverse = exact.ray().map) {
+    const Scaled determinant = approximate(exact.ray().scale);
+    for (const Vector<Ring>* row : {&inverse->row_x, &inverse->row_y, &inverse->row_z})
+      note_range(judgement, value(approximate(row->x) / determinant),
+                 value(approximate(row->y) / determinant), value(approximate(row->z) / determinant));
+  }
   judgement.hit = !hits.empty();
   judgement.wrong = is_wrong_count(hits.size(), claimed);
   if (judgement.wrong || claimed.hits.count > 0) judgement.far = exact.far();
