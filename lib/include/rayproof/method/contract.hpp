@@ -94,7 +94,7 @@ struct Refutation {
 
 /// The sizes of input for which the bounds hold: every length of the problem (the shape's unit says which)
 /// lies within 2^-reach and 2^reach, so that no intermediate of the formula overflows or loses digits to
-/// underflow. Of a transform the lengths are its own and its inverse's entries.
+/// underflow. Of a transform the lengths are its entries and its inverse's norm.
 struct Domain {
   int reach_float = 28;
   int reach_double = 240;
