@@ -59,8 +59,8 @@ void describe(CLI::App& app, WorstOptions& options) {
       ->type_name("DIR");
   app.add_option("--json", options.json, "Write all figures and cases as one JSON object")->type_name("FILE");
   app.footer(
-      "Each worst found is a lower bound of the worst there is. The same seed and number of cases give the "
-      "same\noutput, whatever the number of jobs.\n"
+      "Each worst found is a lower bound of the worst there is; a promise with a star is proven.\n"
+      "The same seed and number of cases give the same output, whatever the number of jobs.\n"
       "Exit status: 0 no promise is exceeded; 1 one is; 2 wrong command line; 130 interrupted.");
 }
 

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <map>
 
+#include "properties/claims/promise.hpp"
+
 namespace rayproof::worst {
 
 namespace {
@@ -83,6 +85,17 @@ class Searches {
 };
 
 }  // namespace
+
+double WorstRow::promised() const {
+  const std::string_view error = measure_of(kind).name;
+  const bool is_widened = is_of_transformed(kind) && (error == "verdict" || error == "residual");
+  return is_widened ? std::max(bound().promised, robust_bound(subject->topic).value_or(0)) : bound().promised;
+}
+
+bool WorstRow::is_proven() const {
+  const bool is_in_world = std::string_view(measure_of(kind).name) == "point";  // which no map rounds
+  return bound().is_proven && (is_in_world || !is_of_transformed(kind));
+}
 
 std::string WorstRow::error_name() const {
   return std::string(measure_of(kind).name) + (is_of_transformed(kind) ? ", transformed" : "");

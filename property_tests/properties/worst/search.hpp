@@ -26,6 +26,10 @@ struct WorstRow {
   bool exceeds = false;              ///< the worst case breaks what is promised
 
   [[nodiscard]] const Bound& bound() const { return measure_of(kind).bound(subject->contract); }
+  /// What is promised of cases as of this row: under a transform no less than the robust bound (promise.hpp).
+  [[nodiscard]] double promised() const;
+  /// Whether that is proven.
+  [[nodiscard]] bool is_proven() const;
   /// "residual", "residual, transformed".
   [[nodiscard]] std::string error_name() const;
 };

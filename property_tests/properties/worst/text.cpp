@@ -14,7 +14,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string promise_in_words(const WorstRow& row) {
-  return std::isfinite(row.bound().promised) ? figure(row.bound().promised) : "-";
+  if (!std::isfinite(row.promised())) return "-";
+  return figure(row.promised()) + (row.is_proven() ? "*" : "");
 }
 
 /// How much worse the guided search's case is; nothing where that is no number.
@@ -65,7 +66,8 @@ std::string json_text(const WorstSearch& what, const WorstResult& result) {
              {"transformed", is_of_transformed(row.kind)},
              {"worst_found", finite_or_text(row.found ? row.found->error : 0)}};
     if (row.drawn) one["drawn"] = finite_or_text(*row.drawn);
-    one["promised"] = std::isfinite(row.bound().promised) ? Json(row.bound().promised) : Json();
+    one["promised"] = std::isfinite(row.promised()) ? Json(row.promised()) : Json();
+    one["proven"] = row.is_proven();
     one["exceeded"] = row.exceeds;
     if (row.found) one["case"] = Json::parse(write_case(row.found->one));
     rows.push_back(std::move(one));

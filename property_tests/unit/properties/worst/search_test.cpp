@@ -43,7 +43,7 @@ TEST(Search, NeverFindsWorseThanWhatIsProven) {
   const WorstResult result = searched({"triangle/woop", "triangle/compensated", "sphere/centred"}, 6'000);
   EXPECT_TRUE(result.keeps_promises()) << text_exceeded(result);
   for (const WorstRow& row : result.rows)
-    if (row.bound().is_proven && !is_of_transformed(row.kind) && row.found) {
+    if (row.is_proven() && row.found) {
       EXPECT_LE(row.found->error, row.bound().promised) << row.error_name();
     }
 }
