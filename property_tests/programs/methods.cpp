@@ -163,10 +163,10 @@ does, its source, its domain, and which properties of rayproof check it breaks.
 A bound reads "worst found of promised": the worst that random cases and guided
 search (rayproof worst) ever found, which is a lower bound of the worst there
 is, and what the tests hold the method to. A star says that the promise is
-proven; a dash promises nothing. Verdict and residual are multiples of the unit roundoff (2^-24
-in float32, 2^-53 in float64) times the size of what enters the formula, so that
-scaling a scene changes no bound. That unit, and the sizes of the domain, are
-defined above each struct in
+proven; a dash promises nothing. Verdict and residual are multiples of the unit
+roundoff (2^-24 in float32, 2^-53 in float64) times the size of what enters the
+formula, so that scaling a scene changes no bound. That unit, and the sizes of
+the domain, are defined above each struct in
 {}
 
 where polygon.hpp has those of point_in_polygon, too.
