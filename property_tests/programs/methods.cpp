@@ -19,7 +19,8 @@ Json to_json(const Bound& bound) {
   const auto finite_or_null = [](double x) { return std::isfinite(x) ? Json(x) : Json(); };
   return {{"measured", finite_or_null(bound.measured)},
           {"promised", finite_or_null(bound.promised)},
-          {"far_power", bound.far_power}};
+          {"far_power", bound.far_power},
+          {"proven", bound.is_proven}};
 }
 
 Json to_json(const Contract& contract) {
@@ -56,11 +57,12 @@ Json to_json(const Subject& subject) {
           {"contract", to_json(subject.contract)}};
 }
 
-/// "0.62 of 1": measured of promised; "1" where it was never measured; a dash where nothing is promised.
+/// "0.62 of 1": worst found of promised; "1" where nothing was found; a dash where nothing is promised. A
+/// proven promise has a star.
 std::string in_words(const Bound& bound) {
   if (!std::isfinite(bound.promised)) return "-";
-  if (!std::isfinite(bound.measured)) return fmt::format("{:g}", bound.promised);
-  return fmt::format("{:.3g} of {:g}", bound.measured, bound.promised);
+  const std::string promise = fmt::format("{:g}{}", bound.promised, bound.is_proven ? "*" : "");
+  return std::isfinite(bound.measured) ? fmt::format("{:.3g} of {}", bound.measured, promise) : promise;
 }
 
 /// "first hit: point 1.6 of 2, normal 1.1 of 4"; nothing where nothing is promised of it.
@@ -158,12 +160,13 @@ does, its source, its domain, and which properties of rayproof check it breaks.
   breaks     A property that the method fails, and why; rayproof check must find
              the counterexample.
 
-A bound reads "measured of promised": the worst ever measured, and what the
-tests hold the method to; a promise alone was never measured, and a dash
-promises nothing. Verdict and residual are multiples of the unit roundoff (2^-24
-in float32, 2^-53 in float64) times the size of what enters the formula, so that
-scaling a scene changes no bound. That unit, and the sizes of the domain, are
-defined above each struct in
+A bound reads "worst found of promised": the worst that random cases and guided
+search (rayproof worst) ever found, which is a lower bound of the worst there
+is, and what the tests hold the method to. A star says that the promise is
+proven; a dash promises nothing. Verdict and residual are multiples of the unit
+roundoff (2^-24 in float32, 2^-53 in float64) times the size of what enters the
+formula, so that scaling a scene changes no bound. That unit, and the sizes of
+the domain, are defined above each struct in
 {}
 
 where polygon.hpp has those of point_in_polygon, too.

@@ -37,9 +37,17 @@ template <class To, class From>
 inline constexpr double cylinder_robust_bound = 8;
 
 /// What every sound method says of its first hit. K of a cap is 1. K of the side, with (x, y) = p(t) in the
-/// scaled plane, is 1 + S(t)·|(x, y)| / (x²·ry/rx + y²·rx/ry), S(t) = S + |t||direction| there. Side and caps
-/// are near p(t) as for *residual*.
-inline constexpr HitBounds cylinder_hit_bounds{.point = {.measured = 1.32, .promised = 2},
+/// scaled plane, is 1 + S(t)·|(x, y)| / (x₋²·ry/rx + y₋²·rx/ry), S(t) = S + |t||direction| there; x₋ is |x|
+/// less 2ε·S(t), under a transform less 8ε·S(t), and no less than 0; y₋ likewise. Side and caps are near p(t)
+/// as for *residual*.
+///
+/// Why x₋ and y₋: p(t) is rounded twice in each coordinate, which moves it by (u, v) with |(u, v)| at most
+/// 2ε·S(t) in the scaled plane. On the way there, at (x + s·u, y + s·v) with s from 0 to 1, the normal
+/// (x/rx, y/ry) turns by |x·v - y·u| / (x²·ry/rx + y²·rx/ry) for each step of s. The numerator is the same
+/// all the way and at most 2ε·S(t)·|(x, y)|, the denominator nowhere less than that of x₋ and y₋: the normal
+/// turns by 2ε·K at most. Of a very eccentric cylinder seen from far away that is much more than what the
+/// turn at p(t) itself comes to: its rounded point may lie on the other side of the axis.
+inline constexpr HitBounds cylinder_hit_bounds{.point = {.measured = 1.32, .promised = 2, .is_proven = true},
                                                .normal = {.measured = 2.49, .promised = 4}};
 
 }  // namespace rayproof

@@ -38,7 +38,8 @@ inline constexpr const char* parallelepiped_normals_turn =
     "rounding turns the normals of edges that nearly lie in one plane";
 
 /// What every sound method says of its first hit. K = Nᵢ/|nᵢ|. A face is near p(t) as for *residual*.
-inline constexpr HitBounds parallelepiped_hit_bounds{.point = {.measured = 1.2, .promised = 2},
-                                                     .normal = {.measured = 2.47, .promised = 4}};
+inline constexpr HitBounds parallelepiped_hit_bounds{
+    .point = {.measured = 1.2, .promised = 2, .is_proven = true},
+    .normal = {.measured = 2.48, .promised = 4}};
 
 }  // namespace rayproof

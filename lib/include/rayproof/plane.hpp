@@ -37,14 +37,23 @@ template <class To, class From>
   return {p.form, convert<To>(p.point), convert<To>(p.normal), To(p.d), convert<To>(p.u), convert<To>(p.v)};
 }
 
-/// The bound, in the units above, that a robust ray/plane method keeps (Claim::robust).
-inline constexpr double plane_robust_bound = 4;
+/// The bound, in the units above, that a robust ray/plane method keeps (Claim::robust), verdict and residual.
+///
+/// It is proven, but for terms in ε². In units of ε·N: a cross product is off by 2.31|u||v|, a dot product by
+/// 3 times the lengths, so that o - p, two dot products and the quotient come to 4·L(t). A normal that is u ×
+/// v adds 2.31·L(t). The point of an implicit plane is off by 5·P along the normal, and P is no more than
+/// half of L(t) where t is the hit: 2.5·L(t). Two vectors that span a given normal turn it by 4.62: 11.1 in
+/// all.
+inline constexpr double plane_robust_bound = 12;
 
 /// What every sound method says of its first hit. For the normal K is 1 where one is given, and else
 /// |u||v| / |u×v|. For the coordinates α, β of a parametric plane's hit, point + α·u + β·v, which
-/// `parametric` gives, K = (|origin - point| + |α||u| + |β||v|)·max(|u|, |v|)·|direction| / |n·direction|.
-inline constexpr HitBounds plane_hit_bounds{.point = {.measured = 1.74, .promised = 2},
-                                            .normal = {.measured = 2.59, .promised = 4},
-                                            .coordinates = {.measured = 1.31, .promised = 4}};
+/// `parametric` gives, K = (|origin - point| + |α||u| + |β||v|)·max(|u|, |v|)·|direction| / |n·direction|,
+/// where |n·direction| counts less its own rounding, 6ε|u||v||direction| (under a transform 24ε): where that
+/// leaves nothing the coordinates may be anything. By the errors above the volumes are off by 6.31ε times
+/// their lengths, and the quotient by 6.31ε·K and its own ε.
+inline constexpr HitBounds plane_hit_bounds{.point = {.measured = 2, .promised = 2, .is_proven = true},
+                                            .normal = {.measured = 2.99, .promised = 4},
+                                            .coordinates = {.measured = 1.41, .promised = 8}};
 
 }  // namespace rayproof

@@ -72,10 +72,14 @@ class ExactIntersection {
   /// How far a point of the shape's own space, in the scale of ObjectRay, is from the surface, in units of
   /// the lengths that it is made of as p(t), L(t).
   [[nodiscard]] virtual Scaled off_surface(const Vector<Ring>& point, const Quotient& t) const = 0;
-  /// The parts of the surface, one of which p(t) is taken to lie on; none where the shape has no normal.
-  [[nodiscard]] virtual SurfaceParts parts(const Quotient& t) const = 0;
-  /// By what factor errors of the shape's numbers and of the ray change the coordinates of a hit.
-  [[nodiscard]] virtual Scaled condition_of_coordinates() const { return Scaled(1); }
+  /// The parts of the surface, one of which p(t) is taken to lie on; none where the shape has no normal. The
+  /// condition of a curved part may depend on the unit roundoff.
+  [[nodiscard]] virtual SurfaceParts parts(const Quotient& t, const Scaled& roundoff) const = 0;
+  /// By what factor errors of the shape's numbers and of the ray change the coordinates of a hit; it may
+  /// depend on the unit roundoff.
+  [[nodiscard]] virtual Scaled condition_of_coordinates(const Scaled& /*roundoff*/) const {
+    return Scaled(1);
+  }
   /// How near the case is to another verdict: how much its lengths must change. Two hits that `may_merge` are
   /// taken for one where they are near one another.
   [[nodiscard]] virtual Scaled margin(bool may_merge) const = 0;

@@ -76,7 +76,7 @@ class DetailsJudge {
   }
 
   void judge_normal(Details& details) const {
-    SurfaceParts parts = exact_.parts(t_);
+    SurfaceParts parts = exact_.parts(t_, Scaled(unit_roundoff(precision_)));
     if (parts.empty()) return;
     const auto by_distance = [](const SurfacePart& a, const SurfacePart& b) { return a.apart < b.apart; };
     std::iter_swap(parts.begin(), std::ranges::min_element(parts, by_distance));
@@ -95,7 +95,8 @@ class DetailsJudge {
       details.coordinates = weights ? units(error_of_coordinates(*exact, *weights)) : HUGE_VAL;
     else if (const auto parameters = exact_.parameters(); claimed_.parameters && parameters)
       details.coordinates = units(error_of_coordinates(*parameters, *claimed_.parameters));
-    if (details.coordinates) details.condition = value(exact_.condition_of_coordinates());
+    if (details.coordinates)
+      details.condition = value(exact_.condition_of_coordinates(Scaled(unit_roundoff(precision_))));
   }
 
   [[nodiscard]] Details judge() const {

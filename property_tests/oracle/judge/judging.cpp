@@ -1,5 +1,7 @@
 #include "oracle/judge/judging.hpp"
 
+#include "oracle/geometry/sizes.hpp"
+
 namespace rayproof::oracle {
 
 std::vector<double> finite_ends(const Ray<double>& ray) {
@@ -10,14 +12,25 @@ std::vector<double> finite_ends(const Ray<double>& ray) {
   return ends;
 }
 
+namespace {
+
+/// The size of the inverse of the case's map; 0 without a transform.
+double size_of_inverse(const ExactIntersection& exact) {
+  const auto& map = exact.ray().map;
+  return map ? value(norm(map->row_x, map->row_y, map->row_z) / approximate(exact.ray().scale)) : 0;
+}
+
+}  // namespace
+
 Judgement judge(const ExactIntersection& exact, Precision precision, const RayAnswer& claimed) {
   const RayQuestion& question = exact.question();
   const ExactContacts hits = exact.hits();
   Judgement judgement;
   const glm::dmat4 map = question.transform.value_or(glm::dmat4(0));  // zeros have no magnitude to note
+  const double inverse = size_of_inverse(exact);
   const auto note = [&](const auto& shape) {
     note_range(judgement, question.ray.origin, question.ray.direction, shape, glm::dvec3(map[0]),
-               glm::dvec3(map[1]), glm::dvec3(map[2]), glm::dvec3(map[3]));
+               glm::dvec3(map[1]), glm::dvec3(map[2]), glm::dvec3(map[3]), inverse);
   };
   std::visit(note, question.shape);
   judgement.hit = !hits.empty();

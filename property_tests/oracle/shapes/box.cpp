@@ -39,8 +39,8 @@ class BoxIntersection final : public SolidIntersection {
 
   /// The six faces; of a slab of no thickness the one that the ray enters by, which faces it. How a transform
   /// rounds may turn a ray that nearly runs along it.
-  [[nodiscard]] SurfaceParts parts(const Quotient& t) const override {
-    const SurfaceParts faces = SolidIntersection::parts(t);
+  [[nodiscard]] SurfaceParts parts(const Quotient& t, const Scaled& roundoff) const override {
+    const SurfaceParts faces = SolidIntersection::parts(t, roundoff);
     if (question().transform) return faces;
     SurfaceParts met_by_ray;
     for (std::size_t i = 0; i < 3; ++i) {

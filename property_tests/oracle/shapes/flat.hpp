@@ -91,7 +91,7 @@ class FlatIntersection : public PlanarIntersection {
     const Ring height = dot(normal_, point - ray().origin) - gap_;
     return ratio(abs(approximate(height)), sizes().unit(0, t.estimate()));
   }
-  [[nodiscard]] SurfaceParts parts(const Quotient&) const override {
+  [[nodiscard]] SurfaceParts parts(const Quotient&, const Scaled&) const override {
     if (is_degenerate()) return {};
     SurfaceParts plane;
     plane.push_back({{normal_}, {}, size_of_products() / norm(normal_)});
@@ -118,6 +118,8 @@ class FlatIntersection : public PlanarIntersection {
     return sign(normal_.x) == 0 && sign(normal_.y) == 0 && sign(normal_.z) == 0;
   }
   [[nodiscard]] bool is_parallel() const { return sign(slope_) == 0; }
+  /// normal·point - offset of a point seen from the ray's origin, in the scale of ObjectRay.
+  [[nodiscard]] Ring height_of(const Vector<Ring>& point) const { return dot(normal_, point) - gap_; }
   /// normal·p(t) - offset.
   [[nodiscard]] Ring height_at(double t) const { return slope_ * Ring(t) - gap_; }
   /// Of a line that is not parallel.

@@ -33,7 +33,7 @@ Scaled OutlinedIntersection::margin(bool) const {
   const RayPart part{approximate(ray().direction), question().ray.t_min, question().ray.t_max,
                      scale * sizes().origin, scale * sizes().direction};
   const auto seen = [&](const glm::dvec3& corner) {
-    return approximate(ray().scale * Vector<Ring>::from(corner) - ray().origin);
+    return in_plane(ray().scale * Vector<Ring>::from(corner) - ray().origin);
   };
   Scaled nearest = endless();
   Vector<Scaled> from = seen(corners().back());
@@ -44,6 +44,17 @@ Scaled OutlinedIntersection::margin(bool) const {
   }
   for (const double end : finite_ends(question().ray)) reduce(nearest, height_over_shape(end));
   return nearest;
+}
+
+Vector<Scaled> OutlinedIntersection::in_plane(const Vector<Ring>& corner) const {
+  Vector<Scaled> seen = approximate(corner);
+  const Ring height = height_of(corner);
+  if (is_degenerate() || sign(height) == 0) return seen;
+  const Projection project(plane_normal());
+  const int axis = 3 - project.x - project.y;
+  Scaled& along = axis == 0 ? seen.x : axis == 1 ? seen.y : seen.z;
+  along = along - approximate(height) / approximate(plane_normal()[axis]);
+  return seen;
 }
 
 Scaled OutlinedIntersection::position() const {

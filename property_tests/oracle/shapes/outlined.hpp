@@ -27,6 +27,8 @@ class OutlinedIntersection : public FlatIntersection {
   [[nodiscard]] Contact located(const Vector<Ring>& point, const Ring& weight) const;
 
  private:
+  /// A corner, seen from the ray's origin in the scale of ObjectRay, where it is projected onto the plane.
+  [[nodiscard]] Vector<Scaled> in_plane(const Vector<Ring>& corner) const;
   /// The distance of p(t) from the shape in units of L(t), where its foot on the plane lies in it; endless
   /// beside it, where its sides are nearest, and where it has no area.
   [[nodiscard]] Scaled height_over_shape(double t) const;

@@ -38,14 +38,17 @@ class PlaneIntersection final : public FlatIntersection {
     }
     return std::nullopt;
   }
-  /// How large the volumes may be of which they are quotients.
-  [[nodiscard]] Scaled condition_of_coordinates() const override {
+  /// How large the volumes may be of which they are quotients, over the least that rounding leaves of the
+  /// divisor.
+  [[nodiscard]] Scaled condition_of_coordinates(const Scaled& roundoff) const override {
     if constexpr (requires { plane_.u; }) {
       const auto [alpha, beta] = *parameters();
       const Scaled u = norm(plane_.u), v = norm(plane_.v), scale = approximate(ray().scale);
       const Scaled origin = ray().map ? scale * sizes().origin : norm(from_point());
       const Scaled reach = origin + scale * (abs(alpha.estimate()) * u + abs(beta.estimate()) * v);
-      return reach * std::max(u, v) / (scale * steepness() * size_of_products());
+      const Scaled divisor = steepness() - Scaled(ray().map ? 24 : 6) * roundoff;
+      if (divisor.sign() <= 0) return endless();
+      return reach * std::max(u, v) / (scale * divisor * size_of_products());
     }
     return Scaled(1);
   }

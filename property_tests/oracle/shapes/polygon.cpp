@@ -14,6 +14,13 @@ class PolygonIntersection final : public OutlinedIntersection {
       : OutlinedIntersection(question, plane_through(polygon.vertices.front(), newell_normal<Ring>(polygon))),
         polygon_(polygon) {}
 
+  /// In units of what the rounding of the normal moves.
+  [[nodiscard]] Scaled margin(bool may_merge) const override {
+    const Scaled nearest = OutlinedIntersection::margin(may_merge);
+    if (is_degenerate()) return nearest;
+    return nearest / std::max(Scaled(1), reach() * reach() / norm(plane_normal()));
+  }
+
  protected:
   [[nodiscard]] std::span<const glm::dvec3> corners() const override { return polygon_.vertices; }
   [[nodiscard]] Contact contact_at(const Quotient& t) const override {
@@ -32,14 +39,19 @@ class PolygonIntersection final : public OutlinedIntersection {
   }
   /// As large as seen from any of its vertices.
   [[nodiscard]] Scaled size_of_products() const override {
-    const auto first = Vector<Ring>::from(polygon_.vertices.front());
-    Scaled reach;
-    for (const glm::dvec3& vertex : polygon_.vertices)
-      reach = std::max(reach, norm(Vector<Ring>::from(vertex) - first));
-    return Scaled(static_cast<double>(polygon_.vertices.size())) * reach * reach;
+    return Scaled(static_cast<double>(polygon_.vertices.size())) * reach() * reach();
   }
 
  private:
+  /// The largest distance of a vertex from the first.
+  [[nodiscard]] Scaled reach() const {
+    const auto first = Vector<Ring>::from(polygon_.vertices.front());
+    Scaled farthest;
+    for (const glm::dvec3& vertex : polygon_.vertices)
+      farthest = std::max(farthest, norm(Vector<Ring>::from(vertex) - first));
+    return farthest;
+  }
+
   const Polygon<double>& polygon_;
 };
 

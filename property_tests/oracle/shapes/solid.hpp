@@ -61,7 +61,7 @@ class SolidIntersection : public PlanarIntersection {
   }
 
   /// The six faces.
-  [[nodiscard]] SurfaceParts parts(const Quotient& t) const override {
+  [[nodiscard]] SurfaceParts parts(const Quotient& t, const Scaled& /*roundoff*/) const override {
     SurfaceParts all;
     for (std::size_t i = 0; i < 3; ++i) {
       const SlabMeeting& slab = met(i);

@@ -41,7 +41,7 @@ class TriangleIntersection final : public OutlinedIntersection {
   [[nodiscard]] double far() const override { return 1 / value(steepness()); }
   /// How large the volumes may be over their sum, with the vertices as far from the origin as they are; under
   /// a transform as far as its rounding may put them.
-  [[nodiscard]] Scaled condition_of_coordinates() const override {
+  [[nodiscard]] Scaled condition_of_coordinates(const Scaled& /*roundoff*/) const override {
     const Scaled scale = approximate(ray().scale);
     const auto apart = [&](const glm::dvec3& v) {
       return ray().map ? scale * sizes().origin : norm(Vector<Ring>::from(v) - ray().origin);

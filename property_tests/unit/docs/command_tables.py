@@ -12,7 +12,7 @@ PLACEHOLDERS = [
 UNKNOWN = re.compile(r"(?<![\w=$'\"-])(?:[A-Z]{2,}|[A-Z])(?![\w=])")  # in capitals still: no value of ours
 
 # Numbers that are set in a command whatever it has, and options that are added where it has none of a kind.
-SMALLER = [(r"rayproof check\b", "--cases", "200"), (r"rayproof spawn\b", "--cases", "32"), (r"--cases 400000", "--cases", "20"), (r"rayproof report\b", "--rays", "256"), (r"rayproof report\b", "--time", "0.02"),
+SMALLER = [(r"rayproof check\b", "--cases", "200"), (r"rayproof worst\b", "--cases", "500"), (r"rayproof spawn\b", "--cases", "32"), (r"--cases 400000", "--cases", "20"), (r"rayproof report\b", "--rays", "256"), (r"rayproof report\b", "--time", "0.02"),
            (r"rayproof bench\b", "--benchmark_min_time", "0.001")]
 ADDED = [(r"rayproof check\b(?!.*--(shape|topic|method|replay)\b)", "--topic quadratic"),
          (r"rayproof report\b(?!.*--(shape|topic)\b)", "--shape quadratic"),
@@ -22,7 +22,7 @@ ADDED = [(r"rayproof check\b(?!.*--(shape|topic|method|replay)\b)", "--topic qua
 WHOLE = [(r"rayproof check\b(?!.*--(shape|topic|method|cases|replay)\b)", "--cases", "250")]
 
 # Commands that would take long: the same command on less, with its output compared but for the numbers.
-SHORTER = [(r"walk all --png", "walk rays --png"), (r"RAYPROOF_QUADRIC_RAYS=\d+", "RAYPROOF_QUADRIC_RAYS=2000"),
+SHORTER = [(r"(rayproof worst.*) --time \w+", r"\1"), (r"walk all --png", "walk rays --png"), (r"RAYPROOF_QUADRIC_RAYS=\d+", "RAYPROOF_QUADRIC_RAYS=2000"),
            (r"run\.py --build \S+", "run.py --list --build {build}"), (r"^(cmake --preset \S+) .*", r"\1 -N"),
            (r"^cmake --build build/mutation --target (\S+)$", r"cmake --build {build} --target help | grep -E '(^| )\1(:|$)'"),
            (r"^ctest ", "ctest --test-dir {build} --show-only "), (r"build/release/bin/", "{bin}/"),

@@ -16,7 +16,7 @@ struct Compensated {
   static constexpr const char* title = "slabs compared exactly by expansions";
   static constexpr Source source = sources::shewchuk;
   static constexpr Contract contract{
-      .verdict = {.measured = 0, .promised = 0},
+      .verdict = {.measured = 0, .promised = 0, .is_proven = true},
       .ulp = {.measured = 0.5, .promised = 0.501},
       .hit = box_hit_bounds,
       .domain = {.reach_float = 1000, .reach_double = 480, .every_number = true},

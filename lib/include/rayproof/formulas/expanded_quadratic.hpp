@@ -44,6 +44,9 @@ struct ExpandedQuadratic {
   [[nodiscard]] T root(const Ray<T>& ray, int side) const {
     double t = approximate(side);
     if (sizeof(T) == sizeof(double) && abs(t) < infinity<double>) {
+      // From outside of both roots, where slope and half chord have one sign: however near to each other the
+      // roots are, their sum does not cancel.
+      t += side * 0x1p-48 * abs(t);
       // Less the exact value there over the exact slope between t and the root: this rounds once.
       const double slope = estimate(slope_at(t)) + side * half_chord;
       if (slope != 0) t -= estimate(at(t)) / slope;

@@ -50,25 +50,29 @@ class Claims {
   unsigned bits_ = 0;
 };
 
-/// An error bound: the worst error ever measured, and the bound that is promised and tested. The unit is the
-/// shape's (`sphere.hpp`, `quadratic.hpp` say which); docs/nightly.md has the command that measures. Where
-/// nothing is promised, `promised` is infinite. The unit of a naive method's bound grows with the ratio by
-/// which its arithmetic suffers, to the power `far_power`; the shape says which ratio.
+/// An error bound: the worst error ever found, and the bound that is promised and tested. The unit is the
+/// shape's (`sphere.hpp`, `quadratic.hpp` say which). What was found, by random cases (docs/nightly.md) or by
+/// guided search (docs/worst-cases.md), is a lower bound of the worst there is, and no proof. A bound that is
+/// proven has its derivation, or its source, beside it. Where nothing is promised, `promised` is infinite.
+/// The unit of a naive method's bound grows with the ratio by which its arithmetic suffers, to the power
+/// `far_power`; the shape says which ratio.
 struct Bound {
   double measured = std::numeric_limits<double>::infinity();
   double promised = std::numeric_limits<double>::infinity();
   int far_power = 0;
+  bool is_proven = false;
 };
 
 /// Bounds on what an answer says of its first hit beside t, the same for all sound methods of a shape, which
 /// has them beside its units. With ε the unit roundoff:
 /// *point* is the distance of the point from p(t) in units of ε·(|origin| + |t||direction|), so that it is no
-/// farther from the surface than the residual and this together; *normal* the angle to the surface's outward
-/// (or given) normal at p(t), in units of ε·K with the condition K that the shape states, and the difference
-/// of its length from 1 in units of ε; near an edge it may be that of either face; *coordinates* the error of
-/// each coordinate in units of ε·K, of a method that promises ulps in units of ε. Under a
-/// transform K grows by its condition number. The usual domain holds for them, however far a method's own may
-/// reach.
+/// farther from the surface than the residual and this together (2 is proven: each coordinate is a product
+/// and a sum, off by ε·|t·d| and by ε·(|o| + |t·d|) at most, or by less where one is below the other's ulp);
+/// *normal* the angle to the surface's outward (or given) normal at p(t), in units of ε·K with the condition
+/// K that the shape states, and the difference of its length from 1 in units of ε; near an edge it may be
+/// that of either face; *coordinates* the error of each coordinate in units of ε·K, of a method that promises
+/// ulps in units of ε. Under a transform K grows by its condition number. The usual domain holds for them,
+/// however far a method's own may reach.
 struct HitBounds {
   Bound point{};
   Bound normal{};
@@ -90,7 +94,7 @@ struct Refutation {
 
 /// The sizes of input for which the bounds hold: every length of the problem (the shape's unit says which)
 /// lies within 2^-reach and 2^reach, so that no intermediate of the formula overflows or loses digits to
-/// underflow.
+/// underflow. Of a transform the lengths are its entries and its inverse's norm.
 struct Domain {
   int reach_float = 28;
   int reach_double = 240;

@@ -15,7 +15,7 @@ struct Compensated {
   static constexpr const char* title = "exact numerator and denominator by expansions";
   static constexpr Source source = sources::shewchuk;
   static constexpr Contract contract{
-      .verdict = {.measured = 0, .promised = 0},
+      .verdict = {.measured = 0, .promised = 0, .is_proven = true},
       .residual = {.measured = 0.5, .promised = 2},
       .ulp = {.measured = 0.501, .promised = 0.51},
       .hit = {plane_hit_bounds.point, plane_hit_bounds.normal},

@@ -13,7 +13,7 @@ struct Compensated {
   static constexpr const char* title = "winding number with exact orientations";
   static constexpr Source source = sources::shewchuk;
   static constexpr Contract contract{
-      .verdict = {.measured = 0, .promised = 0},
+      .verdict = {.measured = 0, .promised = 0, .is_proven = true},
       .domain = {.reach_float = 1000, .reach_double = 400, .every_number = true},
       .holds = always_claimed | Claims{Claim::verdict, Claim::robust, Claim::scaled, Claim::exact}};
 

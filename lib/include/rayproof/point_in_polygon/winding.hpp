@@ -46,7 +46,7 @@ struct Winding {
   static constexpr Source source{"K. Hormann, A. Agathos",
                                  "The Point in Polygon Problem for Arbitrary Polygons", 2001};
   static constexpr Contract contract{
-      .verdict = {.measured = 0.347, .promised = point_in_polygon_robust_bound},
+      .verdict = {.measured = 0.715, .promised = point_in_polygon_robust_bound},
       .holds = always_claimed | Claims{Claim::verdict, Claim::robust, Claim::scaled, Claim::exact}};
 
   template <Branching T>

@@ -20,7 +20,7 @@ struct Compensated {
   static constexpr const char* title = "exact discriminant by expansions";
   static constexpr Source source = sources::shewchuk;
   static constexpr Contract contract{
-      .verdict = {.measured = 0, .promised = 0},
+      .verdict = {.measured = 0, .promised = 0, .is_proven = true},
       .residual = {.measured = 1.0, .promised = 2},
       .ulp = {.measured = 0.501, .promised = 0.54},
       .hit = sphere_hit_bounds,

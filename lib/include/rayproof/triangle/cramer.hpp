@@ -16,8 +16,8 @@ struct Cramer {
   static constexpr Source source = sources::ban;
   static constexpr Contract contract{
       .standing = Standing::naive,
-      .verdict = {.measured = 0.476, .promised = triangle_robust_bound, .far_power = 1},
-      .residual = {.measured = 1.11, .promised = triangle_robust_bound},
+      .verdict = {.measured = 3.87, .promised = triangle_divided_bound, .far_power = 1},
+      .residual = {.measured = 2.36, .promised = triangle_robust_bound},
       .hit = triangle_hit_bounds,
       .holds = always_claimed | hit_claims |
                Claims{Claim::coordinates, Claim::verdict, Claim::residual, Claim::moved, Claim::scaled,

@@ -16,8 +16,8 @@ struct MollerTrumbore {
                                  1997};
   static constexpr Contract contract{
       .standing = Standing::naive,
-      .verdict = {.measured = 0.456, .promised = triangle_robust_bound, .far_power = 1},
-      .residual = {.measured = 1.32, .promised = triangle_robust_bound},
+      .verdict = {.measured = 1.35, .promised = triangle_divided_bound, .far_power = 1},
+      .residual = {.measured = 2.65, .promised = triangle_robust_bound},
       .hit = triangle_hit_bounds,
       .holds = always_claimed | hit_claims |
                Claims{Claim::coordinates, Claim::verdict, Claim::residual, Claim::moved, Claim::scaled,

@@ -16,8 +16,8 @@ struct PlaneProjection {
   static constexpr Source source = sources::ban;
   static constexpr Contract contract{
       .standing = Standing::naive,
-      .verdict = {.measured = 0.476, .promised = triangle_robust_bound, .far_power = 1},
-      .residual = {.measured = 1.24, .promised = triangle_robust_bound},
+      .verdict = {.measured = 1.86, .promised = triangle_divided_bound, .far_power = 1},
+      .residual = {.measured = 2.43, .promised = triangle_robust_bound},
       .hit = {triangle_hit_bounds.point, triangle_hit_bounds.normal},
       .holds = always_claimed | hit_claims |
                Claims{Claim::verdict, Claim::residual, Claim::moved, Claim::scaled, Claim::reversed,

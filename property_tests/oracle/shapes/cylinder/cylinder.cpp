@@ -41,12 +41,11 @@ class CylinderIntersection final : public MeasuredCylinder {
   }
 
   /// The side, and the caps where there are any, each as if it had no end.
-  [[nodiscard]] SurfaceParts parts(const Quotient& t) const override {
+  [[nodiscard]] SurfaceParts parts(const Quotient& t, const Scaled& roundoff) const override {
     SurfaceParts all;
     const CylinderPoint p = place_at(t);
-    const Scaled growth = turn_of_side(t);
-    if (growth.sign() > 0)
-      all.push_back({side_normal(), off_circle(p), Scaled(1) + growth * reach_across(p.t)});
+    if (const auto condition = condition_of_side(t, roundoff))
+      all.push_back({side_normal(), off_circle(p), *condition});
     if (!cylinder().capped) return all;
     for (const bool is_lower : {true, false})
       all.push_back({{{Ring(0.0), Ring(0.0), Ring(is_lower ? -1.0 : 1.0)}}, off_cap(p, is_lower), Scaled(1)});
@@ -61,20 +60,25 @@ class CylinderIntersection final : public MeasuredCylinder {
     };
     return {gradient(equation().origin), gradient(equation().direction)};
   }
-  /// By how much the side's normal turns for a step across p(t) in the plane in which the side is the unit
-  /// circle; 0 on the axis, where there is no normal.
-  [[nodiscard]] Scaled turn_of_side(const Quotient& t) const {
-    const auto stretched = [&](const Ring& o, const Ring& d) {
-      return approximate(o * t.denominator() + d * t.numerator());
+  /// By how much the rounding of p(t), in the plane in which the side is the unit circle, may turn the side's
+  /// normal, in units of ε: K of cylinder.hpp, where it is derived. Nothing on the axis, where there is none.
+  [[nodiscard]] std::optional<Scaled> condition_of_side(const Quotient& t, const Scaled& roundoff) const {
+    const Scaled reach = reach_across(t.estimate());
+    const Scaled weight = approximate(t.denominator()) * abs(approximate(equation().radius));
+    const auto across = [&](const Ring& o, const Ring& d) {
+      return abs(approximate(o * t.denominator() + d * t.numerator())) / weight;
     };
-    const Scaled x = stretched(equation().origin.x, equation().direction.x);
-    const Scaled y = stretched(equation().origin.y, equation().direction.y);
-    const Scaled r = sqrt(x * x + y * y),
-                 weight = approximate(t.denominator()) * approximate(equation().radius);
-    if (r.sign() == 0) return {};
-    // The normal n is (x/rx, y/ry); a step of δ along the circle turns it by δ·r/(rx·ry·n²).
+    const Scaled x = across(equation().origin.x, equation().direction.x);
+    const Scaled y = across(equation().origin.y, equation().direction.y);
+    if (x.sign() == 0 && y.sign() == 0) return std::nullopt;
+    // As near to the axis as rounding may bring each coordinate.
+    const Scaled off = Scaled(ray().map ? 8 : 2) * roundoff * reach;
+    const Scaled near_x = std::max(x - off, Scaled{}), near_y = std::max(y - off, Scaled{});
+    // The normal is (x/rx, y/ry); its turn by a step of δ is at most δ·|(x, y)|/(rx·ry·|normal|²).
     const Scaled flatness = Scaled(cylinder().ry) / Scaled(cylinder().rx);
-    return r * weight / (x * x * flatness + y * y / flatness);
+    const Scaled squared_normal = near_x * near_x * flatness + near_y * near_y / flatness;
+    if (squared_normal.sign() == 0) return endless();
+    return Scaled(1) + reach * sqrt(x * x + y * y) / squared_normal;
   }
 
   /// The hit with the cap's plane that the line passes on its way in, or out, where it lies inside the rim.

@@ -60,7 +60,7 @@ class SphereIntersection final : public ExactIntersection {
     const Scaled scale = approximate(scene_.ray.scale), radius = abs(approximate(scene_.radius));
     return ratio(apart, scale * (reach(t) + norm(sphere_.center)) + radius);
   }
-  [[nodiscard]] SurfaceParts parts(const Quotient& t) const override {
+  [[nodiscard]] SurfaceParts parts(const Quotient& t, const Scaled& /*roundoff*/) const override {
     SurfaceParts whole;
     const Scaled from_center = norm(from_center_at(t)) / approximate(t.denominator());
     if (sign(scene_.radius) == 0 || from_center.sign() == 0) return whole;

@@ -1,0 +1,115 @@
+/// \file
+/// rayproof worst: looks for each method's worst cases by varying the worst that it knows.
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+#include "command_line/command_line.hpp"
+#include "command_line/interrupt.hpp"
+#include "command_line/progress_line.hpp"
+#include "properties/worst/search.hpp"
+
+namespace {
+
+using namespace rayproof;
+
+struct WorstOptions {
+  worst::WorstSearch what{};
+  std::string out = "out/worst";
+  std::string json{};
+};
+
+void describe_filters(CLI::App& app, WorstOptions& options) {
+  const auto list = [&](const char* name, std::vector<std::string>& into, const char* text) {
+    app.add_option(name, into, text)->delimiter(',');
+  };
+  Settings& plan = options.what.plan;
+  list("--shape,--topic", plan.shapes, "Only methods of these shapes");
+  list("--method", plan.methods,
+       "Only these methods: centred, or sphere/centred; the misprinted ones only so");
+  list("--family", plan.families, "Begin with cases of these families");
+  const auto add_precisions = [&plan](const std::vector<std::string>& names) {
+    for (const std::string& name : names)
+      plan.precisions.push_back(name == "float32" ? Precision::float32 : Precision::float64);
+  };
+  app.add_option_function<std::vector<std::string>>("--precision", add_precisions, "Only float32 or float64")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"float32", "float64"}));
+}
+
+void describe(CLI::App& app, WorstOptions& options) {
+  Settings& plan = options.what.plan;
+  plan.cases = 100'000;
+  app.add_option("--seed", plan.seed, "Where the search begins")->capture_default_str();
+  app.add_option("--cases", plan.cases, "Cases for each method and precision")
+      ->capture_default_str()
+      ->check(CLI::Range(1.0, 1e12));
+  app.add_option_function<long long>(
+         "--time", [&options](long long seconds) { options.what.time = std::chrono::seconds(seconds); },
+         "In place of --cases: time for each method and precision, in seconds or as 1m or 2h")
+      ->transform(CLI::AsNumberWithUnit(std::map<std::string, long long>{{"s", 1}, {"m", 60}, {"h", 3600}}))
+      ->check(CLI::PositiveNumber);
+  app.add_flag("--compare", options.what.compare, "Draw cases at random as long, too, and show both");
+  app.add_option("--jobs", plan.jobs, "Threads; as many as the machine has where left out")
+      ->check(CLI::Range(1, 1024));
+  describe_filters(app, options);
+  app.add_option("--out", options.out, "Folder for findings.jsonl, the worst cases")
+      ->capture_default_str()
+      ->type_name("DIR");
+  app.add_option("--json", options.json, "Write all figures and cases as one JSON object")->type_name("FILE");
+  app.footer(
+      "Each worst found is a lower bound of the worst there is; a promise with a star is proven.\n"
+      "The same seed and number of cases give the same output, whatever the number of jobs.\n"
+      "Exit status: 0 no promise is exceeded; 1 one is; 2 wrong command line; 130 interrupted.");
+}
+
+std::ofstream opened(const std::filesystem::path& name) {
+  std::ofstream file(name);
+  if (!file) throw std::runtime_error(name.string() + " cannot be written");
+  return file;
+}
+
+/// The worst cases, a line each, and how many there are.
+std::size_t write_findings(const worst::WorstResult& result, std::ofstream& file) {
+  std::size_t number = 0;
+  for (const worst::WorstRow& row : result.rows)
+    if (row.found) file << write_finding(worst::finding_of(row, ++number)) << '\n';
+  return number;
+}
+
+int run(const WorstOptions& options) {
+  (void)make_plan(options.what.plan);  // refuses unknown names before anything is written
+  std::filesystem::create_directories(options.out);
+  const std::filesystem::path name = std::filesystem::path(options.out) / "findings.jsonl";
+  std::ofstream findings = opened(name), json;
+  if (!options.json.empty()) json = opened(options.json);
+  keep_on_interrupt();
+  ProgressLine progress;
+  const worst::WorstResult result = worst::search(
+      options.what, is_interrupted, [&](double done, const std::string& what) { progress.show(done, what); });
+  progress.clear();
+  const std::size_t count = write_findings(result, findings);
+  json << worst::json_text(options.what, result);
+  fmt::print("seed {}, {} cases by guided search, {} by draws alone\n\n{}\n{}", options.what.plan.seed,
+             result.climbed, result.drawn, worst::text_table(result), worst::text_exceeded(result));
+  fmt::print("{} worst cases: {}; rayproof explain N --from {} looks into one\n", count, name.string(),
+             name.string());
+  if (result.was_interrupted) fmt::print("interrupted: only what is shown was searched\n");
+  return result.was_interrupted ? 130 : result.keeps_promises() ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Looks for each method's worst cases by varying the worst that it knows.", "rayproof worst");
+  WorstOptions options;
+  describe(app, options);
+  if (const auto status = parse_command_line(app, argc, argv)) return *status;
+  try {
+    return run(options);
+  } catch (const std::runtime_error& trouble) {
+    fmt::print(stderr, "rayproof worst: {}\n", trouble.what());
+  }
+  return 2;
+}
