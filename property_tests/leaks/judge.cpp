@@ -33,12 +33,29 @@ double largest_coordinate(const std::vector<Case>& cases) {
 std::optional<LossKind> failure_of(const PatchCrossing& crossing, const std::vector<double>& hits,
                                    Precision precision) {
   if (hits.empty()) return LossKind::leak;
+  if (std::ranges::any_of(hits, [](double t) { return std::isnan(t); }))
+    return std::nullopt;  // no t is given
   const auto [least, most] = std::ranges::minmax(hits);
   if (least == most) return std::nullopt;
   const glm::dvec3& d = crossing.aim.ray.direction;
   const double apart = (most - least) * std::sqrt(dot(d, d));
   const bool is_one = apart <= same_hit_ulps * oracle::ulp_of(largest_coordinate(crossing.cases), precision);
   return is_one ? std::nullopt : std::optional(LossKind::double_hit);
+}
+
+/// Whether a triangle of the patch has no answer, which is counted.
+bool note_unanswered(Outcomes& into, std::uint64_t number, std::span<const Outcome> outcomes) {
+  const auto failed = std::ranges::find_if(
+      outcomes, [](const Outcome& one) { return one.is_failure() || one.kind == OutcomeKind::not_asked; });
+  if (failed != outcomes.end()) {
+    ++into.failed;
+    if (failed->is_failure() && (!into.failure || number < into.failure->first))
+      into.failure.emplace(number, failed->sentence);
+    return true;
+  }
+  if (std::ranges::all_of(outcomes, &Outcome::is_answered)) return false;
+  ++into.unsupported;
+  return true;
 }
 
 }  // namespace
@@ -62,10 +79,7 @@ std::optional<PatchCrossing> crossing_of(const Targets& targets, std::uint64_t n
 }
 
 void judge(Outcomes& into, const PatchCrossing& crossing, std::span<const Outcome> outcomes) {
-  if (!std::ranges::all_of(outcomes, &Outcome::is_answered)) {
-    ++into.unanswered;
-    return;
-  }
+  if (note_unanswered(into, crossing.number, outcomes)) return;
   std::vector<std::vector<double>> got;
   std::vector<double> all;
   for (const Outcome& one : outcomes) {
@@ -94,7 +108,9 @@ Outcomes& Outcomes::operator+=(const Outcomes& more) {
     doubles[i] += more.doubles[i];
   }
   leaks_from_inside += more.leaks_from_inside;
-  unanswered += more.unanswered;
+  unsupported += more.unsupported;
+  failed += more.failed;
+  if (more.failure && (!failure || more.failure->first < failure->first)) failure = more.failure;
   for (std::size_t i = 0; i < first.size(); ++i)
     if (more.first[i] && (!first[i] || more.first[i]->number < first[i]->number)) first[i] = more.first[i];
   return *this;

@@ -113,7 +113,7 @@ std::string html_page(const ClosedMesh& mesh, const LeakSettings& settings, cons
              "there. A double hit: one crossing is reported at places more than {} units in the last place "
              "of the largest coordinate apart.</p>\n<pre>{}</pre>\n"
              "<h2>The first of each kind, as the ray sees it</h2>\n<p>The cross is the ray. Hatched: the "
-             "method reports a hit. Thick lines: hit in truth.</p>\n{}</main></body></html>\n",
+             "subject reports a hit. Thick lines: hit in truth.</p>\n{}</main></body></html>\n",
              escaped(mesh.name), mesh.triangles.size(), settings.seed, settings.rays, same_hit_ulps,
              escaped(text_table(result)), losses);
 }

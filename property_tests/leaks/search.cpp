@@ -92,7 +92,7 @@ Result search_all(const ClosedMesh& mesh, const std::vector<const Subject*>& sub
 }  // namespace
 
 bool is_held_to(const Subject& subject) {
-  return subject.has_own_contract && subject.contract.standing == Standing::sound;
+  return !subject.has_own_contract || subject.contract.standing == Standing::sound;
 }
 
 Result search(const ClosedMesh& mesh, const std::vector<const Subject*>& subjects,

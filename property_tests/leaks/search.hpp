@@ -45,8 +45,10 @@ struct Outcomes {
   Precision precision{};
   std::array<std::uint64_t, target_count> rays{}, leaks{}, doubles{};  ///< by target
   std::uint64_t leaks_from_inside = 0;                                 ///< of the leaks
-  std::uint64_t unanswered = 0;                                        ///< rays with a triangle unanswered
-  std::array<std::optional<Loss>, 2> first{};                          ///< by LossKind
+  std::uint64_t unsupported = 0;  ///< rays with a triangle that the subject says is not for it
+  std::uint64_t failed = 0;       ///< rays with a triangle that it failed to answer
+  std::optional<std::pair<std::uint64_t, std::string>> failure{};  ///< of the first such ray, in one sentence
+  std::array<std::optional<Loss>, 2> first{};                      ///< by LossKind
 
   [[nodiscard]] std::uint64_t total(const std::array<std::uint64_t, target_count>& counts) const;
   Outcomes& operator+=(const Outcomes& more);
@@ -62,7 +64,8 @@ struct Result {
                             const LeakSettings& settings, const std::atomic<bool>& stop,
                             const std::function<void(double, const std::string&)>& progress);
 
-/// Whether a subject is held to it: a sound method must neither leak nor hit twice.
+/// Whether a subject is held to it: a sound method must neither leak nor hit twice, nor must anybody else who
+/// is put on trial; a method of ours that is not sound has no other choice.
 [[nodiscard]] bool is_held_to(const Subject& subject);
 
 }  // namespace rayproof::leaks

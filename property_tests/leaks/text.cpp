@@ -16,10 +16,22 @@ std::string share(std::uint64_t count, std::uint64_t rays) {
   return rays == 0 ? "-" : fmt::format("{} of {}", count, rays);
 }
 
+/// What was not judged of a subject's answers, in a line each.
+std::string not_judged(const Outcomes& one) {
+  std::string text;
+  const std::string who = fmt::format("{} {}", one.subject->full_name(), name_of(one.precision));
+  if (one.unsupported > 0) text += fmt::format("{}: {} rays are not for it, it says\n", who, one.unsupported);
+  if (one.failed > 0)
+    text += fmt::format("{}: {} rays without an answer{}\n", who, one.failed,
+                        one.failure ? ": " + one.failure->second : "");
+  if (one.subject->is_given_up()) text += fmt::format("{}: given up: {}\n", who, one.subject->why_given_up());
+  return text;
+}
+
 }  // namespace
 
 std::string text_table(const Result& result) {
-  Rows rows{{"method", "precision", "leaks at vertices", "midpoints", "edges", "diagonals", "from inside",
+  Rows rows{{"subject", "precision", "leaks at vertices", "midpoints", "edges", "diagonals", "from inside",
              "double hits"}};
   for (const Outcomes& one : result.outcomes) {
     std::vector<std::string> row{one.subject->full_name(), name_of(one.precision)};
@@ -30,20 +42,21 @@ std::string text_table(const Result& result) {
     rows.push_back(row);
   }
   std::string text = in_columns(rows, 2, true);
-  for (const Outcomes& one : result.outcomes)
-    if (one.unanswered > 0)
-      text += fmt::format("{} {}: {} rays not judged, since it did not answer for all their triangles\n",
-                          one.subject->full_name(), name_of(one.precision), one.unanswered);
+  for (const Outcomes& one : result.outcomes) text += not_judged(one);
   return text;
 }
 
 std::vector<std::string> broken_promises(const Result& result) {
   std::vector<std::string> sentences;
-  for (const Outcomes& one : result.outcomes)
-    if (is_held_to(*one.subject) && one.total(one.leaks) + one.total(one.doubles) > 0)
-      sentences.push_back(fmt::format("{} in {}: {} leaks and {} double hits, though it is sound",
-                                      one.subject->full_name(), name_of(one.precision), one.total(one.leaks),
-                                      one.total(one.doubles)));
+  for (const Outcomes& one : result.outcomes) {
+    if (!is_held_to(*one.subject) || one.total(one.leaks) + one.total(one.doubles) + one.failed == 0)
+      continue;
+    sentences.push_back(fmt::format("{} in {}: {} leaks and {} double hits{}", one.subject->full_name(),
+                                    name_of(one.precision), one.total(one.leaks), one.total(one.doubles),
+                                    one.failed > 0 ? fmt::format(", {} rays without an answer", one.failed)
+                                    : one.subject->has_own_contract ? ", though it is sound"
+                                                                    : ""));
+  }
   return sentences;
 }
 

@@ -9,11 +9,16 @@ namespace rayproof::leaks {
 /// A line for each subject and precision: rays, leaks by target, double hits; at most 120 columns wide.
 [[nodiscard]] std::string text_table(const Result& result);
 
-/// One sentence for each sound method that leaks or hits twice; none where all is well.
+/// One sentence for each subject that is held to it (`is_held_to`) and leaks, hits twice or gives no answer;
+/// none where all is well.
 [[nodiscard]] std::vector<std::string> broken_promises(const Result& result);
 
 /// The cases of all losses that are kept, one triangle a line.
 [[nodiscard]] std::string case_lines(const Result& result);
+
+/// All figures as one JSON object.
+[[nodiscard]] std::string json_text(const ClosedMesh& mesh, const LeakSettings& settings,
+                                    const Result& result);
 
 /// A self-contained page: the table, and of each subject the first leak and the first double hit, seen along
 /// the ray.

@@ -6,6 +6,8 @@
 #include <rayproof/method/method.hpp>
 #include <rayproof/ray.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof {
 
 /// An eye that looks at `center`, `up` pointing upwards in the image. The image plane lies at distance 1 from
@@ -126,3 +128,5 @@ struct PrintedPixelCorner {
 
 }  // namespace camera
 }  // namespace rayproof
+
+#include <rayproof/rounding/as_before.hpp>

@@ -11,6 +11,8 @@
 #include <rayproof/sphere.hpp>
 #include <rayproof/triangle.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof {
 
 /// Along the given normal, or u × v.
@@ -99,3 +101,5 @@ template <std::floating_point T>
 }
 
 }  // namespace rayproof
+
+#include <rayproof/rounding/as_before.hpp>

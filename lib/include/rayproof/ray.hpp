@@ -24,11 +24,15 @@ template <class T>
   return ray.t_min <= t && t <= ray.t_max;
 }
 
+#include <rayproof/rounding/as_written.hpp>
+
 /// p(t), rounded operation by operation.
 template <class T>
 [[nodiscard]] constexpr vec3<T> point_at(const Ray<T>& ray, const T& t) {
   return ray.origin + t * ray.direction;
 }
+
+#include <rayproof/rounding/as_before.hpp>
 
 /// The same ray in another arithmetic.
 template <class To, class From>

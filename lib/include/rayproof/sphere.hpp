@@ -5,6 +5,8 @@
 #include <rayproof/method/contract.hpp>
 #include <rayproof/roots.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof {
 
 /// All points at distance `radius` from `center`; a radius of 0 makes it a point.
@@ -44,3 +46,5 @@ inline constexpr HitBounds sphere_hit_bounds{.point = {.measured = 1.3, .promise
                                              .normal = {.measured = 2.59, .promised = 4}};
 
 }  // namespace rayproof
+
+#include <rayproof/rounding/as_before.hpp>

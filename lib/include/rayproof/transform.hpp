@@ -5,6 +5,8 @@
 #include <rayproof/formulas/difference_of_products.hpp>
 #include <rayproof/ray.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof {
 
 /// The map from the world into an object's space: p ↦ A⁻¹(p - b) for the object-to-world map q ↦ A·q + b.
@@ -72,3 +74,5 @@ template <class To, class From>
 }
 
 }  // namespace rayproof
+
+#include <rayproof/rounding/as_before.hpp>

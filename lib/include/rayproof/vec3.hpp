@@ -10,6 +10,8 @@
 #include <rayproof/arithmetic.hpp>
 #include <type_traits>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof {
 
 /// Three numbers of any arithmetic, with glm::vec3's member names. GLM's own class keeps its components in
@@ -70,6 +72,8 @@ template <class T>
 [[nodiscard]] vec3<T> normalized(const vec3<T>& v) {
   return (T(1) / sqrt(dot(v, v))) * v;
 }
+
+#include <rayproof/rounding/as_before.hpp>
 
 /// The same vector in another arithmetic.
 template <class To, class V>

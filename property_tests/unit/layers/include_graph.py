@@ -14,7 +14,7 @@ import sys
 
 # From the lowest to the highest; parts of one line may know each other in one direction.
 LAYERS = [["lib"], ["case"], ["oracle", "generators", "subjects", "answering"], ["properties"], ["leaks", "dossier"], ["command_line", "rapidcheck.hpp", "answer_cases.hpp"],
-          ["viz", "bench", "programs", "peers"]]
+          ["viz", "bench", "programs", "peers", "builds"]]
 # Where the headers of each tree begin, as the compiler knows them.
 ROOTS = {"lib": "lib/include/rayproof", "": "property_tests", "viz": "viz", "bench": "bench"}
 INCLUDE = re.compile(r'^#include ["<]([^">]+)[">]', re.MULTILINE)

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "leaks/text.hpp"
 #include "oracle/oracle.hpp"
 
@@ -54,6 +56,41 @@ TEST(Leaks, AreNoneOfTheOracleAndHitsAtOnePlaceAreOne) {
   const Subject exact = answering([](const Case& one) { return oracle::answer(one); });
   const Result result = search_with({&exact}, "cube");
   EXPECT_TRUE(broken_promises(result).empty()) << text_table(result);
+}
+
+TEST(Leaks, AreNotCountedWhereThereIsNoAnswer) {
+  struct Refusing final : Answerer {
+    void answer(std::span<const Case> cases, std::span<Outcome> outcomes) override {
+      for (std::size_t i = 0; i < cases.size(); ++i)
+        outcomes[i] = cases[i].precision == Precision::float32
+                          ? Outcome{.kind = OutcomeKind::unsupported}
+                          : Outcome{.kind = OutcomeKind::refused, .sentence = "will not"};
+    }
+  };
+  Subject mute = answering(nullptr);
+  mute.function = nullptr;
+  mute.has_own_contract = false;
+  mute.start = [] { return std::make_unique<Refusing>(); };
+  const Result result = search_with({&mute}, "cube");
+  EXPECT_EQ(result.outcomes[0].total(result.outcomes[0].rays), 0U);
+  EXPECT_GT(result.outcomes[0].unsupported, 5'000U);
+  EXPECT_EQ(result.outcomes[0].failed, 0U);
+  EXPECT_GT(result.outcomes[1].failed, 5'000U);
+  EXPECT_EQ(result.outcomes[1].failure->second, "will not");
+  EXPECT_EQ(broken_promises(result).size(), 1U) << text_table(result);
+}
+
+TEST(Leaks, AreJudgedOfWhoGivesNoT) {
+  Subject whether = answering([](const Case& one) -> Answer {
+    RayAnswer answer;
+    answer.verdict_only = std::get<RayAnswer>(oracle::answer(one)).hits.count > 0;
+    if (answer.verdict_only) answer.hits.push_back(std::nan(""));
+    return answer;
+  });
+  whether.has_own_contract = false;
+  const Result result = search_with({&whether}, "cube");
+  EXPECT_TRUE(broken_promises(result).empty()) << text_table(result);
+  EXPECT_GT(result.outcomes[0].total(result.outcomes[0].rays), 5'000U);
 }
 
 TEST(Leaks, AreTheSameForEveryNumberOfThreads) {

@@ -11,6 +11,8 @@
 #include <rayproof/arithmetic.hpp>
 #include <type_traits>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof {
 
 /// A comparison's outcome, and whether the exact numbers are sure to compare in the same way.
@@ -141,3 +143,5 @@ struct Bounded : Comparable<Bounded<T>> {
 }  // namespace rayproof
 
 #include <rayproof/arithmetics/bounded_functions.hpp>  // IWYU pragma: export
+
+#include <rayproof/rounding/as_before.hpp>

@@ -4,6 +4,8 @@
 
 #include <rayproof/arithmetics/bounded.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof {
 
 /// The chosen number; where the choice is uncertain, its bound reaches over the other one too.
@@ -98,3 +100,5 @@ template <std::same_as<double> T>
 }
 
 }  // namespace rayproof
+
+#include <rayproof/rounding/as_before.hpp>

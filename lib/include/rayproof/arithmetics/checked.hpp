@@ -13,6 +13,8 @@
 #include <rayproof/arithmetics/error_free.hpp>
 #include <type_traits>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof {
 
 /// Whether an `if` has followed a comparison of rounded numbers in this scope, on this thread. A scope inside
@@ -171,3 +173,5 @@ struct Checked : Comparable<Checked<T>> {
 }  // namespace rayproof
 
 #include <rayproof/arithmetics/checked_functions.hpp>  // IWYU pragma: export
+
+#include <rayproof/rounding/as_before.hpp>

@@ -4,6 +4,8 @@
 
 #include <rayproof/arithmetics/checked.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof {
 
 template <class T>
@@ -76,3 +78,5 @@ template <class T>
 }
 
 }  // namespace rayproof
+
+#include <rayproof/rounding/as_before.hpp>

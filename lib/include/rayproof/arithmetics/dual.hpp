@@ -7,6 +7,8 @@
 
 #include <rayproof/arithmetics/interval.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof {
 
 /// `value` and `slope` = d(value)/d(variable). Seed the variable with slope 1; constants have slope 0.
@@ -66,3 +68,5 @@ template <class T>
 }
 
 }  // namespace rayproof
+
+#include <rayproof/rounding/as_before.hpp>

@@ -4,6 +4,8 @@
 
 #include <rayproof/arithmetic.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof {
 
 /// `rounded + rest` is the exact result, unless something over- or underflowed.
@@ -29,3 +31,5 @@ template <class T>
 }
 
 }  // namespace rayproof
+
+#include <rayproof/rounding/as_before.hpp>

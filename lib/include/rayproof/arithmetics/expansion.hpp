@@ -14,6 +14,8 @@
 #include <rayproof/arithmetics/error_free.hpp>
 #include <rayproof/vec3.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof {
 
 /// Packs the digits of an expansion into as few terms as hold them, in place, and returns how many those are
@@ -152,3 +154,5 @@ template <class T, std::size_t N>
 }
 
 }  // namespace rayproof
+
+#include <rayproof/rounding/as_before.hpp>

@@ -8,6 +8,8 @@
 #include <rayproof/arithmetics/expansion.hpp>
 #include <vector>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof {
 
 /// The sum of `terms`, which do not overlap, smallest first, none of them 0. `+ - *` are exact as long as no
@@ -92,3 +94,5 @@ template <std::size_t Capacity, class T>
 }
 
 }  // namespace rayproof
+
+#include <rayproof/rounding/as_before.hpp>

@@ -10,6 +10,8 @@
 #include <rayproof/arithmetics/interval_rounding.hpp>
 #include <type_traits>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof {
 
 /// The outcomes that a comparison of numbers out of two intervals can have. It is not a bool and turns into
@@ -139,3 +141,5 @@ struct Interval : Comparable<Interval<T>> {
 }  // namespace rayproof
 
 #include <rayproof/arithmetics/interval_functions.hpp>  // IWYU pragma: export
+
+#include <rayproof/rounding/as_before.hpp>

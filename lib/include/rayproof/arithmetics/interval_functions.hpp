@@ -4,6 +4,8 @@
 
 #include <rayproof/arithmetics/interval.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof {
 
 /// The smallest interval around both; an empty one adds nothing.
@@ -75,3 +77,5 @@ template <class T>
 }
 
 }  // namespace rayproof
+
+#include <rayproof/rounding/as_before.hpp>

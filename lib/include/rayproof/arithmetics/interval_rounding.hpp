@@ -12,6 +12,8 @@
 #include <rayproof/arithmetics/error_free.hpp>
 #include <type_traits>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::outward {
 
 template <class T>
@@ -101,3 +103,5 @@ template <std::floating_point T>
 }
 
 }  // namespace rayproof::outward
+
+#include <rayproof/rounding/as_before.hpp>

@@ -18,6 +18,8 @@
 #include <experimental/simd>
 #endif
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof {
 
 /// As many `T` as a register of the instruction set holds that this source is compiled for. The width is part
@@ -135,3 +137,5 @@ template <class T, class Abi>
 }  // namespace rayproof
 
 #include <rayproof/arithmetics/pack_exponent.hpp>
+
+#include <rayproof/rounding/as_before.hpp>

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <rayproof/arithmetics/pack.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof {
 
 /// The bits of a pack's numbers and what stands where in them.
@@ -68,3 +70,5 @@ template <class T, class Abi>
 }
 
 }  // namespace rayproof
+
+#include <rayproof/rounding/as_before.hpp>

@@ -10,6 +10,8 @@
 #include <rayproof/vec3.hpp>
 #include <type_traits>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof {
 
 /// A number of type `T`, what the same formula gives for it in `Shadow` along the same path, and where it
@@ -109,3 +111,5 @@ template <class T, class S>
 }  // namespace rayproof
 
 #include <rayproof/arithmetics/recorded_functions.hpp>  // IWYU pragma: export
+
+#include <rayproof/rounding/as_before.hpp>

@@ -4,6 +4,8 @@
 
 #include <rayproof/arithmetics/recorded.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof {
 
 template <class T, class S>
@@ -78,3 +80,5 @@ template <std::same_as<double> T, class S>
 }
 
 }  // namespace rayproof
+
+#include <rayproof/rounding/as_before.hpp>

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof {
 
 /// The operations a recording distinguishes. `constant` is a number the kernel did not compute: an input
@@ -139,3 +141,5 @@ class Recording {
 };
 
 }  // namespace rayproof
+
+#include <rayproof/rounding/as_before.hpp>

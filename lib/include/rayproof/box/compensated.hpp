@@ -3,6 +3,8 @@
 #include <rayproof/box/exact_slab.hpp>
 #include <rayproof/method/method.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::box {
 
 /// Slabs with nothing rounded before the last step: two t are compared by their exact cross products, so the
@@ -40,3 +42,5 @@ struct Compensated {
 };
 
 }  // namespace rayproof::box
+
+#include <rayproof/rounding/as_before.hpp>

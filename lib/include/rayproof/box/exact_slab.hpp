@@ -5,6 +5,8 @@
 #include <array>
 #include <rayproof/formulas/exact_rounding.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::box {
 
 /// When a line is between two parallel planes, as `Slab` has it. Where it runs parallel to them, entry and
@@ -47,3 +49,5 @@ template <std::floating_point T, std::size_t N, std::size_t M>
 }
 
 }  // namespace rayproof::box
+
+#include <rayproof/rounding/as_before.hpp>

@@ -1,6 +1,8 @@
 #pragma once
 #include <rayproof/box/slabs_inverse.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::box {
 
 /// Slabs whose far end is moved two ulps on before it is compared with the near one, so that rounding does
@@ -40,3 +42,5 @@ struct Padded {
 };
 
 }  // namespace rayproof::box
+
+#include <rayproof/rounding/as_before.hpp>

@@ -3,6 +3,8 @@
 #include <rayproof/box/slab.hpp>
 #include <rayproof/method/method.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::box {
 
 /// Slabs with a precomputed 1/v and no thought of v = 0, **as printed** in the source.
@@ -50,3 +52,5 @@ struct PrintedSlabs {
 };
 
 }  // namespace rayproof::box
+
+#include <rayproof/rounding/as_before.hpp>

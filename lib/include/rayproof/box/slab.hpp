@@ -5,6 +5,8 @@
 #include <rayproof/method/narration.hpp>
 #include <rayproof/roots.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::steps {
 inline constexpr Step measure_planes{
     "Measure the planes from the ray's origin",
@@ -58,3 +60,5 @@ template <class T, class... More>
 }
 
 }  // namespace rayproof::box
+
+#include <rayproof/rounding/as_before.hpp>

@@ -3,6 +3,8 @@
 #include <rayproof/box/slab.hpp>
 #include <rayproof/method/method.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::box {
 
 /// Three slabs, a division for each of their six planes; an axis along which the ray does not move is inside
@@ -40,3 +42,5 @@ struct Slabs {
 };
 
 }  // namespace rayproof::box
+
+#include <rayproof/rounding/as_before.hpp>

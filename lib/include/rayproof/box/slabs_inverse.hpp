@@ -3,6 +3,8 @@
 #include <rayproof/box/slab.hpp>
 #include <rayproof/method/method.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::box {
 
 /// Three slabs with one division for each axis: t = (plane - o)·(1/d), where 1/d can be kept with the ray and
@@ -51,3 +53,5 @@ struct SlabsInverse {
 };
 
 }  // namespace rayproof::box
+
+#include <rayproof/rounding/as_before.hpp>

@@ -3,6 +3,8 @@
 #include <rayproof/formulas/quadratic_formula.hpp>
 #include <rayproof/method/method.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::cylinder {
 
 /// The side by geometry: in the plane where it is the unit circle, 1 less the squared distance of the line
@@ -41,3 +43,5 @@ struct Centred {
 };
 
 }  // namespace rayproof::cylinder
+
+#include <rayproof/rounding/as_before.hpp>

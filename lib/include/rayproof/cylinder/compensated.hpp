@@ -5,6 +5,8 @@
 #include <rayproof/method/method.hpp>
 #include <utility>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::cylinder {
 
 /// The exact equation a·t² - 2·b·t + c = 0 of a line and a cylinder's side, free of division: both sides are
@@ -146,3 +148,5 @@ struct Compensated {
 };
 
 }  // namespace rayproof::cylinder
+
+#include <rayproof/rounding/as_before.hpp>

@@ -2,6 +2,8 @@
 #include <rayproof/cylinder/textbook.hpp>
 #include <rayproof/method/method.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::cylinder {
 
 /// The side by the quadratic formula with t in [0, 1] and no caps, **as printed** in the source.
@@ -32,3 +34,5 @@ struct Printed {
 };
 
 }  // namespace rayproof::cylinder
+
+#include <rayproof/rounding/as_before.hpp>

@@ -6,6 +6,8 @@
 #include <rayproof/box/slab.hpp>
 #include <rayproof/cylinder.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::cylinder {
 
 /// The ray seen along the axis, in the plane scaled by (1/rx, 1/ry): there the side is the unit circle.
@@ -88,3 +90,5 @@ template <class T>
 }
 
 }  // namespace rayproof::cylinder
+
+#include <rayproof/rounding/as_before.hpp>

@@ -3,6 +3,8 @@
 #include <rayproof/formulas/quadratic_formula.hpp>
 #include <rayproof/method/method.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::cylinder {
 
 /// A ray put into the equation of the side: a·t² + b·t + c = 0 in the plane where that is the unit circle.
@@ -45,3 +47,5 @@ struct Textbook {
 };
 
 }  // namespace rayproof::cylinder
+
+#include <rayproof/rounding/as_before.hpp>

@@ -1,6 +1,8 @@
 #pragma once
 #include <rayproof/arithmetic.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof {
 
 /// ab - cd with no cancellation of rounding errors: within 1.5 ulp of the exact value where nothing over- or
@@ -16,3 +18,5 @@ template <class T>
 }
 
 }  // namespace rayproof
+
+#include <rayproof/rounding/as_before.hpp>

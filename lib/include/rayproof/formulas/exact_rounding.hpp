@@ -8,6 +8,8 @@
 #include <rayproof/method/narration.hpp>
 #include <rayproof/roots.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof {
 
 namespace steps {
@@ -99,3 +101,5 @@ template <std::floating_point T, std::size_t N, std::size_t M>
 }
 
 }  // namespace rayproof
+
+#include <rayproof/rounding/as_before.hpp>

@@ -4,6 +4,8 @@
 
 #include <rayproof/formulas/exact_rounding.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof {
 
 /// The sign of (root - x) for the lower (side = -1) or upper (side = 1) root of a quadratic that opens
@@ -64,3 +66,5 @@ ExpandedQuadratic(Expansion<double, A>, Expansion<double, B>, Expansion<double, 
                   std::array<double, 2>) -> ExpandedQuadratic<A, B, C>;
 
 }  // namespace rayproof
+
+#include <rayproof/rounding/as_before.hpp>

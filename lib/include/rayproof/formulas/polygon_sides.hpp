@@ -10,6 +10,8 @@
 #include <rayproof/formulas/finite.hpp>
 #include <rayproof/polygon.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::polygon {
 
 /// Where the ray point + t·(1, 0) meets the line through a and b, which is at a + s·(b - a). For a horizontal
@@ -84,3 +86,5 @@ template <Branching T>
 }
 
 }  // namespace rayproof::polygon
+
+#include <rayproof/rounding/as_before.hpp>

@@ -5,6 +5,8 @@
 #include <rayproof/method/narration.hpp>
 #include <rayproof/roots.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof {
 
 /// Steps of more than one kernel that solves a quadratic equation.
@@ -54,3 +56,5 @@ template <class T>
 }
 
 }  // namespace rayproof
+
+#include <rayproof/rounding/as_before.hpp>

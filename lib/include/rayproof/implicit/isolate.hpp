@@ -9,6 +9,8 @@
 #include <rayproof/implicit.hpp>
 #include <rayproof/implicit/newton.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::implicit {
 
 /// The search. `g` is a callable of any arithmetic; here it runs in Interval<T> and Dual<Interval<T>>.
@@ -94,3 +96,5 @@ class Isolation {
 };
 
 }  // namespace rayproof::implicit
+
+#include <rayproof/rounding/as_before.hpp>

@@ -8,6 +8,8 @@
 #include <array>
 #include <rayproof/arithmetics/dual.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::implicit {
 
 /// What is left of a range: where roots may be, and whether there is one for certain.
@@ -85,3 +87,5 @@ template <class T>
 }
 
 }  // namespace rayproof::implicit
+
+#include <rayproof/rounding/as_before.hpp>

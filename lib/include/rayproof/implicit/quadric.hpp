@@ -2,6 +2,8 @@
 #include <rayproof/arithmetic.hpp>
 #include <rayproof/method/narration.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::implicit {
 
 /// The general surface of the second degree, by the coefficients of its ten terms exactly as given:
@@ -23,3 +25,5 @@ struct Quadric {
 };
 
 }  // namespace rayproof::implicit
+
+#include <rayproof/rounding/as_before.hpp>

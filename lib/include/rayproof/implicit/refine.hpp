@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <rayproof/implicit/newton.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::implicit {
 
 /// Sorts, clips to `range`, unites and refines. `g` is the function of t.
@@ -104,3 +106,5 @@ class Refinement {
 };
 
 }  // namespace rayproof::implicit
+
+#include <rayproof/rounding/as_before.hpp>

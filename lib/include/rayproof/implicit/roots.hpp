@@ -6,6 +6,8 @@
 #include <rayproof/implicit/isolate.hpp>
 #include <rayproof/implicit/refine.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::implicit {
 
 /// A power of two, about the t at which the ray is as far from its origin as the origin from the world's: to
@@ -104,3 +106,5 @@ template <class Surface, std::floating_point T>
 }
 
 }  // namespace rayproof::implicit
+
+#include <rayproof/rounding/as_before.hpp>

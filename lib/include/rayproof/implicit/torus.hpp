@@ -2,6 +2,8 @@
 #include <rayproof/arithmetic.hpp>
 #include <rayproof/method/narration.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::implicit {
 
 /// All points at distance `minor` from the circle of radius `major` about the origin in the plane z = 0. With
@@ -32,3 +34,5 @@ struct Torus {
 };
 
 }  // namespace rayproof::implicit
+
+#include <rayproof/rounding/as_before.hpp>

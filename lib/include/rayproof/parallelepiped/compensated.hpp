@@ -3,6 +3,8 @@
 #include <rayproof/method/method.hpp>
 #include <rayproof/parallelepiped.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::parallelepiped {
 
 /// FacePlanes with nothing rounded before the last step: normals, distances and every comparison of two t are
@@ -51,3 +53,5 @@ struct Compensated {
 };
 
 }  // namespace rayproof::parallelepiped
+
+#include <rayproof/rounding/as_before.hpp>

@@ -3,6 +3,8 @@
 #include <rayproof/method/method.hpp>
 #include <rayproof/parallelepiped.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::parallelepiped {
 
 /// One pair of parallel faces: with n = eⱼ×eₖ, their planes are n·f and n·f + n·eᵢ ahead of a ray that gains
@@ -64,3 +66,5 @@ struct FacePlanes {
 };
 
 }  // namespace rayproof::parallelepiped
+
+#include <rayproof/rounding/as_before.hpp>

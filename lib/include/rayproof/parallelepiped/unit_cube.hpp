@@ -3,6 +3,8 @@
 #include <rayproof/method/method.hpp>
 #include <rayproof/parallelepiped.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::parallelepiped {
 
 /// The ray taken to the coordinates in which the solid is the unit cube, and that tested against the slabs of
@@ -52,3 +54,5 @@ struct UnitCube {
 };
 
 }  // namespace rayproof::parallelepiped
+
+#include <rayproof/rounding/as_before.hpp>

@@ -8,6 +8,8 @@
 #include <array>
 #include <rayproof/parametric/line.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::parametric {
 
 /// b(t) of the Bernstein coefficients b, by repeated interpolation.
@@ -49,3 +51,5 @@ template <class P>
 using BicubicPatch = BezierPatch<P, 3>;
 
 }  // namespace rayproof::parametric
+
+#include <rayproof/rounding/as_before.hpp>

@@ -3,6 +3,8 @@
 #include <rayproof/parametric/bezier.hpp>
 #include <rayproof/quadratic/kahan.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::parametric {
 
 /// A hit of the closed form: NaN where there is none.
@@ -60,3 +62,5 @@ struct BilinearQuadratic {
 };
 
 }  // namespace rayproof::parametric
+
+#include <rayproof/rounding/as_before.hpp>

@@ -4,6 +4,8 @@
 
 #include <rayproof/parametric/krawczyk.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::parametric {
 
 /// A proven root: just one lies in `only_one`, and it lies in `root`, a part of that.
@@ -67,3 +69,5 @@ struct Meeting {
 };
 
 }  // namespace rayproof::parametric
+
+#include <rayproof/rounding/as_before.hpp>

@@ -7,6 +7,8 @@
 #include <rayproof/parametric/confirm.hpp>
 #include <rayproof/parametric/piece.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::parametric {
 
 /// The search for the hits of one ray and one surface.
@@ -136,3 +138,5 @@ template <class Surface, std::floating_point T>
 }
 
 }  // namespace rayproof::parametric
+
+#include <rayproof/rounding/as_before.hpp>

@@ -8,6 +8,8 @@
 #include <optional>
 #include <rayproof/parametric/line.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::parametric {
 
 /// A rectangle of (u, v).
@@ -83,3 +85,5 @@ template <class T>
 }
 
 }  // namespace rayproof::parametric
+
+#include <rayproof/rounding/as_before.hpp>

@@ -7,6 +7,8 @@
 
 #include <rayproof/parametric.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::parametric {
 
 /// A point of the surface as its line sees it: beside it by F and G, along it by `ahead`; t = ahead / (the
@@ -57,3 +59,5 @@ template <class T, class Surface, class P>
 }
 
 }  // namespace rayproof::parametric
+
+#include <rayproof/rounding/as_before.hpp>

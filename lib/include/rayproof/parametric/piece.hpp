@@ -5,6 +5,8 @@
 #include <rayproof/parametric/bezier.hpp>
 #include <utility>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::parametric {
 
 /// Leaves to two copies of a piece a half each, cut across the longer side; whether that is u. The ends are
@@ -113,3 +115,5 @@ struct Piece<BezierPatch<P, Degree>, P> {
 };
 
 }  // namespace rayproof::parametric
+
+#include <rayproof/rounding/as_before.hpp>

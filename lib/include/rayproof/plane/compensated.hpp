@@ -3,6 +3,8 @@
 #include <rayproof/method/method.hpp>
 #include <rayproof/plane.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::plane {
 
 /// Numerator and denominator of t as exact expansions in double, in the plane's own form: the verdict is the
@@ -85,3 +87,5 @@ struct Compensated {
 };
 
 }  // namespace rayproof::plane
+
+#include <rayproof/rounding/as_before.hpp>

@@ -6,6 +6,8 @@
 #include <rayproof/method/narration.hpp>
 #include <rayproof/plane.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::plane {
 
 /// normal·q + d = 0.
@@ -74,3 +76,5 @@ template <class T>
 }
 
 }  // namespace rayproof::plane
+
+#include <rayproof/rounding/as_before.hpp>

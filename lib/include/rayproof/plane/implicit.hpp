@@ -2,6 +2,8 @@
 #include <rayproof/method/method.hpp>
 #include <rayproof/plane/forms.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::plane {
 
 /// The t at which the plane's equation is 0, from its value at the ray's origin and what each unit of t adds;
@@ -38,3 +40,5 @@ struct ByEquation {
 };
 
 }  // namespace rayproof::plane
+
+#include <rayproof/rounding/as_before.hpp>

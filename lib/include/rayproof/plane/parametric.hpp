@@ -2,6 +2,8 @@
 #include <rayproof/method/method.hpp>
 #include <rayproof/plane/forms.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::plane {
 
 /// The solution of point + a·u + b·v = o + t·d⃗, and the determinant of the system; all NaN or infinite where
@@ -59,3 +61,5 @@ struct ByParameters {
 };
 
 }  // namespace rayproof::plane
+
+#include <rayproof/rounding/as_before.hpp>

@@ -2,6 +2,8 @@
 #include <rayproof/method/method.hpp>
 #include <rayproof/plane/forms.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::plane {
 
 /// The t at which a ray meets the plane through `point` with the normal `n`: n·(point - o) / (n·d⃗); none
@@ -36,3 +38,5 @@ struct ByPointAndNormal {
 };
 
 }  // namespace rayproof::plane
+
+#include <rayproof/rounding/as_before.hpp>

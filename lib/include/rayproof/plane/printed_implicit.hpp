@@ -1,6 +1,8 @@
 #pragma once
 #include <rayproof/plane/implicit.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::plane {
 
 /// t = -(x₀ + y₀ + z₀ + D) / (n·d⃗), **as printed** in the source: the coefficients A, B, C are missing in the
@@ -31,3 +33,5 @@ struct PrintedImplicit {
 };
 
 }  // namespace rayproof::plane
+
+#include <rayproof/rounding/as_before.hpp>

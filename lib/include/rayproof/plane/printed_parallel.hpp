@@ -2,6 +2,8 @@
 #include <rayproof/method/method.hpp>
 #include <rayproof/plane/implicit.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::plane {
 
 /// The plane's equation, and 'parallel' for every ray with n·d⃗ = 0, **as printed** in the source: a ray that
@@ -31,3 +33,5 @@ struct PrintedParallel {
 };
 
 }  // namespace rayproof::plane
+
+#include <rayproof/rounding/as_before.hpp>

@@ -2,6 +2,8 @@
 #include <rayproof/method/sources.hpp>
 #include <rayproof/point_in_polygon/winding.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::point_in_polygon {
 
 /// The winding number with exact orientations: always right, boundary included.
@@ -27,3 +29,5 @@ struct Compensated {
 };
 
 }  // namespace rayproof::point_in_polygon
+
+#include <rayproof/rounding/as_before.hpp>

@@ -5,6 +5,8 @@
 #include <rayproof/arithmetics/expansion.hpp>
 #include <rayproof/polygon.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::point_in_polygon {
 
 /// Twice the area of the triangle point, a, b: positive where the point lies to the left of the walk from a
@@ -33,3 +35,5 @@ template <std::floating_point T>
 }
 
 }  // namespace rayproof::point_in_polygon
+
+#include <rayproof/rounding/as_before.hpp>

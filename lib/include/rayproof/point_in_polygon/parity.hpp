@@ -2,6 +2,8 @@
 #include <rayproof/formulas/polygon_sides.hpp>
 #include <rayproof/method/method.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::point_in_polygon {
 
 /// Inside where a ray along +x crosses the sides an odd number of times. A side holds its lower end and not
@@ -40,3 +42,5 @@ struct Parity {
 };
 
 }  // namespace rayproof::point_in_polygon
+
+#include <rayproof/rounding/as_before.hpp>

@@ -2,6 +2,8 @@
 #include <rayproof/formulas/polygon_sides.hpp>
 #include <rayproof/method/method.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::point_in_polygon {
 
 /// A side is hit where s = (y₀-yᵢ)/(yᵢ₊₁-yᵢ) lies in [0, 1], closed at both ends, **as printed** in the
@@ -34,3 +36,5 @@ struct PrintedParity {
 };
 
 }  // namespace rayproof::point_in_polygon
+
+#include <rayproof/rounding/as_before.hpp>

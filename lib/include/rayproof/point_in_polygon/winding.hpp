@@ -3,6 +3,8 @@
 #include <rayproof/method/method.hpp>
 #include <rayproof/point_in_polygon/orientation.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::point_in_polygon {
 
 /// How often the polygon winds about a point, from the sides that pass its height with it on their left
@@ -59,3 +61,5 @@ struct Winding {
 };
 
 }  // namespace rayproof::point_in_polygon
+
+#include <rayproof/rounding/as_before.hpp>

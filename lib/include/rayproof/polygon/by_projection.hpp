@@ -4,6 +4,8 @@
 #include <rayproof/method/method.hpp>
 #include <rayproof/plane/point_normal.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::polygon {
 
 /// Every coordinate of the vertices is a number.
@@ -39,3 +41,5 @@ struct ByProjection {
 };
 
 }  // namespace rayproof::polygon
+
+#include <rayproof/rounding/as_before.hpp>

@@ -6,6 +6,8 @@
 #include <rayproof/point_in_polygon/winding.hpp>
 #include <rayproof/polygon/by_projection.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::polygon {
 
 /// Where a ray's line meets a polygon's plane, with nothing rounded: t = numerator / denominator, the point
@@ -137,3 +139,5 @@ struct Compensated {
 };
 
 }  // namespace rayproof::polygon
+
+#include <rayproof/rounding/as_before.hpp>

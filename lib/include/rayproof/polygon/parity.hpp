@@ -2,6 +2,8 @@
 #include <rayproof/point_in_polygon/parity.hpp>
 #include <rayproof/polygon/by_projection.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::polygon {
 
 /// The Newell plane, then the crossings of half-open sides in the projection.
@@ -17,3 +19,5 @@ struct Parity : ByProjection<point_in_polygon::Parity> {
 };
 
 }  // namespace rayproof::polygon
+
+#include <rayproof/rounding/as_before.hpp>

@@ -2,6 +2,8 @@
 #include <rayproof/point_in_polygon/printed_parity.hpp>
 #include <rayproof/polygon/by_projection.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::polygon {
 
 /// The Newell plane, then point in polygon **as printed** in the source, with sides closed at both ends.
@@ -17,3 +19,5 @@ struct PrintedParity : ByProjection<point_in_polygon::PrintedParity> {
 };
 
 }  // namespace rayproof::polygon
+
+#include <rayproof/rounding/as_before.hpp>

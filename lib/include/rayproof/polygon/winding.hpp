@@ -2,6 +2,8 @@
 #include <rayproof/point_in_polygon/winding.hpp>
 #include <rayproof/polygon/by_projection.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::polygon {
 
 /// The Newell plane, then the parity of the winding number in the projection.
@@ -17,3 +19,5 @@ struct Winding : ByProjection<point_in_polygon::Winding> {
 };
 
 }  // namespace rayproof::polygon
+
+#include <rayproof/rounding/as_before.hpp>

@@ -3,6 +3,8 @@
 #include <rayproof/method/method.hpp>
 #include <rayproof/quadratic.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::quadratic {
 
 /// x = 2c / (-b ∓ √(b² - 4ac)), the quadratic formula upside down, for a near 0.
@@ -37,3 +39,5 @@ struct Citardauq {
 };
 
 }  // namespace rayproof::quadratic
+
+#include <rayproof/rounding/as_before.hpp>

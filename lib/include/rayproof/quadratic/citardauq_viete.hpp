@@ -3,6 +3,8 @@
 #include <rayproof/method/method.hpp>
 #include <rayproof/quadratic.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::quadratic {
 
 /// q = -(b + sgn(b)√D)/2, x = q/a and c/q: each root from the branch in which nothing cancels.
@@ -41,3 +43,5 @@ struct CitardauqViete {
 };
 
 }  // namespace rayproof::quadratic
+
+#include <rayproof/rounding/as_before.hpp>

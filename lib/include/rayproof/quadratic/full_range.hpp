@@ -1,6 +1,8 @@
 #pragma once
 #include <rayproof/quadratic/kahan.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::quadratic {
 
 /// Kahan's method for coefficients of any finite size: exponents are balanced first, so that nothing on the
@@ -52,3 +54,5 @@ struct FullRange {
 };
 
 }  // namespace rayproof::quadratic
+
+#include <rayproof/rounding/as_before.hpp>

@@ -2,6 +2,8 @@
 #include <rayproof/formulas/difference_of_products.hpp>
 #include <rayproof/quadratic/citardauq_viete.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::quadratic {
 
 /// The discriminant by Kahan's difference of products with FMA, then the roots that do not cancel.
@@ -31,3 +33,5 @@ struct Kahan {
 };
 
 }  // namespace rayproof::quadratic
+
+#include <rayproof/rounding/as_before.hpp>

@@ -3,6 +3,8 @@
 #include <rayproof/quadratic/citardauq_viete.hpp>
 #include <rayproof/quadratic/textbook.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::quadratic {
 
 /// The branch without cancellation, but only for 'b ≫ 4ac', **as printed** in the source; the condition must
@@ -34,3 +36,5 @@ struct PrintedB4ac {
 };
 
 }  // namespace rayproof::quadratic
+
+#include <rayproof/rounding/as_before.hpp>

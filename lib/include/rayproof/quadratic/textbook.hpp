@@ -3,6 +3,8 @@
 #include <rayproof/method/method.hpp>
 #include <rayproof/quadratic.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::quadratic {
 
 /// x = (-b ± √(b² - 4ac)) / 2a.
@@ -28,3 +30,5 @@ struct Textbook {
 };
 
 }  // namespace rayproof::quadratic
+
+#include <rayproof/rounding/as_before.hpp>

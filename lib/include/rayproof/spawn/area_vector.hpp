@@ -8,6 +8,8 @@
 #include <rayproof/polygon.hpp>
 #include <vector>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::spawn::detail {
 
 /// Sums of products in twice the digits (T. Ogita, S. M. Rump, S. Oishi, "Accurate Sum and Dot Product",
@@ -88,3 +90,5 @@ template <std::floating_point T>
 }
 
 }  // namespace rayproof::spawn::detail
+
+#include <rayproof/rounding/as_before.hpp>

@@ -2,6 +2,8 @@
 #include <rayproof/arithmetics/error_free.hpp>
 #include <rayproof/vec3.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::spawn {
 
 /// a·b as if computed in twice the digits and rounded once.
@@ -18,3 +20,5 @@ template <class T>
 }
 
 }  // namespace rayproof::spawn
+
+#include <rayproof/rounding/as_before.hpp>

@@ -3,6 +3,8 @@
 #include <rayproof/spawn/steps.hpp>
 #include <rayproof/spawn/surface_point.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::spawn {
 
 /// From the point moved onto the surface, along the normal to the far corner of the box that holds the
@@ -44,3 +46,5 @@ struct ErrorBounds {
 };
 
 }  // namespace rayproof::spawn
+
+#include <rayproof/rounding/as_before.hpp>

@@ -2,6 +2,8 @@
 #include <rayproof/method/contract.hpp>
 #include <rayproof/spawn/surface_point.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::spawn {
 
 /// 10⁻⁴ along the normal, whatever the scene's size: too little for a large one, where 10⁻⁴ is less than a
@@ -23,3 +25,5 @@ struct Fixed {
 };
 
 }  // namespace rayproof::spawn
+
+#include <rayproof/rounding/as_before.hpp>

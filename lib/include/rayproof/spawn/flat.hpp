@@ -10,6 +10,8 @@
 #include <rayproof/transform.hpp>
 #include <rayproof/triangle.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::spawn {
 
 /// A plane through `anchor`, or no further than `slack` from it; |normal - N| <= tilt for the exact unit
@@ -109,3 +111,5 @@ template <std::floating_point T>
 }
 
 }  // namespace rayproof::spawn
+
+#include <rayproof/rounding/as_before.hpp>

@@ -10,6 +10,8 @@
 #include <rayproof/spawn/surface_point.hpp>
 #include <rayproof/transform.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::spawn {
 
 /// An object-to-world map q ↦ A·q + b, its inverse, and how much that can stretch a vector.
@@ -93,3 +95,5 @@ template <template <class> class Surface, class T>
 }
 
 }  // namespace rayproof::spawn
+
+#include <rayproof/rounding/as_before.hpp>

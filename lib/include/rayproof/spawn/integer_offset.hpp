@@ -3,6 +3,8 @@
 #include <rayproof/spawn/steps.hpp>
 #include <rayproof/spawn/surface_point.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::spawn {
 
 /// Each component moved by 256·n numbers of its format, and by n·2^-16 where it is smaller than 1/32. In
@@ -38,3 +40,5 @@ struct IntegerOffset {
 };
 
 }  // namespace rayproof::spawn
+
+#include <rayproof/rounding/as_before.hpp>

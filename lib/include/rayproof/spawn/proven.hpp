@@ -4,6 +4,8 @@
 #include <rayproof/method/narration.hpp>
 #include <rayproof/spawn/surface_point.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::spawn {
 
 /// From the point moved onto the surface, by the least length for which it is proven that the rounded origin
@@ -68,3 +70,5 @@ struct Proven {
 };
 
 }  // namespace rayproof::spawn
+
+#include <rayproof/rounding/as_before.hpp>

@@ -2,6 +2,8 @@
 #include <rayproof/method/contract.hpp>
 #include <rayproof/spawn/surface_point.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::spawn {
 
 /// 1500ε·(1 + max|p|) along the normal: 8.9·10⁻⁵ of the point's distance from (0, 0, 0) in float, and never
@@ -24,3 +26,5 @@ struct Relative {
 };
 
 }  // namespace rayproof::spawn
+
+#include <rayproof/rounding/as_before.hpp>

@@ -7,6 +7,8 @@
 #include <rayproof/spawn/surface_point.hpp>
 #include <rayproof/sphere.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::spawn {
 
 /// The point moved along the radius onto the sphere.
@@ -85,3 +87,5 @@ template <class T>
 }
 
 }  // namespace rayproof::spawn
+
+#include <rayproof/rounding/as_before.hpp>

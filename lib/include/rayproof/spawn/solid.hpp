@@ -8,6 +8,8 @@
 #include <rayproof/spawn/dot_compensated.hpp>
 #include <rayproof/spawn/flat.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::spawn {
 
 /// Which of three is smallest; of equals the first.
@@ -153,3 +155,5 @@ template <class T>
 }
 
 }  // namespace rayproof::spawn
+
+#include <rayproof/rounding/as_before.hpp>

@@ -7,6 +7,8 @@
 #include <rayproof/arithmetics/pack_exponent.hpp>
 #include <type_traits>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::spawn {
 
 /// `x` moved by |k| numbers of its format, towards larger ones for k > 0, to smaller ones for k < 0; k is a
@@ -33,3 +35,5 @@ concept HasSteps = requires(const T& x) {
 };
 
 }  // namespace rayproof::spawn
+
+#include <rayproof/rounding/as_before.hpp>

@@ -7,6 +7,8 @@
 #include <rayproof/spawn/side.hpp>
 #include <rayproof/vec3.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::spawn {
 
 using rayproof::convert;
@@ -78,3 +80,5 @@ template <class T>
 }
 
 }  // namespace rayproof::spawn
+
+#include <rayproof/rounding/as_before.hpp>

@@ -3,6 +3,8 @@
 #include <rayproof/method/method.hpp>
 #include <rayproof/sphere.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::sphere {
 
 /// The discriminant as geometry: r² less the squared distance of the centre from the line, formed at the ray
@@ -44,3 +46,5 @@ struct Centred {
 };
 
 }  // namespace rayproof::sphere
+
+#include <rayproof/rounding/as_before.hpp>

@@ -5,6 +5,8 @@
 #include <rayproof/sphere.hpp>
 #include <rayproof/sphere/centred.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::sphere {
 
 /// The textbook's formula with nothing rounded before the square root: a, b, c and the discriminant are exact
@@ -93,3 +95,5 @@ struct Compensated {
 };
 
 }  // namespace rayproof::sphere
+
+#include <rayproof/rounding/as_before.hpp>

@@ -1,6 +1,8 @@
 #pragma once
 #include <rayproof/sphere/textbook.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::sphere {
 
 /// Ray and sphere with b halved: at² + 2bt + c = 0, one multiplication and one rounding fewer than the
@@ -40,3 +42,5 @@ struct HalfB {
 };
 
 }  // namespace rayproof::sphere
+
+#include <rayproof/rounding/as_before.hpp>

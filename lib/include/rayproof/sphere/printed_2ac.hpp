@@ -1,6 +1,8 @@
 #pragma once
 #include <rayproof/sphere/textbook.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::sphere {
 
 /// The quadratic formula with the denominator 2ac, **as printed** in the source: wrong unless c = 1.
@@ -35,3 +37,5 @@ struct Printed2ac {
 };
 
 }  // namespace rayproof::sphere
+
+#include <rayproof/rounding/as_before.hpp>

@@ -2,6 +2,8 @@
 #include <rayproof/method/method.hpp>
 #include <rayproof/sphere.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::sphere {
 
 /// t = -b ± √(b² - c), **as printed** in the source, which does not say that it needs |d| = 1.
@@ -39,3 +41,5 @@ struct PrintedHalfB {
 };
 
 }  // namespace rayproof::sphere
+
+#include <rayproof/rounding/as_before.hpp>

@@ -2,6 +2,8 @@
 #include <rayproof/method/method.hpp>
 #include <rayproof/sphere/centred.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::sphere {
 
 /// The direction made a unit vector in the object's space, and t taken for a distance there: why the source
@@ -33,3 +35,5 @@ struct PrintedUnitDirection {
 };
 
 }  // namespace rayproof::sphere
+
+#include <rayproof/rounding/as_before.hpp>

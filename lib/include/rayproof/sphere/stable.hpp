@@ -1,6 +1,8 @@
 #pragma once
 #include <rayproof/sphere/textbook.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::sphere {
 
 /// The textbook's coefficients, but roots that do not cancel: one from the branch where b and √D add up, the
@@ -43,3 +45,5 @@ struct Stable {
 };
 
 }  // namespace rayproof::sphere
+
+#include <rayproof/rounding/as_before.hpp>

@@ -3,6 +3,8 @@
 #include <rayproof/method/method.hpp>
 #include <rayproof/sphere.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::sphere {
 
 /// A ray put into a sphere's equation: a·t² + 2·half_b·t + c = 0 with a = d·d, half_b = d·f, c = f·f - r² and
@@ -51,3 +53,5 @@ struct Textbook {
 };
 
 }  // namespace rayproof::sphere
+
+#include <rayproof/rounding/as_before.hpp>

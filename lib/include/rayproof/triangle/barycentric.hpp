@@ -6,6 +6,8 @@
 #include <rayproof/plane/point_normal.hpp>
 #include <rayproof/triangle.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::triangle {
 
 /// The hit at t with the parameters u and v of the triangle's plane, where they are those of a point of the
@@ -79,3 +81,5 @@ template <class T>
 }
 
 }  // namespace rayproof::triangle
+
+#include <rayproof/rounding/as_before.hpp>

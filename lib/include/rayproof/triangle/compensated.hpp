@@ -3,6 +3,8 @@
 #include <rayproof/method/method.hpp>
 #include <rayproof/triangle.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::triangle {
 
 /// The three sides and the quotients of a ray and a triangle in double, with bounds on their rounding errors:
@@ -122,3 +124,5 @@ struct Compensated {
 };
 
 }  // namespace rayproof::triangle
+
+#include <rayproof/rounding/as_before.hpp>

@@ -4,6 +4,8 @@
 #include <rayproof/triangle.hpp>
 #include <rayproof/triangle/barycentric.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::triangle {
 
 /// a + u·(b-a) + v·(c-a) = o + t·d⃗ by Cramer's rule, inside where u >= 0, v >= 0 and u + v <= 1.
@@ -33,3 +35,5 @@ struct Cramer {
 };
 
 }  // namespace rayproof::triangle
+
+#include <rayproof/rounding/as_before.hpp>

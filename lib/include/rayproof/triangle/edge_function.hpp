@@ -5,6 +5,8 @@
 #include <rayproof/arithmetic.hpp>
 #include <rayproof/formulas/difference_of_products.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::triangle {
 
 /// ab - cd with its exact sign, 0 included.
@@ -28,3 +30,5 @@ template <class T>
 }
 
 }  // namespace rayproof::triangle
+
+#include <rayproof/rounding/as_before.hpp>

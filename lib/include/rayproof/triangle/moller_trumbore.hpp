@@ -3,6 +3,8 @@
 #include <rayproof/triangle.hpp>
 #include <rayproof/triangle/barycentric.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::triangle {
 
 /// t, u and v from two cross products, without the triangle's normal; from either side, without a branch.
@@ -53,3 +55,5 @@ struct MollerTrumbore {
 };
 
 }  // namespace rayproof::triangle
+
+#include <rayproof/rounding/as_before.hpp>

@@ -2,6 +2,8 @@
 #include <rayproof/method/method.hpp>
 #include <rayproof/triangle/barycentric.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::triangle {
 
 /// The point where the ray meets the triangle's plane, then its barycentric coordinates in the projection
@@ -35,3 +37,5 @@ struct PlaneProjection {
 };
 
 }  // namespace rayproof::triangle
+
+#include <rayproof/rounding/as_before.hpp>

@@ -3,6 +3,8 @@
 #include <rayproof/triangle.hpp>
 #include <rayproof/triangle/edge_function.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::triangle {
 
 /// On which side the ray passes each edge, by the Plücker side product: the volume of the direction and the
@@ -60,3 +62,5 @@ struct Pluecker {
 };
 
 }  // namespace rayproof::triangle
+
+#include <rayproof/rounding/as_before.hpp>

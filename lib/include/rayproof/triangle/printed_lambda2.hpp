@@ -2,6 +2,8 @@
 #include <rayproof/method/method.hpp>
 #include <rayproof/triangle/barycentric.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::triangle {
 
 /// PlaneProjection with λ₂ = (-(a_y-c_y)(x-c_x) - (a_x-c_x)(y-c_y)) / D, **as printed** in the source: the
@@ -31,3 +33,5 @@ struct PrintedLambda2 {
 };
 
 }  // namespace rayproof::triangle
+
+#include <rayproof/rounding/as_before.hpp>

@@ -3,6 +3,8 @@
 #include <rayproof/plane/parametric.hpp>
 #include <rayproof/triangle.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::triangle {
 
 /// Cramer with 'inside exactly when 0 <= u <= 1 and 0 <= v <= 1', **as printed** in the source: u + v <= 1 is
@@ -31,3 +33,5 @@ struct PrintedParallelogram {
 };
 
 }  // namespace rayproof::triangle
+
+#include <rayproof/rounding/as_before.hpp>

@@ -2,6 +2,8 @@
 #include <rayproof/method/method.hpp>
 #include <rayproof/triangle/barycentric.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::triangle {
 
 /// Barycentric coordinates from the equations of x and y whatever the triangle's attitude, **as printed** in
@@ -33,3 +35,5 @@ struct PrintedXy {
 };
 
 }  // namespace rayproof::triangle
+
+#include <rayproof/rounding/as_before.hpp>

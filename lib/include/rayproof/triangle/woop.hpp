@@ -4,6 +4,8 @@
 #include <rayproof/triangle.hpp>
 #include <rayproof/triangle/edge_function.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::triangle {
 
 /// The scene sheared and scaled so that the ray is the z axis, then the three edge functions of the origin
@@ -68,3 +70,5 @@ struct Woop {
 };
 
 }  // namespace rayproof::triangle
+
+#include <rayproof/rounding/as_before.hpp>

@@ -2,6 +2,8 @@
 #include <rayproof/disk.hpp>
 #include <rayproof/method/method.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::disk {
 
 /// t = n·(c - o) / (n·d), and a hit where |o + t·d - c|² <= r².
@@ -36,3 +38,5 @@ struct Projected {
 };
 
 }  // namespace rayproof::disk
+
+#include <rayproof/rounding/as_before.hpp>

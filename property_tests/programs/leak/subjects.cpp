@@ -1,0 +1,42 @@
+#include "programs/leak/subjects.hpp"
+
+#include <stdexcept>
+
+#include "programs/check/peers.hpp"
+
+namespace rayproof::leaks {
+
+namespace {
+
+/// The one subject of triangles that a command makes.
+std::unique_ptr<Subject> triangles_of(const std::string& name, const std::string& command,
+                                      std::chrono::milliseconds case_time) {
+  for (Subject& subject : subjects_of_command(name, command, case_time))
+    if (subject.topic == "triangle") return std::make_unique<Subject>(std::move(subject));
+  throw std::logic_error("there is no topic of triangles");
+}
+
+}  // namespace
+
+SubjectPanel panel_of(const LeakOptions& options) {
+  SubjectPanel panel;
+  for (const Subject& subject : subjects())
+    if (options.methods.empty() && !options.has_guests() && subject.topic == "triangle" &&
+        subject.contract.standing != Standing::printed)
+      panel.all.push_back(&subject);
+  for (const std::string& name : options.methods) {
+    const Subject* subject = find_subject(name.starts_with("triangle/") ? name : "triangle/" + name);
+    if (subject == nullptr) throw std::runtime_error("there is no method \"" + name + "\" of triangles");
+    panel.all.push_back(subject);
+  }
+  const std::chrono::milliseconds case_time(static_cast<std::int64_t>(1000 * options.case_seconds));
+  const auto add = [&](const std::string& name, const std::string& command) {
+    panel.guests.push_back(triangles_of(name, command, case_time));
+    panel.all.push_back(panel.guests.back().get());
+  };
+  if (!options.command.empty()) add(command_name, options.command);
+  for (const check::Peer& peer : check::peers_called(options.subjects)) add(peer.name, peer.command);
+  return panel;
+}
+
+}  // namespace rayproof::leaks
