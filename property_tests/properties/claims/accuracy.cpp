@@ -32,8 +32,9 @@ std::optional<double> robust(Trial& trial) {
 /// A verdict may be wrong only within the band; a band of width 0 means never.
 template <BoundOf bound_of>
 Ruling verdict_within(Trial& trial) {
+  if (!trial.in_domain()) return Ruling::outside;  // first, since it may be known without a judgement
   const std::optional<double> band = bound_of(trial);
-  if (!band || !trial.in_domain()) return Ruling::outside;
+  if (!band) return Ruling::outside;
   const oracle::Judgement& judgement = trial.judgement();
   const bool is_excused = *band > 0 && judgement.margin <= *band;
   return !judgement.wrong || is_excused ? Ruling::held : Ruling::broken;
@@ -41,8 +42,9 @@ Ruling verdict_within(Trial& trial) {
 
 template <BoundOf bound_of, double oracle::Judgement::*error>
 Ruling error_within(Trial& trial) {
+  if (!trial.in_domain()) return Ruling::outside;
   const std::optional<double> bound = bound_of(trial);
-  if (!bound || !gives_numbers(trial.claimed()) || !trial.in_domain()) return Ruling::outside;
+  if (!bound || !gives_numbers(trial.claimed())) return Ruling::outside;
   return trial.judgement().*error <= *bound ? Ruling::held : Ruling::broken;
 }
 
