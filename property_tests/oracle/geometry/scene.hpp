@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// A ray question in the shape's own space, without division: vectors over the oracle's ring, or over balls.
+/// A ray question in the shape's own space, without division: vectors over the oracle's ring, or over
+/// estimates.
 
 #include <optional>
 

@@ -1,7 +1,6 @@
 #pragma once
 /// \file
-/// The filter for whole judgements: a number in two doubles, and a bound on its error that costs little to
-/// keep.
+/// The filter of most digits: a number in two doubles, and a bound on its error that costs little to keep.
 
 #include <algorithm>
 
@@ -10,7 +9,7 @@
 namespace rayproof::oracle {
 
 /// high + low, off by `steps`·2^-99·size at most, where `size` is what the number would be if all terms that
-/// it is made of had one sign. A Ball knows its error better, and takes twice as long.
+/// it is made of had one sign.
 ///
 /// An addition of double-doubles is off by less than 2^-103 of |x| + |y|, a product by less than 2^-100 of
 /// |xy|; twice that is left for the roundings of `size` and the products of errors. An overflow makes `size`
@@ -54,6 +53,10 @@ inline Estimate operator*(const Estimate& x, const Estimate& y) {
   return {product.high, product.low + (x.high * y.low + x.low * y.high), x.size * y.size + least_size,
           x.steps + y.steps + 1};
 }
+
+/// What formulas over any ring ask of a number (filters.hpp).
+[[nodiscard]] inline double read(const Estimate& x) { return x.high; }
+[[nodiscard]] inline double uncertainty(const Estimate& x) { return x.radius(); }
 
 /// The sign of an estimate that is clear of 0; of 0 itself where nothing has been computed.
 [[nodiscard]] inline std::optional<int> certain_sign(const Estimate& x) {
