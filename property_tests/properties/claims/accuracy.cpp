@@ -87,8 +87,11 @@ Evidence show_verdict(Trial& trial) {
   const char* const kind = !finds_something(trial.claimed()) ? "misses what is there"
                            : judgement.hit                   ? "finds what is there, but not as often"
                                                              : "finds what is not there";
-  return show_answer(trial, fmt::format("the method {}, {:.3g} contract units from a change of verdict", kind,
-                                        judgement.margin));
+  const std::string margin =
+      std::isinf(judgement.margin)
+          ? "and no input near it has another verdict"
+          : fmt::format("{:.3g} contract units from a change of verdict", judgement.margin);
+  return show_answer(trial, fmt::format("the method {}, {}", kind, margin));
 }
 
 Evidence show_residual(Trial& trial) {
