@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "viz/answers.hpp"
 #include "viz/case_report.hpp"
 #include "viz/numbers.hpp"
@@ -70,7 +72,10 @@ std::string in_words(const Measured& measured) {
   const std::string residual = fmt::format("the residual is {} contract units", rough(measured.residual));
   if (!measured.is_wrong) return residual;
   const std::string verdict =
-      fmt::format("the verdict is wrong, {} contract units from a change of verdict", rough(measured.margin));
+      std::isinf(measured.margin)
+          ? "the verdict is wrong, and no input near it has another verdict"
+          : fmt::format("the verdict is wrong, {} contract units from a change of verdict",
+                        rough(measured.margin));
   return measured.residual > 0 ? verdict + "; " + residual : verdict;
 }
 

@@ -85,6 +85,13 @@ void add(const char* name, const char* topic, const char* family, const char* me
   add("sphere/tangent", "sphere", "grazing", "sphere/centred", is_tangent);
   add("sphere/grazing", "sphere", "grazing", "sphere/centred", all);
   add("sphere/transformed", "sphere", "transformed", "sphere/centred", all);
+  add("plane/random", "plane", "random", "plane/implicit", all);
+  add("triangle/random", "triangle", "random", "triangle/moller_trumbore", all);
+  add("polygon/random", "polygon", "random", "polygon/winding", all);
+  add("point_in_polygon/random", "point_in_polygon", "random", "point_in_polygon/winding", all);
+  add("box/random", "box", "random", "box/slabs", all);
+  add("parallelepiped/random", "parallelepiped", "random", "parallelepiped/face_planes", all);
+  add("cylinder/random", "cylinder", "random", "cylinder/centred", all);
   add("quadratic/random", "quadratic", "random", "quadratic/kahan", all);
   add("quadratic/near_double", "quadratic", "near_double", "quadratic/kahan", all);
   return true;

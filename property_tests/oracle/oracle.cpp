@@ -9,11 +9,23 @@ static RayAnswer answer(const RayQuestion& question, Precision precision) {
                     question.shape);
 }
 
+/// By estimates where they are enough. A wrong verdict is judged exactly, since its margin asks for more
+/// digits.
+template <class Judge>
+static Judgement filtered(const Judge& judge) {
+  try {
+    const Filtering by_estimates;
+    if (const Judgement judgement = judge(); !judgement.wrong) return judgement;
+  } catch (const Undecided&) {
+  }
+  return judge();
+}
+
 /// The judge of every shape that has none of its own.
 template <class Shape>
 static Judgement judge(const RayQuestion& question, const Shape& shape, Precision precision,
                        const RayAnswer& claimed) {
-  return judge(*intersection_of(question, shape), precision, claimed);
+  return filtered([&] { return judge(*intersection_of(question, shape), precision, claimed); });
 }
 static Judgement judge(const RayQuestion& question, Precision precision, const RayAnswer& claimed) {
   return std::visit([&](const auto& shape) { return judge(question, shape, precision, claimed); },
@@ -37,7 +49,9 @@ Details judge_details(const Case& one, const Answer& claimed) {
 Judgement judge(const Case& one, const Answer& claimed) {
   const auto judge_as = [&](const auto& question) {
     using Expected = decltype(answer(question, one.precision));
-    return judge(question, one.precision, std::get<Expected>(claimed));
+    const auto& expected = std::get<Expected>(claimed);
+    if constexpr (std::is_same_v<Expected, RayAnswer>) return judge(question, one.precision, expected);
+    return filtered([&] { return judge(question, one.precision, expected); });
   };
   return std::visit(judge_as, one.question);
 }

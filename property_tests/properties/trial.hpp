@@ -118,9 +118,10 @@ class Trial {
            (subject_->has_own_contract || judgement().far <= far_for_details);
   }
 
+  /// The numbers first: they are known without a judgement.
   [[nodiscard]] bool is_within(int limit) {
-    return judgement().smallest >= -limit && judgement().largest <= limit &&
-           (!subject_->contract.domain.every_number || all_numbers_within(limit));
+    return (!subject_->contract.domain.every_number || all_numbers_within(limit)) &&
+           judgement().smallest >= -limit && judgement().largest <= limit;
   }
 
   /// The reach of the subject's domain at the case's precision. Under a transform, no further than the usual
@@ -134,11 +135,14 @@ class Trial {
   /// Whether every number of the case that is not 0 (or an infinite end of the interval) lies within
   /// 2^±limit.
   [[nodiscard]] bool all_numbers_within(int limit) const {
-    Case copy = *case_;
-    return std::ranges::all_of(numbers_of(copy), [limit](const CaseNumber& number) {
-      const double size = std::abs(*number.value);
-      return size == 0 || !std::isfinite(size) || std::abs(std::log2(size)) <= limit;
+    const double largest = std::ldexp(1.0, limit), smallest = std::ldexp(1.0, -limit);
+    bool is_within = true;
+    each_number_of(*case_, [&](double x) {
+      const double size = std::abs(x);
+      const bool has_size = size > 0 && std::isfinite(size);
+      is_within = is_within && !(has_size && (size < smallest || size > largest));
     });
+    return is_within;
   }
 
   const Subject* subject_;

@@ -58,7 +58,11 @@ struct Reading {
   template <class A>
   [[nodiscard]] static Problem<A> problem(const Case& one) {
     const auto& question = std::get<RayQuestion>(one.question);
-    const Space<A> object = space<A>(question);
+    return problem_in<A>(space<A>(question), question);
+  }
+  /// The same, where the object's space is known.
+  template <class A>
+  [[nodiscard]] static Problem<A> problem_in(const Space<A>& object, const RayQuestion& question) {
     const Ray<A> ray = exactly<A>(question.ray);
     return {object ? to_object(*object, ray) : ray, exactly<A>(shape(question))};
   }
@@ -81,7 +85,8 @@ struct Reading {
     const bool is_single = roots.discriminant == 0;
     if (in_interval(ray, roots.lo)) result.hits.push_back(static_cast<double>(roots.lo));
     if (!is_single && in_interval(ray, roots.hi)) result.hits.push_back(static_cast<double>(roots.hi));
-    const Problem<T> asked = problem<T>(one);
+    const Space<T> object = space<T>(question);
+    const Problem<T> asked = problem_in<T>(object, question);
     if (result.hits.count == 0) {
       result.contact = contact_of_miss<Method, T>(asked);
       return result;
@@ -91,7 +96,6 @@ struct Reading {
     const auto t = static_cast<T>(result.hits.t[0]);
     result.point = glm::dvec3(point_at(ray, t));
     const vec3<T> normal = normal_at(asked.shape, asked.ray, t);
-    const Space<T> object = space<T>(question);
     const auto in_world = glm::dvec3(object ? normal_to_world(*object, normal) : normal);
     if (dot(in_world, in_world) > 0) result.normal = in_world;  // not where the figure has none: NaN
     if constexpr (is_flat && std::is_same_v<ShapeIn<T>, Triangle<T>>)

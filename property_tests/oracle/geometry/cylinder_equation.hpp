@@ -16,8 +16,8 @@ struct CylinderEquation {
   CylinderEquation(const ObjectRay<Ring>& ray, const Cylinder<double>& cylinder)
       : origin(ray.origin),
         direction(ray.direction),
-        radius(Ring(cylinder.rx) * Ring(cylinder.ry) * ray.scale),
-        height(Ring(cylinder.height) * ray.scale) {
+        radius(ray.scaled(Ring(cylinder.rx) * Ring(cylinder.ry))),
+        height(ray.scaled(Ring(cylinder.height))) {
     for (Vector<Ring>* v : {&origin, &direction}) {
       v->x = v->x * Ring(cylinder.ry);
       v->y = v->y * Ring(cylinder.rx);

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// A ray question in the shape's own space, without division: vectors over the oracle's ring, or over balls.
+/// A ray question in the shape's own space, without division: vectors over the oracle's ring, or over
+/// estimates.
 
 #include <optional>
 
@@ -41,8 +42,8 @@ struct InverseMap {
         row_z(cross(Vector<R>::from(m[0]), Vector<R>::from(m[1]))),
         determinant(dot(Vector<R>::from(m[0]), row_x)),
         translation(Vector<R>::from(m[3])) {
-    if constexpr (requires { determinant.sign(); }) {
-      if (determinant.sign() >= 0) return;
+    if constexpr (requires { determinant.is_exact(); }) {
+      if (sign(determinant) >= 0) return;
       for (Vector<R>* row : {&row_x, &row_y, &row_z}) *row = -*row;
       determinant = -determinant;
     }
@@ -76,6 +77,12 @@ struct ObjectRay {
     origin = map->apply(origin - map->translation);
     direction = map->apply(direction);
     scale = map->determinant;
+  }
+
+  /// A number or vector of the object's space times the scale.
+  template <class V>
+  [[nodiscard]] V scaled(const V& v) const {
+    return map ? scale * v : v;
   }
 };
 

@@ -27,7 +27,11 @@ template <class R>
   using std::sqrt;
   return sqrt(squared_norm(v));
 }
-[[nodiscard]] inline Scaled norm(const glm::dvec3& v) { return norm(Vector<Scaled>::from(v)); }
+/// A long double has room for the squares of all doubles.
+[[nodiscard]] inline Scaled norm(const glm::dvec3& v) {
+  const long double x = v.x, y = v.y, z = v.z;
+  return Scaled(std::sqrt(x * x + y * y + z * z));
+}
 
 /// |p| + r of a point p with the power |p|² - r² with respect to a circle or a sphere about 0: the point's
 /// distance from it is |power| over this sum.

@@ -20,8 +20,8 @@ struct SlabMeeting {
       : normal(n),
         position(dot(n, ray.origin)),
         speed(dot(n, ray.direction)),
-        low(ray.scale * lower),
-        high(ray.scale * upper) {}
+        low(ray.scaled(lower)),
+        high(ray.scaled(upper)) {}
 
   [[nodiscard]] bool is_parallel() const { return sign(speed) == 0; }
   /// Whether a line that is parallel to the slab runs in it.

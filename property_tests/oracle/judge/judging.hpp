@@ -58,14 +58,15 @@ void note_error(Judgement& judgement, Precision precision, double x, double ulps
 /// Notes log2 of the smallest and largest nonzero magnitude among the numbers of `values`.
 template <class... Values>
 void note_range(Judgement& judgement, const Values&... values) {
-  judgement.smallest = HUGE_VAL;
-  judgement.largest = -HUGE_VAL;
+  double smallest = HUGE_VAL, largest = 0;
   const auto note = [&](double x) {
     if (x == 0) return;
-    judgement.smallest = std::min(judgement.smallest, std::logb(x));
-    judgement.largest = std::max(judgement.largest, std::logb(x));
+    smallest = std::min(smallest, std::abs(x));
+    largest = std::max(largest, std::abs(x));
   };
   (each_number(values, note), ...);
+  judgement.smallest = std::logb(smallest);
+  judgement.largest = std::logb(largest);
 }
 
 /// The smaller of two.

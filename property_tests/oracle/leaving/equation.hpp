@@ -1,7 +1,7 @@
 #pragma once
 /// \file
 /// The equation f of a piece of surface at the origin of a ray, and its derivative along the ray, over a
-/// ring: Interval and Ball, which know when they can't decide, and the exact Ring.
+/// ring: Interval and Estimate, which know when they can't decide, and the exact Ring.
 
 #include "oracle/geometry/newell.hpp"
 #include "oracle/leaving/leaving.hpp"

@@ -48,7 +48,7 @@ bool is_in_reach(const RayQuestion& question) {
 int exact_sign(const RayQuestion& question, const SurfacePiece& piece, Asked asked) {
   if (is_in_reach(question)) {
     if (const auto found = sign_in<Interval>(question, piece, asked)) return *found;
-    if (const auto found = sign_in<Ball>(question, piece, asked)) return *found;
+    if (const auto found = sign_in<Estimate>(question, piece, asked)) return *found;
   }
   return *sign_in<Ring>(question, piece, asked);
 }

@@ -2,50 +2,50 @@
 /// \file
 /// The oracle's exact numbers: a ring without rounding, and numbers of any size to read its values by.
 
-#include <CGAL/Mpzf.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "oracle/numbers/ring.hpp"
+
 namespace rayproof::oracle {
 
-/// Dyadic numbers with exact + - * and sign; no division. Every finite double is one, subnormals included.
-using Ring = CGAL::Mpzf;
-
-/// m·2^e with a long double m in [1/2, 1) (or 0): sizes that overflow a double, to 2^-60 or better relative
-/// precision.
+/// m·2^e with a long double m of any size that products of two do not take out of its range (or 0): sizes
+/// that overflow a double, to 2^-60 or better relative precision.
 class Scaled {
  public:
-  Scaled(long double mantissa = 0, long exponent = 0) {  // NOLINT: a number is a Scaled
-    int shift = 0;
-    mantissa_ = std::frexp(mantissa, &shift);
-    exponent_ = mantissa_ == 0 ? 0 : exponent + shift;
+  [[gnu::always_inline]] Scaled(long double mantissa = 0, long exponent = 0)  // NOLINT: a number is a Scaled
+      : mantissa_(mantissa), exponent_(mantissa == 0 ? 0 : exponent) {
+    const long double size = std::abs(mantissa_);
+    if (!(size > 0x1p-4000L && size < 0x1p+4000L) && size != 0) normalise();
   }
 
   /// The nearest long double; overflows to infinity and underflows to 0.
   [[nodiscard]] long double value() const {
-    return std::ldexp(mantissa_, static_cast<int>(std::clamp(exponent_, -20000L, 20000L)));
+    if (exponent_ == 0) return mantissa_;
+    const Scaled x = normal();
+    return std::ldexp(x.mantissa_, static_cast<int>(std::clamp(x.exponent_, -20000L, 20000L)));
   }
   /// e with 2^(e-1) <= |x| < 2^e.
-  [[nodiscard]] long exponent() const { return exponent_; }
+  [[nodiscard]] long exponent() const { return normal().exponent_; }
   [[nodiscard]] int sign() const { return (mantissa_ > 0) - (mantissa_ < 0); }
 
-  friend Scaled operator-(const Scaled& x) { return {-x.mantissa_, x.exponent_}; }
-  friend Scaled operator*(const Scaled& x, const Scaled& y) {
+  [[gnu::always_inline]] friend Scaled operator-(const Scaled& x) { return {-x.mantissa_, x.exponent_}; }
+  [[gnu::always_inline]] friend Scaled operator*(const Scaled& x, const Scaled& y) {
     return {x.mantissa_ * y.mantissa_, x.exponent_ + y.exponent_};
   }
-  friend Scaled operator/(const Scaled& x, const Scaled& y) {
+  [[gnu::always_inline]] friend Scaled operator/(const Scaled& x, const Scaled& y) {
     return {x.mantissa_ / y.mantissa_, x.exponent_ - y.exponent_};
   }
-  friend Scaled operator+(const Scaled& x, const Scaled& y) {
+  [[gnu::always_inline]] friend Scaled operator+(const Scaled& x, const Scaled& y) {
+    if (x.exponent_ == y.exponent_) return {x.mantissa_ + y.mantissa_, x.exponent_};
     if (x.mantissa_ == 0 || y.mantissa_ == 0) return x.mantissa_ == 0 ? y : x;
-    if (x.exponent_ < y.exponent_) return y + x;
-    const long apart = y.exponent_ - x.exponent_;
-    return {x.mantissa_ + (apart < -200 ? 0 : std::ldexp(y.mantissa_, static_cast<int>(apart))), x.exponent_};
+    return sum_of_normals(x.normal(), y.normal());
   }
-  friend Scaled operator-(const Scaled& x, const Scaled& y) { return x + (-y); }
-  friend bool operator<(const Scaled& x, const Scaled& y) { return (x - y).sign() < 0; }
+  [[gnu::always_inline]] friend Scaled operator-(const Scaled& x, const Scaled& y) { return x + (-y); }
+  [[gnu::always_inline]] friend bool operator<(const Scaled& x, const Scaled& y) {
+    return (x - y).sign() < 0;
+  }
   friend Scaled sqrt(const Scaled& x) {
     const bool odd = x.exponent_ % 2 != 0;
     return {std::sqrt(odd ? 2 * x.mantissa_ : x.mantissa_), (x.exponent_ - (odd ? 1 : 0)) / 2};
@@ -53,6 +53,23 @@ class Scaled {
   friend Scaled abs(const Scaled& x) { return {std::abs(x.mantissa_), x.exponent_}; }
 
  private:
+  /// Makes m one in [1/2, 1); of 0 the exponent is 0, too.
+  [[gnu::noinline]] void normalise() {
+    int shift = 0;
+    mantissa_ = std::frexp(mantissa_, &shift);
+    exponent_ = mantissa_ == 0 ? 0 : exponent_ + shift;
+  }
+  [[nodiscard]] Scaled normal() const {
+    Scaled x = *this;
+    x.normalise();
+    return x;
+  }
+  [[gnu::noinline]] static Scaled sum_of_normals(const Scaled& x, const Scaled& y) {
+    if (x.exponent_ < y.exponent_) return sum_of_normals(y, x);
+    const long apart = y.exponent_ - x.exponent_;
+    return {x.mantissa_ + (apart < -200 ? 0 : std::ldexp(y.mantissa_, static_cast<int>(apart))), x.exponent_};
+  }
+
   long double mantissa_;
   long exponent_;
 };
@@ -62,19 +79,37 @@ class Scaled {
   return error.sign() == 0 ? error : error / unit;
 }
 
-/// The sign of an exact number: -1, 0 or 1.
-[[nodiscard]] inline int sign(const Ring& x) { return static_cast<int>(x.sign()); }
+/// The sign of an exact number: -1, 0 or 1. Throws Undecided of an estimate that may be 0.
+[[nodiscard]] inline int sign(const Ring& x) {
+  if (x.is_exact()) return static_cast<int>(x.exact().sign());
+  const auto known = certain_sign(x.estimate());
+  if (!known) throw Undecided();
+  return *known;
+}
+
+/// The value of an estimate that is good to one part in 1/`doubt`; throws Undecided of others.
+[[nodiscard]] inline Scaled approximate(const Estimate& x, double doubt) {
+  if (!(x.radius() <= doubt * std::abs(x.high))) throw Undecided();
+  return Scaled(static_cast<long double>(x.high) + x.low);
+}
 
 /// The value of an exact number of any size to one part in 2^62.
-[[nodiscard]] inline Scaled approximate(const Ring& x) {
+[[nodiscard]] inline Scaled approximate(const Exact& x) {
   if (x.is_zero()) return {};
   const double leading = x.to_double();
   const double size = std::abs(leading);
   if (!(size > 0x1p-900 && size < 0x1p+1000)) {
     const int shift = size < 1 ? 900 : -900;
-    return approximate(x * Ring(std::ldexp(1.0, shift))) * Scaled(1, -shift);
+    return approximate(x * Exact(std::ldexp(1.0, shift))) * Scaled(1, -shift);
   }
-  return Scaled(static_cast<long double>(leading) + (x - Ring(leading)).to_double());
+  return Scaled(static_cast<long double>(leading) + (x - Exact(leading)).to_double());
+}
+[[nodiscard]] inline Scaled approximate(const Ring& x) {
+  return x.is_exact() ? approximate(x.exact()) : approximate(x.estimate(), 0x1p-62);
+}
+/// The same of an error, which need not be known better than to one part in 2^30.
+[[nodiscard]] inline Scaled roughly(const Ring& x) {
+  return x.is_exact() ? approximate(x.exact()) : approximate(x.estimate(), 0x1p-30);
 }
 
 /// What formulas over any ring ask of a number; for the filters see filters.hpp. Values are read as numbers

@@ -3,10 +3,10 @@
 /// The oracle's filters: numbers in one double or two, which know when they can't decide.
 ///
 /// A formula of the oracle is written once over its ring. Run over intervals it costs a few nanoseconds and
-/// decides nearly every verdict; balls take tens, and cancel less. Neither can ever be certain of a 0, so
-/// every exact tangent would have to go through the exact ring; but most tangents that people and generators
-/// come up with have few digits, and all their formulas are exact in pairs. This code is the oracle's own on
-/// purpose: it shares no line with the arithmetics it judges.
+/// decides nearly every verdict; estimates (estimate.hpp) take tens, and cancel less. Neither can ever be
+/// certain of a 0, so every exact tangent would have to go through the exact ring; but most tangents that
+/// people and generators come up with have few digits, and all their formulas are exact in pairs. This code
+/// is the oracle's own on purpose: it shares no line with the arithmetics it judges.
 
 #include <cmath>
 #include <limits>
@@ -88,57 +88,16 @@ inline Pair operator*(const Pair& x, const Pair& y) {
   return is_safe ? product : Pair::unknown();
 }
 
-/// Every real number within `radius` of high + low; see Interval for overflow and underflow.
-struct Ball {
-  double high, low, radius;
-
-  Ball(double h = 0, double l = 0, double r = 0)
-      : high(h), low(l), radius(r) {}  // NOLINT: every double is a ball
-  /// x + y where |x| >= |y| or x = 0, its rounding error as the low part.
-  static Ball normalised(double x, double y, double radius) {
-    const double sum = x + y;
-    return {sum, y - (sum - x), radius};
-  }
-};
-
-/// The operations' relative rounding error with room to spare: an addition of double-doubles is off by less
-/// than 2^-103 of |x| + |y|, a product by less than 2^-100 of |xy|.
-inline constexpr double ball_rounding = 0x1p-100;
-
-inline Ball operator-(const Ball& x) { return {-x.high, -x.low, x.radius}; }
-
-inline Ball operator+(const Ball& x, const Ball& y) {
-  const Pair sum = sum_of(x.high, y.high);
-  const double radius =
-      x.radius + y.radius + ball_rounding * (std::abs(x.high) + std::abs(y.high)) + filter_underflow;
-  return Ball::normalised(sum.high, sum.low + (x.low + y.low), radius);
-}
-
-inline Ball operator-(const Ball& x, const Ball& y) { return x + (-y); }
-
-inline Ball operator*(const Ball& x, const Ball& y) {
-  const Pair product = product_of(x.high, y.high);
-  const double size_x = std::abs(x.high) + x.radius;
-  const double size_y = std::abs(y.high) + y.radius;
-  const double radius = size_x * y.radius + size_y * x.radius;
-  // The factor outweighs the roundings of this very line; size_x·size_y outweighs |product|.
-  return Ball::normalised(product.high, product.low + (x.high * y.low + x.low * y.high),
-                          (1 + 0x1p-40) * radius + ball_rounding * size_x * size_y + filter_underflow);
-}
-
 /// The double to read a value by; the filters are used only where doubles do not overflow.
 [[nodiscard]] inline double read(const Interval& x) { return x.middle; }
-[[nodiscard]] inline double read(const Ball& x) { return x.high; }
 [[nodiscard]] inline double read(const Pair& x) { return x.high; }
 
 /// How far the true value of `x` may lie from read(x).
 [[nodiscard]] inline double uncertainty(const Interval& x) { return x.radius; }
-[[nodiscard]] inline double uncertainty(const Ball& x) { return x.radius; }
 [[nodiscard]] inline double uncertainty(const Pair&) { return 0; }
 
-/// The sign of an interval or a ball that does not touch 0; otherwise nothing.
-template <class Filter>
-[[nodiscard]] std::optional<int> certain_sign(const Filter& x) {
+/// The sign of an interval that does not touch 0; otherwise nothing.
+[[nodiscard]] inline std::optional<int> certain_sign(const Interval& x) {
   if (std::abs(read(x)) > 1.001 * x.radius) return read(x) > 0 ? 1 : -1;
   return std::nullopt;
 }

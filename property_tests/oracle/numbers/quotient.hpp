@@ -29,9 +29,9 @@ class Quotient {
     return sign(numerator_ * other.denominator_ - other.numerator_ * denominator_);
   }
 
-  /// quotient - x to one part in 2^60.
+  /// quotient - x, an error, to one part in 2^29.
   [[nodiscard]] Scaled minus(double x) const {
-    return approximate(numerator_ - Ring(x) * denominator_) / approximate(denominator_);
+    return roughly(numerator_ - Ring(x) * denominator_) / approximate(denominator_);
   }
 
   /// The quotient to one part in 2^60.

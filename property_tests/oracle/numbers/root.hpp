@@ -46,19 +46,14 @@ class ExactRoot {
     return compare_root(side_, sign(value), sign(slope));
   }
 
-  /// root - x to one part in 2^58, however near they are: the difference is itself a root.
+  /// root - x, an error, to one part in 2^28, however near they are: the difference is itself a root.
   [[nodiscard]] Scaled minus(double x) const {
-    return ExactRoot(quadratic_.seen_from(Ring(x)), side_).estimate();
+    return ExactRoot(quadratic_.seen_from(Ring(x)), side_).estimated(roughly);
   }
 
-  /// The root to one part in 2^58, by the branches that do not cancel.
+  /// The root to one part in 2^58.
   [[nodiscard]] Scaled estimate() const {
-    const Scaled s = sqrt(approximate(quadratic_.discriminant()));
-    const Scaled h = approximate(quadratic_.h);
-    const Scaled size = abs(h) + s;
-    const Scaled q = h.sign() > 0 ? -size : size;
-    const bool adds_up = side_ == (h.sign() > 0 ? -1 : 1);
-    return adds_up || q.sign() == 0 ? q / approximate(quadratic_.a) : approximate(quadratic_.c) / q;
+    return estimated([](const Ring& c) { return approximate(c); });
   }
 
   /// offset + slope·root, as a root itself: of the quadratic that (X - offset)/slope solves. With slope 0 it
@@ -72,6 +67,18 @@ class ExactRoot {
   }
 
  private:
+  /// By the branches that do not cancel; c, which is small beside an x that is nearly a root, is read by
+  /// read_c.
+  template <class ReadC>
+  [[nodiscard]] Scaled estimated(const ReadC& read_c) const {
+    const Scaled s = sqrt(approximate(quadratic_.discriminant()));
+    const Scaled h = approximate(quadratic_.h);
+    const Scaled size = abs(h) + s;
+    const Scaled q = h.sign() > 0 ? -size : size;
+    const bool adds_up = side_ == (h.sign() > 0 ? -1 : 1);
+    return adds_up || q.sign() == 0 ? q / approximate(quadratic_.a) : read_c(quadratic_.c) / q;
+  }
+
   ExactQuadratic quadratic_;
   int side_;
 };

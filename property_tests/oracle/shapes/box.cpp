@@ -64,7 +64,7 @@ class BoxIntersection final : public SolidIntersection {
     if (question().transform) return SolidIntersection::distance(slab, bound, t);
     const SlabMeeting& met = this->met(slab);
     if (met.is_parallel()) return endless();  // inside or outside is decided without rounding
-    const Scaled gap = abs(approximate(met.beyond(bound, t))) / approximate(t.denominator());
+    const Scaled gap = abs(roughly(met.beyond(bound, t))) / approximate(t.denominator());
     const Scaled run = abs(approximate(met.speed) * t.estimate());
     return ratio(gap, run + abs(approximate(bound - met.position)));
   }

@@ -61,7 +61,7 @@ class FlatIntersection : public PlanarIntersection {
   FlatIntersection(const RayQuestion& question, FlatEquation plane)
       : PlanarIntersection(question),
         normal_(std::move(plane.normal)),
-        gap_(ray().scale * plane.offset - dot(normal_, ray().origin)),
+        gap_(ray().scaled(plane.offset) - dot(normal_, ray().origin)),
         slope_(dot(normal_, ray().direction)) {}
 
   [[nodiscard]] ExactContacts hits() const override {
@@ -84,7 +84,7 @@ class FlatIntersection : public PlanarIntersection {
 
   [[nodiscard]] Scaled residual(const Quotient& t) const override {
     const Ring height = slope_ * t.numerator() - gap_ * t.denominator();
-    const Scaled off = abs(approximate(height)) / approximate(t.denominator());
+    const Scaled off = abs(roughly(height)) / approximate(t.denominator());
     return ratio(off, sizes().unit(0, t.estimate()));
   }
   [[nodiscard]] Scaled off_surface(const Vector<Ring>& point, const Quotient& t) const override {

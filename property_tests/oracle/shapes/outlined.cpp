@@ -68,7 +68,7 @@ Contact OutlinedIntersection::located(const Vector<Ring>& point, const Ring& wei
   std::vector<PlanePoint> outline;
   outline.reserve(corners().size());
   for (const glm::dvec3& corner : corners()) outline.push_back(project(corner));
-  return locate(project(point), ray().scale * weight, outline);
+  return locate(project(point), ray().scaled(weight), outline);
 }
 
 Scaled OutlinedIntersection::height_over_shape(double t) const {

@@ -16,7 +16,7 @@ Scaled residual_of(const Quadratic<double>& q, double x) {
   const Ring axx = Ring(q.a) * Ring(x) * Ring(x);
   const Ring bx = Ring(q.b) * Ring(x);
   const Scaled size = abs(approximate(axx)) + abs(approximate(bx)) + abs(Scaled(q.c));
-  return ratio(abs(approximate(axx + bx + Ring(q.c))), size);
+  return ratio(abs(roughly(axx + bx + Ring(q.c))), size);
 }
 
 /// How near the discriminant is to 0, in units of b² + 4|ac|. No change by a share of its own makes a 0

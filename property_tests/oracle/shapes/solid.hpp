@@ -80,7 +80,7 @@ class SolidIntersection : public PlanarIntersection {
   [[nodiscard]] const SlabMeeting& met(std::size_t slab) const { return met_.at(slab); }
   /// How far p(t) is from one plane of a slab, in the contract's units.
   [[nodiscard]] virtual Scaled distance(std::size_t slab, const Ring& bound, const Quotient& t) const {
-    const Scaled gap = abs(approximate(met(slab).beyond(bound, t))) / approximate(t.denominator());
+    const Scaled gap = abs(roughly(met(slab).beyond(bound, t))) / approximate(t.denominator());
     return ratio(gap, sizes().unit(slab, t.estimate()));
   }
 

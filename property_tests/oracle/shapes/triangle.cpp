@@ -19,7 +19,7 @@ FlatEquation plane_of(const Triangle<double>& triangle) {
 /// The signed volumes that the ray's direction spans with each edge as seen from the origin. Over their sum
 /// they are the barycentric coordinates of the point in which the line meets the triangle's plane.
 std::array<Ring, 3> volumes_of(const ObjectRay<Ring>& ray, const Triangle<double>& triangle) {
-  const auto seen = [&](const glm::dvec3& v) { return ray.scale * Vector<Ring>::from(v) - ray.origin; };
+  const auto seen = [&](const glm::dvec3& v) { return ray.scaled(Vector<Ring>::from(v)) - ray.origin; };
   const Vector<Ring> a = seen(triangle.a), b = seen(triangle.b), c = seen(triangle.c);
   return {dot(ray.direction, cross(b, c)), dot(ray.direction, cross(c, a)), dot(ray.direction, cross(a, b))};
 }

@@ -33,8 +33,9 @@ std::optional<double> robust(Trial& trial) {
 /// A verdict may be wrong only within the band; a band of width 0 means never.
 template <BoundOf bound_of>
 Ruling verdict_within(Trial& trial) {
+  if (!trial.in_domain()) return Ruling::outside;  // first, since it may be known without a judgement
   const std::optional<double> band = bound_of(trial);
-  if (!band || !trial.in_domain()) return Ruling::outside;
+  if (!band) return Ruling::outside;
   const oracle::Judgement& judgement = trial.judgement();
   const bool is_excused = *band > 0 && judgement.margin <= *band;
   return !judgement.wrong || is_excused ? Ruling::held : Ruling::broken;
@@ -42,8 +43,9 @@ Ruling verdict_within(Trial& trial) {
 
 template <BoundOf bound_of, double oracle::Judgement::*error>
 Ruling error_within(Trial& trial) {
+  if (!trial.in_domain()) return Ruling::outside;
   const std::optional<double> bound = bound_of(trial);
-  if (!bound || !gives_numbers(trial.claimed()) || !trial.in_domain()) return Ruling::outside;
+  if (!bound || !gives_numbers(trial.claimed())) return Ruling::outside;
   return trial.judgement().*error <= *bound ? Ruling::held : Ruling::broken;
 }
 
@@ -116,9 +118,11 @@ Evidence show_verdict(Trial& trial) {
   const char* const kind = !finds_something(trial.claimed()) ? "misses what is there"
                            : judgement.hit                   ? "finds what is there, but not as often"
                                                              : "finds what is not there";
-  return show_answer(trial, fmt::format("{} {}, {:.3g} {} from a change of verdict",
-                                        trial.subject().has_own_contract ? "the method" : "it", kind,
-                                        judgement.margin, units(trial)));
+  const std::string margin = std::isinf(judgement.margin) ? "and no input near it has another verdict"
+                                                          : fmt::format("{:.3g} {} from a change of verdict",
+                                                                        judgement.margin, units(trial));
+  return show_answer(
+      trial, fmt::format("{} {}, {}", trial.subject().has_own_contract ? "the method" : "it", kind, margin));
 }
 
 Evidence show_residual(Trial& trial) {

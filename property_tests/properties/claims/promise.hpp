@@ -31,7 +31,7 @@ struct Promise {
 
 /// The bound in the units of the topic's contract with far_power 0, for a case of that ratio.
 [[nodiscard]] inline double promised(const Bound& bound, double far) {
-  return bound.promised * std::pow(far, bound.far_power);
+  return bound.far_power == 0 ? bound.promised : bound.promised * std::pow(far, bound.far_power);
 }
 
 /// Under a transform the ray has been rounded before the

@@ -47,7 +47,9 @@ struct Worst {
     if (is_transformed(trial.question())) ++transformed;
     const oracle::Judgement& judgement = trial.judgement();
     const Contract& contract = trial.subject().contract;
-    const auto unit = [&](const Bound& bound) { return std::pow(judgement.far, bound.far_power); };
+    const auto unit = [&](const Bound& bound) {
+      return bound.far_power == 0 ? 1 : std::pow(judgement.far, bound.far_power);
+    };
     residual = std::max(residual, judgement.residual / unit(contract.residual));
     if (judgement.wrong) {
       ++wrong;

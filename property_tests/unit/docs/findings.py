@@ -39,6 +39,7 @@ STAGE = re.compile(r'<script type="application/json" id="stage">(.*?)</script>',
 # How a finding's note and its explanation give the same figure.
 FIGURE = r"([\d.e+]+|inf|∞) contract units"
 UNITS = [(rf"{FIGURE} from a change of verdict", rf"the verdict is wrong, {FIGURE} from a change of verdict"),
+         (r"(no input near it) has another verdict", r"the verdict is wrong, and (no input near it) has another verdict"),
          (rf"misses its equation by {FIGURE}", rf"the residual is {FIGURE}")]
 LARGEST_FLOAT = (2 - 2.0**-23) * 2.0**127
 

@@ -71,10 +71,13 @@ template <std::same_as<double> T>
   return {value, x.is_exact && (value != value || double{value} == x.value)};
 }
 
-/// Whether the value is neither infinite nor NaN.
+/// Whether the value is neither infinite nor NaN. One that is, since an overflow or what came of it was
+/// rounded, decides as a comparison of rounded numbers does.
 template <class T>
 [[nodiscard]] bool is_finite(const Checked<T>& x) {
-  return std::isfinite(x.value);
+  const bool is_number = std::isfinite(x.value);
+  if (!is_number && !x.is_exact) RoundedDecision::note();
+  return is_number;
 }
 
 }  // namespace rayproof

@@ -56,7 +56,8 @@ template <class T>
           vec3<T>{error(sizes.x, point.x, moved.x), error(sizes.y, point.y, moved.y),
                   error(sizes.z, point.z, moved.z)},
           flat.tilt,
-          T(0)};
+          T(0),
+          true};
 }
 
 /// A plane has no edges to stay away from.

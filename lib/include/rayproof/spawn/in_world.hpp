@@ -6,7 +6,7 @@
 
 #include <rayproof/spawn/flat.hpp>
 #include <rayproof/spawn/round.hpp>
-#include <rayproof/spawn/solid.hpp>
+#include <rayproof/spawn/slanted.hpp>
 #include <rayproof/spawn/surface_point.hpp>
 #include <rayproof/transform.hpp>
 
@@ -14,27 +14,32 @@
 
 namespace rayproof::spawn {
 
-/// An object-to-world map q ↦ A·q + b, its inverse, and how much that can stretch a vector.
+/// An object-to-world map q ↦ A·q + b and its inverse, and what every hit asks of their sizes.
 template <class T>
 struct Placement {
   vec3<T> column_x, column_y, column_z;  ///< of A
   ObjectSpace<T> inverse;
-  T shrinks;  ///< the Frobenius norm of A's inverse
+  T shrinks;                       ///< the Frobenius norm of A's inverse
+  vec3<T> column_sums;             ///< of each column of A the sum of magnitudes
+  vec3<T> row_sums;                ///< the same of each row of A's inverse
+  vec3<T> size_x, size_y, size_z;  ///< the magnitudes of A, column by column
+  vec3<T> sizes;                   ///< those of b
 
   [[nodiscard]] constexpr vec3<T> direction(const vec3<T>& v) const {
     return v.x * column_x + v.y * column_y + v.z * column_z;
   }
-  /// |A|·|v|, component by component.
+  /// |A|·v of a v without negative components.
   [[nodiscard]] constexpr vec3<T> spread(const vec3<T>& v) const {
-    return abs(v.x) * magnitudes<T>(column_x) + abs(v.y) * magnitudes<T>(column_y) +
-           abs(v.z) * magnitudes<T>(column_z);
+    return v.x * size_x + v.y * size_y + v.z * size_z;
   }
 };
 
 template <class To, class From>
 [[nodiscard]] constexpr Placement<To> convert(const Placement<From>& from) {
   return {convert<To>(from.column_x), convert<To>(from.column_y), convert<To>(from.column_z),
-          convert<To>(from.inverse), To(from.shrinks)};
+          convert<To>(from.inverse),  To(from.shrinks),           convert<To>(from.column_sums),
+          convert<To>(from.row_sums), convert<To>(from.size_x),   convert<To>(from.size_y),
+          convert<To>(from.size_z),   convert<To>(from.sizes)};
 }
 
 template <std::floating_point T>
@@ -44,7 +49,20 @@ template <std::floating_point T>
     return sqrt(dot(x, x) + dot(y, y) + dot(z, z));
   };
   const vec3<T> x{object_to_world[0]}, y{object_to_world[1]}, z{object_to_world[2]};
-  return {x, y, z, inverse, norm(inverse.row_x, inverse.row_y, inverse.row_z)};
+  const auto sums = [](const vec3<T>& a, const vec3<T>& b, const vec3<T>& c) {
+    return vec3<T>{sum<T>(magnitudes<T>(a)), sum<T>(magnitudes<T>(b)), sum<T>(magnitudes<T>(c))};
+  };
+  return {x,
+          y,
+          z,
+          inverse,
+          norm(inverse.row_x, inverse.row_y, inverse.row_z),
+          sums(x, y, z),
+          sums(inverse.row_x, inverse.row_y, inverse.row_z),
+          magnitudes<T>(x),
+          magnitudes<T>(y),
+          magnitudes<T>(z),
+          magnitudes<T>(inverse.translation)};
 }
 
 /// How far the roundings still to come can move a point at p, along each axis of its own space: without a map
@@ -52,7 +70,7 @@ template <std::floating_point T>
 template <class T>
 [[nodiscard]] constexpr vec3<T> resolution_at(const vec3<T>& p) {
   const T by = T(8 * unit<T>) * sum<T>(magnitudes<T>(p)) + T(least_offset<T>);
-  return vec3<T>{by, by, by};
+  return same_along_each_axis<T>(by);
 }
 
 /// The point of the surface that the hit p is moved to.
@@ -72,26 +90,24 @@ template <template <class> class Surface, class T>
                                               const vec3<T>& p) {
   constexpr auto eps = unit<T>;
   const ObjectSpace<T>& inverse = map.inverse;
-  const vec3<T> seen = inverse.point(p), sizes = magnitudes<T>(inverse.translation);
-  const auto rounding_of = [&](const vec3<T>& x) { return T(5 * eps) * (map.spread(x) + sizes); };
+  const vec3<T> seen = inverse.point(p);
   const vec3<T> farthest = magnitudes<T>(seen) + outermost(surface);
-  const T coarse = T(16) * sum<T>(rounding_of(farthest)) + T(least_offset<T>);
-  const auto along = [&](const vec3<T>& row) { return coarse * sum<T>(magnitudes<T>(row)); };
-  const SurfacePoint<T> own =
-      surface_point(surface, seen, vec3<T>{along(inverse.row_x), along(inverse.row_y), along(inverse.row_z)});
+  const T coarse = T(80 * eps) * (dot(map.column_sums, farthest) + sum<T>(map.sizes)) + T(least_offset<T>);
+  const SurfacePoint<T> own = surface_point(surface, seen, coarse * map.row_sums);
 
   const vec3<T> x = own.normal.x * inverse.row_x, y = own.normal.y * inverse.row_y,
                 z = own.normal.z * inverse.row_z;
   const vec3<T> w = x + y + z;
   const T climb = sqrt(dot(w, w)), per_climb = T(1) / climb;
-  const T terms = sum<T>(magnitudes<T>(x)) + sum<T>(magnitudes<T>(y)) + sum<T>(magnitudes<T>(z));
+  const T terms = dot(magnitudes<T>(own.normal), map.row_sums);
   return {p,
           map.direction(own.point) + inverse.translation,
           per_climb * w,
           climb * map.direction(own.radial),
-          map.spread(own.error) + rounding_of(own.point),
+          map.spread(own.error + T(5 * eps) * magnitudes<T>(own.point)) + T(5 * eps) * map.sizes,
           T(2) * per_climb * (T(14 * eps) * terms + map.shrinks * own.tilt) + T(6 * eps),
-          own.bend * map.shrinks * map.shrinks * per_climb};
+          own.bend * map.shrinks * map.shrinks * per_climb,
+          own.is_flat};
 }
 
 }  // namespace rayproof::spawn

@@ -17,7 +17,8 @@ namespace rayproof::spawn {
 /// round bodies at least 64ε times as wide as the scene's coordinates are large.
 ///
 /// Derivation, in the notation of SurfacePoint. Let o = point + h·v + ρ be the rounded origin, |ρᵢ| <=
-/// ε(|pointᵢ| + 2h|vᵢ|) with room for second orders; roomᵢ = errorᵢ + ε|pointᵢ|, and w = |room|.
+/// ε(|pointᵢ| + 2h|vᵢ|) with room for second orders; roomᵢ = errorᵢ + ε|pointᵢ|, and w = Σroomᵢ >= |room|,
+/// which needs no square root and stands in terms of second order alone.
 ///
 /// Along the normal, v = normal: the distance of o above s along N is at least h·N·v - Σ|Nᵢ|roomᵢ - 4εh. With
 /// |Nᵢ| <= |nᵢ| + tilt and N·v >= 1 - tilt²/2 - 6ε it is more than 0 for h = flat = (1 + 2tilt + 32ε)·reach,
@@ -46,7 +47,7 @@ struct Proven {
             "In each component, the surface is within the error of the point, and the origin will be rounded "
             "once more.");
     const vec3<T> room = named("room", named("e", from.error) + T(unit<T>) * magnitudes<T>(from.point));
-    const T beside = named("w", sqrt(dot(room, room)));
+    const T beside = named("w", sum<T>(room));
 
     step<T>("Measure it along the normal",
             "Only what lies along the normal can bring the origin to the wrong side; the normal itself is "
@@ -58,9 +59,10 @@ struct Proven {
     step<T>("Add what the curvature takes",
             "A curved surface falls away from its tangent plane by the square of a distance.");
     const T bend = named("bend", from.bend);
-    const T along_normal = flat + T(5) * (bend * square(beside + flat));
-    const T along_radial = T(2) * reach + T(8) * (bend * square(beside));
-    const Mask<T> is_along_normal = bend * beside <= T(0.0625) && tilt <= T(0.25);
+    const T along_normal = from.is_flat ? flat : flat + T(5) * (bend * square(beside + flat));
+    const T along_radial = from.is_flat ? T(2) * reach : T(2) * reach + T(8) * (bend * square(beside));
+    const Mask<T> is_along_normal =
+        from.is_flat ? tilt <= T(0.25) : bend * beside <= T(0.0625) && tilt <= T(0.25);
     const T length = named("h", select(is_along_normal, along_normal, along_radial) + T(least_offset<T>));
 
     step<T>("Leave the surface by that much", "Rounding has been paid for: nothing is rounded away.");

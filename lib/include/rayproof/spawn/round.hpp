@@ -48,23 +48,23 @@ template <class T>
                                                       const vec3<T>& resolution) {
   constexpr auto eps = unit<T>;
   const T per_x = T(1) / cylinder.rx, per_y = T(1) / cylinder.ry;
-  const T x = p.x / cylinder.rx, y = p.y / cylinder.ry;
-  const T from_axis = sqrt(x * x + y * y);
+  const T x = p.x * per_x, y = p.y * per_y;
+  const T from_axis = sqrt(x * x + y * y), per_axis = T(1) / from_axis;
   const T gradient_x = x * per_x, gradient_y = y * per_y;
-  const T gradient = sqrt(gradient_x * gradient_x + gradient_y * gradient_y);
-  const T off_side = abs(T(1) - from_axis) * from_axis / gradient;
+  const T gradient = sqrt(gradient_x * gradient_x + gradient_y * gradient_y), per_gradient = T(1) / gradient;
+  const T off_side = abs(T(1) - from_axis) * from_axis * per_gradient;
   const T off_bottom = abs(p.z), off_top = abs(cylinder.height - p.z);
   const Mask<T> is_top = off_top < off_bottom;
   const Mask<T> is_cap = min(off_bottom, off_top) < off_side && T(cylinder.capped ? 1 : 0) > T(0);
 
   const T stretch = max(per_x, per_y);
   const T inside = T(1) - (resolution.x + resolution.y) * stretch - T(16 * eps);
-  const T onto = select(is_cap, min(max(inside, T(0)) / from_axis, T(1)), T(1) / from_axis);
+  const T onto = select(is_cap, min(max(inside, T(0)) * per_axis, T(1)), per_axis);
   const T z = select(is_cap, select(is_top, cylinder.height, T(0)),
                      clamped(p.z, resolution.z, cylinder.height - resolution.z));
   const vec3<T> point{cylinder.rx * (x * onto), cylinder.ry * (y * onto), z};
-  const T zero(0), climb = gradient / from_axis;
-  const vec3<T> of_side{gradient_x / gradient, gradient_y / gradient, zero};
+  const T zero(0), climb = gradient * per_axis;
+  const vec3<T> of_side{gradient_x * per_gradient, gradient_y * per_gradient, zero};
   const vec3<T> of_cap{zero, zero, select(is_top, T(1), T(-1))};
   return {p,
           point,
@@ -72,8 +72,8 @@ template <class T>
           select_vector<T>(is_cap, of_cap, vec3<T>{climb * point.x, climb * point.y, zero}),
           select_vector<T>(is_cap, vec3<T>{zero, zero, zero},
                            vec3<T>{T(8 * eps) * abs(point.x), T(8 * eps) * abs(point.y), zero}),
-          select(is_cap, zero, T(10 * eps)),
-          select(is_cap, zero, stretch * stretch / climb)};
+          select(is_cap, zero, T(12 * eps)),
+          select(is_cap, zero, stretch * stretch * (from_axis * per_gradient))};
 }
 
 /// How far, along each axis, no point of the body is from (0, 0, 0).

@@ -43,6 +43,7 @@ struct SurfacePoint {
   vec3<T> error;
   T tilt;
   T bend;
+  bool is_flat = false;  ///< `bend` is 0 of the whole surface, and need not be computed with
 };
 
 /// Turns the normal to the back where `side` is negative, to the front elsewhere. In place: g++ 12 copies a
@@ -65,6 +66,12 @@ template <class T>
 template <class T>
 [[nodiscard]] constexpr vec3<T> magnitudes(const vec3<T>& v) {
   return vec3<T>{abs(v.x), abs(v.y), abs(v.z)};
+}
+
+/// (x, x, x).
+template <class T>
+[[nodiscard]] constexpr vec3<T> same_along_each_axis(const T& x) {
+  return vec3<T>{x, x, x};
 }
 
 /// x + y + z.

@@ -5,7 +5,7 @@
 #include <rayproof/spawn/flat.hpp>
 #include <rayproof/spawn/in_world.hpp>
 #include <rayproof/spawn/round.hpp>
-#include <rayproof/spawn/solid.hpp>
+#include <rayproof/spawn/slanted.hpp>
 
 namespace rayproof::spawn {
 

@@ -71,11 +71,11 @@ class MeasuredCylinder : public ExactIntersection {
   /// How far a point is from the side without an end.
   [[nodiscard]] Scaled off_circle(const CylinderPoint& p) const {
     const Scaled weight = approximate(p.weight);
-    return change_of_radius(approximate(p.power) / (weight * weight)) / reach_across(p.t);
+    return change_of_radius(roughly(p.power) / (weight * weight)) / reach_across(p.t);
   }
   /// How far it is from the plane of a cap.
   [[nodiscard]] Scaled off_cap(const CylinderPoint& p, bool is_lower) const {
-    const Scaled gap = abs(approximate(is_lower ? p.z : equation_.height * p.weight - p.z));
+    const Scaled gap = abs(roughly(is_lower ? p.z : equation_.height * p.weight - p.z));
     return in_heights(gap / (approximate(ray().scale) * approximate(p.weight)), p.t);
   }
 

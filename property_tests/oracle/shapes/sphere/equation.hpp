@@ -1,8 +1,8 @@
 #pragma once
 /// \file
 /// What a ray and a sphere come to: a quadratic in t, the lengths that the contract speaks of, and the exact
-/// verdict. The formulas stand here once, over a ring R; they run over Interval, Ball and Pair, which know
-/// when they can't decide, and then over the exact Ring, which always can.
+/// verdict. The formulas stand here once, over a ring R; they run over Interval, Estimate and Pair, which
+/// know when they can't decide, and then over the exact Ring, which always can.
 
 #include <algorithm>
 #include <optional>
@@ -131,10 +131,11 @@ struct HitError {
   double ulp, residual;
 };
 
-/// The error of a finite t; nothing where balls can't decide.
-[[nodiscard]] inline std::optional<HitError> hit_error(const SphereEquation<Ball>& scene, const Truth& truth,
-                                                       double unit, int side, double t, Precision precision) {
-  const PowerAt<Ball> at = scene.at(t);
+/// The error of a finite t; nothing where estimates can't decide.
+[[nodiscard]] inline std::optional<HitError> hit_error(const SphereEquation<Estimate>& scene,
+                                                       const Truth& truth, double unit, int side, double t,
+                                                       Precision precision) {
+  const PowerAt<Estimate> at = scene.at(t);
   const double power = read(at.power), slope = read(at.slope);
   const double w = std::sqrt(std::abs(truth.discriminant));
   const double u = side > 0 ? slope : -slope;

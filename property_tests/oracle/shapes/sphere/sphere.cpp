@@ -94,16 +94,16 @@ class SphereIntersection final : public ExactIntersection {
   mutable std::optional<SphereSizes<Scaled>> sizes_;
 };
 
-/// The judgement of one case. A ring's equation is made only when it is asked for: that of the balls for the
-/// error of a hit, the exact one when no filter could decide.
+/// The judgement of one case. A ring's equation is made only when it is asked for: that of the estimates for
+/// the error of a hit, the exact one when no filter could decide.
 class SphereJudge {
  public:
   SphereJudge(const RayQuestion& question, const Sphere<double>& sphere)
       : question_(question), sphere_(sphere) {}
 
   Judgement judge(Precision precision, const RayAnswer& claimed) {
-    // Without a transform one subtraction makes a coordinate, so that balls would have the same sizes.
-    const SphereSizes<double> sizes = question_.transform ? sizes_of(scene<Ball>(), question_, sphere_)
+    // Without a transform one subtraction makes a coordinate, so that estimates would have the same sizes.
+    const SphereSizes<double> sizes = question_.transform ? sizes_of(scene<Estimate>(), question_, sphere_)
                                                           : sizes_of(scene<Interval>(), question_, sphere_);
     // Doubles serve only far from overflow and underflow (false for NaN too).
     if (!(sizes.smallest > -200 && sizes.largest < 200)) return judge_exactly(precision, claimed);
@@ -117,7 +117,7 @@ class SphereJudge {
     const std::size_t judged = claimed.verdict_only ? 0 : claimed.hits.count;
     for (std::size_t i = 0; i < judged; ++i) {
       const double t = claimed.hits.t[i];
-      auto error = hit_error(scene<Ball>(), truth, unit, truth.side(i), t, precision);
+      auto error = hit_error(scene<Estimate>(), truth, unit, truth.side(i), t, precision);
       if (!error) error = exact_error(unit, truth.side(i), t, precision);
       note_error(judgement, precision, t, error->ulp, [&] { return error->residual; });
     }
@@ -137,7 +137,7 @@ class SphereJudge {
   }
   Truth filtered_verdict() {
     if (const auto truth = verdict(scene<Interval>(), question_.ray)) return *truth;
-    if (const auto truth = verdict(scene<Ball>(), question_.ray)) return *truth;
+    if (const auto truth = verdict(scene<Estimate>(), question_.ray)) return *truth;
     if (const auto truth = verdict(scene<Pair>(), question_.ray)) return *truth;
     return *verdict(SphereEquation<Ring>(question_, sphere_), question_.ray);
   }
@@ -160,7 +160,7 @@ class SphereJudge {
 
   const RayQuestion& question_;
   const Sphere<double>& sphere_;
-  std::tuple<std::optional<SphereEquation<Interval>>, std::optional<SphereEquation<Ball>>,
+  std::tuple<std::optional<SphereEquation<Interval>>, std::optional<SphereEquation<Estimate>>,
              std::optional<SphereEquation<Pair>>>
       scenes_;
 };

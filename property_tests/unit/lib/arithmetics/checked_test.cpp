@@ -104,6 +104,16 @@ TEST(Checked, AnIfThatFollowsARoundedComparisonIsNoted) {
   EXPECT_TRUE(outer.was_made());
 }
 
+TEST(Checked, ANumberThatOverflowedDecidesAsARoundedOneDoes) {
+  const Float large(0x1p70F);
+  const RoundedDecision decision;
+  EXPECT_TRUE(is_finite(large));
+  EXPECT_FALSE(is_finite(Float(inf)));
+  EXPECT_FALSE(decision.was_made()) << "infinity as it was given is exact";
+  EXPECT_FALSE(is_finite(large * large));
+  EXPECT_TRUE(decision.was_made());
+}
+
 TEST(Checked, WideNumbersBecomeNarrowExactlyWhereTheyFit) {
   EXPECT_TRUE(narrow(widen(Float(1 + ulp)) * widen(Float(2))).is_exact);
   EXPECT_FALSE(narrow(widen(Float(1 + ulp)) * widen(Float(1 + ulp))).is_exact);
