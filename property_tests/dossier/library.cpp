@@ -62,7 +62,8 @@ NamedNumbers numbers_of(const Json& object) {
 
 LibraryFacts facts_of(const std::string& command) {
   const Printed said = run(command + " --about", "", std::chrono::seconds(20));
-  if (said.lines.empty()) throw std::runtime_error(command + " does not say which library it asks");
+  if (said.lines.empty())
+    throw std::runtime_error("the library's program does not say which library it asks");
   const Json& about = said.lines.front();
   LibraryFacts facts{about.at("library"), about.at("version"), about.at("build"), about.at("tracker")};
   for (const Json& one : about.value("documented", Json::array()))
@@ -87,7 +88,7 @@ Reproduction reproduction_of(const std::string& command, const Case& one,
     }
   }
   if (made.source.empty())
-    throw std::runtime_error(command + " does not show how it asks the library this case");
+    throw std::runtime_error("the library's program did not show in time how it asks this case");
   if (!made.has_returned) made.ending = shown.ending;
   return made;
 }

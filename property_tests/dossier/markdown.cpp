@@ -43,11 +43,11 @@ std::string finding_in_markdown(const FiledFinding& filed) {
   const Finding& finding = recorded.finding;
   const Dossier& dossier = filed.dossier;
   const bool is_confirmed = filed.trouble.empty() && dossier.objection.empty();
-  std::string text =
-      fmt::format("### {}. {}\n\n![The case of finding {}](images/findings/{}.svg)\n\n| | |\n| --- | --- |\n",
-                  finding.number,
-                  is_confirmed ? dossier.title() : recorded.shape + "/" + recorded.name + " " + recorded.says,
-                  finding.number, finding.number);
+  std::string text = fmt::format(
+      "### {}. {} (`{}`)\n\n![The case of finding {}](images/findings/{}.svg)\n\n| | |\n| --- | --- |\n",
+      finding.number,
+      is_confirmed ? dossier.title() : recorded.shape + "/" + recorded.name + " " + recorded.says,
+      recorded.name, finding.number, finding.number);
   text += row("kind", fmt::format("{}, {}, about {} of the cases", recorded.kind,
                                   name_of(finding.one.precision), finding.cases)) +
           row("found", recorded.says);
@@ -67,7 +67,7 @@ std::string finding_in_markdown(const FiledFinding& filed) {
 
 std::string findings_markdown(const std::vector<LibraryDossier>& libraries, const std::string& command) {
   std::string text = fmt::format(
-      "# Findings in other people's libraries\n\nThis page is written by a command, in "
+      "# Findings in other people's libraries\n\nThis page is written by a command, here of checks with "
       "{}:\n\n```\n{}\n```\n\n"
       "What a library's documentation excludes is counted and not judged ([peers.md](peers.md)). A finding "
       "is a smallest case, asked again of the\n"

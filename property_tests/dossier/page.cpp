@@ -60,14 +60,15 @@ std::string article(const FiledFinding& filed, const DrawCase& draw) {
   const std::string about =
       is_confirmed ? filed.dossier.title() : recorded.shape + "/" + recorded.name + " " + recorded.says;
   std::string text = fmt::format(
-      "<article id=\"finding-{0}\"><h3>{0}. {1}</h3><figure>{2}</figure><dl>{3}{4}{5}{6}{7}{8}</dl>",
+      "<article id=\"finding-{0}\"><h3>{0}. {1} <span "
+      "class=\"soft\">{9}</span></h3><figure>{2}</figure><dl>{3}{4}{5}{6}{7}{8}</dl>",
       finding.number, escaped(about), picture_of(filed, draw),
       entry("Kind", kind_label(recorded.kind) + fmt::format(" {}; about {} of the cases",
                                                             name_of(finding.one.precision), finding.cases)),
       entry("Found", escaped(recorded.says)), confirmed(filed),
       entry("Diagnosis", escaped(finding.diagnosis.empty() ? "none: there is no answer" : finding.diagnosis)),
       entry("Documentation", escaped(documentation_of(filed))),
-      entry("Not to be filed", escaped(filed.dossier.objection)));
+      entry("Not to be filed", escaped(filed.dossier.objection)), escaped(recorded.name));
   if (is_confirmed)
     text += fmt::format(
         "<details><summary>Report and reproduction: rayproof bugreport {}</summary><pre>{}</pre></details>",
