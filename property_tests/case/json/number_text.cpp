@@ -1,14 +1,30 @@
 #include "case/json/number_text.hpp"
 
+#include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
 
 namespace rayproof {
 namespace {
+
+/// The shortest text that reads as the number. Whole numbers below 2^24 have one digit by digit in both
+/// precisions, and most numbers of a shrunk or short case are such.
+template <class X>
+void append_finite(std::string& out, X x) {
+  if (std::abs(x) < X(0x1p24) && x == std::trunc(x)) {
+    const fmt::format_int digits(static_cast<int>(x));
+    out.append(digits.data(), digits.size());
+    return;
+  }
+  std::array<char, 40> text{};
+  const char* const end = fmt::format_to(text.data(), FMT_COMPILE("{}"), x);
+  out.append(static_cast<const char*>(text.data()), end);
+}
 
 template <class X>
 void append_shortest(std::string& out, X x) {
@@ -19,7 +35,7 @@ void append_shortest(std::string& out, X x) {
   } else if (x == 0) {
     out += std::signbit(x) ? "-0.0" : "0";
   } else {
-    fmt::format_to(std::back_inserter(out), "{}", x);
+    append_finite(out, x);
   }
 }
 

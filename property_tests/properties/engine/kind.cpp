@@ -70,4 +70,9 @@ FindingKind kind_of(const Finding& finding) {
   return is_model && may_be_gross ? FindingKind::gross : by_case;
 }
 
+bool is_named_boundary(const Finding& finding) {
+  const Hypothesis* cause = finding.cause;
+  return cause != nullptr && cause->change == nullptr && cause->kind == FindingKind::boundary;
+}
+
 }  // namespace rayproof

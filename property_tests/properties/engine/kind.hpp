@@ -11,4 +11,7 @@ namespace rayproof {
 /// known.
 [[nodiscard]] FindingKind kind_of(const Finding& finding);
 
+/// Whether a model names what is wrong on a boundary.
+[[nodiscard]] bool is_named_boundary(const Finding& finding);
+
 }  // namespace rayproof

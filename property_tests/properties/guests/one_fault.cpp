@@ -55,6 +55,16 @@ std::uint64_t cases_of(const std::vector<const Finding*>& alike) {
   return sum;
 }
 
+/// Whether it says of boundaries only what a gross fault of more cases does there, too.
+bool is_boundary_of_more(const Finding& finding, const std::vector<Finding>& all, KindOf gravity,
+                         IsNamed is_named) {
+  return finding.property->name == "boundary" && !is_named(finding) &&
+         std::ranges::any_of(all, [&](const Finding& one) {
+           return one.subject == finding.subject && one.cause != nullptr && one.cases >= finding.cases &&
+                  gravity(one) == FindingKind::gross;
+         });
+}
+
 /// Whether it says no more than that digits are lost, of a subject of which more is known.
 bool is_lost_in_more(const Finding& finding, const std::vector<Finding>& all) {
   return finding.property->name == "digits" && std::ranges::any_of(all, [&](const Finding& one) {
@@ -83,7 +93,7 @@ void leave_out_twins(std::vector<Finding>& findings) {
   findings = std::move(kept);
 }
 
-void put_together(std::vector<Finding>& findings, KindOf gravity) {
+void put_together(std::vector<Finding>& findings, KindOf gravity, IsNamed is_named) {
   std::vector<Finding> kept;
   std::map<decltype(fault_of(findings.front())), std::vector<const Finding*>> faults;
   for (const Finding& one : findings)
@@ -107,7 +117,9 @@ void put_together(std::vector<Finding>& findings, KindOf gravity) {
   }
   const std::vector<Finding> all = kept;
   std::erase_if(kept, [&](const Finding& one) {
-    return is_of_guest(one) && (is_overshadowed(one, all, gravity) || is_lost_in_more(one, all));
+    return is_of_guest(one) &&
+           (is_overshadowed(one, all, gravity) || is_boundary_of_more(one, all, gravity, is_named) ||
+            is_lost_in_more(one, all));
   });
   findings = std::move(kept);
 }

@@ -14,10 +14,12 @@ void leave_out_twins(std::vector<Finding>& findings);
 
 /// How bad a finding is.
 using KindOf = FindingKind (*)(const Finding&);
+/// Whether a model names what is wrong on a boundary.
+using IsNamed = bool (*)(const Finding&);
 
 /// Makes one of the findings of a program that have one cause: the simplest case of the gravest kind, with
 /// the cases of all. Those without a known cause are one for each property, and none where a cause is known
 /// for its kind.
-void put_together(std::vector<Finding>& findings, KindOf gravity);
+void put_together(std::vector<Finding>& findings, KindOf gravity, IsNamed is_named);
 
 }  // namespace rayproof

@@ -32,7 +32,8 @@ void Round::take_back(std::size_t i) {
 void Conversation::write(const Round& round) {
   first_id_ = program_->next_ids(round.cases.size());
   for (std::size_t i = 0; i < round.cases.size(); ++i) {
-    unsent_ += fmt::format("{{\"id\": {}, ", first_id_ + i);
+    const fmt::format_int id(first_id_ + i);
+    unsent_.append("{\"id\": ").append(id.data(), id.size()).append(", ");
     const Case& one = round.cases[i];
     if (one.id.empty() && one.note.empty()) {
       unsent_.append(write_case_for_doubles(one), 1);  // without its opening bracket
