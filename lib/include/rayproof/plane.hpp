@@ -54,6 +54,6 @@ inline constexpr double plane_robust_bound = 12;
 /// their lengths, and the quotient by 6.31ε·K and its own ε.
 inline constexpr HitBounds plane_hit_bounds{.point = {.measured = 2, .promised = 2, .is_proven = true},
                                             .normal = {.measured = 2.99, .promised = 4},
-                                            .coordinates = {.measured = 1.41, .promised = 8}};
+                                            .coordinates = {.measured = 2.68, .promised = 8}};
 
 }  // namespace rayproof

@@ -40,8 +40,8 @@ inline constexpr const char* triangle_divisor_vanishes =
 /// What every sound method says of its first hit. For the normal K = E / |normal|. For the coordinates K = 1
 /// + M²|direction| / |normal·direction|, with M the largest distance of a vertex from the ray's origin, under
 /// a transform S.
-inline constexpr HitBounds triangle_hit_bounds{.point = {.measured = 1.89, .promised = 2, .is_proven = true},
-                                               .normal = {.measured = 2.78, .promised = 4},
-                                               .coordinates = {.measured = 4.1, .promised = 8}};
+inline constexpr HitBounds triangle_hit_bounds{.point = {.measured = 2, .promised = 2, .is_proven = true},
+                                               .normal = {.measured = 3.02, .promised = 4},
+                                               .coordinates = {.measured = 4.68, .promised = 8}};
 
 }  // namespace rayproof

@@ -31,7 +31,7 @@ struct Textbook {
   static constexpr Source source = sources::maric;
   static constexpr Contract contract{
       .standing = Standing::naive,
-      .verdict = {.measured = 2.2, .promised = 16, .far_power = 1},
+      .verdict = {.measured = 4.11, .promised = 16, .far_power = 1},
       .residual = {.measured = 2.55, .promised = 16, .far_power = 1},
       .hit = {.point = cylinder_hit_bounds.point},  // its hits may lie where the side has any normal
       .domain = {.reach_float = 12, .reach_double = 110, .every_number = true},
