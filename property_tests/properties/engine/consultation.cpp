@@ -82,7 +82,8 @@ void Consultation::describe(Finding& finding, const Diagnosis& group) const {
   finding.kind_of_fault = group.cause == nullptr ? std::nullopt : std::optional(group.kind);
   finding.diagnosis = group.sentence;
   const double share = static_cast<double>(group.cases.size()) / static_cast<double>(failing_.size());
-  finding.cases = std::max<std::uint64_t>(1, std::llround(share * static_cast<double>(broken_)));
+  finding.cases = std::max(std::uint64_t{1},
+                           static_cast<std::uint64_t>(std::llround(share * static_cast<double>(broken_))));
   finding.striking = most_striking(group);
 }
 

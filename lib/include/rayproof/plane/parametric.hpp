@@ -55,8 +55,8 @@ struct ByParameters {
   [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Plane<T>& plane) {
     const auto [point, u, v] = as_parametric(plane);
     const auto [D, t, a, b] = meet_by_cramer(ray, point, u, v);
-    const bool has_parameters = plane.form == PlaneForm::parametric;
-    return flat_hit(D != T(0), t, has_parameters ? a : T(0), has_parameters ? b : T(0));
+    const bool is_parametric = plane.form == PlaneForm::parametric;
+    return flat_hit(D != T(0), t, is_parametric ? a : T(0), is_parametric ? b : T(0));
   }
 };
 
