@@ -39,8 +39,9 @@ struct RoundedSum {
     sum += product;
     size += std::abs(product);
   }
-  /// Whether the exact sum is not 0, for certain: a product is off by two roundings of 2^-53 at most, the sums
-  /// by six; and what underflow takes from products of numbers that are no larger than 2^300 is far less.
+  /// Whether the exact sum is not 0, for certain: a product is off by two roundings of 2^-53 at most, the
+  /// sums by six; and what underflow takes from products of numbers that are no larger than 2^300 is far
+  /// less.
   [[nodiscard]] bool is_not_0() const { return size > 0x1p-700 && std::abs(sum) > 0x1p-48 * size; }
 };
 
