@@ -46,7 +46,7 @@ struct FieldRow {
   }
   template <class S>
   void add_fields(const S& shape) {
-    ShapeFormat<S>::fields(shape, [this](const char* /*name*/, const auto& field) { add(field); });
+    ShapeFormat<S>::fields(shape, [this](const char* /*name*/, const auto& field) { this->add(field); });
   }
 
  private:

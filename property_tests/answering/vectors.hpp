@@ -13,10 +13,12 @@ namespace rayproof::answering {
 /// How many numbers a class with the members x, y, z, w has; 0 for what is no such class.
 template <class V>
 [[nodiscard]] consteval std::size_t named_size() {
-  if constexpr (!requires(V v) {
-                  { v.x + v.x } -> std::floating_point;
-                  v.y;
-                }) {
+  if constexpr (std::is_void_v<V>) {
+    return 0;
+  } else if constexpr (!requires(V v) {
+                         { v.x + v.x } -> std::floating_point;
+                         v.y;
+                       }) {
     return 0;
   } else if constexpr (requires(V v) { v.w; }) {
     return 4;

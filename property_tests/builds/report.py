@@ -30,7 +30,7 @@ def builds_table(matrix):
         tallies = column.tallies.values()
         held = sum(method.is_held for method in column.differing)
         sums = [sum(getattr(tally, kind) for tally in tallies) for kind in ("verdict", "t", "rest")]
-        name = f"`{column.build.name}`" + (" (warned of)" if column.build.is_warning else "")
+        name = column.build.name + (" (warned of)" if column.build.is_warning else "")
         figures = [len(column.differing), held, *sums] if column.tallies else ["compared with"] + ["-"] * 4
         lines.append(f"| {name} | {column.rounding} | " + " | ".join(map(str, figures)) + " | "
                      + " | ".join(leaks(column.leaks.get(which)) for which in TRIANGLES) + " |")
@@ -39,7 +39,7 @@ def builds_table(matrix):
 
 def methods_table(column):
     """A line for each method that differs in a build."""
-    lines = [f"**`{column.build.name}`**", "",
+    lines = [f"**{column.build.name}**", "",
              "| method | verdicts | right | t | nearer | worst, ulp | other fields |", "| --- |" + " ---: |" * 6]
     for method in column.differing:
         tally = column.tallies[method]

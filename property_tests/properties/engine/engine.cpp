@@ -73,7 +73,9 @@ class Run {
       Trial trial(*subject, one);
       for (std::size_t p = 0; p < properties().size(); ++p) {
         const Property& property = properties()[p];
-        if (!subject->has_own_contract && property.asks != nullptr) continue;  // left to the families
+        // Left to the families: the corpus has the worst cases for the digits of our own methods.
+        const bool is_measured = property.asks != nullptr || property.claim == Claim::residual;
+        if (!subject->has_own_contract && is_measured) continue;
         // A declared refutation is to be found by the families, not handed over.
         if (!plan_.is_wanted[p] || !claims(*subject, property) ||
             ruling_of(property, trial) != Ruling::broken)

@@ -7,6 +7,8 @@
 #include <rayproof/spawn/solid.hpp>
 #include <rayproof/transform.hpp>
 
+#include <rayproof/rounding/as_written.hpp>
+
 namespace rayproof::spawn {
 
 /// A parallelepiped as its three pairs of faces: unit normals that look from the corner, and, for the pairs
@@ -100,3 +102,5 @@ template <class T>
 }
 
 }  // namespace rayproof::spawn
+
+#include <rayproof/rounding/as_before.hpp>
