@@ -50,6 +50,14 @@ bool is_worse(const FiledFinding& a, const FiledFinding& b) {
   return rank(a) < rank(b);
 }
 
+/// Of one subject, kind and diagnosis; what nothing cures may be anything.
+bool is_same_fault(const FiledFinding& a, const FiledFinding& b) {
+  const RecordedFinding &one = a.recorded(), &other = b.recorded();
+  const std::string& cure = one.finding.diagnosis;
+  return one.name == other.name && one.kind == other.kind && !cure.empty() && !cure.starts_with("nothing") &&
+         cure == other.finding.diagnosis;
+}
+
 FiledFinding filed(const std::string& line, const std::string& command) {
   FiledFinding made;
   Json bare = Json::parse(line);
@@ -76,6 +84,24 @@ LibraryDossier& library_called(std::vector<LibraryDossier>& all, const LibraryFa
 
 }  // namespace
 
+std::vector<FiledFinding> joined(std::vector<FiledFinding> findings) {
+  std::vector<FiledFinding> kept;
+  for (FiledFinding& next : findings) {
+    const auto same =
+        std::ranges::find_if(kept, [&](const FiledFinding& one) { return is_same_fault(one, next); });
+    if (same == kept.end()) {
+      kept.push_back(std::move(next));
+      continue;
+    }
+    same->dossier.recorded.finding.cases += next.recorded().finding.cases;
+    const std::string& shape = next.recorded().shape;
+    const bool is_named =
+        shape == same->recorded().shape || std::ranges::find(same->also_in, shape) != same->also_in.end();
+    if (!is_named) same->also_in.push_back(shape);
+  }
+  return kept;
+}
+
 std::vector<LibraryDossier> collect(const std::vector<std::filesystem::path>& folders,
                                     const std::vector<std::pair<std::string, std::string>>& commands,
                                     const std::function<void(double)>& progress) {
@@ -98,6 +124,7 @@ std::vector<LibraryDossier> collect(const std::vector<std::filesystem::path>& fo
   std::size_t number = 0;
   for (LibraryDossier& library : all) {
     std::ranges::stable_sort(library.findings, is_worse);
+    library.findings = joined(std::move(library.findings));
     for (FiledFinding& one : library.findings) one.dossier.recorded.finding.number = ++number;
   }
   return all;

@@ -2,6 +2,7 @@
 /// \file
 /// The findings of one or several checks by library, with what was judged.
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -30,8 +31,15 @@ struct FiledFinding {
   Dossier dossier{};
   std::string line{};  ///< of the findings file
   std::string trouble{};
+  /// The other shapes in which the same subject has a finding of this kind and with this diagnosis: one fault
+  /// of the library is one finding.
+  std::vector<std::string> also_in{};
 
   [[nodiscard]] const RecordedFinding& recorded() const { return dossier.recorded; }
+  [[nodiscard]] bool is_of(const JudgedShape& judged) const {
+    return recorded().name == judged.name &&
+           (recorded().shape == judged.shape || std::ranges::find(also_in, judged.shape) != also_in.end());
+  }
 };
 
 /// Everything on one library.
@@ -49,6 +57,10 @@ struct LibraryDossier {
     const std::vector<std::filesystem::path>& folders,
     const std::vector<std::pair<std::string, std::string>>& commands,
     const std::function<void(double)>& progress);
+
+/// Keeps of each fault its first finding, with the cases and the shapes of the others: findings of one
+/// subject, kind and diagnosis are one fault, unless nothing was found to cure them.
+[[nodiscard]] std::vector<FiledFinding> joined(std::vector<FiledFinding> findings);
 
 /// The lines of all findings, in the order of their numbers.
 [[nodiscard]] std::string findings_file(const std::vector<LibraryDossier>& libraries);

@@ -29,8 +29,7 @@ std::string judged_table(const LibraryDossier& library) {
     std::vector<std::size_t> found;
     for (const auto& [claim, count] : one.claims) claims.push_back(fmt::format("{} {}", claim, count));
     for (const FiledFinding& filed : library.findings)
-      if (filed.recorded().shape == one.shape && filed.recorded().name == one.name)
-        found.push_back(filed.recorded().finding.number);
+      if (filed.is_of(one)) found.push_back(filed.recorded().finding.number);
     text += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", one.name, one.shape, one.answered(),
                         one.unsupported, fmt::join(claims, ", "),
                         found.empty() ? "none" : fmt::format("{}", fmt::join(found, ", ")));
@@ -50,7 +49,7 @@ std::string finding_in_markdown(const FiledFinding& filed) {
       recorded.name, finding.number, finding.number);
   text += row("kind", fmt::format("{}, {}, about {} of the cases", recorded.kind,
                                   name_of(finding.one.precision), finding.cases)) +
-          row("found", recorded.says);
+          row("found", recorded.says) + row("also in", fmt::format("{}", fmt::join(filed.also_in, ", ")));
   if (filed.trouble.empty())
     text += row("asked", "`" + numbers_in_words(dossier.reproduction.inputs) + "`") +
             row("it said", dossier.reproduction.has_returned ? "`" + dossier.reproduction.printed + "`"
@@ -71,7 +70,9 @@ std::string findings_markdown(const std::vector<LibraryDossier>& libraries, cons
       "{}:\n\n```\n{}\n```\n\n"
       "What a library's documentation excludes is counted and not judged ([peers.md](peers.md)). A finding "
       "is a smallest case, asked again of the\n"
-      "library, with what is right computed by hand's formula in exact fractions. `rayproof bugreport N "
+      "library, with what is right computed by hand's formula in exact fractions. What has the same kind and "
+      "diagnosis in\n"
+      "other shapes is the same fault, and stands under *also in*. `rayproof bugreport N "
       "--from docs/findings.jsonl` makes a report of\n"
       "finding N. Kinds and claims: [reading-a-check.md](reading-a-check.md), "
       "[your-own-code.md](your-own-code.md#how-to-read-the-result).\n\n",

@@ -65,7 +65,9 @@ std::string article(const FiledFinding& filed, const DrawCase& draw) {
       finding.number, escaped(about), picture_of(filed, draw),
       entry("Kind", kind_label(recorded.kind) + fmt::format(" {}; about {} of the cases",
                                                             name_of(finding.one.precision), finding.cases)),
-      entry("Found", escaped(recorded.says)), confirmed(filed),
+      entry("Found", escaped(recorded.says)) +
+          entry("Also in", escaped(fmt::format("{}", fmt::join(filed.also_in, ", ")))),
+      confirmed(filed),
       entry("Diagnosis", escaped(finding.diagnosis.empty() ? "none: there is no answer" : finding.diagnosis)),
       entry("Documentation", escaped(documentation_of(filed))),
       entry("Not to be filed", escaped(filed.dossier.objection)), escaped(recorded.name));
@@ -83,7 +85,7 @@ std::string judged_html(const LibraryDossier& library) {
     std::vector<std::string> claims, found;
     for (const auto& [claim, count] : one.claims) claims.push_back(fmt::format("{} {}", claim, count));
     for (const FiledFinding& filed : library.findings)
-      if (filed.recorded().shape == one.shape && filed.recorded().name == one.name)
+      if (filed.is_of(one))
         found.push_back(fmt::format("<a href=\"#finding-{0}\">{0}</a>", filed.recorded().finding.number));
     rows += fmt::format(
         "<tr><th>{}</th><td class=\"text\">{}</td><td>{}</td><td>{}</td><td>{}</td><td class=\"text\">{}</td>"

@@ -33,8 +33,7 @@ Spot spot_on_edge(const Targets& targets, std::size_t edge, AimedAt target, doub
   const std::vector<std::size_t>& more = targets.topology.around[b];
   spot.patch.insert(spot.patch.end(), more.begin(), more.end());
   std::ranges::sort(spot.patch);
-  const auto rest = std::ranges::unique(spot.patch);
-  spot.patch.erase(rest.begin(), rest.end());
+  spot.patch.erase(std::unique(spot.patch.begin(), spot.patch.end()), spot.patch.end());
   return spot;
 }
 

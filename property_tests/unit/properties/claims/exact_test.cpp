@@ -17,7 +17,7 @@ constexpr const char* tangent =
     R"({"ray": {"origin": [1,0,-2], "direction": [0,0,1]}, "shape": {"type": "sphere", "center": [0,0,0], "radius": 1}})";
 constexpr const char* from_the_surface =
     R"({"ray": {"origin": [0,0,-1], "direction": [0,0,1]}, "shape": {"type": "sphere", "center": [0,0,0], "radius": 1}})";
-constexpr const char* rounded =
+constexpr const char* rounded_case =
     R"({"ray": {"origin": [0.1,0.2,-2.3], "direction": [0.3,0.1,1.7]}, "shape": {"type": "sphere", "center": [0,0,0.1], "radius": 1.3}})";
 
 /// What the property says of a subject that answers by `answer` and rounds nothing, or of one whose steps
@@ -84,7 +84,7 @@ TEST(Exact, ANearestHitThatIsLeftOutIsABoundaryFinding) {
 }
 
 TEST(Exact, ACaseThatEveryMethodRoundsIsNoneOfTheBoundarysBusiness) {
-  EXPECT_EQ(rule("boundary", rounded, miss), Ruling::outside);
+  EXPECT_EQ(rule("boundary", rounded_case, miss), Ruling::outside);
 }
 
 TEST(Exact, AGrossErrorIsNoneOfTheBoundarysBusiness) {
