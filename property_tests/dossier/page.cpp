@@ -14,6 +14,7 @@ article { border: 1px solid var(--line); border-radius: 6px; padding: 1rem; marg
           display: grid; grid-template-columns: minmax(0, 2fr) minmax(0, 3fr); gap: 1rem 1.5rem; }
 article h3 { grid-column: 1 / -1; font-size: 1.0625rem; } article > details { grid-column: 1 / -1; margin: 0; }
 th.text { text-align: left; } table { margin: 0 0 1rem; }
+td.text { white-space: normal; }
 .kind { border: 1px solid; border-radius: 4px; padding: 0 .4em; white-space: nowrap; font-weight: 600; }
 .gross { color: var(--bad); border-width: 2px; } .protocol { color: var(--bad); border-style: dashed; } .boundary { color: var(--claimed); }
 .range { color: var(--known); } .rounding { color: var(--soft); } .clean { color: var(--exact); font-weight: 600; }
