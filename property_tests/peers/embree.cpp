@@ -51,9 +51,8 @@ RTCDevice device = rtcNewDevice(nullptr); RTCScene scene = rtcNewScene(device);)
 /// The nearest hit of a scene that holds `geometry` alone, which it takes over.
 std::optional<SurfaceHit> nearest_hit(LibraryCall call, RTCGeometry geometry, const Ray<float>& ray) {
   call.add(R"(rtcCommitGeometry(geometry), rtcAttachGeometry(scene, geometry), rtcCommitScene(scene);
-RTCIntersectContext context; rtcInitIntersectContext(&context);
-RTCRayHit asked = {{$origin, $t_min, $direction, 0, $t_max, ~0u}, {0, 0, 0, 0, 0, 0, RTC_INVALID_GEOMETRY_ID}};
-rtcIntersect1(scene, &context, &asked);
+RTCIntersectContext context; RTCRayHit asked = {{$origin, $t_min, $direction, 0, $t_max, ~0u}, {0, 0, 0, 0, 0, 0, RTC_INVALID_GEOMETRY_ID}};
+rtcInitIntersectContext(&context), rtcIntersect1(scene, &context, &asked);
 std::printf("hit = %d, t = %.9g\n", asked.hit.geomID != RTC_INVALID_GEOMETRY_ID, asked.ray.tfar);)",
            given("origin", ray.origin), given("t_min", ray.t_min), given("direction", ray.direction),
            given("t_max", ray.t_max));
