@@ -9,7 +9,7 @@
 #include "command_line/progress_line.hpp"
 #include "dossier/collection.hpp"
 #include "programs/check/peers.hpp"
-#include "viz/svg.hpp"
+#include "viz/drawing/svg.hpp"
 
 namespace {
 

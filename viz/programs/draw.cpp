@@ -1,8 +1,8 @@
 /// \file
 /// rayproof draw: draws a case as PNG, SVG or a page.
 
+#include "viz/drawing/svg.hpp"
 #include "viz/programs/files.hpp"
-#include "viz/svg.hpp"
 #ifdef RAYPROOF_HAS_VTK
 #include "viz/vtk/offscreen_display.hpp"
 #include "viz/vtk/picture_png.hpp"

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "case/writer.hpp"
+#include "viz/player/player.hpp"
 #include "viz/programs/report_of.hpp"
-#include "viz/stage/lesson.hpp"
-#include "viz/stage/player.hpp"
-#include "viz/stage/stage_of.hpp"
+#include "viz/walkthrough/lesson.hpp"
+#include "viz/walkthrough/stage_of.hpp"
 
 namespace rayproof::viz {
 

@@ -12,7 +12,7 @@
 #include "case/reader/near_names.hpp"
 #include "command_line/command_line.hpp"
 #include "subjects/command.hpp"
-#include "viz/case_argument.hpp"
+#include "viz/explain/case_argument.hpp"
 #include "viz/programs/report_of.hpp"
 #include "viz/programs/wrong_command.hpp"
 

@@ -5,13 +5,13 @@
 #include <utility>
 
 #include "command_line/progress_line.hpp"
+#include "viz/flat/stage_picture.hpp"
+#include "viz/page/page.hpp"
+#include "viz/page/stage_json.hpp"
 #include "viz/programs/files.hpp"
 #include "viz/programs/walk/walks.hpp"
 #include "viz/programs/walk/window.hpp"
-#include "viz/stage/lesson.hpp"
-#include "viz/stage/page.hpp"
-#include "viz/stage/stage_json.hpp"
-#include "viz/stage/stage_picture.hpp"
+#include "viz/walkthrough/lesson.hpp"
 #ifdef RAYPROOF_HAS_VTK
 #include "viz/vtk/offscreen_display.hpp"
 #include "viz/vtk/raster_png.hpp"

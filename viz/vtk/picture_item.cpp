@@ -8,9 +8,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "viz/dashes.hpp"
-#include "viz/palette.hpp"
-#include "viz/raster.hpp"
+#include "viz/picture/dashes.hpp"
+#include "viz/picture/palette.hpp"
+#include "viz/picture/raster.hpp"
 #include "viz/vtk/picture_text.hpp"
 
 namespace rayproof::viz {

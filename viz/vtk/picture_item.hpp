@@ -4,7 +4,7 @@
 
 #include <vtkContextItem.h>
 
-#include "viz/picture.hpp"
+#include "viz/picture/picture.hpp"
 
 namespace rayproof::viz {
 

@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "viz/picture.hpp"
-#include "viz/raster.hpp"
+#include "viz/picture/picture.hpp"
+#include "viz/picture/raster.hpp"
 
 namespace rayproof::viz {
 

@@ -12,8 +12,8 @@
 #include <numbers>
 #include <string_view>
 
-#include "viz/palette.hpp"
-#include "viz/raster.hpp"
+#include "viz/picture/palette.hpp"
+#include "viz/picture/raster.hpp"
 #include "viz/vtk/write_png.hpp"
 
 namespace rayproof::viz {

@@ -2,7 +2,7 @@
 /// \file
 /// A picture's text, painted by VTK's two-dimensional painter.
 
-#include "viz/picture.hpp"
+#include "viz/picture/picture.hpp"
 
 class vtkContext2D;
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "viz/raster.hpp"
+#include "viz/picture/raster.hpp"
 
 namespace rayproof::viz {
 

@@ -6,9 +6,9 @@
 #include <vtkRenderer.h>
 #include <vtkRenderWindow.h>
 
-#include "viz/palette.hpp"
-#include "viz/stage/shown_items.hpp"
-#include "viz/stage/stage_picture.hpp"
+#include "viz/flat/stage_picture.hpp"
+#include "viz/picture/palette.hpp"
+#include "viz/scene/shown_items.hpp"
 #include "viz/vtk/picture_item.hpp"
 #include "viz/vtk/space/space_scene.hpp"
 #include "viz/vtk/write_png.hpp"

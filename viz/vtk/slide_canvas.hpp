@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "viz/raster.hpp"
-#include "viz/stage/stage.hpp"
+#include "viz/picture/raster.hpp"
+#include "viz/scene/stage.hpp"
 
 namespace rayproof::viz {
 

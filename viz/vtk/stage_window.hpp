@@ -1,11 +1,11 @@
 #pragma once
 /// \file
-/// A window that shows a player (viz/stage/player.hpp) and hands it keys and mouse.
+/// A window that shows a player (viz/player/player.hpp) and hands it keys and mouse.
 
 #include <memory>
 #include <string>
 
-#include "viz/stage/player.hpp"
+#include "viz/player/player.hpp"
 
 class vtkRenderWindow;
 class vtkRenderWindowInteractor;

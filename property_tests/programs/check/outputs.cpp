@@ -4,7 +4,7 @@
 
 #include "properties/report/guest.hpp"
 #include "properties/report/report.hpp"
-#include "viz/svg.hpp"
+#include "viz/drawing/svg.hpp"
 
 namespace rayproof::check {
 

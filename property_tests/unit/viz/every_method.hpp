@@ -9,7 +9,7 @@
 
 #include "subjects/reading.hpp"
 #include "unit/shape_types.hpp"
-#include "viz/record.hpp"
+#include "viz/trace/record.hpp"
 
 namespace rayproof::viz {
 

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "case/reader.hpp"
-#include "viz/case_report.hpp"
-#include "viz/topics.hpp"
+#include "viz/drawing/topics.hpp"
+#include "viz/explain/case_report.hpp"
 
 namespace rayproof::viz {
 namespace {

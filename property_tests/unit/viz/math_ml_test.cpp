@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "viz/stage/math_ml.hpp"
-#include "viz/stage/vector_formula.hpp"
+#include "viz/page/math_ml.hpp"
+#include "viz/trace/vector_formula.hpp"
 
 namespace rayproof::viz {
 namespace {

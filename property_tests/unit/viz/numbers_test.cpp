@@ -1,4 +1,4 @@
-#include "viz/numbers.hpp"
+#include "viz/trace/numbers.hpp"
 
 #include <gtest/gtest.h>
 

@@ -10,11 +10,11 @@
 #include "oracle/oracle.hpp"
 #include "subjects/subject.hpp"
 #include "unit/viz/markup.hpp"
-#include "viz/case_report.hpp"
-#include "viz/clip.hpp"
-#include "viz/dashes.hpp"
-#include "viz/svg.hpp"
-#include "viz/topics.hpp"
+#include "viz/drawing/clip.hpp"
+#include "viz/drawing/svg.hpp"
+#include "viz/drawing/topics.hpp"
+#include "viz/explain/case_report.hpp"
+#include "viz/picture/dashes.hpp"
 
 namespace rayproof::viz {
 namespace {

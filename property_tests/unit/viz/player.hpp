@@ -8,7 +8,7 @@
 
 #include "case/reader.hpp"
 #include "viz/programs/plays_of.hpp"
-#include "viz/stage/player.hpp"
+#include "viz/player/player.hpp"
 
 namespace rayproof::viz {
 

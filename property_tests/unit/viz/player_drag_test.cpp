@@ -4,9 +4,9 @@
 #include <glm/geometric.hpp>
 
 #include "unit/viz/player.hpp"
-#include "viz/numbers.hpp"
-#include "viz/stage/orbit.hpp"
-#include "viz/stage/stage_json.hpp"
+#include "viz/flat/orbit.hpp"
+#include "viz/page/stage_json.hpp"
+#include "viz/trace/numbers.hpp"
 
 namespace rayproof::viz {
 namespace {

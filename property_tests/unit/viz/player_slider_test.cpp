@@ -6,8 +6,8 @@
 
 #include "case/json/number_text.hpp"
 #include "unit/viz/player.hpp"
-#include "viz/numbers.hpp"
-#include "viz/stage/live_values.hpp"
+#include "viz/trace/numbers.hpp"
+#include "viz/walkthrough/live_values.hpp"
 
 namespace rayproof::viz {
 namespace {

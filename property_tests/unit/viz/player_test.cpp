@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "unit/viz/player.hpp"
-#include "viz/numbers.hpp"
-#include "viz/stage/label_places.hpp"
-#include "viz/stage/live_values.hpp"
+#include "viz/scene/label_places.hpp"
+#include "viz/trace/numbers.hpp"
+#include "viz/walkthrough/live_values.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "unit/command.hpp"
-#include "viz/stage/lesson.hpp"
+#include "viz/walkthrough/lesson.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -10,12 +10,12 @@
 
 #include "unit/viz/every_shape.hpp"
 #include "unit/viz/stage_data.hpp"
-#include "viz/stage/lesson.hpp"
-#include "viz/stage/stage_of.hpp"
 #include "viz/vtk/offscreen_display.hpp"
 #include "viz/vtk/slide_canvas.hpp"
 #include "viz/vtk/space/floor.hpp"
 #include "viz/vtk/space/geometry.hpp"
+#include "viz/walkthrough/lesson.hpp"
+#include "viz/walkthrough/stage_of.hpp"
 
 namespace {
 

@@ -18,11 +18,11 @@
 #include "unit/bits.hpp"
 #include "unit/viz/heard.hpp"
 #include "unit/viz/stage_data.hpp"
-#include "viz/numbers.hpp"
-#include "viz/stage/lesson.hpp"
-#include "viz/stage/stage_json.hpp"
-#include "viz/stage/stage_of.hpp"
-#include "viz/topics/ray_walk.hpp"
+#include "viz/drawing/topics/ray_walk.hpp"
+#include "viz/page/stage_json.hpp"
+#include "viz/trace/numbers.hpp"
+#include "viz/walkthrough/lesson.hpp"
+#include "viz/walkthrough/stage_of.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -6,9 +6,9 @@
 
 #include "case/reader.hpp"
 #include "unit/viz/stage_data.hpp"
-#include "viz/stage/lesson.hpp"
-#include "viz/stage/stage_json.hpp"
-#include "viz/stage/stage_of.hpp"
+#include "viz/page/stage_json.hpp"
+#include "viz/walkthrough/lesson.hpp"
+#include "viz/walkthrough/stage_of.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -8,10 +8,10 @@
 #include "generators/generators.hpp"
 #include "unit/viz/every_shape.hpp"
 #include "unit/viz/stage_data.hpp"
-#include "viz/answers.hpp"
-#include "viz/stage/compose.hpp"
-#include "viz/stage/difference_gap.hpp"
-#include "viz/stage/stage_of.hpp"
+#include "viz/explain/answers.hpp"
+#include "viz/walkthrough/compose.hpp"
+#include "viz/walkthrough/difference_gap.hpp"
+#include "viz/walkthrough/stage_of.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -9,8 +9,8 @@
 #include <rayproof/implicit/torus.hpp>
 #include <rayproof/parametric/hits.hpp>
 
-#include "viz/palette.hpp"
-#include "viz/raster.hpp"
+#include "viz/picture/palette.hpp"
+#include "viz/picture/raster.hpp"
 #ifdef RAYPROOF_HAS_VTK
 #include "viz/vtk/raster_png.hpp"
 #endif

@@ -11,10 +11,10 @@
 #include "case/writer.hpp"
 #include "generators/generators.hpp"
 #include "unit/viz/stage_data.hpp"
-#include "viz/answers.hpp"
-#include "viz/numbers.hpp"
-#include "viz/stage/lesson.hpp"
-#include "viz/stage/stage_of.hpp"
+#include "viz/explain/answers.hpp"
+#include "viz/trace/numbers.hpp"
+#include "viz/walkthrough/lesson.hpp"
+#include "viz/walkthrough/stage_of.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -9,9 +9,9 @@
 #include "subjects/reading.hpp"
 #include "unit/bits.hpp"
 #include "unit/viz/every_shape.hpp"
-#include "viz/case_report.hpp"
-#include "viz/record.hpp"
-#include "viz/topics.hpp"
+#include "viz/drawing/topics.hpp"
+#include "viz/explain/case_report.hpp"
+#include "viz/trace/record.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -6,8 +6,8 @@
 #include "unit/viz/player.hpp"
 #include "unit/viz/screenshot.hpp"
 #include "unit/viz/x_client.hpp"
-#include "viz/stage/label_places.hpp"
-#include "viz/stage/stage_json.hpp"
+#include "viz/page/stage_json.hpp"
+#include "viz/scene/label_places.hpp"
 #include "viz/vtk/offscreen_display.hpp"
 
 namespace rayproof::viz {

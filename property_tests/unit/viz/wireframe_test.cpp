@@ -7,10 +7,10 @@
 #include "oracle/oracle.hpp"
 #include "subjects/subject.hpp"
 #include "unit/viz/every_shape.hpp"
-#include "viz/even_odd.hpp"
-#include "viz/topics.hpp"
-#include "viz/topics/camera.hpp"
-#include "viz/topics/figure.hpp"
+#include "viz/drawing/even_odd.hpp"
+#include "viz/drawing/topics.hpp"
+#include "viz/drawing/topics/camera.hpp"
+#include "viz/drawing/topics/figure.hpp"
 
 namespace rayproof::viz {
 namespace {

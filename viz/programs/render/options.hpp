@@ -8,8 +8,8 @@
 
 #include "command_line/command_line.hpp"
 #include "viz/programs/wrong_command.hpp"
-#include "viz/scene/scene_reader.hpp"
-#include "viz/scene/shading.hpp"
+#include "viz/render/scene_reader.hpp"
+#include "viz/render/shading.hpp"
 
 namespace rayproof::render {
 

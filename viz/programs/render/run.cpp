@@ -7,13 +7,13 @@
 #include "case/writer.hpp"
 #include "command_line/progress_line.hpp"
 #include "viz/programs/render/partial_file.hpp"
-#include "viz/scene/pixel_case.hpp"
-#include "viz/scene/shadows.hpp"
+#include "viz/render/pixel_case.hpp"
+#include "viz/render/shadows.hpp"
 #include "viz/vtk/offscreen_display.hpp"
 #include "viz/vtk/raster_png.hpp"
-#include "viz/vtk/scene/error_figure.hpp"
-#include "viz/vtk/scene/mesh_reader.hpp"
-#include "viz/vtk/scene/shadow_figure.hpp"
+#include "viz/vtk/render/error_figure.hpp"
+#include "viz/vtk/render/mesh_reader.hpp"
+#include "viz/vtk/render/shadow_figure.hpp"
 
 namespace rayproof::render {
 namespace {

@@ -5,8 +5,8 @@
 #include <cstdio>
 
 #include "viz/programs/report_of.hpp"
-#include "viz/stage/lesson.hpp"
-#include "viz/stage/stage_of.hpp"
+#include "viz/walkthrough/lesson.hpp"
+#include "viz/walkthrough/stage_of.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "command_line/progress_line.hpp"
 #include "viz/programs/report_case.hpp"
-#include "viz/stage/stage.hpp"
+#include "viz/scene/stage.hpp"
 
 namespace rayproof::viz {
 

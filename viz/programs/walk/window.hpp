@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "viz/stage/stage.hpp"
+#include "viz/scene/stage.hpp"
 
 namespace rayproof::viz {
 

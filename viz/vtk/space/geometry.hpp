@@ -9,8 +9,8 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "viz/picture.hpp"
-#include "viz/stage/stage.hpp"
+#include "viz/picture/picture.hpp"
+#include "viz/scene/stage.hpp"
 
 namespace rayproof::viz {
 

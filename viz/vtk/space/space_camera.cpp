@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "viz/stage/fit_view.hpp"
+#include "viz/scene/fit_view.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -5,8 +5,8 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "viz/stage/shown_items.hpp"
-#include "viz/stage/stage.hpp"
+#include "viz/scene/shown_items.hpp"
+#include "viz/scene/stage.hpp"
 
 class vtkCamera;
 

@@ -11,8 +11,8 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "viz/palette.hpp"
-#include "viz/raster.hpp"
+#include "viz/picture/palette.hpp"
+#include "viz/picture/raster.hpp"
 #include "viz/vtk/space/floor.hpp"
 #include "viz/vtk/space/geometry.hpp"
 

@@ -7,9 +7,9 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "viz/picture.hpp"
-#include "viz/stage/shown_items.hpp"
-#include "viz/stage/stage.hpp"
+#include "viz/picture/picture.hpp"
+#include "viz/scene/shown_items.hpp"
+#include "viz/scene/stage.hpp"
 #include "viz/vtk/space/space_camera.hpp"
 
 namespace rayproof::viz {

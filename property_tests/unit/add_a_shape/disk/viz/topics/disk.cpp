@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "viz/topics/flat_figure.hpp"
-#include "viz/topics/wireframe.hpp"
+#include "viz/drawing/topics/flat_figure.hpp"
+#include "viz/drawing/topics/wireframe.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -1,4 +1,4 @@
-#include "viz/scene/figures/make_figures.hpp"
+#include "viz/render/figures/make_figures.hpp"
 
 namespace rayproof::render {
 namespace {

@@ -1,4 +1,4 @@
-#include "viz/stage/bindings.hpp"
+#include "viz/walkthrough/bindings.hpp"
 
 namespace rayproof::viz {
 namespace {

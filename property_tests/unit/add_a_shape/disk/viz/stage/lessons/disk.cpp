@@ -1,4 +1,4 @@
-#include "viz/stage/lessons.hpp"
+#include "viz/walkthrough/lessons.hpp"
 
 namespace rayproof::viz {
 

@@ -1,0 +1,85 @@
+#include "viz/explain/case_argument.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iostream>
+#include <iterator>
+
+#include "case/json/text.hpp"
+#include "case/reader.hpp"
+#include "case/reader/field.hpp"
+#include "case/shape_format.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+bool is_one_json_text(const std::string& text) {
+  try {
+    (void)json::parse(text);
+    return true;
+  } catch (const Refusal&) {
+    return false;
+  }
+}
+
+std::string read_all(const std::string& file) {
+  const auto drain = [](std::istream& in) { return std::string(std::istreambuf_iterator<char>(in), {}); };
+  if (file == "-") return drain(std::cin);
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw UnreadableCase(fmt::format("the file {} can't be read", file));
+  return drain(in);
+}
+
+/// The case's text with another precision in it: its decimals are rounded once, to that.
+std::string with_precision(std::string_view text, Precision precision) {
+  const std::string name = fmt::format("\"{}\"", name_of(precision));
+  const json::Document document = json::parse(text);
+  const Field whole{.document = &document};
+  if (const auto given = ObjectReader(whole).find("precision")) {
+    const std::string_view old = given->node().text;
+    const auto at = static_cast<std::size_t>(old.data() - text.data());
+    return fmt::format("{}{}{}", text.substr(0, at), name, text.substr(at + old.size()));
+  }
+  const std::size_t inside = text.find('{') + 1;
+  const bool is_empty = document.size() == 1;
+  return fmt::format("{}\"precision\": {}{}{}", text.substr(0, inside), name, is_empty ? "" : ", ",
+                     text.substr(inside));
+}
+
+}  // namespace
+
+std::string text_of_case(const std::string& argument, std::size_t line, const std::string& findings) {
+  if (const auto number = finding_number(argument)) return finding_line(findings, *number);
+  const std::size_t first = argument.find_first_not_of(" \t\r\n");
+  if (first != std::string::npos && argument[first] == '{') return argument;
+  const std::string text = read_all(argument);
+  if (line == 1 && is_one_json_text(text)) return text;
+  const std::vector<std::string> lines = lines_in(text);
+  if (line <= lines.size()) return lines[line - 1];
+  const std::string file = argument == "-" ? "standard input" : argument;
+  throw UnreadableCase(lines.empty() ? fmt::format("{} holds no case", file)
+                                     : fmt::format("{} has no line {}, only {}", file, line, lines.size()));
+}
+
+CaseArgument read_case_argument(std::string_view text, std::optional<Precision> precision) {
+  const json::Document document = json::parse(text);
+  const Field whole{.document = &document};
+  ObjectReader members(whole);
+  CaseArgument result;
+  const auto finding = members.find("case");
+  if (finding) {
+    const auto subject = members.find("subject");
+    result.method = subject ? read_string(*subject)
+                            : read_string(members.need("shape")) + "/" + read_string(members.need("method"));
+    if (const auto command = members.find("command")) result.command = read_string(*command);
+    if (const auto seconds = members.find("case_seconds"))
+      result.case_time =
+          std::chrono::milliseconds(std::llround(1000 * read_number(*seconds, Precision::float64)));
+    text = finding->node().text;
+  }
+  result.one = precision ? read_case(with_precision(text, *precision)) : read_case(text);
+  return result;
+}
+
+}  // namespace rayproof::viz

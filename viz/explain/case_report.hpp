@@ -1,0 +1,59 @@
+#pragma once
+/// \file
+/// The report on one case: the exact answer, a method's answer, and how it came to it.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "case/answer.hpp"
+#include "case/case.hpp"
+#include "viz/trace/walkthrough.hpp"
+
+namespace rayproof::viz {
+
+/// What the oracle measures of a method's answer, in the contract units of its topic
+/// (docs/reading-a-check.md), as a bound without far_power has them.
+struct Measured {
+  bool is_wrong = false;  ///< the verdict
+  double margin = 0;      ///< of a wrong verdict: how far the case is from a change of verdict
+  double residual = 0;    ///< how far the answer misses its equation
+};
+
+/// One case, answered.
+struct CaseReport {
+  Case one;
+  Answer exact;
+  std::string method{};             ///< "sphere/textbook"; empty where no method was asked
+  std::optional<Answer> claimed{};  ///< the method's answer
+  std::optional<Walkthrough> walk{};
+  /// For a float32 case, the exact answer to 53 bits: where between two floats it lies. Else left out.
+  std::optional<Answer> finer{};
+  /// Where the method has no walk: methods of the topic that have one, the nearest names first.
+  std::vector<std::string> recordable{};
+  std::optional<Measured> measured{};  ///< of the method's answer
+
+  [[nodiscard]] const Answer* claim() const { return claimed ? &*claimed : nullptr; }
+};
+
+/// "the verdict is wrong, 1.9e3 contract units from a change of verdict"; "the residual is 219 contract
+/// units".
+[[nodiscard]] std::string in_words(const Measured& measured);
+
+/// "t" or "x".
+[[nodiscard]] std::string symbol_of(const Case& one);
+
+/// One plain sentence, sometimes two: how far off the answer is, or where its digits were lost; and where an
+/// answer is wrong though none were, why.
+[[nodiscard]] std::string conclusion_of(const CaseReport& report);
+
+/// The explanation for a terminal, in UTF-8.
+[[nodiscard]] std::string explain_text(const CaseReport& report);
+
+/// The same as one line of JSON.
+[[nodiscard]] std::string explain_json(const CaseReport& report);
+
+/// The same, with the picture, as one HTML page that needs nothing from elsewhere.
+[[nodiscard]] std::string html_page(const CaseReport& report);
+
+}  // namespace rayproof::viz

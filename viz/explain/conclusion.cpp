@@ -1,0 +1,105 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "viz/explain/answers.hpp"
+#include "viz/explain/case_report.hpp"
+#include "viz/trace/numbers.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+/// What a few roundings may be.
+constexpr double a_few_ulps = 16;
+
+/// Whether a root lies within its own rounding of an end of the ray's interval.
+bool ends_decide(const CaseReport& report) {
+  const auto* question = std::get_if<RayQuestion>(&report.one.question);
+  if (question == nullptr) return false;
+  const auto is_near = [&](double a, double b) {
+    return count_ulps(a, b, report.one.precision) <= a_few_ulps;
+  };
+  const auto is_at = [&](double root) {
+    return is_near(root, question->ray.t_min) || is_near(root, question->ray.t_max);
+  };
+  return is_at(report.walk->lo) || is_at(report.walk->hi);
+}
+
+double ulps_of(const CaseReport& report) {
+  return worst_ulps(&report.exact, report.claim(), report.one.precision);
+}
+
+/// The answer of a right verdict, as its numbers are counted: a miss or a place has none.
+std::string accuracy_of(const CaseReport& report) {
+  return values_of(&report.exact).empty() ? "the exact one" : accuracy_in_words(ulps_of(report));
+}
+
+/// Of a method without steps to show.
+std::string without_steps(const CaseReport& report) {
+  const bool differ = verdicts_differ(&report.exact, report.claim());
+  std::string text = fmt::format("{} can't be recorded step by step; its answer is {}.", report.method,
+                                 differ ? "not the exact one" : accuracy_of(report));
+  if (!report.recordable.empty())
+    text += fmt::format(" Methods that can be: {}.", fmt::join(report.recordable, ", "));
+  return text;
+}
+
+/// How near a right answer is; an operation that lost digits is named all the same.
+std::string right_answer_in_words(const CaseReport& report) {
+  const double ulps = ulps_of(report);
+  const std::string sentence = ulps == 0
+                                   ? fmt::format("The answer is {}.", accuracy_of(report))
+                                   : fmt::format("Rounding changed the answer by {} at most.", in_ulps(ulps));
+  const Walkthrough& walk = *report.walk;
+  if (walk.outcome == Faithfulness::faithful || !walk.decisive_loss) return sentence;
+  return fmt::format("{} In step '{}' {}.", sentence, walk.decisive_loss->step,
+                     in_words(*walk.decisive_loss));
+}
+
+/// Of a wrong verdict to which the digits of no answer lead: no number's sign decided it, but comparisons.
+std::string blame_of(const Walkthrough& walk) {
+  std::string blame = "The verdict is wrong: ";
+  if (!walk.known_fault.empty()) return blame + walk.known_fault + ".";
+  blame += "a comparison is so near a tie that rounding takes the wrong side of it";
+  if (!walk.worst_loss) return blame + ".";
+  return blame + fmt::format("; most is lost in step '{}', where {}.", walk.worst_loss->step,
+                             in_words(*walk.worst_loss));
+}
+
+}  // namespace
+
+std::string in_words(const Measured& measured) {
+  const std::string residual = fmt::format("the residual is {} contract units", rough(measured.residual));
+  if (!measured.is_wrong) return residual;
+  const std::string verdict =
+      std::isinf(measured.margin)
+          ? "the verdict is wrong, and no input near it has another verdict"
+          : fmt::format("the verdict is wrong, {} contract units from a change of verdict",
+                        rough(measured.margin));
+  return measured.residual > 0 ? verdict + "; " + residual : verdict;
+}
+
+std::string symbol_of(const Case& one) {
+  return std::holds_alternative<RayQuestion>(one.question) ? "t" : "x";
+}
+
+std::string conclusion_of(const CaseReport& report) {
+  if (report.method.empty()) return "No method was asked, so there is nothing to compare.";
+  if (!report.walk) return without_steps(report);
+  if (!verdicts_differ(&report.exact, report.claim()) && ulps_of(report) <= a_few_ulps)
+    return right_answer_in_words(report);
+  const std::string sentence = verdict_sentence(*report.walk);
+  if (report.walk->outcome != Faithfulness::faithful) return sentence;
+  if (ends_decide(report)) {
+    return sentence +
+           " A root lies so near an end of the ray's interval that the last rounding decides the verdict.";
+  }
+  if (!report.walk->is_printed && verdicts_differ(&report.exact, report.claim()) &&
+      report.walk->decider.empty())
+    return blame_of(*report.walk);
+  const std::string why = report.walk->is_printed ? ": " + report.walk->known_fault + "." : ".";
+  return sentence + " The answer is wrong all the same: the formula itself is at fault, not its rounding" +
+         why;
+}
+
+}  // namespace rayproof::viz

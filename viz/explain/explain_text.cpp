@@ -1,0 +1,109 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "viz/explain/answers.hpp"
+#include "viz/explain/case_report.hpp"
+#include "viz/trace/numbers.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+/// Characters on a terminal; every one of ours is one column wide, but the arrow and the hat over a letter,
+/// which have no width.
+std::size_t columns(const std::string& text) {
+  std::size_t count = static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+  for (const std::string mark : {"\u20d7", "\u0302"}) {
+    for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + 1)) --count;
+  }
+  return count;
+}
+
+std::string padded(const std::string& text, std::size_t width) {
+  return text + std::string(width - std::min(width, columns(text)), ' ');
+}
+
+struct Widths {
+  std::size_t name = 4, value = 5, exact = 5;
+  void fit(const WalkValue& v, Precision precision) {
+    name = std::max(name, columns(v.name));
+    value = std::max(value, columns(shown(v.value, precision)));
+    exact = std::max(exact, columns(v.exact));
+  }
+};
+
+std::string row(const WalkValue& v, const Widths& widths, Precision precision) {
+  std::string text = fmt::format(
+      "   {}  {}  {}  {}  {}", padded(v.name, widths.name), padded(shown(v.value, precision), widths.value),
+      padded(v.exact, widths.exact), padded(v.bits_lost < 0.05 ? "-" : fmt::format("{:.1f}", v.bits_lost), 9),
+      padded(v.error_bound == 0 ? "-" : rough(v.error_bound, 2), 11));
+  if (!v.formula.empty() && v.formula != v.name) text += "  = " + v.formula;
+  return text.substr(0, text.find_last_not_of(' ') + 1) + "\n";
+}
+
+std::string table(const std::vector<WalkValue>& values, const Widths& widths, Precision precision) {
+  std::string text;
+  for (const WalkValue& value : values) text += row(value, widths, precision);
+  return text;
+}
+
+std::string steps_of(const Walkthrough& walk) {
+  Widths widths;
+  const char* const arithmetic = name_of(walk.precision);
+  widths.value = std::char_traits<char>::length(arithmetic);
+  for (const WalkValue& value : walk.inputs) widths.fit(value, walk.precision);
+  for (const WalkStep& step : walk.steps) {
+    for (const WalkValue& value : step.values) widths.fit(value, walk.precision);
+  }
+  const std::string name =
+      "   " + padded("name", widths.name) + "  " + padded(arithmetic, widths.value) + "  ";
+  std::string text = "Inputs\n" + name + "stored value\n";
+  for (const WalkValue& v : walk.inputs)
+    text += fmt::format("   {}  {}  {}\n", padded(v.name, widths.name),
+                        padded(shown(v.value, walk.precision), widths.value), v.exact);
+  text += "\n" + name + padded("exact", widths.exact) + "  bits lost  error bound\n";
+  for (std::size_t i = 0; i < walk.steps.size(); ++i) {
+    const WalkStep& step = walk.steps[i];
+    text += fmt::format("{}. {}\n   {}\n{}", i + 1, step.title, step.meaning,
+                        table(step.values, widths, walk.precision));
+    if (!step.caption.empty()) text += "   " + step.caption + "\n";
+  }
+  return text;
+}
+
+std::string answer_line(const std::string& who, const std::string& symbol, Precision precision,
+                        const Answer* answer) {
+  std::string text = "   " + padded(who, 24) + "  " + verdict_of(answer);
+  const std::vector<double> values = values_of(answer);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    text +=
+        fmt::format("{} {}{} = {}", i == 0 ? ":" : ",", symbol, subscript(i), shown(values[i], precision));
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string explain_text(const CaseReport& report) {
+  const Precision precision = report.one.precision;
+  const std::string symbol = symbol_of(report.one);
+  std::string text;
+  if (report.walk) {
+    text += fmt::format("{}\n({})\n\n{}", report.walk->title, report.walk->source, steps_of(*report.walk));
+  }
+  text += "Answer\n" + answer_line("exact", symbol, precision, &report.exact);
+  if (report.claimed) {
+    text += answer_line(report.method, symbol, precision, report.claim());
+    const auto truth = values_of(&report.exact);
+    const auto claim = values_of(report.claim());
+    for (std::size_t i = 0; i < std::min(truth.size(), claim.size()); ++i) {
+      const double ulps = count_ulps(truth[i], claim[i], precision);
+      text += fmt::format("   {}{} is {}\n", symbol, subscript(i), accuracy_in_words(ulps));
+    }
+  }
+  if (report.measured) text += "   " + in_words(*report.measured) + "\n";
+  return text + "\n" + conclusion_of(report) + "\n";
+}
+
+}  // namespace rayproof::viz

@@ -1,0 +1,16 @@
+#pragma once
+/// \file
+/// The column of numbers at the right of a slide's scene.
+
+#include "viz/flat/stage_picture.hpp"
+
+namespace rayproof::viz {
+
+/// Below each name of the step the rounded number, the exact one, and the bits lost where they are worth a
+/// word.
+void draw_values(Picture& picture, const Stage& stage, const StageStep& step);
+
+/// The text's first line of that width, and "…" where there are more.
+[[nodiscard]] std::string cut(const std::string& text, double width, double size);
+
+}  // namespace rayproof::viz

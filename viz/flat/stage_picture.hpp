@@ -1,0 +1,45 @@
+#pragma once
+/// \file
+/// A step of a stage as a picture: the scene alone, for a page, or a whole slide with title, numbers and
+/// legend.
+
+#include <cstddef>
+#include <vector>
+
+#include "viz/picture/picture.hpp"
+#include "viz/scene/stage.hpp"
+
+namespace rayproof::viz {
+
+/// Writes a line of text into a picture.
+inline void add_text(Picture& picture, Role role, const Point& at, const std::string& text, double size,
+                     bool is_bold = false, Anchor anchor = Anchor::start) {
+  picture.elements.emplace_back(Text{role, at, text, anchor, size, is_bold});
+}
+
+/// Draws a step's scene into a frame of a picture, its own items bright and those of the steps before dimmed.
+void draw_scene(Picture& picture, const PixelBox& frame, const Stage& stage, std::size_t step);
+
+/// The scene with the step's own items bright and those of the steps before dimmed.
+[[nodiscard]] Picture scene_picture(const Stage& stage, std::size_t step, double width, double height);
+
+/// A slide's size, and what stays free along its border.
+inline constexpr double slide_width = 960, slide_height = 540, slide_margin = 24;
+/// Where a slide's scene lies; the numbers stand in the column at its right.
+inline constexpr PixelBox slide_scene{slide_margin, 60, 596, 368};
+
+/// A slide without its scene: title, numbers, caption, legend.
+[[nodiscard]] Picture slide_frame(const Stage& stage, std::size_t step);
+
+/// A slide of slide_width by slide_height.
+[[nodiscard]] Picture slide_picture(const Stage& stage, std::size_t step);
+
+/// The roles that a stage's pictures use, with a word on each.
+struct LegendEntry {
+  Role role;
+  bool is_mark;  ///< a mark, else a line
+  const char* text;
+};
+[[nodiscard]] std::vector<LegendEntry> legend_of(const Stage& stage);
+
+}  // namespace rayproof::viz

@@ -1,0 +1,92 @@
+#include "viz/page/page_step.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "case/escape.hpp"
+#include "viz/drawing/svg.hpp"
+#include "viz/flat/stage_picture.hpp"
+#include "viz/page/math_ml.hpp"
+#include "viz/scene/label_places.hpp"
+#include "viz/trace/numbers.hpp"
+#include "viz/walkthrough/stage_values.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+/// A formula typeset term by term, so that a browser can break the line between them.
+std::string typeset(const std::string& formula) {
+  std::string html;
+  for (const std::string& term : terms_of(formula)) html += math_ml(term) + " ";
+  return html;
+}
+
+/// A formula of numbers: typeset where each term is sure to fit on a phone, else as text, which breaks
+/// anywhere.
+std::string formula_of_numbers(const std::string& put_in) {
+  constexpr double phone_width = 240;
+  const auto terms = terms_of(put_in);
+  const bool fits = std::all_of(terms.begin(), terms.end(),
+                                [](const std::string& term) { return text_width(term, 18) <= phone_width; });
+  return fits ? typeset(put_in) : escaped(put_in);
+}
+
+/// Name, formula, numbers put in, and result, typeset.
+std::string equation(const StageValue& value, Precision precision) {
+  const bool has_formula = !value.formula.empty() && value.formula != value.name;
+  const auto part = [](const std::string& html) { return fmt::format("<span>= {}</span> ", html); };
+  std::string html = math_ml(value.name) + " ";
+  if (has_formula) html += part(typeset(value.formula));
+  if (has_formula && !value.put_in.empty() && value.put_in != value.formula)
+    html += part(formula_of_numbers(value.put_in));
+  return fmt::format("<div class=\"equation\">{}= <b class=\"claimed\">{}</b></div>\n", html,
+                     escaped(shown(value, precision)));
+}
+
+std::string row(const std::string& name, const WalkValue& v, Precision precision) {
+  return fmt::format(
+      "<tr><th scope=\"row\">{}</th><td class=\"claimed\">{}</td><td "
+      "class=\"exact\">{}</td><td{}>{}</td></tr>\n",
+      math_ml(name), shown(v.value, precision), v.exact, v.bits_lost >= 3 ? " class=\"lost\"" : "",
+      v.bits_lost < 0.05 ? "–" : fmt::format("{:.1f}", v.bits_lost));
+}
+
+std::string table(const std::vector<StageValue>& values, Precision precision) {
+  if (values.empty()) return "";
+  // A given number is exact as it is stored.
+  const bool are_given = std::all_of(values.begin(), values.end(), [](const StageValue& value) {
+    return value.components.front().formula.empty();
+  });
+  std::string html = fmt::format(
+      "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Values\"><table><thead><tr><th "
+      "scope=\"col\">name</th>"
+      "<th scope=\"col\">{}</th><th scope=\"col\">{}</th><th scope=\"col\">bits "
+      "lost</th></tr></thead><tbody>\n",
+      name_of(precision), are_given ? "stored value" : "exact");
+  for (const StageValue& value : values) {
+    for (const WalkValue& v : value.components) html += row(v.name, v, precision);
+  }
+  return html + "</tbody></table></div>\n";
+}
+
+}  // namespace
+
+std::string step_section(const Stage& stage, std::size_t number) {
+  const StageStep& step = stage.steps[number];
+  std::string html = fmt::format(
+      "<section class=\"step\" aria-labelledby=\"title-{0}\">\n<h2 id=\"title-{0}\">{0}. {1}</h2>\n",
+      number + 1, escaped(step.title));
+  html +=
+      "<figure>" + to_svg(scene_picture(stage, number, page_scene_width, page_scene_height)) + "</figure>\n";
+  std::string equations;
+  for (const StageValue& value : step.values) equations += equation(value, stage.precision);
+  const bool is_typeset = number > 0 && !equations.empty();
+  const std::string& words = is_typeset ? step.words : step.caption;
+  if (!words.empty()) html += fmt::format("<p>{}</p>\n", escaped(words));
+  if (is_typeset) html += equations;
+  if (!step.digits.empty()) html += fmt::format("<p class=\"soft\">{}</p>\n", escaped(step.digits));
+  return html + table(step.values, stage.precision) + "</section>\n";
+}
+
+}  // namespace rayproof::viz

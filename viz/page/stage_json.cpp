@@ -1,0 +1,111 @@
+#include "viz/page/stage_json.hpp"
+
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "case/json/number.hpp"
+#include "case/writer.hpp"
+#include "viz/picture/palette.hpp"
+#include "viz/trace/numbers.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json vector(const glm::dvec3& p) { return {json_number(p.x), json_number(p.y), json_number(p.z)}; }
+
+Json items(const std::vector<StageItem>& list) {
+  static constexpr std::array<const char*, 7> forms{"point",   "segment", "arrow",    "polyline",
+                                                    "polygon", "hull",    "ellipsoid"};
+  static constexpr std::array<const char*, 3> patterns{"solid", "dashed", "dotted"};
+  Json all = Json::array();
+  for (const StageItem& item : list) {
+    Json points = Json::array();
+    for (const glm::dvec3& p : item.points) points.push_back(vector(p));
+    Json one{{"role", colour_of(item.role).name}, {"form", forms.at(static_cast<std::size_t>(item.form))}};
+    if (!item.label.empty()) one["label"] = item.label;
+    if (item.pattern != Pattern::solid) one["pattern"] = patterns.at(static_cast<std::size_t>(item.pattern));
+    one["points"] = points;
+    all.push_back(one);
+  }
+  return all;
+}
+
+Json values(const std::vector<StageValue>& list, Precision precision) {
+  Json all = Json::array();
+  for (const StageValue& value : list) {
+    Json components = Json::array();
+    for (const WalkValue& v : value.components) {
+      components.push_back({{"value", json_number(v.value)},
+                            {"shown", shown(v.value, precision)},
+                            {"exact", v.exact},
+                            {"bits_lost", v.bits_lost}});
+    }
+    all.push_back({{"name", value.name},
+                   {"formula", value.formula},
+                   {"put_in", value.put_in},
+                   {"components", components}});
+  }
+  return all;
+}
+
+Json steps(const Stage& stage) {
+  Json all = Json::array();
+  for (const StageStep& step : stage.steps) {
+    Json one{
+        {"title", step.title}, {"words", step.words}, {"caption", step.caption}, {"digits", step.digits}};
+    one["values"] = values(step.values, stage.precision);
+    one["items"] = items(step.items);
+    one["view"] = {{"centre", vector(step.view.centre)}, {"radius", json_number(step.view.radius)}};
+    if (step.begins_anew) one["anew"] = true;
+    if (step.is_apart) {
+      one["magnification"] = json_number(step.magnification);
+      one["scale"] = scale_in_words(step.magnification);
+    }
+    all.push_back(one);
+  }
+  return all;
+}
+
+Json slider(const StageSlider& slider) {
+  Json readouts = Json::array();
+  for (const StageReadout& readout : slider.readouts) {
+    Json coefficients = Json::array();
+    for (const double c : readout.coefficients) coefficients.push_back(json_number(c));
+    readouts.push_back({{"label", readout.label}, {"coefficients", coefficients}});
+  }
+  return {{"symbol", slider.symbol},
+          {"origin", vector(slider.origin)},
+          {"direction", vector(slider.direction)},
+          {"from", json_number(slider.from)},
+          {"to", json_number(slider.to)},
+          {"start", json_number(slider.start)},
+          {"shows_point", slider.shows_point},
+          {"readouts", readouts}};
+}
+
+}  // namespace
+
+std::string stage_json(const Stage& stage) {
+  Json json{{"name", stage.name},
+            {"title", stage.title},
+            {"sentence", stage.sentence},
+            {"method", stage.method},
+            {"source", stage.source},
+            {"conclusion", stage.conclusion},
+            {"precision", name_of(stage.precision)},
+            {"digits", stage.digits}};
+  json["case"] = Json::parse(write_case(stage.one));
+  json["scene"] = items(stage.scene);
+  json["steps"] = steps(stage);
+  if (stage.slider) json["slider"] = slider(*stage.slider);
+  json["camera"] = {{"right", vector(stage.camera.right)},
+                    {"up", vector(stage.camera.up)},
+                    {"toward", vector(stage.camera.toward)},
+                    {"flat", stage.camera.is_flat}};
+  return json.dump();
+}
+
+}  // namespace rayproof::viz

@@ -1,0 +1,8 @@
+#include "viz/render/figures/make_figures.hpp"
+
+namespace rayproof::render {
+
+FigureKind plane_figures();
+FigureKind plane_figures() { return figure_kind<plane::Topic>("implicit"); }
+
+}  // namespace rayproof::render

@@ -1,0 +1,122 @@
+#pragma once
+/// \file
+/// What each pixel of an image sees: the nearest hit over all objects, by float methods or exactly.
+
+#include <atomic>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <span>
+#include <string>
+
+#include "viz/render/neighbourhood.hpp"
+
+namespace rayproof::render {
+
+/// The nearest hit of a ray so far; of two at the same t, that of the object which stands first in the scene.
+template <class T>
+struct Nearest {
+  T t = T(infinity<T>);
+  ObjectIndex object = no_object;
+
+  /// A hit, which may have rounded to infinity.
+  void take(T hit, ObjectIndex index) {
+    if (hit < t || (hit == t && index < object)) {
+      t = hit;
+      object = index;
+    }
+  }
+  /// What a method answers: a miss is infinite, and NaN is no hit either.
+  void offer(T answer, ObjectIndex index) {
+    if (answer < T(infinity<T>)) take(answer, index);
+  }
+};
+
+/// For each pixel, by rows from the top, the nearest hit's t and object.
+struct HitImage {
+  int width = 0;
+  int height = 0;
+  std::vector<double> t{};  ///< infinite where nothing is hit
+  std::vector<ObjectIndex> object{};
+
+  HitImage(int w, int h)
+      : width(w),
+        height(h),
+        t(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), HUGE_VAL),
+        object(t.size(), no_object) {}
+
+  [[nodiscard]] std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+  }
+  template <class T>
+  void set(int x, int y, const Nearest<T>& nearest) {
+    t[index(x, y)] = static_cast<double>(nearest.t);
+    object[index(x, y)] = nearest.object;
+  }
+};
+
+/// How the work is done.
+struct Work {
+  int jobs = 0;                             ///< threads; 0 for as many as the machine has
+  const std::atomic<bool>* stop = nullptr;  ///< ends the work where it becomes true
+  std::function<void(double done)>
+      progress{};  ///< hears the share that is done; called by one thread at a time
+};
+
+/// The work was stopped before it was done.
+class Stopped : public std::exception {};
+
+/// The method for each shape: {"sphere", "centred"}.
+using Methods = std::map<std::string, std::string>;
+
+/// A sound and quick method for each shape that a ray can meet.
+[[nodiscard]] Methods default_methods();
+
+/// Every method that can render, as "sphere/centred".
+[[nodiscard]] std::vector<std::string> renderable_methods();
+
+/// From this many objects on, a method is asked only about rays that come near an object's box.
+inline constexpr std::size_t many_objects = 65;
+
+/// How far around a box a method is still asked: this part of the largest coordinate of the boxes and the
+/// eye.
+inline constexpr double method_margin = 0x1p-16;
+
+/// Where the objects lie for a float method, and with how much room around them.
+[[nodiscard]] ObjectBounds bounds_for_methods(const RenderScene& scene);
+
+/// Hits by float methods in the scene's precision. `neighbourhood` may be null: then every object is tested
+/// against every ray. Throws Stopped.
+[[nodiscard]] HitImage trace(const RenderScene& scene, const Methods& methods,
+                             const Neighbourhood* neighbourhood, const Work& work);
+
+/// The exact hits: of each pixel's rounded ray, t correctly rounded. Of two objects with the same rounded t
+/// it is the one that stands first in the scene. `neighbourhood` must leave out no object that the ray meets.
+/// Throws Stopped.
+[[nodiscard]] HitImage trace_exactly(const RenderScene& scene, const Neighbourhood& neighbourhood,
+                                     const Work& work);
+
+/// The same of a single pixel.
+[[nodiscard]] ObjectIndex nearest_at(const RenderScene& scene, const Methods& methods,
+                                     const Neighbourhood* neighbourhood, int x, int y);
+[[nodiscard]] ObjectIndex exact_nearest_at(const RenderScene& scene, const Neighbourhood& neighbourhood,
+                                           int x, int y);
+
+/// The first exact hit of one object, rounded correctly; infinite for a miss. (`is_hit` distinguishes a hit
+/// that rounds to infinity.)
+struct ExactHit {
+  bool is_hit = false;
+  double t = HUGE_VAL;
+};
+[[nodiscard]] ExactHit exact_hit(const RenderScene& scene, ObjectIndex object, const Ray<double>& ray);
+
+/// Not below any exact t that rounds to `t`, be it in float: a normal float's neighbour is at most 2^-23 of
+/// it away, and the others are 2^-149 apart.
+[[nodiscard]] inline double beyond_rounding(double t) {
+  return std::isinf(t) ? HUGE_VAL : t + std::abs(t) * 0x1p-22 + 0x1p-148;
+}
+
+/// The ray of a pixel, in the scene's precision.
+[[nodiscard]] Ray<double> pixel_ray(const RenderScene& scene, int x, int y);
+
+}  // namespace rayproof::render

@@ -1,0 +1,79 @@
+/// \file
+/// Hits by float methods.
+
+#include <algorithm>
+#include <array>
+
+#include "case/case.hpp"
+#include "viz/render/all_figures.hpp"
+#include "viz/render/tiles.hpp"
+
+namespace rayproof::render {
+namespace {
+
+template <class T>
+HitImage trace_in(const RenderScene& scene, const Methods& methods, const Neighbourhood* neighbourhood,
+                  const Work& work) {
+  HitImage image(scene.width, scene.height);
+  const AllFigures<T> figures(scene, methods);
+  const PixelRays<T> pixel_rays(scene);
+  for_each_tile(scene.width, scene.height, work, [&](const Tile& tile) {
+    std::vector<Ray<T>> rays;
+    for_each_pixel(tile, [&](int x, int y) { rays.push_back(pixel_rays(x, y)); });
+    const std::vector<Nearest<T>> nearest = meet<T>(figures, neighbourhood, rays);
+    std::size_t next = 0;
+    for_each_pixel(tile, [&](int x, int y) { image.set(x, y, nearest[next++]); });
+  });
+  return image;
+}
+
+}  // namespace
+
+Methods default_methods() {
+  Methods chosen;
+  for (const FigureKind& kind : figure_kinds()) chosen[kind.shape] = kind.default_method;
+  return chosen;
+}
+
+std::vector<std::string> renderable_methods() {
+  std::vector<std::string> names;
+  for (const FigureKind& kind : figure_kinds())
+    for (const std::string& method : kind.methods) names.push_back(kind.shape + "/" + method);
+  return names;
+}
+
+ObjectBounds bounds_for_methods(const RenderScene& scene) {
+  const ObjectBounds exact(scene);
+  double largest = 0;
+  const auto note = [&largest](const glm::dvec3& p) {
+    for (int axis = 0; axis < 3; ++axis) largest = std::max(largest, std::abs(p[axis]));
+  };
+  note(scene.camera.eye);
+  for (const Bounds& box : exact.boxes) {
+    note(box.low);
+    note(box.high);
+  }
+  return ObjectBounds(scene, method_margin * largest);
+}
+
+HitImage trace(const RenderScene& scene, const Methods& methods, const Neighbourhood* neighbourhood,
+               const Work& work) {
+  return scene.precision == Precision::float32 ? trace_in<float>(scene, methods, neighbourhood, work)
+                                               : trace_in<double>(scene, methods, neighbourhood, work);
+}
+
+ObjectIndex nearest_at(const RenderScene& scene, const Methods& methods, const Neighbourhood* neighbourhood,
+                       int x, int y) {
+  const auto in = [&]<class T>(T) {
+    const std::array<Ray<T>, 1> ray{PixelRays<T>(scene)(x, y)};
+    return meet<T>(AllFigures<T>(scene, methods), neighbourhood, ray).front().object;
+  };
+  return scene.precision == Precision::float32 ? in(float{}) : in(double{});
+}
+
+Ray<double> pixel_ray(const RenderScene& scene, int x, int y) {
+  return scene.precision == Precision::float32 ? convert<double>(PixelRays<float>(scene)(x, y))
+                                               : PixelRays<double>(scene)(x, y);
+}
+
+}  // namespace rayproof::render

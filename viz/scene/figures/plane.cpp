@@ -1,8 +1,0 @@
-#include "viz/scene/figures/make_figures.hpp"
-
-namespace rayproof::render {
-
-FigureKind plane_figures();
-FigureKind plane_figures() { return figure_kind<plane::Topic>("implicit"); }
-
-}  // namespace rayproof::render

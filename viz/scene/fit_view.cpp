@@ -1,0 +1,65 @@
+#include "viz/scene/fit_view.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <rayproof/formulas/finite.hpp>
+
+namespace rayproof::viz {
+std::vector<glm::dvec3> extent_of(const StageItem& item, const StageCamera& camera) {
+  if (item.form != Form::ellipsoid) return item.points;
+  const glm::dvec3& centre = item.points.at(0);
+  std::vector<glm::dvec3> reach;
+  for (const glm::dvec3& axis : {camera.right, camera.up}) {
+    // Of centre + Σ cᵢ·aᵢ with |c| = 1, the farthest along the axis.
+    glm::dvec3 farthest(0);
+    double square = 0;
+    for (std::size_t i = 1; i < item.points.size(); ++i) {
+      const glm::dvec3 a = item.points[i] - centre;
+      farthest += glm::dot(a, axis) * a;
+      square += glm::dot(a, axis) * glm::dot(a, axis);
+    }
+    if (square > 0) farthest /= std::sqrt(square);
+    reach.push_back(centre + farthest);
+    reach.push_back(centre - farthest);
+  }
+  return reach;
+}
+
+std::vector<glm::dvec3> extent_of(const std::vector<StageItem>& items, const StageCamera& camera) {
+  std::vector<glm::dvec3> all;
+  for (const StageItem& item : items) {
+    const auto points = extent_of(item, camera);
+    all.insert(all.end(), points.begin(), points.end());
+  }
+  return all;
+}
+
+StageView view_of(const std::vector<glm::dvec3>& points, const StageCamera& camera) {
+  glm::dvec3 least(std::numeric_limits<double>::infinity());
+  glm::dvec3 most = -least;
+  for (const glm::dvec3& p : points) {
+    if (!rayproof::is_finite(p)) continue;
+    const glm::dvec3 seen{glm::dot(p, camera.right), glm::dot(p, camera.up), glm::dot(p, camera.toward)};
+    least = glm::min(least, seen);
+    most = glm::max(most, seen);
+  }
+  if (!(least.x <= most.x)) return {};
+  const glm::dvec3 half = (most - least) * 0.5;
+  const glm::dvec3 middle = least + half;
+  const double radius = std::max(half.x / view_aspect, half.y);
+  return {middle.x * camera.right + middle.y * camera.up + middle.z * camera.toward, radius > 0 ? radius : 1};
+}
+
+double radius_for(const StageView& view, const std::vector<StageItem>& items, const StageCamera& camera) {
+  double radius = view.radius;
+  for (const glm::dvec3& p : extent_of(items, camera)) {
+    const glm::dvec3 off = p - view.centre;
+    radius = std::max(
+        {radius, std::abs(glm::dot(off, camera.right)) / view_aspect, std::abs(glm::dot(off, camera.up))});
+  }
+  return radius;
+}
+
+}  // namespace rayproof::viz

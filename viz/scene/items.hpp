@@ -1,0 +1,47 @@
+#pragma once
+/// \file
+/// Items in few words, and what a topic has to say about how its named values look.
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "viz/scene/numbers_by_name.hpp"
+#include "viz/scene/stage.hpp"
+
+namespace rayproof::viz {
+
+using Items = std::vector<StageItem>;
+
+[[nodiscard]] inline StageItem point(Role role, const glm::dvec3& at, std::string label = {}) {
+  return {role, Form::point, {at}, std::move(label)};
+}
+[[nodiscard]] inline StageItem segment(Role role, const glm::dvec3& from, const glm::dvec3& to,
+                                       std::string label = {}, Pattern pattern = Pattern::solid) {
+  return {role, Form::segment, {from, to}, std::move(label), pattern};
+}
+[[nodiscard]] inline StageItem arrow(Role role, const glm::dvec3& from, const glm::dvec3& to,
+                                     std::string label = {}) {
+  return {role, Form::arrow, {from, to}, std::move(label)};
+}
+[[nodiscard]] inline StageItem polygon(Role role, std::vector<glm::dvec3> corners, std::string label = {}) {
+  return {role, Form::polygon, std::move(corners), std::move(label)};
+}
+[[nodiscard]] inline StageItem polyline(Role role, std::vector<glm::dvec3> points, std::string label = {},
+                                        Pattern pattern = Pattern::solid) {
+  return {role, Form::polyline, std::move(points), std::move(label), pattern};
+}
+
+/// How a named value looks: the items it becomes, given all numbers known by then, in the space in which the
+/// kernel works. A name is as the kernel has it, a vector's without ".x"; or it is a step's title, for what a
+/// step shows whatever it names.
+struct Binding {
+  std::string name;
+  std::function<Items(const NumbersByName& n)> draw;
+};
+
+/// How a topic's named values look.
+[[nodiscard]] const std::vector<Binding>& bindings_of(const std::string& topic);
+
+}  // namespace rayproof::viz

@@ -1,0 +1,151 @@
+#include "viz/scene/label_places.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace rayproof::viz {
+namespace {
+
+/// The code point that begins at text[i], and its length in bytes.
+std::pair<char32_t, std::size_t> code_point(const std::string& text, std::size_t i) {
+  const auto lead = static_cast<unsigned char>(text[i]);
+  const std::size_t length = lead < 0x80 ? 1 : lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4;
+  char32_t point = length == 1 ? lead : lead & (0xffU >> (length + 1));
+  for (std::size_t k = 1; k < length && i + k < text.size(); ++k) {
+    point = (point << 6U) | (static_cast<unsigned char>(text[i + k]) & 0x3fU);
+  }
+  return {point, length};
+}
+
+/// In em: DejaVu Sans's own widths, by groups of letters.
+double width_of(char32_t point) {
+  if (point >= 0x0300 && point <= 0x036f) return 0;
+  if (point >= 0x20d0 && point <= 0x20ff) return 0;
+  if (point >= 0x2080 && point <= 0x209f) return 0.42;
+  static const std::u32string narrow = U" ,.'|iIjl:;!()[]ftr/°′-·";
+  static const std::u32string wide = U"mwMW—∞@%+−=<>≤≥×→";
+  if (narrow.find(point) != std::u32string::npos) return 0.4;
+  if (wide.find(point) != std::u32string::npos) return 0.88;
+  return point < 0x80 && std::isupper(static_cast<int>(point)) != 0 ? 0.7 : 0.65;
+}
+
+double overlap(const PixelBox& a, const PixelBox& b) {
+  const double x = std::min(a.right(), b.right()) - std::max(a.left, b.left);
+  const double y = std::min(a.bottom(), b.bottom()) - std::max(a.top, b.top);
+  return x > 0 && y > 0 ? x * y : 0;
+}
+
+PixelBox box_around(const Point& middle, const std::string& label, double size) {
+  const double width = text_width(label, size, true) + 4;
+  const double height = size * 1.15;
+  return {middle.x - width / 2, middle.y - height / 2, width, height};
+}
+
+}  // namespace
+
+double text_width(const std::string& text, double size, bool bold) {
+  double width = 0;
+  for (std::size_t i = 0; i < text.size();) {
+    const auto [point, length] = code_point(text, i);
+    width += width_of(point);
+    i += length;
+  }
+  return width * size * (bold ? 1.1 : 1);
+}
+
+std::vector<std::string> wrapped(const std::string& text, double width, double size) {
+  std::vector<std::string> lines{""};
+  std::string word;
+  const auto finish_word = [&] {
+    if (word.empty()) return;
+    std::string& line = lines.back();
+    const std::string longer = line.empty() ? word : line + " " + word;
+    if (text_width(longer, size) <= width || line.empty()) {
+      line = longer;
+    } else {
+      lines.push_back(word);
+    }
+    word.clear();
+  };
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = code_point(text, i).second;
+    if (text[i] == ' ') {
+      finish_word();
+    } else {
+      const std::string letter = text.substr(i, length);
+      if (text_width(word + letter, size) > width) finish_word();
+      word += letter;
+    }
+    i += length;
+  }
+  finish_word();
+  return lines;
+}
+
+void LabelPlaces::take(const Point& at, double radius) {
+  taken_.push_back({at.x - radius, at.y - radius, 2 * radius, 2 * radius});
+}
+
+void LabelPlaces::avoid(const std::vector<Point>& line, double cost) {
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const double length = std::hypot(line[i + 1].x - line[i].x, line[i + 1].y - line[i].y);
+    const int pieces = std::clamp(static_cast<int>(length / 5), 1, 400);
+    for (int k = 0; k <= pieces; ++k) {
+      const double part = static_cast<double>(k) / pieces;
+      avoided_.push_back(
+          {{line[i].x + part * (line[i + 1].x - line[i].x), line[i].y + part * (line[i + 1].y - line[i].y)},
+           cost});
+    }
+  }
+}
+
+double LabelPlaces::cost_of(const PixelBox& box, double most) const {
+  double cost = 20 * (box.width * box.height - overlap(box, frame_));  // outside of the frame
+  for (const PixelBox& other : taken_) cost += 10 * overlap(box, other);
+  if (cost >= most) return cost;
+  for (const auto& [at, extra] : avoided_) cost += box.holds(at) ? extra : 0;
+  return cost;
+}
+
+Text LabelPlaces::take(const PixelBox& box, const std::string& label, double size) {
+  taken_.push_back(box);
+  return {Role::text, {box.centre().x, box.bottom() - size * 0.27}, label, Anchor::middle, size, true, true};
+}
+
+Text LabelPlaces::put_at(const std::string& label, const Point& middle, double size) {
+  const PixelBox own = box_around(middle, label, size);
+  // A label too long for its place moves into the frame as far as it can.
+  const double least = frame_.left + own.width / 2;
+  const double most = std::max(least, frame_.right() - own.width / 2);
+  return take(box_around({std::clamp(middle.x, least, most), middle.y}, label, size), label, size);
+}
+
+std::optional<Text> LabelPlaces::put(const std::string& label, const std::vector<Point>& anchors, double size,
+                                     bool must) {
+  const PixelBox own = box_around({0, 0}, label, size);
+  PixelBox best{};
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < anchors.size(); ++k) {
+    for (const double away : {13.0, 22.0, 34.0, 48.0}) {
+      for (int i = 0; i < 16; ++i) {
+        // Beginning above at the right, where a reader looks for it first.
+        const double angle = std::numbers::pi * (0.25 + i / 8.0);
+        const Point middle{anchors[k].x + (away + own.width / 2) * std::cos(angle),
+                           anchors[k].y - (away + own.height / 4) * std::sin(angle)};
+        const PixelBox box = box_around(middle, label, size);
+        const double penalty = away * 1.5 + i * 0.4 + static_cast<double>(k) * 5;
+        const double cost = penalty + cost_of(box, least - penalty);
+        if (cost >= least) continue;
+        least = cost;
+        best = box;
+      }
+    }
+  }
+  if (!must && least > 150) return std::nullopt;
+  return take(best, label, size);
+}
+
+}  // namespace rayproof::viz

@@ -1,0 +1,50 @@
+#pragma once
+/// \file
+/// Finding places for labels beside what they name, so that nothing is covered.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viz/picture/picture.hpp"
+
+namespace rayproof::viz {
+
+/// About how wide a line of DejaVu Sans is; combining marks have no width.
+[[nodiscard]] double text_width(const std::string& text, double size, bool bold = false);
+
+/// The text in lines of at most this many pixels, broken at spaces; a word too long for a line is broken in
+/// two.
+[[nodiscard]] std::vector<std::string> wrapped(const std::string& text, double width, double size);
+
+/// Keeps account of what of a frame is taken.
+class LabelPlaces {
+ public:
+  explicit LabelPlaces(const PixelBox& frame) : frame_(frame) {}
+
+  /// A mark, which no label may cover.
+  void take(const Point& at, double radius);
+  /// A line, which labels rather do not cover; `cost` for each place on it that one does.
+  void avoid(const std::vector<Point>& line, double cost);
+  /// Puts a label there and nowhere else; only within the frame's sides.
+  [[nodiscard]] Text put_at(const std::string& label, const Point& middle, double size);
+  /// A place for a label beside one of the anchors, of which the first are the best; it is then taken.
+  /// Nothing where all are taken and `must` is false.
+  [[nodiscard]] std::optional<Text> put(const std::string& label, const std::vector<Point>& anchors,
+                                        double size, bool must);
+
+ private:
+  [[nodiscard]] Text take(const PixelBox& box, const std::string& label, double size);
+  /// What a label there costs; at least `most` where that is clear early.
+  [[nodiscard]] double cost_of(const PixelBox& box, double most) const;
+
+  PixelBox frame_;
+  std::vector<PixelBox> taken_{};
+  struct Avoided {
+    Point at;
+    double cost;
+  };
+  std::vector<Avoided> avoided_{};
+};
+
+}  // namespace rayproof::viz

@@ -1,0 +1,38 @@
+#pragma once
+/// \file
+/// What of a stage a step shows, and where its labels stand: the same for every sink.
+
+#include <functional>
+#include <vector>
+
+#include "viz/picture/picture.hpp"
+#include "viz/scene/stage.hpp"
+
+namespace rayproof::viz {
+
+/// How an item is drawn: of the step itself, of a step before, or of the scene.
+enum class Emphasis { scene, dimmed, bright };
+
+struct ShownItem {
+  const StageItem* item;
+  Emphasis emphasis;
+};
+
+/// In the order of painting: the scene, what was, what is new. They live as long as the stage.
+[[nodiscard]] std::vector<ShownItem> shown_in(const Stage& stage, std::size_t step);
+
+/// The colour's role: what is dimmed is grey.
+[[nodiscard]] constexpr Role shown_role(const ShownItem& shown) {
+  return shown.emphasis == Emphasis::dimmed ? Role::muted : shown.item->role;
+}
+
+/// An item's points as they are seen, in pixels: one of a point, the line of a line, the closed outline of a
+/// surface.
+using Outline = std::function<std::vector<Point>(const StageItem& item)>;
+
+/// Writes the items' labels into a frame of a picture, beside what they name, so that none covers another, a
+/// mark or, where there is room, a line.
+void draw_labels(Picture& picture, const PixelBox& frame, const std::vector<ShownItem>& shown,
+                 const Outline& outline);
+
+}  // namespace rayproof::viz

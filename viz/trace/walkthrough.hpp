@@ -1,0 +1,117 @@
+#pragma once
+/// \file
+/// A walkthrough: a method's run on one case, step by step, as data. Text, page and picture are sinks of
+/// it.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "case/case.hpp"
+#include "viz/picture/picture.hpp"
+
+namespace rayproof::viz {
+
+/// An operation with a significant loss of precision.
+struct PrecisionLoss {
+  std::string step;           ///< the step's title
+  std::string kind;           ///< "subtraction", "addition", "multiplication", …
+  std::string effect;         ///< "cancels", "overflows and loses", "loses"
+  std::string formula;        ///< "b·b − 4·a·c"
+  std::string name;           ///< of its result, where it has one: "D"
+  double bits_lost_here = 0;  ///< lost in this operation alone
+  double bits_lost = 0;       ///< lost in its result
+  int digits = 24;            ///< of the result's own format: a float kernel may compute a part in double
+};
+
+/// "the subtraction b·b − 4·a·c cancels 22 of 24 bits"
+[[nodiscard]] std::string in_words(const PrecisionLoss& loss);
+
+/// The same as a sentence; empty for no loss.
+[[nodiscard]] std::string loss_sentence(const std::optional<PrecisionLoss>& loss);
+
+/// A number the formula names, as it was rounded and as it should be.
+struct WalkValue {
+  std::string name;     ///< "D", "f.x"
+  std::string formula;  ///< what it was computed from, in named numbers: "b·b − 4·a·c"; empty for an input
+  double value = 0;     ///< in the method's arithmetic
+  std::string
+      exact;  ///< the same formula in real numbers, as exact_beside writes it; an input as it is stored
+  double error = 0;        ///< value - exact, rounded to double
+  double error_bound = 0;  ///< what running error analysis guarantees without knowing the exact value
+  double bits_lost = 0;    ///< log2(1 + error in ulps), at most `digits`
+  int digits = 24;         ///< of the value's own format: a float kernel may compute a part in double
+  double exact_value = 0;  ///< `exact`, rounded to double
+  std::string put_in{};    ///< the formula with the numbers in the names' place: "3·3 − 4·1·2"
+  std::optional<PrecisionLoss>
+      loss{};  ///< the operation of its formula that loses most; none where none is worth it
+};
+
+/// Something to point at in the picture of a step.
+struct WalkItem {
+  Role role = Role::text;
+  std::string label;     ///< "t₀"
+  std::string geometry;  ///< "point at t = 4 on the ray"
+};
+
+/// A named value that is such a thing, and where it lies: "point at t = 4 on the ray".
+struct PointedValue {
+  const char* name;
+  Role role;
+  const char* label;
+  const char* before;
+  const char* after;
+};
+inline constexpr std::array<PointedValue, 7> pointed_values{{
+    {"t₀", Role::claimed, "t₀", "point at t = ", " on the ray"},
+    {"t₁", Role::claimed, "t₁", "point at t = ", " on the ray"},
+    {"t_c", Role::nearest, "nearest point", "point at t = ", " on the ray"},
+    {"x₀", Role::claimed, "x₀", "root at x = ", ""},
+    {"x₁", Role::claimed, "x₁", "root at x = ", ""},
+    {"q/a", Role::claimed, "q/a", "root at x = ", ""},
+    {"c/q", Role::claimed, "c/q", "root at x = ", ""},
+}};
+
+/// One step of the method, in the kernel's own words.
+struct WalkStep {
+  std::string title;
+  std::string meaning;    ///< in a sentence, its numbers put in
+  std::string caption{};  ///< which operation lost digits; empty where none lost any worth a word
+  std::vector<WalkValue> values{};
+  std::vector<WalkItem> items{};
+  std::optional<PrecisionLoss> loss{};  ///< what the caption says; none where none is worth it
+};
+
+/// How the float run came out beside the same formula in real numbers.
+enum class Faithfulness {
+  faithful,    ///< the answers agree to a few ulps, the verdict with them
+  inaccurate,  ///< the answers have lost digits
+  flipped      ///< the number whose sign decides has the wrong one: the verdict is noise
+};
+
+struct Walkthrough {
+  std::string title;   ///< "sphere/textbook: quadratic formula in a, b, c"
+  std::string source;  ///< author, title, year
+  Precision precision = Precision::float32;
+  int digits = 24;  ///< of the method's arithmetic
+  std::vector<WalkValue> inputs{};
+  std::vector<WalkStep> steps{};
+  double lo = 0;  ///< the roots the method came to, ascending; NaN for none
+  double hi = 0;
+  Faithfulness outcome = Faithfulness::faithful;
+  std::string decider = "the discriminant";  ///< the number whose sign decides; empty where comparisons do
+  std::string known_fault{};                 ///< why the method is known to go wrong; empty for a sound one
+  bool is_printed = false;                   ///< copied from a source together with the source's error
+  double answer_bits_lost = 0;  ///< of the worst answer, or of the flipped discriminant; 0 where faithful
+  std::optional<PrecisionLoss>
+      decisive_loss{};  ///< where they were lost; none where no single operation is to blame
+  std::optional<PrecisionLoss>
+      worst_loss{};  ///< the operation that lost most, whether or not the answer hangs on it
+};
+
+/// "In step 'Form the discriminant' the subtraction b·b − 4·a·c cancels 22 of 24 bits: …", or that rounding
+/// changed little.
+[[nodiscard]] std::string verdict_sentence(const Walkthrough& walk);
+
+}  // namespace rayproof::viz

@@ -1,0 +1,102 @@
+#include "viz/vtk/render/error_figure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "viz/render/colours.hpp"
+#include "viz/vtk/picture_png.hpp"
+#include "viz/vtk/render/error_layout.hpp"
+
+namespace rayproof::render {
+namespace {
+
+using viz::Anchor;
+using viz::Picture;
+using viz::Raster;
+using viz::Role;
+
+/// Device pixels that VTK draws at most.
+constexpr double widest = 8192;
+
+Rgb colour_of(const ErrorImage& errors, std::size_t i, int device_x, int device_y) {
+  const Verdict verdict = errors.verdicts[i];
+  if (verdict == Verdict::miss) return background;
+  if (verdict == Verdict::hit) return ulp_colours[step_of(errors.ulps[i])];
+  const auto* style = std::find_if(verdict_styles.begin(), verdict_styles.end(),
+                                   [&](const VerdictStyle& s) { return s.verdict == verdict; });
+  return hatched(*style, device_x, device_y);
+}
+
+void paint_panel(Raster& canvas, const ErrorImage& errors, int zoom, int left, int top) {
+  for (int y = 0; y < errors.height * zoom; ++y) {
+    for (int x = 0; x < errors.width * zoom; ++x) {
+      const auto i = static_cast<std::size_t>(y / zoom) * static_cast<std::size_t>(errors.width) +
+                     static_cast<std::size_t>(x / zoom);
+      canvas.at(left + x, top + y) = colour_of(errors, i, x, y);
+    }
+  }
+}
+
+void paint_swatch(Raster& canvas, const Swatch& swatch) {
+  const Rgb outline = rgb_of("#5a626c");
+  const int left = static_cast<int>(margin * png_scale), top = static_cast<int>(swatch.top * png_scale);
+  const int width = static_cast<int>(swatch_width * png_scale),
+            height = static_cast<int>(swatch_height * png_scale);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const bool is_rim = x < 2 || y < 2 || x >= width - 2 || y >= height - 2;
+      canvas.at(left + x, top + y) = is_rim ? outline : swatch.colour(x, y);
+    }
+  }
+}
+
+void frame(Picture& picture, double left, double top, double width, double height) {
+  const double l = left - 1, t = top - 1, r = left + width + 1, b = top + height + 1;
+  picture.elements.emplace_back(viz::PixelLine{Role::frame, {{l, t}, {r, t}, {r, b}, {l, b}, {l, t}}, 1.5});
+}
+
+}  // namespace
+
+void check_size(const std::vector<ErrorPanel>& panels) {
+  const ErrorLayout layout(panels);
+  if (layout.width * png_scale > widest || layout.panel_height * png_scale > widest) {
+    throw std::runtime_error(
+        fmt::format("{} of {}x{} pixels are too large for one error image, which may have {} on a side",
+                    panels.size() == 1 ? "errors" : "two images", panels.front().errors.width,
+                    panels.front().errors.height, widest));
+  }
+}
+
+Raster error_figure(const std::string& title, const std::vector<ErrorPanel>& panels) {
+  check_size(panels);
+  const ErrorLayout layout(panels);
+  Picture picture;
+  picture.width = layout.width;
+  picture.elements.emplace_back(
+      viz::Text{Role::text, {margin, margin + 14}, title, Anchor::start, 16, true, false});
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    const double left = layout.panel_left(i);
+    double baseline = margin + row_height + 18;
+    for (const std::string& line : layout.titles[i]) {
+      picture.elements.emplace_back(
+          viz::Text{Role::text, {left, baseline}, line, Anchor::start, 14, false, false});
+      baseline += row_height;
+    }
+    frame(picture, left, layout.panels_top, layout.panel_width, layout.panel_height);
+  }
+  const std::vector<Swatch> swatches =
+      write_legend(picture, panels, layout.panels_top + layout.panel_height + 14);
+
+  Raster canvas = viz::PictureCanvas().draw(picture);
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    paint_panel(canvas, panels[i].errors, layout.zoom, static_cast<int>(layout.panel_left(i) * png_scale),
+                static_cast<int>(layout.panels_top * png_scale));
+  }
+  for (const Swatch& swatch : swatches) paint_swatch(canvas, swatch);
+  return canvas;
+}
+
+}  // namespace rayproof::render

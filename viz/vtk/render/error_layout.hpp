@@ -1,0 +1,55 @@
+#pragma once
+/// \file
+/// Where an error figure puts its panels, its legend and its totals.
+
+#include <algorithm>
+
+#include "viz/picture/picture.hpp"
+#include "viz/vtk/picture_png.hpp"
+#include "viz/vtk/render/error_figure.hpp"
+
+namespace rayproof::render {
+
+using viz::png_scale;
+
+// All lengths are in the picture's own pixels, png_scale device pixels each.
+inline constexpr double margin = 20, gap = 24, row_height = 22, swatch_width = 34, swatch_height = 15;
+inline constexpr double label_width = 300, count_width = 170, least_width = 560;
+/// Small images are magnified by a whole number to this or more, so that single pixels can be seen.
+inline constexpr int least_panel = 420;
+/// The widest letters of a title at its size.
+inline constexpr double letter_width = 8.5;
+
+/// A list of names broken into lines of a width; a name alone on its line may be longer.
+[[nodiscard]] std::vector<std::string> broken_into_lines(const std::string& names, double width);
+
+struct ErrorLayout {
+  int zoom;  ///< device pixels for one of the image's
+  double panel_width, panel_height, panels_top;
+  double width;
+  std::vector<std::vector<std::string>> titles{};  ///< the lines above each panel
+
+  explicit ErrorLayout(const std::vector<ErrorPanel>& panels);
+
+  [[nodiscard]] double panel_left(std::size_t i) const {
+    return margin + static_cast<double>(i) * (panel_width + gap);
+  }
+};
+
+/// Where the counts of panel i end in the legend.
+[[nodiscard]] inline double count_right(std::size_t i) {
+  return margin + swatch_width + 10 + label_width + static_cast<double>(i + 1) * count_width;
+}
+
+/// A swatch of the legend, to be painted once the picture is pixels.
+struct Swatch {
+  double top;
+  std::function<viz::Rgb(int, int)> colour;
+};
+
+/// Writes the legend and each panel's totals into the picture from `top` on, and gives back its swatches; the
+/// picture becomes as high as that takes.
+[[nodiscard]] std::vector<Swatch> write_legend(viz::Picture& picture, const std::vector<ErrorPanel>& panels,
+                                               double top);
+
+}  // namespace rayproof::render

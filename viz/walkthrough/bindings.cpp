@@ -1,0 +1,46 @@
+#include "viz/walkthrough/bindings.hpp"
+
+#include <cmath>
+#include <map>
+
+namespace rayproof::viz {
+
+const std::vector<Binding>& bindings_of(const std::string& topic) {
+  static const std::map<std::string, std::vector<Binding>> tables = [] {
+    std::map<std::string, std::vector<Binding>> all;
+    for (const auto& [name, table] : topic_bindings) all[name] = table();
+    return all;
+  }();
+  static const std::vector<Binding> none;
+  const auto found = tables.find(topic);
+  return found == tables.end() ? none : found->second;
+}
+
+Binding answer(const char* name) {
+  return {name,
+          [=](const NumbersByName& n) { return Items{point(Role::claimed, n.at(n.rounded(name)), name)}; }};
+}
+
+glm::dvec3 resized(const glm::dvec3& v, double length) {
+  const double size = glm::length(v);
+  return size > 0 ? v * (length / size) : v;
+}
+
+glm::dvec3 across(const glm::dvec3& v) {
+  const glm::dvec3 other = std::abs(v.z) < 0.9 * glm::length(v) ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
+  return resized(glm::cross(v, other), glm::length(v));
+}
+
+Items half_chords(const NumbersByName& n) {
+  const glm::dvec3 middle = n.at(n["t_c"]);
+  return {segment(Role::edge, middle, n.at(n["t_c"] - n["h"]), "h"),
+          segment(Role::edge, middle, n.at(n["t_c"] + n["h"]), "h")};
+}
+
+Items way_to_plane(const NumbersByName& n, const glm::dvec3& normal, const glm::dvec3& on_plane) {
+  const glm::dvec3 along = resized(normal, 1);
+  const glm::dvec3 foot = n.origin() - along * glm::dot(along, n.origin() - on_plane);
+  return {segment(Role::nearest, n.origin(), foot, "the distance to the plane"), point(Role::nearest, foot)};
+}
+
+}  // namespace rayproof::viz

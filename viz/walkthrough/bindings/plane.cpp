@@ -1,0 +1,68 @@
+#include "viz/walkthrough/bindings.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+/// A point of the plane, however it was given.
+glm::dvec3 point_of(const NumbersByName& n) {
+  if (n.has_vector("p")) return n.vector("p");
+  const glm::dvec3 normal = n.vector("n");
+  return normal * (-n["d"] / glm::dot(normal, normal));
+}
+
+glm::dvec3 normal_of(const NumbersByName& n) { return n.vector(n.has_vector("u×v") ? "u×v" : "n"); }
+
+/// About as long as the distance to the plane: what an arrow needs to be seen.
+double reach(const NumbersByName& n) {
+  const double distance = glm::length(point_of(n) - n.origin());
+  return distance > 0 ? 0.45 * distance : glm::length(n.direction());
+}
+
+Items normal(const NumbersByName& n) {
+  const glm::dvec3 foot = point_of(n);
+  return {
+      arrow(Role::normal, foot, foot + resized(normal_of(n), reach(n)), n.has_vector("u×v") ? "u×v" : "n"),
+      point(Role::edge, foot, "p")};
+}
+
+Items height_above_plane(const NumbersByName& n) { return way_to_plane(n, normal_of(n), point_of(n)); }
+
+/// How much of it one unit of t goes.
+Items gain(const NumbersByName& n) {
+  const glm::dvec3 along = resized(normal_of(n), 1);
+  const glm::dvec3 tip = n.origin() + n.direction();
+  return {arrow(Role::edge, n.origin(), tip, "d⃗"),
+          arrow(Role::normal, n.origin(), n.origin() + along * glm::dot(along, n.direction()), "n·d⃗")};
+}
+
+Items spanning(const NumbersByName& n) {
+  const glm::dvec3 p = point_of(n);
+  return {point(Role::edge, p, "p"), arrow(Role::edge, p, p + n.vector("u"), "u"),
+          arrow(Role::edge, p, p + n.vector("v"), "v")};
+}
+
+Items parameters(const NumbersByName& n) {
+  const glm::dvec3 p = point_of(n);
+  const glm::dvec3 corner = p + n["a"] * n.vector("u");
+  return {segment(Role::edge, p, corner, "a·u"),
+          segment(Role::edge, corner, corner + n["b"] * n.vector("v"), "b·v")};
+}
+
+}  // namespace
+
+std::vector<Binding> plane_bindings() {
+  return {
+      {"Put the ray into the plane's equation", normal},
+      {"Compare the distance to the plane with the ray's progress", normal},
+      {"n·o + d", height_above_plane},
+      {"n·(p - o)", height_above_plane},
+      {"n·d⃗", gain},
+      {"v", spanning},
+      {"w", [](const NumbersByName& n) { return Items{arrow(Role::edge, point_of(n), n.origin(), "w")}; }},
+      {"u×v", normal},
+      {"b", parameters},
+      answer("t"),
+  };
+}
+
+}  // namespace rayproof::viz

@@ -1,0 +1,44 @@
+#include "viz/walkthrough/bindings.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+/// A point on the sphere, in the direction of the ray point nearest the centre.
+glm::dvec3 nearest_on_sphere(const NumbersByName& n) {
+  const glm::dvec3 l = n.vector("l");
+  const glm::dvec3 out = glm::length(l) > 0 ? l : across(n.direction());
+  return n.vector("C") + resized(out, n["r"]);
+}
+
+/// The legs r and l of the right triangle whose third side is half the chord.
+Items radius_and_distance(const NumbersByName& n) {
+  if (!n.has_vector("l")) return {};
+  return {segment(Role::edge, n.vector("C"), nearest_on_sphere(n), "r", Pattern::dashed)};
+}
+
+}  // namespace
+
+std::vector<Binding> sphere_bindings() {
+  return {
+      {"f", [](const NumbersByName& n) { return Items{arrow(Role::edge, n.vector("C"), n.origin(), "f")}; }},
+      {"a",
+       [](const NumbersByName& n) {
+         return Items{arrow(Role::edge, n.origin(), n.origin() + n.direction(), "d")};
+       }},
+      {"t_c", [](const NumbersByName& n) { return Items{point(Role::nearest, n.at(n["t_c"]), "t_c")}; }},
+      {"l",
+       [](const NumbersByName& n) {
+         return Items{arrow(Role::nearest, n.vector("C"), n.vector("C") + n.vector("l"), "l")};
+       }},
+      {"D", radius_and_distance},
+      {"h", half_chords},
+      {"√D",
+       [](const NumbersByName& n) {
+         return Items{segment(Role::edge, n.at(n["t₀"]), n.at(n["t₁"]), "the chord")};
+       }},
+      answer("t₀"),
+      answer("t₁"),
+  };
+}
+
+}  // namespace rayproof::viz

@@ -1,0 +1,50 @@
+#pragma once
+/// \file
+/// What composed lessons are made of: library functions run in the recording arithmetic, shown as a kernel's
+/// run is.
+
+#include <algorithm>
+#include <rayproof/arithmetics/recorded.hpp>
+#include <stdexcept>
+#include <type_traits>
+
+#include "viz/trace/record.hpp"
+#include "viz/walkthrough/lesson.hpp"
+#include "viz/walkthrough/setting.hpp"
+
+namespace rayproof::viz {
+
+/// The steps that `run(std::type_identity<R>{})` narrates in the recording arithmetic R of the precision.
+template <class Run>
+[[nodiscard]] Walkthrough record(Precision precision, Run&& run) {
+  const auto record_as = [&]<class T>(std::type_identity<T>) {
+    Tape tape;
+    run(std::type_identity<Recorded<T, Shadow>>{});
+    return steps_of(tape, precision);
+  };
+  return precision == Precision::float32 ? record_as(std::type_identity<float>{})
+                                         : record_as(std::type_identity<double>{});
+}
+
+/// The stage of a composed run: the given case's scene, a first step with the inputs, and the run's steps.
+/// Each of the setting's bindings must draw something that the run records: std::logic_error.
+[[nodiscard]] Stage composed_stage(const CaseReport& report, const Walkthrough& walk, const Setting& setting);
+
+/// The place of the step whose title begins so: std::logic_error where there is none.
+template <class Steps>
+[[nodiscard]] std::size_t place_of(const Steps& steps, const std::string& title) {
+  const auto found = std::find_if(steps.begin(), steps.end(),
+                                  [&](const auto& step) { return step.title.starts_with(title); });
+  if (found == steps.end()) throw std::logic_error("no step '" + title + "' in this run");
+  return static_cast<std::size_t>(found - steps.begin());
+}
+
+/// Lets the step whose title begins so show items of another space at the right of all that is in the world;
+/// the next step begins anew.
+void show_beside(Stage& stage, const std::string& title, const Items& items);
+
+/// A last step on how far the run's own values differ from the exact ones: the one that lost most, magnified.
+[[nodiscard]] StageStep difference_of_values(const Walkthrough& walk, const Setting& setting,
+                                             Precision precision);
+
+}  // namespace rayproof::viz

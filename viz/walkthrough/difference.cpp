@@ -1,0 +1,139 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "viz/drawing/topics.hpp"
+#include "viz/drawing/topics/wireframe_scene.hpp"
+#include "viz/explain/answers.hpp"
+#include "viz/trace/numbers.hpp"
+#include "viz/walkthrough/difference_gap.hpp"
+#include "viz/walkthrough/magnifier.hpp"
+#include "viz/walkthrough/setting.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+/// An exact value and the method's of the same rank.
+struct ValuePair {
+  std::size_t rank = 0;
+  double exact = 0;  ///< rounded to float64
+  double claimed = 0;
+  double ulps = 0;
+};
+
+const Answer& finest(const CaseReport& report) { return report.finer ? *report.finer : report.exact; }
+
+/// The pair that lies farthest apart, infinite ones included; nothing where there is none to compare.
+std::optional<ValuePair> worst_pair_of(const CaseReport& report) {
+  const std::vector<double> correct = values_of(&report.exact);
+  const std::vector<double> fine = values_of(&finest(report));
+  const std::vector<double> claimed = values_of(report.claim());
+  std::optional<ValuePair> worst;
+  for (std::size_t i = 0; i < std::min({correct.size(), claimed.size(), fine.size()}); ++i) {
+    const double ulps = count_ulps(correct[i], claimed[i], report.one.precision);
+    if (!worst || ulps > worst->ulps) worst = {i, fine[i], claimed[i], ulps};
+  }
+  return worst;
+}
+
+/// A patch of the surface's tangent plane at the exact hit.
+Items patch_of(const glm::dvec3& normal) {
+  const glm::dvec3 other = std::abs(normal.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
+  const glm::dvec3 u = 1.6 * glm::normalize(glm::cross(normal, other));
+  const glm::dvec3 v = 1.6 * glm::normalize(glm::cross(normal, u));
+  return {polygon(Role::surface, {u + v, u - v, -u - v, v - u}),
+          polyline(Role::surface, {u + v, u - v, -u - v, v - u, u + v})};
+}
+
+/// The stretch of the ray around one hit, so near that single numbers can be distinguished.
+void magnify(StageStep& step, const CaseReport& report, const ValuePair& pair, const std::string& symbol,
+             const Setting& setting) {
+  const bool is_ray = std::holds_alternative<RayQuestion>(report.one.question);
+  const double up = neighbour(pair.claimed, std::numeric_limits<double>::infinity(), report.one.precision);
+  const double ulp =
+      std::isinf(up) ? pair.claimed - neighbour(pair.claimed, 0, report.one.precision) : up - pair.claimed;
+  const double gap = std::abs(pair.claimed - pair.exact);
+  const double unit = std::max(gap / 2, ulp);
+  const double speed = is_ray ? glm::length(setting.slider->direction) : 1;
+  const Magnifier magnifier{pair.exact, unit,
+                            is_ray ? glm::normalize(setting.slider->direction) : glm::dvec3(1, 0, 0)};
+  step.is_apart = true;
+  step.magnification = 1 / (unit * speed);
+  step.view = magnified_view;
+  const auto* answer = std::get_if<RayAnswer>(&report.exact);
+  if (answer != nullptr && answer->normal && pair.rank == 0) step.items = patch_of(*answer->normal);
+  step.items.push_back(arrow(Role::ray, -3.3 * magnifier.along, 3.3 * magnifier.along));
+  if (ulp > unit / 6) {
+    for (StageItem& dot : dots_of(magnifier, pair.claimed, report.one.precision)) step.items.push_back(dot);
+    step.caption += " " + dots_in_words(report.one.precision);
+  }
+  const std::string name = symbol + subscript(pair.rank);
+  step.items.push_back(point(Role::exact, {0, 0, 0}, name + " exact"));
+  step.items.push_back(point(Role::claimed, magnifier.at(pair.claimed), name + " as computed"));
+}
+
+/// "The computed t₀ is off by 2 ulps: exact 4.87997734 (to 53 bits), computed 4.8799777 (float32)."
+std::string pair_in_words(const CaseReport& report, const ValuePair& pair, const std::string& symbol) {
+  const char* const format = name_of(report.one.precision);
+  return fmt::format("The computed {}{} is {}: exact {} (to 53 bits), computed {} ({}).", symbol,
+                     subscript(pair.rank), accuracy_in_words(pair.ulps),
+                     shown(pair.exact, Precision::float64), shown(pair.claimed, report.one.precision),
+                     format);
+}
+
+/// Both answers at their places in the scene, where there is nothing to magnify.
+void show_all(StageStep& step, const CaseReport& report, const std::string& symbol, const Setting& setting) {
+  if (!setting.slider) return;
+  const auto at = [&](double t) { return setting.slider->origin + t * setting.slider->direction; };
+  for (const auto& [role, answer, word] : {std::tuple{Role::exact, &finest(report), "exact"},
+                                           std::tuple{Role::claimed, report.claim(), "as computed"}}) {
+    const std::vector<double> values = values_of(answer);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (std::isfinite(values[i]))
+        step.items.push_back(point(role, at(values[i]), fmt::format("{}{} {}", symbol, subscript(i), word)));
+    }
+  }
+}
+
+std::string verdict_in_words(const CaseReport& report) {
+  const std::string exact = verdict_of(&report.exact);
+  if (report.claim() == nullptr) return fmt::format("The exact answer: {}.", exact);
+  const std::string claimed = verdict_of(report.claim());
+  const bool differ = verdicts_differ(&report.exact, report.claim());
+  return differ
+             ? fmt::format("Float result and exact result differ. Exact: {}. Computed: {}.", exact, claimed)
+             : fmt::format("Float result and exact result are the same: {}.", exact);
+}
+
+}  // namespace
+
+StageStep difference_step(const CaseReport& report, const Setting& setting) {
+  const std::string symbol = symbol_of(report.one);
+  StageStep step;
+  step.title = report.claim() == nullptr ? "The exact answer" : comparison_title;
+  step.view = setting.near;
+  step.digits = conclusion_of(report);
+  const bool differ = verdicts_differ(&report.exact, report.claim());
+  const std::optional<ValuePair> pair = worst_pair_of(report);
+  if (!differ && pair) {
+    step.caption = pair_in_words(report, *pair, symbol);
+    if (std::isfinite(pair->claimed - pair->exact)) {
+      magnify(step, report, *pair, symbol, setting);
+    } else {
+      show_all(step, report, symbol, setting);
+    }
+    return step;
+  }
+  if (const auto gap = gap_of(report)) {
+    show_gap(step, *gap, report.one.precision, setting);
+    step.caption = verdict_in_words(report) + " " + in_words(*gap, report.one.precision);
+    return step;
+  }
+  show_all(step, report, symbol, setting);
+  step.caption = verdict_in_words(report);
+  return step;
+}
+
+}  // namespace rayproof::viz

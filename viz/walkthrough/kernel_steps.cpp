@@ -1,0 +1,155 @@
+#include "viz/walkthrough/kernel_steps.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "viz/explain/answers.hpp"
+#include "viz/trace/losses.hpp"
+#include "viz/trace/numbers.hpp"
+#include "viz/walkthrough/stage_values.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+/// In each step one value is what the step is for: the last that has a formula.
+const StageValue* aim_of(const std::vector<StageValue>& values) {
+  const StageValue* aim = nullptr;
+  for (const StageValue& value : values) {
+    if (!value.formula.empty() && value.formula != value.name) aim = &value;
+  }
+  return aim;
+}
+
+/// Of a step that names nothing: what it came to.
+std::string decision_of(const CaseReport& report) {
+  std::string text = fmt::format("The numbers so far decide: {}", verdict_of(report.claim()));
+  const std::vector<double> values = values_of(report.claim());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    text += fmt::format("{} {}{} = {}", i == 0 ? "" : ",", symbol_of(report.one), subscript(i),
+                        shown(values[i], report.one.precision));
+  }
+  return text + ".";
+}
+
+/// The items in the world; without those that overflowed, or that shrank to a point.
+Items placed(const Items& items, const Setting& setting) {
+  Items placed;
+  for (StageItem item : items) {
+    for (glm::dvec3& p : item.points) p = setting.to_world(p);
+    const bool is_placed = std::all_of(item.points.begin(), item.points.end(), [](const glm::dvec3& p) {
+      return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+    });
+    const bool is_point =
+        item.form != Form::point && item.points.size() == 2 && item.points[0] == item.points[1];
+    if (is_placed && !is_point) placed.push_back(std::move(item));
+  }
+  return placed;
+}
+
+Items items_of(const std::string& name, const NumbersByName& n, const Setting& setting) {
+  Items items;
+  for (const Binding& binding : setting.bindings) {
+    if (binding.name != name) continue;
+    for (StageItem& item : binding.draw(n)) items.push_back(std::move(item));
+  }
+  return items;
+}
+
+void add_placed(StageStep& step, const Items& items, const Setting& setting) {
+  for (StageItem& item : placed(items, setting)) step.items.push_back(std::move(item));
+}
+
+/// The wide view for a step that shows something far from the shape.
+StageView view_of(const StageStep& step, const Setting& setting) {
+  for (const StageItem& item : step.items) {
+    for (const glm::dvec3& p : item.points) {
+      if (glm::length(p - setting.near.centre) > 1.6 * view_aspect * setting.near.radius) return setting.wide;
+    }
+  }
+  return setting.near;
+}
+
+/// The values of a step in runs that each end in one that is drawn: a new thing a part. Where nothing of the
+/// step can be drawn (there are no roots), in one that would be.
+std::vector<std::vector<StageValue>> parts_of(const std::vector<StageValue>& values, const NumbersByName& n,
+                                              const Setting& setting) {
+  std::vector<std::vector<StageValue>> parts{{}};
+  const auto is_placed = [&](const StageValue& value) {
+    return !placed(items_of(value.name, n, setting), setting).empty();
+  };
+  const bool is_empty = std::none_of(values.begin(), values.end(), is_placed);
+  bool is_drawn = false;
+  for (const StageValue& value : values) {
+    const bool draws = is_empty ? !items_of(value.name, n, setting).empty() : is_placed(value);
+    if (is_drawn && draws) parts.emplace_back();
+    is_drawn = is_drawn || draws;
+    parts.back().push_back(value);
+  }
+  return parts;
+}
+
+void caption(StageStep& step, const CaseReport& report, bool is_last) {
+  const StageValue* aim = aim_of(step.values);
+  if (aim == nullptr && !step.values.empty()) aim = &step.values.back();
+  const std::string numbers = aim != nullptr ? equation_of(*aim, report.one.precision)
+                              : is_last      ? decision_of(report)
+                                             : "";
+  const bool is_both = !step.words.empty() && !numbers.empty();
+  step.caption = step.words + (is_both ? " " : "") + numbers;
+  if (step.caption.empty()) step.caption = step.title + ".";
+}
+
+/// What became of the digits; nothing to say where all are well.
+std::string digits_of(const std::vector<StageValue>& values, const std::optional<PrecisionLoss>& loss) {
+  const bool is_spoilt = std::any_of(values.begin(), values.end(), [](const StageValue& value) {
+    return std::any_of(value.components.begin(), value.components.end(),
+                       [](const WalkValue& component) { return component.bits_lost >= noteworthy; });
+  });
+  return !loss && is_spoilt ? "Digits were lost in earlier steps, or in several small roundings."
+                            : loss_sentence(loss);
+}
+
+std::vector<StageValue> step_values(const Walkthrough& walk, std::size_t index, const NumbersByName& n,
+                                    Precision precision) {
+  std::vector<StageValue> values = grouped(walk.steps[index].values);
+  for (StageValue& value : values) put_numbers_in(value, n, precision);
+  return values;
+}
+
+}  // namespace
+
+std::size_t count_parts(const CaseReport& report, const Walkthrough& walk, std::size_t index,
+                        const Setting& setting) {
+  const NumbersByName n(walk, index);
+  return parts_of(step_values(walk, index, n, report.one.precision), n, setting).size();
+}
+
+std::vector<StageStep> kernel_steps(const CaseReport& report, const Walkthrough& walk, std::size_t index,
+                                    const Setting& setting, bool is_split) {
+  const NumbersByName n(walk, index);
+  const std::string& title = walk.steps[index].title;
+  const Precision precision = report.one.precision;
+  const std::vector<StageValue> values = step_values(walk, index, n, precision);
+  const auto parts = is_split ? parts_of(values, n, setting) : std::vector<std::vector<StageValue>>{values};
+  std::vector<StageStep> steps;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    StageStep step;
+    step.title = parts.size() == 1 ? title : fmt::format("{} ({} of {})", title, i + 1, parts.size());
+    step.values = parts[i];
+    if (i == 0) {
+      step.words = walk.steps[index].meaning;
+      add_placed(step, items_of(title, n, setting), setting);
+    }
+    for (const StageValue& value : step.values) add_placed(step, items_of(value.name, n, setting), setting);
+    step.digits =
+        digits_of(step.values, parts.size() == 1 ? walk.steps[index].loss : worst_loss_of(parts[i]));
+    caption(step, report, index + 1 == walk.steps.size());
+    step.view = view_of(step, setting);
+    steps.push_back(std::move(step));
+  }
+  return steps;
+}
+
+}  // namespace rayproof::viz

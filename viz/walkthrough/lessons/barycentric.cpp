@@ -1,0 +1,88 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <rayproof/triangle/barycentric.hpp>
+
+#include "viz/scene/fit_view.hpp"
+#include "viz/trace/losses.hpp"
+#include "viz/trace/numbers.hpp"
+#include "viz/walkthrough/compose.hpp"
+#include "viz/walkthrough/lessons.hpp"
+#include "viz/walkthrough/lessons/plot_setting.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+/// The triangle and the point of the case in the plane z = 0.
+Stage barycentric_stage(const Case& one, const ReportCase& report_on) {
+  const CaseReport report = report_on(one, "triangle/plane_projection");
+  const auto& question = std::get<RayQuestion>(one.question);
+  const auto& triangle = std::get<Triangle<double>>(question.shape);
+  Walkthrough walk = record(one.precision, [&]<class R>(std::type_identity<R>) {
+    const auto flat = [](const char* name, const glm::dvec3& p) {
+      const std::string text = name;
+      return Vec2<R>{named((text + ".x").c_str(), R(p.x)), named((text + ".y").c_str(), R(p.y))};
+    };
+    const auto q = flat("q", question.ray.origin);
+    const auto a = flat("a", triangle.a);
+    const auto b = flat("b", triangle.b);
+    const auto c = flat("c", triangle.c);
+    step<R>("Find the barycentric coordinates", "A step for each value follows.");
+    (void)triangle::barycentric(q, a, b, c);
+  });
+  // One value a step.
+  const std::vector<WalkValue> values = walk.steps.front().values;
+  static const std::map<std::string, Step> steps{
+      {"D", {"D is twice the area of the whole", "It is positive where a, b, c run counterclockwise."}},
+      {"α", {"α is the part opposite a", "It is the area of q, b, c over the area of the whole."}},
+      {"β", {"β is the part opposite b", "It is the area of q, c, a over the area of the whole."}},
+      {"γ", {"γ is what is left for c", "The three areas add up to the whole, so α + β + γ = 1."}}};
+  walk.steps.clear();
+  for (const WalkValue& value : values) {
+    const auto& [title, meaning] = steps.at(value.name);
+    walk.steps.push_back({title, meaning, loss_sentence(value.loss), {value}, {}, value.loss});
+  }
+  Setting setting = plot_setting(report);
+  setting.scene = {polygon(Role::surface, {triangle.a, triangle.b, triangle.c}),
+                   polyline(Role::surface, {triangle.a, triangle.b, triangle.c, triangle.a}),
+                   point(Role::surface, triangle.a, "a"), point(Role::surface, triangle.b, "b"),
+                   point(Role::surface, triangle.c, "c")};
+  setting.near = setting.wide = view_of({triangle.a, triangle.b, triangle.c}, setting.camera);
+  setting.slider.reset();
+  const glm::dvec3 q{question.ray.origin.x, question.ray.origin.y, 0};
+  setting.scene.push_back(point(Role::nearest, q, "q"));
+  const auto part = [=](const char* name, const glm::dvec3& first, const glm::dvec3& u, const glm::dvec3& v) {
+    return Binding{
+        name, [=](const NumbersByName& n) {
+          const std::string label = fmt::format("{} = {}", name, rough(n[name], 3));
+          return Items{polygon(Role::edge, {first, u, v}, label), polyline(Role::edge, {first, u, v, first})};
+        }};
+  };
+  setting.bindings = {part("D", triangle.a, triangle.b, triangle.c), part("α", q, triangle.b, triangle.c),
+                      part("β", q, triangle.c, triangle.a), part("γ", q, triangle.a, triangle.b)};
+  Stage stage = composed_stage(report, walk, setting);
+  stage.steps.front().title = "Look at the triangle and the point";
+  stage.method = "triangle::barycentric";
+  stage.steps.push_back(difference_of_values(walk, setting, one.precision));
+  const bool is_inside = std::none_of(values.begin(), values.end(),
+                                      [](const WalkValue& v) { return v.name != "D" && v.value < 0; });
+  stage.conclusion =
+      fmt::format("{}: q = α·a + β·b + γ·c.", is_inside ? "None is negative, so the point is in the triangle"
+                                                        : "One is negative, so the point is outside");
+  return stage;
+}
+
+}  // namespace
+
+std::vector<Lesson> barycentric_lessons() {
+  return {
+      {"barycentric", "triangles", "Barycentric coordinates: three areas over the whole",
+       "A point is the mean of the corners, weighed by the areas opposite them.",
+       R"({"precision": "float32", "ray": {"origin": [0.3, 0.2, 2], "direction": [0, 0, -1]},
+           "shape": {"type": "triangle", "a": [-1.3, -0.7, 0], "b": [1.6, -0.5, 0], "c": [0.2, 1.1, 0]}})",
+       "", barycentric_stage},
+  };
+}
+
+}  // namespace rayproof::viz

@@ -1,0 +1,38 @@
+#include "viz/walkthrough/lessons/camera_image.hpp"
+
+namespace rayproof::viz::camera_image {
+
+const rayproof::Camera<double>& eye() {
+  static const rayproof::Camera<double> one{{3.2, -2.4, 1.6}, {0, 0, 0.2}, {0, 0, 1}, 0.5, 0.375};
+  return one;
+}
+glm::dvec3 on_image(double x, double y) {
+  const CameraAxes<double> axes = camera::axes(eye());
+  return eye().eye + eye().half_width * x * axes.u + eye().half_height * y * axes.v - axes.w;
+}
+
+/// Of pixel (i, j), at the top left.
+static glm::dvec3 corner_of(int i, int j) { return on_image(2.0 * i / width - 1, 1 - 2.0 * j / height); }
+
+Items grid() {
+  Items items;
+  for (int i = 0; i <= width; ++i)
+    items.push_back(segment(Role::frame, corner_of(i, 0), corner_of(i, height)));
+  for (int j = 0; j <= height; ++j)
+    items.push_back(segment(Role::frame, corner_of(0, j), corner_of(width, j)));
+  items.push_back(polyline(Role::surface, {corner_of(0, 0), corner_of(width, 0), corner_of(width, height),
+                                           corner_of(0, height), corner_of(0, 0)}));
+  return items;
+}
+
+StageItem pixel(Role role, int i, int j) {
+  return polygon(role, {corner_of(i, j), corner_of(i + 1, j), corner_of(i + 1, j + 1), corner_of(i, j + 1)});
+}
+
+StageCamera beside_the_camera() {
+  const glm::dvec3 toward = glm::normalize(glm::dvec3(0.35, -1.4, 0.75));
+  const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 0, 1), toward));
+  return {right, glm::cross(toward, right), toward};
+}
+
+}  // namespace rayproof::viz::camera_image

@@ -1,0 +1,88 @@
+#include "viz/scene/fit_view.hpp"
+#include "viz/walkthrough/compose.hpp"
+#include "viz/walkthrough/lessons.hpp"
+#include "viz/walkthrough/lessons/camera_image.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+using namespace camera_image;
+
+template <class R>
+rayproof::Camera<R> named_camera() {
+  const rayproof::Camera<double>& given = eye();
+  return {named("eye", convert<R>(given.eye)), named("center", convert<R>(given.center)),
+          named("up", convert<R>(given.up)), named("half_w", R(given.half_width)),
+          named("half_h", R(given.half_height))};
+}
+
+Binding axis(const char* name) {
+  return {name, [=](const NumbersByName& n) {
+            return Items{arrow(Role::edge, eye().eye, eye().eye + 0.6 * n.vector(name), name)};
+          }};
+}
+
+Items placed_pixel(const NumbersByName& n) {
+  return {pixel(Role::nearest, pixel_i, pixel_j),
+          point(Role::nearest, on_image(n["x"], n["y"]), "pixel (4, 2)")};
+}
+
+Items parts_of_direction(const NumbersByName& n) {
+  const CameraAxes<double> axes = camera::axes(eye());
+  const glm::dvec3 middle = eye().eye - axes.w;
+  return {segment(Role::edge, middle, middle + n["α"] * axes.u, "α·u"),
+          segment(Role::edge, middle + n["α"] * axes.u, middle + n["α"] * axes.u + n["β"] * axes.v, "β·v")};
+}
+
+Stage camera_stage(const Case& one, const ReportCase& report_on) {
+  const CaseReport report = report_on(one, "");
+  const Walkthrough walk = record(one.precision, []<class R>(std::type_identity<R>) {
+    const auto camera = named_camera<R>();
+    const auto axes = camera::axes(camera);
+    (void)camera::PixelCentre::ray(camera, axes, ImageSize<R>{R(width), R(height)}, R(pixel_i), R(pixel_j));
+  });
+  Setting setting = setting_of(report);
+  setting.scene = grid();
+  setting.scene.push_back(point(Role::ray, eye().eye, "eye"));
+  setting.camera = beside_the_camera();
+  Items reach = setting.scene;
+  const CameraAxes<double> axes = camera::axes(eye());
+  for (const glm::dvec3& axis : {axes.u, axes.v, axes.w})
+    reach.push_back(arrow(Role::edge, eye().eye, eye().eye + 0.6 * axis));
+  setting.near = setting.wide = view_of(extent_of(reach, setting.camera), setting.camera);
+  setting.slider->origin = eye().eye;
+  setting.slider->from = 0;
+  setting.slider->to = 1.4;
+  setting.slider->start = 1;
+  setting.bindings = {
+      axis("w"),
+      axis("u"),
+      axis("v"),
+      {"y", placed_pixel},
+      {"β", parts_of_direction},
+      {"d", [](const NumbersByName& n) {
+         return Items{arrow(Role::ray, eye().eye, eye().eye + 1.35 * n.vector("d"), "the ray")};
+       }}};
+  Stage stage = composed_stage(report, walk, setting);
+  stage.steps.front().title = "Look at the eye and its image";
+  stage.method = "camera/pixel_centre";
+  stage.source = "R. Bán, Számítógépes grafika: Raycasting, 2022";
+  stage.slider->direction = std::get<RayQuestion>(one.question).ray.direction;
+  stage.slider->readouts.clear();
+  stage.steps.push_back(difference_of_values(walk, setting, one.precision));
+  stage.conclusion =
+      "The lecture's formula takes the pixel's corner for its centre; half a pixel is missing.";
+  return stage;
+}
+
+}  // namespace
+
+std::vector<Lesson> camera_lessons() {
+  return {
+      {"camera", "rays", "The camera: a ray through each pixel's centre",
+       "Three axes from eye, centre and up; a place in the image from -1 to 1; and from both a direction.",
+       camera_image::case_text, "", camera_stage},
+  };
+}
+
+}  // namespace rayproof::viz

@@ -1,0 +1,108 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <rayproof/spawn.hpp>
+
+#include "viz/trace/numbers.hpp"
+#include "viz/walkthrough/compose.hpp"
+#include "viz/walkthrough/lessons.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+/// From the exact t, rounded, to the origin of the next ray.
+template <class R>
+void leave_sphere(const RayQuestion& question, double t) {
+  Ray<R> ray = convert<R>(question.ray);
+  ray.origin = named("o", ray.origin);
+  ray.direction = named("d", ray.direction);
+  Sphere<R> sphere = convert<R>(std::get<Sphere<double>>(question.shape));
+  sphere.center = named("C", sphere.center);
+  sphere.radius = named("r", sphere.radius);
+
+  step<R>("Go to the hit, as far as rounding allows",
+          "However good t is, the point is rounded in each coordinate: it lies beside the sphere.");
+  const vec3<R> p = named("p", point_at(ray, R(t)));
+
+  step<R>("Move it onto the sphere",
+          "The centre and r times a direction make a point of the sphere, whatever the direction's "
+          "rounding: only the sphere's own numbers still count.");
+  const spawn::SurfacePoint<R> from = spawn::leave(sphere, p);
+  (void)named("q", from.point);
+  (void)named("n", from.normal);
+  (void)spawn::Proven::origin(from);
+}
+
+/// How far outside the sphere a point is; of numbers that are floats, double is good enough.
+double height_of(const glm::dvec3& point, const Sphere<double>& sphere) {
+  const glm::dvec3 f = point - sphere.center;
+  return std::sqrt(dot(f, f)) - sphere.radius;
+}
+
+/// "1.1e-7 below", or "on it".
+std::string beside(double height) {
+  constexpr double least = 0x1p-48;  // what double itself can be off by here
+  if (std::abs(height) < least) return "on it";
+  return rough(std::abs(height), 3) + (height < 0 ? " below" : " above");
+}
+
+/// Hit, moved point and origin over the sphere's surface, magnified until they can be distinguished.
+StageStep heights_step(const NumbersByName& n, const Sphere<double>& sphere, const Setting& setting) {
+  const double hit = height_of(n.vector("p"), sphere), moved = height_of(n.vector("q"), sphere),
+               origin = height_of(n.vector("o′"), sphere);
+  StageStep step;
+  step.title = comparison_title;
+  step.caption = fmt::format("Exactly, p is {} the sphere, q {}, and o′ {}: the next ray starts outside.",
+                             beside(hit), beside(moved), beside(origin));
+  step.is_apart = true;
+  step.magnification = 1 / std::max({std::abs(hit), std::abs(moved), std::abs(origin)});
+  const auto at = [&](double sideways, double height) {
+    return sideways * setting.camera.right + step.magnification * height * setting.camera.up;
+  };
+  step.items = {segment(Role::surface, at(-1.3, 0), at(1.3, 0)),
+                point(Role::text, at(0.8, -0.15 / step.magnification), "the sphere"),
+                point(Role::claimed, at(-0.7, hit), "p"), point(Role::nearest, at(0, moved), "q"),
+                arrow(Role::normal, at(0.7, moved), at(0.7, origin), "o′")};
+  step.view = {{}, 1.3};
+  return step;
+}
+
+Stage leaving_stage(const Case& one, const ReportCase& report_on) {
+  const CaseReport report = report_on(one, "");
+  const auto& question = std::get<RayQuestion>(one.question);
+  const auto& sphere = std::get<Sphere<double>>(question.shape);
+  const double t = std::get<RayAnswer>(report.exact).hits.t[0];
+  const Walkthrough walk =
+      record(one.precision, [&]<class R>(std::type_identity<R>) { leave_sphere<R>(question, t); });
+  Setting setting = setting_of(report);
+  setting.bindings = {
+      {"p", [](const NumbersByName& n) { return Items{point(Role::claimed, n.vector("p"), "p")}; }},
+      {"q", [](const NumbersByName& n) { return Items{point(Role::nearest, n.vector("q"), "q")}; }},
+      {"n",
+       [=](const NumbersByName& n) {
+         return Items{
+             arrow(Role::normal, n.vector("q"), n.vector("q") + 0.5 * sphere.radius * n.vector("n"), "n")};
+       }},
+      {"o′", [](const NumbersByName& n) { return Items{point(Role::exact, n.vector("o′"), "o′")}; }}};
+  Stage stage = composed_stage(report, walk, setting);
+  stage.method = "spawn/proven";
+  stage.steps.push_back(heights_step(NumbersByName(walk, walk.steps.size() - 1), sphere, setting));
+  stage.conclusion = "The offset pays for what rounding can have done, and for no more.";
+  return stage;
+}
+
+}  // namespace
+
+std::vector<Lesson> leaving_lessons() {
+  return {
+      {"leaving-a-sphere", "numbers", "Leaving a sphere: where the next ray starts",
+       "The hit is rounded and lies below the surface; the next ray starts above it by the least offset that "
+       "is proven.",
+       R"({"precision": "float32", "ray": {"origin": [-3.5, -0.9, 0.8], "direction": [1.3, 0.2, 0.1]},
+           "shape": {"type": "sphere", "center": [0.2, 0.1, 0.3], "radius": 1.4}})",
+       "", leaving_stage},
+  };
+}
+
+}  // namespace rayproof::viz

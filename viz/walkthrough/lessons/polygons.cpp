@@ -1,0 +1,169 @@
+#include <fmt/format.h>
+
+#include <rayproof/formulas/polygon_sides.hpp>
+
+#include "viz/trace/numbers.hpp"
+#include "viz/walkthrough/compose.hpp"
+#include "viz/walkthrough/lessons.hpp"
+#include "viz/walkthrough/stage_values.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+std::string side_name(std::size_t i, std::size_t count) {
+  return fmt::format("v{}v{}", subscript(i), subscript(polygon::next(i, count)));
+}
+
+/// One step a side: where the line through it meets the ray's height, by the library's own cross_side.
+/// `takes` says whether a side is looked at, given the exact numbers.
+template <class R, class Takes>
+void cross_sides(const PointAndPolygon<double>& question, Takes&& takes) {
+  const auto convert_point = [](const std::string& name, const Vec2<double>& p) {
+    return Vec2<R>{named((name + ".x").c_str(), R(p.x)), named((name + ".y").c_str(), R(p.y))};
+  };
+  const Vec2<R> p = convert_point("p", question.point);
+  std::vector<Vec2<R>> vertices;
+  for (std::size_t i = 0; i < question.vertices.size(); ++i) {
+    vertices.push_back(convert_point("v" + subscript(i), question.vertices[i]));
+  }
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const std::size_t next = polygon::next(i, vertices.size());
+    step<R>(
+        fmt::format("Meet the side {}", side_name(i, vertices.size())).c_str(),
+        "The ray meets the line through the side at t; s is the place on the line, 0 to 1 from end to end.");
+    if (!takes(question.vertices[i], question.vertices[next])) continue;
+    const auto [s, t] = polygon::cross_side(p, vertices[i], vertices[next]);
+    (void)named(("s" + subscript(i)).c_str(), s);
+    (void)named(("t" + subscript(i)).c_str(), t);
+  }
+}
+
+struct PolygonSide {
+  glm::dvec3 a, b;
+  std::string name;
+};
+
+PolygonSide polygon_side(const PointAndPolygon<double>& question, std::size_t i) {
+  const std::size_t count = question.vertices.size();
+  const auto& a = question.vertices[i];
+  const auto& b = question.vertices[polygon::next(i, count)];
+  return {{a.x, a.y, 0}, {b.x, b.y, 0}, side_name(i, count)};
+}
+
+/// How a lesson counts: which sides it looks at, and which of their crossings.
+struct Counting {
+  bool (*takes)(const Vec2<double>& point, const Vec2<double>& a, const Vec2<double>& b);
+  bool (*counts)(double s, double t);
+  const char* because;  ///< of a side that is not looked at
+};
+
+Stage counted_stage(const CaseReport& report, const Counting& counting) {
+  const auto& question = std::get<PointAndPolygon<double>>(report.one.question);
+  const Walkthrough walk = record(report.one.precision, [&]<class R>(std::type_identity<R>) {
+    cross_sides<R>(question,
+                   [&](const auto& a, const auto& b) { return counting.takes(question.point, a, b); });
+  });
+  const Setting setting = setting_of(report);
+  Stage stage = composed_stage(report, walk, setting);
+  int count = 0;
+  const glm::dvec3 p(question.point.x, question.point.y, 0);
+  for (std::size_t i = 0; i < question.vertices.size(); ++i) {
+    StageStep& step = stage.steps[i + 1];
+    const PolygonSide side = polygon_side(question, i);
+    step.items.push_back(segment(Role::edge, side.a, side.b, side.name));
+    if (step.values.empty()) {
+      const auto y = [&](double height) { return shown(height, report.one.precision); };
+      step.caption = fmt::format("{} from y = {} to {}, the ray at y = {}: {} Crossings so far: {}.",
+                                 side.name, y(side.a.y), y(side.b.y), y(p.y), counting.because, count);
+      continue;
+    }
+    const WalkValue& s = step.values[0].components[0];
+    const WalkValue& t = step.values[1].components[0];
+    const bool is_counted = counting.counts(s.value, t.value);
+    count += is_counted ? 1 : 0;
+    if (std::isfinite(t.value)) {
+      step.items.push_back(point(is_counted ? Role::claimed : Role::muted, p + glm::dvec3(t.value, 0, 0),
+                                 is_counted ? fmt::format("crossing {}", count) : "not counted"));
+    }
+    step.words =
+        fmt::format("{} Crossings so far: {}.", is_counted ? "It counts." : "It does not count.", count);
+    step.caption = fmt::format("{} {}, {}.", step.words, equation_of(step.values[0], report.one.precision),
+                               equation_of(step.values[1], report.one.precision));
+  }
+  StageStep last;
+  last.title = comparison_title;
+  last.view = setting.near;
+  last.caption = fmt::format(
+      "{} {} {}: the point is {}. Exactly it is {}.", count, count == 1 ? "crossing is" : "crossings are",
+      count % 2 == 1 ? "an odd number" : "an even number", count % 2 == 1 ? "inside" : "outside",
+      name_of(std::get<Position>(report.exact)));
+  last.items.push_back(
+      point(Role::exact, p, std::string("exactly ") + name_of(std::get<Position>(report.exact))));
+  stage.steps.push_back(last);
+  stage.conclusion = last.caption;
+  return stage;
+}
+
+bool has_ends_apart(const Vec2<double>& p, const Vec2<double>& a, const Vec2<double>& b) {
+  return polygon::passes(p.y, a, b);
+}
+bool any_side(const Vec2<double>& /*p*/, const Vec2<double>& /*a*/, const Vec2<double>& /*b*/) {
+  return true;
+}
+
+Stage parity_stage(const Case& one, const ReportCase& report_on) {
+  return counted_stage(report_on(one, "point_in_polygon/parity"),
+                       {has_ends_apart, [](double /*s*/, double t) { return t > 0; },
+                        "both ends lie on one side of the ray, or the upper one on it: no crossing."});
+}
+
+/// As the lecture prints it: a side is met for s in [0, 1], closed at both ends.
+Stage printed_stage(const Case& one, const ReportCase& report_on) {
+  return counted_stage(report_on(one, "point_in_polygon/printed_parity"),
+                       {any_side, [](double s, double t) { return s >= 0 && s <= 1 && t > 0; }, ""});
+}
+
+Stage segment_stage(const Case& one, const ReportCase& report_on) {
+  Stage stage = printed_stage(one, report_on);
+  stage.method = "polygon::cross_side";
+  return stage;
+}
+
+}  // namespace
+
+std::vector<Lesson> polygon_lessons() {
+  return {
+      {"polygon-parity", "polygons", "Point in polygon: odd or even crossings",
+       "A ray to the right crosses the boundary an odd number of times exactly where it began inside; "
+       "concave or not.",
+       R"({"precision": "float32", "query": "point_in_polygon", "point": [-0.4, 0.3],
+           "vertices": [[-1.5, -1], [1.4, -0.9], [0.5, 0.1], [1.7, 1.2], [-1.2, 1.1]]})",
+       "", parity_stage},
+      {"polygon-vertex-trap", "polygons", "The vertex trap: one corner counted twice",
+       "With sides closed at both ends, a ray through a vertex meets two sides there: an inside point is "
+       "called outside.",
+       R"({"precision": "float32", "query": "point_in_polygon", "point": [-0.4, 0.2],
+           "vertices": [[-1.5, -1], [0.9, -0.9], [1.5, 0.2], [0.7, 1.2], [-1.2, 1.1]]})",
+       "", printed_stage},
+      {"polygon-vertex-mended", "polygons", "The vertex trap, mended: a side holds its lower end alone",
+       "Half-open sides share a vertex between them: it is counted once where the boundary passes, and twice "
+       "or never "
+       "where it only touches.",
+       R"({"precision": "float32", "query": "point_in_polygon", "point": [-0.4, 0.2],
+           "vertices": [[-1.5, -1], [0.9, -0.9], [1.5, 0.2], [0.7, 1.2], [-1.2, 1.1]]})",
+       "", parity_stage},
+      {"polygon-horizontal-trap", "polygons", "The horizontal trap: a side along the ray divides by zero",
+       "A side at the ray's own height has y₁ − y₀ = 0: s is 0/0 or ∞, and no comparison with it holds.",
+       R"({"precision": "float32", "query": "point_in_polygon", "point": [-0.9, 0.2],
+           "vertices": [[-1.5, -1], [0.3, -0.9], [0.4, 0.2], [1.3, 0.2], [1.1, 1.2], [-1.2, 1.1]]})",
+       "", printed_stage},
+      {"ray-segment", "polygons", "Ray and segment in the plane",
+       "The side reaches the ray's height at the share s of its length; the ray gets there at t, if s lies "
+       "in [0, 1] and t > 0.",
+       R"({"precision": "float32", "query": "point_in_polygon", "point": [-1.1, 0.3],
+           "vertices": [[0.2, -0.8], [1.3, 0.9], [-0.9, 0.7]]})",
+       "", segment_stage},
+  };
+}
+
+}  // namespace rayproof::viz

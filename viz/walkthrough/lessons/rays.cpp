@@ -1,0 +1,65 @@
+#include <rayproof/ray.hpp>
+
+#include "viz/walkthrough/compose.hpp"
+#include "viz/walkthrough/lessons.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+template <class R>
+void walk_along(const Ray<double>& given) {
+  Ray<R> ray = convert<R>(given);
+  ray.origin = named("o", ray.origin);
+  ray.direction = named("d", ray.direction);
+  step<R>("At t = 0 there is the origin", "p(0) = o + 0·d: the ray begins there.");
+  (void)named("p(0)", point_at(ray, R(0)));
+  step<R>("At t = 1 the ray has gone one direction", "p(1) is the tip of d, drawn from the origin.");
+  (void)named("p(1)", point_at(ray, R(1)));
+  step<R>("At t = 2.5 it has gone two and a half", "t is any number, not only a whole one.");
+  (void)named("p(2.5)", point_at(ray, R(2.5)));
+  step<R>("t counts directions; times the direction's length it is a distance",
+          "Only for a direction of length 1 are t and the distance the same number.");
+  const R length = named("|d|", sqrt(dot(ray.direction, ray.direction)));
+  (void)named("distance", R(2.5) * length);
+}
+
+Binding stop(const char* name) {
+  return {name, [=](const NumbersByName& n) { return Items{point(Role::nearest, n.vector(name), name)}; }};
+}
+
+Stage ray_stage(const Case& one, const ReportCase& report_on) {
+  const CaseReport report = report_on(one, "");
+  const auto& ray = std::get<RayQuestion>(one.question).ray;
+  const Walkthrough walk = record(one.precision, [&]<class R>(std::type_identity<R>) { walk_along<R>(ray); });
+  Setting setting = setting_of(report);
+  setting.near = setting.wide;
+  setting.slider->from = setting.slider->start = ray.t_min;  // where the first step begins
+  setting.bindings = {
+      stop("p(0)"),
+      stop("p(1)"),
+      stop("p(2.5)"),
+      {"p(1)",
+       [](const NumbersByName& n) { return Items{arrow(Role::edge, n.origin(), n.vector("p(1)"), "d")}; }},
+      {"distance", [](const NumbersByName& n) {
+         return Items{segment(Role::edge, n.origin(), n.vector("p(2.5)"), "2.5·|d|")};
+       }}};
+  Stage stage = composed_stage(report, walk, setting);
+  stage.method = "p(t) = o + t·d";
+  stage.steps.push_back(difference_of_values(walk, setting, one.precision));
+  stage.conclusion = "A point of the ray is rounded twice in each coordinate, by the product and by the sum.";
+  return stage;
+}
+
+}  // namespace
+
+std::vector<Lesson> ray_lessons() {
+  return {
+      {"ray", "rays", "The parametric ray: p(t) = o + t·d",
+       "One number says where on the ray: t directions from the origin, in an interval closed at both ends.",
+       R"({"precision": "float32", "ray": {"origin": [-1.9, -0.7, 0.3], "direction": [1.3, 0.4, 0.1]},
+           "shape": {"type": "sphere", "center": [1.6, 0.5, 0.5], "radius": 0.4}})",
+       "", ray_stage},
+  };
+}
+
+}  // namespace rayproof::viz

@@ -1,0 +1,87 @@
+#include <algorithm>
+#include <cmath>
+#include <rayproof/box/slab.hpp>
+
+#include "viz/walkthrough/compose.hpp"
+#include "viz/walkthrough/lessons.hpp"
+#include "viz/walkthrough/lessons/plot_setting.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+/// The axis of t below the rows, and where a t lies on it.
+struct SlabAxis {
+  double from, to;
+  [[nodiscard]] double at(double t) const { return -1 + 2 * (std::clamp(t, from, to) - from) / (to - from); }
+};
+
+template <class R>
+void narrate_slabs(const RayQuestion& question) {
+  const auto& given = std::get<rayproof::Box<double>>(question.shape);
+  const vec3<R> o = named("o", convert<R>(question.ray.origin));
+  const vec3<R> d = named("d", convert<R>(question.ray.direction));
+  const vec3<R> least = named("min", convert<R>(given.min));
+  const vec3<R> most = named("max", convert<R>(given.max));
+  step<R>("Meet both x planes",
+          "The ray is between them from t = x_in to t = x_out: an interval of the t axis.");
+  const auto slab = [](const R& speed, const R& below, const R& above, const char* in, const char* out) {
+    const box::Slab<R> one = box::slab_of(speed, below, above);
+    return box::Slab<R>{named(in, one.entry), named(out, one.exit)};
+  };
+  const auto x = slab(d.x, R(least.x - o.x), R(most.x - o.x), "x_in", "x_out");
+  step<R>("Meet both y planes", "The same for y: the two intervals need not overlap.");
+  const auto y = slab(d.y, R(least.y - o.y), R(most.y - o.y), "y_in", "y_out");
+  step<R>("Meet both z planes", "Where d.z is negative, the ray enters at max.z and leaves at min.z.");
+  const auto z = slab(d.z, R(least.z - o.z), R(most.z - o.z), "z_in", "z_out");
+  (void)box::overlap(x, y, z);
+}
+
+Binding interval(const SlabAxis& axis, const char* in, const char* out, double y, Role role) {
+  return {out, [=](const NumbersByName& n) {
+            const glm::dvec3 from{axis.at(n[in]), y, 0};
+            const glm::dvec3 to{axis.at(n[out]), y, 0};
+            return Items{segment(role, from, to), point(role, from, in), point(role, to, out)};
+          }};
+}
+
+Stage intervals_stage(const Case& one, const ReportCase& report_on) {
+  const CaseReport report = report_on(one, "box/slabs");
+  const auto& question = std::get<RayQuestion>(one.question);
+  const Walkthrough walk =
+      record(one.precision, [&]<class R>(std::type_identity<R>) { narrate_slabs<R>(question); });
+  Setting setting = plot_setting(report);
+  const NumbersByName n(walk, walk.steps.size() - 1);
+  const SlabAxis axis{std::min({0.0, n["x_in"], n["y_in"], n["z_in"]}) - 0.3,
+                      std::max({n["x_out"], n["y_out"], n["z_out"]}) + 0.3};
+  setting.scene = {arrow(Role::ray, {-1.05, -0.62, 0}, {1.05, -0.62, 0}, "t")};
+  for (int t = static_cast<int>(std::ceil(axis.from)); t <= axis.to; ++t) {
+    const double x = axis.at(t);
+    setting.scene.push_back(segment(Role::frame, {x, -0.62, 0}, {x, 0.6, 0}));
+    setting.scene.push_back(point(Role::text, {x, -0.69, 0}, std::to_string(t)));
+  }
+  setting.bindings = {interval(axis, "x_in", "x_out", 0.45, Role::edge),
+                      interval(axis, "y_in", "y_out", 0.15, Role::edge),
+                      interval(axis, "z_in", "z_out", -0.15, Role::edge),
+                      interval(axis, "t_entry", "t_exit", -0.45, Role::nearest)};
+  setting.slider.reset();
+  Stage stage = composed_stage(report, walk, setting);
+  stage.steps.front().title = "Measure the ray by its t axis";
+  stage.method = "box/slabs";
+  stage.steps.push_back(difference_of_values(walk, setting, one.precision));
+  stage.conclusion = "A box is where three intervals overlap.";
+  return stage;
+}
+
+}  // namespace
+
+std::vector<Lesson> slab_interval_lessons() {
+  return {
+      {"slab-intervals", "boxes", "Three slabs on the t axis",
+       "Each pair of planes is an interval of t; the box is where all three overlap.",
+       R"({"precision": "float32", "ray": {"origin": [-2.4, -1.7, 1.9], "direction": [0.9, 0.7, -0.4]},
+           "shape": {"type": "box", "min": [-0.8, -0.6, 0.1], "max": [1.3, 0.9, 1.2]}})",
+       "", intervals_stage},
+  };
+}
+
+}  // namespace rayproof::viz

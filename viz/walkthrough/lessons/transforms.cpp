@@ -1,0 +1,109 @@
+#include <rayproof/transform.hpp>
+
+#include "viz/scene/fit_view.hpp"
+#include "viz/walkthrough/bindings.hpp"
+#include "viz/walkthrough/compose.hpp"
+#include "viz/walkthrough/lessons.hpp"
+#include "viz/walkthrough/stage_of.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+constexpr const char* stretched_sphere =
+    R"({"precision": "float32", "ray": {"origin": [-3.1, -0.7, 1.1], "direction": [1.2, 0.3, -0.2]},
+        "shape": {"type": "sphere", "center": [0, 0, 0], "radius": 1},
+        "transform": [[1.5, -0.4, 0, 0.3], [0.4, 0.7, 0, 0.1], [0, 0, 0.8, 0.4], [0, 0, 0, 1]]})";
+
+/// Beside the world, the object's own space: the unit sphere and the ray as it sees it.
+Stage transformed_stage(const Case& one, const ReportCase& report_on) {
+  const CaseReport report = report_on(one, "sphere/centred");
+  Stage stage = stage_of(report);
+  const NumbersByName n(*report.walk, report.walk->steps.size() - 1);
+  show_beside(stage, "Take the ray into",
+              {{Role::surface, Form::ellipsoid, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
+               arrow(Role::ray, n.origin(), n.at(n["t₁"] * 1.25), "o′ + t·d"),
+               point(Role::ray, n.origin(), "o′"),
+               point(Role::text, -1.25 * stage.camera.up, "the object's own space")});
+  return stage;
+}
+
+template <class R>
+void carry_normal(const RayQuestion& question, double t) {
+  const auto column = [&](const char* name, int i) {
+    return named(name, convert<R>(glm::dvec3((*question.transform)[i])));
+  };
+  const vec3<R> a = column("A₁", 0);
+  const vec3<R> b = column("A₂", 1);
+  const vec3<R> c = column("A₃", 2);
+  const vec3<R> translation = column("T", 3);
+  const ObjectSpace<R> space = object_space<R>(a, b, c, translation);
+
+  step<R>("Take the hit into the object's own space",
+          "The inverse map applies to the ray; q is the point of the mapped ray at the same t.");
+  const Ray<R> inside = to_object(space, convert<R>(question.ray));
+  const vec3<R> q = named("q", point_at(inside, R(t)));
+
+  step<R>("There the normal of the unit sphere is the point itself",
+          "The sphere's radius ends at q and is perpendicular to the surface.");
+  const vec3<R> normal = named("n", R(1) * q);
+
+  step<R>("Carried like a direction, by A, it stands askew: wrong",
+          "A stretches the tangent plane and the normal alike, and the right angle between them is lost.");
+  (void)named("A·n", vec3<R>(normal.x * a + normal.y * b + normal.z * c));
+
+  step<R>("Carried by the inverse transpose it stands upright",
+          "m·(A·u) = n·u, which is 0 for every tangent u: m = A⁻ᵀ·n is perpendicular to the surface.");
+  (void)named("m", vec3<R>(normal.x * space.row_x + normal.y * space.row_y + normal.z * space.row_z));
+}
+
+Stage normal_stage(const Case& one, const ReportCase& report_on) {
+  const CaseReport report = report_on(one, "sphere/centred");
+  const auto& question = std::get<RayQuestion>(one.question);
+  const double t = std::get<RayAnswer>(report.exact).hits.t[0];
+  const Walkthrough walk =
+      record(one.precision, [&]<class R>(std::type_identity<R>) { carry_normal<R>(question, t); });
+  Setting setting = setting_of(report);
+  const glm::dvec3 hit = question.ray.origin + t * question.ray.direction;
+  const auto at_hit = [=](const char* name, Role role, const char* label) {
+    return Binding{name, [=](const NumbersByName& n) {
+                     return Items{arrow(role, hit, hit + resized(n.vector(name), 0.9), label)};
+                   }};
+  };
+  // The items lie in the world already.
+  setting.to_world = [](const glm::dvec3& p) { return p; };
+  setting.bindings = {
+      {"q", [=](const NumbersByName& /*n*/) { return Items{point(Role::nearest, hit, "A·q + T")}; }},
+      at_hit("A·n", Role::claimed, "A·n, wrong"),
+      at_hit("m", Role::normal, "by the inverse transpose"),
+      at_hit("n", Role::edge, "n of the unit sphere")};
+  Stage stage = composed_stage(report, walk, setting);
+  stage.method = "normal_to_world";
+  // The tangent plane makes it plain which of the two stands upright.
+  const glm::dvec3 normal = *std::get<RayAnswer>(report.exact).normal;
+  const glm::dvec3 u = 0.7 * across(normal);
+  const glm::dvec3 v = glm::cross(normal, u);
+  for (const StageItem& item :
+       {polygon(Role::edge, {hit + u + v, hit + u - v, hit - u - v, hit - u + v}),
+        polyline(Role::edge, {hit + u + v, hit + u - v, hit - u - v, hit - u + v, hit + u + v})}) {
+    stage.steps.at(3).items.push_back(item);
+  }
+  stage.steps.push_back(difference_of_values(walk, setting, one.precision));
+  stage.conclusion = "Only the inverse transpose keeps what is at right angles at right angles.";
+  return stage;
+}
+
+}  // namespace
+
+std::vector<Lesson> transform_lessons() {
+  return {
+      {"transformed", "transforms", "A transformed object: the ray goes to the object",
+       "The inverse map takes the ray into the space where the object is a unit sphere; t is the same in "
+       "both.",
+       stretched_sphere, "", transformed_stage},
+      {"transformed-normal", "transforms", "The normal of a transformed object: by the inverse transpose",
+       "Carried like a direction the normal leans; carried by the inverse transpose it stands upright.",
+       stretched_sphere, "", normal_stage},
+  };
+}
+
+}  // namespace rayproof::viz

@@ -1,0 +1,69 @@
+#include "viz/walkthrough/live_values.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <rayproof/ray.hpp>
+
+#include "viz/trace/numbers.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+/// The polynomial at t by Horner's rule in T, its coefficients rounded to T first.
+template <class T>
+T value_at(const std::vector<double>& coefficients, double t) {
+  T sum(0);
+  for (auto c = coefficients.rbegin(); c != coefficients.rend(); ++c) sum = sum * T(t) + T(*c);
+  return sum;
+}
+
+template <class T>
+glm::dvec3 point_in(const StageSlider& slider, double t) {
+  const Ray<T> ray{vec3<T>(slider.origin), vec3<T>(slider.direction)};
+  return glm::dvec3(point_at(ray, T(t)));
+}
+
+template <class T>
+T stepped(T t, int count) {
+  const T end = count < 0 ? -std::numeric_limits<T>::infinity() : std::numeric_limits<T>::infinity();
+  for (int i = 0; i < std::abs(count); ++i) t = std::nextafter(t, end);
+  return t;
+}
+
+}  // namespace
+
+glm::dvec3 point_on(const StageSlider& slider, double t, Precision precision) {
+  return precision == Precision::float32 ? point_in<float>(slider, t) : point_in<double>(slider, t);
+}
+
+double neighbour_of(double t, int count, Precision precision) {
+  return precision == Precision::float32 ? static_cast<double>(stepped(static_cast<float>(t), count))
+                                         : stepped(t, count);
+}
+
+std::vector<LiveValue> live_values(const StageSlider& slider, double t, Precision precision) {
+  const bool is_float = precision == Precision::float32;
+  constexpr int float_bits = std::numeric_limits<float>::digits;
+  std::vector<LiveValue> values;
+  if (slider.shows_point) {
+    const glm::dvec3 p = point_on(slider, t, precision);
+    const auto coordinate = [&](int axis) { return shown(p[axis], precision); };
+    const auto exact = [&](int axis) {
+      const Shadow real = Shadow(slider.origin[axis]) + Shadow(t) * Shadow(slider.direction[axis]);
+      return exact_beside(real, p[axis], float_bits);
+    };
+    values.push_back({"p(t)", fmt::format("({}, {}, {})", coordinate(0), coordinate(1), coordinate(2)),
+                      is_float ? fmt::format("({}, {}, {})", exact(0), exact(1), exact(2)) : ""});
+  }
+  for (const StageReadout& readout : slider.readouts) {
+    const auto& c = readout.coefficients;
+    const double rounded = is_float ? static_cast<double>(value_at<float>(c, t)) : value_at<double>(c, t);
+    values.push_back({readout.label, shown(rounded, precision),
+                      is_float ? exact_beside(value_at<Shadow>(c, t), rounded, float_bits) : ""});
+  }
+  return values;
+}
+
+}  // namespace rayproof::viz

@@ -1,0 +1,157 @@
+#include "viz/walkthrough/setting.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "viz/drawing/topics.hpp"
+#include "viz/drawing/topics/wireframe_scene.hpp"
+#include "viz/explain/answers.hpp"
+#include "viz/scene/fit_view.hpp"
+#include "viz/walkthrough/flat_settings.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+std::vector<glm::dvec3> rounded(const std::vector<Place>& places) {
+  std::vector<glm::dvec3> points;
+  points.reserve(places.size());
+  for (const Place& p : places) points.push_back(viz::rounded(p));
+  return points;
+}
+
+/// Without the points that lie within a thousandth of `size` of the line through their neighbours.
+std::vector<glm::dvec3> thinned(const std::vector<glm::dvec3>& points, double size) {
+  std::vector<glm::dvec3> kept;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool is_end = i == 0 || i + 1 == points.size();
+    const bool is_far = is_end || glm::length(points[i] - kept.back()) > 0.04 * size;
+    if (is_far) kept.push_back(points[i]);
+  }
+  return kept;
+}
+
+/// The lines on the figure, then its outline over them.
+Items items_of(const Figure& figure, const Place& toward, double size) {
+  Items items;
+  for (const Stroke& stroke : figure.strokes(toward)) {
+    const Role role = stroke.is_edge ? Role::surface : Role::frame;
+    items.push_back(polyline(role, thinned(rounded(stroke.points), size), {},
+                             stroke.is_hidden ? Pattern::dashed : Pattern::solid));
+  }
+  if (!figure.ellipsoid.empty()) {
+    items.push_back({Role::surface, Form::ellipsoid, rounded(figure.ellipsoid)});
+  } else if (!figure.ring.empty()) {
+    items.push_back(polygon(Role::surface, rounded(figure.ring)));
+  } else {
+    items.push_back({Role::surface, Form::hull, thinned(rounded(figure.extent), size)});
+  }
+  for (const auto& [name, at] : figure.labels) items.push_back(point(Role::surface, viz::rounded(at), name));
+  return items;
+}
+
+/// The stretch of t on which the ray's line is in the view, within the ray's interval where it reaches so
+/// far.
+std::pair<double, double> stretch_in(const StageView& view, const Ray<double>& ray) {
+  const double speed = glm::length(ray.direction);
+  const double middle = glm::dot(view.centre - ray.origin, ray.direction) / (speed * speed);
+  const double half = 1.1 * view_aspect * view.radius / speed;  // a little beyond the view
+  const double from = std::max(middle - half, ray.t_min);
+  const double to = std::min(middle + half, ray.t_max);
+  return from < to ? std::pair{from, to} : std::pair{middle - half, middle + half};
+}
+
+struct Views {
+  StageView near, wide;
+};
+
+Views views_of(const WireframeScene& scene, const CaseReport& report, const StageCamera& camera) {
+  std::vector<glm::dvec3> points = rounded(scene.figure.extent);
+  const StageView figure = view_of(points, camera);
+  const auto add_if_near = [&](const glm::dvec3& p) {
+    if (glm::length(p - figure.centre) <= 8 * figure.radius) points.push_back(p);
+  };
+  for (const Answer* answer : {&report.exact, report.claim()}) {
+    for (const double t : values_of(answer)) {
+      if (std::isfinite(t)) add_if_near(viz::rounded(scene.at(t)));
+    }
+  }
+  const bool starts = isfinite(scene.sight.ray.t_min);
+  const glm::dvec3 start = viz::rounded(starts ? scene.at(scene.sight.ray.t_min) : scene.sight.ray.origin);
+  add_if_near(start);
+  if (!scene.figure.ellipsoid.empty()) {
+    const StageItem ellipsoid{Role::surface, Form::ellipsoid, rounded(scene.figure.ellipsoid)};
+    for (const glm::dvec3& p : extent_of(ellipsoid, camera)) points.push_back(p);
+  }
+  const StageView near = view_of(points, camera);
+  points.push_back(start);
+  return {near, view_of(points, camera)};
+}
+
+/// What is 0 where the ray meets the shape, where that is a polynomial in t.
+std::vector<StageReadout> readouts_of(const RayQuestion& question) {
+  if (question.transform) return {};
+  const Ray<double>& ray = question.ray;
+  if (const auto* sphere = std::get_if<Sphere<double>>(&question.shape)) {
+    const glm::dvec3 f = ray.origin - sphere->center;
+    return {{"|p − C|² − r²",
+             {glm::dot(f, f) - sphere->radius * sphere->radius, 2 * glm::dot(f, ray.direction),
+              glm::dot(ray.direction, ray.direction)}}};
+  }
+  if (const auto* triangle = std::get_if<Triangle<double>>(&question.shape)) {
+    const glm::dvec3 n = glm::cross(triangle->b - triangle->a, triangle->c - triangle->a);
+    return {{"n·(p − a)", {glm::dot(n, ray.origin - triangle->a), glm::dot(n, ray.direction)}}};
+  }
+  return {};
+}
+
+StageSlider slider_of(const WireframeScene& scene, const StageView& near, const CaseReport& report) {
+  const auto& question = std::get<RayQuestion>(report.one.question);
+  const auto [from, to] = stretch_in(near, question.ray);
+  StageSlider slider;
+  slider.origin = question.ray.origin;
+  slider.direction = question.ray.direction;
+  slider.from = from;
+  slider.to = to;
+  const bool has_start = scene.sight.first_t.has_value();
+  slider.start =
+      std::clamp(has_start ? static_cast<double>(*scene.sight.first_t) : (from + to) / 2, from, to);
+  slider.readouts = readouts_of(question);
+  return slider;
+}
+
+void add_ray(Items& scene, const Ray<double>& ray, const StageSlider& slider) {
+  const bool starts = std::isfinite(ray.t_min);
+  const glm::dvec3 start = ray.origin + (starts ? ray.t_min : slider.from) * ray.direction;
+  const glm::dvec3 end = ray.origin + std::max(slider.to, starts ? ray.t_min : slider.to) * ray.direction;
+  if (starts && ray.t_min != 0) scene.push_back(segment(Role::ray, ray.origin, start, {}, Pattern::dotted));
+  scene.push_back(arrow(Role::ray, start, end, "p(t)"));
+  if (starts) scene.push_back(point(Role::ray, ray.origin, "o"));
+}
+
+Setting ray_setting(const CaseReport& report, Figure (*figure)(const Sight&)) {
+  const WireframeScene scene = scene_of(figure, report.one, &report.exact, report.claim());
+  const ViewCamera camera = scene.main_camera();
+  Setting setting;
+  setting.camera = {viz::rounded(camera.right), viz::rounded(camera.up), viz::rounded(camera.toward)};
+  const Views views = views_of(scene, report, setting.camera);
+  setting.near = views.near;
+  setting.wide = views.wide;
+  setting.scene = items_of(scene.figure, camera.toward, setting.near.radius);
+  setting.slider = slider_of(scene, setting.near, report);
+  add_ray(setting.scene, scene.sight.question.ray, *setting.slider);
+  const World world = scene.sight.world;
+  setting.to_world = [world](const glm::dvec3& p) { return viz::rounded(world.point(p)); };
+  return setting;
+}
+
+}  // namespace
+
+Setting setting_of(const CaseReport& report) {
+  const TopicView* const view = view_of(report.one);
+  const bool is_in_space = view != nullptr && view->figure != nullptr;
+  Setting setting = is_in_space ? ray_setting(report, view->figure) : flat_setting(report);
+  setting.bindings = bindings_of(topic_of(report.one));
+  return setting;
+}
+
+}  // namespace rayproof::viz

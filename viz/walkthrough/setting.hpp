@@ -1,0 +1,34 @@
+#pragma once
+/// \file
+/// What all steps of a stage have in common: the scene, and from where it is seen.
+
+#include <functional>
+
+#include "viz/drawing/topics/camera.hpp"
+#include "viz/explain/case_report.hpp"
+#include "viz/scene/items.hpp"
+
+namespace rayproof::viz {
+
+/// The place of a stage's steps.
+struct Setting {
+  Items scene{};
+  StageCamera camera{};
+  std::optional<StageSlider> slider{};
+  StageView near{};  ///< the shape
+  StageView wide{};  ///< the shape and the ray's start, where that is not too far to show both
+  /// From the space in which the kernel works to the world; the identity where there is no transform.
+  std::function<glm::dvec3(const glm::dvec3&)> to_world{};
+  std::vector<Binding> bindings{};  ///< how the named values look: the topic's, or a lesson's own
+};
+
+[[nodiscard]] Setting setting_of(const CaseReport& report);
+
+/// The title of a stage's last step.
+inline constexpr const char* comparison_title = "Float result against exact result";
+
+/// The step of that title: what the exact answer says beside the method's, magnified where
+/// they are too near to be distinguished.
+[[nodiscard]] StageStep difference_step(const CaseReport& report, const Setting& setting);
+
+}  // namespace rayproof::viz

@@ -1,0 +1,14 @@
+#pragma once
+/// \file
+/// From a case report to its stage.
+
+#include "viz/explain/case_report.hpp"
+#include "viz/scene/stage.hpp"
+
+namespace rayproof::viz {
+
+/// The stage of a case, its exact answer, and a method's answer and run, where there is a method. Any valid
+/// case has one: without a method, or with one that can't be recorded, it has the first and the last step.
+[[nodiscard]] Stage stage_of(const CaseReport& report);
+
+}  // namespace rayproof::viz

@@ -1,0 +1,36 @@
+#pragma once
+/// \file
+/// The numbers of a walkthrough as a stage shows them: the components of a vector together, in words and
+/// formulas.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viz/scene/numbers_by_name.hpp"
+#include "viz/scene/stage.hpp"
+
+namespace rayproof::viz {
+
+/// Values named name.x, name.y, name.z together, in the order of naming.
+[[nodiscard]] std::vector<StageValue> grouped(const std::vector<WalkValue>& values);
+
+/// Gives the value its formula, a vector one for all its components, and the numbers in it.
+void put_numbers_in(StageValue& value, const NumbersByName& n, Precision precision);
+
+/// The rounded number as the shortest decimal that reads back as it; a vector's in parentheses.
+[[nodiscard]] std::string shown(const StageValue& value, Precision precision);
+
+/// The exact number as exact_beside writes it; a vector's in parentheses.
+[[nodiscard]] std::string exact_of(const StageValue& value);
+
+/// The component that has lost most.
+[[nodiscard]] const WalkValue& worst_component(const StageValue& value);
+
+/// What the values' own formulas lost, whatever else their step lost in other parts.
+[[nodiscard]] std::optional<PrecisionLoss> worst_loss_of(const std::vector<StageValue>& values);
+
+/// "D = b·b − 4·a·c = 3·3 − 4·1·2 = 1"
+[[nodiscard]] std::string equation_of(const StageValue& value, Precision precision);
+
+}  // namespace rayproof::viz
