@@ -84,12 +84,11 @@ template <template <class> class Surface, class T>
 
 /// The same of an object under a map; p is in the world.
 ///
-/// Let x be the point of the object's surface, off by no more than e along any axis. A·x + b, computed, is
-/// off by |A|·(e, e, e) + 5ε(|A||x| + |b|), and |x| is no more than outermost(surface), whatever the hit. w =
-/// A⁻ᵀn is off by 14ε of the sum of its terms' magnitudes (4ε an entry of A⁻¹ but for a common factor, 6ε the
-/// object's normal, 4ε the sums), no more than that of a unit vector n can be, and by |A⁻¹|·tilt; a distance
-/// along the object's normal is |w| times that along the world's. Other lengths grow by |A⁻¹| at most on
-/// their way to the object.
+/// Let x be the point of the object's surface, off by e. A·x + b, computed, is off by |A|·e + 5ε(|A||x| +
+/// |b|), and |x| is no more than outermost(surface), whatever the hit. w = A⁻ᵀn is off by 14ε of the sum of
+/// its terms' magnitudes (4ε an entry of A⁻¹ but for a common factor, 6ε the object's normal, 4ε the sums), no
+/// more than that of a unit vector can be, and by |A⁻¹|·tilt; a distance along the object's normal is |w|
+/// times that along the world's. Other lengths grow by |A⁻¹| at most on their way to the object.
 template <template <class> class Surface, class T>
 [[nodiscard]] constexpr SurfacePoint<T> leave(const Surface<T>& surface, const Placement<T>& map,
                                               const vec3<T>& p) {
@@ -104,12 +103,11 @@ template <template <class> class Surface, class T>
                 z = own.normal.z * inverse.row_z;
   const vec3<T> w = x + y + z;
   const T climb = sqrt(dot(w, w)), per_climb = T(1) / climb;
-  const T off = max(max(own.error.x, own.error.y), own.error.z);
   return {p,
           map.direction(own.point) + inverse.translation,
           per_climb * w,
           climb * map.direction(own.radial),
-          off * (map.size_x + map.size_y + map.size_z) + T(5 * eps) * (map.spread(farthest) + map.sizes),
+          map.spread(own.error) + T(5 * eps) * (map.spread(farthest) + map.sizes),
           per_climb * (T(28 * eps) * map.terms + T(2) * map.shrinks * own.tilt) + T(6 * eps),
           own.bend * (map.shrinks * map.shrinks * per_climb),
           own.is_flat};
