@@ -86,8 +86,8 @@ template <template <class> class Surface, class T>
 ///
 /// Let x be the point of the object's surface, off by e. A·x + b, computed, is off by |A|·e + 5ε(|A||x| +
 /// |b|), and |x| is no more than outermost(surface), whatever the hit. w = A⁻ᵀn is off by 14ε of the sum of
-/// its terms' magnitudes (4ε an entry of A⁻¹ but for a common factor, 6ε the object's normal, 4ε the sums), no
-/// more than that of a unit vector can be, and by |A⁻¹|·tilt; a distance along the object's normal is |w|
+/// its terms' magnitudes (4ε an entry of A⁻¹ but for a common factor, 6ε the object's normal, 4ε the sums),
+/// no more than that of a unit vector can be, and by |A⁻¹|·tilt; a distance along the object's normal is |w|
 /// times that along the world's. Other lengths grow by |A⁻¹| at most on their way to the object.
 template <template <class> class Surface, class T>
 [[nodiscard]] constexpr SurfacePoint<T> leave(const Surface<T>& surface, const Placement<T>& map,
