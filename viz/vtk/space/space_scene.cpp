@@ -3,6 +3,7 @@
 #include <vtkActor.h>
 #include <vtkActorCollection.h>
 #include <vtkBox.h>
+#include <vtkCamera.h>
 #include <vtkLightKit.h>
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
@@ -57,12 +58,23 @@ double line_radius(const ShownItem& shown) {
 
 }  // namespace
 
+void set_camera(vtkCamera& camera, const SpaceCamera& view) {
+  const glm::dvec3 at = view.eye();
+  camera.SetFocalPoint(view.middle.x, view.middle.y, view.middle.z);
+  camera.SetPosition(at.x, at.y, at.z);
+  camera.SetViewUp(view.up.x, view.up.y, view.up.z);
+  camera.SetViewAngle(view_angle);
+  camera.SetParallelProjection(view.is_flat ? 1 : 0);
+  camera.SetParallelScale(view_margin);
+  camera.SetClippingRange(view.nearest(), view.farthest());
+}
+
 SpaceScene::SpaceScene(vtkRenderer& renderer, const Stage& stage, std::size_t step)
     : renderer_(renderer), view_(stage.steps.at(step).view) {
   renderer_.RemoveAllViewProps();
   const std::vector<ShownItem> shown = shown_in(stage, step);
   camera_ = space_camera(stage, step, shown);
-  camera_.set(*renderer_.GetActiveCamera());
+  set_camera(*renderer_.GetActiveCamera(), camera_);
   for (const ShownItem& one : shown) add(one);
   if (!camera_.is_flat) add_floor();
   renderer_.RemoveAllLights();
@@ -158,7 +170,7 @@ std::vector<Point> SpaceScene::seen(const StageItem& item, const PixelBox& frame
   if (item.form == Form::ellipsoid) return pixels;
   for (const glm::dvec3& p : placed(item)) {
     // What is behind the eye has no place in the picture.
-    if (!camera_.is_flat && glm::dot(camera_.eye() - p, camera_.toward) < 0.2 * camera_.distance) continue;
+    if (!camera_.is_flat && glm::dot(camera_.eye() - p, camera_.toward) < camera_.nearest()) continue;
     renderer_.SetWorldPoint(p.x, p.y, p.z, 1);
     renderer_.WorldToView();
     double at[3];

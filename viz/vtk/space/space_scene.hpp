@@ -9,10 +9,15 @@
 
 #include "viz/picture/picture.hpp"
 #include "viz/scene/shown_items.hpp"
+#include "viz/scene/space_camera.hpp"
 #include "viz/scene/stage.hpp"
-#include "viz/vtk/space/space_camera.hpp"
+
+class vtkCamera;
 
 namespace rayproof::viz {
+
+/// Puts VTK's camera where the view's eye is.
+void set_camera(vtkCamera& camera, const SpaceCamera& view);
 
 /// Fills a renderer with a step's items: lines as tubes, surfaces translucent with their silhouettes, marks
 /// as bodies, below them a floor with their shadows. Drawings in a plane are seen straight on, without
