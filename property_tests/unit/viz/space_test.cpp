@@ -58,15 +58,16 @@ TEST(SpaceGeometry, AnEllipsoidReachesTheTipsOfItsAxes) {
 }
 
 TEST(SpaceGeometry, AnArrowEndsWhereItPoints) {
-  const double* const bounds = arrow_of({0, 0, 0}, {0, 0, 1}, 0.01)->GetBounds();
+  const ArrowHead head{{0, 0, 0.9}, {0, 0, 1}, 0.03};
+  const double* const bounds = line_geometry({{{0, 0, 0}, {0, 0, 0.91}}}, head, 0.01)->GetBounds();
   EXPECT_NEAR(bounds[5], 1, 1e-6);
   EXPECT_NEAR(bounds[4], 0, 1e-6);
 }
 
 TEST(SpaceGeometry, ADashedLineHasGapsAndEndsInsideTheLine) {
   const SpacePoints line{{0, 0, 0}, {1, 0, 0}};
-  const Geometry solid = tube_of(line, 0.01, Pattern::solid);
-  const Geometry dashed = tube_of(line, 0.01, Pattern::dashed);
+  const Geometry solid = line_geometry({line}, {}, 0.01);
+  const Geometry dashed = line_geometry(pieces_of(line, 0.01, Pattern::dashed), {}, 0.01);
   EXPECT_LT(area_of(dashed), 0.8 * area_of(solid));
   EXPECT_LE(dashed->GetBounds()[1], 1 + 1e-6);
 }
