@@ -80,6 +80,26 @@ std::optional<SpaceBody> body_of(const ShownItem& shown, const Space& space) {
   return std::nullopt;
 }
 
+std::optional<SpaceLabel> label_of(const ShownItem& shown, const StageView& view) {
+  const StageItem& item = *shown.item;
+  if (item.label.empty()) return std::nullopt;
+  SpaceLabel label{shown, placed_points(item, view)};
+  if (item.form == Form::ellipsoid) {
+    label.points.resize(1);
+  } else if (item.form == Form::polygon || item.form == Form::hull) {
+    glm::dvec3 middle(0);
+    for (const glm::dvec3& p : label.points) middle += p / static_cast<double>(label.points.size());
+    label.points = {middle};
+  } else if (item.form == Form::polyline) {
+    label.points = {label.points.back()};
+  } else if (item.form != Form::point && label.points.size() > 1) {
+    label.points = within_reach(label.points[0], label.points[1]);
+    label.is_at_end = item.role == Role::ray;
+  }
+  if (label.points.empty() || glm::length(label.points[0]) > 2 * reach) return std::nullopt;
+  return label;
+}
+
 /// The points of a body that lie lowest, as far as a floor minds.
 SpacePoints lowest_points(const SpaceBody& body, const StageCamera& upright) {
   StageItem placed = *body.shown.item;
@@ -132,6 +152,7 @@ Space space_of(const Stage& stage, std::size_t step) {
   Space space{stage.steps.at(step).view, space_camera(stage, step, shown)};
   for (const ShownItem& one : shown) {
     if (auto body = body_of(one, space)) space.bodies.push_back(std::move(*body));
+    if (auto label = label_of(one, space.view)) space.labels.insert(space.labels.begin(), std::move(*label));
   }
   if (space.camera.is_flat) return space;
   const StageCamera upright{space.camera.up, space.camera.up, space.camera.toward};

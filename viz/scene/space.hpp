@@ -35,11 +35,31 @@ struct SpaceBody {
   [[nodiscard]] bool is_surface() const { return !is_mark() && pieces.empty(); }
 };
 
+/// A label and where it belongs: at a point, or along a line, then best in its middle or at its end.
+struct SpaceLabel {
+  ShownItem shown;
+  SpacePoints points{};
+  bool is_at_end = false;
+};
+
+/// What marks look like beside a ball of radius 1: a ring and its wire, a cross's arm, a diamond's corner.
+struct MarkMeasures {
+  double ring = 1.15;
+  double wire = 0.3;
+  double cross = 1.1;
+  double diamond = 1.7;
+};
+inline constexpr MarkMeasures mark_measures{};
+
+/// The width of what shows the slider's point, in the view's radii.
+inline constexpr double runner_size = 0.03;
+
 /// What a step shows, in the order of painting. The bodies live as long as the stage.
 struct Space {
   StageView view{};
   SpaceCamera camera{};
   std::vector<SpaceBody> bodies{};
+  std::vector<SpaceLabel> labels{};   ///< the newest first
   std::optional<SpaceFloor> floor{};  ///< none below a drawing in a plane
 };
 

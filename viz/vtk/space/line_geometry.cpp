@@ -59,8 +59,8 @@ Geometry mark_geometry(MarkShape shape, const glm::dvec3& at, double radius, con
   switch (shape) {
     case MarkShape::ring: {
       vtkNew<vtkParametricTorus> torus;
-      torus->SetRingRadius(1.15);
-      torus->SetCrossSectionRadius(0.3);
+      torus->SetRingRadius(mark_measures.ring);
+      torus->SetCrossSectionRadius(mark_measures.wire);
       vtkNew<vtkParametricFunctionSource> source;
       source->SetParametricFunction(torus);
       return placed(*source, *transform);
@@ -68,14 +68,15 @@ Geometry mark_geometry(MarkShape shape, const glm::dvec3& at, double radius, con
     case MarkShape::diamond: {
       vtkNew<vtkPlatonicSolidSource> source;
       source->SetSolidTypeToOctahedron();
-      transform->Scale(1.7, 1.7, 1.7);
+      transform->Scale(mark_measures.diamond, mark_measures.diamond, mark_measures.diamond);
       return placed(*source, *transform);
     }
     case MarkShape::cross: {
-      vtkNew<vtkAppendPolyData> both;
-      both->AddInputData(tubes_of(lines_of({{{-1.1, -1.1, 0}, {1.1, 1.1, 0}}}), 0.3));
-      both->AddInputData(tubes_of(lines_of({{{-1.1, 1.1, 0}, {1.1, -1.1, 0}}}), 0.3));
-      return placed(*both, *transform);
+      constexpr double arm = mark_measures.cross;
+      const Geometry both = lines_of({{{-arm, -arm, 0}, {arm, arm, 0}}, {{-arm, arm, 0}, {arm, -arm, 0}}});
+      vtkNew<vtkAppendPolyData> tubes;
+      tubes->AddInputData(tubes_of(both, mark_measures.wire));
+      return placed(*tubes, *transform);
     }
     case MarkShape::dot: {
       vtkNew<vtkSphereSource> source;
