@@ -9,6 +9,7 @@
 #include "properties/report/page_style.hpp"
 #include "viz/drawing/svg.hpp"
 #include "viz/flat/stage_picture.hpp"
+#include "viz/page/case_figure.hpp"
 #include "viz/page/page_step.hpp"
 #include "viz/page/script/embedded.hpp"
 #include "viz/page/space_json.hpp"
@@ -75,15 +76,9 @@ std::string live_part(const Stage& stage) {
       "step\">→</button>"
       "<button type=\"button\" id=\"reset\">Reset view</button></nav><p id=\"place\" "
       "aria-live=\"polite\"></p>\n"
-      "<div id=\"scene\" role=\"img\" tabindex=\"0\"></div>\n"
+      "<div id=\"scene\" class=\"scene\" role=\"img\" tabindex=\"0\"></div>\n"
       "<p id=\"magnified\" class=\"soft\"></p>\n{}{}</div>\n",
       steps, slider(stage), legend(stage));
-}
-
-std::string in_script(std::string json) {
-  for (std::size_t at = json.find("</"); at != std::string::npos; at = json.find("</", at))
-    json.replace(at, 2, "<\\/");
-  return json;
 }
 
 std::string capitalised(std::string word) {
@@ -91,33 +86,12 @@ std::string capitalised(std::string word) {
   return word;
 }
 
-/// The roles' colours for style and script.
-std::string role_variables() {
-  const auto colours = [](const char* RoleColour::*shade) {
-    std::string rules;
-    const auto add = [&](const RoleColour& one) {
-      rules += fmt::format("--role-{}:{};", one.name, one.*shade);
-    };
-    for (const RoleColour& one : palette) add(one);
-    for (const RoleColour& one : {floor_colours.ground, floor_colours.grid, floor_colours.shadow}) add(one);
-    return rules;
-  };
-  return fmt::format(":root{{{}}}@media screen and (prefers-color-scheme:dark){{:root{{{}}}}}\n",
-                     colours(&RoleColour::light), colours(&RoleColour::dark));
-}
-
-std::string data(const char* id, const std::string& json) {
-  return fmt::format("<script type=\"application/json\" id=\"{}\">{}</script>\n", id, in_script(json));
-}
-
 std::string head(const std::string& title) {
-  return html_head(title, page_style_sheet + role_style(".paint") + role_variables()) +
+  return html_head(title, page_style_sheet + scene_style() + role_style(".paint")) +
          "<link rel=\"icon\" href=\"data:,\">\n</head>\n";
 }
 
 }  // namespace
-
-std::string shared_script() { return std::string(three_script) + walkthrough_script; }
 
 std::string stage_page(const Stage& stage, const Still& still, const PageSurroundings& beside) {
   std::string html = head(stage.title);
@@ -143,7 +117,7 @@ std::string stage_page(const Stage& stage, const Still& still, const PageSurroun
       "point.</p></details>\n";
   html += fmt::format("<details class=\"screen\"><summary>The case</summary><pre>{}</pre></details>\n",
                       escaped(write_case(stage.one)));
-  html += "</main>\n" + data("stage", stage_json(stage)) + data("space", space_json(stage));
+  html += "</main>\n" + json_element("stage", stage_json(stage)) + json_element("space", space_json(stage));
   html += beside.script.empty() ? "<script>\n" + shared_script() + "</script>\n"
                                 : fmt::format("<script src=\"{}\"></script>\n", escaped(beside.script));
   return html + "</body>\n</html>\n";

@@ -21,16 +21,14 @@ using Still = std::function<std::string(const Stage& stage, std::size_t step)>;
 /// What a page stands beside; empty for nothing.
 struct PageSurroundings {
   std::string gallery{};  ///< the gallery's address
-  std::string script{};   ///< the address of a file with shared_script(), which is otherwise in the page
+  std::string script{};  ///< the address of a file with shared_script() (case_figure.hpp), which is otherwise
+                         ///< in the page
 };
 
 /// A page. On a screen with script: one step at a time, a scene to orbit, and a slider along the ray. On
 /// paper, or without script: all steps with a picture each.
 [[nodiscard]] std::string stage_page(const Stage& stage, const Still& still = flat_still,
                                      const PageSurroundings& beside = {});
-
-/// The script of all pages.
-[[nodiscard]] std::string shared_script();
 
 /// What a gallery shows of a stage.
 struct GalleryEntry {

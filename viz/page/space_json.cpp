@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-double short_number(double x) { return std::round(x * 1e6) / 1e6; }
+double short_number(double x) { return std::round(x * 1e5) / 1e5; }
 
 /// x, y and z of each point, in one list.
 Json flat(const SpacePoints& points) {
@@ -59,7 +59,8 @@ Json body_json(const SpaceBody& body) {
 std::string label_html(const std::string& label) {
   int letters = 0;
   for (const char c : label) {
-    letters = std::isalpha(static_cast<unsigned char>(c)) != 0 ? letters + 1 : 0;
+    // An index may be a word.
+    letters = c == '_' ? -20 : std::isalpha(static_cast<unsigned char>(c)) != 0 ? letters + 1 : 0;
     if (letters > 2) return escaped(label);
   }
   return math_ml(label);
@@ -76,23 +77,25 @@ Json label_json(const SpaceLabel& label) {
 }
 
 Json floor_json(const SpaceFloor& floor) {
-  SpacePoints lines;
-  for (const auto& line : floor.lines) lines.insert(lines.end(), line.begin(), line.end());
+  Json lines = Json::array();
+  for (const std::vector<double>& across : floor.lines) {
+    lines.push_back(Json::array());
+    for (const double at : across) lines.back().push_back(short_number(at));
+  }
   return {{"axis", floor.axis},
           {"reach", floor_reach},
           {"ground", short_number(floor.ground)},
+          {"grid", short_number(floor.grid)},
           {"shadows", short_number(floor.shadows)},
-          {"lines", flat(lines)}};
+          {"lines", lines}};
 }
 
 Json step_json(const Stage& stage, std::size_t number) {
   const Space space = space_of(stage, number);
   const SpaceCamera& camera = space.camera;
-  Json json{{"eye", flat(camera.eye())},
-            {"target", flat(camera.middle)},
-            {"up", flat(camera.up)},
-            {"near", camera.nearest()},
-            {"far", camera.farthest()}};
+  Json json{{"title", stage.steps[number].title}, {"eye", flat(camera.eye())},
+            {"target", flat(camera.middle)},      {"up", flat(camera.up)},
+            {"near", camera.nearest()},           {"far", camera.farthest()}};
   if (camera.is_flat) json["flat"] = true;
   if (camera.is_flat) json["half"] = view_margin;
   json["bodies"] = Json::array();

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "command_line/progress_line.hpp"
+#include "viz/page/case_figure.hpp"
 #include "viz/page/page.hpp"
 #include "viz/page/stage_json.hpp"
 #include "viz/programs/files.hpp"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <rayproof/box/slabs.hpp>
+#include <rayproof/formulas/finite.hpp>
 
 #include "viz/scene/fit_view.hpp"
 
@@ -64,7 +65,7 @@ std::optional<SpaceBody> body_of(const ShownItem& shown, const Space& space) {
   SpaceBody body{shown, placed_points(*shown.item, space.view), {}, {}, line_radius(shown)};
   switch (shown.item->form) {
     case Form::point:
-      if (!has_mark(shown.item->role) || glm::length(body.points.at(0)) > reach) return std::nullopt;
+      if (!has_mark(shown.item->role) || !(glm::length(body.points.at(0)) <= reach)) return std::nullopt;
       body.radius = is_bright ? 0.034 : 0.027;
       return body;
     case Form::arrow:
@@ -74,6 +75,9 @@ std::optional<SpaceBody> body_of(const ShownItem& shown, const Space& space) {
     case Form::polygon:
     case Form::hull:
     case Form::ellipsoid:
+      if (!std::all_of(body.points.begin(), body.points.end(),
+                       [](const glm::dvec3& p) { return is_finite(p); }))
+        return std::nullopt;
       body.opacity = is_dimmed ? 0.12 : shown.item->form == Form::polygon ? 0.4 : 0.2;
       return body;
   }
@@ -96,7 +100,7 @@ std::optional<SpaceLabel> label_of(const ShownItem& shown, const StageView& view
     label.points = within_reach(label.points[0], label.points[1]);
     label.is_at_end = item.role == Role::ray;
   }
-  if (label.points.empty() || glm::length(label.points[0]) > 2 * reach) return std::nullopt;
+  if (label.points.empty() || !(glm::length(label.points[0]) <= 2 * reach)) return std::nullopt;
   return label;
 }
 

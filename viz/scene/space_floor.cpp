@@ -18,20 +18,10 @@ int axis_of(const glm::dvec3& up) {
 
 void add_lines(SpaceFloor& floor, const StageView& view) {
   const double step = grid_step(view.radius) / view.radius;
-  const std::array<int, 2> sides{(floor.axis + 1) % 3, (floor.axis + 2) % 3};
   for (std::size_t k = 0; k < 2; ++k) {
-    const int across = sides[k];
-    const double offset = std::fmod(view.centre[across] / view.radius, step);
-    for (double at = std::ceil((-floor_reach + offset) / step) * step - offset; at <= floor_reach;
-         at += step) {
-      std::array<glm::dvec3, 2> line;
-      for (std::size_t end = 0; end < 2; ++end) {
-        line[end][floor.axis] = floor.grid;
-        line[end][across] = at;
-        line[end][sides[1 - k]] = end == 0 ? -floor_reach : floor_reach;
-      }
-      floor.lines.push_back(line);
-    }
+    const double offset = std::fmod(view.centre[floor.across(k)] / view.radius, step);
+    const double first = std::ceil((-floor_reach + offset) / step) * step - offset;
+    for (double at = first; at <= floor_reach; at += step) floor.lines[k].push_back(at);
   }
 }
 

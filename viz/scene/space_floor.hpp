@@ -14,10 +14,14 @@ namespace rayproof::viz {
 /// that lie a sheet apart.
 struct SpaceFloor {
   int axis = 2;
-  double ground = 0;                               ///< its coordinate on the axis
-  double grid = 0;                                 ///< the grid's
-  double shadows = 0;                              ///< that of the shadows, which fall straight down
-  std::vector<std::array<glm::dvec3, 2>> lines{};  ///< of the grid, at round coordinates of the world
+  double ground = 0;   ///< its coordinate on the axis
+  double grid = 0;     ///< the grid's
+  double shadows = 0;  ///< that of the shadows, which fall straight down
+  /// Where the grid's lines cross the axis after this one, and the one after that: at round coordinates of
+  /// the world.
+  std::array<std::vector<double>, 2> lines{};
+
+  [[nodiscard]] int across(std::size_t k) const { return (axis + 1 + static_cast<int>(k)) % 3; }
 };
 
 /// How far the floor reaches to each side, in the view's radii.

@@ -21,7 +21,7 @@ SCENE = "(walkthrough.scene.draw(), walkthrough.scene.renderer.domElement.toData
 # Labels that reach out of the picture, or lie upon each other.
 MISPLACED = """(() => {
   const frame = document.getElementById('scene').getBoundingClientRect(), bad = [];
-  const boxes = [...document.querySelectorAll('.labels span')].filter(e => e.offsetParent).map(e => [e.textContent, e.getBoundingClientRect(), e.className === 'bright']);
+  const boxes = [...document.querySelectorAll('.labels span')].filter(e => e.offsetParent).map(e => [e.textContent, e.getBoundingClientRect(), e.className === 'is-bright']);
   for (const [text, b] of boxes) if (b.left < frame.left - 2 || b.top < frame.top - 2 || b.right > frame.right + 2 || b.bottom > frame.bottom + 2) bad.push(`${text} is cut`);
   boxes.forEach(([text, a, isNew], i) => boxes.slice(0, i).forEach(([other, b, otherIsNew]) => {
     const x = Math.min(a.right, b.right) - Math.max(a.left, b.left), y = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top);

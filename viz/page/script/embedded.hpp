@@ -5,6 +5,7 @@
 namespace rayproof::viz {
 
 extern const char* const page_style_sheet;    ///< page.css
+extern const char* const scene_style_sheet;   ///< scene.css
 extern const char* const walkthrough_script;  ///< our own scripts, in the order in which they need each other
 extern const char* const three_script;        ///< three.js and what we use of its examples; empty without it
 

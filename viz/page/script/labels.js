@@ -47,7 +47,7 @@ class Labels {
     this.all = labels.map(data => {
       const outer = document.createElement('div'), inner = document.createElement('span');
       inner.innerHTML = data.html;
-      inner.className = data.how;
+      inner.className = `is-${data.how}`;
       inner.style.color = `var(--role-${data.role})`;
       outer.append(inner);
       this.element.append(outer);

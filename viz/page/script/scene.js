@@ -7,9 +7,8 @@ const hasWebGL = () => {
 };
 
 class StageScene {
-  /** `space` is what viz/page/space_json.cpp writes of a stage. */
-  constructor(host, space) {
-    Object.assign(this, {host, space, paint: new Paint(), built: [], point: null});
+  constructor(host) {
+    Object.assign(this, {host, paint: new Paint(), built: [], t: 0});
     this.renderer = new THREE.WebGLRenderer({antialias: true, alpha: true});
     this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
     this.scene = new THREE.Scene();
@@ -20,26 +19,25 @@ class StageScene {
     this.eyes.space.add(lamp, lamp.target);
     this.scene.add(this.eyes.space, new THREE.AmbientLight(0xffffff, 0.45));
     host.replaceChildren(this.renderer.domElement, this.labels.element);
-    this.controls = new SceneControls(this);
     this.watch = new ResizeObserver(() => this.resize());
     this.watch.observe(host);
     this.dark = matchMedia('(prefers-color-scheme: dark)');
-    this.recolour = () => { this.paint.refresh(); this.draw(); };
+    this.recolour = () => { this.paint.refresh(); if (this.now) this.draw(); };
     this.dark.addEventListener('change', this.recolour);
   }
-  /** Gives the graphics memory back. */
-  dispose() {
-    this.watch.disconnect();
-    this.dark.removeEventListener('change', this.recolour);
-    this.controls.dispose();
-    this.renderer.dispose();
-    this.renderer.forceContextLoss();
-    this.host.replaceChildren();
+  /** `space` is what viz/page/space_json.cpp writes of a stage; what was shown before is gone. */
+  load(space) {
+    if (this.now) this.scene.remove(this.now.group);
+    for (const {group} of this.built.filter(Boolean)) group.traverse(object => object.geometry && object.geometry.dispose());
+    if (this.controls) this.controls.dispose();
+    Object.assign(this, {space, built: [], now: null, step: space.steps[0]});
+    this.controls = new SceneControls(this);
+    return this;
   }
   get camera() { return this.step.flat ? this.eyes.flat : this.eyes.space; }
   resize() {
     [this.width, this.height] = [this.host.clientWidth, this.host.clientHeight];
-    if (!this.width || !this.step) return;
+    if (!this.width || !this.now) return;
     this.renderer.setSize(this.width, this.height, false);
     this.labels.renderer.setSize(this.width, this.height);
     this.aim();
@@ -54,7 +52,7 @@ class StageScene {
     flat.updateProjectionMatrix();
   }
   show(number) {
-    if (this.step) this.scene.remove(this.now.group);
+    if (this.now) this.scene.remove(this.now.group);
     this.step = this.space.steps[number];
     this.now = this.built[number] = this.built[number] || this.build(this.step);
     this.scene.add(this.now.group);
@@ -111,7 +109,12 @@ class StageScene {
     const ground = new THREE.Mesh(new THREE.PlaneBufferGeometry(2 * data.reach, 2 * data.reach), this.paint.material('Basic', 'ground'));
     ground.quaternion.setFromUnitVectors(new THREE.Vector3(0, 0, 1), up);
     ground.position[axis] = data.ground;
-    const lines = new THREE.BufferGeometry().setFromPoints(vectorsOf(data.lines));
+    const ends = data.lines.flatMap((list, k) => list.flatMap(at => [-data.reach, data.reach].map(end => {
+      const p = [0, 0, 0];
+      [p[data.axis], p[(data.axis + 1 + k) % 3], p[(data.axis + 2 - k) % 3]] = [data.grid, at, end];
+      return new THREE.Vector3(...p);
+    })));
+    const lines = new THREE.BufferGeometry().setFromPoints(ends);
     const grid = new THREE.LineSegments(lines, new THREE.LineBasicMaterial());
     grid.material.color = this.paint.material('Basic', 'grid').color;
     shadows.scale[axis] = 1e-4;  // a matrix of normals is to be inverted
@@ -127,7 +130,7 @@ class StageScene {
   /** Moves the slider's point. */
   run(t) {
     this.t = t;
-    if (this.step) this.draw();
+    if (this.now) this.draw();
   }
   draw() {
     if (!this.width) return;

@@ -21,7 +21,7 @@ class Walkthrough {
     this.t = this.data.slider ? asNumber(this.data.slider.start) : 0;
     this.place = 0;
     document.documentElement.classList.add('live');
-    if (hasWebGL()) this.scene = new StageScene(byId('scene'), dataOf('space'));
+    if (hasWebGL()) this.scene = new StageScene(byId('scene')).load(dataOf('space'));
     this.listen();
     this.show(location.hash.startsWith('#') ? Number(location.hash.slice(1)) - 1 || 0 : 0);
     if (this.slider) {

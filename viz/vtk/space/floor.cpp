@@ -28,7 +28,16 @@ vtkSmartPointer<vtkActor> plain_actor(vtkPolyData& data, const RoleColour& colou
 
 vtkSmartPointer<vtkActor> grid_of(const SpaceFloor& place) {
   std::vector<SpacePoints> lines;
-  for (const auto& [from, to] : place.lines) lines.push_back({from, to});
+  for (std::size_t k = 0; k < 2; ++k) {
+    for (const double at : place.lines[k]) {
+      glm::dvec3 end(floor_reach);
+      end[place.axis] = place.grid;
+      end[place.across(k)] = at;
+      glm::dvec3 start = end;
+      start[place.across(1 - k)] = -floor_reach;
+      lines.push_back({start, end});
+    }
+  }
   auto actor = plain_actor(*lines_of(lines), floor_colours.grid);
   actor->GetProperty()->SetLineWidth(1.2F);
   return actor;
@@ -43,8 +52,8 @@ Floor floor_under(const std::vector<vtkActor*>& actors, const SpaceFloor& place)
   corner[place.axis] = place.ground;
   glm::dvec3 one = corner;
   glm::dvec3 two = corner;
-  one[(place.axis + 1) % 3] = floor_reach;
-  two[(place.axis + 2) % 3] = floor_reach;
+  one[place.across(0)] = floor_reach;
+  two[place.across(1)] = floor_reach;
   plane->SetOrigin(&corner.x);
   plane->SetPoint1(&one.x);
   plane->SetPoint2(&two.x);

@@ -18,7 +18,7 @@
 namespace rayproof::viz {
 namespace {
 
-constexpr int still_width = 800, still_height = 500;
+constexpr int still_width = 640, still_height = 400;
 /// Of the picture's own pixels.
 constexpr PixelBox still_frame{0, 0, 640, 640 / view_aspect};
 
@@ -30,7 +30,7 @@ std::string jpeg_of(vtkRenderWindow& window) {
   image->ReadFrontBufferOff();
   vtkNew<vtkJPEGWriter> writer;
   writer->SetInputConnection(image->GetOutputPort());
-  writer->SetQuality(82);
+  writer->SetQuality(80);
   writer->WriteToMemoryOn();
   writer->Write();
   const auto& bytes = *writer->GetResult();
