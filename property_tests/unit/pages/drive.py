@@ -1,6 +1,6 @@
-"""Writes every walkthrough's page and uses it as a reader would, in headless Chromium.
+"""Writes every walkthrough's page and that of a small check, and uses them as a reader would, in headless Chromium.
 
-    python3 drive.py --walk build/bin/rayproof-walk
+    python3 drive.py --walk build/bin/rayproof-walk --check build/bin/rayproof-check
 
 Exit status 0: all is well; 1: a page is at fault; 77: there is no Chromium, so nothing was tested."""
 
@@ -12,6 +12,7 @@ import struct
 import subprocess
 import sys
 import tempfile
+import time
 
 import devtools
 
@@ -245,6 +246,38 @@ def without_webgl(program, path):
         browser.close()
 
 
+def drive_cases(path, browser):
+    """A page of many cases: thumbnails come as they are scrolled to, one scene is open at a time."""
+    failures = []
+    page = devtools.Page(browser, path.as_uri())
+
+    def expect(holds, what):
+        if not holds:
+            failures.append(f"{path.name} of a check: {what}")
+
+    count = page.run("document.querySelectorAll('.case').length")
+    expect(count > 3, f"{count} findings have a picture")
+    drawn = "[...document.querySelectorAll('.case')].filter(c => c.classList.contains('drawn')).length"
+    page.run("document.querySelector('.case').scrollIntoView()")
+    deadline = time.monotonic() + 60
+    while page.run(drawn) == 0 and time.monotonic() < deadline:
+        time.sleep(0.1)
+    expect(0 < page.run(drawn) < count, f"{page.run(drawn)} of {count} thumbnails are drawn before anybody saw them")
+    page.click(".case .thumbnail")
+    expect(page.run("document.querySelectorAll('.case.open canvas').length") == 1, "a click on a thumbnail ought to open its scene")
+    for number in (1, 2):
+        page.run(f"document.querySelectorAll('.case')[{number}].querySelector('.looking button:last-child').click()")
+        expect(page.run("document.querySelectorAll('canvas').length") == 1, "one scene is to be open at a time")
+        expect(page.run("cases.scene.renderer.info.render.triangles") > 0, f"finding {number + 1} shows nothing")
+    page.press("Escape")
+    expect(page.run("document.querySelectorAll('.case.open').length") == 0, "Escape ought to close it")
+    page.send("Emulation.setEmulatedMedia", media="print")
+    expect(page.run("[...document.querySelectorAll('.case > svg')].every(s => s.getBoundingClientRect().height > 50)"), "each is to be printed")
+    failures += [f"{path.name} of a check: {fault}" for fault in page.faults()]
+    page.close()
+    return failures
+
+
 def drive(folder, browser):
     failures = []
     pages = sorted(path for path in folder.glob("*.html") if path.name != "index.html")
@@ -266,6 +299,7 @@ def drive(folder, browser):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--walk", required=True, help="the program rayproof-walk")
+    parser.add_argument("--check", required=True, help="the program rayproof-check")
     parser.add_argument("--topic", default="all")
     options = parser.parse_args()
     program = devtools.find_browser()
@@ -277,6 +311,9 @@ def main():
         browser = devtools.Browser(program)
         try:
             failures = drive(pathlib.Path(folder), browser)
+            check = pathlib.Path(folder) / "check"
+            subprocess.run([options.check, "--cases", "300", "--shape", "sphere", "--out", check], check=True, stdout=subprocess.DEVNULL)
+            failures += drive_cases(check / "index.html", browser)
         finally:
             browser.close()
         failures += without_webgl(program, sorted(pathlib.Path(folder).glob("*.html"))[0])

@@ -1,11 +1,6 @@
 'use strict';
 /* A step in true space: cameras, lights, bodies, floor and shadows, labels; drawn when something changed. */
 
-const hasWebGL = () => {
-  const canvas = document.createElement('canvas');
-  return typeof THREE !== 'undefined' && !!(canvas.getContext('webgl2') || canvas.getContext('webgl'));
-};
-
 class StageScene {
   constructor(host) {
     Object.assign(this, {host, paint: new Paint(), built: [], t: 0});

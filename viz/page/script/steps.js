@@ -1,6 +1,12 @@
 'use strict';
 /* A walkthrough's page: one step at a time, the slider along the ray with its numbers, and the ways to move about. */
 
+/** Without three.js, or in a browser without WebGL, the step's still picture takes the scene's place. */
+const hasWebGL = () => {
+  const canvas = document.createElement('canvas');
+  return typeof THREE !== 'undefined' && !!(canvas.getContext('webgl2') || canvas.getContext('webgl'));
+};
+
 const byId = id => document.getElementById(id), dataOf = id => JSON.parse(byId(id).textContent);
 const asNumber = x => typeof x === 'number' ? x : x === 'inf' ? Infinity : x === '-inf' ? -Infinity : NaN;
 /** The shortest decimal that reads back as the same float. */
