@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "dossier/bug_report.hpp"
+#include "properties/report/report.hpp"
 
 namespace rayproof::dossier {
 
@@ -65,14 +66,14 @@ struct LibraryDossier {
 /// The lines of all findings, in the order of their numbers.
 [[nodiscard]] std::string findings_file(const std::vector<LibraryDossier>& libraries);
 
-/// Draws a case with its exact and its claimed answer as one `<svg>` element.
+/// Draws a case with its exact and its claimed answer as one element of HTML.
 using DrawCase = std::function<std::string(const Case& one, const Answer* exact, const Answer* claimed)>;
 
 /// The picture of a finding, as check's own page has it.
 [[nodiscard]] std::string picture_of(const FiledFinding& filed, const DrawCase& draw);
 
-/// One self-contained page.
-[[nodiscard]] std::string findings_page(const std::vector<LibraryDossier>& libraries, const DrawCase& draw);
+/// A page that needs nothing but the pictures' script beside it.
+[[nodiscard]] std::string findings_page(const std::vector<LibraryDossier>& libraries, const PageTools& tools);
 
 /// The same as Markdown; pictures are files of a folder that it names `images/findings/N.svg`.
 [[nodiscard]] std::string findings_markdown(const std::vector<LibraryDossier>& libraries,

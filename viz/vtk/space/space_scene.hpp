@@ -4,15 +4,18 @@
 
 #include <vtkRenderer.h>
 
-#include <glm/vec3.hpp>
 #include <vector>
 
 #include "viz/picture/picture.hpp"
-#include "viz/scene/shown_items.hpp"
+#include "viz/scene/space.hpp"
 #include "viz/scene/stage.hpp"
-#include "viz/vtk/space/space_camera.hpp"
+
+class vtkCamera;
 
 namespace rayproof::viz {
+
+/// Puts VTK's camera where the view's eye is.
+void set_camera(vtkCamera& camera, const SpaceCamera& view);
 
 /// Fills a renderer with a step's items: lines as tubes, surfaces translucent with their silhouettes, marks
 /// as bodies, below them a floor with their shadows. Drawings in a plane are seen straight on, without
@@ -29,16 +32,12 @@ class SpaceScene {
   [[nodiscard]] std::vector<Point> seen(const StageItem& item, const PixelBox& frame) const;
 
  private:
-  [[nodiscard]] std::vector<glm::dvec3> placed(const StageItem& item) const;
-  void add(const ShownItem& shown);
-  void add_mark(const ShownItem& shown, const glm::dvec3& at);
-  void add_line(const ShownItem& shown, const std::vector<glm::dvec3>& points);
-  void add_surface(const ShownItem& shown, const std::vector<glm::dvec3>& points);
+  void add_mark(const SpaceBody& body);
+  void add_surface(const SpaceBody& body);
   void add_floor();
 
   vtkRenderer& renderer_;
-  StageView view_;
-  SpaceCamera camera_;
+  Space space_;
 };
 
 }  // namespace rayproof::viz

@@ -8,12 +8,14 @@
 #include "viz/scene/shown_items.hpp"
 #include "viz/scene/stage.hpp"
 
-class vtkCamera;
-
 namespace rayproof::viz {
 
 /// How far around the view things are built, in its radii.
 inline constexpr double reach = 6;
+/// Degrees, from top to bottom of what the eye sees.
+inline constexpr double view_angle = 24;
+/// How much more than a view's radius is seen above and below: room for marks and labels.
+inline constexpr double view_margin = 1.14;
 
 /// An eye above a floor, or straight before a drawing in a plane. All coordinates are of the view: its centre
 /// is 0, its radius 1.
@@ -25,7 +27,9 @@ struct SpaceCamera {
   bool is_flat = false;  ///< without perspective
 
   [[nodiscard]] glm::dvec3 eye() const { return middle + distance * toward; }
-  void set(vtkCamera& camera) const;
+  /// Between these distances from the eye, things are seen.
+  [[nodiscard]] double nearest() const { return 0.2 * distance; }
+  [[nodiscard]] double farthest() const { return distance + 2 * reach; }
 };
 
 /// A point of the world in the view's coordinates.

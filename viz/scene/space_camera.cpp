@@ -1,6 +1,4 @@
-#include "viz/vtk/space/space_camera.hpp"
-
-#include <vtkCamera.h>
+#include "viz/scene/space_camera.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,9 +10,7 @@
 namespace rayproof::viz {
 namespace {
 
-constexpr double view_angle = 24;  ///< degrees, from top to bottom
-constexpr double elevation = 20;   ///< degrees, of the eye above the floor
-constexpr double margin = 1.14;    ///< for marks and labels
+constexpr double elevation = 20;  ///< degrees, of the eye above the floor
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
@@ -61,20 +57,9 @@ std::vector<glm::dvec3> points_in_view(const StageCamera& chosen, const StageVie
 
 }  // namespace
 
-void SpaceCamera::set(vtkCamera& camera) const {
-  const glm::dvec3 at = eye();
-  camera.SetFocalPoint(middle.x, middle.y, middle.z);
-  camera.SetPosition(at.x, at.y, at.z);
-  camera.SetViewUp(up.x, up.y, up.z);
-  camera.SetViewAngle(view_angle);
-  camera.SetParallelProjection(is_flat ? 1 : 0);
-  camera.SetParallelScale(margin);
-  camera.SetClippingRange(0.2 * distance, distance + 2 * reach);
-}
-
 SpaceCamera space_camera(const Stage& stage, std::size_t step, const std::vector<ShownItem>& shown) {
   const double half = std::tan(radians(view_angle / 2));
-  SpaceCamera camera{stage.camera.up, stage.camera.toward, glm::dvec3(0), margin / half, true};
+  SpaceCamera camera{stage.camera.up, stage.camera.toward, glm::dvec3(0), view_margin / half, true};
   if (stage.camera.is_flat || stage.steps.at(step).is_apart) return camera;
   camera.is_flat = false;
   camera.up = upright_axis(stage.camera);
@@ -89,7 +74,7 @@ SpaceCamera space_camera(const Stage& stage, std::size_t step, const std::vector
     const glm::dvec3 q = p - camera.middle;
     const double size =
         std::max(std::abs(glm::dot(q, eye.right)) / view_aspect, std::abs(glm::dot(q, eye.up)));
-    camera.distance = std::max(camera.distance, margin * size / half + glm::dot(q, eye.toward));
+    camera.distance = std::max(camera.distance, view_margin * size / half + glm::dot(q, eye.toward));
   }
   return camera;
 }
