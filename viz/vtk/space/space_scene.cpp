@@ -69,17 +69,30 @@ void set_camera(vtkCamera& camera, const SpaceCamera& view) {
   camera.SetClippingRange(view.nearest(), view.farthest());
 }
 
-SpaceScene::SpaceScene(vtkRenderer& renderer, const Stage& stage, std::size_t step)
+SpaceScene::SpaceScene(vtkRenderer& renderer, const Stage& stage, std::size_t step, Look look)
     : renderer_(renderer), view_(stage.steps.at(step).view) {
   renderer_.RemoveAllViewProps();
   const std::vector<ShownItem> shown = shown_in(stage, step);
   camera_ = space_camera(stage, step, shown);
-  set_camera(*renderer_.GetActiveCamera(), camera_);
+  place_camera(look);
   for (const ShownItem& one : shown) add(one);
   if (!camera_.is_flat) add_floor();
   renderer_.RemoveAllLights();
   vtkNew<vtkLightKit> lights;
   lights->AddLightsToRenderer(&renderer_);
+}
+
+void SpaceScene::place_camera(Look look) {
+  vtkCamera& camera = *renderer_.GetActiveCamera();
+  if (look == Look::anew) return set_camera(camera, camera_);
+  SpaceCamera turned = camera_;
+  camera.GetViewUp(&turned.up.x);
+  camera.GetViewPlaneNormal(&camera_.toward.x);
+  turned.toward = camera_.toward;
+  if (look == Look::from_same_side) return set_camera(camera, turned);
+  camera.GetFocalPoint(&camera_.middle.x);
+  camera_.distance = camera.GetDistance();
+  camera.SetClippingRange(camera_.nearest(), camera_.farthest());
 }
 
 std::vector<glm::dvec3> SpaceScene::placed(const StageItem& item) const {

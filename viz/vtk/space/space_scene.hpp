@@ -19,6 +19,10 @@ namespace rayproof::viz {
 /// Puts VTK's camera where the view's eye is.
 void set_camera(vtkCamera& camera, const SpaceCamera& view);
 
+/// What stays of where VTK's camera is: nothing, so that the step's own view just fits; the side from which
+/// it looks; all of it.
+enum class Look { anew, from_same_side, from_same_place };
+
 /// Fills a renderer with a step's items: lines as tubes, surfaces translucent with their silhouettes, marks
 /// as bodies, below them a floor with their shadows. Drawings in a plane are seen straight on, without
 /// perspective and without a floor.
@@ -27,13 +31,16 @@ void set_camera(vtkCamera& camera, const SpaceCamera& view);
 class SpaceScene {
  public:
   /// The renderer must outlive it; its viewport must be set already.
-  SpaceScene(vtkRenderer& renderer, const Stage& stage, std::size_t step);
+  SpaceScene(vtkRenderer& renderer, const Stage& stage, std::size_t step, Look look = Look::anew);
 
   /// Where an item is seen, in the pixels of a frame that the renderer's viewport fills; nothing of a round
   /// surface.
   [[nodiscard]] std::vector<Point> seen(const StageItem& item, const PixelBox& frame) const;
+  /// Whether it is a drawing in a plane.
+  [[nodiscard]] bool is_flat() const { return camera_.is_flat; }
 
  private:
+  void place_camera(Look look);
   [[nodiscard]] std::vector<glm::dvec3> placed(const StageItem& item) const;
   void add(const ShownItem& shown);
   void add_mark(const ShownItem& shown, const glm::dvec3& at);
