@@ -34,20 +34,6 @@ void draw_caption(Picture& picture, const StageStep& step) {
   if (!step.digits.empty()) write(Role::muted, step.digits, std::min(size, 14.4));
 }
 
-void draw_legend(Picture& picture, const Stage& stage) {
-  double x = slide_margin;
-  const double y = slide_height - 16;
-  for (const LegendEntry& entry : legend_of(stage)) {
-    if (entry.is_mark) {
-      picture.elements.emplace_back(Mark{entry.role, mark_of(entry.role), {x + 6, y - 4}});
-    } else {
-      picture.elements.emplace_back(PixelLine{entry.role, {{x - 3, y - 4}, {x + 15, y - 4}}, 2.6});
-    }
-    add_text(picture, Role::muted, {x + 20, y}, entry.text, 12);
-    x += 20 + text_width(entry.text, 12) + 18;
-  }
-}
-
 }  // namespace
 
 std::vector<LegendEntry> legend_of(const Stage& stage) {
@@ -75,7 +61,22 @@ std::vector<LegendEntry> legend_of(const Stage& stage) {
   return used;
 }
 
-Picture slide_frame(const Stage& stage, std::size_t number) {
+void draw_legend(Picture& picture, const Stage& stage) {
+  double x = slide_margin;
+  const double y = slide_height - 16;
+  for (const LegendEntry& entry : legend_of(stage)) {
+    if (entry.is_mark) {
+      picture.elements.emplace_back(Mark{entry.role, mark_of(entry.role), {x + 6, y - 4}});
+    } else {
+      picture.elements.emplace_back(PixelLine{entry.role, {{x - 3, y - 4}, {x + 15, y - 4}}, 2.6});
+    }
+    add_text(picture, Role::muted, {x + 20, y}, entry.text, 12);
+    x += 20 + text_width(entry.text, 12) + 18;
+  }
+}
+
+Picture slide_frame(const Stage& stage, std::size_t number, const std::string& second_line,
+                    const PixelBox& scene) {
   const StageStep& step = stage.steps.at(number);
   Picture picture;
   picture.width = slide_width;
@@ -86,24 +87,17 @@ Picture slide_frame(const Stage& stage, std::size_t number) {
   const std::string title = fmt::format("{}. {}", number + 1, step.title);
   const double title_size = std::clamp(22 * 800 / text_width(title, 22, true), 14.0, 22.0);
   add_text(picture, Role::text, {slide_margin, 34}, title, title_size, true);
-  add_text(picture, Role::muted, {slide_margin, 54}, cut(stage.title, 700, 13), 13);
+  add_text(picture, Role::muted, {slide_margin, 54}, cut(second_line, 700, 13), 13);
   picture.elements.emplace_back(Text{Role::muted, {slide_width - slide_margin, 34}, place, Anchor::end, 14});
   if (step.is_apart && step.magnification != 1) {
     picture.elements.emplace_back(Text{Role::muted,
-                                       {slide_scene.left, slide_scene.bottom() - 4},
+                                       {scene.left, scene.bottom() - 4},
                                        scale_in_words(step.magnification),
                                        Anchor::start,
                                        13});
   }
-  draw_values(picture, stage, step);
+  draw_values(picture, stage, step, scene);
   draw_caption(picture, step);
-  draw_legend(picture, stage);
-  return picture;
-}
-
-Picture slide_picture(const Stage& stage, std::size_t number) {
-  Picture picture = slide_frame(stage, number);
-  draw_scene(picture, slide_scene, stage, number);
   return picture;
 }
 

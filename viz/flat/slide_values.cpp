@@ -51,10 +51,10 @@ std::string cut(const std::string& text, double width, double size) {
   return lines.size() < 2 ? text : lines.front() + "…";
 }
 
-void draw_values(Picture& picture, const Stage& stage, const StageStep& step) {
+void draw_values(Picture& picture, const Stage& stage, const StageStep& step, const PixelBox& scene) {
   std::vector<std::vector<ValueLine>> values;
   std::size_t count = 0;
-  const double room = slide_scene.height - 14 - 5 * static_cast<double>(step.values.size());
+  const double room = scene.height - 14 - 5 * static_cast<double>(step.values.size());
   for (const bool is_short : {false, true}) {
     values.clear();
     count = 0;
@@ -65,7 +65,7 @@ void draw_values(Picture& picture, const Stage& stage, const StageStep& step) {
     if (static_cast<double>(count) * 17 <= room) break;
   }
   const double row = std::clamp(room / static_cast<double>(std::max<std::size_t>(count, 1)), 13.0, 19.0);
-  double y = slide_scene.top + 14;
+  double y = scene.top + 14;
   for (const auto& lines : values) {
     for (const ValueLine& line : lines) {
       if (*line.what != '\0') add_text(picture, Role::muted, {value_column + 8, y}, line.what, 12);

@@ -7,8 +7,8 @@
 namespace rayproof::viz {
 
 /// Below each name of the step the rounded number, the exact one, and the bits lost where they are worth a
-/// word.
-void draw_values(Picture& picture, const Stage& stage, const StageStep& step);
+/// word; as high as the scene.
+void draw_values(Picture& picture, const Stage& stage, const StageStep& step, const PixelBox& scene);
 
 /// The text's first line of that width, and "…" where there are more.
 [[nodiscard]] std::string cut(const std::string& text, double width, double size);

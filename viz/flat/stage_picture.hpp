@@ -28,11 +28,13 @@ inline constexpr double slide_width = 960, slide_height = 540, slide_margin = 24
 /// Where a slide's scene lies; the numbers stand in the column at its right.
 inline constexpr PixelBox slide_scene{slide_margin, 60, 596, 368};
 
-/// A slide without its scene: title, numbers, caption, legend.
-[[nodiscard]] Picture slide_frame(const Stage& stage, std::size_t step);
+/// A slide without its scene and legend: the title, a smaller line below it, the caption, and beside the
+/// scene's frame the numbers.
+[[nodiscard]] Picture slide_frame(const Stage& stage, std::size_t step, const std::string& second_line,
+                                  const PixelBox& scene = slide_scene);
 
-/// A slide of slide_width by slide_height.
-[[nodiscard]] Picture slide_picture(const Stage& stage, std::size_t step);
+/// The words on the roles, along a slide's lower border.
+void draw_legend(Picture& picture, const Stage& stage);
 
 /// The roles that a stage's pictures use, with a word on each.
 struct LegendEntry {

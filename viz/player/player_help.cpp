@@ -15,9 +15,11 @@ constexpr std::array help{
     Help{"Home  End  1 … 9", "the first step, the last, that one"},
     Help{"↑ ↓  + −", "move the point along the ray; or drag the slider"},
     Help{",  .  [  ]", "to the neighbouring number: the smallest change of t there is"},
-    Help{"Tab", "what the arrow keys move: the steps, the slider, the view, the origin, the tip"},
-    Help{"Drag a square", "moves the ray's origin, or its tip and so its direction; all is computed again"},
-    Help{"Drag elsewhere", "looks from another side"},
+    Help{"Tab", "what the arrow keys move: the steps, the slider, the view, then each handle"},
+    Help{"Drag a ball",
+         "moves the ray's origin or its tip, or what defines the shape; all is computed again"},
+    Help{"Drag elsewhere",
+         "looks from another side, as does a click on an axis of the compass; with Shift it shifts"},
     Help{"Wheel", "nearer, farther; + − while the arrow keys move the view"},
     Help{"r", "everything as it was at first"},
     Help{"c", "print the case as it stands, for any program that reads cases"},
@@ -32,14 +34,16 @@ constexpr std::array help{
 Picture help_picture(const Stage& stage) {
   constexpr double column = 260;
   Picture picture;
+  picture.width = slide_width;
+  picture.height = slide_height;
   picture.title = stage.title;
   picture.description = "What the keys and the mouse do.";
   add_text(picture, Role::text, {slide_margin, 44}, "What the keys and the mouse do", 22, true);
-  double y = 90;
+  double y = 80;
   for (const Help& one : help) {
     add_text(picture, Role::text, {slide_margin, y}, one.keys, 14, true);
     add_text(picture, Role::text, {column, y}, one.what, 14, false);
-    y += 31;
+    y += 28;
   }
   add_text(
       picture, Role::muted, {slide_margin, y + 8},

@@ -1,23 +1,12 @@
 #include "viz/vtk/slide_canvas.hpp"
 
-#include <vtkContextActor.h>
-#include <vtkContextScene.h>
-#include <vtkNew.h>
-#include <vtkRenderer.h>
-#include <vtkRenderWindow.h>
-
 #include "viz/flat/stage_picture.hpp"
 #include "viz/picture/palette.hpp"
-#include "viz/scene/shown_items.hpp"
-#include "viz/vtk/picture_item.hpp"
-#include "viz/vtk/space/space_scene.hpp"
+#include "viz/vtk/slide_view.hpp"
 #include "viz/vtk/write_png.hpp"
 
 namespace rayproof::viz {
 namespace {
-
-/// Pixels of a slide for each of its picture's.
-constexpr double scale = 5.0 / 3;
 
 /// The mean of the pixels at (x, y) and to its right and below.
 Rgb mean_of_four(const Raster& raster, int x, int y) {
@@ -32,51 +21,18 @@ Rgb mean_of_four(const Raster& raster, int x, int y) {
 
 }  // namespace
 
-class SlideCanvas::Impl {
- public:
-  Impl() {
-    window->SetOffScreenRendering(1);
-    window->SetMultiSamples(0);  // as depth peeling wants it
-    window->SetAlphaBitPlanes(1);
-    window->SetDPI(72);
-    window->SetSize(1600, 900);
-    window->SetNumberOfLayers(3);
-    window->AddRenderer(backdrop);
-    window->AddRenderer(space);
-    window->AddRenderer(sheet);
-    backdrop->SetBackground(1, 1, 1);
-    space->SetLayer(1);
-    space->SetUseDepthPeeling(1);
-    space->SetMaximumNumberOfPeels(6);
-    space->SetOcclusionRatio(0.02);
-    space->SetUseFXAA(true);
-    space->SetViewport(slide_scene.left / slide_width, 1 - slide_scene.bottom() / slide_height,
-                       slide_scene.right() / slide_width, 1 - slide_scene.top / slide_height);
-    sheet->SetLayer(2);
-    actor->GetScene()->AddItem(item);
-    actor->GetScene()->SetRenderer(sheet);
-    sheet->AddActor(actor);
-    item->scale = scale;
-  }
-
-  vtkNew<vtkRenderWindow> window;
-  vtkNew<vtkRenderer> backdrop;
-  vtkNew<vtkRenderer> space;
-  vtkNew<vtkRenderer> sheet;
-  vtkNew<vtkContextActor> actor;
-  vtkNew<PictureItem> item;
-};
-
-SlideCanvas::SlideCanvas() : impl_(std::make_unique<Impl>()) {}
+SlideCanvas::SlideCanvas() : view_(std::make_unique<SlideView>(slide_scene)) {
+  view_->window().SetOffScreenRendering(1);
+  view_->window().SetSize(1600, 900);
+  view_->fit();
+}
 SlideCanvas::~SlideCanvas() = default;
 
 Raster SlideCanvas::draw(const Stage& stage, std::size_t step) {
-  const SpaceScene scene(*impl_->space, stage, step);
-  Picture picture = slide_frame(stage, step);
-  draw_labels(picture, slide_scene, shown_in(stage, step),
-              [&](const StageItem& item) { return scene.seen(item, slide_scene); });
-  impl_->item->picture = &picture;
-  return pixels_of(*impl_->window);
+  Picture sheet = slide_frame(stage, step, stage.title);
+  draw_legend(sheet, stage);
+  (void)view_->show(stage, step, sheet, Look::anew);
+  return pixels_of(view_->window());
 }
 
 Raster contact_sheet(const std::vector<Raster>& slides) {

@@ -10,6 +10,8 @@
 
 namespace rayproof::viz {
 
+class SlideView;
+
 /// An off-screen window in which slides are drawn one after another. Needs a display (OffscreenDisplay) that
 /// outlives it.
 class SlideCanvas {
@@ -23,8 +25,7 @@ class SlideCanvas {
   [[nodiscard]] Raster draw(const Stage& stage, std::size_t step);
 
  private:
-  class Impl;
-  std::unique_ptr<Impl> impl_;
+  std::unique_ptr<SlideView> view_;
 };
 
 /// Slides side by side, at half their size, all of one size.

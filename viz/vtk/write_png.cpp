@@ -31,7 +31,6 @@ void write_png(vtkRenderWindow& window, const std::string& path) {
 }
 
 Raster pixels_of(vtkRenderWindow& window) {
-  window.SetOffScreenRendering(1);
   window.Render();
   vtkNew<vtkWindowToImageFilter> filter;
   filter->SetInput(&window);

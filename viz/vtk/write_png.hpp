@@ -15,7 +15,7 @@ namespace rayproof::viz {
 /// Throws std::runtime_error with one sentence where the file can't be written.
 void write_png(vtkRenderWindow& window, const std::string& path);
 
-/// Renders the window off-screen at its size. Needs a display (OffscreenDisplay).
+/// Renders the window at its size. Needs a display (OffscreenDisplay, UserDisplay).
 [[nodiscard]] Raster pixels_of(vtkRenderWindow& window);
 
 /// Sets the DejaVu Sans font, which has the λ, √, subscripts, ∈ and ∞ that VTK's built-in font silently

@@ -49,11 +49,11 @@ void dispatch_events(vtkRenderWindowInteractor& interactor) {
   }
 }
 
-void wait_for_events(vtkRenderWindowInteractor& interactor, int milliseconds) {
+bool wait_for_events(vtkRenderWindowInteractor& interactor, int milliseconds) {
   Display* const display = display_of(interactor);
-  if (XPending(display) > 0) return;
+  if (XPending(display) > 0) return true;
   pollfd connection{ConnectionNumber(display), POLLIN, 0};
-  poll(&connection, 1, milliseconds);
+  return poll(&connection, 1, milliseconds) > 0;
 }
 
 }  // namespace rayproof::viz

@@ -26,7 +26,7 @@ class UserDisplay {
 /// Hands an initialized interactor of VTK's all events that have come for its window.
 void dispatch_events(vtkRenderWindowInteractor& interactor);
 
-/// Sleeps until an event has come for the interactor's window, or for so long.
-void wait_for_events(vtkRenderWindowInteractor& interactor, int milliseconds);
+/// Sleeps until an event has come for the interactor's window, or for so long; whether one has.
+bool wait_for_events(vtkRenderWindowInteractor& interactor, int milliseconds);
 
 }  // namespace rayproof::viz

@@ -1,14 +1,14 @@
 #pragma once
 /// \file
-/// Players to test, and what is to be found in their pictures.
+/// Players to test, and what moves their handles.
 
 #include <algorithm>
 #include <string>
 #include <vector>
 
 #include "case/reader.hpp"
-#include "viz/programs/plays_of.hpp"
 #include "viz/player/player.hpp"
+#include "viz/programs/plays_of.hpp"
 
 namespace rayproof::viz {
 
@@ -22,36 +22,28 @@ inline constexpr const char* sphere_case =
 }
 [[nodiscard]] inline Player sphere_player() { return player_of(sphere_case, "sphere/centred"); }
 
-[[nodiscard]] inline std::vector<Text> texts_of(const Picture& picture) {
-  std::vector<Text> texts;
-  for (const Element& element : picture.elements) {
-    if (const auto* text = std::get_if<Text>(&element)) texts.push_back(*text);
-  }
-  return texts;
+[[nodiscard]] inline const RayQuestion& question_of(const Player& player) {
+  return std::get<RayQuestion>(player.stage().one.question);
 }
-[[nodiscard]] inline bool has_text(const Picture& picture, const std::string& part) {
-  const auto texts = texts_of(picture);
-  return std::any_of(texts.begin(), texts.end(),
-                     [&](const Text& text) { return text.text.find(part) != std::string::npos; });
-}
+[[nodiscard]] inline const Ray<double>& ray_of(const Player& player) { return question_of(player).ray; }
 
-[[nodiscard]] inline const Ray<double>& ray_of(const Player& player) {
-  return std::get<RayQuestion>(player.stage().one.question).ray;
+[[nodiscard]] inline std::vector<std::string> handle_names(const Player& player) {
+  std::vector<std::string> names;
+  for (const Handle& handle : player.handles()) names.push_back(handle.name);
+  return names;
 }
-/// The handle of that grip; the test that asks for one that isn't there fails by the exception.
-[[nodiscard]] inline Handle handle_of(const Player& player, Grip grip) {
+/// The handle of that name; the test that asks for one that isn't there fails by the exception.
+[[nodiscard]] inline Handle handle_of(const Player& player, const std::string& name) {
   for (const Handle& handle : player.handles()) {
-    if (handle.grip == grip) return handle;
+    if (handle.name == name) return handle;
   }
-  throw std::logic_error("the picture has no such handle");
+  throw std::logic_error("the scene has no handle " + name);
 }
-/// Where a handle is seen.
-[[nodiscard]] inline Point seen(const Player& player, const Handle& handle) {
-  return player.projection().to_pixels(handle.at);
-}
-inline void drag(Player& player, const Point& from, const Point& to) {
-  player.press(from);
-  player.drag_to(to);
+/// Moves a handle by so much in the world.
+inline void drag(Player& player, const std::string& name, const glm::dvec3& by, double resolution = 0.01) {
+  const glm::dvec3 from = handle_of(player, name).at;
+  player.grasp(name);
+  player.drag_to(from + by, resolution);
   player.release();
 }
 

@@ -1,9 +1,10 @@
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <limits>
 
+#include "case/json/number_text.hpp"
 #include "unit/viz/player.hpp"
-#include "viz/scene/label_places.hpp"
+#include "viz/player/player_help.hpp"
 #include "viz/trace/numbers.hpp"
 #include "viz/walkthrough/live_values.hpp"
 
@@ -34,102 +35,39 @@ TEST(Player, NothingGoesBeforeTheFirstStepOrBeyondTheLast) {
   EXPECT_EQ(player.step(), player.stage().steps.size() - 1);
 }
 
-TEST(Player, TheSlideOfTheStepIsShown) {
-  Player player = sphere_player();
-  for (const StageStep& step : player.stage().steps) {
-    EXPECT_TRUE(has_text(player.picture(), step.title)) << step.title;
-    player.press_key("Right");
-  }
-}
-
-TEST(Player, EveryButtonLiesInsideThePictureAndOverNoOther) {
-  for (const ButtonState& state :
-       {ButtonState{0, 1, 0, 1, false}, ButtonState{3, 8, 1, 3, true}, ButtonState{19, 24, 0, 40, false}}) {
-    const auto buttons = buttons_of(state);
-    for (std::size_t i = 0; i < buttons.size(); ++i) {
-      const PixelBox& a = buttons[i].box;
-      EXPECT_GE(a.left, 0);
-      EXPECT_LE(a.right(), player_width);
-      EXPECT_LE(a.bottom(), slider_track.top);
-      EXPECT_GE(a.left, i > 0 ? buttons[i - 1].box.right() : 0) << buttons[i].text;
-      EXPECT_LE(text_width(buttons[i].text, a.width < 24 ? 11 : 14, true), a.width) << buttons[i].text;
-    }
-  }
-}
-
-TEST(Player, AClickOnAButtonDoesWhatItsKeyDoes) {
-  Player player = sphere_player();
-  for (const Button& button : player.buttons()) {
-    if (!button.is_enabled) continue;
-    Player clicked = player;
-    Player typed = player;
-    EXPECT_EQ(clicked.press(button.box.centre()), typed.press_key(button.key)) << button.key;
-    EXPECT_EQ(clicked.step(), typed.step()) << button.key;
-    EXPECT_EQ(clicked.is_help_shown(), typed.is_help_shown()) << button.key;
-  }
-}
-
-TEST(Player, AButtonThatIsGreyDoesNothing) {
-  Player player = sphere_player();
-  const auto buttons = player.buttons();
-  ASSERT_FALSE(buttons.front().is_enabled);
-  player.press(buttons.front().box.centre());
-  EXPECT_EQ(player.step(), 0U);
-}
-
-TEST(Player, OnlyQuitAsksToQuitOnlyCForTheCaseAndOnlySForThePicture) {
+TEST(Player, KeysAskTheWindowForWhatOnlyItCanDo) {
   Player player = sphere_player();
   EXPECT_EQ(player.press_key("q"), Request::quit);
   EXPECT_EQ(player.press_key("c"), Request::print_case);
   EXPECT_EQ(player.press_key("s"), Request::save_picture);
-  for (const char* key : {"Right", "Escape", "Tab", "h", "e", "", "XF86AudioPlay", "r"})
+  EXPECT_EQ(player.press_key("r"), Request::look_anew);
+  for (const char* key : {"Right", "Escape", "Tab", "h", "e", "", "XF86AudioPlay", "plus"})
     EXPECT_EQ(player.press_key(key), Request::none) << key;
-}
-
-TEST(Player, HelpTakesTheSlidesPlaceAndNamesEveryKeyOfTheButtons) {
-  Player player = sphere_player();
-  player.press_key("h");
-  EXPECT_TRUE(player.is_help_shown());
-  EXPECT_FALSE(has_text(player.picture(), player.stage().steps[0].title));
-  EXPECT_TRUE(has_text(player.picture(), "Drag a square"));
-  EXPECT_TRUE(has_text(player.picture(), "quit"));
-  player.press_key("Escape");
-  EXPECT_FALSE(player.is_help_shown());
-  player.press_key("question");
-  player.press({400, 300});
-  EXPECT_FALSE(player.is_help_shown());
+  player.press_key("Tab");  // from the slider to the view
+  ASSERT_EQ(player.focus(), Focus::view);
+  EXPECT_EQ(player.press_key("Left"), Request::move_focused);
+  EXPECT_EQ(player.press_key("plus"), Request::nearer);
+  EXPECT_EQ(player.press_key("minus"), Request::farther);
 }
 
 TEST(Player, TabGoesRoundAllThatTheArrowKeysCanMove) {
   Player player = sphere_player();
-  for (const Focus focus : {Focus::slider, Focus::view, Focus::origin, Focus::tip, Focus::steps}) {
+  for (const Focus focus : {Focus::slider, Focus::view}) {
     player.press_key("Tab");
     EXPECT_EQ(player.focus(), focus);
   }
+  for (const std::string& name : handle_names(player)) {
+    player.press_key("Tab");
+    EXPECT_EQ(player.focused_handle(), name);
+    EXPECT_EQ(player.press_key("Up"), Request::move_focused);
+  }
+  player.press_key("Tab");
+  EXPECT_EQ(player.focus(), Focus::steps);
   player.press_key("Tab", true);
-  EXPECT_EQ(player.focus(), Focus::tip);
+  EXPECT_EQ(player.focused_handle(), handle_names(player).back());
   player.press_key("Escape");
   EXPECT_EQ(player.focus(), Focus::steps);
-}
-
-TEST(Player, ArrowKeysMoveWhatHasTheFocus) {
-  Player player = sphere_player();
-  const double t = player.t();
-  player.press_key("Tab");
-  player.press_key("Right");
-  EXPECT_GT(player.t(), t);
-  player.press_key("Tab");
-  const glm::dvec3 toward = player.camera().toward;
-  player.press_key("Right");
-  EXPECT_NE(player.camera().toward, toward);
-  player.press_key("Tab");
-  const Ray<double> ray = ray_of(player);
-  player.press_key("Up");
-  EXPECT_NE(ray_of(player).origin, ray.origin);
-  player.press_key("Tab");
-  player.press_key("Up");
-  EXPECT_NE(ray_of(player).direction, ray.direction);
-  EXPECT_EQ(player.step(), 0U);
+  EXPECT_EQ(player.focused_handle(), "");
 }
 
 TEST(Player, SeveralWalkthroughsFollowOneAnother) {
@@ -144,25 +82,101 @@ TEST(Player, SeveralWalkthroughsFollowOneAnother) {
   EXPECT_EQ(player.stage().name, lessons().back().name);
 }
 
-TEST(Player, AStageWithoutASliderPlaysToo) {
+TEST(Player, HelpIsShownAndClosedByKeys) {
+  Player player = sphere_player();
+  player.press_key("h");
+  EXPECT_TRUE(player.is_help_shown());
+  player.press_key("Escape");
+  EXPECT_FALSE(player.is_help_shown());
+  player.press_key("question");
+  EXPECT_TRUE(player.is_help_shown());
+}
+
+TEST(PlayerSlider, ItStandsAtTheFirstHitAndPtIsAmongTheItems) {
+  const Player player = sphere_player();
+  const StageSlider& slider = *player.stage().slider;
+  EXPECT_EQ(player.t(), round_to(Precision::float32, slider.start));
+  const StageItem runner = player.shown().steps[0].items.back();
+  EXPECT_EQ(runner.points.at(0), slider.origin + player.t() * slider.direction);
+  EXPECT_EQ(runner.role, Role::ray);
+}
+
+TEST(PlayerSlider, PtIsNotShownWhereTheSceneIsAnother) {
+  Player player = sphere_player();
+  player.press_key("End");
+  ASSERT_TRUE(player.stage().steps[player.step()].is_apart);
+  EXPECT_EQ(player.shown().steps.back().items.size(), player.stage().steps.back().items.size());
+  EXPECT_TRUE(player.handles().empty());
+}
+
+TEST(PlayerSlider, TIsANumberOfTheCasesPrecisionWithinTheRange) {
+  Player player = sphere_player();
+  for (int i = 0; i < 60; ++i) {
+    player.press_key("minus");
+    EXPECT_EQ(player.t(), static_cast<double>(static_cast<float>(player.t())));
+  }
+  EXPECT_EQ(player.t(), static_cast<double>(static_cast<float>(player.stage().slider->from)));
+  player.set_t(1e9);
+  EXPECT_EQ(player.t(), static_cast<double>(static_cast<float>(player.stage().slider->to)));
+}
+
+TEST(PlayerSlider, CommaAndPeriodGoToTheNeighbouringNumber) {
+  Player player = sphere_player();
+  player.set_t(1);
+  player.press_key("period");
+  EXPECT_EQ(player.t(), 1 + 0x1p-23);
+  player.press_key("comma");
+  player.press_key("comma");
+  EXPECT_EQ(player.t(), 1 - 0x1p-24);
+}
+
+TEST(PlayerSlider, LiveValuesAreRoundedOperationByOperation) {
+  Player player = sphere_player();
+  const Ray<double>& ray = ray_of(player);
+  for (const double wanted : {0.1, 0.7, 1.9474078, 3.3}) {
+    player.set_t(wanted);
+    const auto t = static_cast<float>(player.t());
+    const auto text = [&](int axis) {
+      const float product = t * static_cast<float>(ray.direction[axis]);
+      return shown(static_cast<double>(static_cast<float>(ray.origin[axis]) + product), Precision::float32);
+    };
+    const auto values = live_values(*player.stage().slider, player.t(), Precision::float32);
+    EXPECT_EQ(values.at(0).rounded, "(" + text(0) + ", " + text(1) + ", " + text(2) + ")") << wanted;
+  }
+}
+
+TEST(PlayerSlider, TheExactPointHasTwelveTrueDigits) {
+  // 0.1f + 3·0.2f in real numbers: 0.100000001490116… + 3·0.200000002980232… = 0.700000010430812…
+  StageSlider slider;
+  slider.origin = glm::dvec3(static_cast<double>(0.1F));
+  slider.direction = glm::dvec3(static_cast<double>(0.2F));
+  const auto values = live_values(slider, 3, Precision::float32);
+  ASSERT_EQ(values.size(), 1U);
+  EXPECT_EQ(values[0].exact, "(0.700000010431, 0.700000010431, 0.700000010431)");
+}
+
+TEST(PlayerSlider, AReadoutIsItsPolynomial) {
+  StageSlider slider;
+  slider.shows_point = false;
+  slider.readouts = {{"x² − 3x + 2", {2, -3, 1}}};
+  EXPECT_EQ(live_values(slider, 4, Precision::float32)[0].rounded, "6");
+  EXPECT_EQ(live_values(slider, 2, Precision::float64)[0].rounded, "0");
+}
+
+TEST(PlayerSlider, NeighboursOfZeroAndOfTheLargestNumberAreRight) {
+  EXPECT_EQ(neighbour_of(0, 1, Precision::float32), 0x1p-149);
+  EXPECT_EQ(neighbour_of(0, -1, Precision::float64), -0x1p-1074);
+  EXPECT_EQ(neighbour_of(std::numeric_limits<float>::max(), 1, Precision::float32),
+            std::numeric_limits<double>::infinity());
+}
+
+TEST(PlayerSlider, AStageWithoutOnePlaysToo) {
   Player player = player_of(R"({"query":"point_in_polygon","point":[1,1],"vertices":[[0,0],[3,0],[0,3]]})",
                             "point_in_polygon/parity");
   ASSERT_FALSE(player.stage().slider);
   for (const char* key : {"plus", "Up", "period", "Right", "Tab", "r"}) player.press_key(key);
-  player.press(slider_track.centre());
-  player.drag_to({300, 602});
-  EXPECT_FALSE(has_text(player.picture(), "t = "));
-}
-
-TEST(Player, TheWheelGoesNearer) {
-  Player player = sphere_player();
-  const double before = player.projection().pixels_per_length();
-  player.turn_wheel(1);
-  EXPECT_GT(player.projection().pixels_per_length(), before);
-  player.turn_wheel(-1);
-  EXPECT_NEAR(player.projection().pixels_per_length(), before, 1e-9 * before);
-  player.turn_wheel(1000);
-  EXPECT_TRUE(std::isfinite(player.projection().pixels_per_length()));
+  player.set_t(3);
+  EXPECT_EQ(player.shown().steps[0].items.size(), player.stage().steps[0].items.size());
 }
 
 }  // namespace

@@ -2,47 +2,43 @@
 /// \file
 /// What a window shows, pixel by pixel.
 
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkRenderWindow.h>
-#include <vtkSmartPointer.h>
-#include <vtkWindowToImageFilter.h>
-
-#include <array>
-#include <cmath>
-
-#include "viz/vtk/stage_window.hpp"
+#include "viz/picture/palette.hpp"
+#include "viz/vtk/window/stage_window.hpp"
+#include "viz/vtk/write_png.hpp"
 
 namespace rayproof::viz {
 
-/// The picture of a window as it is at the time; asked in the pixels of the player's picture.
+/// The picture of a window at rest; asked in the pixels of a slide.
 class Screenshot {
  public:
   explicit Screenshot(StageWindow& window) : window_(window) {
     window.repaint();
-    vtkNew<vtkWindowToImageFilter> filter;
-    filter->SetInput(&window.window());
-    filter->SetInputBufferTypeToRGB();
-    filter->ReadFrontBufferOff();
-    filter->Update();
-    image_ = filter->GetOutput();
+    image_ = pixels_of(window.window());
   }
 
-  using Colour = std::array<int, 3>;
-  [[nodiscard]] Colour at(int x, int y) const {
-    const auto* rgb = static_cast<const unsigned char*>(image_->GetScalarPointer(x, y, 0));
-    return {rgb[0], rgb[1], rgb[2]};
-  }
-  [[nodiscard]] int width() const { return image_->GetDimensions()[0]; }
-  [[nodiscard]] int height() const { return image_->GetDimensions()[1]; }
-
-  /// How many of the window's pixels in a box of the picture are not white.
+  /// How many of the window's pixels in a box are not white.
   [[nodiscard]] int ink(const PixelBox& box) const {
-    return count(box, [&](int x, int y) { return at(x, y) != Colour{255, 255, 255}; });
+    return count(box, [&](int x, int y) { return image_.at(x, y) != Rgb{255, 255, 255}; });
   }
   /// How many are not as they are in another screenshot of the same size.
   [[nodiscard]] int changes(const Screenshot& other, const PixelBox& box) const {
-    return count(box, [&](int x, int y) { return at(x, y) != other.at(x, y); });
+    return count(box, [&](int x, int y) { return image_.at(x, y) != other.image_.at(x, y); });
+  }
+  /// The share of a box's pixels of about the hue of a role's colour: their differences between red, green
+  /// and blue have the signs of the colour's, and half their size at least.
+  [[nodiscard]] double share_of(Role role, const PixelBox& box, double opacity = 0.15) const {
+    const Rgb colour = rgb_of(colour_of(role).light);
+    const auto differs_alike = [&](const Rgb& pixel, std::size_t i, std::size_t j) {
+      const double wanted = opacity * (colour[i] - colour[j]);
+      const double is = pixel[i] - pixel[j];
+      return wanted >= 0 ? is >= wanted : is <= wanted;
+    };
+    const int all = count(box, [](int, int) { return true; });
+    const int alike = count(box, [&](int x, int y) {
+      const Rgb& pixel = image_.at(x, y);
+      return differs_alike(pixel, 0, 1) && differs_alike(pixel, 1, 2) && differs_alike(pixel, 0, 2);
+    });
+    return static_cast<double>(alike) / all;
   }
 
  private:
@@ -51,15 +47,15 @@ class Screenshot {
     const Point low = window_.to_window({box.left, box.bottom()});
     const Point high = window_.to_window({box.right(), box.top});
     int sum = 0;
-    for (int y = std::max(0, static_cast<int>(low.y)); y < std::min<double>(high.y, height()); ++y) {
-      for (int x = std::max(0, static_cast<int>(low.x)); x < std::min<double>(high.x, width()); ++x)
-        sum += is_counted(x, y) ? 1 : 0;
+    for (int y = std::max(0, static_cast<int>(low.y)); y < std::min<double>(high.y, image_.height); ++y) {
+      for (int x = std::max(0, static_cast<int>(low.x)); x < std::min<double>(high.x, image_.width); ++x)
+        sum += is_counted(x, image_.height - 1 - y) ? 1 : 0;
     }
     return sum;
   }
 
   StageWindow& window_;
-  vtkSmartPointer<vtkImageData> image_;
+  Raster image_{};
 };
 
 }  // namespace rayproof::viz

@@ -4,7 +4,7 @@
 
 #ifdef RAYPROOF_HAS_VTK
 #include "viz/programs/plays_of.hpp"
-#include "viz/vtk/stage_window.hpp"
+#include "viz/vtk/window/stage_window.hpp"
 #include "viz/vtk/x_display.hpp"
 #endif
 

@@ -46,10 +46,10 @@ void set_camera(vtkCamera& camera, const SpaceCamera& view) {
   camera.SetClippingRange(view.nearest(), view.farthest());
 }
 
-SpaceScene::SpaceScene(vtkRenderer& renderer, const Stage& stage, std::size_t step)
+SpaceScene::SpaceScene(vtkRenderer& renderer, const Stage& stage, std::size_t step, Look look)
     : renderer_(renderer), space_(space_of(stage, step)) {
   renderer_.RemoveAllViewProps();
-  set_camera(*renderer_.GetActiveCamera(), space_.camera);
+  place_camera(look);
   for (const SpaceBody& body : space_.bodies) {
     if (body.is_mark()) {
       add_mark(body);
@@ -64,6 +64,19 @@ SpaceScene::SpaceScene(vtkRenderer& renderer, const Stage& stage, std::size_t st
   renderer_.RemoveAllLights();
   vtkNew<vtkLightKit> lights;
   lights->AddLightsToRenderer(&renderer_);
+}
+
+void SpaceScene::place_camera(Look look) {
+  vtkCamera& camera = *renderer_.GetActiveCamera();
+  if (look == Look::anew) return set_camera(camera, space_.camera);
+  SpaceCamera turned = space_.camera;
+  camera.GetViewUp(&turned.up.x);
+  camera.GetViewPlaneNormal(&space_.camera.toward.x);
+  turned.toward = space_.camera.toward;
+  if (look == Look::from_same_side) return set_camera(camera, turned);
+  camera.GetFocalPoint(&space_.camera.middle.x);
+  space_.camera.distance = camera.GetDistance();
+  camera.SetClippingRange(space_.camera.nearest(), space_.camera.farthest());
 }
 
 void SpaceScene::add_mark(const SpaceBody& body) {

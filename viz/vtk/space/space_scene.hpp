@@ -17,6 +17,10 @@ namespace rayproof::viz {
 /// Puts VTK's camera where the view's eye is.
 void set_camera(vtkCamera& camera, const SpaceCamera& view);
 
+/// What stays of where VTK's camera is: nothing, so that the step's own view just fits; the side from which
+/// it looks; all of it.
+enum class Look { anew, from_same_side, from_same_place };
+
 /// Fills a renderer with a step's items: lines as tubes, surfaces translucent with their silhouettes, marks
 /// as bodies, below them a floor with their shadows. Drawings in a plane are seen straight on, without
 /// perspective and without a floor.
@@ -25,13 +29,16 @@ void set_camera(vtkCamera& camera, const SpaceCamera& view);
 class SpaceScene {
  public:
   /// The renderer must outlive it; its viewport must be set already.
-  SpaceScene(vtkRenderer& renderer, const Stage& stage, std::size_t step);
+  SpaceScene(vtkRenderer& renderer, const Stage& stage, std::size_t step, Look look = Look::anew);
 
   /// Where an item is seen, in the pixels of a frame that the renderer's viewport fills; nothing of a round
   /// surface.
   [[nodiscard]] std::vector<Point> seen(const StageItem& item, const PixelBox& frame) const;
+  /// Whether it is a drawing in a plane.
+  [[nodiscard]] bool is_flat() const { return space_.camera.is_flat; }
 
  private:
+  void place_camera(Look look);
   void add_mark(const SpaceBody& body);
   void add_surface(const SpaceBody& body);
   void add_floor();

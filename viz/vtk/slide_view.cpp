@@ -1,0 +1,73 @@
+#include "viz/vtk/slide_view.hpp"
+
+#include <vtkContextActor.h>
+#include <vtkContextScene.h>
+
+#include <algorithm>
+
+#include "viz/flat/stage_picture.hpp"
+#include "viz/vtk/picture_item.hpp"
+
+namespace rayproof::viz {
+
+SlideView::SlideView(const PixelBox& scene) : scene_(scene) {
+  window_->SetMultiSamples(0);  // as depth peeling wants it
+  window_->SetAlphaBitPlanes(1);
+  window_->SetDPI(72);
+  window_->SetNumberOfLayers(4);
+  int layer = 0;
+  for (vtkRenderer* const renderer :
+       {backdrop_.GetPointer(), space_.GetPointer(), front_.GetPointer(), sheet_.GetPointer()}) {
+    renderer->SetLayer(layer++);
+    renderer->SetInteractive(renderer == space_ ? 1 : 0);
+    window_->AddRenderer(renderer);
+  }
+  backdrop_->SetBackground(1, 1, 1);
+  space_->SetMaximumNumberOfPeels(6);
+  space_->SetOcclusionRatio(0.02);
+  front_->SetActiveCamera(space_->GetActiveCamera());
+  set_fine(true);
+  vtkNew<vtkContextActor> actor;
+  actor->GetScene()->AddItem(item_);
+  actor->GetScene()->SetRenderer(sheet_);
+  sheet_->AddActor(actor);
+  item_->picture = &picture_;
+}
+SlideView::~SlideView() = default;
+
+void SlideView::set_fine(bool is_fine) {
+  space_->SetUseDepthPeeling(is_fine ? 1 : 0);
+  space_->SetUseFXAA(is_fine);
+}
+
+double SlideView::scale() const { return item_->scale; }
+
+Point SlideView::to_window(const Point& p) const {
+  return {item_->left + p.x * item_->scale, item_->bottom + (slide_height - p.y) * item_->scale};
+}
+
+void SlideView::fit() {
+  const int* const size = window_->GetSize();
+  item_->scale = std::min(size[0] / slide_width, size[1] / slide_height);
+  item_->left = (size[0] - item_->scale * slide_width) / 2;
+  item_->bottom = (size[1] - item_->scale * slide_height) / 2;
+  const Point low = to_window({scene_.left, scene_.bottom()});
+  const Point high = to_window({scene_.right(), scene_.top});
+  for (vtkRenderer* const renderer : {space_.GetPointer(), front_.GetPointer()})
+    renderer->SetViewport(low.x / size[0], low.y / size[1], high.x / size[0], high.y / size[1]);
+}
+
+SpaceScene SlideView::show(const Stage& stage, std::size_t step, const Picture& sheet, Look look) {
+  const SpaceScene scene(*space_, stage, step, look);
+  picture_ = sheet;
+  draw_labels(picture_, scene_, shown_in(stage, step),
+              [&](const StageItem& item) { return scene.seen(item, scene_); });
+  return scene;
+}
+
+void SlideView::show(const Picture& sheet) {
+  space_->RemoveAllViewProps();
+  picture_ = sheet;
+}
+
+}  // namespace rayproof::viz

@@ -1,0 +1,115 @@
+#include "viz/vtk/window/handle_widgets.hpp"
+
+#include <vtkInteractorObserver.h>
+#include <vtkNew.h>
+#include <vtkProperty.h>
+#include <vtkRenderWindowInteractor.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <set>
+
+#include "viz/picture/palette.hpp"
+#include "viz/picture/raster.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+constexpr double ball_size = 12;  ///< the diameter, in the slide's pixels
+
+void colour(vtkProperty& property, Role role) {
+  const auto [red, green, blue] = rgb_of(colour_of(role).light);
+  property.SetColor(red / 255.0, green / 255.0, blue / 255.0);
+}
+
+/// The place of the view that is seen `right` and `up` of another, as far from the eye.
+glm::dvec3 beside(vtkRenderer& renderer, const glm::dvec3& p, double right, double up) {
+  double seen[3];
+  double place[4];
+  vtkInteractorObserver::ComputeWorldToDisplay(&renderer, p.x, p.y, p.z, seen);
+  vtkInteractorObserver::ComputeDisplayToWorld(&renderer, seen[0] + right, seen[1] + up, seen[2], place);
+  return {place[0], place[1], place[2]};
+}
+
+}  // namespace
+
+HandleWidgets::Ball HandleWidgets::make_ball() {
+  vtkNew<vtkSphereHandleRepresentation> face;
+  face->GetSelectedProperty()->SetAmbient(0.3);
+  colour(*face->GetSelectedProperty(), Role::claimed);
+  auto ball = Ball::New();
+  ball->SetInteractor(view_.window().GetInteractor());
+  ball->SetDefaultRenderer(&view_.front());
+  ball->SetRepresentation(face);
+  ball->AllowHandleResizeOff();
+  for (const unsigned long event :
+       {vtkCommand::StartInteractionEvent, vtkCommand::InteractionEvent, vtkCommand::EndInteractionEvent})
+    ball->AddObserver(event, this, &HandleWidgets::hear);
+  return ball;
+}
+
+glm::dvec3 HandleWidgets::in_world(const glm::dvec3& p) const { return shown_.centre + shown_.radius * p; }
+
+double HandleWidgets::pixel_at(const glm::dvec3& p) const {
+  return shown_.radius * glm::length(beside(view_.front(), p, 1, 0) - p);
+}
+
+void HandleWidgets::hear(vtkObject* source, unsigned long event, void* /*nothing*/) {
+  if (event == vtkCommand::EndInteractionEvent) return player_.release();
+  for (const auto& [name, ball] : balls_) {
+    if (ball != source) continue;
+    if (event == vtkCommand::StartInteractionEvent) return player_.grasp(name);
+    glm::dvec3 p;
+    face_of(ball).GetWorldPosition(&p.x);
+    player_.drag_to(in_world(p), pixel_at(p));
+  }
+}
+
+void HandleWidgets::nudge(double right, double up) {
+  const std::string name = player_.focused_handle();
+  const auto found = balls_.find(name);
+  if (found == balls_.end()) return;
+  glm::dvec3 p;
+  face_of(found->second).GetWorldPosition(&p.x);
+  const double resolution = pixel_at(p);
+  player_.grasp(name);
+  player_.drag_to(in_world(beside(view_.front(), p, right, up)), resolution);
+  player_.release();
+}
+
+void HandleWidgets::show() {
+  const Stage shown = player_.shown();
+  shown_ = shown.steps[player_.step()].view;
+  std::set<std::string> names;
+  for (const Handle& handle : player_.handles()) {
+    names.insert(handle.name);
+    Ball& ball = balls_[handle.name];
+    if (!ball) ball = make_ball();
+    if (ball->GetEnabled() == 0) ball->On();
+    auto& face = *vtkSphereHandleRepresentation::SafeDownCast(ball->GetRepresentation());
+    const bool is_focused = handle.name == player_.focused_handle();
+    colour(*face.GetProperty(), is_focused ? Role::claimed : Role::frame);
+    face.SetHandleSize(ball_size * view_.scale());
+    if (is_focused && player_.is_held()) continue;
+    glm::dvec3 at = in_view(shown_, handle.at);
+    face.SetWorldPosition(&at.x);
+  }
+  for (auto& [name, ball] : balls_) {
+    const bool is_held = player_.is_held() && name == player_.focused_handle();
+    if (!names.contains(name) && !is_held && ball->GetEnabled() != 0) ball->Off();
+  }
+}
+
+void HandleWidgets::hide() {
+  for (auto& [name, ball] : balls_) ball->Off();
+}
+
+std::optional<Point> HandleWidgets::seen(const std::string& handle) const {
+  const auto found = balls_.find(handle);
+  if (found == balls_.end() || found->second->GetEnabled() == 0) return std::nullopt;
+  double at[3];
+  face_of(found->second).GetDisplayPosition(at);
+  return Point{at[0], at[1]};
+}
+
+}  // namespace rayproof::viz
