@@ -23,6 +23,12 @@ Indices common(const Indices& a, const Indices& b) {
   return both;
 }
 
+Indices united(const Indices& a, const Indices& b) {
+  Indices all;
+  std::ranges::set_union(a, b, std::back_inserter(all));
+  return all;
+}
+
 }  // namespace
 
 Cover::Cover(std::span<const Complaint* const> complaints) {
@@ -32,6 +38,8 @@ Cover::Cover(std::span<const Complaint* const> complaints) {
     sheet.search =
         std::make_unique<CauseSearch>(one->patient, *sheet.examination, std::span<const Hypothesis* const>{});
     sheet.own = sheet.search->groups();
+    const auto count = static_cast<double>(one->failing.size());
+    sheet.weight = one->broken > 0 ? one->broken / count : 1;
     sheets_.push_back(std::move(sheet));
   }
 }
@@ -62,7 +70,51 @@ std::vector<Cover::Candidate> Cover::candidates() const {
     }
     if (!is_refuted(cause, explained, contradictions)) all.push_back(std::move(candidate));
   }
+  name_by_models(all);
   return all;
+}
+
+/// How many cases of the run are explained by the candidate and are among the others.
+double Cover::weight_of_common(const Candidate& one, const std::vector<Indices>& others) const {
+  double sum = 0;
+  for (std::size_t k = 0; k < sheets_.size(); ++k)
+    sum += sheets_[k].weight * static_cast<double>(common(one.explained[k], others[k]).size());
+  return sum;
+}
+
+/// The model of which a cure is the same fault in vaguer words: the cure helps in what the model explains and
+/// in little more, and no other model explains the rest. Null where there is none.
+Cover::Candidate* Cover::model_of(const Candidate& cure, std::vector<Candidate>& candidates) const {
+  constexpr double most = 0.6, nearly_all = 0.9;
+  const double all = weight_of_common(cure, cure.explained);
+  for (Candidate& model : candidates) {
+    const double both = weight_of_common(model, cure.explained);
+    const bool is_within = both >= nearly_all * weight_of_common(model, model.explained);
+    if (model.cause->change != nullptr || both < most * all || !is_within) continue;
+    std::vector<Indices> rest;
+    for (std::size_t k = 0; k < sheets_.size(); ++k)
+      rest.push_back(without(cure.explained[k], model.explained[k]));
+    const bool has_other = std::ranges::any_of(candidates, [&](const Candidate& other) {
+      return other.cause->change == nullptr && 2 * weight_of_common(other, rest) > all - both;
+    });
+    if (both == all || !has_other) return &model;
+  }
+  return nullptr;
+}
+
+/// Gives the cases of such cures to their models.
+void Cover::name_by_models(std::vector<Candidate>& candidates) const {
+  for (std::size_t i = 0; i < candidates.size();) {
+    const Candidate cure = candidates[i];
+    Candidate* const model = cure.cause->change == nullptr ? nullptr : model_of(cure, candidates);
+    if (model == nullptr) {
+      ++i;
+      continue;
+    }
+    for (std::size_t k = 0; k < sheets_.size(); ++k)
+      model->explained[k] = united(model->explained[k], cure.explained[k]);
+    candidates.erase(candidates.begin() + static_cast<std::ptrdiff_t>(i));
+  }
 }
 
 /// The causes, that which explains most first, each with what those before it leave.
@@ -73,10 +125,10 @@ std::vector<Cover::Candidate> Cover::chosen() const {
   while (true) {
     std::vector<double> worth;
     for (const Candidate& one : open) {
-      std::size_t gain = 0;
+      std::vector<Indices> gained(sheets_.size());
       for (std::size_t k = 0; k < sheets_.size(); ++k)
-        if (is_group(one, k, left[k])) gain += common(one.explained[k], left[k]).size();
-      worth.push_back(weight_of(*one.cause) * static_cast<double>(gain));
+        if (is_group(one, k, left[k])) gained[k] = left[k];
+      worth.push_back(weight_of(*one.cause) * weight_of_common(one, gained));
     }
     const double most = worth.empty() ? 0 : std::ranges::max(worth);
     if (most == 0) return taken;

@@ -23,6 +23,7 @@ class Cover {
     std::unique_ptr<Examination> examination;
     std::unique_ptr<CauseSearch> search;
     std::vector<Diagnosis> own;  ///< the groups where no other complaint is known
+    double weight;               ///< how many cases of the run a case of the sample stands for
   };
   /// A cause with the cases that it explains of each complaint.
   struct Candidate {
@@ -31,6 +32,9 @@ class Cover {
   };
 
   [[nodiscard]] std::vector<Candidate> candidates() const;
+  [[nodiscard]] double weight_of_common(const Candidate& one, const std::vector<Indices>& others) const;
+  [[nodiscard]] Candidate* model_of(const Candidate& cure, std::vector<Candidate>& candidates) const;
+  void name_by_models(std::vector<Candidate>& candidates) const;
   [[nodiscard]] std::vector<Candidate> chosen() const;
   [[nodiscard]] std::vector<Diagnosis> groups_of(std::size_t complaint,
                                                  std::span<const Candidate> causes) const;

@@ -32,6 +32,7 @@ Consultation::Consultation(const RunResult& result, const Samples& samples, Find
       complaint_{.patient = patient_of(*finding.subject, *finding.property)},
       broken_(broken_cases(result, finding)) {
   const bool is_declared = finding.is_declared;
+  complaint_.broken = static_cast<double>(broken_);
   const Samples::PropertySample* sample =
       samples.find(*finding.subject, finding.one.precision, *finding.property);
   if (sample != nullptr) {

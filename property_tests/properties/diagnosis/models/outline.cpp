@@ -159,6 +159,7 @@ Answers plane_of_corner(const Case& one, const Answer& /*exact*/) {
   const auto hit = plane_hit(one, *figure);
   if (!hit) return {RayAnswer{}};
   const auto& outline = hit->vertices;
+  if (is_at_side(one.precision, hit->point, outline)) return {};
   return hit_at(one, hit->t, crossings(hit->point, outline, outline.size(), half_open) % 2 == 1);
 }
 
