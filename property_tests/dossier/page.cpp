@@ -66,8 +66,7 @@ std::string article(const FiledFinding& filed, const DrawCase& draw) {
       finding.number, escaped(about), picture_of(filed, draw),
       entry("Kind", kind_label(recorded.kind) + fmt::format(" {}; about {} of the cases",
                                                             name_of(finding.one.precision), finding.cases)),
-      entry("Found", escaped(recorded.says)) +
-          entry("Also in", escaped(fmt::format("{}", fmt::join(filed.also_in, ", ")))),
+      entry("Found", escaped(recorded.says)) + entry("Also in", escaped(also_in_words(filed))),
       confirmed(filed),
       entry("Diagnosis", escaped(finding.diagnosis.empty() ? "none: there is no answer" : finding.diagnosis)),
       entry("Documentation", escaped(documentation_of(filed))),
