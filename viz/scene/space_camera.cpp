@@ -60,7 +60,8 @@ std::vector<glm::dvec3> points_in_view(const StageCamera& chosen, const StageVie
 SpaceCamera space_camera(const Stage& stage, std::size_t step, const std::vector<ShownItem>& shown) {
   const double half = std::tan(radians(view_angle / 2));
   SpaceCamera camera{stage.camera.up, stage.camera.toward, glm::dvec3(0), view_margin / half, true};
-  if (stage.camera.is_flat || stage.steps.at(step).is_apart) return camera;
+  if (stage.camera.is_flat || (stage.steps.at(step).is_apart && !stage.steps.at(step).is_other_space))
+    return camera;
   camera.is_flat = false;
   camera.up = upright_axis(stage.camera);
   const glm::dvec3 level = glm::normalize(camera.toward - glm::dot(camera.toward, camera.up) * camera.up);

@@ -86,6 +86,8 @@ struct StageStep {
   /// lengths are the world's times `magnification`, from a point of the world's own.
   bool is_apart = false;
   double magnification = 1;
+  /// A scene of its own that is another space of three dimensions, not a drawing: to be seen as the world is.
+  bool is_other_space = false;
   /// From this step on, the items of the steps before are shown no more.
   bool begins_anew = false;
 };

@@ -46,6 +46,11 @@ class FormulaWriter {
     const std::string& name = tape_.at(id).name;
     if (name.empty()) return write(id);
     if (numbers_) return number(id);
+    const std::size_t dot = name.rfind('.');
+    const bool is_component = dot != std::string::npos && dot > 0 && dot + 2 == name.size();
+    const std::string vector = is_component ? name.substr(0, dot) : "";
+    if (is_component && strength_of(vector) < atom)
+      return {fmt::format("({}){}", vector, name.substr(dot)), atom};
     return {name, strength_of(name)};
   }
 
@@ -56,7 +61,7 @@ class FormulaWriter {
     switch (o.op) {
       case Operator::constant:
         if (numbers_) return number(id);
-        return {o.name.empty() ? rough(o.value, 17) : o.name, o.value < 0 ? sign : atom};
+        return {o.name.empty() ? rough(o.value, 17) : o.name, o.value < 0 ? sum : atom};
       case Operator::negate:
         return {fmt::format("−{}", bracketed(at(0), product)), sign};
       case Operator::add:

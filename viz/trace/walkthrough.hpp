@@ -63,9 +63,11 @@ struct PointedValue {
   const char* before;
   const char* after;
 };
-inline constexpr std::array<PointedValue, 7> pointed_values{{
+inline constexpr std::array<PointedValue, 9> pointed_values{{
     {"t₀", Role::claimed, "t₀", "point at t = ", " on the ray"},
     {"t₁", Role::claimed, "t₁", "point at t = ", " on the ray"},
+    {"s₀", Role::claimed, "s₀", "point at t = ", " on the ray"},
+    {"s₁", Role::claimed, "s₁", "point at t = ", " on the ray"},
     {"t_c", Role::nearest, "nearest point", "point at t = ", " on the ray"},
     {"x₀", Role::claimed, "x₀", "root at x = ", ""},
     {"x₁", Role::claimed, "x₁", "root at x = ", ""},

@@ -8,18 +8,44 @@
 #include "viz/explain/answers.hpp"
 #include "viz/trace/losses.hpp"
 #include "viz/trace/numbers.hpp"
+#include "viz/walkthrough/sentences.hpp"
 #include "viz/walkthrough/stage_values.hpp"
 
 namespace rayproof::viz {
 namespace {
 
-/// In each step one value is what the step is for: the last that has a formula.
-const StageValue* aim_of(const std::vector<StageValue>& values) {
-  const StageValue* aim = nullptr;
-  for (const StageValue& value : values) {
-    if (!value.formula.empty() && value.formula != value.name) aim = &value;
+bool has_formula(const StageValue& value) { return !value.formula.empty() && value.formula != value.name; }
+
+/// More letters than this a slide has no room for below its picture.
+constexpr std::size_t most_letters = 310;
+
+/// The equations of a step that has room for this many letters: of the last value, which the step is for, and
+/// of as many before it as there is room for, without the numbers put in where that helps. The value panel
+/// has them all.
+std::string equations_of(const std::vector<StageValue>& values, Precision precision, std::size_t room) {
+  std::vector<const StageValue*> shown_values;
+  for (const StageValue& value : values)
+    if (has_formula(value)) shown_values.push_back(&value);
+  if (shown_values.empty()) {
+    for (const StageValue& value : values) shown_values.push_back(&value);
   }
-  return aim;
+  if (shown_values.empty()) return {};
+  StageValue last = *shown_values.back();
+  shown_values.pop_back();
+  if (letters_of(equation_of(last, precision)) > room) last.put_in.clear();
+  if (letters_of(equation_of(last, precision)) > room) last.formula.clear();
+  std::string text = equation_of(last, precision);
+  for (; !shown_values.empty(); shown_values.pop_back()) {
+    StageValue value = *shown_values.back();
+    std::string longer = equation_of(value, precision) + "; " + text;
+    if (letters_of(longer) > room) {
+      value.put_in.clear();
+      longer = equation_of(value, precision) + "; " + text;
+    }
+    if (letters_of(longer) > room) break;
+    text = longer;
+  }
+  return text;
 }
 
 /// Of a step that names nothing: what it came to.
@@ -71,18 +97,17 @@ StageView view_of(const StageStep& step, const Setting& setting) {
   return setting.near;
 }
 
-/// The values of a step in runs that each end in one that is drawn: a new thing a part. Where nothing of the
-/// step can be drawn (there are no roots), in one that would be.
+/// The values of a step in runs that each begin with what leads to one that is drawn: a new thing a part.
+/// Where nothing of the step can be drawn (there are no roots), all in one.
 std::vector<std::vector<StageValue>> parts_of(const std::vector<StageValue>& values, const NumbersByName& n,
                                               const Setting& setting) {
   std::vector<std::vector<StageValue>> parts{{}};
   const auto is_placed = [&](const StageValue& value) {
     return !placed(items_of(value.name, n, setting), setting).empty();
   };
-  const bool is_empty = std::none_of(values.begin(), values.end(), is_placed);
   bool is_drawn = false;
   for (const StageValue& value : values) {
-    const bool draws = is_empty ? !items_of(value.name, n, setting).empty() : is_placed(value);
+    const bool draws = is_placed(value);
     if (is_drawn && draws) parts.emplace_back();
     is_drawn = is_drawn || draws;
     parts.back().push_back(value);
@@ -90,12 +115,27 @@ std::vector<std::vector<StageValue>> parts_of(const std::vector<StageValue>& val
   return parts;
 }
 
+/// A step's sentences, each with the part that gives the last number that it speaks of.
+std::vector<std::string> words_of(const std::string& meaning,
+                                  const std::vector<std::vector<StageValue>>& parts) {
+  std::vector<std::string> words(parts.size());
+  std::size_t part = 0;
+  for (const std::string& sentence : sentences_of(meaning)) {
+    for (std::size_t i = part; i < parts.size(); ++i) {
+      for (const StageValue& value : parts[i])
+        if (mentions(sentence, value.name)) part = i;
+    }
+    words[part] += (words[part].empty() ? "" : " ") + sentence;
+  }
+  return words;
+}
+
 void caption(StageStep& step, const CaseReport& report, bool is_last) {
-  const StageValue* aim = aim_of(step.values);
-  if (aim == nullptr && !step.values.empty()) aim = &step.values.back();
-  const std::string numbers = aim != nullptr ? equation_of(*aim, report.one.precision)
-                              : is_last      ? decision_of(report)
-                                             : "";
+  const std::size_t words = std::min(most_letters, letters_of(step.words));
+  const std::string numbers = !step.values.empty()
+                                  ? equations_of(step.values, report.one.precision, most_letters - words)
+                              : is_last ? decision_of(report)
+                                        : "";
   const bool is_both = !step.words.empty() && !numbers.empty();
   step.caption = step.words + (is_both ? " " : "") + numbers;
   if (step.caption.empty()) step.caption = step.title + ".";
@@ -133,13 +173,14 @@ std::vector<StageStep> kernel_steps(const CaseReport& report, const Walkthrough&
   const Precision precision = report.one.precision;
   const std::vector<StageValue> values = step_values(walk, index, n, precision);
   const auto parts = is_split ? parts_of(values, n, setting) : std::vector<std::vector<StageValue>>{values};
+  const std::vector<std::string> words = words_of(walk.steps[index].meaning, parts);
   std::vector<StageStep> steps;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     StageStep step;
     step.title = parts.size() == 1 ? title : fmt::format("{} ({} of {})", title, i + 1, parts.size());
     step.values = parts[i];
+    step.words = words[i];
     if (i == 0) {
-      step.words = walk.steps[index].meaning;
       add_placed(step, items_of(title, n, setting), setting);
     }
     for (const StageValue& value : step.values) add_placed(step, items_of(value.name, n, setting), setting);

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "case/reader.hpp"
+#include "viz/walkthrough/beside.hpp"
+#include "viz/walkthrough/compose.hpp"
 #include "viz/walkthrough/lessons.hpp"
 #include "viz/walkthrough/stage_of.hpp"
 
@@ -40,8 +42,16 @@ std::vector<const Lesson*> lessons_of(std::string_view topic) {
 
 Stage stage_of(const Lesson& lesson, const ReportCase& report_on) {
   const Case one = read_case(lesson.case_text);
-  Stage stage =
-      lesson.compose != nullptr ? lesson.compose(one, report_on) : stage_of(report_on(one, lesson.method));
+  Stage stage = lesson.compose != nullptr ? lesson.compose(one, report_on)
+                : lesson.beside.empty()   ? stage_of(report_on(one, lesson.method))
+                                          : stage_beside(one, report_on, lesson.method, lesson.beside);
+  for (const auto& [title, words] : lesson.notes) {
+    StageStep& step = stage.steps.at(place_of(stage.steps, title));
+    const std::size_t end = step.caption.starts_with(step.words) ? step.words.size() : step.caption.size();
+    const std::string space = end == 0 ? "" : " ";
+    step.caption.insert(end, space + words + (end == 0 && !step.caption.empty() ? " " : ""));
+    step.words += (step.words.empty() ? "" : " ") + std::string(words);
+  }
   stage.name = lesson.name;
   stage.title = lesson.title;
   stage.sentence = lesson.sentence;

@@ -16,6 +16,12 @@ namespace rayproof::viz {
 /// (viz/programs/report_of.hpp).
 using ReportCase = std::function<CaseReport(const Case& one, const std::string& method)>;
 
+/// What a lesson's own case has to say in a step, beside the kernel's words for every case.
+struct LessonNote {
+  const char* step;  ///< how the step's title begins
+  const char* words;
+};
+
 /// A topic of `rayproof walk`.
 struct Lesson {
   std::string name;      ///< "far-sphere"
@@ -26,6 +32,8 @@ struct Lesson {
   std::string method{};
   /// Where the steps are not one method's run on the case alone; else left out.
   Stage (*compose)(const Case& one, const ReportCase& report_on) = nullptr;
+  std::vector<LessonNote> notes{};
+  std::string beside{};  ///< the right method, where `method` is one with a source's error
 };
 
 /// In the order of teaching.

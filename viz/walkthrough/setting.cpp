@@ -8,6 +8,7 @@
 #include "viz/explain/answers.hpp"
 #include "viz/scene/fit_view.hpp"
 #include "viz/walkthrough/flat_settings.hpp"
+#include "viz/walkthrough/spaces.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -119,13 +120,46 @@ StageSlider slider_of(const WireframeScene& scene, const StageView& near, const 
   return slider;
 }
 
-void add_ray(Items& scene, const Ray<double>& ray, const StageSlider& slider) {
+void add_ray(Items& scene, const Ray<double>& ray, const StageSlider& slider, const char* origin = "o") {
   const bool starts = std::isfinite(ray.t_min);
   const glm::dvec3 start = ray.origin + (starts ? ray.t_min : slider.from) * ray.direction;
   const glm::dvec3 end = ray.origin + std::max(slider.to, starts ? ray.t_min : slider.to) * ray.direction;
   if (starts && ray.t_min != 0) scene.push_back(segment(Role::ray, ray.origin, start, {}, Pattern::dotted));
   scene.push_back(arrow(Role::ray, start, end, "p(t)"));
-  if (starts) scene.push_back(point(Role::ray, ray.origin, "o"));
+  if (starts) scene.push_back(point(Role::ray, ray.origin, origin));
+}
+
+/// The shape and the ray as the kernel sees them, where the case has a transform.
+Space object_space_of(const CaseReport& report, Figure (*figure)(const Sight&), const Setting& setting,
+                      const std::string& first_step) {
+  Case one = report.one;
+  auto& question = std::get<RayQuestion>(one.question);
+  const Ray<Shadow> inside = World(question).ray_in_object_space(convert<Shadow>(question.ray));
+  question.ray.origin = viz::rounded(inside.origin);
+  question.ray.direction = viz::rounded(inside.direction);
+  question.transform.reset();
+  const WireframeScene scene = scene_of(figure, one, &report.exact, report.claim());
+  const auto toward = convert<Shadow>(setting.camera.toward);
+  Items items = items_of(scene.figure, {toward.x, toward.y, toward.z}, setting.near.radius);
+  add_ray(items, question.ray, *setting.slider, "o′");
+  return {first_step, "In the object's own space:", [items](const NumbersByName& /*n*/) { return items; },
+          [](const glm::dvec3& p) { return p; }};
+}
+
+/// The spaces in which a run computes.
+std::vector<Space> spaces_of(const CaseReport& report, Figure (*figure)(const Sight&),
+                             const Setting& setting) {
+  std::vector<Space> spaces;
+  if (!report.walk) return spaces;
+  const std::vector<WalkStep>& steps = report.walk->steps;
+  for (std::size_t i = 0; i + 1 < steps.size(); ++i) {
+    if (steps[i].title.starts_with("Take the ray into the "))
+      spaces.push_back(object_space_of(report, figure, setting, steps[i + 1].title));
+  }
+  if (topic_of(report.one) == "triangle") {
+    for (Space& space : triangle_spaces(*report.walk, setting.camera)) spaces.push_back(std::move(space));
+  }
+  return spaces;
 }
 
 Setting ray_setting(const CaseReport& report, Figure (*figure)(const Sight&)) {
@@ -141,6 +175,7 @@ Setting ray_setting(const CaseReport& report, Figure (*figure)(const Sight&)) {
   add_ray(setting.scene, scene.sight.question.ray, *setting.slider);
   const World world = scene.sight.world;
   setting.to_world = [world](const glm::dvec3& p) { return viz::rounded(world.point(p)); };
+  setting.spaces = spaces_of(report, figure, setting);
   return setting;
 }
 

@@ -10,6 +10,17 @@
 
 namespace rayproof::viz {
 
+/// Another space than the world, in which a run computes from a step on until another space begins.
+struct Space {
+  std::string first_step;  ///< how the title of its first step begins
+  std::string words{};     ///< "In the sheared space, looking along the ray:"
+  /// What is there, as the kernel has it; none for the world.
+  std::function<Items(const NumbersByName& n)> scene{};
+  std::function<glm::dvec3(const glm::dvec3&)> place{};  ///< from the kernel's space to where it is drawn
+  std::vector<Binding> bindings{};                       ///< its own; none for those of the setting
+  bool is_flat = false;                                  ///< a drawing in a plane
+};
+
 /// The place of a stage's steps.
 struct Setting {
   Items scene{};
@@ -20,6 +31,7 @@ struct Setting {
   /// From the space in which the kernel works to the world; the identity where there is no transform.
   std::function<glm::dvec3(const glm::dvec3&)> to_world{};
   std::vector<Binding> bindings{};  ///< how the named values look: the topic's, or a lesson's own
+  std::vector<Space> spaces{};
 };
 
 [[nodiscard]] Setting setting_of(const CaseReport& report);

@@ -11,6 +11,7 @@
 #include "viz/walkthrough/compose.hpp"
 #include "viz/walkthrough/kernel_steps.hpp"
 #include "viz/walkthrough/setting.hpp"
+#include "viz/walkthrough/spaces.hpp"
 #include "viz/walkthrough/stage_values.hpp"
 
 namespace rayproof::viz {
@@ -80,12 +81,20 @@ void add_steps(Stage& stage, const CaseReport& report, const Walkthrough& walk, 
   stage.source = walk.source;
   const std::size_t needed = walk.steps.size() + 2;
   std::size_t room = may_split && needed < most_steps ? most_steps - needed : 0;
+  const Space* before = nullptr;
+  Items earlier;
   for (std::size_t i = 0; i < walk.steps.size(); ++i) {
-    const std::size_t more = count_parts(report, walk, i, setting) - 1;
+    const Space* const space = space_of(setting, walk, i);
+    if (space != before) earlier.clear();
+    before = space;
+    const Setting here = space != nullptr ? in_space(setting, *space) : setting;
+    const std::size_t more = count_parts(report, walk, i, here) - 1;
     const bool is_split = more <= room;
     if (is_split) room -= more;
-    for (StageStep& step : kernel_steps(report, walk, i, setting, is_split))
+    for (StageStep& step : kernel_steps(report, walk, i, here, is_split)) {
+      if (space != nullptr) show_in_space(step, *space, NumbersByName(walk, i), setting.camera, earlier);
       stage.steps.push_back(std::move(step));
+    }
   }
 }
 

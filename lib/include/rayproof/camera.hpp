@@ -51,11 +51,11 @@ inline constexpr Bound axes_error{.measured = 4.30, .promised = 8};
 template <class T>
 [[nodiscard]] CameraAxes<T> axes(const Camera<T>& camera) {
   step<T>("Look along -w, from the eye to the centre",
-          "w is the unit vector from the centre back to the eye.");
+          "w = (eye − center) / |eye − center| is the unit vector from the centre back to the eye.");
   const vec3<T> w = named("w", normalized<T>(camera.eye - camera.center));
 
   step<T>("Turn u to the right of both up and w",
-          "u is the unit vector along up × w: perpendicular to both, and horizontal in the image.");
+          "u = up × w / |up × w| is a unit vector perpendicular to both: horizontal in the image.");
   const vec3<T> u = named("u", normalized<T>(cross(camera.up, w)));
 
   step<T>("Complete the right-handed axes by v",
@@ -75,7 +75,7 @@ template <class T>
 
   step<T>("Scale to the image plane at distance 1",
           "There the image is 2·half_w wide and 2·half_h high, so x and y from -1 to 1 are multiplied by "
-          "half_w and half_h.");
+          "half_w and half_h, the tangents of half the angles of view.");
   const T alpha = named("α", camera.half_width * across);
   const T beta = named("β", camera.half_height * upwards);
 

@@ -7,7 +7,11 @@
 #include <nlohmann/json.hpp>
 #include <rayproof/box/slab.hpp>
 #include <rayproof/camera.hpp>
+#include <rayproof/formulas/largest_axis.hpp>
 #include <rayproof/formulas/polygon_sides.hpp>
+#include <rayproof/implicit/torus.hpp>
+#include <rayproof/parametric/bilinear_quadratic.hpp>
+#include <rayproof/plane/point_normal.hpp>
 #include <rayproof/spawn.hpp>
 #include <rayproof/topics.hpp>
 #include <rayproof/transform.hpp>
@@ -103,12 +107,16 @@ class PlainRuns {
     if (lesson == "raycasting") return of_ball(title);
     if (lesson == "leak") return of_leak(title);
     if (lesson == "ray") along_ray();
+    if (lesson == "polygon-in-space") return in_space();
+    if (lesson == "ray-segment") return tries();
+    if (lesson == "implicit-torus") torus();
+    if (lesson == "parametric-patch") return patch();
     if (lesson == "leaving-a-sphere") leave_sphere();
     if (lesson == "camera") camera();
     if (lesson == "barycentric") barycentric();
     if (lesson == "slab-intervals") slabs();
     if (lesson == "transformed-normal") normal();
-    if (lesson.starts_with("polygon") || lesson == "ray-segment") sides();
+    if (lesson.starts_with("polygon")) sides();
     return H::names;
   }
 
@@ -129,6 +137,7 @@ class PlainRuns {
     (void)named("p(0)", point_at(ray, H(0)));
     (void)named("p(1)", point_at(ray, H(1)));
     (void)named("p(2.5)", point_at(ray, H(2.5)));
+    (void)named("p(-0.5)", point_at(ray, H(-0.5)));
     const H length = named("|d|", sqrt(dot(ray.direction, ray.direction)));
     (void)named("distance", H(2.5) * length);
   }
@@ -185,6 +194,51 @@ class PlainRuns {
       (void)named(("t" + subscript(i)).c_str(), t);
     }
   }
+  void side(std::size_t i, const Vec2<H>& p, const Vec2<H>& a, const Vec2<H>& b) {
+    const auto [s, t] = polygon::cross_side(p, a, b);
+    (void)named(("s" + subscript(i)).c_str(), s);
+    (void)named(("t" + subscript(i)).c_str(), t);
+  }
+  NamedNumbers in_space() {
+    const Ray<H> ray = convert<H>(asked().ray);
+    std::vector<vec3<H>> v;
+    for (const glm::dvec3& vertex : std::get<rayproof::Polygon<double>>(asked().shape).vertices)
+      v.push_back(convert<H>(vertex));
+    const vec3<H> n = named("n", polygon::newell_normal<H>(v, v.front()));
+    const vec3<H> q = named("q", point_at(ray, plane::meet(ray, v.front(), n).lo));
+    const LargestAxisLast<H> turned(n);
+    for (std::size_t i = 0; i < v.size(); ++i)
+      side(i, turned.dropped(q), turned.dropped(v[i]), turned.dropped(v[polygon::next(i, v.size())]));
+    return H::names;
+  }
+  NamedNumbers tries() {
+    const auto question = convert<H>(std::get<PointAndPolygon<double>>(one_.question));
+    const std::array<Vec2<double>, 3> origins{{{-1.1, 0.3}, {-1.1, 1.2}, {1.6, 0.1}}};
+    for (std::size_t i = 0; i < origins.size(); ++i) {
+      const Vec2<H> p{named("p.x", H(origins[i].x)), named("p.y", H(origins[i].y))};
+      side(i, p, question.vertices[0], question.vertices[1]);
+    }
+    return H::names;
+  }
+  void torus() {
+    const Ray<H> ray = convert<H>(asked().ray);
+    const implicit::Torus<double> f{1.25, 0.5};
+    const auto value = [&](const char* point, const char* name, double t) {
+      const vec3<H> p = named(point, point_at(ray, H(t)));
+      return named(name, f(p.x, p.y, p.z, H(1)));
+    };
+    const H first = value("p_a", "f(t_a)", 1);
+    const H second = value("p_b", "f(t_b)", 1.5);
+    const H share = named("share", first / (first - second));
+    (void)named("t_s", H(1) + share * H(0.5));
+  }
+  NamedNumbers patch() {
+    const auto at = [](double x, double y, double z) { return vec3<H>{H(x), H(y), H(z)}; };
+    parametric::BilinearPatch<H> patch;
+    patch.points = {{{at(-1.25, -1, 0.75), at(-1, 1.25, -0.25)}, {at(1.25, -0.75, -0.25), at(1.5, 1, 1)}}};
+    (void)parametric::BilinearQuadratic::roots(convert<H>(asked().ray), patch);
+    return H::names;
+  }
   NamedNumbers of_ball(const std::string& title) {
     Case with_ball = one_;
     const bool is_first = title == "Meet the first object";
@@ -234,6 +288,8 @@ TEST(StageBits, AMethodsStepsShowTheNumbersOfThePlainKernel) {
 TEST(StageBits, AComposedLessonShowsTheNumbersOfTheLibrarysFunctions) {
   for (const Lesson& lesson : lessons()) {
     if (lesson.compose == nullptr) continue;
+    const bool says_it_in_words =
+        lesson.name == "acne" || lesson.name == "error-map" || lesson.name == "property-test";
     for (const Precision precision : {Precision::float32, Precision::float64}) {
       Case one = read_case(lesson.case_text);
       one.precision = precision;
@@ -245,15 +301,16 @@ TEST(StageBits, AComposedLessonShowsTheNumbersOfTheLibrarysFunctions) {
                                        ? PlainRuns<float>(one, data).of(lesson.name, step["title"])
                                        : PlainRuns<double>(one, data).of(lesson.name, step["title"]);
         for (const auto& [name, value] : shown_in(step)) {
-          const auto same = std::find_if(plain.begin(), plain.end(),
-                                         [&name = name](const auto& one_of) { return one_of.first == name; });
-          ASSERT_NE(same, plain.end()) << lesson.name << " shows " << name << ", which no plain run names";
-          EXPECT_TRUE(same_bits(same->second, value))
-              << lesson.name << ": " << name << " is " << same->second << ", shown as " << value;
+          // A name that is given twice has several numbers.
+          const auto is_it = [&name = name, &value = value](const auto& one_of) {
+            return one_of.first == name && same_bits(one_of.second, value);
+          };
+          EXPECT_TRUE(std::any_of(plain.begin(), plain.end(), is_it))
+              << lesson.name << " shows " << name << " = " << value << ", which no plain run has";
           ++compared;
         }
       }
-      EXPECT_GT(compared, 1) << lesson.name;
+      EXPECT_GT(compared, says_it_in_words ? -1 : 1) << lesson.name;
     }
   }
 }

@@ -31,21 +31,22 @@ Items height_above_plane(const NumbersByName& n) { return way_to_plane(n, normal
 Items gain(const NumbersByName& n) {
   const glm::dvec3 along = resized(normal_of(n), 1);
   const glm::dvec3 tip = n.origin() + n.direction();
-  return {arrow(Role::edge, n.origin(), tip, "d⃗"),
-          arrow(Role::normal, n.origin(), n.origin() + along * glm::dot(along, n.direction()), "n·d⃗")};
+  const glm::dvec3 foot = n.origin() + along * glm::dot(along, n.direction());
+  return {arrow(Role::edge, n.origin(), tip, "d⃗"), segment(Role::normal, n.origin(), foot, "d⃗ along n"),
+          segment(Role::frame, foot, tip, {}, Pattern::dotted)};
 }
 
 Items spanning(const NumbersByName& n) {
   const glm::dvec3 p = point_of(n);
   return {point(Role::edge, p, "p"), arrow(Role::edge, p, p + n.vector("u"), "u"),
-          arrow(Role::edge, p, p + n.vector("v"), "v")};
+          arrow(Role::edge, p, p + n.vector("v"), "v"), arrow(Role::nearest, p, n.origin(), "w")};
 }
 
 Items parameters(const NumbersByName& n) {
   const glm::dvec3 p = point_of(n);
-  const glm::dvec3 corner = p + n["a"] * n.vector("u");
-  return {segment(Role::edge, p, corner, "a·u"),
-          segment(Role::edge, corner, corner + n["b"] * n.vector("v"), "b·v")};
+  const glm::dvec3 corner = p + n["α"] * n.vector("u");
+  return {segment(Role::edge, p, corner, "α·u"),
+          segment(Role::edge, corner, corner + n["β"] * n.vector("v"), "β·v")};
 }
 
 }  // namespace
@@ -57,10 +58,9 @@ std::vector<Binding> plane_bindings() {
       {"n·o + d", height_above_plane},
       {"n·(p - o)", height_above_plane},
       {"n·d⃗", gain},
-      {"v", spanning},
-      {"w", [](const NumbersByName& n) { return Items{arrow(Role::edge, point_of(n), n.origin(), "w")}; }},
+      {"w", spanning},
       {"u×v", normal},
-      {"b", parameters},
+      {"β", parameters},
       answer("t"),
   };
 }

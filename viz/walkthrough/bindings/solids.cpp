@@ -61,6 +61,12 @@ Items ends(const NumbersByName& n) {
   return items;
 }
 
+/// The stretch of the ray between both ends, where it has one.
+Items between_both_ends(const NumbersByName& n) {
+  if (!std::isfinite(n["e₀"]) || !std::isfinite(n["e₁"])) return {};
+  return {segment(Role::nearest, n.at(n["e₀"]), n.at(n["e₁"]), "from e₀ to e₁")};
+}
+
 Items semi_axes(const NumbersByName& n) {
   return {arrow(Role::edge, {0, 0, 0}, {n["rx"], 0, 0}, "rx"),
           arrow(Role::edge, {0, 0, 0}, {0, n["ry"], 0}, "ry")};
@@ -103,8 +109,9 @@ std::vector<Binding> cylinder_bindings() {
       {"t_c", nearest_the_axis},
       {"h", half_chords},
       {"Meet the planes of both ends", ends},
-      answer("t₀"),
-      answer("t₁"),
+      answer("s₀"),
+      answer("s₁"),
+      {"Keep the roots between both ends", between_both_ends},
       answer("t_entry"),
       answer("t_exit"),
   };

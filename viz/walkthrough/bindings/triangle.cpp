@@ -30,24 +30,34 @@ Binding direction_from_a(const char* name, Role role) {
           }};
 }
 
+/// An edge of Cramer's system; elsewhere the first of two weights.
 Items first_weight(const NumbersByName& n) {
   const Corners tri = corners_of(n);
+  if (n.has_vector("u")) return {arrow(Role::edge, tri.a, tri.a + n.vector("u"), "u")};
   return {segment(Role::edge, tri.a, tri.a + n["u"] * (tri.b - tri.a), "u·e₁")};
 }
 
 Items second_weight(const NumbersByName& n) {
   const Corners tri = corners_of(n);
+  if (n.has_vector("v")) return {arrow(Role::edge, tri.a, tri.a + n.vector("v"), "v")};
   const glm::dvec3 corner = tri.a + n["u"] * (tri.b - tri.a);
   return {segment(Role::edge, corner, corner + n["v"] * (tri.c - tri.a), "v·e₂")};
 }
 
-/// Cramer's a and b are numbers; another kernel's are its vertices.
+/// Cramer's α and β are lengths along the edges; elsewhere they are areas.
 Items both_parameters(const NumbersByName& n) {
-  if (!n.has("b")) return {};
+  if (!n.has_vector("u")) return {};
   const Corners tri = corners_of(n);
-  const glm::dvec3 corner = tri.a + n["a"] * (tri.b - tri.a);
-  return {segment(Role::edge, tri.a, corner, "a·(b − a)"),
-          segment(Role::edge, corner, corner + n["b"] * (tri.c - tri.a), "b·(c − a)")};
+  const glm::dvec3 corner = tri.a + n["α"] * n.vector("u");
+  return {segment(Role::edge, tri.a, corner, "α·u"),
+          segment(Role::edge, corner, corner + n["β"] * n.vector("v"), "β·v")};
+}
+
+/// The other half of the parallelogram, where the sum of both parameters is more than 1.
+Items other_half(const NumbersByName& n) {
+  const Corners tri = corners_of(n);
+  const glm::dvec3 far = tri.b + tri.c - tri.a;
+  return {polyline(Role::frame, {tri.b, far, tri.c}, "sum > 1", Pattern::dashed)};
 }
 
 Items height_above_triangle(const NumbersByName& n) {
@@ -73,19 +83,6 @@ Items projection(const NumbersByName& n) {
   }
   items.push_back(
       point(Role::nearest, drop(q), "q without " + std::string(1, static_cast<char>('x' + axis))));
-  return items;
-}
-
-/// The three triangles whose areas are the coordinates.
-Items weights(const NumbersByName& n) {
-  const Corners tri = corners_of(n);
-  const glm::dvec3 q = n.vector("q");
-  Items items;
-  for (const auto& [corner, name] : {std::pair{tri.a, "α"}, {tri.b, "β"}, {tri.c, "γ"}}) {
-    items.push_back(segment(Role::edge, q, corner));
-    const glm::dvec3 far_side = (tri.a + tri.b + tri.c - corner + q) / 3.0;  // the middle of what faces it
-    items.push_back(point(Role::text, far_side, name));
-  }
   return items;
 }
 
@@ -121,10 +118,11 @@ std::vector<Binding> triangle_bindings() {
       direction_from_a("u×v", Role::normal),
       {"u", first_weight},
       {"v", second_weight},
-      {"b", both_parameters},
+      {"β", both_parameters},
+      {"Ask whether the point lies in the triangle", other_half},
+      {"Ask whether α and β lie in [0, 1], as printed", other_half},
       {"n·(p - o)", height_above_triangle},
       {"Project along the normal's largest axis", projection},
-      {"γ", weights},
       side("U", 1, 2),
       side("V", 2, 0),
       side("W", 0, 1),

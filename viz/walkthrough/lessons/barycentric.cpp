@@ -34,10 +34,20 @@ Stage barycentric_stage(const Case& one, const ReportCase& report_on) {
   // One value a step.
   const std::vector<WalkValue> values = walk.steps.front().values;
   static const std::map<std::string, Step> steps{
-      {"D", {"D is twice the area of the whole", "It is positive where a, b, c run counterclockwise."}},
-      {"α", {"α is the part opposite a", "It is the area of q, b, c over the area of the whole."}},
-      {"β", {"β is the part opposite b", "It is the area of q, c, a over the area of the whole."}},
-      {"γ", {"γ is what is left for c", "The three areas add up to the whole, so α + β + γ = 1."}}};
+      {"D",
+       {"D is twice the area of the whole",
+        "Its sign is + where a, b, c run counterclockwise. Where D = 0 the triangle is seen edge-on, and no "
+        "share exists."}},
+      {"α",
+       {"α is the part opposite a",
+        "α is the signed area of q, b, c over that of the whole: negative where q is beyond bc."}},
+      {"β",
+       {"β is the part opposite b",
+        "β is the signed area of q, c, a over that of the whole: negative where q is beyond ca."}},
+      {"γ",
+       {"γ is what is left for c",
+        "The three signed areas add up to the whole, so α + β + γ = 1: γ is negative where q is beyond "
+        "ab."}}};
   walk.steps.clear();
   for (const WalkValue& value : values) {
     const auto& [title, meaning] = steps.at(value.name);
@@ -55,7 +65,9 @@ Stage barycentric_stage(const Case& one, const ReportCase& report_on) {
   const auto part = [=](const char* name, const glm::dvec3& first, const glm::dvec3& u, const glm::dvec3& v) {
     return Binding{
         name, [=](const NumbersByName& n) {
-          const std::string label = fmt::format("{} = {}", name, rough(n[name], 3));
+          const bool is_whole = std::string_view(name) == "D";
+          const std::string label =
+              is_whole ? "D/2 = " + rough(n[name] / 2, 3) : fmt::format("{} = {}", name, rough(n[name], 3));
           return Items{polygon(Role::edge, {first, u, v}, label), polyline(Role::edge, {first, u, v, first})};
         }};
   };

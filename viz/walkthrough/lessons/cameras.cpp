@@ -27,6 +27,12 @@ Items placed_pixel(const NumbersByName& n) {
           point(Role::nearest, on_image(n["x"], n["y"]), "pixel (4, 2)")};
 }
 
+/// Where the printed formula, without the half pixel, puts the pixel.
+Items printed_corner(const NumbersByName& /*n*/) {
+  const double x = 2.0 * pixel_i / width - 1, y = 1 - 2.0 * pixel_j / height;
+  return {point(Role::claimed, on_image(x, y), "as printed: the corner")};
+}
+
 Items parts_of_direction(const NumbersByName& n) {
   const CameraAxes<double> axes = camera::axes(eye());
   const glm::dvec3 middle = eye().eye - axes.w;
@@ -59,6 +65,7 @@ Stage camera_stage(const Case& one, const ReportCase& report_on) {
       axis("u"),
       axis("v"),
       {"y", placed_pixel},
+      {"Place the pixel's centre in the image", printed_corner},
       {"β", parts_of_direction},
       {"d", [](const NumbersByName& n) {
          return Items{arrow(Role::ray, eye().eye, eye().eye + 1.35 * n.vector("d"), "the ray")};

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <rayproof/formulas/polygon_sides.hpp>
 
 #include "viz/trace/numbers.hpp"
@@ -54,8 +56,27 @@ PolygonSide polygon_side(const PointAndPolygon<double>& question, std::size_t i)
 struct Counting {
   bool (*takes)(const Vec2<double>& point, const Vec2<double>& a, const Vec2<double>& b);
   bool (*counts)(double s, double t);
-  const char* because;  ///< of a side that is not looked at
 };
+
+/// Of a side that a half-open rule does not look at.
+std::string why_not(const PolygonSide& side, const std::string& top, double y) {
+  if (side.a.y == side.b.y && side.a.y == y)
+    return "it lies along the ray and has no lower end: no crossing.";
+  if (std::max(side.a.y, side.b.y) == y)
+    return fmt::format(
+        "{} is its upper end and lies on the ray: excluded, for a side has only its lower end.", top);
+  return fmt::format("both ends are {} the ray: no crossing.", side.a.y < y ? "below" : "above");
+}
+
+/// What s and t say of a closed side.
+std::string what_of(const std::string& s, const std::string& t, double at, bool is_counted) {
+  if (std::isnan(at)) return fmt::format("{} is NaN, which fails every comparison: the side counts 0.", s);
+  if (at > 1) return fmt::format("{} > 1, beyond the side: it does not count.", s);
+  if (at < 0) return fmt::format("{} < 0, before the side: it does not count.", s);
+  if (!is_counted) return fmt::format("{} ≤ 0, behind p: it does not count.", t);
+  return fmt::format("0 ≤ {} ≤ 1 and {} > 0: it counts.{}", s, t,
+                     at == 0 || at == 1 ? " It is met at its end." : "");
+}
 
 Stage counted_stage(const CaseReport& report, const Counting& counting) {
   const auto& question = std::get<PointAndPolygon<double>>(report.one.question);
@@ -73,8 +94,10 @@ Stage counted_stage(const CaseReport& report, const Counting& counting) {
     step.items.push_back(segment(Role::edge, side.a, side.b, side.name));
     if (step.values.empty()) {
       const auto y = [&](double height) { return shown(height, report.one.precision); };
-      step.caption = fmt::format("{} from y = {} to {}, the ray at y = {}: {} Crossings so far: {}.",
-                                 side.name, y(side.a.y), y(side.b.y), y(p.y), counting.because, count);
+      const std::size_t top = side.a.y > side.b.y ? i : polygon::next(i, question.vertices.size());
+      step.caption =
+          fmt::format("{} from y = {} to {}, the ray at y = {}: {} Crossings so far: {}.", side.name,
+                      y(side.a.y), y(side.b.y), y(p.y), why_not(side, "v" + subscript(top), p.y), count);
       continue;
     }
     const WalkValue& s = step.values[0].components[0];
@@ -85,8 +108,8 @@ Stage counted_stage(const CaseReport& report, const Counting& counting) {
       step.items.push_back(point(is_counted ? Role::claimed : Role::muted, p + glm::dvec3(t.value, 0, 0),
                                  is_counted ? fmt::format("crossing {}", count) : "not counted"));
     }
-    step.words =
-        fmt::format("{} Crossings so far: {}.", is_counted ? "It counts." : "It does not count.", count);
+    step.words = fmt::format("{} Crossings so far: {}.",
+                             what_of(step.values[0].name, step.values[1].name, s.value, is_counted), count);
     step.caption = fmt::format("{} {}, {}.", step.words, equation_of(step.values[0], report.one.precision),
                                equation_of(step.values[1], report.one.precision));
   }
@@ -99,6 +122,7 @@ Stage counted_stage(const CaseReport& report, const Counting& counting) {
       name_of(std::get<Position>(report.exact)));
   last.items.push_back(
       point(Role::exact, p, std::string("exactly ") + name_of(std::get<Position>(report.exact))));
+  last.items.push_back(point(Role::claimed, p, count % 2 == 1 ? "computed: inside" : "computed: outside"));
   stage.steps.push_back(last);
   stage.conclusion = last.caption;
   return stage;
@@ -113,20 +137,13 @@ bool any_side(const Vec2<double>& /*p*/, const Vec2<double>& /*a*/, const Vec2<d
 
 Stage parity_stage(const Case& one, const ReportCase& report_on) {
   return counted_stage(report_on(one, "point_in_polygon/parity"),
-                       {has_ends_apart, [](double /*s*/, double t) { return t > 0; },
-                        "both ends lie on one side of the ray, or the upper one on it: no crossing."});
+                       {has_ends_apart, [](double /*s*/, double t) { return t > 0; }});
 }
 
 /// As the lecture prints it: a side is met for s in [0, 1], closed at both ends.
 Stage printed_stage(const Case& one, const ReportCase& report_on) {
   return counted_stage(report_on(one, "point_in_polygon/printed_parity"),
-                       {any_side, [](double s, double t) { return s >= 0 && s <= 1 && t > 0; }, ""});
-}
-
-Stage segment_stage(const Case& one, const ReportCase& report_on) {
-  Stage stage = printed_stage(one, report_on);
-  stage.method = "polygon::cross_side";
-  return stage;
+                       {any_side, [](double s, double t) { return s >= 0 && s <= 1 && t > 0; }});
 }
 
 }  // namespace
@@ -139,30 +156,44 @@ std::vector<Lesson> polygon_lessons() {
        R"({"precision": "float32", "query": "point_in_polygon", "point": [-0.4, 0.3],
            "vertices": [[-1.5, -1], [1.4, -0.9], [0.5, 0.1], [1.7, 1.2], [-1.2, 1.1]]})",
        "", parity_stage},
-      {"polygon-vertex-trap", "polygons", "The vertex trap: one corner counted twice",
+      {"polygon-vertex-trap",
+       "polygons",
+       "The vertex trap: one corner counted twice",
        "With sides closed at both ends, a ray through a vertex meets two sides there: an inside point is "
        "called outside.",
        R"({"precision": "float32", "query": "point_in_polygon", "point": [-0.4, 0.2],
            "vertices": [[-1.5, -1], [0.9, -0.9], [1.5, 0.2], [0.7, 1.2], [-1.2, 1.1]]})",
-       "", printed_stage},
-      {"polygon-vertex-mended", "polygons", "The vertex trap, mended: a side holds its lower end alone",
+       "",
+       printed_stage,
+       {{comparison_title,
+         "v₂ is an end of two closed sides, and both count it: the rule is at fault, not rounding."}}},
+      {"polygon-vertex-mended", "polygons",
+       "The vertex trap, mended: count a side's lower end, not its upper",
        "Half-open sides share a vertex between them: it is counted once where the boundary passes, and twice "
        "or never "
        "where it only touches.",
        R"({"precision": "float32", "query": "point_in_polygon", "point": [-0.4, 0.2],
            "vertices": [[-1.5, -1], [0.9, -0.9], [1.5, 0.2], [0.7, 1.2], [-1.2, 1.1]]})",
        "", parity_stage},
-      {"polygon-horizontal-trap", "polygons", "The horizontal trap: a side along the ray divides by zero",
-       "A side at the ray's own height has y₁ − y₀ = 0: s is 0/0 or ∞, and no comparison with it holds.",
+      {"polygon-horizontal-trap",
+       "polygons",
+       "The horizontal trap: a side along the ray divides by zero",
+       "A side at the ray's own height gives s = 0/0 = NaN and counts 0; its closed neighbours count both "
+       "its "
+       "ends.",
        R"({"precision": "float32", "query": "point_in_polygon", "point": [-0.9, 0.2],
            "vertices": [[-1.5, -1], [0.3, -0.9], [0.4, 0.2], [1.3, 0.2], [1.1, 1.2], [-1.2, 1.1]]})",
-       "", printed_stage},
-      {"ray-segment", "polygons", "Ray and segment in the plane",
-       "The side reaches the ray's height at the share s of its length; the ray gets there at t, if s lies "
-       "in [0, 1] and t > 0.",
-       R"({"precision": "float32", "query": "point_in_polygon", "point": [-1.1, 0.3],
-           "vertices": [[0.2, -0.8], [1.3, 0.9], [-0.9, 0.7]]})",
-       "", segment_stage},
+       "",
+       printed_stage,
+       {{comparison_title,
+         "NaN fails every comparison: v₂v₃ counts 0; the closed sides v₁v₂ and v₃v₄ count its ends: 2."}}},
+      {"polygon-star", "polygons", "A star: the middle is outside by parity",
+       "On the way out of the middle the boundary is crossed twice: even, so outside, though it winds twice "
+       "around "
+       "the point.",
+       R"({"precision": "float32", "query": "point_in_polygon", "point": [0.05, 0.1],
+           "vertices": [[0, 1.3], [0.8, -1.1], [-1.3, 0.4], [1.3, 0.4], [-0.8, -1.1]]})",
+       "", parity_stage},
   };
 }
 

@@ -9,6 +9,7 @@
 #include "viz/walkthrough/lessons/camera_image.hpp"
 #include "viz/walkthrough/setting.hpp"
 #include "viz/walkthrough/stage_of.hpp"
+#include "viz/walkthrough/stage_values.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -86,8 +87,8 @@ void meet_balls(Stage& stage, const Case& one, const ReportCase& report_on, cons
     const StageValue root = first_root(report_on(with_ball(one, balls.at(k)), "sphere/centred"));
     roots.push_back(root.components.at(0).value);
     StageStep step = loop_step(titles.at(k),
-                               fmt::format("The nearest hit of the {} sphere: {} = {}", balls.at(k).name,
-                                           root.put_in, shown(roots.back(), one.precision)),
+                               fmt::format("The nearest hit of the {} sphere: {}", balls.at(k).name,
+                                           equation_of(root, one.precision)),
                                view,
                                {point(Role::claimed, ray.origin + roots.back() * ray.direction,
                                       fmt::format("t = {}", rough(roots.back(), 5)))});
@@ -100,6 +101,24 @@ void meet_balls(Stage& stage, const Case& one, const ReportCase& report_on, cons
       fmt::format("min({}, {}) = {}: the {} object is what is seen.", shown(roots[0], one.precision),
                   shown(roots[1], one.precision), shown(roots[best], one.precision), balls.at(best).name),
       view, {segment(Role::nearest, ray.origin, ray.origin + roots[best] * ray.direction, "what is seen")}));
+}
+
+/// A pixel whose ray meets nothing.
+StageStep missing_step(const StageView& view) {
+  constexpr int i = 1, j = 4;
+  const auto axes = camera::axes(eye());
+  const Ray<double> ray = camera::PixelCentre::ray(eye(), axes, ImageSize<double>{width, height},
+                                                   static_cast<double>(i), static_cast<double>(j));
+  const bool is_missed = nearest_ball(i, j) < 0;
+  StageStep step = loop_step(
+      "Go on with the next pixels",
+      fmt::format("The ray through pixel ({}, {}) meets {}. The loop runs over all {} × {} pixels.", i, j,
+                  is_missed ? "no object: it keeps the background's colour" : "an object", width, height),
+      view,
+      {arrow(Role::ray, ray.origin, ray.origin + 3.6 * ray.direction, "another ray"),
+       pixel(Role::nearest, i, j)});
+  step.begins_anew = true;
+  return step;
 }
 
 Stage loop_stage(const Case& one, const ReportCase& report_on) {
@@ -128,6 +147,7 @@ Stage loop_stage(const Case& one, const ReportCase& report_on) {
                 {arrow(Role::ray, ray.origin, ray.origin + 3.6 * ray.direction, "the ray"),
                  pixel(Role::nearest, pixel_i, pixel_j)})};
   meet_balls(stage, one, report_on, view);
+  stage.steps.push_back(missing_step(view));
   Items image;
   int hits = 0;
   for (int i = 0; i < width; ++i) {

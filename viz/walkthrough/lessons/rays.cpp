@@ -17,6 +17,9 @@ void walk_along(const Ray<double>& given) {
   (void)named("p(1)", point_at(ray, R(1)));
   step<R>("At t = 2.5 it has gone two and a half", "t is any number, not only a whole one.");
   (void)named("p(2.5)", point_at(ray, R(2.5)));
+  step<R>("At t = -0.5 the line has not reached the origin",
+          "A ray has no t below t_min = 0: p(-0.5) is a point of the line, not of the ray.");
+  (void)named("p(-0.5)", point_at(ray, R(-0.5)));
   step<R>("t counts directions; times the direction's length it is a distance",
           "Only for a direction of length 1 are t and the distance the same number.");
   const R length = named("|d|", sqrt(dot(ray.direction, ray.direction)));
@@ -32,18 +35,26 @@ Stage ray_stage(const Case& one, const ReportCase& report_on) {
   const auto& ray = std::get<RayQuestion>(one.question).ray;
   const Walkthrough walk = record(one.precision, [&]<class R>(std::type_identity<R>) { walk_along<R>(ray); });
   Setting setting = setting_of(report);
+  // The sphere is the case's, not the lesson's.
+  std::erase_if(setting.scene, [](const StageItem& item) { return item.role != Role::ray; });
   setting.near = setting.wide;
   setting.slider->from = setting.slider->start = ray.t_min;  // where the first step begins
   setting.bindings = {
       stop("p(0)"),
       stop("p(1)"),
       stop("p(2.5)"),
+      {"p(-0.5)",
+       [](const NumbersByName& n) {
+         return Items{point(Role::nearest, n.vector("p(-0.5)"), "p(-0.5)"),
+                      segment(Role::frame, n.vector("p(-0.5)"), n.origin(), {}, Pattern::dotted)};
+       }},
       {"p(1)",
        [](const NumbersByName& n) { return Items{arrow(Role::edge, n.origin(), n.vector("p(1)"), "d")}; }},
       {"distance", [](const NumbersByName& n) {
          return Items{segment(Role::edge, n.origin(), n.vector("p(2.5)"), "2.5·|d|")};
        }}};
   Stage stage = composed_stage(report, walk, setting);
+  stage.steps.front().title = "Look at the ray";
   stage.method = "p(t) = o + t·d";
   stage.steps.push_back(difference_of_values(walk, setting, one.precision));
   stage.conclusion = "A point of the ray is rounded twice in each coordinate, by the product and by the sum.";
@@ -59,6 +70,16 @@ std::vector<Lesson> ray_lessons() {
        R"({"precision": "float32", "ray": {"origin": [-1.9, -0.7, 0.3], "direction": [1.3, 0.4, 0.1]},
            "shape": {"type": "sphere", "center": [1.6, 0.5, 0.5], "radius": 0.4}})",
        "", ray_stage},
+      {"segment",
+       "rays",
+       "The segment: a ray whose t ends at 1",
+       "From o to o + d it is t in [0, 1]: what lies beyond the tip is no hit of the segment.",
+       R"({"precision": "float32", "ray": {"origin": [-1.9, -0.7, 0.3], "direction": [2.6, 0.8, 0.2], "t_min": 0, "t_max": 1},
+           "shape": {"type": "sphere", "center": [0.6, 0.1, 0.4], "radius": 0.7}})",
+       "sphere/centred",
+       nullptr,
+       {{"Go half a chord",
+         "Only t₀ is in [0, 1]: the segment ends inside the sphere, and t₁ is beyond its tip."}}},
   };
 }
 

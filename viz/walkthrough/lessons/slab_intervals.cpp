@@ -23,7 +23,8 @@ void narrate_slabs(const RayQuestion& question) {
   const vec3<R> least = named("min", convert<R>(given.min));
   const vec3<R> most = named("max", convert<R>(given.max));
   step<R>("Meet both x planes",
-          "The ray is between them from t = x_in to t = x_out: an interval of the t axis.");
+          "The ray is between them from t = x_in to t = x_out: an interval of the t axis. It enters at min.x "
+          "where d.x > 0.");
   const auto slab = [](const R& speed, const R& below, const R& above, const char* in, const char* out) {
     const box::Slab<R> one = box::slab_of(speed, below, above);
     return box::Slab<R>{named(in, one.entry), named(out, one.exit)};
@@ -31,7 +32,8 @@ void narrate_slabs(const RayQuestion& question) {
   const auto x = slab(d.x, R(least.x - o.x), R(most.x - o.x), "x_in", "x_out");
   step<R>("Meet both y planes", "The same for y: the two intervals need not overlap.");
   const auto y = slab(d.y, R(least.y - o.y), R(most.y - o.y), "y_in", "y_out");
-  step<R>("Meet both z planes", "Where d.z is negative, the ray enters at max.z and leaves at min.z.");
+  step<R>("Meet both z planes",
+          "For an axis along which d is negative, the ray enters at max and leaves at min.");
   const auto z = slab(d.z, R(least.z - o.z), R(most.z - o.z), "z_in", "z_out");
   (void)box::overlap(x, y, z);
 }

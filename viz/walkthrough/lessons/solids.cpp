@@ -5,7 +5,8 @@ namespace rayproof::viz {
 std::vector<Lesson> solid_lessons() {
   return {
       {"cylinder", "cylinders", "Ray and open elliptic cylinder",
-       "In the plane scaled by the semi-axes the side is the unit circle; the roots that lie between both "
+       "In the plane scaled by the semi-axes the side is the unit circle; those of its roots that lie "
+       "between both "
        "ends are hits.",
        R"({"precision": "float32", "ray": {"origin": [-3.4, -0.9, 0.6], "direction": [1.4, 0.4, 0.2]},
            "shape": {"type": "cylinder", "rx": 1.6, "ry": 0.9, "height": 2.2, "capped": false}})",
@@ -28,11 +29,17 @@ std::vector<Lesson> solid_lessons() {
            "shape": {"type": "parallelepiped", "corner": [-0.7, -0.5, 0.2],
                      "edges": [[1.7, 0.2, 0.1], [0.5, 1.3, 0.2], [-0.2, 0.3, 1.2]]}})",
        "parallelepiped/face_planes"},
-      {"conservative", "numbers", "Conservative is not exact",
-       "Padded by two ulps, slabs lose no box, and take for hits rays that pass beside one.",
-       R"({"precision": "float32", "ray": {"origin": [-1.5, -4, 0.5], "direction": [1.5, 6.30000067, 0.0833333358]},
-           "shape": {"type": "box", "min": [0, 0, 0], "max": [1.4, 2.3, 1.5]}})",
-       "box/padded"},
+      {"conservative",
+       "numbers",
+       "Conservative is not exact",
+       "The ray passes beside an edge, and the computed exit comes before the computed entry: a miss. Two "
+       "ulps "
+       "of padding alone make a hit of it.",
+       R"({"precision": "float32", "ray": {"origin": [-4, -1.4, 0.5], "direction": [4, 3.70000052, 0.1]},
+           "shape": {"type": "box", "min": [0, 0, 0], "max": [2.2, 2.3, 1.5]}})",
+       "box/padded",
+       nullptr,
+       {{"Keep the last entry", "Here the exit comes first, computed as well as exactly."}}},
   };
 }
 

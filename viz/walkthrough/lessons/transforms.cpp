@@ -1,6 +1,9 @@
+#include <fmt/format.h>
+
 #include <rayproof/transform.hpp>
 
 #include "viz/scene/fit_view.hpp"
+#include "viz/trace/numbers.hpp"
 #include "viz/walkthrough/bindings.hpp"
 #include "viz/walkthrough/compose.hpp"
 #include "viz/walkthrough/lessons.hpp"
@@ -14,6 +17,29 @@ constexpr const char* stretched_sphere =
         "shape": {"type": "sphere", "center": [0, 0, 0], "radius": 1},
         "transform": [[1.5, -0.4, 0, 0.3], [0.4, 0.7, 0, 0.1], [0, 0, 0.8, 0.4], [0, 0, 0, 1]]})";
 
+/// The hit of the object's own space, mapped back: it is p(t₀).
+StageStep back_in_the_world(const CaseReport& report, const NumbersByName& n, const Stage& stage) {
+  const auto& question = std::get<RayQuestion>(report.one.question);
+  const double t = n["t₀"];
+  const glm::dvec3 q = n.at(t);
+  const glm::dvec3 p = question.ray.origin + t * question.ray.direction;
+  const auto vector = [](const glm::dvec3& v) {
+    return fmt::format("({}, {}, {})", rough(v.x, 5), rough(v.y, 5), rough(v.z, 5));
+  };
+  StageStep step;
+  step.title = "Take the hit back into the world";
+  step.caption = fmt::format(
+      "M·q = A·q + T takes q = o′ + t₀·d = {} to {}, which is p(t₀). Had d been normalised, t would be "
+      "|d|·t₀ = {} "
+      "there, and no t of this ray.",
+      vector(q), vector(p), rough(t * glm::length(n.direction()), 5));
+  step.words = step.caption;
+  step.view = stage.steps.front().view;
+  step.begins_anew = true;
+  step.items = {point(Role::claimed, p, "M·q = p(t₀)")};
+  return step;
+}
+
 /// Beside the world, the object's own space: the unit sphere and the ray as it sees it.
 Stage transformed_stage(const Case& one, const ReportCase& report_on) {
   const CaseReport report = report_on(one, "sphere/centred");
@@ -24,6 +50,7 @@ Stage transformed_stage(const Case& one, const ReportCase& report_on) {
                arrow(Role::ray, n.origin(), n.at(n["t₁"] * 1.25), "o′ + t·d"),
                point(Role::ray, n.origin(), "o′"),
                point(Role::text, -1.25 * stage.camera.up, "the object's own space")});
+  stage.steps.insert(stage.steps.end() - 1, back_in_the_world(report, n, stage));
   return stage;
 }
 
@@ -48,11 +75,13 @@ void carry_normal(const RayQuestion& question, double t) {
   const vec3<R> normal = named("n", R(1) * q);
 
   step<R>("Carried like a direction, by A, it stands askew: wrong",
-          "A stretches the tangent plane and the normal alike, and the right angle between them is lost.");
+          "A maps tangents rightly, but not the right angle between them and the normal.");
   (void)named("A·n", vec3<R>(normal.x * a + normal.y * b + normal.z * c));
 
-  step<R>("Carried by the inverse transpose it stands upright",
-          "m·(A·u) = n·u, which is 0 for every tangent u: m = A⁻ᵀ·n is perpendicular to the surface.");
+  step<R>(
+      "Carried by the inverse transpose it stands upright",
+      "m = A⁻ᵀ·n: its product with A·u is n·u, which is 0 for every tangent u, so m is perpendicular to the "
+      "surface. A·u is the tangent in the world.");
   (void)named("m", vec3<R>(normal.x * space.row_x + normal.y * space.row_y + normal.z * space.row_z));
 }
 
@@ -69,13 +98,19 @@ Stage normal_stage(const Case& one, const ReportCase& report_on) {
                      return Items{arrow(role, hit, hit + resized(n.vector(name), 0.9), label)};
                    }};
   };
-  // The items lie in the world already.
-  setting.to_world = [](const glm::dvec3& p) { return p; };
-  setting.bindings = {
-      {"q", [=](const NumbersByName& /*n*/) { return Items{point(Role::nearest, hit, "A·q + T")}; }},
-      at_hit("A·n", Role::claimed, "A·n, wrong"),
-      at_hit("m", Role::normal, "by the inverse transpose"),
-      at_hit("n", Role::edge, "n of the unit sphere")};
+  // The items lie in the world already, or in the object's own space.
+  const auto as_it_is = [](const glm::dvec3& p) { return p; };
+  setting.to_world = as_it_is;
+  setting.bindings = {at_hit("A·n", Role::claimed, "A·n, wrong"), at_hit("m", Role::normal, "m = A⁻ᵀ·n")};
+  const std::vector<Binding> on_unit_sphere{
+      {"q", [](const NumbersByName& n) { return Items{point(Role::nearest, n.vector("q"), "q")}; }},
+      {"n", [](const NumbersByName& n) {
+         return Items{arrow(Role::normal, n.vector("q"), n.vector("q") + 0.9 * n.vector("n"), "n = q")};
+       }}};
+  const Items unit_sphere{{Role::surface, Form::ellipsoid, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}};
+  setting.spaces = {{walk.steps.at(0).title, "In the object's own space:",
+                     [=](const NumbersByName& /*n*/) { return unit_sphere; }, as_it_is, on_unit_sphere},
+                    {walk.steps.at(2).title}};
   Stage stage = composed_stage(report, walk, setting);
   stage.method = "normal_to_world";
   // The tangent plane makes it plain which of the two stands upright.

@@ -1,8 +1,4 @@
-#include <rayproof/triangle/woop.hpp>
-
-#include "viz/walkthrough/compose.hpp"
 #include "viz/walkthrough/lessons.hpp"
-#include "viz/walkthrough/stage_of.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -11,33 +7,13 @@ constexpr const char* one_triangle =
     R"({"precision": "float32", "ray": {"origin": [0.7, -1.9, 2.4], "direction": [-0.2, 0.9, -0.8]},
         "shape": {"type": "triangle", "a": [-1.1, -0.4, 0.3], "b": [1.6, -0.2, 0.1], "c": [0.2, 1.3, 0.6]}})";
 
-/// Beside the world, what the ray sees: the sheared triangle along the z axis, which is the sheared ray.
-Stage woop_stage(const Case& one, const ReportCase& report_on) {
-  const CaseReport report = report_on(one, "triangle/woop");
-  Stage stage = stage_of(report);
-  Walkthrough sheared = *report.walk;
-  sheared.inputs.clear();  // where a, b and c are the case's own
-  const NumbersByName n(sheared, sheared.steps.size() - 1);
-  const auto seen = [&](const char* corner) {
-    const glm::dvec3 p = n.vector(corner);
-    return p.x * stage.camera.right + p.y * stage.camera.up;
-  };
-  const glm::dvec3 a = seen("a"), b = seen("b"), c = seen("c");
-  show_beside(
-      stage, triangle::Woop::shear_vertices.title,
-      {polygon(Role::edge, {a, b, c}), polyline(Role::edge, {a, b, c, a}), point(Role::surface, a, "a"),
-       point(Role::surface, b, "b"), point(Role::surface, c, "c"), point(Role::ray, {0, 0, 0}, "the ray")});
-  return stage;
-}
-
 }  // namespace
 
 std::vector<Lesson> triangle_lessons() {
   return {
       {"triangle-1", "triangles", "Ray and triangle I: a parametric plane with three conditions",
-       "Cramer's rule gives t and the two parameters; inside needs a ≥ 0, b ≥ 0, and also a + b ≤ 1, which "
-       "the "
-       "lecture forgets.",
+       "Cramer's rule gives t and the two parameters; inside needs α ≥ 0, β ≥ 0, and also α + β ≤ 1, which "
+       "the lecture forgets.",
        one_triangle, "triangle/cramer"},
       {"triangle-2", "triangles", "Ray and triangle II: the plane, then the shadow along the largest axis",
        "Where the normal is largest the shadow keeps the most of the area; in it the coordinates are plane "
@@ -50,7 +26,7 @@ std::vector<Lesson> triangle_lessons() {
        "Three signs say on which side the ray passes each edge; a shared edge has one sign for both "
        "triangles, so "
        "nothing leaks.",
-       one_triangle, "", woop_stage},
+       one_triangle, "triangle/woop"},
   };
 }
 

@@ -30,9 +30,11 @@ struct Slabs {
     const vec3<T> above = named("max - o", box.max - ray.origin);
     const vec3<T> d = ray.direction;
 
-    step<T>("Meet both planes of each axis",
-            "Each pair of planes bounds a slab, an interval of t; its ends are "
-            "(min - o) / d = {min - o} / {d} and (max - o) / d = {max - o} / {d}.");
+    step<T>(
+        "Meet both planes of each axis",
+        "Each pair of planes bounds a slab, an interval of t; its ends are "
+        "(min - o) / d = {min - o} / {d} and (max - o) / d = {max - o} / {d}. Where d is negative, the ray "
+        "enters at max.");
     const Slab<T> x = slab_of(d.x, below.x, above.x);
     const Slab<T> y = slab_of(d.y, below.y, above.y);
     const Slab<T> z = slab_of(d.z, below.z, above.z);

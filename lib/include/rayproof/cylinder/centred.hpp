@@ -27,9 +27,10 @@ struct Centred {
   [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Cylinder<T>& cylinder) {
     const auto [fx, fy, dx, dy] = scaled_to_circle(ray, cylinder);
 
-    step<T>(
-        "Find the point nearest the axis",
-        "At t_c the vector l from the axis to the ray is perpendicular to d, both seen in the scaled plane.");
+    step<T>("Find the point nearest the axis",
+            "t_c is where the ray comes nearest the axis, seen in the scaled plane. l leads from the axis to "
+            "that "
+            "point and is perpendicular to d there.");
     const T per_a = named("1/a", T(1) / (dx * dx + dy * dy));
     const T t_c = named("t_c", -(fx * dx + fy * dy) * per_a);
     const T lx = named("l.x", fx + t_c * dx);
@@ -38,7 +39,7 @@ struct Centred {
     step<T>(steps::compare_with_radius);
     const T D = named("D", T(1) - (lx * lx + ly * ly));
 
-    return hits<T>(ray, cylinder, ends_of_chord(t_c, D, per_a), fx * fx + fy * fy - T(1));
+    return hits<T>(ray, cylinder, ends_of_chord(t_c, D, per_a, "s₀", "s₁"), fx * fx + fy * fy - T(1));
   }
 };
 

@@ -24,7 +24,7 @@ struct Printed {
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Cylinder<T>& cylinder) {
     const auto [a, b, c] = side_equation(ray, cylinder);
-    const Roots<T> side = quadratic_formula(a, b, c);
+    const Roots<T> side = quadratic_formula(a, b, c, "s₀", "s₁");
     const Roots<T> all = open_hits(side, between_heights(ray, cylinder));
 
     step<T>("Keep what lies on the segment, as printed",

@@ -29,8 +29,10 @@ template <class T>
 template <class T>
 [[nodiscard]] constexpr box::Slab<T> between_heights(const Ray<T>& ray, const Cylinder<T>& cylinder) {
   step<T>("Meet the planes of both ends",
-          "The ray is at the cylinder's height between the planes z = 0 and z = {height}.");
-  return box::slab_of(ray.direction.z, -ray.origin.z, cylinder.height - ray.origin.z);
+          "The ray is at the cylinder's height between the planes z = 0 and z = {height}: from t = e₀ to t = "
+          "e₁.");
+  const auto [entry, exit] = box::slab_of(ray.direction.z, -ray.origin.z, cylinder.height - ray.origin.z);
+  return {named("e₀", entry), named("e₁", exit)};
 }
 
 /// Those of two roots that are hits; none where the discriminant is negative or NaN. One alone is the upper.
@@ -48,7 +50,8 @@ template <class T>
 template <class T>
 [[nodiscard]] constexpr Roots<T> open_hits(const Roots<T>& side, const box::Slab<T>& heights) {
   step<T>("Keep the roots between both ends",
-          "The roots belong to an endless side; a root is a hit only between the two planes.");
+          "The side is endless: of its roots s₀ = {s₀} and s₁ = {s₁} those from e₀ = {e₀} to e₁ = {e₁} are "
+          "hits.");
   return kept<T>(side, heights.entry <= side.lo && side.lo <= heights.exit,
                  heights.entry <= side.hi && side.hi <= heights.exit);
 }

@@ -24,7 +24,7 @@ template <class T>
 
 /// The side by the quadratic formula in x²/rx² + y²/ry² = 1, then the heights.
 ///
-/// A far cylinder is lost as a far sphere is: b² and 4ac agree in all the digits that are kept.
+/// A far cylinder is lost as a far sphere is: b² and 4ac nearly agree, and rounding decides the sign of D.
 struct Textbook {
   static constexpr const char* name = "textbook";
   static constexpr const char* title = "quadratic formula for the side, then the heights";
@@ -37,12 +37,13 @@ struct Textbook {
       .domain = {.reach_float = 12, .reach_double = 110, .every_number = true},
       .holds = always_claimed | Claims{Claim::point, Claim::verdict, Claim::residual, Claim::moved,
                                        Claim::scaled, Claim::reversed, Claim::bounded, Claim::exact},
-      .refuted = {{{Claim::robust, "b² and 4ac of a far cylinder agree in all the digits that are kept"}}}};
+      .refuted = {{{Claim::robust,
+                    "b² and 4ac of a far cylinder nearly agree, and rounding decides the sign of D"}}}};
 
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Cylinder<T>& cylinder) {
     const auto [a, b, c] = side_equation(ray, cylinder);
-    return hits<T>(ray, cylinder, quadratic_formula(a, b, c), c);
+    return hits<T>(ray, cylinder, quadratic_formula(a, b, c, "s₀", "s₁"), c);
   }
 };
 

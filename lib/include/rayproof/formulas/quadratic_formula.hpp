@@ -11,9 +11,9 @@ namespace rayproof {
 
 /// Steps of more than one kernel that solves a quadratic equation.
 namespace steps {
-inline constexpr Step discriminant{
-    "Form the discriminant",
-    "Its sign gives the number of real roots: two for D > 0, one for D = 0, none for D < 0."};
+inline constexpr Step discriminant{"Form the discriminant",
+                                   "Where a is not 0, its sign gives the number of real roots: two for D > "
+                                   "0, one for D = 0, none for D < 0."};
 inline constexpr Step quarter_discriminant{
     "Form a quarter of the discriminant",
     "With ±2b as the linear coefficient, b² − a·c is a quarter of the discriminant and has its sign."};
@@ -23,9 +23,11 @@ inline constexpr Step sum_without_cancellation{
 inline constexpr Step roots_by_viete{
     "Take one root from q and the other from Viète",
     "One root is q / a; by Viète the product of the roots is c / a, so the other one is c / q."};
-inline constexpr Step compare_with_radius{"Compare its distance with the radius",
-                                          "Where the distance |l| is less than the radius, D is positive: "
-                                          "the square of half the chord, by Pythagoras."};
+inline constexpr Step compare_with_radius{
+    "Compare its distance with the radius",
+    "Where the line passes within the radius, D is positive: by Pythagoras "
+    "the square of half the chord. b² − 4ac of the quadratic formula is "
+    "4a·D."};
 }  // namespace steps
 
 /// The roots of a·x² + b·x + c by (-b ± √(b² - 4ac)) / 2a, the lower first where a > 0. `lower` and `upper`
@@ -37,7 +39,9 @@ template <class T>
   const T D = named("D", b * b - T(4) * a * c);
 
   step<T>("Apply the quadratic formula",
-          "The real roots lie √D / |2a| to either side of −b / 2a; where D < 0, √D is NaN and so are they.");
+          "Where a is not 0 and D ≥ 0, the roots lie √D / |2a| to either side of −b / 2a; where D < 0, √D is "
+          "NaN: "
+          "no real root.");
   const T s = named("√D", sqrt(D));
   const T x0 = named(lower, (-b - s) / (T(2) * a));
   const T x1 = named(upper, (-b + s) / (T(2) * a));
@@ -45,14 +49,15 @@ template <class T>
 }
 
 /// The roots as half a chord to either side of its middle t_c, where D is the square of half the chord's
-/// length and `per_a` is 1 over the square of the direction's.
+/// length and `per_a` is 1 over the square of the direction's; names as above.
 template <class T>
-[[nodiscard]] constexpr Roots<T> ends_of_chord(const T& t_c, const T& D, const T& per_a) {
+[[nodiscard]] constexpr Roots<T> ends_of_chord(const T& t_c, const T& D, const T& per_a,
+                                               const char* lower = "t₀", const char* upper = "t₁") {
   step<T>("Go half a chord to either side",
-          "By Pythagoras √D is half the chord; h is its length in t, so the hits lie h before and h after "
-          "the nearest point.");
+          "√D is half the chord and h its length in t: the line meets the surface h before and h after t_c. "
+          "Where D < 0 there is no chord.");
   const T h = named("h", sqrt(D * per_a));
-  return {D, named("t₀", t_c - h), named("t₁", t_c + h)};
+  return {D, named(lower, t_c - h), named(upper, t_c + h)};
 }
 
 }  // namespace rayproof

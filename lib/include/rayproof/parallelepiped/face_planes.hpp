@@ -11,12 +11,14 @@ namespace rayproof::parallelepiped {
 /// n·d per unit of t, where f = corner - origin.
 ///
 /// Edges of the other handedness make n·eᵢ negative, and the second plane the first. Each pair has its own
-/// n·eᵢ: in real numbers all three are one determinant, but rounded ones may differ in sign.
+/// n·eᵢ: in real numbers all three are one determinant, but rounded ones may differ in sign. `ahead` and
+/// `thickness` are the names of n·f and n·eᵢ in a walkthrough.
 template <class T>
 [[nodiscard]] constexpr box::Slab<T> slab_between_faces(const vec3<T>& f, const vec3<T>& d, const vec3<T>& n,
-                                                        const vec3<T>& edge) {
-  const T near_plane = named("n·f", dot(n, f));
-  const T apart = named("n·e", dot(n, edge));
+                                                        const vec3<T>& edge, const char* ahead,
+                                                        const char* thickness) {
+  const T near_plane = named(ahead, dot(n, f));
+  const T apart = named(thickness, dot(n, edge));
   const T far_plane = near_plane + apart;
   const Mask<T> is_mirrored = apart < T(0);
   return box::slab_of(dot(n, d), select(is_mirrored, far_plane, near_plane),
@@ -53,14 +55,16 @@ struct FacePlanes {
     const vec3<T> n1 = named("n₁", cross(e2, e0));
     const vec3<T> n2 = named("n₂", cross(e0, e1));
 
-    step<T>("Meet each pair of faces",
-            "Two faces with one normal n bound a slab; the ray meets them at "
-            "t = n·f / (n·d) and t = (n·f + n·e) / (n·d).");
+    step<T>(
+        "Meet each pair of faces",
+        "Two faces with one normal n bound a slab; the ray meets them at "
+        "t = n·f / (n·d) and t = (n·f + n·e) / (n·d). In real numbers all three n·e are the volume of the "
+        "solid.");
     const vec3<T> f = named("f", solid.corner - ray.origin);
     const vec3<T> d = ray.direction;
-    const auto [entry, exit] =
-        box::overlap(slab_between_faces<T>(f, d, n0, e0), slab_between_faces<T>(f, d, n1, e1),
-                     slab_between_faces<T>(f, d, n2, e2));
+    const auto [entry, exit] = box::overlap(slab_between_faces<T>(f, d, n0, e0, "n₀·f", "n₀·e₀"),
+                                            slab_between_faces<T>(f, d, n1, e1, "n₁·f", "n₁·e₁"),
+                                            slab_between_faces<T>(f, d, n2, e2, "n₂·f", "n₂·e₂"));
     return chord(entry, exit);
   }
 };

@@ -28,30 +28,35 @@ struct BilinearQuadratic {
   /// Both solutions, by ascending u, each with u and v in [0, 1] and t in the ray's interval or NaN.
   template <class T>
   [[nodiscard]] static std::array<BilinearHit<T>, 2> roots(const Ray<T>& ray, const BilinearPatch<T>& patch) {
-    step<T>("Move the ray's origin to the origin", "Seen from its origin the ray is only its direction d.");
+    step<T>("Move the ray's origin to the origin",
+            "p is the corner r(0, 0) seen from the ray's origin, p_u and e lead to the next corners along u "
+            "and v, and e_u is what e gains along u.");
     const vec3<T> d = ray.direction;
-    const vec3<T> a = patch.points[0][0] - ray.origin;
-    const vec3<T> a_u = patch.points[1][0] - patch.points[0][0];
-    const vec3<T> e = patch.points[0][1] - patch.points[0][0];
-    const vec3<T> e_u = (patch.points[1][1] - patch.points[1][0]) - e;
+    const vec3<T> a = named("p", patch.points[0][0] - ray.origin);
+    const vec3<T> a_u = named("p_u", patch.points[1][0] - patch.points[0][0]);
+    const vec3<T> e = named("e", patch.points[0][1] - patch.points[0][0]);
+    const vec3<T> e_u = named("e_u", (patch.points[1][1] - patch.points[1][0]) - e);
 
     step<T>("Let the volume of direction, edge point and ruling be 0",
             "For each u the patch has a straight line, its ruling; it meets the ray where both lie in one "
             "plane, a quadratic equation in u.");
-    const Quadratic<T> volume{dot(cross(a_u, d), e_u), dot(cross(a, d), e_u) + dot(cross(a_u, d), e),
-                              dot(cross(a, d), e)};
+    const Quadratic<T> volume{named("a", dot(cross(a_u, d), e_u)),
+                              named("b", dot(cross(a, d), e_u) + dot(cross(a_u, d), e)),
+                              named("c", dot(cross(a, d), e))};
     const Roots<T> u = quadratic::Kahan::roots(volume);
-    return {on_ruling(ray, a + u.lo * a_u, e + u.lo * e_u, u.lo),
-            on_ruling(ray, a + u.hi * a_u, e + u.hi * e_u, u.hi)};
+    return {on_ruling<T>(ray, a + u.lo * a_u, e + u.lo * e_u, u.lo),
+            on_ruling<T>(ray, a + u.hi * a_u, e + u.hi * e_u, u.hi)};
   }
 
  private:
   /// Where the ray meets the line p + v·e.
   template <class T>
-  static BilinearHit<T> on_ruling(const Ray<T>& ray, const vec3<T>& p, const vec3<T>& e, const T& u) {
+  static BilinearHit<T> on_ruling(const Ray<T>& ray, const vec3<T>& at_0, const vec3<T>& along, const T& u) {
     step<T>("Meet the ruling in the plane that it and the ray span",
             "The two lines meet where p + v·e = t·d; products with their normal n = d × e give t and v.");
-    const vec3<T> n = cross(ray.direction, e);
+    const vec3<T> p = named("p", at_0);
+    const vec3<T> e = named("e", along);
+    const vec3<T> n = named("n", cross(ray.direction, e));
     const T nn = dot(n, n);
     const T t = named("t", dot(cross(p, e), n) / nn);
     const T v = named("v", dot(cross(p, ray.direction), n) / nn);

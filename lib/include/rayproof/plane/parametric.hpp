@@ -22,18 +22,21 @@ template <class T>
                                                   const vec3<T>& v) {
   step<T>(
       "Form the determinant of u, v and the direction",
-      "D is the signed volume that u, v and the direction span: 0 where the ray is parallel to the plane.");
+      "α·u + β·v − t·d = w is three equations for α, β and t; w leads from the plane's point to the ray's "
+      "origin. D is the signed volume that u, v and d span: 0 where the ray is parallel to the plane.");
   const vec3<T> w = named("w", ray.origin - point);
   const vec3<T> d = ray.direction;
   const vec3<T> n = named("u×v", cross(u, v));
   const T D = named("D", dot(n, d));
 
-  step<T>("Put w in the place of each column in turn",
-          "Cramer's rule: each unknown is a quotient of two volumes; the third unknown is −t.");
-  const T D_a = named("D_a", dot(cross(w, v), d));
-  const T D_b = named("D_b", dot(cross(u, w), d));
+  step<T>(
+      "Put w in the place of each column in turn",
+      "Cramer's rule: each unknown is a quotient of two volumes. The column d belongs to −t, so t = −D_t / "
+      "D.");
+  const T D_a = named("D_α", dot(cross(w, v), d));
+  const T D_b = named("D_β", dot(cross(u, w), d));
   const T D_t = named("D_t", dot(n, w));
-  return {D, named("t", -D_t / D), named("a", D_a / D), named("b", D_b / D)};
+  return {D, named("t", -D_t / D), named("α", D_a / D), named("β", D_b / D)};
 }
 
 /// point + a·u + b·v = o + t·d⃗, solved by Cramer's rule; the answer's u and v are a and b where the plane is

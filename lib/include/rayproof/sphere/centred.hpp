@@ -26,14 +26,14 @@ struct Centred {
 
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Sphere<T>& sphere) {
-    step<T>("Move the centre to the origin",
-            "f points from the centre to the ray's origin; the sphere's position enters only through it.");
+    step<T>("Measure the ray from the centre",
+            "f points from the centre to o; the sphere's position enters only through it.");
     const vec3<T> f = named("f", ray.origin - sphere.center);
     const vec3<T> d = ray.direction;
 
     step<T>("Find the ray point nearest the centre",
-            "At t_c the vector l from the centre to the ray is perpendicular to d, so |l| is the distance of "
-            "the line from the centre.");
+            "t_c is where the ray comes nearest the centre. l leads from the centre to that point: it is "
+            "perpendicular to d, and |l| is the distance of the line from the centre.");
     const T per_a = named("1/a", T(1) / dot(d, d));
     const T t_c = named("t_c", -dot(f, d) * per_a);
     const vec3<T> l = named("l", f + t_c * d);

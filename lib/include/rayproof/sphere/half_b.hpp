@@ -22,7 +22,8 @@ struct HalfB {
       .holds = always_claimed | hit_claims |
                Claims{Claim::verdict, Claim::residual, Claim::moved, Claim::scaled, Claim::reversed,
                       Claim::bounded, Claim::exact},
-      .refuted = {{{Claim::robust, "b² and ac of a far sphere agree in all the digits that are kept"}}}};
+      .refuted = {
+          {{Claim::robust, "b² and ac of a far sphere nearly agree, and rounding decides the sign of D"}}}};
 
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Sphere<T>& sphere) {

@@ -15,9 +15,23 @@ namespace rayproof::triangle {
 template <class T>
 [[nodiscard]] constexpr FlatHit<T> hit_by_parameters(const T& D, const T& t, const T& u, const T& v) {
   step<T>("Ask whether the point lies in the triangle",
-          "It does where both parameters are at least 0 and their sum is at most 1.");
+          "It does where D is not 0, both parameters are at least 0 and their sum is at most 1.");
   const Mask<T> is_inside = u >= T(0) && v >= T(0) && u + v <= T(1);
   return flat_hit(D != T(0) && is_inside, t, u, v);
+}
+
+/// Two edges that span the triangle's plane.
+template <class T>
+struct Edges {
+  vec3<T> u, v;
+};
+
+template <class T>
+[[nodiscard]] constexpr Edges<T> edges_from_a(const Triangle<T>& triangle) {
+  step<T>(
+      "Take the edges from a for u and v",
+      "u leads from a to b. v leads from a to c: a + α·u + β·v is a point of the plane for every α and β.");
+  return {named("u", vec3<T>(triangle.b - triangle.a)), named("v", vec3<T>(triangle.c - triangle.a))};
 }
 
 template <class T>

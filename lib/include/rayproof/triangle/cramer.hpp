@@ -28,9 +28,9 @@ struct Cramer {
 
   template <class T>
   [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Triangle<T>& triangle) {
-    const auto [D, t, u, v] = plane::meet_by_cramer(ray, triangle.a, vec3<T>(triangle.b - triangle.a),
-                                                    vec3<T>(triangle.c - triangle.a));
-    return hit_by_parameters(D, t, u, v);
+    const auto [u, v] = edges_from_a(triangle);
+    const auto [D, t, alpha, beta] = plane::meet_by_cramer(ray, triangle.a, u, v);
+    return hit_by_parameters(D, t, alpha, beta);
   }
 };
 

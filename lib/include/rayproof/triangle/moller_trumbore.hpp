@@ -26,16 +26,19 @@ struct MollerTrumbore {
                       Claim::reversed, Claim::bounded, Claim::exact},
       .refuted = {{{Claim::robust, triangle_divisor_vanishes}}}};
 
-  static constexpr Step find_u{"Find u from s = o − a",
-                               "u is a quotient of two volumes: D with s in the place of e₁, over D."};
-  static constexpr Step find_v{"Find v and t from s × e₁",
-                               "q is perpendicular to s and e₁; q·d and q·e₂ are the volumes for v and t."};
+  static constexpr Step find_u{
+      "Find u from s = o − a",
+      "u is a quotient of two volumes: D with s in the place of e₁, over D: u = s·(d × e₂) / D."};
+  static constexpr Step find_v{
+      "Find v and t from s × e₁",
+      "q is perpendicular to s and e₁. v = d·(s × e₁) / D and t = e₂·(s × e₁) / D are quotients of volumes."};
 
   template <class T>
   [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Triangle<T>& triangle) {
-    step<T>("Form the edges from a, and the direction across one of them",
-            "p is perpendicular to the ray and to e₂; D is the volume that e₁, d and e₂ span, 0 where the "
-            "ray is parallel to the triangle.");
+    step<T>(
+        "Form the edges from a, and the direction across one of them",
+        "e₁ leads from a to b. e₂ leads from a to c. p = d × e₂ is perpendicular to the ray and to e₂. D = "
+        "e₁·(d × e₂) is the volume that e₁, d and e₂ span: 0 where the ray is parallel to the triangle.");
     const vec3<T> e1 = named("e₁", triangle.b - triangle.a);
     const vec3<T> e2 = named("e₂", triangle.c - triangle.a);
     const vec3<T> p = named("p", cross(ray.direction, e2));

@@ -37,9 +37,10 @@ struct Pluecker {
     const vec3<T> c = named("c", triangle.c - ray.origin);
     const vec3<T> d = ray.direction;
 
-    step<T>("Find the side on which the ray passes each edge",
-            "U, V and W are twice the volumes of d and the two ends of an edge; the ray hits where no two "
-            "have opposite signs.");
+    step<T>(
+        "Find the side on which the ray passes each edge",
+        "U, V and W are twice the volumes that d and the two ends of an edge span; the ray hits where no two "
+        "have opposite signs and their sum is not 0.");
     // (p + q)×(q - p) = 2p×q, but with an edge in it: of a far triangle p and q nearly agree.
     const auto side = [&](const vec3<T>& p, const vec3<T>& q) { return dot(d, cross(p + q, q - p)); };
     const T U = named("U", side(b, c));
@@ -47,7 +48,8 @@ struct Pluecker {
     const T W = named("W", side(a, b));
 
     step<T>("Meet the plane of the triangle",
-            "t is n·a, the distance to the plane, over the progress n·d⃗; U, V and W over their sum are the "
+            "t is n·a, |n| times the distance to the plane, over the progress n·d⃗; U, V and W over their sum "
+            "are the "
             "barycentric coordinates.");
     // By the edges, not as U + V + W: for a small far triangle those cancel.
     const vec3<T> n = named("n", cross(triangle.b - triangle.a, triangle.c - triangle.a));

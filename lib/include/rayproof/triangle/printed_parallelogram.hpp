@@ -2,6 +2,7 @@
 #include <rayproof/method/method.hpp>
 #include <rayproof/plane/parametric.hpp>
 #include <rayproof/triangle.hpp>
+#include <rayproof/triangle/barycentric.hpp>
 
 #include <rayproof/rounding/as_written.hpp>
 
@@ -22,13 +23,13 @@ struct PrintedParallelogram {
 
   template <class T>
   [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Triangle<T>& triangle) {
-    const auto [D, t, u, v] = plane::meet_by_cramer(ray, triangle.a, vec3<T>(triangle.b - triangle.a),
-                                                    vec3<T>(triangle.c - triangle.a));
+    const auto [u, v] = edges_from_a(triangle);
+    const auto [D, t, alpha, beta] = plane::meet_by_cramer(ray, triangle.a, u, v);
 
-    step<T>("Ask whether u and v lie in [0, 1], as printed",
-            "These are the points of a whole parallelogram: the condition u + v ≤ 1 is missing.");
-    const Mask<T> is_inside = u >= T(0) && u <= T(1) && v >= T(0) && v <= T(1);
-    return flat_hit(D != T(0) && is_inside, t, u, v);
+    step<T>("Ask whether α and β lie in [0, 1], as printed",
+            "These are the points of a whole parallelogram: the condition α + β ≤ 1 is missing.");
+    const Mask<T> is_inside = alpha >= T(0) && alpha <= T(1) && beta >= T(0) && beta <= T(1);
+    return flat_hit(D != T(0) && is_inside, t, alpha, beta);
   }
 };
 

@@ -27,18 +27,21 @@ struct Woop {
       .holds = robust_claims | hit_claims | Claims{Claim::coordinates, Claim::residual, Claim::bounded}};
 
   static constexpr Step shear_vertices{"Shear the vertices so that the ray becomes the z axis",
-                                       "With o subtracted and the shear applied, the ray is the z axis: seen "
-                                       "along it, the triangle is flat and "
-                                       "the ray is the point (0, 0)."};
-  static constexpr Step find_sides{"Find the side on which the ray passes each edge",
-                                   "The exact sign of each edge function is the side of (0, 0); the ray hits "
-                                   "where no two signs are opposite."};
+                                       "Each vertex has o subtracted, its axes renamed, and S_x·z and S_y·z "
+                                       "taken from x and y. Now the ray is the z axis; seen along it, it is "
+                                       "the point (0, 0)."};
+  static constexpr Step find_sides{
+      "Find the side on which the ray passes each edge",
+      "The sign of U, V and W is exact where no product underflows: it says on "
+      "which side of an edge (0, 0) lies. The ray hits where no two are opposite "
+      "and D is not 0."};
 
   template <class T>
   [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Triangle<T>& triangle) {
-    step<T>("Call z the axis along which the ray is longest",
-            "The shear divides by the component of d along this axis, the largest one, so S_x and S_y are at "
-            "most 1 in size.");
+    step<T>(
+        "Call z the axis along which the ray is longest",
+        "The axes are renamed in turn, x, y, z as y, z, x or z, x, y, until d = {d} is longest along z. The "
+        "shear divides by d.z, so S_x and S_y are at most 1 in size.");
     const LargestAxisLast<T> turned(ray.direction);
     const vec3<T> d = named("d", turned(ray.direction));
     const T shear_x = named("S_x", d.x / d.z);

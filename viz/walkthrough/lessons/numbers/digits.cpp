@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "viz/trace/numbers.hpp"
 #include "viz/walkthrough/compose.hpp"
@@ -43,6 +44,9 @@ Stage digits_stage(const Case& one, const ReportCase& report_on) {
     row = add_bars(stage.steps.at(i + 1), report.walk->steps[i].values, row);
   }
   stage.steps.front().title = "Every number begins with all its digits";
+  const NumbersByName n(*report.walk, report.walk->steps.size() - 1);
+  if (std::abs(n.rounded("√D")) < 0.01 * std::abs(n.rounded("b")))
+    stage.steps.back().digits = "√D is small beside b, so its error weighs little in t₀ and t₁.";
   stage.steps.push_back(difference_of_values(*report.walk, setting, one.precision));
   return stage;
 }

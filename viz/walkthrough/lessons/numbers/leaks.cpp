@@ -13,6 +13,7 @@
 #include "viz/walkthrough/compose.hpp"
 #include "viz/walkthrough/kernel_steps.hpp"
 #include "viz/walkthrough/lessons.hpp"
+#include "viz/walkthrough/sentences.hpp"
 #include "viz/walkthrough/stage_of.hpp"
 
 namespace rayproof::viz {
@@ -21,7 +22,7 @@ namespace {
 /// Of the second triangle, the corner that the first does not share.
 constexpr glm::dvec3 fourth_corner{2.5, 1.8, 1.5};
 
-/// The two triangles a, b, c and b, a, d of a mesh, and the same ray.
+/// The two triangles a, b, c and b, a, e of a mesh, and the same ray.
 Case second_triangle(const Case& one) {
   Case second = one;
   auto& triangle = std::get<Triangle<double>>(std::get<RayQuestion>(second.question).shape);
@@ -37,9 +38,17 @@ void add_step(Stage& stage, const CaseReport& report, const Setting& setting, co
   StageStep step = kernel_steps(report, *report.walk, index, setting, false).front();
   step.begins_anew = !stage.steps.back().title.starts_with(who);
   step.title = who + ": " + step.title;
-  const std::string verdict = fmt::format("{} says: {}. ", who, verdict_of(report.claim()));
-  step.words = verdict + step.words;
-  step.caption = verdict + step.caption;
+  if (wanted.title != triangle::MollerTrumbore::find_u.title) {
+    const std::string verdict = fmt::format(" {} says: {}.", who, verdict_of(report.claim()));
+    step.words += verdict;
+    step.caption += (step.caption.ends_with(".") ? "" : ".") + verdict;
+  }
+  if (wanted.title ==
+      triangle::Woop::find_sides.title) {  // its first sentence leaves no room for the numbers
+    const std::size_t first = sentences_of(step.words).front().size() + 1;
+    step.words.erase(0, first);
+    step.caption.erase(0, first);
+  }
   stage.steps.push_back(std::move(step));
 }
 
@@ -88,7 +97,8 @@ StageStep edge_step(const std::array<Judge, 2>& sides, const Setting& setting) {
   for (std::size_t i = 0; i < sides.size(); ++i) {
     const WalkValue& v = sides.at(i).v();
     const double up = i == 0 ? 0.8 : -0.4;
-    step.items.push_back(point(Role::exact, at(i, v.exact_value, up), "the ray, exactly"));
+    step.items.push_back(point(Role::exact, at(i, v.exact_value, up),
+                               fmt::format("exactly, in the {}'s plane", sides.at(i).name)));
     step.items.push_back(
         point(Role::claimed, at(i, v.value, up), fmt::format("as the {} computes it", sides.at(i).name)));
   }
@@ -104,6 +114,18 @@ StageStep edge_step(const std::array<Judge, 2>& sides, const Setting& setting) {
   return step;
 }
 
+double edge_number(const CaseReport& report) {
+  return NumbersByName(*report.walk, report.walk->steps.size() - 1).rounded("W");
+}
+
+/// What Woop's two numbers of the shared edge have to do with each other.
+std::string same_side_number(const CaseReport& first, const CaseReport& second) {
+  const bool is_one = edge_number(first) == -edge_number(second);
+  return is_one
+             ? " Both triangles have the same number W for it, with opposite signs: never do both miss there."
+             : "";
+}
+
 Stage leak_stage(const Case& one, const ReportCase& report_on) {
   const Case other = second_triangle(one);
   const CaseReport first = report_on(one, "triangle/moller_trumbore");
@@ -112,7 +134,7 @@ Stage leak_stage(const Case& one, const ReportCase& report_on) {
   const auto& triangle = std::get<Triangle<double>>(std::get<RayQuestion>(other.question).shape);
   setting.scene.push_back(polygon(Role::surface, {triangle.a, triangle.b, triangle.c}));
   setting.scene.push_back(polyline(Role::surface, {triangle.b, triangle.c, triangle.a}));
-  setting.scene.push_back(point(Role::surface, triangle.c, "d"));
+  setting.scene.push_back(point(Role::surface, triangle.c, "e"));
   // The second triangle reaches beyond the view of the first.
   const auto& asked = std::get<RayQuestion>(one.question);
   const auto& triangle_one = std::get<Triangle<double>>(asked.shape);
@@ -132,6 +154,7 @@ Stage leak_stage(const Case& one, const ReportCase& report_on) {
   const CaseReport woop_second = report_on(other, "triangle/woop");
   add_step(stage, woop_first, setting, Woop::find_sides, "Woop, the first");
   add_step(stage, woop_second, setting, Woop::find_sides, "Woop, the second");
+  stage.steps.back().caption += same_side_number(woop_first, woop_second);
   stage.steps.push_back(edge_step({{{"first", first, triangle_one}, {"second", second, triangle}}}, setting));
   // One view for all, so that nothing jumps.
   StageView view = setting.near;

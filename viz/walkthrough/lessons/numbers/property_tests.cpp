@@ -1,0 +1,94 @@
+#include <fmt/format.h>
+
+#include <array>
+
+#include "case/reader.hpp"
+#include "viz/explain/answers.hpp"
+#include "viz/trace/numbers.hpp"
+#include "viz/walkthrough/lessons.hpp"
+#include "viz/walkthrough/setting.hpp"
+#include "viz/walkthrough/stage_of.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+/// A case that a property test comes to.
+struct ShrunkCase {
+  const char* title;
+  const char* words;
+  const char* case_text;
+};
+
+constexpr std::array<ShrunkCase, 5> trials{
+    {{"Draw a ray and a sphere at random",
+      "A generator draws the numbers; the oracle answers exactly, and the method must agree.",
+      R"({"precision": "float32", "ray": {"origin": [-3.7, -0.9, 0.4], "direction": [1.3, 0.5, 0.1]},
+          "shape": {"type": "sphere", "center": [0.2, 0.1, 0.3], "radius": 1.4}})"},
+     {"After many cases that agree, one does not",
+      "A verdict that differs from the oracle's breaks the property. Ten numbers, and none of them plain.",
+      R"({"precision": "float32", "ray": {"origin": [-2883.1, -878.8, -2395.1], "direction": [1.0544523, 0.32390717, 0.87506]},
+          "shape": {"type": "sphere", "center": [9.4, 9.77, 5.56], "radius": 0.55}})"},
+     {"Shrink: turn the ray along an axis",
+      "A simpler case is kept where it still breaks the property: here the direction has one number left.",
+      R"({"precision": "float32", "ray": {"origin": [9.5, 9.9, -4500.6], "direction": [0, 0, 9]},
+          "shape": {"type": "sphere", "center": [9.4, 9.77, 5.56], "radius": 0.55}})"},
+     {"Shrink: put the centre at 0",
+      "Where the sphere is does not matter, then: only how far from the ray's origin.",
+      R"({"precision": "float32", "ray": {"origin": [0.1, 0.2, -4499.9], "direction": [0, 0, 9]},
+          "shape": {"type": "sphere", "center": [0, 0, 0], "radius": 0.55}})"},
+     {"Shrink: whole numbers, as small as they can be",
+      "Small whole numbers still break it: a ray straight at the centre, which can be computed by hand.",
+      R"({"precision": "float32", "ray": {"origin": [0, 0, -11603], "direction": [0, 0, 3]},
+          "shape": {"type": "sphere", "center": [0, 0, 0], "radius": 1}})"}}};
+
+std::string vector(const glm::dvec3& v, Precision precision) {
+  return fmt::format("({}, {}, {})", shown(v.x, precision), shown(v.y, precision), shown(v.z, precision));
+}
+
+StageStep trial_step(const ShrunkCase& trial, const ReportCase& report_on) {
+  const CaseReport report = report_on(read_case(trial.case_text), "sphere/textbook");
+  Stage stage = stage_of(report);
+  StageStep step;
+  step.title = trial.title;
+  step.words = trial.words;
+  const auto& [ray, shape, transform] = std::get<RayQuestion>(report.one.question);
+  const auto& sphere = std::get<Sphere<double>>(shape);
+  const Precision precision = report.one.precision;
+  const bool differ = verdicts_differ(&report.exact, report.claim());
+  step.caption = fmt::format("{} o = {}, d = {}, C = {}, r = {}. Exact: {}. Computed: {}. {}", trial.words,
+                             vector(ray.origin, precision), vector(ray.direction, precision),
+                             vector(sphere.center, precision), shown(sphere.radius, precision),
+                             verdict_of(&report.exact), verdict_of(report.claim()),
+                             differ ? "They differ." : "They agree.");
+  step.items = stage.scene;
+  for (const double t : values_of(&report.exact)) {
+    const bool is_first = t == values_of(&report.exact).front();
+    step.items.push_back(
+        point(differ ? Role::exact : Role::claimed, ray.origin + t * ray.direction, is_first ? "t₀" : "t₁"));
+  }
+  step.is_apart = step.is_other_space = true;
+  step.view = setting_of(report).near;
+  return step;
+}
+
+/// A random case, one that fails, and how it is made small.
+Stage test_stage(const Case& one, const ReportCase& report_on) {
+  const CaseReport report = report_on(one, "sphere/textbook");
+  Stage stage = stage_of(report);
+  const StageStep last = stage.steps.back();
+  stage.steps.clear();
+  for (const ShrunkCase& trial : trials) stage.steps.push_back(trial_step(trial, report_on));
+  stage.steps.push_back(last);
+  stage.slider.reset();
+  return stage;
+}
+
+}  // namespace
+
+std::vector<Lesson> property_test_lessons() {
+  return {{"property-test", "numbers", "A property test at work: draw, compare, shrink",
+           "A random case disagrees with the oracle; it is made as simple as it can be while it still does.",
+           trials.back().case_text, "", test_stage}};
+}
+
+}  // namespace rayproof::viz

@@ -1,0 +1,136 @@
+#include "viz/walkthrough/spaces.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "viz/scene/fit_view.hpp"
+#include "viz/trace/numbers.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+std::function<glm::dvec3(const glm::dvec3&)> flat_on(const StageCamera& camera) {
+  return [=](const glm::dvec3& p) { return p.x * camera.right + p.y * camera.up; };
+}
+
+Items triangle_items(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  return {polygon(Role::surface, {a, b, c}), polyline(Role::surface, {a, b, c, a}),
+          point(Role::surface, a, "a"), point(Role::surface, b, "b"), point(Role::surface, c, "c")};
+}
+
+/// As the ray sees it: it is the z axis, and its own point is (0, 0).
+Items sheared_scene(const NumbersByName& n) {
+  Items items = triangle_items(n.vector("a"), n.vector("b"), n.vector("c"));
+  items.push_back(point(Role::ray, {0, 0, 0}, "the ray"));
+  return items;
+}
+
+/// The side of an edge on which the ray passes, as the kernel has its sign.
+Binding side(const char* name, const char* first, const char* second) {
+  return {name, [=](const NumbersByName& n) {
+            const double sign = n.rounded(name);
+            const std::string label = std::string(name) + (sign > 0 ? " > 0" : sign < 0 ? " < 0" : " = 0");
+            return Items{
+                segment(sign < 0 ? Role::claimed : Role::edge, n.vector(first), n.vector(second), label)};
+          }};
+}
+
+Items depths(const NumbersByName& n) {
+  Items items{point(Role::nearest, {0, 0, 0}, "z = " + rough(n["z"], 4))};
+  for (const char* corner : {"a", "b", "c"}) {
+    const glm::dvec3 p = n.vector(corner);
+    items.push_back(point(Role::nearest, p, std::string(corner) + ": z = " + rough(p.z, 4)));
+  }
+  return items;
+}
+
+/// The coordinates that a projection keeps, in the order of LargestAxisLast.
+glm::dvec3 dropped(const glm::dvec3& p, int axis) {
+  return axis == 2 ? glm::dvec3(p.x, p.y, 0) : axis == 1 ? glm::dvec3(p.z, p.x, 0) : glm::dvec3(p.y, p.z, 0);
+}
+
+int largest_axis(const glm::dvec3& v) {
+  const glm::dvec3 size = glm::abs(v);
+  return size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
+}
+
+/// The three triangles whose areas over the whole are the coordinates.
+Items weights(const NumbersByName& n, int axis) {
+  const auto flat = [&](const char* name) { return dropped(n.input(name), axis); };
+  const glm::dvec3 a = flat("a"), b = flat("b"), c = flat("c"), q = flat("q");
+  const auto part = [&](Role role, const glm::dvec3& u, const glm::dvec3& v, const char* name) {
+    return polygon(role, {q, u, v}, n.has(name) ? name + (" = " + rough(n[name], 3)) : std::string(name));
+  };
+  Items items{part(Role::edge, b, c, "α"), part(Role::nearest, c, a, "β"), part(Role::normal, a, b, "γ")};
+  for (const glm::dvec3& corner : {a, b, c}) items.push_back(segment(Role::edge, q, corner));
+  return items;
+}
+
+}  // namespace
+
+const Space* space_of(const Setting& setting, const Walkthrough& walk, std::size_t index) {
+  const Space* found = nullptr;
+  for (std::size_t i = 0; i <= index; ++i) {
+    for (const Space& space : setting.spaces)
+      if (walk.steps[i].title.starts_with(space.first_step)) found = &space;
+  }
+  return found != nullptr && found->scene ? found : nullptr;
+}
+
+Setting in_space(Setting setting, const Space& space) {
+  setting.to_world = space.place;
+  if (!space.bindings.empty()) setting.bindings = space.bindings;
+  return setting;
+}
+
+std::vector<Space> triangle_spaces(const Walkthrough& walk, const StageCamera& camera) {
+  std::vector<Space> spaces;
+  bool is_projected = false;
+  for (const WalkStep& step : walk.steps) {
+    if (step.title.starts_with("Shear the vertices"))
+      spaces.push_back({step.title,
+                        "In the sheared space, looking along the ray:",
+                        sheared_scene,
+                        flat_on(camera),
+                        {side("U", "b", "c"), side("V", "c", "a"), side("W", "a", "b"), {"z", depths}},
+                        true});
+    is_projected = is_projected || step.title.starts_with("Project along");
+    if (!step.title.starts_with("Find the barycentric coordinates")) continue;
+    const auto axis_of = [is_projected](const NumbersByName& n) {
+      return is_projected ? largest_axis(n.vector("n")) : 2;
+    };
+    const auto scene = [=](const NumbersByName& n) {
+      const auto flat = [&](const char* name) { return dropped(n.input(name), axis_of(n)); };
+      Items items = triangle_items(flat("a"), flat("b"), flat("c"));
+      items.push_back(point(Role::nearest, flat("q"), "q"));
+      return items;
+    };
+    const Binding areas{"D", [=](const NumbersByName& n) { return weights(n, axis_of(n)); }};
+    spaces.push_back({step.title, "In the projection:", scene, flat_on(camera), {areas}, true});
+  }
+  return spaces;
+}
+
+void show_in_space(StageStep& step, const Space& space, const NumbersByName& n, const StageCamera& camera,
+                   Items& earlier) {
+  Items own;
+  own.swap(step.items);
+  for (StageItem item : space.scene(n)) {
+    for (glm::dvec3& p : item.points) p = space.place(p);
+    step.items.push_back(std::move(item));
+  }
+  step.items.insert(step.items.end(), earlier.begin(), earlier.end());
+  step.items.insert(step.items.end(), own.begin(), own.end());
+  for (StageItem& item : own) {
+    item.role = Role::muted;
+    earlier.push_back(std::move(item));
+  }
+  step.is_apart = true;
+  step.is_other_space = !space.is_flat;
+  step.view = view_of(extent_of(step.items, camera), camera);
+  step.view.radius *= 1.05;
+  step.words = space.words + (step.words.empty() ? "" : " ") + step.words;
+  step.caption = space.words + " " + step.caption;
+}
+
+}  // namespace rayproof::viz
