@@ -50,11 +50,12 @@ bool is_worse(const FiledFinding& a, const FiledFinding& b) {
   return rank(a) < rank(b);
 }
 
-/// Of one subject, kind and diagnosis; what nothing cures may be anything.
+/// Of one subject or function, with one diagnosis; what nothing cures may be anything.
 bool is_same_fault(const FiledFinding& a, const FiledFinding& b) {
   const RecordedFinding &one = a.recorded(), &other = b.recorded();
-  const std::string& cure = one.finding.diagnosis;
-  return one.name == other.name && one.kind == other.kind && !cure.empty() && !cure.starts_with("nothing") &&
+  const std::string &cure = one.finding.diagnosis, &function = a.dossier.reproduction.function;
+  const bool is_one_function = !function.empty() && function == b.dossier.reproduction.function;
+  return (one.name == other.name || is_one_function) && !cure.empty() && !cure.starts_with("nothing") &&
          cure == other.finding.diagnosis;
 }
 
@@ -94,10 +95,10 @@ std::vector<FiledFinding> joined(std::vector<FiledFinding> findings) {
       continue;
     }
     same->dossier.recorded.finding.cases += next.recorded().finding.cases;
-    const std::string& shape = next.recorded().shape;
+    const auto place = next.place();
     const bool is_named =
-        shape == same->recorded().shape || std::ranges::find(same->also_in, shape) != same->also_in.end();
-    if (!is_named) same->also_in.push_back(shape);
+        place == same->place() || std::ranges::find(same->also_in, place) != same->also_in.end();
+    if (!is_named) same->also_in.push_back(place);
   }
   return kept;
 }
@@ -152,6 +153,13 @@ std::string budget_in_words(const std::vector<LibraryDossier>& libraries) {
   for (const auto& [seed, cases] : budgets)
     texts.push_back(fmt::format("seed {}, {} cases for each shape, family and precision", seed, cases));
   return fmt::format("{}", fmt::join(texts, "; "));
+}
+
+std::string also_in_words(const FiledFinding& filed) {
+  std::vector<std::string> texts;
+  for (const auto& [shape, name] : filed.also_in)
+    texts.push_back(name == filed.recorded().name ? shape : shape + "/" + name);
+  return fmt::format("{}", fmt::join(texts, ", "));
 }
 
 std::string documentation_of(const FiledFinding& filed) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "dossier/bug_report.hpp"
+#include "properties/report/report.hpp"
 
 namespace rayproof::dossier {
 
@@ -31,14 +32,17 @@ struct FiledFinding {
   Dossier dossier{};
   std::string line{};  ///< of the findings file
   std::string trouble{};
-  /// The other shapes in which the same subject has a finding of this kind and with this diagnosis: one fault
-  /// of the library is one finding.
-  std::vector<std::string> also_in{};
+  /// Where else the same function has this diagnosis, by shape and subject: one fault of the library is one
+  /// finding.
+  std::vector<std::pair<std::string, std::string>> also_in{};
 
   [[nodiscard]] const RecordedFinding& recorded() const { return dossier.recorded; }
+  [[nodiscard]] std::pair<std::string, std::string> place() const {
+    return {recorded().shape, recorded().name};
+  }
   [[nodiscard]] bool is_of(const JudgedShape& judged) const {
-    return recorded().name == judged.name &&
-           (recorded().shape == judged.shape || std::ranges::find(also_in, judged.shape) != also_in.end());
+    const std::pair other(judged.shape, judged.name);
+    return place() == other || std::ranges::find(also_in, other) != also_in.end();
   }
 };
 
@@ -58,21 +62,21 @@ struct LibraryDossier {
     const std::vector<std::pair<std::string, std::string>>& commands,
     const std::function<void(double)>& progress);
 
-/// Keeps of each fault its first finding, with the cases and the shapes of the others: findings of one
-/// subject, kind and diagnosis are one fault, unless nothing was found to cure them.
+/// Keeps of each fault its first finding, with the cases and the places of the others: findings of one
+/// subject, or of one function, with one diagnosis are one fault, unless nothing was found to cure them.
 [[nodiscard]] std::vector<FiledFinding> joined(std::vector<FiledFinding> findings);
 
 /// The lines of all findings, in the order of their numbers.
 [[nodiscard]] std::string findings_file(const std::vector<LibraryDossier>& libraries);
 
-/// Draws a case with its exact and its claimed answer as one `<svg>` element.
+/// Draws a case with its exact and its claimed answer as one element of HTML.
 using DrawCase = std::function<std::string(const Case& one, const Answer* exact, const Answer* claimed)>;
 
 /// The picture of a finding, as check's own page has it.
 [[nodiscard]] std::string picture_of(const FiledFinding& filed, const DrawCase& draw);
 
-/// One self-contained page.
-[[nodiscard]] std::string findings_page(const std::vector<LibraryDossier>& libraries, const DrawCase& draw);
+/// A page that needs nothing but the pictures' script beside it.
+[[nodiscard]] std::string findings_page(const std::vector<LibraryDossier>& libraries, const PageTools& tools);
 
 /// The same as Markdown; pictures are files of a folder that it names `images/findings/N.svg`.
 [[nodiscard]] std::string findings_markdown(const std::vector<LibraryDossier>& libraries,
@@ -80,6 +84,9 @@ using DrawCase = std::function<std::string(const Case& one, const Answer* exact,
 
 /// "seed 2022, 2000 cases for each shape, family and precision".
 [[nodiscard]] std::string budget_in_words(const std::vector<LibraryDossier>& libraries);
+
+/// "box, sphere/bullet-gjk": where else the fault shows; subjects are named where they are others.
+[[nodiscard]] std::string also_in_words(const FiledFinding& filed);
 
 /// What the documentation says of the fault, as a sentence.
 [[nodiscard]] std::string documentation_of(const FiledFinding& filed);

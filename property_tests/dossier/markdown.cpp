@@ -49,7 +49,7 @@ std::string finding_in_markdown(const FiledFinding& filed) {
       recorded.name, finding.number, finding.number);
   text += row("kind", fmt::format("{}, {}, about {} of the cases", recorded.kind,
                                   name_of(finding.one.precision), finding.cases)) +
-          row("found", recorded.says) + row("also in", fmt::format("{}", fmt::join(filed.also_in, ", ")));
+          row("found", recorded.says) + row("also in", also_in_words(filed));
   if (filed.trouble.empty())
     text += row("asked", "`" + numbers_in_words(dossier.reproduction.inputs) + "`") +
             row("it said", dossier.reproduction.has_returned ? "`" + dossier.reproduction.printed + "`"
@@ -70,7 +70,7 @@ std::string findings_markdown(const std::vector<LibraryDossier>& libraries, cons
       "{}:\n\n```\n{}\n```\n\n"
       "What a library's documentation excludes is counted and not judged ([peers.md](peers.md)). A finding "
       "is a smallest case, asked again of the\n"
-      "library, with what is right computed by hand's formula in exact fractions. What has the same kind and "
+      "library, with what is right computed by hand's formula in exact fractions. What has the same "
       "diagnosis in\n"
       "other shapes is the same fault, and stands under *also in*. `rayproof bugreport N "
       "--from docs/findings.jsonl` makes a report of\n"

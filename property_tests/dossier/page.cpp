@@ -66,8 +66,7 @@ std::string article(const FiledFinding& filed, const DrawCase& draw) {
       finding.number, escaped(about), picture_of(filed, draw),
       entry("Kind", kind_label(recorded.kind) + fmt::format(" {}; about {} of the cases",
                                                             name_of(finding.one.precision), finding.cases)),
-      entry("Found", escaped(recorded.says)) +
-          entry("Also in", escaped(fmt::format("{}", fmt::join(filed.also_in, ", ")))),
+      entry("Found", escaped(recorded.says)) + entry("Also in", escaped(also_in_words(filed))),
       confirmed(filed),
       entry("Diagnosis", escaped(finding.diagnosis.empty() ? "none: there is no answer" : finding.diagnosis)),
       entry("Documentation", escaped(documentation_of(filed))),
@@ -129,15 +128,16 @@ std::string contents(const std::vector<LibraryDossier>& libraries) {
 
 }  // namespace
 
-std::string findings_page(const std::vector<LibraryDossier>& libraries, const DrawCase& draw) {
+std::string findings_page(const std::vector<LibraryDossier>& libraries, const PageTools& tools) {
   std::string text =
-      html_head("Findings in other people's libraries", std::string(figures_style) + findings_style) +
+      html_head("Findings in other people's libraries",
+                std::string(figures_style) + findings_style + tools.style) +
       fmt::format(
           "</head>\n<body>\n<main>\n<h1>Findings in other people's libraries</h1>\n<p class=\"soft\">{}. "
           "What a library's documentation excludes is counted and not judged.</p>\n{}",
           escaped(budget_in_words(libraries)), contents(libraries));
-  for (const LibraryDossier& library : libraries) text += section(library, draw);
-  return text + "</main>\n</body>\n</html>\n";
+  for (const LibraryDossier& library : libraries) text += section(library, tools.draw);
+  return text + html_end(tools.script);
 }
 
 }  // namespace rayproof::dossier

@@ -10,6 +10,7 @@
 #include "dossier/collection.hpp"
 #include "programs/check/peers.hpp"
 #include "viz/drawing/svg.hpp"
+#include "viz/page/case_figure.hpp"
 
 namespace {
 
@@ -77,7 +78,9 @@ int run(const FindingsOptions& options, const std::string& command) {
   progress.clear();
   const fs::path out = options.out;
   write_file(out / "findings.jsonl", findings_file(libraries));
-  write_file(out / "index.html", findings_page(libraries, viz::svg_of));
+  write_file(out / "index.html",
+             findings_page(libraries, {{}, viz::case_figure, viz::scene_style(), "scene.js"}));
+  write_file(out / "scene.js", viz::shared_script());
   if (options.write) write_docs(libraries, command);
   for (const dossier::LibraryDossier& library : libraries)
     fmt::print("{} {}: {} findings\n", library.facts.name, library.facts.version, library.findings.size());

@@ -120,8 +120,12 @@ class Trial {
 
   /// The numbers first: they are known without a judgement.
   [[nodiscard]] bool is_within(int limit) {
-    return (!subject_->contract.domain.every_number || all_numbers_within(limit)) &&
-           judgement().smallest >= -limit && judgement().largest <= limit;
+    if (!subject_->contract.domain.every_number) return lengths_within(limit);
+    if (!numbers_ || numbers_->limit != limit) numbers_ = NumbersWithin{limit, all_numbers_within(limit)};
+    return numbers_->are_within && lengths_within(limit);
+  }
+  [[nodiscard]] bool lengths_within(int limit) {
+    return judgement().smallest >= -limit && judgement().largest <= limit;
   }
 
   /// The reach of the subject's domain at the case's precision. Under a transform, no further than the usual
@@ -145,8 +149,15 @@ class Trial {
     return is_within;
   }
 
+  /// What was last asked of the case's numbers: properties ask the same one after another.
+  struct NumbersWithin {
+    int limit;
+    bool are_within;
+  };
+
   const Subject* subject_;
   const Case* case_;
+  std::optional<NumbersWithin> numbers_{};
   std::optional<Outcome> outcome_{};
   std::vector<std::pair<const Case*, const Outcome*>> known_{};
   std::optional<Answer> claimed_{};

@@ -3,9 +3,9 @@
 #include "case/escape.hpp"
 #include "case/writer.hpp"
 #include "properties/report/page_style.hpp"
-#include "viz/drawing/svg.hpp"
 #include "viz/explain/answers.hpp"
 #include "viz/explain/case_report.hpp"
+#include "viz/page/case_figure.hpp"
 #include "viz/page/html_text.hpp"
 #include "viz/trace/numbers.hpp"
 
@@ -57,18 +57,18 @@ std::string walk_sections(const Walkthrough& walk) {
 
 }  // namespace
 
-std::string html_page(const CaseReport& report) {
+std::string html_page(const CaseReport& report, const std::string& script) {
   const std::string headline = headline_of(report.one, &report.exact, report.claim());
-  std::string html = html_head(headline, steps_style) +
+  std::string html = html_head(headline, steps_style + scene_style()) +
                      fmt::format("</head>\n<body>\n<main>\n<h1>{}</h1>\n",
                                  escaped(report.method.empty() ? topic_of(report.one) : report.method));
   if (!report.one.note.empty()) html += fmt::format("<p class=\"soft\">{}</p>\n", escaped(report.one.note));
   if (!report.method.empty())
     html += fmt::format("<p class=\"conclusion\">{}</p>\n", escaped(conclusion_of(report)));
-  html += "<figure>\n" + svg_of(report.one, &report.exact, report.claim()) + "</figure>\n";
+  html += "<figure>\n" + case_figure(report.one, &report.exact, report.claim()) + "</figure>\n";
   if (report.walk) html += walk_sections(*report.walk);
   html += fmt::format("<h2>The case</h2>\n<pre>{}</pre>\n", escaped(write_case(report.one)));
-  return html + "</main>\n<script>" + page_script + "</script>\n</body>\n</html>\n";
+  return html + "</main>\n<script>" + page_script + script + "</script>\n</body>\n</html>\n";
 }
 
 }  // namespace rayproof::viz

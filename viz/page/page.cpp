@@ -9,10 +9,10 @@
 #include "properties/report/page_style.hpp"
 #include "viz/drawing/svg.hpp"
 #include "viz/flat/stage_picture.hpp"
-#include "viz/page/page_scene.hpp"
-#include "viz/page/page_script.hpp"
+#include "viz/page/case_figure.hpp"
 #include "viz/page/page_step.hpp"
-#include "viz/page/page_style.hpp"
+#include "viz/page/script/embedded.hpp"
+#include "viz/page/space_json.hpp"
 #include "viz/page/stage_json.hpp"
 #include "viz/picture/palette.hpp"
 
@@ -76,15 +76,9 @@ std::string live_part(const Stage& stage) {
       "step\">→</button>"
       "<button type=\"button\" id=\"reset\">Reset view</button></nav><p id=\"place\" "
       "aria-live=\"polite\"></p>\n"
-      "<svg id=\"scene\" class=\"paint\" viewBox=\"0 0 640 430\" role=\"img\" tabindex=\"0\"></svg>\n"
+      "<div id=\"scene\" class=\"scene\" role=\"img\" tabindex=\"0\"></div>\n"
       "<p id=\"magnified\" class=\"soft\"></p>\n{}{}</div>\n",
       steps, slider(stage), legend(stage));
-}
-
-std::string in_script(std::string json) {
-  for (std::size_t at = json.find("</"); at != std::string::npos; at = json.find("</", at))
-    json.replace(at, 2, "<\\/");
-  return json;
 }
 
 std::string capitalised(std::string word) {
@@ -93,25 +87,26 @@ std::string capitalised(std::string word) {
 }
 
 std::string head(const std::string& title) {
-  return html_head(title, stage_style + role_style(".paint")) +
+  return html_head(title, page_style_sheet + scene_style() + role_style(".paint")) +
          "<link rel=\"icon\" href=\"data:,\">\n</head>\n";
 }
 
 }  // namespace
 
-std::string stage_page(const Stage& stage, const std::string& gallery) {
+std::string stage_page(const Stage& stage, const Still& still, const PageSurroundings& beside) {
   std::string html = head(stage.title);
   html += fmt::format("<body{}>\n<main>\n", stage.camera.is_flat ? " class=\"flat\"" : "");
-  if (!gallery.empty())
-    html += fmt::format("<p class=\"screen\"><a href=\"{}\">All walkthroughs</a></p>\n", escaped(gallery));
+  if (!beside.gallery.empty())
+    html +=
+        fmt::format("<p class=\"screen\"><a href=\"{}\">All walkthroughs</a></p>\n", escaped(beside.gallery));
   html +=
       fmt::format("<h1>{}</h1>\n<p class=\"lesson\">{}</p>\n", escaped(stage.title), escaped(stage.sentence));
   if (!stage.method.empty()) {
     html += fmt::format("<p class=\"soft\">{} in {}{}</p>\n", escaped(stage.method), name_of(stage.precision),
                         stage.source.empty() ? "" : ". Source: " + escaped(stage.source));
   }
-  html += "<div id=\"walk\">\n" + live_part(stage) + "<div>\n";
-  for (std::size_t i = 0; i < stage.steps.size(); ++i) html += step_section(stage, i);
+  html += "<div id=\"walk\">\n" + live_part(stage) + "<div id=\"texts\">\n";
+  for (std::size_t i = 0; i < stage.steps.size(); ++i) html += step_section(stage, i, still);
   html += fmt::format("</div>\n</div>\n<p class=\"conclusion\">{}</p>\n", escaped(stage.conclusion));
   html +=
       "<details class=\"screen\"><summary>Keys</summary><p><kbd>←</kbd> <kbd>→</kbd> step back and on, "
@@ -122,13 +117,13 @@ std::string stage_page(const Stage& stage, const std::string& gallery) {
       "point.</p></details>\n";
   html += fmt::format("<details class=\"screen\"><summary>The case</summary><pre>{}</pre></details>\n",
                       escaped(write_case(stage.one)));
-  html += "</main>\n<script type=\"application/json\" id=\"stage\">" + in_script(stage_json(stage)) +
-          "</script>\n";
-  return html + fmt::format("<script>\nconst aspect = {};", view_aspect) + page_scene + page_controls +
-         "</script>\n</body>\n</html>\n";
+  html += "</main>\n" + json_element("stage", stage_json(stage)) + json_element("space", space_json(stage));
+  html += beside.script.empty() ? "<script>\n" + shared_script() + "</script>\n"
+                                : fmt::format("<script src=\"{}\"></script>\n", escaped(beside.script));
+  return html + "</body>\n</html>\n";
 }
 
-std::string gallery_page(const std::vector<GalleryEntry>& entries) {
+std::string gallery_page(const std::vector<GalleryEntry>& entries, const Still& still) {
   std::string html =
       head("Walkthroughs") +
       "<body>\n<main>\n<h1>Walkthroughs</h1>\n<p class=\"lesson\">A ray meets a shape, step by "
@@ -142,9 +137,8 @@ std::string gallery_page(const std::vector<GalleryEntry>& entries) {
     }
     const std::size_t middle = entry.stage->steps.size() / 2;
     html += fmt::format("<li><a href=\"{}\">{}<b>{}</b><br><span class=\"soft\">{}</span></a></li>\n",
-                        escaped(entry.file),
-                        to_svg(scene_picture(*entry.stage, middle, page_scene_width, page_scene_height)),
-                        escaped(entry.stage->title), escaped(entry.stage->sentence));
+                        escaped(entry.file), still(*entry.stage, middle), escaped(entry.stage->title),
+                        escaped(entry.stage->sentence));
   }
   return html + (group.empty() ? "" : "</ul>\n") + "</main>\n</body>\n</html>\n";
 }

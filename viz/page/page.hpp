@@ -1,7 +1,10 @@
 #pragma once
 /// \file
-/// Stages as pages: one HTML file each that needs nothing from elsewhere, and a gallery that links them.
+/// Stages as pages: one HTML file each that needs nothing from elsewhere, and a gallery that links them. The
+/// scene is drawn by three.js, the same that VTK draws on slides (viz/scene/space.hpp).
 
+#include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -9,10 +12,23 @@
 
 namespace rayproof::viz {
 
-/// A self-contained page. On a screen with script: one step at a time, a scene to orbit, and a slider along
-/// the ray. On paper, or without script: all steps with a picture each. `gallery` is the address of the
-/// gallery, or empty for no link.
-[[nodiscard]] std::string stage_page(const Stage& stage, const std::string& gallery = {});
+/// An element of HTML that shows a step's still picture: on paper, and where no script or no WebGL runs.
+using Still = std::function<std::string(const Stage& stage, std::size_t step)>;
+
+/// The still as SVG, without depth: for a build without VTK.
+[[nodiscard]] std::string flat_still(const Stage& stage, std::size_t step);
+
+/// What a page stands beside; empty for nothing.
+struct PageSurroundings {
+  std::string gallery{};  ///< the gallery's address
+  std::string script{};  ///< the address of a file with shared_script() (case_figure.hpp), which is otherwise
+                         ///< in the page
+};
+
+/// A page. On a screen with script: one step at a time, a scene to orbit, and a slider along the ray. On
+/// paper, or without script: all steps with a picture each.
+[[nodiscard]] std::string stage_page(const Stage& stage, const Still& still = flat_still,
+                                     const PageSurroundings& beside = {});
 
 /// What a gallery shows of a stage.
 struct GalleryEntry {
@@ -22,6 +38,7 @@ struct GalleryEntry {
 };
 
 /// One page with a picture of each stage under its group's name, in the given order.
-[[nodiscard]] std::string gallery_page(const std::vector<GalleryEntry>& entries);
+[[nodiscard]] std::string gallery_page(const std::vector<GalleryEntry>& entries,
+                                       const Still& still = flat_still);
 
 }  // namespace rayproof::viz

@@ -72,13 +72,16 @@ std::string table(const std::vector<StageValue>& values, Precision precision) {
 
 }  // namespace
 
-std::string step_section(const Stage& stage, std::size_t number) {
+std::string flat_still(const Stage& stage, std::size_t step) {
+  return to_svg(scene_picture(stage, step, 640, 640 / view_aspect));
+}
+
+std::string step_section(const Stage& stage, std::size_t number, const Still& still) {
   const StageStep& step = stage.steps[number];
   std::string html = fmt::format(
       "<section class=\"step\" aria-labelledby=\"title-{0}\">\n<h2 id=\"title-{0}\">{0}. {1}</h2>\n",
       number + 1, escaped(step.title));
-  html +=
-      "<figure>" + to_svg(scene_picture(stage, number, page_scene_width, page_scene_height)) + "</figure>\n";
+  html += "<figure>" + still(stage, number) + "</figure>\n";
   std::string equations;
   for (const StageValue& value : step.values) equations += equation(value, stage.precision);
   const bool is_typeset = number > 0 && !equations.empty();

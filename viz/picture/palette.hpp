@@ -35,6 +35,14 @@ inline constexpr std::array<RoleColour, role_count> palette{{
   return palette[static_cast<std::size_t>(role)];
 }
 
+/// The floor below a scene in space.
+struct FloorColours {
+  RoleColour ground{"ground", "#f4f5f7", "#1d2026"};
+  RoleColour grid{"grid", "#d1d6de", "#343a44"};
+  RoleColour shadow{"shadow", "#d6dbe0", "#0e1013"};
+};
+inline constexpr FloorColours floor_colours{};
+
 /// How much of the colour an area's tint keeps.
 inline constexpr double area_opacity = 0.13;
 

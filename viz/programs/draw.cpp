@@ -2,6 +2,7 @@
 /// rayproof draw: draws a case as PNG, SVG or a page.
 
 #include "viz/drawing/svg.hpp"
+#include "viz/page/case_figure.hpp"
 #include "viz/programs/files.hpp"
 #ifdef RAYPROOF_HAS_VTK
 #include "viz/vtk/offscreen_display.hpp"
@@ -33,7 +34,7 @@ void draw(const viz::CaseReport& report, const Files& files) {
     throw viz::WrongCommand("there is no picture for a case about a " + topic_of(report.one));
   const viz::Picture picture = view->picture(report.one, &report.exact, report.claim());
   if (!files.svg.empty()) viz::write_text(files.svg, viz::xml_head + viz::to_svg(picture));
-  if (!files.html.empty()) viz::write_text(files.html, viz::html_page(report));
+  if (!files.html.empty()) viz::write_text(files.html, viz::html_page(report, viz::shared_script()));
   if (!files.png.empty()) write_picture(files.png, picture);
 }
 

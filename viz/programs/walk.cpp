@@ -2,11 +2,12 @@
 /// rayproof walk: a ray meets a shape, step by step, to the last digit.
 
 #include <filesystem>
+#include <functional>
 #include <utility>
 
 #include "command_line/interrupt.hpp"
 #include "command_line/progress_line.hpp"
-#include "viz/flat/stage_picture.hpp"
+#include "viz/page/case_figure.hpp"
 #include "viz/page/page.hpp"
 #include "viz/page/stage_json.hpp"
 #include "viz/programs/files.hpp"
@@ -18,6 +19,7 @@
 #include "viz/vtk/offscreen_display.hpp"
 #include "viz/vtk/raster_png.hpp"
 #include "viz/vtk/slide_canvas.hpp"
+#include "viz/vtk/space/still_canvas.hpp"
 #endif
 
 namespace {
@@ -35,20 +37,41 @@ struct WalkOptions {
   bool is_json = false;
 };
 
+/// The still pictures of pages.
+class Stills {
+ public:
+#ifdef RAYPROOF_HAS_VTK
+  [[nodiscard]] std::string operator()(const viz::Stage& stage, std::size_t step) {
+    return canvas_.still(stage, step);
+  }
+
+ private:
+  viz::OffscreenDisplay display_{};
+  viz::StillCanvas canvas_{};
+#else
+  [[nodiscard]] std::string operator()(const viz::Stage& stage, std::size_t step) {
+    return viz::flat_still(stage, step);
+  }
+#endif
+};
+
 /// One page where the path is that of a page; else a folder of pages with a gallery.
 void write_pages(const std::vector<viz::Walk>& walks, const std::string& path, ProgressLine& progress) {
+  Stills stills;
+  const viz::Still still = std::ref(stills);
   if (walks.size() == 1 && path.ends_with(".html"))
-    return viz::write_text(path, viz::stage_page(walks.front().stage));
+    return viz::write_text(path, viz::stage_page(walks.front().stage, still));
   viz::make_folder(path);
   const std::filesystem::path folder = path;
   std::vector<viz::GalleryEntry> gallery;
   for (const auto& [group, stage] : walks) {
     const std::string file = stage.name + ".html";
     progress.show(viz::share(gallery.size(), walks.size()), "page " + file);
-    viz::write_text(folder / file, viz::stage_page(stage, "index.html"));
+    viz::write_text(folder / file, viz::stage_page(stage, still, {"index.html", "walkthrough.js"}));
     gallery.push_back({group, file, &stage});
   }
-  viz::write_text(folder / "index.html", viz::gallery_page(gallery));
+  viz::write_text(folder / "index.html", viz::gallery_page(gallery, still));
+  viz::write_text(folder / "walkthrough.js", viz::shared_script());
 }
 
 void write_pngs(const std::vector<viz::Walk>& walks, const std::string& folder, ProgressLine& progress) {

@@ -4,7 +4,7 @@
 
 #include "properties/report/guest.hpp"
 #include "properties/report/report.hpp"
-#include "viz/drawing/svg.hpp"
+#include "viz/page/case_figure.hpp"
 
 namespace rayproof::check {
 
@@ -63,7 +63,9 @@ void Outputs::write(const Plan& plan, const RunResult& result, const Summary& su
   }
   if (const std::string judged = json_guests(plan, result); !judged.empty())
     replace(folder_ / "judged.jsonl", judged);
-  replace(folder_ / "index.html", html_page(plan, result, summary, {folder_, viz::svg_of}));
+  replace(folder_ / "scene.js", viz::shared_script());
+  replace(folder_ / "index.html",
+          html_page(plan, result, summary, {folder_, viz::case_figure, viz::scene_style(), "scene.js"}));
 }
 
 }  // namespace rayproof::check

@@ -1,12 +1,14 @@
 #include "properties/diagnosis/cause_search.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <numeric>
 
 namespace rayproof::diagnosis {
 namespace {
 
 /// Whether the fault can show where the property was broken.
-bool may_show(Aspect aspect, Claim claim) {
+bool can_show(Aspect aspect, Claim claim) {
   switch (claim) {
     case Claim::point:
       return aspect == Aspect::point || aspect == Aspect::contact;
@@ -38,11 +40,46 @@ bool is_part(const Indices& cases, const Indices& left) {
 
 }  // namespace
 
+bool is_refuted(const Hypothesis& one, std::size_t explained, std::size_t contradictions) {
+  const std::size_t admitted = one.speaks_of_all ? 1 : explained / 8;
+  return contradictions > std::max<std::size_t>(admitted, 1);
+}
+
+Indices all_of(std::size_t count) {
+  Indices all(count);
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+Indices without(const Indices& some, const Indices& others) {
+  Indices rest;
+  std::ranges::set_difference(some, others, std::back_inserter(rest));
+  return rest;
+}
+
+std::vector<Diagnosis> CauseSearch::groups() const {
+  std::vector<Diagnosis> groups;
+  for (Indices left = all_of(examination_.failing_count()); !left.empty();) {
+    Diagnosis group = next(left);
+    if (group.cause == nullptr) group.cases = left;
+    left = without(left, group.cases);
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+Indices CauseSearch::explained_of_all(const Hypothesis& one) const {
+  const Indices all = all_of(examination_.failing_count());
+  if (one.is_asked_alone) return depends_on_others(all) ? all : Indices{};
+  const bool is_isolated = one.perturbs && is_share(explained_by("isolated", all), all, 50);
+  Indices cases = may_be(one, is_isolated) ? examination_.explained(one, all) : Indices{};
+  return is_by_chance(one, cases) ? Indices{} : cases;
+}
+
 Diagnosis CauseSearch::next(const Indices& left) const {
   if (depends_on_others(left)) return {.cause = find_hypothesis("asked-alone"), .cases = left};
   for (const Hypothesis* one : known_)
-    if (Indices cases = screened(*one, left);
-        may_show(one->aspect, patient_.claim) && is_most(*one, cases, left))
+    if (Indices cases = screened(*one, left); may_show(*one) && is_most(*one, cases, left))
       return {.cause = one, .cases = std::move(cases)};
   Diagnosis best = best_model(left);
   if (is_share(best.cases, left, most_for_a_model)) return best;
@@ -68,10 +105,14 @@ bool CauseSearch::depends_on_others(const Indices& left) const {
   return examination_.explained(*find_hypothesis("asked-alone"), first).size() == first.size();
 }
 
+bool CauseSearch::may_show(const Hypothesis& one) const {
+  return one.change != nullptr || can_show(one.aspect, patient_.claim);
+}
+
 /// Where any small change cures, a cure that rounds the case anew proves nothing.
 bool CauseSearch::may_be(const Hypothesis& one, bool is_isolated) const {
   if (one.change != nullptr) return !(is_isolated && one.perturbs);
-  return may_show(one.aspect, patient_.claim);
+  return may_show(one);
 }
 
 Indices CauseSearch::explained_by(std::string_view name, const Indices& left) const {
@@ -101,7 +142,7 @@ Diagnosis CauseSearch::best_model(const Indices& left) const {
   for (const Hypothesis& one : hypotheses()) {
     if (one.predict == nullptr || !may_be(one, false)) continue;
     const Indices cases = screened(one, left);
-    if (cases.size() <= most || is_contradicted(one, cases)) continue;
+    if (cases.size() <= most || is_by_chance(one, cases) || is_contradicted(one, cases)) continue;
     const std::size_t balance = cases.size() - examination_.contradictions(one, cases);
     if (balance <= most) continue;
     most = balance;
@@ -111,10 +152,15 @@ Diagnosis CauseSearch::best_model(const Indices& left) const {
   return best;
 }
 
-/// One contradiction may be another fault, or rounding.
+/// A model that fits single cases by chance must explain nearly all that fail, not only those that are left.
+bool CauseSearch::is_by_chance(const Hypothesis& one, const Indices& cases) const {
+  constexpr std::size_t few = 4, nearly_all = 90;
+  return one.needs_all &&
+         (cases.size() < few || 100 * cases.size() < nearly_all * examination_.failing_count());
+}
+
 bool CauseSearch::is_contradicted(const Hypothesis& one, const Indices& cases) const {
-  const std::size_t admitted = one.speaks_of_all ? 1 : cases.size() / 8;
-  return examination_.contradictions(one, cases) > std::max<std::size_t>(admitted, 1);
+  return is_refuted(one, cases.size(), examination_.contradictions(one, cases));
 }
 
 /// And small changes alone must not do as much as a cure that rounds the case anew.

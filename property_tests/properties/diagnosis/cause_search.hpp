@@ -10,6 +10,14 @@ namespace rayproof::diagnosis {
 /// Failing cases, by index.
 using Indices = std::vector<std::size_t>;
 
+/// All indices below `count`.
+[[nodiscard]] Indices all_of(std::size_t count);
+/// Those of `some` that are not among `others`; both ascend.
+[[nodiscard]] Indices without(const Indices& some, const Indices& others);
+
+/// Whether there are more contradictions than another fault, or rounding, may make.
+[[nodiscard]] bool is_refuted(const Hypothesis& one, std::size_t explained, std::size_t contradictions);
+
 /// Looks for the cause of the failing cases that are left, one group after the other.
 class CauseSearch {
  public:
@@ -17,15 +25,21 @@ class CauseSearch {
               std::span<const Hypothesis* const> known)
       : patient_(patient), examination_(examination), known_(known) {}
 
-  /// What explains most of the cases, or else the largest part of them; no cause where nothing explains
-  /// enough. Only cause and cases are given.
-  [[nodiscard]] Diagnosis next(const Indices& left) const;
+  /// Every failing case in a group with its cause; those of most cases first. Only cause and cases are given.
+  [[nodiscard]] std::vector<Diagnosis> groups() const;
+  /// Which of all failing cases it explains; none where it proves nothing here.
+  [[nodiscard]] Indices explained_of_all(const Hypothesis& one) const;
 
  private:
+  /// What explains most of the cases, or else the largest part of them; no cause where nothing explains
+  /// enough.
+  [[nodiscard]] Diagnosis next(const Indices& left) const;
   [[nodiscard]] bool depends_on_others(const Indices& left) const;
+  [[nodiscard]] bool may_show(const Hypothesis& one) const;
   [[nodiscard]] bool may_be(const Hypothesis& one, bool is_isolated) const;
   [[nodiscard]] Indices explained_by(std::string_view name, const Indices& left) const;
   [[nodiscard]] Indices screened(const Hypothesis& one, const Indices& left) const;
+  [[nodiscard]] bool is_by_chance(const Hypothesis& one, const Indices& cases) const;
   [[nodiscard]] bool is_most(const Hypothesis& one, const Indices& cases, const Indices& left) const;
   [[nodiscard]] Diagnosis best_model(const Indices& left) const;
   [[nodiscard]] bool is_contradicted(const Hypothesis& one, const Indices& cases) const;

@@ -32,6 +32,19 @@ struct Diagnosis {
                                               std::span<const Case> passing,
                                               std::span<const Hypothesis* const> known = {});
 
+/// A sample of the cases on which a subject breaks one property in one precision, and of those to which it
+/// answers rightly.
+struct Complaint {
+  Patient patient{};
+  std::vector<Case> failing{}, passing{};
+  double broken = 0;  ///< how many cases of the run it stands for; 0 for those of the sample alone
+};
+
+/// The faults behind all complaints of one subject, for each complaint its groups. As few causes are named as
+/// explain all: what explains many cases of several complaints is preferred to what happens to explain one.
+[[nodiscard]] std::vector<std::vector<Diagnosis>> diagnose_together(
+    std::span<const Complaint* const> complaints);
+
 /// Whether the hypothesis explains the patient's wrong answer to the case.
 [[nodiscard]] bool explains(const Patient& patient, const Hypothesis& hypothesis, const Case& one);
 

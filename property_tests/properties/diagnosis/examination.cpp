@@ -66,8 +66,11 @@ std::optional<bool> Examination::fits(const Hypothesis& hypothesis, const Known&
 std::vector<std::size_t> Examination::explained(const Hypothesis& hypothesis,
                                                 std::span<const std::size_t> cases) const {
   if (hypothesis.is_asked_alone) return cured_alone(cases);
-  if (hypothesis.change != nullptr) return cured(hypothesis, cases);
   std::vector<std::size_t> all;
+  if (hypothesis.change != nullptr) {
+    for (const Cured& one : cured(hypothesis, cases)) all.push_back(one.index);
+    return all;
+  }
   for (const std::size_t i : cases)
     if (fits(hypothesis, failing_.at(i)) == true) all.push_back(i);
   return all;
@@ -101,28 +104,54 @@ std::vector<std::size_t> Examination::cured_alone(std::span<const std::size_t> c
   return all;
 }
 
-std::vector<std::size_t> Examination::cured(const Hypothesis& hypothesis,
-                                            std::span<const std::size_t> cases) const {
+std::vector<Examination::Cured> Examination::cured(const Hypothesis& hypothesis,
+                                                   std::span<const std::size_t> cases) const {
   std::vector<Case> asked;
-  std::vector<std::size_t> belongs_to;
-  for (const std::size_t i : cases)
-    for (Case& changed : hypothesis.change(failing_.at(i).asked.one)) {
-      if (!is_same_question(failing_.at(i).asked, AnsweredCase(changed), hypothesis.keeps)) continue;
-      asked.push_back(std::move(changed));
-      belongs_to.push_back(i);
+  std::vector<Cured> made_by;
+  for (const std::size_t i : cases) {
+    std::vector<Case> changes = hypothesis.change(failing_.at(i).asked.one);
+    for (std::size_t k = 0; k < changes.size(); ++k) {
+      if (!is_same_question(failing_.at(i).asked, AnsweredCase(changes[k]), hypothesis.keeps)) continue;
+      asked.push_back(std::move(changes[k]));
+      made_by.push_back({i, k});
     }
+  }
   const std::vector<std::optional<Answer>> answers = patient_.ask(asked);
-  std::vector<std::size_t> all;
+  std::vector<Cured> all;
   for (std::size_t k = 0; k < asked.size(); ++k) {
-    if (!all.empty() && all.back() == belongs_to[k]) continue;
-    if (answers[k] && patient_.rule(asked[k], *answers[k]) == Ruling::held) all.push_back(belongs_to[k]);
+    if (!all.empty() && all.back().index == made_by[k].index) continue;
+    if (answers[k] && patient_.rule(asked[k], *answers[k]) == Ruling::held) all.push_back(made_by[k]);
   }
   return all;
 }
 
+/// How many hits that the subject finds are lost by the change that cures the misses.
+std::size_t Examination::hits_lost(const Hypothesis& cure, std::span<const std::size_t> explained) const {
+  constexpr std::size_t few = 8, enough = 24;
+  const auto is_miss = [&](std::size_t i) { return !finds_something(failing_.at(i).asked.exact); };
+  if (cure.is_asked_alone || !std::ranges::all_of(explained, is_miss)) return 0;
+  std::vector<std::size_t> changes;
+  for (const Cured& one : cured(cure, explained.first(std::min(few, explained.size()))))
+    changes.push_back(one.change);
+  if (changes.empty()) return 0;
+  std::ranges::sort(changes);
+  const std::size_t usual = changes[changes.size() / 2];
+  std::vector<Case> asked;
+  for (const Known& known : passing_) {
+    if (asked.size() >= enough || !known.got || !finds_something(*known.got)) continue;
+    std::vector<Case> changed = cure.change(known.asked.one);
+    if (usual < changed.size() && finds_something(oracle::answer(changed[usual])))
+      asked.push_back(std::move(changed[usual]));
+  }
+  const std::vector<std::optional<Answer>> answers = patient_.ask(asked);
+  const auto lost = static_cast<std::size_t>(
+      std::ranges::count_if(answers, [](const auto& answer) { return answer && !finds_something(*answer); }));
+  return 2 * lost > asked.size() ? failing_.size() : 0;
+}
+
 std::size_t Examination::contradictions(const Hypothesis& hypothesis,
                                         std::span<const std::size_t> explained) const {
-  if (hypothesis.change != nullptr) return 0;
+  if (hypothesis.change != nullptr) return hits_lost(hypothesis, explained);
   std::set<Form> forms;
   for (const std::size_t i : explained) forms.insert(form_of(failing_.at(i).asked.one));
   // Misses alone are foreseen by many a model: then nothing is excused.

@@ -17,7 +17,8 @@ class Examination {
                                                    std::span<const std::size_t> cases) const;
   /// On how many of the passing cases the hypothesis expects wrong answers where the subject's are right.
   /// Only cases of the same forms count as those of the failing cases that it explains: one form of a plane,
-  /// say, or capped cylinders, may be all that is wrong.
+  /// say, or capped cylinders, may be all that is wrong. A cure is contradicted where it cures by silence:
+  /// all that it makes right are misses, and of what is a hit it makes misses, too.
   [[nodiscard]] std::size_t contradictions(const Hypothesis& hypothesis,
                                            std::span<const std::size_t> explained) const;
   /// Whether the cases are quadratic equations.
@@ -37,8 +38,13 @@ class Examination {
   };
 
   [[nodiscard]] std::vector<Known> ask(std::span<const Case> cases) const;
-  [[nodiscard]] std::vector<std::size_t> cured(const Hypothesis& hypothesis,
-                                               std::span<const std::size_t> cases) const;
+  /// A case that a cure has cured, and which of its changes did.
+  struct Cured {
+    std::size_t index, change;
+  };
+  [[nodiscard]] std::vector<Cured> cured(const Hypothesis& hypothesis,
+                                         std::span<const std::size_t> cases) const;
+  [[nodiscard]] std::size_t hits_lost(const Hypothesis& cure, std::span<const std::size_t> explained) const;
   [[nodiscard]] static bool is_excused(const Hypothesis& hypothesis, const Known& known);
   /// The first of the cases to which the subject is right when it is asked each alone.
   [[nodiscard]] std::vector<std::size_t> cured_alone(std::span<const std::size_t> cases) const;

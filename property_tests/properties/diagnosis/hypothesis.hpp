@@ -44,7 +44,9 @@ struct Hypothesis {
   bool perturbs = true;
   /// The changed case is asked of a program that has been asked nothing before.
   bool is_asked_alone = false;
-  bool speaks_of_all = false;      ///< of every form of a shape, whatever forms the failing cases have
+  bool speaks_of_all = false;  ///< of every form of a shape, whatever forms the failing cases have
+  /// It fits single cases by chance: it must explain nearly all of a sample.
+  bool needs_all = false;
   std::string_view of_equation{};  ///< the sentence where the cases are quadratic equations, if it is another
 };
 

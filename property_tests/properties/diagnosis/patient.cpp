@@ -1,12 +1,19 @@
 #include "properties/diagnosis/patient.hpp"
 
+#include <memory>
+
 #include "properties/guests/guest.hpp"
 
 namespace rayproof {
 namespace {
 
-/// Asks an instance of the subject all cases at once; nobody is given cases that are not for him.
-std::vector<std::optional<Answer>> answers_of(const Subject& subject, std::span<const Case> cases) {
+/// An instance of the subject, started when it is first asked: to start a program takes longer than to ask
+/// it.
+using Instance = std::shared_ptr<std::unique_ptr<Answerer>>;
+
+/// Asks the instance all cases at once; nobody is given cases that are not for him.
+std::vector<std::optional<Answer>> answers_of(const Subject& subject, const Instance& instance,
+                                              std::span<const Case> cases) {
   std::vector<std::optional<Answer>> answers(cases.size());
   std::vector<Case> asked;
   std::vector<std::size_t> places;
@@ -17,7 +24,8 @@ std::vector<std::optional<Answer>> answers_of(const Subject& subject, std::span<
   }
   if (asked.empty()) return answers;
   std::vector<Outcome> outcomes(asked.size());
-  subject.start()->answer(asked, outcomes);
+  if (!*instance) *instance = subject.start();
+  (*instance)->answer(asked, outcomes);
   for (std::size_t k = 0; k < asked.size(); ++k)
     if (outcomes[k].is_answered()) answers[places[k]] = completed(subject, asked[k], outcomes[k].answer);
   return answers;
@@ -52,7 +60,8 @@ Ruling ruling_on(const Subject& subject, const Property& property, const Case& o
 
 Patient patient_of(const Subject& subject, const Property& property) {
   Patient patient;
-  patient.ask = [&subject](std::span<const Case> cases) { return answers_of(subject, cases); };
+  patient.ask = [&subject, instance = std::make_shared<std::unique_ptr<Answerer>>()](
+                    std::span<const Case> cases) { return answers_of(subject, instance, cases); };
   if (subject.function == nullptr)
     patient.ask_alone = [&subject](const Case& one) { return answer_alone(subject, one); };
   patient.rule = [&subject, &property](const Case& one, const Answer& answer) {

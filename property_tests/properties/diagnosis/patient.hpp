@@ -11,7 +11,8 @@
 
 namespace rayproof {
 
-/// A subject that breaks a property. A diagnosis knows neither its name nor its steps.
+/// A subject that breaks a property, to be asked by one thread at a time. A diagnosis knows neither its name
+/// nor its steps.
 struct Patient {
   /// The answers to cases, in their order; nothing where the subject gives none.
   std::function<std::vector<std::optional<Answer>>(std::span<const Case>)> ask{};

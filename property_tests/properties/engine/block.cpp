@@ -65,9 +65,9 @@ class AskedTogether {
   void append_others(const Unit& unit, const Case& one, unsigned k) {
     if (unit.others_failed != nullptr && *unit.others_failed >= enough_failures) return;
     std::vector<Case> others;
-    for (std::size_t p = 0; p < unit.active.size(); ++p) {
+    for (const std::size_t p : unit.tested) {
       const Property& property = properties()[p];
-      if (!unit.active[p] || property.asks == nullptr || k % spacing(*unit.subject, property) != 0) continue;
+      if (property.asks == nullptr || k % spacing(*unit.subject, property) != 0) continue;
       for (Case& other : property.asks(one)) others.push_back(std::move(other));
     }
     for (Case& other : others)
@@ -86,8 +86,8 @@ void BlockResult::put(const Unit& unit, Trial& trial, unsigned k) {
   ++tally.cases;
   const bool is_function = unit.subject->function != nullptr;
   const std::vector<Property>& all = properties();
-  for (std::size_t p = 0; p < all.size(); ++p) {
-    if (!unit.active[p] || k % spacing(*unit.subject, all[p]) != 0) continue;
+  for (const std::size_t p : unit.tested) {
+    if (k % spacing(*unit.subject, all[p]) != 0) continue;
     const Ruling ruling = ruling_of(all[p], trial);
     tally.properties[p].add(ruling);
     samples[p].add(ruling, k);

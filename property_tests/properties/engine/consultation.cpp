@@ -1,7 +1,9 @@
 #include "properties/engine/consultation.hpp"
 
 #include <cmath>
+#include <iterator>
 
+#include "properties/diagnosis/cures/cures.hpp"
 #include "properties/shrink/shrink.hpp"
 
 namespace rayproof::diagnosis {
@@ -27,24 +29,22 @@ Consultation::Consultation(const RunResult& result, const Samples& samples, Find
                            const std::atomic<bool>& stop)
     : finding_(finding),
       stop_(stop),
-      patient_(patient_of(*finding.subject, *finding.property)),
+      complaint_{.patient = patient_of(*finding.subject, *finding.property)},
       broken_(broken_cases(result, finding)) {
   const bool is_declared = finding.is_declared;
+  complaint_.broken = static_cast<double>(broken_);
   const Samples::PropertySample* sample =
       samples.find(*finding.subject, finding.one.precision, *finding.property);
   if (sample != nullptr) {
-    failing_ = in_turn(sample->broken, is_declared ? most_declared : most_failing);
-    passing_ = in_turn(sample->held, is_declared ? most_declared : most_passing);
+    complaint_.failing = in_turn(sample->broken, is_declared ? most_declared : most_failing);
+    complaint_.passing = in_turn(sample->held, is_declared ? most_declared : most_passing);
   }
   add_right_answers(samples);
-  if (failing_.empty()) failing_.push_back(finding.one);
+  if (complaint_.failing.empty()) complaint_.failing.push_back(finding.one);
+  if (!is_declared && !finding.subject->has_own_contract) add_neighbours();
 }
 
-std::vector<Finding> Consultation::findings(std::vector<const Hypothesis*>& known) {
-  const std::vector<Diagnosis> groups = diagnose(patient_, failing_, passing_, known);
-  for (const Diagnosis& group : groups)
-    if (group.cause != nullptr && std::ranges::find(known, group.cause) == known.end())
-      known.push_back(group.cause);
+std::vector<Finding> Consultation::findings(const std::vector<Diagnosis>& groups) {
   const Diagnosis& own = own_group(groups);
   describe(finding_, own);
   std::vector<Finding> others;
@@ -62,7 +62,22 @@ void Consultation::add_right_answers(const Samples& samples) {
       samples.find(*finding_.subject, finding_.one.precision, *find_property("ascending"));
   if (any == nullptr) return;
   for (Case& one : in_turn(any->held, finding_.is_declared ? most_declared : most_passing))
-    if (is_ordinary(one)) passing_.push_back(std::move(one));
+    if (is_ordinary(one)) complaint_.passing.push_back(std::move(one));
+}
+
+/// Cases like the few that fail, with other numbers, as far as they fail, too: a model must not fit a single
+/// one by chance.
+void Consultation::add_neighbours() {
+  constexpr std::size_t few = 16, tries = 64;
+  const std::size_t found = complaint_.failing.size();
+  if (found >= few) return;
+  std::vector<Case> near;
+  for (std::size_t k = 0; k < tries; ++k)
+    std::ranges::move(varied(complaint_.failing[k % found], k), std::back_inserter(near));
+  const std::vector<std::optional<Answer>> answers = complaint_.patient.ask(near);
+  for (std::size_t k = 0; k < near.size() && complaint_.failing.size() < few; ++k)
+    if (answers[k] && complaint_.patient.rule(near[k], *answers[k]) == Ruling::broken)
+      complaint_.failing.push_back(std::move(near[k]));
 }
 
 /// Whether the subject promises anything of the case: beyond that models may overflow as it does.
@@ -73,7 +88,7 @@ bool Consultation::is_ordinary(const Case& one) const {
 /// The group whose cause explains the finding's own case; the largest where none does.
 const Diagnosis& Consultation::own_group(const std::vector<Diagnosis>& groups) const {
   for (const Diagnosis& group : groups)
-    if (group.cause != nullptr && explains(patient_, *group.cause, finding_.one)) return group;
+    if (group.cause != nullptr && explains(complaint_.patient, *group.cause, finding_.one)) return group;
   return *std::ranges::max_element(groups, {}, [](const Diagnosis& one) { return one.cases.size(); });
 }
 
@@ -81,7 +96,8 @@ void Consultation::describe(Finding& finding, const Diagnosis& group) const {
   finding.cause = group.cause;
   finding.kind_of_fault = group.cause == nullptr ? std::nullopt : std::optional(group.kind);
   finding.diagnosis = group.sentence;
-  const double share = static_cast<double>(group.cases.size()) / static_cast<double>(failing_.size());
+  const double share =
+      static_cast<double>(group.cases.size()) / static_cast<double>(complaint_.failing.size());
   finding.cases = std::max(std::uint64_t{1},
                            static_cast<std::uint64_t>(std::llround(share * static_cast<double>(broken_))));
   finding.striking = most_striking(group);
@@ -93,10 +109,10 @@ std::optional<Case> Consultation::most_striking(const Diagnosis& group) const {
   double most = 0;
   if (finding_.property->excess == nullptr) return worst;
   std::vector<Case> cases;
-  for (const std::size_t i : group.cases) cases.push_back(failing_[i]);
-  const std::vector<std::optional<Answer>> answers = patient_.ask(cases);
+  for (const std::size_t i : group.cases) cases.push_back(complaint_.failing[i]);
+  const std::vector<std::optional<Answer>> answers = complaint_.patient.ask(cases);
   for (std::size_t k = 0; k < cases.size(); ++k) {
-    if (!answers[k] || patient_.rule(cases[k], *answers[k]) != Ruling::broken) continue;
+    if (!answers[k] || complaint_.patient.rule(cases[k], *answers[k]) != Ruling::broken) continue;
     Trial trial(*finding_.subject, cases[k]);
     trial.know({.answer = *answers[k]}, {});
     const double excess = finding_.property->excess(trial);
@@ -111,8 +127,8 @@ std::optional<Case> Consultation::most_striking(const Diagnosis& group) const {
 std::optional<Finding> Consultation::of_group(const Diagnosis& group) const {
   Finding other = finding_;
   const auto simplest =
-      std::ranges::min(group.cases, {}, [&](std::size_t i) { return complexity(failing_[i]); });
-  other.one = shrink(failing_[simplest], [&](const Case& one) { return is_of(group, one); },
+      std::ranges::min(group.cases, {}, [&](std::size_t i) { return complexity(complaint_.failing[i]); });
+  other.one = shrink(complaint_.failing[simplest], [&](const Case& one) { return is_of(group, one); },
                      {.tries = 3000, .time = std::chrono::milliseconds(1500), .stop = &stop_});
   Trial shrunk(*other.subject, other.one);
   if (ruling_of(*other.property, shrunk) != Ruling::broken) return std::nullopt;  // a program's mood
@@ -123,9 +139,9 @@ std::optional<Finding> Consultation::of_group(const Diagnosis& group) const {
 
 bool Consultation::is_of(const Diagnosis& group, const Case& one) const {
   if (group.cause != nullptr && group.cause->is_asked_alone) return false;  // nor is a simpler one
-  const auto answer = patient_.ask({&one, 1}).front();
-  if (!answer || patient_.rule(one, *answer) != Ruling::broken) return false;
-  return group.cause == nullptr || explains(patient_, *group.cause, one);
+  const auto answer = complaint_.patient.ask({&one, 1}).front();
+  if (!answer || complaint_.patient.rule(one, *answer) != Ruling::broken) return false;
+  return group.cause == nullptr || explains(complaint_.patient, *group.cause, one);
 }
 
 }  // namespace rayproof::diagnosis

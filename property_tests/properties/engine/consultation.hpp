@@ -19,12 +19,14 @@ class Consultation {
   Consultation(const RunResult& result, const Samples& samples, Finding& finding,
                const std::atomic<bool>& stop);
 
-  /// Completes the finding; the others that its property deserves. Causes that are `known` of the subject are
-  /// tried first, and new ones added.
-  [[nodiscard]] std::vector<Finding> findings(std::vector<const Hypothesis*>& known);
+  /// The sample of cases.
+  [[nodiscard]] const Complaint& complaint() const { return complaint_; }
+  /// Completes the finding by the groups of its sample; the others that its property deserves.
+  [[nodiscard]] std::vector<Finding> findings(const std::vector<Diagnosis>& groups);
 
  private:
   void add_right_answers(const Samples& samples);
+  void add_neighbours();
   [[nodiscard]] bool is_ordinary(const Case& one) const;
   [[nodiscard]] const Diagnosis& own_group(const std::vector<Diagnosis>& groups) const;
   void describe(Finding& finding, const Diagnosis& group) const;
@@ -34,10 +36,8 @@ class Consultation {
 
   Finding& finding_;
   const std::atomic<bool>& stop_;
-  Patient patient_;
+  Complaint complaint_;
   std::uint64_t broken_;
-  std::vector<Case> failing_{};
-  std::vector<Case> passing_{};
 };
 
 }  // namespace rayproof::diagnosis

@@ -2,6 +2,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include <deque>
 #include <iterator>
 #include <map>
 
@@ -27,28 +28,62 @@ void adopt(Finding& finding, const Finding& from) {
   finding.diagnosis = from.diagnosis;
 }
 
+/// The groups of each complaint: those of a program all together, those of our own methods one after the
+/// other, since of what is declared broken the cause is known.
+std::vector<std::vector<Diagnosis>> groups_of(const Subject& subject,
+                                              const std::vector<const Complaint*>& complaints) {
+  if (!subject.has_own_contract) return diagnose_together(complaints);
+  std::vector<const Hypothesis*> known;
+  std::vector<std::vector<Diagnosis>> all;
+  for (const Complaint* one : complaints) {
+    all.push_back(diagnose(one->patient, one->failing, one->passing, known));
+    for (const Diagnosis& group : all.back())
+      if (group.cause != nullptr && std::ranges::find(known, group.cause) == known.end())
+        known.push_back(group.cause);
+  }
+  return all;
+}
+
+/// Diagnoses these findings of one subject, and returns the others that it deserves.
+std::vector<Finding> diagnosed(const RunResult& result, const std::vector<Finding*>& findings,
+                               const Samples& samples, const std::atomic<bool>& stop) {
+  std::deque<diagnosis::Consultation> consultations;
+  std::vector<const Complaint*> complaints;
+  for (Finding* finding : findings) {
+    if (stop) return {};
+    complaints.push_back(&consultations.emplace_back(result, samples, *finding, stop).complaint());
+  }
+  if (findings.empty()) return {};
+  const auto groups = groups_of(*findings.front()->subject, complaints);
+  std::vector<Finding> others;
+  for (std::size_t k = 0; k < findings.size(); ++k)
+    std::ranges::move(consultations[k].findings(groups[k]), std::back_inserter(others));
+  return others;
+}
+
 /// All findings of one subject, those of its symmetries last: they are broken by what is wrong with its
 /// answers themselves, where that is known.
 std::vector<Finding> diagnose_subject(RunResult& result, const std::vector<std::size_t>& of_subject,
                                       const Samples& samples, const std::atomic<bool>& stop) {
-  std::vector<const Hypothesis*> known;
-  std::vector<Finding> others;
+  std::vector<Finding*> direct, symmetries;
+  for (const std::size_t i : of_subject)
+    if (Finding& finding = result.findings[i]; can_be_diagnosed(finding))
+      (breaks_symmetry(finding) ? symmetries : direct).push_back(&finding);
+  std::vector<Finding> others = diagnosed(result, direct, samples, stop);
   const Finding* first = nullptr;
-  for (const bool are_symmetries : {false, true})
-    for (const std::size_t i : of_subject) {
-      Finding& finding = result.findings[i];
-      if (stop || !can_be_diagnosed(finding) || breaks_symmetry(finding) != are_symmetries) continue;
-      if (are_symmetries && first != nullptr) {
-        adopt(finding, *first);
-        finding.cases = diagnosis::broken_cases(result, finding);
-        continue;
-      }
-      std::vector<Finding> more = diagnosis::Consultation(result, samples, finding, stop).findings(known);
-      std::ranges::move(more, std::back_inserter(others));
-      if (first != nullptr && is_vague(finding)) adopt(finding, *first);
-      const bool is_worse = first == nullptr || finding.cases > first->cases;
-      if (!are_symmetries && finding.cause != nullptr && is_worse) first = &finding;
-    }
+  for (Finding* finding : direct) {
+    if (first != nullptr && is_vague(*finding)) adopt(*finding, *first);
+    const bool is_worse = first == nullptr || finding->cases > first->cases;
+    if (finding->cause != nullptr && is_worse) first = finding;
+  }
+  if (first == nullptr) {
+    std::ranges::move(diagnosed(result, symmetries, samples, stop), std::back_inserter(others));
+    return others;
+  }
+  for (Finding* finding : symmetries) {
+    adopt(*finding, *first);
+    finding->cases = diagnosis::broken_cases(result, *finding);
+  }
   return others;
 }
 

@@ -20,11 +20,13 @@ namespace {
 /// The subject on the family, with the properties of the plan that it claims or is declared to break. The
 /// worst errors are measured where one of these measures an error, so that they cost nothing more.
 Unit unit_of(const Plan& plan, const Subject& subject, const Family& family, Precision precision) {
-  Unit unit{&subject, &family, precision, plan.is_wanted, plan.settings.measure_all};
-  for (std::size_t p = 0; p < unit.active.size(); ++p) {
+  Unit unit{&subject, &family, precision, {}, plan.settings.measure_all};
+  for (std::size_t p = 0; p < plan.is_wanted.size(); ++p) {
     const Property& property = properties()[p];
-    unit.active[p] = unit.active[p] && (claims(subject, property) || is_declared_refuted(subject, property));
-    unit.measure = unit.measure || (unit.active[p] && property.excess != nullptr);
+    if (!plan.is_wanted[p] || !(claims(subject, property) || is_declared_refuted(subject, property)))
+      continue;
+    unit.tested.push_back(p);
+    unit.measure = unit.measure || property.excess != nullptr;
   }
   return unit;
 }

@@ -17,8 +17,8 @@ struct Unit {
   const Subject* subject = nullptr;
   const Family* family = nullptr;
   Precision precision{};
-  std::vector<bool> active{};  ///< for each of properties(): is it tested on the cases?
-  bool measure = true;         ///< take the worst errors, too
+  std::vector<std::size_t> tested{};  ///< the numbers in properties() of what is tested on the cases
+  bool measure = true;                ///< take the worst errors, too
   Tally tally{};
   /// On how many of the other cases that properties ask a guest has failed: after some, it is asked none.
   std::atomic<unsigned>* others_failed = nullptr;

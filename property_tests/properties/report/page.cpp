@@ -91,15 +91,16 @@ std::string html_page(const Plan& plan, const RunResult& result, const Summary& 
                       const PageTools& tools) {
   const bool is_guests = is_of_programs(plan);
   const PageWords& words = is_guests ? of_programs : of_methods;
-  return html_head("rayproof check", std::string(figures_style) + check_style) +
+  return html_head("rayproof check", std::string(figures_style) + check_style + tools.style) +
          fmt::format(
              "</head>\n<body>\n<main>\n<h1>rayproof check</h1>\n<p class=\"soft\">Seed {}, {} cases for each "
              "{}, family and precision{}; {} corpus cases.</p>\n{}<h2>{}</h2>\n{}<h2>{}</h2>\n{}{}"
-             "<h2>Figures</h2>\n{}{}</main>\n</body>\n</html>\n",
+             "<h2>Figures</h2>\n{}{}",
              plan.settings.seed, plan.settings.cases, words.each, plan.settings.time ? " at most" : "",
              result.corpus_cases, is_guests ? outcome_of_programs(plan, result) : outcome(summary),
              words.claims, claims_table(summary), words.errors, errors_table(summary),
-             all_findings(plan, result, tools, words), family_table(result), label_table(result));
+             all_findings(plan, result, tools, words), family_table(result), label_table(result)) +
+         html_end(tools.script);
 }
 
 }  // namespace rayproof

@@ -56,4 +56,10 @@ thead th { color: inherit; vertical-align: bottom; border-bottom: 2px solid; }
          escaped(title) + "</title>\n<style>" + page_style + own_style + "</style>\n";
 }
 
+/// The page's end, with a script that stands beside it; empty for none.
+[[nodiscard]] inline std::string html_end(const std::string& script) {
+  const std::string element = script.empty() ? "" : "<script src=\"" + escaped(script) + "\"></script>\n";
+  return "</main>\n" + element + "</body>\n</html>\n";
+}
+
 }  // namespace rayproof

@@ -41,13 +41,15 @@ namespace rayproof {
 /// What the page is made with.
 struct PageTools {
   std::filesystem::path folder{};  ///< of the run's findings.jsonl, for the commands that name a finding
-  /// Draws a case with its exact and its claimed answer as one `<svg>` element.
+  /// Draws a case with its exact and its claimed answer as one element of HTML.
   std::function<std::string(const Case& one, const Answer* exact, const Answer* claimed)> draw{};
+  std::string style{};   ///< what the pictures need
+  std::string script{};  ///< the address of their script, beside the page; empty for none
 };
 
-/// The run as one self-contained HTML page, light and dark, printable: the table of subjects and properties
-/// and what its words mean, every finding under its method with its number, its picture and the commands that
-/// look into it, the worst errors of each family, the labels.
+/// The run as an HTML page that needs nothing but the pictures' script beside it, light and dark, printable:
+/// the table of subjects and properties and what its words mean, every finding under its method with its
+/// number, its picture and the commands that look into it, the worst errors of each family, the labels.
 [[nodiscard]] std::string html_page(const Plan& plan, const RunResult& result, const Summary& summary,
                                     const PageTools& tools);
 

@@ -12,16 +12,12 @@
 
 namespace rayproof::faulty {
 
-/// The cases on which a subject breaks a property, and some on which it keeps it.
-struct Complaint {
-  std::vector<Case> failing{}, passing{}, others{};
-};
-
 /// What breaks a property: some cases of each family in turn.
 [[nodiscard]] inline Complaint complaint(const Subject& subject, const Property& property,
                                          Precision precision, unsigned cases = 400) {
   constexpr std::size_t enough = 64;
-  Complaint found;
+  Complaint found{.patient = patient_of(subject, property)};
+  std::vector<Case> others;
   for (unsigned k = 0; k < cases && found.failing.size() < enough; ++k)
     for (const Family& family : families()) {
       if (family.topic != subject.topic) continue;
@@ -31,10 +27,10 @@ struct Complaint {
       const Ruling ruling = property.rule(trial);
       if (ruling == Ruling::broken) found.failing.push_back(one);
       const bool is_right = ruling == Ruling::outside && !trial.judgement().wrong && trial.in_domain();
-      if (is_right && found.others.size() < enough) found.others.push_back(one);
+      if (is_right && others.size() < enough) others.push_back(one);
       if (ruling == Ruling::held && found.passing.size() < enough) found.passing.push_back(one);
     }
-  found.passing.insert(found.passing.end(), found.others.begin(), found.others.end());
+  found.passing.insert(found.passing.end(), others.begin(), others.end());
   return found;
 }
 
@@ -42,7 +38,7 @@ struct Complaint {
 [[nodiscard]] inline std::vector<Diagnosis> faults_of(const Subject& subject, const Property& property,
                                                       Precision precision, unsigned cases = 400) {
   const Complaint found = complaint(subject, property, precision, cases);
-  return diagnose(patient_of(subject, property), found.failing, found.passing);
+  return diagnose(found.patient, found.failing, found.passing);
 }
 
 /// "unit-direction 31 | none 2": the causes by the number of their cases.

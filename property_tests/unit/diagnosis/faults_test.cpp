@@ -52,13 +52,6 @@ TEST(Diagnosis, ForeseesNoWrongAnswersOfRightCode) {
   }
 }
 
-/// Two faults in one: it culls back faces, and forgets an edge.
-Answer two_faults(const Case& one) {
-  const bool is_hit = !numbers_in(answer<nothing>(one)).empty();
-  const Answer culled = answer<culls_back>(one);
-  return is_hit && numbers_in(culled).empty() ? culled : answer<no_beta_test>(one);
-}
-
 TEST(Diagnosis, OfTwoFaultsUnderOnePropertyMakesTwoGroups) {
   const Subject subject = subject_of("triangle", two_faults);
   const auto groups = faults_of(subject, *find_property("verdict"), Precision::float64);

@@ -91,6 +91,11 @@ const Foreseen foreseen_faults[] = {
     {"triangle", "edge-b-open"},
     {"polygon", "first-corner-culls"},
     {"polygon", "fan"},
+    {"polygon", "collinear-corner"},
+    {"polygon", "endless-sides"},
+    {"point_in_polygon", "endless-sides"},
+    {"point_in_polygon", "both-ways"},
+    {"parallelepiped", "half-endless-edge-1"},
     {"point_in_polygon", "inside-out"},
 };
 

@@ -9,7 +9,7 @@ import subprocess
 import tempfile
 import time
 
-FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-sync",
+FLAGS = ["--headless", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-quic", "--no-first-run", "--disable-sync",
          "--disable-background-networking", "--disable-component-update", "--hide-scrollbars", "--remote-debugging-pipe"]
 
 
@@ -20,7 +20,7 @@ def find_browser():
 class Browser:
     """Commands go out on the browser's file descriptor 3 and come back on 4, each message ending in a zero byte."""
 
-    def __init__(self, program):
+    def __init__(self, program, more_flags=()):
         self.profile = tempfile.mkdtemp(prefix="rayproof-pages-")
         out_read, self.out = os.pipe()
         self.back, back_write = os.pipe()
@@ -31,7 +31,7 @@ class Browser:
             os.dup2(high[0], 3)
             os.dup2(high[1], 4)
 
-        self.process = subprocess.Popen([program, *FLAGS, f"--user-data-dir={self.profile}"], pass_fds=(3, 4),
+        self.process = subprocess.Popen([program, *FLAGS, *more_flags, f"--user-data-dir={self.profile}"], pass_fds=(3, 4),
                                         preexec_fn=hand_over, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
                                         stderr=subprocess.DEVNULL)
         for end in (out_read, back_write, *high):

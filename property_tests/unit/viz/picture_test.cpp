@@ -14,6 +14,7 @@
 #include "viz/drawing/svg.hpp"
 #include "viz/drawing/topics.hpp"
 #include "viz/explain/case_report.hpp"
+#include "viz/page/case_figure.hpp"
 #include "viz/picture/dashes.hpp"
 
 namespace rayproof::viz {
@@ -123,6 +124,19 @@ TEST(Picture, MarkupInANoteIsText) {
       read_case(R"({"query":"quadratic","a":1,"b":-3,"c":2,"note":"<script>alert(1)</script>"})");
   const std::string page = html_page({one, oracle::answer(one), "", {}, {}});
   EXPECT_EQ(page.find("<script>alert"), std::string::npos);
+}
+
+TEST(CaseFigure, HasASceneInNumbersOfEveryCase) {
+  for_every_family(
+      1, [](const Case& one, const Answer& exact, const Answer& claimed, const std::string& which) {
+        const std::string figure = case_figure(one, &exact, &claimed);
+        EXPECT_EQ(figure.find("null"), std::string::npos) << which;  // JSON's word for what is no number
+      });
+}
+
+TEST(CaseFigure, IsADrawingAloneWhereThereIsNoExactAnswer) {
+  const Case one = read_case(R"({"query":"quadratic","a":1,"b":-3,"c":2})");
+  EXPECT_EQ(case_figure(one, nullptr, nullptr).find("<script"), std::string::npos);
 }
 
 TEST(Page, IsOneFileThatNeedsNothingFromElsewhere) {

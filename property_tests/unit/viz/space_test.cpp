@@ -4,8 +4,12 @@
 #include <vtkFeatureEdges.h>
 #include <vtkMassProperties.h>
 #include <vtkNew.h>
+#include <vtkRenderer.h>
+#include <vtkRenderWindow.h>
 #include <vtkTriangleFilter.h>
 
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <numbers>
 
 #include "unit/viz/every_shape.hpp"
@@ -14,6 +18,7 @@
 #include "viz/vtk/slide_canvas.hpp"
 #include "viz/vtk/space/floor.hpp"
 #include "viz/vtk/space/geometry.hpp"
+#include "viz/vtk/space/space_scene.hpp"
 #include "viz/walkthrough/lesson.hpp"
 #include "viz/walkthrough/stage_of.hpp"
 
@@ -58,15 +63,16 @@ TEST(SpaceGeometry, AnEllipsoidReachesTheTipsOfItsAxes) {
 }
 
 TEST(SpaceGeometry, AnArrowEndsWhereItPoints) {
-  const double* const bounds = arrow_of({0, 0, 0}, {0, 0, 1}, 0.01)->GetBounds();
+  const ArrowHead head{{0, 0, 0.9}, {0, 0, 1}, 0.03};
+  const double* const bounds = line_geometry({{{0, 0, 0}, {0, 0, 0.91}}}, head, 0.01)->GetBounds();
   EXPECT_NEAR(bounds[5], 1, 1e-6);
   EXPECT_NEAR(bounds[4], 0, 1e-6);
 }
 
 TEST(SpaceGeometry, ADashedLineHasGapsAndEndsInsideTheLine) {
   const SpacePoints line{{0, 0, 0}, {1, 0, 0}};
-  const Geometry solid = tube_of(line, 0.01, Pattern::solid);
-  const Geometry dashed = tube_of(line, 0.01, Pattern::dashed);
+  const Geometry solid = line_geometry({line}, {}, 0.01);
+  const Geometry dashed = line_geometry(pieces_of(line, 0.01, Pattern::dashed), {}, 0.01);
   EXPECT_LT(area_of(dashed), 0.8 * area_of(solid));
   EXPECT_LE(dashed->GetBounds()[1], 1 + 1e-6);
 }
@@ -76,6 +82,51 @@ TEST(Floor, HasItsLinesAtRoundNumbers) {
   EXPECT_DOUBLE_EQ(grid_step(5), 2);
   EXPECT_DOUBLE_EQ(grid_step(10), 5);
   EXPECT_DOUBLE_EQ(grid_step(2e-3), 1e-3);
+}
+
+/// Where the camera's own numbers say that a point of the view is seen: a pinhole, or straight on.
+Point pinhole(const SpaceCamera& camera, const PixelBox& frame, const glm::dvec3& p) {
+  const glm::dvec3 right = glm::normalize(glm::cross(camera.up, camera.toward));
+  const glm::dvec3 off = p - camera.eye();
+  const double depth = -glm::dot(off, camera.toward);
+  const double half =
+      camera.is_flat ? view_margin : depth * std::tan(view_angle / 2 * std::numbers::pi / 180);
+  const double scale = frame.height / 2 / half;
+  return {frame.centre().x + scale * glm::dot(off, right),
+          frame.centre().y - scale * glm::dot(off, glm::cross(camera.toward, right))};
+}
+
+// The same formula holds for the pages: property_tests/unit/pages/drive.py.
+TEST(SpaceScene, SeesEveryPointWhereTheCamerasNumbersSay) {
+  const OffscreenDisplay display;
+  const PixelBox frame{10, 20, 640, 400};
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  window->SetSize(800, 500);
+  vtkNew<vtkRenderer> renderer;
+  window->AddRenderer(renderer);
+  int count = 0;
+  for (const char* lesson : {"sphere", "slabs", "parity"}) {
+    for (const Lesson* one : lessons_of(lesson)) {
+      const Stage stage = stage_of(*one, report_lesson);
+      for (std::size_t step = 0; step < stage.steps.size(); ++step) {
+        const SpaceScene scene(*renderer, stage, step);
+        const Space space = space_of(stage, step);
+        for (const ShownItem& shown : shown_in(stage, step)) {
+          const SpacePoints points = placed_points(*shown.item, space.view);
+          const std::vector<Point> seen = scene.seen(*shown.item, frame);
+          if (seen.size() != points.size()) continue;  // round, or behind the eye
+          for (std::size_t i = 0; i < points.size(); ++i, ++count) {
+            const Point expected = pinhole(space.camera, frame, points[i]);
+            const double tolerance = 0.01 + 1e-5 * std::hypot(expected.x, expected.y);
+            EXPECT_NEAR(seen[i].x, expected.x, tolerance) << stage.name << ", step " << step + 1;
+            EXPECT_NEAR(seen[i].y, expected.y, tolerance) << stage.name << ", step " << step + 1;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(count, 100);
 }
 
 /// How many pixels of the slide's scene are of such a colour.

@@ -6,22 +6,16 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
-#include <glm/vec3.hpp>
-#include <vector>
-
 #include "viz/picture/picture.hpp"
-#include "viz/scene/stage.hpp"
+#include "viz/scene/space.hpp"
 
 namespace rayproof::viz {
 
 using Geometry = vtkSmartPointer<vtkPolyData>;
-using SpacePoints = std::vector<glm::dvec3>;
 
-/// A line as a tube, in dashes or dots where its pattern says so.
-[[nodiscard]] Geometry tube_of(const SpacePoints& line, double radius, Pattern pattern);
-
-/// A shaft and a head that ends in `to`.
-[[nodiscard]] Geometry arrow_of(const glm::dvec3& from, const glm::dvec3& to, double radius);
+/// Tubes around the pieces of a line, and a cone at its end where it has a head.
+[[nodiscard]] Geometry line_geometry(const std::vector<SpacePoints>& pieces,
+                                     const std::optional<ArrowHead>& head, double radius);
 
 /// A point's mark; a ring and a cross face the eye, which lies in the direction `toward`.
 [[nodiscard]] Geometry mark_geometry(MarkShape shape, const glm::dvec3& at, double radius,

@@ -8,7 +8,6 @@
 #include <vtkSphereSource.h>
 #include <vtkTransform.h>
 
-#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -34,50 +33,22 @@ vtkSmartPointer<vtkTransform> turned(const glm::dvec3& at, const glm::dvec3& z, 
   return transform;
 }
 
-/// The pieces of a line in its pattern; lengths in units of its radius.
-std::vector<SpacePoints> pieces_of(const SpacePoints& line, double radius, Pattern pattern) {
-  if (pattern == Pattern::solid) return {line};
-  const double dash = (pattern == Pattern::dashed ? 8 : 2) * radius;
-  const double pause = 5 * radius;
-  std::vector<SpacePoints> pieces;
-  double walked = 0;  // since the last dash began
-  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    const double length = glm::length(line[i + 1] - line[i]);
-    for (double at = 0; at < length;) {
-      const bool is_dash = walked < dash;
-      const double step = std::min((is_dash ? dash : dash + pause) - walked, length - at);
-      if (is_dash) {
-        const auto point = [&](double s) { return line[i] + s / length * (line[i + 1] - line[i]); };
-        pieces.push_back({point(at), point(at + step)});
-      }
-      at += step;
-      walked += step;
-      if (walked >= dash + pause - 1e-12) walked = 0;
-    }
-  }
-  return pieces;
-}
-
 }  // namespace
 
-Geometry tube_of(const SpacePoints& line, double radius, Pattern pattern) {
-  return tubes_of(lines_of(pieces_of(line, radius, pattern)), radius);
-}
-
-Geometry arrow_of(const glm::dvec3& from, const glm::dvec3& to, double radius) {
-  const double length = glm::length(to - from);
-  if (length == 0) return vtkSmartPointer<vtkPolyData>::New();
-  const glm::dvec3 along = (to - from) / length;
-  const double head = std::min(9 * radius, 0.5 * length);
+Geometry line_geometry(const std::vector<SpacePoints>& pieces, const std::optional<ArrowHead>& head,
+                       double radius) {
+  const Geometry tubes = tubes_of(lines_of(pieces), radius);
+  if (!head) return tubes;
+  const glm::dvec3 along = head->tip - head->base;
+  const glm::dvec3 middle = 0.5 * (head->base + head->tip);
   vtkNew<vtkConeSource> cone;
   cone->SetResolution(24);
-  cone->SetHeight(head);
-  cone->SetRadius(0.36 * head);
-  const glm::dvec3 middle = to - 0.5 * head * along;
+  cone->SetHeight(glm::length(along));
+  cone->SetRadius(head->radius);
   cone->SetCenter(middle.x, middle.y, middle.z);
   cone->SetDirection(along.x, along.y, along.z);
   vtkNew<vtkAppendPolyData> both;
-  both->AddInputData(tube_of({from, to - 0.9 * head * along}, radius, Pattern::solid));
+  both->AddInputData(tubes);
   both->AddInputConnection(cone->GetOutputPort());
   both->Update();
   return both->GetOutput();
@@ -88,8 +59,8 @@ Geometry mark_geometry(MarkShape shape, const glm::dvec3& at, double radius, con
   switch (shape) {
     case MarkShape::ring: {
       vtkNew<vtkParametricTorus> torus;
-      torus->SetRingRadius(1.15);
-      torus->SetCrossSectionRadius(0.3);
+      torus->SetRingRadius(mark_measures.ring);
+      torus->SetCrossSectionRadius(mark_measures.wire);
       vtkNew<vtkParametricFunctionSource> source;
       source->SetParametricFunction(torus);
       return placed(*source, *transform);
@@ -97,14 +68,15 @@ Geometry mark_geometry(MarkShape shape, const glm::dvec3& at, double radius, con
     case MarkShape::diamond: {
       vtkNew<vtkPlatonicSolidSource> source;
       source->SetSolidTypeToOctahedron();
-      transform->Scale(1.7, 1.7, 1.7);
+      transform->Scale(mark_measures.diamond, mark_measures.diamond, mark_measures.diamond);
       return placed(*source, *transform);
     }
     case MarkShape::cross: {
-      vtkNew<vtkAppendPolyData> both;
-      both->AddInputData(tube_of({{-1.1, -1.1, 0}, {1.1, 1.1, 0}}, 0.3, Pattern::solid));
-      both->AddInputData(tube_of({{-1.1, 1.1, 0}, {1.1, -1.1, 0}}, 0.3, Pattern::solid));
-      return placed(*both, *transform);
+      constexpr double arm = mark_measures.cross;
+      const Geometry both = lines_of({{{-arm, -arm, 0}, {arm, arm, 0}}, {{-arm, arm, 0}, {arm, -arm, 0}}});
+      vtkNew<vtkAppendPolyData> tubes;
+      tubes->AddInputData(tubes_of(both, mark_measures.wire));
+      return placed(*tubes, *transform);
     }
     case MarkShape::dot: {
       vtkNew<vtkSphereSource> source;

@@ -2,14 +2,12 @@
 
 #include <vtkActor.h>
 #include <vtkActorCollection.h>
-#include <vtkBox.h>
 #include <vtkCamera.h>
 #include <vtkLightKit.h>
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 
-#include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "viz/picture/palette.hpp"
@@ -35,27 +33,6 @@ vtkSmartPointer<vtkActor> actor_of(const Geometry& geometry, Role role) {
   return actor;
 }
 
-/// The part of a segment within reach; nothing where there is none.
-SpacePoints within_reach(const glm::dvec3& from, const glm::dvec3& to) {
-  const double box[6] = {-reach, reach, -reach, reach, -reach, reach};
-  double t[2];
-  glm::dvec3 ends[2];
-  int sides[2];
-  const int meets =
-      vtkBox::IntersectWithLine(box, &from.x, &to.x, t[0], t[1], &ends[0].x, &ends[1].x, sides[0], sides[1]);
-  if (meets == 0 || ends[0] == ends[1]) return {};
-  return {ends[0], ends[1]};
-}
-
-/// Of its tube, in the view's radii.
-double line_radius(const ShownItem& shown) {
-  constexpr double plain = 0.0085;
-  if (shown.item->role == Role::frame) return 0.4 * plain;
-  if (shown.emphasis == Emphasis::bright) return 1.5 * plain;
-  if (shown.emphasis == Emphasis::dimmed) return 0.7 * plain;
-  return shown.item->role == Role::ray ? 1.25 * plain : 0.8 * plain;
-}
-
 }  // namespace
 
 void set_camera(vtkCamera& camera, const SpaceCamera& view) {
@@ -70,13 +47,20 @@ void set_camera(vtkCamera& camera, const SpaceCamera& view) {
 }
 
 SpaceScene::SpaceScene(vtkRenderer& renderer, const Stage& stage, std::size_t step, Look look)
-    : renderer_(renderer), view_(stage.steps.at(step).view) {
+    : renderer_(renderer), space_(space_of(stage, step)) {
   renderer_.RemoveAllViewProps();
-  const std::vector<ShownItem> shown = shown_in(stage, step);
-  camera_ = space_camera(stage, step, shown);
   place_camera(look);
-  for (const ShownItem& one : shown) add(one);
-  if (!camera_.is_flat) add_floor();
+  for (const SpaceBody& body : space_.bodies) {
+    if (body.is_mark()) {
+      add_mark(body);
+    } else if (body.is_surface()) {
+      add_surface(body);
+    } else {
+      renderer_.AddActor(
+          actor_of(line_geometry(body.pieces, body.head, body.radius), shown_role(body.shown)));
+    }
+  }
+  if (space_.floor) add_floor();
   renderer_.RemoveAllLights();
   vtkNew<vtkLightKit> lights;
   lights->AddLightsToRenderer(&renderer_);
@@ -84,95 +68,48 @@ SpaceScene::SpaceScene(vtkRenderer& renderer, const Stage& stage, std::size_t st
 
 void SpaceScene::place_camera(Look look) {
   vtkCamera& camera = *renderer_.GetActiveCamera();
-  if (look == Look::anew) return set_camera(camera, camera_);
-  SpaceCamera turned = camera_;
+  if (look == Look::anew) return set_camera(camera, space_.camera);
+  SpaceCamera turned = space_.camera;
   camera.GetViewUp(&turned.up.x);
-  camera.GetViewPlaneNormal(&camera_.toward.x);
-  turned.toward = camera_.toward;
+  camera.GetViewPlaneNormal(&space_.camera.toward.x);
+  turned.toward = space_.camera.toward;
   if (look == Look::from_same_side) return set_camera(camera, turned);
-  camera.GetFocalPoint(&camera_.middle.x);
-  camera_.distance = camera.GetDistance();
-  camera.SetClippingRange(camera_.nearest(), camera_.farthest());
+  camera.GetFocalPoint(&space_.camera.middle.x);
+  space_.camera.distance = camera.GetDistance();
+  camera.SetClippingRange(space_.camera.nearest(), space_.camera.farthest());
 }
 
-std::vector<glm::dvec3> SpaceScene::placed(const StageItem& item) const {
-  std::vector<glm::dvec3> points;
-  for (const glm::dvec3& p : item.points) {
-    const glm::dvec3 q = in_view(view_, p);
-    const bool is_repeated = !points.empty() && q == points.back();  // a tube knows no line of length 0
-    if (!is_repeated || item.form == Form::ellipsoid) points.push_back(q);
-  }
-  return points;
-}
-
-void SpaceScene::add(const ShownItem& shown) {
-  const std::vector<glm::dvec3> points = placed(*shown.item);
-  switch (shown.item->form) {
-    case Form::point:
-      return add_mark(shown, points.at(0));
-    case Form::arrow:
-    case Form::segment:
-    case Form::polyline:
-      return add_line(shown, points);
-    case Form::polygon:
-    case Form::hull:
-    case Form::ellipsoid:
-      return add_surface(shown, points);
-  }
-}
-
-void SpaceScene::add_mark(const ShownItem& shown, const glm::dvec3& at) {
-  if (!has_mark(shown.item->role) || glm::length(at) > reach) return;
-  const double size = shown.emphasis == Emphasis::bright ? 0.034 : 0.027;
+void SpaceScene::add_mark(const SpaceBody& body) {
   // In a drawing what comes later stands before what was there, and marks before lines.
-  const double height = camera_.is_flat ? 0.1 + 0.01 * renderer_.GetActors()->GetNumberOfItems() : 0;
-  const glm::dvec3 place = at + height * camera_.toward;
-  const Geometry mark = mark_geometry(mark_of(shown.item->role), place, size, camera_.toward);
-  renderer_.AddActor(actor_of(mark, shown_role(shown)));
+  const double height = space_.camera.is_flat ? 0.1 + 0.01 * renderer_.GetActors()->GetNumberOfItems() : 0;
+  const glm::dvec3 place = body.points.at(0) + height * space_.camera.toward;
+  const Geometry mark =
+      mark_geometry(mark_of(body.shown.item->role), place, body.radius, space_.camera.toward);
+  renderer_.AddActor(actor_of(mark, shown_role(body.shown)));
 }
 
-void SpaceScene::add_line(const ShownItem& shown, const std::vector<glm::dvec3>& points) {
-  if (points.size() < 2) return;
-  const StageItem& item = *shown.item;
-  const double radius = line_radius(shown);
-  // What is behind a translucent surface is seen to be: no dashes for it.
-  const bool is_on_surface = item.role == Role::surface || item.role == Role::frame;
-  const Pattern pattern = is_on_surface && !camera_.is_flat ? Pattern::solid : item.pattern;
-  if (item.form == Form::polyline) {
-    const auto is_near = [](const glm::dvec3& p) { return glm::length(p) < reach; };
-    if (std::all_of(points.begin(), points.end(), is_near))
-      renderer_.AddActor(actor_of(tube_of(points, radius, pattern), shown_role(shown)));
-    return;
-  }
-  const SpacePoints part = within_reach(points[0], points[1]);
-  if (part.empty()) return;
-  const bool has_head = item.form == Form::arrow && part[1] == points[1];
-  const Geometry line = has_head ? arrow_of(part[0], part[1], radius) : tube_of(part, radius, pattern);
-  renderer_.AddActor(actor_of(line, shown_role(shown)));
-}
-
-void SpaceScene::add_surface(const ShownItem& shown, const std::vector<glm::dvec3>& points) {
-  const Form form = shown.item->form;
-  const Geometry surface = form == Form::polygon     ? polygon_of(points)
-                           : form == Form::ellipsoid ? ellipsoid_of(points)
-                                                     : hull_of(points);
-  const auto body = actor_of(surface, shown_role(shown));
-  const bool is_dimmed = shown.emphasis == Emphasis::dimmed;
-  vtkProperty& property = *body->GetProperty();
-  property.SetOpacity(is_dimmed ? 0.12 : form == Form::polygon ? 0.4 : 0.2);
-  property.SetSpecular(is_dimmed ? 0 : 0.25);
+void SpaceScene::add_surface(const SpaceBody& body) {
+  const Form form = body.shown.item->form;
+  const Geometry surface = form == Form::polygon     ? polygon_of(body.points)
+                           : form == Form::ellipsoid ? ellipsoid_of(body.points)
+                                                     : hull_of(body.points);
+  const auto actor = actor_of(surface, shown_role(body.shown));
+  vtkProperty& property = *actor->GetProperty();
+  property.SetOpacity(body.opacity);
+  property.SetSpecular(body.shown.emphasis == Emphasis::dimmed ? 0 : 0.25);
   property.SetSpecularPower(30);
-  if (camera_.is_flat) property.LightingOff();
-  renderer_.AddActor(body);
-  renderer_.AddActor(actor_of(silhouette_of(surface, camera_.eye(), line_radius(shown)), shown_role(shown)));
+  if (space_.camera.is_flat) property.LightingOff();
+  renderer_.AddActor(actor);
+  renderer_.AddActor(
+      actor_of(silhouette_of(surface, space_.camera.eye(), body.radius), shown_role(body.shown)));
 }
 
 void SpaceScene::add_floor() {
-  std::vector<vtkActor*> bodies;
+  std::vector<vtkActor*> actors;
   vtkActorCollection& all = *renderer_.GetActors();
   all.InitTraversal();
-  while (vtkActor* actor = all.GetNextActor()) bodies.push_back(actor);
-  const Floor floor = floor_under(bodies, camera_.up, view_.centre, view_.radius);
+  while (vtkActor* actor = all.GetNextActor()) actors.push_back(actor);
+  const Floor floor = floor_under(actors, *space_.floor);
   renderer_.AddActor(floor.ground);
   renderer_.AddActor(floor.grid);
   for (const auto& shadow : floor.shadows) renderer_.AddActor(shadow);
@@ -181,9 +118,11 @@ void SpaceScene::add_floor() {
 std::vector<Point> SpaceScene::seen(const StageItem& item, const PixelBox& frame) const {
   std::vector<Point> pixels;
   if (item.form == Form::ellipsoid) return pixels;
-  for (const glm::dvec3& p : placed(item)) {
+  for (const glm::dvec3& p : placed_points(item, space_.view)) {
     // What is behind the eye has no place in the picture.
-    if (!camera_.is_flat && glm::dot(camera_.eye() - p, camera_.toward) < camera_.nearest()) continue;
+    if (!space_.camera.is_flat &&
+        glm::dot(space_.camera.eye() - p, space_.camera.toward) < space_.camera.nearest())
+      continue;
     renderer_.SetWorldPoint(p.x, p.y, p.z, 1);
     renderer_.WorldToView();
     double at[3];

@@ -4,12 +4,10 @@
 
 #include <vtkRenderer.h>
 
-#include <glm/vec3.hpp>
 #include <vector>
 
 #include "viz/picture/picture.hpp"
-#include "viz/scene/shown_items.hpp"
-#include "viz/scene/space_camera.hpp"
+#include "viz/scene/space.hpp"
 #include "viz/scene/stage.hpp"
 
 class vtkCamera;
@@ -37,20 +35,16 @@ class SpaceScene {
   /// surface.
   [[nodiscard]] std::vector<Point> seen(const StageItem& item, const PixelBox& frame) const;
   /// Whether it is a drawing in a plane.
-  [[nodiscard]] bool is_flat() const { return camera_.is_flat; }
+  [[nodiscard]] bool is_flat() const { return space_.camera.is_flat; }
 
  private:
   void place_camera(Look look);
-  [[nodiscard]] std::vector<glm::dvec3> placed(const StageItem& item) const;
-  void add(const ShownItem& shown);
-  void add_mark(const ShownItem& shown, const glm::dvec3& at);
-  void add_line(const ShownItem& shown, const std::vector<glm::dvec3>& points);
-  void add_surface(const ShownItem& shown, const std::vector<glm::dvec3>& points);
+  void add_mark(const SpaceBody& body);
+  void add_surface(const SpaceBody& body);
   void add_floor();
 
   vtkRenderer& renderer_;
-  StageView view_;
-  SpaceCamera camera_;
+  Space space_;
 };
 
 }  // namespace rayproof::viz

@@ -60,10 +60,10 @@ template <class T>
           true};
 }
 
-/// A plane has no edges to stay away from.
+/// A plane goes on without end: how far it is near p.
 template <class T>
-[[nodiscard]] constexpr vec3<T> outermost(const Flat<T>& /*flat*/) {
-  return vec3<T>{T(0), T(0), T(0)};
+[[nodiscard]] constexpr vec3<T> outermost(const Flat<T>& /*flat*/, const vec3<T>& p) {
+  return magnitudes<T>(p);
 }
 
 namespace detail {

@@ -60,14 +60,17 @@ struct Proven {
             "A curved surface falls away from its tangent plane by the square of a distance.");
     const T bend = named("bend", from.bend);
     const T along_normal = from.is_flat ? flat : flat + T(5) * (bend * square(beside + flat));
-    const T along_radial = from.is_flat ? T(2) * reach : T(2) * reach + T(8) * (bend * square(beside));
     const Mask<T> is_along_normal =
         from.is_flat ? tilt <= T(0.25) : bend * beside <= T(0.0625) && tilt <= T(0.25);
-    const T length = named("h", select(is_along_normal, along_normal, along_radial) + T(least_offset<T>));
 
     step<T>("Leave the surface by that much", "Rounding has been paid for: nothing is rounded away.");
-    const vec3<T> way = select_vector<T>(is_along_normal, from.normal, from.radial);
-    return named("o′", from.point + length * way);
+    const auto moved = [&](const T& length, const vec3<T>& way) {
+      return named("o′", from.point + named("h", length + T(least_offset<T>)) * way);
+    };
+    if (in_all_lanes(is_along_normal)) return moved(along_normal, from.normal);
+    const T along_radial = from.is_flat ? T(2) * reach : T(2) * reach + T(8) * (bend * square(beside));
+    return moved(select(is_along_normal, along_normal, along_radial),
+                 select_vector<T>(is_along_normal, from.normal, from.radial));
   }
 };
 

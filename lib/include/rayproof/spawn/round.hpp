@@ -78,11 +78,11 @@ template <class T>
 
 /// How far, along each axis, no point of the body is from (0, 0, 0).
 template <class T>
-[[nodiscard]] constexpr vec3<T> outermost(const Sphere<T>& sphere) {
+[[nodiscard]] constexpr vec3<T> outermost(const Sphere<T>& sphere, const vec3<T>& /*p*/) {
   return magnitudes<T>(sphere.center) + vec3<T>{sphere.radius, sphere.radius, sphere.radius};
 }
 template <class T>
-[[nodiscard]] constexpr vec3<T> outermost(const Cylinder<T>& cylinder) {
+[[nodiscard]] constexpr vec3<T> outermost(const Cylinder<T>& cylinder, const vec3<T>& /*p*/) {
   return vec3<T>{cylinder.rx, cylinder.ry, cylinder.height};
 }
 

@@ -97,7 +97,7 @@ template <class T>
 
 /// The same of a parallelepiped.
 template <class T>
-[[nodiscard]] constexpr vec3<T> outermost(const Slanted<T>& solid) {
+[[nodiscard]] constexpr vec3<T> outermost(const Slanted<T>& solid, const vec3<T>& /*p*/) {
   return magnitudes<T>(solid.corner) + solid.edge_sizes;
 }
 

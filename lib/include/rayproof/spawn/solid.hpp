@@ -59,7 +59,7 @@ template <class T>
 
 /// How far, along each axis, no point of the solid is from (0, 0, 0).
 template <class T>
-[[nodiscard]] constexpr vec3<T> outermost(const Box<T>& box) {
+[[nodiscard]] constexpr vec3<T> outermost(const Box<T>& box, const vec3<T>& /*p*/) {
   return magnitudes<T>(box.min) + magnitudes<T>(box.max);
 }
 

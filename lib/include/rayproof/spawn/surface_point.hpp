@@ -6,6 +6,7 @@
 #include <rayproof/arithmetic.hpp>
 #include <rayproof/spawn/side.hpp>
 #include <rayproof/vec3.hpp>
+#include <type_traits>
 
 #include <rayproof/rounding/as_written.hpp>
 
@@ -72,6 +73,19 @@ template <class T>
 template <class T>
 [[nodiscard]] constexpr vec3<T> same_along_each_axis(const T& x) {
   return vec3<T>{x, x, x};
+}
+
+/// Whether a mask, a bool or a pack's, holds in every lane, so that what no lane asks for need not be
+/// computed; of other arithmetics' masks it is not known.
+template <class M>
+[[nodiscard]] constexpr bool in_all_lanes(const M& mask) {
+  if constexpr (std::is_same_v<M, bool>) {
+    return mask;
+  } else if constexpr (requires { all_of(mask); }) {
+    return all_of(mask);
+  } else {
+    return false;
+  }
 }
 
 /// x + y + z.

@@ -52,6 +52,8 @@ using Cases = std::vector<Case>;
 [[nodiscard]] Cases few_digits(const Case& one);
 [[nodiscard]] Cases jiggled(const Case& one);
 /// @}
+/// No cure: every number changed by up to an eighth, another way for each seed.
+[[nodiscard]] Cases varied(const Case& one, std::uint64_t seed);
 
 /// @{ The shape: wound the other way round; with its axes renamed; with a normal, edges, of unit length; with
 /// orthogonal edges.

@@ -22,6 +22,12 @@ double to_bits(double x, int bits) {
   return std::ldexp(std::round(std::ldexp(mantissa, bits)), exponent - bits);
 }
 
+/// Every number changed by up to half that share of it.
+Cases with_noise(const Case& one, double share, std::uint64_t seed) {
+  Random random(seed);
+  return with_numbers(one, [&](double x) { return x * (1 + share * (random.unit() - 0.5)); });
+}
+
 }  // namespace
 
 Cases unchanged(const Case& one) { return {one}; }
@@ -42,9 +48,9 @@ Cases few_digits(const Case& one) {
 }
 
 Cases jiggled(const Case& one) {
-  const double step = one.precision == Precision::float32 ? 0x1p-12 : 0x1p-24;
-  Random random(7);
-  return with_numbers(one, [&](double x) { return x * (1 + step * (random.unit() - 0.5)); });
+  return with_noise(one, one.precision == Precision::float32 ? 0x1p-12 : 0x1p-24, 7);
 }
+
+Cases varied(const Case& one, std::uint64_t seed) { return with_noise(one, 0x1p-2, seed); }
 
 }  // namespace rayproof::diagnosis

@@ -135,9 +135,8 @@ Answers triangle_bounds(const Case& one, const Answer& /*exact*/) {
 Answers culls_by_first_corner(const Case& one, const Answer& exact) {
   const auto* polygon = shape_in<Polygon<double>>(one);
   if (polygon == nullptr || std::get<RayAnswer>(exact).hits.count == 0) return {};
-  const auto& v = polygon->vertices;
-  const glm::dvec3 normal = glm::cross(v[1] - v[0], v[2] - v[0]);
-  const double along = glm::dot(normal, ray_in_object(*ray_question(one)).direction);
+  const double along =
+      glm::dot(normal_of_corner(polygon->vertices), ray_in_object(*ray_question(one)).direction);
   return along >= 0 ? Answers{RayAnswer{}} : Answers{};
 }
 

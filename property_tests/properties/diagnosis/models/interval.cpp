@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "properties/boundary.hpp"
+#include "properties/diagnosis/agreement.hpp"
 
 namespace rayproof::diagnosis {
 namespace {
@@ -106,6 +107,23 @@ Answers open_at_t_max(const Case& one, const Answer& exact) {
 Answers open_at_both_ends(const Case& one, const Answer& exact) {
   return open_where(one, exact,
                     [](const Ray<double>& ray, double t) { return t == ray.t_min || t == ray.t_max; });
+}
+
+Answers open_at_zero(const Case& one, const Answer& exact) {
+  return open_where(one, exact, [](const Ray<double>& /*ray*/, double t) { return t == 0; });
+}
+
+std::optional<bool> hits_before_t_min(const Case& one, const Answer& got, const Answer& /*exact*/) {
+  const Ray<double>* ray = ray_of(one);
+  if (ray == nullptr) return std::nullopt;
+  const double scale = size_of_scene(one) / glm::length(ray->direction);
+  const auto has_one = [&](const RayAnswer& answer) {
+    return std::ranges::any_of(answer.hits.view(), [&](double t) {
+      return t < ray->t_min && !are_close(one.precision, t, ray->t_min, scale);
+    });
+  };
+  if (has_one(std::get<RayAnswer>(got))) return true;
+  return has_one(hits_of_line(one)) ? std::optional(false) : std::nullopt;
 }
 
 Answers first_hit_decides(const Case& one, const Answer& exact) {

@@ -29,6 +29,10 @@ namespace rayproof::diagnosis {
 [[nodiscard]] Answers open_at_t_max(const Case& one, const Answer& exact);
 [[nodiscard]] Answers open_at_both_ends(const Case& one, const Answer& exact);
 /// @}
+/// A hit exactly at the ray's origin is left out, wherever the interval begins.
+[[nodiscard]] Answers open_at_zero(const Case& one, const Answer& exact);
+/// A hit before t_min is reported, rightly computed or not.
+[[nodiscard]] std::optional<bool> hits_before_t_min(const Case& one, const Answer& got, const Answer& exact);
 
 /// Hits of t below 10^power, which the interval admits, are left out.
 template <int power>

@@ -86,6 +86,16 @@ bool is_inside(InsideRule rule, const glm::dvec2& point, const Outline& outline)
       return is_odd && std::ranges::none_of(outline, [&](const auto& v) { return v.y == point.y; });
     case InsideRule::winding:
       return windings(point, outline) != 0;
+    case InsideRule::endless_sides:
+      return crossings(point, outline, all, [](double from, double to) { return from / (from - to) >= 0; }) %
+                 2 ==
+             1;
+    case InsideRule::both_ways: {
+      int level = 0;
+      for (std::size_t i = 0; i < all; ++i)
+        if (half_open(outline[i].y - point.y, outline[(i + 1) % all].y - point.y)) ++level;
+      return level % 4 == 2;
+    }
     case InsideRule::last_side:
       return crossings(point, outline, all - 1, half_open) % 2 == 1;
     case InsideRule::first_triangle:
@@ -134,11 +144,24 @@ Answers inside_by(const Case& one, const Answer& exact) {
 template Answers inside_by<InsideRule::closed_sides>(const Case&, const Answer&);
 template Answers inside_by<InsideRule::not_level>(const Case&, const Answer&);
 template Answers inside_by<InsideRule::winding>(const Case&, const Answer&);
+template Answers inside_by<InsideRule::endless_sides>(const Case&, const Answer&);
+template Answers inside_by<InsideRule::both_ways>(const Case&, const Answer&);
 template Answers inside_by<InsideRule::last_side>(const Case&, const Answer&);
 template Answers inside_by<InsideRule::first_triangle>(const Case&, const Answer&);
 template Answers inside_by<InsideRule::one_side>(const Case&, const Answer&);
 template Answers inside_by<InsideRule::fan>(const Case&, const Answer&);
 template Answers inside_by<InsideRule::bounds>(const Case&, const Answer&);
+
+Answers plane_of_corner(const Case& one, const Answer& /*exact*/) {
+  auto figure = flat_figure(one);
+  if (!figure || shape_in<Polygon<double>>(one) == nullptr) return {};
+  figure->normal = normal_of_corner(figure->vertices);
+  const auto hit = plane_hit(one, *figure);
+  if (!hit) return {RayAnswer{}};
+  const auto& outline = hit->vertices;
+  if (is_at_side(one.precision, hit->point, outline)) return {};
+  return hit_at(one, hit->t, crossings(hit->point, outline, outline.size(), half_open) % 2 == 1);
+}
 
 Answers inside_out(const Case& /*one*/, const Answer& exact) {
   const auto* position = std::get_if<Position>(&exact);

@@ -11,6 +11,8 @@ enum class InsideRule {
   closed_sides,    ///< sides closed at both ends, or open at both: a level vertex counts twice or never
   not_level,       ///< the point must not be level with a vertex: then it is outside
   winding,         ///< what winds round the point any number of times but 0 is inside
+  endless_sides,   ///< a side goes on without end beyond its second vertex
+  both_ways,       ///< x is not compared: crossings on both sides of the point count, half of them
   last_side,       ///< the side from the last vertex to the first is forgotten
   first_triangle,  ///< only the first three vertices are looked at
   one_side,        ///< inside is where all sides turn one way: right for convex polygons only
@@ -21,6 +23,9 @@ enum class InsideRule {
 /// What a subject answers that follows the rule; none for points on the boundary.
 template <InsideRule rule>
 [[nodiscard]] Answers inside_by(const Case& one, const Answer& exact);
+
+/// The polygon's plane is that of its first three vertices; where these lie on a line it is missed.
+[[nodiscard]] Answers plane_of_corner(const Case& one, const Answer& exact);
 
 /// Inside is called outside, and outside inside.
 [[nodiscard]] Answers inside_out(const Case& one, const Answer& exact);

@@ -34,17 +34,20 @@ std::optional<FlatFigure> flat_figure(const Case& one) {
   return figure;
 }
 
+std::optional<PlaneHit> plane_hit(const Case& one, const FlatFigure& figure) {
+  const Ray<double> ray = ray_in_object(*ray_question(one));
+  const double slope = glm::dot(figure.normal, ray.direction);
+  if (slope == 0) return std::nullopt;
+  const double t = glm::dot(figure.normal, figure.vertices.front() - ray.origin) / slope;
+  const int axis = largest_axis_of(figure.normal);
+  PlaneHit hit{t, projected(point_at(ray, t), axis), {}};
+  for (const glm::dvec3& vertex : figure.vertices) hit.vertices.push_back(projected(vertex, axis));
+  return hit;
+}
+
 std::optional<PlaneHit> plane_hit(const Case& one) {
   const auto figure = flat_figure(one);
-  if (!figure) return std::nullopt;
-  const Ray<double> ray = ray_in_object(*ray_question(one));
-  const double slope = glm::dot(figure->normal, ray.direction);
-  if (slope == 0) return std::nullopt;
-  const double t = glm::dot(figure->normal, figure->vertices.front() - ray.origin) / slope;
-  const int axis = largest_axis_of(figure->normal);
-  PlaneHit hit{t, projected(point_at(ray, t), axis), {}};
-  for (const glm::dvec3& vertex : figure->vertices) hit.vertices.push_back(projected(vertex, axis));
-  return hit;
+  return figure ? plane_hit(one, *figure) : std::nullopt;
 }
 
 Answers hit_at(const Case& one, double t, bool is_hit) {

@@ -12,6 +12,11 @@ struct FlatFigure {
   glm::dvec3 normal;
 };
 
+/// The normal that the first three vertices give; 0 where they lie on a line.
+[[nodiscard]] inline glm::dvec3 normal_of_corner(const std::vector<glm::dvec3>& vertices) {
+  return glm::cross(vertices[1] - vertices[0], vertices[2] - vertices[0]);
+}
+
 /// The triangle or polygon of a case; nothing where it has none, or one without area.
 [[nodiscard]] std::optional<FlatFigure> flat_figure(const Case& one);
 
@@ -25,6 +30,8 @@ struct PlaneHit {
 
 /// Where the line of the case meets the plane of its figure; nothing where it does not.
 [[nodiscard]] std::optional<PlaneHit> plane_hit(const Case& one);
+/// The same with the figure given.
+[[nodiscard]] std::optional<PlaneHit> plane_hit(const Case& one, const FlatFigure& figure);
 
 /// The answer of a ray that hits at t, if it does and t is in its interval.
 [[nodiscard]] Answers hit_at(const Case& one, double t, bool is_hit);

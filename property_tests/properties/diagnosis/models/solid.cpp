@@ -128,7 +128,9 @@ Answers flat_box_missed(const Case& one, const Answer& exact) {
 
 std::vector<Case> max_as_size(const Case& one) {
   return with_shape<Box<double>>(one, [](RayQuestion& /*asked*/, Box<double>& box) {
-    box.max += box.min;
+    const glm::dvec3 low = box.min, other = box.min + box.max;  // on either side of min
+    box.min = glm::min(low, other);
+    box.max = glm::max(low, other);
     return true;
   });
 }

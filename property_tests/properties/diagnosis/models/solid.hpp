@@ -35,6 +35,14 @@ template <int edge>
     return true;
   });
 }
+/// The same beyond the corner alone: the edge is taken for an endless half line.
+template <int edge>
+[[nodiscard]] std::vector<Case> half_endless_parallelepiped(const Case& one) {
+  return with_shape<Parallelepiped<double>>(one, [](RayQuestion& /*asked*/, Parallelepiped<double>& solid) {
+    solid.edges[edge] *= 0x1p30;
+    return true;
+  });
+}
 /// @{ Of a sphere: hits where the discriminant is negative; the line's nearest point to the centre for a hit.
 [[nodiscard]] Answers sphere_without_sign(const Case& one, const Answer& exact);
 [[nodiscard]] Answers nearest_point_of_line(const Case& one, const Answer& exact);

@@ -4,6 +4,7 @@
 #include "properties/diagnosis/models/first_hit.hpp"
 #include "properties/diagnosis/models/flat.hpp"
 #include "properties/diagnosis/models/hits.hpp"
+#include "properties/diagnosis/models/interval.hpp"
 #include "properties/diagnosis/models/outline.hpp"
 #include "properties/diagnosis/models/quadratic.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
@@ -66,6 +67,7 @@ std::vector<Hypothesis> classes_of_cases() {
             boundary),
       shows("wrong-where-concave", wrong_where_concave,
             "right on convex polygons: concave ones are not handled"),
+      shows("hits-before-t-min", hits_before_t_min, "hits before t_min are reported: t_min is ignored"),
       shows("is-nan", is_nan, "a number of the answer is NaN"),
       shows("always-hits", always_hits,
             "it finds something on every case tried, even where there is nothing"),

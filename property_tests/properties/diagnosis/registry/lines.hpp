@@ -16,6 +16,14 @@ inline constexpr auto rounding = FindingKind::rounding;
   return {.name = name, .kind = kind, .sentence = sentence, .aspect = aspect, .predict = predict};
 }
 
+/// The same of a model that fits single cases by chance.
+[[nodiscard]] constexpr Hypothesis gives_to_all(std::string_view name, Predict predict,
+                                                std::string_view sentence) {
+  Hypothesis made = gives(name, predict, sentence);
+  made.needs_all = true;
+  return made;
+}
+
 /// A subject whose answers bear this mark.
 [[nodiscard]] constexpr Hypothesis shows(std::string_view name, Recognise recognise,
                                          std::string_view sentence, FindingKind kind = gross,

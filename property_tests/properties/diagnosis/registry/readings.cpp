@@ -40,14 +40,16 @@ std::vector<Hypothesis> models_of_readings() {
       gives("direction-x-z", read_as<exchanged<direction, 0, 2>>,
             "the answer is right with x and z of the direction exchanged"),
       gives("point-x-y", read_as<point_exchanged>, "the answer is right with x and y of the point exchanged"),
-      gives("whole-points", read_as<truncated<points>>,
-            "the answer is right for the shape's points cut off to whole numbers: they are read as integers"),
-      gives("whole-shape", read_as<truncated_shape>,
-            "the answer is right for the shape's numbers cut off to whole ones: they are read as integers"),
-      gives("whole-origin", read_as<truncated<origin>>,
-            "the answer is right for the origin cut off to whole numbers: it is read as integers"),
-      gives("whole-direction", read_as<truncated<direction>>,
-            "the answer is right for the direction cut off to whole numbers: it is read as integers"),
+      gives_to_all(
+          "whole-points", read_as<truncated<points>>,
+          "the answer is right for the shape's points cut off to whole numbers: they are read as integers"),
+      gives_to_all(
+          "whole-shape", read_as<truncated_shape>,
+          "the answer is right for the shape's numbers cut off to whole ones: they are read as integers"),
+      gives_to_all("whole-origin", read_as<truncated<origin>>,
+                   "the answer is right for the origin cut off to whole numbers: it is read as integers"),
+      gives_to_all("whole-direction", read_as<truncated<direction>>,
+                   "the answer is right for the direction cut off to whole numbers: it is read as integers"),
   };
 }
 

@@ -2,6 +2,7 @@
 /// \file
 /// Faulty code as answers to cases.
 
+#include "properties/claims/answers.hpp"
 #include "unit/diagnosis/faulty/flat.hpp"
 #include "unit/diagnosis/faulty/solids.hpp"
 
@@ -68,6 +69,13 @@ template <Fault fault>
       return answer_place<T>(*place, fault);
     return answer_ray<T>(std::get<RayQuestion>(one.question), fault);
   });
+}
+
+/// Two faults in one: it culls back faces, and forgets an edge.
+[[nodiscard]] inline Answer two_faults(const Case& one) {
+  const bool is_hit = !numbers_in(answer<Fault::nothing>(one)).empty();
+  const Answer culled = answer<Fault::culls_back>(one);
+  return is_hit && numbers_in(culled).empty() ? culled : answer<Fault::no_beta_test>(one);
 }
 
 }  // namespace rayproof::faulty

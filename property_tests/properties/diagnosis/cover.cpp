@@ -1,0 +1,176 @@
+#include "properties/diagnosis/cover.hpp"
+
+#include <algorithm>
+
+#include "properties/diagnosis/groups.hpp"
+
+namespace rayproof::diagnosis {
+namespace {
+
+/// What a case counts that is explained so: a model foresees an answer digit by digit, and most cures of
+/// digits and boundaries help against other faults, too.
+double weight_of(const Hypothesis& cause) {
+  if (cause.change == nullptr) return 1.4;
+  return cause.kind == FindingKind::gross ? 1.0 : 0.8;
+}
+
+/// Of two that are nearly as good the first in the table, which is the more specific one, is taken.
+constexpr double nearly_as_good = 0.85;
+
+Indices common(const Indices& a, const Indices& b) {
+  Indices both;
+  std::ranges::set_intersection(a, b, std::back_inserter(both));
+  return both;
+}
+
+Indices united(const Indices& a, const Indices& b) {
+  Indices all;
+  std::ranges::set_union(a, b, std::back_inserter(all));
+  return all;
+}
+
+}  // namespace
+
+Cover::Cover(std::span<const Complaint* const> complaints) {
+  for (const Complaint* one : complaints) {
+    Sheet sheet;
+    sheet.examination = std::make_unique<Examination>(one->patient, one->failing, one->passing);
+    sheet.search =
+        std::make_unique<CauseSearch>(one->patient, *sheet.examination, std::span<const Hypothesis* const>{});
+    sheet.own = sheet.search->groups();
+    const auto count = static_cast<double>(one->failing.size());
+    sheet.weight = one->broken > 0 ? one->broken / count : 1;
+    sheets_.push_back(std::move(sheet));
+  }
+}
+
+std::vector<std::vector<Diagnosis>> Cover::groups() const {
+  const std::vector<Candidate> causes = chosen();
+  std::vector<std::vector<Diagnosis>> all;
+  for (std::size_t k = 0; k < sheets_.size(); ++k) all.push_back(groups_of(k, causes));
+  return all;
+}
+
+/// Every cause that is named for any complaint, in the order of the table; what the right answers to the
+/// cases of all complaints contradict is left out.
+std::vector<Cover::Candidate> Cover::candidates() const {
+  std::vector<Candidate> all;
+  for (const Hypothesis& cause : hypotheses()) {
+    const auto names_it = [&](const Diagnosis& group) { return group.cause == &cause; };
+    if (std::ranges::none_of(sheets_,
+                             [&](const Sheet& one) { return std::ranges::any_of(one.own, names_it); }))
+      continue;
+    Candidate candidate{&cause};
+    std::size_t explained = 0, contradictions = 0;
+    for (const Sheet& sheet : sheets_) {
+      Indices cases = sheet.search->explained_of_all(cause);
+      explained += cases.size();
+      if (!cases.empty()) contradictions += sheet.examination->contradictions(cause, cases);
+      candidate.explained.push_back(std::move(cases));
+    }
+    if (!is_refuted(cause, explained, contradictions)) all.push_back(std::move(candidate));
+  }
+  name_by_models(all);
+  return all;
+}
+
+/// How many cases of the run are explained by the candidate and are among the others.
+double Cover::weight_of_common(const Candidate& one, const std::vector<Indices>& others) const {
+  double sum = 0;
+  for (std::size_t k = 0; k < sheets_.size(); ++k)
+    sum += sheets_[k].weight * static_cast<double>(common(one.explained[k], others[k]).size());
+  return sum;
+}
+
+/// The model of which a cure is the same fault in vaguer words: the cure helps in what the model explains and
+/// in little more, and no other model explains the rest. Null where there is none.
+Cover::Candidate* Cover::model_of(const Candidate& cure, std::vector<Candidate>& candidates) const {
+  constexpr double most = 0.6, nearly_all = 0.9;
+  const double all = weight_of_common(cure, cure.explained);
+  for (Candidate& model : candidates) {
+    const double both = weight_of_common(model, cure.explained);
+    const bool is_within = both >= nearly_all * weight_of_common(model, model.explained);
+    if (model.cause->change != nullptr || both < most * all || !is_within) continue;
+    std::vector<Indices> rest;
+    for (std::size_t k = 0; k < sheets_.size(); ++k)
+      rest.push_back(without(cure.explained[k], model.explained[k]));
+    const bool has_other = std::ranges::any_of(candidates, [&](const Candidate& other) {
+      return other.cause->change == nullptr && 2 * weight_of_common(other, rest) > all - both;
+    });
+    if (both == all || !has_other) return &model;
+  }
+  return nullptr;
+}
+
+/// Gives the cases of such cures to their models.
+void Cover::name_by_models(std::vector<Candidate>& candidates) const {
+  for (std::size_t i = 0; i < candidates.size();) {
+    const Candidate cure = candidates[i];
+    Candidate* const model = cure.cause->change == nullptr ? nullptr : model_of(cure, candidates);
+    if (model == nullptr) {
+      ++i;
+      continue;
+    }
+    for (std::size_t k = 0; k < sheets_.size(); ++k)
+      model->explained[k] = united(model->explained[k], cure.explained[k]);
+    candidates.erase(candidates.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+}
+
+/// The causes, that which explains most first, each with what those before it leave.
+std::vector<Cover::Candidate> Cover::chosen() const {
+  std::vector<Candidate> open = candidates(), taken;
+  std::vector<Indices> left;
+  for (const Sheet& sheet : sheets_) left.push_back(all_of(sheet.examination->failing_count()));
+  while (true) {
+    std::vector<double> worth;
+    for (const Candidate& one : open) {
+      std::vector<Indices> gained(sheets_.size());
+      for (std::size_t k = 0; k < sheets_.size(); ++k)
+        if (is_group(one, k, left[k])) gained[k] = left[k];
+      worth.push_back(weight_of(*one.cause) * weight_of_common(one, gained));
+    }
+    const double most = worth.empty() ? 0 : std::ranges::max(worth);
+    if (most == 0) return taken;
+    const auto best = std::ranges::find_if(worth, [&](double one) { return one >= nearly_as_good * most; });
+    const auto place = open.begin() + (best - worth.begin());
+    for (std::size_t k = 0; k < sheets_.size(); ++k) left[k] = without(left[k], place->explained[k]);
+    taken.push_back(std::move(*place));
+    open.erase(place);
+  }
+}
+
+/// Whether what is left of the complaint is enough for a group: a good part of it, or a model's proof.
+bool Cover::is_group(const Candidate& one, std::size_t complaint, const Indices& left) const {
+  const Indices &explained = one.explained[complaint], cases = common(explained, left);
+  const std::size_t all = sheets_[complaint].examination->failing_count();
+  if (cases.empty()) return false;
+  if (cases.size() == all) return true;
+  const bool is_proof = one.cause->change == nullptr && 5 * cases.size() >= 3 * explained.size();
+  return cases.size() >= 3 && (4 * cases.size() >= all || is_proof);
+}
+
+/// Of the causes chosen, those that explain most of this complaint.
+std::vector<Diagnosis> Cover::groups_of(std::size_t complaint, std::span<const Candidate> causes) const {
+  std::vector<Diagnosis> groups;
+  Indices left = all_of(sheets_[complaint].examination->failing_count());
+  while (!left.empty()) {
+    Diagnosis best;
+    double most = 0;
+    for (const Candidate& one : causes) {
+      Indices cases = common(one.explained[complaint], left);
+      const double worth = weight_of(*one.cause) * static_cast<double>(cases.size());
+      if (worth <= most || !is_group(one, complaint, left)) continue;
+      most = worth;
+      best.cause = one.cause;
+      best.cases = std::move(cases);
+    }
+    if (best.cause == nullptr) best.cases = left;
+    left = without(left, best.cases);
+    groups.push_back(std::move(best));
+  }
+  finish(groups, *sheets_[complaint].examination);
+  return groups;
+}
+
+}  // namespace rayproof::diagnosis

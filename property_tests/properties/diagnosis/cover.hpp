@@ -1,0 +1,46 @@
+#pragma once
+/// \file
+/// The fewest causes that explain all complaints of one subject.
+
+#include <memory>
+
+#include "properties/diagnosis/cause_search.hpp"
+
+namespace rayproof::diagnosis {
+
+/// Each complaint is diagnosed by itself first. Of the causes that are named so, those are kept that explain
+/// most of the cases of all complaints together: one fault breaks several properties, in both precisions.
+class Cover {
+ public:
+  explicit Cover(std::span<const Complaint* const> complaints);
+
+  /// The groups of each complaint.
+  [[nodiscard]] std::vector<std::vector<Diagnosis>> groups() const;
+
+ private:
+  /// A complaint with what is thought of it.
+  struct Sheet {
+    std::unique_ptr<Examination> examination;
+    std::unique_ptr<CauseSearch> search;
+    std::vector<Diagnosis> own;  ///< the groups where no other complaint is known
+    double weight;               ///< how many cases of the run a case of the sample stands for
+  };
+  /// A cause with the cases that it explains of each complaint.
+  struct Candidate {
+    const Hypothesis* cause = nullptr;
+    std::vector<Indices> explained{};
+  };
+
+  [[nodiscard]] std::vector<Candidate> candidates() const;
+  [[nodiscard]] double weight_of_common(const Candidate& one, const std::vector<Indices>& others) const;
+  [[nodiscard]] Candidate* model_of(const Candidate& cure, std::vector<Candidate>& candidates) const;
+  void name_by_models(std::vector<Candidate>& candidates) const;
+  [[nodiscard]] std::vector<Candidate> chosen() const;
+  [[nodiscard]] std::vector<Diagnosis> groups_of(std::size_t complaint,
+                                                 std::span<const Candidate> causes) const;
+  [[nodiscard]] bool is_group(const Candidate& one, std::size_t complaint, const Indices& left) const;
+
+  std::vector<Sheet> sheets_{};
+};
+
+}  // namespace rayproof::diagnosis

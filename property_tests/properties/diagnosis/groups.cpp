@@ -1,0 +1,58 @@
+#include "properties/diagnosis/groups.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace rayproof::diagnosis {
+namespace {
+
+/// Whether a group after the first is no fault of its own: rounding, or two faults at once. A model that
+/// foresees answers is proof enough.
+bool is_rest(const Diagnosis& group, std::size_t all) {
+  const bool is_model = group.cause != nullptr && group.cause->change == nullptr;
+  return !is_model && 4 * group.cases.size() < all;
+}
+
+/// Small rests belong to the largest group.
+void fold_rests(std::vector<Diagnosis>& groups, std::size_t all) {
+  Diagnosis& largest =
+      *std::ranges::max_element(groups, {}, [](const Diagnosis& one) { return one.cases.size(); });
+  if (largest.cause == nullptr) return;
+  for (const Diagnosis& group : groups)
+    if (&group != &largest && is_rest(group, all))
+      largest.cases.insert(largest.cases.end(), group.cases.begin(), group.cases.end());
+  std::ranges::sort(largest.cases);
+  const Hypothesis* const kept = largest.cause;
+  std::erase_if(groups, [&](const Diagnosis& group) { return group.cause != kept && is_rest(group, all); });
+}
+
+/// What is said of cases that nothing explains.
+void describe_unknown(Diagnosis& group, const Examination& examination) {
+  double worst = 0;
+  for (const std::size_t i : group.cases) worst = std::max(worst, examination.error_of(i));
+  group.kind = worst > 0x1p-8 ? FindingKind::gross : FindingKind::rounding;
+  group.sentence = fmt::format("nothing that was tried cures it: wrong on {} {}", group.cases.size(),
+                               group.cases.size() == 1 ? "case" : "cases");
+}
+
+void describe(Diagnosis& group, const Examination& examination) {
+  if (group.cause == nullptr) return describe_unknown(group, examination);
+  group.kind = group.cause->kind;
+  const bool has_own_words = examination.is_equation() && !group.cause->of_equation.empty();
+  group.sentence = has_own_words ? group.cause->of_equation : group.cause->sentence;
+  if (group.cause->change == nullptr || group.kind == FindingKind::gross) return;
+  const auto on_boundary =
+      std::ranges::count_if(group.cases, [&](std::size_t i) { return examination.is_boundary_case(i); });
+  const bool is_boundary = 2 * on_boundary > static_cast<std::ptrdiff_t>(group.cases.size());
+  if (group.kind == FindingKind::boundary && !is_boundary) group.kind = FindingKind::rounding;
+}
+
+}  // namespace
+
+void finish(std::vector<Diagnosis>& groups, const Examination& examination) {
+  fold_rests(groups, examination.failing_count());
+  for (Diagnosis& group : groups) describe(group, examination);
+}
+
+}  // namespace rayproof::diagnosis

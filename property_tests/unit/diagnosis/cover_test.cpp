@@ -1,0 +1,60 @@
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "properties/claims/answers.hpp"
+#include "subjects/default_contract.hpp"
+#include "unit/diagnosis/clinic.hpp"
+#include "unit/diagnosis/faulty/faulty.hpp"
+
+namespace rayproof::faulty {
+namespace {
+
+using Causes = std::set<std::string_view>;
+
+/// The causes that are named where verdicts, numbers and intervals are looked at in both precisions.
+Causes causes_of(const char* topic, Answer (*code)(const Case&)) {
+  Subject subject;
+  subject.topic = topic;
+  subject.name = "on_trial";
+  subject.answer_by(code);
+  subject.contract = default_contract(topic);
+  subject.has_own_contract = false;
+  std::vector<Complaint> complaints;
+  for (const Precision precision : {Precision::float32, Precision::float64})
+    for (const char* const name : {"verdict", "residual", "ascending"}) {
+      Complaint found = complaint(subject, *find_property(name), precision, 200);
+      if (!found.failing.empty()) complaints.push_back(std::move(found));
+    }
+  std::vector<const Complaint*> pointers;
+  for (const Complaint& one : complaints) pointers.push_back(&one);
+  Causes causes;
+  for (const std::vector<Diagnosis>& groups : diagnose_together(pointers))
+    for (const Diagnosis& group : groups) causes.insert(group.cause ? group.cause->name : "none");
+  return causes;
+}
+
+TEST(Cover, NamesOneCauseOfOneFaultInAllPropertiesAndPrecisions) {
+  EXPECT_EQ(causes_of("triangle", answer<Fault::absolute_epsilon>), Causes{"larger-scene"});
+  EXPECT_EQ(causes_of("sphere", answer<Fault::ignores_t_min>), Causes{"ignores-t-min"});
+}
+
+TEST(Cover, NamesTwoCausesOfTwoFaults) {
+  EXPECT_EQ(causes_of("triangle", two_faults), (Causes{"culls-back-faces", "edge-b-not-tested"}));
+}
+
+/// It reports hits before t_min, but finds no small triangle: made small, every case is right that has no
+/// hit.
+Answer before_t_min_unless_small(const Case& one) {
+  const Answer of_line = answer<Fault::absolute_epsilon>(on_whole_line(one));
+  return numbers_in(of_line).empty() ? of_line : answer<Fault::ignores_t_min>(one);
+}
+
+TEST(Cover, TakesNoCureThatSilencesTheSubject) {
+  const Causes causes = causes_of("triangle", before_t_min_unless_small);
+  EXPECT_FALSE(causes.contains("smaller-scene")) << *causes.begin();
+  EXPECT_TRUE(causes.contains("ignores-t-min") || causes.contains("hits-before-t-min"));
+}
+
+}  // namespace
+}  // namespace rayproof::faulty

@@ -1,0 +1,26 @@
+#pragma once
+/// \file
+/// A case as a figure of a page of many: a still picture that a script turns into a scene.
+
+#include <string>
+
+#include "case/answer.hpp"
+#include "case/case.hpp"
+
+namespace rayproof::viz {
+
+/// The case with both answers: an SVG for paper and for a page without script, and beside it the scene for
+/// shared_script(), which shows thumbnails as they come into view and opens one scene at a time. As svg_of
+/// where there is no exact answer, or no three.js in the program.
+[[nodiscard]] std::string case_figure(const Case& one, const Answer* exact, const Answer* claimed);
+
+/// What the scenes of a page need of its style.
+[[nodiscard]] std::string scene_style();
+
+/// The script of all pages.
+[[nodiscard]] std::string shared_script();
+
+/// Data for a script, with an id or without.
+[[nodiscard]] std::string json_element(const std::string& id, const std::string& json);
+
+}  // namespace rayproof::viz

@@ -1,0 +1,86 @@
+'use strict';
+/* Labels beside what they name, so that none covers another, a mark or, where there is room, a line. */
+
+const labelOffsets = [13, 22, 34, 48].flatMap(away => Array.from({length: 16}, (_, i) => ({away, angle: Math.PI * (0.25 + i / 8), cost: away * 1.5 + i * 0.4})));
+const sharedArea = (a, b) => Math.max(0, Math.min(a[2], b[2]) - Math.max(a[0], b[0])) * Math.max(0, Math.min(a[3], b[3]) - Math.max(a[1], b[1]));
+const boxAround = (x, y, w, h) => [x - w / 2, y - h / 2, x + w / 2, y + h / 2];
+
+/** What of the picture is taken: boxes of labels and marks, and places on lines that cost. */
+class Places {
+  constructor(width, height) { this.frame = [2, 2, width - 2, height - 2]; this.taken = []; this.avoided = []; }
+  isIn([x, y]) { return x >= 0 && y >= 0 && x <= this.frame[2] + 2 && y <= this.frame[3] + 2; }
+  avoid([ax, ay], [bx, by], cost) {
+    const n = Math.min(150, Math.max(1, Math.round(Math.hypot(bx - ax, by - ay) / 6)));
+    for (let i = 0; i <= n; ++i) this.avoided.push([ax + (bx - ax) * i / n, ay + (by - ay) * i / n, cost]);
+  }
+  cost(box, most) {
+    let cost = 20 * ((box[2] - box[0]) * (box[3] - box[1]) - sharedArea(box, this.frame));
+    for (const other of this.taken) cost += 10 * sharedArea(box, other);
+    if (cost >= most) return cost;
+    for (const [x, y, extra] of this.avoided) if (x >= box[0] && x <= box[2] && y >= box[1] && y <= box[3]) cost += extra;
+    return cost;
+  }
+  /** The best place for a label of this size at one of the anchors, the first of which is the best. */
+  best(anchors, w, h, before) {
+    let best = null, least = Infinity;
+    anchors.forEach((at, k) => labelOffsets.forEach((offset, i) => {
+      const x = at[0] + (offset.away + w / 2) * Math.cos(offset.angle), y = at[1] - (offset.away + h / 4) * Math.sin(offset.angle);
+      const box = boxAround(x, y, w, h), penalty = offset.cost + k * 5 - (before === i ? 12 : 0), cost = penalty + this.cost(box, least - penalty);
+      if (cost < least) { least = cost; best = {box, x, y, anchor: k, offset: i}; }
+    }));
+    return best && {...best, cost: least};
+  }
+}
+
+/** The labels of a step: HTML with formulas, at places of the scene, moved aside in pixels. */
+class Labels {
+  constructor(scene) {
+    this.renderer = new THREE.CSS2DRenderer();
+    this.group = new THREE.Group();
+    scene.add(this.group);
+    this.element = this.renderer.domElement;
+    this.element.className = 'labels';
+    this.element.setAttribute('aria-hidden', 'true');
+  }
+  show(labels) {
+    this.group.remove(...this.group.children);
+    this.all = labels.map(data => {
+      const outer = document.createElement('div'), inner = document.createElement('span');
+      inner.innerHTML = data.html;
+      inner.className = `is-${data.how}`;
+      inner.style.color = `var(--role-${data.role})`;
+      outer.append(inner);
+      this.element.append(outer);
+      const object = new THREE.CSS2DObject(outer);
+      this.group.add(object);
+      return {data, object, inner, points: vectorsOf(data.points), before: -1};
+    });
+  }
+  /** Where a label may stand, best first: its point, or along what is seen of its line, from the middle. */
+  anchorsOf(label, seen, places) {
+    if (label.points.length === 1) return label.points.filter(p => places.isIn(seen(p)));
+    const [from, to] = label.points, along = Array.from({length: 33}, (_, i) => from.clone().lerp(to, i / 32)).filter(p => places.isIn(seen(p)));
+    if (!along.length) return [];
+    const shares = label.data.atEnd ? [1] : [0.5, 0.35, 0.65, 0.2, 0.8];
+    return shares.map(share => along[Math.round(share * (along.length - 1))]);
+  }
+  place(seen, places) {
+    for (const label of [...this.all].sort((a, b) => b.data.isText - a.data.isText)) {
+      const anchors = this.anchorsOf(label, seen, places), {object, inner, data} = label;
+      object.visible = anchors.length > 0;
+      if (!object.visible) continue;
+      object.element.style.display = '';
+      const w = (label.width = label.width || inner.offsetWidth) + 2, h = (label.height = label.height || inner.offsetHeight);
+      const spots = anchors.map(seen);
+      let best = {x: Math.max(Math.min(spots[0][0], places.frame[2] - w / 2), places.frame[0] + w / 2), y: spots[0][1], anchor: 0, cost: 0};
+      if (data.isText) best.box = boxAround(best.x, best.y, w, h);
+      else best = places.best(spots, w, h, label.before);
+      object.visible = data.isText || data.how === 'bright' || best.cost < 150;
+      if (!object.visible) continue;
+      places.taken.push(best.box);
+      label.before = best.offset;
+      object.position.copy(anchors[best.anchor]);
+      inner.style.transform = `translate(${(best.x - spots[best.anchor][0]).toFixed(1)}px, ${(best.y - spots[best.anchor][1]).toFixed(1)}px)`;
+    }
+  }
+}

@@ -1,0 +1,172 @@
+#include "viz/scene/space.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <rayproof/box/slabs.hpp>
+#include <rayproof/formulas/finite.hpp>
+
+#include "viz/scene/fit_view.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+/// The part of a segment within reach; nothing where there is none.
+SpacePoints within_reach(const glm::dvec3& from, const glm::dvec3& to) {
+  const Ray<double> ray{from, to - from};
+  const Roots<double> inside = box::Slabs::roots(ray, Box<double>{glm::dvec3(-reach), glm::dvec3(reach)});
+  const double first = std::max(0.0, inside.lo);
+  const double last = std::min(1.0, inside.hi);
+  if (std::isnan(inside.lo) || !(first < last)) return {};
+  return {from + first * ray.direction, last == 1 ? to : from + last * ray.direction};
+}
+
+/// Of its tube, in the view's radii.
+double line_radius(const ShownItem& shown) {
+  constexpr double plain = 0.0085;
+  if (shown.item->role == Role::frame) return 0.4 * plain;
+  if (shown.emphasis == Emphasis::bright) return 1.5 * plain;
+  if (shown.emphasis == Emphasis::dimmed) return 0.7 * plain;
+  return shown.item->role == Role::ray ? 1.25 * plain : 0.8 * plain;
+}
+
+ArrowHead head_of(const glm::dvec3& from, const glm::dvec3& to, double radius) {
+  const double length = glm::length(to - from);
+  const double head = std::min(9 * radius, 0.5 * length);
+  return {to - head / length * (to - from), to, 0.36 * head};
+}
+
+/// A line's pieces and head; nothing of one that is out of reach.
+std::optional<SpaceBody> line_body(SpaceBody body, bool is_flat) {
+  const StageItem& item = *body.shown.item;
+  if (body.points.size() < 2) return std::nullopt;
+  // What is behind a translucent surface is seen to be: no dashes for it.
+  const bool is_on_surface = item.role == Role::surface || item.role == Role::frame;
+  const Pattern pattern = is_on_surface && !is_flat ? Pattern::solid : item.pattern;
+  SpacePoints line = body.points;
+  if (item.form == Form::polyline) {
+    const auto is_near = [](const glm::dvec3& p) { return glm::length(p) < reach; };
+    if (!std::all_of(line.begin(), line.end(), is_near)) return std::nullopt;
+  } else {
+    line = within_reach(body.points[0], body.points[1]);
+    if (line.empty()) return std::nullopt;
+    if (item.form == Form::arrow && line[1] == body.points[1]) {
+      body.head = head_of(line[0], line[1], body.radius);
+      line[1] = body.head->base + 0.1 * (body.head->tip - body.head->base);
+    }
+  }
+  body.pieces = pieces_of(line, body.radius, body.head ? Pattern::solid : pattern);
+  return body;
+}
+
+std::optional<SpaceBody> body_of(const ShownItem& shown, const Space& space) {
+  const bool is_bright = shown.emphasis == Emphasis::bright;
+  const bool is_dimmed = shown.emphasis == Emphasis::dimmed;
+  SpaceBody body{shown, placed_points(*shown.item, space.view), {}, {}, line_radius(shown)};
+  switch (shown.item->form) {
+    case Form::point:
+      if (!has_mark(shown.item->role) || !(glm::length(body.points.at(0)) <= reach)) return std::nullopt;
+      body.radius = is_bright ? 0.034 : 0.027;
+      return body;
+    case Form::arrow:
+    case Form::segment:
+    case Form::polyline:
+      return line_body(body, space.camera.is_flat);
+    case Form::polygon:
+    case Form::hull:
+    case Form::ellipsoid:
+      if (!std::all_of(body.points.begin(), body.points.end(),
+                       [](const glm::dvec3& p) { return is_finite(p); }))
+        return std::nullopt;
+      body.opacity = is_dimmed ? 0.12 : shown.item->form == Form::polygon ? 0.4 : 0.2;
+      return body;
+  }
+  return std::nullopt;
+}
+
+std::optional<SpaceLabel> label_of(const ShownItem& shown, const StageView& view) {
+  const StageItem& item = *shown.item;
+  if (item.label.empty()) return std::nullopt;
+  SpaceLabel label{shown, placed_points(item, view)};
+  if (item.form == Form::ellipsoid) {
+    label.points.resize(1);
+  } else if (item.form == Form::polygon || item.form == Form::hull) {
+    glm::dvec3 middle(0);
+    for (const glm::dvec3& p : label.points) middle += p / static_cast<double>(label.points.size());
+    label.points = {middle};
+  } else if (item.form == Form::polyline) {
+    label.points = {label.points.back()};
+  } else if (item.form != Form::point && label.points.size() > 1) {
+    label.points = within_reach(label.points[0], label.points[1]);
+    label.is_at_end = item.role == Role::ray;
+  }
+  if (label.points.empty() || !(glm::length(label.points[0]) <= 2 * reach)) return std::nullopt;
+  return label;
+}
+
+/// The points of a body that lie lowest, as far as a floor minds.
+SpacePoints lowest_points(const SpaceBody& body, const StageCamera& upright) {
+  StageItem placed = *body.shown.item;
+  placed.points = body.points;
+  if (!body.pieces.empty()) placed.points.clear();
+  for (const SpacePoints& piece : body.pieces)
+    placed.points.insert(placed.points.end(), piece.begin(), piece.end());
+  SpacePoints points = extent_of(placed, upright);
+  for (glm::dvec3& p : points) p -= body.radius * upright.up;
+  return points;
+}
+
+}  // namespace
+
+SpacePoints placed_points(const StageItem& item, const StageView& view) {
+  SpacePoints points;
+  for (const glm::dvec3& p : item.points) {
+    const glm::dvec3 q = in_view(view, p);
+    const bool is_repeated = !points.empty() && q == points.back();  // a tube knows no line of length 0
+    if (!is_repeated || item.form == Form::ellipsoid) points.push_back(q);
+  }
+  return points;
+}
+
+std::vector<SpacePoints> pieces_of(const SpacePoints& line, double radius, Pattern pattern) {
+  if (pattern == Pattern::solid) return {line};
+  const double dash = (pattern == Pattern::dashed ? 8 : 2) * radius;
+  const double pause = 5 * radius;
+  std::vector<SpacePoints> pieces;
+  double walked = 0;  // since the last dash began
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const double length = glm::length(line[i + 1] - line[i]);
+    for (double at = 0; at < length;) {
+      const bool is_dash = walked < dash;
+      const double step = std::min((is_dash ? dash : dash + pause) - walked, length - at);
+      if (is_dash) {
+        const auto point = [&](double s) { return line[i] + s / length * (line[i + 1] - line[i]); };
+        pieces.push_back({point(at), point(at + step)});
+      }
+      at += step;
+      walked += step;
+      if (walked >= dash + pause - 1e-12) walked = 0;
+    }
+  }
+  return pieces;
+}
+
+Space space_of(const Stage& stage, std::size_t step) {
+  const std::vector<ShownItem> shown = shown_in(stage, step);
+  Space space{stage.steps.at(step).view, space_camera(stage, step, shown)};
+  for (const ShownItem& one : shown) {
+    if (auto body = body_of(one, space)) space.bodies.push_back(std::move(*body));
+    if (auto label = label_of(one, space.view)) space.labels.insert(space.labels.begin(), std::move(*label));
+  }
+  if (space.camera.is_flat) return space;
+  const StageCamera upright{space.camera.up, space.camera.up, space.camera.toward};
+  SpacePoints low;
+  for (const SpaceBody& body : space.bodies) {
+    const SpacePoints own = lowest_points(body, upright);
+    low.insert(low.end(), own.begin(), own.end());
+  }
+  space.floor = floor_below(low, space.camera.up, space.view);
+  return space;
+}
+
+}  // namespace rayproof::viz
