@@ -5,11 +5,13 @@
 #include <functional>
 #include <utility>
 
+#include "command_line/interrupt.hpp"
 #include "command_line/progress_line.hpp"
 #include "viz/page/case_figure.hpp"
 #include "viz/page/page.hpp"
 #include "viz/page/stage_json.hpp"
 #include "viz/programs/files.hpp"
+#include "viz/programs/walk/movie.hpp"
 #include "viz/programs/walk/walks.hpp"
 #include "viz/programs/walk/window.hpp"
 #include "viz/walkthrough/lesson.hpp"
@@ -29,6 +31,7 @@ struct WalkOptions {
   viz::CaseOptions one{};
   std::string png{};
   std::string html{};
+  std::string movie{};
   bool is_window = false;
   bool is_list = false;
   bool is_json = false;
@@ -136,31 +139,35 @@ int main(int argc, char** argv) {
          "Write a page for each walkthrough, and a gallery of them; for the number of a finding without "
          "any output, walk-N.html beside the findings")
       ->type_name("DIR or FILE.html");
+  app.add_option("--movie", options.movie,
+                 "Write a film of it by VTK: the ray travels, t runs, hits light up, step after step")
+      ->type_name("FILE.ogv");
   app.add_flag("--window", options.is_window,
                "Show it in a window: steps by key, t by a slider, the ray by dragging");
   app.add_flag("--json", options.is_json, "Print the data of each walkthrough as a line of JSON");
   app.add_flag("--list", options.is_list, "List the topics and their groups");
-  app.footer("Exit status: 0 done, 1 the case is refused, 2 wrong command line.");
+  app.footer("Exit status: 0 done, 1 the case is refused, 2 wrong command line, 130 interrupted.");
   if (const auto status = parse_command_line(app, argc, argv)) return *status;
 
-  return viz::run_and_report("rayproof walk", [&] {
+  const int status = viz::run_and_report("rayproof walk", [&] {
     if (options.is_list) return print_topics();
     if (!options.topic.empty() && !options.one.text.empty())
       throw viz::WrongCommand("give a topic or --case, not both");
     if (finding_number(options.topic)) options.one.text = std::exchange(options.topic, "");
     const bool has_output =
-        options.is_json || options.is_window || !options.html.empty() || !options.png.empty();
+        options.is_json || options.is_window || !(options.html + options.png + options.movie).empty();
     if (!has_output) options.html = viz::page_beside_findings(options.one, "walk");
     ProgressLine progress;
     const auto walks = viz::walks_for(options.topic, options.one, progress);
     progress.clear();
     if (!has_output && options.html.empty())
-      throw viz::WrongCommand("nothing to do: give --html, --png, --json or --window");
+      throw viz::WrongCommand("nothing to do: give --html, --png, --movie, --json or --window");
     if (options.is_json) {
       for (const viz::Walk& walk : walks) fmt::print("{}\n", viz::stage_json(walk.stage));
     }
     if (!options.html.empty()) write_pages(walks, options.html, progress);
     if (!options.png.empty()) write_pngs(walks, options.png, progress);
+    if (!options.movie.empty()) viz::write_movie(walks, options.movie, progress);
     progress.clear();
     if (!has_output) fmt::print("{}\n", options.html);
     if (options.is_window) {
@@ -168,4 +175,5 @@ int main(int argc, char** argv) {
       viz::show_window(is_case ? std::optional(walks.front().stage) : std::nullopt, options.topic);
     }
   });
+  return is_interrupted ? 130 : status;
 }

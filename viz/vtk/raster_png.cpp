@@ -1,7 +1,6 @@
 #include "viz/vtk/raster_png.hpp"
 
 #include <vtkErrorCode.h>
-#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 
@@ -9,23 +8,28 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "viz/vtk/image_of.hpp"
+
 namespace rayproof::viz {
+
+vtkSmartPointer<vtkImageData> image_of(const Raster& raster) {
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(raster.width, raster.height, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  for (int y = 0; y < raster.height; ++y) {
+    auto* row = static_cast<unsigned char*>(image->GetScalarPointer(0, raster.height - 1 - y, 0));
+    for (int x = 0; x < raster.width; ++x) row = std::copy_n(raster.at(x, y).data(), 3, row);
+  }
+  return image;
+}
 
 void write_png(const Raster& raster, const std::string& path) {
   const auto fail = [&path] { throw std::runtime_error("the file " + path + " can't be written"); };
   // VTK's writer only logs a failure: find out beforehand whether the file can be written.
   if (!std::ofstream(path, std::ios::binary)) fail();
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(raster.width, raster.height, 1);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  for (int y = 0; y < raster.height; ++y) {
-    // VTK's first row is the lowest.
-    auto* row = static_cast<unsigned char*>(image->GetScalarPointer(0, raster.height - 1 - y, 0));
-    for (int x = 0; x < raster.width; ++x) row = std::copy_n(raster.at(x, y).data(), 3, row);
-  }
   vtkNew<vtkPNGWriter> writer;
   writer->SetFileName(path.c_str());
-  writer->SetInputData(image);
+  writer->SetInputData(image_of(raster));
   writer->Write();
   if (writer->GetErrorCode() != vtkErrorCode::NoError) fail();
 }

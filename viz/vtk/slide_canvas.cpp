@@ -21,14 +21,15 @@ Rgb mean_of_four(const Raster& raster, int x, int y) {
 
 }  // namespace
 
-SlideCanvas::SlideCanvas() : view_(std::make_unique<SlideView>(slide_scene)) {
+SlideCanvas::SlideCanvas(int width) : view_(std::make_unique<SlideView>(slide_scene)) {
   view_->window().SetOffScreenRendering(1);
-  view_->window().SetSize(1600, 900);
+  view_->window().SetSize(width, width * 9 / 16);
   view_->fit();
 }
 SlideCanvas::~SlideCanvas() = default;
 
-Raster SlideCanvas::draw(const Stage& stage, std::size_t step) {
+Raster SlideCanvas::draw(const Stage& stage, std::size_t step, bool is_fine) {
+  view_->set_fine(is_fine);
   Picture sheet = slide_frame(stage, step, stage.title);
   draw_legend(sheet, stage);
   (void)view_->show(stage, step, sheet, Look::anew);

@@ -24,7 +24,7 @@ void add_different(Stage& stage, const CaseReport& report, const Walkthrough& ot
   const Setting setting = setting_of(report);
   const std::size_t before = stage.steps.size();
   const auto add = [&](std::size_t i) {
-    const Space* const space = space_of(setting, walk, i);
+    const StepSpace* const space = space_of(setting, walk, i);
     StageStep step =
         kernel_steps(report, walk, i, space != nullptr ? in_space(setting, *space) : setting, false).front();
     Items earlier;

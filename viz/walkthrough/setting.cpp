@@ -130,8 +130,8 @@ void add_ray(Items& scene, const Ray<double>& ray, const StageSlider& slider, co
 }
 
 /// The shape and the ray as the kernel sees them, where the case has a transform.
-Space object_space_of(const CaseReport& report, Figure (*figure)(const Sight&), const Setting& setting,
-                      const std::string& first_step) {
+StepSpace object_space_of(const CaseReport& report, Figure (*figure)(const Sight&), const Setting& setting,
+                          const std::string& first_step) {
   Case one = report.one;
   auto& question = std::get<RayQuestion>(one.question);
   const Ray<Shadow> inside = World(question).ray_in_object_space(convert<Shadow>(question.ray));
@@ -147,9 +147,9 @@ Space object_space_of(const CaseReport& report, Figure (*figure)(const Sight&), 
 }
 
 /// The spaces in which a run computes.
-std::vector<Space> spaces_of(const CaseReport& report, Figure (*figure)(const Sight&),
-                             const Setting& setting) {
-  std::vector<Space> spaces;
+std::vector<StepSpace> spaces_of(const CaseReport& report, Figure (*figure)(const Sight&),
+                                 const Setting& setting) {
+  std::vector<StepSpace> spaces;
   if (!report.walk) return spaces;
   const std::vector<WalkStep>& steps = report.walk->steps;
   for (std::size_t i = 0; i + 1 < steps.size(); ++i) {
@@ -157,7 +157,7 @@ std::vector<Space> spaces_of(const CaseReport& report, Figure (*figure)(const Si
       spaces.push_back(object_space_of(report, figure, setting, steps[i + 1].title));
   }
   if (topic_of(report.one) == "triangle") {
-    for (Space& space : triangle_spaces(*report.walk, setting.camera)) spaces.push_back(std::move(space));
+    for (StepSpace& space : triangle_spaces(*report.walk, setting.camera)) spaces.push_back(std::move(space));
   }
   return spaces;
 }

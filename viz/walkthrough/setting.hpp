@@ -11,7 +11,7 @@
 namespace rayproof::viz {
 
 /// Another space than the world, in which a run computes from a step on until another space begins.
-struct Space {
+struct StepSpace {
   std::string first_step;  ///< how the title of its first step begins
   std::string words{};     ///< "In the sheared space, looking along the ray:"
   /// What is there, as the kernel has it; none for the world.
@@ -31,7 +31,7 @@ struct Setting {
   /// From the space in which the kernel works to the world; the identity where there is no transform.
   std::function<glm::dvec3(const glm::dvec3&)> to_world{};
   std::vector<Binding> bindings{};  ///< how the named values look: the topic's, or a lesson's own
-  std::vector<Space> spaces{};
+  std::vector<StepSpace> spaces{};
 };
 
 [[nodiscard]] Setting setting_of(const CaseReport& report);

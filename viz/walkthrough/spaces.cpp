@@ -68,23 +68,23 @@ Items weights(const NumbersByName& n, int axis) {
 
 }  // namespace
 
-const Space* space_of(const Setting& setting, const Walkthrough& walk, std::size_t index) {
-  const Space* found = nullptr;
+const StepSpace* space_of(const Setting& setting, const Walkthrough& walk, std::size_t index) {
+  const StepSpace* found = nullptr;
   for (std::size_t i = 0; i <= index; ++i) {
-    for (const Space& space : setting.spaces)
+    for (const StepSpace& space : setting.spaces)
       if (walk.steps[i].title.starts_with(space.first_step)) found = &space;
   }
   return found != nullptr && found->scene ? found : nullptr;
 }
 
-Setting in_space(Setting setting, const Space& space) {
+Setting in_space(Setting setting, const StepSpace& space) {
   setting.to_world = space.place;
   if (!space.bindings.empty()) setting.bindings = space.bindings;
   return setting;
 }
 
-std::vector<Space> triangle_spaces(const Walkthrough& walk, const StageCamera& camera) {
-  std::vector<Space> spaces;
+std::vector<StepSpace> triangle_spaces(const Walkthrough& walk, const StageCamera& camera) {
+  std::vector<StepSpace> spaces;
   bool is_projected = false;
   for (const WalkStep& step : walk.steps) {
     if (step.title.starts_with("Shear the vertices"))
@@ -111,7 +111,7 @@ std::vector<Space> triangle_spaces(const Walkthrough& walk, const StageCamera& c
   return spaces;
 }
 
-void show_in_space(StageStep& step, const Space& space, const NumbersByName& n, const StageCamera& camera,
+void show_in_space(StageStep& step, const StepSpace& space, const NumbersByName& n, const StageCamera& camera,
                    Items& earlier) {
   Items own;
   own.swap(step.items);

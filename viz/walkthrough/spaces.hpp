@@ -7,17 +7,17 @@
 namespace rayproof::viz {
 
 /// The space that step `index` of the run computes in; null for the world.
-[[nodiscard]] const Space* space_of(const Setting& setting, const Walkthrough& walk, std::size_t index);
+[[nodiscard]] const StepSpace* space_of(const Setting& setting, const Walkthrough& walk, std::size_t index);
 
 /// The setting with what the space has of its own.
-[[nodiscard]] Setting in_space(Setting setting, const Space& space);
+[[nodiscard]] Setting in_space(Setting setting, const StepSpace& space);
 
 /// The spaces in which the methods of triangles compute.
-[[nodiscard]] std::vector<Space> triangle_spaces(const Walkthrough& walk, const StageCamera& camera);
+[[nodiscard]] std::vector<StepSpace> triangle_spaces(const Walkthrough& walk, const StageCamera& camera);
 
 /// Lets a step show its space: the scene there, what earlier steps showed there in grey, and its own items.
 /// `earlier` then has those, too.
-void show_in_space(StageStep& step, const Space& space, const NumbersByName& n, const StageCamera& camera,
+void show_in_space(StageStep& step, const StepSpace& space, const NumbersByName& n, const StageCamera& camera,
                    Items& earlier);
 
 }  // namespace rayproof::viz

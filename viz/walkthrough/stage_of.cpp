@@ -81,10 +81,10 @@ void add_steps(Stage& stage, const CaseReport& report, const Walkthrough& walk, 
   stage.source = walk.source;
   const std::size_t needed = walk.steps.size() + 2;
   std::size_t room = may_split && needed < most_steps ? most_steps - needed : 0;
-  const Space* before = nullptr;
+  const StepSpace* before = nullptr;
   Items earlier;
   for (std::size_t i = 0; i < walk.steps.size(); ++i) {
-    const Space* const space = space_of(setting, walk, i);
+    const StepSpace* const space = space_of(setting, walk, i);
     if (space != before) earlier.clear();
     before = space;
     const Setting here = space != nullptr ? in_space(setting, *space) : setting;

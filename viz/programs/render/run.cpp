@@ -6,7 +6,7 @@
 #include "case/case.hpp"
 #include "case/writer.hpp"
 #include "command_line/progress_line.hpp"
-#include "viz/programs/render/partial_file.hpp"
+#include "viz/programs/partial_file.hpp"
 #include "viz/render/pixel_case.hpp"
 #include "viz/render/shadows.hpp"
 #include "viz/vtk/offscreen_display.hpp"
@@ -29,7 +29,7 @@ class Render {
 
   void run() {
     if (mode_ == Mode::pixel) return print_case();
-    PartialFile file(options_.out);
+    viz::PartialFile file(options_.out);
     viz::write_png(image(), file.path());
     if (stop_) throw Stopped();
     file.keep();

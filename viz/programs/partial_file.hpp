@@ -9,7 +9,7 @@
 #include <fstream>
 #include <stdexcept>
 
-namespace rayproof::render {
+namespace rayproof::viz {
 
 /// A file beside the one asked for, which takes its name in one step at the end, or goes away with this
 /// object.
@@ -44,4 +44,4 @@ class PartialFile {
   std::filesystem::path asked_, partial_;
 };
 
-}  // namespace rayproof::render
+}  // namespace rayproof::viz
