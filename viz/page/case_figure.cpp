@@ -44,6 +44,7 @@ Stage views_of_case(const CaseReport& report) {
   const Setting setting = setting_of(report);
   StageStep& first = stage.steps.front();
   first.items = hits_of(stage, report);
+  stage.slider.reset();
   first.title = "From any side";
   stage.steps.back().title = "Magnified";
   if (setting.wide.radius > 2.4 * setting.near.radius) {

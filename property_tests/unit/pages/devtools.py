@@ -64,7 +64,7 @@ class Browser:
         if session:
             command["sessionId"] = session
         os.write(self.out, json.dumps(command).encode() + b"\0")
-        deadline = time.monotonic() + 60
+        deadline = time.monotonic() + 180
         while True:
             message = self.read(deadline)
             if message.get("id") != self.last:
@@ -75,7 +75,7 @@ class Browser:
                 return message["result"]
 
     def wait_for(self, method):
-        deadline = time.monotonic() + 60
+        deadline = time.monotonic() + 180
         while not any(event.get("method") == method for event in self.events):
             self.events.append(self.read(deadline))
 

@@ -8,6 +8,7 @@ function(rayproof_embed_page target)
     set(three_files three.min.js examples/js/math/ConvexHull.js examples/js/controls/OrbitControls.js
                     examples/js/renderers/CSS2DRenderer.js)
     list(TRANSFORM three_files PREPEND ${RAYPROOF_THREE_FOLDER}/)
+    list(PREPEND three_files ${folder}/three-notice.js)
   else()
     message(STATUS "rayproof: no three.js found (Debian package libjs-three), so pages show still pictures only")
     set(page_files steps)
