@@ -14,8 +14,9 @@ double weight_of(const Hypothesis& cause) {
   return cause.kind == FindingKind::gross ? 1.0 : 0.8;
 }
 
-/// Of two that are nearly as good the first in the table, which is the more specific one, is taken.
-constexpr double nearly_as_good = 0.85;
+/// Of those that are nearly as good as the best the first in the table, which is the more specific one, is
+/// taken. A model is right digit by digit, and is rivalled by less.
+constexpr double nearly_as_good_cure = 0.85, nearly_as_good_model = 0.97;
 
 Indices common(const Indices& a, const Indices& b) {
   Indices both;
@@ -65,7 +66,9 @@ std::vector<Cover::Candidate> Cover::candidates() const {
     for (const Sheet& sheet : sheets_) {
       Indices cases = sheet.search->explained_of_all(cause);
       explained += cases.size();
-      if (!cases.empty()) contradictions += sheet.examination->contradictions(cause, cases);
+      const std::size_t against = cases.empty() ? 0 : sheet.examination->contradictions(cause, cases);
+      contradictions += against;
+      candidate.against += sheet.weight * static_cast<double>(against);
       candidate.explained.push_back(std::move(cases));
     }
     if (!is_refuted(cause, explained, contradictions)) all.push_back(std::move(candidate));
@@ -106,7 +109,8 @@ Cover::Candidate* Cover::model_of(const Candidate& cure, std::vector<Candidate>&
 void Cover::name_by_models(std::vector<Candidate>& candidates) const {
   for (std::size_t i = 0; i < candidates.size();) {
     const Candidate cure = candidates[i];
-    Candidate* const model = cure.cause->change == nullptr ? nullptr : model_of(cure, candidates);
+    const bool is_cure = cure.cause->change != nullptr && cure.cause->kind == FindingKind::gross;
+    Candidate* const model = is_cure ? model_of(cure, candidates) : nullptr;
     if (model == nullptr) {
       ++i;
       continue;
@@ -128,11 +132,14 @@ std::vector<Cover::Candidate> Cover::chosen() const {
       std::vector<Indices> gained(sheets_.size());
       for (std::size_t k = 0; k < sheets_.size(); ++k)
         if (is_group(one, k, left[k])) gained[k] = left[k];
-      worth.push_back(weight_of(*one.cause) * weight_of_common(one, gained));
+      worth.push_back(weight_of(*one.cause) * std::max(0.0, weight_of_common(one, gained) - one.against));
     }
     const double most = worth.empty() ? 0 : std::ranges::max(worth);
     if (most == 0) return taken;
-    const auto best = std::ranges::find_if(worth, [&](double one) { return one >= nearly_as_good * most; });
+    const auto first = std::ranges::max_element(worth) - worth.begin();
+    const bool is_model = open[static_cast<std::size_t>(first)].cause->change == nullptr;
+    const double enough = (is_model ? nearly_as_good_model : nearly_as_good_cure) * most;
+    const auto best = std::ranges::find_if(worth, [&](double one) { return one >= enough; });
     const auto place = open.begin() + (best - worth.begin());
     for (std::size_t k = 0; k < sheets_.size(); ++k) left[k] = without(left[k], place->explained[k]);
     taken.push_back(std::move(*place));

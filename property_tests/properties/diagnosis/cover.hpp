@@ -29,6 +29,7 @@ class Cover {
   struct Candidate {
     const Hypothesis* cause = nullptr;
     std::vector<Indices> explained{};
+    double against = 0;  ///< how many right answers contradict it, by the weight of their complaints
   };
 
   [[nodiscard]] std::vector<Candidate> candidates() const;
