@@ -13,6 +13,7 @@
 #include "generators/generators.hpp"
 #include "unit/viz/stage_data.hpp"
 #include "viz/scene/numbers_by_name.hpp"
+#include "viz/trace/shadow.hpp"
 #include "viz/walkthrough/lesson.hpp"
 #include "viz/walkthrough/sentences.hpp"
 
