@@ -3,6 +3,7 @@
 
 #include "viz/drawing/svg.hpp"
 #include "viz/page/case_figure.hpp"
+#include "viz/programs/draw/heat.hpp"
 #include "viz/programs/files.hpp"
 #ifdef RAYPROOF_HAS_VTK
 #include "viz/vtk/offscreen_display.hpp"
@@ -14,7 +15,7 @@ namespace {
 using namespace rayproof;
 
 struct Files {
-  std::string png{}, svg{}, html{};
+  std::string png{}, svg{}, html{}, heat{};
 };
 
 void write_picture(const std::string& path, const viz::Picture& picture) {
@@ -52,14 +53,21 @@ int main(int argc, char** argv) {
                  "Write a page with the picture and the method's steps; for the number of a finding without "
                  "any FILE, draw-N.html beside the findings")
       ->type_name("FILE");
+  app.add_option(
+         "--heat", files.heat,
+         "Write a PNG of a sphere or triangle with the method's errors as colours on it, for rays from "
+         "the case's origin to all that it sees")
+      ->type_name("FILE");
   if (const auto status = parse_command_line(app, argc, argv)) return *status;
 
   return viz::run_and_report("rayproof draw", [&] {
-    const bool is_named = !(files.png.empty() && files.svg.empty() && files.html.empty());
+    const bool is_named = !(files.png + files.svg + files.html + files.heat).empty();
     if (!is_named) files.html = viz::page_beside_findings(options, "draw");
     if (!is_named && files.html.empty())
-      throw viz::WrongCommand("nothing to write: give --png, --svg or --html and a file");
-    draw(viz::report_case(options), files);
+      throw viz::WrongCommand("nothing to write: give --png, --svg, --html or --heat and a file");
+    const viz::CaseReport report = viz::report_case(options);
+    if (!files.heat.empty()) viz::write_heat_map(report, files.heat);
+    if (!(files.png + files.svg + files.html).empty()) draw(report, files);
     if (!is_named) fmt::print("{}\n", files.html);
   });
 }
