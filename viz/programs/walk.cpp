@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "command_line/interrupt.hpp"
@@ -37,17 +39,25 @@ struct WalkOptions {
   bool is_json = false;
 };
 
-/// The still pictures of pages.
+/// The still pictures of pages: by VTK, and flat without it or without a display for it.
 class Stills {
  public:
 #ifdef RAYPROOF_HAS_VTK
+  Stills() {
+    try {
+      display_.emplace();
+      canvas_.emplace();
+    } catch (const std::runtime_error&) {
+      canvas_.reset();
+    }
+  }
   [[nodiscard]] std::string operator()(const viz::Stage& stage, std::size_t step) {
-    return canvas_.still(stage, step);
+    return canvas_ ? canvas_->still(stage, step) : viz::flat_still(stage, step);
   }
 
  private:
-  viz::OffscreenDisplay display_{};
-  viz::StillCanvas canvas_{};
+  std::optional<viz::OffscreenDisplay> display_{};
+  std::optional<viz::StillCanvas> canvas_{};
 #else
   [[nodiscard]] std::string operator()(const viz::Stage& stage, std::size_t step) {
     return viz::flat_still(stage, step);
