@@ -225,7 +225,7 @@ class Test:
     def all(self, number):
         """What differs from page to page. What is the same script's work in all of them is tried in some: steps and slider in
         every fourth, as drawing in software takes seconds, the rest in every twelfth."""
-        for part in (self.numbers, self.phone, *([self.steps, self.slider] if number % 4 == 0 else []),
+        for part in (*([self.steps, self.slider] if number % 4 == 0 else []), self.numbers, self.phone,
                      *([self.swipe, self.orbit, self.media] if number % 12 == 0 else [])):
             part()
         for fault in self.page.faults():

@@ -58,8 +58,9 @@ struct BilinearQuadratic {
     const vec3<T> e = named("e", along);
     const vec3<T> n = named("n", cross(ray.direction, e));
     const T nn = dot(n, n);
-    const T t = named("t", dot(cross(p, e), n) / nn);
-    const T v = named("v", dot(cross(p, ray.direction), n) / nn);
+    const vec3<T> g = named("g", cross(p, e)), h = named("h", cross(p, ray.direction));
+    const T t = named("t", dot(g, n) / nn);
+    const T v = named("v", dot(h, n) / nn);
     const Mask<T> is_hit = T(0) <= u && u <= T(1) && T(0) <= v && v <= T(1) && in_interval(ray, t);
     const T none = not_a_number<T>;
     return {select(is_hit, t, none), select(is_hit, u, none), select(is_hit, v, none)};
