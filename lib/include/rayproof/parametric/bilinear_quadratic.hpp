@@ -40,9 +40,9 @@ struct BilinearQuadratic {
     step<T>("Let the volume of direction, edge point and ruling be 0",
             "For each u the patch has a straight line, its ruling; it meets the ray where both lie in one "
             "plane, a quadratic equation in u.");
-    const Quadratic<T> volume{named("a", dot(cross(a_u, d), e_u)),
-                              named("b", dot(cross(a, d), e_u) + dot(cross(a_u, d), e)),
-                              named("c", dot(cross(a, d), e))};
+    const vec3<T> f = named("f", cross(a, d)), f_u = named("f_u", cross(a_u, d));
+    const Quadratic<T> volume{named("a", dot(f_u, e_u)), named("b", dot(f, e_u) + dot(f_u, e)),
+                              named("c", dot(f, e))};
     const Roots<T> u = quadratic::Kahan::roots(volume);
     return {on_ruling<T>(ray, a + u.lo * a_u, e + u.lo * e_u, u.lo),
             on_ruling<T>(ray, a + u.hi * a_u, e + u.hi * e_u, u.hi)};
@@ -57,6 +57,8 @@ struct BilinearQuadratic {
     const vec3<T> p = named("p", at_0);
     const vec3<T> e = named("e", along);
     const vec3<T> n = named("n", cross(ray.direction, e));
+    step<T>("Divide by the square of the normal",
+            "p × e along n is t times n·n, and p × d along n is v times n·n.");
     const T nn = dot(n, n);
     const vec3<T> g = named("g", cross(p, e)), h = named("h", cross(p, ray.direction));
     const T t = named("t", dot(g, n) / nn);
