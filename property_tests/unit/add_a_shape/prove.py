@@ -25,7 +25,7 @@ OPTIONS = ["-G", "Ninja", "-D", "CMAKE_BUILD_TYPE=Release", "-D", "CMAKE_CXX_FLA
            "-D", "CMAKE_UNITY_BUILD_BATCH_SIZE=10", "-D", "RAYPROOF_WERROR=ON",
            "-D", "CMAKE_DISABLE_FIND_PACKAGE_VTK=ON"]
 PROGRAMS = ["methods", "oracle", "intersect", "check", "explain", "walk", "draw"]
-TESTS = {"lib": "EveryDiskMethod*", "oracle": "DiskOracle*:*/disk:*/disk/*", "scene": "Bounds*",
+TESTS = {"lib": "EveryDiskMethod*", "oracle": "DiskOracle*:*/disk:*/disk/*", "render": "Bounds*",
          "generators": "TheCasesOfASeed*:Families*", "viz": "Views*:Wireframe*:Stories*:Recorded*:Bounded*"}
 CASE = {"ray": {"origin": [3, 4, -2], "direction": [0, 0, 1]},
         "shape": {"type": "disk", "center": [0, 0, 0], "normal": [0, 0, 2], "radius": 5}}
