@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-double short_number(double x) { return std::round(x * 1e5) / 1e5; }
+double short_number(double x) { return std::round(x * 1e4) / 1e4; }
 
 /// x, y and z of each point, in one list.
 Json flat(const SpacePoints& points) {

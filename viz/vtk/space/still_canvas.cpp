@@ -30,7 +30,7 @@ std::string jpeg_of(vtkRenderWindow& window) {
   image->ReadFrontBufferOff();
   vtkNew<vtkJPEGWriter> writer;
   writer->SetInputConnection(image->GetOutputPort());
-  writer->SetQuality(80);
+  writer->SetQuality(60);
   writer->WriteToMemoryOn();
   writer->Write();
   const auto& bytes = *writer->GetResult();

@@ -18,7 +18,7 @@ namespace {
 constexpr implicit::Torus<double> torus{1.25, 0.5};
 
 Items torus_items() {
-  constexpr int pieces = 48;
+  constexpr int pieces = 36;
   constexpr double turn = 6.283185307179586;
   Items items;
   const auto at = [](double around, double over) {
@@ -30,8 +30,8 @@ Items torus_items() {
     for (int i = 0; i <= pieces; ++i) points.push_back(point_at(turn * i / pieces));
     items.push_back(polyline(Role::frame, points));
   };
-  for (int k = 0; k < 24; ++k) ring([&](double s) { return at(turn * k / 24, s); });
-  for (int k = 0; k < 8; ++k) ring([&](double s) { return at(s, turn * k / 8); });
+  for (int k = 0; k < 12; ++k) ring([&](double s) { return at(turn * k / 12, s); });
+  for (int k = 0; k < 6; ++k) ring([&](double s) { return at(s, turn * k / 6); });
   return items;
 }
 

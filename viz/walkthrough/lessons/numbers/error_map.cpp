@@ -12,8 +12,8 @@
 namespace rayproof::viz {
 namespace {
 
-constexpr int columns = 12;
-constexpr int rows = 12;
+constexpr int columns = 10;
+constexpr int rows = 10;
 constexpr Sphere<double> ball{{0, 0, 0}, 1};
 
 /// From so far along z through the pixel's centre, on a frame a little larger than the sphere; its numbers
