@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <rayproof/implicit/roots.hpp>
@@ -161,6 +162,10 @@ Stage patch_stage(const Case& one, const ReportCase& report_on) {
                        }}};
   Stage stage = composed_stage(report, walk, setting);
   stage.steps.front().title = "Look at the ray and the patch r(u, v)";
+  // The other ruling is met as the first one was: how it is set up is not shown again.
+  const auto meets = [](const StageStep& step) { return step.title.starts_with("Meet the ruling"); };
+  const auto last = std::find_if(stage.steps.rbegin(), stage.steps.rend(), meets);
+  stage.steps.erase(std::prev(last.base()));
   stage.steps.push_back(difference_of_values(walk, setting, one.precision));
   stage.method = "parametric::bilinear_quadratic";
   stage.source = "A. Reshetov, Cool Patches, Ray Tracing Gems ch. 8, 2019";
