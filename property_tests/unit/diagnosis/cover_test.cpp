@@ -14,12 +14,7 @@ using Causes = std::set<std::string_view>;
 
 /// The causes that are named where verdicts, numbers and intervals are looked at in both precisions.
 Causes causes_of(const char* topic, Answer (*code)(const Case&)) {
-  Subject subject;
-  subject.topic = topic;
-  subject.name = "on_trial";
-  subject.answer_by(code);
-  subject.contract = default_contract(topic);
-  subject.has_own_contract = false;
+  const Subject subject = subject_of(topic, code);
   std::vector<Complaint> complaints;
   for (const Precision precision : {Precision::float32, Precision::float64})
     for (const char* const name : {"verdict", "residual", "ascending"}) {

@@ -12,16 +12,6 @@ namespace {
 
 using enum Fault;
 
-Subject subject_of(const char* topic, Answer (*code)(const Case&)) {
-  Subject subject;
-  subject.topic = topic;
-  subject.name = "on_trial";
-  subject.answer_by(code);
-  subject.contract = default_contract(topic);
-  subject.has_own_contract = false;
-  return subject;
-}
-
 class PlantedFault : public testing::TestWithParam<Planted> {};
 
 TEST_P(PlantedFault, IsNamed) {

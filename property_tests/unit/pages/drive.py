@@ -222,12 +222,16 @@ class Test:
         self.fits(360)
         self.page.send("Emulation.clearDeviceMetricsOverride")
 
-    def all(self, number):
-        """What differs from page to page. What is the same script's work in all of them is tried in some: steps and slider in
-        every fourth, as drawing in software takes seconds, the rest in every twelfth."""
-        for part in (*([self.steps, self.slider] if number % 4 == 0 else []), self.numbers, self.phone,
-                     *([self.swipe, self.orbit, self.media] if number % 12 == 0 else [])):
-            part()
+    def all(self, number, every):
+        """The numbers of every page. Drawing in software takes seconds, so that steps, slider and a phone's width are tried in
+        one page of `every`, and what is the same script's work in all of them in a third of those."""
+        self.numbers()
+        if number % every == 0:
+            parts = [self.steps, self.slider, self.phone]
+            if number % (3 * every) == 0:
+                parts += [self.swipe, self.orbit, self.media]
+            for part in parts:
+                part()
         for fault in self.page.faults():
             self.expect(False, fault)
         return self.failures
@@ -281,14 +285,14 @@ def drive_cases(path, browser):
     return failures
 
 
-def drive(folder, browser):
+def drive(folder, browser, every):
     failures = []
     pages = sorted(path for path in folder.glob("*.html") if path.name != "index.html")
     for number, path in enumerate(pages):
         if path.stat().st_size + (folder / "walkthrough.js").stat().st_size > 1_500_000:
             failures.append(f"{path.name}: {path.stat().st_size} bytes are more than 1.5 MB with the script")
         page = devtools.Page(browser, path.as_uri())
-        failures += Test(page, path.name).all(number)
+        failures += Test(page, path.name).all(number, every)
         page.close()
     gallery = devtools.Page(browser, (folder / "index.html").as_uri())
     links = gallery.run("[...document.querySelectorAll('.gallery a')].map(a => a.getAttribute('href'))")
@@ -304,6 +308,7 @@ def main():
     parser.add_argument("--walk", required=True, help="the program rayproof-walk")
     parser.add_argument("--check", required=True, help="the program rayproof-check")
     parser.add_argument("--topic", default="all")
+    parser.add_argument("--every", type=int, default=4, help="drawn and used is one page of this many")
     options = parser.parse_args()
     program = devtools.find_browser()
     if program is None:
@@ -313,7 +318,7 @@ def main():
         subprocess.run([options.walk, options.topic, "--html", folder], check=True)
         browser = devtools.Browser(program)
         try:
-            failures = drive(pathlib.Path(folder), browser)
+            failures = drive(pathlib.Path(folder), browser, options.every)
             check = pathlib.Path(folder) / "check"
             subprocess.run([options.check, "--cases", "300", "--shape", "sphere", "--out", check], check=True, stdout=subprocess.DEVNULL)
             failures += drive_cases(check / "index.html", browser)

@@ -3,6 +3,7 @@
 /// Faulty code as answers to cases.
 
 #include "properties/claims/answers.hpp"
+#include "subjects/default_contract.hpp"
 #include "unit/diagnosis/faulty/flat.hpp"
 #include "unit/diagnosis/faulty/solids.hpp"
 
@@ -76,6 +77,17 @@ template <Fault fault>
   const bool is_hit = !numbers_in(answer<Fault::nothing>(one)).empty();
   const Answer culled = answer<Fault::culls_back>(one);
   return is_hit && numbers_in(culled).empty() ? culled : answer<Fault::no_beta_test>(one);
+}
+
+/// The code on trial by the claims that every subject is held to, as a guest is.
+[[nodiscard]] inline Subject subject_of(const char* topic, Answer (*code)(const Case&)) {
+  Subject subject;
+  subject.topic = topic;
+  subject.name = "on_trial";
+  subject.answer_by(code);
+  subject.contract = default_contract(topic);
+  subject.has_own_contract = false;
+  return subject;
 }
 
 }  // namespace rayproof::faulty
