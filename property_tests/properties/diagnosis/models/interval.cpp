@@ -133,6 +133,18 @@ Answers first_hit_decides(const Case& one, const Answer& exact) {
   return in_interval(*ray, line.hits.t[0]) ? Answers{} : Answers{RayAnswer{}};
 }
 
+Answers behind_is_hit(const Case& one, const Answer& exact) {
+  const Ray<double>* ray = ray_of(one);
+  if (ray == nullptr || std::get<RayAnswer>(exact).hits.count != 0) return {};
+  const RayAnswer line = hits_of_line(one);
+  const auto& hits = line.hits;
+  if (hits.count == 0 || !(hits.t[hits.count - 1] < ray->t_min)) return {};
+  const auto alone = [&](double t) {
+    return Answer{hits_where(line, [t](double other) { return other == t; })};
+  };
+  return {line, alone(hits.t[0]), alone(hits.t[hits.count - 1])};
+}
+
 Answers one_hit_admits_all(const Case& one, const Answer& exact) {
   const Ray<double>* ray = ray_of(one);
   if (ray == nullptr || std::get<RayAnswer>(exact).hits.count == 0) return {};

@@ -41,6 +41,8 @@ std::vector<Hypothesis> models_of_hits() {
             "it misses where the line's nearest hit lies before t_min, although a farther one lies in the "
             "interval: only the smaller root is looked at"),
       gives("misses-from-inside", misses_from_inside, "every ray that starts inside misses"),
+      gives("behind-is-hit", behind_is_hit,
+            "what lies wholly behind the ray's beginning is reported: the sign of t is not looked at"),
       gives("one-hit-admits-all", one_hit_admits_all,
             "where one hit lies in the interval, the line's others are reported too: not each is compared "
             "with the interval"),

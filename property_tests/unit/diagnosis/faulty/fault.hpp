@@ -17,6 +17,7 @@ enum class Fault {
   near_root_only,  ///< a near root outside the interval makes a miss
   far_root,        ///< reports the far root in place of the near one
   one_admits_all,
+  behind_counts,  ///< the sign of t is not looked at where all hits lie behind
   descending,
   epsilon,  ///< t must be greater than 1e-4
   limited,  ///< t must be less than 1e5

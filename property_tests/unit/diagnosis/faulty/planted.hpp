@@ -33,6 +33,7 @@ inline const Planted planted[] = {
     {"sphere", answer<near_root_only>, "verdict", "first-hit-decides"},
     {"sphere", answer<far_root>, "verdict", "farthest-hit"},
     {"sphere", answer<one_admits_all>, "verdict", "one-hit-admits-all"},
+    {"sphere", answer<behind_counts>, "verdict", "behind-is-hit"},
     {"sphere", answer<descending>, "ascending", "descending"},
     {"sphere", answer<epsilon>, "verdict", "epsilon-1e-4"},
     {"sphere", answer<limited>, "verdict", "limit-1e5"},

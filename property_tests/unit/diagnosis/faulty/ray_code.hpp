@@ -61,6 +61,8 @@ template <class T>
   for (const auto& hit : found.hits) any = any || counts(hit.t);
   for (const auto& hit : found.hits)
     if (counts(hit.t) || (fault == Fault::one_admits_all && any)) kept.push_back(hit);
+  if (fault == Fault::behind_counts && !found.hits.empty() && found.hits.back().t < ray.t_min)
+    return found.hits;
   if (fault == Fault::near_root_only && !found.hits.empty() && !counts(found.hits.front().t)) kept.clear();
   if (fault == Fault::far_root && kept.size() > 1) kept.erase(kept.begin());
   if (fault == Fault::descending && kept.size() > 1) std::swap(kept[0], kept[1]);
