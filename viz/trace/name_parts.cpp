@@ -1,7 +1,4 @@
-#include "viz/page/math_names.hpp"
-#include "case/escape.hpp"
-
-#include <fmt/format.h>
+#include "viz/trace/name_parts.hpp"
 
 #include <array>
 #include <string_view>
@@ -26,31 +23,39 @@ constexpr std::array<std::pair<std::string_view, const char*>, 14> subscripts{{{
                                                                                {"ₖ", "k"}}};
 constexpr std::string_view arrow_above = "\u20d7";
 
-std::string identifier(const std::string& text) {
-  return fmt::format("<mi{}>{}</mi>", text.size() > 1 ? " mathvariant=\"normal\"" : "", escaped(text));
-}
-
 }  // namespace
 
-std::string typeset_name(std::string text) {
-  std::string below;
-  const auto take_suffix = [&](std::size_t at, std::size_t length) {
-    below = escaped(text.substr(at + length)) + below;
-    text.erase(at);
+NameParts parts_of_name(std::string name) {
+  NameParts parts;
+  const auto take_index = [&](std::size_t at) {
+    if (at == std::string::npos || at == 0) return;
+    parts.index = name.substr(at + 1) + parts.index;
+    name.erase(at);
   };
-  if (const std::size_t dot = text.rfind('.'); dot != std::string::npos && dot > 0) take_suffix(dot, 1);
-  if (const std::size_t low = text.find('_'); low != std::string::npos && low > 0) take_suffix(low, 1);
+  take_index(name.rfind('.'));
+  take_index(name.find('_'));
   for (const auto& [sign, plain] : subscripts) {
-    if (text.size() > sign.size() && text.ends_with(sign)) {
-      below = plain + below;
-      text.erase(text.size() - sign.size());
-    }
+    if (name.size() <= sign.size() || !name.ends_with(sign)) continue;
+    parts.index = plain + parts.index;
+    name.erase(name.size() - sign.size());
   }
-  const std::size_t arrow = text.find(arrow_above);
-  if (arrow != std::string::npos) text.erase(arrow, arrow_above.size());
-  std::string result = identifier(text);
-  if (arrow != std::string::npos) result = fmt::format("<mover>{}<mo>→</mo></mover>", result);
-  return below.empty() ? result : fmt::format("<msub>{}<mi>{}</mi></msub>", result, below);
+  const std::size_t arrow = name.find(arrow_above);
+  parts.has_arrow = arrow != std::string::npos;
+  if (parts.has_arrow) name.erase(arrow, arrow_above.size());
+  parts.letters = name;
+  return parts;
+}
+
+std::string vector_of(const std::string& name, char axis) {
+  const bool is_component = name.size() > 2 && name[name.size() - 2] == '.' && name.back() == axis;
+  return is_component ? name.substr(0, name.size() - 2) : "";
+}
+
+std::string without_axis(const std::string& name) {
+  for (const char axis : {'x', 'y', 'z'}) {
+    if (std::string vector = vector_of(name, axis); !vector.empty()) return vector;
+  }
+  return name;
 }
 
 }  // namespace rayproof::viz
