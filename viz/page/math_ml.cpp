@@ -1,7 +1,5 @@
 #include "viz/page/math_ml.hpp"
 
-#include <fmt/format.h>
-
 #include "case/escape.hpp"
 #include "viz/trace/name_parts.hpp"
 
@@ -10,100 +8,59 @@ namespace {
 
 using Kind = Expression::Kind;
 
-std::string typeset(const Expression& e);
-
 std::string row(const std::string& inside) { return "<mrow>" + inside + "</mrow>"; }
-std::string sign(const std::string& text) { return "<mo>" + escaped(text) + "</mo>"; }
-std::string fenced(const std::string& inside, const char* open, const char* close) {
-  return row(fmt::format("<mo stretchy=\"false\">{}</mo>{}<mo stretchy=\"false\">{}</mo>", open, row(inside),
-                         close));
+std::string sign(const std::string& text) { return text.empty() ? "" : "<mo>" + escaped(text) + "</mo>"; }
+std::string upright(const std::string& text) {
+  return "<mi mathvariant=\"normal\">" + escaped(text) + "</mi>";
 }
 
-/// As a formula binds on paper: a bar holds a fraction together, and a dot stands between two vectors.
-Strength typeset_strength(const Expression& e) {
-  const Expression& meaning = e.kind == Kind::name && !e.parts.empty() ? *e.parts[0] : e;
-  if (meaning.kind == Kind::quotient) return Strength::atom;
-  return e.kind == Kind::dot ? Strength::product : strength_of(e);
+std::string typeset_leaf(const Expression& e);
+
+constexpr const char* open_fence = "<mrow><mo stretchy=\"false\">(</mo><mrow>";
+constexpr const char* close_fence = "</mrow><mo stretchy=\"false\">)</mo></mrow>";
+const PrintStyle math_style{
+    {{{},
+      {},
+      {},
+      {"", "<mo>·</mo>"},
+      {"", "<mo>×</mo>"},
+      {"<mfrac><mrow>", "</mrow><mrow>", "</mrow></mfrac>", true},
+      {"", "<mo>·</mo>"},
+      {"<msup><mrow>", "", "</mrow><mn>2</mn></msup>"},
+      {"<msup><mrow>", "</mrow><mrow>", "</mrow></msup>"},
+      {"<msqrt>", "", "</msqrt>", true},
+      {"<mrow><mo stretchy=\"false\">|</mo><mrow>", "", "</mrow><mo stretchy=\"false\">|</mo></mrow>", true},
+      {open_fence, "<mo>,</mo>", close_fence, true}}},
+    open_fence,
+    close_fence,
+    typeset_leaf,
+    [](const std::string& text, bool /*is_first*/) { return sign(text); },
+    [](const std::string& name) { return name.empty() ? "" : upright(name); }};
+
+std::string typeset_name(const std::string& name) {
+  const NameParts parts = parts_of_name(name);
+  std::string letters =
+      parts.letters.size() > 1 ? upright(parts.letters) : "<mi>" + escaped(parts.letters) + "</mi>";
+  if (parts.has_arrow) letters = "<mover>" + letters + "<mo>→</mo></mover>";
+  return parts.index.empty() ? letters : "<msub>" + letters + "<mi>" + escaped(parts.index) + "</mi></msub>";
 }
 
-/// With the parentheses that it needs as a part of the whole.
-std::string operand(const Expression& whole, std::size_t part) {
-  const Expression& e = *whole.parts[part];
-  const bool is_divided_base = whole.kind == Kind::power && part == 0 && e.kind == Kind::quotient;
-  const bool is_bare = typeset_strength(e) >= least_strength(whole, part) && !is_divided_base;
-  return is_bare ? typeset(e) : fenced(typeset(e), "(", ")");
-}
-
-/// As one element.
-std::string single(const Formula& e) { return row(typeset(*e)); }
-
-std::string typeset_name(const Expression& e) {
-  const std::string vector = without_axis(e.text);
-  const bool is_component = vector != e.text;
-  if (!e.parts.empty()) {
-    if (!is_component) return typeset(*e.parts[0]);
-    const bool is_bare = strength_of(*e.parts[0]) == Strength::atom;
-    const std::string meaning = typeset(*e.parts[0]);
-    return fmt::format("<msub>{}<mi>{}</mi></msub>", is_bare ? row(meaning) : fenced(meaning, "(", ")"),
-                       e.text.back());
-  }
-  const NameParts parts = parts_of_name(e.text);
-  std::string name = fmt::format("<mi{}>{}</mi>", parts.letters.size() > 1 ? " mathvariant=\"normal\"" : "",
-                                 escaped(parts.letters));
-  if (parts.has_arrow) name = fmt::format("<mover>{}<mo>→</mo></mover>", name);
-  return parts.index.empty() ? name : fmt::format("<msub>{}<mi>{}</mi></msub>", name, escaped(parts.index));
-}
-
-std::string typeset_list(const Expression& e, const char* between) {
-  std::string list;
-  for (std::size_t i = 0; i < e.parts.size(); ++i) list += (i == 0 ? "" : sign(between)) + operand(e, i);
-  return list;
-}
-
-std::string typeset_sum(const Expression& e) {
-  std::string sum;
-  for (std::size_t i = 0; i < e.parts.size(); ++i)
-    sum += (e.signs[i].empty() ? "" : sign(e.signs[i])) + operand(e, i);
-  return sum;
-}
-
-std::string typeset_number(const std::string& text) {
-  return text.starts_with('-') ? sign("−") + typeset_number(text.substr(1))
-                               : "<mn>" + escaped(text) + "</mn>";
-}
-
-/// Without a row around it.
-std::string typeset(const Expression& e) {
-  switch (e.kind) {
-    case Kind::name:
-      return typeset_name(e);
-    case Kind::number:
-      return typeset_number(e.text);
-    case Kind::sum:
-      return typeset_sum(e);
-    case Kind::product:
-      return typeset_list(e, e.text.c_str());
-    case Kind::dot:
-      return typeset_list(e, "·");
-    case Kind::quotient:
-      return "<mfrac>" + single(e.parts[0]) + single(e.parts[1]) + "</mfrac>";
-    case Kind::power:
-      return "<msup>" + row(operand(e, 0)) + single(e.parts[1]) + "</msup>";
-    case Kind::root:
-      return "<msqrt>" + typeset(*e.parts[0]) + "</msqrt>";
-    case Kind::absolute:
-      return fenced(typeset(*e.parts[0]), "|", "|");
-    case Kind::call:
-      return (e.text.empty() ? "" : "<mi mathvariant=\"normal\">" + escaped(e.text) + "</mi>") +
-             fenced(typeset_list(e, ","), "(", ")");
-  }
-  return {};
+std::string typeset_leaf(const Expression& e) {
+  if (e.kind == Kind::number && e.text.starts_with('-'))
+    return sign("−") + "<mn>" + escaped(e.text.substr(1)) + "</mn>";
+  if (e.kind == Kind::number) return "<mn>" + escaped(e.text) + "</mn>";
+  if (e.parts.empty()) return typeset_name(e.text);
+  const std::string meaning = printed(e.parts[0], math_style);
+  if (without_axis(e.text) == e.text) return meaning;
+  const bool is_bare = strength_of(*e.parts[0]) == Strength::atom;
+  return "<msub>" + (is_bare ? row(meaning) : open_fence + meaning + close_fence) + "<mi>" + e.text.back() +
+         "</mi></msub>";
 }
 
 }  // namespace
 
 std::string math_ml(const Formula& formula) {
-  return "<math>" + (formula == nullptr ? row("") : single(formula)) + "</math>";
+  return "<math>" + row(printed(formula, math_style)) + "</math>";
 }
 
 }  // namespace rayproof::viz

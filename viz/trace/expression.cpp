@@ -12,72 +12,89 @@ using Kind = Expression::Kind;
 
 Formula shared(Expression e) { return std::make_shared<const Expression>(std::move(e)); }
 
-std::string bracketed(const Expression& whole, std::size_t part) {
-  const Formula& inside = whole.parts[part];
-  const std::string text = text_of(inside);
-  return strength_of(*inside) < least_strength(whole, part) ? "(" + text + ")" : text;
+/// Of each kind, in the order of Expression::Kind.
+struct Precedence {
+  Strength own;
+  Strength first = Strength::sum;  ///< the least strength of a part without parentheses
+  Strength others = Strength::sum;
+};
+constexpr std::array<Precedence, 12> precedences{{{Strength::atom},
+                                                  {Strength::atom},
+                                                  {Strength::sum, Strength::sum, Strength::quotient},
+                                                  {Strength::product, Strength::quotient, Strength::product},
+                                                  {Strength::product, Strength::atom, Strength::atom},
+                                                  {Strength::quotient, Strength::quotient, Strength::atom},
+                                                  {Strength::product, Strength::atom, Strength::atom},
+                                                  {Strength::atom, Strength::atom},
+                                                  {Strength::atom, Strength::atom},
+                                                  {Strength::atom, Strength::atom},
+                                                  {Strength::atom},
+                                                  {Strength::atom}}};
+
+std::size_t row_of(const Expression& e) { return static_cast<std::size_t>(e.kind); }
+
+bool needs_parentheses(const Expression& whole, std::size_t part, const PrintStyle& style) {
+  const Expression& e = *whole.parts[part];
+  const bool is_base = part == 0 && (whole.kind == Kind::square || whole.kind == Kind::power);
+  const Expression& meaning = e.kind == Kind::name && !e.parts.empty() ? *e.parts[0] : e;
+  if (style.notations.at(row_of(whole)).is_closed) return false;
+  if (style.notations.at(row_of(meaning)).is_closed && !is_base) return false;
+  const bool is_first = part == 0 && (whole.kind != Kind::sum || whole.signs[0].empty());
+  const Precedence& precedence = precedences.at(row_of(whole));
+  return strength_of(e) < (is_first ? precedence.first : precedence.others);
 }
 
-std::string name_in_text(const Expression& e) {
-  const std::string vector = without_axis(e.text);
-  const bool is_compound_vector = !e.parts.empty() && vector != e.text;
-  return is_compound_vector ? "(" + vector + ")" + e.text.substr(vector.size()) : e.text;
-}
-
-std::string sum_in_text(const Expression& e) {
-  std::string text;
-  for (std::size_t i = 0; i < e.parts.size(); ++i) {
-    const std::string& sign = e.signs[i];
-    const std::string space = i == 0 || sign == "," ? "" : " ";
-    text += space + sign + (i == 0 || sign.empty() ? "" : " ") + bracketed(e, i);
-  }
-  return text;
-}
-
-std::string list_in_text(const Expression& e) {
-  std::string text;
-  for (const Formula& part : e.parts) text += (text.empty() ? "" : ", ") + text_of(part);
-  return "(" + text + ")";
-}
+const PrintStyle text_style{
+    {{{},
+      {},
+      {},
+      {"", "·"},
+      {"", " × "},
+      {"", " / "},
+      {"dot(", ", ", ")", true},
+      {"", "", "²"},
+      {"", "^(", ")"},
+      {"√"},
+      {"|", "", "|", true},
+      {"(", ", ", ")", true}}},
+    "(",
+    ")",
+    [](const Expression& e) {
+      const std::string vector = without_axis(e.text);
+      const bool is_compound_vector = !e.parts.empty() && vector != e.text;
+      return is_compound_vector ? "(" + vector + ")" + e.text.substr(vector.size()) : e.text;
+    },
+    [](const std::string& sign, bool is_first) {
+      return is_first ? sign : sign.empty() ? " " : sign == "," ? ", " : " " + sign + " ";
+    },
+    [](const std::string& name) { return name; }};
 
 }  // namespace
 
 Strength strength_of(const Expression& e) {
-  switch (e.kind) {
-    case Kind::name:
-      // A quotient as a name, "1/a", is written without spaces.
-      if (e.parts.empty() || without_axis(e.text) != e.text) return Strength::atom;
-      return e.parts[0]->kind == Kind::quotient ? Strength::sum : strength_of(*e.parts[0]);
-    case Kind::number:
-      return e.text.starts_with('-') ? Strength::sum : Strength::atom;
-    case Kind::sum:
-      return e.parts.size() == 1 ? Strength::sign : Strength::sum;
-    case Kind::product:
-      return Strength::product;
-    case Kind::quotient:
-      return Strength::quotient;
-    default:
-      return Strength::atom;
-  }
+  if (e.text.starts_with('-') && e.kind == Kind::number) return Strength::sum;
+  if (e.kind == Kind::sum && e.parts.size() == 1) return Strength::sign;
+  // A quotient as a name, "1/a", is written without spaces.
+  if (e.kind == Kind::name && !e.parts.empty() && without_axis(e.text) == e.text)
+    return e.parts[0]->kind == Kind::quotient ? Strength::sum : strength_of(*e.parts[0]);
+  return precedences.at(row_of(e)).own;
 }
 
-Strength least_strength(const Expression& whole, std::size_t part) {
-  switch (whole.kind) {
-    case Kind::sum:
-      return whole.signs[part].empty() ? Strength::sum : Strength::quotient;
-    case Kind::product:
-      return whole.text == "×" ? Strength::atom : part == 0 ? Strength::quotient : Strength::product;
-    case Kind::quotient:
-      return part == 0 ? Strength::quotient : Strength::atom;
-    case Kind::power:
-      return part == 0 ? Strength::atom : Strength::sum;
-    case Kind::root:
-    case Kind::dot:
-      return Strength::atom;
-    default:
-      return Strength::sum;
+std::string printed(const Formula& formula, const PrintStyle& style) {
+  if (formula == nullptr) return "";
+  const Expression& e = *formula;
+  if (e.kind == Kind::name || e.kind == Kind::number) return style.leaf(e);
+  const Notation& notation = style.notations.at(row_of(e));
+  std::string text = style.function(e.text) + notation.open;
+  for (std::size_t i = 0; i < e.parts.size(); ++i) {
+    text += e.kind == Kind::sum ? style.sign(e.signs[i], i == 0) : i == 0 ? "" : notation.between;
+    const std::string part = printed(e.parts[i], style);
+    text += needs_parentheses(e, i, style) ? style.open + part + style.close : part;
   }
+  return text + notation.close;
 }
+
+std::string text_of(const Formula& formula) { return printed(formula, text_style); }
 
 Formula make(Kind kind, std::vector<Formula> parts, std::string text) {
   return shared({kind, std::move(text), std::move(parts)});
@@ -100,34 +117,6 @@ Formula with_term(const Formula& sum, const std::string& sign, const Formula& te
   longer.parts.push_back(term);
   longer.signs.push_back(sign);
   return shared(std::move(longer));
-}
-
-std::string text_of(const Formula& formula) {
-  if (formula == nullptr) return "";
-  const Expression& e = *formula;
-  switch (e.kind) {
-    case Kind::name:
-      return name_in_text(e);
-    case Kind::number:
-      return e.text;
-    case Kind::sum:
-      return sum_in_text(e);
-    case Kind::product:
-      return bracketed(e, 0) + (e.text == "×" ? " × " : e.text) + bracketed(e, 1);
-    case Kind::quotient:
-      return bracketed(e, 0) + " / " + bracketed(e, 1);
-    case Kind::dot:
-      return "dot" + list_in_text(e);
-    case Kind::power:
-      return bracketed(e, 0) + (text_of(e.parts[1]) == "2" ? "²" : "^(" + text_of(e.parts[1]) + ")");
-    case Kind::root:
-      return "√" + bracketed(e, 0);
-    case Kind::absolute:
-      return "|" + text_of(e.parts[0]) + "|";
-    case Kind::call:
-      return e.text + list_in_text(e);
-  }
-  return {};
 }
 
 std::vector<Formula> terms_of(const Formula& formula) {

@@ -3,6 +3,7 @@
 /// Formulas as trees. They come from the tape (tape.hpp) or from a name (read_formula), and are printed as
 /// text here and as MathML by viz/page/math_ml.hpp.
 
+#include <array>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -18,13 +19,15 @@ using Formula = std::shared_ptr<const Expression>;
 
 struct Expression {
   enum class Kind {
-    name,      ///< `text`; "n·o + d" is the name of what is computed by the formula in its part
-    number,    ///< `text`
-    sum,       ///< of its parts, each with its sign; a negation is a sum of one part
-    product,   ///< of two; `text` is "·" or "×"
-    quotient,  ///< of two
-    dot,       ///< product of two vectors
-    power,     ///< base and exponent
+    name,     ///< `text`; "n·o + d" is the name of what is computed by the formula in its part
+    number,   ///< `text`
+    sum,      ///< of its parts, each with its sign; a negation is a sum of one part
+    product,  ///< of two, as are the next three
+    cross,
+    quotient,
+    dot,
+    square,
+    power,  ///< base and exponent
     root,
     absolute,
     call  ///< of the function `text`; a vector where that is empty
@@ -40,8 +43,23 @@ struct Expression {
 enum class Strength { sum, quotient, product, sign, atom };
 [[nodiscard]] Strength strength_of(const Expression& e);
 
-/// The strength that an operand must have to stand without parentheses, where commas or a bar part none off.
-[[nodiscard]] Strength least_strength(const Expression& whole, std::size_t part);
+/// How a printer writes one kind of expression around and between its parts.
+struct Notation {
+  const char* open = "";
+  const char* between = "";
+  const char* close = "";
+  bool is_closed = false;  ///< no part needs parentheses, nor does it as a part of a sum or product
+};
+struct PrintStyle {
+  std::array<Notation, 12> notations;  ///< by Expression::Kind
+  const char* open;                    ///< of parentheses
+  const char* close;
+  std::string (*leaf)(const Expression& e);  ///< a name or a number
+  std::string (*sign)(const std::string& sign, bool is_first);
+  std::string (*function)(const std::string& name);  ///< may be empty
+};
+/// With no more parentheses than it needs; empty for no formula.
+[[nodiscard]] std::string printed(const Formula& formula, const PrintStyle& style);
 
 [[nodiscard]] Formula make(Expression::Kind kind, std::vector<Formula> parts, std::string text = {});
 /// Of a name that is a formula itself, with that formula.

@@ -29,7 +29,7 @@ Formula formula_of(const Tape& tape, OperationId id) {
     case Operator::subtract:
       return with_term(at(0), "−", at(1));
     case Operator::multiply:
-      return make(Kind::product, {at(0), at(1)}, "·");
+      return make(Kind::product, {at(0), at(1)});
     case Operator::divide:
       return make(Kind::quotient, {at(0), at(1)});
     case Operator::square_root:
@@ -43,7 +43,7 @@ Formula formula_of(const Tape& tape, OperationId id) {
     case Operator::exponent:
       return make(Kind::call, {at(0)}, "exponent");
     case Operator::scale_exponent:
-      return make(Kind::product, {at(0), make(Kind::power, {number_formula("2"), at(1)})}, "·");
+      return make(Kind::product, {at(0), make(Kind::power, {number_formula("2"), at(1)})});
     case Operator::floor:
       return make(Kind::call, {at(0)}, "floor");
   }

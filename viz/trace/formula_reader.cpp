@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <utility>
 
 #include "viz/trace/expression.hpp"
 
@@ -10,18 +9,8 @@ namespace {
 
 using Kind = Expression::Kind;
 
-/// Signs between terms, each with how it is printed.
-constexpr std::array<std::pair<std::string_view, const char*>, 10> term_signs{{{"+", "+"},
-                                                                               {"−", "−"},
-                                                                               {"-", "−"},
-                                                                               {"=", "="},
-                                                                               {"≤", "≤"},
-                                                                               {"≥", "≥"},
-                                                                               {"<", "<"},
-                                                                               {">", ">"},
-                                                                               {",", ","},
-                                                                               {"±", "±"}}};
-constexpr std::array<std::string_view, 9> other_signs{" ", "(", ")", "/", "|", "√", "^(", "²", "·"};
+constexpr std::array<std::string_view, 10> term_signs{"+", "−", "-", "=", "≤", "≥", "<", ">", ",", "±"};
+constexpr std::array<std::string_view, 10> other_signs{" ", "(", ")", "/", "|", "√", "^(", "²", "·", "×"};
 
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
@@ -47,11 +36,9 @@ class FormulaReader {
     at_ += sign.size();
     return true;
   }
-  const char* take_sign(bool is_in_list = false) {
-    skip_spaces();
-    if (is_in_list && is_next(",")) return "";
-    for (const auto& [sign, printed] : term_signs)
-      if (take(sign)) return printed;
+  std::string take_sign() {
+    for (const std::string_view sign : term_signs)
+      if (take(sign)) return sign == "-" ? "−" : std::string(sign);
     return "";
   }
 
@@ -61,13 +48,11 @@ class FormulaReader {
     Formula result;
     while (true) {
       skip_spaces();
-      const bool is_closed =
-          is_next(")") || (is_in_list && is_next(",")) || (is_in_bars && result && is_next("|"));
+      const bool is_bar = is_in_bars && result != nullptr && is_next("|");
+      const bool is_closed = is_bar || is_next(")") || (is_in_list && is_next(","));
       if (is_at_end() || is_closed) return result != nullptr ? result : make(Kind::name, {});
-      const char* const sign = take_sign(is_in_list);
-      const char* const second = take_sign(is_in_list);  // as in "= −1"
-      const Formula term = product();
-      result = with_term(result, sign, *second == '\0' ? term : with_term(nullptr, second, term));
+      const std::string sign = take_sign();
+      result = with_term(result, sign, product());
     }
   }
 
@@ -76,49 +61,42 @@ class FormulaReader {
     Formula result = factor();
     while (true) {
       skip_spaces();
-      const bool is_dot = take("·");
-      if (is_dot || take("×")) {
-        result = make(Kind::product, {result, factor()}, is_dot ? "·" : "×");
-      } else if (take("/")) {
-        result = make(Kind::quotient, {result, factor()});
-      } else {
-        return result;
-      }
+      const Kind kind = take("·")   ? Kind::product
+                        : take("×") ? Kind::cross
+                        : take("/") ? Kind::quotient
+                                    : Kind::sum;
+      if (kind == Kind::sum) return result;
+      result = make(kind, {result, factor()});
     }
   }
 
-  /// A power, or a quotient that is written as one: "1/a", without a space.
+  /// With its own sign, as in "= −1"; or a quotient that is written as one: "1/a", without a space.
   Formula factor() {
     skip_spaces();
+    if (take("−") || take("-")) return with_term(nullptr, "−", factor());
     const Formula above = power();
-    if (!take("/")) return above;
-    skip_spaces();
-    return make(Kind::quotient, {above, power()});
+    return take("/") ? make(Kind::quotient, {above, power()}) : above;
   }
 
   Formula power() {
     const Formula base = atom();
-    if (take("²")) return make(Kind::power, {base, number_formula("2")});
+    if (take("²")) return make(Kind::square, {base});
     return take("^") ? make(Kind::power, {base, atom()}) : base;
   }
 
   Formula atom() {
     if (take("√")) return make(Kind::root, {power()});
-    if (is_next("(")) {
-      const std::vector<Formula> inside = list();
-      return inside.size() == 1 ? inside[0] : make(Kind::call, inside);
-    }
     if (take("|")) {
       const Formula inside = sum(true);
       take("|");
       return make(Kind::absolute, {inside});
     }
-    const std::string name = word();
-    if (!name.empty() && is_digit(name[0])) return number_formula(name);
-    if (name.empty() || !is_next("(")) return make(Kind::name, {}, name);
-    const std::vector<Formula> arguments = list();
-    return name == "dot" && arguments.size() == 2 ? make(Kind::dot, arguments)
-                                                  : make(Kind::call, arguments, name);
+    const std::string name = is_next("(") ? "" : word();
+    const bool is_number = !name.empty() && is_digit(name[0]);
+    if (is_number || !is_next("(")) return make(is_number ? Kind::number : Kind::name, {}, name);
+    const std::vector<Formula> inside = list();
+    if (name == "dot" && inside.size() == 2) return make(Kind::dot, inside);
+    return name.empty() && inside.size() == 1 ? inside[0] : make(Kind::call, inside, name);
   }
 
   /// What stands in parentheses, parted by commas.
@@ -146,9 +124,8 @@ class FormulaReader {
     const bool is_exponent = at_ > 1 && text_[at_ - 1] == 'e' && is_digit(text_[at_ - 2]);
     if (is_next("-") && is_exponent) return false;
     const auto is_here = [&](std::string_view sign) { return is_next(sign); };
-    return std::any_of(other_signs.begin(), other_signs.end(), is_here) || is_next("×") ||
-           std::any_of(term_signs.begin(), term_signs.end(),
-                       [&](const auto& sign) { return is_here(sign.first); });
+    return std::any_of(other_signs.begin(), other_signs.end(), is_here) ||
+           std::any_of(term_signs.begin(), term_signs.end(), is_here);
   }
 
   std::string_view text_;

@@ -1,26 +1,13 @@
 #include "viz/trace/name_parts.hpp"
 
-#include <array>
 #include <string_view>
-#include <utility>
 
 namespace rayproof::viz {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, const char*>, 14> subscripts{{{"₀", "0"},
-                                                                               {"₁", "1"},
-                                                                               {"₂", "2"},
-                                                                               {"₃", "3"},
-                                                                               {"₄", "4"},
-                                                                               {"₅", "5"},
-                                                                               {"₆", "6"},
-                                                                               {"₇", "7"},
-                                                                               {"₈", "8"},
-                                                                               {"₉", "9"},
-                                                                               {"ₓ", "x"},
-                                                                               {"ᵢ", "i"},
-                                                                               {"ⱼ", "j"},
-                                                                               {"ₖ", "k"}}};
+// Of three bytes each.
+constexpr std::string_view low_signs = "₀₁₂₃₄₅₆₇₈₉ₓᵢⱼₖ";
+constexpr std::string_view plain_signs = "0123456789xijk";
 constexpr std::string_view arrow_above = "\u20d7";
 
 }  // namespace
@@ -34,10 +21,11 @@ NameParts parts_of_name(std::string name) {
   };
   take_index(name.rfind('.'));
   take_index(name.find('_'));
-  for (const auto& [sign, plain] : subscripts) {
-    if (name.size() <= sign.size() || !name.ends_with(sign)) continue;
-    parts.index = plain + parts.index;
-    name.erase(name.size() - sign.size());
+  while (name.size() > 3) {
+    const std::size_t sign = low_signs.find(name.substr(name.size() - 3));
+    if (sign == std::string_view::npos) break;
+    parts.index = plain_signs[sign / 3] + parts.index;
+    name.erase(name.size() - 3);
   }
   const std::size_t arrow = name.find(arrow_above);
   parts.has_arrow = arrow != std::string::npos;

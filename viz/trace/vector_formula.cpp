@@ -74,7 +74,7 @@ Formula cross_product(const std::vector<Formula>& components) {
   const Formula other_a = factor(components, 1, 0, 1), other_b = factor(components, 1, 1, 2);
   const bool is_cross =
       a != nullptr && b != nullptr && text_of(a) == text_of(other_a) && text_of(b) == text_of(other_b);
-  return is_cross ? make(Kind::product, {a, b}, "×") : nullptr;
+  return is_cross ? make(Kind::cross, {a, b}) : nullptr;
 }
 
 }  // namespace

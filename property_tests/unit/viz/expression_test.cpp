@@ -8,7 +8,7 @@ namespace {
 using Kind = Expression::Kind;
 
 Formula name(const char* text) { return named_formula(text); }
-Formula product(const Formula& a, const Formula& b) { return make(Kind::product, {a, b}, "·"); }
+Formula product(const Formula& a, const Formula& b) { return make(Kind::product, {a, b}); }
 Formula quotient(const Formula& a, const Formula& b) { return make(Kind::quotient, {a, b}); }
 Formula sum(const Formula& a, const Formula& b) { return with_term(a, "+", b); }
 Formula difference(const Formula& a, const Formula& b) { return with_term(a, "−", b); }
@@ -25,7 +25,7 @@ TEST(Expression, PutsParenthesesWhereAnOperandBindsLooserThanItsOperator) {
   EXPECT_EQ(text_of(product(a, quotient(b, c))), "a·(b / c)");
   EXPECT_EQ(text_of(quotient(a, product(b, c))), "a / (b·c)");
   EXPECT_EQ(text_of(quotient(product(a, b), c)), "a·b / c");
-  EXPECT_EQ(text_of(make(Kind::product, {sum(a, b), product(b, c)}, "×")), "(a + b) × (b·c)");
+  EXPECT_EQ(text_of(make(Kind::cross, {sum(a, b), product(b, c)})), "(a + b) × (b·c)");
 }
 
 TEST(Expression, NegatesSumsInParenthesesAndProductsWithout) {
@@ -42,7 +42,7 @@ TEST(Expression, NegatesSumsInParenthesesAndProductsWithout) {
 TEST(Expression, NestsRootsPowersBarsAndCalls) {
   const Formula a = name("a"), b = name("b"), root = make(Kind::root, {sum(a, make(Kind::root, {b}))});
   EXPECT_EQ(text_of(root), "√(a + √b)");
-  EXPECT_EQ(text_of(make(Kind::power, {sum(a, b), number_formula("2")})), "(a + b)²");
+  EXPECT_EQ(text_of(make(Kind::square, {sum(a, b)})), "(a + b)²");
   EXPECT_EQ(text_of(make(Kind::power, {a, negation(b)})), "a^(−b)");
   EXPECT_EQ(text_of(make(Kind::absolute, {difference(a, b)})), "|a − b|");
   EXPECT_EQ(text_of(make(Kind::call, {a, sum(a, b)}, "copysign")), "copysign(a, a + b)");
