@@ -5,6 +5,7 @@
 #include "case/escape.hpp"
 #include "viz/drawing/topics.hpp"
 #include "viz/picture/palette.hpp"
+#include "viz/picture/text_runs.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -53,13 +54,26 @@ std::string draw(const Mark& mark) {
   return {};
 }
 
+/// Each run after the first stands lower or higher than the one before it.
+std::string spans_of(const Text& text) {
+  const std::vector<TextRun> runs = runs_of(text.text);
+  std::string spans = escaped(runs[0].text);
+  const double drop = low_drop * text.size;
+  for (std::size_t i = 1; i < runs.size(); ++i) {
+    spans +=
+        fmt::format("<tspan dy=\"{:.2f}\" font-size=\"{:.4g}\">{}</tspan>", runs[i].is_low ? drop : -drop,
+                    (runs[i].is_low ? low_size : 1) * text.size, escaped(runs[i].text));
+  }
+  return spans;
+}
+
 std::string draw(const Text& text) {
   static constexpr const char* anchors[] = {"start", "middle", "end"};
   return fmt::format(
       "<text class=\"f {}{}\" x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{}\" text-anchor=\"{}\"{}>{}</text>\n",
       css_class(text.role), text.halo ? " h" : "", text.at.x, text.at.y, text.size,
       anchors[static_cast<std::size_t>(text.anchor)], text.bold ? " font-weight=\"bold\"" : "",
-      escaped(text.text));
+      spans_of(text));
 }
 
 /// Every rule begins with the picture's own class: a page's other styles are left alone.

@@ -14,7 +14,7 @@ Json values(const std::vector<WalkValue>& list) {
   Json all = Json::array();
   for (const WalkValue& v : list) {
     all.push_back({{"name", v.name},
-                   {"formula", v.formula},
+                   {"formula", text_of(v.formula)},
                    {"value", json_number(v.value)},
                    {"exact", v.exact},
                    {"error", json_number(std::abs(v.error))},

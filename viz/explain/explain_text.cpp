@@ -38,7 +38,7 @@ std::string row(const WalkValue& v, const Widths& widths, Precision precision) {
       "   {}  {}  {}  {}  {}", padded(v.name, widths.name), padded(shown(v.value, precision), widths.value),
       padded(v.exact, widths.exact), padded(v.bits_lost < 0.05 ? "-" : fmt::format("{:.1f}", v.bits_lost), 9),
       padded(v.error_bound == 0 ? "-" : rough(v.error_bound, 2), 11));
-  if (!v.formula.empty() && v.formula != v.name) text += "  = " + v.formula;
+  if (const std::string formula = computed_as(v); !formula.empty()) text += "  = " + formula;
   return text.substr(0, text.find_last_not_of(' ') + 1) + "\n";
 }
 

@@ -27,8 +27,7 @@ struct ValueLine {
 /// there is little room, the last two only of numbers that have lost something of note.
 std::vector<ValueLine> lines_of(const StageValue& value, const Stage& stage, bool is_short) {
   const bool is_float = stage.precision == Precision::float32;
-  const bool has_formula = !value.formula.empty() && value.formula != value.name;
-  const std::string head = has_formula ? fmt::format("{} = {}", value.name, value.formula) : value.name;
+  const std::string head = value.name + (has_formula(value) ? " = " + text_of(value.formula) : "");
   std::vector<ValueLine> lines{{Role::text, true, "", cut(head, value_width, 14)}};
   const auto add = [&](Role role, const char* what, const std::string& text) {
     for (const std::string& line : wrapped(text, value_width - 62, 13)) {

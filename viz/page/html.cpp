@@ -26,7 +26,7 @@ std::string table(const std::vector<WalkValue>& values, Precision precision, con
         "<tr><td><b>{}</b></td><td>{}</td><td>{}</td><td{}>{}</td><td>{}</td><td>{}</td></tr>\n",
         escaped(v.name), shown(v.value, precision), v.exact, v.bits_lost >= 3 ? " class=\"lost\"" : "",
         v.bits_lost < 0.05 ? "–" : fmt::format("{:.1f}", v.bits_lost),
-        v.error_bound == 0 ? "–" : rough(v.error_bound, 2), escaped(v.formula == v.name ? "" : v.formula));
+        v.error_bound == 0 ? "–" : rough(v.error_bound, 2), escaped(computed_as(v)));
   }
   return html + "</table></div>\n";
 }

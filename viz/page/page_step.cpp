@@ -16,30 +16,32 @@ namespace rayproof::viz {
 namespace {
 
 /// A formula typeset term by term, so that a browser can break the line between them.
-std::string typeset(const std::string& formula) {
+std::string in_terms(const Formula& formula) {
   std::string html;
-  for (const std::string& term : terms_of(formula)) html += math_ml(term) + " ";
+  for (const Formula& term : terms_of(formula)) html += math_ml(term) + " ";
   return html;
 }
 
 /// A formula of numbers: typeset where each term is sure to fit on a phone, else as text, which breaks
 /// anywhere.
-std::string formula_of_numbers(const std::string& put_in) {
+std::string numbers_in_terms(const Formula& put_in) {
   constexpr double phone_width = 240;
   const auto terms = terms_of(put_in);
-  const bool fits = std::all_of(terms.begin(), terms.end(),
-                                [](const std::string& term) { return text_width(term, 18) <= phone_width; });
-  return fits ? typeset(put_in) : escaped(put_in);
+  const bool fits = std::all_of(terms.begin(), terms.end(), [](const Formula& term) {
+    return text_width(text_of(term), 18) <= phone_width;
+  });
+  return fits ? in_terms(put_in) : escaped(text_of(put_in));
 }
 
 /// Name, formula, numbers put in, and result, typeset.
 std::string equation(const StageValue& value, Precision precision) {
-  const bool has_formula = !value.formula.empty() && value.formula != value.name;
   const auto part = [](const std::string& html) { return fmt::format("<span>= {}</span> ", html); };
-  std::string html = math_ml(value.name) + " ";
-  if (has_formula) html += part(typeset(value.formula));
-  if (has_formula && !value.put_in.empty() && value.put_in != value.formula)
-    html += part(formula_of_numbers(value.put_in));
+  std::string html = math_ml(named_formula(value.name)) + " ";
+  if (has_formula(value)) {
+    html += part(in_terms(value.formula));
+    if (value.put_in != nullptr && text_of(value.put_in) != text_of(value.formula))
+      html += part(numbers_in_terms(value.put_in));
+  }
   return fmt::format("<div class=\"equation\">{}= <b class=\"claimed\">{}</b></div>\n", html,
                      escaped(shown(value, precision)));
 }
@@ -48,7 +50,8 @@ std::string row(const std::string& name, const WalkValue& v, Precision precision
   return fmt::format(
       "<tr><th scope=\"row\">{}</th><td class=\"claimed\">{}</td><td "
       "class=\"exact\">{}</td><td{}>{}</td></tr>\n",
-      math_ml(name), shown(v.value, precision), v.exact, v.bits_lost >= 3 ? " class=\"lost\"" : "",
+      math_ml(named_formula(name)), shown(v.value, precision), v.exact,
+      v.bits_lost >= 3 ? " class=\"lost\"" : "",
       v.bits_lost < 0.05 ? "–" : fmt::format("{:.1f}", v.bits_lost));
 }
 
@@ -56,7 +59,7 @@ std::string table(const std::vector<StageValue>& values, Precision precision) {
   if (values.empty()) return "";
   // A given number is exact as it is stored.
   const bool are_given = std::all_of(values.begin(), values.end(), [](const StageValue& value) {
-    return value.components.front().formula.empty();
+    return value.components.front().formula == nullptr;
   });
   std::string html = fmt::format(
       "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Values\"><table><thead><tr><th "

@@ -63,7 +63,7 @@ std::string label_html(const std::string& label) {
     letters = c == '_' ? -20 : std::isalpha(static_cast<unsigned char>(c)) != 0 ? letters + 1 : 0;
     if (letters > 2) return escaped(label);
   }
-  return math_ml(label);
+  return math_ml(read_formula(label));
 }
 
 Json label_json(const SpaceLabel& label) {

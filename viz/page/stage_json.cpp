@@ -44,8 +44,8 @@ Json values(const std::vector<StageValue>& list, Precision precision) {
                             {"bits_lost", v.bits_lost}});
     }
     all.push_back({{"name", value.name},
-                   {"formula", value.formula},
-                   {"put_in", value.put_in},
+                   {"formula", text_of(value.formula)},
+                   {"put_in", text_of(value.put_in)},
                    {"components", components}});
   }
   return all;

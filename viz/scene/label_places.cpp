@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "viz/picture/text_runs.hpp"
+
 namespace rayproof::viz {
 namespace {
 
@@ -48,10 +50,12 @@ PixelBox box_around(const Point& middle, const std::string& label, double size) 
 
 double text_width(const std::string& text, double size, bool bold) {
   double width = 0;
-  for (std::size_t i = 0; i < text.size();) {
-    const auto [point, length] = code_point(text, i);
-    width += width_of(point);
-    i += length;
+  for (const TextRun& run : runs_of(text)) {
+    for (std::size_t i = 0; i < run.text.size();) {
+      const auto [point, length] = code_point(run.text, i);
+      width += width_of(point) * (run.is_low ? low_size : 1);
+      i += length;
+    }
   }
   return width * size * (bold ? 1.1 : 1);
 }

@@ -56,9 +56,9 @@ struct StageItem {
 
 /// A number or vector that the kernel names.
 struct StageValue {
-  std::string name;     ///< "f"
-  std::string formula;  ///< "o − C"; empty for an input
-  std::string put_in;   ///< "(0, 0, -5) − (0, 0, 0)": the formula with the rounded numbers in it
+  std::string name;   ///< "f"
+  Formula formula{};  ///< o − C; null for an input
+  Formula put_in{};   ///< (0, 0, -5) − (0, 0, 0): the formula with the rounded numbers in it
   std::vector<WalkValue> components{};  ///< one of a number, two or three of a vector
 };
 

@@ -103,7 +103,7 @@ PrecisionLoss describe_loss(const Tape& tape, OperationId id) {
   loss.step = o.step < 0 ? "the inputs" : tape.steps.at(static_cast<std::size_t>(o.step)).title;
   loss.kind = kind_of(o.op, is_cancelling);
   loss.effect = effect_of(o, is_cancelling);
-  loss.formula = formula_of(tape, id);
+  loss.formula = text_of(formula_of(tape, id));
   loss.name = o.name;
   loss.bits_lost_here = o.bits_lost_here;
   loss.bits_lost = o.bits_lost;

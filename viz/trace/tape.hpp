@@ -6,6 +6,7 @@
 #include <rayproof/arithmetics/recording.hpp>
 #include <string>
 
+#include "viz/trace/expression.hpp"
 #include "viz/trace/shadow.hpp"
 #include "viz/trace/walkthrough.hpp"
 
@@ -14,10 +15,7 @@ namespace rayproof::viz {
 using Tape = Recording<Shadow>;
 
 /// What the operation computes, in the names the kernel gave: "b·b − 4·a·c". Does not stop at its own name.
-[[nodiscard]] std::string formula_of(const Tape& tape, OperationId id);
-
-/// The same with the rounded numbers in the place of their names: "3·3 − 4·1·2".
-[[nodiscard]] std::string numbers_of(const Tape& tape, OperationId id, Precision precision);
+[[nodiscard]] Formula formula_of(const Tape& tape, OperationId id);
 
 /// The operation that loses most on the path from the inputs to `result`, found by following, from the result
 /// backwards, the operand through which the most error came. Nothing where no operation on that path loses

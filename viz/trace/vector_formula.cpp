@@ -1,109 +1,108 @@
-#include "viz/trace/vector_formula.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <array>
-#include <string_view>
+
+#include "viz/trace/expression.hpp"
+#include "viz/trace/name_parts.hpp"
 
 namespace rayproof::viz {
 namespace {
 
-/// The parts between separators that stand outside of all parentheses.
-std::vector<std::string> split_outside(const std::string& text, std::string_view separator) {
-  std::vector<std::string> parts{""};
-  int depth = 0;
-  for (std::size_t i = 0; i < text.size();) {
-    if (depth == 0 && text.compare(i, separator.size(), separator) == 0) {
-      parts.emplace_back();
-      i += separator.size();
-      continue;
-    }
-    depth += text[i] == '(' ? 1 : text[i] == ')' ? -1 : 0;
-    parts.back() += text[i++];
+using Kind = Expression::Kind;
+
+constexpr std::array<char, 3> axes{'x', 'y', 'z'};
+
+/// The names of the three components of one vector, as its name; null where they are no such three.
+Formula merged_name(const std::vector<Formula>& components) {
+  std::string vector;
+  std::vector<double> values;
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    const std::string of_this = vector_of(components[i]->text, axes.at(i));
+    if (of_this.empty() || (i > 0 && of_this != vector)) return nullptr;
+    vector = of_this;
+    values.insert(values.end(), components[i]->values.begin(), components[i]->values.end());
   }
-  return parts;
+  return named_formula(vector, values);
 }
 
-std::string without(std::string text, std::string_view part) {
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at)) {
-    text.erase(at, part.size());
+/// The formulas as one, each name's components as the vector; null where they differ in more than the axis.
+Formula merged(const std::vector<Formula>& components) {
+  const Expression& first = *components[0];
+  if (first.kind == Kind::name) {
+    if (Formula vector = merged_name(components)) return vector;
   }
-  return text;
+  for (const Formula& other : components) {
+    const bool is_same = other->kind == first.kind && other->text == first.text &&
+                         other->signs == first.signs && other->parts.size() == first.parts.size();
+    if (!is_same) return nullptr;
+  }
+  if (first.kind == Kind::name) return components[0];
+  Expression whole = first;
+  for (std::size_t part = 0; part < first.parts.size(); ++part) {
+    std::vector<Formula> parts;
+    for (const Formula& component : components) parts.push_back(component->parts[part]);
+    whole.parts[part] = merged(parts);
+    if (whole.parts[part] == nullptr) return nullptr;
+  }
+  return std::make_shared<const Expression>(std::move(whole));
 }
 
-constexpr std::array<const char*, 3> axes{".x", ".y", ".z"};
-
-std::string componentwise(const std::vector<std::string>& components) {
-  const std::string first = without(components[0], axes[0]);
-  for (std::size_t i = 1; i < components.size(); ++i) {
-    if (without(components[i], axes[i]) != first) return {};
-  }
-  return first == components[0] ? std::string() : first;
+/// The same; null, too, where no name has an axis.
+Formula common_vector(const std::vector<Formula>& components) {
+  const Formula vector = merged(components);
+  return vector != nullptr && text_of(vector) != text_of(components[0]) ? vector : nullptr;
 }
 
-/// "a × b" of "a.y·b.z − a.z·b.y", the x component; the other two are taken on trust where they have its
-/// shape.
-std::string cross_product(const std::vector<std::string>& components) {
-  if (components.size() != 3) return {};
-  std::string result;
+/// The factor of a term of each component, beginning with that of the `first` component, so that its axes
+/// are x, y and z; null where they aren't.
+Formula factor(const std::vector<Formula>& components, std::size_t term, std::size_t side,
+               std::size_t first) {
+  std::vector<Formula> factors;
   for (std::size_t i = 0; i < 3; ++i) {
-    const char* const y = axes[(i + 1) % 3];
-    const char* const z = axes[(i + 2) % 3];
-    const auto terms = split_outside(components[i], " − ");
-    if (terms.size() != 2) return {};
-    const auto plus = split_outside(terms[0], "·");
-    const auto minus = split_outside(terms[1], "·");
-    if (plus.size() != 2 || minus.size() != 2) return {};
-    const std::string a = without(plus[0], y);
-    const std::string b = without(plus[1], z);
-    if (a == plus[0] || b == plus[1] || without(minus[0], z) != a || without(minus[1], y) != b) return {};
-    const std::string both = fmt::format("{} × {}", a, b);
-    if (i > 0 && both != result) return {};
-    result = both;
+    const Formula& sum = components[(first + i) % 3];
+    if (sum->kind != Kind::sum || sum->parts.size() != 2 || sum->signs != std::vector<std::string>{"", "−"})
+      return nullptr;
+    const Formula& product = sum->parts[term];
+    if (product->kind != Kind::product) return nullptr;
+    factors.push_back(product->parts[side]);
   }
-  return result;
+  return common_vector(factors);
 }
 
-bool is_part_of_name(const std::string& text, std::size_t i) {
-  static constexpr std::array<std::string_view, 7> operator_signs{"·", "×", "−", "√", "⁺", "∞", "→"};
-  const auto byte = static_cast<unsigned char>(text[i]);
-  if (byte < 0x80) return (std::isalnum(byte) != 0) || text[i] == '_' || text[i] == '.';
-  return std::none_of(operator_signs.begin(), operator_signs.end(), [&](std::string_view sign) {
-    for (std::size_t back = 0; back < sign.size() && back <= i; ++back) {
-      if (text.compare(i - back, sign.size(), sign) == 0) return true;
-    }
-    return false;
-  });
+/// "a × b" of "a.y·b.z − a.z·b.y" and so on.
+Formula cross_product(const std::vector<Formula>& components) {
+  if (components.size() != 3) return nullptr;
+  const Formula a = factor(components, 0, 0, 2), b = factor(components, 0, 1, 1);
+  const Formula other_a = factor(components, 1, 0, 1), other_b = factor(components, 1, 1, 2);
+  const bool is_cross =
+      a != nullptr && b != nullptr && text_of(a) == text_of(other_a) && text_of(b) == text_of(other_b);
+  return is_cross ? make(Kind::cross, {a, b}) : nullptr;
 }
 
 }  // namespace
 
-std::string vector_formula(const std::vector<std::string>& components) {
-  if (components.size() < 2 || components[0].empty()) return {};
-  const std::string plain = componentwise(components);
-  return plain.empty() ? cross_product(components) : plain;
+Formula vector_formula(const std::vector<Formula>& components) {
+  if (components.size() < 2) return nullptr;
+  for (const Formula& component : components)
+    if (component == nullptr) return nullptr;
+  const Formula plain = common_vector(components);
+  return plain != nullptr ? plain : cross_product(components);
 }
 
-std::string put_in(const std::string& formula,
-                   const std::function<std::string(const std::string& name)>& number_of) {
-  std::string result;
-  std::string word;
-  const auto finish = [&] {
-    const std::string number = word.empty() ? word : number_of(word);
-    result += number.empty() ? word : number;
-    word.clear();
-  };
-  for (std::size_t i = 0; i < formula.size(); ++i) {
-    if (is_part_of_name(formula, i)) {
-      word += formula[i];
-    } else {
-      finish();
-      result += formula[i];
+Formula dot_or(const Formula& formula) {
+  if (formula->kind != Kind::sum || formula->parts.size() != 3 ||
+      formula->signs != std::vector<std::string>{"", "+", "+"})
+    return formula;
+  std::vector<Formula> vectors;
+  for (std::size_t side = 0; side < 2; ++side) {
+    std::vector<Formula> factors;
+    for (const Formula& product : formula->parts) {
+      // |n| of a vector's components would read as its length.
+      if (product->kind != Kind::product || product->parts[side]->kind == Kind::absolute) return formula;
+      factors.push_back(product->parts[side]);
     }
+    vectors.push_back(common_vector(factors));
+    if (vectors.back() == nullptr) return formula;
   }
-  finish();
-  return result;
+  return make(Kind::dot, vectors);
 }
 
 }  // namespace rayproof::viz

@@ -12,7 +12,7 @@
 namespace rayproof::viz {
 namespace {
 
-WalkValue value_of(const Tape& tape, OperationId id, const std::string& name, Precision precision) {
+WalkValue value_of(const Tape& tape, OperationId id, const std::string& name) {
   const Operation<Shadow>& o = tape.at(id);
   const bool is_input = o.op == Operator::constant;
   WalkValue value;
@@ -26,17 +26,16 @@ WalkValue value_of(const Tape& tape, OperationId id, const std::string& name, Pr
   value.digits = o.digits;
   if (is_input) return value;
   value.formula = formula_of(tape, id);
-  value.put_in = numbers_of(tape, id, precision);
   value.loss = worst_loss_of(tape, operations_of_value(tape, id), o.bits_lost);
   return value;
 }
 
-std::vector<WalkValue> named_values(const Tape& tape, const NamedValue& named, Precision precision) {
-  if (named.components.size() == 1) return {value_of(tape, named.components[0], named.name, precision)};
+std::vector<WalkValue> named_values(const Tape& tape, const NamedValue& named) {
+  if (named.components.size() == 1) return {value_of(tape, named.components[0], named.name)};
   std::vector<WalkValue> values;
   const char* suffix[] = {".x", ".y", ".z"};
   for (std::size_t i = 0; i < named.components.size(); ++i) {
-    values.push_back(value_of(tape, named.components[i], named.name + suffix[i], precision));
+    values.push_back(value_of(tape, named.components[i], named.name + suffix[i]));
   }
   return values;
 }
@@ -69,7 +68,7 @@ std::string meaning_of(const Tape& tape, std::ptrdiff_t step, Precision precisio
 std::string decider_of(const Tape& tape, OperationId id) {
   const Operation<Shadow>& o = tape.at(id);
   if (o.op == Operator::constant) return "";
-  return o.name.empty() ? formula_of(tape, id) : "the discriminant";
+  return o.name.empty() ? text_of(formula_of(tape, id)) : "the discriminant";
 }
 
 /// Named numbers that a picture of the case can point at.
@@ -127,6 +126,11 @@ void judge(Walkthrough& walk, const Tape& tape, const Ending& ending) {
 
 }  // namespace
 
+std::string computed_as(const WalkValue& value) {
+  const std::string text = text_of(value.formula);
+  return text == value.name ? "" : text;
+}
+
 Walkthrough steps_of(const Tape& tape, Precision precision) {
   Walkthrough walk;
   walk.precision = precision;
@@ -137,7 +141,7 @@ Walkthrough steps_of(const Tape& tape, Precision precision) {
   }
   for (const NamedValue& named : tape.names) {
     auto& values = named.step < 0 ? walk.inputs : walk.steps.at(static_cast<std::size_t>(named.step)).values;
-    const auto more = named_values(tape, named, precision);
+    const auto more = named_values(tape, named);
     values.insert(values.end(), more.begin(), more.end());
   }
   for (std::size_t i = 0; i < walk.steps.size(); ++i) {

@@ -10,6 +10,7 @@
 
 #include "case/case.hpp"
 #include "viz/picture/picture.hpp"
+#include "viz/trace/expression.hpp"
 
 namespace rayproof::viz {
 
@@ -33,9 +34,9 @@ struct PrecisionLoss {
 
 /// A number the formula names, as it was rounded and as it should be.
 struct WalkValue {
-  std::string name;     ///< "D", "f.x"
-  std::string formula;  ///< what it was computed from, in named numbers: "b·b − 4·a·c"; empty for an input
-  double value = 0;     ///< in the method's arithmetic
+  std::string name;   ///< "D", "f.x"
+  Formula formula{};  ///< what it was computed from, in named numbers: b·b − 4·a·c; null for an input
+  double value = 0;   ///< in the method's arithmetic
   std::string
       exact;  ///< the same formula in real numbers, as exact_beside writes it; an input as it is stored
   double error = 0;        ///< value - exact, rounded to double
@@ -43,10 +44,12 @@ struct WalkValue {
   double bits_lost = 0;    ///< log2(1 + error in ulps), at most `digits`
   int digits = 24;         ///< of the value's own format: a float kernel may compute a part in double
   double exact_value = 0;  ///< `exact`, rounded to double
-  std::string put_in{};    ///< the formula with the numbers in the names' place: "3·3 − 4·1·2"
   std::optional<PrecisionLoss>
       loss{};  ///< the operation of its formula that loses most; none where none is worth it
 };
+
+/// The value's formula as text; empty for none, and where the value's name is the same.
+[[nodiscard]] std::string computed_as(const WalkValue& value);
 
 /// Something to point at in the picture of a step.
 struct WalkItem {

@@ -10,10 +10,12 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <string_view>
 
 #include "viz/picture/palette.hpp"
 #include "viz/picture/raster.hpp"
+#include "viz/picture/text_runs.hpp"
 #include "viz/vtk/write_png.hpp"
 
 namespace rayproof::viz {
@@ -87,6 +89,9 @@ class TextPainter {
     for (const Accent& accent : accented_.accents) draw(accent, x, y);
   }
 
+  /// Of all of the text, in the context's pixels.
+  [[nodiscard]] double width() const { return width_of(accented_.plain); }
+
  private:
   void write(Role role, double x, double y) {
     const auto [red, green, blue] = rgb_of(colour_of(role).light);
@@ -148,7 +153,29 @@ class TextPainter {
 }  // namespace
 
 void paint_text(vtkContext2D& context, const Text& text, double x, double y, double scale) {
-  TextPainter(context, text, scale).paint(x, y, scale);
+  const std::vector<TextRun> runs = runs_of(text.text);
+  if (runs.size() == 1) return TextPainter(context, text, scale).paint(x, y, scale);
+  const auto part = [&](const TextRun& run, bool has_halo) {
+    const double size = run.is_low ? low_size * text.size : text.size;
+    return Text{text.role, {}, run.text, Anchor::start, size, text.bold, has_halo};
+  };
+  std::vector<double> widths;
+  for (const TextRun& run : runs) widths.push_back(TextPainter(context, part(run, false), scale).width());
+  const double whole = std::accumulate(widths.begin(), widths.end(), 0.0);
+  const double left = text.anchor == Anchor::start    ? x
+                      : text.anchor == Anchor::middle ? x - whole / 2
+                                                      : x - whole;
+  // No halo covers the letters of the run before.
+  for (const bool has_halo : {true, false}) {
+    if (has_halo && !text.halo) continue;
+    double at = left;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      const double drop = runs[i].is_low ? low_drop * text.size * scale : 0;
+      const Text one = part(runs[i], has_halo);
+      TextPainter(context, one, scale).paint(at, y - drop, scale);
+      at += widths[i];
+    }
+  }
 }
 
 }  // namespace rayproof::viz

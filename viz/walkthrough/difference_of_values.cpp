@@ -17,7 +17,7 @@ std::optional<StageValue> worst_of(const Walkthrough& walk) {
   std::optional<StageValue> worst;
   for (const WalkStep& step : walk.steps) {
     for (const StageValue& value : grouped(step.values)) {
-      if (!value.components.front().formula.empty() && (!worst || lost_by(value) > lost_by(*worst)))
+      if (value.components.front().formula != nullptr && (!worst || lost_by(value) > lost_by(*worst)))
         worst = value;
     }
   }

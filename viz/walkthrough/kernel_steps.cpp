@@ -14,8 +14,6 @@
 namespace rayproof::viz {
 namespace {
 
-bool has_formula(const StageValue& value) { return !value.formula.empty() && value.formula != value.name; }
-
 /// More letters than this a slide has no room for below its picture.
 constexpr std::size_t most_letters = 310;
 
@@ -32,14 +30,14 @@ std::string equations_of(const std::vector<StageValue>& values, Precision precis
   if (shown_values.empty()) return {};
   StageValue last = *shown_values.back();
   shown_values.pop_back();
-  if (letters_of(equation_of(last, precision)) > room) last.put_in.clear();
-  if (letters_of(equation_of(last, precision)) > room) last.formula.clear();
+  if (letters_of(equation_of(last, precision)) > room) last.put_in.reset();
+  if (letters_of(equation_of(last, precision)) > room) last.formula.reset();
   std::string text = equation_of(last, precision);
   for (; !shown_values.empty(); shown_values.pop_back()) {
     StageValue value = *shown_values.back();
     std::string longer = equation_of(value, precision) + "; " + text;
     if (letters_of(longer) > room) {
-      value.put_in.clear();
+      value.put_in.reset();
       longer = equation_of(value, precision) + "; " + text;
     }
     if (letters_of(longer) > room) break;
@@ -151,10 +149,9 @@ std::string digits_of(const std::vector<StageValue>& values, const std::optional
                             : loss_sentence(loss);
 }
 
-std::vector<StageValue> step_values(const Walkthrough& walk, std::size_t index, const NumbersByName& n,
-                                    Precision precision) {
+std::vector<StageValue> step_values(const Walkthrough& walk, std::size_t index, Precision precision) {
   std::vector<StageValue> values = grouped(walk.steps[index].values);
-  for (StageValue& value : values) put_numbers_in(value, n, precision);
+  for (StageValue& value : values) put_numbers_in(value, precision);
   return values;
 }
 
@@ -163,7 +160,7 @@ std::vector<StageValue> step_values(const Walkthrough& walk, std::size_t index, 
 std::size_t count_parts(const CaseReport& report, const Walkthrough& walk, std::size_t index,
                         const Setting& setting) {
   const NumbersByName n(walk, index);
-  return parts_of(step_values(walk, index, n, report.one.precision), n, setting).size();
+  return parts_of(step_values(walk, index, report.one.precision), n, setting).size();
 }
 
 std::vector<StageStep> kernel_steps(const CaseReport& report, const Walkthrough& walk, std::size_t index,
@@ -171,7 +168,7 @@ std::vector<StageStep> kernel_steps(const CaseReport& report, const Walkthrough&
   const NumbersByName n(walk, index);
   const std::string& title = walk.steps[index].title;
   const Precision precision = report.one.precision;
-  const std::vector<StageValue> values = step_values(walk, index, n, precision);
+  const std::vector<StageValue> values = step_values(walk, index, precision);
   const auto parts = is_split ? parts_of(values, n, setting) : std::vector<std::vector<StageValue>>{values};
   const std::vector<std::string> words = words_of(walk.steps[index].meaning, parts);
   std::vector<StageStep> steps;

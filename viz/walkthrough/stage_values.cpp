@@ -1,76 +1,48 @@
 #include "viz/walkthrough/stage_values.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
+#include "viz/trace/name_parts.hpp"
 #include "viz/trace/numbers.hpp"
-#include "viz/trace/vector_formula.hpp"
 
 namespace rayproof::viz {
 namespace {
 
-/// "f" and 'x' of "f.x".
-bool is_component(const std::string& name, char axis) {
-  return name.size() > 2 && name[name.size() - 2] == '.' && name.back() == axis;
-}
-
 /// The texts of a value's components; a vector's in parentheses.
 template <class Text>
-std::string joined(const StageValue& value, Text text_of) {
+std::string joined(const StageValue& value, Text as_text) {
   std::string text;
   for (const WalkValue& component : value.components) {
-    text += (text.empty() ? "" : ", ") + text_of(component);
+    text += (text.empty() ? "" : ", ") + as_text(component);
   }
   return value.components.size() > 1 ? "(" + text + ")" : text;
 }
 
-std::vector<std::string> formulas_of(const StageValue& value) {
-  std::vector<std::string> formulas;
-  for (const WalkValue& component : value.components) formulas.push_back(component.formula);
-  return formulas;
-}
-
-/// The rounded number or vector of a name known by now, as it stands in a formula; empty for no such name. A
-/// kernel that goes on in a plane may name the first two components of a vector anew.
-std::string number_for(const NumbersByName& n, const std::string& name, Precision precision,
-                       std::size_t dimensions) {
-  if (n.has(name)) {
-    const std::string text = shown(n.rounded(name), precision);
-    return text.starts_with('-') ? "(" + text + ")" : text;
-  }
-  if (!n.has_vector(name)) return {};
-  const auto at = [&](const char* axis) { return shown(n.rounded(name + axis), precision); };
-  return dimensions > 2 && n.has(name + ".z") ? fmt::format("({}, {}, {})", at(".x"), at(".y"), at(".z"))
-                                              : fmt::format("({}, {})", at(".x"), at(".y"));
-}
-
 }  // namespace
 
-void put_numbers_in(StageValue& value, const NumbersByName& n, Precision precision) {
-  if (value.components.size() == 1) {
-    value.formula = value.components[0].formula;
-    value.put_in = value.components[0].put_in;
-    return;
-  }
-  value.formula = vector_formula(formulas_of(value));
-  value.put_in = put_in(value.formula, [&](const std::string& name) {
-    return number_for(n, name, precision, value.components.size());
-  });
+void put_numbers_in(StageValue& value, Precision precision) {
+  std::vector<Formula> formulas;
+  for (const WalkValue& component : value.components) formulas.push_back(component.formula);
+  value.formula = formulas.size() == 1 ? formulas[0] : vector_formula(formulas);
+  value.put_in = with_numbers(value.formula, precision);
+}
+
+bool has_formula(const StageValue& value) {
+  return value.formula != nullptr && text_of(value.formula) != value.name;
 }
 
 std::vector<StageValue> grouped(const std::vector<WalkValue>& values) {
   std::vector<StageValue> groups;
   for (const WalkValue& value : values) {
-    const bool continues = !groups.empty() && !groups.back().components.empty() &&
-                           (is_component(value.name, 'y') || is_component(value.name, 'z')) &&
-                           value.name.substr(0, value.name.size() - 2) == groups.back().name;
+    const bool continues = !groups.empty() && (vector_of(value.name, 'y') == groups.back().name ||
+                                               vector_of(value.name, 'z') == groups.back().name);
     if (continues) {
       groups.back().components.push_back(value);
       continue;
     }
     StageValue group;
-    group.name = is_component(value.name, 'x') ? value.name.substr(0, value.name.size() - 2) : value.name;
+    const std::string vector = vector_of(value.name, 'x');
+    group.name = vector.empty() ? value.name : vector;
     group.components = {value};
     groups.push_back(std::move(group));
   }
@@ -103,10 +75,9 @@ std::optional<PrecisionLoss> worst_loss_of(const std::vector<StageValue>& values
 
 std::string equation_of(const StageValue& value, Precision precision) {
   std::string text = value.name;
-  if (!value.formula.empty() && value.formula != value.name) text += " = " + value.formula;
-  const std::string result = shown(value, precision);
-  const bool has_numbers = !value.put_in.empty() && value.put_in != result && value.put_in != value.formula;
-  if (has_numbers) text += " = " + value.put_in;
+  if (has_formula(value)) text += " = " + text_of(value.formula);
+  const std::string result = shown(value, precision), numbers = text_of(value.put_in);
+  if (!numbers.empty() && numbers != result && numbers != text_of(value.formula)) text += " = " + numbers;
   return text + " = " + result;
 }
 

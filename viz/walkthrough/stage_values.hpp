@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "viz/scene/numbers_by_name.hpp"
 #include "viz/scene/stage.hpp"
 
 namespace rayproof::viz {
@@ -16,7 +15,10 @@ namespace rayproof::viz {
 [[nodiscard]] std::vector<StageValue> grouped(const std::vector<WalkValue>& values);
 
 /// Gives the value its formula, a vector one for all its components, and the numbers in it.
-void put_numbers_in(StageValue& value, const NumbersByName& n, Precision precision);
+void put_numbers_in(StageValue& value, Precision precision);
+
+/// Whether it has a formula that says more than its name.
+[[nodiscard]] bool has_formula(const StageValue& value);
 
 /// The rounded number as the shortest decimal that reads back as it; a vector's in parentheses.
 [[nodiscard]] std::string shown(const StageValue& value, Precision precision);

@@ -63,7 +63,8 @@ StageValue first_root(const CaseReport& report) {
   if (!report.walk) return root;
   for (const WalkStep& step : report.walk->steps) {
     for (const WalkValue& value : step.values) {
-      if (value.name == "t₀") root = {"t₀", value.formula, value.put_in, {value}};
+      if (value.name == "t₀")
+        root = {"t₀", value.formula, with_numbers(value.formula, report.one.precision), {value}};
     }
   }
   return root;

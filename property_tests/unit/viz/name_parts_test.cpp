@@ -1,0 +1,52 @@
+#include "viz/trace/name_parts.hpp"
+
+#include <gtest/gtest.h>
+
+#include "viz/picture/text_runs.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+TEST(NameParts, AreLettersIndexAndArrow) {
+  const auto expect = [](const char* name, const char* letters, const char* index, bool has_arrow) {
+    const NameParts parts = parts_of_name(name);
+    EXPECT_EQ(parts.letters, letters) << name;
+    EXPECT_EQ(parts.index, index) << name;
+    EXPECT_EQ(parts.has_arrow, has_arrow) << name;
+  };
+  expect("t", "t", "", false);
+  expect("t₀", "t", "0", false);
+  expect("S_x", "S", "x", false);
+  expect("f.x", "f", "x", false);
+  expect("e₁.x", "e", "1x", false);
+  expect("o′", "o′", "", false);
+  expect("d\u20d7", "d", "", true);
+  expect("d\u20d7.y", "d", "y", true);
+  expect("₀", "₀", "", false);
+}
+
+TEST(NameParts, KnowAVectorByItsComponents) {
+  EXPECT_EQ(vector_of("f.x", 'x'), "f");
+  EXPECT_EQ(vector_of("f.x", 'y'), "");
+  EXPECT_EQ(vector_of(".x", 'x'), "");
+  EXPECT_EQ(without_axis("min - o.z"), "min - o");
+  EXPECT_EQ(without_axis("p(2.5)"), "p(2.5)");
+}
+
+/// "t_c" as "t[c]".
+std::string lowered(const std::string& line) {
+  std::string text;
+  for (const TextRun& run : runs_of(line)) text += run.is_low ? "[" + run.text + "]" : run.text;
+  return text;
+}
+
+TEST(TextRuns, LowerTheIndexOfANameAndNothingElse) {
+  EXPECT_EQ(lowered("t_c"), "t[c]");
+  EXPECT_EQ(lowered("t_c = 3, D_β·half_w"), "t[c] = 3, D[β]·half[w]");
+  EXPECT_EQ(lowered("t = x_in"), "t = x[in]");
+  for (const char* plain : {"", "_", "a_", "_a", "polygon::cross_side", "point_in_polygon", "a b", "t₀"})
+    EXPECT_EQ(lowered(plain), plain);
+}
+
+}  // namespace
+}  // namespace rayproof::viz
