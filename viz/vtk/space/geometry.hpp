@@ -27,6 +27,9 @@ using Geometry = vtkSmartPointer<vtkPolyData>;
 [[nodiscard]] Geometry hull_of(const SpacePoints& points);
 [[nodiscard]] Geometry ellipsoid_of(const SpacePoints& centre_and_tips);
 
+/// The line around a polygon, as a tube.
+[[nodiscard]] Geometry ring_of(const SpacePoints& corners, double radius);
+
 /// The line where the surface turns away from the eye, as a tube.
 [[nodiscard]] Geometry silhouette_of(const Geometry& surface, const glm::dvec3& eye, double radius);
 

@@ -100,8 +100,9 @@ void SpaceScene::add_surface(const SpaceBody& body) {
   property.SetSpecularPower(30);
   if (space_.camera.is_flat) property.LightingOff();
   renderer_.AddActor(actor);
-  renderer_.AddActor(
-      actor_of(silhouette_of(surface, space_.camera.eye(), body.radius), shown_role(body.shown)));
+  const Geometry outline = form == Form::polygon ? ring_of(body.points, body.radius)
+                                                 : silhouette_of(surface, space_.camera.eye(), body.radius);
+  renderer_.AddActor(actor_of(outline, shown_role(body.shown)));
 }
 
 void SpaceScene::add_floor() {

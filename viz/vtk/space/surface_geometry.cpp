@@ -13,6 +13,16 @@
 
 namespace rayproof::viz {
 
+Geometry ring_of(const SpacePoints& corners, double radius) {
+  // Side by side: a tube around a sharp corner would be pinched there.
+  std::vector<SpacePoints> sides;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const glm::dvec3& next = corners[(i + 1) % corners.size()];
+    if (next != corners[i]) sides.push_back({corners[i], next});
+  }
+  return tubes_of(lines_of(sides), radius);
+}
+
 Geometry polygon_of(const SpacePoints& corners) {
   SpacePoints ring = corners;
   ring.push_back(corners.front());
