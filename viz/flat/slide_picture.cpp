@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
+#include <array>
 
 #include "viz/flat/slide_values.hpp"
 #include "viz/flat/stage_picture.hpp"
@@ -11,60 +10,84 @@
 namespace rayproof::viz {
 namespace {
 
+/// Below the scene, in letters of 24 pixels of a slide at least; what has no room there is left out.
 void draw_caption(Picture& picture, const StageStep& step) {
-  const double width = slide_width - 2 * slide_margin;
-  const double bottom = slide_height - 32;
-  double y = slide_scene.bottom() + 22;
-  const auto write = [&](Role role, const std::string& text, double size) {
-    for (const std::string& line : wrapped(text, width, size)) {
-      if (y > bottom) return;
-      add_text(picture, role, {slide_margin, y}, line, size);
-      y += size * 1.3;
-    }
+  constexpr double width = slide_width - 2 * slide_margin;
+  constexpr double smallest = 14.4, leading = 1.3;
+  const double top = slide_scene.bottom() + 22;
+  const auto room = [&](double size) {
+    return static_cast<std::size_t>((slide_height - 32 - top) / (size * leading)) + 1;
   };
-  // The largest letters in which all of it has room.
-  double size = 0;
-  for (const double tried : {16.0, 14.4, 13.0}) {
-    size = tried;
-    const std::size_t lines = wrapped(step.caption, width, size).size() +
-                              wrapped(step.digits, width, 14.4).size() - (step.digits.empty() ? 1 : 0);
-    if (y + (static_cast<double>(lines) - 1) * size * 1.3 <= bottom) break;
+  const auto lines_in = [&](double size) {
+    std::vector<std::pair<Role, std::string>> lines;
+    for (const std::string& line : wrapped(step.caption, width, size)) lines.emplace_back(Role::text, line);
+    if (step.digits.empty()) return lines;
+    for (const std::string& line : wrapped(step.digits, width, size)) lines.emplace_back(Role::muted, line);
+    return lines;
+  };
+  double size = 16;
+  if (lines_in(size).size() > room(size)) size = smallest;
+  auto lines = lines_in(size);
+  if (lines.size() > room(size)) {
+    lines.resize(room(size));
+    lines.back().second += " …";
   }
-  write(Role::text, step.caption, size);
-  if (!step.digits.empty()) write(Role::muted, step.digits, std::min(size, 14.4));
+  double y = top;
+  for (const auto& [role, line] : lines) {
+    add_text(picture, role, {slide_margin, y}, line, size);
+    y += size * leading;
+  }
+}
+
+/// In one line above what the slide is about, or in two in its place.
+void draw_title(Picture& picture, const std::string& title, const std::string& second_line) {
+  constexpr double size = 22, width = slide_width - 2 * slide_margin;
+  const auto lines = wrapped(title, width, size * bold_width);
+  if (lines.size() == 1) {
+    add_text(picture, Role::text, {slide_margin, 34}, title, size, true);
+    add_text(picture, Role::muted, {slide_margin, 54}, cut(second_line, 700, 13), 13);
+    return;
+  }
+  add_text(picture, Role::text, {slide_margin, 27}, lines[0], size, true);
+  add_text(picture, Role::text, {slide_margin, 53}, lines.size() > 2 ? lines[1] + "…" : lines[1], size, true);
 }
 
 }  // namespace
 
-std::vector<LegendEntry> legend_of(const Stage& stage) {
-  static const std::vector<LegendEntry> all{
-      {Role::ray, false, "ray"},
-      {Role::surface, false, "surface"},
-      {Role::edge, false, "edge, part"},
-      {Role::normal, false, "normal"},
-      {Role::nearest, true, "nearest, picked out"},
-      {Role::exact, true, "exact hit"},
-      {Role::claimed, true, "as computed"},
-      {Role::muted, false, "earlier step"},
+std::vector<LegendEntry> legend_of(const std::vector<ShownItem>& shown) {
+  struct Sign {
+    Role role;
+    const char* mark;  ///< the word on a point; of the others, the mark names itself by its label
+    const char* line;
   };
-  std::vector<LegendEntry> used;
-  const auto is_used = [&](Role role) {
-    const auto has = [&](const StageItem& item) { return item.role == role; };
-    bool any = std::any_of(stage.scene.begin(), stage.scene.end(), has);
-    for (const StageStep& step : stage.steps)
-      any = any || std::any_of(step.items.begin(), step.items.end(), has);
-    return any;
-  };
-  for (const LegendEntry& entry : all) {
-    if (entry.role == Role::muted || is_used(entry.role)) used.push_back(entry);
+  static constexpr std::array<Sign, 8> signs{{{Role::ray, nullptr, "ray"},
+                                              {Role::surface, nullptr, "surface"},
+                                              {Role::edge, nullptr, "edge, part"},
+                                              {Role::normal, nullptr, "normal"},
+                                              {Role::nearest, "nearest, picked out", "picked out"},
+                                              {Role::exact, "exact", "exact"},
+                                              {Role::claimed, "as computed", "as computed"},
+                                              {Role::muted, nullptr, "earlier step"}}};
+  std::vector<LegendEntry> legend;
+  for (const Sign& sign : signs) {
+    bool has_mark = false, has_line = false;
+    for (const ShownItem& one : shown) {
+      const bool is_point = one.item->form == Form::point;
+      if (shown_role(one) == sign.role) (is_point ? has_mark : has_line) = true;
+    }
+    if (has_mark && sign.mark != nullptr) {
+      legend.push_back({sign.role, true, sign.mark});
+    } else if (has_line) {
+      legend.push_back({sign.role, false, sign.line});
+    }
   }
-  return used;
+  return legend;
 }
 
-void draw_legend(Picture& picture, const Stage& stage) {
+void draw_legend(Picture& picture, const std::vector<ShownItem>& shown) {
   double x = slide_margin;
   const double y = slide_height - 16;
-  for (const LegendEntry& entry : legend_of(stage)) {
+  for (const LegendEntry& entry : legend_of(shown)) {
     if (entry.is_mark) {
       picture.elements.emplace_back(Mark{entry.role, mark_of(entry.role), {x + 6, y - 4}});
     } else {
@@ -85,10 +108,8 @@ Picture slide_frame(const Stage& stage, std::size_t number, const std::string& s
   picture.description = step.caption;
   const std::string place = fmt::format("{} of {}", number + 1, stage.steps.size());
   const std::string title = fmt::format("{}. {}", number + 1, step.title);
-  const double title_size = std::clamp(22 * 800 / text_width(title, 22, true), 14.0, 22.0);
-  add_text(picture, Role::text, {slide_margin, 34}, title, title_size, true);
-  add_text(picture, Role::muted, {slide_margin, 54}, cut(second_line, 700, 13), 13);
-  picture.elements.emplace_back(Text{Role::muted, {slide_width - slide_margin, 34}, place, Anchor::end, 14});
+  draw_title(picture, title, second_line);
+  picture.elements.emplace_back(Text{Role::muted, {slide_width - slide_margin, 54}, place, Anchor::end, 14});
   if (step.is_apart && step.magnification != 1) {
     picture.elements.emplace_back(Text{Role::muted,
                                        {scene.left, scene.bottom() - 4},

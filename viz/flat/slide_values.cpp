@@ -23,56 +23,89 @@ struct ValueLine {
   std::string text{};
 };
 
-/// Below each name the rounded number, the exact one, and the bits lost where they are worth a word. Where
-/// there is little room, the last two only of numbers that have lost something of note.
-std::vector<ValueLine> lines_of(const StageValue& value, const Stage& stage, bool is_short) {
+/// How much of a value is written: all of it; the exact number and the bits lost only where they are worth a
+/// word; the name and the rounded number in one line.
+enum class Detail { full, noteworthy, terse };
+
+constexpr double name_size = 14, number_size = 13, word_size = 12;
+constexpr double number_left = value_column + 62;
+/// Between baselines, and more above a name.
+constexpr double most_row = 19, least_row = 16, above_name = 5;
+
+std::vector<ValueLine> lines_of(const StageValue& value, const Stage& stage, Detail detail) {
   const bool is_float = stage.precision == Precision::float32;
-  const std::string head = value.name + (has_formula(value) ? " = " + text_of(value.formula) : "");
-  std::vector<ValueLine> lines{{Role::text, true, "", cut(head, value_width, 14)}};
-  const auto add = [&](Role role, const char* what, const std::string& text) {
-    for (const std::string& line : wrapped(text, value_width - 62, 13)) {
+  std::vector<ValueLine> lines;
+  const auto add = [&](Role role, const char* what, const std::string& text, double width) {
+    for (const std::string& line : wrapped(text, width, number_size)) {
       lines.push_back({role, false, what, line});
       what = "";
     }
   };
-  add(Role::claimed, is_float ? "float" : "double", shown(value, stage.precision));
+  constexpr double width = value_column + value_width - number_left;
+  const std::string rounded = shown(value, stage.precision);
+  if (detail == Detail::terse) {
+    add(Role::claimed, "", value.name + " = " + rounded, width);
+    lines.front().is_name = true;
+    return lines;
+  }
+  const std::string head = value.name + (has_formula(value) ? " = " + text_of(value.formula) : "");
+  lines.push_back({Role::text, true, "", cut(head, value_width, name_size * bold_width)});
+  add(Role::claimed, is_float ? "float" : "double", rounded, width);
   const WalkValue& worst = worst_component(value);
-  if (worst.bits_lost < (is_short ? noteworthy : 0.05)) return lines;
-  add(Role::exact, "exact", exact_of(value));
-  add(Role::muted, "lost", fmt::format("{:.1f} of {} bits", worst.bits_lost, worst.digits));
+  if (worst.bits_lost < (detail == Detail::noteworthy ? noteworthy : 0.05)) return lines;
+  add(Role::exact, "exact", exact_of(value), width);
+  add(Role::muted, "lost", fmt::format("{:.1f} of {} bits", worst.bits_lost, worst.digits), width);
+  return lines;
+}
+
+/// How high they are in the closest rows.
+double height_of(const std::vector<ValueLine>& lines, double row) {
+  const auto names =
+      std::count_if(lines.begin(), lines.end(), [](const ValueLine& one) { return one.is_name; });
+  return static_cast<double>(lines.size()) * row + static_cast<double>(names) * above_name;
+}
+
+/// All lines, in as much detail as there is room for; what has no room in the least is counted.
+std::vector<ValueLine> lines_in(double room, const Stage& stage, const StageStep& step) {
+  std::vector<ValueLine> lines;
+  for (const Detail detail : {Detail::full, Detail::noteworthy, Detail::terse}) {
+    lines.clear();
+    for (const StageValue& value : step.values)
+      for (ValueLine& line : lines_of(value, stage, detail)) lines.push_back(std::move(line));
+    if (height_of(lines, least_row) <= room) return lines;
+  }
+  std::size_t left_out = 0;
+  bool is_whole = true;
+  while (!lines.empty() && (!is_whole || height_of(lines, least_row) > room - least_row)) {
+    is_whole = lines.back().is_name;
+    left_out += is_whole ? 1 : 0;
+    lines.pop_back();
+  }
+  lines.push_back({Role::muted, true, "", fmt::format("and {} more", left_out)});
   return lines;
 }
 
 }  // namespace
 
 std::string cut(const std::string& text, double width, double size) {
-  const auto lines = wrapped(text, width, size);
-  return lines.size() < 2 ? text : lines.front() + "…";
+  if (wrapped(text, width, size).size() < 2) return text;
+  return wrapped(text, width - size, size).front() + "…";
 }
 
 void draw_values(Picture& picture, const Stage& stage, const StageStep& step, const PixelBox& scene) {
-  std::vector<std::vector<ValueLine>> values;
-  std::size_t count = 0;
-  const double room = scene.height - 14 - 5 * static_cast<double>(step.values.size());
-  for (const bool is_short : {false, true}) {
-    values.clear();
-    count = 0;
-    for (const StageValue& value : step.values) {
-      values.push_back(lines_of(value, stage, is_short));
-      count += values.back().size();
-    }
-    if (static_cast<double>(count) * 17 <= room) break;
-  }
-  const double row = std::clamp(room / static_cast<double>(std::max<std::size_t>(count, 1)), 13.0, 19.0);
-  double y = scene.top + 14;
-  for (const auto& lines : values) {
-    for (const ValueLine& line : lines) {
-      if (*line.what != '\0') add_text(picture, Role::muted, {value_column + 8, y}, line.what, 12);
-      add_text(picture, line.role, {line.is_name ? value_column : value_column + 62, y}, line.text,
-               line.is_name ? 14 : 13, line.is_name);
-      y += row;
-    }
-    y += 5;
+  const std::vector<ValueLine> lines = lines_in(scene.height, stage, step);
+  if (lines.empty()) return;
+  const double gaps = height_of(lines, 0);
+  const double row =
+      std::clamp((scene.height - gaps) / static_cast<double>(lines.size()), least_row, most_row);
+  double y = scene.top + 14 - above_name;
+  for (const ValueLine& line : lines) {
+    if (line.is_name) y += above_name;
+    const bool is_head = line.is_name && line.role == Role::text;
+    if (*line.what != '\0') add_text(picture, Role::muted, {value_column + 8, y}, line.what, word_size);
+    add_text(picture, line.role, {line.is_name ? value_column : number_left, y}, line.text,
+             is_head ? name_size : number_size, is_head);
+    y += row;
   }
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "viz/picture/picture.hpp"
+#include "viz/scene/shown_items.hpp"
 #include "viz/scene/stage.hpp"
 
 namespace rayproof::viz {
@@ -34,14 +35,15 @@ inline constexpr PixelBox slide_scene{slide_margin, 60, 596, 368};
                                   const PixelBox& scene = slide_scene);
 
 /// The words on the roles, along a slide's lower border.
-void draw_legend(Picture& picture, const Stage& stage);
+void draw_legend(Picture& picture, const std::vector<ShownItem>& shown);
 
-/// The roles that a stage's pictures use, with a word on each.
+/// A word on a role.
 struct LegendEntry {
   Role role;
   bool is_mark;  ///< a mark, else a line
   const char* text;
 };
-[[nodiscard]] std::vector<LegendEntry> legend_of(const Stage& stage);
+/// The words on the roles that are among the items.
+[[nodiscard]] std::vector<LegendEntry> legend_of(const std::vector<ShownItem>& shown);
 
 }  // namespace rayproof::viz

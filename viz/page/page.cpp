@@ -21,7 +21,12 @@ namespace {
 
 std::string legend(const Stage& stage) {
   std::string html = "<ul class=\"legend paint\" aria-label=\"Legend\">\n";
-  for (const LegendEntry& entry : legend_of(stage)) {
+  std::vector<ShownItem> all;
+  for (std::size_t i = 0; i < stage.steps.size(); ++i) {
+    const std::vector<ShownItem> shown = shown_in(stage, i);
+    all.insert(all.end(), shown.begin(), shown.end());
+  }
+  for (const LegendEntry& entry : legend_of(all)) {
     Picture sign;
     sign.width = 22;
     sign.height = 16;

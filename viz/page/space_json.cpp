@@ -69,7 +69,7 @@ std::string label_html(const std::string& label) {
 Json label_json(const SpaceLabel& label) {
   const StageItem& item = *label.shown.item;
   return {{"html", label_html(item.label)},
-          {"role", colour_of(shown_role(label.shown)).name},
+          {"role", colour_of(label_role(label.shown)).name},
           {"how", name_of(label.shown.emphasis)},
           {"points", flat(label.points)},
           {"atEnd", label.is_at_end},

@@ -1,7 +1,8 @@
 #pragma once
 /// \file
 /// One colour for each role, safe for colour-blind readers (M. Okabe, K. Ito, "Color Universal Design",
-/// 2008), darkened or lightened where needed to contrast 4.5:1 or more as text.
+/// 2008), darkened or lightened where needed to contrast 4.5:1 or more as text, and as a label's large text
+/// 3:1 or more before a surface.
 
 #include <array>
 #include <cstddef>
@@ -21,13 +22,13 @@ inline constexpr std::array<RoleColour, role_count> palette{{
     {"background", "#ffffff", "#16181c"},
     {"frame", "#b8bec6", "#4a515c"},
     {"text", "#16181c", "#e8eaed"},
-    {"muted", "#5a626c", "#a3abb5"},
+    {"muted", "#4a525b", "#a3abb5"},
     {"surface", "#0072b2", "#56b4e9"},
     {"ray", "#16181c", "#e8eaed"},
-    {"exact", "#00734f", "#2fc99a"},
-    {"claimed", "#b84a00", "#ff8f4d"},
-    {"nearest", "#9c4a7f", "#e29ac6"},
-    {"normal", "#7d5c00", "#e8c547"},
+    {"exact", "#006243", "#2fc99a"},
+    {"claimed", "#9a3d00", "#ff8f4d"},
+    {"nearest", "#81396a", "#e29ac6"},
+    {"normal", "#654a00", "#e8c547"},
     {"edge", "#00527f", "#8ecbf0"},
 }};
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string_view>
 
 #include "viz/picture/text_runs.hpp"
 
@@ -22,16 +23,20 @@ std::pair<char32_t, std::size_t> code_point(const std::string& text, std::size_t
   return {point, length};
 }
 
-/// In em: DejaVu Sans's own widths, by groups of letters.
+/// In em: DejaVu Sans's own widths, by groups of letters, the widest of each group.
 double width_of(char32_t point) {
-  if (point >= 0x0300 && point <= 0x036f) return 0;
-  if (point >= 0x20d0 && point <= 0x20ff) return 0;
-  if (point >= 0x2080 && point <= 0x209f) return 0.42;
-  static const std::u32string narrow = U" ,.'|iIjl:;!()[]ftr/°′-·";
-  static const std::u32string wide = U"mwMW—∞@%+−=<>≤≥×→";
-  if (narrow.find(point) != std::u32string::npos) return 0.4;
-  if (wide.find(point) != std::u32string::npos) return 0.88;
-  return point < 0x80 && std::isupper(static_cast<int>(point)) != 0 ? 0.7 : 0.65;
+  if ((point >= 0x0300 && point <= 0x036f) || (point >= 0x20d0 && point <= 0x20ff)) return 0;
+  const bool is_index = (point >= 0x2070 && point <= 0x209f) || point == U'²' || point == U'³';
+  if (is_index) return 0.41;
+  static const std::array<std::pair<std::u32string_view, double>, 6> groups{{{U"ijlIJ'′", 0.3},
+                                                                             {U" ,.·:;/|-", 0.37},
+                                                                             {U"()[]frt!", 0.42},
+                                                                             {U"sczk*_°–FL", 0.59},
+                                                                             {U"w+−=<>≤≥≠×→∞", 0.84},
+                                                                             {U"mMW—…@%", 1}}};
+  for (const auto& [letters, width] : groups)
+    if (letters.find(point) != std::u32string_view::npos) return width;
+  return point >= U'A' && point <= U'Z' ? 0.79 : 0.64;
 }
 
 double overlap(const PixelBox& a, const PixelBox& b) {
@@ -57,7 +62,13 @@ double text_width(const std::string& text, double size, bool bold) {
       i += length;
     }
   }
-  return width * size * (bold ? 1.1 : 1);
+  return width * size * (bold ? bold_width : 1);
+}
+
+PixelBox box_of(const Text& text) {
+  const double width = text_width(text.text, text.size, text.bold);
+  const double part = text.anchor == Anchor::start ? 0 : text.anchor == Anchor::middle ? 0.5 : 1;
+  return {text.at.x - part * width, text.at.y - 0.75 * text.size, width, 0.95 * text.size};
 }
 
 std::vector<std::string> wrapped(const std::string& text, double width, double size) {

@@ -10,8 +10,14 @@
 
 namespace rayproof::viz {
 
-/// About how wide a line of DejaVu Sans is; combining marks have no width.
+/// How much wider DejaVu Sans's bold letters are.
+inline constexpr double bold_width = 1.12;
+
+/// About how wide a line of DejaVu Sans is, rather more than less; combining marks have no width.
 [[nodiscard]] double text_width(const std::string& text, double size, bool bold = false);
+
+/// Where a text stands, from the top of its tallest letters to the bottom of its lowest.
+[[nodiscard]] PixelBox box_of(const Text& text);
 
 /// The text in lines of at most this many pixels, broken at spaces; a word too long for a line is broken in
 /// two.
@@ -22,7 +28,8 @@ class LabelPlaces {
  public:
   explicit LabelPlaces(const PixelBox& frame) : frame_(frame) {}
 
-  /// A mark, which no label may cover.
+  /// What no label may cover: a text, a mark.
+  void take(const PixelBox& box) { taken_.push_back(box); }
   void take(const Point& at, double radius);
   /// A line, which labels rather do not cover; `cost` for each place on it that one does.
   void avoid(const std::vector<Point>& line, double cost);

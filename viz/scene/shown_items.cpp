@@ -12,7 +12,10 @@ bool is_text(const StageItem& item) { return item.form == Form::point && item.ro
 class Labeller {
  public:
   Labeller(Picture& picture, const PixelBox& frame, const Outline& outline)
-      : picture_(picture), frame_(frame), outline_(outline), places_(frame) {}
+      : picture_(picture), frame_(frame), outline_(outline), places_(frame) {
+    for (const Element& element : picture.elements)
+      if (const auto* text = std::get_if<Text>(&element)) places_.take(box_of(*text));
+  }
 
   /// No label may cover it.
   void keep_clear(const ShownItem& shown) {
@@ -34,11 +37,11 @@ class Labeller {
     const std::vector<Point> anchors = anchors_of(item);
     if (anchors.empty()) return;
     const bool is_bright = shown.emphasis == Emphasis::bright;
-    const double size = is_bright ? 16 : 13;
+    const double size = is_bright ? 16 : 14.4;  // 24 pixels of a slide: large letters
     auto text = is_text(item) ? places_.put_at(item.label, anchors[0], size)
                               : places_.put(item.label, anchors, size, is_bright);
     if (!text) return;
-    text->role = shown_role(shown);
+    text->role = label_role(shown);
     text->bold = is_bright;
     picture_.elements.emplace_back(*text);
   }

@@ -26,12 +26,18 @@ struct ShownItem {
   return shown.emphasis == Emphasis::dimmed ? Role::muted : shown.item->role;
 }
 
+/// The role in whose colour its label is written: a surface's own colour would be lost before it.
+[[nodiscard]] constexpr Role label_role(const ShownItem& shown) {
+  const Role role = shown_role(shown);
+  return role == Role::surface ? Role::edge : role;
+}
+
 /// An item's points as they are seen, in pixels: one of a point, the line of a line, the closed outline of a
 /// surface.
 using Outline = std::function<std::vector<Point>(const StageItem& item)>;
 
 /// Writes the items' labels into a frame of a picture, beside what they name, so that none covers another, a
-/// mark or, where there is room, a line.
+/// text that stands there, a mark or, where there is room, a line.
 void draw_labels(Picture& picture, const PixelBox& frame, const std::vector<ShownItem>& shown,
                  const Outline& outline);
 

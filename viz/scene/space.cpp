@@ -59,7 +59,14 @@ std::optional<SpaceBody> line_body(SpaceBody body, bool is_flat) {
   return body;
 }
 
-std::optional<SpaceBody> body_of(const ShownItem& shown, const Space& space) {
+/// Whether there are many polygons, the pieces of a surface, each to be drawn lightly.
+bool is_net(const std::vector<ShownItem>& shown) {
+  constexpr std::ptrdiff_t many = 12;
+  const auto is_polygon = [](const ShownItem& one) { return one.item->form == Form::polygon; };
+  return std::count_if(shown.begin(), shown.end(), is_polygon) > many;
+}
+
+std::optional<SpaceBody> body_of(const ShownItem& shown, const Space& space, bool has_net) {
   const bool is_bright = shown.emphasis == Emphasis::bright;
   const bool is_dimmed = shown.emphasis == Emphasis::dimmed;
   SpaceBody body{shown, placed_points(*shown.item, space.view), {}, {}, line_radius(shown)};
@@ -74,12 +81,16 @@ std::optional<SpaceBody> body_of(const ShownItem& shown, const Space& space) {
       return line_body(body, space.camera.is_flat);
     case Form::polygon:
     case Form::hull:
-    case Form::ellipsoid:
+    case Form::ellipsoid: {
       if (!std::all_of(body.points.begin(), body.points.end(),
                        [](const glm::dvec3& p) { return is_finite(p); }))
         return std::nullopt;
-      body.opacity = is_dimmed ? 0.12 : shown.item->form == Form::polygon ? 0.4 : 0.2;
+      const bool is_polygon = shown.item->form == Form::polygon;
+      if (is_polygon && has_net) body.radius *= 0.5;
+      const bool is_thick = is_polygon && (!has_net || space.camera.is_flat);
+      body.opacity = is_dimmed ? 0.12 : is_thick ? 0.36 : 0.2;
       return body;
+    }
   }
   return std::nullopt;
 }
@@ -154,8 +165,9 @@ std::vector<SpacePoints> pieces_of(const SpacePoints& line, double radius, Patte
 Space space_of(const Stage& stage, std::size_t step) {
   const std::vector<ShownItem> shown = shown_in(stage, step);
   Space space{stage.steps.at(step).view, space_camera(stage, step, shown)};
+  const bool has_net = is_net(shown);
   for (const ShownItem& one : shown) {
-    if (auto body = body_of(one, space)) space.bodies.push_back(std::move(*body));
+    if (auto body = body_of(one, space, has_net)) space.bodies.push_back(std::move(*body));
     if (auto label = label_of(one, space.view)) space.labels.insert(space.labels.begin(), std::move(*label));
   }
   if (space.camera.is_flat) return space;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <numbers>
 
 #include "viz/scene/fit_view.hpp"
@@ -55,11 +56,43 @@ std::vector<glm::dvec3> points_in_view(const StageCamera& chosen, const StageVie
   return points;
 }
 
+/// From where the camera looks at, so far that all points are in the picture.
+double distance_for(const std::vector<glm::dvec3>& points, const SpaceCamera& camera,
+                    const StageCamera& eye) {
+  const double half = std::tan(radians(view_angle / 2));
+  double distance = 0;
+  for (const glm::dvec3& p : points) {
+    const glm::dvec3 q = p - camera.middle;
+    const double size =
+        std::max(std::abs(glm::dot(q, eye.right)) / view_aspect, std::abs(glm::dot(q, eye.up)));
+    distance = std::max(distance, view_margin * size / half + glm::dot(q, eye.toward));
+  }
+  return distance;
+}
+
+/// How far the middle of what the points take up in the picture lies off the picture's.
+glm::dvec3 off_the_middle(const std::vector<glm::dvec3>& points, const SpaceCamera& camera,
+                          const StageCamera& eye) {
+  glm::dvec3 off(0);
+  for (const glm::dvec3& axis : {eye.right, eye.up}) {
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    for (const glm::dvec3& p : points) {
+      const glm::dvec3 q = p - camera.middle;
+      const double seen = camera.distance * glm::dot(q, axis) / (camera.distance - glm::dot(q, eye.toward));
+      least = std::min(least, seen);
+      most = std::max(most, seen);
+    }
+    off += 0.5 * (least + most) * axis;
+  }
+  return off;
+}
+
 }  // namespace
 
 SpaceCamera space_camera(const Stage& stage, std::size_t step, const std::vector<ShownItem>& shown) {
-  const double half = std::tan(radians(view_angle / 2));
-  SpaceCamera camera{stage.camera.up, stage.camera.toward, glm::dvec3(0), view_margin / half, true};
+  SpaceCamera camera{stage.camera.up, stage.camera.toward, glm::dvec3(0),
+                     view_margin / std::tan(radians(view_angle / 2)), true};
   if (stage.camera.is_flat || (stage.steps.at(step).is_apart && !stage.steps.at(step).is_other_space))
     return camera;
   camera.is_flat = false;
@@ -70,13 +103,12 @@ SpaceCamera space_camera(const Stage& stage, std::size_t step, const std::vector
   const StageCamera eye{right, glm::cross(camera.toward, right), camera.toward};
   const std::vector<glm::dvec3> points = points_in_view(stage.camera, stage.steps.at(step).view, eye, shown);
   camera.middle = middle_of(points, eye);
-  camera.distance = 0;
-  for (const glm::dvec3& p : points) {
-    const glm::dvec3 q = p - camera.middle;
-    const double size =
-        std::max(std::abs(glm::dot(q, eye.right)) / view_aspect, std::abs(glm::dot(q, eye.up)));
-    camera.distance = std::max(camera.distance, view_margin * size / half + glm::dot(q, eye.toward));
+  // What is near takes up more of the picture: its middle is found step by step.
+  for (int i = 0; i < 4; ++i) {
+    camera.distance = distance_for(points, camera, eye);
+    camera.middle += off_the_middle(points, camera, eye);
   }
+  camera.distance = distance_for(points, camera, eye);
   return camera;
 }
 

@@ -102,7 +102,9 @@ vtkStandardNewMacro(PictureItem);
 
 bool PictureItem::Paint(vtkContext2D* context) {
   ItemPainter painter(*context, *this);
-  for (const Element& element : picture->elements) std::visit(painter, element);
+  const std::size_t count = picture->elements.size();
+  for (std::size_t i = part * count / parts; i < (part + 1) * count / parts; ++i)
+    std::visit(painter, picture->elements[i]);
   return true;
 }
 

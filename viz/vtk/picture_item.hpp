@@ -18,6 +18,9 @@ class PictureItem : public vtkContextItem {
   double scale = 1;
   double left = 0;
   double bottom = 0;
+  /// Of as many parts of the picture's elements, the one to paint.
+  std::size_t part = 0;
+  std::size_t parts = 1;
 
   bool Paint(vtkContext2D* context) override;
 };

@@ -11,7 +11,9 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <set>
 #include <string_view>
+#include <tuple>
 
 #include "viz/picture/palette.hpp"
 #include "viz/picture/raster.hpp"
@@ -58,8 +60,10 @@ Accented without_accents(std::string_view text) {
 
 /// Keeps VTK from mixing fonts within a word. VTK remembers each font by the property that first asked for
 /// it, and asks that property again when its cache of 30 fonts, sizes and colours overflows: a painter's own
-/// property may by then stand for another font. A copy that nobody changes is registered before.
-void register_font(vtkTextProperty& property) {
+/// property may by then stand for another font. A copy that nobody changes is registered before, once.
+void register_font(vtkTextProperty& property, bool is_bold, Role role) {
+  static std::set<std::tuple<int, bool, Role>> registered;
+  if (!registered.insert({property.GetFontSize(), is_bold, role}).second) return;
   vtkNew<vtkTextProperty> copy;
   copy->ShallowCopy(&property);
   std::array<int, 4> ignored{};
@@ -97,7 +101,7 @@ class TextPainter {
     const auto [red, green, blue] = rgb_of(colour_of(role).light);
     vtkTextProperty& property = *context_.GetTextProp();
     property.SetColor(red / 255.0, green / 255.0, blue / 255.0);
-    register_font(property);
+    register_font(property, text_.bold, role);
     context_.DrawString(static_cast<float>(x), static_cast<float>(y - descent * em_),
                         accented_.plain.c_str());
   }

@@ -31,7 +31,7 @@ SlideCanvas::~SlideCanvas() = default;
 Raster SlideCanvas::draw(const Stage& stage, std::size_t step, bool is_fine) {
   view_->set_fine(is_fine);
   Picture sheet = slide_frame(stage, step, stage.title);
-  draw_legend(sheet, stage);
+  draw_legend(sheet, shown_in(stage, step));
   (void)view_->show(stage, step, sheet, Look::anew);
   return pixels_of(view_->window());
 }

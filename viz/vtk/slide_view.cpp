@@ -27,30 +27,38 @@ SlideView::SlideView(const PixelBox& scene) : scene_(scene) {
   space_->SetOcclusionRatio(0.02);
   front_->SetActiveCamera(space_->GetActiveCamera());
   set_fine(true);
-  vtkNew<vtkContextActor> actor;
-  actor->GetScene()->AddItem(item_);
-  actor->GetScene()->SetRenderer(sheet_);
-  sheet_->AddActor(actor);
-  item_->picture = &picture_;
+  for (std::size_t i = 0; i < items_.size(); ++i) {
+    vtkNew<vtkContextActor> actor;
+    actor->GetScene()->AddItem(items_[i]);
+    actor->GetScene()->SetRenderer(sheet_);
+    sheet_->AddActor(actor);
+    items_[i]->picture = &picture_;
+    items_[i]->part = i;
+    items_[i]->parts = items_.size();
+  }
 }
 SlideView::~SlideView() = default;
 
 void SlideView::set_fine(bool is_fine) {
+  is_fine_ = is_fine;
   space_->SetUseDepthPeeling(is_fine ? 1 : 0);
   space_->SetUseFXAA(is_fine);
 }
 
-double SlideView::scale() const { return item_->scale; }
+double SlideView::scale() const { return items_[0]->scale; }
 
 Point SlideView::to_window(const Point& p) const {
-  return {item_->left + p.x * item_->scale, item_->bottom + (slide_height - p.y) * item_->scale};
+  return {items_[0]->left + p.x * scale(), items_[0]->bottom + (slide_height - p.y) * scale()};
 }
 
 void SlideView::fit() {
   const int* const size = window_->GetSize();
-  item_->scale = std::min(size[0] / slide_width, size[1] / slide_height);
-  item_->left = (size[0] - item_->scale * slide_width) / 2;
-  item_->bottom = (size[1] - item_->scale * slide_height) / 2;
+  const double scale = std::min(size[0] / slide_width, size[1] / slide_height);
+  for (const auto& item : items_) {
+    item->scale = scale;
+    item->left = (size[0] - scale * slide_width) / 2;
+    item->bottom = (size[1] - scale * slide_height) / 2;
+  }
   const Point low = to_window({scene_.left, scene_.bottom()});
   const Point high = to_window({scene_.right(), scene_.top});
   for (vtkRenderer* const renderer : {space_.GetPointer(), front_.GetPointer()})
@@ -58,7 +66,7 @@ void SlideView::fit() {
 }
 
 SpaceScene SlideView::show(const Stage& stage, std::size_t step, const Picture& sheet, Look look) {
-  const SpaceScene scene(*space_, stage, step, look);
+  const SpaceScene scene(*space_, stage, step, look, is_fine_ ? fine_sides : coarse_sides);
   picture_ = sheet;
   draw_labels(picture_, scene_, shown_in(stage, step),
               [&](const StageItem& item) { return scene.seen(item, scene_); });

@@ -6,6 +6,8 @@
 #include <vtkRenderer.h>
 #include <vtkRenderWindow.h>
 
+#include <array>
+
 #include "viz/picture/picture.hpp"
 #include "viz/scene/stage.hpp"
 #include "viz/vtk/space/space_scene.hpp"
@@ -31,7 +33,8 @@ class SlideView {
   SpaceScene show(const Stage& stage, std::size_t step, const Picture& sheet, Look look);
   /// Fills the sheet alone; the space is empty.
   void show(const Picture& sheet);
-  /// Whether surfaces behind one another are sorted pixel by pixel, and edges smoothed: slower by half.
+  /// Whether surfaces behind one another are sorted pixel by pixel, edges smoothed and round things made of
+  /// many sides: twice the work. From the next `show` on.
   void set_fine(bool is_fine);
 
   [[nodiscard]] vtkRenderWindow& window() { return *window_; }
@@ -47,9 +50,11 @@ class SlideView {
  private:
   PixelBox scene_;
   Picture picture_{};
+  bool is_fine_ = true;
   vtkNew<vtkRenderWindow> window_;
   vtkNew<vtkRenderer> backdrop_, space_, front_, sheet_;
-  vtkNew<PictureItem> item_;
+  /// Each paints a part of the picture: VTK keeps 50 texts for each, and the next frame needs them again.
+  std::array<vtkNew<PictureItem>, 4> items_;
 };
 
 }  // namespace rayproof::viz

@@ -7,6 +7,7 @@
 #include "viz/drawing/topics.hpp"
 #include "viz/drawing/topics/wireframe_scene.hpp"
 #include "viz/explain/answers.hpp"
+#include "viz/scene/fit_view.hpp"
 #include "viz/trace/numbers.hpp"
 #include "viz/walkthrough/difference_gap.hpp"
 #include "viz/walkthrough/magnifier.hpp"
@@ -61,7 +62,6 @@ void magnify(StageStep& step, const CaseReport& report, const ValuePair& pair, c
                             is_ray ? glm::normalize(setting.slider->direction) : glm::dvec3(1, 0, 0)};
   step.is_apart = true;
   step.magnification = 1 / (unit * speed);
-  step.view = magnified_view;
   const auto* answer = std::get_if<RayAnswer>(&report.exact);
   if (answer != nullptr && answer->normal && pair.rank == 0) step.items = patch_of(*answer->normal);
   step.items.push_back(arrow(Role::ray, -3.3 * magnifier.along, 3.3 * magnifier.along));
@@ -72,6 +72,8 @@ void magnify(StageStep& step, const CaseReport& report, const ValuePair& pair, c
   const std::string name = symbol + subscript(pair.rank);
   step.items.push_back(point(Role::exact, {0, 0, 0}, name + " exact"));
   step.items.push_back(point(Role::claimed, magnifier.at(pair.claimed), name + " as computed"));
+  step.view = view_of(extent_of(step.items, setting.camera), setting.camera);
+  step.view.radius = std::max(step.view.radius, 1.5);  // where the ray goes straight into the picture
 }
 
 /// "The computed t₀ is off by 2 ulps: exact 4.87997734 (to 53 bits), computed 4.8799777 (float32)."

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viz/scene/fit_view.hpp"
 #include "viz/trace/numbers.hpp"
 #include "viz/walkthrough/magnifier.hpp"
 
@@ -36,12 +37,12 @@ void show_gap(StageStep& step, const Gap& gap, Precision precision, const Settin
     step.items.push_back(point(role, magnifier.at(b) + off, "exit " + word));
   };
   step.is_apart = true;
-  step.view = magnified_view;
   step.magnification = 1 / (magnifier.unit * glm::length(direction));
   step.items = {arrow(Role::ray, -magnified_reach * magnifier.along, magnified_reach * magnifier.along)};
   for (StageItem& dot : dots_of(magnifier, gap.computed_entry, precision)) step.items.push_back(dot);
   interval(Role::exact, aside, gap.entry, gap.exit, "exact");
   interval(Role::claimed, -aside, gap.computed_entry, gap.computed_exit, "as computed");
+  step.view = view_of(extent_of(step.items, setting.camera), setting.camera);
 }
 
 std::string in_words(const Gap& gap, Precision precision) {

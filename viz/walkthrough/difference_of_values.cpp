@@ -53,7 +53,7 @@ StageStep difference_of_values(const Walkthrough& walk, const Setting& setting, 
   step.is_apart = true;
   step.magnification = 1.5 / size;
   const glm::dvec3 tip = 1.5 / size * error;
-  step.view = {0.5 * tip, 1.1};
+  step.view = {0.5 * tip, 0.75};  // room for the words at both ends
   step.items = {segment(Role::edge, {0, 0, 0}, tip, "off by " + rough(size, 3)),
                 point(Role::exact, {0, 0, 0}, worst->name + " exact"),
                 point(Role::claimed, tip, worst->name + " as computed")};

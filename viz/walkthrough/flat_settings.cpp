@@ -19,7 +19,7 @@ Items parabola_items(const Quadratic<double>& q, const ParabolaFrame& frame) {
   for (int i = 0; i <= pieces; ++i) {
     const double x = frame.left + (frame.right - frame.left) * i / pieces;
     const glm::dvec3 p = frame.at(x, (q.a * x + q.b) * x + q.c);
-    if (std::abs(p.y) <= 0.75) curve.push_back(p);
+    if (std::abs(p.y) <= plot_height) curve.push_back(p);
   }
   items.push_back(polyline(Role::surface, curve, "ax² + bx + c"));
   return items;
@@ -84,8 +84,14 @@ ParabolaFrame parabola_frame(const Quadratic<double>& q, const std::vector<doubl
   }
   const double part = right > left ? (right - left) * 0.35 : std::max(1.0, std::abs(left));
   ParabolaFrame frame{left - part, right + part, 1};
-  const auto size_at = [&](double x) { return std::abs((q.a * x + q.b) * x + q.c); };
-  frame.height = std::max({size_at(frame.left), size_at(frame.right), size_at(vertex)});
+  double low = 0;
+  double high = 0;
+  for (const double x : {frame.left, frame.right, std::clamp(vertex, frame.left, frame.right)}) {
+    const double y = (q.a * x + q.b) * x + q.c;
+    low = std::min(low, y);
+    high = std::max(high, y);
+  }
+  frame.height = high - low;
   if (!(frame.height > 0) || !std::isfinite(frame.height)) frame.height = 1;
   return frame;
 }

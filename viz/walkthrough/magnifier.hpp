@@ -23,8 +23,7 @@ struct Magnifier {
 /// "Each dot is a float32 value."
 [[nodiscard]] std::string dots_in_words(Precision precision);
 
-/// What magnified steps show: numbers up to this many lengths from the centre, in a view of this radius.
+/// What magnified steps show: numbers up to this many lengths from the centre.
 inline constexpr double magnified_reach = 3.2;
-inline constexpr StageView magnified_view{{0, 0, 0}, 2.3};
 
 }  // namespace rayproof::viz

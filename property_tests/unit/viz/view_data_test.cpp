@@ -41,45 +41,62 @@ std::vector<Point> seen(const StageItem& item, const StageView& view, const Stag
   return points;
 }
 
-PixelBox box_of(const Text& text) {
-  const double width = text_width(text.text, text.size, text.bold);
-  const double left = text.anchor == Anchor::middle ? text.at.x - width / 2
-                      : text.anchor == Anchor::end  ? text.at.x - width
-                                                    : text.at.x;
-  return {left, text.at.y - 0.75 * text.size, width, 0.9 * text.size};
-}
-
 bool overlap(const PixelBox& a, const PixelBox& b) {
   return a.left < b.right() && b.left < a.right() && a.top < b.bottom() && b.top < a.bottom();
 }
 
-std::vector<Text> labels_of(const Stage& stage, std::size_t step, const StageCamera& camera) {
-  Picture picture;
-  draw_labels(picture, slide_scene, shown_in(stage, step),
-              [&](const StageItem& item) { return seen(item, stage.steps[step].view, camera); });
-  std::vector<Text> labels;
+std::vector<Text> texts_of(const Picture& picture) {
+  std::vector<Text> texts;
   for (const Element& element : picture.elements) {
-    if (const auto* text = std::get_if<Text>(&element)) labels.push_back(*text);
+    if (const auto* text = std::get_if<Text>(&element)) texts.push_back(*text);
   }
-  return labels;
+  return texts;
 }
 
-TEST(ViewData, NoLabelCoversAnotherOrLeavesTheFrameFromThreeSides) {
+Picture frame_of(const Stage& stage, std::size_t step) {
+  Picture picture = slide_frame(stage, step, stage.title);
+  draw_legend(picture, shown_in(stage, step));
+  return picture;
+}
+
+/// The labels of a step, in a slide where its other texts stand already.
+std::vector<Text> labels_of(const Stage& stage, std::size_t step, const StageCamera& camera) {
+  Picture picture = frame_of(stage, step);
+  const std::size_t others = texts_of(picture).size();
+  draw_labels(picture, slide_scene, shown_in(stage, step),
+              [&](const StageItem& item) { return seen(item, stage.steps[step].view, camera); });
+  std::vector<Text> texts = texts_of(picture);
+  texts.erase(texts.begin(), texts.begin() + static_cast<std::ptrdiff_t>(others));
+  return texts;
+}
+
+void expect_apart(const std::vector<Text>& texts, const std::vector<Text>& others = {}) {
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    const PixelBox box = box_of(texts[i]);
+    for (std::size_t k = 0; k < i; ++k)
+      EXPECT_FALSE(overlap(box, box_of(texts[k]))) << texts[i].text << " and " << texts[k].text;
+    for (const Text& other : others)
+      EXPECT_FALSE(overlap(box, box_of(other))) << texts[i].text << " and " << other.text;
+  }
+}
+
+TEST(ViewData, NoLabelCoversAnotherOrATextOrLeavesTheFrameFromThreeSides) {
   std::size_t count = 0;
   for (const Lesson& lesson : lessons()) {
     const Stage stage = stage_of(lesson, report_lesson);
     for (std::size_t step = 0; step < stage.steps.size(); ++step) {
+      const std::vector<Text> others = texts_of(frame_of(stage, step));
       for (const double angle : {0.0, 0.6, -0.9}) {
         const std::vector<Text> labels = labels_of(stage, step, turned(stage.camera, angle));
         SCOPED_TRACE(lesson.name + ": " + stage.steps[step].title + " from " + std::to_string(angle));
-        for (std::size_t i = 0; i < labels.size(); ++i, ++count) {
-          const PixelBox box = box_of(labels[i]);
-          EXPECT_GE(labels[i].size * pixels_of_a_slide, 20) << labels[i].text;
+        count += labels.size();
+        expect_apart(labels, others);
+        for (const Text& label : labels) {
+          const PixelBox box = box_of(label);
+          EXPECT_GE(label.size * pixels_of_a_slide, 24 - 1e-9) << label.text;
           EXPECT_TRUE(slide_scene.holds({box.left + 1, box.top + 1}) &&
                       slide_scene.holds({box.right() - 1, box.bottom() - 1}))
-              << labels[i].text;
-          for (std::size_t k = 0; k < i; ++k)
-            EXPECT_FALSE(overlap(box, box_of(labels[k]))) << labels[i].text << " and " << labels[k].text;
+              << label.text;
         }
       }
     }
@@ -87,17 +104,83 @@ TEST(ViewData, NoLabelCoversAnotherOrLeavesTheFrameFromThreeSides) {
   EXPECT_GT(count, 2000U);
 }
 
-TEST(ViewData, ACaptionHasRoomBelowItsPicture) {
+bool is_title(const Text& text) { return text.bold && text.at.y < slide_scene.top; }
+bool is_of_caption(const Text& text) {
+  return text.at.y > slide_scene.bottom() + 10 && text.at.y < slide_height - 20;
+}
+
+/// Titles, captions, values and the legend: large enough, whole, apart and on the slide.
+void expect_legible(const Stage& stage, std::size_t step, const std::vector<Text>& texts) {
+  std::string title, caption;
+  for (const Text& text : texts) {
+    const double least = is_title(text) ? 36 : is_of_caption(text) ? 24 : 20;
+    EXPECT_GE(text.size * pixels_of_a_slide, least - 1e-9) << text.text;
+    const PixelBox box = box_of(text);
+    EXPECT_TRUE(box.left >= 0 && box.right() <= slide_width && box.top >= 0 && box.bottom() <= slide_height)
+        << text.text;
+    if (is_title(text)) title += (title.empty() ? "" : " ") + text.text;
+    if (is_of_caption(text)) caption += (caption.empty() ? "" : " ") + text.text;
+  }
+  const StageStep& shown = stage.steps[step];
+  EXPECT_EQ(title, std::to_string(step + 1) + ". " + shown.title);
+  EXPECT_EQ(caption, shown.caption + (shown.digits.empty() ? "" : " " + shown.digits));
+  expect_apart(texts);
+}
+
+TEST(ViewData, TitlesCaptionsAndValuesAreLargeEnoughWholeAndApart) {
   for (const Lesson& lesson : lessons()) {
     const Stage stage = stage_of(lesson, report_lesson);
-    for (const StageStep& step : stage.steps) {
-      constexpr double size = 13, width = slide_width - 2 * slide_margin;
-      const std::size_t lines = wrapped(step.caption, width, size).size() +
-                                (step.digits.empty() ? 0 : wrapped(step.digits, width, size).size());
-      EXPECT_LE(slide_scene.bottom() + 22 + (static_cast<double>(lines) - 1) * 1.3 * size, slide_height - 32)
-          << lesson.name << ": " << step.title << ": " << step.caption;
+    for (std::size_t step = 0; step < stage.steps.size(); ++step) {
+      SCOPED_TRACE(lesson.name + ": " + stage.steps[step].title);
+      expect_legible(stage, step, texts_of(frame_of(stage, step)));
     }
   }
+}
+
+/// A step with this many vectors, of 17 digits each.
+Stage stage_of_vectors(int count) {
+  WalkValue component;
+  component.value = -0.12345678901234567;
+  component.exact = "-0.123456789012";
+  component.bits_lost = 9;
+  component.digits = 53;
+  Stage stage;
+  stage.precision = Precision::float64;
+  stage.steps.emplace_back();
+  for (int i = 0; i < count; ++i)
+    stage.steps[0].values.push_back({"v" + std::to_string(i), "a − b", "", {3, component}});
+  return stage;
+}
+
+TEST(ViewData, ManyVectorsStayInTheirPanelInLargeLetters) {
+  const PixelBox low{slide_scene.left, slide_scene.top, slide_scene.width, 290};
+  for (const PixelBox& scene : {slide_scene, low}) {
+    for (const int count : {1, 3, 6, 9, 30}) {
+      const Stage stage = stage_of_vectors(count);
+      std::vector<Text> texts = texts_of(slide_frame(stage, 0, "", scene));
+      std::erase_if(texts,
+                    [&](const Text& text) { return text.at.x < scene.right() || text.at.y < scene.top; });
+      EXPECT_GE(texts.size(), static_cast<std::size_t>(std::min(count, 6)));
+      for (const Text& text : texts) {
+        EXPECT_GE(text.size * pixels_of_a_slide, 20 - 1e-9) << text.text;
+        EXPECT_LE(box_of(text).bottom(), scene.bottom() + 2) << count << ": " << text.text;
+        EXPECT_LE(box_of(text).right(), slide_width) << text.text;
+      }
+      expect_apart(texts);
+    }
+  }
+}
+
+TEST(ViewData, TheLegendNamesWhatTheSlideShowsAndNothingElse) {
+  const Stage stage = stage_of(*lessons_of("sphere").front(), report_lesson);
+  const auto words = [&](std::size_t step) {
+    std::string all;
+    for (const LegendEntry& entry : legend_of(shown_in(stage, step))) all += std::string(entry.text) + ";";
+    return all;
+  };
+  EXPECT_EQ(words(0), "ray;surface;");
+  EXPECT_EQ(words(1), "ray;surface;edge, part;");
+  EXPECT_EQ(words(stage.steps.size() - 1), "ray;surface;exact;as computed;");
 }
 
 double luminance(const Rgb& colour) {
@@ -108,8 +191,8 @@ double luminance(const Rgb& colour) {
   return 0.2126 * linear(colour[0]) + 0.7152 * linear(colour[1]) + 0.0722 * linear(colour[2]);
 }
 
-double contrast(const char* a, const char* b) {
-  const double x = luminance(rgb_of(a)), y = luminance(rgb_of(b));
+double contrast(const Rgb& a, const Rgb& b) {
+  const double x = luminance(a), y = luminance(b);
   return (std::max(x, y) + 0.05) / (std::min(x, y) + 0.05);
 }
 
@@ -118,9 +201,42 @@ TEST(ViewData, EveryRoleThatALabelMayHaveContrastsWithItsHalo) {
   const RoleColour& background = colour_of(Role::background);
   for (const Role role : {Role::text, Role::muted, Role::surface, Role::ray, Role::exact, Role::claimed,
                           Role::nearest, Role::normal, Role::edge}) {
-    EXPECT_GE(contrast(colour_of(role).light, background.light), 4.5) << colour_of(role).name;
-    EXPECT_GE(contrast(colour_of(role).dark, background.dark), 4.5) << colour_of(role).name;
+    EXPECT_GE(contrast(rgb_of(colour_of(role).light), rgb_of(background.light)), 4.5) << colour_of(role).name;
+    EXPECT_GE(contrast(rgb_of(colour_of(role).dark), rgb_of(background.dark)), 4.5) << colour_of(role).name;
   }
+}
+
+/// What is seen where a surface of this opacity stands before a background.
+Rgb tinted(const char* surface, double opacity, const char* background) {
+  Rgb mixed;
+  for (std::size_t i = 0; i < 3; ++i)
+    mixed[i] = static_cast<std::uint8_t>(
+        std::lround(opacity * rgb_of(surface)[i] + (1 - opacity) * rgb_of(background)[i]));
+  return mixed;
+}
+
+/// Without the halo, too: labels are large letters (24 pixels of a slide), for which WCAG 2.1 asks 3:1.
+TEST(ViewData, EveryRoleThatALabelMayHaveContrastsWithASurfaceBehindIt) {
+  const RoleColour& surface = colour_of(Role::surface);
+  const double two_sides = 1 - (1 - 0.2) * (1 - 0.2);
+  for (const double opacity : {0.2, 0.36, two_sides}) {
+    for (const RoleColour& behind :
+         {colour_of(Role::background), floor_colours.ground, floor_colours.shadow}) {
+      const Rgb light = tinted(surface.light, opacity, behind.light);
+      const Rgb dark = tinted(surface.dark, opacity, behind.dark);
+      for (const Role role : {Role::text, Role::muted, Role::ray, Role::exact, Role::claimed, Role::nearest,
+                              Role::normal, Role::edge}) {
+        EXPECT_GE(contrast(rgb_of(colour_of(role).light), light), 3) << colour_of(role).name << opacity;
+        EXPECT_GE(contrast(rgb_of(colour_of(role).dark), dark), 3) << colour_of(role).name << opacity;
+      }
+    }
+  }
+}
+
+TEST(ViewData, NoLabelHasTheColourOfASurface) {
+  const StageItem item{Role::surface, Form::point, {{0, 0, 0}}, "C"};
+  EXPECT_EQ(label_role({&item, Emphasis::scene}), Role::edge);
+  EXPECT_EQ(label_role({&item, Emphasis::dimmed}), Role::muted);
 }
 
 TEST(ViewData, ALabelHasAHalo) {

@@ -13,21 +13,29 @@ namespace rayproof::viz {
 
 using Geometry = vtkSmartPointer<vtkPolyData>;
 
+/// The sides of a tube, with which those of other round things go: to look at, and while it moves.
+inline constexpr int fine_sides = 16, coarse_sides = 6;
+
 /// Tubes around the pieces of a line, and a cone at its end where it has a head.
 [[nodiscard]] Geometry line_geometry(const std::vector<SpacePoints>& pieces,
-                                     const std::optional<ArrowHead>& head, double radius);
+                                     const std::optional<ArrowHead>& head, double radius,
+                                     int sides = fine_sides);
 
 /// A point's mark; a ring and a cross face the eye, which lies in the direction `toward`.
 [[nodiscard]] Geometry mark_geometry(MarkShape shape, const glm::dvec3& at, double radius,
-                                     const glm::dvec3& toward);
+                                     const glm::dvec3& toward, int sides = fine_sides);
 
 /// The surface with this outline: a filled polygon by the even-odd rule, the convex hull of points in space
 /// or in a plane, an ellipsoid of a centre and the tips of three conjugate semi-axes.
 [[nodiscard]] Geometry polygon_of(const SpacePoints& corners);
 [[nodiscard]] Geometry hull_of(const SpacePoints& points);
-[[nodiscard]] Geometry ellipsoid_of(const SpacePoints& centre_and_tips);
+[[nodiscard]] Geometry ellipsoid_of(const SpacePoints& centre_and_tips, int sides = fine_sides);
+
+/// The line around a polygon, as a tube.
+[[nodiscard]] Geometry ring_of(const SpacePoints& corners, double radius, int sides = fine_sides);
 
 /// The line where the surface turns away from the eye, as a tube.
-[[nodiscard]] Geometry silhouette_of(const Geometry& surface, const glm::dvec3& eye, double radius);
+[[nodiscard]] Geometry silhouette_of(const Geometry& surface, const glm::dvec3& eye, double radius,
+                                     int sides = fine_sides);
 
 }  // namespace rayproof::viz

@@ -40,11 +40,11 @@ Geometry placed(vtkAlgorithm& source, vtkTransform& transform) {
   return filter->GetOutput();
 }
 
-Geometry tubes_of(const Geometry& lines, double radius) {
+Geometry tubes_of(const Geometry& lines, double radius, int sides) {
   vtkNew<vtkTubeFilter> tube;
   tube->SetInputData(lines);
   tube->SetRadius(radius);
-  tube->SetNumberOfSides(16);
+  tube->SetNumberOfSides(sides);
   tube->CappingOn();
   tube->Update();
   return tube->GetOutput();

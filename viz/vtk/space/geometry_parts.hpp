@@ -15,7 +15,7 @@ namespace rayproof::viz {
 /// Each a polyline.
 [[nodiscard]] Geometry lines_of(const std::vector<SpacePoints>& lines);
 /// Tubes around all lines of the geometry.
-[[nodiscard]] Geometry tubes_of(const Geometry& lines, double radius);
+[[nodiscard]] Geometry tubes_of(const Geometry& lines, double radius, int sides);
 /// What the source makes, under the transform.
 [[nodiscard]] Geometry placed(vtkAlgorithm& source, vtkTransform& transform);
 

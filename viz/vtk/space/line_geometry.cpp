@@ -36,13 +36,13 @@ vtkSmartPointer<vtkTransform> turned(const glm::dvec3& at, const glm::dvec3& z, 
 }  // namespace
 
 Geometry line_geometry(const std::vector<SpacePoints>& pieces, const std::optional<ArrowHead>& head,
-                       double radius) {
-  const Geometry tubes = tubes_of(lines_of(pieces), radius);
+                       double radius, int sides) {
+  const Geometry tubes = tubes_of(lines_of(pieces), radius, sides);
   if (!head) return tubes;
   const glm::dvec3 along = head->tip - head->base;
   const glm::dvec3 middle = 0.5 * (head->base + head->tip);
   vtkNew<vtkConeSource> cone;
-  cone->SetResolution(24);
+  cone->SetResolution(sides * 3 / 2);
   cone->SetHeight(glm::length(along));
   cone->SetRadius(head->radius);
   cone->SetCenter(middle.x, middle.y, middle.z);
@@ -54,7 +54,8 @@ Geometry line_geometry(const std::vector<SpacePoints>& pieces, const std::option
   return both->GetOutput();
 }
 
-Geometry mark_geometry(MarkShape shape, const glm::dvec3& at, double radius, const glm::dvec3& toward) {
+Geometry mark_geometry(MarkShape shape, const glm::dvec3& at, double radius, const glm::dvec3& toward,
+                       int sides) {
   const auto transform = turned(at, toward, radius);
   switch (shape) {
     case MarkShape::ring: {
@@ -63,6 +64,8 @@ Geometry mark_geometry(MarkShape shape, const glm::dvec3& at, double radius, con
       torus->SetCrossSectionRadius(mark_measures.wire);
       vtkNew<vtkParametricFunctionSource> source;
       source->SetParametricFunction(torus);
+      source->SetUResolution(3 * sides);
+      source->SetVResolution(sides);
       return placed(*source, *transform);
     }
     case MarkShape::diamond: {
@@ -75,14 +78,14 @@ Geometry mark_geometry(MarkShape shape, const glm::dvec3& at, double radius, con
       constexpr double arm = mark_measures.cross;
       const Geometry both = lines_of({{{-arm, -arm, 0}, {arm, arm, 0}}, {{-arm, arm, 0}, {arm, -arm, 0}}});
       vtkNew<vtkAppendPolyData> tubes;
-      tubes->AddInputData(tubes_of(both, mark_measures.wire));
+      tubes->AddInputData(tubes_of(both, mark_measures.wire, sides));
       return placed(*tubes, *transform);
     }
     case MarkShape::dot: {
       vtkNew<vtkSphereSource> source;
       source->SetRadius(1);
-      source->SetThetaResolution(24);
-      source->SetPhiResolution(24);
+      source->SetThetaResolution(sides * 3 / 2);
+      source->SetPhiResolution(sides * 3 / 2);
       return placed(*source, *transform);
     }
   }

@@ -1,6 +1,5 @@
 #include "viz/vtk/space/space_scene.hpp"
 
-#include <vtkActor.h>
 #include <vtkActorCollection.h>
 #include <vtkCamera.h>
 #include <vtkLightKit.h>
@@ -46,8 +45,8 @@ void set_camera(vtkCamera& camera, const SpaceCamera& view) {
   camera.SetClippingRange(view.nearest(), view.farthest());
 }
 
-SpaceScene::SpaceScene(vtkRenderer& renderer, const Stage& stage, std::size_t step, Look look)
-    : renderer_(renderer), space_(space_of(stage, step)) {
+SpaceScene::SpaceScene(vtkRenderer& renderer, const Stage& stage, std::size_t step, Look look, int sides)
+    : renderer_(renderer), space_(space_of(stage, step)), sides_(sides) {
   renderer_.RemoveAllViewProps();
   place_camera(look);
   for (const SpaceBody& body : space_.bodies) {
@@ -57,10 +56,11 @@ SpaceScene::SpaceScene(vtkRenderer& renderer, const Stage& stage, std::size_t st
       add_surface(body);
     } else {
       renderer_.AddActor(
-          actor_of(line_geometry(body.pieces, body.head, body.radius), shown_role(body.shown)));
+          actor_of(line_geometry(body.pieces, body.head, body.radius, sides_), shown_role(body.shown)));
     }
   }
   if (space_.floor) add_floor();
+  if (sides_ != fine_sides) blend_films();
   renderer_.RemoveAllLights();
   vtkNew<vtkLightKit> lights;
   lights->AddLightsToRenderer(&renderer_);
@@ -84,14 +84,14 @@ void SpaceScene::add_mark(const SpaceBody& body) {
   const double height = space_.camera.is_flat ? 0.1 + 0.01 * renderer_.GetActors()->GetNumberOfItems() : 0;
   const glm::dvec3 place = body.points.at(0) + height * space_.camera.toward;
   const Geometry mark =
-      mark_geometry(mark_of(body.shown.item->role), place, body.radius, space_.camera.toward);
+      mark_geometry(mark_of(body.shown.item->role), place, body.radius, space_.camera.toward, sides_);
   renderer_.AddActor(actor_of(mark, shown_role(body.shown)));
 }
 
 void SpaceScene::add_surface(const SpaceBody& body) {
   const Form form = body.shown.item->form;
   const Geometry surface = form == Form::polygon     ? polygon_of(body.points)
-                           : form == Form::ellipsoid ? ellipsoid_of(body.points)
+                           : form == Form::ellipsoid ? ellipsoid_of(body.points, sides_)
                                                      : hull_of(body.points);
   const auto actor = actor_of(surface, shown_role(body.shown));
   vtkProperty& property = *actor->GetProperty();
@@ -100,8 +100,25 @@ void SpaceScene::add_surface(const SpaceBody& body) {
   property.SetSpecularPower(30);
   if (space_.camera.is_flat) property.LightingOff();
   renderer_.AddActor(actor);
-  renderer_.AddActor(
-      actor_of(silhouette_of(surface, space_.camera.eye(), body.radius), shown_role(body.shown)));
+  films_.emplace_back(actor);
+  if (form != Form::polygon) closed_.emplace_back(actor);
+  const Geometry outline = form == Form::polygon
+                               ? ring_of(body.points, body.radius, sides_)
+                               : silhouette_of(surface, space_.camera.eye(), body.radius, sides_);
+  renderer_.AddActor(actor_of(outline, shown_role(body.shown)));
+}
+
+void SpaceScene::blend_films() {
+  for (vtkActor* film : films_) {
+    renderer_.RemoveActor(film);
+    renderer_.AddActor(film);
+    film->ForceOpaqueOn();
+  }
+  for (vtkActor* film : closed_) {
+    const double clear = 1 - film->GetProperty()->GetOpacity();
+    film->GetProperty()->SetOpacity(1 - clear * clear);  // its far side is not drawn
+    film->GetProperty()->BackfaceCullingOn();
+  }
 }
 
 void SpaceScene::add_floor() {

@@ -2,13 +2,16 @@
 /// \file
 /// A step of a stage in true space, as actors of VTK.
 
+#include <vtkActor.h>
 #include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
 
 #include <vector>
 
 #include "viz/picture/picture.hpp"
 #include "viz/scene/space.hpp"
 #include "viz/scene/stage.hpp"
+#include "viz/vtk/space/geometry.hpp"
 
 class vtkCamera;
 
@@ -28,8 +31,10 @@ enum class Look { anew, from_same_side, from_same_place };
 /// VTK's own numbers are floats: all coordinates are taken relative to the view, in units of its radius.
 class SpaceScene {
  public:
-  /// The renderer must outlive it; its viewport must be set already.
-  SpaceScene(vtkRenderer& renderer, const Stage& stage, std::size_t step, Look look = Look::anew);
+  /// The renderer must outlive it; its viewport must be set already. Round things are made of this many
+  /// sides (viz/vtk/space/geometry.hpp).
+  SpaceScene(vtkRenderer& renderer, const Stage& stage, std::size_t step, Look look = Look::anew,
+             int sides = fine_sides);
 
   /// Where an item is seen, in the pixels of a frame that the renderer's viewport fills; nothing of a round
   /// surface.
@@ -42,9 +47,15 @@ class SpaceScene {
   void add_mark(const SpaceBody& body);
   void add_surface(const SpaceBody& body);
   void add_floor();
+  /// Draws the surfaces over all else, without VTK's pass for translucent ones, which takes a third of the
+  /// time.
+  void blend_films();
 
   vtkRenderer& renderer_;
   Space space_;
+  int sides_;
+  std::vector<vtkSmartPointer<vtkActor>> films_{};   ///< the surfaces
+  std::vector<vtkSmartPointer<vtkActor>> closed_{};  ///< those of them that have an inside
 };
 
 }  // namespace rayproof::viz

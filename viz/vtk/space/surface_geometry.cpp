@@ -13,6 +13,16 @@
 
 namespace rayproof::viz {
 
+Geometry ring_of(const SpacePoints& corners, double radius, int sides) {
+  // Side by side: a tube around a sharp corner would be pinched there.
+  std::vector<SpacePoints> lines;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const glm::dvec3& next = corners[(i + 1) % corners.size()];
+    if (next != corners[i]) lines.push_back({corners[i], next});
+  }
+  return tubes_of(lines_of(lines), radius, sides);
+}
+
 Geometry polygon_of(const SpacePoints& corners) {
   SpacePoints ring = corners;
   ring.push_back(corners.front());
@@ -49,11 +59,11 @@ Geometry hull_of(const SpacePoints& points) {
   return normals->GetOutput();
 }
 
-Geometry ellipsoid_of(const SpacePoints& centre_and_tips) {
+Geometry ellipsoid_of(const SpacePoints& centre_and_tips, int sides) {
   vtkNew<vtkSphereSource> ball;
   ball->SetRadius(1);
-  ball->SetThetaResolution(96);
-  ball->SetPhiResolution(64);
+  ball->SetThetaResolution(6 * sides);
+  ball->SetPhiResolution(4 * sides);
   vtkNew<vtkMatrix4x4> matrix;
   const glm::dvec3& centre = centre_and_tips.at(0);
   for (int axis = 0; axis < 3; ++axis) {
@@ -66,7 +76,7 @@ Geometry ellipsoid_of(const SpacePoints& centre_and_tips) {
   return placed(*ball, *transform);
 }
 
-Geometry silhouette_of(const Geometry& surface, const glm::dvec3& eye, double radius) {
+Geometry silhouette_of(const Geometry& surface, const glm::dvec3& eye, double radius, int sides) {
   vtkNew<vtkPolyDataSilhouette> silhouette;
   silhouette->SetInputData(surface);
   silhouette->SetDirectionToSpecifiedOrigin();
@@ -75,7 +85,7 @@ Geometry silhouette_of(const Geometry& surface, const glm::dvec3& eye, double ra
   silhouette->SetFeatureAngle(30);
   silhouette->BorderEdgesOn();
   silhouette->Update();
-  return tubes_of(silhouette->GetOutput(), radius);
+  return tubes_of(silhouette->GetOutput(), radius, sides);
 }
 
 }  // namespace rayproof::viz

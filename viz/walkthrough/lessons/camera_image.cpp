@@ -1,5 +1,8 @@
 #include "viz/walkthrough/lessons/camera_image.hpp"
 
+#include <cmath>
+#include <glm/trigonometric.hpp>
+
 namespace rayproof::viz::camera_image {
 
 const rayproof::Camera<double>& eye() {
@@ -29,8 +32,10 @@ StageItem pixel(Role role, int i, int j) {
   return polygon(role, {corner_of(i, j), corner_of(i + 1, j), corner_of(i + 1, j + 1), corner_of(i, j + 1)});
 }
 
-StageCamera beside_the_camera() {
-  const glm::dvec3 toward = glm::normalize(glm::dvec3(0.35, -1.4, 0.75));
+StageCamera behind_the_eye(double degrees) {
+  const glm::dvec3 back = camera::axes(eye()).w;
+  const double angle = std::atan2(back.y, back.x) - glm::radians(degrees);
+  const glm::dvec3 toward = glm::normalize(glm::dvec3(std::cos(angle), std::sin(angle), 0.5));
   const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 0, 1), toward));
   return {right, glm::cross(toward, right), toward};
 }

@@ -28,7 +28,7 @@ inline constexpr const char* case_text =
 [[nodiscard]] Items grid();
 [[nodiscard]] StageItem pixel(Role role, int i, int j);
 
-/// Looks past the camera at its image.
-[[nodiscard]] StageCamera beside_the_camera();
+/// Looks past the eye at its image, from this angle off the direction in which the eye looks.
+[[nodiscard]] StageCamera behind_the_eye(double degrees);
 
 }  // namespace rayproof::viz::camera_image

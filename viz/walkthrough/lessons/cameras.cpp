@@ -50,7 +50,7 @@ Stage camera_stage(const Case& one, const ReportCase& report_on) {
   Setting setting = setting_of(report);
   setting.scene = grid();
   setting.scene.push_back(point(Role::ray, eye().eye, "eye"));
-  setting.camera = beside_the_camera();
+  setting.camera = behind_the_eye(39);
   Items reach = setting.scene;
   const CameraAxes<double> axes = camera::axes(eye());
   for (const glm::dvec3& axis : {axes.u, axes.v, axes.w})

@@ -25,7 +25,7 @@ std::vector<Lesson> plane_lessons() {
        "The distance to the plane never changes: no t solves the equation, and the division by 0 must not "
        "look like a hit.",
        R"({"precision": "float32", "ray": {"origin": [-1.5, -1, 1.5], "direction": [1, 0.5, 0]},
-           "shape": {"type": "plane", "point": [0.5, 0.25, 0.5], "normal": [0, 0, 1]}})",
+           "shape": {"type": "plane", "point": [-0.5, -1.5, 0.5], "normal": [0, 0, 1]}})",
        "plane/point_normal",
        nullptr,
        {{"Compare the distance to the plane with the ray's progress (2",
@@ -36,7 +36,7 @@ std::vector<Lesson> plane_lessons() {
        "Every point of the ray is in the plane: there is no first hit to give, and this method calls it a "
        "miss.",
        R"({"precision": "float32", "ray": {"origin": [-1.5, -1, 0.5], "direction": [1, 0.5, 0]},
-           "shape": {"type": "plane", "point": [0.5, 0.25, 0.5], "normal": [0, 0, 1]}})",
+           "shape": {"type": "plane", "point": [-0.5, -1.5, 0.5], "normal": [0, 0, 1]}})",
        "plane/point_normal",
        nullptr,
        {{"Compare the distance to the plane with the ray's progress (2",

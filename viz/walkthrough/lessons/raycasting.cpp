@@ -129,7 +129,7 @@ Stage loop_stage(const Case& one, const ReportCase& report_on) {
   setting.scene = grid();
   for (const LoopSphere& ball : balls) setting.scene.push_back(ball_item(ball));
   setting.scene.push_back(point(Role::ray, eye().eye, "eye"));
-  setting.camera = beside_the_camera();
+  setting.camera = behind_the_eye(20);
   const StageView view = view_of(extent_of(setting.scene, setting.camera), setting.camera);
   setting.near = setting.wide = view;
   Stage stage = stage_of(report);

@@ -19,20 +19,18 @@ namespace {
 constexpr implicit::Torus<double> torus{1.25, 0.5};
 
 Items torus_items() {
-  constexpr int pieces = 36;
+  constexpr int around = 24, over = 10;
   constexpr double turn = 6.283185307179586;
+  const auto at = [](int i, int j) {
+    const double r = torus.major + torus.minor * std::cos(turn * j / over);
+    const double angle = turn * i / around;
+    return glm::dvec3(r * std::cos(angle), r * std::sin(angle), torus.minor * std::sin(turn * j / over));
+  };
   Items items;
-  const auto at = [](double around, double over) {
-    const double r = torus.major + torus.minor * std::cos(over);
-    return glm::dvec3(r * std::cos(around), r * std::sin(around), torus.minor * std::sin(over));
-  };
-  const auto ring = [&](auto&& point_at) {
-    std::vector<glm::dvec3> points;
-    for (int i = 0; i <= pieces; ++i) points.push_back(point_at(turn * i / pieces));
-    items.push_back(polyline(Role::frame, points));
-  };
-  for (int k = 0; k < 12; ++k) ring([&](double s) { return at(turn * k / 12, s); });
-  for (int k = 0; k < 6; ++k) ring([&](double s) { return at(s, turn * k / 6); });
+  for (int i = 0; i < around; ++i) {
+    for (int j = 0; j < over; ++j)
+      items.push_back(polygon(Role::surface, {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)}));
+  }
   return items;
 }
 

@@ -60,7 +60,7 @@ StageStep start_step(const spawn::SurfacePoint<float>& from, const glm::vec3& di
   step.caption = step.words;
   step.is_apart = true;
   step.magnification = 1 / size;
-  step.view = {{}, 1.9};
+  step.view = {0.3 * camera.up, 1.5};
   const double rise = std::clamp(start.climb, 0.2, 0.8) * size;
   step.items = {segment(Role::surface, at(-2, 0), at(2, 0)),
                 point(Role::text, at(1.6, -0.15 * size), "the sphere"),
