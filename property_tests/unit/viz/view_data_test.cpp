@@ -148,7 +148,7 @@ Stage stage_of_vectors(int count) {
   stage.precision = Precision::float64;
   stage.steps.emplace_back();
   for (int i = 0; i < count; ++i)
-    stage.steps[0].values.push_back({"v" + std::to_string(i), "a − b", "", {3, component}});
+    stage.steps[0].values.push_back({"v" + std::to_string(i), read_formula("a − b"), {}, {3, component}});
   return stage;
 }
 
