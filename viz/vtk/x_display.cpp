@@ -21,18 +21,18 @@ Display* display_of(vtkRenderWindowInteractor& interactor) {
 UserDisplay::UserDisplay() {
   const char* const name = std::getenv("DISPLAY");
   if (name == nullptr || *name == '\0') {
-    throw NoDisplay("a window needs a display, and DISPLAY is not set; --html or --png need none");
+    throw NoDisplay("a window needs a display, and DISPLAY is not set; without --window none is needed");
   }
   Display* const display = XOpenDisplay(nullptr);
   if (display == nullptr) {
     throw NoDisplay(std::string("the display ") + name +
-                    " of DISPLAY can't be opened; --html or --png need none");
+                    " of DISPLAY can't be opened; without --window none is needed");
   }
   int ignored = 0;
   if (XQueryExtension(display, "GLX", &ignored, &ignored, &ignored) == 0) {
     XCloseDisplay(display);
     throw NoDisplay(std::string("the display ") + name +
-                    " can't show OpenGL (it lacks GLX); --html or --png work");
+                    " can't show OpenGL (it lacks GLX); without --window none is needed");
   }
   connection_ = display;
 }

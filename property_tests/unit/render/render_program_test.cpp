@@ -84,6 +84,28 @@ TEST_F(RenderProgram, APixelsCaseGoesToExplain) {
   EXPECT_EQ(run(render + scene + " --case 40 0").status, 2) << "outside";
 }
 
+TEST_F(RenderProgram, APixelsCaseBecomesAPageByTheMethodWhoseErrorsAreAsked) {
+  const std::string scene = write("scene.json", scene_text(sphere_entry));
+  const std::string page = out("pixel.html");
+  const Ended ended = run(render + scene + " --error sphere/textbook --case 18 16 --out " + page);
+  EXPECT_EQ(ended.status, 0) << ended.output;
+  EXPECT_EQ(ended.output, run(render + scene + " --case 18 16 --method sphere/textbook").output);
+  std::ifstream file(page, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_NE(text.find("sphere/textbook"), std::string::npos);
+  EXPECT_NE(text.find("pixel (18, 16)"), std::string::npos);
+}
+
+TEST_F(RenderProgram, AWindowNeedsErrorsToShowAndADisplay) {
+  const std::string scene = write("scene.json", scene_text(sphere_entry));
+  for (const std::string how :
+       {"--window", "--error --window", "--window --exact", "--error --window --case 18 16"}) {
+    const Ended ended = run(render + scene + " " + how);
+    EXPECT_EQ(ended.status, 2) << how << ended.output;
+    EXPECT_EQ(std::count(ended.output.begin(), ended.output.end(), '\n'), 1) << ended.output;
+  }
+}
+
 TEST_F(RenderProgram, ARefusedSceneEndsWith1AndAMissingFileWith2) {
   const std::string bad =
       write("bad.json", scene_text(R"({"shape": {"type": "sphere", "center": [0,0,0], "radius": -1}})"));

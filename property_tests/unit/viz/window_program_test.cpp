@@ -80,6 +80,34 @@ TEST(WindowProgram, SSavesThePictureWhereItMayAndSaysSoWhereItMayNot) {
   std::filesystem::remove_all(here);
 }
 
+TEST(WindowProgram, AClickOnAPixelOfAnErrorImagePrintsItsCaseAndWritesItsPage) {
+  if (!std::filesystem::exists(RAYPROOF_BIN_DIR "/rayproof-render")) GTEST_SKIP() << "render is not built";
+  const OffscreenDisplay display("2600x2200x24");  // the whole figure, pixel by pixel
+  const std::filesystem::path here = testing::TempDir() + "clicked-pixels";
+  std::filesystem::create_directory(here);
+  Running program("cd " + here.string() +
+                  " && timeout 60 " RAYPROOF_BIN_DIR "/rayproof-render " RAYPROOF_SOURCE_DIR
+                  "/docs/scenes/far-sphere.json --size 32x24 --error sphere/textbook --window 2>/dev/null");
+  XClient user;
+  ASSERT_TRUE(user.find_window());
+  user.press_button(470, 470);  // near the middle of the panel
+  user.release_button(470, 470);
+  user.press_key("q");
+  const auto [status, output] = program.wait();
+  EXPECT_EQ(status, 0) << output;
+  ASSERT_EQ(std::count(output.begin(), output.end(), '\n'), 1) << output;
+  const Case one = read_case(output.substr(0, output.size() - 1));
+  const std::size_t at = one.note.find("pixel (");
+  ASSERT_EQ(at, 0U) << one.note;
+  int x = 0, y = 0;
+  ASSERT_EQ(std::sscanf(one.note.c_str(), "pixel (%d, %d)", &x, &y), 2);
+  EXPECT_NEAR(x, 16, 2);
+  EXPECT_NEAR(y, 12, 2);
+  const auto page = here / ("far-sphere-" + std::to_string(x) + "-" + std::to_string(y) + ".html");
+  EXPECT_GT(std::filesystem::file_size(page), 100000U);
+  std::filesystem::remove_all(here);
+}
+
 }  // namespace
 }  // namespace rayproof::viz
 #endif

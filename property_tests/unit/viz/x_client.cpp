@@ -31,7 +31,7 @@ bool XClient::find_window(int seconds) {
       char* name = nullptr;
       // The window has its name once it listens.
       if (XFetchName(display, children[i], &name) == 0) continue;
-      if (std::string(name).starts_with("rayproof walk")) connection_->window = children[i];
+      if (std::string(name).starts_with("rayproof ")) connection_->window = children[i];
       XFree(name);
     }
     if (children != nullptr) XFree(children);

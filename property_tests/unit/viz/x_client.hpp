@@ -6,7 +6,7 @@
 
 namespace rayproof::viz {
 
-/// Acts on the one window of a walkthrough that is open on DISPLAY.
+/// Acts on the one window of a program of ours that is open on DISPLAY.
 class XClient {
  public:
   XClient();

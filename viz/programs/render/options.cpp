@@ -75,7 +75,12 @@ void RenderOptions::add_to(CLI::App& app) {
       ->type_name("STRATEGY")
       ->delimiter(',')
       ->check(CLI::IsMember(known_strategies()));
-  app.add_option("--case", pixel, "Print the case of the pixel in column X and row Y, from 0 at the top left")
+  app.add_flag(
+      "--window", is_window,
+      "Show --error or --compare in a window; a click on a pixel prints its case and writes its page");
+  app.add_option("--case", pixel,
+                 "Print the case of the pixel in column X and row Y, from 0 at the top left; with --out "
+                 "FILE.html also write its page, by --error's method if one is given")
       ->type_name("X Y")
       ->expected(2)
       ->allow_extra_args(false);
@@ -95,16 +100,18 @@ void RenderOptions::add_to(CLI::App& app) {
 }
 
 Mode RenderOptions::mode() const {
-  const int kinds = static_cast<int>(is_exact) + static_cast<int>(is_error) +
-                    static_cast<int>(!compare.empty()) + static_cast<int>(!pixel.empty()) +
-                    static_cast<int>(!strategies.empty());
+  const bool is_pixel = !pixel.empty();
+  const int kinds = static_cast<int>(is_exact) + static_cast<int>(is_error || is_pixel) +
+                    static_cast<int>(!compare.empty()) + static_cast<int>(!strategies.empty());
   if (kinds > 1)
     throw WrongCommand("only one of --exact, --error, --compare, --spawn and --case can be done at a time");
   if (is_exact && !methods.empty()) throw WrongCommand("--exact asks no method: leave --method out");
-  if (!pixel.empty() && !out.empty())
-    throw WrongCommand("--case prints a case and draws no image: leave --out out");
-  if (pixel.empty() && out.empty()) throw WrongCommand("nothing to write: give --out and a file");
-  if (!pixel.empty()) return Mode::pixel;
+  if (is_pixel && !out.empty() && !out.ends_with(".html"))
+    throw WrongCommand("--case prints a case and draws no image: leave --out out, or name a page.html");
+  if (is_window && (is_pixel || (!is_error && compare.empty())))
+    throw WrongCommand("--window shows errors: give --error or --compare");
+  if (!is_pixel && !is_window && out.empty()) throw WrongCommand("nothing to write: give --out and a file");
+  if (is_pixel) return Mode::pixel;
   if (!compare.empty()) return Mode::compare;
   if (is_error) return Mode::error;
   if (!strategies.empty()) return Mode::shadows;

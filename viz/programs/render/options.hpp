@@ -22,7 +22,7 @@ struct RenderOptions {
   std::string scene{}, out{}, precision{}, size{}, shade = "normal";
   std::vector<std::string> methods{}, error{}, compare{}, strategies{};
   std::vector<int> pixel{};
-  bool is_exact = false, is_error = false;
+  bool is_exact = false, is_error = false, is_window = false;
   int jobs = 0;
 
   void add_to(CLI::App& app);

@@ -1,19 +1,22 @@
 #include "viz/programs/render/run.hpp"
 
 #include <chrono>
+#include <filesystem>
 #include <set>
 
 #include "case/case.hpp"
 #include "case/writer.hpp"
 #include "command_line/progress_line.hpp"
 #include "viz/programs/partial_file.hpp"
-#include "viz/render/pixel_case.hpp"
+#include "viz/programs/render/pixel_report.hpp"
 #include "viz/render/shadows.hpp"
 #include "viz/vtk/offscreen_display.hpp"
 #include "viz/vtk/raster_png.hpp"
 #include "viz/vtk/render/error_figure.hpp"
+#include "viz/vtk/render/error_window.hpp"
 #include "viz/vtk/render/mesh_reader.hpp"
 #include "viz/vtk/render/shadow_figure.hpp"
+#include "viz/vtk/x_display.hpp"
 
 namespace rayproof::render {
 namespace {
@@ -29,6 +32,7 @@ class Render {
 
   void run() {
     if (mode_ == Mode::pixel) return print_case();
+    if (options_.is_window) return show_window();
     viz::PartialFile file(options_.out);
     viz::write_png(image(), file.path());
     if (stop_) throw Stopped();
@@ -49,15 +53,20 @@ class Render {
     }
     if (mode_ == Mode::exact_picture) return shaded(scene_, exactly(), options_.shading(), work("shading"));
     if (mode_ == Mode::shadows) return shadows();
-    std::vector<std::pair<std::string, Methods>> panels;
-    if (mode_ == Mode::compare) {
-      for (const std::string& method : options_.compare)
-        panels.emplace_back(method, options_.chosen_methods({method}));
-    } else {
-      const Methods chosen = options_.chosen_methods(options_.error);
-      panels.emplace_back(names_of(chosen), chosen);
-    }
-    return errors_of(panels);
+    const viz::OffscreenDisplay display;
+    return error_figure(title(), error_panels());
+  }
+
+  using NamedMethods = std::vector<std::pair<std::string, Methods>>;
+
+  /// What --error or --compare asks for.
+  [[nodiscard]] NamedMethods asked() const {
+    NamedMethods all;
+    for (const std::string& method : options_.compare)
+      all.emplace_back(method, options_.chosen_methods({method}));
+    if (mode_ != Mode::error) return all;
+    const Methods chosen = options_.chosen_methods(options_.error);
+    return {{names_of(chosen), chosen}};
   }
 
   /// The methods of the shapes that are in the scene.
@@ -70,14 +79,18 @@ class Render {
     return fmt::format("{}", fmt::join(names, ", "));
   }
 
-  viz::Raster errors_of(const std::vector<std::pair<std::string, Methods>>& asked) {
-    const viz::OffscreenDisplay display;
-    std::vector<ErrorPanel> panels(asked.size(), {{}, {scene_.width, scene_.height, {}, {}, {}}});
+  [[nodiscard]] std::string title() const {
+    return fmt::format("Errors in {}, against the exact image", name_of(scene_.precision));
+  }
+
+  std::vector<ErrorPanel> error_panels() {
+    const NamedMethods all = asked();
+    std::vector<ErrorPanel> panels(all.size(), {{}, {scene_.width, scene_.height, {}, {}, {}}});
     check_size(panels);  // before the long work
     panels.clear();
     const HitImage exact = exactly();
     std::string comparison;
-    for (const auto& [name, methods] : asked) {
+    for (const auto& [name, methods] : all) {
       const HitImage claimed = by_methods(methods, name);
       panels.push_back({name, find_errors(scene_, exact, claimed, work("comparing"))});
       const Totals& totals = panels.back().errors.totals;
@@ -87,8 +100,36 @@ class Render {
     }
     status_ = "against the exact image" + comparison;
     progress_.clear();
-    const char* const precision = name_of(scene_.precision);
-    return error_figure(fmt::format("Errors in {}, against the exact image", precision), panels);
+    return panels;
+  }
+
+  void show_window() {
+    const viz::UserDisplay display;
+    const std::vector<ErrorPanel> panels = error_panels();
+    if (stop_) throw Stopped();
+    const viz::Raster figure = error_figure(title(), panels);
+    if (!options_.out.empty()) viz::write_png(figure, options_.out);
+    ErrorWindow window(figure, ErrorLayout(panels), [&, all = asked()](const PanelPixel& pixel) {
+      return open(pixel, all[pixel.panel].second);
+    });
+    window.run();
+  }
+
+  /// Prints the case of a pixel and writes its page where the program was started.
+  std::string open(const PanelPixel& pixel, const Methods& methods) {
+    try {
+      const PixelReport report = report_pixel(scene_, pixel.x, pixel.y, methods);
+      fmt::print("{}\n", write_case(report.one));
+      std::fflush(stdout);
+      const std::string page =
+          fmt::format("{}-{}-{}.html", std::filesystem::path(scene_.file).stem().string(), pixel.x, pixel.y);
+      write_page(report, page);
+      fmt::print(stderr, "saved {}\n", page);
+      return fmt::format("pixel {} {} by {}: {}", pixel.x, pixel.y, report.method, page);
+    } catch (const std::runtime_error& failure) {
+      fmt::print(stderr, "rayproof render: {}\n", failure.what());
+      return failure.what();
+    }
   }
 
   /// The light by each strategy that is asked for, in panels.
@@ -146,20 +187,12 @@ class Render {
   }
 
   void print_case() {
-    const int x = options_.pixel[0], y = options_.pixel[1];
-    if (x < 0 || x >= scene_.width || y < 0 || y >= scene_.height) {
-      throw WrongCommand(fmt::format("--case {} {} is outside the image of {}x{} pixels", x, y, scene_.width,
-                                     scene_.height));
-    }
-    const PixelHits hits = hits_at(scene_, x, y, options_.chosen_methods());
-    const ObjectIndex object = object_of(hits);
-    if (object == no_object) {
-      throw WrongCommand(
-          fmt::format("the ray of pixel {} {} meets nothing, neither exactly nor by the methods, so that "
-                      "there is no case to print",
-                      x, y));
-    }
-    fmt::print("{}\n", write_case(pixel_case(scene_, x, y, object, hits)));
+    const Methods methods = options_.chosen_methods(options_.error);
+    const PixelReport report = report_pixel(scene_, options_.pixel[0], options_.pixel[1], methods);
+    fmt::print("{}\n", write_case(report.one));
+    if (options_.out.empty()) return;
+    const viz::OffscreenDisplay display;
+    write_page(report, options_.out);
   }
 
   const RenderOptions& options_;

@@ -3,6 +3,7 @@
 /// Where an error figure puts its panels, its legend and its totals.
 
 #include <algorithm>
+#include <optional>
 
 #include "viz/picture/picture.hpp"
 #include "viz/vtk/picture_png.hpp"
@@ -23,8 +24,15 @@ inline constexpr double letter_width = 8.5;
 /// A list of names broken into lines of a width; a name alone on its line may be longer.
 [[nodiscard]] std::vector<std::string> broken_into_lines(const std::string& names, double width);
 
+/// A pixel of a panel's image.
+struct PanelPixel {
+  std::size_t panel = 0;
+  int x = 0, y = 0;
+};
+
 struct ErrorLayout {
-  int zoom;  ///< device pixels for one of the image's
+  int columns, rows;  ///< of an image
+  int zoom;           ///< device pixels for one of the image's
   double panel_width, panel_height, panels_top;
   double width;
   std::vector<std::vector<std::string>> titles{};  ///< the lines above each panel
@@ -34,6 +42,8 @@ struct ErrorLayout {
   [[nodiscard]] double panel_left(std::size_t i) const {
     return margin + static_cast<double>(i) * (panel_width + gap);
   }
+  /// What a device pixel of the figure shows; nothing beside the panels.
+  [[nodiscard]] std::optional<PanelPixel> pixel_at(double x, double y) const;
 };
 
 /// Where the counts of panel i end in the legend.

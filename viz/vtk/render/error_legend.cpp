@@ -73,11 +73,11 @@ std::vector<std::string> broken_into_lines(const std::string& names, double widt
   return lines;
 }
 
-ErrorLayout::ErrorLayout(const std::vector<ErrorPanel>& panels) {
-  const int w = panels.front().errors.width, h = panels.front().errors.height;
-  zoom = std::max(1, (least_panel * png_scale + w - 1) / w);
-  panel_width = std::ceil(static_cast<double>(w * zoom) / png_scale);
-  panel_height = std::ceil(static_cast<double>(h * zoom) / png_scale);
+ErrorLayout::ErrorLayout(const std::vector<ErrorPanel>& panels)
+    : columns(panels.front().errors.width), rows(panels.front().errors.height) {
+  zoom = std::max(1, (least_panel * png_scale + columns - 1) / columns);
+  panel_width = std::ceil(static_cast<double>(columns * zoom) / png_scale);
+  panel_height = std::ceil(static_cast<double>(rows * zoom) / png_scale);
   const auto count = static_cast<double>(panels.size());
   const double legend = swatch_width + 10 + label_width + count * count_width;
   const double inner = std::max({legend, count * panel_width + (count - 1) * gap, least_width});
@@ -88,6 +88,15 @@ ErrorLayout::ErrorLayout(const std::vector<ErrorPanel>& panels) {
     lines = std::max(lines, titles.back().size());
   }
   panels_top = margin + row_height * static_cast<double>(1 + lines) + 8;
+}
+
+std::optional<PanelPixel> ErrorLayout::pixel_at(double x, double y) const {
+  for (std::size_t i = 0; i < titles.size(); ++i) {
+    const int column = static_cast<int>(std::floor((x - std::floor(panel_left(i) * png_scale)) / zoom));
+    const int row = static_cast<int>(std::floor((y - std::floor(panels_top * png_scale)) / zoom));
+    if (0 <= column && column < columns && 0 <= row && row < rows) return PanelPixel{i, column, row};
+  }
+  return std::nullopt;
 }
 
 std::vector<Swatch> write_legend(viz::Picture& picture, const std::vector<ErrorPanel>& panels, double top) {
