@@ -31,8 +31,6 @@ class SlideView {
   SpaceScene show(const Stage& stage, std::size_t step, const Picture& sheet, Look look);
   /// Fills the sheet alone; the space is empty.
   void show(const Picture& sheet);
-  /// Whether surfaces behind one another are sorted pixel by pixel, and edges smoothed: slower by half.
-  void set_fine(bool is_fine);
 
   [[nodiscard]] vtkRenderWindow& window() { return *window_; }
   [[nodiscard]] vtkRenderer& space() { return *space_; }

@@ -205,7 +205,7 @@ class StageWindow::Impl {
     is_stale = false;
     is_drawn_fine = is_fine;
     fit();
-    view.set_fine(is_fine);
+    set_fine(view.space(), is_fine);
     view.window().SetWindowName(("rayproof walk: " + player.stage().name).c_str());
     Picture sheet = window_sheet(player);
     const std::vector<Button> all = buttons_of(player);
