@@ -8,18 +8,26 @@
 namespace rayproof::viz {
 namespace {
 
+/// cos φ and sin φ.
+struct Turn {
+  Shadow c = 1;
+  Shadow s = 0;
+
+  [[nodiscard]] static Turn by(double angle) { return Turn{std::cos(angle), std::sin(angle)}.turned(0); }
+  /// By a small angle more; exactly on the circle.
+  [[nodiscard]] Turn turned(const Shadow& step) const {
+    const Shadow x = c - step * s;
+    const Shadow y = s + step * c;
+    const Shadow size = sqrt(x * x + y * y);
+    return {x / size, y / size};
+  }
+};
+
 /// In the world, the side is all base + cos φ·x + sin φ·y + s·axis for 0 <= s <= 1.
 struct Tube {
   Place base, x, y, axis;
 
-  [[nodiscard]] Place spoke(const Shadow& c, const Shadow& s) const { return c * x + s * y; }
-  /// The spoke at an angle, exactly on the rim.
-  [[nodiscard]] Place spoke(double angle) const {
-    const Shadow c = std::cos(angle);
-    const Shadow s = std::sin(angle);
-    const Shadow size = sqrt(c * c + s * s);
-    return spoke(c / size, s / size);
-  }
+  [[nodiscard]] Place spoke(const Turn& turn) const { return turn.c * x + turn.s * y; }
 };
 
 Tube tube_of(const Sight& sight) {
@@ -37,30 +45,33 @@ Place nearest_spoke(const Sight& sight, const Tube& tube) {
   const Place d{ray.direction.x / cylinder.rx, ray.direction.y / cylinder.ry, 0};
   const Shadow a = dot(d, d);
   const Place q = unit(a == 0 ? f : f - dot(f, d) / a * d);
-  return dot(q, q) == 0 ? tube.x : tube.spoke(q.x, q.y);
+  return dot(q, q) == 0 ? tube.x : tube.spoke({q.x, q.y});
 }
 
 /// A short line on a rim at its point nearest the ray's line.
 Border rim_border(const Sight& sight, const Tube& tube, const Place& middle, const Place& inward) {
   const Place along = unit(sight.ray.direction);
-  const auto square_gap = [&](double angle) {
-    const Place off = middle + tube.spoke(angle) - sight.ray.origin;
+  const auto square_gap = [&](const Turn& turn) {
+    const Place off = middle + tube.spoke(turn) - sight.ray.origin;
     const Place across = off - dot(off, along) * along;
     return dot(across, across);
   };
   constexpr int count = 48;
-  double best = 0;
-  double step = 2 * std::numbers::pi / count;
-  for (int i = 1; i < count; ++i) {
-    if (square_gap(i * step) < square_gap(best)) best = i * step;
-  }
-  for (; step > 1e-17; step /= 2) {
-    for (const double tried : {best - step, best + step}) {
-      if (square_gap(tried) < square_gap(best)) best = tried;
-    }
+  Turn best;
+  Shadow least = square_gap(best);
+  const auto look_at = [&](const Turn& turn) {
+    const Shadow gap = square_gap(turn);
+    if (!(gap < least)) return;
+    least = gap;
+    best = turn;
+  };
+  for (int i = 1; i < count; ++i) look_at(Turn::by(2 * std::numbers::pi * i / count));
+  for (Shadow step = 0x1p-3; step > Shadow(0x1p-120); step /= 2) {
+    look_at(best.turned(step));
+    look_at(best.turned(-step));
   }
   const Place spoke = tube.spoke(best);
-  const Place tangent = Shadow(0x1p-7) * tube.spoke(best + std::numbers::pi / 2);
+  const Place tangent = Shadow(0x1p-7) * tube.spoke({-best.s, best.c});
   return {{middle + spoke - tangent, middle + spoke + tangent}, {unit(Shadow(-1) * spoke), unit(inward)}};
 }
 
@@ -69,7 +80,7 @@ void add_faces(Figure& figure, const Tube& tube) {
   constexpr std::size_t count = 48;
   std::vector<std::size_t> foot, head;
   for (std::size_t i = 0; i < count; ++i) {
-    const Place rim = tube.base + tube.spoke(2 * std::numbers::pi * static_cast<double>(i) / count);
+    const Place rim = tube.base + tube.spoke(Turn::by(2 * std::numbers::pi * static_cast<double>(i) / count));
     figure.points.push_back(rim);
     figure.points.push_back(rim + tube.axis);
     foot.push_back(2 * i);

@@ -120,6 +120,13 @@ void show_all(StageStep& step, const CaseReport& report, const std::string& symb
   }
 }
 
+/// Whether the two look like one point.
+bool is_hidden(const ValuePair& pair, const Setting& setting) {
+  if (!setting.slider) return false;
+  const double gap = std::abs(pair.claimed - pair.exact) * glm::length(setting.slider->direction);
+  return gap > 0 && gap < visible_gap * setting.near.radius;
+}
+
 std::string verdict_in_words(const CaseReport& report) {
   const std::string exact = verdict_of(&report.exact);
   if (report.claim() == nullptr) return fmt::format("The exact answer: {}.", exact);
@@ -162,6 +169,11 @@ StageStep difference_step(const CaseReport& report, const Setting& setting) {
     step.view = magnified_view;
     step.items = setting.close_up->items;
     step.caption += " " + setting.close_up->words;
+    return step;
+  }
+  if (differ && pair && is_hidden(*pair, setting)) {
+    step.caption += " " + pair_in_words(report, *pair, symbol);
+    magnify(step, report, *pair, symbol, setting);
     return step;
   }
   show_all(step, report, symbol, setting);
