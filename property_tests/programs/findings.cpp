@@ -9,8 +9,8 @@
 #include "command_line/progress_line.hpp"
 #include "dossier/collection.hpp"
 #include "programs/check/peers.hpp"
-#include "viz/drawing/svg.hpp"
 #include "viz/page/case_figure.hpp"
+#include "viz/picture/svg.hpp"
 
 namespace {
 
@@ -61,7 +61,7 @@ void write_docs(const std::vector<dossier::LibraryDossier>& libraries, const std
   for (const dossier::LibraryDossier& library : libraries)
     for (const dossier::FiledFinding& one : library.findings)
       write_file(fmt::format("docs/images/findings/{}.svg", one.recorded().finding.number),
-                 viz::xml_head + picture_of(one, viz::svg_of));
+                 viz::xml_head + picture_of(one, viz::case_still));
 }
 
 int run(const FindingsOptions& options, const std::string& command) {

@@ -1,106 +1,122 @@
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
-#include "viz/drawing/clip.hpp"
-#include "viz/drawing/even_odd.hpp"
-#include "viz/flat/projection.hpp"
+#include "viz/flat/outline.hpp"
 #include "viz/flat/stage_picture.hpp"
+#include "viz/picture/clip.hpp"
 #include "viz/scene/shown_items.hpp"
 
 namespace rayproof::viz {
 namespace {
 
 double width_of(const StageItem& item, Emphasis emphasis) {
-  if (emphasis == Emphasis::bright) return item.role == Role::frame ? 1 : 2.8;
-  if (emphasis == Emphasis::dimmed) return 1.2;
-  return item.role == Role::frame          ? 1
-         : item.role == Role::ray          ? 2
-         : item.pattern == Pattern::dashed ? 1.2
-                                           : 1.8;
+  if (item.role == Role::frame) return 1;
+  if (emphasis == Emphasis::bright) return 2.8;
+  if (emphasis == Emphasis::dimmed || item.pattern == Pattern::dashed) return 1.2;
+  return item.role == Role::ray ? 2 : 1.8;
+}
+
+bool is_surface(const StageItem& item) {
+  return item.form == Form::polygon || item.form == Form::solid || item.form == Form::ellipsoid;
 }
 
 class Painter {
  public:
-  Painter(Picture& picture, const ScreenProjection& projection)
-      : picture_(picture), projection_(projection) {}
+  Painter(Picture& picture, const PixelBox& frame, const Stage& stage, const StageView& view)
+      : picture_(picture), frame_(frame), camera_(stage.camera), view_(view) {}
 
-  void fill(const StageItem& item, Emphasis emphasis) {
-    if (emphasis == Emphasis::dimmed) return;
-    if (item.form == Form::polygon) return fill_polygon(item);
-    if (item.form != Form::hull && item.form != Form::ellipsoid) return;
-    const auto inside = clip_area(outline_of(item), projection_.frame);
-    if (!inside.empty()) picture_.elements.emplace_back(Area{item.role, inside});
+  void fill(const ShownItem& shown) {
+    if (shown.emphasis == Emphasis::dimmed || !is_surface(*shown.item)) return;
+    Area area{shown.item->role};
+    for (const WorldLine& ring : surface_outline(*shown.item, camera_).filled) {
+      auto inside = clip_area(to_pixels(ring), frame_);
+      if (!inside.empty()) area.rings.push_back(std::move(inside));
+    }
+    if (!area.rings.empty()) picture_.elements.emplace_back(std::move(area));
   }
 
-  void stroke(const StageItem& item, Emphasis emphasis) {
-    if (item.form == Form::point || item.form == Form::polygon) return;
-    PixelLine line{role_of(item, emphasis), {}, width_of(item, emphasis), item.pattern};
-    for (auto& part : clip_line(outline_of(item), projection_.frame)) {
-      line.points = std::move(part);
-      picture_.elements.emplace_back(line);
+  void stroke(const ShownItem& shown) {
+    const StageItem& item = *shown.item;
+    if (item.form == Form::point) return;
+    PixelLine line{shown_role(shown), {}, width_of(item, shown.emphasis), item.pattern};
+    if (is_surface(item)) {
+      const SurfaceOutline outline = surface_outline(item, camera_);
+      for (const WorldLine& seen : outline.seen) draw(line, to_pixels(seen));
+      line.width = 1.2;
+      line.pattern = Pattern::dashed;
+      for (const WorldLine& hidden : outline.hidden) draw(line, to_pixels(hidden));
+      return;
     }
+    draw(line, to_pixels(item.points));
     if (item.form == Form::arrow) draw_head(item, line);
   }
 
-  void mark(const StageItem& item, Emphasis emphasis) {
+  void mark(const ShownItem& shown) {
+    const StageItem& item = *shown.item;
     if (item.form != Form::point || !has_mark(item.role)) return;
-    const Point at = projection_.to_pixels(item.points.at(0));
-    if (!shows(at)) return;
-    picture_.elements.emplace_back(Mark{role_of(item, emphasis), mark_of(item.role), at});
+    const Point at = to_pixels(item.points.at(0));
+    if (frame_.holds(at)) picture_.elements.emplace_back(Mark{shown_role(shown), mark_of(item.role), at});
   }
 
   /// As it is seen, in pixels.
   [[nodiscard]] std::vector<Point> outline_of(const StageItem& item) const {
-    if (item.form == Form::ellipsoid) return ellipsoid_outline(projection_, item.points);
-    std::vector<Point> points = projection_.to_pixels(item.points);
-    if (item.form != Form::hull) return points;
-    points = hull_outline(points);
-    if (!points.empty()) points.push_back(points.front());
-    return points;
+    return to_pixels(item.form == Form::ellipsoid ? surface_outline(item, camera_).seen.front()
+                                                  : item.points);
   }
 
  private:
-  static Role role_of(const StageItem& item, Emphasis emphasis) {
-    return emphasis == Emphasis::dimmed ? Role::muted : item.role;
+  [[nodiscard]] Point to_pixels(const glm::dvec3& p) const {
+    const glm::dvec3 q = (p - view_.centre) * pixels_per_length(view_, frame_);
+    const Point middle = frame_.centre();
+    return {middle.x + glm::dot(q, camera_.right), middle.y - glm::dot(q, camera_.up)};
   }
-  [[nodiscard]] bool shows(const Point& p) const { return projection_.frame.holds(p); }
+  [[nodiscard]] std::vector<Point> to_pixels(const WorldLine& line) const {
+    std::vector<Point> pixels;
+    for (const glm::dvec3& p : line) pixels.push_back(to_pixels(p));
+    return pixels;
+  }
 
-  void fill_polygon(const StageItem& item) {
-    // In pixels already: a view that changes nothing but the direction of y.
-    const View pixels{projection_.frame, {projection_.frame.centre().x, -projection_.frame.centre().y}, 1, 1};
-    std::vector<WorldPoint> ring;
-    for (const Point& p : projection_.to_pixels(item.points)) ring.push_back({p.x, -p.y});
-    draw_even_odd(picture_, pixels, item.role, ring);
+  void draw(PixelLine line, const std::vector<Point>& points) {
+    for (auto& part : clip_line(points, frame_)) {
+      line.points = std::move(part);
+      picture_.elements.emplace_back(line);
+    }
   }
 
   void draw_head(const StageItem& item, PixelLine line) {
-    const Point from = projection_.to_pixels(item.points.at(0));
-    const Point to = projection_.to_pixels(item.points.at(1));
+    const Point from = to_pixels(item.points.at(0));
+    const Point to = to_pixels(item.points.at(1));
     const double length = std::hypot(to.x - from.x, to.y - from.y);
-    if (!shows(to) || length < 2) return;
+    if (!frame_.holds(to) || length < 2) return;
     const double size = std::min(11.0, length / 2);
     const Point along{(to.x - from.x) / length * size, (to.y - from.y) / length * size};
     const auto barb = [&](double side) {
       return Point{to.x - along.x - side * along.y * 0.5, to.y - along.y + side * along.x * 0.5};
     };
     line.pattern = Pattern::solid;
-    line.points = {barb(1), to, barb(-1)};
-    picture_.elements.emplace_back(line);
+    draw(line, {barb(1), to, barb(-1)});
   }
 
   Picture& picture_;
-  const ScreenProjection& projection_;
+  PixelBox frame_;
+  const StageCamera& camera_;
+  const StageView& view_;
 };
 
 }  // namespace
 
+double pixels_per_length(const StageView& view, const PixelBox& frame) {
+  constexpr double margin = 56;  // pixels, for marks and labels
+  return std::min(frame.width / view_aspect - margin, frame.height - margin) / 2 / view.radius;
+}
+
 void draw_scene(Picture& picture, const PixelBox& frame, const Stage& stage, std::size_t step) {
-  const ScreenProjection projection{stage.camera, stage.steps[step].view, frame};
   const std::vector<ShownItem> shown = shown_in(stage, step);
-  Painter painter(picture, projection);
-  for (const auto& [item, emphasis] : shown) painter.fill(*item, emphasis);
-  for (const auto& [item, emphasis] : shown) painter.stroke(*item, emphasis);
-  for (const auto& [item, emphasis] : shown) painter.mark(*item, emphasis);
+  Painter painter(picture, frame, stage, stage.steps[step].view);
+  for (const ShownItem& one : shown) painter.fill(one);
+  for (const ShownItem& one : shown) painter.stroke(one);
+  for (const ShownItem& one : shown) painter.mark(one);
   draw_labels(picture, frame, shown, [&](const StageItem& item) { return painter.outline_of(item); });
 }
 

@@ -18,6 +18,9 @@ inline void add_text(Picture& picture, Role role, const Point& at, const std::st
   picture.elements.emplace_back(Text{role, at, text, anchor, size, is_bold});
 }
 
+/// How many pixels a length has in a frame that shows a view.
+[[nodiscard]] double pixels_per_length(const StageView& view, const PixelBox& frame);
+
 /// Draws a step's scene into a frame of a picture, its own items bright and those of the steps before dimmed.
 void draw_scene(Picture& picture, const PixelBox& frame, const Stage& stage, std::size_t step);
 

@@ -2,16 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
-#include "viz/drawing/svg.hpp"
-#include "viz/explain/answers.hpp"
+#include "viz/flat/case_sheet.hpp"
 #include "viz/page/script/embedded.hpp"
 #include "viz/page/space_json.hpp"
 #include "viz/picture/palette.hpp"
-#include "viz/scene/items.hpp"
-#include "viz/walkthrough/setting.hpp"
-#include "viz/walkthrough/stage_of.hpp"
+#include "viz/picture/svg.hpp"
+#include "viz/walkthrough/case_views.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -22,39 +18,10 @@ std::string in_script(std::string json) {
   return json;
 }
 
-/// The hits of both answers.
-Items hits_of(const Stage& stage, const CaseReport& report) {
-  Items items;
-  if (!stage.slider || stage.slider->symbol != "t") return items;
-  const auto mark = [&](Role role, const Answer* answer, const char* label) {
-    for (const double t : values_of(answer)) {
-      if (!std::isfinite(t)) continue;
-      items.push_back(point(role, stage.slider->origin + t * stage.slider->direction, label));
-      label = "";
-    }
-  };
-  mark(Role::exact, &report.exact, "exact");
-  mark(Role::claimed, report.claim(), "as computed");
-  return items;
-}
-
-/// The shape with the hits, the whole of it where that is much larger, and the difference magnified.
-Stage views_of_case(const CaseReport& report) {
-  Stage stage = stage_of(report);
-  const Setting setting = setting_of(report);
-  StageStep& first = stage.steps.front();
-  first.items = hits_of(stage, report);
-  stage.slider.reset();
-  first.title = "From any side";
-  stage.steps.back().title = "Magnified";
-  if (setting.wide.radius > 2.4 * setting.near.radius) {
-    StageStep near = first;
-    near.view = setting.near;
-    first.title = "Whole";
-    first.begins_anew = true;
-    stage.steps.insert(stage.steps.begin(), near);
-  }
-  return stage;
+CaseReport report_of(const Case& one, const Answer* exact, const Answer* claimed) {
+  CaseReport report{.one = one, .exact = *exact};
+  if (claimed != nullptr) report.claimed = *claimed;
+  return report;
 }
 
 }  // namespace
@@ -81,12 +48,18 @@ std::string scene_style() {
                      colours(&RoleColour::light), colours(&RoleColour::dark));
 }
 
+std::string case_still(const Case& one, const Answer* exact, const Answer* claimed) {
+  return to_svg(case_picture(report_of(one, exact, claimed)));
+}
+
+std::string figure_of(const CaseReport& report) {
+  const std::string still = to_svg(case_picture(report));
+  if (*three_script == '\0') return still;
+  return "<div class=\"case\">" + still + json_element("", space_json(case_views(report))) + "</div>";
+}
+
 std::string case_figure(const Case& one, const Answer* exact, const Answer* claimed) {
-  const std::string still = svg_of(one, exact, claimed);
-  if (exact == nullptr || *three_script == '\0') return still;
-  CaseReport report{.one = one, .exact = *exact};
-  if (claimed != nullptr) report.claimed = *claimed;
-  return "<div class=\"case\">" + still + json_element("", space_json(views_of_case(report))) + "</div>";
+  return figure_of(report_of(one, exact, claimed));
 }
 
 }  // namespace rayproof::viz

@@ -4,15 +4,20 @@
 
 #include <string>
 
-#include "case/answer.hpp"
-#include "case/case.hpp"
+#include "viz/explain/case_report.hpp"
 
 namespace rayproof::viz {
 
-/// The case with both answers: an SVG for paper and for a page without script, and beside it the scene for
-/// shared_script(), which shows thumbnails as they come into view and opens one scene at a time. As svg_of
-/// where there is no exact answer, or no three.js in the program.
+/// The case as an SVG for paper and for a page without script, and beside it the scene for shared_script(),
+/// which shows thumbnails as they come into view and opens one scene at a time. The SVG alone where the
+/// program has no three.js.
+[[nodiscard]] std::string figure_of(const CaseReport& report);
+
+/// The same of a finding, which may claim nothing; its exact answer must be given.
 [[nodiscard]] std::string case_figure(const Case& one, const Answer* exact, const Answer* claimed);
+
+/// The SVG of a finding, for a page or, behind xml_head, as a file.
+[[nodiscard]] std::string case_still(const Case& one, const Answer* exact, const Answer* claimed);
 
 /// What the scenes of a page need of its style.
 [[nodiscard]] std::string scene_style();

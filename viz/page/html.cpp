@@ -65,7 +65,7 @@ std::string html_page(const CaseReport& report, const std::string& script) {
   if (!report.one.note.empty()) html += fmt::format("<p class=\"soft\">{}</p>\n", escaped(report.one.note));
   if (!report.method.empty())
     html += fmt::format("<p class=\"conclusion\">{}</p>\n", escaped(conclusion_of(report)));
-  html += "<figure>\n" + case_figure(report.one, &report.exact, report.claim()) + "</figure>\n";
+  html += "<figure>\n" + figure_of(report) + "</figure>\n";
   if (report.walk) html += walk_sections(*report.walk);
   html += fmt::format("<h2>The case</h2>\n<pre>{}</pre>\n", escaped(write_case(report.one)));
   return html + "</main>\n<script>" + page_script + script + "</script>\n</body>\n</html>\n";

@@ -7,7 +7,6 @@
 #include "case/escape.hpp"
 #include "case/writer.hpp"
 #include "properties/report/page_style.hpp"
-#include "viz/drawing/svg.hpp"
 #include "viz/flat/stage_picture.hpp"
 #include "viz/page/case_figure.hpp"
 #include "viz/page/page_step.hpp"
@@ -15,6 +14,7 @@
 #include "viz/page/space_json.hpp"
 #include "viz/page/stage_json.hpp"
 #include "viz/picture/palette.hpp"
+#include "viz/picture/svg.hpp"
 
 namespace rayproof::viz {
 namespace {

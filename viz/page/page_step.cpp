@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "case/escape.hpp"
-#include "viz/drawing/svg.hpp"
 #include "viz/flat/stage_picture.hpp"
 #include "viz/page/math_ml.hpp"
+#include "viz/picture/svg.hpp"
 #include "viz/scene/label_places.hpp"
 #include "viz/trace/numbers.hpp"
 #include "viz/walkthrough/stage_values.hpp"

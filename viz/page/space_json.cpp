@@ -34,7 +34,7 @@ const char* name_of(Emphasis emphasis) {
 
 Json body_json(const SpaceBody& body) {
   static constexpr std::array<const char*, 7> forms{"point",   "segment", "arrow",    "polyline",
-                                                    "polygon", "hull",    "ellipsoid"};
+                                                    "polygon", "solid",   "ellipsoid"};
   static constexpr std::array<const char*, 4> marks{"dot", "ring", "cross", "diamond"};
   Json json{{"form", forms.at(static_cast<std::size_t>(body.shown.item->form))},
             {"role", colour_of(shown_role(body.shown)).name},
@@ -44,6 +44,7 @@ Json body_json(const SpaceBody& body) {
   if (body.is_surface()) json["opacity"] = body.opacity;
   if (body.is_mark() || body.is_surface()) {
     json["points"] = flat(body.points);
+    if (!body.shown.item->faces.empty()) json["faces"] = body.shown.item->faces;
     return json;
   }
   json["pieces"] = Json::array();

@@ -18,7 +18,7 @@ Json vector(const glm::dvec3& p) { return {json_number(p.x), json_number(p.y), j
 
 Json items(const std::vector<StageItem>& list) {
   static constexpr std::array<const char*, 7> forms{"point",   "segment", "arrow",    "polyline",
-                                                    "polygon", "hull",    "ellipsoid"};
+                                                    "polygon", "solid",   "ellipsoid"};
   static constexpr std::array<const char*, 3> patterns{"solid", "dashed", "dotted"};
   Json all = Json::array();
   for (const StageItem& item : list) {
@@ -28,6 +28,7 @@ Json items(const std::vector<StageItem>& list) {
     if (!item.label.empty()) one["label"] = item.label;
     if (item.pattern != Pattern::solid) one["pattern"] = patterns.at(static_cast<std::size_t>(item.pattern));
     one["points"] = points;
+    if (!item.faces.empty()) one["faces"] = item.faces;
     all.push_back(one);
   }
   return all;

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// A picture as data: lines, areas, marks and text in pixels. SVG and VTK are sinks of it.
+/// A picture as data: lines, areas, marks and text in pixels. SVG is a sink of it, and VTK of what stands
+/// over a scene: text, marks and solid lines.
 
 #include <string>
 #include <variant>
@@ -39,10 +40,10 @@ struct PixelLine {
   double width = 1.5;
   Pattern pattern = Pattern::solid;
 };
-/// A polygon in a light tint of its role's colour.
+/// Polygons in a light tint of their role's colour, all filled together by the even-odd rule.
 struct Area {
   Role role = Role::surface;
-  std::vector<Point> points{};
+  std::vector<std::vector<Point>> rings{};
 };
 /// One shape a role: a dot begins the ray, a ring is exact, a cross is claimed, a diamond is the nearest
 /// point.

@@ -1,13 +1,15 @@
 /// \file
 /// rayproof draw: draws a case as PNG, SVG or a page.
 
-#include "viz/drawing/svg.hpp"
+#include "viz/flat/case_sheet.hpp"
 #include "viz/page/case_figure.hpp"
+#include "viz/picture/svg.hpp"
 #include "viz/programs/draw/heat.hpp"
 #include "viz/programs/files.hpp"
 #ifdef RAYPROOF_HAS_VTK
 #include "viz/vtk/offscreen_display.hpp"
 #include "viz/vtk/picture_png.hpp"
+#include "viz/vtk/raster_png.hpp"
 #endif
 
 namespace {
@@ -18,25 +20,24 @@ struct Files {
   std::string png{}, svg{}, html{}, heat{};
 };
 
-void write_picture(const std::string& path, const viz::Picture& picture) {
+void write_picture(const viz::CaseReport& report, const std::string& path) {
 #ifdef RAYPROOF_HAS_VTK
   const viz::OffscreenDisplay display;
-  viz::PictureCanvas().write(picture, path);
+  const viz::CaseSheet sheet = viz::case_sheet(report);
+  std::vector<viz::Inlay> scenes;
+  for (std::size_t i = 0; i < sheet.frames.size(); ++i) scenes.push_back({&sheet.stage, i, sheet.frames[i]});
+  viz::write_png(viz::PictureCanvas().draw(sheet.picture, scenes), path);
 #else
-  (void)picture;
+  (void)report;
   throw viz::WrongCommand("--png " + path +
                           " needs VTK, which this build was made without; --svg and --html work");
 #endif
 }
 
 void draw(const viz::CaseReport& report, const Files& files) {
-  const viz::TopicView* const view = viz::view_of(report.one);
-  if (view == nullptr)
-    throw viz::WrongCommand("there is no picture for a case about a " + topic_of(report.one));
-  const viz::Picture picture = view->picture(report.one, &report.exact, report.claim());
-  if (!files.svg.empty()) viz::write_text(files.svg, viz::xml_head + viz::to_svg(picture));
+  if (!files.svg.empty()) viz::write_text(files.svg, viz::xml_head + viz::to_svg(viz::case_picture(report)));
   if (!files.html.empty()) viz::write_text(files.html, viz::html_page(report, viz::shared_script()));
-  if (!files.png.empty()) write_picture(files.png, picture);
+  if (!files.png.empty()) write_picture(report, files.png);
 }
 
 }  // namespace

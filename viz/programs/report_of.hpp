@@ -9,8 +9,8 @@
 #include "case/reader/near_names.hpp"
 #include "oracle/oracle.hpp"
 #include "subjects/subject.hpp"
-#include "viz/drawing/topics.hpp"
 #include "viz/explain/case_report.hpp"
+#include "viz/shapes/topics.hpp"
 
 namespace rayproof::viz {
 

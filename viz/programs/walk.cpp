@@ -21,7 +21,7 @@
 #include "viz/vtk/offscreen_display.hpp"
 #include "viz/vtk/raster_png.hpp"
 #include "viz/vtk/slide_canvas.hpp"
-#include "viz/vtk/space/still_canvas.hpp"
+#include "viz/vtk/still_canvas.hpp"
 #endif
 
 namespace {

@@ -7,24 +7,24 @@
 #include <rayproof/formulas/finite.hpp>
 
 namespace rayproof::viz {
+
+/// Of centre + Σ cᵢ·aᵢ with |c| = 1.
+glm::dvec3 farthest_of(const StageItem& ellipsoid, const glm::dvec3& direction) {
+  const glm::dvec3& centre = ellipsoid.points.at(0);
+  glm::dvec3 farthest(0);
+  double square = 0;
+  for (std::size_t i = 1; i < ellipsoid.points.size(); ++i) {
+    const glm::dvec3 a = ellipsoid.points[i] - centre;
+    farthest += glm::dot(a, direction) * a;
+    square += glm::dot(a, direction) * glm::dot(a, direction);
+  }
+  return square > 0 ? centre + farthest / std::sqrt(square) : centre;
+}
+
 std::vector<glm::dvec3> extent_of(const StageItem& item, const StageCamera& camera) {
   if (item.form != Form::ellipsoid) return item.points;
-  const glm::dvec3& centre = item.points.at(0);
-  std::vector<glm::dvec3> reach;
-  for (const glm::dvec3& axis : {camera.right, camera.up}) {
-    // Of centre + Σ cᵢ·aᵢ with |c| = 1, the farthest along the axis.
-    glm::dvec3 farthest(0);
-    double square = 0;
-    for (std::size_t i = 1; i < item.points.size(); ++i) {
-      const glm::dvec3 a = item.points[i] - centre;
-      farthest += glm::dot(a, axis) * a;
-      square += glm::dot(a, axis) * glm::dot(a, axis);
-    }
-    if (square > 0) farthest /= std::sqrt(square);
-    reach.push_back(centre + farthest);
-    reach.push_back(centre - farthest);
-  }
-  return reach;
+  return {farthest_of(item, camera.right), farthest_of(item, -camera.right), farthest_of(item, camera.up),
+          farthest_of(item, -camera.up)};
 }
 
 std::vector<glm::dvec3> extent_of(const std::vector<StageItem>& items, const StageCamera& camera) {

@@ -8,6 +8,9 @@
 
 namespace rayproof::viz {
 
+/// The point of an ellipsoid that lies farthest in a direction.
+[[nodiscard]] glm::dvec3 farthest_of(const StageItem& ellipsoid, const glm::dvec3& direction);
+
 /// How far an item reaches: its points, and of an ellipsoid the points of its outline that lie farthest to
 /// each side as the camera sees it.
 [[nodiscard]] std::vector<glm::dvec3> extent_of(const StageItem& item, const StageCamera& camera);

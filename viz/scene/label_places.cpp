@@ -120,8 +120,8 @@ void LabelPlaces::avoid(const std::vector<Point>& line, double cost) {
 double LabelPlaces::cost_of(const PixelBox& box, double most) const {
   double cost = 20 * (box.width * box.height - overlap(box, frame_));  // outside of the frame
   for (const PixelBox& other : taken_) cost += 10 * overlap(box, other);
-  if (cost >= most) return cost;
-  for (const auto& [at, extra] : avoided_) cost += box.holds(at) ? extra : 0;
+  for (auto one = avoided_.begin(); one != avoided_.end() && cost < most; ++one)
+    cost += box.holds(one->at) ? one->cost : 0;
   return cost;
 }
 

@@ -1,6 +1,6 @@
 #include "viz/scene/shown_items.hpp"
 
-#include "viz/drawing/clip.hpp"
+#include "viz/picture/clip.hpp"
 #include "viz/scene/label_places.hpp"
 
 namespace rayproof::viz {
@@ -20,7 +20,7 @@ class Labeller {
   /// No label may cover it.
   void keep_clear(const ShownItem& shown) {
     const StageItem& item = *shown.item;
-    if (item.form == Form::polygon) return;
+    if (item.form == Form::polygon || item.form == Form::solid) return;
     const std::vector<Point> points = outline_(item);
     if (item.form == Form::point) {
       if (has_mark(item.role) && !points.empty() && frame_.holds(points[0]))
@@ -52,7 +52,7 @@ class Labeller {
     const std::vector<Point> points = outline_(item);
     if (points.empty()) return {};
     if (item.form == Form::point) return where_shown(points[0]);
-    if (item.form == Form::polygon || item.form == Form::hull) {
+    if (item.form == Form::polygon || item.form == Form::solid) {
       Point middle{};
       for (const Point& p : points) {
         middle.x += p.x / static_cast<double>(points.size());

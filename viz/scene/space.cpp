@@ -80,7 +80,7 @@ std::optional<SpaceBody> body_of(const ShownItem& shown, const Space& space, boo
     case Form::polyline:
       return line_body(body, space.camera.is_flat);
     case Form::polygon:
-    case Form::hull:
+    case Form::solid:
     case Form::ellipsoid: {
       if (!std::all_of(body.points.begin(), body.points.end(),
                        [](const glm::dvec3& p) { return is_finite(p); }))
@@ -101,7 +101,7 @@ std::optional<SpaceLabel> label_of(const ShownItem& shown, const StageView& view
   SpaceLabel label{shown, placed_points(item, view)};
   if (item.form == Form::ellipsoid) {
     label.points.resize(1);
-  } else if (item.form == Form::polygon || item.form == Form::hull) {
+  } else if (item.form == Form::polygon || item.form == Form::solid) {
     glm::dvec3 middle(0);
     for (const glm::dvec3& p : label.points) middle += p / static_cast<double>(label.points.size());
     label.points = {middle};
@@ -134,7 +134,7 @@ SpacePoints placed_points(const StageItem& item, const StageView& view) {
   for (const glm::dvec3& p : item.points) {
     const glm::dvec3 q = in_view(view, p);
     const bool is_repeated = !points.empty() && q == points.back();  // a tube knows no line of length 0
-    if (!is_repeated || item.form == Form::ellipsoid) points.push_back(q);
+    if (!is_repeated || item.form == Form::ellipsoid || item.form == Form::solid) points.push_back(q);
   }
   return points;
 }

@@ -11,6 +11,7 @@
 ///     const Stage stage = stage_of(report);                        // viz/walkthrough/stage_of.hpp
 ///     for (const StageStep& step : stage.steps) …                  // what to show, and from where
 
+#include <cstddef>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
@@ -29,7 +30,7 @@ enum class Form {
   arrow,     ///< two, the head at the second
   polyline,  ///< two or more
   polygon,   ///< three or more, filled by the even-odd rule
-  hull,      ///< what is filled and outlined is the convex hull of the points *as they are seen*
+  solid,     ///< four or more, the corners of a convex solid with its `faces`
   ellipsoid  ///< its centre and the tips of three conjugate semi-axes; the outline as it is seen is an
              ///< ellipse
 };
@@ -41,6 +42,7 @@ struct StageItem {
   std::vector<glm::dvec3> points{};
   std::string label{};  ///< "t₀"; empty for none
   Pattern pattern = Pattern::solid;
+  std::vector<std::vector<std::size_t>> faces{};  ///< of a solid, the corners around each in either direction
 };
 
 /// The mark of a point of the role: no two roles that can meet in a picture share one.

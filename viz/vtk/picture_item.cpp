@@ -8,7 +8,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "viz/picture/dashes.hpp"
 #include "viz/picture/palette.hpp"
 #include "viz/picture/raster.hpp"
 #include "viz/vtk/picture_text.hpp"
@@ -25,15 +24,8 @@ class ItemPainter {
         top_(item.bottom + item.picture->height * item.scale),
         scale_(item.scale) {}
 
-  void operator()(const Area& area) {
-    set_brush(area.role, area_opacity);
-    context_.GetPen()->SetLineType(vtkPen::NO_PEN);
-    auto xy = flat(area.points);
-    context_.DrawPolygon(xy.data(), static_cast<int>(area.points.size()));
-  }
-  void operator()(const PixelLine& line) {
-    for (const auto& dash : dashes_of(line)) stroke(line.role, dash, line.width);
-  }
+  void operator()(const Area& /*area*/) {}  // surfaces are bodies of the scene below
+  void operator()(const PixelLine& line) { stroke(line.role, line.points, line.width); }
   void operator()(const Mark& mark) {
     const double r = mark_radius;
     const auto [x, y] = mark.at;
@@ -72,12 +64,9 @@ class ItemPainter {
     }
     return outline;
   }
-  void set_brush(Role role, double opacity) {
-    const auto [red, green, blue] = rgb_of(colour_of(role).light);
-    context_.GetBrush()->SetColor(red, green, blue, static_cast<unsigned char>(std::lround(255 * opacity)));
-  }
   void fill(Role role, const std::vector<Point>& points) {
-    set_brush(role, 1);
+    const auto [red, green, blue] = rgb_of(colour_of(role).light);
+    context_.GetBrush()->SetColor(red, green, blue, 255);
     context_.GetPen()->SetLineType(vtkPen::NO_PEN);
     auto xy = flat(points);
     context_.DrawPolygon(xy.data(), static_cast<int>(points.size()));

@@ -2,8 +2,6 @@
 
 #include "viz/flat/stage_picture.hpp"
 #include "viz/picture/palette.hpp"
-#include "viz/vtk/slide_view.hpp"
-#include "viz/vtk/write_png.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -21,19 +19,10 @@ Rgb mean_of_four(const Raster& raster, int x, int y) {
 
 }  // namespace
 
-SlideCanvas::SlideCanvas(int width) : view_(std::make_unique<SlideView>(slide_scene)) {
-  view_->window().SetOffScreenRendering(1);
-  view_->window().SetSize(width, width * 9 / 16);
-  view_->fit();
-}
-SlideCanvas::~SlideCanvas() = default;
-
 Raster SlideCanvas::draw(const Stage& stage, std::size_t step, bool is_fine) {
-  view_->set_fine(is_fine);
   Picture sheet = slide_frame(stage, step, stage.title);
   draw_legend(sheet, shown_in(stage, step));
-  (void)view_->show(stage, step, sheet, Look::anew);
-  return pixels_of(view_->window());
+  return canvas_.draw(sheet, {{&stage, step, slide_scene}}, width_ / slide_width, is_fine);
 }
 
 Raster contact_sheet(const std::vector<Raster>& slides) {

@@ -11,9 +11,7 @@
 namespace rayproof::viz {
 
 SlideView::SlideView(const PixelBox& scene) : scene_(scene) {
-  window_->SetMultiSamples(0);  // as depth peeling wants it
-  window_->SetAlphaBitPlanes(1);
-  window_->SetDPI(72);
+  prepare_for_space(*window_);
   window_->SetNumberOfLayers(4);
   int layer = 0;
   for (vtkRenderer* const renderer :
@@ -23,8 +21,6 @@ SlideView::SlideView(const PixelBox& scene) : scene_(scene) {
     window_->AddRenderer(renderer);
   }
   backdrop_->SetBackground(1, 1, 1);
-  space_->SetMaximumNumberOfPeels(6);
-  space_->SetOcclusionRatio(0.02);
   front_->SetActiveCamera(space_->GetActiveCamera());
   set_fine(true);
   for (std::size_t i = 0; i < items_.size(); ++i) {
@@ -41,8 +37,7 @@ SlideView::~SlideView() = default;
 
 void SlideView::set_fine(bool is_fine) {
   is_fine_ = is_fine;
-  space_->SetUseDepthPeeling(is_fine ? 1 : 0);
-  space_->SetUseFXAA(is_fine);
+  viz::set_fine(*space_, is_fine);
 }
 
 double SlideView::scale() const { return items_[0]->scale; }

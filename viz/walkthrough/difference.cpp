@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "viz/drawing/topics.hpp"
-#include "viz/drawing/topics/wireframe_scene.hpp"
 #include "viz/explain/answers.hpp"
 #include "viz/scene/fit_view.hpp"
 #include "viz/trace/numbers.hpp"
@@ -24,6 +22,9 @@ struct ValuePair {
   double ulps = 0;
 };
 
+/// A gap narrower than this, in the view's radii, can't be seen.
+constexpr double visible_gap = 0.05;
+
 const Answer& finest(const CaseReport& report) { return report.finer ? *report.finer : report.exact; }
 
 /// The pair that lies farthest apart, infinite ones included; nothing where there is none to compare.
@@ -39,13 +40,28 @@ std::optional<ValuePair> worst_pair_of(const CaseReport& report) {
   return worst;
 }
 
-/// A patch of the surface's tangent plane at the exact hit.
-Items patch_of(const glm::dvec3& normal) {
-  const glm::dvec3 other = std::abs(normal.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
-  const glm::dvec3 u = 1.6 * glm::normalize(glm::cross(normal, other));
-  const glm::dvec3 v = 1.6 * glm::normalize(glm::cross(normal, u));
-  return {polygon(Role::surface, {u + v, u - v, -u - v, v - u}),
-          polyline(Role::surface, {u + v, u - v, -u - v, v - u, u + v})};
+/// The surface at the exact hit in profile, where the ray runs to the right: from so near it is level.
+Items surface_at_hit(const glm::dvec3& normal, const Setting& setting) {
+  const double facing = glm::dot(normal, glm::normalize(setting.slider->direction));
+  const double aside =
+      std::copysign(std::sqrt(std::max(0.0, 1 - facing * facing)), glm::dot(normal, setting.camera.up));
+  const auto at = [&](double x, double y) { return x * setting.camera.right + y * setting.camera.up; };
+  const glm::dvec3 out = at(facing, aside);
+  const glm::dvec3 along = at(-aside, facing);
+  constexpr double reach = 8;
+  Items items{segment(Role::surface, -reach * along, reach * along)};
+  if (setting.has_inside) {
+    items.push_back(viz::polygon(
+        Role::surface, {-reach * along, reach * along, reach * (along - out), -reach * (along + out)}));
+  }
+  return items;
+}
+
+/// The curve at a root, its slope not to scale.
+Items curve_at_root(const Quadratic<double>& q, double root, const Setting& setting) {
+  const double slope = 2 * q.a * root + q.b < 0 ? -0.5 : 0.5;
+  const glm::dvec3 end = 3.4 * (setting.camera.right + slope * setting.camera.up);
+  return {segment(Role::surface, -end, end)};
 }
 
 /// The stretch of the ray around one hit, so near that single numbers can be distinguished.
@@ -58,16 +74,23 @@ void magnify(StageStep& step, const CaseReport& report, const ValuePair& pair, c
   const double gap = std::abs(pair.claimed - pair.exact);
   const double unit = std::max(gap / 2, ulp);
   const double speed = is_ray ? glm::length(setting.slider->direction) : 1;
-  const Magnifier magnifier{pair.exact, unit,
-                            is_ray ? glm::normalize(setting.slider->direction) : glm::dvec3(1, 0, 0)};
+  const Magnifier magnifier{pair.exact, unit, setting.camera.right};
   step.is_apart = true;
   step.magnification = 1 / (unit * speed);
   const auto* answer = std::get_if<RayAnswer>(&report.exact);
-  if (answer != nullptr && answer->normal && pair.rank == 0) step.items = patch_of(*answer->normal);
+  if (answer != nullptr && answer->normal && pair.rank == 0)
+    step.items = surface_at_hit(*answer->normal, setting);
+  if (const auto* q = std::get_if<Quadratic<double>>(&report.one.question))
+    step.items = curve_at_root(*q, pair.exact, setting);
   step.items.push_back(arrow(Role::ray, -3.3 * magnifier.along, 3.3 * magnifier.along));
   if (ulp > unit / 6) {
     for (StageItem& dot : dots_of(magnifier, pair.claimed, report.one.precision)) step.items.push_back(dot);
     step.caption += " " + dots_in_words(report.one.precision);
+  }
+  if (gap > unit / 2) {
+    const glm::dvec3 above = 0.5 * setting.camera.up;
+    step.items.push_back(
+        segment(Role::nearest, above, magnifier.at(pair.claimed) + above, "off by " + rough(gap * speed, 2)));
   }
   const std::string name = symbol + subscript(pair.rank);
   step.items.push_back(point(Role::exact, {0, 0, 0}, name + " exact"));
@@ -97,6 +120,13 @@ void show_all(StageStep& step, const CaseReport& report, const std::string& symb
         step.items.push_back(point(role, at(values[i]), fmt::format("{}{} {}", symbol, subscript(i), word)));
     }
   }
+}
+
+/// Whether the two look like one point.
+bool is_hidden(const ValuePair& pair, const Setting& setting) {
+  if (!setting.slider) return false;
+  const double gap = std::abs(pair.claimed - pair.exact) * glm::length(setting.slider->direction);
+  return gap > 0 && gap < visible_gap * setting.near.radius;
 }
 
 std::string verdict_in_words(const CaseReport& report) {
@@ -133,8 +163,22 @@ StageStep difference_step(const CaseReport& report, const Setting& setting) {
     step.caption = verdict_in_words(report) + " " + in_words(*gap, report.one.precision);
     return step;
   }
-  show_all(step, report, symbol, setting);
   step.caption = verdict_in_words(report);
+  if (differ && setting.close_up && setting.close_up->gap > 0 &&
+      setting.close_up->gap < visible_gap * setting.near.radius) {
+    step.is_apart = true;
+    step.magnification = 1 / setting.close_up->gap;
+    step.items = setting.close_up->items;
+    step.view = view_of(extent_of(step.items, setting.camera), setting.camera);
+    step.caption += " " + setting.close_up->words;
+    return step;
+  }
+  if (differ && pair && is_hidden(*pair, setting)) {
+    step.caption += " " + pair_in_words(report, *pair, symbol);
+    magnify(step, report, *pair, symbol, setting);
+    return step;
+  }
+  show_all(step, report, symbol, setting);
   return step;
 }
 

@@ -26,7 +26,7 @@ void show_gap(StageStep& step, const Gap& gap, Precision precision, const Settin
   const glm::dvec3& direction = setting.slider->direction;
   const double from = std::min({gap.entry, gap.exit, gap.computed_entry, gap.computed_exit});
   const double to = std::max({gap.entry, gap.exit, gap.computed_entry, gap.computed_exit});
-  const Magnifier magnifier{from + (to - from) / 2, (to - from) / 4, glm::normalize(direction)};
+  const Magnifier magnifier{from + (to - from) / 2, (to - from) / 4, setting.camera.right};
   const glm::dvec3 aside = 0.7 * setting.camera.up;
   const auto interval = [&](Role role, const glm::dvec3& off, double a, double b, const std::string& word) {
     const bool is_empty = b < a;

@@ -6,6 +6,7 @@
 #include "viz/explain/answers.hpp"
 #include "viz/scene/fit_view.hpp"
 #include "viz/trace/numbers.hpp"
+#include "viz/walkthrough/close_up.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -67,6 +68,7 @@ Setting polygon_setting(const CaseReport& report) {
       p + glm::dvec3(1, 0, 0) *
               std::max(0.2, setting.near.centre.x + 0.95 * view_aspect * setting.near.radius - p.x);
   setting.scene.push_back(arrow(Role::ray, p, end, "+x"));
+  setting.close_up = close_up_of(ring, p);
   setting.scene.push_back(point(Role::ray, p, "p"));
   return setting;
 }

@@ -3,50 +3,32 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viz/drawing/topics.hpp"
-#include "viz/drawing/topics/wireframe_scene.hpp"
 #include "viz/explain/answers.hpp"
 #include "viz/scene/fit_view.hpp"
+#include "viz/shapes/ray_scene.hpp"
+#include "viz/shapes/topics.hpp"
+#include "viz/walkthrough/close_up.hpp"
 #include "viz/walkthrough/flat_settings.hpp"
 #include "viz/walkthrough/spaces.hpp"
 
 namespace rayproof::viz {
 namespace {
 
-std::vector<glm::dvec3> rounded(const std::vector<Place>& places) {
-  std::vector<glm::dvec3> points;
-  points.reserve(places.size());
-  for (const Place& p : places) points.push_back(viz::rounded(p));
-  return points;
-}
-
-/// Without the points that lie within a thousandth of `size` of the line through their neighbours.
-std::vector<glm::dvec3> thinned(const std::vector<glm::dvec3>& points, double size) {
-  std::vector<glm::dvec3> kept;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const bool is_end = i == 0 || i + 1 == points.size();
-    const bool is_far = is_end || glm::length(points[i] - kept.back()) > 0.04 * size;
-    if (is_far) kept.push_back(points[i]);
-  }
-  return kept;
-}
-
-/// The lines on the figure, then its outline over them.
-Items items_of(const Figure& figure, const Place& toward, double size) {
+/// The lines on the figure, then its surface over them.
+Items items_of(const Figure& figure) {
   Items items;
-  for (const Stroke& stroke : figure.strokes(toward)) {
-    const Role role = stroke.is_edge ? Role::surface : Role::frame;
-    items.push_back(polyline(role, thinned(rounded(stroke.points), size), {},
-                             stroke.is_hidden ? Pattern::dashed : Pattern::solid));
-  }
+  for (const auto& line : figure.grid) items.push_back(polyline(Role::frame, rounded(line)));
+  std::vector<glm::dvec3> points = rounded(figure.points);
   if (!figure.ellipsoid.empty()) {
     items.push_back({Role::surface, Form::ellipsoid, rounded(figure.ellipsoid)});
-  } else if (!figure.ring.empty()) {
-    items.push_back(polygon(Role::surface, rounded(figure.ring)));
+  } else if (figure.faces.size() == 1) {
+    items.push_back(polygon(Role::surface, points));
+    points.push_back(points.front());
+    items.push_back(polyline(Role::surface, points));
   } else {
-    items.push_back({Role::surface, Form::hull, thinned(rounded(figure.extent), size)});
+    items.push_back({Role::surface, Form::solid, points, {}, Pattern::solid, figure.faces});
   }
-  for (const auto& [name, at] : figure.labels) items.push_back(point(Role::surface, viz::rounded(at), name));
+  for (const auto& [name, at] : figure.labels) items.push_back(point(Role::surface, rounded(at), name));
   return items;
 }
 
@@ -65,19 +47,19 @@ struct Views {
   StageView near, wide;
 };
 
-Views views_of(const WireframeScene& scene, const CaseReport& report, const StageCamera& camera) {
-  std::vector<glm::dvec3> points = rounded(scene.figure.extent);
+Views views_of(const RayScene& scene, const CaseReport& report, const StageCamera& camera) {
+  std::vector<glm::dvec3> points = rounded(scene.figure.points);
   const StageView figure = view_of(points, camera);
   const auto add_if_near = [&](const glm::dvec3& p) {
     if (glm::length(p - figure.centre) <= 8 * figure.radius) points.push_back(p);
   };
   for (const Answer* answer : {&report.exact, report.claim()}) {
     for (const double t : values_of(answer)) {
-      if (std::isfinite(t)) add_if_near(viz::rounded(scene.at(t)));
+      if (std::isfinite(t)) add_if_near(rounded(scene.at(t)));
     }
   }
   const bool starts = isfinite(scene.sight.ray.t_min);
-  const glm::dvec3 start = viz::rounded(starts ? scene.at(scene.sight.ray.t_min) : scene.sight.ray.origin);
+  const glm::dvec3 start = rounded(starts ? scene.at(scene.sight.ray.t_min) : scene.sight.ray.origin);
   add_if_near(start);
   if (!scene.figure.ellipsoid.empty()) {
     const StageItem ellipsoid{Role::surface, Form::ellipsoid, rounded(scene.figure.ellipsoid)};
@@ -105,7 +87,7 @@ std::vector<StageReadout> readouts_of(const RayQuestion& question) {
   return {};
 }
 
-StageSlider slider_of(const WireframeScene& scene, const StageView& near, const CaseReport& report) {
+StageSlider slider_of(const RayScene& scene, const StageView& near, const CaseReport& report) {
   const auto& question = std::get<RayQuestion>(report.one.question);
   const auto [from, to] = stretch_in(near, question.ray);
   StageSlider slider;
@@ -135,12 +117,11 @@ StepSpace object_space_of(const CaseReport& report, Figure (*figure)(const Sight
   Case one = report.one;
   auto& question = std::get<RayQuestion>(one.question);
   const Ray<Shadow> inside = World(question).ray_in_object_space(convert<Shadow>(question.ray));
-  question.ray.origin = viz::rounded(inside.origin);
-  question.ray.direction = viz::rounded(inside.direction);
+  question.ray.origin = rounded(inside.origin);
+  question.ray.direction = rounded(inside.direction);
   question.transform.reset();
-  const WireframeScene scene = scene_of(figure, one, &report.exact, report.claim());
-  const auto toward = convert<Shadow>(setting.camera.toward);
-  Items items = items_of(scene.figure, {toward.x, toward.y, toward.z}, setting.near.radius);
+  const RayScene scene = scene_of(figure, one, &report.exact, report.claim());
+  Items items = items_of(scene.figure);
   add_ray(items, question.ray, *setting.slider, "o′");
   return {first_step, "In the object's own space:", [items](const NumbersByName& /*n*/) { return items; },
           [](const glm::dvec3& p) { return p; }};
@@ -163,19 +144,20 @@ std::vector<StepSpace> spaces_of(const CaseReport& report, Figure (*figure)(cons
 }
 
 Setting ray_setting(const CaseReport& report, Figure (*figure)(const Sight&)) {
-  const WireframeScene scene = scene_of(figure, report.one, &report.exact, report.claim());
-  const ViewCamera camera = scene.main_camera();
+  const RayScene scene = scene_of(figure, report.one, &report.exact, report.claim());
   Setting setting;
-  setting.camera = {viz::rounded(camera.right), viz::rounded(camera.up), viz::rounded(camera.toward)};
+  setting.camera = scene.camera();
   const Views views = views_of(scene, report, setting.camera);
   setting.near = views.near;
   setting.wide = views.wide;
-  setting.scene = items_of(scene.figure, camera.toward, setting.near.radius);
+  setting.scene = items_of(scene.figure);
   setting.slider = slider_of(scene, setting.near, report);
   add_ray(setting.scene, scene.sight.question.ray, *setting.slider);
   const World world = scene.sight.world;
-  setting.to_world = [world](const glm::dvec3& p) { return viz::rounded(world.point(p)); };
+  setting.to_world = [world](const glm::dvec3& p) { return rounded(world.point(p)); };
   setting.spaces = spaces_of(report, figure, setting);
+  setting.has_inside = scene.figure.faces.size() != 1;
+  setting.close_up = close_up_of(scene, report, setting.camera);
   return setting;
 }
 

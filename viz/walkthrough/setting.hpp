@@ -3,8 +3,9 @@
 /// What all steps of a stage have in common: the scene, and from where it is seen.
 
 #include <functional>
+#include <optional>
+#include <string>
 
-#include "viz/drawing/topics/camera.hpp"
 #include "viz/explain/case_report.hpp"
 #include "viz/scene/items.hpp"
 
@@ -21,6 +22,14 @@ struct StepSpace {
   bool is_flat = false;                                  ///< a drawing in a plane
 };
 
+/// What the verdict hangs on, drawn so large that its length is 1: of the ray and the shape's outline where
+/// they are nearest, seen along the outline.
+struct CloseUp {
+  double gap = 0;       ///< the length; 0 where there is nothing to magnify
+  std::string words{};  ///< "The ray passes 4.4e-8 from the outline."
+  Items items{};        ///< in the plane of the camera, around 0
+};
+
 /// The place of a stage's steps.
 struct Setting {
   Items scene{};
@@ -32,6 +41,8 @@ struct Setting {
   std::function<glm::dvec3(const glm::dvec3&)> to_world{};
   std::vector<Binding> bindings{};  ///< how the named values look: the topic's, or a lesson's own
   std::vector<StepSpace> spaces{};
+  bool has_inside = false;            ///< the shape is a solid
+  std::optional<CloseUp> close_up{};  ///< none of what has no outline
 };
 
 [[nodiscard]] Setting setting_of(const CaseReport& report);

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "case/reader.hpp"
-#include "viz/drawing/topics.hpp"
 #include "viz/explain/case_report.hpp"
+#include "viz/shapes/topics.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -55,10 +55,10 @@ TEST(Stage, EveryItemHasAsManyPointsAsItsFormTakesAllOfThemFinite) {
   for (const Lesson& lesson : lessons()) {
     const Stage stage = stage_of(lesson, report_lesson);
     const auto check = [&](const StageItem& item) {
-      const std::size_t least = item.form == Form::point                                ? 1
-                                : item.form == Form::polygon || item.form == Form::hull ? 3
-                                : item.form == Form::ellipsoid                          ? 4
-                                                                                        : 2;
+      const std::size_t least = item.form == Form::point                                 ? 1
+                                : item.form == Form::polygon || item.form == Form::solid ? 3
+                                : item.form == Form::ellipsoid                           ? 4
+                                                                                         : 2;
       EXPECT_GE(item.points.size(), least) << lesson.name << ": " << item.label;
       for (const glm::dvec3& p : item.points) {
         EXPECT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) << lesson.name;

@@ -9,8 +9,8 @@
 #include "subjects/reading.hpp"
 #include "unit/bits.hpp"
 #include "unit/viz/every_shape.hpp"
-#include "viz/drawing/topics.hpp"
 #include "viz/explain/case_report.hpp"
+#include "viz/shapes/topics.hpp"
 #include "viz/trace/record.hpp"
 
 namespace rayproof::viz {

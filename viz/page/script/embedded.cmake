@@ -5,7 +5,7 @@ function(rayproof_embed_page target)
   find_path(RAYPROOF_THREE_FOLDER three.min.js PATHS /usr/share/javascript/three)
   set(three_files)
   if(RAYPROOF_THREE_FOLDER)
-    set(three_files three.min.js examples/js/math/ConvexHull.js examples/js/controls/OrbitControls.js
+    set(three_files three.min.js examples/js/controls/OrbitControls.js
                     examples/js/renderers/CSS2DRenderer.js)
     list(TRANSFORM three_files PREPEND ${RAYPROOF_THREE_FOLDER}/)
     list(PREPEND three_files ${folder}/three-notice.js)

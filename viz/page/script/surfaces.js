@@ -48,50 +48,36 @@ function normalOf(ring) {
 /** How far apart two faces are that still look like one round side. */
 const sharp = Math.cos(Math.PI / 6);
 
-/** The convex hull of points: round sides look round, edges stay sharp. */
-function hullOf(points) {
-  const hull = new THREE.ConvexHull().setFromPoints(points), apex = apexOver(points);
-  if (apex) hull.setFromPoints([...points, apex]);
-  const faces = hull.faces.filter(face => !cornersOf(face).includes(apex));
-  const corners = faces.flatMap(cornersOf), edges = [];
-  const smooth = faces.flatMap(face => cornersOf(face).map(p => faces.reduce(
-    (sum, other) => cornersOf(other).includes(p) && other.normal.dot(face.normal) > sharp ? sum.addScaledVector(other.normal, other.area) : sum,
-    new THREE.Vector3()).normalize()));
-  for (const face of faces) {
-    let edge = face.edge;
-    do {
-      const across = edge.twin.face, isBorder = !faces.includes(across);
-      if (isBorder || faces.indexOf(face) < faces.indexOf(across))
-        edges.push({ends: [edge.tail().point, edge.head().point], faces: [face, across], isSharp: isBorder || face.normal.dot(across.normal) < sharp});
-      edge = edge.next;
-    } while (edge !== face.edge);
-  }
+/** A convex solid of its corners and faces: round sides look round, edges stay sharp. */
+function solidOf(points, rings) {
+  const centre = points.reduce((sum, p) => sum.add(p), new THREE.Vector3()).divideScalar(points.length), edges = new Map();
+  const faces = rings.map(ring => {
+    const corners = ring.map(i => points[i]), normal = normalOf(corners);
+    if (normal.dot(corners[0].clone().sub(centre)) < 0) { normal.negate(); corners.reverse(); }
+    const face = {corners, normal, constant: normal.dot(corners[0])};
+    ring.forEach((from, k) => {
+      const ends = [from, ring[(k + 1) % ring.length]].sort((a, b) => a - b);
+      edges.set(String(ends), {ends: ends.map(i => points[i]), faces: [...(edges.get(String(ends)) || {faces: []}).faces, face]});
+    });
+    return face;
+  });
+  const normalAt = (p, own) => faces.reduce((sum, {corners, normal}) => corners.includes(p) && normal.dot(own) > sharp ? sum.add(normal) : sum,
+    new THREE.Vector3()).normalize();
+  const triangles = faces.flatMap(({corners, normal}) => corners.slice(2).flatMap((p, i) => [corners[0], corners[i + 1], p].map(q => [q, normalAt(q, normal)])));
   const rimFrom = (eye, toward) => {
-    const faces = face => toward ? face.normal.dot(toward) : face.normal.dot(eye) - face.constant;
-    return edges.filter(edge => edge.isSharp || (faces(edge.faces[0]) > 0) !== (faces(edge.faces[1]) > 0)).map(edge => edge.ends);
+    const isFront = face => (toward ? face.normal.dot(toward) : face.normal.dot(eye) - face.constant) > 0;
+    return [...edges.values()].filter(({faces: [a, b]}) => !b || a.normal.dot(b.normal) < sharp || isFront(a) !== isFront(b)).map(edge => edge.ends);
   };
-  return {geometry: trianglesOf(corners, smooth), rimFrom, most: edges.length, centre: points[0]};
-}
-
-function cornersOf(face) {
-  return [face.edge, face.edge.next, face.edge.prev].map(edge => edge.head().point);
-}
-
-/** A point off the plane in which all points lie; null where they lie in none. */
-function apexOver(points) {
-  const [a] = points, from = p => p.clone().sub(a);
-  const b = points.reduce((far, p) => p.distanceTo(a) > far.distanceTo(a) ? p : far);
-  const normal = points.reduce((most, p) => { const n = from(b).cross(from(p)); return n.lengthSq() > most.lengthSq() ? n : most; }, new THREE.Vector3()).normalize();
-  return points.every(p => Math.abs(from(p).dot(normal)) < 1e-5) ? normal.add(a) : null;
+  return {geometry: trianglesOf(...[0, 1].map(k => triangles.map(pair => pair[k]))), rimFrom, most: edges.size, centre};
 }
 
 /** Back sides first, then front sides; the line around it is opaque. */
 function surfaceMeshes(body, paint, flat) {
-  const made = {ellipsoid: ellipsoidOf, polygon: polygonOf, hull: hullOf}[body.form](vectorsOf(body.points));
+  const made = {ellipsoid: ellipsoidOf, polygon: polygonOf, solid: solidOf}[body.form](vectorsOf(body.points), body.faces);
   const film = {transparent: true, opacity: body.opacity, depthWrite: false, ...flat}, isRound = body.form === 'ellipsoid';
   const mesh = side => new THREE.Mesh(made.geometry, flat.depthTest === false ? paint.material('Basic', body.role, {...film, side})
     : paint.material(isRound ? 'Phong' : 'Lambert', body.role, {...film, side, ...(isRound ? {specular: 0} : {})}));
-  const sides = body.form === 'polygon' || flat.depthTest === false && body.form === 'hull' ? [mesh(THREE.DoubleSide)] : [mesh(THREE.BackSide), mesh(THREE.FrontSide)];
+  const sides = body.form === 'polygon' ? [mesh(THREE.DoubleSide)] : [mesh(THREE.BackSide), mesh(THREE.FrontSide)];
   const rim = new Tubes([], body.radius, paint.material(flat.depthTest === false ? 'Basic' : 'Lambert', body.role, flat, true), made.most);
   return {...made, sides, rim};
 }

@@ -1,4 +1,4 @@
-/* three.js and three of its examples, put in as Debian's libjs-three has them.
+/* three.js and two of its examples, put in as Debian's libjs-three has them.
    Copyright © 2010-2017 three.js authors
 
    Permission is hereby granted, free of charge, to any person obtaining a copy of this software and associated documentation

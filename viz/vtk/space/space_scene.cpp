@@ -6,6 +6,7 @@
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkRenderWindow.h>
 
 #include <glm/geometric.hpp>
 
@@ -43,6 +44,19 @@ void set_camera(vtkCamera& camera, const SpaceCamera& view) {
   camera.SetParallelProjection(view.is_flat ? 1 : 0);
   camera.SetParallelScale(view_margin);
   camera.SetClippingRange(view.nearest(), view.farthest());
+}
+
+void prepare_for_space(vtkRenderWindow& window) {
+  window.SetMultiSamples(0);  // as depth peeling wants it
+  window.SetAlphaBitPlanes(1);
+  window.SetDPI(72);
+}
+
+void set_fine(vtkRenderer& renderer, bool is_fine) {
+  renderer.SetMaximumNumberOfPeels(6);
+  renderer.SetOcclusionRatio(0.02);
+  renderer.SetUseDepthPeeling(is_fine ? 1 : 0);
+  renderer.SetUseFXAA(is_fine);
 }
 
 SpaceScene::SpaceScene(vtkRenderer& renderer, const Stage& stage, std::size_t step, Look look, int sides)
@@ -92,7 +106,7 @@ void SpaceScene::add_surface(const SpaceBody& body) {
   const Form form = body.shown.item->form;
   const Geometry surface = form == Form::polygon     ? polygon_of(body.points)
                            : form == Form::ellipsoid ? ellipsoid_of(body.points, sides_)
-                                                     : hull_of(body.points);
+                                                     : solid_of(body.points, body.shown.item->faces);
   const auto actor = actor_of(surface, shown_role(body.shown));
   vtkProperty& property = *actor->GetProperty();
   property.SetOpacity(body.opacity);

@@ -14,11 +14,18 @@
 #include "viz/vtk/space/geometry.hpp"
 
 class vtkCamera;
+class vtkRenderWindow;
 
 namespace rayproof::viz {
 
 /// Puts VTK's camera where the view's eye is.
 void set_camera(vtkCamera& camera, const SpaceCamera& view);
+
+/// Lets a window sort translucent surfaces; to be called before it renders.
+void prepare_for_space(vtkRenderWindow& window);
+
+/// Whether surfaces behind one another are sorted pixel by pixel, and edges smoothed: slower by half.
+void set_fine(vtkRenderer& renderer, bool is_fine);
 
 /// What stays of where VTK's camera is: nothing, so that the step's own view just fits; the side from which
 /// it looks; all of it.

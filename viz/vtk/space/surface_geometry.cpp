@@ -1,7 +1,5 @@
+#include <vtkCellArray.h>
 #include <vtkContourTriangulator.h>
-#include <vtkDelaunay2D.h>
-#include <vtkDelaunay3D.h>
-#include <vtkGeometryFilter.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkPolyDataNormals.h>
@@ -32,24 +30,15 @@ Geometry polygon_of(const SpacePoints& corners) {
   return filled->GetOutput();
 }
 
-Geometry hull_of(const SpacePoints& points) {
-  vtkNew<vtkPolyData> cloud;
-  cloud->SetPoints(points_of(points));
-  vtkNew<vtkDelaunay3D> solid;
-  solid->SetInputData(cloud);
-  solid->SetTolerance(1e-9);
-  solid->Update();
-  vtkNew<vtkGeometryFilter> surface;
-  surface->SetInputConnection(solid->GetOutputPort());
-  surface->Update();
-  Geometry made = surface->GetOutput();
-  if (made->GetNumberOfPolys() == 0) {
-    vtkNew<vtkDelaunay2D> flat;
-    flat->SetInputData(cloud);
-    flat->SetProjectionPlaneMode(VTK_BEST_FITTING_PLANE);
-    flat->Update();
-    return flat->GetOutput();
+Geometry solid_of(const SpacePoints& corners, const std::vector<std::vector<std::size_t>>& faces) {
+  vtkNew<vtkPolyData> made;
+  vtkNew<vtkCellArray> cells;
+  for (const auto& face : faces) {
+    cells->InsertNextCell(static_cast<int>(face.size()));
+    for (const std::size_t corner : face) cells->InsertCellPoint(static_cast<vtkIdType>(corner));
   }
+  made->SetPoints(points_of(corners));
+  made->SetPolys(cells);
   vtkNew<vtkPolyDataNormals> normals;  // round sides look round, edges stay sharp
   normals->SetInputData(made);
   normals->SetFeatureAngle(30);

@@ -1,0 +1,101 @@
+#include "viz/flat/case_sheet.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "viz/explain/answers.hpp"
+#include "viz/flat/slide_values.hpp"
+#include "viz/flat/stage_picture.hpp"
+#include "viz/scene/space_floor.hpp"
+#include "viz/trace/numbers.hpp"
+#include "viz/walkthrough/case_views.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+constexpr double sheet_margin = 20;  ///< free at the left and right
+constexpr double frames_top = 108;   ///< of the frames
+
+std::string subject_of(const Case& one) {
+  const auto* ray = std::get_if<RayQuestion>(&one.question);
+  const std::string what = ray == nullptr   ? topic_of(one) == "quadratic" ? "Quadratic" : "Point and polygon"
+                           : ray->transform ? "Ray and transformed " + topic_of(one)
+                                            : "Ray and " + topic_of(one);
+  return fmt::format("{} in {}.{}{}", what, name_of(one.precision), one.note.empty() ? "" : " ", one.note);
+}
+
+/// Side by side, in the proportions of a view but for a single one.
+std::vector<PixelBox> frames_of(std::size_t count, double width) {
+  const double each = (width - sheet_margin) / static_cast<double>(count) - sheet_margin;
+  std::vector<PixelBox> frames;
+  for (std::size_t i = 0; i < count; ++i)
+    frames.push_back({sheet_margin + static_cast<double>(i) * (each + sheet_margin), frames_top, each,
+                      count == 1 ? 300 : each / view_aspect});
+  return frames;
+}
+
+/// Pixels for each length of the world.
+double scale_of(const CaseSheet& sheet, std::size_t i) {
+  const StageStep& step = sheet.stage.steps[i];
+  return step.magnification * pixels_per_length(step.view, sheet.frames[i]);
+}
+
+void draw_frame(CaseSheet& sheet, std::size_t i) {
+  const PixelBox& b = sheet.frames[i];
+  sheet.picture.elements.emplace_back(PixelLine{
+      Role::frame,
+      {{b.left, b.top}, {b.right(), b.top}, {b.right(), b.bottom()}, {b.left, b.bottom()}, {b.left, b.top}},
+      1});
+  const StageStep& step = sheet.stage.steps[i];
+  const std::string caption = step.is_apart ? scale_in_words(scale_of(sheet, i) / scale_of(sheet, 0))
+                              : i > 0       ? step.title
+                                            : "";
+  add_text(sheet.picture, Role::muted, {b.left, b.top - 8}, caption, 13);
+}
+
+/// A bar of 1, 2 or 5 times a power of ten in the frame's lower corner.
+void draw_scale_bar(Picture& picture, const PixelBox& frame, double scale) {
+  const double length = grid_step(180 / scale);
+  if (!std::isnormal(length)) return;
+  const double y = frame.bottom() - 14;
+  const double x = frame.left + 14;
+  const double end = x + length * scale;
+  picture.elements.emplace_back(
+      PixelLine{Role::muted, {{x, y - 4}, {x, y + 4}, {x, y}, {end, y}, {end, y - 4}, {end, y + 4}}});
+  picture.elements.emplace_back(
+      Text{Role::muted, {end + 6, y + 4}, rough(length), Anchor::start, 12, false, true});
+}
+
+}  // namespace
+
+CaseSheet case_sheet(const CaseReport& report) {
+  CaseSheet sheet{case_views(report)};
+  Picture& picture = sheet.picture;
+  picture.width = sheet.stage.steps.size() > 2 ? 1200 : 900;
+  sheet.frames = frames_of(sheet.stage.steps.size(), picture.width);
+  picture.title = headline_of(report.one, &report.exact, report.claim());
+  const std::string subject = subject_of(report.one);
+  picture.description = subject + " " + sheet.stage.steps.front().caption;
+  add_text(picture, Role::text, {sheet_margin, 30}, picture.title, picture.title.size() > 62 ? 17 : 20, true);
+  add_text(picture, Role::muted, {sheet_margin, 54}, cut(subject, picture.width - 2 * sheet_margin, 13), 13);
+  add_text(picture, Role::muted, {sheet_margin, 73}, sheet.stage.steps.front().caption, 13);
+  for (std::size_t i = 0; i < sheet.frames.size(); ++i) draw_frame(sheet, i);
+  const double bottom = sheet.frames.front().bottom() + 6;
+  const bool has_values = !std::holds_alternative<PointAndPolygon<double>>(report.one.question);
+  picture.height = bottom + draw_answer_table(picture, bottom, has_values ? symbol_of(report.one) : "",
+                                              report.one, &report.exact, report.claim());
+  return sheet;
+}
+
+Picture case_picture(const CaseReport& report) {
+  CaseSheet sheet = case_sheet(report);
+  for (std::size_t i = 0; i < sheet.frames.size(); ++i) {
+    draw_scene(sheet.picture, sheet.frames[i], sheet.stage, i);
+    draw_scale_bar(sheet.picture, sheet.frames[i], scale_of(sheet, i));
+  }
+  return sheet.picture;
+}
+
+}  // namespace rayproof::viz

@@ -1,0 +1,71 @@
+#include <rayproof/plane/forms.hpp>
+#include <rayproof/plane/methods.hpp>
+
+#include "viz/shapes/ray_walk.hpp"
+#include "viz/shapes/topics.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+/// The plane in the world, as a point and a unit normal.
+struct Level {
+  Place point, normal;
+};
+
+Level level_of(const Sight& sight) {
+  const Plane<double> given = std::visit(
+      []<class S>(const S& shape) -> Plane<double> {
+        if constexpr (requires { Plane<double>(library_shape(shape)); })
+          return library_shape(shape);
+        else
+          throw std::logic_error("a case was given to the wrong picture");
+      },
+      sight.question.shape);
+  const auto [point, normal] = plane::as_point_normal(convert<Shadow>(given));
+  const Place u = some_perpendicular(unit(normal));
+  const Place v = cross(normal, u);
+  return {sight.world.point(point), unit(cross(sight.world.vector(u), sight.world.vector(v)))};
+}
+
+/// The part of the plane worth drawing: around the hit, or under the ray's start where there is none.
+struct Patch {
+  Place middle, across, along;  ///< half its width and half its length
+};
+
+Patch patch_of(const Sight& sight, const Level& plane) {
+  const Shadow from_t = isfinite(sight.ray.t_min) ? sight.ray.t_min : Shadow(0);
+  const Place start = point_at(sight.ray, from_t);
+  const Shadow height = dot(plane.normal, start - plane.point);
+  const Place foot = start - height * plane.normal;
+  const Place middle = sight.first_t ? point_at(sight.ray, *sight.first_t) : foot;
+  Shadow half = std::max<Shadow>(length(middle - start) * Shadow(0.6), abs(height));
+  if (half == 0) half = length(sight.ray.direction);
+  const Place level_part = sight.ray.direction - dot(sight.ray.direction, plane.normal) * plane.normal;
+  const bool is_steep = length(level_part) < Shadow(1e-3) * length(sight.ray.direction);
+  const Place along = is_steep ? some_perpendicular(plane.normal) : unit(level_part);
+  return {middle, half * cross(plane.normal, along), half * along};
+}
+
+Figure plane_figure(const Sight& sight) {
+  const Level plane = level_of(sight);
+  const Patch patch = patch_of(sight, plane);
+  const auto at = [&](int across, int along) {
+    return patch.middle + Shadow(across) / 2 * patch.across + Shadow(along) / 2 * patch.along;
+  };
+  Figure figure;
+  figure.points = {at(-2, -2), at(2, -2), at(2, 2), at(-2, 2)};
+  figure.faces = {{0, 1, 2, 3}};
+  figure.normals = {plane.normal};
+  for (int i = -1; i <= 1; ++i) {
+    figure.grid.push_back({at(i, -2), at(i, 2)});
+    figure.grid.push_back({at(-2, i), at(2, i)});
+  }
+  return figure;
+}
+
+}  // namespace
+
+TopicView plane_view();
+TopicView plane_view() { return {plane::Topic::name, walk_ray<plane::Topic>, plane_figure}; }
+
+}  // namespace rayproof::viz

@@ -1,0 +1,112 @@
+#include "viz/walkthrough/case_views.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <rayproof/formulas/polygon_sides.hpp>
+
+#include "viz/explain/answers.hpp"
+#include "viz/scene/fit_view.hpp"
+#include "viz/scene/items.hpp"
+#include "viz/trace/numbers.hpp"
+#include "viz/walkthrough/setting.hpp"
+#include "viz/walkthrough/stage_of.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+/// The hits or roots of both answers; the first of each says whose they are.
+Items hits_of(const StageSlider& slider, const CaseReport& report) {
+  Items items;
+  for (const auto& [role, answer, word] : {std::tuple{Role::exact, &report.exact, " exact"},
+                                           std::tuple{Role::claimed, report.claim(), " computed"}}) {
+    const std::vector<double> values = values_of(answer);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (std::isfinite(values[i]))
+        items.push_back(point(role, slider.origin + values[i] * slider.direction,
+                              slider.symbol + subscript(i) + (i == 0 ? word : "")));
+    }
+  }
+  return items;
+}
+
+/// Where the ray to the right crosses a side, counted.
+Items crossings_of(const PointAndPolygon<double>& question) {
+  std::vector<double> crossings;
+  polygon::for_each_side(question.vertices, [&](const auto& a, const auto& b) {
+    if (!polygon::passes(question.point.y, a, b)) return;
+    const double t = polygon::cross_side(question.point, a, b).t;
+    if (t > 0) crossings.push_back(t);
+  });
+  std::sort(crossings.begin(), crossings.end());
+  Items items;
+  for (std::size_t i = 0; i < crossings.size(); ++i) {
+    items.push_back(
+        point(Role::nearest, {question.point.x + crossings[i], question.point.y, 0}, std::to_string(i + 1)));
+  }
+  return items;
+}
+
+std::string words_of(const Case& one, const Setting& setting) {
+  if (const auto* q = std::get_if<Quadratic<double>>(&one.question)) {
+    const auto term = [&](double value) {
+      return (value < 0 ? "− " : "+ ") + shown(std::abs(value), one.precision);
+    };
+    return fmt::format("{}·x² {}·x {} = 0", shown(q->a, one.precision), term(q->b), term(q->c));
+  }
+  return setting.close_up ? setting.close_up->words : "";
+}
+
+/// How far off the ray's start is, where the ray comes into the view.
+StageItem far_start(const StageSlider& slider, const StageView& view, const StageCamera& camera) {
+  const double speed = glm::length(slider.direction);
+  const double t = glm::dot(view.centre - slider.origin, slider.direction) / (speed * speed);
+  const double back = 1.1 * view.radius / speed;
+  const glm::dvec3 at =
+      slider.origin + (t > 0 ? t - back : t + back) * slider.direction + 0.2 * view.radius * camera.up;
+  const double off = glm::length(view.centre - slider.origin);
+  return point(Role::text, at, (t > 0 ? "← o, " : "o → ") + rough(off, 4) + " off");
+}
+
+}  // namespace
+
+Stage case_views(const CaseReport& report) {
+  Stage stage = stage_of(report);
+  const Setting setting = setting_of(report);
+  StageStep whole = stage.steps.front();
+  StageStep magnified = stage.steps.back();
+  whole.caption = words_of(report.one, setting);
+  if (const auto* question = std::get_if<PointAndPolygon<double>>(&report.one.question)) {
+    whole.items = crossings_of(*question);
+  } else if (stage.slider) {
+    whole.items = hits_of(*stage.slider, report);
+    if (stage.slider->symbol == "x") whole.magnification = glm::length(stage.slider->direction);
+  }
+  StageStep near = whole;
+  near.title = "From any side";
+  whole.view.radius = radius_for(whole.view, whole.items, stage.camera);
+  const bool is_much_larger = whole.view.radius > 2.4 * setting.near.radius;
+  if (is_much_larger) {
+    near.view = setting.near;
+    if (setting.wide.radius > 2.4 * setting.near.radius)
+      near.items.push_back(far_start(*stage.slider, setting.near, stage.camera));
+    whole.title = "Whole";
+    whole.begins_anew = true;
+  }
+  stage.steps = {near};
+  if (is_much_larger) stage.steps.push_back(whole);
+  const double enlarged =
+      magnified.magnification / near.magnification * near.view.radius / magnified.view.radius;
+  const bool differs = verdicts_differ(&report.exact, report.claim()) ||
+                       worst_ulps(&report.exact, report.claim(), report.one.precision) > 0;
+  if (magnified.is_apart && differs && enlarged > 2.5) {
+    magnified.title = "Magnified";
+    stage.steps.push_back(magnified);
+  }
+  stage.slider.reset();
+  return stage;
+}
+
+}  // namespace rayproof::viz
