@@ -7,6 +7,9 @@
 
 namespace rayproof::viz {
 
+/// What is shown of it, in gaps from the outline: surfaces run out of the view.
+inline constexpr StageView close_up_view{{0, 0, 0}, 2.3};
+
 /// The ray and what lies below it in profile: a face, a solid's edge, or a round side that looks level; with
 /// both answers' hits that are near.
 [[nodiscard]] std::optional<CloseUp> close_up_of(const RayScene& scene, const CaseReport& report,

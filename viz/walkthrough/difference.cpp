@@ -7,6 +7,7 @@
 #include "viz/explain/answers.hpp"
 #include "viz/scene/fit_view.hpp"
 #include "viz/trace/numbers.hpp"
+#include "viz/walkthrough/close_up.hpp"
 #include "viz/walkthrough/difference_gap.hpp"
 #include "viz/walkthrough/magnifier.hpp"
 #include "viz/walkthrough/setting.hpp"
@@ -168,8 +169,8 @@ StageStep difference_step(const CaseReport& report, const Setting& setting) {
       setting.close_up->gap < visible_gap * setting.near.radius) {
     step.is_apart = true;
     step.magnification = 1 / setting.close_up->gap;
+    step.view = close_up_view;
     step.items = setting.close_up->items;
-    step.view = view_of(extent_of(step.items, setting.camera), setting.camera);
     step.caption += " " + setting.close_up->words;
     return step;
   }

@@ -180,7 +180,7 @@ TEST(ViewData, TheLegendNamesWhatTheSlideShowsAndNothingElse) {
   };
   EXPECT_EQ(words(0), "ray;surface;");
   EXPECT_EQ(words(1), "ray;surface;edge, part;");
-  EXPECT_EQ(words(stage.steps.size() - 1), "ray;surface;exact;as computed;");
+  EXPECT_EQ(words(stage.steps.size() - 1), "ray;surface;picked out;exact;as computed;");
 }
 
 double luminance(const Rgb& colour) {
