@@ -90,7 +90,7 @@ void SpaceScene::add_mark(const SpaceBody& body) {
 
 void SpaceScene::add_surface(const SpaceBody& body) {
   const Form form = body.shown.item->form;
-  const Geometry surface = form == Form::polygon     ? polygon_of(body.points)
+  const Geometry surface = form == Form::polygon     ? polygon_of(body.points, body.strips)
                            : form == Form::ellipsoid ? ellipsoid_of(body.points, sides_)
                                                      : hull_of(body.points);
   const auto actor = actor_of(surface, shown_role(body.shown));
