@@ -23,8 +23,6 @@ SlideView::SlideView(const PixelBox& scene) : scene_(scene) {
     window_->AddRenderer(renderer);
   }
   backdrop_->SetBackground(1, 1, 1);
-  space_->SetMaximumNumberOfPeels(6);
-  space_->SetOcclusionRatio(0.02);
   front_->SetActiveCamera(space_->GetActiveCamera());
   set_fine(true);
   for (std::size_t i = 0; i < items_.size(); ++i) {
@@ -41,7 +39,7 @@ SlideView::~SlideView() = default;
 
 void SlideView::set_fine(bool is_fine) {
   is_fine_ = is_fine;
-  space_->SetUseDepthPeeling(is_fine ? 1 : 0);
+  sort_surfaces(*space_, is_fine);
   space_->SetUseFXAA(is_fine);
 }
 

@@ -7,6 +7,7 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 
+#include <cstdlib>
 #include <glm/geometric.hpp>
 
 #include "viz/picture/palette.hpp"
@@ -43,6 +44,14 @@ void set_camera(vtkCamera& camera, const SpaceCamera& view) {
   camera.SetParallelProjection(view.is_flat ? 1 : 0);
   camera.SetParallelScale(view_margin);
   camera.SetClippingRange(view.nearest(), view.farthest());
+}
+
+void sort_surfaces(vtkRenderer& renderer, bool is_sorted) {
+  // VTK 9.1's dual depth peeling leaves out the far side of some bodies under software rendering.
+  setenv("VTK_USE_LEGACY_DEPTH_PEELING", "1", 1);
+  renderer.SetUseDepthPeeling(is_sorted ? 1 : 0);
+  renderer.SetMaximumNumberOfPeels(6);
+  renderer.SetOcclusionRatio(0.02);
 }
 
 SpaceScene::SpaceScene(vtkRenderer& renderer, const Stage& stage, std::size_t step, Look look, int sides)

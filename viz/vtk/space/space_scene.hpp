@@ -20,6 +20,9 @@ namespace rayproof::viz {
 /// Puts VTK's camera where the view's eye is.
 void set_camera(vtkCamera& camera, const SpaceCamera& view);
 
+/// Has the renderer sort translucent surfaces pixel by pixel, or not.
+void sort_surfaces(vtkRenderer& renderer, bool is_sorted);
+
 /// What stays of where VTK's camera is: nothing, so that the step's own view just fits; the side from which
 /// it looks; all of it.
 enum class Look { anew, from_same_side, from_same_place };

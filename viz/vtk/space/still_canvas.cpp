@@ -55,9 +55,7 @@ class StillCanvas::Impl {
     window->AddRenderer(space);
     window->AddRenderer(sheet);
     space->SetBackground(1, 1, 1);
-    space->SetUseDepthPeeling(1);
-    space->SetMaximumNumberOfPeels(6);
-    space->SetOcclusionRatio(0.02);
+    sort_surfaces(*space, true);
     space->SetUseFXAA(true);
     sheet->SetLayer(1);
     actor->GetScene()->AddItem(item);

@@ -19,7 +19,7 @@ namespace {
 constexpr implicit::Torus<double> torus{1.25, 0.5};
 
 Items torus_items() {
-  constexpr int around = 24, over = 10;
+  constexpr int around = 18, over = 8;
   constexpr double turn = 6.283185307179586;
   const auto at = [](int i, int j) {
     const double r = torus.major + torus.minor * std::cos(turn * j / over);
