@@ -45,6 +45,8 @@ Json body_json(const SpaceBody& body) {
   if (body.is_mark() || body.is_surface()) {
     json["points"] = flat(body.points);
     if (!body.shown.item->faces.empty()) json["faces"] = body.shown.item->faces;
+    if (!body.strips.empty()) json["strips"] = Json::array();
+    for (const SpacePoints& strip : body.strips) json["strips"].push_back(flat(strip));
     return json;
   }
   json["pieces"] = Json::array();

@@ -1,5 +1,8 @@
 #include "viz/scene/shown_items.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "viz/picture/clip.hpp"
 #include "viz/scene/label_places.hpp"
 
@@ -35,7 +38,7 @@ class Labeller {
     const StageItem& item = *shown.item;
     if (item.label.empty()) return;
     const std::vector<Point> anchors = anchors_of(item);
-    if (anchors.empty()) return;
+    if (anchors.empty() || is_written(item.label, anchors[0])) return;
     const bool is_bright = shown.emphasis == Emphasis::bright;
     const double size = is_bright ? 16 : 14.4;  // 24 pixels of a slide: large letters
     auto text = is_text(item) ? places_.put_at(item.label, anchors[0], size)
@@ -44,9 +47,17 @@ class Labeller {
     text->role = label_role(shown);
     text->bold = is_bright;
     picture_.elements.emplace_back(*text);
+    written_.emplace_back(item.label, anchors[0]);
   }
 
  private:
+  /// Whether the same stands there already, of a newer step.
+  [[nodiscard]] bool is_written(const std::string& label, const Point& at) const {
+    return std::any_of(written_.begin(), written_.end(), [&](const auto& one) {
+      return one.first == label && std::hypot(one.second.x - at.x, one.second.y - at.y) < 2 * mark_radius;
+    });
+  }
+
   /// Where a label belongs, best first: the point, or places along what is seen of a line, from its middle.
   [[nodiscard]] std::vector<Point> anchors_of(const StageItem& item) const {
     const std::vector<Point> points = outline_(item);
@@ -84,6 +95,7 @@ class Labeller {
   PixelBox frame_;
   const Outline& outline_;
   LabelPlaces places_;
+  std::vector<std::pair<std::string, Point>> written_{};
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <rayproof/box/slabs.hpp>
 #include <rayproof/formulas/finite.hpp>
 
+#include "viz/picture/even_odd_strips.hpp"
 #include "viz/scene/fit_view.hpp"
 
 namespace rayproof::viz {
@@ -59,6 +60,27 @@ std::optional<SpaceBody> line_body(SpaceBody body, bool is_flat) {
   return body;
 }
 
+/// In the plane of the corners, as far as they lie in one.
+std::vector<SpacePoints> strips_of(const SpacePoints& ring) {
+  if (ring.size() < 4) return {};
+  glm::dvec3 normal(0);
+  for (const glm::dvec3& p : ring) {
+    const glm::dvec3 across = glm::cross(ring[1] - ring[0], p - ring[0]);
+    if (glm::length(across) > glm::length(normal)) normal = across;
+  }
+  if (!(glm::length(normal) > 0)) return {};
+  const glm::dvec3 x = glm::normalize(ring[1] - ring[0]);
+  const glm::dvec3 y = glm::normalize(glm::cross(normal, x));
+  std::vector<Point> flat;
+  for (const glm::dvec3& p : ring) flat.push_back({glm::dot(p - ring[0], x), glm::dot(p - ring[0], y)});
+  std::vector<SpacePoints> strips;
+  for (const Strip& strip : even_odd_strips(flat)) {
+    SpacePoints& corners = strips.emplace_back();
+    for (const Point& p : strip) corners.push_back(ring[0] + p.x * x + p.y * y);
+  }
+  return strips;
+}
+
 /// Whether there are many polygons, the pieces of a surface, each to be drawn lightly.
 bool is_net(const std::vector<ShownItem>& shown) {
   constexpr std::ptrdiff_t many = 12;
@@ -69,7 +91,7 @@ bool is_net(const std::vector<ShownItem>& shown) {
 std::optional<SpaceBody> body_of(const ShownItem& shown, const Space& space, bool has_net) {
   const bool is_bright = shown.emphasis == Emphasis::bright;
   const bool is_dimmed = shown.emphasis == Emphasis::dimmed;
-  SpaceBody body{shown, placed_points(*shown.item, space.view), {}, {}, line_radius(shown)};
+  SpaceBody body{shown, placed_points(*shown.item, space.view), {}, {}, {}, line_radius(shown)};
   switch (shown.item->form) {
     case Form::point:
       if (!has_mark(shown.item->role) || !(glm::length(body.points.at(0)) <= reach)) return std::nullopt;
@@ -87,6 +109,7 @@ std::optional<SpaceBody> body_of(const ShownItem& shown, const Space& space, boo
         return std::nullopt;
       const bool is_polygon = shown.item->form == Form::polygon;
       if (is_polygon && has_net) body.radius *= 0.5;
+      if (is_polygon) body.strips = strips_of(body.points);
       const bool is_thick = is_polygon && (!has_net || space.camera.is_flat);
       body.opacity = is_dimmed ? 0.12 : is_thick ? 0.36 : 0.2;
       return body;

@@ -28,6 +28,8 @@ struct SpaceBody {
   SpacePoints points{};               ///< of a mark its place, of a surface what its form says
   std::vector<SpacePoints> pieces{};  ///< of a line: the polylines to draw, its dashes or dots
   std::optional<ArrowHead> head{};
+  /// Of a polygon that crosses itself the inside by the even-odd rule, in pieces of four corners.
+  std::vector<SpacePoints> strips{};
   double radius = 0;   ///< of the lines' tubes, of the mark, of the line around a surface
   double opacity = 1;  ///< of a surface
 

@@ -28,14 +28,19 @@ function ellipsoidOf([centre, ...tips]) {
   return {geometry: new THREE.SphereBufferGeometry(1, 64, 48).applyMatrix(matrix), rimFrom, most: 96, centre};
 }
 
-/** A filled ring of points in a plane, by the even-odd rule where it does not cross itself. */
-function polygonOf(ring) {
+/** A filled ring of points in a plane; what is filled of one that crosses itself comes in strips of four corners. */
+function polygonOf(ring, strips) {
+  const pairs = pairsOf([...ring, ring[0]]), rest = {rimFrom: () => pairs, most: pairs.length, centre: ring[0]};
+  if (strips) {
+    const corners = strips.flatMap(strip => { const [a, b, c, d] = vectorsOf(strip); return [a, b, c, a, c, d]; });
+    const across = corners[1].clone().sub(corners[0]).cross(corners[2].clone().sub(corners[0])).normalize();
+    return {geometry: trianglesOf(corners, corners.map(() => across)), ...rest};
+  }
   const normal = normalOf(ring), turn = new THREE.Quaternion().setFromUnitVectors(normal, new THREE.Vector3(0, 0, 1));
   const flat = ring.map(p => p.clone().applyQuaternion(turn)), height = flat[0].z;
   const geometry = new THREE.ShapeBufferGeometry(new THREE.Shape(flat.map(p => new THREE.Vector2(p.x, p.y))));
   geometry.translate(0, 0, height).applyMatrix(new THREE.Matrix4().makeRotationFromQuaternion(turn.conjugate()));
-  const pairs = pairsOf([...ring, ring[0]]);
-  return {geometry, rimFrom: () => pairs, most: pairs.length, centre: ring[0]};
+  return {geometry, ...rest};
 }
 
 /** Newell's normal of a ring. */
@@ -73,7 +78,7 @@ function solidOf(points, rings) {
 
 /** Back sides first, then front sides; the line around it is opaque. */
 function surfaceMeshes(body, paint, flat) {
-  const made = {ellipsoid: ellipsoidOf, polygon: polygonOf, solid: solidOf}[body.form](vectorsOf(body.points), body.faces);
+  const made = {ellipsoid: ellipsoidOf, polygon: polygonOf, solid: solidOf}[body.form](vectorsOf(body.points), body.faces ?? body.strips);
   const film = {transparent: true, opacity: body.opacity, depthWrite: false, ...flat}, isRound = body.form === 'ellipsoid';
   const mesh = side => new THREE.Mesh(made.geometry, flat.depthTest === false ? paint.material('Basic', body.role, {...film, side})
     : paint.material(isRound ? 'Phong' : 'Lambert', body.role, {...film, side, ...(isRound ? {specular: 0} : {})}));

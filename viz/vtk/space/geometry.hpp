@@ -25,9 +25,9 @@ inline constexpr int fine_sides = 16, coarse_sides = 6;
 [[nodiscard]] Geometry mark_geometry(MarkShape shape, const glm::dvec3& at, double radius,
                                      const glm::dvec3& toward, int sides = fine_sides);
 
-/// The surface with this outline: a filled polygon by the even-odd rule, a convex solid of its corners and
-/// faces, an ellipsoid of a centre and the tips of three conjugate semi-axes.
-[[nodiscard]] Geometry polygon_of(const SpacePoints& corners);
+/// The surface with this outline: a filled polygon (one that crosses itself in strips), a convex solid of its
+/// corners and faces, an ellipsoid of a centre and the tips of three conjugate semi-axes.
+[[nodiscard]] Geometry polygon_of(const SpacePoints& corners, const std::vector<SpacePoints>& strips = {});
 [[nodiscard]] Geometry solid_of(const SpacePoints& corners,
                                 const std::vector<std::vector<std::size_t>>& faces);
 [[nodiscard]] Geometry ellipsoid_of(const SpacePoints& centre_and_tips, int sides = fine_sides);

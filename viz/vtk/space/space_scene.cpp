@@ -8,6 +8,7 @@
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 
+#include <cstdlib>
 #include <glm/geometric.hpp>
 
 #include "viz/picture/palette.hpp"
@@ -53,6 +54,8 @@ void prepare_for_space(vtkRenderWindow& window) {
 }
 
 void set_fine(vtkRenderer& renderer, bool is_fine) {
+  // VTK 9.1's dual depth peeling leaves out the far side of some bodies under software rendering.
+  setenv("VTK_USE_LEGACY_DEPTH_PEELING", "1", 1);
   renderer.SetMaximumNumberOfPeels(6);
   renderer.SetOcclusionRatio(0.02);
   renderer.SetUseDepthPeeling(is_fine ? 1 : 0);
@@ -104,7 +107,7 @@ void SpaceScene::add_mark(const SpaceBody& body) {
 
 void SpaceScene::add_surface(const SpaceBody& body) {
   const Form form = body.shown.item->form;
-  const Geometry surface = form == Form::polygon     ? polygon_of(body.points)
+  const Geometry surface = form == Form::polygon     ? polygon_of(body.points, body.strips)
                            : form == Form::ellipsoid ? ellipsoid_of(body.points, sides_)
                                                      : solid_of(body.points, body.shown.item->faces);
   const auto actor = actor_of(surface, shown_role(body.shown));

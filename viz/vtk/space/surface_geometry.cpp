@@ -21,7 +21,13 @@ Geometry ring_of(const SpacePoints& corners, double radius, int sides) {
   return tubes_of(lines_of(lines), radius, sides);
 }
 
-Geometry polygon_of(const SpacePoints& corners) {
+Geometry polygon_of(const SpacePoints& corners, const std::vector<SpacePoints>& strips) {
+  if (!strips.empty()) {
+    const Geometry filled = lines_of(strips);
+    filled->SetPolys(filled->GetLines());
+    filled->SetLines(nullptr);
+    return filled;
+  }
   SpacePoints ring = corners;
   ring.push_back(corners.front());
   vtkNew<vtkContourTriangulator> filled;

@@ -145,7 +145,7 @@ Stage loop_stage(const Case& one, const ReportCase& report_on) {
                             shown(ray.direction.x, one.precision), shown(ray.direction.y, one.precision),
                             shown(ray.direction.z, one.precision)),
                 view,
-                {arrow(Role::ray, ray.origin, ray.origin + 3.6 * ray.direction, "the ray"),
+                {arrow(Role::ray, ray.origin, ray.origin + 4.6 * ray.direction, "the ray"),
                  pixel(Role::nearest, pixel_i, pixel_j)})};
   meet_balls(stage, one, report_on, view);
   stage.steps.push_back(missing_step(view));
@@ -156,17 +156,14 @@ Stage loop_stage(const Case& one, const ReportCase& report_on) {
       const int ball = nearest_ball(i, j);
       if (ball < 0) continue;
       ++hits;
-      const StageItem filled = pixel(ball == 0 ? Role::edge : Role::claimed, i, j);
-      image.push_back(filled);
-      std::vector<glm::dvec3> outline = filled.points;
-      outline.push_back(outline.front());
-      image.push_back(polyline(filled.role, outline, {}, ball == 0 ? Pattern::solid : Pattern::dotted));
+      const StageItem& filled = image.emplace_back(pixel(ball == 0 ? Role::edge : Role::nearest, i, j));
+      if (ball == 1) image.push_back(segment(filled.role, filled.points[0], filled.points[2]));
     }
   }
   stage.steps.push_back(
       loop_step("Colour every pixel by its nearest object",
-                fmt::format("{} of {} pixels see an object: framed solid the first, dotted the second.", hits,
-                            width * height),
+                fmt::format("{} of {} pixels see an object: plain the first, with a diagonal the second.",
+                            hits, width * height),
                 view, image));
   stage.steps.push_back(difference_step(report, setting));
   stage.method = "sphere/centred for each pixel and object";

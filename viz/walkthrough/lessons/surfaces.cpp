@@ -19,7 +19,7 @@ namespace {
 constexpr implicit::Torus<double> torus{1.25, 0.5};
 
 Items torus_items() {
-  constexpr int around = 24, over = 10;
+  constexpr int around = 16, over = 6;  // more would make the page too large
   constexpr double turn = 6.283185307179586;
   const auto at = [](int i, int j) {
     const double r = torus.major + torus.minor * std::cos(turn * j / over);
@@ -75,7 +75,7 @@ Stage torus_stage(const Case& one, const ReportCase& report_on) {
   constexpr double before = 1, behind = 1.5;
   const Walkthrough walk =
       record(one.precision, [&]<class R>(std::type_identity<R>) { close_in<R>(ray, before, behind); });
-  Setting setting = surface_setting(report, torus_items(), 4.5);
+  Setting setting = surface_setting(report, torus_items(), 5.2);
   const auto marked = [&](const char* name, Role role) {
     return Binding{name, [=](const NumbersByName& n) { return Items{point(role, n.vector(name), name)}; }};
   };
