@@ -47,4 +47,7 @@ struct LegendEntry {
 };
 [[nodiscard]] std::vector<LegendEntry> legend_of(const Stage& stage);
 
+/// The mark, or a short line, around a place.
+[[nodiscard]] Element legend_sign(const LegendEntry& entry, const Point& at);
+
 }  // namespace rayproof::viz
