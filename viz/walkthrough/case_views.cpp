@@ -86,9 +86,10 @@ Stage case_views(const CaseReport& report) {
   if (is_much_larger) stage.steps.push_back(whole);
   const double enlarged =
       magnified.magnification / near.magnification * near.view.radius / magnified.view.radius;
-  const bool differs = verdicts_differ(&report.exact, report.claim()) ||
-                       worst_ulps(&report.exact, report.claim(), report.one.precision) > 0;
-  if (magnified.is_apart && differs && enlarged > 2.5) {
+  const bool are_equal = report.claim() != nullptr && !values_of(&report.exact).empty() &&
+                         !verdicts_differ(&report.exact, report.claim()) &&
+                         worst_ulps(&report.exact, report.claim(), report.one.precision) == 0;
+  if (magnified.is_apart && !are_equal && enlarged > 2.5) {
     magnified.title = "Magnified";
     stage.steps.push_back(magnified);
   }

@@ -165,7 +165,7 @@ StageStep difference_step(const CaseReport& report, const Setting& setting) {
     return step;
   }
   step.caption = verdict_in_words(report);
-  if (differ && setting.close_up && setting.close_up->gap > 0 &&
+  if (setting.close_up && setting.close_up->gap > 0 &&
       setting.close_up->gap < visible_gap * setting.near.radius) {
     step.is_apart = true;
     step.magnification = 1 / setting.close_up->gap;
