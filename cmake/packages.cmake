@@ -19,7 +19,7 @@ rayproof_find(CGAL "the oracle and the programs that ask it")
 rayproof_find(rapidcheck "the property tests (rayproof check)")
 rayproof_find(GTest "the unit tests")
 rayproof_find(VTK "PNG pictures and the window" COMPONENTS CommonCore CommonDataModel CommonComputationalGeometry FiltersSources FiltersCore FiltersGeneral
-              FiltersGeometry FiltersHybrid FiltersModeling RenderingOpenGL2
+              FiltersHybrid FiltersModeling RenderingOpenGL2
               RenderingFreeType RenderingAnnotation RenderingContextOpenGL2 RenderingUI InteractionStyle InteractionWidgets ChartsCore IOImage
               IOGeometry IOPLY IOOggTheora)
 rayproof_find(embree "the quick search through scenes of many objects" 3)

@@ -12,7 +12,7 @@
 
 #include <string>
 
-#include "viz/vtk/write_png.hpp"
+#include "viz/vtk/legible_font.hpp"
 
 namespace rayproof::report {
 

@@ -12,7 +12,7 @@
 
 #include "bench/vtk/chart_parts.hpp"
 #include "viz/vtk/offscreen_display.hpp"
-#include "viz/vtk/write_png.hpp"
+#include "viz/vtk/raster_png.hpp"
 
 namespace rayproof::report {
 
@@ -104,7 +104,7 @@ void draw(const Plot& plot, const std::string& path) {
               height - margin - (row + 1) * panel_height);
   }
   add_legend(*actor->GetScene(), plot, 2 * (panel_width + margin), height);
-  viz::write_png(*window, path);
+  viz::write_png(viz::pixels_of(*window), path);
 }
 
 }  // namespace

@@ -84,15 +84,16 @@ std::vector<LegendEntry> legend_of(const std::vector<ShownItem>& shown) {
   return legend;
 }
 
+Element legend_sign(const LegendEntry& entry, const Point& at) {
+  if (entry.is_mark) return Mark{entry.role, mark_of(entry.role), at};
+  return PixelLine{entry.role, {{at.x - 9, at.y}, {at.x + 9, at.y}}, 2.6};
+}
+
 void draw_legend(Picture& picture, const std::vector<ShownItem>& shown) {
   double x = slide_margin;
   const double y = slide_height - 16;
   for (const LegendEntry& entry : legend_of(shown)) {
-    if (entry.is_mark) {
-      picture.elements.emplace_back(Mark{entry.role, mark_of(entry.role), {x + 6, y - 4}});
-    } else {
-      picture.elements.emplace_back(PixelLine{entry.role, {{x - 3, y - 4}, {x + 15, y - 4}}, 2.6});
-    }
+    picture.elements.push_back(legend_sign(entry, {x + 6, y - 4}));
     add_text(picture, Role::muted, {x + 20, y}, entry.text, 12);
     x += 20 + text_width(entry.text, 12) + 18;
   }

@@ -49,4 +49,7 @@ struct LegendEntry {
 /// The words on the roles that are among the items.
 [[nodiscard]] std::vector<LegendEntry> legend_of(const std::vector<ShownItem>& shown);
 
+/// The mark, or a short line, around a place.
+[[nodiscard]] Element legend_sign(const LegendEntry& entry, const Point& at);
+
 }  // namespace rayproof::viz

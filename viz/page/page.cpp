@@ -13,7 +13,6 @@
 #include "viz/page/script/embedded.hpp"
 #include "viz/page/space_json.hpp"
 #include "viz/page/stage_json.hpp"
-#include "viz/picture/palette.hpp"
 #include "viz/picture/svg.hpp"
 
 namespace rayproof::viz {
@@ -27,22 +26,8 @@ std::string legend(const Stage& stage) {
     all.insert(all.end(), shown.begin(), shown.end());
   }
   for (const LegendEntry& entry : legend_of(all)) {
-    Picture sign;
-    sign.width = 22;
-    sign.height = 16;
-    std::string drawing;
-    const char* const role = colour_of(entry.role).name;
-    if (!entry.is_mark) {
-      drawing = fmt::format("<path class=\"l {}\" stroke-width=\"3\" d=\"M1 8h20\"/>", role);
-    } else if (mark_of(entry.role) == MarkShape::ring) {
-      drawing = fmt::format("<circle class=\"l {}\" stroke-width=\"2.6\" cx=\"11\" cy=\"8\" r=\"6\"/>", role);
-    } else if (mark_of(entry.role) == MarkShape::cross) {
-      drawing = fmt::format("<path class=\"l {}\" stroke-width=\"2.6\" d=\"M5 2l12 12m0-12l-12 12\"/>", role);
-    } else {
-      drawing = fmt::format("<path class=\"f {}\" d=\"M5 8l6 6l6-6l-6-6Z\"/>", role);
-    }
-    html += fmt::format("<li><svg width=\"22\" height=\"16\" aria-hidden=\"true\">{}</svg>{}</li>\n", drawing,
-                        entry.text);
+    html += fmt::format("<li><svg width=\"22\" height=\"16\" aria-hidden=\"true\">{}</svg>{}</li>\n",
+                        to_svg(legend_sign(entry, {11, 8})), entry.text);
   }
   if (stage.slider) {
     html +=

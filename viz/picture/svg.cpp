@@ -100,6 +100,10 @@ std::string role_style(const std::string& scope) {
       scope, area_opacity, colours(&RoleColour::light), colours(&RoleColour::dark));
 }
 
+std::string to_svg(const Element& element) {
+  return std::visit([](const auto& one) { return draw(one); }, element);
+}
+
 std::string to_svg(const Picture& picture) {
   std::string svg = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"rayproof-picture\" role=\"img\" viewBox=\"0 0 {0} "
@@ -107,9 +111,7 @@ std::string to_svg(const Picture& picture) {
       "width=\"{0}\" height=\"{1}\">\n<title>{2}</title>\n<desc>{3}</desc>\n<style>{4}</style>\n"
       "<rect class=\"f background\" width=\"{0}\" height=\"{1}\"/>\n",
       picture.width, picture.height, escaped(picture.title), escaped(picture.description), style());
-  for (const Element& element : picture.elements) {
-    svg += std::visit([](const auto& one) { return draw(one); }, element);
-  }
+  for (const Element& element : picture.elements) svg += to_svg(element);
   return svg + "</svg>\n";
 }
 

@@ -13,6 +13,9 @@ namespace rayproof::viz {
 /// `<title>` and a `<desc>` for screen readers. As a file of its own, put xml_head before it.
 [[nodiscard]] std::string to_svg(const Picture& picture);
 
+/// An element alone, for an `<svg>` that is styled already.
+[[nodiscard]] std::string to_svg(const Element& element);
+
 /// How an element within `scope`, a CSS selector, is painted by its classes: l a line, f filled, a an area, h
 /// a halo; and the colour of its role, in light and dark.
 [[nodiscard]] std::string role_style(const std::string& scope);

@@ -21,7 +21,7 @@
 #include "viz/vtk/offscreen_display.hpp"
 #include "viz/vtk/raster_png.hpp"
 #include "viz/vtk/slide_canvas.hpp"
-#include "viz/vtk/still_canvas.hpp"
+#include "viz/vtk/still.hpp"
 #endif
 
 namespace {
@@ -52,12 +52,12 @@ class Stills {
     }
   }
   [[nodiscard]] std::string operator()(const viz::Stage& stage, std::size_t step) {
-    return canvas_ ? canvas_->still(stage, step) : viz::flat_still(stage, step);
+    return canvas_ ? viz::still_of(*canvas_, stage, step) : viz::flat_still(stage, step);
   }
 
  private:
   std::optional<viz::OffscreenDisplay> display_{};
-  std::optional<viz::StillCanvas> canvas_{};
+  std::optional<viz::PictureCanvas> canvas_{};
 #else
   [[nodiscard]] std::string operator()(const viz::Stage& stage, std::size_t step) {
     return viz::flat_still(stage, step);

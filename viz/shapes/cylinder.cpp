@@ -9,15 +9,15 @@ namespace rayproof::viz {
 namespace {
 
 /// cos φ and sin φ.
-struct Bearing {
+struct RimAngle {
   Shadow c = 1;
   Shadow s = 0;
 
-  [[nodiscard]] static Bearing by(double angle) {
-    return Bearing{std::cos(angle), std::sin(angle)}.turned(0);
+  [[nodiscard]] static RimAngle by(double angle) {
+    return RimAngle{std::cos(angle), std::sin(angle)}.turned(0);
   }
   /// By a small angle more; exactly on the circle.
-  [[nodiscard]] Bearing turned(const Shadow& step) const {
+  [[nodiscard]] RimAngle turned(const Shadow& step) const {
     const Shadow x = c - step * s;
     const Shadow y = s + step * c;
     const Shadow size = sqrt(x * x + y * y);
@@ -29,7 +29,7 @@ struct Bearing {
 struct Tube {
   Place base, x, y, axis;
 
-  [[nodiscard]] Place spoke(const Bearing& turn) const { return turn.c * x + turn.s * y; }
+  [[nodiscard]] Place spoke(const RimAngle& turn) const { return turn.c * x + turn.s * y; }
 };
 
 Tube tube_of(const Sight& sight) {
@@ -53,21 +53,21 @@ Place nearest_spoke(const Sight& sight, const Tube& tube) {
 /// A short line on a rim at its point nearest the ray's line.
 Border rim_border(const Sight& sight, const Tube& tube, const Place& middle, const Place& inward) {
   const Place along = unit(sight.ray.direction);
-  const auto square_gap = [&](const Bearing& turn) {
+  const auto square_gap = [&](const RimAngle& turn) {
     const Place off = middle + tube.spoke(turn) - sight.ray.origin;
     const Place across = off - dot(off, along) * along;
     return dot(across, across);
   };
   constexpr int count = 48;
-  Bearing best;
+  RimAngle best;
   Shadow least = square_gap(best);
-  const auto look_at = [&](const Bearing& turn) {
+  const auto look_at = [&](const RimAngle& turn) {
     const Shadow gap = square_gap(turn);
     if (!(gap < least)) return;
     least = gap;
     best = turn;
   };
-  for (int i = 1; i < count; ++i) look_at(Bearing::by(2 * std::numbers::pi * i / count));
+  for (int i = 1; i < count; ++i) look_at(RimAngle::by(2 * std::numbers::pi * i / count));
   for (Shadow step = 0x1p-3; step > Shadow(0x1p-120); step /= 2) {
     look_at(best.turned(step));
     look_at(best.turned(-step));
@@ -83,7 +83,7 @@ void add_faces(Figure& figure, const Tube& tube) {
   std::vector<std::size_t> foot, head;
   for (std::size_t i = 0; i < count; ++i) {
     const Place rim =
-        tube.base + tube.spoke(Bearing::by(2 * std::numbers::pi * static_cast<double>(i) / count));
+        tube.base + tube.spoke(RimAngle::by(2 * std::numbers::pi * static_cast<double>(i) / count));
     figure.points.push_back(rim);
     figure.points.push_back(rim + tube.axis);
     foot.push_back(2 * i);

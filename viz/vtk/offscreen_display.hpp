@@ -26,7 +26,7 @@ class NoDisplay : public std::runtime_error {
 ///     viz::OffscreenDisplay display;
 ///     vtkNew<vtkContextView> view;
 ///     … view->GetScene()->AddItem(chart); view->GetRenderWindow()->SetSize(1200, 800);
-///     viz::write_png(*view->GetRenderWindow(), "chart.png");   // viz/vtk/write_png.hpp
+///     viz::write_png(viz::pixels_of(*view->GetRenderWindow()), "chart.png");
 class OffscreenDisplay {
  public:
   /// Throws NoDisplay where Xvfb is missing, or three of them do not answer within ten seconds each.

@@ -10,8 +10,8 @@
 #include <cmath>
 
 #include "viz/vtk/picture_item.hpp"
+#include "viz/vtk/raster_png.hpp"
 #include "viz/vtk/space/space_scene.hpp"
-#include "viz/vtk/write_png.hpp"
 
 namespace rayproof::viz {
 

@@ -18,7 +18,7 @@
 #include "viz/picture/palette.hpp"
 #include "viz/picture/raster.hpp"
 #include "viz/picture/text_runs.hpp"
-#include "viz/vtk/write_png.hpp"
+#include "viz/vtk/legible_font.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -3,6 +3,8 @@
 #include <vtkErrorCode.h>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
+#include <vtkRenderWindow.h>
+#include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
 #include <fstream>
@@ -21,6 +23,24 @@ vtkSmartPointer<vtkImageData> image_of(const Raster& raster) {
     for (int x = 0; x < raster.width; ++x) row = std::copy_n(raster.at(x, y).data(), 3, row);
   }
   return image;
+}
+
+Raster pixels_of(vtkRenderWindow& window) {
+  window.Render();
+  vtkNew<vtkWindowToImageFilter> filter;
+  filter->SetInput(&window);
+  filter->SetInputBufferTypeToRGB();
+  filter->ReadFrontBufferOff();
+  filter->Update();
+  vtkImageData& image = *filter->GetOutput();
+  const int* const size = image.GetDimensions();
+  Raster raster(size[0], size[1], {});
+  for (int y = 0; y < raster.height; ++y) {
+    // VTK's first row is the lowest.
+    const auto* row = static_cast<const unsigned char*>(image.GetScalarPointer(0, raster.height - 1 - y, 0));
+    for (int x = 0; x < raster.width; ++x, row += 3) std::copy_n(row, 3, raster.at(x, y).begin());
+  }
+  return raster;
 }
 
 void write_png(const Raster& raster, const std::string& path) {

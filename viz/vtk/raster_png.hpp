@@ -6,7 +6,12 @@
 
 #include "viz/picture/raster.hpp"
 
+class vtkRenderWindow;
+
 namespace rayproof::viz {
+
+/// Renders the window at its size. Needs a display (OffscreenDisplay, UserDisplay).
+[[nodiscard]] Raster pixels_of(vtkRenderWindow& window);
 
 /// Writes the pixels as an RGB PNG; needs no display. Throws std::runtime_error with one sentence where the
 /// file can't be written.

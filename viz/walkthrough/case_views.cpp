@@ -17,21 +17,6 @@
 namespace rayproof::viz {
 namespace {
 
-/// The hits or roots of both answers; the first of each says whose they are.
-Items hits_of(const StageSlider& slider, const CaseReport& report) {
-  Items items;
-  for (const auto& [role, answer, word] : {std::tuple{Role::exact, &report.exact, " exact"},
-                                           std::tuple{Role::claimed, report.claim(), " computed"}}) {
-    const std::vector<double> values = values_of(answer);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      if (std::isfinite(values[i]))
-        items.push_back(point(role, slider.origin + values[i] * slider.direction,
-                              slider.symbol + subscript(i) + (i == 0 ? word : "")));
-    }
-  }
-  return items;
-}
-
 /// Where the ray to the right crosses a side, counted.
 Items crossings_of(const PointAndPolygon<double>& question) {
   std::vector<double> crossings;
@@ -81,7 +66,7 @@ Stage case_views(const CaseReport& report) {
   if (const auto* question = std::get_if<PointAndPolygon<double>>(&report.one.question)) {
     whole.items = crossings_of(*question);
   } else if (stage.slider) {
-    whole.items = hits_of(*stage.slider, report);
+    whole.items = hits_of(*stage.slider, report.exact, report.claim());
     if (stage.slider->symbol == "x") whole.magnification = glm::length(stage.slider->direction);
   }
   StageStep near = whole;
@@ -90,8 +75,10 @@ Stage case_views(const CaseReport& report) {
   const bool is_much_larger = whole.view.radius > 2.4 * setting.near.radius;
   if (is_much_larger) {
     near.view = setting.near;
-    if (setting.wide.radius > 2.4 * setting.near.radius)
+    if (setting.wide.radius > 2.4 * setting.near.radius) {
       near.items.push_back(far_start(*stage.slider, setting.near, stage.camera));
+      for (StageItem& hit : whole.items) hit.label.clear();  // they are named from nearby
+    }
     whole.title = "Whole";
     whole.begins_anew = true;
   }
@@ -99,9 +86,10 @@ Stage case_views(const CaseReport& report) {
   if (is_much_larger) stage.steps.push_back(whole);
   const double enlarged =
       magnified.magnification / near.magnification * near.view.radius / magnified.view.radius;
-  const bool differs = verdicts_differ(&report.exact, report.claim()) ||
-                       worst_ulps(&report.exact, report.claim(), report.one.precision) > 0;
-  if (magnified.is_apart && differs && enlarged > 2.5) {
+  const bool are_equal = report.claim() != nullptr && !values_of(&report.exact).empty() &&
+                         !verdicts_differ(&report.exact, report.claim()) &&
+                         worst_ulps(&report.exact, report.claim(), report.one.precision) == 0;
+  if (magnified.is_apart && !are_equal && enlarged > 2.5) {
     magnified.title = "Magnified";
     stage.steps.push_back(magnified);
   }

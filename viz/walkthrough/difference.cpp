@@ -109,20 +109,6 @@ std::string pair_in_words(const CaseReport& report, const ValuePair& pair, const
                      format);
 }
 
-/// Both answers at their places in the scene, where there is nothing to magnify.
-void show_all(StageStep& step, const CaseReport& report, const std::string& symbol, const Setting& setting) {
-  if (!setting.slider) return;
-  const auto at = [&](double t) { return setting.slider->origin + t * setting.slider->direction; };
-  for (const auto& [role, answer, word] : {std::tuple{Role::exact, &finest(report), "exact"},
-                                           std::tuple{Role::claimed, report.claim(), "as computed"}}) {
-    const std::vector<double> values = values_of(answer);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      if (std::isfinite(values[i]))
-        step.items.push_back(point(role, at(values[i]), fmt::format("{}{} {}", symbol, subscript(i), word)));
-    }
-  }
-}
-
 /// Whether the two look like one point.
 bool is_hidden(const ValuePair& pair, const Setting& setting) {
   if (!setting.slider) return false;
@@ -142,12 +128,29 @@ std::string verdict_in_words(const CaseReport& report) {
 
 }  // namespace
 
+Items hits_of(const StageSlider& slider, const Answer& exact, const Answer* claimed) {
+  Items items;
+  for (const auto& [role, answer, word] :
+       {std::tuple{Role::exact, &exact, "exact"}, std::tuple{Role::claimed, claimed, "as computed"}}) {
+    const std::vector<double> values = values_of(answer);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (std::isfinite(values[i]))
+        items.push_back(point(role, slider.origin + values[i] * slider.direction,
+                              fmt::format("{}{} {}", slider.symbol, subscript(i), word)));
+    }
+  }
+  return items;
+}
+
 StageStep difference_step(const CaseReport& report, const Setting& setting) {
   const std::string symbol = symbol_of(report.one);
   StageStep step;
   step.title = report.claim() == nullptr ? "The exact answer" : comparison_title;
   step.view = setting.near;
   step.digits = conclusion_of(report);
+  const auto show_all = [&] {
+    if (setting.slider) step.items = hits_of(*setting.slider, finest(report), report.claim());
+  };
   const bool differ = verdicts_differ(&report.exact, report.claim());
   const std::optional<ValuePair> pair = worst_pair_of(report);
   if (!differ && pair) {
@@ -155,7 +158,7 @@ StageStep difference_step(const CaseReport& report, const Setting& setting) {
     if (std::isfinite(pair->claimed - pair->exact)) {
       magnify(step, report, *pair, symbol, setting);
     } else {
-      show_all(step, report, symbol, setting);
+      show_all();
     }
     return step;
   }
@@ -165,7 +168,7 @@ StageStep difference_step(const CaseReport& report, const Setting& setting) {
     return step;
   }
   step.caption = verdict_in_words(report);
-  if (differ && setting.close_up && setting.close_up->gap > 0 &&
+  if (setting.close_up && setting.close_up->gap > 0 &&
       setting.close_up->gap < visible_gap * setting.near.radius) {
     step.is_apart = true;
     step.magnification = 1 / setting.close_up->gap;
@@ -179,7 +182,7 @@ StageStep difference_step(const CaseReport& report, const Setting& setting) {
     magnify(step, report, *pair, symbol, setting);
     return step;
   }
-  show_all(step, report, symbol, setting);
+  show_all();
   return step;
 }
 

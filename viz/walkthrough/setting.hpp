@@ -47,6 +47,9 @@ struct Setting {
 
 [[nodiscard]] Setting setting_of(const CaseReport& report);
 
+/// Both answers' hits or roots on the slider's line: "t₀ exact", "t₀ as computed".
+[[nodiscard]] Items hits_of(const StageSlider& slider, const Answer& exact, const Answer* claimed);
+
 /// The title of a stage's last step.
 inline constexpr const char* comparison_title = "Float result against exact result";
 

@@ -3,8 +3,8 @@
 /// What a window shows, pixel by pixel.
 
 #include "viz/picture/palette.hpp"
+#include "viz/vtk/raster_png.hpp"
 #include "viz/vtk/window/stage_window.hpp"
-#include "viz/vtk/write_png.hpp"
 
 namespace rayproof::viz {
 
@@ -25,8 +25,9 @@ class Screenshot {
     return count(box, [&](int x, int y) { return image_.at(x, y) != other.image_.at(x, y); });
   }
   /// The share of a box's pixels of about the hue of a role's colour: their differences between red, green
-  /// and blue have the signs of the colour's, and half their size at least.
-  [[nodiscard]] double share_of(Role role, const PixelBox& box, double opacity = 0.15) const {
+  /// and blue have the signs of the colour's, and this share of their size at least: a solid covers 0.2 of
+  /// what is behind it, and its faces are lit to 0.7 or more.
+  [[nodiscard]] double share_of(Role role, const PixelBox& box, double opacity = 0.2 * 0.7) const {
     const Rgb colour = rgb_of(colour_of(role).light);
     const auto differs_alike = [&](const Rgb& pixel, std::size_t i, std::size_t j) {
       const double wanted = opacity * (colour[i] - colour[j]);

@@ -22,8 +22,9 @@
 #include <glm/geometric.hpp>
 
 #include "viz/render/colours.hpp"
+#include "viz/vtk/legible_font.hpp"
+#include "viz/vtk/raster_png.hpp"
 #include "viz/vtk/space/geometry.hpp"
-#include "viz/vtk/write_png.hpp"
 
 namespace rayproof::render {
 namespace {

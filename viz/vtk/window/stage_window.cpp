@@ -22,7 +22,6 @@
 #include "viz/vtk/window/handle_widgets.hpp"
 #include "viz/vtk/window/orbit_style.hpp"
 #include "viz/vtk/window/window_sheet.hpp"
-#include "viz/vtk/write_png.hpp"
 #include "viz/vtk/x_display.hpp"
 
 namespace rayproof::viz {

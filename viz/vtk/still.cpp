@@ -1,4 +1,4 @@
-#include "viz/vtk/still_canvas.hpp"
+#include "viz/vtk/still.hpp"
 
 #include <fmt/format.h>
 #include <vtkBase64Utilities.h>
@@ -30,11 +30,11 @@ std::string jpeg_of(const Raster& picture) {
 
 }  // namespace
 
-std::string StillCanvas::still(const Stage& stage, std::size_t step) {
+std::string still_of(PictureCanvas& canvas, const Stage& stage, std::size_t step) {
   Picture labels;
   labels.width = still_frame.width;
   labels.height = still_frame.height;
-  const Raster picture = canvas_.draw(labels, {{&stage, step, still_frame}}, 1);
+  const Raster picture = canvas.draw(labels, {{&stage, step, still_frame}}, 1);
   return fmt::format("<img width=\"{}\" height=\"{}\" alt=\"{}\" src=\"data:image/jpeg;base64,{}\">",
                      picture.width, picture.height, escaped(stage.steps[step].caption), jpeg_of(picture));
 }
