@@ -26,6 +26,16 @@ std::size_t longest_number(std::string_view text) {
 
 }  // namespace
 
+std::vector<CheckedClaim> kernel_claims() {
+  std::vector<CheckedClaim> all;
+  for (const auto group : {plane_claims, triangle_claims, sheared_triangle_claims, sphere_claims,
+                           cylinder_claims, quadratic_claims, box_claims, parallelepiped_claims}) {
+    const std::vector<CheckedClaim> more = group();
+    all.insert(all.end(), more.begin(), more.end());
+  }
+  return all;
+}
+
 bool fits(std::string_view pattern, std::string_view sentence) {
   const std::size_t gap = pattern.find_first_of("#*");
   if (gap == std::string_view::npos) return pattern == sentence;

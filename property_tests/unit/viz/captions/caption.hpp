@@ -37,6 +37,9 @@ struct CheckedClaim {
 [[nodiscard]] std::vector<CheckedClaim> box_claims();
 [[nodiscard]] std::vector<CheckedClaim> parallelepiped_claims();
 
+/// All of these.
+[[nodiscard]] std::vector<CheckedClaim> kernel_claims();
+
 /// The claim that a sentence makes; null for a sentence that nobody has entered.
 [[nodiscard]] const CheckedClaim* find_claim(const std::vector<CheckedClaim>& claims,
                                              std::string_view sentence);

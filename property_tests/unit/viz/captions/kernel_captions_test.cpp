@@ -18,16 +18,6 @@
 namespace rayproof::viz {
 namespace {
 
-std::vector<CheckedClaim> all_claims() {
-  std::vector<CheckedClaim> all;
-  for (const auto group : {plane_claims, triangle_claims, sheared_triangle_claims, sphere_claims,
-                           cylinder_claims, quadratic_claims, box_claims, parallelepiped_claims}) {
-    const std::vector<CheckedClaim> more = group();
-    all.insert(all.end(), more.begin(), more.end());
-  }
-  return all;
-}
-
 /// Every method that can be recorded, on random cases of every family.
 void for_recorded_cases(std::uint64_t seeds, const std::function<void(const CaseReport&)>& check) {
   for (const Family& family : families()) {
@@ -54,7 +44,7 @@ bool is_tame(Case one) {
 }
 
 TEST(KernelCaptions, EverySentenceIsKnownAndTrueOfTheExactNumbers) {
-  const std::vector<CheckedClaim> claims = all_claims();
+  const std::vector<CheckedClaim> claims = kernel_claims();
   std::map<std::string, std::size_t> checked;
   std::set<std::string> unknown;
   for_recorded_cases(6, [&](const CaseReport& report) {

@@ -1,10 +1,9 @@
 /// \file
 /// What a lesson's captions say of its own case.
 
-#include <cmath>
-
 #include "case/reader.hpp"
-#include "unit/viz/captions/caption.hpp"
+#include "generators/generators.hpp"
+#include "unit/viz/captions/lesson_caption.hpp"
 #include "unit/viz/stage_data.hpp"
 #include "viz/walkthrough/lesson.hpp"
 
@@ -15,25 +14,37 @@ bool speaks_of(const std::string& text, const std::string& words) {
   return text.find(words) != std::string::npos;
 }
 
-/// Of a lesson's own case: what its captions say of signs and sizes.
-TEST(LessonCaptions, ALessonsOwnNumbersAreThoseOfItsCase) {
-  const auto numbers_of = [](const char* lesson) {
-    const Lesson& one = *lessons_of(lesson).front();
-    return report_lesson(read_case(one.case_text), one.method);
-  };
-  const CaseReport far = numbers_of("far-sphere");
-  const NumbersByName n(*far.walk, far.walk->steps.size() - 1);
-  const auto b = static_cast<float>(n.rounded("b")), a = static_cast<float>(n.rounded("a")),
-             c = static_cast<float>(n.rounded("c"));
-  EXPECT_EQ(b * b, 6560707584.0F);
-  EXPECT_EQ(4 * a * c, 6560708608.0F);
-  EXPECT_EQ(std::nextafter(6560707584.0F, 7e9F) - 6560707584.0F, 512.0F);
+std::vector<LessonClaim> all_lesson_claims() {
+  std::vector<LessonClaim> all;
+  for (const auto group : {comparison_claims, ray_lesson_claims, flat_lesson_claims, polygon_lesson_claims,
+                           solid_lesson_claims, surface_lesson_claims}) {
+    const std::vector<LessonClaim> more = group();
+    all.insert(all.end(), more.begin(), more.end());
+  }
+  return all;
+}
 
-  const CaseReport padded = numbers_of("conservative");
-  const NumbersByName p(*padded.walk, padded.walk->steps.size() - 1);
-  EXPECT_LT(p["t_exit"], p["t_entry"]);
-  EXPECT_LT(p.rounded("t_exit"), p.rounded("t_entry"));
-  EXPECT_GE(p.rounded("t_padded"), p.rounded("t_entry"));
+TEST(LessonCaptions, EverySentenceIsKnownAndTrueOfTheLessonsCase) {
+  const std::vector<LessonClaim> claims = all_lesson_claims();
+  for (const Lesson& lesson : lessons())
+    expect_true_sentences(stage_of(lesson, report_lesson), kernel_claims(), claims);
+}
+
+TEST(LessonCaptions, PolygonLessonsAreTrueOfRandomPolygons) {
+  const std::vector<LessonClaim> claims = all_lesson_claims();
+  std::size_t count = 0;
+  for (const Family& family : families()) {
+    if (family.topic != std::string("point_in_polygon")) continue;
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+      for (const char* lesson : {"polygon-parity", "polygon-vertex-trap"}) {
+        const Case one = family.generate(seed, Precision::float32);
+        expect_true_sentences(lessons_of(lesson).front()->compose(one, report_lesson), kernel_claims(),
+                              claims);
+        ++count;
+      }
+    }
+  }
+  EXPECT_GT(count, 300U);
 }
 
 TEST(LessonCaptions, EveryShrunkCaseOfThePropertyTestStillDisagrees) {
