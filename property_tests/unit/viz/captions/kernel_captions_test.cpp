@@ -76,6 +76,7 @@ TEST(KernelCaptions, PatternsFitNumbersAndNothingElse) {
   EXPECT_TRUE(fits("*: hit", "Exact: hit"));
   EXPECT_FALSE(fits("z = #.", "z = a."));
   EXPECT_FALSE(fits("z = 0.", "z = 0. And more."));
+  EXPECT_EQ(find_claim(kernel_claims(), "A sentence that nobody has entered."), nullptr);
 }
 
 }  // namespace

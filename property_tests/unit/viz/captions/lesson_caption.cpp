@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <set>
 
 #include "viz/walkthrough/sentences.hpp"
 
@@ -52,8 +53,10 @@ void expect_true_sentences(const Stage& stage, const std::vector<CheckedClaim>& 
   for (std::size_t i = 0; i < stage.steps.size(); ++i) {
     const StageStep& step = stage.steps[i];
     const NumbersByName n = numbers_up_to(stage, i);
-    for (const std::string& sentence :
-         sentences_of(without_space(step.words.empty() ? step.caption : step.words))) {
+    std::set<std::string> sentences;
+    for (const std::string& text : {step.words, step.caption})
+      for (const std::string& sentence : sentences_of(without_space(text))) sentences.insert(sentence);
+    for (const std::string& sentence : sentences) {
       if (find_claim(of_kernels, sentence) != nullptr || is_equation(step, sentence)) continue;
       const auto claim = std::find_if(of_lessons.begin(), of_lessons.end(), [&](const LessonClaim& one) {
         return (*one.lesson == '\0' || stage.name == one.lesson) && fits(one.words, sentence);

@@ -28,6 +28,7 @@ struct LessonClaim {
 [[nodiscard]] std::vector<LessonClaim> polygon_lesson_claims();
 [[nodiscard]] std::vector<LessonClaim> solid_lesson_claims();
 [[nodiscard]] std::vector<LessonClaim> surface_lesson_claims();
+[[nodiscard]] std::vector<LessonClaim> number_lesson_claims();
 
 /// Every sentence of the stage that is no kernel's is known, and true.
 void expect_true_sentences(const Stage& stage, const std::vector<CheckedClaim>& of_kernels,

@@ -16,8 +16,8 @@ bool speaks_of(const std::string& text, const std::string& words) {
 
 std::vector<LessonClaim> all_lesson_claims() {
   std::vector<LessonClaim> all;
-  for (const auto group : {comparison_claims, ray_lesson_claims, flat_lesson_claims, polygon_lesson_claims,
-                           solid_lesson_claims, surface_lesson_claims}) {
+  for (const auto group : {ray_lesson_claims, flat_lesson_claims, polygon_lesson_claims, solid_lesson_claims,
+                           surface_lesson_claims, number_lesson_claims, comparison_claims}) {
     const std::vector<LessonClaim> more = group();
     all.insert(all.end(), more.begin(), more.end());
   }

@@ -8,10 +8,10 @@ namespace rayproof::viz {
 namespace {
 
 /// Of the step's side: s and t as they were computed.
-struct Crossing {
+struct MetSide {
   double s, t;
 };
-Crossing crossing(const LessonSaid& said) {
+MetSide crossing(const LessonSaid& said) {
   const auto& values = said.stage.steps[said.step].values;
   return {values.at(0).components[0].value, values.at(1).components[0].value};
 }
