@@ -4,7 +4,7 @@
 #include "viz/page/page.hpp"
 #include "viz/programs/files.hpp"
 #include "viz/programs/report_of.hpp"
-#include "viz/vtk/still_canvas.hpp"
+#include "viz/vtk/still.hpp"
 #include "viz/walkthrough/stage_of.hpp"
 
 namespace rayproof::render {
@@ -27,10 +27,10 @@ PixelReport report_pixel(const RenderScene& scene, int x, int y, const Methods& 
 }
 
 void write_page(const PixelReport& report, const std::string& path) {
-  viz::StillCanvas canvas;
+  viz::PictureCanvas canvas;
   const viz::Stage stage = viz::stage_of(viz::report_of(report.one, report.method));
   viz::write_text(path, viz::stage_page(stage, [&](const viz::Stage& shown, std::size_t step) {
-                    return canvas.still(shown, step);
+                    return viz::still_of(canvas, shown, step);
                   }));
 }
 

@@ -119,7 +119,7 @@ std::vector<Lesson> polygon_in_space_lessons() {
        "The ray meets the polygon's plane in one point; along the normal's largest axis the rest is point in "
        "polygon.",
        R"({"precision": "float32", "ray": {"origin": [0.4, -2.2, 2.3], "direction": [-0.1, 0.9, -0.7]},
-           "shape": {"type": "polygon", "vertices": [[-1.5, -1, 0], [1.5, -1, 0.5], [0.5, 0, 0.5], [1.5, 1, 1.5], [-1.5, 1, 1]]}})",
+           "shape": {"type": "polygon", "vertices": [[-1.5, -1, -0.125], [1.5, -1, 0.625], [0.5, 0, 0.875], [1.5, 1, 1.625], [-1.5, 1, 0.875]]}})",
        "", polygon_stage},
   };
 }

@@ -5,6 +5,7 @@
 #include <rayproof/spawn.hpp>
 
 #include "viz/trace/numbers.hpp"
+#include "viz/trace/shadow.hpp"
 #include "viz/walkthrough/compose.hpp"
 #include "viz/walkthrough/lessons.hpp"
 
@@ -34,27 +35,31 @@ void leave_sphere(const RayQuestion& question, double t) {
   (void)spawn::Proven::origin(from);
 }
 
-/// How far outside the sphere a point is; of numbers that are floats, double is good enough.
-double height_of(const glm::dvec3& point, const Sphere<double>& sphere) {
-  const glm::dvec3 f = point - sphere.center;
-  return std::sqrt(dot(f, f)) - sphere.radius;
+/// How far outside the sphere a point of the run is, as it was rounded.
+double height_of(const NumbersByName& n, const std::string& point, const Sphere<double>& sphere) {
+  const auto along = [&](const char* axis, double centre) {
+    return Shadow(n.rounded(point + axis)) - centre;
+  };
+  const Shadow x = along(".x", sphere.center.x), y = along(".y", sphere.center.y),
+               z = along(".z", sphere.center.z);
+  return static_cast<double>(sqrt(x * x + y * y + z * z) - sphere.radius);
 }
 
-/// "1.1e-7 below", or "on it".
+/// "2.1e-7 below", or "on it".
 std::string beside(double height) {
-  constexpr double least = 0x1p-48;  // what double itself can be off by here
-  if (std::abs(height) < least) return "on it";
+  if (height == 0) return "on it";
   return rough(std::abs(height), 3) + (height < 0 ? " below" : " above");
 }
 
 /// Hit, moved point and origin over the sphere's surface, magnified until they can be distinguished.
 StageStep heights_step(const NumbersByName& n, const Sphere<double>& sphere, const Setting& setting) {
-  const double hit = height_of(n.vector("p"), sphere), moved = height_of(n.vector("q"), sphere),
-               origin = height_of(n.vector("o′"), sphere);
+  const double hit = height_of(n, "p", sphere), moved = height_of(n, "q", sphere),
+               origin = height_of(n, "o′", sphere);
   StageStep step;
   step.title = comparison_title;
-  step.caption = fmt::format("Exactly, p is {} the sphere, q {}, and o′ {}: the next ray starts outside.",
-                             beside(hit), beside(moved), beside(origin));
+  step.caption =
+      fmt::format("Exactly, p is {} the sphere, q is {}, and o′ is {}: the next ray starts outside.",
+                  beside(hit), beside(moved), beside(origin));
   step.is_apart = true;
   step.magnification = 1 / std::max({std::abs(hit), std::abs(moved), std::abs(origin)});
   const auto at = [&](double sideways, double height) {

@@ -1,9 +1,7 @@
+#pragma once
 /// \file
-/// The numbers that walkthroughs show, bit for bit those of the same code run in plain floating point.
+/// The library's functions that composed lessons show, in plain floating point.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <rayproof/box/slab.hpp>
 #include <rayproof/camera.hpp>
@@ -13,84 +11,17 @@
 #include <rayproof/parametric/bilinear_quadratic.hpp>
 #include <rayproof/plane/point_normal.hpp>
 #include <rayproof/spawn.hpp>
-#include <rayproof/topics.hpp>
 #include <rayproof/transform.hpp>
 #include <rayproof/triangle/barycentric.hpp>
 
-#include "case/reader.hpp"
 #include "oracle/oracle.hpp"
-#include "unit/bits.hpp"
-#include "unit/viz/heard.hpp"
+#include "unit/viz/stage_bits/heard_kernels.hpp"
 #include "unit/viz/stage_data.hpp"
-#include "viz/page/stage_json.hpp"
-#include "viz/shapes/ray_walk.hpp"
 #include "viz/trace/numbers.hpp"
-#include "viz/walkthrough/lesson.hpp"
-#include "viz/walkthrough/stage_of.hpp"
 
 namespace rayproof::viz {
-namespace {
 
 using Json = nlohmann::json;
-using NamedNumbers = std::vector<std::pair<std::string, double>>;
-
-/// Every number that a step shows, components one by one.
-NamedNumbers shown_in(const Json& step) {
-  NamedNumbers shown;
-  for (const auto& value : step["values"]) {
-    const auto& components = value["components"];
-    for (std::size_t k = 0; k < components.size(); ++k) {
-      const std::string axis = components.size() == 1 ? "" : std::string(".") + "xyz"[k];
-      shown.emplace_back(value["name"].get<std::string>() + axis, number_in(components[k]["value"]));
-    }
-  }
-  return shown;
-}
-
-/// The problem that a case puts, in an arithmetic that hears names: only the kernel's own are left.
-template <class Topic, class H>
-typename Topic::template Problem<H> heard_problem(const Case& one) {
-  if constexpr (std::is_same_v<Topic, quadratic::Topic>) {
-    H::names.clear();
-    return convert<H>(std::get<Quadratic<double>>(one.question));
-  } else {
-    const auto& question = std::get<RayQuestion>(one.question);
-    using Shape = decltype(Topic::template Problem<H>::shape);
-    const auto shape = recorded_shape<Shape, H>(question);
-    H::names.clear();
-    if (!question.transform) return {convert<H>(question.ray), shape};
-    const auto ray = in_object_space<H>(convert<H>(question.ray), *question.transform, "d", Topic::name);
-    H::names.erase(H::names.begin(), H::names.begin() + 12);  // the map's columns are inputs
-    return {ray, shape};
-  }
-}
-
-/// What a method's kernel names in plain T.
-template <class Topic, class T>
-NamedNumbers heard_in(const Case& one, const std::string& method) {
-  using H = Heard<T>;
-  NamedNumbers names;
-  if constexpr (!std::is_same_v<Topic, point_in_polygon::Topic>) {
-    Topic::Methods::for_each([&]<class Method>(std::type_identity<Method>) {
-      if constexpr (Recordable<Method, H>) {
-        if (method != std::string(Topic::name) + "/" + Method::name) return;
-        (void)Topic::template solve<Method>(heard_problem<Topic, H>(one));
-        names = H::names;
-      }
-    });
-  }
-  return names;
-}
-
-NamedNumbers heard(const Case& one, const std::string& method) {
-  NamedNumbers names;
-  Topics::for_each([&]<class Topic>(std::type_identity<Topic>) {
-    if (Topic::name != topic_of(one)) return;
-    names = one.precision == Precision::float32 ? heard_in<Topic, float>(one, method)
-                                                : heard_in<Topic, double>(one, method);
-  });
-  return names;
-}
 
 /// The library's own functions that a composed lesson shows, run in plain T; by the lesson's name, or by the
 /// beginning of it.
@@ -258,62 +189,4 @@ class PlainRuns {
   const Json& data_;
 };
 
-TEST(StageBits, AMethodsStepsShowTheNumbersOfThePlainKernel) {
-  int compared = 0;
-  for (const Lesson& lesson : lessons()) {
-    if (lesson.compose != nullptr) continue;
-    for (const Precision precision : {Precision::float32, Precision::float64}) {
-      Case one = read_case(lesson.case_text);
-      one.precision = precision;
-      const Json data = Json::parse(stage_json(stage_of(report_lesson(one, lesson.method))));
-      const NamedNumbers plain = heard(one, lesson.method);
-      NamedNumbers shown;
-      for (std::size_t i = 1; i < data["steps"].size(); ++i) {
-        const NamedNumbers more = shown_in(data["steps"][i]);
-        shown.insert(shown.end(), more.begin(), more.end());
-      }
-      ASSERT_EQ(plain.size(), shown.size()) << lesson.name;
-      for (std::size_t i = 0; i < plain.size(); ++i) {
-        EXPECT_EQ(plain[i].first, shown[i].first) << lesson.name;
-        EXPECT_TRUE(same_bits(plain[i].second, shown[i].second))
-            << lesson.name << ": " << plain[i].first << " is " << plain[i].second << ", shown as "
-            << shown[i].second;
-        ++compared;
-      }
-    }
-  }
-  EXPECT_GT(compared, 200);
-}
-
-TEST(StageBits, AComposedLessonShowsTheNumbersOfTheLibrarysFunctions) {
-  for (const Lesson& lesson : lessons()) {
-    if (lesson.compose == nullptr) continue;
-    const bool says_it_in_words =
-        lesson.name == "acne" || lesson.name == "error-map" || lesson.name == "property-test";
-    for (const Precision precision : {Precision::float32, Precision::float64}) {
-      Case one = read_case(lesson.case_text);
-      one.precision = precision;
-      const Json data = Json::parse(stage_json(lesson.compose(one, report_lesson)));
-      int compared = 0;
-      for (std::size_t i = 1; i < data["steps"].size(); ++i) {
-        const Json& step = data["steps"][i];
-        const NamedNumbers plain = precision == Precision::float32
-                                       ? PlainRuns<float>(one, data).of(lesson.name, step["title"])
-                                       : PlainRuns<double>(one, data).of(lesson.name, step["title"]);
-        for (const auto& [name, value] : shown_in(step)) {
-          // A name that is given twice has several numbers.
-          const auto is_it = [&name = name, &value = value](const auto& one_of) {
-            return one_of.first == name && same_bits(one_of.second, value);
-          };
-          EXPECT_TRUE(std::any_of(plain.begin(), plain.end(), is_it))
-              << lesson.name << " shows " << name << " = " << value << ", which no plain run has";
-          ++compared;
-        }
-      }
-      EXPECT_GT(compared, says_it_in_words ? -1 : 1) << lesson.name;
-    }
-  }
-}
-
-}  // namespace
 }  // namespace rayproof::viz
