@@ -109,6 +109,20 @@ std::string pair_in_words(const CaseReport& report, const ValuePair& pair, const
                      format);
 }
 
+/// " Exact: t₀ = 1. Computed: t₀ = 1, t₁ = 2." of the answers that have a number.
+std::string hits_in_words(const CaseReport& report, const std::string& symbol) {
+  std::string words;
+  for (const auto& [who, answer] : {std::pair{"Exact", &report.exact}, {"Computed", report.claim()}}) {
+    const std::vector<double> values = values_of(answer);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      words += i == 0 ? fmt::format(" {}: ", who) : ", ";
+      words += fmt::format("{}{} = {}", symbol, subscript(i), shown(values[i], report.one.precision));
+    }
+    if (!values.empty()) words += ".";
+  }
+  return words;
+}
+
 /// Whether the two look like one point.
 bool is_hidden(const ValuePair& pair, const Setting& setting) {
   if (!setting.slider) return false;
@@ -174,7 +188,7 @@ StageStep difference_step(const CaseReport& report, const Setting& setting) {
     step.magnification = 1 / setting.close_up->gap;
     step.view = close_up_view;
     step.items = setting.close_up->items;
-    step.caption += " " + setting.close_up->words;
+    step.caption += " " + setting.close_up->words + hits_in_words(report, symbol);
     return step;
   }
   if (differ && pair && is_hidden(*pair, setting)) {

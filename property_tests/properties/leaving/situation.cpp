@@ -66,6 +66,14 @@ Left leave_in(const RayQuestion& question, double t) {
 
 bool is_finite(const glm::dvec3& v) { return std::isfinite(v.x + v.y + v.z); }
 
+/// How many units roundoff of its scene a shape must be thick.
+double thinnest_left(const Shape& shape) {
+  if (std::holds_alternative<Parallelepiped<double>>(shape)) return thinnest_slanted;
+  const bool is_round =
+      std::holds_alternative<Sphere<double>>(shape) || std::holds_alternative<Cylinder<double>>(shape);
+  return is_round ? thinnest_round : 0;
+}
+
 }  // namespace
 
 const Subject* plain_method_of(const std::string& topic) {
@@ -112,9 +120,7 @@ std::optional<Situation> situation_of(Departing what) {
   made.extent = oracle::extent_of(made.question(), made.from.hit);
   if (!(made.extent.size >= smallest_scene && made.extent.size <= largest_scene)) return std::nullopt;
   const double roundoff = oracle::unit_roundoff(made.precision()) * made.extent.size;
-  const bool is_round = std::holds_alternative<Sphere<double>>(made.question().shape) ||
-                        std::holds_alternative<Cylinder<double>>(made.question().shape);
-  if (is_round && made.extent.width < thinnest_round * roundoff) return std::nullopt;
+  if (made.extent.width < thinnest_left(made.question().shape) * roundoff) return std::nullopt;
   return made.turned(made.what.side, made.what.direction);
 }
 

@@ -14,7 +14,8 @@ namespace rayproof::spawn {
 /// Promise: whatever the direction, if it leaves the surface at the foot of `point`, the exact ray from the
 /// rounded origin does not meet that surface again; and into a solid that is thicker than twice the offset in
 /// every direction, the origin is strictly inside. Domain: lengths within 2^±28 in float, 2^±240 in double;
-/// round bodies at least 64ε times as wide as the scene's coordinates are large.
+/// round bodies at least 64ε times as wide, and parallelepipeds 32ε times as thick, as the scene's
+/// coordinates are large.
 ///
 /// Derivation, in the notation of SurfacePoint. Let o = point + h·v + ρ be the rounded origin, |ρᵢ| <=
 /// ε(|pointᵢ| + 2h|vᵢ|) with room for second orders; roomᵢ = errorᵢ + ε|pointᵢ|, and w = Σroomᵢ >= |room|,

@@ -109,7 +109,7 @@ std::vector<LessonClaim> ray_lesson_claims() {
       {"raycasting", "The ray through pixel (1, 4) meets no object: it keeps the background's colour.",
        [](const LessonSaid&) { EXPECT_EQ(nearest_ball(eye_of_image, through_pixel(1, 4)), 2U); }},
       {"raycasting", "The loop runs over all 8 × 6 pixels."},
-      {"raycasting", "# of 48 pixels see an object: framed solid the first, dotted the second.",
+      {"raycasting", "# of 48 pixels see an object: plain the first, with a diagonal the second.",
        [](const LessonSaid& s) {
          int seen = 0;
          for (int i = 0; i < 48; ++i)
