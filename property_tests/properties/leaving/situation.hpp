@@ -47,8 +47,9 @@ inline constexpr double smallest_scene = 1e-8, largest_scene = 1e8;
 /// out.
 inline constexpr double thinnest_round = 64;
 
-/// Which of two opposite faces of a parallelepiped is the lower one is known by a height, whose sign may be wrong
-/// where it is smaller than its own rounding error: one thinner than this many units roundoff is left out.
+/// Which of two opposite faces of a parallelepiped is the lower one is known by a height, whose sign may be
+/// wrong where it is smaller than its own rounding error: one thinner than this many units roundoff is left
+/// out.
 inline constexpr double thinnest_slanted = 32;
 
 /// A solid thinner than this many units roundoff of its scene has no inside that its numbers could name: rays
