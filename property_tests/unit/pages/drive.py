@@ -308,7 +308,7 @@ def main():
     parser.add_argument("--walk", required=True, help="the program rayproof-walk")
     parser.add_argument("--check", required=True, help="the program rayproof-check")
     parser.add_argument("--topic", default="all")
-    parser.add_argument("--every", type=int, default=4, help="drawn and used is one page of this many")
+    parser.add_argument("--every", type=int, default=8, help="drawn and used is one page of this many")
     options = parser.parse_args()
     program = devtools.find_browser()
     if program is None:
