@@ -46,7 +46,7 @@ function(rayproof_unit_tests folder)
                                                     RAYPROOF_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   target_link_libraries(unit-${folder} PRIVATE ${ARGN} GTest::gtest_main rayproof_flags)
   # Tests compile sooner so; what they link keeps its own -O3. Those that compute much themselves are optimised a little.
-  set(level $<IF:$<IN_LIST:${folder},batch;oracle;properties;generators>,-O1,-O0>)
+  set(level $<IF:$<IN_LIST:${folder},batch;oracle;properties;generators;viz>,-O1,-O0>)
   target_compile_options(unit-${folder} PRIVATE $<$<CONFIG:Release>:${level}>)
   gtest_discover_tests(unit-${folder} TEST_PREFIX ${folder}/ DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60)
 endfunction()

@@ -1,5 +1,6 @@
 #include "viz/flat/outline.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
