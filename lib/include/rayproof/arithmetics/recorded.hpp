@@ -76,7 +76,8 @@ struct Recorded : Comparable<Recorded<T, Shadow>> {
 template <class T, class S>
 struct Narrator<Recorded<T, S>> {
   static void step(const Step& step) {
-    if (Recording<S>* tape = Recording<S>::active()) tape->steps.push_back({step.title, step.meaning});
+    if (Recording<S>* tape = Recording<S>::active())
+      tape->steps.push_back({std::string(step.title), std::string(step.meaning)});
   }
 };
 

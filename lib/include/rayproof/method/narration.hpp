@@ -6,16 +6,17 @@
 /// they become the steps, labels and values that `rayproof explain` prints and the walkthroughs show.
 
 #include <cstddef>
+#include <string_view>
 
 namespace rayproof {
 
 /// A step that several kernels share, written once: what `step` takes.
 struct Step {
-  const char* title;
-  const char* meaning;
+  std::string_view title;
+  std::string_view meaning;
 
   template <std::size_t N>
-  requires(N > 1) constexpr Step(const char* its_title, const char (&its_meaning)[N])
+  requires(N > 1) constexpr Step(std::string_view its_title, const char (&its_meaning)[N])
       : title(its_title), meaning(its_meaning) {}
 };
 
@@ -34,7 +35,7 @@ constexpr void step(const Step& shared) {
 /// a sentence what it does geometrically and why. A {name} in the sentence stands for the number of that
 /// name.
 template <class T, std::size_t N>
-requires(N > 1) constexpr void step(const char* title, const char (&meaning)[N]) {
+requires(N > 1) constexpr void step(std::string_view title, const char (&meaning)[N]) {
   step<T>(Step(title, meaning));
 }
 
