@@ -33,9 +33,11 @@ struct LaneAccess<T> {
 };
 
 /// Calls `solve(in, out)` for every `width` lanes of the columns. The last lanes are padded with copies of
-/// the very last one, so that they take the same path as all others.
+/// the very last one, so that they take the same path as all others. Where 1 column is `wanted`, the others
+/// are not written.
 template <class N, class T, std::size_t In, std::size_t Out, class Solve>
-void run(const T* const (&in)[In], T* const (&out)[Out], std::size_t size, const Solve& solve) {
+void run(const T* const (&in)[In], T* const (&out)[Out], std::size_t size, const Solve& solve,
+         std::size_t wanted = Out) {
   using Access = LaneAccess<N>;
   constexpr std::size_t lanes = Access::width;
   N from[In];
@@ -44,7 +46,9 @@ void run(const T* const (&in)[In], T* const (&out)[Out], std::size_t size, const
   for (; i + lanes <= size; i += lanes) {
     for (std::size_t column = 0; column < In; ++column) from[column] = Access::load(in[column] + i);
     solve(from, to);
-    for (std::size_t column = 0; column < Out; ++column) Access::store(to[column], out[column] + i);
+    Access::store(to[0], out[0] + i);
+    if (wanted == 1) continue;
+    for (std::size_t column = 1; column < Out; ++column) Access::store(to[column], out[column] + i);
   }
   if (i == size) return;
 
@@ -55,7 +59,7 @@ void run(const T* const (&in)[In], T* const (&out)[Out], std::size_t size, const
     from[column] = Access::load(padded);
   }
   solve(from, to);
-  for (std::size_t column = 0; column < Out; ++column) {
+  for (std::size_t column = 0; column < wanted; ++column) {
     Access::store(to[column], padded);
     for (std::size_t lane = 0; i + lane < size; ++lane) out[column][i + lane] = padded[lane];
   }

@@ -69,7 +69,7 @@ struct Reading {
 
   /// The roots by the batch kernels, the case placed among other problems; only of a batched topic.
   template <class Method, class T>
-  [[nodiscard]] static Roots<T> batch_roots(const Case& one) {
+  [[nodiscard]] static auto batch_roots(const Case& one) {
     const auto& question = std::get<RayQuestion>(one.question);
     return batch::roots_among_neighbours<Method>(convert<T>(question.ray), convert<T>(shape(question)),
                                                  space<T>(question));

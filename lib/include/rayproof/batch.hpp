@@ -11,8 +11,10 @@
 /// \endcode
 ///
 /// The kernels are built for several instruction sets, and the widest one this machine has is chosen at run
-/// time. Methods of the topics marked `is_batched` have kernels, in float and in double.
+/// time. The methods of the topics marked `is_batched` have them, in float and in double; a method that is
+/// for plain numbers alone, or wrong as printed, and every method of the other shapes, runs ray by ray.
 
+#include <algorithm>
 #include <optional>
 #include <rayproof/batch/instruction_set.hpp>
 #include <rayproof/batch/kernels.hpp>
@@ -45,10 +47,12 @@ struct QuadraticBatch {
   std::span<const T> a, b, c;
 };
 
-/// Where a batch's roots go, with the meaning of Roots; three arrays as long as the batch.
+/// Where a batch's roots go, with the meaning of Roots; three arrays as long as the batch. For flat shapes
+/// (plane, triangle) u and v may be given too, with the meaning of FlatHit.
 template <class T>
 struct RootArrays {
   std::span<T> discriminant, lo, hi;
+  std::span<T> u{}, v{};
 };
 
 namespace batch {
@@ -61,27 +65,46 @@ std::size_t common_size(const First& first, const Rest&... rest) {
   return first.size();
 }
 
-/// The method's kernels for `set`, or the baseline's for a method that does not run in packs.
-template <class Method, class Problem>
-[[nodiscard]] const auto& kernels_for(InstructionSet set) {
-  using Entry = Kernels<Method, Problem>;
-  const Entry& wanted = std::get<Entry>(kernel_table(set));
-  return wanted.roots != nullptr ? wanted : std::get<Entry>(kernel_table(InstructionSet::baseline));
+/// The first problems of a batch, from the given one on.
+template <class Problem>
+[[nodiscard]] Lanes<Problem> part_of(Lanes<Problem> in, std::size_t from, std::size_t size) {
+  for (auto& column : in.columns) column += from;
+  in.size = size;
+  return in;
 }
 
-/// Runs the method's kernel that fills these columns: one column of nearest hits, or three of roots. A method
-/// without kernels is refused here, in one sentence, before it is looked for in the tables.
+/// One problem of a batch.
+template <class T>
+[[nodiscard]] Quadratic<T> problem_at(const Lanes<Quadratic<T>>& in, std::size_t i) {
+  return {in.columns[0][i], in.columns[1][i], in.columns[2][i]};
+}
+template <template <class> class Shape, class T>
+[[nodiscard]] RayProblem<Shape, T> problem_at(const Lanes<RayProblem<Shape, T>>& in, std::size_t i) {
+  const auto& c = in.columns;
+  return {{{c[0][i], c[1][i], c[2][i]}, {c[3][i], c[4][i], c[5][i]}, in.t_min, in.t_max}, in.shape};
+}
+
+/// Answers one problem after the other.
 template <class Method, class Problem, class T, std::size_t Columns>
-void run_kernel(InstructionSet set, const Lanes<Problem>& in, T* const (&out)[Columns]) {
-  constexpr bool has_kernels = is_in<Kernels<Method, Problem>, KernelTable>;
-  static_assert(has_kernels,
-                "this method has no batch kernels for this input: call Method::roots in a loop instead");
-  if constexpr (has_kernels) {
-    const auto& kernels = kernels_for<Method, Problem>(set);
-    if constexpr (Columns == 1) {
-      kernels.nearest(in, out);
+void solve_each(const Lanes<Problem>& in, T* const (&out)[Columns], bool all) {
+  for (std::size_t i = 0; i < in.size; ++i) {
+    T results[Columns];
+    put_results<Method, Lanes<Problem>>(problem_at(in, i), results);
+    for (std::size_t column = 0; column < (all ? Columns : 1); ++column) out[column][i] = results[column];
+  }
+}
+
+/// Runs the method's kernel, which fills these columns, or the first alone. A method that answers no such
+/// batch is refused here, in one sentence, before it is looked for in the tables.
+template <class Method, class Problem, class T, std::size_t Columns>
+void run_kernel(InstructionSet set, const Lanes<Problem>& in, T* const (&out)[Columns], bool all) {
+  static_assert(answers_batches<Method, Problem>,
+                "this method answers no batches of this input: call Method::roots in a loop instead");
+  if constexpr (answers_batches<Method, Problem>) {
+    if constexpr (has_kernels<Method>) {
+      std::get<Kernel<Method, Problem>>(kernel_table(set)).solve(in, out, all);
     } else {
-      kernels.roots(in, out);
+      solve_each<Method>(in, out, all);
     }
   }
 }
@@ -96,9 +119,31 @@ template <class T, template <class> class Shape>
           size,
           t_min,
           t_max,
-          shape,
-          space.has_value(),
-          space.value_or(ObjectSpace<T>{})};
+          shape};
+}
+
+/// The same for rays: those in the world are taken into the object's space first, some hundred at a time, so
+/// that they stay in the processor's nearest cache.
+template <class Method, class T, template <class> class Shape>
+void run_on_rays(InstructionSet set, const RayBatch<T>& rays, const Shape<T>& shape, T* const (&out)[6],
+                 bool all) {
+  const auto in = lanes_of(rays, shape);
+  if (!rays.object_space) return run_kernel<Method>(set, in, out, all);
+  constexpr std::size_t block = 256;
+  T moved[6][block];
+  T* const to[6] = {moved[0], moved[1], moved[2], moved[3], moved[4], moved[5]};
+  const auto& kernel = std::get<ToObjectKernel<T>>(kernel_table(set));
+  for (std::size_t from = 0; from < in.size; from += block) {
+    auto part = part_of(in, from, std::min(block, in.size - from));
+    kernel.move(part.columns, part.size, *rays.object_space, to);
+    T* results[6];
+    for (std::size_t i = 0; i < 6; ++i) {
+      part.columns[i] = to[i];
+      results[i] = out[i] + (all || i == 0 ? from : 0);
+    }
+    run_kernel<Method>(set, part, {results[0], results[1], results[2], results[3], results[4], results[5]},
+                       all);
+  }
 }
 
 }  // namespace batch
@@ -109,7 +154,7 @@ template <class Method, class T, template <class> class Shape>
 void nearest_hits(const RayBatch<T>& rays, const Shape<T>& shape, std::type_identity_t<std::span<T>> t,
                   InstructionSet set = preferred_instruction_set()) {
   batch::common_size(rays.origin.x, t);
-  batch::run_kernel<Method>(set, batch::lanes_of(rays, shape), {t.data()});
+  batch::run_on_rays<Method>(set, rays, shape, {t.data()}, false);
 }
 
 /// Both roots of each ray's problem, before the interval of t is looked at.
@@ -117,8 +162,16 @@ template <class Method, class T, template <class> class Shape>
 void batch_roots(const RayBatch<T>& rays, const Shape<T>& shape, const RootArrays<T>& roots,
                  InstructionSet set = preferred_instruction_set()) {
   batch::common_size(rays.origin.x, roots.discriminant, roots.lo, roots.hi);
-  batch::run_kernel<Method>(set, batch::lanes_of(rays, shape),
-                            {roots.discriminant.data(), roots.lo.data(), roots.hi.data()});
+  // What nobody wants is written where a root is written after it.
+  T* const spare = roots.lo.data();
+  const auto given = [&](std::span<T> column) {
+    if (column.empty()) return spare;
+    batch::common_size(rays.origin.x, column);
+    return column.data();
+  };
+  batch::run_on_rays<Method>(
+      set, rays, shape,
+      {spare, given(roots.u), given(roots.v), roots.discriminant.data(), spare, roots.hi.data()}, true);
 }
 
 /// Both roots of each equation.
@@ -128,7 +181,7 @@ void batch_roots(const QuadraticBatch<T>& equations, const RootArrays<T>& roots,
   const auto& [a, b, c] = equations;
   const std::size_t size = batch::common_size(a, b, c, roots.discriminant, roots.lo, roots.hi);
   batch::run_kernel<Method>(set, batch::Lanes<Quadratic<T>>{{a.data(), b.data(), c.data()}, size},
-                            {roots.discriminant.data(), roots.lo.data(), roots.hi.data()});
+                            {roots.discriminant.data(), roots.lo.data(), roots.hi.data()}, true);
 }
 
 }  // namespace rayproof

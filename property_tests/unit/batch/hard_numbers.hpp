@@ -42,16 +42,54 @@ template <class T>
   return column;
 }
 
+template <class T>
+[[nodiscard]] vec3<T> hard_vector(Random& random) {
+  return {hard_number<T>(random), hard_number<T>(random), hard_number<T>(random)};
+}
+
+/// A shape of hard numbers.
+template <class T>
+void draw_hard(Sphere<T>& sphere, Random& random) {
+  sphere = {hard_vector<T>(random), std::abs(hard_number<T>(random))};
+}
+template <class T>
+void draw_hard(Plane<T>& plane, Random& random) {
+  const auto form = static_cast<PlaneForm>(random.between(0, 2));
+  plane = {form,
+           hard_vector<T>(random),
+           hard_vector<T>(random),
+           hard_number<T>(random),
+           hard_vector<T>(random),
+           hard_vector<T>(random)};
+}
+template <class T>
+void draw_hard(Triangle<T>& triangle, Random& random) {
+  triangle = {hard_vector<T>(random), hard_vector<T>(random), hard_vector<T>(random)};
+}
+template <class T>
+void draw_hard(Box<T>& box, Random& random) {
+  box = {hard_vector<T>(random), hard_vector<T>(random)};
+  for (int axis = 0; axis < 3; ++axis)
+    if (box.max[axis] < box.min[axis]) std::swap(box.min[axis], box.max[axis]);
+}
+template <class T>
+void draw_hard(Parallelepiped<T>& shape, Random& random) {
+  shape.corner = hard_vector<T>(random);
+  for (auto& edge : shape.edges) edge = hard_vector<T>(random);
+}
+template <class T>
+void draw_hard(Cylinder<T>& cylinder, Random& random) {
+  cylinder = {std::abs(hard_number<T>(random)), std::abs(hard_number<T>(random)),
+              std::abs(hard_number<T>(random)), random.one_in(2)};
+}
+
 /// Calls `check(method, T{}, set)` for every method of a topic, in both precisions, on every instruction set
-/// the machine has.
+/// the machine has; once for a method without kernels.
 template <class Topic, class Check>
 void for_each_kernel(Check&& check) {
   Topic::Methods::for_each([&]<class Method>(std::type_identity<Method> method) {
-    using Problem = typename Topic::template Problem<float>;
-    const auto* baseline = &batch::kernels_for<Method, Problem>(InstructionSet::baseline);
     for (const InstructionSet set : available_instruction_sets()) {
-      const bool is_own = &batch::kernels_for<Method, Problem>(set) != baseline;
-      if (set != InstructionSet::baseline && !is_own) continue;
+      if (set != InstructionSet::baseline && !batch::has_kernels<Method>) continue;
       SCOPED_TRACE(std::string(Method::name) + " on " + std::string(name_of(set)));
       check(method, float{}, set);
       check(method, double{}, set);

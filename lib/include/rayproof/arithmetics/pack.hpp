@@ -137,5 +137,6 @@ template <class T, class Abi>
 }  // namespace rayproof
 
 #include <rayproof/arithmetics/pack_exponent.hpp>
+#include <rayproof/arithmetics/pack_wide.hpp>
 
 #include <rayproof/rounding/as_before.hpp>

@@ -14,7 +14,7 @@ namespace rayproof::batch {
 /// More lanes than two of the widest packs have, so that every lane of a pack and of the padded tail is in
 /// reach. A method that runs one number at a time has no lanes to mix up.
 template <class Method>
-inline constexpr std::size_t mixed_lanes = runs_in_packs<Method> ? 37 : 1;
+inline constexpr std::size_t mixed_lanes = has_kernels<Method> ? 37 : 1;
 
 /// Columns with one problem's numbers at a lane that depends on their bits, and hard numbers in all other
 /// lanes.
@@ -40,25 +40,32 @@ struct MixedLanes {
   }
 };
 
-/// Three arrays of roots, and the roots of one lane.
-template <class T, std::size_t Lanes>
+/// Arrays of roots, and what the method answered in one lane, of the type that its `roots` returns.
+template <class T, class Result, std::size_t Lanes>
 struct MixedRoots {
-  std::array<T, Lanes> discriminant{}, lo{}, hi{};
-  [[nodiscard]] RootArrays<T> arrays() { return {discriminant, lo, hi}; }
-  [[nodiscard]] Roots<T> at(std::size_t lane) const { return {discriminant[lane], lo[lane], hi[lane]}; }
+  std::array<T, Lanes> discriminant{}, lo{}, hi{}, u{}, v{};
+  [[nodiscard]] RootArrays<T> arrays() { return {discriminant, lo, hi, u, v}; }
+  [[nodiscard]] Result at(std::size_t lane) const {
+    const Roots<T> roots{discriminant[lane], lo[lane], hi[lane]};
+    if constexpr (requires(Result result) { result.u; }) {
+      return {roots, u[lane], v[lane]};
+    } else {
+      return roots;
+    }
+  }
 };
 
 /// The roots of one ray's problem, answered in a batch of many. The ray is in the world where `space` is
 /// given.
 template <class Method, class T, class Shape>
-[[nodiscard]] Roots<T> roots_among_neighbours(const Ray<T>& ray, const Shape& shape,
-                                              const std::optional<ObjectSpace<T>>& space = {},
-                                              InstructionSet set = preferred_instruction_set()) {
+[[nodiscard]] auto roots_among_neighbours(const Ray<T>& ray, const Shape& shape,
+                                          const std::optional<ObjectSpace<T>>& space = {},
+                                          InstructionSet set = preferred_instruction_set()) {
   const auto& [o, d, t_min, t_max] = ray;
   const MixedLanes<T, 6, mixed_lanes<Method>> lanes({o.x, o.y, o.z, d.x, d.y, d.z});
   const auto& c = lanes.column;
   const RayBatch<T> rays{{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, t_min, t_max, space};
-  MixedRoots<T, mixed_lanes<Method>> roots;
+  MixedRoots<T, decltype(Method::roots(ray, shape)), mixed_lanes<Method>> roots;
   batch_roots<Method>(rays, shape, roots.arrays(), set);
   return roots.at(lanes.lane);
 }
@@ -68,7 +75,7 @@ template <class Method, class T>
 [[nodiscard]] Roots<T> roots_among_neighbours(const Quadratic<T>& q,
                                               InstructionSet set = preferred_instruction_set()) {
   const MixedLanes<T, 3, mixed_lanes<Method>> lanes({q.a, q.b, q.c});
-  MixedRoots<T, mixed_lanes<Method>> roots;
+  MixedRoots<T, Roots<T>, mixed_lanes<Method>> roots;
   batch_roots<Method>(QuadraticBatch<T>{lanes.column[0], lanes.column[1], lanes.column[2]}, roots.arrays(),
                       set);
   return roots.at(lanes.lane);

@@ -20,27 +20,45 @@ namespace rayproof::batch {
 template <class Problem>
 struct Lanes;
 
-/// The columns a, b, c.
+/// The columns a, b, c. Results: the discriminant and both roots.
 template <class T>
 struct Lanes<Quadratic<T>> {
   using Number = T;
   using Topic = quadratic::Topic;
+  static constexpr std::size_t results = 3;
   const T* columns[3];
   std::size_t size;
 };
 
-/// The columns of origin and direction, and what the rays have in common.
+/// The columns of origin and direction, and what the rays have in common. Results: the nearest hit (infinity
+/// for a miss), u, v (written for flat shapes alone), the discriminant and both roots.
 template <template <class> class Shape, class T>
 struct Lanes<RayProblem<Shape, T>> {
   using Number = T;
   using Topic = RayTopic<Shape>;
+  static constexpr std::size_t results = 6;
   const T* columns[6];
   std::size_t size;
   T t_min, t_max;
   Shape<T> shape;
-  bool is_moved;                ///< the rays are in the world, and meet the shape in its own space
-  ObjectSpace<T> object_space;  ///< that space
 };
+
+/// Solves one problem, or a pack of them, and puts its results in their order.
+template <class Method, class Lanes, class Problem, class N>
+constexpr void put_results(const Problem& problem, N (&to)[Lanes::results]) {
+  const auto roots = Lanes::Topic::template solve<Method>(problem);
+  if constexpr (requires { problem.ray; }) {
+    to[0] = nearest(problem.ray, roots);
+    to[1] = to[2] = roots.lo;
+    if constexpr (requires { roots.u; }) {
+      to[1] = roots.u;
+      to[2] = roots.v;
+    }
+  }
+  to[Lanes::results - 3] = roots.discriminant;
+  to[Lanes::results - 2] = roots.lo;
+  to[Lanes::results - 1] = roots.hi;
+}
 
 /// Whether a method runs in packs, or is for plain numbers alone: then the constraint of its `roots` says so.
 struct AnyNumber {};
@@ -48,31 +66,68 @@ template <class Method>
 inline constexpr bool runs_in_packs = requires {
   &Method::template roots<AnyNumber>;
 };
+/// Whether a method has kernels. What is wrong as printed has none: nobody wants it fast.
+template <class Method>
+inline constexpr bool has_kernels = runs_in_packs<Method>&& Method::contract.standing != Standing::printed;
 
-/// One method's kernels in one precision. Null where it has none: the baseline's is used then.
+/// One method's kernel in one precision.
 template <class Method, class Problem>
-struct Kernels {
+struct Kernel {
   using T = typename Lanes<Problem>::Number;
-  /// Writes the discriminant and both roots of every problem.
-  void (*roots)(const Lanes<Problem>& in, T* const (&out)[3]) = nullptr;
-  /// Writes the nearest hit of every ray, infinity for a miss; null for topics without a ray.
-  void (*nearest)(const Lanes<Problem>& in, T* const (&out)[1]) = nullptr;
+  /// Writes every problem's results: all of them, or the first alone. They are written in their order, so
+  /// that a column nobody wants may share the memory of a later one.
+  void (*solve)(const Lanes<Problem>& in, T* const (&out)[Lanes<Problem>::results], bool all) = nullptr;
+};
+
+/// Takes rays, as columns of origin and direction, into an object's space.
+template <class T>
+struct ToObjectKernel {
+  void (*move)(const T* const (&in)[6], std::size_t size, const ObjectSpace<T>& space,
+               T* const (&out)[6]) = nullptr;
 };
 
 template <class Topic, class... Methods>
-auto kernels_of_topic(TypeList<Methods...>)
-    -> decltype(std::tuple_cat(std::tuple<Kernels<Methods, typename Topic::template Problem<float>>,
-                                          Kernels<Methods, typename Topic::template Problem<double>>>{}...));
+auto kernels_of_topic(TypeList<Methods...>) {
+  [[maybe_unused]] const auto of = []<class Method>(std::type_identity<Method>) {
+    if constexpr (has_kernels<Method>) {
+      return std::tuple<Kernel<Method, typename Topic::template Problem<float>>,
+                        Kernel<Method, typename Topic::template Problem<double>>>{};
+    } else {
+      return std::tuple<>{};
+    }
+  };
+  return std::tuple_cat(of(std::type_identity<Methods>{})...);
+}
 template <class... All>
-auto kernels_of_topics(TypeList<All...>) -> decltype(std::tuple_cat(
-    kernels_of_topic<All>(std::conditional_t<is_batched<All>, typename All::Methods, TypeList<>>{})...));
+auto kernels_of_topics(TypeList<All...>) {
+  return std::tuple_cat(
+      std::tuple<ToObjectKernel<float>, ToObjectKernel<double>>{},
+      kernels_of_topic<All>(std::conditional_t<is_batched<All>, typename All::Methods, TypeList<>>{})...);
+}
 /// Every method of every batched topic in both precisions.
 using KernelTable = decltype(kernels_of_topics(Topics{}));
 
-template <class Entry, class Table>
+template <class Method, class Methods>
 inline constexpr bool is_in = false;
-template <class Entry, class... Entries>
-inline constexpr bool is_in<Entry, std::tuple<Entries...>> = (std::same_as<Entry, Entries> || ...);
+template <class Method, class... Methods>
+inline constexpr bool is_in<Method, TypeList<Methods...>> = (std::same_as<Method, Methods> || ...);
+
+/// Whether a batch of these problems can be put to the method: it is one of a batched topic's.
+template <class Method, class Problem, class... All>
+constexpr bool answers_in(TypeList<All...>) {
+  const auto is_of = []<class Topic>(std::type_identity<Topic>) {
+    if constexpr (is_batched<Topic>) {
+      using T = typename Lanes<Problem>::Number;
+      return (std::same_as<T, float> || std::same_as<T, double>)&&  //
+             std::same_as<typename Topic::template Problem<T>, Problem> &&
+             is_in<Method, typename Topic::Methods>;
+    }
+    return false;
+  };
+  return (is_of(std::type_identity<All>{}) || ...);
+}
+template <class Method, class Problem>
+inline constexpr bool answers_batches = answers_in<Method, Problem>(Topics{});
 
 /// The table that was compiled for an instruction set.
 template <InstructionSet set>

@@ -14,6 +14,7 @@ namespace rayproof::box {
 struct Topic : RayTopic<Box> {
   static constexpr const char* name = "box";
   static constexpr double robust_bound = box_robust_bound;
+  static constexpr bool is_batched = true;
   using Methods = TypeList<Slabs, SlabsInverse, Padded, Compensated, PrintedSlabs>;
 };
 

@@ -13,6 +13,7 @@ namespace rayproof::cylinder {
 struct Topic : RayTopic<Cylinder> {
   static constexpr const char* name = "cylinder";
   static constexpr double robust_bound = cylinder_robust_bound;
+  static constexpr bool is_batched = true;
   using Methods = TypeList<Textbook, Centred, Compensated, Printed>;
 };
 

@@ -12,6 +12,7 @@ namespace rayproof::parallelepiped {
 struct Topic : RayTopic<Parallelepiped> {
   static constexpr const char* name = "parallelepiped";
   static constexpr double robust_bound = parallelepiped_robust_bound;
+  static constexpr bool is_batched = true;
   using Methods = TypeList<FacePlanes, UnitCube, Compensated>;
 };
 

@@ -15,6 +15,7 @@ namespace rayproof::plane {
 struct Topic : RayTopic<Plane> {
   static constexpr const char* name = "plane";
   static constexpr double robust_bound = plane_robust_bound;
+  static constexpr bool is_batched = true;
   using Methods =
       TypeList<ByEquation, ByPointAndNormal, ByParameters, Compensated, PrintedImplicit, PrintedParallel>;
 };

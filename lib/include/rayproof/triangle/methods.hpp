@@ -18,6 +18,7 @@ namespace rayproof::triangle {
 struct Topic : RayTopic<Triangle> {
   static constexpr const char* name = "triangle";
   static constexpr double robust_bound = triangle_robust_bound;
+  static constexpr bool is_batched = true;
   using Methods = TypeList<Cramer, PlaneProjection, MollerTrumbore, Woop, Pluecker, Compensated,
                            PrintedParallelogram, PrintedLambda2, PrintedXy>;
 };
