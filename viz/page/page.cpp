@@ -14,6 +14,7 @@
 #include "viz/page/space_json.hpp"
 #include "viz/page/stage_json.hpp"
 #include "viz/picture/svg.hpp"
+#include "viz/walkthrough/stage_of.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -95,9 +96,11 @@ std::string stage_page(const Stage& stage, const Still& still, const PageSurroun
     html += fmt::format("<p class=\"soft\">{} in {}{}</p>\n", escaped(stage.method), name_of(stage.precision),
                         stage.source.empty() ? "" : ". Source: " + escaped(stage.source));
   }
+  const std::string conclusion = fmt::format("<p class=\"conclusion\">{}</p>\n", escaped(stage.conclusion));
+  if (!beside.figure.empty()) html += conclusion + "<figure>\n" + beside.figure + "</figure>\n";
   html += "<div id=\"walk\">\n" + live_part(stage) + "<div id=\"texts\">\n";
   for (std::size_t i = 0; i < stage.steps.size(); ++i) html += step_section(stage, i, still);
-  html += fmt::format("</div>\n</div>\n<p class=\"conclusion\">{}</p>\n", escaped(stage.conclusion));
+  html += "</div>\n</div>\n" + (beside.figure.empty() ? conclusion : "");
   html +=
       "<details class=\"screen\"><summary>Keys</summary><p><kbd>←</kbd> <kbd>→</kbd> step back and on, "
       "<kbd>Home</kbd> <kbd>End</kbd> "
@@ -111,6 +114,10 @@ std::string stage_page(const Stage& stage, const Still& still, const PageSurroun
   html += beside.script.empty() ? "<script>\n" + shared_script() + "</script>\n"
                                 : fmt::format("<script src=\"{}\"></script>\n", escaped(beside.script));
   return html + "</body>\n</html>\n";
+}
+
+std::string case_page(const CaseReport& report, const std::string& script) {
+  return stage_page(stage_of(report), flat_still, {.script = script, .figure = figure_of(report)});
 }
 
 std::string gallery_page(const std::vector<GalleryEntry>& entries, const Still& still) {
