@@ -73,6 +73,8 @@ StageStep heights_step(const NumbersByName& n, const Sphere<double>& sphere, con
   return step;
 }
 
+}  // namespace
+
 Stage leaving_stage(const Case& one, const ReportCase& report_on) {
   const CaseReport report = report_on(one, "");
   const auto& question = std::get<RayQuestion>(one.question);
@@ -95,19 +97,6 @@ Stage leaving_stage(const Case& one, const ReportCase& report_on) {
   stage.steps.push_back(heights_step(NumbersByName(walk, walk.steps.size() - 1), sphere, setting));
   stage.conclusion = "The offset pays for what rounding can have done, and for no more.";
   return stage;
-}
-
-}  // namespace
-
-std::vector<Lesson> leaving_lessons() {
-  return {
-      {"leaving-a-sphere", "numbers", "Leaving a sphere: where the next ray starts",
-       "The hit is rounded and lies below the surface; the next ray starts above it by the least offset that "
-       "is proven.",
-       R"({"precision": "float32", "ray": {"origin": [-3.5, -0.9, 0.8], "direction": [1.3, 0.2, 0.1]},
-           "shape": {"type": "sphere", "center": [0.2, 0.1, 0.3], "radius": 1.4}})",
-       "", leaving_stage},
-  };
 }
 
 }  // namespace rayproof::viz
