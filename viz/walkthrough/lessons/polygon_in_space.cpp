@@ -95,7 +95,7 @@ Stage polygon_stage(const Case& one, const ReportCase& report_on) {
        }},
       {"n·(p - o)", [=](const NumbersByName& n) { return way_to_plane(n, n.vector("n"), first); }},
       answer("t"),
-      {"q", [](const NumbersByName& n) { return Items{point(Role::nearest, n.vector("q"), "q")}; }}};
+      marked("q", Role::nearest)};
   const StageCamera camera = setting.camera;
   setting.spaces = {{"Project along",
                      "In the projection:",

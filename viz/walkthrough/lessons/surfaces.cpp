@@ -78,9 +78,6 @@ Stage torus_stage(const Case& one, const ReportCase& report_on) {
   const Walkthrough walk =
       record(one.precision, [&]<class R>(std::type_identity<R>) { close_in<R>(ray, before, behind); });
   Setting setting = surface_setting(report, torus_items(), 5.2);
-  const auto marked = [&](const char* name, Role role) {
-    return Binding{name, [=](const NumbersByName& n) { return Items{point(role, n.vector(name), name)}; }};
-  };
   setting.bindings = {
       marked("p_a", Role::edge),
       marked("p_b", Role::nearest),

@@ -104,7 +104,7 @@ Stage normal_stage(const Case& one, const ReportCase& report_on) {
   setting.to_world = as_it_is;
   setting.bindings = {at_hit("A·n", Role::claimed, "A·n, wrong"), at_hit("m", Role::normal, "m = A⁻ᵀ·n")};
   const std::vector<Binding> on_unit_sphere{
-      {"q", [](const NumbersByName& n) { return Items{point(Role::nearest, n.vector("q"), "q")}; }},
+      marked("q", Role::nearest),
       {"n", [](const NumbersByName& n) {
          return Items{arrow(Role::normal, n.vector("q"), n.vector("q") + 0.9 * n.vector("n"), "n = q")};
        }}};

@@ -6,6 +6,7 @@
 
 #include "viz/trace/numbers.hpp"
 #include "viz/trace/shadow.hpp"
+#include "viz/walkthrough/bindings.hpp"
 #include "viz/walkthrough/compose.hpp"
 #include "viz/walkthrough/lessons.hpp"
 
@@ -83,15 +84,14 @@ Stage leaving_stage(const Case& one, const ReportCase& report_on) {
   const Walkthrough walk =
       record(one.precision, [&]<class R>(std::type_identity<R>) { leave_sphere<R>(question, t); });
   Setting setting = setting_of(report);
-  setting.bindings = {
-      {"p", [](const NumbersByName& n) { return Items{point(Role::claimed, n.vector("p"), "p")}; }},
-      {"q", [](const NumbersByName& n) { return Items{point(Role::nearest, n.vector("q"), "q")}; }},
-      {"n",
-       [=](const NumbersByName& n) {
-         return Items{
-             arrow(Role::normal, n.vector("q"), n.vector("q") + 0.5 * sphere.radius * n.vector("n"), "n")};
-       }},
-      {"o′", [](const NumbersByName& n) { return Items{point(Role::exact, n.vector("o′"), "o′")}; }}};
+  setting.bindings = {marked("p", Role::claimed),
+                      marked("q", Role::nearest),
+                      {"n",
+                       [=](const NumbersByName& n) {
+                         return Items{arrow(Role::normal, n.vector("q"),
+                                            n.vector("q") + 0.5 * sphere.radius * n.vector("n"), "n")};
+                       }},
+                      marked("o′", Role::exact)};
   Stage stage = composed_stage(report, walk, setting);
   stage.method = "spawn/proven";
   stage.steps.push_back(heights_step(NumbersByName(walk, walk.steps.size() - 1), sphere, setting));
