@@ -77,14 +77,6 @@ std::vector<double> list_of(const QuadraticAnswer<double>& answer) {
   return {answer.roots.begin(), answer.roots.begin() + static_cast<std::ptrdiff_t>(answer.count)};
 }
 
-void add_row(Picture& picture, double y, const std::string& name, const std::string& exact,
-             const std::string& claimed, const std::string& apart) {
-  picture.elements.emplace_back(Text{Role::text, {56, y}, name, Anchor::start, 15, true});
-  picture.elements.emplace_back(Text{Role::exact, {130, y}, exact, Anchor::start, 15});
-  picture.elements.emplace_back(Text{Role::claimed, {400, y}, claimed, Anchor::start, 15});
-  picture.elements.emplace_back(Text{Role::text, {660, y}, apart, Anchor::start, 15});
-}
-
 }  // namespace
 
 std::vector<double> values_of(const Answer* answer) {
@@ -129,36 +121,6 @@ std::string headline_of(const Case& one, const Answer* exact, const Answer* clai
     remark = fmt::format(", {}", accuracy_in_words(ulps));
   }
   return fmt::format("Exact: {}. Claimed: {}{}.", verdict_of(exact), verdict_of(claimed), remark);
-}
-
-double draw_answer_table(Picture& picture, double top, const std::string& symbol, const Case& one,
-                         const Answer* exact, const Answer* claimed) {
-  constexpr double row = 24;
-  const std::vector<double> truth = values_of(exact);
-  const std::vector<double> claim = values_of(claimed);
-  double y = top + row;
-  picture.elements.emplace_back(Mark{Role::exact, MarkShape::ring, {138, y - 5}});
-  picture.elements.emplace_back(
-      Text{Role::exact, {152, y}, "exact, correctly rounded", Anchor::start, 15, true});
-  if (claimed != nullptr) {
-    picture.elements.emplace_back(Mark{Role::claimed, MarkShape::cross, {408, y - 5}});
-    picture.elements.emplace_back(Text{Role::claimed, {422, y}, "claimed", Anchor::start, 15, true});
-    picture.elements.emplace_back(Text{Role::muted, {660, y}, "apart", Anchor::start, 15, true});
-  }
-  const std::size_t rows = std::max<std::size_t>({truth.size(), claim.size(), 1});
-  for (std::size_t i = 0; i < rows; ++i) {
-    y += row;
-    const bool has_truth = i < truth.size();
-    const bool has_claim = i < claim.size();
-    const auto cell = [&](bool has, const std::vector<double>& list, const Answer* answer) {
-      if (has) return shown(list[i], one.precision);
-      return i == 0 && answer != nullptr ? verdict_of(answer) : std::string();
-    };
-    add_row(picture, y, symbol.empty() ? "" : symbol + subscript(i), cell(has_truth, truth, exact),
-            cell(has_claim, claim, claimed),
-            has_truth && has_claim ? apart_in_words(truth[i], claim[i], one.precision) : "");
-  }
-  return y + row / 2 - top;
 }
 
 }  // namespace rayproof::viz

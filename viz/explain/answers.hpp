@@ -7,7 +7,6 @@
 
 #include "case/answer.hpp"
 #include "case/case.hpp"
-#include "viz/picture/picture.hpp"
 
 namespace rayproof::viz {
 
@@ -26,10 +25,5 @@ namespace rayproof::viz {
 
 /// "Exact: hit. Claimed: miss, which is wrong." in one line.
 [[nodiscard]] std::string headline_of(const Case& one, const Answer* exact, const Answer* claimed);
-
-/// A table of the values under each other, one row a value, below `top`: mark, name, exact, claimed,
-/// distance. Returns the height it took.
-double draw_answer_table(Picture& picture, double top, const std::string& symbol, const Case& one,
-                         const Answer* exact, const Answer* claimed);
 
 }  // namespace rayproof::viz

@@ -53,8 +53,4 @@ struct CaseReport {
 /// The same as one line of JSON.
 [[nodiscard]] std::string explain_json(const CaseReport& report);
 
-/// The same, with the picture, as one HTML page that needs nothing from elsewhere; `script` is the text of
-/// the one that makes the picture a scene (viz/page/case_figure.hpp), or empty.
-[[nodiscard]] std::string html_page(const CaseReport& report, const std::string& script = {});
-
 }  // namespace rayproof::viz

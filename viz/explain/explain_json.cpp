@@ -27,14 +27,10 @@ Json values(const std::vector<WalkValue>& list) {
 Json steps(const Walkthrough& walk) {
   Json all = Json::array();
   for (const WalkStep& step : walk.steps) {
-    Json items = Json::array();
-    for (const WalkItem& item : step.items)
-      items.push_back({{"label", item.label}, {"geometry", item.geometry}});
     all.push_back({{"title", step.title},
                    {"meaning", step.meaning},
                    {"caption", step.caption},
-                   {"values", values(step.values)},
-                   {"items", items}});
+                   {"values", values(step.values)}});
   }
   return all;
 }

@@ -44,10 +44,7 @@ double scale_of(const CaseSheet& sheet, std::size_t i) {
 
 void draw_frame(CaseSheet& sheet, std::size_t i) {
   const PixelBox& b = sheet.frames[i];
-  sheet.picture.elements.emplace_back(PixelLine{
-      Role::frame,
-      {{b.left, b.top}, {b.right(), b.top}, {b.right(), b.bottom()}, {b.left, b.bottom()}, {b.left, b.top}},
-      1});
+  add_frame(sheet.picture, Role::frame, b, 1);
   const StageStep& step = sheet.stage.steps[i];
   const std::string caption = step.is_apart ? scale_in_words(scale_of(sheet, i) / scale_of(sheet, 0))
                               : i > 0       ? step.title
@@ -68,6 +65,41 @@ void draw_scale_bar(Picture& picture, const PixelBox& frame, double scale) {
       Text{Role::muted, {end + 6, y + 4}, rough(length), Anchor::start, 12, false, true});
 }
 
+constexpr double table_row = 24, exact_column = 130, claimed_column = 400, apart_column = 660;
+
+void draw_table_head(Picture& picture, double y, bool has_claim) {
+  picture.elements.emplace_back(Mark{Role::exact, MarkShape::ring, {exact_column + 8, y - 5}});
+  add_text(picture, Role::exact, {exact_column + 22, y}, "exact, correctly rounded", 15, true);
+  if (!has_claim) return;
+  picture.elements.emplace_back(Mark{Role::claimed, MarkShape::cross, {claimed_column + 8, y - 5}});
+  add_text(picture, Role::claimed, {claimed_column + 22, y}, "claimed", 15, true);
+  add_text(picture, Role::muted, {apart_column, y}, "apart", 15, true);
+}
+
+/// The answers' values under each other: name, exact, claimed, distance; a verdict where there are none.
+/// Returns the height it took.
+double draw_answer_table(Picture& picture, double top, const CaseReport& report) {
+  const std::vector<double> truth = values_of(&report.exact), claim = values_of(report.claim());
+  const Precision precision = report.one.precision;
+  const bool has_names = !std::holds_alternative<PointAndPolygon<double>>(report.one.question);
+  double y = top + table_row;
+  draw_table_head(picture, y, report.claimed.has_value());
+  const std::size_t count = std::max<std::size_t>({truth.size(), claim.size(), 1});
+  for (std::size_t i = 0; i < count; ++i) {
+    y += table_row;
+    const auto cell = [&](Role role, double x, const std::vector<double>& list, const Answer* answer) {
+      if (i < list.size()) return add_text(picture, role, {x, y}, shown(list[i], precision), 15);
+      if (i == 0 && answer != nullptr) add_text(picture, role, {x, y}, verdict_of(answer), 15);
+    };
+    if (has_names) add_text(picture, Role::text, {56, y}, symbol_of(report.one) + subscript(i), 15, true);
+    cell(Role::exact, exact_column, truth, &report.exact);
+    cell(Role::claimed, claimed_column, claim, report.claim());
+    if (i < truth.size() && i < claim.size())
+      add_text(picture, Role::text, {apart_column, y}, apart_in_words(truth[i], claim[i], precision), 15);
+  }
+  return y + table_row / 2 - top;
+}
+
 }  // namespace
 
 CaseSheet case_sheet(const CaseReport& report) {
@@ -83,9 +115,7 @@ CaseSheet case_sheet(const CaseReport& report) {
   add_text(picture, Role::muted, {sheet_margin, 73}, sheet.stage.steps.front().caption, 13);
   for (std::size_t i = 0; i < sheet.frames.size(); ++i) draw_frame(sheet, i);
   const double bottom = sheet.frames.front().bottom() + 6;
-  const bool has_values = !std::holds_alternative<PointAndPolygon<double>>(report.one.question);
-  picture.height = bottom + draw_answer_table(picture, bottom, has_values ? symbol_of(report.one) : "",
-                                              report.one, &report.exact, report.claim());
+  picture.height = bottom + draw_answer_table(picture, bottom, report);
   return sheet;
 }
 

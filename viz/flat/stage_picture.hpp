@@ -12,12 +12,6 @@
 
 namespace rayproof::viz {
 
-/// Writes a line of text into a picture.
-inline void add_text(Picture& picture, Role role, const Point& at, const std::string& text, double size,
-                     bool is_bold = false, Anchor anchor = Anchor::start) {
-  picture.elements.emplace_back(Text{role, at, text, anchor, size, is_bold});
-}
-
 /// How many pixels a length has in a frame that shows a view.
 [[nodiscard]] double pixels_per_length(const StageView& view, const PixelBox& frame);
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cstring>
+
 #include "viz/flat/case_sheet.hpp"
 #include "viz/page/script/embedded.hpp"
 #include "viz/page/space_json.hpp"
@@ -12,9 +14,10 @@
 namespace rayproof::viz {
 namespace {
 
+/// Without "</", "<!" and "<s", which HTML reads even within a script.
 std::string in_script(std::string json) {
-  for (std::size_t at = json.find("</"); at != std::string::npos; at = json.find("</", at))
-    json.replace(at, 2, "<\\/");
+  for (std::size_t at = json.find('<'); at != std::string::npos; at = json.find('<', at + 1))
+    if (at + 1 < json.size() && std::strchr("/!sS", json[at + 1])) json.replace(at, 1, "\\u003c");
   return json;
 }
 

@@ -14,6 +14,7 @@
 #include "viz/page/space_json.hpp"
 #include "viz/page/stage_json.hpp"
 #include "viz/picture/svg.hpp"
+#include "viz/walkthrough/stage_of.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -39,36 +40,27 @@ std::string legend(const Stage& stage) {
 
 std::string slider(const Stage& stage) {
   if (!stage.slider) return "";
-  return fmt::format(
-      "<div class=\"slide\"><input id=\"slider\" type=\"range\" min=\"0\" max=\"1000\" step=\"1\" "
-      "aria-label=\"{0} along the "
-      "{1}\"><output id=\"t\" for=\"slider\"></output></div>\n<div class=\"wide\"><table "
-      "class=\"readings\"><thead><tr><th "
-      "scope=\"col\">at this {0}</th>"
-      "<th scope=\"col\">{2}</th><th scope=\"col\">{3}</th></tr></thead><tbody "
-      "id=\"live\"></tbody></table></div>\n",
-      stage.slider->symbol, stage.slider->symbol == "t" ? "ray" : "axis", name_of(stage.precision),
-      stage.precision == Precision::float32 ? "in double" : "");
+  const bool is_float = stage.precision == Precision::float32;
+  return fmt::format(fmt::runtime(slider_html), fmt::arg("symbol", stage.slider->symbol),
+                     fmt::arg("line", stage.slider->symbol == "t" ? "ray" : "axis"),
+                     fmt::arg("precision", name_of(stage.precision)),
+                     fmt::arg("finer", is_float ? "in double" : ""));
 }
 
-/// What only a script can fill.
-std::string live_part(const Stage& stage) {
-  std::string steps;
+/// A button for each step.
+std::string buttons(const Stage& stage) {
+  std::string all;
   for (std::size_t i = 1; i <= stage.steps.size(); ++i) {
-    const std::string title = escaped(stage.steps[i - 1].title);
-    steps += fmt::format("<button type=\"button\" title=\"{1}\" aria-label=\"Step {0}: {1}\">{0}</button>", i,
-                         title);
+    all += fmt::format("<button type=\"button\" title=\"{1}\" aria-label=\"Step {0}: {1}\">{0}</button>", i,
+                       escaped(stage.steps[i - 1].title));
   }
-  return fmt::format(
-      "<div id=\"live-part\"><nav class=\"bar\" aria-label=\"Steps\"><button type=\"button\" id=\"back\" "
-      "aria-label=\"Step "
-      "back\">←</button><span id=\"steps\">{}</span><button type=\"button\" id=\"next\" aria-label=\"Next "
-      "step\">→</button>"
-      "<button type=\"button\" id=\"reset\">Reset view</button></nav><p id=\"place\" "
-      "aria-live=\"polite\"></p>\n"
-      "<div id=\"scene\" class=\"scene\" role=\"img\" tabindex=\"0\"></div>\n"
-      "<p id=\"magnified\" class=\"soft\"></p>\n{}{}</div>\n",
-      steps, slider(stage), legend(stage));
+  return all;
+}
+
+std::string method_line(const Stage& stage) {
+  if (stage.method.empty()) return "";
+  return fmt::format("<p class=\"soft\">{} in {}{}</p>\n", escaped(stage.method), name_of(stage.precision),
+                     stage.source.empty() ? "" : ". Source: " + escaped(stage.source));
 }
 
 std::string capitalised(std::string word) {
@@ -84,33 +76,31 @@ std::string head(const std::string& title) {
 }  // namespace
 
 std::string stage_page(const Stage& stage, const Still& still, const PageSurroundings& beside) {
-  std::string html = head(stage.title);
-  html += fmt::format("<body{}>\n<main>\n", stage.camera.is_flat ? " class=\"flat\"" : "");
-  if (!beside.gallery.empty())
-    html +=
-        fmt::format("<p class=\"screen\"><a href=\"{}\">All walkthroughs</a></p>\n", escaped(beside.gallery));
-  html +=
-      fmt::format("<h1>{}</h1>\n<p class=\"lesson\">{}</p>\n", escaped(stage.title), escaped(stage.sentence));
-  if (!stage.method.empty()) {
-    html += fmt::format("<p class=\"soft\">{} in {}{}</p>\n", escaped(stage.method), name_of(stage.precision),
-                        stage.source.empty() ? "" : ". Source: " + escaped(stage.source));
-  }
-  html += "<div id=\"walk\">\n" + live_part(stage) + "<div id=\"texts\">\n";
-  for (std::size_t i = 0; i < stage.steps.size(); ++i) html += step_section(stage, i, still);
-  html += fmt::format("</div>\n</div>\n<p class=\"conclusion\">{}</p>\n", escaped(stage.conclusion));
-  html +=
-      "<details class=\"screen\"><summary>Keys</summary><p><kbd>←</kbd> <kbd>→</kbd> step back and on, "
-      "<kbd>Home</kbd> <kbd>End</kbd> "
-      "first and last, <kbd>1</kbd> to <kbd>9</kbd> that step. With the picture in focus: arrows look from "
-      "another side, "
-      "<kbd>+</kbd> <kbd>-</kbd> nearer and farther. With the slider in focus: arrows move the "
-      "point.</p></details>\n";
-  html += fmt::format("<details class=\"screen\"><summary>The case</summary><pre>{}</pre></details>\n",
-                      escaped(write_case(stage.one)));
-  html += "</main>\n" + json_element("stage", stage_json(stage)) + json_element("space", space_json(stage));
-  html += beside.script.empty() ? "<script>\n" + shared_script() + "</script>\n"
-                                : fmt::format("<script src=\"{}\"></script>\n", escaped(beside.script));
-  return html + "</body>\n</html>\n";
+  const std::string conclusion = fmt::format("<p class=\"conclusion\">{}</p>\n", escaped(stage.conclusion));
+  const bool has_figure = !beside.figure.empty();
+  std::string steps;
+  for (std::size_t i = 0; i < stage.steps.size(); ++i) steps += step_section(stage, i, still);
+  const std::string gallery =
+      fmt::format("<p class=\"screen\"><a href=\"{}\">All walkthroughs</a></p>\n", escaped(beside.gallery));
+  const std::string script = beside.script.empty()
+                                 ? "<script>\n" + shared_script() + "</script>\n"
+                                 : fmt::format("<script src=\"{}\"></script>\n", escaped(beside.script));
+  using fmt::arg;
+  return head(stage.title) +
+         fmt::format(
+             fmt::runtime(page_html), arg("flat", stage.camera.is_flat ? " class=\"flat\"" : ""),
+             arg("gallery", beside.gallery.empty() ? "" : gallery), arg("title", escaped(stage.title)),
+             arg("sentence", escaped(stage.sentence)), arg("method", method_line(stage)),
+             arg("above", has_figure ? conclusion + "<figure>\n" + beside.figure + "</figure>\n" : ""),
+             arg("buttons", buttons(stage)), arg("slider", slider(stage)), arg("legend", legend(stage)),
+             arg("steps", steps), arg("below", has_figure ? "" : conclusion),
+             arg("case", escaped(write_case(stage.one))),
+             arg("data", json_element("stage", stage_json(stage)) + json_element("space", space_json(stage))),
+             arg("script", script));
+}
+
+std::string case_page(const CaseReport& report, const std::string& script) {
+  return stage_page(stage_of(report), flat_still, {.script = script, .figure = figure_of(report)});
 }
 
 std::string gallery_page(const std::vector<GalleryEntry>& entries, const Still& still) {

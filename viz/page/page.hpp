@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "viz/explain/case_report.hpp"
 #include "viz/scene/stage.hpp"
 
 namespace rayproof::viz {
@@ -18,17 +19,21 @@ using Still = std::function<std::string(const Stage& stage, std::size_t step)>;
 /// The still as SVG, without depth: for a build without VTK.
 [[nodiscard]] std::string flat_still(const Stage& stage, std::size_t step);
 
-/// What a page stands beside; empty for nothing.
+/// What a page stands beside, and what stands above its steps; empty for nothing.
 struct PageSurroundings {
   std::string gallery{};  ///< the gallery's address
   std::string script{};  ///< the address of a file with shared_script() (case_figure.hpp), which is otherwise
                          ///< in the page
+  std::string figure{};  ///< an element of HTML; the conclusion then stands above it
 };
 
 /// A page. On a screen with script: one step at a time, a scene to orbit, and a slider along the ray. On
 /// paper, or without script: all steps with a picture each.
 [[nodiscard]] std::string stage_page(const Stage& stage, const Still& still = flat_still,
                                      const PageSurroundings& beside = {});
+
+/// The page of a case: its stage, and above that all views of it in one figure (case_figure.hpp).
+[[nodiscard]] std::string case_page(const CaseReport& report, const std::string& script = {});
 
 /// What a gallery shows of a stage.
 struct GalleryEntry {

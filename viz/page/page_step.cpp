@@ -46,11 +46,11 @@ std::string equation(const StageValue& value, Precision precision) {
                      escaped(shown(value, precision)));
 }
 
-std::string row(const std::string& name, const WalkValue& v, Precision precision) {
+std::string row(const WalkValue& v, Precision precision) {
   return fmt::format(
       "<tr><th scope=\"row\">{}</th><td class=\"claimed\">{}</td><td "
-      "class=\"exact\">{}</td><td{}>{}</td></tr>\n",
-      math_ml(named_formula(name)), shown(v.value, precision), v.exact,
+      "class=\"exact\">{}</td><td title=\"error bound {}\"{}>{}</td></tr>\n",
+      math_ml(named_formula(v.name)), shown(v.value, precision), v.exact, rough(v.error_bound, 2),
       v.bits_lost >= 3 ? " class=\"lost\"" : "",
       v.bits_lost < 0.05 ? "–" : fmt::format("{:.1f}", v.bits_lost));
 }
@@ -68,7 +68,7 @@ std::string table(const std::vector<StageValue>& values, Precision precision) {
       "lost</th></tr></thead><tbody>\n",
       name_of(precision), are_given ? "stored value" : "exact");
   for (const StageValue& value : values) {
-    for (const WalkValue& v : value.components) html += row(v.name, v, precision);
+    for (const WalkValue& v : value.components) html += row(v, precision);
   }
   return html + "</tbody></table></div>\n";
 }

@@ -75,6 +75,17 @@ struct Picture {
   std::vector<Element> elements{};
 };
 
+/// Writes a line of text into a picture.
+inline void add_text(Picture& picture, Role role, const Point& at, const std::string& text, double size,
+                     bool is_bold = false, Anchor anchor = Anchor::start) {
+  picture.elements.emplace_back(Text{role, at, text, anchor, size, is_bold});
+}
+/// Draws a line around a box.
+inline void add_frame(Picture& picture, Role role, const PixelBox& b, double width) {
+  const Point low{b.left, b.bottom()}, high{b.right(), b.top};
+  picture.elements.emplace_back(PixelLine{role, {low, {low.x, high.y}, high, {high.x, low.y}, low}, width});
+}
+
 /// How far marks reach from their centre.
 inline constexpr double mark_radius = 6;
 

@@ -22,6 +22,11 @@ using Rgb = std::array<std::uint8_t, 3>;
   return rgb;
 }
 
+/// Where a pixel stands in an image of that width, by rows from the top.
+[[nodiscard]] constexpr std::size_t pixel_index(int width, int x, int y) {
+  return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+}
+
 /// An image of 8-bit RGB pixels, by rows from the top.
 struct Raster {
   int width = 0;
@@ -29,17 +34,10 @@ struct Raster {
   std::vector<Rgb> pixels{};
 
   Raster() = default;
-  Raster(int w, int h, Rgb colour)
-      : width(w), height(h), pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), colour) {}
+  Raster(int w, int h, Rgb colour) : width(w), height(h), pixels(pixel_index(w, 0, h), colour) {}
 
-  [[nodiscard]] Rgb& at(int x, int y) {
-    return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                  static_cast<std::size_t>(x)];
-  }
-  [[nodiscard]] const Rgb& at(int x, int y) const {
-    return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                  static_cast<std::size_t>(x)];
-  }
+  [[nodiscard]] Rgb& at(int x, int y) { return pixels[pixel_index(width, x, y)]; }
+  [[nodiscard]] const Rgb& at(int x, int y) const { return pixels[pixel_index(width, x, y)]; }
 };
 
 }  // namespace rayproof::viz

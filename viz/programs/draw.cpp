@@ -2,7 +2,7 @@
 /// rayproof draw: draws a case as PNG, SVG or a page.
 
 #include "viz/flat/case_sheet.hpp"
-#include "viz/page/case_figure.hpp"
+#include "viz/page/page.hpp"
 #include "viz/picture/svg.hpp"
 #include "viz/programs/draw/heat.hpp"
 #include "viz/programs/files.hpp"
@@ -36,7 +36,7 @@ void write_picture(const viz::CaseReport& report, const std::string& path) {
 
 void draw(const viz::CaseReport& report, const Files& files) {
   if (!files.svg.empty()) viz::write_text(files.svg, viz::xml_head + viz::to_svg(viz::case_picture(report)));
-  if (!files.html.empty()) viz::write_text(files.html, viz::html_page(report, viz::shared_script()));
+  if (!files.html.empty()) viz::write_text(files.html, viz::case_page(report));
   if (!files.png.empty()) write_picture(report, files.png);
 }
 

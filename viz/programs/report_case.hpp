@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,11 +25,15 @@ struct CaseOptions {
   std::string method{};
   std::string precision{};
 
-  /// --from FILE.
-  void add_from_to(CLI::App& app) {
+  /// --from, and the options that are given back, for a case alone.
+  std::array<CLI::Option*, 3> add_choices_to(CLI::App& app, const std::string& which_method) {
     app.add_option("--from", findings, "The findings of the run whose number is given")
         ->capture_default_str()
         ->type_name("FILE");
+    return {app.add_option("--line", line, "Which line of the file, from 1")->check(CLI::PositiveNumber),
+            app.add_option("--method", method, which_method)->type_name("SHAPE/METHOD"),
+            app.add_option("--precision", precision, "Round the case to this in place of its own precision")
+                ->check(CLI::IsMember({"float32", "float64"}))};
   }
 
   void add_to(CLI::App& app) {
@@ -37,12 +41,7 @@ struct CaseOptions {
                    "The number of a finding of rayproof check, a file, - for standard input, or one case or "
                    "finding as JSON")
         ->required();
-    add_from_to(app);
-    app.add_option("--line", line, "Which line of the file, from 1")->check(CLI::PositiveNumber);
-    app.add_option("--method", method, "The method, as in sphere/textbook; a finding brings its own")
-        ->type_name("SHAPE/METHOD");
-    app.add_option("--precision", precision, "Round the case to this in place of its own precision")
-        ->check(CLI::IsMember({"float32", "float64"}));
+    add_choices_to(app, "The method, as in sphere/textbook; a finding brings its own");
     app.footer("Exit status: 0 done, 1 the case is refused, 2 wrong command line.");
   }
 };
@@ -78,30 +77,12 @@ inline const Subject& subject_for(const Case& one, const std::string& method) {
 /// Reads the case, asks the oracle and the method. Throws WrongCommand, UnreadableCase or a Refusal.
 [[nodiscard]] inline CaseReport report_case(const CaseOptions& options) {
   std::optional<Precision> precision;
-  if (options.precision == "float32") precision = Precision::float32;
-  if (options.precision == "float64") precision = Precision::float64;
+  if (!options.precision.empty()) precision = precision_named(options.precision);
   const auto argument =
       read_case_argument(text_of_case(options.text, options.line, options.findings), precision);
   if (options.method.empty() && !argument.command.empty()) return report_on_program(argument);
   const std::string method = options.method.empty() ? argument.method : options.method;
   return report_of(argument.one, method.empty() ? nullptr : &subject_for(argument.one, method));
-}
-
-/// Runs `body` and turns what it throws into one sentence on standard error and the exit status.
-template <class Body>
-[[nodiscard]] int run_and_report(const char* program, Body&& body) {
-  const auto report = [program](const std::exception& why, int status) {
-    fmt::print(stderr, "{}: {}\n", program, why.what());
-    return status;
-  };
-  try {
-    body();
-    return 0;
-  } catch (const Refusal& refused) {
-    return report(refused, 1);
-  } catch (const std::runtime_error& mistake) {
-    return report(mistake, 2);
-  }
 }
 
 }  // namespace rayproof::viz

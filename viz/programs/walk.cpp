@@ -130,18 +130,10 @@ int main(int argc, char** argv) {
                  "A topic of --list, a group of them, or all; or the number of a finding of rayproof check");
   auto* const one =
       app.add_option("--case", options.one.text, "Any case: a file, -, or one case or finding as JSON");
-  options.one.add_from_to(app);
-  app.add_option("--line", options.one.line, "Which line of the file, from 1")
-      ->needs(one)
-      ->check(CLI::PositiveNumber);
-  app.add_option(
-         "--method", options.one.method,
-         "The method for --case; a finding brings its own, any other case takes a sound one of its topic")
-      ->needs(one)
-      ->type_name("SHAPE/METHOD");
-  app.add_option("--precision", options.one.precision, "Round the case to this in place of its own precision")
-      ->needs(one)
-      ->check(CLI::IsMember({"float32", "float64"}));
+  for (CLI::Option* const choice : options.one.add_choices_to(
+           app,
+           "The method for --case; a finding brings its own, any other case takes a sound one of its topic"))
+    choice->needs(one);
   app.add_option("--png", options.png, "Write a PNG for each step and a contact sheet, drawn by VTK")
       ->type_name("DIR");
   app.add_option(

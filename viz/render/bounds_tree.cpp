@@ -27,7 +27,7 @@ class BoundsTree final : public Neighbourhood {
     if (!order_.empty()) build(0, static_cast<std::uint32_t>(order_.size()));
   }
 
-  void visit(const Ray<double>& ray, Meet meet) const override {
+  void visit(const Ray<double>& ray, const Meet& meet) const override {
     double nearest = HUGE_VAL;
     for (const ObjectIndex object : bounds_.unbounded) nearest = meet(object);
     if (nodes_.empty()) return;

@@ -46,7 +46,7 @@ class EmbreeTree final : public Neighbourhood {
   EmbreeTree(const EmbreeTree&) = delete;
   EmbreeTree& operator=(const EmbreeTree&) = delete;
 
-  void visit(const Ray<double>& ray, Meet meet) const override {
+  void visit(const Ray<double>& ray, const Meet& meet) const override {
     for (const ObjectIndex object : bounds_.unbounded) meet(object);
     Query query{{}, &meet};
     rtcInitIntersectContext(&query.context);

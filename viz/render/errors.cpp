@@ -64,13 +64,11 @@ ErrorImage find_errors(const RenderScene& scene, const HitImage& exact, const Hi
     const bool is_right = claim == truth || is_as_near(scene, claim, exact.t[i], x, y);
     return is_right ? Verdict::hit : Verdict::wrong_object;
   };
-  for_each_tile(exact.width, exact.height, work, [&](const Tile& tile) {
-    for_each_pixel(tile, [&](int x, int y) {
-      const std::size_t i = exact.index(x, y);
-      errors.verdicts[i] = judge(x, y);
-      if (errors.verdicts[i] == Verdict::hit)
-        errors.ulps[i] = oracle::error_in_ulps(exact.t[i], claimed.t[i], scene.precision);
-    });
+  for_each_pixel(exact.width, exact.height, work, [&](int x, int y) {
+    const std::size_t i = exact.index(x, y);
+    errors.verdicts[i] = judge(x, y);
+    if (errors.verdicts[i] == Verdict::hit)
+      errors.ulps[i] = oracle::error_in_ulps(exact.t[i], claimed.t[i], scene.precision);
   });
   errors.totals = count(errors, exact);
   return errors;

@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 
+#include "viz/picture/raster.hpp"
 #include "viz/render/neighbourhood.hpp"
 
 namespace rayproof::render {
@@ -40,14 +41,9 @@ struct HitImage {
   std::vector<ObjectIndex> object{};
 
   HitImage(int w, int h)
-      : width(w),
-        height(h),
-        t(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), HUGE_VAL),
-        object(t.size(), no_object) {}
+      : width(w), height(h), t(viz::pixel_index(w, 0, h), HUGE_VAL), object(t.size(), no_object) {}
 
-  [[nodiscard]] std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
-  }
+  [[nodiscard]] std::size_t index(int x, int y) const { return viz::pixel_index(width, x, y); }
   template <class T>
   void set(int x, int y, const Nearest<T>& nearest) {
     t[index(x, y)] = static_cast<double>(nearest.t);

@@ -2,28 +2,16 @@
 /// \file
 /// Which objects a ray may meet at all.
 
+#include <functional>
 #include <memory>
-#include <type_traits>
 
 #include "viz/render/bounds.hpp"
 
 namespace rayproof::render {
 
-/// What is done with an object that a ray comes near: a callable that takes its index and gives back the
-/// nearest t found so far, beyond which nothing matters. Borrowed, not owned.
-class Meet {
- public:
-  template <class F>
-  requires(!std::is_same_v<F, Meet>) Meet(F& meet)  // NOLINT: a callable is a Meet
-      : state_(&meet),
-        call_([](void* state, ObjectIndex object) -> double { return (*static_cast<F*>(state))(object); }) {}
-
-  double operator()(ObjectIndex object) const { return call_(state_, object); }
-
- private:
-  void* state_;
-  double (*call_)(void*, ObjectIndex);
-};
+/// What is done with an object that a ray comes near: takes its index and gives back the nearest t found so
+/// far, beyond which nothing matters.
+using Meet = std::function<double(ObjectIndex)>;
 
 /// Some structure over the objects of a scene.
 class Neighbourhood {
@@ -35,7 +23,7 @@ class Neighbourhood {
 
   /// Calls `meet` for every object whose box the ray meets, in any order, but for boxes that begin beyond the
   /// nearest t so far.
-  virtual void visit(const Ray<double>& ray, Meet meet) const = 0;
+  virtual void visit(const Ray<double>& ray, const Meet& meet) const = 0;
 };
 
 /// Boxes of all objects, larger by `margin`; an object without a box is near every ray.

@@ -32,16 +32,13 @@ double brightness(const Object& object, const Ray<double>& ray, double t) {
 
 viz::Raster shaded(const RenderScene& scene, const HitImage& hits, Shade shade, const Work& work) {
   viz::Raster raster(hits.width, hits.height, background);
-  for_each_tile(hits.width, hits.height, work, [&](const Tile& tile) {
-    for_each_pixel(tile, [&](int x, int y) {
-      const std::size_t i = hits.index(x, y);
-      if (hits.object[i] == no_object) return;
-      const Object& object = scene.objects[hits.object[i]];
-      const Rgb colour = object_colours[object.entry % object_colours.size()];
-      raster.at(x, y) = shade == Shade::flat
-                            ? colour
-                            : dimmed(colour, brightness(object, pixel_ray(scene, x, y), hits.t[i]));
-    });
+  for_each_pixel(hits.width, hits.height, work, [&](int x, int y) {
+    const std::size_t i = hits.index(x, y);
+    if (hits.object[i] == no_object) return;
+    const Object& object = scene.objects[hits.object[i]];
+    const Rgb colour = object_colours[object.entry % object_colours.size()];
+    raster.at(x, y) =
+        shade == Shade::flat ? colour : dimmed(colour, brightness(object, pixel_ray(scene, x, y), hits.t[i]));
   });
   return raster;
 }

@@ -1,5 +1,6 @@
 #include "viz/render/shadows.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <rayproof/spawn.hpp>
 
@@ -64,31 +65,27 @@ class ShadowRays {
 
 template <class Strategy, class T>
 LightImage light_up_in(const RenderScene& scene, const Methods& methods, const Work& work) {
-  LightImage image{scene.width, scene.height, {}, {}, 0, 0};
-  const auto count = static_cast<std::size_t>(scene.width) * static_cast<std::size_t>(scene.height);
-  image.pixels.resize(count);
-  image.cosine.resize(count);
+  const std::size_t count = viz::pixel_index(scene.width, 0, scene.height);
+  LightImage image{scene.width, scene.height, std::vector<Lighting>(count), std::vector<double>(count)};
   const ShadowRays<Strategy, T> claimed(scene, methods);
   const ShadowRays<spawn::Proven, double> exact(scene, methods);
   const PixelRays<T> pixel_rays(scene);
-  for_each_tile(scene.width, scene.height, work, [&](const Tile& tile) {
-    for_each_pixel(tile, [&](int x, int y) {
-      const auto i =
-          static_cast<std::size_t>(y) * static_cast<std::size_t>(scene.width) + static_cast<std::size_t>(x);
-      const Ray<T> ray = pixel_rays(x, y);
-      const auto seen = claimed.seen_along(ray);
-      image.cosine[i] = seen.cosine;
-      if (!seen.is_hit) return;
-      const bool is_lit = exact.seen_along(convert<double>(ray)).is_lit;
-      image.pixels[i] = seen.is_lit == is_lit ? (is_lit ? Lighting::lit : Lighting::shadow)
-                        : is_lit              ? Lighting::acne
-                                              : Lighting::leak;
-    });
+  for_each_pixel(scene.width, scene.height, work, [&](int x, int y) {
+    const std::size_t i = viz::pixel_index(scene.width, x, y);
+    const Ray<T> ray = pixel_rays(x, y);
+    const auto seen = claimed.seen_along(ray);
+    image.cosine[i] = seen.cosine;
+    if (!seen.is_hit) return;
+    const bool is_lit = exact.seen_along(convert<double>(ray)).is_lit;
+    image.pixels[i] = seen.is_lit == is_lit ? (is_lit ? Lighting::lit : Lighting::shadow)
+                      : is_lit              ? Lighting::acne
+                                            : Lighting::leak;
   });
-  for (const Lighting pixel : image.pixels) {
-    image.acne += pixel == Lighting::acne ? 1 : 0;
-    image.leaks += pixel == Lighting::leak ? 1 : 0;
-  }
+  const auto count_of = [&](Lighting kind) {
+    return static_cast<std::size_t>(std::ranges::count(image.pixels, kind));
+  };
+  image.acne = count_of(Lighting::acne);
+  image.leaks = count_of(Lighting::leak);
   return image;
 }
 
@@ -105,8 +102,8 @@ LightImage light_up(const RenderScene& scene, const std::string& strategy, const
   LightImage image;
   spawn::Strategies::for_each([&]<class S>(std::type_identity<S>) {
     if (strategy != S::name) return;
-    image = scene.precision == Precision::float32 ? light_up_in<S, float>(scene, methods, work)
-                                                  : light_up_in<S, double>(scene, methods, work);
+    image =
+        in_precision(scene.precision, [&]<class T>(T) { return light_up_in<S, T>(scene, methods, work); });
   });
   return image;
 }

@@ -27,4 +27,10 @@ void for_each_pixel(const Tile& tile, Body&& body) {
 /// Calls `body` for each tile, on several threads. Throws Stopped.
 void for_each_tile(int width, int height, const Work& work, const std::function<void(const Tile&)>& body);
 
+/// Calls `body(x, y)` for each pixel of an image, tile by tile.
+template <class Body>
+void for_each_pixel(int width, int height, const Work& work, Body&& body) {
+  for_each_tile(width, height, work, [&](const Tile& tile) { for_each_pixel(tile, body); });
+}
+
 }  // namespace rayproof::render

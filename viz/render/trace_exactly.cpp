@@ -21,18 +21,6 @@ Nearest<double> exact_nearest(const RenderScene& scene, const Neighbourhood& nei
   return nearest;
 }
 
-template <class T>
-HitImage trace_exactly_in(const RenderScene& scene, const Neighbourhood& neighbourhood, const Work& work) {
-  HitImage image(scene.width, scene.height);
-  const PixelRays<T> pixel_rays(scene);
-  for_each_tile(scene.width, scene.height, work, [&](const Tile& tile) {
-    for_each_pixel(tile, [&](int x, int y) {
-      image.set(x, y, exact_nearest(scene, neighbourhood, convert<double>(pixel_rays(x, y))));
-    });
-  });
-  return image;
-}
-
 }  // namespace
 
 ExactHit exact_hit(const RenderScene& scene, ObjectIndex object, const Ray<double>& ray) {
@@ -48,8 +36,11 @@ ObjectIndex exact_nearest_at(const RenderScene& scene, const Neighbourhood& neig
 }
 
 HitImage trace_exactly(const RenderScene& scene, const Neighbourhood& neighbourhood, const Work& work) {
-  return scene.precision == Precision::float32 ? trace_exactly_in<float>(scene, neighbourhood, work)
-                                               : trace_exactly_in<double>(scene, neighbourhood, work);
+  HitImage image(scene.width, scene.height);
+  for_each_pixel(scene.width, scene.height, work, [&](int x, int y) {
+    image.set(x, y, exact_nearest(scene, neighbourhood, pixel_ray(scene, x, y)));
+  });
+  return image;
 }
 
 }  // namespace rayproof::render

@@ -1,8 +1,6 @@
 #include "viz/render/value_at.hpp"
 
-#include <algorithm>
-#include <charconv>
-#include <optional>
+#include <fmt/format.h>
 
 namespace rayproof::render {
 namespace {
@@ -10,29 +8,10 @@ namespace {
 using json::Document;
 using json::Kind;
 
-std::optional<std::size_t> member(const Document& document, std::size_t object, std::string_view name) {
-  std::optional<std::size_t> found;  // the last of several, as the reader has it
-  if (document[object].kind != Kind::object) return found;
-  for (std::size_t i = object + 1; i < document[object].end; i = document[i].end) {
-    if (json::unquote(document[i].key) == name) found = i;
-  }
-  return found;
-}
-
-std::optional<std::size_t> element(const Document& document, std::size_t array, std::size_t position) {
-  if (document[array].kind != Kind::array) return std::nullopt;
-  std::size_t i = array + 1;
-  for (; i < document[array].end && position > 0; i = document[i].end) --position;
-  if (i >= document[array].end) return std::nullopt;
-  return i;
-}
-
-/// The part of the path before the next dot or bracket, taken off it.
-std::string_view take_step(std::string_view& path) {
-  const std::size_t length = std::min(path.find_first_of(".[", 1), path.size());
-  const std::string_view step = path.substr(0, length);
-  path.remove_prefix(length);
-  return step;
+/// Whether a path goes through a node's own, or ends there.
+bool goes_through(std::string_view path, std::string_view own) {
+  return path.starts_with(own) &&
+         (path.size() == own.size() || path[own.size()] == '.' || path[own.size()] == '[');
 }
 
 /// The text on one line, shortened to whole characters of UTF-8.
@@ -54,19 +33,27 @@ std::string shortened(std::string_view text) {
 
 std::string value_at(const Document& document, std::string_view path) {
   if (document.empty() || path.empty()) return "";
-  std::optional<std::size_t> at = 0;
-  while (!path.empty() && at) {
-    std::string_view step = take_step(path);
-    if (step.starts_with('[')) {
-      std::size_t position = 0;
-      std::from_chars(step.data() + 1, step.data() + step.size(), position);
-      at = element(document, *at, position);
-    } else {
-      if (step.starts_with('.')) step.remove_prefix(1);
-      at = member(document, *at, step);
+  std::size_t at = 0;
+  std::string here;
+  while (here != path) {
+    const std::size_t container = at;
+    std::size_t position = 0;
+    std::string next;
+    // Of several members of one name the last, as the reader has it.
+    for (std::size_t child = container + 1; child < document[container].end; child = document[child].end) {
+      std::string own = here;
+      if (document[container].kind == Kind::object)
+        json::append_member(own, json::unquote(document[child].key));
+      else
+        own += fmt::format("[{}]", position++);
+      if (!goes_through(path, own)) continue;
+      at = child;
+      next = own;
     }
+    if (at == container) return "";
+    here = next;
   }
-  return at && document[*at].kind != Kind::object ? shortened(document[*at].text) : "";
+  return document[at].kind == Kind::object ? "" : shortened(document[at].text);
 }
 
 }  // namespace rayproof::render

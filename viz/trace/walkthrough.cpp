@@ -71,16 +71,6 @@ std::string decider_of(const Tape& tape, OperationId id) {
   return o.name.empty() ? text_of(formula_of(tape, id)) : "the discriminant";
 }
 
-/// Named numbers that a picture of the case can point at.
-void point_out(WalkStep& step, Precision precision) {
-  for (const WalkValue& value : step.values) {
-    for (const auto& [name, role, label, before, after] : pointed_values) {
-      if (value.name == name)
-        step.items.push_back({role, label, before + shown(value.value, precision) + after});
-    }
-  }
-}
-
 /// What the worst of a step's numbers has lost; where it has none, anything may have been.
 double lost_by(const WalkStep& step) {
   double most = step.values.empty() ? infinity<double> : 0;
@@ -149,7 +139,6 @@ Walkthrough steps_of(const Tape& tape, Precision precision) {
     const auto operations = operations_of_step(tape, static_cast<std::ptrdiff_t>(i));
     step.loss = worst_loss_of(tape, operations, lost_by(step));
     step.caption = loss_sentence(step.loss);
-    point_out(step, precision);
     const double worst = walk.worst_loss ? walk.worst_loss->bits_lost_here : 0;
     if (step.loss && step.loss->bits_lost_here > worst) walk.worst_loss = step.loss;
   }

@@ -51,40 +51,12 @@ struct WalkValue {
 /// The value's formula as text; empty for none, and where the value's name is the same.
 [[nodiscard]] std::string computed_as(const WalkValue& value);
 
-/// Something to point at in the picture of a step.
-struct WalkItem {
-  Role role = Role::text;
-  std::string label;     ///< "t₀"
-  std::string geometry;  ///< "point at t = 4 on the ray"
-};
-
-/// A named value that is such a thing, and where it lies: "point at t = 4 on the ray".
-struct PointedValue {
-  const char* name;
-  Role role;
-  const char* label;
-  const char* before;
-  const char* after;
-};
-inline constexpr std::array<PointedValue, 9> pointed_values{{
-    {"t₀", Role::claimed, "t₀", "point at t = ", " on the ray"},
-    {"t₁", Role::claimed, "t₁", "point at t = ", " on the ray"},
-    {"s₀", Role::claimed, "s₀", "point at t = ", " on the ray"},
-    {"s₁", Role::claimed, "s₁", "point at t = ", " on the ray"},
-    {"t_c", Role::nearest, "nearest point", "point at t = ", " on the ray"},
-    {"x₀", Role::claimed, "x₀", "root at x = ", ""},
-    {"x₁", Role::claimed, "x₁", "root at x = ", ""},
-    {"q/a", Role::claimed, "q/a", "root at x = ", ""},
-    {"c/q", Role::claimed, "c/q", "root at x = ", ""},
-}};
-
 /// One step of the method, in the kernel's own words.
 struct WalkStep {
   std::string title;
   std::string meaning;    ///< in a sentence, its numbers put in
   std::string caption{};  ///< which operation lost digits; empty where none lost any worth a word
   std::vector<WalkValue> values{};
-  std::vector<WalkItem> items{};
   std::optional<PrecisionLoss> loss{};  ///< what the caption says; none where none is worth it
 };
 

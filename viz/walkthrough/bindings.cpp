@@ -21,6 +21,10 @@ Binding answer(const char* name) {
           [=](const NumbersByName& n) { return Items{point(Role::claimed, n.at(n.rounded(name)), name)}; }};
 }
 
+Binding marked(const char* name, Role role) {
+  return {name, [=](const NumbersByName& n) { return Items{point(role, n.vector(name), name)}; }};
+}
+
 glm::dvec3 resized(const glm::dvec3& v, double length) {
   const double size = glm::length(v);
   return size > 0 ? v * (length / size) : v;

@@ -18,6 +18,9 @@ namespace rayproof::viz {
 /// it.
 [[nodiscard]] Binding answer(const char* name);
 
+/// A vector that is a place: its point, with its name.
+[[nodiscard]] Binding marked(const char* name, Role role);
+
 /// A topic's name and its table.
 struct TopicBindings {
   const char* topic;

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "viz/explain/answers.hpp"
 #include "viz/scene/fit_view.hpp"
 #include "viz/trace/numbers.hpp"
 #include "viz/walkthrough/close_up.hpp"
 #include "viz/walkthrough/difference_gap.hpp"
+#include "viz/walkthrough/live_values.hpp"
 #include "viz/walkthrough/magnifier.hpp"
 #include "viz/walkthrough/setting.hpp"
 
@@ -69,9 +69,9 @@ Items curve_at_root(const Quadratic<double>& q, double root, const Setting& sett
 void magnify(StageStep& step, const CaseReport& report, const ValuePair& pair, const std::string& symbol,
              const Setting& setting) {
   const bool is_ray = std::holds_alternative<RayQuestion>(report.one.question);
-  const double up = neighbour(pair.claimed, std::numeric_limits<double>::infinity(), report.one.precision);
-  const double ulp =
-      std::isinf(up) ? pair.claimed - neighbour(pair.claimed, 0, report.one.precision) : up - pair.claimed;
+  const double up = neighbour_of(pair.claimed, 1, report.one.precision);
+  const double ulp = std::isinf(up) ? pair.claimed - neighbour_of(pair.claimed, -1, report.one.precision)
+                                    : up - pair.claimed;
   const double gap = std::abs(pair.claimed - pair.exact);
   const double unit = std::max(gap / 2, ulp);
   const double speed = is_ray ? glm::length(setting.slider->direction) : 1;

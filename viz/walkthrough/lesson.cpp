@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "case/reader.hpp"
+#include "case/reader/field.hpp"
 #include "viz/walkthrough/beside.hpp"
 #include "viz/walkthrough/compose.hpp"
 #include "viz/walkthrough/lessons.hpp"
@@ -10,22 +11,41 @@
 
 namespace rayproof::viz {
 
+namespace {
+
+Lesson read_lesson(const Field& field) {
+  ObjectReader reader(field);
+  const auto text_of = [&](const char* name) {
+    const auto given = reader.find(name);
+    return given ? read_string(*given) : std::string();
+  };
+  Lesson lesson{text_of("name"),
+                text_of("group"),
+                text_of("title"),
+                text_of("sentence"),
+                std::string(reader.need("case").node().text),
+                text_of("method")};
+  lesson.beside = text_of("beside");
+  if (const auto notes = reader.find("notes")) {
+    for (const Field& note : notes->elements("must be a list of notes")) {
+      const std::vector<Field> parts = note.elements("must be a step's title and words", 2);
+      lesson.notes.push_back({read_string(parts[0]), read_string(parts[1])});
+    }
+  }
+  reader.refuse_unknown();
+  const auto* const own = std::ranges::find(composers, lesson.name, &Composer::lesson);
+  if (own != composers.end()) lesson.compose = own->compose;
+  return lesson;
+}
+
+}  // namespace
+
 const std::vector<Lesson>& lessons() {
   static const std::vector<Lesson> all = [] {
+    const json::Document document = json::parse(lessons_text);
     std::vector<Lesson> list;
-    for (const auto group : lesson_groups)
-      for (Lesson& lesson : group()) list.push_back(std::move(lesson));
-    // Groups together, in the order in which they first appear.
-    std::vector<std::string> groups;
-    for (const Lesson& lesson : list) {
-      if (std::find(groups.begin(), groups.end(), lesson.group) == groups.end())
-        groups.push_back(lesson.group);
-    }
-    const auto rank = [&](const Lesson& lesson) {
-      return std::find(groups.begin(), groups.end(), lesson.group);
-    };
-    std::stable_sort(list.begin(), list.end(),
-                     [&](const Lesson& a, const Lesson& b) { return rank(a) < rank(b); });
+    for (const Field& field : Field{.document = &document}.elements("must be a list of lessons"))
+      list.push_back(read_lesson(field));
     return list;
   }();
   return all;
@@ -50,7 +70,7 @@ Stage stage_of(const Lesson& lesson, const ReportCase& report_on) {
     const std::size_t end = step.caption.starts_with(step.words) ? step.words.size() : step.caption.size();
     const std::string space = end == 0 ? "" : " ";
     step.caption.insert(end, space + words + (end == 0 && !step.caption.empty() ? " " : ""));
-    step.words += (step.words.empty() ? "" : " ") + std::string(words);
+    step.words += (step.words.empty() ? "" : " ") + words;
   }
   stage.name = lesson.name;
   stage.title = lesson.title;

@@ -18,11 +18,11 @@ using ReportCase = std::function<CaseReport(const Case& one, const std::string& 
 
 /// What a lesson's own case has to say in a step, beside the kernel's words for every case.
 struct LessonNote {
-  const char* step;  ///< how the step's title begins
-  const char* words;
+  std::string step;  ///< how the step's title begins
+  std::string words;
 };
 
-/// A topic of `rayproof walk`.
+/// A topic of `rayproof walk`: an entry of lessons/lessons.json.
 struct Lesson {
   std::string name;      ///< "far-sphere"
   std::string group;     ///< "spheres": what `walk spheres` walks all of
@@ -36,7 +36,7 @@ struct Lesson {
   std::string beside{};  ///< the right method, where `method` is one with a source's error
 };
 
-/// In the order of teaching.
+/// In the order of teaching, those of a group together.
 [[nodiscard]] const std::vector<Lesson>& lessons();
 
 /// The lessons of that name, or of that group, or all of them for "all"; none where there is no such topic.

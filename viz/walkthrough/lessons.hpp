@@ -1,58 +1,53 @@
 #pragma once
 /// \file
-/// The registration of the lessons: each group's function, and its line in the order of teaching.
+/// The lessons that are more than one method's run: what makes their stages. All lessons stand in
+/// lessons/lessons.json, in the order of teaching.
+
+#include <array>
 
 #include "viz/walkthrough/lesson.hpp"
 
 namespace rayproof::viz {
 
-// Each in lessons/NAME.cpp or lessons/numbers/NAME.cpp.
-[[nodiscard]] std::vector<Lesson> ray_lessons();
-[[nodiscard]] std::vector<Lesson> camera_lessons();
-[[nodiscard]] std::vector<Lesson> raycasting_lessons();
-[[nodiscard]] std::vector<Lesson> plane_lessons();
-[[nodiscard]] std::vector<Lesson> triangle_lessons();
-[[nodiscard]] std::vector<Lesson> polygon_lessons();
-[[nodiscard]] std::vector<Lesson> polygon_in_space_lessons();
-[[nodiscard]] std::vector<Lesson> segment_lessons();
-[[nodiscard]] std::vector<Lesson> quadratic_lessons();
-[[nodiscard]] std::vector<Lesson> sphere_lessons();
-[[nodiscard]] std::vector<Lesson> solid_lessons();
-[[nodiscard]] std::vector<Lesson> transform_lessons();
-[[nodiscard]] std::vector<Lesson> barycentric_lessons();
-[[nodiscard]] std::vector<Lesson> slab_interval_lessons();
-[[nodiscard]] std::vector<Lesson> digit_lessons();
-[[nodiscard]] std::vector<Lesson> leak_lessons();
-[[nodiscard]] std::vector<Lesson> leaving_lessons();
-[[nodiscard]] std::vector<Lesson> printed_lessons();
-[[nodiscard]] std::vector<Lesson> surface_lessons();
-[[nodiscard]] std::vector<Lesson> acne_lessons();
-[[nodiscard]] std::vector<Lesson> error_map_lessons();
-[[nodiscard]] std::vector<Lesson> property_test_lessons();
+/// lessons/lessons.json, put into the program when it is configured.
+extern const char* const lessons_text;
 
-inline constexpr std::vector<Lesson> (*lesson_groups[])() = {
-    ray_lessons,               //
-    camera_lessons,            //
-    raycasting_lessons,        //
-    plane_lessons,             //
-    triangle_lessons,          //
-    polygon_lessons,           //
-    polygon_in_space_lessons,  //
-    segment_lessons,           //
-    quadratic_lessons,         //
-    sphere_lessons,            //
-    solid_lessons,             //
-    transform_lessons,         //
-    barycentric_lessons,       //
-    slab_interval_lessons,     //
-    digit_lessons,             //
-    leak_lessons,              //
-    leaving_lessons,           //
-    acne_lessons,              //
-    error_map_lessons,         //
-    property_test_lessons,     //
-    surface_lessons,           //
-    printed_lessons,           //
+using Compose = Stage(const Case& one, const ReportCase& report_on);
+
+// Each in lessons/ or lessons/numbers/.
+Compose ray_stage, camera_stage, loop_stage;
+Compose barycentric_stage, parity_stage, printed_stage, polygon_stage, segment_stage;
+Compose digits_stage, leak_stage, leaving_stage, acne_stage, map_stage, test_stage;
+Compose intervals_stage, transformed_stage, normal_stage, torus_stage, patch_stage;
+
+/// A lesson by its name, and what composes it.
+struct Composer {
+  std::string_view lesson;
+  Compose* compose;
+};
+inline constexpr std::array composers{
+    Composer{"ray", ray_stage},
+    Composer{"camera", camera_stage},
+    Composer{"raycasting", loop_stage},
+    Composer{"barycentric", barycentric_stage},
+    Composer{"polygon-parity", parity_stage},
+    Composer{"polygon-vertex-trap", printed_stage},
+    Composer{"polygon-vertex-mended", parity_stage},
+    Composer{"polygon-horizontal-trap", printed_stage},
+    Composer{"polygon-star", parity_stage},
+    Composer{"polygon-in-space", polygon_stage},
+    Composer{"ray-segment", segment_stage},
+    Composer{"digits", digits_stage},
+    Composer{"leak", leak_stage},
+    Composer{"leaving-a-sphere", leaving_stage},
+    Composer{"acne", acne_stage},
+    Composer{"error-map", map_stage},
+    Composer{"property-test", test_stage},
+    Composer{"slab-intervals", intervals_stage},
+    Composer{"transformed", transformed_stage},
+    Composer{"transformed-normal", normal_stage},
+    Composer{"implicit-torus", torus_stage},
+    Composer{"parametric-patch", patch_stage},
 };
 
 }  // namespace rayproof::viz

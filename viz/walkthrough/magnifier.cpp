@@ -3,24 +3,18 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
+
+#include "viz/walkthrough/live_values.hpp"
 
 namespace rayproof::viz {
 
-double neighbour(double x, double toward, Precision precision) {
-  return precision == Precision::float32
-             ? static_cast<double>(std::nextafter(static_cast<float>(x), static_cast<float>(toward)))
-             : std::nextafter(x, toward);
-}
-
 Items dots_of(const Magnifier& magnifier, double around, Precision precision) {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
   Items items;
-  for (const double toward : {-infinite, infinite}) {
-    double t = toward > 0 ? neighbour(around, infinite, precision) : around;
+  for (const int next : {-1, 1}) {
+    double t = next > 0 ? neighbour_of(around, next, precision) : around;
     for (int i = 0; i < 8 && std::abs(t - magnifier.centre) <= magnified_reach * magnifier.unit; ++i) {
       items.push_back(point(Role::muted, magnifier.at(t)));
-      t = neighbour(t, toward, precision);
+      t = neighbour_of(t, next, precision);
     }
   }
   return items;

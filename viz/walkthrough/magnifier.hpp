@@ -14,9 +14,6 @@ struct Magnifier {
   [[nodiscard]] glm::dvec3 at(double t) const { return (t - centre) / unit * along; }
 };
 
-/// The number of the precision that follows x in the direction of `toward`.
-[[nodiscard]] double neighbour(double x, double toward, Precision precision);
-
 /// A dot for each number of the precision around one of them: between them there is nothing for an answer.
 [[nodiscard]] Items dots_of(const Magnifier& magnifier, double around, Precision precision);
 

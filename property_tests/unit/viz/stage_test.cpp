@@ -7,7 +7,7 @@
 #include "case/reader.hpp"
 #include "unit/viz/stage_data.hpp"
 #include "viz/page/stage_json.hpp"
-#include "viz/walkthrough/lesson.hpp"
+#include "viz/walkthrough/lessons.hpp"
 #include "viz/walkthrough/stage_of.hpp"
 
 namespace rayproof::viz {
@@ -149,6 +149,16 @@ TEST(Stage, ACaseWithoutAMethodHasTheSceneAndTheExactAnswer) {
   const Stage stage = stage_of(report_lesson(one, ""));
   ASSERT_EQ(stage.steps.size(), 2U);
   EXPECT_EQ(stage.steps.back().title, "The exact answer");
+}
+
+TEST(Lessons, HaveAMethodOrAComposerAndStandByGroups) {
+  std::vector<std::string> groups;
+  for (const Lesson& lesson : lessons()) {
+    EXPECT_TRUE(lesson.compose != nullptr || find_subject(lesson.method) != nullptr) << lesson.name;
+    if (groups.empty() || groups.back() != lesson.group) groups.push_back(lesson.group);
+  }
+  EXPECT_EQ(std::set(groups.begin(), groups.end()).size(), groups.size());
+  for (const Composer& one : composers) EXPECT_EQ(lessons_of(one.lesson).size(), 1U) << one.lesson;
 }
 
 TEST(Lessons, AreFoundByNameByGroupAndAllTogether) {

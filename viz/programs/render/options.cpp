@@ -120,8 +120,7 @@ Mode RenderOptions::mode() const {
 
 SceneOverrides RenderOptions::overrides() const {
   SceneOverrides given;
-  if (precision == "float32") given.precision = Precision::float32;
-  if (precision == "float64") given.precision = Precision::float64;
+  if (!precision.empty()) given.precision = precision_named(precision);
   if (!size.empty()) given.size = parse_size(size);
   return given;
 }

@@ -13,7 +13,6 @@
 namespace rayproof::render {
 namespace {
 
-using viz::Anchor;
 using viz::Picture;
 using viz::Raster;
 using viz::Role;
@@ -33,8 +32,7 @@ Rgb colour_of(const ErrorImage& errors, std::size_t i, int device_x, int device_
 void paint_panel(Raster& canvas, const ErrorImage& errors, int zoom, int left, int top) {
   for (int y = 0; y < errors.height * zoom; ++y) {
     for (int x = 0; x < errors.width * zoom; ++x) {
-      const auto i = static_cast<std::size_t>(y / zoom) * static_cast<std::size_t>(errors.width) +
-                     static_cast<std::size_t>(x / zoom);
+      const std::size_t i = viz::pixel_index(errors.width, x / zoom, y / zoom);
       canvas.at(left + x, top + y) = colour_of(errors, i, x, y);
     }
   }
@@ -51,11 +49,6 @@ void paint_swatch(Raster& canvas, const Swatch& swatch) {
       canvas.at(left + x, top + y) = is_rim ? outline : swatch.colour(x, y);
     }
   }
-}
-
-void frame(Picture& picture, double left, double top, double width, double height) {
-  const double l = left - 1, t = top - 1, r = left + width + 1, b = top + height + 1;
-  picture.elements.emplace_back(viz::PixelLine{Role::frame, {{l, t}, {r, t}, {r, b}, {l, b}, {l, t}}, 1.5});
 }
 
 }  // namespace
@@ -75,17 +68,16 @@ Raster error_figure(const std::string& title, const std::vector<ErrorPanel>& pan
   const ErrorLayout layout(panels);
   Picture picture;
   picture.width = layout.width;
-  picture.elements.emplace_back(
-      viz::Text{Role::text, {margin, margin + 14}, title, Anchor::start, 16, true, false});
+  add_text(picture, Role::text, {margin, margin + 14}, title, 16, true);
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const double left = layout.panel_left(i);
     double baseline = margin + row_height + 18;
     for (const std::string& line : layout.titles[i]) {
-      picture.elements.emplace_back(
-          viz::Text{Role::text, {left, baseline}, line, Anchor::start, 14, false, false});
+      add_text(picture, Role::text, {left, baseline}, line, letter_size);
       baseline += row_height;
     }
-    frame(picture, left, layout.panels_top, layout.panel_width, layout.panel_height);
+    add_frame(picture, Role::frame,
+              {left - 1, layout.panels_top - 1, layout.panel_width + 2, layout.panel_height + 2}, 1.5);
   }
   const std::vector<Swatch> swatches =
       write_legend(picture, panels, layout.panels_top + layout.panel_height + 14);

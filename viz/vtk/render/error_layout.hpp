@@ -18,11 +18,8 @@ inline constexpr double margin = 20, gap = 24, row_height = 22, swatch_width = 3
 inline constexpr double label_width = 300, count_width = 170, least_width = 560;
 /// Small images are magnified by a whole number to this or more, so that single pixels can be seen.
 inline constexpr int least_panel = 420;
-/// The widest letters of a title at its size.
-inline constexpr double letter_width = 8.5;
-
-/// A list of names broken into lines of a width; a name alone on its line may be longer.
-[[nodiscard]] std::vector<std::string> broken_into_lines(const std::string& names, double width);
+/// Of the letters of titles and legend.
+inline constexpr double letter_size = 14;
 
 /// A pixel of a panel's image.
 struct PanelPixel {

@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "viz/render/colours.hpp"
+#include "viz/scene/label_places.hpp"
+#include "viz/trace/numbers.hpp"
 #include "viz/vtk/render/error_layout.hpp"
 
 namespace rayproof::render {
@@ -10,18 +12,12 @@ namespace {
 
 using viz::Anchor;
 using viz::Picture;
-using viz::Role;
 
 /// 1234567 as "1 234 567".
 std::string grouped(std::size_t number) {
   std::string digits = std::to_string(number);
   for (std::size_t i = digits.size(); i > 3;) digits.insert(i -= 3, " ");
   return digits;
-}
-
-std::string ulps_in_words(double ulps) {
-  if (ulps < 1e6) return fmt::format("{:.0f} ulp", ulps);
-  return std::isinf(ulps) ? "infinite" : fmt::format("{:.1e} ulp", ulps);
 }
 
 /// Writes the legend's rows into a picture and notes where its swatches are to be painted.
@@ -32,16 +28,15 @@ class Legend {
 
   void heading(const std::string& text, const std::vector<std::string>& columns = {}) {
     y_ += 8;
-    write(Role::text, margin, text, Anchor::start, true);
-    for (std::size_t i = 0; i < columns.size(); ++i)
-      write(Role::text, count_right(i), columns[i], Anchor::end, true);
+    write(margin, text, true);
+    for (std::size_t i = 0; i < columns.size(); ++i) write(count_right(i), columns[i], true, Anchor::end);
     y_ += row_height;
   }
   template <class CountOf>
   void row(const std::string& label, CountOf&& count_of) {
-    write(Role::text, margin + swatch_width + 10, label, Anchor::start, false);
+    write(margin + swatch_width + 10, label, false);
     for (std::size_t i = 0; i < panels_.size(); ++i)
-      write(Role::text, count_right(i), count_of(panels_[i].errors.totals), Anchor::end, false);
+      write(count_right(i), count_of(panels_[i].errors.totals), false, Anchor::end);
     y_ += row_height;
   }
   /// The top of the swatch of the row that comes next.
@@ -49,8 +44,8 @@ class Legend {
   [[nodiscard]] double bottom() const { return y_; }
 
  private:
-  void write(Role role, double x, const std::string& text, Anchor anchor, bool bold) {
-    picture_.elements.emplace_back(viz::Text{role, {x, y_ + row_height - 6}, text, anchor, 14, bold, false});
+  void write(double x, const std::string& text, bool is_bold, Anchor anchor = Anchor::start) {
+    add_text(picture_, viz::Role::text, {x, y_ + row_height - 6}, text, letter_size, is_bold, anchor);
   }
 
   Picture& picture_;
@@ -59,19 +54,6 @@ class Legend {
 };
 
 }  // namespace
-
-std::vector<std::string> broken_into_lines(const std::string& names, double width) {
-  std::vector<std::string> lines(1);
-  for (std::size_t begin = 0; begin < names.size();) {
-    const std::size_t end = std::min(names.find(' ', begin), names.size() - 1) + 1;
-    const std::string word = names.substr(begin, end - begin);
-    const bool fits = static_cast<double>(lines.back().size() + word.size()) * letter_width <= width;
-    if (!fits && !lines.back().empty()) lines.emplace_back();
-    lines.back() += word;
-    begin = end;
-  }
-  return lines;
-}
 
 ErrorLayout::ErrorLayout(const std::vector<ErrorPanel>& panels)
     : columns(panels.front().errors.width), rows(panels.front().errors.height) {
@@ -84,7 +66,7 @@ ErrorLayout::ErrorLayout(const std::vector<ErrorPanel>& panels)
   width = 2 * margin + inner;
   std::size_t lines = 1;
   for (const ErrorPanel& panel : panels) {
-    titles.push_back(broken_into_lines(panel.title, panels.size() > 1 ? panel_width : inner));
+    titles.push_back(viz::wrapped(panel.title, panels.size() > 1 ? panel_width : inner, letter_size));
     lines = std::max(lines, titles.back().size());
   }
   panels_top = margin + row_height * static_cast<double>(1 + lines) + 8;
@@ -119,7 +101,7 @@ std::vector<Swatch> write_legend(viz::Picture& picture, const std::vector<ErrorP
     swatches.push_back({legend.swatch_top(), [step](int, int) { return ulp_colours[step]; }});
     legend.row(ulp_steps[step].label, [step](const Totals& t) { return grouped(t.steps[step]); });
   }
-  legend.row("the worst", [](const Totals& t) { return ulps_in_words(t.worst_ulps); });
+  legend.row("the worst", [](const Totals& t) { return viz::in_ulps(t.worst_ulps); });
   picture.height = std::ceil(legend.bottom() + margin);
   return swatches;
 }

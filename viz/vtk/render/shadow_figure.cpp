@@ -34,16 +34,9 @@ viz::Raster shadow_figure(const std::vector<ShadowPanel>& panels) {
   picture.width = space + in_row * (width + space);
   picture.height = space + rows * (height + title_height + space) + title_height;
   for (std::size_t i = 0; i < panels.size(); ++i)
-    picture.elements.emplace_back(viz::Text{
-        viz::Role::text, {left_of(i), top_of(i) - 8}, panels[i].title, viz::Anchor::start, 11, true, false});
-  picture.elements.emplace_back(
-      viz::Text{viz::Role::text,
-                {space, picture.height - 12},
-                "red: acne, dark though the light is seen; yellow: a leak, lit through something",
-                viz::Anchor::start,
-                11,
-                false,
-                false});
+    add_text(picture, viz::Role::text, {left_of(i), top_of(i) - 8}, panels[i].title, 11, true);
+  add_text(picture, viz::Role::text, {space, picture.height - 12},
+           "red: acne, dark though the light is seen; yellow: a leak, lit through something", 11);
   viz::Raster canvas = viz::PictureCanvas().draw(picture);
   for (std::size_t i = 0; i < panels.size(); ++i)
     paint(canvas, panels[i].picture, static_cast<int>(left_of(i) * viz::png_scale),

@@ -66,10 +66,7 @@ std::vector<Button> buttons_of(const Player& player) {
 void draw_buttons(Picture& sheet, const std::vector<Button>& buttons) {
   for (const Button& button : buttons) {
     const PixelBox& box = button.box;
-    const Point low{box.left, box.bottom()}, high{box.right(), box.top};
-    sheet.elements.emplace_back(PixelLine{button.is_current ? Role::text : Role::frame,
-                                          {low, {low.x, high.y}, high, {high.x, low.y}, low},
-                                          button.is_current ? 2.5 : 1.2});
+    add_frame(sheet, button.is_current ? Role::text : Role::frame, box, button.is_current ? 2.5 : 1.2);
     const double size = box.width < 24 ? 11 : 14;
     add_text(sheet, button.is_enabled ? Role::text : Role::frame,
              {box.centre().x, box.centre().y + size * 0.36}, button.text, size, button.is_current,

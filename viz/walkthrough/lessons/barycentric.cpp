@@ -12,7 +12,6 @@
 #include "viz/walkthrough/lessons/plot_setting.hpp"
 
 namespace rayproof::viz {
-namespace {
 
 /// The triangle and the point of the case in the plane z = 0.
 Stage barycentric_stage(const Case& one, const ReportCase& report_on) {
@@ -51,7 +50,8 @@ Stage barycentric_stage(const Case& one, const ReportCase& report_on) {
   walk.steps.clear();
   for (const WalkValue& value : values) {
     const auto& [title, meaning] = steps.at(value.name);
-    walk.steps.push_back({title, meaning, loss_sentence(value.loss), {value}, {}, value.loss});
+    walk.steps.push_back(
+        {std::string(title), std::string(meaning), loss_sentence(value.loss), {value}, value.loss});
   }
   Setting setting = plot_setting(report);
   setting.scene = {polygon(Role::surface, {triangle.a, triangle.b, triangle.c}),
@@ -83,18 +83,6 @@ Stage barycentric_stage(const Case& one, const ReportCase& report_on) {
       fmt::format("{}: q = α·a + β·b + γ·c.", is_inside ? "None is negative, so the point is in the triangle"
                                                         : "One is negative, so the point is outside");
   return stage;
-}
-
-}  // namespace
-
-std::vector<Lesson> barycentric_lessons() {
-  return {
-      {"barycentric", "triangles", "Barycentric coordinates: three areas over the whole",
-       "A point is the mean of the corners, weighed by the areas opposite them.",
-       R"({"precision": "float32", "ray": {"origin": [0.3, 0.2, 2], "direction": [0, 0, -1]},
-           "shape": {"type": "triangle", "a": [-1.3, -0.7, 0], "b": [1.6, -0.5, 0], "c": [0.2, 1.1, 0]}})",
-       "", barycentric_stage},
-  };
 }
 
 }  // namespace rayproof::viz

@@ -40,6 +40,8 @@ Items parts_of_direction(const NumbersByName& n) {
           segment(Role::edge, middle + n["α"] * axes.u, middle + n["α"] * axes.u + n["β"] * axes.v, "β·v")};
 }
 
+}  // namespace
+
 Stage camera_stage(const Case& one, const ReportCase& report_on) {
   const CaseReport report = report_on(one, "");
   const Walkthrough walk = record(one.precision, []<class R>(std::type_identity<R>) {
@@ -80,16 +82,6 @@ Stage camera_stage(const Case& one, const ReportCase& report_on) {
   stage.conclusion =
       "The lecture's formula takes the pixel's corner for its centre; half a pixel is missing.";
   return stage;
-}
-
-}  // namespace
-
-std::vector<Lesson> camera_lessons() {
-  return {
-      {"camera", "rays", "The camera: a ray through each pixel's centre",
-       "Three axes from eye, centre and up; a place in the image from -1 to 1; and from both a direction.",
-       camera_image::case_text, "", camera_stage},
-  };
 }
 
 }  // namespace rayproof::viz

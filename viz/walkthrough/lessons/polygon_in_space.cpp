@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <rayproof/formulas/largest_axis.hpp>
 #include <rayproof/formulas/polygon_sides.hpp>
@@ -80,6 +78,8 @@ Items projected_scene(const NumbersByName& n, std::size_t count) {
   return items;
 }
 
+}  // namespace
+
 Stage polygon_stage(const Case& one, const ReportCase& report_on) {
   const CaseReport report = report_on(one, "polygon/parity");
   const auto& question = std::get<RayQuestion>(one.question);
@@ -95,7 +95,7 @@ Stage polygon_stage(const Case& one, const ReportCase& report_on) {
        }},
       {"n·(p - o)", [=](const NumbersByName& n) { return way_to_plane(n, n.vector("n"), first); }},
       answer("t"),
-      {"q", [](const NumbersByName& n) { return Items{point(Role::nearest, n.vector("q"), "q")}; }}};
+      marked("q", Role::nearest)};
   const StageCamera camera = setting.camera;
   setting.spaces = {{"Project along",
                      "In the projection:",
@@ -109,19 +109,6 @@ Stage polygon_stage(const Case& one, const ReportCase& report_on) {
   stage.method = "polygon/parity";
   stage.source = "E. Haines, Point in Polygon Strategies, Graphics Gems IV, 1994";
   return stage;
-}
-
-}  // namespace
-
-std::vector<Lesson> polygon_in_space_lessons() {
-  return {
-      {"polygon-in-space", "polygons", "Ray and polygon in space: the plane, then the projection",
-       "The ray meets the polygon's plane in one point; along the normal's largest axis the rest is point in "
-       "polygon.",
-       R"({"precision": "float32", "ray": {"origin": [0.4, -2.2, 2.3], "direction": [-0.1, 0.9, -0.7]},
-           "shape": {"type": "polygon", "vertices": [[-1.5, -1, -0.125], [1.5, -1, 0.625], [0.5, 0, 0.875], [1.5, 1, 1.625], [-1.5, 1, 0.875]]}})",
-       "", polygon_stage},
-  };
 }
 
 }  // namespace rayproof::viz

@@ -135,6 +135,8 @@ bool any_side(const Vec2<double>& /*p*/, const Vec2<double>& /*a*/, const Vec2<d
   return true;
 }
 
+}  // namespace
+
 Stage parity_stage(const Case& one, const ReportCase& report_on) {
   return counted_stage(report_on(one, "point_in_polygon/parity"),
                        {has_ends_apart, [](double /*s*/, double t) { return t > 0; }});
@@ -144,57 +146,6 @@ Stage parity_stage(const Case& one, const ReportCase& report_on) {
 Stage printed_stage(const Case& one, const ReportCase& report_on) {
   return counted_stage(report_on(one, "point_in_polygon/printed_parity"),
                        {any_side, [](double s, double t) { return s >= 0 && s <= 1 && t > 0; }});
-}
-
-}  // namespace
-
-std::vector<Lesson> polygon_lessons() {
-  return {
-      {"polygon-parity", "polygons", "Point in polygon: odd or even crossings",
-       "A ray to the right crosses the boundary an odd number of times exactly where it began inside; "
-       "concave or not.",
-       R"({"precision": "float32", "query": "point_in_polygon", "point": [-0.4, 0.3],
-           "vertices": [[-1.5, -1], [1.4, -0.9], [0.5, 0.1], [1.7, 1.2], [-1.2, 1.1]]})",
-       "", parity_stage},
-      {"polygon-vertex-trap",
-       "polygons",
-       "The vertex trap: one corner counted twice",
-       "With sides closed at both ends, a ray through a vertex meets two sides there: an inside point is "
-       "called outside.",
-       R"({"precision": "float32", "query": "point_in_polygon", "point": [-0.4, 0.2],
-           "vertices": [[-1.5, -1], [0.9, -0.9], [1.5, 0.2], [0.7, 1.2], [-1.2, 1.1]]})",
-       "",
-       printed_stage,
-       {{comparison_title,
-         "v₂ is an end of two closed sides, and both count it: the rule is at fault, not rounding."}}},
-      {"polygon-vertex-mended", "polygons",
-       "The vertex trap, mended: count a side's lower end, not its upper",
-       "Half-open sides share a vertex between them: it is counted once where the boundary passes, and twice "
-       "or never "
-       "where it only touches.",
-       R"({"precision": "float32", "query": "point_in_polygon", "point": [-0.4, 0.2],
-           "vertices": [[-1.5, -1], [0.9, -0.9], [1.5, 0.2], [0.7, 1.2], [-1.2, 1.1]]})",
-       "", parity_stage},
-      {"polygon-horizontal-trap",
-       "polygons",
-       "The horizontal trap: a side along the ray divides by zero",
-       "A side at the ray's own height gives s = 0/0 = NaN and counts 0; its closed neighbours count both "
-       "its "
-       "ends.",
-       R"({"precision": "float32", "query": "point_in_polygon", "point": [-0.9, 0.2],
-           "vertices": [[-1.5, -1], [0.3, -0.9], [0.4, 0.2], [1.3, 0.2], [1.1, 1.2], [-1.2, 1.1]]})",
-       "",
-       printed_stage,
-       {{comparison_title,
-         "NaN fails every comparison: v₂v₃ counts 0; the closed sides v₁v₂ and v₃v₄ count its ends: 2."}}},
-      {"polygon-star", "polygons", "A star: the middle is outside by parity",
-       "On the way out of the middle the boundary is crossed twice: even, so outside, though it winds twice "
-       "around "
-       "the point.",
-       R"({"precision": "float32", "query": "point_in_polygon", "point": [0.05, 0.1],
-           "vertices": [[0, 1.3], [0.8, -1.1], [-1.3, 0.4], [1.3, 0.4], [-0.8, -1.1]]})",
-       "", parity_stage},
-  };
 }
 
 }  // namespace rayproof::viz

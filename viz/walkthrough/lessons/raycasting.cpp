@@ -122,6 +122,8 @@ StageStep missing_step(const StageView& view) {
   return step;
 }
 
+}  // namespace
+
 Stage loop_stage(const Case& one, const ReportCase& report_on) {
   const CaseReport report = report_on(with_ball(one, balls[1]), "sphere/centred");
   Setting setting = setting_of(report);
@@ -168,15 +170,6 @@ Stage loop_stage(const Case& one, const ReportCase& report_on) {
   stage.steps.push_back(difference_step(report, setting));
   stage.method = "sphere/centred for each pixel and object";
   return stage;
-}
-
-}  // namespace
-
-std::vector<Lesson> raycasting_lessons() {
-  return {
-      {"raycasting", "rays", "Raycasting: for each pixel a ray, for each object a hit, the nearest counts",
-       "Two loops and a minimum: that is all there is to an image.", camera_image::case_text, "", loop_stage},
-  };
 }
 
 }  // namespace rayproof::viz

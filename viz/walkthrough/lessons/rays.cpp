@@ -30,6 +30,8 @@ Binding stop(const char* name) {
   return {name, [=](const NumbersByName& n) { return Items{point(Role::nearest, n.vector(name), name)}; }};
 }
 
+}  // namespace
+
 Stage ray_stage(const Case& one, const ReportCase& report_on) {
   const CaseReport report = report_on(one, "");
   const auto& ray = std::get<RayQuestion>(one.question).ray;
@@ -59,28 +61,6 @@ Stage ray_stage(const Case& one, const ReportCase& report_on) {
   stage.steps.push_back(difference_of_values(walk, setting, one.precision));
   stage.conclusion = "A point of the ray is rounded twice in each coordinate, by the product and by the sum.";
   return stage;
-}
-
-}  // namespace
-
-std::vector<Lesson> ray_lessons() {
-  return {
-      {"ray", "rays", "The parametric ray: p(t) = o + t·d",
-       "One number says where on the ray: t directions from the origin, in an interval closed at both ends.",
-       R"({"precision": "float32", "ray": {"origin": [-1.9, -0.7, 0.3], "direction": [1.3, 0.4, 0.1]},
-           "shape": {"type": "sphere", "center": [1.6, 0.5, 0.5], "radius": 0.4}})",
-       "", ray_stage},
-      {"segment",
-       "rays",
-       "The segment: a ray whose t ends at 1",
-       "From o to o + d it is t in [0, 1]: what lies beyond the tip is no hit of the segment.",
-       R"({"precision": "float32", "ray": {"origin": [-1.9, -0.7, 0.3], "direction": [2.6, 0.8, 0.2], "t_min": 0, "t_max": 1},
-           "shape": {"type": "sphere", "center": [0.6, 0.1, 0.4], "radius": 0.7}})",
-       "sphere/centred",
-       nullptr,
-       {{"Go half a chord",
-         "Only t₀ is in [0, 1]: the segment ends inside the sphere, and t₁ is beyond its tip."}}},
-  };
 }
 
 }  // namespace rayproof::viz

@@ -44,6 +44,8 @@ void try_rays(const Vec2<double>& first, const Vec2<double>& second) {
   }
 }
 
+}  // namespace
+
 Stage segment_stage(const Case& one, const ReportCase& report_on) {
   const CaseReport report = report_on(one, "");
   const auto& ends = std::get<PointAndPolygon<double>>(one.question).vertices;
@@ -78,18 +80,6 @@ Stage segment_stage(const Case& one, const ReportCase& report_on) {
   stage.method = "polygon::cross_side";
   stage.conclusion = "A segment is hit where s lies in [0, 1] and t is more than 0.";
   return stage;
-}
-
-}  // namespace
-
-std::vector<Lesson> segment_lessons() {
-  return {
-      {"ray-segment", "polygons", "Ray and segment in the plane",
-       "The segment reaches the ray's height at the share s of its length; the ray gets there at t.",
-       R"({"precision": "float32", "query": "point_in_polygon", "point": [-1.1, 0.3],
-           "vertices": [[0.2, -0.8], [1.3, 0.9], [-0.9, 0.7]]})",
-       "", segment_stage},
-  };
 }
 
 }  // namespace rayproof::viz

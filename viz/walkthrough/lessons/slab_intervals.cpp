@@ -46,6 +46,8 @@ Binding interval(const SlabAxis& axis, const char* in, const char* out, double y
           }};
 }
 
+}  // namespace
+
 Stage intervals_stage(const Case& one, const ReportCase& report_on) {
   const CaseReport report = report_on(one, "box/slabs");
   const auto& question = std::get<RayQuestion>(one.question);
@@ -72,18 +74,6 @@ Stage intervals_stage(const Case& one, const ReportCase& report_on) {
   stage.steps.push_back(difference_of_values(walk, setting, one.precision));
   stage.conclusion = "A box is where three intervals overlap.";
   return stage;
-}
-
-}  // namespace
-
-std::vector<Lesson> slab_interval_lessons() {
-  return {
-      {"slab-intervals", "boxes", "Three slabs on the t axis",
-       "Each pair of planes is an interval of t; the box is where all three overlap.",
-       R"({"precision": "float32", "ray": {"origin": [-2.4, -1.7, 1.9], "direction": [0.9, 0.7, -0.4]},
-           "shape": {"type": "box", "min": [-0.8, -0.6, 0.1], "max": [1.3, 0.9, 1.2]}})",
-       "", intervals_stage},
-  };
 }
 
 }  // namespace rayproof::viz

@@ -69,6 +69,8 @@ Setting surface_setting(const CaseReport& report, Items surface, double reach) {
   return setting;
 }
 
+}  // namespace
+
 Stage torus_stage(const Case& one, const ReportCase& report_on) {
   const CaseReport report = report_on(one, "");
   const Ray<double>& ray = std::get<RayQuestion>(one.question).ray;
@@ -76,9 +78,6 @@ Stage torus_stage(const Case& one, const ReportCase& report_on) {
   const Walkthrough walk =
       record(one.precision, [&]<class R>(std::type_identity<R>) { close_in<R>(ray, before, behind); });
   Setting setting = surface_setting(report, torus_items(), 5.2);
-  const auto marked = [&](const char* name, Role role) {
-    return Binding{name, [=](const NumbersByName& n) { return Items{point(role, n.vector(name), name)}; }};
-  };
   setting.bindings = {
       marked("p_a", Role::edge),
       marked("p_b", Role::nearest),
@@ -112,6 +111,8 @@ Stage torus_stage(const Case& one, const ReportCase& report_on) {
   return stage;
 }
 
+namespace {
+
 constexpr std::array<std::array<glm::dvec3, 2>, 2> corners{
     {{{{-1.25, -1, 0.75}, {-1, 1.25, -0.25}}}, {{{1.25, -0.75, -0.25}, {1.5, 1, 1}}}}};
 
@@ -136,6 +137,8 @@ Items patch_items() {
     items.push_back(point(Role::surface, on_patch(u, v), name));
   return items;
 }
+
+}  // namespace
 
 Stage patch_stage(const Case& one, const ReportCase& report_on) {
   const CaseReport report = report_on(one, "");
@@ -169,24 +172,6 @@ Stage patch_stage(const Case& one, const ReportCase& report_on) {
   stage.source = "A. Reshetov, Cool Patches, Ray Tracing Gems ch. 8, 2019";
   stage.conclusion = "Of both rulings a hit is what has u and v in [0, 1] and t on the ray.";
   return stage;
-}
-
-}  // namespace
-
-std::vector<Lesson> surface_lessons() {
-  return {
-      {"implicit-torus", "surfaces", "Any surface f = 0: where f changes its sign along the ray",
-       "f(o + t·d) is a function of t alone, and its zeros are the hits.",
-       R"({"precision": "float32", "ray": {"origin": [-3, -0.5, 0.5], "direction": [1, 0.25, -0.125]},
-           "shape": {"type": "sphere", "center": [0, 0, 0], "radius": 1.75}})",
-       "", torus_stage},
-      {"parametric-patch", "surfaces", "Any surface r(u, v): a bilinear patch",
-       "o + t·d = r(u, v) is three equations for t, u and v; a bilinear patch leaves one quadratic equation "
-       "for u.",
-       R"({"precision": "float32", "ray": {"origin": [-0.5, -2, 2], "direction": [0.25, 0.75, -0.625]},
-           "shape": {"type": "sphere", "center": [0, 0, 0], "radius": 1.75}})",
-       "", patch_stage},
-  };
 }
 
 }  // namespace rayproof::viz

@@ -12,11 +12,6 @@
 namespace rayproof::viz {
 namespace {
 
-constexpr const char* stretched_sphere =
-    R"({"precision": "float32", "ray": {"origin": [-3.1, -0.7, 1.1], "direction": [1.2, 0.3, -0.2]},
-        "shape": {"type": "sphere", "center": [0, 0, 0], "radius": 1},
-        "transform": [[1.5, -0.4, 0, 0.3], [0.4, 0.7, 0, 0.1], [0, 0, 0.8, 0.4], [0, 0, 0, 1]]})";
-
 /// The hit of the object's own space, mapped back: it is p(t₀).
 StageStep back_in_the_world(const CaseReport& report, const NumbersByName& n, const Stage& stage) {
   const auto& question = std::get<RayQuestion>(report.one.question);
@@ -40,6 +35,8 @@ StageStep back_in_the_world(const CaseReport& report, const NumbersByName& n, co
   return step;
 }
 
+}  // namespace
+
 /// Beside the world, the object's own space: the unit sphere and the ray as it sees it.
 Stage transformed_stage(const Case& one, const ReportCase& report_on) {
   const CaseReport report = report_on(one, "sphere/centred");
@@ -53,6 +50,8 @@ Stage transformed_stage(const Case& one, const ReportCase& report_on) {
   stage.steps.insert(stage.steps.end() - 1, back_in_the_world(report, n, stage));
   return stage;
 }
+
+namespace {
 
 template <class R>
 void carry_normal(const RayQuestion& question, double t) {
@@ -85,6 +84,8 @@ void carry_normal(const RayQuestion& question, double t) {
   (void)named("m", vec3<R>(normal.x * space.row_x + normal.y * space.row_y + normal.z * space.row_z));
 }
 
+}  // namespace
+
 Stage normal_stage(const Case& one, const ReportCase& report_on) {
   const CaseReport report = report_on(one, "sphere/centred");
   const auto& question = std::get<RayQuestion>(one.question);
@@ -103,7 +104,7 @@ Stage normal_stage(const Case& one, const ReportCase& report_on) {
   setting.to_world = as_it_is;
   setting.bindings = {at_hit("A·n", Role::claimed, "A·n, wrong"), at_hit("m", Role::normal, "m = A⁻ᵀ·n")};
   const std::vector<Binding> on_unit_sphere{
-      {"q", [](const NumbersByName& n) { return Items{point(Role::nearest, n.vector("q"), "q")}; }},
+      marked("q", Role::nearest),
       {"n", [](const NumbersByName& n) {
          return Items{arrow(Role::normal, n.vector("q"), n.vector("q") + 0.9 * n.vector("n"), "n = q")};
        }}};
@@ -125,20 +126,6 @@ Stage normal_stage(const Case& one, const ReportCase& report_on) {
   stage.steps.push_back(difference_of_values(walk, setting, one.precision));
   stage.conclusion = "Only the inverse transpose keeps what is at right angles at right angles.";
   return stage;
-}
-
-}  // namespace
-
-std::vector<Lesson> transform_lessons() {
-  return {
-      {"transformed", "transforms", "A transformed object: the ray goes to the object",
-       "The inverse map takes the ray into the space where the object is a unit sphere; t is the same in "
-       "both.",
-       stretched_sphere, "", transformed_stage},
-      {"transformed-normal", "transforms", "The normal of a transformed object: by the inverse transpose",
-       "Carried like a direction the normal leans; carried by the inverse transpose it stands upright.",
-       stretched_sphere, "", normal_stage},
-  };
 }
 
 }  // namespace rayproof::viz

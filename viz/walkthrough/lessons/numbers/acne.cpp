@@ -72,6 +72,8 @@ StageStep start_step(const spawn::SurfacePoint<float>& from, const glm::vec3& di
   return step;
 }
 
+}  // namespace
+
 /// A rounded hit lies inside; where the next ray starts decides whether it meets its own surface.
 Stage acne_stage(const Case& one, const ReportCase& report_on) {
   const CaseReport report = report_on(one, "sphere/centred");
@@ -107,17 +109,6 @@ Stage acne_stage(const Case& one, const ReportCase& report_on) {
       "A fixed offset fails where the coordinates are large; a proven one follows from their rounding.";
   stage.steps.back().digits = stage.conclusion;
   return stage;
-}
-
-}  // namespace
-
-std::vector<Lesson> acne_lessons() {
-  return {
-      {"acne", "numbers", "Acne: the next ray meets the surface it leaves",
-       "The rounded hit lies inside the sphere, so a ray that starts there meets the sphere a second time.",
-       R"({"precision": "float32", "ray": {"origin": [-33000, -8000, 8000], "direction": [13000, 2000, 1000]},
-               "shape": {"type": "sphere", "center": [2000, 1000, 3000], "radius": 14000}})",
-       "", acne_stage}};
 }
 
 }  // namespace rayproof::viz

@@ -7,7 +7,6 @@
 #include "viz/walkthrough/lessons/plot_setting.hpp"
 
 namespace rayproof::viz {
-namespace {
 
 /// For each number of a run a bar of its digits: what is kept, and what is lost.
 Stage digits_stage(const Case& one, const ReportCase& report_on) {
@@ -49,18 +48,6 @@ Stage digits_stage(const Case& one, const ReportCase& report_on) {
     stage.steps.back().digits = "√D is small beside b, so its error weighs little in t₀ and t₁.";
   stage.steps.push_back(difference_of_values(*report.walk, setting, one.precision));
   return stage;
-}
-
-}  // namespace
-
-std::vector<Lesson> digit_lessons() {
-  return {
-      {"digits", "numbers", "Where the digits are lost",
-       "Green is what is left of each number's digits. One subtraction takes nearly all of them.",
-       R"({"precision": "float32", "ray": {"origin": [-250, 0.6, 0.3], "direction": [1.3, 0, 0]},
-           "shape": {"type": "sphere", "center": [0, 0, 0], "radius": 0.7}})",
-       "", digits_stage},
-  };
 }
 
 }  // namespace rayproof::viz

@@ -96,6 +96,8 @@ StageStep map_step(double distance) {
   return step;
 }
 
+}  // namespace
+
 /// The same image of a sphere by three methods, from ever farther away.
 Stage map_stage(const Case& one, const ReportCase& report_on) {
   const CaseReport report = report_on(one, "sphere/textbook");
@@ -111,17 +113,6 @@ Stage map_stage(const Case& one, const ReportCase& report_on) {
   stage.conclusion = "The textbook's error grows with the distance squared; the centred formula's does not.";
   stage.steps.back().digits = stage.conclusion;
   return stage;
-}
-
-}  // namespace
-
-std::vector<Lesson> error_map_lessons() {
-  return {
-      {"error-map", "numbers", "An error map: a sphere that moves away",
-       "Every pixel asks for the same sphere; by the textbook's formula in float32 the image falls apart.",
-       R"({"precision": "float32", "ray": {"origin": [0, 0.2, -4499.9], "direction": [0, 0, 9]},
-               "shape": {"type": "sphere", "center": [0, 0, 0], "radius": 1}})",
-       "", map_stage}};
 }
 
 }  // namespace rayproof::viz

@@ -126,6 +126,8 @@ std::string same_side_number(const CaseReport& first, const CaseReport& second) 
              : "";
 }
 
+}  // namespace
+
 Stage leak_stage(const Case& one, const ReportCase& report_on) {
   const Case other = second_triangle(one);
   const CaseReport first = report_on(one, "triangle/moller_trumbore");
@@ -174,20 +176,6 @@ Stage leak_stage(const Case& one, const ReportCase& report_on) {
                   verdict_of(woop_first.claim()), verdict_of(woop_second.claim()));
   stage.steps.back().digits = stage.conclusion;
   return stage;
-}
-
-}  // namespace
-
-std::vector<Lesson> leak_lessons() {
-  return {
-      {"leak", "numbers", "A leak between two triangles",
-       "Each triangle judges the shared edge by its own rounded numbers, and both say that the ray passes on "
-       "the other's "
-       "side.",
-       R"({"precision": "float32", "ray": {"origin": [-2.7, -0.5, 6], "direction": [4.89000034, 1.73000002, -6.9000001]},
-           "shape": {"type": "triangle", "a": [2.7, 1.1, -1.1], "b": [-2.4, 2.4, 0.9], "c": [0.1, -1.9, -2.8]}})",
-       "", leak_stage},
-  };
 }
 
 }  // namespace rayproof::viz

@@ -6,6 +6,7 @@
 
 #include "viz/trace/numbers.hpp"
 #include "viz/trace/shadow.hpp"
+#include "viz/walkthrough/bindings.hpp"
 #include "viz/walkthrough/compose.hpp"
 #include "viz/walkthrough/lessons.hpp"
 
@@ -73,6 +74,8 @@ StageStep heights_step(const NumbersByName& n, const Sphere<double>& sphere, con
   return step;
 }
 
+}  // namespace
+
 Stage leaving_stage(const Case& one, const ReportCase& report_on) {
   const CaseReport report = report_on(one, "");
   const auto& question = std::get<RayQuestion>(one.question);
@@ -81,33 +84,19 @@ Stage leaving_stage(const Case& one, const ReportCase& report_on) {
   const Walkthrough walk =
       record(one.precision, [&]<class R>(std::type_identity<R>) { leave_sphere<R>(question, t); });
   Setting setting = setting_of(report);
-  setting.bindings = {
-      {"p", [](const NumbersByName& n) { return Items{point(Role::claimed, n.vector("p"), "p")}; }},
-      {"q", [](const NumbersByName& n) { return Items{point(Role::nearest, n.vector("q"), "q")}; }},
-      {"n",
-       [=](const NumbersByName& n) {
-         return Items{
-             arrow(Role::normal, n.vector("q"), n.vector("q") + 0.5 * sphere.radius * n.vector("n"), "n")};
-       }},
-      {"o′", [](const NumbersByName& n) { return Items{point(Role::exact, n.vector("o′"), "o′")}; }}};
+  setting.bindings = {marked("p", Role::claimed),
+                      marked("q", Role::nearest),
+                      {"n",
+                       [=](const NumbersByName& n) {
+                         return Items{arrow(Role::normal, n.vector("q"),
+                                            n.vector("q") + 0.5 * sphere.radius * n.vector("n"), "n")};
+                       }},
+                      marked("o′", Role::exact)};
   Stage stage = composed_stage(report, walk, setting);
   stage.method = "spawn/proven";
   stage.steps.push_back(heights_step(NumbersByName(walk, walk.steps.size() - 1), sphere, setting));
   stage.conclusion = "The offset pays for what rounding can have done, and for no more.";
   return stage;
-}
-
-}  // namespace
-
-std::vector<Lesson> leaving_lessons() {
-  return {
-      {"leaving-a-sphere", "numbers", "Leaving a sphere: where the next ray starts",
-       "The hit is rounded and lies below the surface; the next ray starts above it by the least offset that "
-       "is proven.",
-       R"({"precision": "float32", "ray": {"origin": [-3.5, -0.9, 0.8], "direction": [1.3, 0.2, 0.1]},
-           "shape": {"type": "sphere", "center": [0.2, 0.1, 0.3], "radius": 1.4}})",
-       "", leaving_stage},
-  };
 }
 
 }  // namespace rayproof::viz

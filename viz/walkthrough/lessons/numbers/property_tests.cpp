@@ -16,7 +16,7 @@ namespace {
 struct ShrunkCase {
   const char* title;
   const char* words;
-  const char* case_text;
+  const char* case_text;  ///< null for the lesson's own
 };
 
 constexpr std::array<ShrunkCase, 5> trials{
@@ -38,15 +38,15 @@ constexpr std::array<ShrunkCase, 5> trials{
           "shape": {"type": "sphere", "center": [0, 0, 0], "radius": 0.55}})"},
      {"Shrink: whole numbers, as small as they can be",
       "Small whole numbers still break it: a ray straight at the centre, which can be computed by hand.",
-      R"({"precision": "float32", "ray": {"origin": [0, 0, -11603], "direction": [0, 0, 3]},
-          "shape": {"type": "sphere", "center": [0, 0, 0], "radius": 1}})"}}};
+      nullptr}}};
 
 std::string vector(const glm::dvec3& v, Precision precision) {
   return fmt::format("({}, {}, {})", shown(v.x, precision), shown(v.y, precision), shown(v.z, precision));
 }
 
-StageStep trial_step(const ShrunkCase& trial, const ReportCase& report_on) {
-  const CaseReport report = report_on(read_case(trial.case_text), "sphere/textbook");
+StageStep trial_step(const ShrunkCase& trial, const Case& last, const ReportCase& report_on) {
+  const CaseReport report =
+      report_on(trial.case_text != nullptr ? read_case(trial.case_text) : last, "sphere/textbook");
   Stage stage = stage_of(report);
   StageStep step;
   step.title = trial.title;
@@ -71,24 +71,18 @@ StageStep trial_step(const ShrunkCase& trial, const ReportCase& report_on) {
   return step;
 }
 
+}  // namespace
+
 /// A random case, one that fails, and how it is made small.
 Stage test_stage(const Case& one, const ReportCase& report_on) {
   const CaseReport report = report_on(one, "sphere/textbook");
   Stage stage = stage_of(report);
   const StageStep last = stage.steps.back();
   stage.steps.clear();
-  for (const ShrunkCase& trial : trials) stage.steps.push_back(trial_step(trial, report_on));
+  for (const ShrunkCase& trial : trials) stage.steps.push_back(trial_step(trial, one, report_on));
   stage.steps.push_back(last);
   stage.slider.reset();
   return stage;
-}
-
-}  // namespace
-
-std::vector<Lesson> property_test_lessons() {
-  return {{"property-test", "numbers", "A property test at work: draw, compare, shrink",
-           "A random case disagrees with the oracle; it is made as simple as it can be while it still does.",
-           trials.back().case_text, "", test_stage}};
 }
 
 }  // namespace rayproof::viz
