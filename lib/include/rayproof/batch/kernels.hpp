@@ -107,10 +107,11 @@ auto kernels_of_topics(TypeList<All...>) {
 /// Every method of every batched topic in both precisions.
 using KernelTable = decltype(kernels_of_topics(Topics{}));
 
-template <class Method, class Methods>
+/// Whether a type is in a list: a TypeList, or a tuple.
+template <class Type, class List>
 inline constexpr bool is_in = false;
-template <class Method, class... Methods>
-inline constexpr bool is_in<Method, TypeList<Methods...>> = (std::same_as<Method, Methods> || ...);
+template <class Type, template <class...> class List, class... Types>
+inline constexpr bool is_in<Type, List<Types...>> = (std::same_as<Type, Types> || ...);
 
 /// Whether a batch of these problems can be put to the method: it is one of a batched topic's.
 template <class Method, class Problem, class... All>
