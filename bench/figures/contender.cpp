@@ -6,11 +6,11 @@
 
 #include "bench/figures/median.hpp"
 #include "bench/figures/problem_contenders.hpp"
+#include "bench/figures/ray_contenders.hpp"
 
 namespace rayproof::report {
 
-// The topics with batch kernels, each in its own file; all others come from the library's list.
-std::vector<Contender> sphere_contenders(const std::vector<Case>& cases, Precision precision);
+// In its own file, since its batches are of equations; all others come from the library's list.
 std::vector<Contender> quadratic_contenders(const std::vector<Case>& cases, Precision precision);
 
 namespace {
@@ -60,19 +60,15 @@ std::vector<double> median_ns(const std::vector<Contender>& contenders, std::siz
 
 std::vector<Contender> contenders(const std::string& topic, const std::vector<Case>& cases,
                                   Precision precision) {
-  using Make = std::vector<Contender> (*)(const std::vector<Case>&, Precision);
-  constexpr std::pair<const char*, Make> topics[] = {
-      {"quadratic", quadratic_contenders},  //
-      {"sphere", sphere_contenders},        //
-  };
-  for (const auto& [name, make] : topics) {
-    if (topic == name) return make(cases, precision);
-  }
   std::vector<Contender> all;
   Topics::for_each([&]<class Topic>(std::type_identity<Topic>) {
-    if constexpr (!is_batched<Topic>) {
-      if (topic == Topic::name) all = problem_contenders<Topic>(cases, precision);
-    }
+    if (topic != Topic::name) return;
+    if constexpr (std::is_same_v<Topic, quadratic::Topic>)
+      all = quadratic_contenders(cases, precision);
+    else if constexpr (is_batched<Topic>)
+      all = ray_contenders<typename Topic::Methods>(static_cast<const Topic*>(nullptr), cases, precision);
+    else
+      all = problem_contenders<Topic>(cases, precision);
   });
   return all;
 }

@@ -5,7 +5,7 @@ import sys
 
 from markdown import section
 
-NO_KERNELS = "this method has no batch kernels for this input: call Method::roots in a loop instead"
+NO_BATCH = "this method answers no batches of this input: call Method::roots in a loop instead"
 FAST_MATH = "rayproof needs NaN, infinity and exact rounding: compile without -ffast-math (docs/library.md)"
 LINES = 12  # what a compiler says of one error, with the call it comes from
 
@@ -14,12 +14,12 @@ using namespace rayproof;
 struct OfNoTopic {};
 void call(std::span<float> t, std::span<long double> many) {
   const RayBatch<float> rays{{t, t, t}, {t, t, t}};
-  nearest_hits<triangle::MollerTrumbore>(rays, Triangle<float>{}, t);
+  nearest_hits<polygon::Parity>(rays, Polygon<float>{}, t);
   nearest_hits<OfNoTopic>(rays, Sphere<float>{}, t);
   nearest_hits<sphere::Centred>(rays, Triangle<float>{}, t);
   nearest_hits<sphere::Centred>(RayBatch<long double>{{many, many, many}, {many, many, many}}, Sphere<long double>{}, many);
   nearest_hits<quadratic::Kahan>(rays, Sphere<float>{}, t);
-  batch_roots<triangle::Woop>(rays, Triangle<float>{}, RootArrays<float>{t, t, t});
+  batch_roots<triangle::Woop>(rays, Sphere<float>{}, RootArrays<float>{t, t, t});
   batch_roots<sphere::Centred>(QuadraticBatch<float>{t, t, t}, RootArrays<float>{t, t, t});
 }
 """
@@ -30,17 +30,17 @@ def errors_of(ended):
 
 
 def kernels(place):
-    """Every call of a batch without kernels gives one error, the sentence, in few lines. The manual names those with."""
+    """Every call of a batch that has no answer gives one error, the sentence, in few lines. The manual names those with."""
     calls = BATCHES.count("\n  nearest_hits<") + BATCHES.count("\n  batch_roots<")
     ended = place.compile(BATCHES, "-fsyntax-only")
     errors = errors_of(ended)
-    if len(errors) != calls or not all(NO_KERNELS in error for error in errors) or ended.stderr.count("\n") > LINES * calls:
+    if len(errors) != calls or not all(NO_BATCH in error for error in errors) or ended.stderr.count("\n") > LINES * calls:
         sys.exit(f"{calls} calls:\n{ended.stderr}")
     batches = section(place.manual, "Batches")
     named = set(re.findall("`(\\w+)/`", batches))
     batched = {header.parent.name for header in place.headers.rglob("methods.hpp") if "is_batched = true" in header.read_text()}
-    if NO_KERNELS not in batches or named != batched:
-        sys.exit(f"{batched} have kernels; the manual names {named}, or does not have the sentence")
+    if NO_BATCH not in batches or named != batched:
+        sys.exit(f"{batched} are batched; the manual names {named}, or does not have the sentence")
 
 
 def fast_math(place):

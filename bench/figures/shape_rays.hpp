@@ -1,33 +1,33 @@
 #pragma once
 /// \file
-/// Many rays against one sphere, made from a family's cases, as arrays to be timed.
+/// Many rays against one shape, made from a family's cases, as arrays to be timed.
 
 #include <array>
 #include <cmath>
 #include <optional>
-#include <rayproof/sphere.hpp>
 #include <rayproof/transform.hpp>
 #include <vector>
 
-#include "case/case.hpp"
+#include "bench/figures/shape_frame.hpp"
+#include "subjects/reading.hpp"
 
 namespace rayproof::report {
 
-/// A batch has one sphere and one transform, and every case has its own. So each case is moved and scaled in
-/// its sphere's own space until its sphere is the first case's, and goes back into the world by the first
-/// case's transform: the ray keeps how it lies to the sphere. Where that over- or underflows, the first
-/// case's ray stands in.
-template <class T>
-struct SphereRays {
+/// A batch has one shape and one transform, and every case has its own. So each case is moved by an affine
+/// map in its shape's own space until its shape is the first case's, and goes back into the world by the
+/// first case's transform: the ray keeps how it lies to the shape. Where that over- or underflows, or where a
+/// shape is flat, the first case's ray stands in.
+template <template <class> class Shape, class T>
+struct ShapeRays {
   std::array<std::vector<T>, 6> column;  ///< origin and direction
   std::array<std::vector<T>, 3> unit;    ///< direction of length 1
   std::vector<T> t;                      ///< the answers
-  Sphere<T> sphere{};
+  Shape<T> shape{};
   std::optional<ObjectSpace<T>> space{};
 
-  explicit SphereRays(const std::vector<Case>& cases) : t(cases.size()) {
+  explicit ShapeRays(const std::vector<Case>& cases) : t(cases.size()) {
     const auto& first = std::get<RayQuestion>(cases.front().question);
-    sphere = convert<T>(std::get<Sphere<double>>(first.shape));
+    shape = convert<T>(shape_of(first));
     if (first.transform) space = object_space(glm::mat<4, 4, T>(*first.transform));
     for (const Case& one : cases) {
       const Ray<T> ray = convert<T>(carried_over(std::get<RayQuestion>(one.question), first));
@@ -40,18 +40,22 @@ struct SphereRays {
   }
 
  private:
+  static Shape<double> shape_of(const RayQuestion& question) {
+    return convert<double>(Reading<RayTopic<Shape>>::shape(question));
+  }
+
   static bool is_usable(const Ray<T>& ray) {
     const T size = dot(ray.origin, ray.origin) + dot(ray.direction, ray.direction);
     return std::isfinite(size) && dot(ray.direction, ray.direction) > 0;
   }
 
-  /// The ray of `one`, aimed at the sphere of `other` as it was at its own.
+  /// The ray of `one`, aimed at the shape of `other` as it was at its own.
   static Ray<double> carried_over(const RayQuestion& one, const RayQuestion& other) {
-    const auto& from = std::get<Sphere<double>>(one.shape);
-    const auto& to = std::get<Sphere<double>>(other.shape);
+    const Frame from = frame_of(shape_of(one));
+    const Frame to = frame_of(shape_of(other));
     const Ray<double> own = one.transform ? to_object(object_space(*one.transform), one.ray) : one.ray;
-    const double scale = from.radius > 0 && to.radius > 0 ? to.radius / from.radius : 1;
-    Ray<double> ray{to.center + scale * (own.origin - from.center), scale * own.direction};
+    const glm::dmat3 map = to.axes * glm::inverse(from.axes);
+    Ray<double> ray{to.origin + map * (own.origin - from.origin), map * own.direction};
     if (other.transform) {
       ray.origin = glm::dvec3(*other.transform * glm::dvec4(ray.origin, 1));
       ray.direction = glm::dvec3(*other.transform * glm::dvec4(ray.direction, 0));
