@@ -8,7 +8,7 @@
 
 namespace rayproof::report {
 
-struct Frame {
+struct ShapeFrame {
   glm::dvec3 origin;
   glm::dmat3 axes;
 };
@@ -18,23 +18,23 @@ struct Frame {
   return {u, v, glm::cross(u, v)};
 }
 
-[[nodiscard]] inline Frame frame_of(const Sphere<double>& s) { return {s.center, glm::dmat3(s.radius)}; }
-[[nodiscard]] inline Frame frame_of(const Triangle<double>& t) {
+[[nodiscard]] inline ShapeFrame frame_of(const Sphere<double>& s) { return {s.center, glm::dmat3(s.radius)}; }
+[[nodiscard]] inline ShapeFrame frame_of(const Triangle<double>& t) {
   return {t.a, spanned_by(t.b - t.a, t.c - t.a)};
 }
-[[nodiscard]] inline Frame frame_of(const Box<double>& b) {
+[[nodiscard]] inline ShapeFrame frame_of(const Box<double>& b) {
   const glm::dvec3 size = b.max - b.min;
   return {b.min, {size.x, 0, 0, 0, size.y, 0, 0, 0, size.z}};
 }
-[[nodiscard]] inline Frame frame_of(const Parallelepiped<double>& p) {
+[[nodiscard]] inline ShapeFrame frame_of(const Parallelepiped<double>& p) {
   return {p.corner, {p.edges[0], p.edges[1], p.edges[2]}};
 }
-[[nodiscard]] inline Frame frame_of(const Cylinder<double>& c) {
+[[nodiscard]] inline ShapeFrame frame_of(const Cylinder<double>& c) {
   return {{0, 0, 0}, {c.rx, 0, 0, 0, c.ry, 0, 0, 0, c.height}};
 }
 /// A plane has no place on itself that is its own: the point nearest the origin, and two axes at right
 /// angles.
-[[nodiscard]] inline Frame frame_of(const Plane<double>& p) {
+[[nodiscard]] inline ShapeFrame frame_of(const Plane<double>& p) {
   const auto [normal, d] = plane::as_implicit(p);
   const glm::dvec3 along =
       std::abs(normal.x) < std::abs(normal.y) ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);

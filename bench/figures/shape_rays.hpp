@@ -51,8 +51,8 @@ struct ShapeRays {
 
   /// The ray of `one`, aimed at the shape of `other` as it was at its own.
   static Ray<double> carried_over(const RayQuestion& one, const RayQuestion& other) {
-    const Frame from = frame_of(shape_of(one));
-    const Frame to = frame_of(shape_of(other));
+    const ShapeFrame from = frame_of(shape_of(one));
+    const ShapeFrame to = frame_of(shape_of(other));
     const Ray<double> own = one.transform ? to_object(object_space(*one.transform), one.ray) : one.ray;
     const glm::dmat3 map = to.axes * glm::inverse(from.axes);
     Ray<double> ray{to.origin + map * (own.origin - from.origin), map * own.direction};

@@ -50,7 +50,7 @@ RAYPROOF_FLAT void move(const T* const (&in)[6], std::size_t size, const ObjectS
 }
 
 template <class Method, class Problem>
-constexpr void enter(Kernel<Method, Problem>& kernel) {
+constexpr void enter(BatchKernel<Method, Problem>& kernel) {
   kernel.solve = solve<Method, Problem>;
 }
 template <class T>

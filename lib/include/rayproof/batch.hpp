@@ -14,10 +14,9 @@
 /// time. The methods of the topics marked `is_batched` have them, in float and in double; a method that is
 /// for plain numbers alone, or wrong as printed, and every method of the other shapes, runs ray by ray.
 
-#include <algorithm>
 #include <optional>
 #include <rayproof/batch/instruction_set.hpp>
-#include <rayproof/batch/kernels.hpp>
+#include <rayproof/batch/solve.hpp>
 #include <span>
 #include <stdexcept>
 #include <type_traits>
@@ -65,50 +64,6 @@ std::size_t common_size(const First& first, const Rest&... rest) {
   return first.size();
 }
 
-/// The first problems of a batch, from the given one on.
-template <class Problem>
-[[nodiscard]] Lanes<Problem> part_of(Lanes<Problem> in, std::size_t from, std::size_t size) {
-  for (auto& column : in.columns) column += from;
-  in.size = size;
-  return in;
-}
-
-/// One problem of a batch.
-template <class T>
-[[nodiscard]] Quadratic<T> problem_at(const Lanes<Quadratic<T>>& in, std::size_t i) {
-  return {in.columns[0][i], in.columns[1][i], in.columns[2][i]};
-}
-template <template <class> class Shape, class T>
-[[nodiscard]] RayProblem<Shape, T> problem_at(const Lanes<RayProblem<Shape, T>>& in, std::size_t i) {
-  const auto& c = in.columns;
-  return {{{c[0][i], c[1][i], c[2][i]}, {c[3][i], c[4][i], c[5][i]}, in.t_min, in.t_max}, in.shape};
-}
-
-/// Answers one problem after the other.
-template <class Method, class Problem, class T, std::size_t Columns>
-void solve_each(const Lanes<Problem>& in, T* const (&out)[Columns], bool all) {
-  for (std::size_t i = 0; i < in.size; ++i) {
-    T results[Columns];
-    put_results<Method, Lanes<Problem>>(problem_at(in, i), results);
-    for (std::size_t column = 0; column < (all ? Columns : 1); ++column) out[column][i] = results[column];
-  }
-}
-
-/// Runs the method's kernel, which fills these columns, or the first alone. A method that answers no such
-/// batch is refused here, in one sentence, before it is looked for in the tables.
-template <class Method, class Problem, class T, std::size_t Columns>
-void run_kernel(InstructionSet set, const Lanes<Problem>& in, T* const (&out)[Columns], bool all) {
-  static_assert(answers_batches<Method, Problem>,
-                "this method answers no batches of this input: call Method::roots in a loop instead");
-  if constexpr (answers_batches<Method, Problem>) {
-    if constexpr (has_kernels<Method>) {
-      std::get<Kernel<Method, Problem>>(kernel_table(set)).solve(in, out, all);
-    } else {
-      solve_each<Method>(in, out, all);
-    }
-  }
-}
-
 /// The columns of a batch of rays, valid as long as `rays`.
 template <class T, template <class> class Shape>
 [[nodiscard]] Lanes<RayProblem<Shape, T>> lanes_of(const RayBatch<T>& rays, const Shape<T>& shape) {
@@ -122,30 +77,6 @@ template <class T, template <class> class Shape>
           shape};
 }
 
-/// The same for rays: those in the world are taken into the object's space first, some hundred at a time, so
-/// that they stay in the processor's nearest cache.
-template <class Method, class T, template <class> class Shape>
-void run_on_rays(InstructionSet set, const RayBatch<T>& rays, const Shape<T>& shape, T* const (&out)[6],
-                 bool all) {
-  const auto in = lanes_of(rays, shape);
-  if (!rays.object_space) return run_kernel<Method>(set, in, out, all);
-  constexpr std::size_t block = 256;
-  T moved[6][block];
-  T* const to[6] = {moved[0], moved[1], moved[2], moved[3], moved[4], moved[5]};
-  const auto& kernel = std::get<ToObjectKernel<T>>(kernel_table(set));
-  for (std::size_t from = 0; from < in.size; from += block) {
-    auto part = part_of(in, from, std::min(block, in.size - from));
-    kernel.move(part.columns, part.size, *rays.object_space, to);
-    T* results[6];
-    for (std::size_t i = 0; i < 6; ++i) {
-      part.columns[i] = to[i];
-      results[i] = out[i] + (all || i == 0 ? from : 0);
-    }
-    run_kernel<Method>(set, part, {results[0], results[1], results[2], results[3], results[4], results[5]},
-                       all);
-  }
-}
-
 }  // namespace batch
 
 /// The nearest hit of each ray: the smallest root in [t_min, t_max], or infinity for a miss. `t` is as long
@@ -154,7 +85,8 @@ template <class Method, class T, template <class> class Shape>
 void nearest_hits(const RayBatch<T>& rays, const Shape<T>& shape, std::type_identity_t<std::span<T>> t,
                   InstructionSet set = preferred_instruction_set()) {
   batch::common_size(rays.origin.x, t);
-  batch::run_on_rays<Method>(set, rays, shape, {t.data()}, false);
+  batch::solve<Method>(set, batch::lanes_of(rays, shape),
+                       {t.data(), nullptr, nullptr, nullptr, nullptr, nullptr}, false, rays.object_space);
 }
 
 /// Both roots of each ray's problem, before the interval of t is looked at.
@@ -169,9 +101,10 @@ void batch_roots(const RayBatch<T>& rays, const Shape<T>& shape, const RootArray
     batch::common_size(rays.origin.x, column);
     return column.data();
   };
-  batch::run_on_rays<Method>(
-      set, rays, shape,
-      {spare, given(roots.u), given(roots.v), roots.discriminant.data(), spare, roots.hi.data()}, true);
+  batch::solve<Method>(
+      set, batch::lanes_of(rays, shape),
+      {spare, given(roots.u), given(roots.v), roots.discriminant.data(), spare, roots.hi.data()}, true,
+      rays.object_space);
 }
 
 /// Both roots of each equation.
@@ -180,8 +113,8 @@ void batch_roots(const QuadraticBatch<T>& equations, const RootArrays<T>& roots,
                  InstructionSet set = preferred_instruction_set()) {
   const auto& [a, b, c] = equations;
   const std::size_t size = batch::common_size(a, b, c, roots.discriminant, roots.lo, roots.hi);
-  batch::run_kernel<Method>(set, batch::Lanes<Quadratic<T>>{{a.data(), b.data(), c.data()}, size},
-                            {roots.discriminant.data(), roots.lo.data(), roots.hi.data()}, true);
+  batch::solve<Method>(set, batch::Lanes<Quadratic<T>>{{a.data(), b.data(), c.data()}, size},
+                       {roots.discriminant.data(), roots.lo.data(), roots.hi.data()}, true);
 }
 
 }  // namespace rayproof

@@ -18,11 +18,11 @@ class WidePack {
   using Half = Pack<double, std::experimental::simd_abi::deduce_t<double, half>>;
   // The compiler's own vectors, because the library's casts go through memory.
   template <class T, std::size_t size>
-  struct Vector {
+  struct CompilerVector {
     using type [[gnu::vector_size(size * sizeof(T))]] = T;
   };
-  using Floats = typename Vector<float, 2 * half>::type;
-  using Doubles = typename Vector<double, half>::type;
+  using Floats = typename CompilerVector<float, 2 * half>::type;
+  using Doubles = typename CompilerVector<double, half>::type;
 
  public:
   explicit WidePack(const Narrow& x)
@@ -53,7 +53,7 @@ class WidePack {
   static Narrow joined(const WidePack& x, std::index_sequence<i...> /*lanes*/) {
     const auto floats = [](const Half& part) {
       return __builtin_convertvector(std::bit_cast<Doubles>(part.lanes()),
-                                     typename Vector<float, half>::type);
+                                     typename CompilerVector<float, half>::type);
     };
     const auto all = __builtin_shufflevector(floats(x.first_), floats(x.second_), int{i}...);
     return std::bit_cast<typename Narrow::Lanes>(all);

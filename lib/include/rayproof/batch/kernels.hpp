@@ -72,7 +72,7 @@ inline constexpr bool has_kernels = runs_in_packs<Method>&& Method::contract.sta
 
 /// One method's kernel in one precision.
 template <class Method, class Problem>
-struct Kernel {
+struct BatchKernel {
   using T = typename Lanes<Problem>::Number;
   /// Writes every problem's results: all of them, or the first alone. They are written in their order, so
   /// that a column nobody wants may share the memory of a later one.
@@ -90,8 +90,8 @@ template <class Topic, class... Methods>
 auto kernels_of_topic(TypeList<Methods...>) {
   [[maybe_unused]] const auto of = []<class Method>(std::type_identity<Method>) {
     if constexpr (has_kernels<Method>) {
-      return std::tuple<Kernel<Method, typename Topic::template Problem<float>>,
-                        Kernel<Method, typename Topic::template Problem<double>>>{};
+      return std::tuple<BatchKernel<Method, typename Topic::template Problem<float>>,
+                        BatchKernel<Method, typename Topic::template Problem<double>>>{};
     } else {
       return std::tuple<>{};
     }
@@ -113,7 +113,7 @@ inline constexpr bool is_in = false;
 template <class Type, template <class...> class List, class... Types>
 inline constexpr bool is_in<Type, List<Types...>> = (std::same_as<Type, Types> || ...);
 
-/// Whether a batch of these problems can be put to the method: it is one of a batched topic's.
+/// Whether a batch of these problems can be given to the method: it is one of a batched topic's.
 template <class Method, class Problem, class... All>
 constexpr bool answers_in(TypeList<All...>) {
   const auto is_of = []<class Topic>(std::type_identity<Topic>) {

@@ -1,0 +1,87 @@
+#pragma once
+/// \file
+/// How a batch is solved: by the compiled kernel, or problem by problem; rays of the world are taken into the
+/// object's space before.
+
+#include <algorithm>
+#include <optional>
+#include <rayproof/batch/kernels.hpp>
+
+namespace rayproof::batch {
+
+/// `size` problems of a batch, from the given one on.
+template <class Problem>
+[[nodiscard]] Lanes<Problem> part_of(Lanes<Problem> in, std::size_t from, std::size_t size) {
+  for (auto& column : in.columns) column += from;
+  in.size = size;
+  return in;
+}
+
+/// One problem of a batch.
+template <class T>
+[[nodiscard]] Quadratic<T> problem_at(const Lanes<Quadratic<T>>& in, std::size_t i) {
+  return {in.columns[0][i], in.columns[1][i], in.columns[2][i]};
+}
+template <template <class> class Shape, class T>
+[[nodiscard]] RayProblem<Shape, T> problem_at(const Lanes<RayProblem<Shape, T>>& in, std::size_t i) {
+  const auto& c = in.columns;
+  return {{{c[0][i], c[1][i], c[2][i]}, {c[3][i], c[4][i], c[5][i]}, in.t_min, in.t_max}, in.shape};
+}
+
+/// Answers one problem after the other.
+template <class Method, class Problem, class T, std::size_t Columns>
+void solve_each(const Lanes<Problem>& in, T* const (&out)[Columns], bool all) {
+  for (std::size_t i = 0; i < in.size; ++i) {
+    T results[Columns];
+    put_results<Method, Lanes<Problem>>(problem_at(in, i), results);
+    for (std::size_t column = 0; column < (all ? Columns : 1); ++column) out[column][i] = results[column];
+  }
+}
+
+/// Runs the method's kernel, which fills these columns, or the first alone.
+template <class Method, class Problem, class T, std::size_t Columns>
+void run_kernel(InstructionSet set, const Lanes<Problem>& in, T* const (&out)[Columns], bool all) {
+  if constexpr (has_kernels<Method>) {
+    std::get<BatchKernel<Method, Problem>>(kernel_table(set)).solve(in, out, all);
+  } else {
+    solve_each<Method>(in, out, all);
+  }
+}
+
+/// The same for rays that are in the world: they are taken into the object's space first, some hundred at a
+/// time, so that they stay in the processor's nearest cache.
+template <class Method, class Problem, class T>
+void run_in_space(InstructionSet set, const Lanes<Problem>& in, const ObjectSpace<T>& space,
+                  T* const (&out)[6], bool all) {
+  constexpr std::size_t block = 256;
+  T moved[6][block];
+  T* const to[6] = {moved[0], moved[1], moved[2], moved[3], moved[4], moved[5]};
+  const auto& kernel = std::get<ToObjectKernel<T>>(kernel_table(set));
+  for (std::size_t from = 0; from < in.size; from += block) {
+    auto part = part_of(in, from, std::min(block, in.size - from));
+    kernel.move(part.columns, part.size, space, to);
+    T* results[6] = {};
+    for (std::size_t i = 0; i < 6; ++i) {
+      part.columns[i] = to[i];
+      if (all || i == 0) results[i] = out[i] + from;
+    }
+    run_kernel<Method>(set, part, results, all);
+  }
+}
+
+/// Solves a batch of problems, given as columns. A method that answers no such batch is refused here, in one
+/// sentence, before it is looked for in the tables.
+template <class Method, class Problem, class T, std::size_t Columns>
+void solve(InstructionSet set, const Lanes<Problem>& in, T* const (&out)[Columns], bool all,
+           [[maybe_unused]] const std::optional<ObjectSpace<T>>& space = {}) {
+  static_assert(answers_batches<Method, Problem>,
+                "this method answers no batches of this input: call Method::roots in a loop instead");
+  if constexpr (answers_batches<Method, Problem>) {
+    if constexpr (Columns == 6) {
+      if (space) return run_in_space<Method>(set, in, *space, out, all);
+    }
+    run_kernel<Method>(set, in, out, all);
+  }
+}
+
+}  // namespace rayproof::batch
