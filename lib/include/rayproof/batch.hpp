@@ -85,8 +85,8 @@ template <class Method, class T, template <class> class Shape>
 void nearest_hits(const RayBatch<T>& rays, const Shape<T>& shape, std::type_identity_t<std::span<T>> t,
                   InstructionSet set = preferred_instruction_set()) {
   batch::common_size(rays.origin.x, t);
-  batch::solve<Method>(set, batch::lanes_of(rays, shape),
-                       {t.data(), nullptr, nullptr, nullptr, nullptr, nullptr}, false, rays.object_space);
+  T* const out[6] = {t.data()};
+  batch::solve<Method>(set, batch::lanes_of(rays, shape), out, false, rays.object_space);
 }
 
 /// Both roots of each ray's problem, before the interval of t is looked at.
