@@ -12,7 +12,7 @@
 
 #include <string>
 
-#include "viz/vtk/legible_font.hpp"
+#include "viz/vtk/sheet/legible_font.hpp"
 
 namespace rayproof::report {
 

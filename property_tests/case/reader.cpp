@@ -85,14 +85,15 @@ glm::dmat4 read_transform(const Field& field, Precision precision) {
   return transform;
 }
 
-Case read_case(std::string_view line) {
+Case read_case(std::string_view line, std::optional<Precision> precision) {
   Case one;
   try {
     const json::Document document = json::parse(line);
     const Field whole{.document = &document};
     ObjectReader reader(whole);
     if (const auto id = reader.find("id")) one.id = id->node().text;
-    one.precision = read_precision(reader);
+    if (precision) (void)reader.find("precision");
+    one.precision = precision ? *precision : read_precision(reader);
     one.question = read_question(reader, one.precision);
     if (const auto note = reader.find("note")) one.note = read_string(*note);
     reader.refuse_unknown();

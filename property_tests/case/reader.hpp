@@ -2,6 +2,7 @@
 /// \file
 /// Reads a case from a line of JSON, as the case format says.
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -32,7 +33,7 @@ struct Field;
 [[nodiscard]] glm::dmat4 read_transform(const Field& field, Precision precision);
 
 /// The case on a line (without its newline), its numbers rounded to its precision and every rule of the
-/// format checked after that. Throws a RefusedCase.
-[[nodiscard]] Case read_case(std::string_view line);
+/// format checked after that. A precision that is given takes the place of its own. Throws a RefusedCase.
+[[nodiscard]] Case read_case(std::string_view line, std::optional<Precision> precision = {});
 
 }  // namespace rayproof

@@ -31,22 +31,6 @@ std::string read_all(const std::string& file) {
   return drain(in);
 }
 
-/// The case's text with another precision in it: its decimals are rounded once, to that.
-std::string with_precision(std::string_view text, Precision precision) {
-  const std::string name = fmt::format("\"{}\"", name_of(precision));
-  const json::Document document = json::parse(text);
-  const Field whole{.document = &document};
-  if (const auto given = ObjectReader(whole).find("precision")) {
-    const std::string_view old = given->node().text;
-    const auto at = static_cast<std::size_t>(old.data() - text.data());
-    return fmt::format("{}{}{}", text.substr(0, at), name, text.substr(at + old.size()));
-  }
-  const std::size_t inside = text.find('{') + 1;
-  const bool is_empty = document.size() == 1;
-  return fmt::format("{}\"precision\": {}{}{}", text.substr(0, inside), name, is_empty ? "" : ", ",
-                     text.substr(inside));
-}
-
 }  // namespace
 
 std::string text_of_case(const std::string& argument, std::size_t line, const std::string& findings) {
@@ -78,7 +62,7 @@ CaseArgument read_case_argument(std::string_view text, std::optional<Precision> 
           std::chrono::milliseconds(std::llround(1000 * read_number(*seconds, Precision::float64)));
     text = finding->node().text;
   }
-  result.one = precision ? read_case(with_precision(text, *precision)) : read_case(text);
+  result.one = read_case(text, precision);
   return result;
 }
 

@@ -33,10 +33,8 @@ const char* name_of(Emphasis emphasis) {
 }
 
 Json body_json(const SpaceBody& body) {
-  static constexpr std::array<const char*, 7> forms{"point",   "segment", "arrow",    "polyline",
-                                                    "polygon", "solid",   "ellipsoid"};
   static constexpr std::array<const char*, 4> marks{"dot", "ring", "cross", "diamond"};
-  Json json{{"form", forms.at(static_cast<std::size_t>(body.shown.item->form))},
+  Json json{{"form", form_names.at(static_cast<std::size_t>(body.shown.item->form))},
             {"role", colour_of(shown_role(body.shown)).name},
             {"how", name_of(body.shown.emphasis)},
             {"radius", short_number(body.radius)}};

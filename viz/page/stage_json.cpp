@@ -17,14 +17,13 @@ using Json = nlohmann::ordered_json;
 Json vector(const glm::dvec3& p) { return {json_number(p.x), json_number(p.y), json_number(p.z)}; }
 
 Json items(const std::vector<StageItem>& list) {
-  static constexpr std::array<const char*, 7> forms{"point",   "segment", "arrow",    "polyline",
-                                                    "polygon", "solid",   "ellipsoid"};
   static constexpr std::array<const char*, 3> patterns{"solid", "dashed", "dotted"};
   Json all = Json::array();
   for (const StageItem& item : list) {
     Json points = Json::array();
     for (const glm::dvec3& p : item.points) points.push_back(vector(p));
-    Json one{{"role", colour_of(item.role).name}, {"form", forms.at(static_cast<std::size_t>(item.form))}};
+    Json one{{"role", colour_of(item.role).name},
+             {"form", form_names.at(static_cast<std::size_t>(item.form))}};
     if (!item.label.empty()) one["label"] = item.label;
     if (item.pattern != Pattern::solid) one["pattern"] = patterns.at(static_cast<std::size_t>(item.pattern));
     one["points"] = points;

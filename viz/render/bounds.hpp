@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "viz/render/scene.hpp"
+#include "viz/render/scene/scene.hpp"
 
 namespace rayproof::render {
 

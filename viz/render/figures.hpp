@@ -55,6 +55,25 @@ struct FigureKind {
   }
 };
 
+// Each in figures/NAME.cpp.
+FigureKind plane_figures();
+FigureKind triangle_figures();
+FigureKind polygon_figures();
+FigureKind sphere_figures();
+FigureKind box_figures();
+FigureKind parallelepiped_figures();
+FigureKind cylinder_figures();
+
+inline constexpr FigureKind (*figure_makers[])() = {
+    plane_figures,           //
+    triangle_figures,        //
+    polygon_figures,         //
+    sphere_figures,          //
+    box_figures,             //
+    parallelepiped_figures,  //
+    cylinder_figures,        //
+};
+
 /// Every shape that a ray can meet, in the order of the registries.
 [[nodiscard]] const std::vector<FigureKind>& figure_kinds();
 

@@ -29,6 +29,15 @@ HitImage trace_in(const RenderScene& scene, const Methods& methods, const Neighb
 
 }  // namespace
 
+const std::vector<FigureKind>& figure_kinds() {
+  static const std::vector<FigureKind> kinds = [] {
+    std::vector<FigureKind> all;
+    for (const auto make : figure_makers) all.push_back(make());
+    return all;
+  }();
+  return kinds;
+}
+
 Methods default_methods() {
   Methods chosen;
   for (const FigureKind& kind : figure_kinds()) chosen[kind.shape] = kind.default_method;

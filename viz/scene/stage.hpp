@@ -11,6 +11,7 @@
 ///     const Stage stage = stage_of(report);                        // viz/walkthrough/stage_of.hpp
 ///     for (const StageStep& step : stage.steps) …                  // what to show, and from where
 
+#include <array>
 #include <cstddef>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -34,6 +35,10 @@ enum class Form {
   ellipsoid  ///< its centre and the tips of three conjugate semi-axes; the outline as it is seen is an
              ///< ellipse
 };
+
+/// Their names in JSON, in that order.
+inline constexpr std::array<const char*, 7> form_names{"point",   "segment", "arrow",    "polyline",
+                                                       "polygon", "solid",   "ellipsoid"};
 
 /// Something in the world to look at. The role gives colour and mark, in every sink the same.
 struct StageItem {

@@ -19,7 +19,6 @@ Figure box_figure(const Sight& sight) {
 
 }  // namespace
 
-TopicView box_view();
 TopicView box_view() { return {box::Topic::name, walk_ray<box::Topic>, box_figure}; }
 
 }  // namespace rayproof::viz

@@ -115,7 +115,6 @@ Figure cylinder_figure(const Sight& sight) {
 
 }  // namespace
 
-TopicView cylinder_view();
 TopicView cylinder_view() { return {cylinder::Topic::name, walk_ray<cylinder::Topic>, cylinder_figure}; }
 
 }  // namespace rayproof::viz

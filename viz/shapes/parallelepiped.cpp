@@ -19,7 +19,6 @@ Figure parallelepiped_figure(const Sight& sight) {
 
 }  // namespace
 
-TopicView parallelepiped_view();
 TopicView parallelepiped_view() {
   return {parallelepiped::Topic::name, walk_ray<parallelepiped::Topic>, parallelepiped_figure};
 }

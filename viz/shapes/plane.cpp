@@ -65,7 +65,6 @@ Figure plane_figure(const Sight& sight) {
 
 }  // namespace
 
-TopicView plane_view();
 TopicView plane_view() { return {plane::Topic::name, walk_ray<plane::Topic>, plane_figure}; }
 
 }  // namespace rayproof::viz

@@ -13,7 +13,6 @@ std::optional<Walkthrough> no_walk(const Case& /*one*/, const std::string& /*met
 
 }  // namespace
 
-TopicView point_in_polygon_view();
 TopicView point_in_polygon_view() { return {point_in_polygon::Topic::name, no_walk}; }
 
 }  // namespace rayproof::viz

@@ -23,7 +23,6 @@ Figure polygon_figure(const Sight& sight) {
 
 }  // namespace
 
-TopicView polygon_view();
 TopicView polygon_view() { return {polygon::Topic::name, walk_ray<polygon::Topic>, polygon_figure}; }
 
 }  // namespace rayproof::viz

@@ -15,7 +15,6 @@ std::optional<Walkthrough> walk_quadratic(const Case& one, const std::string& me
 
 }  // namespace
 
-TopicView quadratic_view();
 TopicView quadratic_view() { return {quadratic::Topic::name, walk_quadratic}; }
 
 }  // namespace rayproof::viz

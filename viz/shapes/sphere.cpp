@@ -52,7 +52,6 @@ Figure sphere_figure(const Sight& sight) {
 
 }  // namespace
 
-TopicView sphere_view();
 TopicView sphere_view() { return {sphere::Topic::name, walk_ray<sphere::Topic>, sphere_figure}; }
 
 }  // namespace rayproof::viz

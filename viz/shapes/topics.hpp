@@ -21,8 +21,29 @@ struct TopicView {
   Figure (*figure)(const Sight& sight) = nullptr;
 };
 
+// Each in NAME.cpp.
+TopicView quadratic_view();
+TopicView point_in_polygon_view();
+TopicView plane_view();
+TopicView triangle_view();
+TopicView polygon_view();
+TopicView sphere_view();
+TopicView box_view();
+TopicView parallelepiped_view();
+TopicView cylinder_view();
+
 /// Every topic with a view, in the order of the registries.
-[[nodiscard]] const std::vector<TopicView>& topic_views();
+inline constexpr TopicView (*topic_views[])() = {
+    quadratic_view,         //
+    point_in_polygon_view,  //
+    plane_view,             //
+    triangle_view,          //
+    polygon_view,           //
+    sphere_view,            //
+    box_view,               //
+    parallelepiped_view,    //
+    cylinder_view,          //
+};
 
 /// The view of a case's topic, or null.
 [[nodiscard]] const TopicView* view_of(const Case& one);

@@ -16,7 +16,6 @@ Figure triangle_figure(const Sight& sight) {
 
 }  // namespace
 
-TopicView triangle_view();
 TopicView triangle_view() { return {triangle::Topic::name, walk_ray<triangle::Topic>, triangle_figure}; }
 
 }  // namespace rayproof::viz

@@ -9,8 +9,8 @@
 
 #include <cmath>
 
-#include "viz/vtk/picture_item.hpp"
 #include "viz/vtk/raster_png.hpp"
+#include "viz/vtk/sheet/picture_item.hpp"
 #include "viz/vtk/space/space_scene.hpp"
 
 namespace rayproof::viz {

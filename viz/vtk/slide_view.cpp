@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "viz/flat/stage_picture.hpp"
-#include "viz/vtk/picture_item.hpp"
+#include "viz/vtk/sheet/picture_item.hpp"
 
 namespace rayproof::viz {
 

@@ -1,4 +1,4 @@
-#include "viz/render/scene_reader.hpp"
+#include "viz/render/scene/scene_reader.hpp"
 
 #include <algorithm>
 #include <array>

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <string>
 
-#include "viz/render/scene_reader.hpp"
+#include "viz/render/scene/scene_reader.hpp"
 
 namespace rayproof::render {
 

@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "viz/render/errors.hpp"
-#include "viz/render/scene_reader.hpp"
+#include "viz/render/scene/scene_reader.hpp"
 
 namespace rayproof::render {
 namespace {

@@ -46,10 +46,8 @@ bool says(const Picture& picture, const std::string& words) {
 
 TEST(Views, EveryTopicHasOne) {
   Topics::for_each([]<class Topic>(std::type_identity<Topic>) {
-    const auto& views = topic_views();
-    EXPECT_EQ(std::count_if(views.begin(), views.end(), [](const auto& v) { return v.name == Topic::name; }),
-              1)
-        << Topic::name;
+    const auto is_its = [](const auto make) { return make().name == Topic::name; };
+    EXPECT_EQ(std::ranges::count_if(topic_views, is_its), 1) << Topic::name;
   });
 }
 

@@ -8,7 +8,7 @@
 
 #include "command_line/command_line.hpp"
 #include "viz/programs/wrong_command.hpp"
-#include "viz/render/scene_reader.hpp"
+#include "viz/render/scene/scene_reader.hpp"
 #include "viz/render/shading.hpp"
 
 namespace rayproof::render {

@@ -14,19 +14,16 @@ namespace {
 /// The report on the case with its method; without one, by the first sound one of its topic whose steps can
 /// be recorded.
 CaseReport report_for(const CaseOptions& options) {
-  CaseReport report = report_case(options);
+  const CaseReport report = report_case(options);
   if (!report.method.empty()) return report;
   const TopicView* const view = view_of(report.one);
   for (const Subject& subject : subjects()) {
     if (subject.topic != topic_of(report.one) || subject.contract.standing != Standing::sound) continue;
-    if (view != nullptr) report.walk = view->walk(report.one, subject.name);
-    if (!report.walk) continue;
-    report.method = subject.full_name();
-    report.claimed = subject.answer(report.one);
+    if (view == nullptr || !view->walk(report.one, subject.name)) continue;
     fmt::print(stderr,
                "rayproof walk: {} (the first sound method whose steps can be recorded; --method chooses)\n",
-               report.method);
-    return report;
+               subject.full_name());
+    return report_of(report.one, &subject);
   }
   fmt::print(
       stderr,

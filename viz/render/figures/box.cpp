@@ -9,7 +9,6 @@ void enclose(Hull& hull, const rayproof::Box<double>& box) {
 
 }  // namespace
 
-FigureKind box_figures();
 FigureKind box_figures() { return figure_kind<box::Topic, rayproof::Box<double>, enclose>("slabs"); }
 
 }  // namespace rayproof::render

@@ -14,7 +14,6 @@ void enclose(Hull& hull, const Parallelepiped<double>& solid) {
 
 }  // namespace
 
-FigureKind parallelepiped_figures();
 FigureKind parallelepiped_figures() {
   return figure_kind<parallelepiped::Topic, Parallelepiped<double>, enclose>("face_planes");
 }

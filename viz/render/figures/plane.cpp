@@ -2,7 +2,6 @@
 
 namespace rayproof::render {
 
-FigureKind plane_figures();
 FigureKind plane_figures() { return figure_kind<plane::Topic>("implicit"); }
 
 }  // namespace rayproof::render

@@ -46,7 +46,6 @@ void enclose(Hull& hull, const Polygon<double>& polygon) {
 
 }  // namespace
 
-FigureKind polygon_figures();
 FigureKind polygon_figures() { return figure_kind<polygon::Topic, Polygon<double>, enclose>("winding"); }
 
 }  // namespace rayproof::render

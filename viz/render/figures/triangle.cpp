@@ -9,7 +9,6 @@ void enclose(Hull& hull, const Triangle<double>& triangle) {
 
 }  // namespace
 
-FigureKind triangle_figures();
 FigureKind triangle_figures() { return figure_kind<triangle::Topic, Triangle<double>, enclose>("woop"); }
 
 }  // namespace rayproof::render

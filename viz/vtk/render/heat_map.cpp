@@ -22,8 +22,8 @@
 #include <glm/geometric.hpp>
 
 #include "viz/render/colours.hpp"
-#include "viz/vtk/legible_font.hpp"
 #include "viz/vtk/raster_png.hpp"
+#include "viz/vtk/sheet/legible_font.hpp"
 #include "viz/vtk/space/geometry.hpp"
 
 namespace rayproof::render {

@@ -13,9 +13,9 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "viz/render/mesh_file.hpp"
-#include "viz/render/off_mesh.hpp"
-#include "viz/render/scene_reader.hpp"
+#include "viz/render/scene/mesh_file.hpp"
+#include "viz/render/scene/off_mesh.hpp"
+#include "viz/render/scene/scene_reader.hpp"
 #include "viz/vtk/render/apart.hpp"
 
 namespace rayproof::render {

@@ -43,7 +43,6 @@ Figure disk_figure(const Sight& sight) {
 
 }  // namespace
 
-TopicView disk_view();
 TopicView disk_view() { return {disk::Topic::name, walk_ray<disk::Topic>, disk_figure}; }
 
 }  // namespace rayproof::viz

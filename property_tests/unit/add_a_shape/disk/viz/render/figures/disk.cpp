@@ -11,7 +11,6 @@ void enclose(Hull& hull, const Disk<double>& disk) {
 
 }  // namespace
 
-FigureKind disk_figures();
 FigureKind disk_figures() { return figure_kind<disk::Topic, Disk<double>, enclose>("projected"); }
 
 }  // namespace rayproof::render

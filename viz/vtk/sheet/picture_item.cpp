@@ -1,4 +1,4 @@
-#include "viz/vtk/picture_item.hpp"
+#include "viz/vtk/sheet/picture_item.hpp"
 
 #include <vtkBrush.h>
 #include <vtkContext2D.h>
@@ -10,7 +10,7 @@
 
 #include "viz/picture/palette.hpp"
 #include "viz/picture/raster.hpp"
-#include "viz/vtk/picture_text.hpp"
+#include "viz/vtk/sheet/picture_text.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -1,4 +1,4 @@
-#include "viz/render/scene_reader.hpp"
+#include "viz/render/scene/scene_reader.hpp"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,8 @@
 #include "case/json/number_text.hpp"
 #include "case/reader.hpp"
 #include "case/reader/shape_reader.hpp"
-#include "viz/render/camera_reader.hpp"
-#include "viz/render/value_at.hpp"
+#include "viz/render/scene/camera_reader.hpp"
+#include "viz/render/scene/value_at.hpp"
 
 namespace rayproof::render {
 namespace {

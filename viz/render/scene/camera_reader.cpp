@@ -1,9 +1,9 @@
-#include "viz/render/camera_reader.hpp"
+#include "viz/render/scene/camera_reader.hpp"
 
 #include "case/independent.hpp"
 #include "case/json/number_text.hpp"
 #include "case/reader/shape_reader.hpp"
-#include "viz/render/scene.hpp"
+#include "viz/render/scene/scene.hpp"
 
 namespace rayproof::render {
 namespace {

@@ -1,4 +1,4 @@
-#include "viz/vtk/legible_font.hpp"
+#include "viz/vtk/sheet/legible_font.hpp"
 
 #include <vtkTextProperty.h>
 

@@ -6,7 +6,7 @@
 #include <functional>
 #include <stdexcept>
 
-#include "viz/render/scene.hpp"
+#include "viz/render/scene/scene.hpp"
 
 namespace rayproof::render {
 

@@ -1,4 +1,4 @@
-#include "viz/render/off_mesh.hpp"
+#include "viz/render/scene/off_mesh.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-#include "viz/render/scene_reader.hpp"
+#include "viz/render/scene/scene_reader.hpp"
 
 namespace rayproof::render {
 namespace {

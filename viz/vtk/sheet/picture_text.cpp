@@ -1,4 +1,4 @@
-#include "viz/vtk/picture_text.hpp"
+#include "viz/vtk/sheet/picture_text.hpp"
 
 #include <vtkContext2D.h>
 #include <vtkNew.h>
@@ -18,7 +18,7 @@
 #include "viz/picture/palette.hpp"
 #include "viz/picture/raster.hpp"
 #include "viz/picture/text_runs.hpp"
-#include "viz/vtk/legible_font.hpp"
+#include "viz/vtk/sheet/legible_font.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -1,4 +1,4 @@
-#include "viz/render/value_at.hpp"
+#include "viz/render/scene/value_at.hpp"
 
 #include <fmt/format.h>
 
