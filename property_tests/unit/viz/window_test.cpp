@@ -228,7 +228,7 @@ TEST(WindowOfALesson, FiveTopicsHaveTheColoursOfTheirRolesInTheScene) {
   };
   // What is seen of a surface in its tint, of a line or a mark in its colour.
   for (const auto& [topic, step, role, least, most] : {Substance{"sphere", 1, Role::surface, 0.1, 0.6},
-                                                       {"slabs", 1, Role::surface, 0.09, 0.7},
+                                                       {"slabs", 1, Role::surface, 0.1, 0.7},
                                                        {"cylinder", 1, Role::surface, 0.05, 0.6},
                                                        {"quadratic-two", 1, Role::edge, 0, 0.2},
                                                        {"moller-trumbore", 1, Role::surface, 0.03, 0.6}}) {
