@@ -131,6 +131,17 @@ TEST_F(Window, TheBallStaysAtThePointerWhileItIsDragged) {
   shown.send({from.x + 40, from.y + 30}, vtkCommand::LeftButtonReleaseEvent);
 }
 
+TEST_F(Window, HoweverManyEventsThereWereAFrameComputesTheCaseOnce) {
+  const std::string before = stage_json(shown.player.stage());
+  const Point from = *shown.window.seen("center");
+  shown.press(from);
+  for (int i = 1; i <= 5; ++i) shown.send({from.x + 8 * i, from.y + 6 * i}, vtkCommand::MouseMoveEvent);
+  EXPECT_EQ(stage_json(shown.player.stage()), before);
+  shown.window.handle_events();
+  EXPECT_NE(stage_json(shown.player.stage()), before);
+  shown.send({from.x + 40, from.y + 30}, vtkCommand::LeftButtonReleaseEvent);
+}
+
 TEST(WindowOfEveryShape, ADragOfEachHandleChangesTheCase) {
   const OffscreenDisplay display("1680x1050x24");
   const std::string ray =
