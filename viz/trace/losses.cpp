@@ -50,6 +50,12 @@ std::optional<PrecisionLoss> worst_loss_of(const Tape& tape, const std::vector<O
 std::string in_words(const PrecisionLoss& loss) {
   constexpr std::size_t longest = 90;  // bytes: more of a formula nobody reads
   const bool is_vowel = loss.kind.find_first_of("aeiou") == 0;
+  // Of "dot(n, p − o)" a reader would take the difference in it for what cancels.
+  if (loss.effect == "cancels" && loss.formula.starts_with("dot(") &&
+      loss.formula.find(')') + 1 == loss.formula.size())
+    return fmt::format(
+        "the sum in {}, whose terms are nearly equal but for their signs, cancels {:.0f} of {} bits",
+        loss.formula, loss.bits_lost_here, loss.digits);
   const std::string what = loss.formula.size() <= longest
                                ? fmt::format("the {} {}", loss.kind, loss.formula)
                                : fmt::format("{} {}", is_vowel ? "an" : "a", loss.kind);

@@ -65,6 +65,10 @@ SpaceScene SlideView::show(const Stage& stage, std::size_t step, const Picture& 
   picture_ = sheet;
   draw_labels(picture_, scene_, shown_in(stage, step),
               [&](const StageItem& item) { return scene.seen(item, scene_); });
+  if (!is_fine_) {
+    for (Element& element : picture_.elements)
+      if (auto* const text = std::get_if<Text>(&element)) text->halo = false;
+  }
   return scene;
 }
 

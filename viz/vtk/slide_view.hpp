@@ -33,8 +33,9 @@ class SlideView {
   SpaceScene show(const Stage& stage, std::size_t step, const Picture& sheet, Look look);
   /// Fills the sheet alone; the space is empty.
   void show(const Picture& sheet);
-  /// Whether surfaces behind one another are sorted pixel by pixel, edges smoothed and round things made of
-  /// many sides: twice the work. From the next `show` on.
+  /// Whether surfaces behind one another are sorted pixel by pixel, edges smoothed, round things made of
+  /// many sides, lit pixel by pixel, each a body of its own, and labels have halos: twice the work. From the
+  /// next `show` on.
   void set_fine(bool is_fine);
 
   [[nodiscard]] vtkRenderWindow& window() { return *window_; }

@@ -131,6 +131,17 @@ TEST_F(Window, TheBallStaysAtThePointerWhileItIsDragged) {
   shown.send({from.x + 40, from.y + 30}, vtkCommand::LeftButtonReleaseEvent);
 }
 
+TEST_F(Window, HoweverManyEventsThereWereAFrameComputesTheCaseOnce) {
+  const std::string before = stage_json(shown.player.stage());
+  const Point from = *shown.window.seen("center");
+  shown.press(from);
+  for (int i = 1; i <= 5; ++i) shown.send({from.x + 8 * i, from.y + 6 * i}, vtkCommand::MouseMoveEvent);
+  EXPECT_EQ(stage_json(shown.player.stage()), before);
+  shown.window.handle_events();
+  EXPECT_NE(stage_json(shown.player.stage()), before);
+  shown.send({from.x + 40, from.y + 30}, vtkCommand::LeftButtonReleaseEvent);
+}
+
 TEST(WindowOfEveryShape, ADragOfEachHandleChangesTheCase) {
   const OffscreenDisplay display("1680x1050x24");
   const std::string ray =
@@ -228,7 +239,7 @@ TEST(WindowOfALesson, FiveTopicsHaveTheColoursOfTheirRolesInTheScene) {
   };
   // What is seen of a surface in its tint, of a line or a mark in its colour.
   for (const auto& [topic, step, role, least, most] : {Substance{"sphere", 1, Role::surface, 0.1, 0.6},
-                                                       {"slabs", 1, Role::surface, 0.09, 0.7},
+                                                       {"slabs", 1, Role::surface, 0.1, 0.7},
                                                        {"cylinder", 1, Role::surface, 0.05, 0.6},
                                                        {"quadratic-two", 1, Role::edge, 0, 0.2},
                                                        {"moller-trumbore", 1, Role::surface, 0.03, 0.6}}) {

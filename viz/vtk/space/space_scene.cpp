@@ -1,6 +1,7 @@
 #include "viz/vtk/space/space_scene.hpp"
 
 #include <vtkActorCollection.h>
+#include <vtkAppendPolyData.h>
 #include <vtkCamera.h>
 #include <vtkLightKit.h>
 #include <vtkNew.h>
@@ -8,8 +9,10 @@
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <glm/geometric.hpp>
+#include <tuple>
 
 #include "viz/picture/palette.hpp"
 #include "viz/picture/raster.hpp"
@@ -19,7 +22,8 @@
 namespace rayproof::viz {
 namespace {
 
-vtkSmartPointer<vtkActor> actor_of(const Geometry& geometry, Role role) {
+/// Lit pixel by pixel, or at the corners of its facets alone.
+vtkSmartPointer<vtkActor> actor_of(const Geometry& geometry, Role role, bool is_fine) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(geometry);
   mapper->ScalarVisibilityOff();
@@ -28,7 +32,7 @@ vtkSmartPointer<vtkActor> actor_of(const Geometry& geometry, Role role) {
   const auto [red, green, blue] = rgb_of(colour_of(role).light);
   vtkProperty& property = *actor->GetProperty();
   property.SetColor(red / 255.0, green / 255.0, blue / 255.0);
-  property.SetInterpolationToPhong();
+  is_fine ? property.SetInterpolationToPhong() : property.SetInterpolationToGouraud();
   property.SetAmbient(0.25);
   property.SetDiffuse(0.75);
   return actor;
@@ -72,12 +76,14 @@ SpaceScene::SpaceScene(vtkRenderer& renderer, const Stage& stage, std::size_t st
     } else if (body.is_surface()) {
       add_surface(body);
     } else {
-      renderer_.AddActor(
-          actor_of(line_geometry(body.pieces, body.head, body.radius, sides_), shown_role(body.shown)));
+      parts_.push_back({SpacePart::Kind::line, shown_role(body.shown),
+                        line_geometry(body.pieces, body.head, body.radius, sides_)});
     }
   }
+  // Each actor costs VTK a shader a frame.
+  for (const SpacePart& part : is_fine() ? parts_ : merged(parts_)) add_actor(part);
   if (space_.floor) add_floor();
-  if (sides_ != fine_sides) blend_films();
+  if (!is_fine()) blend_films();
   renderer_.RemoveAllLights();
   vtkNew<vtkLightKit> lights;
   lights->AddLightsToRenderer(&renderer_);
@@ -98,11 +104,11 @@ void SpaceScene::place_camera(Look look) {
 
 void SpaceScene::add_mark(const SpaceBody& body) {
   // In a drawing what comes later stands before what was there, and marks before lines.
-  const double height = space_.camera.is_flat ? 0.1 + 0.01 * renderer_.GetActors()->GetNumberOfItems() : 0;
+  const double height = space_.camera.is_flat ? 0.1 + 0.01 * static_cast<double>(parts_.size()) : 0;
   const glm::dvec3 place = body.points.at(0) + height * space_.camera.toward;
   const Geometry mark =
       mark_geometry(mark_of(body.shown.item->role), place, body.radius, space_.camera.toward, sides_);
-  renderer_.AddActor(actor_of(mark, shown_role(body.shown)));
+  parts_.push_back({SpacePart::Kind::mark, shown_role(body.shown), mark});
 }
 
 void SpaceScene::add_surface(const SpaceBody& body) {
@@ -110,19 +116,47 @@ void SpaceScene::add_surface(const SpaceBody& body) {
   const Geometry surface = form == Form::polygon     ? polygon_of(body.points, body.strips)
                            : form == Form::ellipsoid ? ellipsoid_of(body.points, sides_)
                                                      : solid_of(body.points, body.shown.item->faces);
-  const auto actor = actor_of(surface, shown_role(body.shown));
+  const bool is_polygon = form == Form::polygon;
+  parts_.push_back({is_polygon ? SpacePart::Kind::polygon : SpacePart::Kind::closed, shown_role(body.shown),
+                    surface, body.opacity, body.shown.emphasis == Emphasis::dimmed ? 0 : 0.25});
+  const Geometry outline = is_polygon ? ring_of(body.points, body.radius, sides_)
+                                      : silhouette_of(surface, space_.camera.eye(), body.radius, sides_);
+  parts_.push_back({SpacePart::Kind::line, shown_role(body.shown), outline});
+}
+
+std::vector<SpaceScene::SpacePart> SpaceScene::merged(const std::vector<SpacePart>& parts) {
+  std::vector<SpacePart> few;
+  std::vector<vtkSmartPointer<vtkAppendPolyData>> together;
+  for (const SpacePart& part : parts) {
+    const auto same = std::find_if(few.begin(), few.end(), [&](const SpacePart& other) {
+      return std::tie(part.kind, part.role, part.opacity, part.specular) ==
+             std::tie(other.kind, other.role, other.opacity, other.specular);
+    });
+    const auto place = static_cast<std::size_t>(same - few.begin());
+    if (same == few.end()) {
+      few.push_back(part);
+      together.push_back(vtkSmartPointer<vtkAppendPolyData>::New());
+    }
+    together[place]->AddInputData(part.geometry);
+  }
+  for (std::size_t i = 0; i < few.size(); ++i) {
+    together[i]->Update();
+    few[i].geometry = together[i]->GetOutput();
+  }
+  return few;
+}
+
+void SpaceScene::add_actor(const SpacePart& part) {
+  const auto actor = actor_of(part.geometry, part.role, is_fine());
+  renderer_.AddActor(actor);
+  if (part.kind == SpacePart::Kind::line || part.kind == SpacePart::Kind::mark) return;
   vtkProperty& property = *actor->GetProperty();
-  property.SetOpacity(body.opacity);
-  property.SetSpecular(body.shown.emphasis == Emphasis::dimmed ? 0 : 0.25);
+  property.SetOpacity(part.opacity);
+  property.SetSpecular(part.specular);
   property.SetSpecularPower(30);
   if (space_.camera.is_flat) property.LightingOff();
-  renderer_.AddActor(actor);
   films_.emplace_back(actor);
-  if (form != Form::polygon) closed_.emplace_back(actor);
-  const Geometry outline = form == Form::polygon
-                               ? ring_of(body.points, body.radius, sides_)
-                               : silhouette_of(surface, space_.camera.eye(), body.radius, sides_);
-  renderer_.AddActor(actor_of(outline, shown_role(body.shown)));
+  if (part.kind == SpacePart::Kind::closed) closed_.emplace_back(actor);
 }
 
 void SpaceScene::blend_films() {

@@ -50,9 +50,21 @@ class SpaceScene {
   [[nodiscard]] bool is_flat() const { return space_.camera.is_flat; }
 
  private:
+  [[nodiscard]] bool is_fine() const { return sides_ == fine_sides; }
   void place_camera(Look look);
+  /// A geometry in one colour; lines, marks, polygons and bodies with an inside differ by their kind.
+  struct SpacePart {
+    enum class Kind { line, mark, polygon, closed } kind;
+    Role role;
+    Geometry geometry;
+    double opacity = 1;
+    double specular = 0;
+  };
+  /// As one those that look alike.
+  [[nodiscard]] static std::vector<SpacePart> merged(const std::vector<SpacePart>& parts);
   void add_mark(const SpaceBody& body);
   void add_surface(const SpaceBody& body);
+  void add_actor(const SpacePart& part);
   void add_floor();
   /// Draws the surfaces over all else, without VTK's pass for translucent ones, which takes a third of the
   /// time.
@@ -61,6 +73,7 @@ class SpaceScene {
   vtkRenderer& renderer_;
   Space space_;
   int sides_;
+  std::vector<SpacePart> parts_{};
   std::vector<vtkSmartPointer<vtkActor>> films_{};   ///< the surfaces
   std::vector<vtkSmartPointer<vtkActor>> closed_{};  ///< those of them that have an inside
 };

@@ -84,6 +84,7 @@ void Buttons::make_one() {
   widget->SetRepresentation(face);
   widget->AddObserver(vtkCommand::StateChangedEvent, this, &Buttons::hear);
   widgets_.push_back(widget);
+  placed_.emplace_back();
 }
 
 void Buttons::hear(vtkObject* source, unsigned long /*pressed*/, void* /*nothing*/) {
@@ -100,10 +101,13 @@ void Buttons::show(const std::vector<Button>& buttons) {
     if (is_on) {
       const Point low = view_.to_window({shown_[i].box.left, shown_[i].box.bottom()});
       const Point high = view_.to_window({shown_[i].box.right(), shown_[i].box.top});
-      double bounds[6] = {low.x, high.x, low.y, high.y, 0, 0};
-      auto& face = *vtkTexturedButtonRepresentation2D::SafeDownCast(widgets_[i]->GetRepresentation());
-      face.SetButtonTexture(0, glass(shown_[i].box));
-      face.PlaceWidget(bounds);
+      const std::array<double, 6> bounds{low.x, high.x, low.y, high.y, 0, 0};
+      if (placed_[i] != bounds) {
+        placed_[i] = bounds;
+        auto& face = *vtkTexturedButtonRepresentation2D::SafeDownCast(widgets_[i]->GetRepresentation());
+        face.SetButtonTexture(0, glass(shown_[i].box));
+        face.PlaceWidget(placed_[i].data());
+      }
     }
     if (widgets_[i]->GetEnabled() != (is_on ? 1 : 0)) widgets_[i]->SetEnabled(is_on ? 1 : 0);
   }

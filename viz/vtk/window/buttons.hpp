@@ -5,6 +5,7 @@
 #include <vtkButtonWidget.h>
 #include <vtkSmartPointer.h>
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -45,6 +46,7 @@ class Buttons {
   SlideView& view_;
   Press press_;
   std::vector<vtkSmartPointer<vtkButtonWidget>> widgets_{};
+  std::vector<std::array<double, 6>> placed_{};  ///< where each lies in the window
   std::vector<Button> shown_{};
 };
 

@@ -55,14 +55,24 @@ double HandleWidgets::pixel_at(const glm::dvec3& p) const {
 }
 
 void HandleWidgets::hear(vtkObject* source, unsigned long event, void* /*nothing*/) {
-  if (event == vtkCommand::EndInteractionEvent) return player_.release();
-  for (const auto& [name, ball] : balls_) {
-    if (ball != source) continue;
-    if (event == vtkCommand::StartInteractionEvent) return player_.grasp(name);
-    glm::dvec3 p;
-    face_of(ball).GetWorldPosition(&p.x);
-    player_.drag_to(in_world(p), pixel_at(p));
+  if (event == vtkCommand::InteractionEvent) is_moved_ = true;
+  if (event == vtkCommand::EndInteractionEvent) {
+    follow();
+    player_.release();
   }
+  if (event != vtkCommand::StartInteractionEvent) return;
+  for (const auto& [name, ball] : balls_)
+    if (ball == source) player_.grasp(name);
+}
+
+void HandleWidgets::follow() {
+  if (!is_moved_) return;
+  is_moved_ = false;
+  const auto held = balls_.find(player_.focused_handle());
+  if (held == balls_.end()) return;
+  glm::dvec3 p;
+  face_of(held->second).GetWorldPosition(&p.x);
+  player_.drag_to(in_world(p), pixel_at(p));
 }
 
 void HandleWidgets::nudge(double right, double up) {
@@ -77,8 +87,7 @@ void HandleWidgets::nudge(double right, double up) {
   player_.release();
 }
 
-void HandleWidgets::show() {
-  const Stage shown = player_.shown();
+void HandleWidgets::show(const Stage& shown) {
   shown_ = shown.steps[player_.step()].view;
   std::set<std::string> names;
   for (const Handle& handle : player_.handles()) {

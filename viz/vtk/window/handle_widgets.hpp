@@ -22,8 +22,11 @@ class HandleWidgets {
   /// Both must outlive it; the view must have an interactor.
   HandleWidgets(SlideView& view, Player& player) : view_(view), player_(player) {}
 
-  /// Puts the balls where the player's handles are; what is held stays at the pointer.
-  void show();
+  /// Puts the balls where the player's handles are; what is held stays at the pointer. `shown` is what the
+  /// player shows.
+  void show(const Stage& shown);
+  /// Lets the player follow what was moved since: once a frame, however many events there were.
+  void follow();
   void hide();
   /// Moves the handle that has the focus, in the window's pixels.
   void nudge(double right, double up);
@@ -44,6 +47,7 @@ class HandleWidgets {
   SlideView& view_;
   Player& player_;
   StageView shown_{};
+  bool is_moved_ = false;
   std::map<std::string, Ball> balls_{};
 };
 

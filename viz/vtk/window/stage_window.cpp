@@ -191,7 +191,7 @@ class StageWindow::Impl {
     if (was_flat != style->is_flat) is_turned = false;
     (void)view.show(shown, player.step(), sheet, look(wanted));
     placed_at = view.space().GetActiveCamera()->GetMTime();
-    handles.show();
+    handles.show(shown);
     compass->SetEnabled(style->is_flat ? 0 : 1);
     slider->SetEnabled(shown.slider ? 1 : 0);
     if (!shown.slider) return;
@@ -201,6 +201,7 @@ class StageWindow::Impl {
   }
 
   void repaint(bool is_fine) {
+    handles.follow();
     is_stale = false;
     is_drawn_fine = is_fine;
     fit();

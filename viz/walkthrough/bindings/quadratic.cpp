@@ -39,7 +39,7 @@ Items half_distance(const NumbersByName& n) {
   const double x = -b / (2 * a);
   const double s = std::sqrt(b * b - 4 * a * c) / (2 * a);
   return {segment(Role::edge, frame.at(x, 0) + under_the_axis, frame.at(x + s, 0) + under_the_axis, "√D/2a"),
-          segment(Role::edge, frame.at(x, 0) + under_the_axis, frame.at(x - s, 0) + under_the_axis, "√D/2a")};
+          segment(Role::edge, frame.at(x, 0) + under_the_axis, frame.at(x - s, 0) + under_the_axis)};
 }
 
 Binding root(const char* name) {

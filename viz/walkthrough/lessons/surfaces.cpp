@@ -154,7 +154,8 @@ Stage patch_stage(const Case& one, const ReportCase& report_on) {
   });
   Setting setting = surface_setting(report, patch_items(), 5);
   const auto ruling = [](const NumbersByName& n, const char* root) {
-    return segment(Role::nearest, on_patch(n[root], 0), on_patch(n[root], 1), "the ruling at u");
+    return segment(Role::nearest, on_patch(n[root], 0), on_patch(n[root], 1),
+                   fmt::format("the ruling at u = {}", root));
   };
   setting.bindings = {{"q/a", [=](const NumbersByName& n) { return Items{ruling(n, "q/a")}; }},
                       {"c/q", [=](const NumbersByName& n) { return Items{ruling(n, "c/q")}; }},
