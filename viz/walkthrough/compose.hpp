@@ -32,10 +32,10 @@ template <class Run>
 
 /// The place of the step whose title begins so: std::logic_error where there is none.
 template <class Steps>
-[[nodiscard]] std::size_t place_of(const Steps& steps, const std::string& title) {
+[[nodiscard]] std::size_t place_of(const Steps& steps, std::string_view title) {
   const auto found = std::find_if(steps.begin(), steps.end(),
                                   [&](const auto& step) { return step.title.starts_with(title); });
-  if (found == steps.end()) throw std::logic_error("no step '" + title + "' in this run");
+  if (found == steps.end()) throw std::logic_error("no step '" + std::string(title) + "' in this run");
   return static_cast<std::size_t>(found - steps.begin());
 }
 

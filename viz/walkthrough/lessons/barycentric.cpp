@@ -51,7 +51,7 @@ Stage barycentric_stage(const Case& one, const ReportCase& report_on) {
   walk.steps.clear();
   for (const WalkValue& value : values) {
     const auto& [title, meaning] = steps.at(value.name);
-    walk.steps.push_back({title, meaning, loss_sentence(value.loss), {value}, {}, value.loss});
+    walk.steps.push_back({std::string(title), std::string(meaning), loss_sentence(value.loss), {value}, {}, value.loss});
   }
   Setting setting = plot_setting(report);
   setting.scene = {polygon(Role::surface, {triangle.a, triangle.b, triangle.c}),
