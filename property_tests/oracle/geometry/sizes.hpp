@@ -37,10 +37,6 @@ template <class R>
 /// The length of all these vectors' coordinates together, to one part in 2^38: what a size is made of. Throws
 /// Undecided of estimates that are together not as good; a coordinate that is nearly 0 may well be unknown.
 template <class... Vectors>
-[[nodiscard]] Scaled length_of(const Vector<Ring>& v, const Vectors&... more) {
-  return sqrt((squared_norm(v) + ... + squared_norm(more)));
-}
-template <class... Vectors>
 [[nodiscard]] long double length_of(const Vector<Estimate>& v, const Vectors&... more) {
   long double squared = 0;
   double doubt = 0;
@@ -52,8 +48,16 @@ template <class... Vectors>
   const auto note_all = [&](const Vector<Estimate>& w) { note(w.x), note(w.y), note(w.z); };
   note_all(v), (note_all(more), ...);
   const long double length = std::sqrt(squared);
-  if (!(doubt <= 0x1p-40L * length)) throw Undecided();
+  if (!(doubt <= 0x1p-40L * length && std::isfinite(length))) throw Undecided();
   return length;
+}
+template <class... Vectors>
+[[nodiscard]] Scaled length_of(const Vector<Ring>& v, const Vectors&... more) {
+  if (v.x.is_exact()) return sqrt((squared_norm(v) + ... + squared_norm(more)));
+  const auto estimates = [](const Vector<Ring>& w) {
+    return Vector<Estimate>{w.x.estimate(), w.y.estimate(), w.z.estimate()};
+  };
+  return Scaled(length_of(estimates(v), estimates(more)...));
 }
 
 /// |p| + r of a point p with the power |p|² - r² with respect to a circle or a sphere about 0: the point's
