@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "generators/generators.hpp"
@@ -85,13 +86,17 @@ void add(const char* name, const char* topic, const char* family, const char* me
   add("sphere/tangent", "sphere", "grazing", "sphere/centred", is_tangent);
   add("sphere/grazing", "sphere", "grazing", "sphere/centred", all);
   add("sphere/transformed", "sphere", "transformed", "sphere/centred", all);
-  add("plane/random", "plane", "random", "plane/implicit", all);
-  add("triangle/random", "triangle", "random", "triangle/moller_trumbore", all);
-  add("polygon/random", "polygon", "random", "polygon/winding", all);
+  for (const auto& [topic, method] :
+       std::vector<std::pair<const char*, const char*>>{{"plane", "plane/implicit"},
+                                                        {"triangle", "triangle/moller_trumbore"},
+                                                        {"polygon", "polygon/winding"},
+                                                        {"box", "box/slabs"},
+                                                        {"parallelepiped", "parallelepiped/face_planes"},
+                                                        {"cylinder", "cylinder/centred"}}) {
+    add((std::string(topic) + "/random").c_str(), topic, "random", method, all);
+    add((std::string(topic) + "/transformed").c_str(), topic, "transformed", method, all);
+  }
   add("point_in_polygon/random", "point_in_polygon", "random", "point_in_polygon/winding", all);
-  add("box/random", "box", "random", "box/slabs", all);
-  add("parallelepiped/random", "parallelepiped", "random", "parallelepiped/face_planes", all);
-  add("cylinder/random", "cylinder", "random", "cylinder/centred", all);
   add("quadratic/random", "quadratic", "random", "quadratic/kahan", all);
   add("quadratic/near_double", "quadratic", "near_double", "quadratic/kahan", all);
   return true;

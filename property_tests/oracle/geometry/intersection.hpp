@@ -20,15 +20,18 @@ using ExactNumber = std::variant<Quotient, ExactRoot>;
 /// Whether an exact t lies in the closed interval from `low` to `high`, which may be infinite.
 template <class Number>
 [[nodiscard]] bool is_in_interval(const Number& t, double low, double high) {
-  const bool above = std::isinf(low) || t.compare(Ring(low)) >= 0;
-  return above && (std::isinf(high) || t.compare(Ring(high)) <= 0);
+  using R = typename Number::Over;
+  const bool above = std::isinf(low) || t.compare(R(low)) >= 0;
+  return above && (std::isinf(high) || t.compare(R(high)) <= 0);
 }
 
 /// A hit, and how the ray touches the shape there.
-struct ExactContact {
-  ExactNumber t;
+template <class Number>
+struct HitAt {
+  Number t;
   Contact contact;
 };
+using ExactContact = HitAt<ExactNumber>;
 using ExactContacts = boost::container::static_vector<ExactContact, 2>;  // a convex shape has two at most
 
 /// A normal of any length in the object's space: offset + t·slope, or the same at every t.

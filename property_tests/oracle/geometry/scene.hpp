@@ -28,8 +28,8 @@ struct Vector {
   }
 };
 
-/// The inverse of an object-to-world matrix as its adjugate and determinant: A⁻¹ = adjugate / determinant. In
-/// the exact ring both are negated where the determinant is negative, so that what it scales keeps its order.
+/// The inverse of an object-to-world matrix as its adjugate and determinant: A⁻¹ = adjugate / determinant.
+/// Both are negated where the determinant is certainly negative, so that what it scales keeps its order.
 template <class R>
 struct InverseMap {
   Vector<R> row_x, row_y, row_z;  ///< of the adjugate
@@ -42,11 +42,9 @@ struct InverseMap {
         row_z(cross(Vector<R>::from(m[0]), Vector<R>::from(m[1]))),
         determinant(dot(Vector<R>::from(m[0]), row_x)),
         translation(Vector<R>::from(m[3])) {
-    if constexpr (requires { determinant.is_exact(); }) {
-      if (sign(determinant) >= 0) return;
-      for (Vector<R>* row : {&row_x, &row_y, &row_z}) *row = -*row;
-      determinant = -determinant;
-    }
+    if (certain_sign(determinant).value_or(0) >= 0) return;
+    for (Vector<R>* row : {&row_x, &row_y, &row_z}) *row = -*row;
+    determinant = -determinant;
   }
 
   [[nodiscard]] Vector<R> apply(const Vector<R>& v) const {
@@ -59,8 +57,8 @@ struct InverseMap {
 };
 
 /// The ray in object space, all lengths there multiplied by `scale` (the determinant of the inverse; 1
-/// without a transform; positive in the exact ring). t is the same number in the world, in the object's space
-/// and here.
+/// without a transform; positive where its sign is certain). t is the same number in the world, in the
+/// object's space and here.
 template <class R>
 struct ObjectRay {
   Vector<R> origin;     ///< scale · (A⁻¹(o - b))

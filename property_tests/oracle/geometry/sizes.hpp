@@ -28,9 +28,36 @@ template <class R>
   return sqrt(squared_norm(v));
 }
 /// A long double has room for the squares of all doubles.
-[[nodiscard]] inline Scaled norm(const glm::dvec3& v) {
+[[nodiscard]] inline long double length_of(const glm::dvec3& v) {
   const long double x = v.x, y = v.y, z = v.z;
-  return Scaled(std::sqrt(x * x + y * y + z * z));
+  return std::sqrt(x * x + y * y + z * z);
+}
+[[nodiscard]] inline Scaled norm(const glm::dvec3& v) { return Scaled(length_of(v)); }
+
+/// The length of all these vectors' coordinates together, to one part in 2^38: what a size is made of. Throws
+/// Undecided of estimates that are together not as good; a coordinate that is nearly 0 may well be unknown.
+template <class... Vectors>
+[[nodiscard]] long double length_of(const Vector<Estimate>& v, const Vectors&... more) {
+  long double squared = 0;
+  double doubt = 0;
+  const auto note = [&](const Estimate& x) {
+    const long double number = static_cast<long double>(x.high) + x.low;
+    squared += number * number;
+    doubt = std::max(doubt, x.radius());
+  };
+  const auto note_all = [&](const Vector<Estimate>& w) { note(w.x), note(w.y), note(w.z); };
+  note_all(v), (note_all(more), ...);
+  const long double length = std::sqrt(squared);
+  if (!(doubt <= 0x1p-40L * length && std::isfinite(length))) throw Undecided();
+  return length;
+}
+template <class... Vectors>
+[[nodiscard]] Scaled length_of(const Vector<Ring>& v, const Vectors&... more) {
+  if (v.x.is_exact()) return sqrt((squared_norm(v) + ... + squared_norm(more)));
+  const auto estimates = [](const Vector<Ring>& w) {
+    return Vector<Estimate>{w.x.estimate(), w.y.estimate(), w.z.estimate()};
+  };
+  return Scaled(length_of(estimates(v), estimates(more)...));
 }
 
 /// |p| + r of a point p with the power |p|² - r² with respect to a circle or a sphere about 0: the point's
@@ -61,16 +88,19 @@ struct MapSizes {
 
 /// The lengths of a ray as the shape's own space has them: |origin| and |direction| without a transform, and
 /// with one as large as it can make their parts, times its condition number.
+template <class R>
 struct RaySizes {
-  Scaled origin, direction;
+  SizeOf<R> origin, direction;
 
-  RaySizes(const RayQuestion& question, const ObjectRay<Ring>& ray)
-      : origin(norm(question.ray.origin)), direction(norm(question.ray.direction)) {
+  RaySizes(const RayQuestion& question, const ObjectRay<R>& ray)
+      : origin(length_of(question.ray.origin)), direction(length_of(question.ray.direction)) {
     if (!ray.map) return;
-    const MapSizes<Ring> map(*question.transform, *ray.map);
-    const Scaled backward = map.backward / approximate(ray.scale);
-    const Scaled growth = backward * map.forward * backward;
-    origin = growth * (origin + norm(ray.map->translation));
+    const glm::dmat4& m = *question.transform;
+    const SizeOf<R> backward =
+        length_of(ray.map->row_x, ray.map->row_y, ray.map->row_z) / approximate(ray.scale);
+    const SizeOf<R> forward = length_of(Vector<R>::from(m[0]), Vector<R>::from(m[1]), Vector<R>::from(m[2]));
+    const SizeOf<R> growth = backward * forward * backward;
+    origin = growth * (origin + length_of(ray.map->translation));
     direction = growth * direction;
   }
 };

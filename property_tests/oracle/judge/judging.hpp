@@ -9,6 +9,7 @@
 
 #include "case/each_number.hpp"
 #include "oracle/geometry/intersection.hpp"
+#include "oracle/geometry/sizes.hpp"
 #include "oracle/numbers/ulp.hpp"
 #include "oracle/oracle.hpp"
 
@@ -25,8 +26,9 @@ namespace rayproof::oracle {
 [[nodiscard]] std::vector<double> finite_ends(const Ray<double>& ray);
 
 /// A measure in units of ε.
-[[nodiscard]] inline double in_units(const Scaled& measure, Precision precision) {
-  return value(measure / Scaled(unit_roundoff(precision)));
+template <class Size>
+[[nodiscard]] double in_units(const Size& measure, Precision precision) {
+  return value(measure / Size(unit_roundoff(precision)));
 }
 
 /// Whether `claimed` has another count of hits than the exact one, as far as it speaks of that.
@@ -35,13 +37,25 @@ namespace rayproof::oracle {
   return claimed.hits.count != (claimed.nearest_only ? std::min<std::size_t>(exact, 1) : exact);
 }
 
+/// read(number), of one of several kinds.
+template <class Read, class Number>
+[[nodiscard]] double visit_number(const Read& read, const Number& number) {
+  return read(number);
+}
+template <class Read, class... Numbers>
+[[nodiscard]] double visit_number(const Read& read, const std::variant<Numbers...>& number) {
+  return std::visit(read, number);
+}
+
 /// The error of x in ulps of the exact number; an infinite or NaN x is right only where the exact number
 /// rounds to the same infinity.
 template <class Number>
 [[nodiscard]] double error_in_ulps(const Number& exact, double x, Precision precision) {
   const double nearest = round_correctly(exact, precision);
   if (!std::isfinite(x) || !std::isfinite(nearest)) return x == nearest ? 0 : HUGE_VAL;
-  return value(abs(exact.minus(x)) / Scaled(ulp_of(nearest, precision)));
+  using std::abs;
+  using Size = SizeOf<typename Number::Over>;
+  return value(abs(exact.minus(x)) / Size(ulp_of(nearest, precision)));
 }
 
 /// Notes the worst of the claimed numbers' errors: x is off by `ulps`, and residual() is what it leaves, in
@@ -55,26 +69,74 @@ void note_error(Judgement& judgement, Precision precision, double x, double ulps
   judgement.residual = std::max(judgement.residual, std::isfinite(x) ? residual() : HUGE_VAL);
 }
 
-/// Notes log2 of the smallest and largest nonzero magnitude among the numbers of `values`.
-template <class... Values>
-void note_range(Judgement& judgement, const Values&... values) {
-  double smallest = HUGE_VAL, largest = 0;
-  const auto note = [&](double x) {
-    if (x == 0) return;
-    smallest = std::min(smallest, std::abs(x));
-    largest = std::max(largest, std::abs(x));
-  };
-  (each_number(values, note), ...);
-  judgement.smallest = std::logb(smallest);
-  judgement.largest = std::logb(largest);
+/// Notes the errors of claimed hits, which are as many as `hits` where the verdict is right; residual_at(t)
+/// says how far p(t) is from the surface.
+template <class Hits, class ResidualAt>
+void note_errors(Judgement& judgement, const Hits& hits, Precision precision, const RayAnswer& claimed,
+                 const ResidualAt& residual_at) {
+  if (claimed.verdict_only) return;
+  for (std::size_t i = 0; i < claimed.hits.count; ++i) {
+    const double t = claimed.hits.t[i];
+    const auto ulps_from = [&](const auto& number) { return error_in_ulps(number, t, precision); };
+    const double ulps = judgement.wrong ? HUGE_VAL : visit_number(ulps_from, hits[i].t);
+    note_error(judgement, precision, t, ulps, [&] { return in_units(residual_at(t), precision); });
+  }
+}
+
+/// The smallest and the largest nonzero magnitude of some numbers.
+class Magnitudes {
+ public:
+  /// Of all numbers of a value.
+  template <class Value>
+  void note(const Value& value) {
+    each_number(value, [this](double x) {
+      const double size = std::abs(x);
+      smallest_ = std::min(smallest_, size == 0 ? HUGE_VAL : size);
+      largest_ = std::max(largest_, size);
+    });
+  }
+  /// Whether the log2 of all are between -most and most.
+  [[nodiscard]] bool are_within(int most) const {
+    return smallest_ > std::ldexp(1.0, -most) && largest_ < std::ldexp(1.0, most);
+  }
+  void put(Judgement& judgement) const {
+    judgement.smallest = std::logb(smallest_);
+    judgement.largest = std::logb(largest_);
+  }
+
+ private:
+  double smallest_ = HUGE_VAL, largest_ = 0;
+};
+
+/// The numbers of the ray, the shape and the transform.
+template <class Shape>
+void note_lengths(Magnitudes& lengths, const RayQuestion& question, const Shape& shape) {
+  lengths.note(question.ray.origin);
+  lengths.note(question.ray.direction);
+  lengths.note(shape);
+  for (int column = 0; question.transform && column < 4; ++column)
+    lengths.note(glm::dvec3((*question.transform)[column]));
+}
+/// The size of the inverse of the case's map.
+template <class R>
+[[nodiscard]] SizeOf<R> size_of_inverse(const ObjectRay<R>& ray) {
+  return length_of(ray.map->row_x, ray.map->row_y, ray.map->row_z) / approximate(ray.scale);
 }
 
 /// The smaller of two.
-inline void reduce(Scaled& smallest, const Scaled& x) {
+template <class Size>
+void reduce(Size& smallest, const Size& x) {
   if (x < smallest) smallest = x;
 }
 
 /// More than any margin that matters.
 [[nodiscard]] inline Scaled endless() { return {1, 1L << 40}; }
+template <class R>
+[[nodiscard]] SizeOf<R> endless_of() {
+  if constexpr (std::is_same_v<R, Estimate>)
+    return HUGE_VALL;
+  else
+    return endless();
+}
 
 }  // namespace rayproof::oracle

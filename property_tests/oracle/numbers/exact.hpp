@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <type_traits>
 
 #include "oracle/numbers/ring.hpp"
 
@@ -74,23 +75,35 @@ class Scaled {
   long exponent_;
 };
 
+/// What sizes and errors of an R are read as. Those of estimates alone are long doubles: whoever asks for
+/// them sees to it that none is out of range.
+template <class R>
+using SizeOf = std::conditional_t<std::is_same_v<R, Estimate>, long double, Scaled>;
+
+[[nodiscard]] inline int sign(const Scaled& x) { return x.sign(); }
+[[nodiscard]] inline int sign(long double x) { return (x > 0) - (x < 0); }
+
 /// error / unit; an error of 0 is 0 in units of 0, too.
-[[nodiscard]] inline Scaled ratio(const Scaled& error, const Scaled& unit) {
-  return error.sign() == 0 ? error : error / unit;
+template <class Size>
+[[nodiscard]] Size ratio(const Size& error, const Size& unit) {
+  return sign(error) == 0 ? error : error / unit;
 }
 
 /// The sign of an exact number: -1, 0 or 1. Throws Undecided of an estimate that may be 0.
-[[nodiscard]] inline int sign(const Ring& x) {
-  if (x.is_exact()) return static_cast<int>(x.exact().sign());
-  const auto known = certain_sign(x.estimate());
+[[nodiscard, gnu::always_inline]] inline int sign(const Estimate& x) {
+  const auto known = certain_sign(x);
   if (!known) throw Undecided();
   return *known;
 }
+[[nodiscard, gnu::always_inline]] inline int sign(const Ring& x) {
+  return x.is_exact() ? static_cast<int>(x.exact().sign()) : sign(x.estimate());
+}
 
 /// The value of an estimate that is good to one part in 1/`doubt`; throws Undecided of others.
-[[nodiscard]] inline Scaled approximate(const Estimate& x, double doubt) {
-  if (!(x.radius() <= doubt * std::abs(x.high))) throw Undecided();
-  return Scaled(static_cast<long double>(x.high) + x.low);
+[[nodiscard]] inline long double approximate(const Estimate& x, double doubt = 0x1p-62) {
+  const double room = doubt * std::abs(x.high);
+  if (!(x.radius() <= room && std::isfinite(room))) throw Undecided();
+  return static_cast<long double>(x.high) + x.low;
 }
 
 /// The value of an exact number of any size to one part in 2^62.
@@ -105,11 +118,12 @@ class Scaled {
   return Scaled(static_cast<long double>(leading) + (x - Exact(leading)).to_double());
 }
 [[nodiscard]] inline Scaled approximate(const Ring& x) {
-  return x.is_exact() ? approximate(x.exact()) : approximate(x.estimate(), 0x1p-62);
+  return x.is_exact() ? approximate(x.exact()) : approximate(x.estimate());
 }
 /// The same of an error, which need not be known better than to one part in 2^30.
+[[nodiscard]] inline long double roughly(const Estimate& x) { return approximate(x, 0x1p-30); }
 [[nodiscard]] inline Scaled roughly(const Ring& x) {
-  return x.is_exact() ? approximate(x.exact()) : approximate(x.estimate(), 0x1p-30);
+  return x.is_exact() ? approximate(x.exact()) : roughly(x.estimate());
 }
 
 /// What formulas over any ring ask of a number; for the filters see filters.hpp. Values are read as numbers
@@ -121,6 +135,7 @@ class Scaled {
 
 /// What was read as a double.
 [[nodiscard]] inline double value(double x) { return x; }
+[[nodiscard]] inline double value(long double x) { return static_cast<double>(x); }
 [[nodiscard]] inline double value(const Scaled& x) { return static_cast<double>(x.value()); }
 
 }  // namespace rayproof::oracle

@@ -9,11 +9,11 @@
 namespace rayproof::oracle {
 namespace {
 
-/// The float as the ring has it; infinity stands for the power of two that would follow the largest number.
-template <class T>
-Ring exact(T x) {
-  if (std::isfinite(x)) return Ring(static_cast<double>(x));
-  const Ring half(std::copysign(std::ldexp(1.0, std::numeric_limits<T>::max_exponent - 1), x));
+/// The float as the ring R has it; infinity stands for the power of two that would follow the largest number.
+template <class R, class T>
+R exact(T x) {
+  if (std::isfinite(x)) return R(static_cast<double>(x));
+  const R half(std::copysign(std::ldexp(1.0, std::numeric_limits<T>::max_exponent - 1), x));
   return half + half;
 }
 
@@ -23,15 +23,19 @@ bool is_odd(T x) {
   return std::bit_cast<Bits>(x) % 2 != 0;
 }
 
+long double as_long_double(const Scaled& x) { return x.value(); }
+long double as_long_double(long double x) { return x; }
+
 /// An estimate is certain to one part in 2^58: nearly always whatever it can stand for rounds to one float.
 /// Otherwise the exact number is compared with the point halfway between the two.
 template <class T, class Number>
 double round_in(const Number& number) {
-  const long double estimate = number.estimate().value() + 0.0L;  // makes an exact -0 a 0
+  using R = typename Number::Over;
+  const long double estimate = as_long_double(number.estimate()) + 0.0L;  // makes an exact -0 a 0
   const auto near = static_cast<T>(estimate * (1 - 0x1p-57L));
   const auto far = static_cast<T>(estimate * (1 + 0x1p-57L));
   if (near == far) return static_cast<double>(near);
-  const int above = number.compare((exact(near) + exact(far)) * Ring(0.5));
+  const int above = number.compare((exact<R>(near) + exact<R>(far)) * R(0.5));
   const int outwards = near < far ? above : -above;
   return static_cast<double>(outwards > 0 || (outwards == 0 && is_odd(near)) ? far : near);
 }
@@ -45,5 +49,7 @@ double round_correctly(const Number& number, Precision precision) {
 
 template double round_correctly(const ExactRoot&, Precision);
 template double round_correctly(const Quotient&, Precision);
+template double round_correctly(const RootOf<Estimate>&, Precision);
+template double round_correctly(const QuotientOf<Estimate>&, Precision);
 
 }  // namespace rayproof::oracle

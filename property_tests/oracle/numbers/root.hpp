@@ -12,19 +12,21 @@
 
 namespace rayproof::oracle {
 
-/// a·x² + 2·h·x + c with a > 0, over the exact ring.
-struct ExactQuadratic {
-  Ring a, h, c;
+/// a·x² + 2·h·x + c with a > 0.
+template <class R>
+struct QuadraticOver {
+  R a, h, c;
 
   /// A quarter of the discriminant.
-  [[nodiscard]] Ring discriminant() const { return h * h - a * c; }
+  [[nodiscard]] R discriminant() const { return h * h - a * c; }
 
   /// The quadratic whose roots are those of this one less x: half its slope and its value at x.
-  [[nodiscard]] ExactQuadratic seen_from(const Ring& x) const {
-    const Ring slope = a * x + h;
+  [[nodiscard]] QuadraticOver seen_from(const R& x) const {
+    const R slope = a * x + h;
     return {a, slope, (slope + h) * x + c};
   }
 };
+using ExactQuadratic = QuadraticOver<Ring>;
 
 /// The sign of (root - x) for the root on `side` of a quadratic with a > 0, from the signs of its value and
 /// slope at x.
@@ -36,33 +38,36 @@ struct ExactQuadratic {
 
 /// One real root of a quadratic whose discriminant is not negative: the lower (side = -1) or the upper (side
 /// = 1).
-class ExactRoot {
+template <class R>
+class RootOf {
  public:
-  ExactRoot(ExactQuadratic quadratic, int side) : quadratic_(std::move(quadratic)), side_(side) {}
+  using Over = R;
+
+  RootOf(QuadraticOver<R> quadratic, int side) : quadratic_(std::move(quadratic)), side_(side) {}
 
   /// The sign of (root - x), exactly.
-  [[nodiscard]] int compare(const Ring& x) const {
+  [[nodiscard]] int compare(const R& x) const {
     const auto [a, slope, value] = quadratic_.seen_from(x);
     return compare_root(side_, sign(value), sign(slope));
   }
 
   /// root - x, an error, to one part in 2^28, however near they are: the difference is itself a root.
-  [[nodiscard]] Scaled minus(double x) const {
-    return ExactRoot(quadratic_.seen_from(Ring(x)), side_).estimated(roughly);
+  [[nodiscard]] SizeOf<R> minus(double x) const {
+    return RootOf(quadratic_.seen_from(R(x)), side_).estimated([](const R& c) { return roughly(c); });
   }
 
   /// The root to one part in 2^58.
-  [[nodiscard]] Scaled estimate() const {
-    return estimated([](const Ring& c) { return approximate(c); });
+  [[nodiscard]] SizeOf<R> estimate() const {
+    return estimated([](const R& c) { return approximate(c); });
   }
 
   /// offset + slope·root, as a root itself: of the quadratic that (X - offset)/slope solves. With slope 0 it
   /// has the double root `offset`.
-  [[nodiscard]] ExactRoot affine_image(const Ring& offset, const Ring& slope) const {
+  [[nodiscard]] RootOf affine_image(const R& offset, const R& slope) const {
     const auto& [a, h, c] = quadratic_;
-    const Ring hs = h * slope;
-    const Ring ao = a * offset;
-    const ExactQuadratic image{a, hs - ao, (ao - hs - hs) * offset + c * slope * slope};
+    const R hs = h * slope;
+    const R ao = a * offset;
+    const QuadraticOver<R> image{a, hs - ao, (ao - hs - hs) * offset + c * slope * slope};
     return {image, sign(slope) < 0 ? -side_ : side_};
   }
 
@@ -70,49 +75,60 @@ class ExactRoot {
   /// By the branches that do not cancel; c, which is small beside an x that is nearly a root, is read by
   /// read_c.
   template <class ReadC>
-  [[nodiscard]] Scaled estimated(const ReadC& read_c) const {
-    const Scaled s = sqrt(approximate(quadratic_.discriminant()));
-    const Scaled h = approximate(quadratic_.h);
-    const Scaled size = abs(h) + s;
-    const Scaled q = h.sign() > 0 ? -size : size;
-    const bool adds_up = side_ == (h.sign() > 0 ? -1 : 1);
-    return adds_up || q.sign() == 0 ? q / approximate(quadratic_.a) : read_c(quadratic_.c) / q;
+  [[nodiscard]] SizeOf<R> estimated(const ReadC& read_c) const {
+    using std::abs, std::sqrt;
+    using Size = SizeOf<R>;
+    const Size s = sqrt(approximate(quadratic_.discriminant()));
+    const Size h = approximate(quadratic_.h);
+    const Size size = abs(h) + s;
+    const Size q = sign(h) > 0 ? -size : size;
+    const bool adds_up = side_ == (sign(h) > 0 ? -1 : 1);
+    return adds_up || sign(q) == 0 ? q / approximate(quadratic_.a) : read_c(quadratic_.c) / q;
   }
 
-  ExactQuadratic quadratic_;
+  QuadraticOver<R> quadratic_;
   int side_;
 };
+using ExactRoot = RootOf<Ring>;
 
 /// The number rounded to nearest, ties to even, in the case's precision; infinite where it overflows.
 template <class Number>
 [[nodiscard]] double round_correctly(const Number& number, Precision precision);
 extern template double round_correctly(const ExactRoot&, Precision);
 extern template double round_correctly(const Quotient&, Precision);
+extern template double round_correctly(const RootOf<Estimate>&, Precision);
+extern template double round_correctly(const QuotientOf<Estimate>&, Precision);
 
 /// The real roots, ascending, a double one once.
-using RootList = boost::container::static_vector<ExactRoot, 2>;
-[[nodiscard]] inline RootList real_roots(const ExactQuadratic& quadratic) {
+template <class R>
+using RootsOf = boost::container::static_vector<RootOf<R>, 2>;
+using RootList = RootsOf<Ring>;
+template <class R>
+[[nodiscard]] RootsOf<R> real_roots(const QuadraticOver<R>& quadratic) {
   const int discriminant = sign(quadratic.discriminant());
-  RootList roots;
+  RootsOf<R> roots;
   if (discriminant >= 0) roots.emplace_back(quadratic, -1);
   if (discriminant > 0) roots.emplace_back(quadratic, 1);
   return roots;
 }
 
 /// What an equation a·x² + 2·h·x + c = 0 comes to, whatever its coefficients.
-struct SolvedEquation {
+template <class R>
+struct Solved {
   RootKind kind = RootKind::none;
-  RootList roots{};
+  RootsOf<R> roots{};
 };
+using SolvedEquation = Solved<Ring>;
 
-[[nodiscard]] inline SolvedEquation solve(const Ring& a, const Ring& h, const Ring& c) {
+template <class R>
+[[nodiscard]] Solved<R> solve(const R& a, const R& h, const R& c) {
   const int opening = sign(a);
   if (opening == 0) {
     if (sign(h) == 0) return {sign(c) == 0 ? RootKind::everything : RootKind::constant};
-    const Ring b = h + h;  // the square of 2·h·x + c has its root as a double one
-    return {RootKind::linear, real_roots({b * b, b * c, c * c})};
+    const R b = h + h;  // the square of 2·h·x + c has its root as a double one
+    return {RootKind::linear, real_roots(QuadraticOver<R>{b * b, b * c, c * c})};
   }
-  RootList roots = real_roots(opening > 0 ? ExactQuadratic{a, h, c} : ExactQuadratic{-a, -h, -c});
+  RootsOf<R> roots = real_roots(opening > 0 ? QuadraticOver<R>{a, h, c} : QuadraticOver<R>{-a, -h, -c});
   constexpr std::array kinds{RootKind::none, RootKind::twice, RootKind::two};
   return {kinds.at(roots.size()), std::move(roots)};
 }

@@ -9,15 +9,34 @@
 namespace rayproof::oracle {
 
 /// The lengths that the units of a contract are made of.
+template <class R>
 struct PlanarSizes {
-  Scaled origin;                  ///< the ray's, and the distance of the shape's numbers from (0, 0, 0)
-  Scaled direction;               ///< the ray's
-  std::array<Scaled, 3> normals;  ///< the planes', in the scale of ObjectRay
+  using Size = SizeOf<R>;
+
+  Size origin;                  ///< the ray's, and the distance of the shape's numbers from (0, 0, 0)
+  Size direction;               ///< the ray's
+  std::array<Size, 3> normals;  ///< the planes', in the scale of ObjectRay
+
+  /// `position` bounds the distance of the shape's numbers from (0, 0, 0), `given` the lengths of the planes'
+  /// normals as these numbers give them.
+  PlanarSizes(const RayQuestion& question, const ObjectRay<R>& ray, const Size& position,
+              const std::array<Size, 3>& given)
+      : normals(given) {
+    const RaySizes<R> of_ray(question, ray);
+    origin = of_ray.origin + position;
+    direction = of_ray.direction;
+    if (!ray.map) return;
+    const Size scale = approximate(ray.scale);
+    for (Size& normal : normals) normal = scale * normal;
+  }
 
   /// L(t) of the contracts.
-  [[nodiscard]] Scaled reach(const Scaled& t) const { return origin + abs(t) * direction; }
+  [[nodiscard]] Size reach(const Size& t) const {
+    using std::abs;
+    return origin + abs(t) * direction;
+  }
   /// |normal|·L(t).
-  [[nodiscard]] Scaled unit(std::size_t plane, const Scaled& t) const { return normals[plane] * reach(t); }
+  [[nodiscard]] Size unit(std::size_t plane, const Size& t) const { return normals[plane] * reach(t); }
 };
 
 class PlanarIntersection : public ExactIntersection {
@@ -30,71 +49,100 @@ class PlanarIntersection : public ExactIntersection {
   /// Bounds the lengths of the planes' normals as the shape's numbers give them.
   [[nodiscard]] virtual std::array<Scaled, 3> normal_sizes() const = 0;
 
-  [[nodiscard]] const PlanarSizes& sizes() const {
-    if (!sizes_) {
-      const RaySizes of_ray(question(), ray());
-      sizes_ = {of_ray.origin + position(), of_ray.direction, normal_sizes()};
-      for (Scaled& normal : sizes_->normals) normal = approximate(ray().scale) * normal;
-    }
+  [[nodiscard]] const PlanarSizes<Ring>& sizes() const {
+    if (!sizes_) sizes_.emplace(question(), ray(), position(), normal_sizes());
     return *sizes_;
   }
 
  private:
-  mutable std::optional<PlanarSizes> sizes_;
+  mutable std::optional<PlanarSizes<Ring>> sizes_;
 };
 
 /// The plane normal·q = offset in the object's space.
+template <class R>
 struct FlatEquation {
-  Vector<Ring> normal;
-  Ring offset;
+  Vector<R> normal;
+  R offset;
 };
 
 /// The plane through a point.
-[[nodiscard]] inline FlatEquation plane_through(const glm::dvec3& point, const Vector<Ring>& normal) {
-  return {normal, dot(normal, Vector<Ring>::from(point))};
+template <class R>
+[[nodiscard]] FlatEquation<R> plane_through(const glm::dvec3& point, const Vector<R>& normal) {
+  return {normal, dot(normal, Vector<R>::from(point))};
+}
+
+/// Where a line meets a plane: slope·t = gap, in the scale of ObjectRay.
+template <class R>
+struct LineAndPlane {
+  Vector<R> normal;
+  R gap, slope;
+
+  LineAndPlane(const ObjectRay<R>& ray, FlatEquation<R> plane)
+      : normal(std::move(plane.normal)),
+        gap(ray.scaled(plane.offset) - dot(normal, ray.origin)),
+        slope(dot(normal, ray.direction)) {}
+
+  [[nodiscard]] bool is_parallel() const { return sign(slope) == 0; }
+  /// Of a line that is not parallel.
+  [[nodiscard]] QuotientOf<R> t() const { return {gap, slope}; }
+  /// How far p(t) is from the plane in the contract's units.
+  [[nodiscard]] SizeOf<R> residual(const QuotientOf<R>& t, const PlanarSizes<R>& sizes) const {
+    using std::abs;
+    const R height = slope * t.numerator() - gap * t.denominator();
+    const SizeOf<R> off = abs(roughly(height)) / approximate(t.denominator());
+    return ratio(off, sizes.unit(0, t.estimate()));
+  }
+};
+
+/// |normal·direction| / (N·|direction|): how near the ray is to being parallel.
+template <class R>
+[[nodiscard]] SizeOf<R> steepness_of(const LineAndPlane<R>& met, const PlanarSizes<R>& sizes) {
+  using std::abs;
+  return ratio(abs(approximate(met.slope)), sizes.normals[0] * sizes.direction);
+}
+
+/// The hit of a line where it is in the ray's interval and contact_at(t) touches the shape.
+template <class R, class ContactAt>
+[[nodiscard]] auto hits_of(const LineAndPlane<R>& met, const Ray<double>& ray, const ContactAt& contact_at) {
+  boost::container::static_vector<HitAt<QuotientOf<R>>, 1> hits;
+  if (met.is_parallel()) return hits;
+  QuotientOf<R> at = met.t();
+  const Contact contact = is_in_interval(at, ray.t_min, ray.t_max) ? contact_at(at) : Contact::none;
+  if (contact != Contact::none) hits.push_back({std::move(at), contact});
+  return hits;
 }
 
 /// One hit at most, where the ray's line meets the plane within the shape: slope·t = gap, in the scale of
 /// ObjectRay. A shape without area has a normal of 0.
 class FlatIntersection : public PlanarIntersection {
  public:
-  FlatIntersection(const RayQuestion& question, FlatEquation plane)
-      : PlanarIntersection(question),
-        normal_(std::move(plane.normal)),
-        gap_(ray().scaled(plane.offset) - dot(normal_, ray().origin)),
-        slope_(dot(normal_, ray().direction)) {}
+  FlatIntersection(const RayQuestion& question, FlatEquation<Ring> plane)
+      : PlanarIntersection(question), met_(ray(), std::move(plane)) {}
 
   [[nodiscard]] ExactContacts hits() const override {
     ExactContacts all;
-    if (is_parallel()) return all;
-    Quotient at = t();
-    const bool is_asked = is_in_interval(at, question().ray.t_min, question().ray.t_max);
-    const Contact contact = is_asked ? contact_at(at) : Contact::none;
-    if (contact != Contact::none) all.push_back({std::move(at), contact});
+    for (auto& hit : hits_of(met_, question().ray, [&](const Quotient& t) { return contact_at(t); }))
+      all.push_back({std::move(hit.t), hit.contact});
     return all;
   }
   [[nodiscard]] Contact miss() const override {
     if (!is_parallel()) return Contact::none;
     if (is_degenerate()) return Contact::degenerate;
-    return sign(gap_) == 0 ? Contact::in_surface : Contact::parallel;
+    return sign(met_.gap) == 0 ? Contact::in_surface : Contact::parallel;
   }
   [[nodiscard]] std::optional<ExactNormal> normal(const ExactContact&) const override {
-    return ExactNormal{normal_};
+    return ExactNormal{met_.normal};
   }
 
-  [[nodiscard]] Scaled residual(const Quotient& t) const override {
-    const Ring height = slope_ * t.numerator() - gap_ * t.denominator();
-    const Scaled off = abs(roughly(height)) / approximate(t.denominator());
-    return ratio(off, sizes().unit(0, t.estimate()));
-  }
+  [[nodiscard]] Scaled residual(const Quotient& t) const override { return met_.residual(t, sizes()); }
   [[nodiscard]] Scaled off_surface(const Vector<Ring>& point, const Quotient& t) const override {
-    const Ring height = dot(normal_, point - ray().origin) - gap_;
+    const Ring height = dot(met_.normal, point - ray().origin) - met_.gap;
     return ratio(abs(approximate(height)), sizes().unit(0, t.estimate()));
   }
   [[nodiscard]] SurfaceParts parts(const Quotient&, const Scaled&) const override {
     if (is_degenerate()) return {};
     SurfaceParts plane;
-    plane.push_back({{normal_}, {}, size_of_products() / norm(normal_)});
+    plane.push_back({{met_.normal}, {}, size_of_products() / norm(met_.normal)});
     return plane;
   }
   /// Of the ends of the interval; and of an open end, how near the ray is to being parallel.
@@ -109,29 +157,26 @@ class FlatIntersection : public PlanarIntersection {
   /// How the line, not parallel, touches the shape where it meets the plane at t; none where it passes by.
   [[nodiscard]] virtual Contact contact_at(const Quotient&) const { return Contact::crossing; }
 
-  [[nodiscard]] const Vector<Ring>& plane_normal() const { return normal_; }
+  [[nodiscard]] const Vector<Ring>& plane_normal() const { return met_.normal; }
   /// What the products are as large as that the normal is the sum of.
   [[nodiscard]] virtual Scaled size_of_products() const {
     return sizes().normals[0] / approximate(ray().scale);
   }
   [[nodiscard]] bool is_degenerate() const {
-    return sign(normal_.x) == 0 && sign(normal_.y) == 0 && sign(normal_.z) == 0;
+    const Vector<Ring>& n = met_.normal;
+    return sign(n.x) == 0 && sign(n.y) == 0 && sign(n.z) == 0;
   }
-  [[nodiscard]] bool is_parallel() const { return sign(slope_) == 0; }
+  [[nodiscard]] bool is_parallel() const { return met_.is_parallel(); }
   /// normal·point - offset of a point seen from the ray's origin, in the scale of ObjectRay.
-  [[nodiscard]] Ring height_of(const Vector<Ring>& point) const { return dot(normal_, point) - gap_; }
+  [[nodiscard]] Ring height_of(const Vector<Ring>& point) const { return dot(met_.normal, point) - met_.gap; }
   /// normal·p(t) - offset.
-  [[nodiscard]] Ring height_at(double t) const { return slope_ * Ring(t) - gap_; }
+  [[nodiscard]] Ring height_at(double t) const { return met_.slope * Ring(t) - met_.gap; }
   /// Of a line that is not parallel.
-  [[nodiscard]] Quotient t() const { return {gap_, slope_}; }
-  /// |normal·direction| / (N·|direction|): how near the ray is to being parallel.
-  [[nodiscard]] Scaled steepness() const {
-    return ratio(abs(approximate(slope_)), sizes().normals[0] * sizes().direction);
-  }
+  [[nodiscard]] Quotient t() const { return met_.t(); }
+  [[nodiscard]] Scaled steepness() const { return steepness_of(met_, sizes()); }
 
  private:
-  Vector<Ring> normal_;
-  Ring gap_, slope_;
+  LineAndPlane<Ring> met_;
 };
 
 }  // namespace rayproof::oracle

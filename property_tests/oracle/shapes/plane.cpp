@@ -1,27 +1,63 @@
 /// \file
 /// The oracle for ray and plane, in its three forms.
 
-#include "oracle/shapes/flat.hpp"
+#include "oracle/shapes/estimated.hpp"
+#include "oracle/shapes/flat_meeting.hpp"
 #include "oracle/shapes/shapes.hpp"
 
 namespace rayproof::oracle {
 namespace {
 
-FlatEquation equation_of(const ImplicitPlane& plane) {
-  return {Vector<Ring>::from(plane.normal), Ring(-plane.d)};
+template <class R>
+FlatEquation<R> equation_of(const ImplicitPlane& plane) {
+  return {Vector<R>::from(plane.normal), R(-plane.d)};
 }
-FlatEquation equation_of(const PointNormalPlane& plane) {
-  return plane_through(plane.point, Vector<Ring>::from(plane.normal));
+template <class R>
+FlatEquation<R> equation_of(const PointNormalPlane& plane) {
+  return plane_through(plane.point, Vector<R>::from(plane.normal));
 }
-FlatEquation equation_of(const ParametricPlane& plane) {
-  return plane_through(plane.point, cross(Vector<Ring>::from(plane.u), Vector<Ring>::from(plane.v)));
+template <class R>
+FlatEquation<R> equation_of(const ParametricPlane& plane) {
+  return plane_through(plane.point, cross(Vector<R>::from(plane.u), Vector<R>::from(plane.v)));
 }
+
+template <class Size, class Plane>
+Size position_of(const Plane& plane) {
+  if constexpr (requires { plane.point; })
+    return Size(length_of(plane.point));
+  else
+    return Size(std::abs(plane.d)) / Size(length_of(plane.normal));
+}
+template <class Size, class Plane>
+Size normal_size_of(const Plane& plane) {
+  if constexpr (requires { plane.normal; })
+    return Size(length_of(plane.normal));
+  else
+    return Size(length_of(plane.u)) * Size(length_of(plane.v));
+}
+
+/// As the quick judge sees it.
+template <class Plane>
+class PlaneMeeting : public FlatMeeting {
+ public:
+  PlaneMeeting(const RayQuestion& question, const Plane& plane)
+      : FlatMeeting(question, equation_of<Estimate>(plane)), plane_(plane) {}
+
+  [[nodiscard]] auto hits() const {
+    return hits_where([](const auto& /*t*/) { return Contact::crossing; });
+  }
+  void measure() { measure_by(position_of<long double>(plane_), normal_size_of<long double>(plane_)); }
+  [[nodiscard]] double far() const { return 1; }
+
+ private:
+  const Plane& plane_;
+};
 
 template <class Plane>
 class PlaneIntersection final : public FlatIntersection {
  public:
   PlaneIntersection(const RayQuestion& question, const Plane& plane)
-      : FlatIntersection(question, equation_of(plane)), plane_(plane) {}
+      : FlatIntersection(question, equation_of<Ring>(plane)), plane_(plane) {}
 
   /// From where the line meets the plane: as seen from the given point, its products with u and v along the
   /// normal.
@@ -54,17 +90,9 @@ class PlaneIntersection final : public FlatIntersection {
   }
 
  protected:
-  [[nodiscard]] Scaled position() const override {
-    if constexpr (requires { plane_.point; })
-      return norm(plane_.point);
-    else
-      return abs(Scaled(plane_.d)) / norm(plane_.normal);
-  }
+  [[nodiscard]] Scaled position() const override { return position_of<Scaled>(plane_); }
   [[nodiscard]] std::array<Scaled, 3> normal_sizes() const override {
-    if constexpr (requires { plane_.normal; })
-      return {norm(plane_.normal)};
-    else
-      return {norm(plane_.u) * norm(plane_.v)};
+    return {normal_size_of<Scaled>(plane_)};
   }
 
  private:
@@ -86,6 +114,19 @@ ExactPointer intersection_of(const RayQuestion& question, const PointNormalPlane
 }
 ExactPointer intersection_of(const RayQuestion& question, const ParametricPlane& plane) {
   return std::make_unique<PlaneIntersection<ParametricPlane>>(question, plane);
+}
+
+Judgement judge(const RayQuestion& question, const ImplicitPlane& plane, Precision precision,
+                const RayAnswer& claimed) {
+  return judge_quickly<PlaneMeeting<ImplicitPlane>>(question, plane, precision, claimed);
+}
+Judgement judge(const RayQuestion& question, const PointNormalPlane& plane, Precision precision,
+                const RayAnswer& claimed) {
+  return judge_quickly<PlaneMeeting<PointNormalPlane>>(question, plane, precision, claimed);
+}
+Judgement judge(const RayQuestion& question, const ParametricPlane& plane, Precision precision,
+                const RayAnswer& claimed) {
+  return judge_quickly<PlaneMeeting<ParametricPlane>>(question, plane, precision, claimed);
 }
 
 }  // namespace rayproof::oracle

@@ -45,7 +45,10 @@ Position answer(const PointAndPolygon<double>& question, Precision) {
 Judgement judge(const PointAndPolygon<double>& question, Precision precision, Position claimed) {
   const Position exact = answer(question, precision);
   Judgement judgement;
-  note_range(judgement, question.point, question.vertices);
+  Magnitudes lengths;
+  lengths.note(question.point);
+  lengths.note(question.vertices);
+  lengths.put(judgement);
   judgement.hit = exact != Position::outside;
   judgement.wrong = claimed != exact;
   if (judgement.wrong) {

@@ -42,7 +42,9 @@ Judgement judge(const Quadratic<double>& equation, Precision precision,
                 const QuadraticAnswer<double>& claimed) {
   const SolvedEquation exact = solved(equation);
   Judgement judgement;
-  note_range(judgement, equation.a, equation.b, equation.c);
+  Magnitudes coefficients;
+  for (const double x : {equation.a, equation.b, equation.c}) coefficients.note(x);
+  coefficients.put(judgement);
   judgement.hit = !exact.roots.empty();
   judgement.wrong = exact.kind != claimed.kind || claimed.count != exact.roots.size();
   if (judgement.wrong) {

@@ -22,7 +22,14 @@ using ExactPointer = std::unique_ptr<ExactIntersection>;
 [[nodiscard]] ExactPointer intersection_of(const RayQuestion&, const Cylinder<double>&);
 [[nodiscard]] ExactPointer intersection_of(const RayQuestion&, const Sphere<double>&);
 
-/// The sphere has a judge of its own, for speed.
+/// Judges of their own, for speed.
+[[nodiscard]] Judgement judge(const RayQuestion&, const ImplicitPlane&, Precision, const RayAnswer& claimed);
+[[nodiscard]] Judgement judge(const RayQuestion&, const PointNormalPlane&, Precision,
+                              const RayAnswer& claimed);
+[[nodiscard]] Judgement judge(const RayQuestion&, const ParametricPlane&, Precision,
+                              const RayAnswer& claimed);
+[[nodiscard]] Judgement judge(const RayQuestion&, const Triangle<double>&, Precision,
+                              const RayAnswer& claimed);
 [[nodiscard]] Judgement judge(const RayQuestion&, const Sphere<double>&, Precision, const RayAnswer& claimed);
 
 /// The exact kind and the correctly rounded roots of ax² + bx + c = 0.

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "oracle/shapes/estimated.hpp"
+#include "oracle/shapes/flat_meeting.hpp"
 #include "oracle/shapes/outlined.hpp"
 #include "oracle/shapes/shapes.hpp"
 
@@ -10,24 +12,69 @@ namespace rayproof::oracle {
 namespace {
 
 /// With (b-a)×(c-a) as its normal; a zero normal where the area is zero.
-FlatEquation plane_of(const Triangle<double>& triangle) {
-  const auto a = Vector<Ring>::from(triangle.a);
-  return plane_through(triangle.a,
-                       cross(Vector<Ring>::from(triangle.b) - a, Vector<Ring>::from(triangle.c) - a));
+template <class R>
+FlatEquation<R> plane_of(const Triangle<double>& triangle) {
+  const auto a = Vector<R>::from(triangle.a);
+  return plane_through(triangle.a, cross(Vector<R>::from(triangle.b) - a, Vector<R>::from(triangle.c) - a));
 }
 
 /// The signed volumes that the ray's direction spans with each edge as seen from the origin. Over their sum
 /// they are the barycentric coordinates of the point in which the line meets the triangle's plane.
-std::array<Ring, 3> volumes_of(const ObjectRay<Ring>& ray, const Triangle<double>& triangle) {
-  const auto seen = [&](const glm::dvec3& v) { return ray.scaled(Vector<Ring>::from(v)) - ray.origin; };
-  const Vector<Ring> a = seen(triangle.a), b = seen(triangle.b), c = seen(triangle.c);
+template <class R>
+std::array<R, 3> volumes_of(const ObjectRay<R>& ray, const Triangle<double>& triangle) {
+  const auto seen = [&](const glm::dvec3& v) { return ray.scaled(Vector<R>::from(v)) - ray.origin; };
+  const Vector<R> a = seen(triangle.a), b = seen(triangle.b), c = seen(triangle.c);
   return {dot(ray.direction, cross(b, c)), dot(ray.direction, cross(c, a)), dot(ray.direction, cross(a, b))};
 }
+
+/// How the line touches the triangle.
+template <class R>
+Contact contact_of(const std::array<R, 3>& volumes) {
+  const int whole = sign(volumes[0] + volumes[1] + volumes[2]);
+  int on_sides = 0;
+  for (const R& volume : volumes) {
+    const int side = sign(volume) * whole;
+    if (side < 0) return Contact::none;
+    if (side == 0) ++on_sides;
+  }
+  return on_sides == 2 ? Contact::vertex : on_sides == 1 ? Contact::edge : Contact::crossing;
+}
+
+/// The product of the two longest edges.
+template <class R>
+SizeOf<R> normal_size_of(const Triangle<double>& triangle) {
+  const auto edge = [](const glm::dvec3& from, const glm::dvec3& to) {
+    return length_of(Vector<R>::from(to) - Vector<R>::from(from));
+  };
+  const SizeOf<R> ab = edge(triangle.a, triangle.b), bc = edge(triangle.b, triangle.c),
+                  ca = edge(triangle.c, triangle.a);
+  return std::max(ab, bc) * std::max(std::min(ab, bc), ca);
+}
+
+/// As the quick judge sees it.
+class TriangleMeeting : public FlatMeeting {
+ public:
+  TriangleMeeting(const RayQuestion& question, const Triangle<double>& triangle)
+      : FlatMeeting(question, plane_of<Estimate>(triangle)), triangle_(triangle) {}
+
+  [[nodiscard]] auto hits() const {
+    return hits_where([&](const auto& /*t*/) { return contact_of(volumes_of(ray(), triangle_)); });
+  }
+  void measure() {
+    const long double position =
+        std::max({length_of(triangle_.a), length_of(triangle_.b), length_of(triangle_.c)});
+    measure_by(position, normal_size_of<Estimate>(triangle_));
+  }
+  [[nodiscard]] double far() const { return value(1 / steepness_of(met(), sizes())); }
+
+ private:
+  const Triangle<double>& triangle_;
+};
 
 class TriangleIntersection final : public OutlinedIntersection {
  public:
   TriangleIntersection(const RayQuestion& question, const Triangle<double>& triangle)
-      : OutlinedIntersection(question, plane_of(triangle)),
+      : OutlinedIntersection(question, plane_of<Ring>(triangle)),
         corners_{triangle.a, triangle.b, triangle.c},
         volumes_(volumes_of(ray(), triangle)) {}
 
@@ -52,26 +99,9 @@ class TriangleIntersection final : public OutlinedIntersection {
 
  protected:
   [[nodiscard]] std::span<const glm::dvec3> corners() const override { return corners_; }
-  [[nodiscard]] Contact contact_at(const Quotient&) const override {
-    const int whole = sign(sum());
-    int on_sides = 0;
-    for (const Ring& volume : volumes_) {
-      const int side = sign(volume) * whole;
-      if (side < 0) return Contact::none;
-      if (side == 0) ++on_sides;
-    }
-    return on_sides == 2 ? Contact::vertex : on_sides == 1 ? Contact::edge : Contact::crossing;
-  }
-
-  /// The product of the two longest edges.
+  [[nodiscard]] Contact contact_at(const Quotient&) const override { return contact_of(volumes_); }
   [[nodiscard]] std::array<Scaled, 3> normal_sizes() const override {
-    const auto edge = [](const glm::dvec3& from, const glm::dvec3& to) {
-      return norm(Vector<Ring>::from(to) - Vector<Ring>::from(from));
-    };
-    std::array<Scaled, 3> edges{edge(corners_[0], corners_[1]), edge(corners_[1], corners_[2]),
-                                edge(corners_[2], corners_[0])};
-    std::ranges::sort(edges, [](const Scaled& x, const Scaled& y) { return x < y; });
-    return {edges[1] * edges[2]};
+    return {normal_size_of<Ring>({corners_[0], corners_[1], corners_[2]})};
   }
 
  private:
@@ -85,6 +115,11 @@ class TriangleIntersection final : public OutlinedIntersection {
 
 ExactPointer intersection_of(const RayQuestion& question, const Triangle<double>& triangle) {
   return std::make_unique<TriangleIntersection>(question, triangle);
+}
+
+Judgement judge(const RayQuestion& question, const Triangle<double>& triangle, Precision precision,
+                const RayAnswer& claimed) {
+  return judge_quickly<TriangleMeeting>(question, triangle, precision, claimed);
 }
 
 }  // namespace rayproof::oracle

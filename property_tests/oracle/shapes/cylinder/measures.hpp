@@ -96,7 +96,7 @@ class MeasuredCylinder : public ExactIntersection {
   [[nodiscard]] CylinderSizes measured() const {
     const Scaled height(cylinder_.height);
     if (ray().map) {
-      const RaySizes of_ray(question(), ray());
+      const RaySizes<Ring> of_ray(question(), ray());
       const Scaled narrow(std::min(cylinder_.rx, cylinder_.ry));
       return {of_ray.origin / narrow + Scaled(1), of_ray.direction / narrow, of_ray.origin + height,
               of_ray.direction};

@@ -76,7 +76,7 @@ class SphereIntersection final : public ExactIntersection {
  private:
   /// L(t), of the ray alone.
   [[nodiscard]] Scaled reach(const Quotient& t) const {
-    const RaySizes of_ray(question(), ray());
+    const RaySizes<Ring> of_ray(question(), ray());
     return of_ray.origin + abs(t.estimate()) * of_ray.direction;
   }
   /// p(t) as seen from the centre, in the scale of the equation and times the denominator of t.
