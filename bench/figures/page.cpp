@@ -33,8 +33,8 @@ accurate; the dotted stair is the Pareto front, the dashed line what merely read
 plots and the first tables; their own tables stand below. Wrong verdicts are cases with a hit too many or too few by the exact oracle. Bits of error are
 log₂(1 + floats between the hit and the correctly rounded one), averaged over the hits that method and oracle agree on; wrong
 verdicts are never averaged in. Point, normal and coordinates are the worst errors of the first hit's in contract units,
-about one rounding each; a normal on the wrong side is off by 10⁷ of them in float, 10¹⁶ in double. Times are processor time, medians over families of median passes. For timing, each case's ray is moved and scaled
-with its sphere until all lie at one sphere, as a batch needs. GLM reports only the nearest hit beyond 0, so it is judged on rays
+about one rounding each; a normal on the wrong side is off by 10⁷ of them in float, 10¹⁶ in double. Times are processor time, medians over families of median passes. For timing, each case's ray is moved
+with its shape by an affine map until all lie at one shape, as a batch needs. GLM reports only the nearest hit beyond 0, so it is judged on rays
 with the interval [0, ∞]; it asks for unit directions, which it was given beforehand, except under a transform, where that can
 only be done for each ray anew.</p>
 )html";

@@ -57,9 +57,8 @@ std::vector<Contender> quadratic_contenders_in(const std::vector<Case>& cases) {
   quadratic::Topic::Methods::for_each([&]<class Method>(std::type_identity<Method>) {
     all.push_back({Method::name, Arrangement::scalar,
                    [equations](std::size_t count) { equations->template solve_one_by_one<Method>(count); }});
-    if constexpr (batch::has_kernels<Method>)
-      all.push_back({Method::name, Arrangement::batch,
-                     [equations](std::size_t count) { equations->template solve_in_batch<Method>(count); }});
+    all.push_back({Method::name, Arrangement::batch,
+                   [equations](std::size_t count) { equations->template solve_in_batch<Method>(count); }});
   });
   all.push_back({BenchRow::floor_name, Arrangement::batch,
                  [equations](std::size_t count) { equations->only_stream(count); }});

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Contenders over many rays at one shape: every method one ray at a time, and in batches where it has
-/// kernels, GLM and the floor.
+/// Contenders over many rays at one shape: every method one ray at a time and in batches, GLM and the
+/// floor.
 
 #include <memory>
 
@@ -16,11 +16,11 @@ template <class Methods, template <class> class Shape, class T>
   Methods::for_each([&]<class Method>(std::type_identity<Method>) {
     all.push_back({Method::name, Arrangement::scalar,
                    [rays](std::size_t count) { hit_one_by_one<Method>(*rays, count); }});
-    if constexpr (batch::has_kernels<Method>)
-      all.push_back({Method::name, Arrangement::batch,
-                     [rays](std::size_t count) { hit_in_batch<Method>(*rays, count); }});
+    all.push_back({Method::name, Arrangement::batch,
+                   [rays](std::size_t count) { hit_in_batch<Method>(*rays, count); }});
   });
-  if constexpr (is_in_glm<Shape, T>)
+  // GLM's sphere is the one that is judged, too (subjects/).
+  if constexpr (std::is_same_v<Shape<T>, Sphere<T>>)
     all.push_back({"glm", Arrangement::scalar, [rays](std::size_t count) { hit_by_glm(*rays, count); }});
   all.push_back(
       {BenchRow::floor_name, Arrangement::batch, [rays](std::size_t count) { only_stream(*rays, count); }});

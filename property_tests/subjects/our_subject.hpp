@@ -55,7 +55,7 @@ template <class Topic, class Method>
       return Topical::template answer<Method, T>(one, solve_in<Topic, Method, T>(one));
     });
   });
-  if constexpr (is_batched<Topic> && batch::has_kernels<Method>)
+  if constexpr (is_batched<Topic>)
     subject.answer_in_batch = [](const Case& one) {
       return in_precision(one.precision, [&]<class T>(T) -> Answer {
         return Topical::template answer<Method, T>(one, Topical::template batch_roots<Method, T>(one));

@@ -67,7 +67,7 @@ NOT_RUN = [
 
 # Blocks that are no command and no output of one, and the file that compares them.
 HELD_ELSEWHERE = [("…", "property_tests/unit/docs/own_code.py"),
-                  ("this method has no batch kernels", "property_tests/unit/install/library/refusals.py"),
+                  ("this method answers no batches", "property_tests/unit/install/library/refusals.py"),
                   ("rayproof needs NaN, infinity and exact rounding", "property_tests/unit/install/library/refusals.py")]
 
 # What a build or a machine may lack; said on standard error.

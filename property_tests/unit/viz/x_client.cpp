@@ -29,9 +29,12 @@ bool XClient::find_window(int seconds) {
     XQueryTree(display, DefaultRootWindow(display), &root, &parent, &children, &count);
     for (unsigned i = 0; i < count; ++i) {
       char* name = nullptr;
-      // The window has its name once it listens.
       if (XFetchName(display, children[i], &name) == 0) continue;
-      if (std::string(name).starts_with("rayproof ")) connection_->window = children[i];
+      // What is sent before the window listens is lost.
+      XWindowAttributes window{};
+      const bool listens = XGetWindowAttributes(display, children[i], &window) != 0 &&
+                           (window.all_event_masks & ButtonPressMask) != 0;
+      if (listens && std::string(name).starts_with("rayproof ")) connection_->window = children[i];
       XFree(name);
     }
     if (children != nullptr) XFree(children);
