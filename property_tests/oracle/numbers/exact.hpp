@@ -90,12 +90,12 @@ template <class Size>
 }
 
 /// The sign of an exact number: -1, 0 or 1. Throws Undecided of an estimate that may be 0.
-[[nodiscard, gnu::always_inline]] inline int sign(const Estimate& x) {
+[[nodiscard]] inline int sign(const Estimate& x) {
   const auto known = certain_sign(x);
   if (!known) throw Undecided();
   return *known;
 }
-[[nodiscard, gnu::always_inline]] inline int sign(const Ring& x) {
+[[nodiscard]] inline int sign(const Ring& x) {
   return x.is_exact() ? static_cast<int>(x.exact().sign()) : sign(x.estimate());
 }
 

@@ -61,20 +61,10 @@ struct Pair {
   const double y_part = sum - x;
   return {sum, (x - (sum - y_part)) + (y - y_part)};
 }
-/// x as the sum of two numbers of 26 digits each (G. W. Veltkamp, 1968); NaN where that overflows.
-[[nodiscard]] inline Pair halves_of(double x) {
-  const double spread = 0x1p27 * x + x;
-  const double high = spread - (spread - x);
-  return {high, x - high};
-}
-/// x·y, the rounding error as the low part; exact but for underflow, and unknown near overflow.
-///
-/// Source: T. J. Dekker, "A Floating-Point Technique for Extending the Available Precision", 1971. It takes
-/// less time than a call of fma, which is what processors of every age leave to be had.
+/// x·y, the rounding error as the low part; exact but for underflow.
 [[nodiscard]] inline Pair product_of(double x, double y) {
   const double product = x * y;
-  const Pair a = halves_of(x), b = halves_of(y);
-  return {product, ((a.high * b.high - product) + a.high * b.low + a.low * b.high) + a.low * b.low};
+  return {product, std::fma(x, y, -product)};
 }
 
 inline Pair operator-(const Pair& x) { return {-x.high, -x.low}; }

@@ -68,10 +68,10 @@ class Ring {
   [[nodiscard]] const Estimate& estimate() const { return estimate_; }
 
   friend Ring operator-(const Ring& x) { return x.is_exact_ ? negative(x) : Ring(-x.estimate_); }
-  [[gnu::always_inline]] friend Ring operator+(const Ring& x, const Ring& y) {
+  friend Ring operator+(const Ring& x, const Ring& y) {
     return are_estimates(x, y) ? Ring(x.estimate_ + y.estimate_) : sum(x, y);
   }
-  [[gnu::always_inline]] friend Ring operator-(const Ring& x, const Ring& y) {
+  friend Ring operator-(const Ring& x, const Ring& y) {
     return are_estimates(x, y) ? Ring(x.estimate_ - y.estimate_) : difference(x, y);
   }
   friend Ring operator*(const Ring& x, const Ring& y) {
