@@ -23,7 +23,7 @@ ADDED = [(r"rayproof check\b(?!.*--(shape|topic|method|replay)\b)", "--topic qua
 WHOLE = [(r"rayproof check\b(?!.*--(shape|topic|method|cases|replay)\b)", "--cases", "250")]
 
 # Commands that would take long: the same command on less, with its output compared but for the numbers.
-SHORTER = [(r"(rayproof worst.*) --time \w+", r"\1"), (r"walk all --png", "walk rays --png"), (r"RAYPROOF_QUADRIC_RAYS=\d+", "RAYPROOF_QUADRIC_RAYS=2000"),
+SHORTER = [(r"(rayproof worst.*) --time \w+", r"\1"), (r"walk all --png", "walk ray --png"), (r"RAYPROOF_QUADRIC_RAYS=\d+", "RAYPROOF_QUADRIC_RAYS=2000"),
            (r"run\.py --build \S+", "run.py --list --build {build}"), (r"^(cmake --preset \S+) .*", r"\1 -N"),
            (r"^cmake --build build/mutation --target (\S+)$", r"cmake --build {build} --target help | grep -E '(^| )\1(:|$)'"),
            (r"^ctest ", "ctest --test-dir {build} --show-only "), (r"build/release/bin/", "{bin}/"),
