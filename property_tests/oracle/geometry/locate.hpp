@@ -2,25 +2,54 @@
 /// \file
 /// Where a point of the plane lies with respect to a polygon, exactly, by the even-odd rule.
 
-#include <vector>
+#include <utility>
 
 #include "case/answer.hpp"
 #include "oracle/numbers/exact.hpp"
 
 namespace rayproof::oracle {
 
-/// A point of the plane over the exact ring.
+/// A point of the plane over R: the exact ring, or estimates.
+template <class R>
 struct PlanePoint {
-  Ring x, y;
+  R x, y;
 };
 
-/// How the point (x, y)/weight, weight > 0, touches the closed polygon of the vertices: `crossing` inside,
-/// `edge` or `vertex` on the boundary, `none` outside.
-[[nodiscard]] Contact locate(const PlanePoint& point, const Ring& weight,
-                             const std::vector<PlanePoint>& vertices);
+/// How the point (x, y)/weight, weight > 0, touches the closed polygon of the vertices, a range of
+/// PlanePoint: `crossing` inside, `edge` or `vertex` on the boundary, `none` outside. Throws Undecided of
+/// estimates that are not enough.
+template <class R, class Vertices>
+[[nodiscard]] Contact locate(const PlanePoint<R>& point, const R& weight, const Vertices& vertices) {
+  const auto seen = [&](const PlanePoint<R>& vertex) {  // from the point, times the weight
+    return PlanePoint<R>{weight * vertex.x - point.x, weight * vertex.y - point.y};
+  };
+  bool is_on_side = false;
+  bool is_inside = false;
+  PlanePoint<R> from = seen(vertices.back());
+  int start = sign(from.y);
+  for (const PlanePoint<R>& vertex : vertices) {
+    PlanePoint<R> to = seen(vertex);
+    const int end = sign(to.y);
+    if (end == 0 && sign(to.x) == 0) return Contact::vertex;
+    if (start == 0 && end == 0) {
+      is_on_side = is_on_side || sign(from.x) * sign(to.x) <= 0;
+    } else if (start * end <= 0) {
+      // The signed area seen from the point: positive where the side passes it on the right, going up.
+      const int area = sign(from.x * to.y - from.y * to.x);
+      is_on_side = is_on_side || area == 0;
+      // Each side holds its lower end, not its upper one, so that a vertex that is passed counts once.
+      const bool passes = (start > 0) != (end > 0);
+      is_inside = is_inside != (passes && (area > 0) == (end > 0));
+    }
+    from = std::move(to);
+    start = end;
+  }
+  if (is_on_side) return Contact::edge;
+  return is_inside ? Contact::crossing : Contact::none;
+}
 
 /// The distance of the point from the side, all to one part in 2^50.
-[[nodiscard]] Scaled distance_to_side(const PlanePoint& point, const Ring& weight, const PlanePoint& from,
-                                      const PlanePoint& to);
+[[nodiscard]] Scaled distance_to_side(const PlanePoint<Ring>& point, const Ring& weight,
+                                      const PlanePoint<Ring>& from, const PlanePoint<Ring>& to);
 
 }  // namespace rayproof::oracle

@@ -22,8 +22,8 @@ struct Projection {
     y = largest == 2 ? 1 : 2;
   }
 
-  [[nodiscard]] PlanePoint operator()(const Vector<Ring>& v) const { return {v[x], v[y]}; }
-  [[nodiscard]] PlanePoint operator()(const glm::dvec3& v) const { return {Ring(v[x]), Ring(v[y])}; }
+  [[nodiscard]] PlanePoint<Ring> operator()(const Vector<Ring>& v) const { return {v[x], v[y]}; }
+  [[nodiscard]] PlanePoint<Ring> operator()(const glm::dvec3& v) const { return {Ring(v[x]), Ring(v[y])}; }
 };
 
 }  // namespace
@@ -65,7 +65,7 @@ Scaled OutlinedIntersection::position() const {
 
 Contact OutlinedIntersection::located(const Vector<Ring>& point, const Ring& weight) const {
   const Projection project(plane_normal());
-  std::vector<PlanePoint> outline;
+  std::vector<PlanePoint<Ring>> outline;
   outline.reserve(corners().size());
   for (const glm::dvec3& corner : corners()) outline.push_back(project(corner));
   return locate(project(point), ray().scaled(weight), outline);

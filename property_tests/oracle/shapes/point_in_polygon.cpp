@@ -1,6 +1,9 @@
 /// \file
 /// The oracle for point in polygon.
 
+#include <ranges>
+#include <utility>
+
 #include "oracle/geometry/locate.hpp"
 #include "oracle/geometry/sizes.hpp"
 #include "oracle/judge/judging.hpp"
@@ -9,14 +12,15 @@
 namespace rayproof::oracle {
 namespace {
 
-/// A point of the plane in exact numbers.
-PlanePoint exactly(const Vec2<double>& v) { return {Ring(v.x), Ring(v.y)}; }
+/// A point of the plane in another arithmetic.
+template <class R>
+PlanePoint<R> in(const Vec2<double>& v) {
+  return {R(v.x), R(v.y)};
+}
 
-std::vector<PlanePoint> exactly(const std::vector<Vec2<double>>& vertices) {
-  std::vector<PlanePoint> points;
-  points.reserve(vertices.size());
-  for (const auto& vertex : vertices) points.push_back(exactly(vertex));
-  return points;
+template <class R>
+Contact contact_of(const PointAndPolygon<double>& question) {
+  return locate(in<R>(question.point), R(1.0), question.vertices | std::views::transform(in<R>));
 }
 
 /// The distance of the point from the nearest side in units of |point| + P.
@@ -25,19 +29,21 @@ Scaled margin_of(const PointAndPolygon<double>& question) {
   Scaled farthest, nearest = endless();
   for (const auto& vertex : question.vertices) farthest = std::max(farthest, length(vertex));
   const Scaled reach = length(question.point) + farthest;
-  const PlanePoint point = exactly(question.point);
-  const std::vector<PlanePoint> vertices = exactly(question.vertices);
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-    reduce(
-        nearest,
-        ratio(distance_to_side(point, Ring(1.0), vertices[i], vertices[(i + 1) % vertices.size()]), reach));
+  const PlanePoint<Ring> point = in<Ring>(question.point);
+  PlanePoint<Ring> from = in<Ring>(question.vertices.back());
+  for (const auto& vertex : question.vertices) {
+    PlanePoint<Ring> to = in<Ring>(vertex);
+    reduce(nearest, ratio(distance_to_side(point, Ring(1.0), from, to), reach));
+    from = std::move(to);
+  }
   return nearest;
 }
 
 }  // namespace
 
 Position answer(const PointAndPolygon<double>& question, Precision) {
-  const Contact contact = locate(exactly(question.point), Ring(1.0), exactly(question.vertices));
+  // Estimates by themselves cost half of what a ring does, whose numbers may be either.
+  const Contact contact = Filtering::is_on ? contact_of<Estimate>(question) : contact_of<Ring>(question);
   if (contact == Contact::crossing) return Position::inside;
   return contact == Contact::none ? Position::outside : Position::boundary;
 }
