@@ -3,11 +3,48 @@
 
 #include <algorithm>
 
-#include "oracle/shapes/shapes.hpp"
-#include "oracle/shapes/solid.hpp"
+#include "oracle/shapes/solid_meeting.hpp"
 
 namespace rayproof::oracle {
 namespace {
+
+template <class Size>
+Size position_of(const Box<double>& box) {
+  return Size(length_of(box.min)) + Size(length_of(box.max));
+}
+template <class Size>
+std::array<Size, 3> normal_sizes_of(const Box<double>&) {
+  return {Size(1), Size(1), Size(1)};
+}
+
+/// In the box's own space nothing is rounded but a difference and a quotient on each axis, so that distances
+/// there are measured as |s - t| / (|s| + |t|) of the planes' own t.
+template <class R>
+SizeOf<R> distance_along(const SlabMeeting<R>& met, const R& bound, const QuotientOf<R>& t) {
+  using std::abs;
+  if (met.is_parallel()) return endless_of<R>();  // inside or outside is decided without rounding
+  const SizeOf<R> gap = abs(roughly(met.beyond(bound, t))) / approximate(t.denominator());
+  const SizeOf<R> run = abs(approximate(met.speed) * t.estimate());
+  return ratio(gap, run + abs(approximate(bound - met.position)));
+}
+
+/// The same over estimates.
+class BoxMeeting final : public SolidMeeting {
+ public:
+  BoxMeeting(const RayQuestion& question, const Box<double>& box) : SolidMeeting(question, box), box_(box) {}
+
+  void measure() { measure_by(position_of<long double>(box_), normal_sizes_of<long double>(box_)); }
+  [[nodiscard]] double far() const { return 1; }
+  [[nodiscard]] long double residual(double t) const {
+    if (ray().map) return SolidMeeting::residual(t);
+    return nearest([&](std::size_t, const auto& met, const Estimate& bound) {
+      return distance_along(met, bound, QuotientOf<Estimate>(t));
+    });
+  }
+
+ private:
+  const Box<double>& box_;
+};
 
 class BoxIntersection final : public SolidIntersection {
  public:
@@ -27,7 +64,7 @@ class BoxIntersection final : public SolidIntersection {
       const Quotient at(end);
       Scaled inside = endless();
       for (std::size_t i = 0; i < 3; ++i) {
-        const SlabMeeting& met = this->met(i);
+        const SlabMeeting<Ring>& met = this->met(i);
         reduce(inside, depth(i, at));
         const int side = sign(met.beyond(met.high, at)) > 0 ? 1 : std::min(sign(met.beyond(met.low, at)), 0);
         if (stays_beyond(side * sign(met.speed), end)) beyond = std::max(beyond, abs(depth(i, at)));
@@ -53,20 +90,12 @@ class BoxIntersection final : public SolidIntersection {
   }
 
  protected:
-  [[nodiscard]] Scaled position() const override { return norm(box_.min) + norm(box_.max); }
-  [[nodiscard]] std::array<Scaled, 3> normal_sizes() const override {
-    return {Scaled(1), Scaled(1), Scaled(1)};
-  }
+  [[nodiscard]] Scaled position() const override { return position_of<Scaled>(box_); }
+  [[nodiscard]] std::array<Scaled, 3> normal_sizes() const override { return normal_sizes_of<Scaled>(box_); }
 
-  /// In the box's own space nothing is rounded but a difference and a quotient on each axis, so that
-  /// distances there are measured as |s - t| / (|s| + |t|) of the planes' own t.
   [[nodiscard]] Scaled distance(std::size_t slab, const Ring& bound, const Quotient& t) const override {
     if (question().transform) return SolidIntersection::distance(slab, bound, t);
-    const SlabMeeting& met = this->met(slab);
-    if (met.is_parallel()) return endless();  // inside or outside is decided without rounding
-    const Scaled gap = abs(roughly(met.beyond(bound, t))) / approximate(t.denominator());
-    const Scaled run = abs(approximate(met.speed) * t.estimate());
-    return ratio(gap, run + abs(approximate(bound - met.position)));
+    return distance_along(met(slab), bound, t);
   }
 
  private:
@@ -82,7 +111,7 @@ class BoxIntersection final : public SolidIntersection {
   /// where it has left before. Two hits of one slab may round to one, but a slab of no thickness is met at
   /// one t by any method: its two planes are the same number.
   [[nodiscard]] Scaled lead(std::size_t i, std::size_t j) const {
-    const SlabMeeting &into = met(i), &out_of = met(j);
+    const SlabMeeting<Ring>&into = met(i), &out_of = met(j);
     if (out_of.is_parallel() || (i == j && sign(into.high - into.low) == 0)) return endless();
     const Quotient entry = into.entry(), exit = out_of.exit();
     const Scaled gap = std::min(distance(i, sign(into.speed) > 0 ? into.low : into.high, exit),
@@ -97,6 +126,11 @@ class BoxIntersection final : public SolidIntersection {
 
 ExactPointer intersection_of(const RayQuestion& question, const Box<double>& box) {
   return std::make_unique<BoxIntersection>(question, box);
+}
+
+Judgement judge(const RayQuestion& question, const Box<double>& box, Precision precision,
+                const RayAnswer& claimed) {
+  return judge_quickly<BoxMeeting>(question, box, precision, claimed);
 }
 
 }  // namespace rayproof::oracle

@@ -4,11 +4,43 @@
 #include <algorithm>
 
 #include "oracle/geometry/clearance.hpp"
-#include "oracle/shapes/shapes.hpp"
-#include "oracle/shapes/solid.hpp"
+#include "oracle/shapes/solid_meeting.hpp"
 
 namespace rayproof::oracle {
 namespace {
+
+template <class Size>
+std::array<Size, 3> lengths_of_edges(const Parallelepiped<double>& solid) {
+  return {Size(length_of(solid.edges[0])), Size(length_of(solid.edges[1])), Size(length_of(solid.edges[2]))};
+}
+template <class Size>
+Size position_of(const Parallelepiped<double>& solid) {
+  const auto [e0, e1, e2] = lengths_of_edges<Size>(solid);
+  return Size(length_of(solid.corner)) + e0 + e1 + e2;
+}
+template <class Size>
+std::array<Size, 3> normal_sizes_of(const Parallelepiped<double>& solid) {
+  const auto [e0, e1, e2] = lengths_of_edges<Size>(solid);
+  return {e1 * e2, e2 * e0, e0 * e1};
+}
+/// 1 over the volume of the solid with edges of length 1.
+template <class R>
+double far_of(const Parallelepiped<double>& solid, const ObjectRay<R>& ray, const SlabMeeting<R>& met) {
+  const auto [e0, e1, e2] = lengths_of_edges<SizeOf<R>>(solid);
+  return value(approximate(ray.scale) * (e0 * e1 * e2) / approximate(met.high - met.low));
+}
+
+class ParallelepipedMeeting final : public SolidMeeting {
+ public:
+  ParallelepipedMeeting(const RayQuestion& question, const Parallelepiped<double>& solid)
+      : SolidMeeting(question, solid), solid_(solid) {}
+
+  void measure() { measure_by(position_of<long double>(solid_), normal_sizes_of<long double>(solid_)); }
+  [[nodiscard]] double far() const { return far_of(solid_, ray(), met(0)); }
+
+ private:
+  const Parallelepiped<double>& solid_;
+};
 
 class ParallelepipedIntersection final : public SolidIntersection {
  public:
@@ -33,19 +65,12 @@ class ParallelepipedIntersection final : public SolidIntersection {
     return nearest;
   }
 
-  /// 1 over the volume of the solid with edges of length 1.
-  [[nodiscard]] double far() const override {
-    const Scaled lengths = norm(solid_.edges[0]) * norm(solid_.edges[1]) * norm(solid_.edges[2]);
-    return value(approximate(ray().scale) * lengths / approximate(met(0).high - met(0).low));
-  }
+  [[nodiscard]] double far() const override { return far_of(solid_, ray(), met(0)); }
 
  protected:
-  [[nodiscard]] Scaled position() const override {
-    return norm(solid_.corner) + norm(solid_.edges[0]) + norm(solid_.edges[1]) + norm(solid_.edges[2]);
-  }
+  [[nodiscard]] Scaled position() const override { return position_of<Scaled>(solid_); }
   [[nodiscard]] std::array<Scaled, 3> normal_sizes() const override {
-    const Scaled e0 = norm(solid_.edges[0]), e1 = norm(solid_.edges[1]), e2 = norm(solid_.edges[2]);
-    return {e1 * e2, e2 * e0, e0 * e1};
+    return normal_sizes_of<Scaled>(solid_);
   }
 
  private:
@@ -95,6 +120,11 @@ class ParallelepipedIntersection final : public SolidIntersection {
 
 ExactPointer intersection_of(const RayQuestion& question, const Parallelepiped<double>& solid) {
   return std::make_unique<ParallelepipedIntersection>(question, solid);
+}
+
+Judgement judge(const RayQuestion& question, const Parallelepiped<double>& solid, Precision precision,
+                const RayAnswer& claimed) {
+  return judge_quickly<ParallelepipedMeeting>(question, solid, precision, claimed);
 }
 
 }  // namespace rayproof::oracle

@@ -7,6 +7,15 @@
 
 namespace rayproof::oracle {
 
+/// How far p(t) is from one plane of a slab, the `index`th, in the contract's units.
+template <class R>
+[[nodiscard]] SizeOf<R> distance_to(std::size_t index, const SlabMeeting<R>& met, const R& bound,
+                                    const QuotientOf<R>& t, const PlanarSizes<R>& sizes) {
+  using std::abs;
+  const SizeOf<R> gap = abs(roughly(met.beyond(bound, t))) / approximate(t.denominator());
+  return ratio(gap, sizes.unit(index, t.estimate()));
+}
+
 /// A convex solid between three pairs of parallel planes.
 class SolidIntersection : public PlanarIntersection {
  public:
@@ -15,18 +24,8 @@ class SolidIntersection : public PlanarIntersection {
       : PlanarIntersection(question), met_(meetings(ray(), solid)) {}
 
   [[nodiscard]] ExactContacts hits() const override {
-    std::optional<Quotient> entry, exit;  // the normals are independent: no line is parallel to all slabs
-    for (const SlabMeeting& slab : met_) {
-      if (slab.is_parallel() && !slab.is_inside()) return {};
-      if (slab.is_parallel()) continue;
-      Quotient in = slab.entry(), out = slab.exit();
-      if (!entry || in.compare(*entry) > 0) entry = std::move(in);
-      if (!exit || out.compare(*exit) < 0) exit = std::move(out);
-    }
     ExactContacts all;
-    const int length = exit->compare(*entry);
-    if (length >= 0) add(all, std::move(*entry), length == 0 ? Contact::tangent : Contact::crossing);
-    if (length > 0) add(all, std::move(*exit), Contact::crossing);
+    for (auto& hit : hits_of(met_, question().ray)) all.push_back({std::move(hit.t), hit.contact});
     return all;
   }
 
@@ -35,7 +34,7 @@ class SolidIntersection : public PlanarIntersection {
     const auto& t = std::get<Quotient>(hit.t);
     std::optional<ExactNormal> normal;
     int faces = 0;
-    for (const SlabMeeting& met : met_) {
+    for (const SlabMeeting<Ring>& met : met_) {
       const bool is_low = sign(met.beyond(met.low, t)) == 0;
       const bool is_high = sign(met.beyond(met.high, t)) == 0;
       if (is_low || is_high) normal = {is_high ? met.normal : -met.normal};
@@ -64,7 +63,7 @@ class SolidIntersection : public PlanarIntersection {
   [[nodiscard]] SurfaceParts parts(const Quotient& t, const Scaled& /*roundoff*/) const override {
     SurfaceParts all;
     for (std::size_t i = 0; i < 3; ++i) {
-      const SlabMeeting& slab = met(i);
+      const SlabMeeting<Ring>& slab = met(i);
       const Scaled condition = sizes().normals[i] / (approximate(ray().scale) * norm(slab.normal));
       // A line in a plane is exactly in it, however its distance is measured.
       const auto apart = [&](const Ring& bound) {
@@ -77,15 +76,14 @@ class SolidIntersection : public PlanarIntersection {
   }
 
  protected:
-  [[nodiscard]] const SlabMeeting& met(std::size_t slab) const { return met_.at(slab); }
+  [[nodiscard]] const SlabMeeting<Ring>& met(std::size_t slab) const { return met_.at(slab); }
   /// How far p(t) is from one plane of a slab, in the contract's units.
   [[nodiscard]] virtual Scaled distance(std::size_t slab, const Ring& bound, const Quotient& t) const {
-    const Scaled gap = abs(roughly(met(slab).beyond(bound, t))) / approximate(t.denominator());
-    return ratio(gap, sizes().unit(slab, t.estimate()));
+    return distance_to(slab, met(slab), bound, t, sizes());
   }
 
  private:
-  SlabMeetings met_;
+  SlabMeetings<Ring> met_;
 };
 
 }  // namespace rayproof::oracle
