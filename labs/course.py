@@ -22,6 +22,7 @@ class Lab:
             described = json.loads((folder / "lab.json").read_text(encoding="utf-8"))
             self.title, self.shape = described["title"], described["shape"]
             self.stages, self.hints = described["stages"], described["hints"]
+            self.fields = described.get("fields", [])  # of a shape that has several forms
         except (OSError, ValueError, KeyError) as problem:
             raise LabError(f"{folder}/lab.json: {problem}") from problem
 
@@ -48,7 +49,7 @@ class Lab:
 
 class Course:
     def __init__(self, folder):
-        self.labs = [Lab(path) for path in sorted(folder.glob("[0-9][0-9]-*")) if path.is_dir()]
+        self.labs = [Lab(path.parent) for path in sorted(folder.glob("[0-9][0-9]-*/lab.json"))]
         if not self.labs:
             raise LabError(f"{folder} holds no labs: folders whose names are like 01-plane")
 

@@ -1,7 +1,8 @@
-"""judge.py FILE FUNCTION: answers cases by a function of a student's Python file (docs/your-own-code.md).
+"""judge.py FILE FUNCTION [FIELD…]: answers cases by a function of a student's Python file (docs/your-own-code.md).
 
-It is called with origin, direction, t_min, t_max and the shape's fields, or with a query's fields. It returns a list of
-all answers, one t or None, or the name of a position."""
+It is called with origin, direction, t_min, t_max and the shape's fields, or with a query's fields; where FIELDs are given,
+for shapes of these fields alone. It returns a list of all answers, one t, a tuple (t, u, v), None, or whether a point is
+inside."""
 
 import importlib.util
 import json
@@ -20,22 +21,27 @@ def numbers(value):
     return value if isinstance(value, bool) else float(value)
 
 
-def arguments_of(case):
+def arguments_of(case, wanted):
     """What the function is called with; None where it cannot be asked."""
     if "transform" in case:
         return None
     if "query" in case:
         return [numbers(value) for key, value in case.items() if key not in ("id", "precision", "query", "note")]
     ray, shape = numbers(case["ray"]), dict(case["shape"])
-    shape.pop("type"), shape.pop("form", None)
+    shape.pop("type")
+    if wanted and list(shape) != wanted:
+        return None
     return [ray[key] for key in ("origin", "direction", "t_min", "t_max")] + [numbers(value) for value in shape.values()]
 
 
 def reply(case, said):
-    if isinstance(said, str):
-        return {"position": said}
+    if isinstance(said, bool):
+        return {"position": "inside" if said else "outside"}
     if case.get("query") == "quadratic":
         return {"x": list(said)}
+    if isinstance(said, tuple):
+        t, u, v = said
+        return {"verdict": "hit", "hits": [{"t": t}], "barycentric": [1 - u - v, u, v]}
     hits = [] if said is None else [said] if isinstance(said, (int, float)) else said
     return {"verdict": "hit" if hits else "miss", "hits": [{"t": t} for t in hits]}
 
@@ -56,7 +62,7 @@ def main():
     function = getattr(module, name)
     for line in sys.stdin:
         case = json.loads(line)
-        arguments = arguments_of(case)
+        arguments = arguments_of(case, sys.argv[3:])
         answer = {"id": case["id"]}
         try:
             answer |= {"unsupported": True} if arguments is None else reply(case, function(*arguments))

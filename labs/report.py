@@ -17,7 +17,7 @@ def value(x):
 
 
 def fields(named):
-    return ", ".join(f"{key} {value(one)}" for key, one in named.items() if key not in ("type", "form", "id", "precision", "query", "note"))
+    return ", ".join(f"{key} {value(one)}" for key, one in named.items() if key not in ("type", "id", "precision", "query", "note"))
 
 
 def asked(case):
@@ -49,6 +49,7 @@ def print_finding(finding):
         print(f"  asked        {asked(case)}")
         print(f"  you said     {answered(finding.get('got'))}")
         print(f"  the truth    {answered(finding.get('exact'))}")
+        print(f"  in 3D        {finding['page']}")
     print(f"  diagnosis    {finding.get('diagnosis') or (case or {}).get('note') or finding['property']}")
 
 
@@ -68,5 +69,5 @@ def print_stages(lab, stages, again):
     for finding in last.findings:
         print(f"\nThe simplest of the cases that fail, about {finding.get('cases', 1)}:")
         print_finding(finding)
-    print(f"\n  in 3D        {last.page}\n  again        {again}\n  a hint       rayproof lab hint {lab.number}")
+    print(f"\nagain: {again}\na hint: rayproof lab hint {lab.number}")
     return False

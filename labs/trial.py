@@ -10,7 +10,7 @@ import sys
 
 from course import OWN_LABS, LabError
 
-CASES = 200  # for each family: a check is to take a second or two
+CASES = 100  # for each family: a check is to take a second or two
 COMPILER = shlex.split(os.environ.get("CXX", "c++"))
 FLAGS = ["-std=c++20", "-O1", "-ffp-contract=off"]  # a product and a sum are rounded apart, as written
 
@@ -22,10 +22,12 @@ class NotCompiled(Exception):
 class Stage:
     """What one group of checks, easy or hard, found."""
 
-    def __init__(self, described, figures, findings, page):
-        self.name, self.page = described["name"], page
-        self.claims = {one["property"]: one["mark"] != "BROKEN"
-                       for method in figures["methods"] for one in method["properties"] if one["held"] + one["broken"] and (described.get("digits") or one["property"] != "digits")}
+    def __init__(self, described, figures, findings):
+        self.name = described["name"]
+        self.claims = {one["property"]: one["mark"] != "BROKEN" for method in figures["methods"]
+                       for one in method["properties"] if one["held"] + one["broken"]}
+        if not described.get("digits"):
+            self.claims.pop("digits", None)
         self.findings = findings
         for finding in findings:
             self.claims[finding["property"]] = False
@@ -95,7 +97,7 @@ def command_of(lab, file, work, judge_work=None):
         compile(file.read_text(encoding="utf-8"), file.name, "exec")
     except SyntaxError as problem:
         raise NotCompiled(f"{file.name}:{problem.lineno}: {problem.msg}\n    {(problem.text or '').strip()}") from problem
-    return shlex.join([sys.executable, str(OWN_LABS / "judge.py"), str(file.resolve()), lab.stem])
+    return shlex.join([sys.executable, str(OWN_LABS / "judge.py"), str(file.resolve()), lab.stem, *lab.fields])
 
 
 def judge(lab, file, work, judge_work=None):
@@ -118,10 +120,11 @@ def judge_stage(lab, described, command, work):
         capture_output=True, text=True, check=False)
     if ended.returncode not in (0, 1) or not figures.exists():
         raise LabError(f"rayproof check ended with {ended.returncode}: {ended.stderr}")
-    findings = [json.loads(line) for line in found.read_text(encoding="utf-8").splitlines()]
+    lines = found.read_text(encoding="utf-8").splitlines()
+    findings = [json.loads(line) | {"page": f"{out}/index.html#finding-{i}"} for i, line in enumerate(lines, 1)]
     if not described.get("digits"):
         findings = [finding for finding in findings if finding["property"] != "digits"]
-    stage = Stage(described, json.loads(figures.read_text(encoding="utf-8")), findings, out / "index.html")
+    stage = Stage(described, json.loads(figures.read_text(encoding="utf-8")), findings)
     if not stage.claims and not findings:
-        findings.append({"property": "answers", "kind": "protocol", "diagnosis": "it answered no case", "cases": 0})
+        findings.append({"property": "answers", "kind": "protocol", "diagnosis": "it answered no case"})
     return stage

@@ -1,4 +1,4 @@
-// Diagnosis: hits behind the ray's beginning are reported
+// Diagnosis: the interval of t is ignored
 #include "sphere.hpp"
 
 std::vector<double> sphere(vec3 origin, vec3 direction, double, double, vec3 center, double radius) {
