@@ -1,4 +1,4 @@
-# Diagnosis: u + v <= 1 is not tested
+# Diagnosis: the interval of t is ignored
 def dot(u, v):
     return sum(x * y for x, y in zip(u, v))
 
@@ -18,6 +18,6 @@ def triangle(origin, direction, t_min, t_max, a, b, c):
     if det == 0:
         return None
     t, u, v = dot(e2, q) / det, dot(s, p) / det, dot(direction, q) / det
-    if u < 0 or v < 0 or u > 1 or v > 1:
+    if u < 0 or v < 0 or u + v > 1:
         return None
-    return (t, u, v) if t_min <= t <= t_max else None
+    return (t, u, v)
