@@ -4,6 +4,7 @@
 import argparse
 from pathlib import Path
 import shutil
+import signal
 import sys
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
@@ -103,6 +104,7 @@ def read_arguments(arguments):
 
 
 def main():
+    signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # whoever reads us may stop, as `head` does
     options = read_arguments(sys.argv[1:])
     try:
         return options.act(courses.Course(options.labs), courses.Progress.find(), options)

@@ -3,7 +3,9 @@
 # What each property of rayproof check is about, in the order of a lab's report.
 CLAIMS = [("answers", "there is an answer"), ("verdict", "hit or miss"), ("position", "inside or outside"),
           ("residual", "t"), ("roots", "roots"), ("ascending", "order"), ("boundary", "boundary"), ("point", "point"),
-          ("normal", "normal"), ("digits", "digits")]
+          ("normal", "normal"), ("coordinates", "barycentric coordinates"), ("digits", "digits"),
+          ("scaled", "the same in another size"), ("moved", "the same in another place"),
+          ("reversed", "the same from the other end")]
 
 
 def number(x):
