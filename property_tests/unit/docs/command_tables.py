@@ -33,7 +33,7 @@ SHORTER = [(r"(rayproof worst.*) --time \w+", r"\1"), (r"walk all --png", "walk 
 IN_THE_SOURCE = r"^(cmake|ctest|python3 property_tests)"
 
 # Not 0, and what is said then.
-ENDS_WITH = [(r"walk .*--window", 2, "isplay")]
+ENDS_WITH = [(r"walk .*--window", 2, "isplay"), (r"lab check \w", 1, "")]
 
 # Not run: why, and the file that must hold what is run in its place.
 NOT_RUN = [

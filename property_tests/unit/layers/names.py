@@ -11,7 +11,7 @@ from pathlib import Path
 import re
 import sys
 
-FOLDERS = ["lib", "property_tests", "viz", "bench", "docs", "cmake"]
+FOLDERS = ["lib", "property_tests", "viz", "bench", "docs", "cmake", "labs"]
 FILES = ["rayproof", "README.md", "CONTRIBUTING.md"]
 SUFFIXES = {".hpp", ".cpp", ".py", ".md", ".sh", ".cmake", ".txt", ".jsonl"}
 

@@ -1,0 +1,17 @@
+// Diagnosis: computes in float
+#include "sphere.hpp"
+
+std::vector<double> sphere(vec3 origin, vec3 direction, double t_min, double t_max, vec3 center,
+                           double radius) {
+  const vec3 l = origin - center;
+  const float a = dot(direction, direction);
+  const float b = dot(l, direction);
+  const float c = dot(l, l) - radius * radius;
+  const float D = b * b - a * c;
+  std::vector<double> hits;
+  if (D < 0) return hits;
+  const float near = (-b - sqrt(D)) / a, far = (-b + sqrt(D)) / a;
+  if (t_min <= near && near <= t_max) hits.push_back(near);
+  if (t_min <= far && far <= t_max) hits.push_back(far);
+  return hits;
+}

@@ -1,0 +1,14 @@
+# Diagnosis: a = 0 are not handled
+from math import copysign, sqrt
+
+
+def quadratic(a, b, c):
+    if a == 0:
+        return []
+    D = b * b - 4 * a * c
+    if D < 0:
+        return []
+    q = -(b + copysign(sqrt(D), b)) / 2
+    if D == 0 or q == 0:
+        return [q / a]
+    return sorted([q / a, c / q])

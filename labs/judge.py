@@ -1,0 +1,75 @@
+"""judge.py FILE FUNCTION [FIELD…]: answers cases by a function of a student's Python file (docs/your-own-code.md).
+
+It is called with origin, direction, t_min, t_max and the shape's fields, or with a query's fields; where FIELDs are given,
+for shapes of these fields alone. It returns a list of all answers, one t, a tuple (t, u, v), None, or whether a point is
+inside."""
+
+import importlib.util
+import json
+from pathlib import Path
+import sys
+import traceback
+
+
+def numbers(value):
+    if isinstance(value, dict):
+        return {key: numbers(one) for key, one in value.items()}
+    if isinstance(value, list):
+        return [numbers(one) for one in value]
+    if isinstance(value, str):
+        return float.fromhex(value) if "0x" in value else float(value)
+    return value if isinstance(value, bool) else float(value)
+
+
+def arguments_of(case, wanted):
+    """What the function is called with; None where it cannot be asked."""
+    if "transform" in case:
+        return None
+    if "query" in case:
+        return [numbers(value) for key, value in case.items() if key not in ("id", "precision", "query", "note")]
+    ray, shape = numbers(case["ray"]), dict(case["shape"])
+    shape.pop("type")
+    if wanted and list(shape) != wanted:
+        return None
+    return [ray[key] for key in ("origin", "direction", "t_min", "t_max")] + [numbers(value) for value in shape.values()]
+
+
+def reply(case, said):
+    if isinstance(said, bool):
+        return {"position": "inside" if said else "outside"}
+    if case.get("query") == "quadratic":
+        return {"x": list(said)}
+    if isinstance(said, tuple):
+        t, u, v = said
+        return {"verdict": "hit", "hits": [{"t": t}], "barycentric": [1 - u - v, u, v]}
+    hits = [] if said is None else [said] if isinstance(said, (int, float)) else said
+    return {"verdict": "hit" if hits else "miss", "hits": [{"t": t} for t in hits]}
+
+
+def mistake(problem, file):
+    """The exception, with the student's own line."""
+    lines = [frame.lineno for frame in traceback.extract_tb(problem.__traceback__) if Path(frame.filename) == file]
+    return f"{file.name}, line {lines[-1] if lines else '?'}: {type(problem).__name__}: {problem}"
+
+
+def main():
+    file, name = Path(sys.argv[1]), sys.argv[2]
+    spec = importlib.util.spec_from_file_location("answer", file)
+    module = importlib.util.module_from_spec(spec)
+    answers, sys.stdout = sys.stdout, sys.stderr  # what a student prints is no answer
+    sys.dont_write_bytecode = True
+    spec.loader.exec_module(module)
+    function = getattr(module, name)
+    for line in sys.stdin:
+        case = json.loads(line)
+        arguments = arguments_of(case, sys.argv[3:])
+        answer = {"id": case["id"]}
+        try:
+            answer |= {"unsupported": True} if arguments is None else reply(case, function(*arguments))
+        except Exception as problem:  # pylint: disable=broad-except: whatever a student's code throws
+            answer["error"] = mistake(problem, file)
+        print(json.dumps(answer), file=answers, flush=True)
+
+
+if __name__ == "__main__":
+    main()

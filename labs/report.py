@@ -1,0 +1,75 @@
+"""What a student reads after a check."""
+
+# What each property of rayproof check is about, in the order of a lab's report.
+CLAIMS = [("answers", "there is an answer"), ("verdict", "hit or miss"), ("position", "inside or outside"),
+          ("residual", "t"), ("roots", "roots"), ("ascending", "order"), ("boundary", "boundary"), ("point", "point"),
+          ("normal", "normal"), ("coordinates", "barycentric coordinates"), ("digits", "digits"),
+          ("scaled", "the same in another size"), ("moved", "the same in another place"),
+          ("reversed", "the same from the other end")]
+
+
+def number(x):
+    return x if isinstance(x, str) else repr(int(x)) if float(x).is_integer() and abs(x) < 1e15 else repr(x)
+
+
+def value(x):
+    if isinstance(x, list):
+        return f"({', '.join(map(value, x))})"
+    return str(x).lower() if isinstance(x, bool) else number(x)
+
+
+def fields(named):
+    return ", ".join(f"{key} {value(one)}" for key, one in named.items() if key not in ("type", "id", "precision", "query", "note"))
+
+
+def asked(case):
+    """The case in words."""
+    if "shape" not in case:
+        return f"{case['query'].replace('_', ' ')}: {fields(case)}"
+    ray = case["ray"]
+    moved = ", under a transform" if "transform" in case else ""
+    return (f"ray from {value(ray['origin'])}, direction {value(ray['direction'])}, "
+            f"t from {value(ray['t_min'])} to {value(ray['t_max'])};\n{'':15}"
+            f"{case['shape']['type']}: {fields(case['shape'])}{moved}")
+
+
+def answered(answer):
+    """An answer in words."""
+    if not answer:
+        return "nothing"
+    if "error" in answer or "position" in answer:
+        return answer.get("error") or answer["position"]
+    if "x" in answer:
+        return f"x = {', '.join(map(number, answer['x']))}" if answer["x"] else "no root"
+    hits = ", ".join(number(hit["t"]) for hit in answer.get("hits", []))
+    return f"hit at t = {hits}" if hits else answer.get("verdict", "nothing")
+
+
+def print_finding(finding):
+    case = finding.get("case")
+    if case:
+        print(f"  asked        {asked(case)}")
+        print(f"  you said     {answered(finding.get('got'))}")
+        print(f"  the truth    {answered(finding.get('exact'))}")
+        print(f"  in 3D        {finding['page']}")
+    print(f"  diagnosis    {finding.get('diagnosis') or (case or {}).get('note') or finding['property']}")
+
+
+def print_stages(lab, stages, again):
+    """Whether all stages passed, after saying how they went."""
+    print(f"{lab.name}: {lab.title}")
+    for stage in stages:
+        for name, words in CLAIMS:
+            if name in stage.claims:
+                print(f"  {'ok   ' if stage.claims[name] else 'WRONG'}  {stage.name}: {words}")
+    for described in lab.stages[len(stages):]:
+        print(f"  later  {described['name']}")
+    last = stages[-1]
+    if not last.findings:
+        print(f"passed. The solution: rayproof lab show {lab.number}")
+        return True
+    for finding in last.findings:
+        print(f"\nThe simplest of the cases that fail, about {finding.get('cases', 1)}:")
+        print_finding(finding)
+    print(f"\nagain: {again}\na hint: rayproof lab hint {lab.number}")
+    return False

@@ -1,0 +1,130 @@
+"""Compiles an answer and has rayproof check judge it, stage by stage."""
+
+from concurrent.futures import ThreadPoolExecutor
+import json
+import os
+from pathlib import Path
+import shlex
+import subprocess
+import sys
+
+from course import OWN_LABS, LabError
+
+CASES = 100  # for each family: a check is to take a second or two
+COMPILER = shlex.split(os.environ.get("CXX", "c++"))
+FLAGS = ["-std=c++20", "-O1", "-ffp-contract=off"]  # a product and a sum are rounded apart, as written
+
+
+class NotCompiled(Exception):
+    """What the compiler says about the student's file."""
+
+
+class Stage:
+    """What one group of checks, easy or hard, found."""
+
+    def __init__(self, described, figures, findings):
+        self.name = described["name"]
+        self.claims = {one["property"]: one["mark"] != "BROKEN" for method in figures["methods"]
+                       for one in method["properties"] if one["held"] + one["broken"]}
+        if not described.get("digits"):
+            self.claims.pop("digits", None)
+        self.findings = findings
+        for finding in findings:
+            self.claims[finding["property"]] = False
+
+
+def programs():
+    """The folder of rayproof's programs: beside the link that started us, or above us where installed."""
+    for folder in (Path(sys.argv[0]).parent, OWN_LABS.parent, *map(Path, os.environ.get("RAYPROOF_BIN", "").split())):
+        if (folder / "rayproof-check").exists():
+            return folder.resolve()
+    raise LabError("rayproof-check is not found; start this by 'rayproof lab'")
+
+
+def includes():
+    installed = OWN_LABS / "include"
+    return [installed] if installed.exists() else [OWN_LABS.parent / "property_tests", OWN_LABS.parent / "lib/include"]
+
+
+def run_compiler(arguments, folder):
+    ended = subprocess.run([*COMPILER, *FLAGS, *map(str, arguments)], cwd=folder, capture_output=True, text=True, check=False)
+    return ended.stderr if ended.returncode else ""
+
+
+def is_newer(file, *sources):
+    return file.exists() and all(file.stat().st_mtime_ns > source.stat().st_mtime_ns for source in sources)
+
+
+def build_judge(lab, work):
+    """The object that asks the function: compiled once, for it takes longer than all else."""
+    work.mkdir(parents=True, exist_ok=True)
+    judge, source = work / "judge.o", lab.folder / "judge.cpp"
+    if is_newer(judge, source, lab.folder / f"{lab.stem}.hpp"):
+        return judge
+    own = [part for folder in includes() for part in ("-I", folder)]
+    said = run_compiler(["-O0", *own, "-I", lab.folder, "-c", source, "-o", judge], work)
+    if said:
+        raise LabError(f"{source} does not compile:\n{said}")
+    return judge
+
+
+def build(lab, file, work, judge_work=None):
+    """The program of a C++ answer; made only where the answer is newer."""
+    program, code = work / "program", work / "answer.o"
+    work.mkdir(parents=True, exist_ok=True)
+    if is_newer(program, file, lab.folder / "judge.cpp"):
+        return program
+    with ThreadPoolExecutor() as pool:
+        judge = pool.submit(build_judge, lab, judge_work or work)
+        said = run_compiler(["-Wall", "-Wextra", "-fmax-errors=3", "-I", lab.folder, "-c", file.name, "-o", code], file.parent)
+        judge = judge.result()
+    if said:
+        raise NotCompiled(said)
+    said = run_compiler([code, judge, "-o", program], work)
+    if said:
+        raise NotCompiled(f"{file.name} has no function as {lab.stem}.hpp declares it:\n"
+                          + "\n".join(line for line in said.splitlines() if "undefined" in line))
+    return program
+
+
+def command_of(lab, file, work, judge_work=None):
+    """The shell line that answers cases."""
+    if not file.exists():
+        raise LabError(f"{file} is missing")
+    if file.suffix == ".cpp":
+        return shlex.quote(str(build(lab, file, work, judge_work).resolve()))
+    try:
+        compile(file.read_text(encoding="utf-8"), file.name, "exec")
+    except SyntaxError as problem:
+        raise NotCompiled(f"{file.name}:{problem.lineno}: {problem.msg}\n    {(problem.text or '').strip()}") from problem
+    return shlex.join([sys.executable, str(OWN_LABS / "judge.py"), str(file.resolve()), lab.stem, *lab.fields])
+
+
+def judge(lab, file, work, judge_work=None):
+    """The stages in their order, up to the first that fails."""
+    work, done = work.resolve(), []
+    command = command_of(lab, file, work, judge_work)
+    for described in lab.stages:
+        done.append(judge_stage(lab, described, command, work))
+        if done[-1].findings:
+            break
+    return done
+
+
+def judge_stage(lab, described, command, work):
+    out = work / described["name"]
+    figures, found = out / "figures.json", out / "findings.jsonl"
+    ended = subprocess.run(
+        [programs() / "rayproof-check", "--subject-command", command, "--shape", lab.shape, "--cases", str(CASES),
+         "--precision", "float64", "--family", ",".join(described["families"]), "--out", out, "--json", figures],
+        capture_output=True, text=True, check=False)
+    if ended.returncode not in (0, 1) or not figures.exists():
+        raise LabError(f"rayproof check ended with {ended.returncode}: {ended.stderr}")
+    lines = found.read_text(encoding="utf-8").splitlines()
+    findings = [json.loads(line) | {"page": f"{out}/index.html#finding-{i}"} for i, line in enumerate(lines, 1)]
+    if not described.get("digits"):
+        findings = [finding for finding in findings if finding["property"] != "digits"]
+    stage = Stage(described, json.loads(figures.read_text(encoding="utf-8")), findings)
+    if not stage.claims and not findings:
+        findings.append({"property": "answers", "kind": "protocol", "diagnosis": "it answered no case"})
+    return stage
