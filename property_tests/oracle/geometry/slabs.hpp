@@ -35,10 +35,11 @@ struct SlabMeeting {
   }
 
  private:
-  struct Motion {
+  struct PositionAndSpeed {
     R position, speed;
   };
-  SlabMeeting(const ObjectRay<R>& ray, const Vector<R>& n, Motion line, const R& lower, const R& upper)
+  SlabMeeting(const ObjectRay<R>& ray, const Vector<R>& n, PositionAndSpeed line, const R& lower,
+              const R& upper)
       : normal(n),
         position(std::move(line.position)),
         speed(std::move(line.speed)),
