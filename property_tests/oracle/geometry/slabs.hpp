@@ -65,11 +65,13 @@ template <class R>
 [[nodiscard]] SlabMeetings<R> meetings(const ObjectRay<R>& ray, const Parallelepiped<double>& solid) {
   const auto corner = Vector<R>::from(solid.corner);
   const auto edge = [&](std::size_t i) { return Vector<R>::from(solid.edges[i % 3]); };
+  R volume = dot(cross(edge(1), edge(2)), edge(0));  // of each normal with its edge
+  const int turn = sign(volume);
+  if (turn < 0) volume = -volume;
   const auto slab = [&](std::size_t i) {
-    Vector<R> normal = cross(edge(i + 1), edge(i + 2));
-    if (sign(dot(normal, edge(i))) < 0) normal = -normal;
+    const Vector<R> normal = turn < 0 ? cross(edge(i + 2), edge(i + 1)) : cross(edge(i + 1), edge(i + 2));
     const R low = dot(normal, corner);
-    return SlabMeeting<R>(ray, normal, low, low + dot(normal, edge(i)));
+    return SlabMeeting<R>(ray, normal, low, low + volume);
   };
   return {slab(0), slab(1), slab(2)};
 }

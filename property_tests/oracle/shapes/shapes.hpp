@@ -35,6 +35,8 @@ using ExactPointer = std::unique_ptr<ExactIntersection>;
 [[nodiscard]] Judgement judge(const RayQuestion&, const Box<double>&, Precision, const RayAnswer& claimed);
 [[nodiscard]] Judgement judge(const RayQuestion&, const Parallelepiped<double>&, Precision,
                               const RayAnswer& claimed);
+[[nodiscard]] Judgement judge(const RayQuestion&, const Cylinder<double>&, Precision,
+                              const RayAnswer& claimed);
 [[nodiscard]] Judgement judge(const RayQuestion&, const Sphere<double>&, Precision, const RayAnswer& claimed);
 
 /// The exact kind and the correctly rounded roots of ax² + bx + c = 0.
