@@ -16,10 +16,12 @@ template <class R>
 [[nodiscard]] Vector<R> newell_normal(const Polygon<double>& polygon) {
   const std::vector<glm::dvec3>& vertices = polygon.vertices;
   Vector<R> normal{R(0.0), R(0.0), R(0.0)};
-  const auto vertex = [&](std::size_t i) { return Vector<R>::from(vertices[i % vertices.size()]); };
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const Vector<R> at = vertex(i), step = vertex(i + 1) - vertex(i + vertices.size() - 1);
+  const glm::dvec3* before = &vertices.back();
+  for (const glm::dvec3& vertex : vertices) {
+    const glm::dvec3& after = &vertex == &vertices.back() ? vertices.front() : *(&vertex + 1);
+    const auto at = Vector<R>::from(vertex), step = step_between<R>(*before, after);
     normal = normal + Vector<R>{at.y * step.z, at.z * step.x, at.x * step.y};
+    before = &vertex;
   }
   return normal;
 }

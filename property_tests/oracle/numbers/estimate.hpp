@@ -25,7 +25,10 @@ struct Estimate {
     low = y - (high - x);
   }
 
-  [[nodiscard]] bool is_one() const { return steps == 0 && high == 1; }
+  /// Nothing is lost of a pair.
+  explicit Estimate(const Pair& x) : high(x.high), low(x.low), size(std::abs(x.high)), steps(0) {}
+
+  [[nodiscard]] bool is_one() const { return steps == 0 && high == 1 && low == 0; }
   [[nodiscard]] double radius() const { return steps * 0x1p-99 * size; }
 };
 
