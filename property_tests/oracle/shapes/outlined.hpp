@@ -44,9 +44,9 @@ template <class R>
 
 /// The largest distance of the corners from (0, 0, 0).
 [[nodiscard]] inline long double farthest_of(std::span<const glm::dvec3> corners) {
-  long double farthest = 0;
-  for (const glm::dvec3& corner : corners) farthest = std::max(farthest, length_of(corner));
-  return farthest;
+  long double squared = 0;
+  for (const glm::dvec3& corner : corners) squared = std::max(squared, squared_length_of(corner));
+  return std::sqrt(squared);
 }
 
 /// A flat shape bounded by sides from corner to corner.
