@@ -62,6 +62,7 @@ NOT_RUN = [
     (r"rayproof leak (MESH\.off|\[MESH\])", "needs a mesh; a test reads one in each format",
      "property_tests/unit/leaks/mesh_test.cpp", "IsTheSameInEveryFormat"),
     (r"^doxygen docs/Doxyfile", "takes long; .ci/run runs it", ".ci/run", "Doxyfile"),
+    (r"rayproof docs\b", "takes a minute and packages of its own; .ci/run runs it", ".ci/run", "./rayproof docs"),
     (r"^python3 \S+/add_a_shape/prove\.py", "takes minutes; .ci/run runs it", ".ci/run", "add_a_shape/prove.py"),
     (r"^python3 docs/errata\.py", "takes minutes; its page is compared case by case instead", "docs/errata.py", "in_words")]
 

@@ -1,4 +1,4 @@
-"""Checks README.md, CONTRIBUTING.md and docs/*.md by running every command that they show.
+"""Checks README.md, CONTRIBUTING.md and all pages of docs by running every command that they show.
 
     python3 property_tests/unit/docs/commands.py --source . --bin build/release/bin
 
@@ -208,7 +208,7 @@ def main():
     parser.add_argument("pages", nargs="*", help="only these pages")
     options = parser.parse_args()
     runner = Runner(options.source, options.bin)
-    pages = [runner.source / name for name in ["README.md", "CONTRIBUTING.md"]] + sorted((runner.source / "docs").glob("*.md"))
+    pages = [runner.source / name for name in ["README.md", "CONTRIBUTING.md"]] + sorted((runner.source / "docs").rglob("*.md"))
     wanted = [page for page in pages if not options.pages or page.name in options.pages]
     # CTest may first have to ask the test programs for their tests: once, before several pages list them at the same time.
     subprocess.run(["ctest", "--test-dir", runner.programs.parent, "--show-only"], capture_output=True, check=False)
