@@ -67,4 +67,4 @@ class Parts:
 
     def header(self, name, _page):
         """The reference of a header of the library."""
-        return f"```{{doxygenfile}} {name}\n```"
+        return f"```{{doxygenfile}} {name}\n:no-link:\n```"

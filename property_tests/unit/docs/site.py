@@ -16,7 +16,7 @@ from page import Faults
 sys.path.insert(0, str(Path(__file__).parent.parent / "pages"))
 from devtools import Browser, Page, find_browser  # noqa: E402
 
-SEARCHES = {"cancellation": "docs/glossary.html", "citardauq": "docs/errata.html"}
+SEARCHES = {"cancellation": "docs/glossary.html", "citardauq": "docs/shapes/quadratic.html"}
 ABSENT = "qwertzuiopx"
 SECONDS = 20
 
