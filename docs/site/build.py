@@ -88,7 +88,7 @@ def build(programs, work):
     shutil.copy(SOURCE / "docs/site/formulas.js", work / "static")
     (work / "extra/index.html").write_text(FIRST + "\n")
     describe_library(work)
-    gather(work / "source", Parts(programs, work / "extra/walk"))
+    gather(work / "source", Parts(programs, work / "extra/walk", work / "xml"))
     command = [sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", "-j", "auto", "-b", "html", "-c", SOURCE / "docs/site",
                "-d", work / "doctrees", work / "source", work / "html"]
     ended = subprocess.run(command, env=os.environ | {"RAYPROOF_SITE": str(work)}, check=False)

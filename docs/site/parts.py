@@ -3,6 +3,7 @@
 import json
 import os
 import subprocess
+from xml.etree import ElementTree
 
 BOUNDS = ["verdict", "residual", "ulp"]
 
@@ -22,8 +23,9 @@ def plain(text):
 
 
 class Parts:
-    def __init__(self, programs, walks):
-        self.programs, self.walks = programs, walks
+    def __init__(self, programs, walks, described):
+        self.programs, self.walks, self.described = programs, walks, described
+        self.namespace = ElementTree.parse(described / "namespacerayproof.xml")
         self.listed = json.loads(self.ask("methods", "--json"))
 
     def ask(self, program, *arguments):
@@ -65,6 +67,15 @@ class Parts:
         frame = f'<iframe src="{link}" title="Walkthrough {topic}" loading="lazy" style="width: 100%; height: 44rem; border: 1px solid #888"></iframe>'
         return f"```{{raw}} html\n{frame}\n<p><a href=\"{link}\">The walkthrough on a page of its own</a></p>\n```"
 
-    def header(self, name, _page):
-        """The reference of a header of the library."""
-        return f"```{{doxygenfile}} {name}\n:no-link:\n```"
+    def header(self, name, page):
+        """The reference of a header of the library: its types, and its functions but for those that are overloaded."""
+        files = [ElementTree.parse(file).find("compounddef") for file in sorted(self.described.glob("*_8hpp.xml"))]
+        files = [file for file in files if file.find("location").get("file") in (name, f"lib/include/{name}")]
+        if len(files) != 1:
+            raise SystemExit(f"{page}: Doxygen knows {len(files)} headers '{name}'")
+        types = [one for one in files[0].findall("innerclass") if "<" not in one.text]
+        lines = [f"```{{doxygen{one.get('refid').split('rayproof')[0]}}} {one.text}\n:members:\n:undoc-members:\n```" for one in types]
+        functions = [one.findtext("name") for one in files[0].iterfind(".//memberdef[@kind='function']")]
+        overloaded = [one.findtext("name") for one in self.namespace.iterfind(".//memberdef[@kind='function']")]
+        lines += [f"```{{doxygenfunction}} rayproof::{one}\n```" for one in functions if overloaded.count(one) == 1]
+        return "\n\n".join(lines)
