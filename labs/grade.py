@@ -114,12 +114,15 @@ def add_command(commands):
         "Exit status: 0 all were graded; 1 some could not be; 2 wrong command line; 130 interrupted."))
     command.add_argument("folder", type=Path, metavar="DIR",
                          help="holds a folder for each student, with 04-sphere/sphere.cpp or sphere.cpp")
-    command.add_argument("--lab", action="append", metavar="LAB", help="only this lab, by its number or name; may be given several times")
+    command.add_argument("--lab", action="append", metavar="LAB",
+                         help="only this lab, by its number or name; may be given several times")
     command.add_argument("--student", action="append", metavar="NAME", help="only this folder; may be given several times")
     command.add_argument("--json", type=Path, metavar="FILE", help="write all results as one JSON object")
     command.add_argument("--csv", type=Path, metavar="FILE", help="write them as a table, too")
-    command.add_argument("--gradescope", type=Path, metavar="DIR", help="write DIR/STUDENT/results.json as Gradescope reads it")
-    command.add_argument("--seconds", type=positive, default=10, metavar="N", help="for an answer to compile, and again to run (default 10)")
+    command.add_argument("--gradescope", type=Path, metavar="DIR",
+                         help="write DIR/STUDENT/results.json as Gradescope reads it")
+    command.add_argument("--seconds", type=positive, default=10, metavar="N",
+                         help="for an answer to compile, and again to run (default 10)")
     command.add_argument("--memory", type=positive, default=512, metavar="MB", help="of each process of an answer (default 512)")
     command.add_argument("--sandbox", choices=["bubblewrap", "prlimit"], help="this one; else bubblewrap where it works")
     command.add_argument("--jobs", type=positive, default=len(os.sched_getaffinity(0)), metavar="N",

@@ -51,7 +51,7 @@ def kinds(escape):
         "right, in her own folder": (lambda folder: write(folder / "sphere.cpp", RIGHT), "passed", ""),
         "right, state is nonsense": (noted, "passed", ""),
         "Jürgen Weiß": (python(PYTHON), "passed", ""),
-        "wrong": (cpp((SPHERE / "wrong/centre_ignored.cpp").read_text(encoding="utf-8")), "wrong", "centre is ignored"),
+        "wrong": (cpp((SPHERE / "wrong/centre_forgotten.cpp").read_text(encoding="utf-8")), "wrong", "centre is ignored"),
         "stub": (cpp((SPHERE / "sphere.cpp").read_text(encoding="utf-8")), "wrong", "it finds nothing"),
         "crash": (cpp(doing("std::abort();")), "crashed", "signal 6"),
         "endless": (cpp(doing("for (;;) { static volatile int k; k = k + 1; }")), "too slow", "longer than"),

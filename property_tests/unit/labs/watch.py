@@ -58,7 +58,8 @@ def main():
         folder = Path(outer) / "Übung 1"
         folder.mkdir()
         for lab in ("sphere", "plane"):
-            subprocess.run([sys.executable, LABS / "lab.py", "start", lab], cwd=folder, env=environment, check=True, stdout=subprocess.DEVNULL)
+            subprocess.run([sys.executable, LABS / "lab.py", "start", lab], cwd=folder, env=environment, check=True,
+                           stdout=subprocess.DEVNULL)
         answer, second = folder / "04-sphere/sphere.cpp", folder / "01-plane/plane.cpp"
         right = (LABS / "04-sphere/solution/sphere.cpp").read_text(encoding="utf-8")
         watch = Watch(folder, environment)
@@ -67,7 +68,7 @@ def main():
         faults += watch.said("saved", "04-sphere", "passed")
         replace(answer, right.replace("return hits;", "return hit;"), 0)
         faults += watch.said("replaced", "does not compile")
-        replace(answer, right.replace("(-b + sqrt(D)) / a", "offset(-b + sqrt(D)) / a").replace("#include", '#include "own.hpp"\n#include', 1), 0)
+        replace(answer, '#include "own.hpp"\n' + right.replace("(-b + sqrt(D)) / a", "offset(-b + sqrt(D)) / a"), 0)
         faults += watch.said("with a header that is missing", "own.hpp", "does not compile")
         (answer.parent / "own.hpp").write_text("inline double offset(double x) { return x; }\n", encoding="utf-8")
         faults += watch.said("the header saved", "passed")
