@@ -11,7 +11,7 @@ SOURCES = (".cpp", ".hpp", ".h", ".py")
 
 
 def saved_state(folder, name):
-    """What tells one save from another, of the answer and the files beside it; None while the answer is being replaced."""
+    """What distinguishes one save from another, of the answer and the files beside it; None while the answer is being replaced."""
     state = {}
     try:
         for path in folder.iterdir():
