@@ -1,10 +1,13 @@
 """The labs of a course, and how far a student is."""
 
 import json
+import os
 from pathlib import Path
 import re
+import shlex
 import shutil
 
+PROGRAM = f"{shlex.quote(os.environ.get('RAYPROOF_CALLED', 'rayproof'))} lab"  # as it was called
 OWN_LABS = Path(__file__).resolve().parent
 
 
@@ -58,8 +61,8 @@ class Course:
         for lab in self.labs:
             if wanted in (lab.name, lab.name[3:]) or wanted and re.fullmatch(r"\d+", wanted) and int(wanted) == lab.number:
                 return lab
-        raise LabError(f"there is no lab '{wanted}'; 'rayproof lab list' lists them" if wanted else
-                       "no lab has been started here; 'rayproof lab start 1' starts the first")
+        raise LabError(f"there is no lab '{wanted}'; '{PROGRAM} list' lists them" if wanted else
+                       f"no lab has been started here; '{PROGRAM} start 1' starts the first")
 
 
 class Progress:
@@ -89,7 +92,7 @@ class Progress:
 
     def started(self, lab):
         if not self.of(lab):
-            raise LabError(f"lab {lab.name} has not been started here: rayproof lab start {lab.number}")
+            raise LabError(f"lab {lab.name} has not been started here: {PROGRAM} start {lab.number}")
         return self.of(lab)
 
     def update(self, lab, **values):

@@ -53,7 +53,7 @@ def mistake(problem, file):
 
 
 def main():
-    file, name = Path(sys.argv[1]), sys.argv[2]
+    file, name = Path(sys.argv[1]).resolve(), sys.argv[2]
     spec = importlib.util.spec_from_file_location("answer", file)
     module = importlib.util.module_from_spec(spec)
     answers, sys.stdout = sys.stdout, sys.stderr  # what a student prints is no answer

@@ -9,10 +9,12 @@ import sys
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import course as courses  # noqa: E402: found beside this file, which may be started by a link
+import grade  # noqa: E402
 import report  # noqa: E402
 import trial  # noqa: E402
+import watch as watching  # noqa: E402
 
-PROGRAM = "rayproof lab"
+PROGRAM = courses.PROGRAM
 
 
 def list_labs(course, progress, options):
@@ -36,7 +38,10 @@ def start(course, progress, options):
 
 
 def check(course, progress, options):
-    lab = course.find(options.lab or progress.current())
+    return check_lab(course.find(options.lab or progress.current()), progress)
+
+
+def check_lab(lab, progress):
     kept = progress.started(lab)
     file = progress.folder / lab.name / lab.file(kept["language"])
     work = progress.folder / ".rayproof" / lab.name
@@ -44,6 +49,10 @@ def check(course, progress, options):
     has_passed = report.print_stages(lab, stages, f"{PROGRAM} check {lab.number}")
     progress.update(lab, checks=kept.get("checks", 0) + 1, passed=has_passed or kept.get("passed", False))
     return 0 if has_passed else 1
+
+
+def watch(course, progress, options):
+    return watching.watch(course, progress, options.lab, check_lab)
 
 
 def hint(course, progress, options):
@@ -97,9 +106,11 @@ def read_arguments(arguments):
     commands.add_parser("list", help="the labs, and how far you are").set_defaults(act=list_labs)
     command(start, "copy a lab into this folder").add_argument("--python", action="store_true", help="answer in Python")
     command(check, "judge your answer; the lab started last where none is given", nargs="?")
+    command(watch, "judge again after each save, until Ctrl-C; all labs that were started where none is given", nargs="?")
     command(hint, "one more hint", nargs="?")
     command(show, "the solution").add_argument("--give-up", action="store_true", help="before your answer passes")
     command(reset, "begin a lab again; what you wrote is kept")
+    grade.add_command(commands)
     return parser.parse_args(arguments)
 
 
@@ -107,7 +118,8 @@ def main():
     signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # whoever reads us may stop, as `head` does
     options = read_arguments(sys.argv[1:])
     try:
-        return options.act(courses.Course(options.labs), courses.Progress.find(), options)
+        course = courses.Course(options.labs)
+        return grade.grade(course, options) if options.act is grade.grade else options.act(course, courses.Progress.find(), options)
     except courses.LabError as problem:
         print(f"{PROGRAM}: {problem}", file=sys.stderr)
         return 2

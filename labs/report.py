@@ -1,5 +1,7 @@
 """What a student reads after a check."""
 
+from course import PROGRAM
+
 # What each property of rayproof check is about, in the order of a lab's report.
 CLAIMS = [("answers", "there is an answer"), ("verdict", "hit or miss"), ("position", "inside or outside"),
           ("residual", "t"), ("roots", "roots"), ("ascending", "order"), ("boundary", "boundary"), ("point", "point"),
@@ -66,10 +68,10 @@ def print_stages(lab, stages, again):
         print(f"  later  {described['name']}")
     last = stages[-1]
     if not last.findings:
-        print(f"passed. The solution: rayproof lab show {lab.number}")
+        print(f"passed. The solution: {PROGRAM} show {lab.number}")
         return True
     for finding in last.findings:
         print(f"\nThe simplest of the cases that fail, about {finding.get('cases', 1)}:")
         print_finding(finding)
-    print(f"\nagain: {again}\na hint: rayproof lab hint {lab.number}")
+    print(f"\nagain: {again}\na hint: {PROGRAM} hint {lab.number}")
     return False

@@ -7,6 +7,7 @@ from pathlib import Path
 import shlex
 import subprocess
 import sys
+import time
 
 from course import OWN_LABS, LabError
 
@@ -35,7 +36,7 @@ class Stage:
 
 def programs():
     """The folder of rayproof's programs: beside the link that started us, or above us where installed."""
-    for folder in (Path(sys.argv[0]).parent, OWN_LABS.parent, *map(Path, os.environ.get("RAYPROOF_BIN", "").split())):
+    for folder in (Path(sys.argv[0]).parent, OWN_LABS.parent, Path(os.environ.get("RAYPROOF_BIN", "."))):
         if (folder / "rayproof-check").exists():
             return folder.resolve()
     raise LabError("rayproof-check is not found; start this by 'rayproof lab'")
@@ -44,6 +45,11 @@ def programs():
 def includes():
     installed = OWN_LABS / "include"
     return [installed] if installed.exists() else [OWN_LABS.parent / "property_tests", OWN_LABS.parent / "lib/include"]
+
+
+def without_store():
+    """The compiler's words without ccache, whose store is outside of a sandbox."""
+    return COMPILER[1:] if Path(COMPILER[0]).name == "ccache" else COMPILER
 
 
 def run_compiler(arguments, folder):
@@ -72,7 +78,8 @@ def build(lab, file, work, judge_work=None):
     """The program of a C++ answer; made only where the answer is newer."""
     program, code = work / "program", work / "answer.o"
     work.mkdir(parents=True, exist_ok=True)
-    if is_newer(program, file, lab.folder / "judge.cpp"):
+    begun = time.time_ns()
+    if is_newer(program, file, *file.parent.glob("*.h*"), lab.folder / "judge.cpp"):
         return program
     with ThreadPoolExecutor() as pool:
         judge = pool.submit(build_judge, lab, judge_work or work)
@@ -84,6 +91,7 @@ def build(lab, file, work, judge_work=None):
     if said:
         raise NotCompiled(f"{file.name} has no function as {lab.stem}.hpp declares it:\n"
                           + "\n".join(line for line in said.splitlines() if "undefined" in line))
+    os.utime(program, ns=(begun, begun))  # what is saved while the compiler runs is newer
     return program
 
 
@@ -111,13 +119,14 @@ def judge(lab, file, work, judge_work=None):
     return done
 
 
-def judge_stage(lab, described, command, work):
+def judge_stage(lab, described, command, work, *more, **how):
+    """One stage; `more` goes to rayproof check, `how` says how it is run."""
     out = work / described["name"]
     figures, found = out / "figures.json", out / "findings.jsonl"
     ended = subprocess.run(
         [programs() / "rayproof-check", "--subject-command", command, "--shape", lab.shape, "--cases", str(CASES),
-         "--precision", "float64", "--family", ",".join(described["families"]), "--out", out, "--json", figures],
-        capture_output=True, text=True, check=False)
+         "--precision", "float64", "--family", ",".join(described["families"]), "--out", out, "--json", figures, *more],
+        capture_output=True, text=True, check=False, **how)
     if ended.returncode not in (0, 1) or not figures.exists():
         raise LabError(f"rayproof check ended with {ended.returncode}: {ended.stderr}")
     lines = found.read_text(encoding="utf-8").splitlines()

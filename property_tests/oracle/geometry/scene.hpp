@@ -4,8 +4,10 @@
 /// estimates.
 
 #include <optional>
+#include <type_traits>
 
 #include "case/case.hpp"
+#include "oracle/numbers/filters.hpp"
 
 namespace rayproof::oracle {
 
@@ -22,11 +24,25 @@ struct Vector {
   friend Vector operator+(const Vector& a, const Vector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
   friend Vector operator-(const Vector& a, const Vector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
   friend Vector operator*(const R& s, const Vector& v) { return {s * v.x, s * v.y, s * v.z}; }
-  friend R dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-  friend Vector cross(const Vector& a, const Vector& b) {
+  [[gnu::always_inline]] friend R dot(const Vector& a, const Vector& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+  }
+  [[gnu::always_inline]] friend Vector cross(const Vector& a, const Vector& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
   }
 };
+
+/// to - from. An estimate knows it exactly, as a pair.
+template <class R>
+[[nodiscard]] Vector<R> step_between(const glm::dvec3& from, const glm::dvec3& to) {
+  const auto difference = [](double x, double y) {
+    if constexpr (std::is_constructible_v<R, Pair>)
+      return R(sum_of(x, -y));
+    else
+      return R(x) - R(y);
+  };
+  return {difference(to.x, from.x), difference(to.y, from.y), difference(to.z, from.z)};
+}
 
 /// The inverse of an object-to-world matrix as its adjugate and determinant: A⁻¹ = adjugate / determinant.
 /// Both are negated where the determinant is certainly negative, so that what it scales keeps its order.

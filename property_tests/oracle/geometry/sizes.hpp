@@ -28,10 +28,11 @@ template <class R>
   return sqrt(squared_norm(v));
 }
 /// A long double has room for the squares of all doubles.
-[[nodiscard]] inline long double length_of(const glm::dvec3& v) {
+[[nodiscard]] inline long double squared_length_of(const glm::dvec3& v) {
   const long double x = v.x, y = v.y, z = v.z;
-  return std::sqrt(x * x + y * y + z * z);
+  return x * x + y * y + z * z;
 }
+[[nodiscard]] inline long double length_of(const glm::dvec3& v) { return std::sqrt(squared_length_of(v)); }
 [[nodiscard]] inline Scaled norm(const glm::dvec3& v) { return Scaled(length_of(v)); }
 
 /// The length of all these vectors' coordinates together, to one part in 2^38: what a size is made of. Throws

@@ -29,9 +29,13 @@ struct SlabMeeting {
   /// The t at which the line comes into the slab, and at which it leaves.
   [[nodiscard]] QuotientOf<R> entry() const { return {(sign(speed) > 0 ? low : high) - position, speed}; }
   [[nodiscard]] QuotientOf<R> exit() const { return {(sign(speed) > 0 ? high : low) - position, speed}; }
-  /// position + t·speed - bound, times the denominator of t.
+  /// position + t·speed, times the denominator of t.
+  [[nodiscard]] R at(const QuotientOf<R>& t) const {
+    return position * t.denominator() + speed * t.numerator();
+  }
+  /// The same less a bound.
   [[nodiscard]] R beyond(const R& bound, const QuotientOf<R>& t) const {
-    return (position - bound) * t.denominator() + speed * t.numerator();
+    return at(t) - bound * t.denominator();
   }
 
  private:
@@ -65,11 +69,15 @@ template <class R>
 [[nodiscard]] SlabMeetings<R> meetings(const ObjectRay<R>& ray, const Parallelepiped<double>& solid) {
   const auto corner = Vector<R>::from(solid.corner);
   const auto edge = [&](std::size_t i) { return Vector<R>::from(solid.edges[i % 3]); };
+  std::array normals{cross(edge(1), edge(2)), cross(edge(2), edge(0)), cross(edge(0), edge(1))};
+  R volume = dot(normals[0], edge(0));  // of each normal and its edge
+  if (sign(volume) < 0) {
+    volume = -volume;
+    for (Vector<R>& normal : normals) normal = -normal;
+  }
   const auto slab = [&](std::size_t i) {
-    Vector<R> normal = cross(edge(i + 1), edge(i + 2));
-    if (sign(dot(normal, edge(i))) < 0) normal = -normal;
-    const R low = dot(normal, corner);
-    return SlabMeeting<R>(ray, normal, low, low + dot(normal, edge(i)));
+    const R low = dot(normals[i], corner);
+    return SlabMeeting<R>(ray, normals[i], low, low + volume);
   };
   return {slab(0), slab(1), slab(2)};
 }

@@ -25,28 +25,31 @@ struct Estimate {
     low = y - (high - x);
   }
 
-  [[nodiscard]] bool is_one() const { return steps == 0 && high == 1; }
+  /// Nothing is lost of a pair.
+  explicit Estimate(const Pair& x) : high(x.high), low(x.low), size(std::abs(x.high)), steps(0) {}
+
+  [[nodiscard]] bool is_one() const { return steps == 0 && high == 1 && low == 0; }
   [[nodiscard]] double radius() const { return steps * 0x1p-99 * size; }
 };
 
 /// 2^-99 of it is more than the few subnormals that a product may lose.
 inline constexpr double least_size = 0x1p-960;
 
-inline Estimate operator-(const Estimate& x) {
+[[gnu::always_inline]] inline Estimate operator-(const Estimate& x) {
   Estimate negative = x;
   negative.high = -x.high;
   negative.low = -x.low;
   return negative;
 }
 
-inline Estimate operator+(const Estimate& x, const Estimate& y) {
+[[gnu::always_inline]] inline Estimate operator+(const Estimate& x, const Estimate& y) {
   const Pair sum = sum_of(x.high, y.high);
   return {sum.high, sum.low + (x.low + y.low), x.size + y.size, std::max(x.steps, y.steps) + 1};
 }
 
-inline Estimate operator-(const Estimate& x, const Estimate& y) { return x + (-y); }
+[[gnu::always_inline]] inline Estimate operator-(const Estimate& x, const Estimate& y) { return x + (-y); }
 
-inline Estimate operator*(const Estimate& x, const Estimate& y) {
+[[gnu::always_inline]] inline Estimate operator*(const Estimate& x, const Estimate& y) {
   if (x.is_one()) return y;  // the weight of what is no quotient
   if (y.is_one()) return x;
   const Pair product = product_of(x.high, y.high);

@@ -157,6 +157,7 @@ class FlatIntersection : public PlanarIntersection {
   /// How the line, not parallel, touches the shape where it meets the plane at t; none where it passes by.
   [[nodiscard]] virtual Contact contact_at(const Quotient&) const { return Contact::crossing; }
 
+  [[nodiscard]] const LineAndPlane<Ring>& met() const { return met_; }
   [[nodiscard]] const Vector<Ring>& plane_normal() const { return met_.normal; }
   /// What the products are as large as that the normal is the sum of.
   [[nodiscard]] virtual Scaled size_of_products() const {

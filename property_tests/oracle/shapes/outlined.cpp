@@ -3,31 +3,8 @@
 #include <algorithm>
 
 #include "oracle/geometry/clearance.hpp"
-#include "oracle/geometry/locate.hpp"
 
 namespace rayproof::oracle {
-namespace {
-
-/// The coordinates that are left where the axis of the normal's largest component is dropped (ties: the later
-/// axis).
-struct Projection {
-  int x = 0, y = 1;
-
-  explicit Projection(const Vector<Ring>& normal) {
-    const auto magnitude = [&](int axis) { return sign(normal[axis]) < 0 ? -normal[axis] : normal[axis]; };
-    int largest = 0;
-    for (const int axis : {1, 2})
-      if (sign(magnitude(axis) - magnitude(largest)) >= 0) largest = axis;
-    x = largest == 0 ? 1 : 0;
-    y = largest == 2 ? 1 : 2;
-  }
-
-  [[nodiscard]] PlanePoint<Ring> operator()(const Vector<Ring>& v) const { return {v[x], v[y]}; }
-  [[nodiscard]] PlanePoint<Ring> operator()(const glm::dvec3& v) const { return {Ring(v[x]), Ring(v[y])}; }
-};
-
-}  // namespace
-
 Scaled OutlinedIntersection::margin(bool) const {
   const Scaled scale = approximate(ray().scale);
   const RayPart part{approximate(ray().direction), question().ray.t_min, question().ray.t_max,
@@ -50,25 +27,11 @@ Vector<Scaled> OutlinedIntersection::in_plane(const Vector<Ring>& corner) const 
   Vector<Scaled> seen = approximate(corner);
   const Ring height = height_of(corner);
   if (is_degenerate() || sign(height) == 0) return seen;
-  const Projection project(plane_normal());
+  const Projection<Ring> project(plane_normal());
   const int axis = 3 - project.x - project.y;
   Scaled& along = axis == 0 ? seen.x : axis == 1 ? seen.y : seen.z;
   along = along - approximate(height) / approximate(plane_normal()[axis]);
   return seen;
-}
-
-Scaled OutlinedIntersection::position() const {
-  Scaled farthest;
-  for (const glm::dvec3& corner : corners()) farthest = std::max(farthest, norm(corner));
-  return farthest;
-}
-
-Contact OutlinedIntersection::located(const Vector<Ring>& point, const Ring& weight) const {
-  const Projection project(plane_normal());
-  std::vector<PlanePoint<Ring>> outline;
-  outline.reserve(corners().size());
-  for (const glm::dvec3& corner : corners()) outline.push_back(project(corner));
-  return locate(project(point), ray().scaled(weight), outline);
 }
 
 Scaled OutlinedIntersection::height_over_shape(double t) const {

@@ -3,11 +3,51 @@
 /// What triangle and polygon share: an outline of sides, which a ray must come near for its verdict to be in
 /// doubt.
 
+#include <boost/container/small_vector.hpp>
 #include <span>
 
+#include "oracle/geometry/locate.hpp"
 #include "oracle/shapes/flat.hpp"
 
 namespace rayproof::oracle {
+
+/// The coordinates that are left where the axis of a normal's largest component is dropped; the normal is not
+/// 0. Throws Undecided of estimates that may all be 0.
+template <class R>
+struct Projection {
+  int x = 0, y = 1;
+
+  explicit Projection(const Vector<R>& normal) {
+    using std::abs;
+    int largest = 0;
+    for (const int axis : {1, 2})
+      if (!(abs(read(normal[axis])) < abs(read(normal[largest])))) largest = axis;
+    if (sign(normal[largest]) == 0) throw Undecided();
+    x = largest == 0 ? 1 : 0;
+    y = largest == 2 ? 1 : 2;
+  }
+
+  [[nodiscard]] PlanePoint<R> operator()(const Vector<R>& v) const { return {v[x], v[y]}; }
+  [[nodiscard]] PlanePoint<R> operator()(const glm::dvec3& v) const { return {R(v[x]), R(v[y])}; }
+};
+
+/// How a point of the outline's plane touches the shape by the even-odd rule; the point comes in the scale of
+/// ObjectRay, times a positive weight.
+template <class R>
+[[nodiscard]] Contact locate_in_outline(const Vector<R>& point, const R& weight, const Vector<R>& normal,
+                                        const ObjectRay<R>& ray, std::span<const glm::dvec3> corners) {
+  const Projection<R> project(normal);
+  boost::container::small_vector<PlanePoint<R>, 16> outline;
+  for (const glm::dvec3& corner : corners) outline.push_back(project(corner));
+  return locate(project(point), ray.scaled(weight), outline);
+}
+
+/// The largest distance of the corners from (0, 0, 0).
+[[nodiscard]] inline long double farthest_of(std::span<const glm::dvec3> corners) {
+  long double squared = 0;
+  for (const glm::dvec3& corner : corners) squared = std::max(squared, squared_length_of(corner));
+  return std::sqrt(squared);
+}
 
 /// A flat shape bounded by sides from corner to corner.
 class OutlinedIntersection : public FlatIntersection {
@@ -18,13 +58,13 @@ class OutlinedIntersection : public FlatIntersection {
   [[nodiscard]] Scaled margin(bool may_merge) const override;
 
  protected:
-  [[nodiscard]] Scaled position() const override;
+  [[nodiscard]] Scaled position() const override { return Scaled(farthest_of(corners())); }
 
   /// The corners in the order of the sides, in the shape's own space.
   [[nodiscard]] virtual std::span<const glm::dvec3> corners() const = 0;
-  /// How a point of the plane touches the shape by the even-odd rule; the point comes times a positive
-  /// weight.
-  [[nodiscard]] Contact located(const Vector<Ring>& point, const Ring& weight) const;
+  [[nodiscard]] Contact located(const Vector<Ring>& point, const Ring& weight) const {
+    return locate_in_outline(point, weight, plane_normal(), ray(), corners());
+  }
 
  private:
   /// A corner, seen from the ray's origin in the scale of ObjectRay, where it is projected onto the plane.

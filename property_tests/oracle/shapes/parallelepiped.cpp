@@ -9,37 +9,42 @@
 namespace rayproof::oracle {
 namespace {
 
+/// What the sizes of a judgement are made of.
 template <class Size>
-std::array<Size, 3> lengths_of_edges(const Parallelepiped<double>& solid) {
-  return {Size(length_of(solid.edges[0])), Size(length_of(solid.edges[1])), Size(length_of(solid.edges[2]))};
-}
-template <class Size>
-Size position_of(const Parallelepiped<double>& solid) {
-  const auto [e0, e1, e2] = lengths_of_edges<Size>(solid);
-  return Size(length_of(solid.corner)) + e0 + e1 + e2;
-}
-template <class Size>
-std::array<Size, 3> normal_sizes_of(const Parallelepiped<double>& solid) {
-  const auto [e0, e1, e2] = lengths_of_edges<Size>(solid);
-  return {e1 * e2, e2 * e0, e0 * e1};
-}
-/// 1 over the volume of the solid with edges of length 1.
-template <class R>
-double far_of(const Parallelepiped<double>& solid, const ObjectRay<R>& ray, const SlabMeeting<R>& met) {
-  const auto [e0, e1, e2] = lengths_of_edges<SizeOf<R>>(solid);
-  return value(approximate(ray.scale) * (e0 * e1 * e2) / approximate(met.high - met.low));
-}
+struct Lengths {
+  Size corner;
+  std::array<Size, 3> edges;
+
+  explicit Lengths(const Parallelepiped<double>& solid)
+      : corner(length_of(solid.corner)),
+        edges{Size(length_of(solid.edges[0])), Size(length_of(solid.edges[1])),
+              Size(length_of(solid.edges[2]))} {}
+
+  [[nodiscard]] Size position() const { return corner + edges[0] + edges[1] + edges[2]; }
+  [[nodiscard]] std::array<Size, 3> normals() const {
+    return {edges[1] * edges[2], edges[2] * edges[0], edges[0] * edges[1]};
+  }
+  /// 1 over the volume of the solid with edges of length 1.
+  template <class R>
+  [[nodiscard]] double far(const ObjectRay<R>& ray, const SlabMeeting<R>& met) const {
+    return value(approximate(ray.scale) * (edges[0] * edges[1] * edges[2]) / approximate(met.high - met.low));
+  }
+};
 
 class ParallelepipedMeeting final : public SolidMeeting {
  public:
   ParallelepipedMeeting(const RayQuestion& question, const Parallelepiped<double>& solid)
       : SolidMeeting(question, solid), solid_(solid) {}
 
-  void measure() { measure_by(position_of<long double>(solid_), normal_sizes_of<long double>(solid_)); }
-  [[nodiscard]] double far() const { return far_of(solid_, ray(), met(0)); }
+  void measure() {
+    lengths_.emplace(solid_);
+    measure_by(lengths_->position(), lengths_->normals());
+  }
+  [[nodiscard]] double far() const { return lengths_->far(ray(), met(0)); }
 
  private:
   const Parallelepiped<double>& solid_;
+  std::optional<Lengths<long double>> lengths_;
 };
 
 class ParallelepipedIntersection final : public SolidIntersection {
@@ -65,12 +70,12 @@ class ParallelepipedIntersection final : public SolidIntersection {
     return nearest;
   }
 
-  [[nodiscard]] double far() const override { return far_of(solid_, ray(), met(0)); }
+  [[nodiscard]] double far() const override { return Lengths<Scaled>(solid_).far(ray(), met(0)); }
 
  protected:
-  [[nodiscard]] Scaled position() const override { return position_of<Scaled>(solid_); }
+  [[nodiscard]] Scaled position() const override { return Lengths<Scaled>(solid_).position(); }
   [[nodiscard]] std::array<Scaled, 3> normal_sizes() const override {
-    return normal_sizes_of<Scaled>(solid_);
+    return Lengths<Scaled>(solid_).normals();
   }
 
  private:

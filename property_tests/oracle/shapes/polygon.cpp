@@ -2,17 +2,60 @@
 /// The oracle for ray and polygon.
 
 #include "oracle/geometry/newell.hpp"
+#include "oracle/shapes/estimated.hpp"
+#include "oracle/shapes/flat_meeting.hpp"
 #include "oracle/shapes/outlined.hpp"
 #include "oracle/shapes/shapes.hpp"
 
 namespace rayproof::oracle {
 namespace {
 
+template <class R>
+FlatEquation<R> plane_of(const Polygon<double>& polygon) {
+  return plane_through(polygon.vertices.front(), newell_normal<R>(polygon));
+}
+
+/// How the line touches the polygon where it meets its plane at t.
+template <class R>
+Contact contact_of(const QuotientOf<R>& t, const LineAndPlane<R>& met, const ObjectRay<R>& ray,
+                   const Polygon<double>& polygon) {
+  const Vector<R> point = t.denominator() * ray.origin + t.numerator() * ray.direction;
+  return locate_in_outline(point, t.denominator(), met.normal, ray, std::span(polygon.vertices));
+}
+
+/// The sum of the products that Newell's normal is made of.
+template <class Size>
+Size normal_size_of(const Polygon<double>& polygon) {
+  Size sum{};
+  Size from(length_of(polygon.vertices.back()));
+  for (const glm::dvec3& vertex : polygon.vertices) {
+    const Size to(length_of(vertex));
+    sum = sum + from * to;
+    from = to;
+  }
+  return sum;
+}
+
+/// As the quick judge sees it.
+class PolygonMeeting : public FlatMeeting {
+ public:
+  PolygonMeeting(const RayQuestion& question, const Polygon<double>& polygon)
+      : FlatMeeting(question, plane_of<Estimate>(polygon)), polygon_(polygon) {}
+
+  [[nodiscard]] auto hits() const {
+    return hits_where([&](const auto& t) { return contact_of(t, met(), ray(), polygon_); });
+  }
+  void measure() { measure_by(farthest_of(polygon_.vertices), normal_size_of<long double>(polygon_)); }
+  [[nodiscard]] double far() const { return 1; }
+
+ private:
+  const Polygon<double>& polygon_;
+};
+
 class PolygonIntersection final : public OutlinedIntersection {
  public:
   PolygonIntersection(const RayQuestion& question, const Polygon<double>& polygon)
-      : OutlinedIntersection(question, plane_through(polygon.vertices.front(), newell_normal<Ring>(polygon))),
-        polygon_(polygon) {}
+      : OutlinedIntersection(question, plane_of<Ring>(polygon)), polygon_(polygon) {}
 
   /// In units of what the rounding of the normal moves.
   [[nodiscard]] Scaled margin(bool may_merge) const override {
@@ -24,18 +67,11 @@ class PolygonIntersection final : public OutlinedIntersection {
  protected:
   [[nodiscard]] std::span<const glm::dvec3> corners() const override { return polygon_.vertices; }
   [[nodiscard]] Contact contact_at(const Quotient& t) const override {
-    return located(t.denominator() * ray().origin + t.numerator() * ray().direction, t.denominator());
+    return contact_of(t, met(), ray(), polygon_);
   }
 
-  /// The sum of the products that Newell's normal is made of.
   [[nodiscard]] std::array<Scaled, 3> normal_sizes() const override {
-    Scaled sum;
-    const glm::dvec3* from = &corners().back();
-    for (const glm::dvec3& to : corners()) {
-      sum = sum + norm(*from) * norm(to);
-      from = &to;
-    }
-    return {sum};
+    return {normal_size_of<Scaled>(polygon_)};
   }
   /// As large as seen from any of its vertices.
   [[nodiscard]] Scaled size_of_products() const override {
@@ -59,6 +95,11 @@ class PolygonIntersection final : public OutlinedIntersection {
 
 ExactPointer intersection_of(const RayQuestion& question, const Polygon<double>& polygon) {
   return std::make_unique<PolygonIntersection>(question, polygon);
+}
+
+Judgement judge(const RayQuestion& question, const Polygon<double>& polygon, Precision precision,
+                const RayAnswer& claimed) {
+  return judge_quickly<PolygonMeeting>(question, polygon, precision, claimed);
 }
 
 }  // namespace rayproof::oracle

@@ -30,8 +30,12 @@ using ExactPointer = std::unique_ptr<ExactIntersection>;
                               const RayAnswer& claimed);
 [[nodiscard]] Judgement judge(const RayQuestion&, const Triangle<double>&, Precision,
                               const RayAnswer& claimed);
+[[nodiscard]] Judgement judge(const RayQuestion&, const Polygon<double>&, Precision,
+                              const RayAnswer& claimed);
 [[nodiscard]] Judgement judge(const RayQuestion&, const Box<double>&, Precision, const RayAnswer& claimed);
 [[nodiscard]] Judgement judge(const RayQuestion&, const Parallelepiped<double>&, Precision,
+                              const RayAnswer& claimed);
+[[nodiscard]] Judgement judge(const RayQuestion&, const Cylinder<double>&, Precision,
                               const RayAnswer& claimed);
 [[nodiscard]] Judgement judge(const RayQuestion&, const Sphere<double>&, Precision, const RayAnswer& claimed);
 

@@ -14,8 +14,8 @@ namespace {
 /// With (b-a)×(c-a) as its normal; a zero normal where the area is zero.
 template <class R>
 FlatEquation<R> plane_of(const Triangle<double>& triangle) {
-  const auto a = Vector<R>::from(triangle.a);
-  return plane_through(triangle.a, cross(Vector<R>::from(triangle.b) - a, Vector<R>::from(triangle.c) - a));
+  return plane_through(
+      triangle.a, cross(step_between<R>(triangle.a, triangle.b), step_between<R>(triangle.a, triangle.c)));
 }
 
 /// The signed volumes that the ray's direction spans with each edge as seen from the origin. Over their sum
@@ -44,7 +44,7 @@ Contact contact_of(const std::array<R, 3>& volumes) {
 template <class R>
 SizeOf<R> normal_size_of(const Triangle<double>& triangle) {
   const auto edge = [](const glm::dvec3& from, const glm::dvec3& to) {
-    return length_of(Vector<R>::from(to) - Vector<R>::from(from));
+    return length_of(step_between<R>(from, to));
   };
   const SizeOf<R> ab = edge(triangle.a, triangle.b), bc = edge(triangle.b, triangle.c),
                   ca = edge(triangle.c, triangle.a);

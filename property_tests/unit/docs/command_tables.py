@@ -33,7 +33,7 @@ SHORTER = [(r"(rayproof worst.*) --time \w+", r"\1"), (r"walk all --png", "walk 
 IN_THE_SOURCE = r"^(cmake|ctest|python3 property_tests)"
 
 # Not 0, and what is said then.
-ENDS_WITH = [(r"walk .*--window", 2, "isplay"), (r"lab check \w", 1, "")]
+ENDS_WITH = [(r"python-raytracer/answer\.py", 1, ""), (r"walk .*--window", 2, "isplay"), (r"lab check \w", 1, "")]
 
 # Not run: why, and the file that must hold what is run in its place.
 NOT_RUN = [
@@ -44,6 +44,8 @@ NOT_RUN = [
      "the_readmes_project_prints_what_the_readme_says"),
     (r"^cmake --(build|install) build/laboratory|build/my_property", "install/ runs the page's recipe",
      "property_tests/unit/install/tests.cmake", "a_property_of_twenty_lines_finds_a_case_of_three_digits"),
+    (r"^cmake (-S examples/|--build build/(batch|suite)$)|build/(batch/batch|suite/my_suite)$", "install/ runs the page's commands",
+     "property_tests/unit/install/tests.cmake", "a_googletest_suite_of_twenty_lines_finds_the_mistake"),
     (r"^g\+\+ .* main\.cpp", "install/ runs the manual's command", "property_tests/unit/install/library/claims.py", '"Without CMake"'),
     (r"^g\+\+ .* my_sphere\.cpp|--subject-command \./my_sphere", "own_code.py follows the page",
      "property_tests/unit/docs/own_code.py", "your-own-code.md"),
@@ -62,6 +64,7 @@ NOT_RUN = [
     (r"rayproof leak (MESH\.off|\[MESH\])", "needs a mesh; a test reads one in each format",
      "property_tests/unit/leaks/mesh_test.cpp", "IsTheSameInEveryFormat"),
     (r"^doxygen docs/Doxyfile", "takes long; .ci/run runs it", ".ci/run", "Doxyfile"),
+    (r"rayproof docs\b", "takes a minute and packages of its own; .ci/run runs it", ".ci/run", "./rayproof docs"),
     (r"^python3 \S+/add_a_shape/prove\.py", "takes minutes; .ci/run runs it", ".ci/run", "add_a_shape/prove.py"),
     (r"^python3 docs/errata\.py", "takes minutes; its page is compared case by case instead", "docs/errata.py", "in_words")]
 

@@ -1,4 +1,4 @@
-"""Checks README.md, CONTRIBUTING.md and docs/*.md by running every command that they show.
+"""Checks README.md, CONTRIBUTING.md and all pages of docs by running every command that they show.
 
     python3 property_tests/unit/docs/commands.py --source . --bin build/release/bin
 
@@ -52,7 +52,8 @@ class Runner:
         checkout = Checkout(folder, self.source, self.programs)
         for folder in ("scenes", "cases", "subjects"):
             shutil.copytree(self.source / "docs" / folder, checkout.folder / "docs" / folder)
-        for folder in ("scenes", "reading"):
+        shutil.copytree(self.source / "examples", checkout.folder / "examples")
+        for folder in ("scenes", "reading", "shapes", "primer"):
             (checkout.folder / "docs/images" / folder).mkdir(parents=True)
         for name in ["case.json", "cases.jsonl"]:
             (checkout.folder / name).write_text(CASE)
@@ -161,6 +162,13 @@ class Runner:
         if command.output:
             self.compare(command, ended, is_shorter)
 
+    def compare_pictures(self, name, checkout):
+        """A picture that a page draws is the one that stands there."""
+        for folder in ("shapes", "primer"):
+            for drawn in (checkout.folder / "docs/images" / folder).iterdir():
+                kept = self.source / "docs/images" / folder / drawn.name
+                self.faults.expect(kept.exists() and kept.read_bytes() == drawn.read_bytes(), f"{name}: {kept} is not what is drawn")
+
     def run_page(self, file):
         name = str(file.relative_to(self.source))
         page = read_page(name, file.read_text(), self.subcommands)
@@ -176,6 +184,7 @@ class Runner:
                 if command.text not in seen or command.output:
                     self.run(checkout, command, is_looked_into)
                 seen.add(command.text)
+            self.compare_pictures(name, checkout)
         return page.commands
 
 
@@ -208,7 +217,7 @@ def main():
     parser.add_argument("pages", nargs="*", help="only these pages")
     options = parser.parse_args()
     runner = Runner(options.source, options.bin)
-    pages = [runner.source / name for name in ["README.md", "CONTRIBUTING.md"]] + sorted((runner.source / "docs").glob("*.md"))
+    pages = [runner.source / name for name in ["README.md", "CONTRIBUTING.md"]] + sorted((runner.source / "docs").rglob("*.md"))
     wanted = [page for page in pages if not options.pages or page.name in options.pages]
     # CTest may first have to ask the test programs for their tests: once, before several pages list them at the same time.
     subprocess.run(["ctest", "--test-dir", runner.programs.parent, "--show-only"], capture_output=True, check=False)

@@ -34,7 +34,7 @@ def word(*forms):
 # What to write in place of each word.
 TERMS = [
     (word("told", "tell", "tells", "telling"), "report, show, say, distinguish"),
-    (word("death", "deaths", "die", "died", "dies", "dying"), "loss of precision"),
+    (word("death", "deaths", "die(?!-with-parent)", "died", "dies", "dying"), "loss of precision"),
     (word("parting", "partings"), "difference"),
     (word("settle", "settles", "settled", "settling"), "refine, decide"),
     (word("dear", "dearer", "dearest"), "expensive"),

@@ -2,23 +2,39 @@
 /// The oracle for ray and elliptic cylinder.
 
 #include "oracle/shapes/cylinder/measures.hpp"
-#include "oracle/shapes/shapes.hpp"
+#include "oracle/shapes/estimated.hpp"
 
 namespace rayproof::oracle {
 namespace {
+
+/// As the quick judge sees it.
+class CylinderMeeting {
+ public:
+  CylinderMeeting(const RayQuestion& question, const Cylinder<double>& cylinder)
+      : question_(question), cylinder_(cylinder), ray_(question), equation_(ray_, cylinder) {}
+
+  [[nodiscard]] const ObjectRay<Estimate>& ray() const { return ray_; }
+  [[nodiscard]] auto hits() const { return CylinderHits(equation_, cylinder_, question_.ray)(); }
+  void measure() { sizes_.emplace(question_, ray_, equation_, cylinder_); }
+  [[nodiscard]] double far() const { return value(sizes_->from_axis); }
+  [[nodiscard]] long double residual(double t) const {
+    return off_surface(CylinderPoint<Estimate>(equation_, t), cylinder_.capped, equation_, *sizes_);
+  }
+
+ private:
+  const RayQuestion& question_;
+  const Cylinder<double>& cylinder_;
+  ObjectRay<Estimate> ray_;
+  CylinderEquation<Estimate> equation_;
+  std::optional<CylinderSizes<Estimate>> sizes_;
+};
 
 class CylinderIntersection final : public MeasuredCylinder {
  public:
   using MeasuredCylinder::MeasuredCylinder;
 
   [[nodiscard]] ExactContacts hits() const override {
-    // Convex with its caps: what goes in through a cap does so before it meets the side, and the other way
-    // out. The two caps of a cylinder of no height are one.
-    ExactContacts all;
-    add_cap(all, true);
-    add_side(all);
-    if (cylinder().height > 0) add_cap(all, false);
-    return all;
+    return CylinderHits(equation(), cylinder(), question().ray)();
   }
 
   /// Whether the line runs inside an open cylinder's side.
@@ -43,7 +59,7 @@ class CylinderIntersection final : public MeasuredCylinder {
   /// The side, and the caps where there are any, each as if it had no end.
   [[nodiscard]] SurfaceParts parts(const Quotient& t, const Scaled& roundoff) const override {
     SurfaceParts all;
-    const CylinderPoint p = place_at(t);
+    const CylinderPoint<Ring> p = place_at(t);
     if (const auto condition = condition_of_side(t, roundoff))
       all.push_back({side_normal(), off_circle(p), *condition});
     if (!cylinder().capped) return all;
@@ -63,7 +79,7 @@ class CylinderIntersection final : public MeasuredCylinder {
   /// By how much the rounding of p(t), in the plane in which the side is the unit circle, may turn the side's
   /// normal, in units of ε: K of cylinder.hpp, where it is derived. Nothing on the axis, where there is none.
   [[nodiscard]] std::optional<Scaled> condition_of_side(const Quotient& t, const Scaled& roundoff) const {
-    const Scaled reach = reach_across(t.estimate());
+    const Scaled reach = sizes().reach_across(t.estimate());
     const Scaled weight = approximate(t.denominator()) * abs(approximate(equation().radius));
     const auto across = [&](const Ring& o, const Ring& d) {
       return abs(approximate(o * t.denominator() + d * t.numerator())) / weight;
@@ -80,38 +96,17 @@ class CylinderIntersection final : public MeasuredCylinder {
     if (squared_normal.sign() == 0) return endless();
     return Scaled(1) + reach * sqrt(x * x + y * y) / squared_normal;
   }
-
-  /// The hit with the cap's plane that the line passes on its way in, or out, where it lies inside the rim.
-  /// (On the rim it is the side's hit, unless the line runs inside the side.)
-  void add_cap(ExactContacts& hits, bool of_entry) const {
-    const bool is_ring = cylinder().height == 0;  // an open cylinder of no height is all rim
-    const int climb = sign(equation().direction.z);
-    if (!(cylinder().capped || is_ring) || climb == 0) return;
-    const Quotient t = equation().cap((climb > 0) == of_entry);
-    const int outside = sign(equation().power_at(t));
-    const bool is_rim_of_own = outside == 0 && equation().is_axis_parallel();
-    if (is_rim_of_own || (cylinder().capped && outside < 0))
-      add(hits, t, is_rim_of_own ? Contact::rim : Contact::crossing);
-  }
-
-  void add_side(ExactContacts& hits) const {
-    if (equation().is_axis_parallel()) return;
-    RootList roots = real_roots(side());
-    const Contact off_rim = roots.size() == 1 ? Contact::tangent : Contact::crossing;
-    for (ExactRoot& t : roots) {
-      const ExactRoot z = equation().height_at(t);
-      const int above_floor = z.compare(Ring(0.0)), above_top = z.compare(equation().height);
-      if (above_floor < 0 || above_top > 0) continue;
-      const bool is_on_rim = above_floor == 0 || above_top == 0;
-      add(hits, std::move(t), is_on_rim ? Contact::rim : off_rim);
-    }
-  }
 };
 
 }  // namespace
 
 ExactPointer intersection_of(const RayQuestion& question, const Cylinder<double>& cylinder) {
   return std::make_unique<CylinderIntersection>(question, cylinder);
+}
+
+Judgement judge(const RayQuestion& question, const Cylinder<double>& cylinder, Precision precision,
+                const RayAnswer& claimed) {
+  return judge_quickly<CylinderMeeting>(question, cylinder, precision, claimed);
 }
 
 }  // namespace rayproof::oracle

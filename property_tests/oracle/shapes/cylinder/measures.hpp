@@ -2,20 +2,9 @@
 /// \file
 /// How far claims are from the exact intersection with an elliptic cylinder.
 
-#include <algorithm>
-
-#include "oracle/geometry/cylinder_equation.hpp"
-#include "oracle/geometry/sizes.hpp"
-#include "oracle/judge/judging.hpp"
+#include "oracle/shapes/cylinder/distances.hpp"
 
 namespace rayproof::oracle {
-
-/// Lengths of the ray's origin (and the cylinder itself) and direction: in the plane in which the side is the
-/// unit circle, and along the axis.
-struct CylinderSizes {
-  Scaled from_axis, across;
-  Scaled level, climb;
-};
 
 /// The measures of an intersection with a cylinder; the hits are those of the class that derives from it.
 class MeasuredCylinder : public ExactIntersection {
@@ -30,9 +19,7 @@ class MeasuredCylinder : public ExactIntersection {
 
   [[nodiscard]] Scaled residual(const Quotient& t) const override { return off_surface(place_at(t)); }
   [[nodiscard]] Scaled off_surface(const Vector<Ring>& point, const Quotient& t) const override {
-    const Ring x = point.x * Ring(cylinder_.ry), y = point.y * Ring(cylinder_.rx);
-    const Ring power = x * x + y * y - equation_.radius * equation_.radius;
-    return off_surface(CylinderPoint{power, point.z, Ring(1.0), t.estimate()});
+    return off_surface(CylinderPoint<Ring>(equation_, cylinder_, point, t));
   }
 
   /// Of the ray's ends and of the line: of the conditions under which it meets the cylinder, the one that is
@@ -52,76 +39,29 @@ class MeasuredCylinder : public ExactIntersection {
 
  protected:
   [[nodiscard]] const Cylinder<double>& cylinder() const { return cylinder_; }
-  [[nodiscard]] const CylinderEquation& equation() const { return equation_; }
+  [[nodiscard]] const CylinderEquation<Ring>& equation() const { return equation_; }
   [[nodiscard]] const ExactQuadratic& side() const { return side_; }
 
-  /// A point as the cylinder sees it: X² + Y² - R² there times weight², z times weight, both in the scale of
-  /// the equation, and the t that the lengths it is made of go by.
-  struct CylinderPoint {
-    Ring power, z, weight;
-    Scaled t;
-  };
-  [[nodiscard]] CylinderPoint place_at(const Quotient& t) const {
-    return {equation_.power_at(t), equation_.height_at(t), t.denominator(), t.estimate()};
+  [[nodiscard]] CylinderPoint<Ring> place_at(const Quotient& t) const { return {equation_, t}; }
+  [[nodiscard]] const CylinderSizes<Ring>& sizes() const {
+    if (!sizes_) sizes_.emplace(question(), ray(), equation_, cylinder_);
+    return *sizes_;
   }
-  /// L(t) in the plane in which the side is the unit circle.
-  [[nodiscard]] Scaled reach_across(const Scaled& t) const {
-    return sizes().from_axis + abs(t) * sizes().across;
+  [[nodiscard]] Scaled off_circle(const CylinderPoint<Ring>& p) const {
+    return oracle::off_circle(p, sizes());
   }
-  /// How far a point is from the side without an end.
-  [[nodiscard]] Scaled off_circle(const CylinderPoint& p) const {
-    const Scaled weight = approximate(p.weight);
-    return change_of_radius(roughly(p.power) / (weight * weight)) / reach_across(p.t);
-  }
-  /// How far it is from the plane of a cap.
-  [[nodiscard]] Scaled off_cap(const CylinderPoint& p, bool is_lower) const {
-    const Scaled gap = abs(roughly(is_lower ? p.z : equation_.height * p.weight - p.z));
-    return in_heights(gap / (approximate(ray().scale) * approximate(p.weight)), p.t);
+  [[nodiscard]] Scaled off_cap(const CylinderPoint<Ring>& p, bool is_lower) const {
+    return oracle::off_cap(p, is_lower, equation_, sizes());
   }
 
  private:
-  /// How far it is from the surface, as far as that reaches.
-  [[nodiscard]] Scaled off_surface(const CylinderPoint& p) const {
-    const Scaled from_side = off_circle(p), from_cap = std::min(off_cap(p, true), off_cap(p, false));
-    const bool is_between_caps = sign(p.z) >= 0 && sign(equation_.height * p.weight - p.z) >= 0;
-    const Scaled above = is_between_caps ? Scaled{} : from_cap;
-    const Scaled beside = sign(p.power) <= 0 ? Scaled{} : from_side;
-    const Scaled to_side = std::max(from_side, above);
-    return cylinder_.capped ? std::min(to_side, std::max(from_cap, beside)) : to_side;
-  }
-  [[nodiscard]] const CylinderSizes& sizes() const {
-    if (!sizes_) sizes_ = measured();
-    return *sizes_;
-  }
-  [[nodiscard]] CylinderSizes measured() const {
-    const Scaled height(cylinder_.height);
-    if (ray().map) {
-      const RaySizes<Ring> of_ray(question(), ray());
-      const Scaled narrow(std::min(cylinder_.rx, cylinder_.ry));
-      return {of_ray.origin / narrow + Scaled(1), of_ray.direction / narrow, of_ray.origin + height,
-              of_ray.direction};
-    }
-    const auto stretched = [&](const Vector<Ring>& v) {
-      const Scaled x = approximate(v.x), y = approximate(v.y);
-      return sqrt(x * x + y * y) / approximate(equation_.radius);
-    };
-    return {stretched(equation_.origin) + Scaled(1), stretched(equation_.direction),
-            abs(approximate(equation_.origin.z)) + height, abs(approximate(equation_.direction.z))};
-  }
-
-  /// The relative change of the radius that puts a point of this power X² + Y² - R² on the circle.
-  [[nodiscard]] Scaled change_of_radius(const Scaled& power) const {
-    const Scaled radius = approximate(equation_.radius), relative = power / (radius * radius);
-    return abs(relative) / far_side(relative, Scaled(1));
+  [[nodiscard]] Scaled off_surface(const CylinderPoint<Ring>& p) const {
+    return oracle::off_surface(p, cylinder_.capped, equation_, sizes());
   }
   [[nodiscard]] Scaled off_circle(const Quotient& t) const { return off_circle(place_at(t)); }
   [[nodiscard]] Scaled off_caps(const Quotient& t) const {
-    const CylinderPoint p = place_at(t);
+    const CylinderPoint<Ring> p = place_at(t);
     return std::min(off_cap(p, true), off_cap(p, false));
-  }
-  /// A distance along the axis at t in the contract's unit.
-  [[nodiscard]] Scaled in_heights(const Scaled& distance, const Scaled& t) const {
-    return ratio(distance, sizes().level + abs(t) * sizes().climb);
   }
 
   /// How far inside the side's infinite cylinder the line comes; negative where it passes it by.
@@ -133,7 +73,7 @@ class MeasuredCylinder : public ExactIntersection {
     // The line touches a circle whose squared radius is larger by -D/a: the power of its nearest point.
     const Ring discriminant = side_.discriminant();
     const Scaled power = -(approximate(discriminant) / approximate(side_.a));
-    const Scaled change = change_of_radius(power) / sizes().from_axis;
+    const Scaled change = sizes().change_of_radius(power) / sizes().from_axis;
     return sign(discriminant) < 0 ? -change : change;
   }
   /// How far inside, seen from a cap's plane, the line meets the side, in the contract's unit; negative
@@ -142,7 +82,7 @@ class MeasuredCylinder : public ExactIntersection {
   [[nodiscard]] Scaled depth_at_side(const ExactRoot& t, bool is_first, bool is_lower) const {
     const ExactRoot z = equation_.height_at(t);
     const Scaled depth = is_lower ? z.estimate() : -z.affine_image(-equation_.height, Ring(1.0)).estimate();
-    Scaled gap = in_heights(abs(depth) / approximate(ray().scale), t.estimate());
+    Scaled gap = sizes().in_heights(abs(depth) / approximate(ray().scale), t.estimate());
     if (sign(equation_.direction.z) != 0) {
       const Quotient plane = equation_.cap(is_lower);
       const int behind_middle = plane.compare(Quotient(-side_.h, side_.a));
@@ -182,14 +122,14 @@ class MeasuredCylinder : public ExactIntersection {
     reduce(narrowest, depth_at_side(roots.front(), true, climb < 0));
     reduce(narrowest, depth_at_side(roots.back(), false, climb > 0));
     if (may_merge && cylinder_.height > 0)
-      reduce(narrowest, in_heights(Scaled(cylinder_.height), equation_.cap(true).estimate()));
+      reduce(narrowest, sizes().in_heights(Scaled(cylinder_.height), equation_.cap(true).estimate()));
     return narrowest;
   }
 
   const Cylinder<double>& cylinder_;
-  CylinderEquation equation_;
+  CylinderEquation<Ring> equation_;
   ExactQuadratic side_;
-  mutable std::optional<CylinderSizes> sizes_;
+  mutable std::optional<CylinderSizes<Ring>> sizes_;
 };
 
 }  // namespace rayproof::oracle

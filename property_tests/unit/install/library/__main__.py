@@ -12,11 +12,13 @@ import argparse
 from pathlib import Path
 
 from claims import comments, flags, installation, project
+from examples import batch_example, googletest_example
 from laboratory import absent, laboratory
 from place import Place
 from refusals import fast_math, kernels, reach
 
-ALL = [installation, project, comments, flags, kernels, fast_math, reach, absent, laboratory]
+ALL = [installation, project, comments, flags, kernels, fast_math, reach, absent, laboratory,
+       batch_example, googletest_example]
 CLAIMS = {claim.__name__: claim for claim in ALL}
 
 

@@ -14,7 +14,8 @@ namespace rayproof::oracle::test {
 namespace {
 
 using QuickJudge = EveryShape;
-INSTANTIATE_TEST_SUITE_P(Of, QuickJudge, testing::Values("plane", "triangle", "box", "parallelepiped"),
+INSTANTIATE_TEST_SUITE_P(Of, QuickJudge,
+                         testing::Values("plane", "triangle", "polygon", "box", "parallelepiped", "cylinder"),
                          topic_name);
 
 /// Whether a quick error is as good as the oracle promises, to 2^-20 of the exact one, or 2^-30 of a unit.
