@@ -34,8 +34,10 @@ def faults_of(trial, lab, file, work):
 
 
 def picture_faults(lab, drawn, programs):
-    """Whether picture.svg is what is drawn of picture.json, and on the page."""
+    """Whether picture.svg is what is drawn of picture.json, where the lab has one, and on the page."""
     case, kept = lab.folder / "picture.json", lab.folder / "picture.svg"
+    if not case.exists():
+        return []
     if "](picture.svg)" not in (lab.folder / "page.md").read_text(encoding="utf-8"):
         return ["page.md does not show picture.svg"]
     subprocess.run([f"{programs}/rayproof-draw", case, "--svg", drawn], check=True, stdout=subprocess.DEVNULL)
