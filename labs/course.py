@@ -46,8 +46,9 @@ class Lab:
         if language not in self.languages():
             raise LabError(f"lab {self.name} has no version in this language")
         folder.mkdir(parents=True)
-        for name in ("page.md", self.file(language), *([f"{self.stem}.hpp"] if language == "cpp" else [])):
-            shutil.copy(self.folder / name, folder / name)
+        for name in ("page.md", "picture.svg", self.file(language), *([f"{self.stem}.hpp"] if language == "cpp" else [])):
+            if (self.folder / name).exists():
+                shutil.copy(self.folder / name, folder / name)
 
 
 class Course:

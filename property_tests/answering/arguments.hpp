@@ -54,6 +54,8 @@ struct ArgumentMaker {
       return H{};
     } else if constexpr (is_ray<H>) {
       return convert<typename StructureNumber<H>::Type>(problem.ray);
+    } else if constexpr (is_matrix<H>) {
+      return H(problem.asked->transform.value_or(glm::dmat4(1)));
     } else if constexpr (std::is_same_v<H, bool>) {
       return *next++ != 0;
     } else if constexpr (std::floating_point<H>) {

@@ -89,7 +89,9 @@ class AnsweringFunction final : public Answering {
     FieldRow& fields = problem_.fields;
     fields.clear();
     if (const auto* asked = std::get_if<RayQuestion>(&question)) {
-      if (!can_answer(*asked, order) || !problem_.set(*asked, options_.needs_unit_direction)) return false;
+      if (!can_answer(*asked, order) ||
+          !problem_.set(*asked, options_.needs_unit_direction, order.has_transform))
+        return false;
       if (!order.has_ray) {
         fields.add(problem_.ray.origin);
         fields.add(problem_.ray.direction);

@@ -41,13 +41,22 @@ template <class A>
 inline constexpr bool is_pointer_to_three = std::is_pointer_v<A>&& std::is_const_v<std::remove_pointer_t<A>>&&
     std::is_floating_point_v<std::remove_pointer_t<A>>;
 
-/// The pattern's letter for a parameter that is read: FieldRow's letters, `R` for a ray, `S` for a structure;
+/// The transform of a case, object to world.
+template <class A>
+inline constexpr bool is_matrix = false;
+template <class T>
+inline constexpr bool is_matrix<glm::mat<4, 4, T>> = true;
+
+/// The pattern's letter for a parameter that is read: FieldRow's letters, `R` for a ray, `S` for a structure,
+/// `M` for the transform;
 /// 0 for what no case can give.
 template <class A>
 [[nodiscard]] constexpr char letter_of() {
   using Element = typename ElementOf<A>::Type;
   if constexpr (is_ray<A>)
     return 'R';
+  else if constexpr (is_matrix<A>)
+    return 'M';
   else if constexpr (std::is_same_v<A, bool>)
     return 'b';
   else if constexpr (std::floating_point<A>)
@@ -74,6 +83,8 @@ template <class A>
   using Element = typename ElementOf<A>::Type;
   if constexpr (std::floating_point<A>)
     return A{};
+  else if constexpr (is_matrix<A>)
+    return typename A::value_type{};
   else if constexpr (is_pointer_to_three<A>)
     return std::remove_cvref_t<decltype(*std::declval<A>())>{};
   else if constexpr (VectorOf<A, 3> || VectorOf<A, 2>)

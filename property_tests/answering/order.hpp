@@ -21,6 +21,7 @@ struct Order {
   bool is_known = false;        ///< whether it is asked at all
   bool has_ray = false;         ///< a Ray<T>, which has the interval; else origin and direction
   bool has_structure = false;   ///< a Sphere<T>; else its fields
+  bool has_transform = false;   ///< is given the transform, last, and the ray in the world
   bool is_flat = false;         ///< no line meets the shape more than once
   Interval interval = nowhere;  ///< of parameters t_min and t_max
 };
@@ -75,7 +76,9 @@ template <class C, class Parameters>
   fields.add_fields(example);
   const std::string shape = is_made ? "S" : fields.pattern;
   if constexpr (has_ray) {
-    Order order = ray_order(given, shape);
+    const bool has_transform = given.ends_with('M');
+    Order order = ray_order(has_transform ? given.substr(0, given.size() - 1) : given, shape);
+    order.has_transform = has_transform;
     const std::string_view type = ShapeFormat<C>::type;
     order.is_flat = type == "plane" || type == "triangle" || type == "polygon";
     return order;

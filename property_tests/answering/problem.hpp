@@ -56,8 +56,8 @@ struct FieldRow {
   }
 };
 
-/// The question in the function's own terms: the ray in the object's space, its direction of length 1 where
-/// the function needs that.
+/// The question in the function's own terms: the ray in the object's space, unless the function takes the
+/// transform itself; its direction of length 1 where the function needs that.
 struct Problem {
   Ray<double> ray{};  ///< as the function is given it
   double length = 1;  ///< of the direction before it was made a unit vector
@@ -67,12 +67,12 @@ struct Problem {
   FieldRow fields{};                                  ///< of the shape, or of the question without a ray
 
   /// Takes a ray question apart; false where the ray cannot be given in the function's terms.
-  [[nodiscard]] bool set(const RayQuestion& ray_question, bool needs_unit_direction) {
+  [[nodiscard]] bool set(const RayQuestion& ray_question, bool needs_unit_direction, bool takes_transform) {
     asked = &ray_question;
     ray = ray_question.ray;
     length = 1;
     object_space.reset();
-    if (ray_question.transform) {
+    if (ray_question.transform && !takes_transform) {
       object_space = rayproof::object_space<double>(*ray_question.transform);
       ray = to_object(*object_space, ray);
     }

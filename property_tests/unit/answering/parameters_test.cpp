@@ -54,6 +54,22 @@ TEST(parameters_of_a_function, may_have_the_interval_before_or_behind_the_shape)
   EXPECT_EQ(answer_of(asked, behind), hit_at("7"));
 }
 
+TEST(parameters_of_a_function, may_be_the_transform_and_then_the_ray_is_in_the_world) {
+  struct Hit {
+    double t;
+    D3 normal;
+  };
+  const auto seen = [](D3 origin, D3, D3, double, glm::dmat4 m) { return Hit{m[3].x, origin}; };
+  const std::string moved = R"({"id": 7, "ray": {"origin": [4, 5, 6], "direction": [0, 0, 1]}, "transform": )"
+                            R"([[1, 0, 0, 3], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]], )" +
+                            unit_sphere;
+  EXPECT_EQ(answer_of(moved, seen), R"({"id": 7, "verdict": "hit", "hits": [{"t": 3}], "normal": [4, 5, 6]})"
+                                    "\n");
+  const auto translation = [](D3, D3, D3, double, glm::dmat4 m) { return m == glm::dmat4(1) ? 2.0 : -1.0; };
+  EXPECT_EQ(answer_of(sphere_case("-5", "", "float64"), translation), hit_at("2"))
+      << "the identity, where there is none";
+}
+
 TEST(parameters_of_a_function, that_name_no_shape_of_the_format_are_refused_in_one_sentence) {
   EXPECT_THROW((void)answer_of(plane, [](D3, D3, double, double) { return 1.0; }), std::invalid_argument);
 }

@@ -1,4 +1,5 @@
-"""Proves a lab: its stub fails, its solution passes, and each wrong answer fails with the diagnosis in its first line.
+"""Proves a lab: its stub fails, its solution passes, and each wrong answer fails with the diagnosis in its first line; its
+page shows the picture that `rayproof draw` makes of its case.
 
     python3 property_tests/unit/labs/prove.py labs/04-sphere --bin build/release/bin
 
@@ -10,6 +11,7 @@ from concurrent.futures import ThreadPoolExecutor
 import os
 from pathlib import Path
 import re
+import subprocess
 import sys
 import tempfile
 
@@ -29,6 +31,17 @@ def faults_of(trial, lab, file, work):
     if not wanted:
         return [f"{name} does not begin with the diagnosis that it is to get"]
     return [] if any(wanted[1] in one for one in said) else [f"{name}: diagnosed as {said}, not '{wanted[1]}'"]
+
+
+def picture_faults(lab, drawn, programs):
+    """Whether picture.svg is what is drawn of picture.json, where the lab has one, and on the page."""
+    case, kept = lab.folder / "picture.json", lab.folder / "picture.svg"
+    if not case.exists():
+        return []
+    if "](picture.svg)" not in (lab.folder / "page.md").read_text(encoding="utf-8"):
+        return ["page.md does not show picture.svg"]
+    subprocess.run([f"{programs}/rayproof-draw", case, "--svg", drawn], check=True, stdout=subprocess.DEVNULL)
+    return [] if drawn.read_bytes() == kept.read_bytes() else [f"rayproof draw {case} --svg {kept} changes the picture"]
 
 
 def main():
@@ -51,6 +64,7 @@ def main():
         faults.append("there must be three hints")
     with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(2) as pool:
         trial.build_judge(lab, Path(folder))
+        faults += picture_faults(lab, Path(folder) / "picture.svg", options.bin)
         faults += sum(pool.map(lambda file: faults_of(trial, lab, file, Path(folder)), files), [])
     for fault in faults:
         print(f"{lab.name}: {fault}")
