@@ -1,15 +1,15 @@
 // Diagnosis: the direction is translated like a point: it is transformed with w = 1 and must be with w = 0
 #include "transform.hpp"
 
-std::vector<Hit> transform(vec3 origin, vec3 direction, double t_min, double t_max, vec3 center,
-                           double radius, const mat4& m) {
+std::vector<HitWithNormal> transform(vec3 origin, vec3 direction, double t_min, double t_max, vec3 center,
+                                     double radius, const mat4& m) {
   const mat4 to_object = inverse(m);
   const vec3 o(to_object * vec4(origin, 1)), d(to_object * vec4(direction, 1));
   const vec3 l = o - center;
   const double a = dot(d, d), b = dot(l, d);
   const vec3 nearest = l - b / a * d;  // the line's nearest point to the centre, as in lab 6
   const double D = a * (radius * radius - dot(nearest, nearest));
-  std::vector<Hit> hits;
+  std::vector<HitWithNormal> hits;
   if (D < 0) return hits;
   for (const double t : {(-b - sqrt(D)) / a, (-b + sqrt(D)) / a}) {
     if (t < t_min || t > t_max) continue;

@@ -11,18 +11,18 @@
 
 namespace rayproof::oracle {
 
-/// The coordinates that are left where the axis of a normal's largest component is dropped; the normal is not
-/// 0. Throws Undecided of estimates that may all be 0.
+/// The coordinates that are left where the axis of the normal's largest component is dropped (ties: the later
+/// axis). It matters which where the corners are not quite in a plane. Throws Undecided of estimates that are
+/// not enough.
 template <class R>
 struct Projection {
   int x = 0, y = 1;
 
   explicit Projection(const Vector<R>& normal) {
-    using std::abs;
+    const auto magnitude = [&](int axis) { return sign(normal[axis]) < 0 ? -normal[axis] : normal[axis]; };
     int largest = 0;
     for (const int axis : {1, 2})
-      if (!(abs(read(normal[axis])) < abs(read(normal[largest])))) largest = axis;
-    if (sign(normal[largest]) == 0) throw Undecided();
+      if (sign(magnitude(axis) - magnitude(largest)) >= 0) largest = axis;
     x = largest == 0 ? 1 : 0;
     y = largest == 2 ? 1 : 2;
   }

@@ -11,11 +11,11 @@ namespace {
 
 /// What the sizes of a judgement are made of.
 template <class Size>
-struct Lengths {
+struct ParallelepipedLengths {
   Size corner;
   std::array<Size, 3> edges;
 
-  explicit Lengths(const Parallelepiped<double>& solid)
+  explicit ParallelepipedLengths(const Parallelepiped<double>& solid)
       : corner(length_of(solid.corner)),
         edges{Size(length_of(solid.edges[0])), Size(length_of(solid.edges[1])),
               Size(length_of(solid.edges[2]))} {}
@@ -44,7 +44,7 @@ class ParallelepipedMeeting final : public SolidMeeting {
 
  private:
   const Parallelepiped<double>& solid_;
-  std::optional<Lengths<long double>> lengths_;
+  std::optional<ParallelepipedLengths<long double>> lengths_;
 };
 
 class ParallelepipedIntersection final : public SolidIntersection {
@@ -70,12 +70,14 @@ class ParallelepipedIntersection final : public SolidIntersection {
     return nearest;
   }
 
-  [[nodiscard]] double far() const override { return Lengths<Scaled>(solid_).far(ray(), met(0)); }
+  [[nodiscard]] double far() const override {
+    return ParallelepipedLengths<Scaled>(solid_).far(ray(), met(0));
+  }
 
  protected:
-  [[nodiscard]] Scaled position() const override { return Lengths<Scaled>(solid_).position(); }
+  [[nodiscard]] Scaled position() const override { return ParallelepipedLengths<Scaled>(solid_).position(); }
   [[nodiscard]] std::array<Scaled, 3> normal_sizes() const override {
-    return Lengths<Scaled>(solid_).normals();
+    return ParallelepipedLengths<Scaled>(solid_).normals();
   }
 
  private:

@@ -55,11 +55,7 @@ TEST(parameters_of_a_function, may_have_the_interval_before_or_behind_the_shape)
 }
 
 TEST(parameters_of_a_function, may_be_the_transform_and_then_the_ray_is_in_the_world) {
-  struct Hit {
-    double t;
-    D3 normal;
-  };
-  const auto seen = [](D3 origin, D3, D3, double, glm::dmat4 m) { return Hit{m[3].x, origin}; };
+  const auto seen = [](D3 origin, D3, D3, double, glm::dmat4 m) { return glm::dvec4(m[3].x, origin); };
   const std::string moved = R"({"id": 7, "ray": {"origin": [4, 5, 6], "direction": [0, 0, 1]}, "transform": )"
                             R"([[1, 0, 0, 3], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]], )" +
                             unit_sphere;
