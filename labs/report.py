@@ -6,6 +6,7 @@ from course import PROGRAM
 CLAIMS = [("answers", "there is an answer"), ("verdict", "hit or miss"), ("position", "inside or outside"),
           ("residual", "t"), ("roots", "roots"), ("ascending", "order"), ("boundary", "boundary"), ("point", "point"),
           ("normal", "normal"), ("coordinates", "barycentric coordinates"), ("digits", "digits"),
+          ("watertight", "no ray slips through between triangles"), ("hit_once", "a ray through an edge hits at one place"),
           ("scaled", "the same in another size"), ("moved", "the same in another place"),
           ("reversed", "the same from the other end")]
 
@@ -53,6 +54,7 @@ def print_finding(finding):
         print(f"  asked        {asked(case)}")
         print(f"  you said     {answered(finding.get('got'))}")
         print(f"  the truth    {answered(finding.get('exact'))}")
+    if "page" in finding:
         print(f"  in 3D        {finding['page']}")
     print(f"  diagnosis    {finding.get('diagnosis') or (case or {}).get('note') or finding['property']}")
 

@@ -12,6 +12,7 @@ import time
 from course import OWN_LABS, LabError
 
 CASES = 100  # for each family: a check is to take a second or two
+RAYS = 10_000  # at a mesh
 COMPILER = shlex.split(os.environ.get("CXX", "c++"))
 FLAGS = ["-std=c++20", "-O1", "-ffp-contract=off"]  # a product and a sum are rounded apart, as written
 
@@ -21,17 +22,14 @@ class NotCompiled(Exception):
 
 
 class Stage:
-    """What one group of checks, easy or hard, found."""
+    """What one group of checks, easy or hard, found: which claims hold, and the findings."""
 
-    def __init__(self, described, figures, findings):
-        self.name = described["name"]
-        self.claims = {one["property"]: one["mark"] != "BROKEN" for method in figures["methods"]
-                       for one in method["properties"] if one["held"] + one["broken"]}
-        if not described.get("digits"):
-            self.claims.pop("digits", None)
-        self.findings = findings
+    def __init__(self, described, claims, findings):
+        self.name, self.claims, self.findings = described["name"], claims, findings
         for finding in findings:
             self.claims[finding["property"]] = False
+        if not claims:
+            findings.append({"property": "answers", "kind": "protocol", "diagnosis": "it answered no case"})
 
 
 def programs():
@@ -120,20 +118,41 @@ def judge(lab, file, work, judge_work=None):
 
 
 def judge_stage(lab, described, command, work, *more, **how):
-    """One stage; `more` goes to rayproof check, `how` says how it is run."""
+    """One stage; `more` goes to the program that judges, `how` says how it is run."""
     out = work / described["name"]
-    figures, found = out / "figures.json", out / "findings.jsonl"
-    ended = subprocess.run(
-        [programs() / "rayproof-check", "--subject-command", command, "--shape", lab.shape, "--cases", str(CASES),
-         "--precision", "float64", "--family", ",".join(described["families"]), "--out", out, "--json", figures, *more],
-        capture_output=True, text=True, check=False, **how)
-    if ended.returncode not in (0, 1) or not figures.exists():
-        raise LabError(f"rayproof check ended with {ended.returncode}: {ended.stderr}")
-    lines = found.read_text(encoding="utf-8").splitlines()
+    if "mesh" in described:
+        return judge_mesh(described, command, out, *more, **how)
+    figures = ask("check", command, out, ["--shape", lab.shape, "--cases", str(CASES), "--family",
+                                          ",".join(described["families"]), *more], how)
+    lines = (out / "findings.jsonl").read_text(encoding="utf-8").splitlines()
     findings = [json.loads(line) | {"page": f"{out}/index.html#finding-{i}"} for i, line in enumerate(lines, 1)]
+    claims = {one["property"]: one["mark"] != "BROKEN" for method in figures["methods"]
+              for one in method["properties"] if one["held"] + one["broken"]}
     if not described.get("digits"):
+        claims.pop("digits", None)
         findings = [finding for finding in findings if finding["property"] != "digits"]
-    stage = Stage(described, json.loads(figures.read_text(encoding="utf-8")), findings)
-    if not stage.claims and not findings:
-        findings.append({"property": "answers", "kind": "protocol", "diagnosis": "it answered no case"})
-    return stage
+    return Stage(described, claims, findings)
+
+
+def judge_mesh(described, command, out, *more, **how):
+    """Rays at the vertices and edges that the triangles of a closed mesh share."""
+    figures = ask("leak", command, out, [described["mesh"], "--rays", str(RAYS), *more], how)["subjects"][0]
+    claims = {"watertight": not figures["leaks"], "hit_once": not figures["double_hits"]} if figures["rays"] else {}
+    said = {"leaks": ("watertight", "a ray slips through between triangles: neighbours must judge a shared edge by the same numbers, and 0 "
+                      "must count as a hit"),
+            "double_hits": ("hit_once", "a ray meets two neighbours at different places: one of them is not there"),
+            "failed": ("answers", "it failed to answer for a triangle")}
+    findings = [{"property": name, "kind": "mesh", "diagnosis": words, "cases": figures[key], "page": f"{out}/index.html"}
+                for key, (name, words) in said.items() if figures[key]]
+    return Stage(described, claims, findings)
+
+
+def ask(program, command, out, options, how):
+    """The figures of rayproof check, or rayproof leak, about the answers of `command`."""
+    figures = out / "figures.json"
+    figures.unlink(missing_ok=True)
+    ended = subprocess.run([programs() / f"rayproof-{program}", "--subject-command", command, "--precision", "float64", "--out", out,
+                            "--json", figures, *options], capture_output=True, text=True, check=False, **how)
+    if ended.returncode not in (0, 1) or not figures.exists():
+        raise LabError(f"rayproof {program} ended with {ended.returncode}: {ended.stderr}")
+    return json.loads(figures.read_text(encoding="utf-8"))
