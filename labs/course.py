@@ -23,9 +23,11 @@ class Lab:
         self.number, self.stem = int(folder.name[:2]), folder.name[3:].replace("-", "_")
         try:
             described = json.loads((folder / "lab.json").read_text(encoding="utf-8"))
-            self.title, self.shape = described["title"], described["shape"]
+            self.has_questions = (folder / "questions.py").exists()
+            self.title, self.shape = described["title"], None if self.has_questions else described["shape"]
             self.stages, self.hints = described["stages"], described["hints"]
             self.fields = described.get("fields", [])  # of a shape that has several forms
+            self.libraries = [f"-l{name}" for name in described.get("libraries", [])]
         except (OSError, ValueError, KeyError) as problem:
             raise LabError(f"{folder}/lab.json: {problem}") from problem
 
@@ -63,7 +65,7 @@ class Course:
             if wanted in (lab.name, lab.name[3:]) or wanted and re.fullmatch(r"\d+", wanted) and int(wanted) == lab.number:
                 return lab
         raise LabError(f"there is no lab '{wanted}'; '{PROGRAM} list' lists them" if wanted else
-                       f"no lab has been started here; '{PROGRAM} start 1' starts the first")
+                       f"no lab has been started here; '{PROGRAM} start {self.labs[0].number}' starts the first")
 
 
 class Progress:

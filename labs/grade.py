@@ -13,6 +13,7 @@ import tempfile
 from course import OWN_LABS, LabError
 import gradebook
 import sandbox
+import stages
 import students
 import trial
 
@@ -31,7 +32,7 @@ class Grading:
             if why:
                 raise LabError(f"{program} does not run in the sandbox: {why}")
         self.judges = {lab.name: str(trial.build_judge(lab, work / lab.name)) for lab in labs if "cpp" in lab.languages()}
-        self.environment = os.environ | {"RAYPROOF_BIN": str(trial.programs())}
+        self.environment = os.environ | {"RAYPROOF_BIN": str(stages.programs())}
         self.running = set()
 
     def grade(self, number, student, lab):

@@ -13,6 +13,7 @@ import time
 import course as courses
 import report
 import sandbox
+import stages
 import trial
 
 COMPILER_MEMORY = 1024  # megabytes; a compiler needs more than an answer
@@ -51,7 +52,7 @@ class Grader:
         for source, name in ((self.lab.folder / f"{self.lab.stem}.hpp", f"{self.lab.stem}.hpp"), (self.judge, "judge.o")):
             shutil.copy(source, folder / name)
         said = self.run_compiler([*trial.without_store(), *trial.FLAGS, "-w", "-fmax-errors=1", "-I", ".", self.file.name, "judge.o",
-                                  "-o", "program"])
+                                  *self.lab.libraries, "-o", "program"])
         if said:
             lines = said.splitlines()
             raise trial.NotCompiled(f"no function as {self.lab.stem}.hpp declares it" if "undefined reference" in said else
@@ -64,7 +65,7 @@ class Grader:
         end, done = time.monotonic() + self.seconds, []
         for described in self.lab.stages:
             try:
-                done.append(trial.judge_stage(self.lab, described, words, self.work, "--jobs", "1", "--case-seconds", "1",
+                done.append(stages.judge_stage(self.lab, described, words, self.work, "--jobs", "1", "--case-seconds", "1",
                                               cwd=self.file.parent, timeout=max(end - time.monotonic(), 0.1), start_new_session=True))
             except subprocess.TimeoutExpired:
                 return done, True
@@ -95,7 +96,7 @@ def fault_of(stage):
         result = ("too slow" if error.startswith("gave no answer") else
                   "wrong" if error.startswith(("wrote ", "answered ")) else "crashed")
         return {"result": result, "words": f"stage {stage.name}: {error}"}
-    broken = ", ".join(words for name, words in report.CLAIMS if stage.claims.get(name) is False)
+    broken = ", ".join(words for words, holds in report.claims_of(stage) if not holds)
     diagnosis = next((one["diagnosis"] for one in stage.findings if one.get("diagnosis")), "")
     return {"result": "wrong", "words": f"stage {stage.name}: {broken}" + (f" ({diagnosis})" if diagnosis else "")}
 

@@ -9,6 +9,7 @@ CLAIMS = [("answers", "there is an answer"), ("verdict", "hit or miss"), ("posit
           ("watertight", "no ray slips through between triangles"), ("hit_once", "a ray through an edge hits at one place"),
           ("scaled", "the same in another size"), ("moved", "the same in another place"),
           ("reversed", "the same from the other end")]
+LABELS = {"asked": "asked", "said": "you said", "truth": "the truth"}
 
 
 def number(x):
@@ -48,9 +49,18 @@ def answered(answer):
     return f"hit at t = {hits}" if hits else answer.get("verdict", "nothing")
 
 
+def claims_of(stage):
+    """Each claim that was judged, in words, and whether it holds; a lab's own questions name theirs in words."""
+    known = [(words, stage.claims[name]) for name, words in CLAIMS if name in stage.claims]
+    return known + [(name, holds) for name, holds in stage.claims.items() if name not in dict(CLAIMS)]
+
+
 def print_finding(finding):
     case = finding.get("case")
-    if case:
+    if "asked" in finding:
+        for label in ("asked", "said", "truth"):
+            print(f"  {LABELS[label]:12} {finding[label]}")
+    elif case:
         print(f"  asked        {asked(case)}")
         print(f"  you said     {answered(finding.get('got'))}")
         print(f"  the truth    {answered(finding.get('exact'))}")
@@ -63,9 +73,8 @@ def print_stages(lab, stages, again):
     """Whether all stages passed, after saying how they went."""
     print(f"{lab.name}: {lab.title}")
     for stage in stages:
-        for name, words in CLAIMS:
-            if name in stage.claims:
-                print(f"  {'ok   ' if stage.claims[name] else 'WRONG'}  {stage.name}: {words}")
+        for words, holds in claims_of(stage):
+            print(f"  {'ok   ' if holds else 'WRONG'}  {stage.name}: {words}")
     for described in lab.stages[len(stages):]:
         print(f"  later  {described['name']}")
     last = stages[-1]

@@ -1,0 +1,8 @@
+// Diagnosis: it gives a t behind the beginning of the ray
+#include "ray.hpp"
+
+#include <algorithm>
+
+double ray(vec3 origin, vec3 direction, double /*t_min*/, double t_max, vec3 point) {
+  return std::min(dot(point - origin, direction) / dot(direction, direction), t_max);
+}

@@ -1,0 +1,8 @@
+# Diagnosis: a division of integers
+def dot(a, b):
+    return sum(x * y for x, y in zip(a, b))
+
+
+def ray(origin, direction, t_min, t_max, point):
+    v = [p - o for p, o in zip(point, origin)]
+    return min(max(dot(v, direction) // dot(direction, direction), t_min), t_max)

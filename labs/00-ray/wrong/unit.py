@@ -1,0 +1,8 @@
+# Diagnosis: the direction is taken for a unit vector
+def dot(a, b):
+    return sum(x * y for x, y in zip(a, b))
+
+
+def ray(origin, direction, t_min, t_max, point):
+    v = [p - o for p, o in zip(point, origin)]
+    return min(max(dot(v, direction), t_min), t_max)
