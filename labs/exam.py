@@ -20,8 +20,8 @@ import signal
 import subprocess
 import sys
 
-SECONDS = 20  # for all questions of a stage
-OUTPUT = 1 << 16  # blocks of 512 bytes or a kilobyte that the answer may write
+SECONDS = 10  # for all questions of a stage
+OUTPUT = 1 << 17  # blocks of 512 bytes that the answer may write; no fewer than the sandbox allows
 PAGE = """<!doctype html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width">
 <meta name="color-scheme" content="light dark"><title>{title}</title>
 <body style="font-family: sans-serif; max-width: 72rem; margin: 1rem auto; padding: 0 1rem">{body}</body></html>
@@ -42,7 +42,7 @@ def run(command, asked, out, seconds, cwd=None):
     questions, answers = out / "questions.jsonl", out / "answers.jsonl"
     questions.write_text("".join(json.dumps(one) + "\n" for one in asked), encoding="utf-8")
     with questions.open("rb") as given, answers.open("wb") as said, (out / "printed.txt").open("wb") as printed, \
-            subprocess.Popen(f"ulimit -f {OUTPUT}; {command}", shell=True, cwd=cwd, stdin=given, stdout=said, stderr=printed,
+            subprocess.Popen(f"ulimit -f {OUTPUT}; exec {command}", shell=True, cwd=cwd, stdin=given, stdout=said, stderr=printed,
                              start_new_session=True) as process:
         try:
             status = process.wait(seconds)

@@ -65,7 +65,7 @@ def print_finding(finding):
         print(f"  you said     {answered(finding.get('got'))}")
         print(f"  the truth    {answered(finding.get('exact'))}")
     if "page" in finding:
-        print(f"  in 3D        {finding['page']}")
+        print(f"  {'picture' if 'asked' in finding else 'in 3D':12} {finding['page']}")
     print(f"  diagnosis    {finding.get('diagnosis') or (case or {}).get('note') or finding['property']}")
 
 

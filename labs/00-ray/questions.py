@@ -26,7 +26,8 @@ def ask(stage, random):
         if stage == "easy":
             direction = random.choice([[1, 0, 0], [0, -1, 0], [0, 0, 2], [3, 0, 4], [2, -1, 2], [0.5, 0, 0]])
             origin, along = vector(5), random.randint(1, 6)  # in front of the ray
-            yield [origin, direction, random.choice([0, -20]), math.inf, [o + along * d + n for o, d, n in zip(origin, direction, normal_to(direction, random))]]
+            point = [o + along * d + n for o, d, n in zip(origin, direction, normal_to(direction, random))]
+            yield [origin, direction, random.choice([0, -20]), math.inf, point]
         else:
             size = random.choice([1, 9, 1000, 1e6, 1e-3])
             direction = [random.uniform(-1, 1) * random.choice([1e-3, 1, 50]) for _ in range(3)]

@@ -17,7 +17,7 @@ def judge(arguments, has_property):
 
 
 def describe(arguments):
-    return f"whether a sphere {MUTANTS[arguments[0]]} has your property" if arguments[0] in MUTANTS else "whether a right sphere has your property"
+    return f"whether {'a sphere ' + MUTANTS[arguments[0]] if arguments[0] in MUTANTS else 'a right sphere'} has your property"
 
 
 def say(has_property):

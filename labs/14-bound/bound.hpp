@@ -1,8 +1,8 @@
 #pragma once
 
 /// A number and how far it may be from the exact one.
-struct Bounded {
+struct ValueAndBound {
   float value, bound;
 };
 
-Bounded bound(float a, float b, float c, float d);
+ValueAndBound bound(float a, float b, float c, float d);

@@ -43,7 +43,7 @@ def judge(arguments, result):
     error, widest = abs(Fraction(value) - (p - q)), WIDEST * (2 * UNIT * (abs(p) + abs(q)) + SMALLEST)
     yield "value and bound are numbers", True, truth
     yield "the bound holds", error <= Fraction(bound), f"{truth}, the error is {float(error):.3g}"
-    yield "the bound is of use", Fraction(bound) <= widest, f"{truth}, the error is {float(error):.3g}; at most {float(widest):.3g} is of use"
+    yield "the bound is of use", Fraction(bound) <= widest, f"{truth}, error {float(error):.3g}; at most {float(widest):.3g} is of use"
 
 
 def describe(arguments):

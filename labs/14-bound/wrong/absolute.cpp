@@ -4,4 +4,4 @@
 #include <cmath>
 #include <limits>
 
-Bounded bound(float a, float b, float c, float d) { return {a * b - c * d, 1e-5F}; }
+ValueAndBound bound(float a, float b, float c, float d) { return {a * b - c * d, 1e-5F}; }

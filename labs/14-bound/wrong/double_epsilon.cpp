@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-Bounded bound(float a, float b, float c, float d) {
+ValueAndBound bound(float a, float b, float c, float d) {
   const float p = a * b, q = c * d;
   return {p - q,
           4 * static_cast<float>(std::numeric_limits<double>::epsilon()) * (std::abs(p) + std::abs(q)) +

@@ -4,4 +4,6 @@
 #include <cmath>
 #include <limits>
 
-Bounded bound(float a, float b, float c, float d) { return {a * b - c * d, 16 * 0x1p-24f * std::abs(a * b)}; }
+ValueAndBound bound(float a, float b, float c, float d) {
+  return {a * b - c * d, 16 * 0x1p-24f * std::abs(a * b)};
+}

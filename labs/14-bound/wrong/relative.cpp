@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-Bounded bound(float a, float b, float c, float d) {
+ValueAndBound bound(float a, float b, float c, float d) {
   const float value = a * b - c * d;
   return {value, 4 * 0x1p-24f * std::abs(value) + 0x1p-147f};
 }

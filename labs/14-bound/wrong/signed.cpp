@@ -4,4 +4,6 @@
 #include <cmath>
 #include <limits>
 
-Bounded bound(float a, float b, float c, float d) { return {a * b - c * d, 0x4p-24f * (a * b + c * d)}; }
+ValueAndBound bound(float a, float b, float c, float d) {
+  return {a * b - c * d, 0x4p-24f * (a * b + c * d)};
+}

@@ -4,6 +4,6 @@
 #include <cmath>
 #include <limits>
 
-Bounded bound(float a, float b, float c, float d) {
+ValueAndBound bound(float a, float b, float c, float d) {
   return {a * b - c * d, 1e-3F * (std::abs(a * b) + std::abs(c * d)) + 1e-3F};
 }

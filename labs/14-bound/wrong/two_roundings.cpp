@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-Bounded bound(float a, float b, float c, float d) {
+ValueAndBound bound(float a, float b, float c, float d) {
   const float p = a * b, q = c * d;
   return {p - q, 0x1p-24f * (std::abs(p) + std::abs(q)) + 0x1p-147f};
 }
