@@ -97,6 +97,12 @@ const Foreseen foreseen_faults[] = {
     {"point_in_polygon", "both-ways"},
     {"parallelepiped", "half-endless-edge-1"},
     {"point_in_polygon", "inside-out"},
+    {"point_in_polygon", "whole-point"},
+    {"point_in_polygon", "grid-16"},
+    {"plane", "rounded-down"},
+    {"quadratic", "rounded-down"},
+    {"quadratic", "cut-off"},
+    {"quadratic", "root-alone"},
 };
 
 std::string name_of_model(const testing::TestParamInfo<Foreseen>& info) {

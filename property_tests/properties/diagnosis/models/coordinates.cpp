@@ -59,6 +59,20 @@ std::vector<Case> direction_as_target(const Case& one) {
   });
 }
 
+std::vector<Case> with_point(const Case& one, double (*change)(double x, double cells), double cells) {
+  Case changed = one;
+  auto* place = std::get_if<PointAndPolygon<double>>(&changed.question);
+  if (place == nullptr) return {};
+  place->point.x = change(place->point.x, cells);
+  place->point.y = change(place->point.y, cells);
+  return {changed};
+}
+
+std::vector<Case> point_cut_off(const Case& one) {
+  return with_point(
+      one, [](double x, double) { return std::trunc(x); }, 1);
+}
+
 std::vector<Case> point_exchanged(const Case& one) {
   Case changed = one;
   auto* place = std::get_if<PointAndPolygon<double>>(&changed.question);

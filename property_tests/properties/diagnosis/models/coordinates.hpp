@@ -2,6 +2,7 @@
 /// \file
 /// Readings of a case that mix up the coordinates of its points and directions.
 
+#include <cmath>
 #include <glm/vec3.hpp>
 
 #include "properties/diagnosis/models/models.hpp"
@@ -41,6 +42,29 @@ template <Vectors which>
 [[nodiscard]] std::vector<Case> without_origin(const Case& one);
 [[nodiscard]] std::vector<Case> direction_as_target(const Case& one);
 [[nodiscard]] std::vector<Case> point_exchanged(const Case& one);
+
+/// The case with x and y of the point in a polygon changed; none where it asks no such thing.
+[[nodiscard]] std::vector<Case> with_point(const Case& one, double (*change)(double x, double cells),
+                                           double cells);
+/// What a subject answers that reads the case so; nothing where the changed point lies on the boundary, which
+/// it may call either.
+template <std::vector<Case> (*changes)(const Case&)>
+[[nodiscard]] Answers off_boundary_read_as(const Case& one, const Answer& exact) {
+  Answers answers = read_as<changes>(one, exact);
+  std::erase_if(answers, [](const Answer& answer) {
+    const auto* position = std::get_if<Position>(&answer);
+    return position != nullptr && *position == Position::boundary;
+  });
+  return answers;
+}
+/// That point cut off to whole numbers.
+[[nodiscard]] std::vector<Case> point_cut_off(const Case& one);
+/// That point moved to a grid with that number of cells for each unit of length.
+template <int cells>
+[[nodiscard]] std::vector<Case> point_on_grid(const Case& one) {
+  return with_point(
+      one, [](double x, double n) { return std::round(x * n) / n; }, cells);
+}
 /// @}
 
 }  // namespace rayproof::diagnosis

@@ -43,6 +43,19 @@ Answers absolute(const Case& one, const Answer& /*exact*/) {
   return {hits_where(line, [&](double t) { return in_interval(asked->ray, t); })};
 }
 
+Answers made_whole(const Case& one, const Answer& exact, double (*whole)(double)) {
+  if (std::holds_alternative<Position>(exact)) return {};
+  Answer changed = exact;
+  if (auto* roots = std::get_if<QuadraticAnswer<double>>(&changed)) {
+    for (double& x : roots->roots) x = whole(x);
+    return {changed};
+  }
+  for (double& t : std::get<RayAnswer>(changed).hits.t) t = whole(t);
+  RayAnswer line = hits_of_line(one);  // where t is compared with the interval after that
+  for (double& t : line.hits.t) t = whole(t);
+  return {hits_where(line, [&](double t) { return in_interval(ray_question(one)->ray, t); }), changed};
+}
+
 std::optional<double> minus_one(const Case& /*one*/) { return -1; }
 std::optional<double> two(const Case& /*one*/) { return 2; }
 

@@ -18,6 +18,16 @@ using Quantity = std::optional<double> (*)(const Case&);
 
 /// Every t of the line without its sign, as far as the interval admits it then.
 [[nodiscard]] Answers absolute(const Case& one, const Answer& exact);
+/// Every number is made a whole one.
+[[nodiscard]] Answers made_whole(const Case& one, const Answer& exact, double (*whole)(double));
+/// By rounding down, as a division of integers does in Python.
+[[nodiscard]] inline Answers rounded_down(const Case& one, const Answer& exact) {
+  return made_whole(one, exact, [](double x) { return std::floor(x); });
+}
+/// By cutting off what follows the point, as an integer does in C++.
+[[nodiscard]] inline Answers cut_off(const Case& one, const Answer& exact) {
+  return made_whole(one, exact, [](double x) { return std::trunc(x); });
+}
 
 /// Every t or root is the right one times (or, with power -1, divided by) the quantity.
 template <Quantity quantity, int power = 1>

@@ -65,6 +65,15 @@ Answers first_alone(const Case& /*one*/, const Answer& exact) {
   return {first};
 }
 
+Answers root_alone(const Case& /*one*/, const Answer& exact) {
+  const auto* roots = std::get_if<QuadraticAnswer<double>>(&exact);
+  if (roots == nullptr || roots->kind != RootKind::two) return {};
+  Answers answers;
+  for (const RootKind kind : {RootKind::twice, RootKind::two, RootKind::linear})
+    for (const double x : roots->roots) answers.emplace_back(QuadraticAnswer<double>{kind, 1, {x}});
+  return answers;
+}
+
 Answers double_hit_twice(const Case& /*one*/, const Answer& exact) {
   Answer twice = exact;
   if (auto* ray = std::get_if<RayAnswer>(&twice)) {

@@ -16,6 +16,8 @@ namespace rayproof::diagnosis {
 [[nodiscard]] Answers farthest_alone(const Case& one, const Answer& exact);
 /// One of two hits or roots is left out: the second.
 [[nodiscard]] Answers first_alone(const Case& one, const Answer& exact);
+/// One of two roots is given, the smaller or the greater one, whatever it is called.
+[[nodiscard]] Answers root_alone(const Case& one, const Answer& exact);
 /// Two equal hits, or roots, where there is one double one.
 [[nodiscard]] Answers double_hit_twice(const Case& one, const Answer& exact);
 

@@ -55,6 +55,7 @@ std::vector<Hypothesis> models_of_hits() {
       gives("farthest-hit", farthest_alone, "the farthest hit is reported in place of the nearest"),
       gives("second-hit-missing", first_alone, "of two answers only the first is given"),
       gives("descending", descending, "the answers stand in descending order"),
+      gives("root-alone", root_alone, "of two roots only one is given"),
       gives("double-hit-twice", double_hit_twice, "a double root is reported twice", boundary),
       gives("tangent-missed", misses_at<Contact::tangent>, "a ray that only touches is missed", boundary),
       gives("edge-missed", misses_at<Contact::edge>,

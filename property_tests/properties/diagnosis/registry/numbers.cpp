@@ -67,6 +67,10 @@ std::vector<Hypothesis> models_of_numbers() {
       gives_to_all("negated", scaled_by<minus_one>, "every number is right with the other sign"),
       gives_to_all("absolute", absolute,
                    "t is right without its sign: hits behind the origin are taken for hits before it"),
+      gives_to_all(
+          "rounded-down", rounded_down,
+          "every number is rounded down to a whole one: a division of integers, or an integer holds it"),
+      gives_to_all("cut-off", cut_off, "every number is cut off to a whole one: an integer holds it"),
       gives("times-slope", scaled_by<slope>,
             "t is right divided by n·d: the division by the normal times the direction is missing"),
       gives("times-minus-slope", scaled_by<minus_slope>,
