@@ -69,6 +69,14 @@ def main():
         lab("check", 1, "sphere.py, line 2: IndexError", cwd=python)
         written.write_text(lab("show 4 --give-up", 0, cwd=python), encoding="utf-8")
         lab("check", 0, "passed", cwd=python)
+        lab("start ray --python", 0, "ray.py", cwd=python)
+        written = python / "00-ray/ray.py"
+        for line, words in (("return 'one'", "which is no answer to this question"), ("return given[9]", "ray.py, line 2: IndexError"),
+                            ("import os; os.abort()", "was ended by SIGABRT"), ("raise SystemExit", "ended with exit status 0")):
+            written.write_text(f"def ray(*given):\n    {line}\n")
+            lab("check ray", 1, "WRONG  easy: there is an answer", words, cwd=python)
+        written.write_text(lab("show ray --give-up", 0, cwd=python), encoding="utf-8")
+        lab("check ray", 0, "passed", cwd=python)
     print("\n".join(faults))
     sys.exit(bool(faults))
 
