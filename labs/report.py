@@ -4,7 +4,8 @@ from course import PROGRAM
 
 # What each property of rayproof check is about, in the order of a lab's report.
 CLAIMS = [("answers", "there is an answer"), ("verdict", "hit or miss"), ("position", "inside or outside"),
-          ("residual", "t"), ("roots", "roots"), ("ascending", "order"), ("boundary", "boundary"), ("point", "point"),
+          ("residual", "t"), ("roots", "roots"), ("ascending", "order"),
+          ("all_hits", "every hit, not the nearest alone"), ("boundary", "boundary"), ("point", "point"),
           ("normal", "normal"), ("coordinates", "barycentric coordinates"), ("digits", "digits"),
           ("watertight", "no ray slips through between triangles"), ("hit_once", "a ray through an edge hits at one place"),
           ("scaled", "the same in another size"), ("moved", "the same in another place"),

@@ -11,6 +11,7 @@ import exam
 
 CASES = 100  # for each family: a check is to take a second or two
 RAYS = 3000  # at a mesh
+NEAREST_ALONE = "hits behind the nearest (none is given)"  # what rayproof check says of such an answer
 
 
 class Stage:
@@ -39,8 +40,8 @@ def judge_stage(lab, described, command, work, *more, **how):
         return Stage(described, *exam.judge(lab, described, command, out, **how))
     if "mesh" in described:
         return judge_mesh(described, command, out, *more, **how)
-    figures = ask("check", command, out, ["--shape", lab.shape, "--cases", str(CASES), "--family",
-                                          ",".join(described["families"]), *more], how)
+    figures, said = ask("check", command, out, ["--shape", lab.shape, "--cases", str(CASES), "--family",
+                                                ",".join(described["families"]), *more], how)
     lines = (out / "findings.jsonl").read_text(encoding="utf-8").splitlines()
     findings = [json.loads(line) | {"page": f"{out}/index.html#finding-{i}"} for i, line in enumerate(lines, 1)]
     claims = {one["property"]: one["mark"] != "BROKEN" for method in figures["methods"]
@@ -48,12 +49,16 @@ def judge_stage(lab, described, command, work, *more, **how):
     if not described.get("digits"):
         claims.pop("digits", None)
         findings = [finding for finding in findings if finding["property"] != "digits"]
+    if lab.wants_all_hits and not findings:
+        claims["all_hits"] = NEAREST_ALONE not in said
+        if not claims["all_hits"]:
+            findings.append({"property": "all_hits", "kind": "gross", "diagnosis": "it gives the nearest hit alone: every t is asked for"})
     return Stage(described, claims, findings)
 
 
 def judge_mesh(described, command, out, *more, **how):
     """Rays at the vertices and edges that the triangles of a closed mesh share."""
-    figures = ask("leak", command, out, [described["mesh"], "--rays", str(RAYS), *more], how)["subjects"][0]
+    figures = ask("leak", command, out, [described["mesh"], "--rays", str(RAYS), *more], how)[0]["subjects"][0]
     claims = {"watertight": not figures["leaks"], "hit_once": not figures["double_hits"]} if figures["rays"] else {}
     said = {"leaks": ("watertight", "a ray slips through between triangles: neighbours must judge a shared edge by the same numbers, and 0 "
                       "must count as a hit"),
@@ -65,11 +70,11 @@ def judge_mesh(described, command, out, *more, **how):
 
 
 def ask(program, command, out, options, how):
-    """The figures of rayproof check, or rayproof leak, about the answers of `command`."""
+    """The figures of rayproof check, or rayproof leak, about the answers of `command`, and what it prints."""
     figures = out / "figures.json"
     figures.unlink(missing_ok=True)
     ended = subprocess.run([programs() / f"rayproof-{program}", "--subject-command", command, "--precision", "float64", "--out", out,
                             "--json", figures, *options], capture_output=True, text=True, check=False, **how)
     if ended.returncode not in (0, 1) or not figures.exists():
         raise LabError(f"rayproof {program} ended with {ended.returncode}: {ended.stderr}")
-    return json.loads(figures.read_text(encoding="utf-8"))
+    return json.loads(figures.read_text(encoding="utf-8")), ended.stdout

@@ -29,7 +29,8 @@ bool is_wanted(const std::vector<T>& wanted, const T& one) {
 void describe(CLI::App& app, CasesOptions& options) {
   const auto names = [&](auto member) {
     std::vector<std::string> all;
-    for (const Family& family : families()) all.push_back(family.*member);
+    for (const Family& family : families())
+      if (std::ranges::find(all, family.*member) == all.end()) all.push_back(family.*member);
     return all;
   };
   app.add_option("--shape,--topic", options.shapes, "Only cases about this shape")
