@@ -12,9 +12,13 @@
 namespace rayproof {
 namespace {
 
+/// The folder of the running test alone: tests run side by side.
+std::string own_folder() {
+  return testing::TempDir() + "leak-" + testing::UnitTest::GetInstance()->current_test_info()->name();
+}
+
 test::Ended leak(const std::string& options) {
-  return test::run(std::string(RAYPROOF_BIN_DIR) + "/rayproof-leak --out " + testing::TempDir() + "leak " +
-                   options);
+  return test::run(std::string(RAYPROOF_BIN_DIR) + "/rayproof-leak --out " + own_folder() + " " + options);
 }
 
 TEST(LeakProgram, SaysThatSoundMethodsAreTight) {
@@ -34,14 +38,14 @@ TEST(LeakProgram, ShowsTheFirstLeakOfAProgramOnTrial) {
   EXPECT_NE(ended.output.find("\ntriangle/command in float64: "), std::string::npos) << ended.output;
   EXPECT_NE(ended.output.find("NOT everybody on trial is tight"), std::string::npos) << ended.output;
   EXPECT_EQ(ended.output.find("triangle/woop"), std::string::npos) << "our methods are on trial where named";
-  std::ifstream file(testing::TempDir() + "leak/index.html");
+  std::ifstream file(own_folder() + "/index.html");
   const std::string page{std::istreambuf_iterator<char>(file), {}};
   EXPECT_NE(page.find("triangle/command <span class=\"soft\">float64</span>: leak</h3>"), std::string::npos);
   EXPECT_NE(page.find("class=\"ray\""), std::string::npos);
 }
 
 TEST(LeakProgram, WritesTheFiguresOfMethodsAndProgramsAsJson) {
-  const std::string file = testing::TempDir() + "leak.json";
+  const std::string file = own_folder() + ".json";
   const test::Ended ended =
       leak("cube --rays 200 --precision float32 --method woop " + guest("right.py") + " --json " + file);
   std::ifstream stream(file);
