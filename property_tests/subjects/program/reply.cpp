@@ -150,7 +150,8 @@ Outcome ReplyLine::outcome(const Case& one) const {
     return {.answer = read_answer(document_, one)};
   } catch (const Refusal& why) {
     return {.kind = OutcomeKind::nonsense,
-            .sentence = fmt::format("{}; the line is {}", why.what(), excerpt(line_))};
+            .sentence = fmt::format("wrote a line that is no answer: {}; the line is {}", why.what(),
+                                    excerpt(line_))};
   }
 }
 

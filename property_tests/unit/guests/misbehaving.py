@@ -104,6 +104,7 @@ FAULTS = {
     "nonsense": lambda: [say("What a nice ray!") for _ in cases()],
     "nonsense_once": lambda: on_chosen(lambda case: "What a nice ray!"),
     "not_a_number": lambda: on_chosen(lambda case: f'{{"id": {case["id"]}, "verdict": "hit", "hits": [{{"t": NaN}}]}}'),
+    "nan_in_quotes": lambda: on_chosen(lambda case: f'{{"id": {case["id"]}, "verdict": "hit", "hits": [{{"t": "nan"}}]}}'),
     "twice": lambda: [say(reply(case), reply(case)) for case in cases()],
     "twice_once": lambda: on_chosen(lambda case: reply(case) + "\n" + reply(case)),
     "wrong_id": lambda: on_chosen(lambda case: reply({**case, "id": case["id"] + 1000000000})),

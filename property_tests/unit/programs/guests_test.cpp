@@ -106,6 +106,9 @@ TEST_F(Guests, AHangIsFoundWithItsCase) { expect_chosen("hang", "no answer withi
 TEST_F(Guests, ALateAnswerIsFoundWithItsCase) { expect_chosen("late", "no answer within 0.7 s"); }
 TEST_F(Guests, NonsenseIsFoundWithItsCase) { expect_chosen("nonsense_once", "What a nice ray!"); }
 TEST_F(Guests, NaNIsFoundWithItsCase) { expect_chosen("not_a_number", "NaN"); }
+TEST_F(Guests, NaNInQuotesIsFoundWithItsCase) {
+  expect_chosen("nan_in_quotes", "wrote a line that is no answer: hits[0].t is NaN");
+}
 TEST_F(Guests, ASecondAnswerIsFoundWithItsCase) { expect_chosen("twice_once", "answered the case twice"); }
 TEST_F(Guests, AnUnknownIdIsFoundWithItsCase) { expect_chosen("wrong_id", "an id that no case has"); }
 TEST_F(Guests, AMissingIdIsFoundWithItsCase) { expect_chosen("without_id", "without the id"); }
