@@ -63,6 +63,8 @@ NOT_RUN = [
      "IsAnOggFileWithATheoraHeader"),
     (r"rayproof leak (MESH\.off|\[MESH\])", "needs a mesh; a test reads one in each format",
      "property_tests/unit/leaks/mesh_test.cpp", "IsTheSameInEveryFormat"),
+    (r"^python3 \S+/labs/grade\.py", "takes minutes; a test grades a folder of each kind", "property_tests/unit/CMakeLists.txt",
+     "hundreds_are_graded_and_none_spoils_anothers"),
     (r"^doxygen docs/Doxyfile", "takes long; .ci/run runs it", ".ci/run", "Doxyfile"),
     (r"rayproof docs\b", "takes a minute and packages of its own; .ci/run runs it", ".ci/run", "./rayproof docs"),
     (r"^python3 \S+/add_a_shape/prove\.py", "takes minutes; .ci/run runs it", ".ci/run", "add_a_shape/prove.py"),
