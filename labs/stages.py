@@ -8,6 +8,7 @@ import sys
 
 from course import OWN_LABS, LabError
 import exam
+import report
 
 CASES = 100  # for each family: a check is to take a second or two
 RAYS = 3000  # at a mesh
@@ -46,6 +47,9 @@ def judge_stage(lab, described, command, work, *more, **how):
     findings = [json.loads(line) | {"page": f"{out}/index.html#finding-{i}"} for i, line in enumerate(lines, 1)]
     claims = {one["property"]: one["mark"] != "BROKEN" for method in figures["methods"]
               for one in method["properties"] if one["held"] + one["broken"]}
+    for finding in findings:
+        if not finding.get("diagnosis") and (error := (finding.get("got") or {}).get("error")):
+            finding["diagnosis"] = report.trouble(error)
     if not described.get("digits"):
         claims.pop("digits", None)
         findings = [finding for finding in findings if finding["property"] != "digits"]
@@ -53,6 +57,9 @@ def judge_stage(lab, described, command, work, *more, **how):
         claims["all_hits"] = NEAREST_ALONE not in said
         if not claims["all_hits"]:
             findings.append({"property": "all_hits", "kind": "gross", "diagnosis": "it gives the nearest hit alone: every t is asked for"})
+    for claim in lab.wanted_claims:
+        if claim not in claims and not findings:
+            findings.append({"property": claim, "kind": "gross", "diagnosis": f"it does not give all that is asked for: no {claim}"})
     return Stage(described, claims, findings)
 
 

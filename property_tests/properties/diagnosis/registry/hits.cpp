@@ -10,11 +10,6 @@ namespace rayproof::diagnosis {
 
 std::vector<Hypothesis> models_of_hits() {
   return {
-      {.name = "never-hits",
-       .kind = gross,
-       .sentence = "it finds nothing on any case tried",
-       .predict = never_hits,
-       .speaks_of_all = true},
       gives("open-at-t-min", open_at_t_min,
             "a hit exactly at t_min is left out: the interval is taken for open there", boundary),
       gives("open-at-t-max", open_at_t_max,
@@ -32,8 +27,8 @@ std::vector<Hypothesis> models_of_hits() {
             "the answer is right for the interval [0, inf]: t_min and t_max are ignored"),
       gives("whole-line", read_as<without_interval>,
             "the answer is right for the whole line: the interval of t is ignored"),
-      gives("segment", read_as<as_segment>,
-            "the answer is right for t in [0, 1]: the ray is taken for a segment"),
+      gives_to_all("segment", read_as<as_segment>,
+                   "the answer is right for t in [0, 1]: the ray is taken for a segment"),
       gives("interval-as-distances", read_as<interval_as_distances>,
             "the answer is right where t_min and t_max are lengths: they are compared with distances, not "
             "with t"),

@@ -3,6 +3,7 @@
 
 #include "properties/diagnosis/cures/cures.hpp"
 #include "properties/diagnosis/models/cylinder.hpp"
+#include "properties/diagnosis/models/hits.hpp"
 #include "properties/diagnosis/models/solid.hpp"
 #include "properties/diagnosis/models/transform.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
@@ -13,11 +14,11 @@ std::vector<Hypothesis> models_of_transforms() {
   return {
       gives("ignores-transform", read_as<without_transform>,
             "the answer is right without the transform: it is ignored"),
-      gives("inverse-transform", read_as<with_inverse_transform>,
-            "the answer is right for the inverse transform: the matrix is used where its inverse must be"),
       gives("ignores-translation", read_as<without_translation>,
             "the answer is right without the transform's translation: it is ignored, or the origin is "
             "transformed with w = 0"),
+      gives("inverse-transform", read_as<with_inverse_transform>,
+            "the answer is right for the inverse transform: the matrix is used where its inverse must be"),
       gives("origin-not-transformed", read_as<origin_not_transformed>,
             "the origin is not taken into object space"),
       gives("transposed-transform", read_as<with_transposed_transform>,
@@ -37,12 +38,18 @@ std::vector<Hypothesis> models_of_solids() {
       gives("radius-doubled", read_as<radius_doubled>, "the answer is right for twice the radius"),
       gives("radius-halved", read_as<radius_halved>,
             "the answer is right for half the radius: it is taken for a diameter"),
+      gives("radius-one", read_as<radius_one>,
+            "the answer is right for a radius of 1: the radius is ignored"),
       gives("centre-ignored", read_as<sphere_at_zero>,
             "the answer is right for a sphere at the origin of coordinates: the centre is ignored"),
       gives("centre-negated", read_as<sphere_mirrored>,
             "the answer is right for the centre's opposite: a sign is wrong in o - center"),
       gives("discriminant-of-sphere", sphere_without_sign,
             "hits are reported where D < 0: the root of |D| was taken, or D < 0 is not tested"),
+      gives(
+          "discriminant-with-four", sphere_with_four,
+          "the answer is right for D = b² - 4ac where b is l·d: with b = 2 (l·d) it is 4ac, with b = l·d it "
+          "is ac"),
       gives("nearest-point", nearest_point_of_line,
             "t is the line's nearest point to the centre: ±√D is left out"),
       gives("flat-box-missed", flat_box_missed, "a box without thickness along an axis is missed", boundary),
@@ -81,6 +88,11 @@ std::vector<Hypothesis> models_of_solids() {
             "the answer is right for a capped cylinder: an open one has no caps"),
       gives("caps-missing", read_as<without_caps>,
             "the answer is right for an open cylinder: the caps are missing"),
+      gives("caps-without-rim", caps_without_rim,
+            "the whole plane of a cap is hit: (x/rx)² + (y/ry)² <= 1 is not tested there"),
+      gives("caps-as-rectangles", caps_as_rectangles,
+            "the caps are taken for rectangles: (x/rx)² + (y/ry)² <= 1 is not tested there"),
+      gives("caps-as-circles", caps_as_circles, "the caps are taken for circles of radius rx"),
       gives("lower-cap-missing", no_lower_cap, "hits on the cap at z = 0 are missing"),
       gives("upper-cap-missing", no_upper_cap, "hits on the cap at z = height are missing"),
       gives("endless-cylinder", read_as<endless_cylinder>,
@@ -107,8 +119,16 @@ std::vector<Hypothesis> models_of_solids() {
       gives("radii-exchanged", read_as<radii_exchanged>, "the answer is right with rx and ry exchanged"),
       gives("radii-squared", read_as<radii_squared>,
             "the answer is right for rx² and ry²: the radii are squared once too often"),
+      gives("radii-halved", read_as<radii_halved>,
+            "the answer is right for half the radii: they are taken for diameters"),
       gives("middle-at-zero", read_as<middle_at_zero>,
             "the answer is right for a cylinder from -height/2 to height/2"),
+      // After the models of solids, which say more where they explain as much: a centre on the other side.
+      {.name = "never-hits",
+       .kind = gross,
+       .sentence = "it finds nothing on any case tried",
+       .predict = never_hits,
+       .speaks_of_all = true},
   };
 }
 
