@@ -90,8 +90,8 @@ def finding_of(questions, lab, claim, failures, out):
 
 
 def protocol(error, given):
-    return {"property": "answers", "kind": "protocol", "cases": 1, "asked": given, "said": error, "truth": "an answer", "diagnosis": report.trouble(error),
-            "got": {"error": error}}
+    return {"property": "answers", "kind": "protocol", "cases": 1, "asked": given, "said": error, "truth": "an answer",
+            "diagnosis": report.trouble(error), "got": {"error": error}}
 
 
 def judge(lab, described, command, out, timeout=SECONDS, cwd=None, **_):

@@ -57,10 +57,11 @@ def traced(lab, file, case, work):
     (work / "explain.cpp").write_text(MAIN.format(answer=file.name, function=lab.stem, arguments=", ".join(map(literal, arguments))),
                                       encoding="utf-8")
     own = [part for folder in trial.includes() for part in ("-I", folder)]
-    said = trial.run_compiler(["-w", "-O0", "-fmax-errors=1", f'-DRAYPROOF_LAB_ANSWER="{file.name}"', *own, "explain.cpp", "-o", "explain"], work)
+    said = trial.run_compiler(["-w", "-O0", "-fmax-errors=1", f'-DRAYPROOF_LAB_ANSWER="{file.name}"', *own, "explain.cpp", "-o", "explain"],
+                              work)
     if said:
         error = next((line for line in said.splitlines() if line.startswith(f"{file.name}:") and "error" in line), said.splitlines()[0])
-        raise courses.LabError(f"explain runs your code with its own numbers in place of double, and this line does not take them: {error}\n"
+        raise courses.LabError(f"explain runs your code with its own numbers in place of double; this line does not take them: {error}\n"
                                "It knows + - * /, comparisons, sqrt, abs, copysign, fma, min and max, and vectors with dot, cross and length.")
     ended = trial.subprocess.run([work / "explain"], capture_output=True, text=True, timeout=60, check=False)
     rows = [line.split() for line in ended.stdout.splitlines()]
@@ -82,7 +83,7 @@ def print_explained(lab, file, case, work, asked):
     most = max((row[3] for row in rows), default=0)
     wrong = next((row for row in rows if row[3] >= max(NOTEWORTHY, most / 2)), None)
     if wrong is None:
-        print("\nNo number loses digits: what the lines compute is right as far as they say it. Look at the formula, and at what is compared.")
+        print("\nNo number loses digits: each line computes what it says. Look at the formula, and at what is compared.")
         return
     print(f"\nThe first wrong number is on line {wrong[0]}: {source[wrong[0] - 1].strip()}\n"
           f"  It is {short(wrong[1])} and should be {short(wrong[2])}: {wrong[3]:.0f} of 53 bits are lost.")

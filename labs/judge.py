@@ -27,7 +27,7 @@ def arguments_of(case, wanted):
         return None
     if "query" in case:
         return [numbers(value) for key, value in case.items() if key not in ("id", "precision", "query", "note")]
-    ray, shape = numbers(case["ray"]), dict(case["shape"])
+    ray, shape = {"t_min": 0.0, "t_max": float("inf")} | numbers(case["ray"]), dict(case["shape"])
     shape.pop("type")
     if wanted and list(shape) != wanted:
         return None

@@ -48,6 +48,8 @@ def check_lab(lab, progress):
     work = progress.folder / ".rayproof" / lab.name
     stages = trial.judge(lab, file, work)
     has_passed = report.print_stages(lab, stages, f"{PROGRAM} check {lab.number}", trial.warnings_of(file, work))
+    if file.suffix == ".cpp" and any("case" in finding for finding in stages[-1].findings):
+        print(f"your numbers, line by line: {PROGRAM} explain {lab.number}")
     progress.update(lab, checks=kept.get("checks", 0) + 1, passed=has_passed or kept.get("passed", False))
     return 0 if has_passed else 1
 

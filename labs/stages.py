@@ -59,7 +59,8 @@ def judge_stage(lab, described, command, work, *more, **how):
             findings.append({"property": "all_hits", "kind": "gross", "diagnosis": "it gives the nearest hit alone: every t is asked for"})
     for claim in lab.wanted_claims:
         if claim not in claims and not findings:
-            findings.append({"property": claim, "kind": "gross", "diagnosis": f"it does not give all that is asked for: no {claim}"})
+            findings.append({"property": claim, "kind": "gross",
+                             "diagnosis": f"it does not give all that is asked for: no {dict(report.CLAIMS)[claim]}"})
     return Stage(described, claims, findings)
 
 
@@ -80,6 +81,8 @@ def ask(program, command, out, options, how):
     """The figures of rayproof check, or rayproof leak, about the answers of `command`, and what it prints."""
     figures = out / "figures.json"
     figures.unlink(missing_ok=True)
+    if not (programs() / f"rayproof-{program}").exists():
+        raise LabError(f"rayproof-{program} is missing beside rayproof-check: build or install it")
     ended = subprocess.run([programs() / f"rayproof-{program}", "--subject-command", command, "--precision", "float64", "--out", out,
                             "--json", figures, *options], capture_output=True, text=True, check=False, **how)
     if ended.returncode not in (0, 1) or not figures.exists():

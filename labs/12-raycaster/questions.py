@@ -8,6 +8,7 @@ COLORS = ["#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#d55e00"]
 
 # What a picture shows that was made with one fault.
 FAULTS = {
+    "nothing": "nothing is drawn: no sphere is ever taken, or the camera looks away from the target",
     "upside_down": "the picture is upside down: row 0 is the upper one",
     "mirrored": "left and right are exchanged: u = up × w, with w from the target to the eye",
     "turned": "the picture is turned by half a turn: u = up × w, in this order, and v = w × u",
@@ -34,7 +35,6 @@ FAULTS = {
     "radius": "the radius is not squared",
     "unit": "the direction is taken for a unit vector: it is longer, so divide by dot(d, d)",
     "backwards": "the camera looks away from the target",
-    "nothing": "nothing is drawn",
     "from_one": "the index of the first sphere is 0, not 1",
     "zero": "where no sphere is seen the pixel is to be -1, not 0",
     "origin": "the rays start at (0, 0, 0), not at the eye",
@@ -64,7 +64,8 @@ def rays(camera, fault=""):
     v = normalized(up) if fault == "crooked" else cross(w, u)
     half = (1 if fault == "whole_angle" else 0.5) * (angle if fault == "degrees" else math.radians(angle))
     upper = (math.tan(2 * half) / 2 if fault == "tan_halved" else math.tan(half)) * (height / width if fault == "horizontal" else 1)
-    right = upper * (1 if fault == "square" else height / width if fault == "inverted" else width / height) * (-1 if fault in ("mirrored", "turned") else 1)
+    shape = {"square": 1, "inverted": height / width}.get(fault, width / height)
+    right = upper * shape * (-1 if fault in ("mirrored", "turned") else 1)
     middle = {"corner": 0, "other_corner": -0.5, "edges": 0}.get(fault, 0.5)
     across, along = (width - 1, height - 1) if fault == "edges" else (width, height)
     down = -1 if fault in ("upside_down", "turned") else 1
@@ -118,7 +119,7 @@ def ask(stage, random):
             spheres = [[*vector(5), round(random.uniform(0.5, 2), 2)] for _ in range(5)] + [[*eye, 0.5]] * (i == 3)
             if i > 5:  # a large sphere that hides three small ones whose centres are nearer
                 towards = normalized(eye)
-                inner = [[*(round(far * x, 2) for x in towards), 0.8] for far in (1, 1.2, 0.8)]
+                inner = [[*(round(far * x, 2) for x in towards), radius] for far, radius in ((1, 0.8), (1.2, 1.3), (0.8, 0.8))]
                 spheres = [*inner[:2], [0, 0, 0, 3], inner[2]]
                 eye = [round(8 * x, 2) for x in towards]
             yield [eye, vector(1), random.choice([[0, 0, 1], [0, 2, 1]]), random.choice([40, 70, 100]), 28, 20, spheres]

@@ -134,7 +134,8 @@ Answers triangle_bounds(const Case& one, const Answer& /*exact*/) {
 
 Answers upright_is_missed(const Case& one, const Answer& exact, int axis) {
   const auto figure = flat_figure(one);
-  if (!figure || std::get<RayAnswer>(exact).hits.count == 0) return {};
+  if (!figure || shape_in<Polygon<double>>(one) == nullptr) return {};
+  if (std::get<RayAnswer>(exact).hits.count == 0) return {};
   const glm::dvec3& n = figure->normal;
   const bool is_upright = axis < 0 ? n.x * n.y * n.z == 0 : n[axis] == 0;
   return is_upright ? Answers{RayAnswer{}} : Answers{};

@@ -60,7 +60,7 @@ template <int vertex>
 }
 /// The part of the triangle's plane in its bounding box.
 [[nodiscard]] Answers triangle_bounds(const Case& one, const Answer& exact);
-/// A figure whose normal is 0 along the axis, or along any where it is -1, is missed: its projection is a
+/// A polygon whose normal is 0 along the axis, or along any where it is -1, is missed: its projection is a
 /// line.
 [[nodiscard]] Answers upright_is_missed(const Case& one, const Answer& exact, int axis);
 template <int axis>

@@ -7,23 +7,28 @@
 
 namespace rayproof::diagnosis {
 
+std::vector<Hypothesis> models_of_projections() {
+  return {
+      gives("upright-x", upright_missed<0>,
+            "a polygon whose normal's x is 0 is missed: x must not be left out there, but the coordinate in "
+            "which the normal is largest"),
+      gives("upright-y", upright_missed<1>,
+            "a polygon whose normal's y is 0 is missed: y must not be left out there, but the coordinate in "
+            "which the normal is largest"),
+      gives("upright-z", upright_missed<2>,
+            "a polygon whose normal's z is 0 is missed: z must not be left out there, but the coordinate in "
+            "which the normal is largest"),
+      gives("upright", upright_missed<-1>,
+            "a polygon whose normal is 0 in a coordinate is missed: leave out the one in which the normal is "
+            "largest"),
+  };
+}
+
 std::vector<Hypothesis> models_of_flat_figures() {
   return {
       gives("culls-back-faces", culls_back, "a surface seen from behind is missed: back faces are culled"),
       gives("culls-front-faces", culls_front,
             "a surface seen from the front is missed: front faces are culled"),
-      gives("upright-x", upright_missed<0>,
-            "a polygon whose normal's x is 0 is missed: x must not be left out there, but the coordinate in "
-            "which |n| is largest"),
-      gives("upright-y", upright_missed<1>,
-            "a polygon whose normal's y is 0 is missed: y must not be left out there, but the coordinate in "
-            "which |n| is largest"),
-      gives("upright-z", upright_missed<2>,
-            "a polygon whose normal's z is 0 is missed: z must not be left out there, but the coordinate in "
-            "which |n| is largest"),
-      gives(
-          "upright", upright_missed<-1>,
-          "a polygon whose normal is 0 in a coordinate is missed: leave out the one in which |n| is largest"),
       gives("parallelogram", read_as<as_parallelogram>,
             "the other half of the parallelogram is hit, too: u + v <= 1 is not tested"),
       gives("edge-a-not-tested", read_as<without_edge_opposite<0>>,

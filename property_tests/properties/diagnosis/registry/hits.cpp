@@ -10,6 +10,11 @@ namespace rayproof::diagnosis {
 
 std::vector<Hypothesis> models_of_hits() {
   return {
+      {.name = "never-hits",
+       .kind = gross,
+       .sentence = "it finds nothing on any case tried",
+       .predict = never_hits,
+       .speaks_of_all = true},
       gives("open-at-t-min", open_at_t_min,
             "a hit exactly at t_min is left out: the interval is taken for open there", boundary),
       gives("open-at-t-max", open_at_t_max,

@@ -3,7 +3,6 @@
 
 #include "properties/diagnosis/cures/cures.hpp"
 #include "properties/diagnosis/models/cylinder.hpp"
-#include "properties/diagnosis/models/hits.hpp"
 #include "properties/diagnosis/models/solid.hpp"
 #include "properties/diagnosis/models/transform.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
@@ -123,12 +122,6 @@ std::vector<Hypothesis> models_of_solids() {
             "the answer is right for half the radii: they are taken for diameters"),
       gives("middle-at-zero", read_as<middle_at_zero>,
             "the answer is right for a cylinder from -height/2 to height/2"),
-      // After the models of solids, which say more where they explain as much: a centre on the other side.
-      {.name = "never-hits",
-       .kind = gross,
-       .sentence = "it finds nothing on any case tried",
-       .predict = never_hits,
-       .speaks_of_all = true},
   };
 }
 
