@@ -118,7 +118,7 @@ struct Compensated {
       .ulp = {.measured = 0.501, .promised = 0.51},
       .hit = polygon_hit_bounds,
       .domain = {.reach_float = 1000, .reach_double = 150, .every_number = true},
-      .holds = robust_claims | hit_claims | Claims{Claim::residual, Claim::ulp}};
+      .holds = robust_claims | hit_claims | Claims{Claim::residual, Claim::ulp, Claim::rounded}};
 
   template <std::floating_point T>
   [[nodiscard]] static FlatHit<T> roots(const Ray<T>& ray, const Polygon<T>& polygon) {
