@@ -8,7 +8,7 @@
 namespace rayproof::plane {
 
 /// Numerator and denominator of t as exact expansions in double, in the plane's own form: the verdict is the
-/// exact one, t is within 0.501 ulp, and no answer is rounded across an end of the ray's interval.
+/// exact one, t is rounded once, and no answer is rounded across an end of the ray's interval.
 ///
 /// Holds for all finite floats; for doubles while every number that is not 0 lies within 2^±200, beyond which
 /// terms of the expansions over- or underflow.
