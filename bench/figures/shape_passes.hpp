@@ -17,8 +17,9 @@ namespace rayproof::report {
 template <class Method, class Rays>
 void hit_one_by_one(Rays& rays, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
-    const auto ray = rays.space ? to_object(*rays.space, rays.ray(i)) : rays.ray(i);
-    rays.t[i] = nearest(ray, Method::roots(ray, rays.shape));
+    const auto ray = rays.ray(i);
+    rays.t[i] = nearest(ray, rays.space ? roots_in_world<Method>(*rays.space, ray, rays.shape)
+                                        : Method::roots(ray, rays.shape));
     one_at_a_time();
   }
 }

@@ -104,7 +104,7 @@ class ExactMeeting {
 };
 
 /// The Newell normal, the hit point and every orientation in the projection with nothing rounded: sides and
-/// vertices are judged exactly, t is within 0.501 ulp and never rounded across an end of the ray's interval.
+/// vertices are judged exactly, t is rounded once and never across an end of the ray's interval.
 ///
 /// Holds for all finite floats; for doubles while every number that is not 0 lies within 2^±150, beyond which
 /// terms of the expansions over- or underflow.
@@ -118,7 +118,7 @@ struct Compensated {
       .ulp = {.measured = 0.501, .promised = 0.51},
       .hit = polygon_hit_bounds,
       .domain = {.reach_float = 1000, .reach_double = 150, .every_number = true},
-      .holds = robust_claims | hit_claims | Claims{Claim::residual, Claim::ulp}};
+      .holds = robust_claims | hit_claims | Claims{Claim::residual, Claim::ulp, Claim::rounded}};
 
   template <std::floating_point T>
   [[nodiscard]] static FlatHit<T> roots(const Ray<T>& ray, const Polygon<T>& polygon) {
