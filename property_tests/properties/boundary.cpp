@@ -44,6 +44,22 @@ BoundaryPlaces faces_of(const glm::dvec3& origin, const glm::dvec3& direction) {
   return places.any() ? places : only(edge);
 }
 
+/// Where on its boundary a point of a polygon is.
+BoundaryPlace place_on(const PointAndPolygon<double>& asked) {
+  const auto& [point, vertices] = asked;
+  BoundaryPlace place = edge;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const auto &a = vertices[i], &b = vertices[(i + 1) % vertices.size()];
+    if (a.x == point.x && a.y == point.y) return vertex;
+    const auto is_between = [](double x, double from, double to) {
+      return std::min(from, to) <= x && x <= std::max(from, to);
+    };
+    if (a.y == b.y && point.y == a.y && is_between(point.x, a.x, b.x)) place = level_side;
+    if (a.x == b.x && point.x == a.x && is_between(point.y, a.y, b.y)) place = upright_side;
+  }
+  return place;
+}
+
 /// Which edge, of a case that lies on one.
 struct EdgeOf {
   const Ray<double>& ray;  ///< in object space
@@ -77,10 +93,11 @@ struct EdgeOf {
   }
 };
 
-/// Only hits are on a boundary that belongs to the shape; a change of verdict is then at no distance.
+/// Hits are on a boundary that belongs to the shape; a change of verdict is then at no distance. What runs
+/// inside a surface has no first hit.
 BoundaryPlaces places_of(const Case& one, const RayQuestion& asked, RayAnswer exact, bool is_first_alone) {
   BoundaryPlaces places;
-  if (exact.hits.count == 0) return places;
+  if (exact.hits.count == 0) return exact.contact == Contact::in_surface ? only(in_surface) : places;
   if (is_first_alone) exact.hits.count = 1;
   for (const double t : exact.hits.view()) {
     if (t == asked.ray.t_min) places |= only(t_min);
@@ -100,7 +117,8 @@ BoundaryPlaces places_of(const Case& one, const RayQuestion& asked, RayAnswer ex
 BoundaryPlaces boundary_places(const Case& one, bool is_first_alone) {
   const Answer exact = oracle::answer(one);
   if (const auto* position = std::get_if<Position>(&exact))
-    return *position == Position::boundary ? only(edge) : BoundaryPlaces{};
+    return *position == Position::boundary ? only(place_on(std::get<PointAndPolygon<double>>(one.question)))
+                                           : BoundaryPlaces{};
   if (const auto* roots = std::get_if<QuadraticAnswer<double>>(&exact))
     return roots->kind == RootKind::twice ? only(tangent) : BoundaryPlaces{};
   return places_of(one, std::get<RayQuestion>(one.question), std::get<RayAnswer>(exact), is_first_alone);

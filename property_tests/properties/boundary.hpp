@@ -18,14 +18,17 @@ enum class BoundaryPlace {
   edge_a,   ///< the triangle's edge opposite to a, without its ends
   edge_b,
   edge_c,
-  vertex,     ///< a vertex of a triangle
-  low_face,   ///< a line in a face of a box at its min, or of a parallelepiped at its corner
-  high_face,  ///< the same of the opposite faces
-  low_rim,    ///< an open cylinder's rim at z = 0
-  high_rim,   ///< an open cylinder's rim at z = height
-  edge        ///< any other edge, or the boundary of a polygon
+  vertex,       ///< a vertex of a triangle, or of a polygon in the plane
+  low_face,     ///< a line in a face of a box at its min, or of a parallelepiped at its corner
+  high_face,    ///< the same of the opposite faces
+  low_rim,      ///< an open cylinder's rim at z = 0
+  high_rim,     ///< an open cylinder's rim at z = height
+  edge,         ///< any other edge, or the boundary of a polygon
+  in_surface,   ///< a line that runs inside a plane, a figure's plane or an open cylinder's side: a miss
+  level_side,   ///< a level side of a polygon in the plane
+  upright_side  ///< an upright one
 };
-inline constexpr std::size_t boundary_place_count = 12;
+inline constexpr std::size_t boundary_place_count = 15;
 
 /// Some of these places.
 using BoundaryPlaces = std::bitset<boundary_place_count>;

@@ -73,7 +73,15 @@ std::vector<std::size_t> Examination::explained(const Hypothesis& hypothesis,
   }
   for (const std::size_t i : cases)
     if (fits(hypothesis, failing_.at(i)) == true) all.push_back(i);
-  return all;
+  return is_confirmed(hypothesis, all) ? all : std::vector<std::size_t>{};
+}
+
+/// Whether the cure that the model asks for helps in most of a few of the cases.
+bool Examination::is_confirmed(const Hypothesis& model, std::span<const std::size_t> explained) const {
+  constexpr std::size_t few = 8;
+  if (model.confirmed_by.empty() || explained.empty()) return true;
+  const auto some = explained.first(std::min(few, explained.size()));
+  return 2 * cured(*find_hypothesis(model.confirmed_by), some).size() > some.size();
 }
 
 /// Whether the answers that the model foresees are wrong by more than rounding: near a boundary a subject

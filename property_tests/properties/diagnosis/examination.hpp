@@ -44,6 +44,7 @@ class Examination {
   };
   [[nodiscard]] std::vector<Cured> cured(const Hypothesis& hypothesis,
                                          std::span<const std::size_t> cases) const;
+  [[nodiscard]] bool is_confirmed(const Hypothesis& model, std::span<const std::size_t> explained) const;
   [[nodiscard]] std::size_t hits_lost(const Hypothesis& cure, std::span<const std::size_t> explained) const;
   [[nodiscard]] static bool is_excused(const Hypothesis& hypothesis, const Known& known);
   /// The first of the cases to which the subject is right when it is asked each alone.

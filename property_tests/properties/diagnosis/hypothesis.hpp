@@ -47,6 +47,8 @@ struct Hypothesis {
   bool speaks_of_all = false;  ///< of every form of a shape, whatever forms the failing cases have
   /// It fits single cases by chance: it must explain nearly all of a sample.
   bool needs_all = false;
+  /// A cure that must help, too, in most of what a model explains; empty where none need be.
+  std::string_view confirmed_by{};
   std::string_view of_equation{};  ///< the sentence where the cases are quadratic equations, if it is another
 };
 

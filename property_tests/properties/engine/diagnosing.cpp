@@ -7,6 +7,7 @@
 #include <map>
 
 #include "properties/engine/consultation.hpp"
+#include "properties/engine/kind.hpp"
 
 namespace rayproof {
 namespace {
@@ -17,9 +18,7 @@ bool can_be_diagnosed(const Finding& finding) {
 
 /// Whether a boundary's finding says no more than that it is one.
 bool is_vague(const Finding& finding) {
-  const bool is_avoided =
-      finding.cause == nullptr || (finding.cause->keeps == Keeps::verdict && !finding.cause->perturbs);
-  return finding.property->claim == Claim::exact && is_avoided;
+  return finding.property->claim == Claim::exact && (finding.cause == nullptr || is_avoided(finding));
 }
 
 void adopt(Finding& finding, const Finding& from) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "properties/diagnosis/hypothesis.hpp"
+#include "properties/guests/guest.hpp"
 
 namespace rayproof {
 namespace {
@@ -47,7 +48,7 @@ FindingKind kind_of_case(const Finding& finding) {
   const Case& one = evidence.other ? *evidence.other : finding.one;
   if (claim == Claim::exact) return FindingKind::boundary;
   if (finding.property->name == "digits") return FindingKind::rounding;
-  const oracle::Judgement judgement = oracle::judge(one, evidence.got);
+  const oracle::Judgement judgement = judged(one, evidence.got);
   const double share = roundoff_of(one.precision);
   const bool is_at_boundary = judgement.wrong && judgement.margin * share <= near_boundary;
   if (is_at_boundary || claim == Claim::contact) return FindingKind::boundary;
@@ -73,6 +74,11 @@ FindingKind kind_of(const Finding& finding) {
 bool is_named_boundary(const Finding& finding) {
   const Hypothesis* cause = finding.cause;
   return cause != nullptr && cause->change == nullptr && cause->kind == FindingKind::boundary;
+}
+
+bool is_avoided(const Finding& finding) {
+  const Hypothesis* cause = finding.cause;
+  return cause != nullptr && cause->change != nullptr && cause->keeps == Keeps::verdict && !cause->perturbs;
 }
 
 }  // namespace rayproof

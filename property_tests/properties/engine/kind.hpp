@@ -14,4 +14,7 @@ namespace rayproof {
 /// Whether a model names what is wrong on a boundary.
 [[nodiscard]] bool is_named_boundary(const Finding& finding);
 
+/// Whether the cause says no more than that a small change avoids what is wrong.
+[[nodiscard]] bool is_avoided(const Finding& finding);
+
 }  // namespace rayproof

@@ -21,10 +21,17 @@ bool has_direct_finding(const std::vector<Finding>& findings, const Subject* sub
   });
 }
 
-/// What makes two findings one: the cause, or, where none is known, the property.
+/// Whether it speaks of verdict and t, which one fault may break in several ways.
+bool is_of_hits(const Finding& finding) {
+  const Claim claim = finding.property->claim;
+  return finding.property->name != "digits" && claim != Claim::point && claim != Claim::normal &&
+         claim != Claim::coordinates && claim != Claim::contact;
+}
+
+/// What makes two findings one: the cause, or, where none is known, what they speak of.
 auto fault_of(const Finding& finding) {
-  const bool is_known = finding.cause != nullptr;
-  return std::tuple(finding.subject, finding.cause, is_known ? nullptr : finding.property);
+  const bool is_one = finding.cause != nullptr || is_of_hits(finding);
+  return std::tuple(finding.subject, finding.cause, is_one ? nullptr : finding.property);
 }
 
 /// What went wrong without its numbers, and without what the program said of it: two findings of the protocol
@@ -57,11 +64,22 @@ std::uint64_t cases_of(const std::vector<const Finding*>& alike) {
 
 /// Whether it says of boundaries only what a gross fault of more cases does there, too.
 bool is_boundary_of_more(const Finding& finding, const std::vector<Finding>& all, KindOf gravity,
-                         IsNamed is_named) {
-  return finding.property->name == "boundary" && !is_named(finding) &&
+                         const CauseSays& says) {
+  return finding.property->name == "boundary" && !says.is_named(finding) &&
          std::ranges::any_of(all, [&](const Finding& one) {
            return one.subject == finding.subject && one.cause != nullptr && one.cases >= finding.cases &&
                   gravity(one) == FindingKind::gross;
+         });
+}
+
+/// Whether it says no more than that cases near a boundary, or isolated ones, are wrong, where many more
+/// cases show a fault as bad or worse: where rounding decides, that one shows in ways that no model foresees.
+bool is_fringe_of_more(const Finding& finding, const std::vector<Finding>& all, KindOf gravity,
+                       const CauseSays& says) {
+  constexpr std::uint64_t many_more = 4;
+  return says.is_avoided(finding) && std::ranges::any_of(all, [&](const Finding& one) {
+           return one.subject == finding.subject && one.cause != finding.cause &&
+                  one.cases >= many_more * finding.cases && gravity(one) <= gravity(finding);
          });
 }
 
@@ -93,7 +111,7 @@ void leave_out_twins(std::vector<Finding>& findings) {
   findings = std::move(kept);
 }
 
-void put_together(std::vector<Finding>& findings, KindOf gravity, IsNamed is_named) {
+void put_together(std::vector<Finding>& findings, KindOf gravity, const CauseSays& says) {
   std::vector<Finding> kept;
   std::map<decltype(fault_of(findings.front())), std::vector<const Finding*>> faults;
   for (const Finding& one : findings)
@@ -118,8 +136,8 @@ void put_together(std::vector<Finding>& findings, KindOf gravity, IsNamed is_nam
   const std::vector<Finding> all = kept;
   std::erase_if(kept, [&](const Finding& one) {
     return is_of_guest(one) &&
-           (is_overshadowed(one, all, gravity) || is_boundary_of_more(one, all, gravity, is_named) ||
-            is_lost_in_more(one, all));
+           (is_overshadowed(one, all, gravity) || is_boundary_of_more(one, all, gravity, says) ||
+            is_fringe_of_more(one, all, gravity, says) || is_lost_in_more(one, all));
   });
   findings = std::move(kept);
 }

@@ -14,12 +14,15 @@ void leave_out_twins(std::vector<Finding>& findings);
 
 /// How bad a finding is.
 using KindOf = FindingKind (*)(const Finding&);
-/// Whether a model names what is wrong on a boundary.
-using IsNamed = bool (*)(const Finding&);
+/// What the cause of a finding says, if any is known.
+struct CauseSays {
+  bool (*is_named)(const Finding&) = nullptr;    ///< a model names what is wrong on a boundary
+  bool (*is_avoided)(const Finding&) = nullptr;  ///< no more than that a small change avoids it
+};
 
 /// Makes one of the findings of a program that have one cause: the simplest case of the gravest kind, with
-/// the cases of all. Those without a known cause are one for each property, and none where a cause is known
-/// for its kind.
-void put_together(std::vector<Finding>& findings, KindOf gravity, IsNamed is_named);
+/// the cases of all. Those without a known cause are one for verdict and t together, and one for each other
+/// property, and none where a cause is known for its kind.
+void put_together(std::vector<Finding>& findings, KindOf gravity, const CauseSays& says);
 
 }  // namespace rayproof

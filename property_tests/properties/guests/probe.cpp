@@ -72,6 +72,7 @@ struct Learnt {
     // Even and odd crossings leave some of a polygon's edges open, whatever one does.
     if (topic == "polygon" || topic == "point_in_polygon")
       abilities.rules.reset(static_cast<std::size_t>(BoundaryPlace::edge));
+    if (topic == "point_in_polygon" && !abilities.boundary) abilities.rules.reset();
   }
 
  private:

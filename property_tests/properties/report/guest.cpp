@@ -68,7 +68,7 @@ std::string left_out(const Subject& guest, const Property& property) {
   if (is_one_of(property, {"contact", "touch"}) && !able.contact) return "no contact is given";
   if (is_one_of(property, {"point", "point-on-surface"}) && !able.point) return "no point is given";
   if (is_one_of(property, {"normal"}) && !able.normal) return "no normal is given";
-  if (guest.topic == "triangle" && is_one_of(property, {"coordinates"}))
+  if (guest.topic == "triangle" && is_one_of(property, {"coordinates"}) && !able.barycentric)
     return "no barycentric coordinates are given";
   return "";
 }

@@ -15,6 +15,8 @@ namespace {
 
 /// So long at most nobody looks whether the program is to be asked no more.
 constexpr milliseconds a_while{100};
+/// No answer is longer, and no program may fill the memory.
+constexpr std::size_t longest_line = std::size_t{1} << 26U;
 
 }  // namespace
 
@@ -96,10 +98,18 @@ bool Conversation::answers_at_the_end(Round& round) {
 bool Conversation::take_lines(Round& round) {
   std::size_t begin = 0;
   bool is_well = true;
-  for (std::size_t end = 0; is_well && (end = received_.find('\n', begin)) != std::string::npos;
-       begin = end + 1)
+  // What was searched before has no end of a line.
+  for (std::size_t end = received_.find('\n', searched_); is_well && end != std::string::npos;
+       end = received_.find('\n', begin)) {
     is_well = take_line(round, std::string_view(received_).substr(begin, end - begin));
+    begin = end + 1;
+  }
   received_.erase(0, begin);
+  searched_ = is_well ? received_.size() : 0;
+  if (is_well && received_.size() > longest_line) {
+    stray_ = fmt::format("wrote {} bytes without the end of a line", received_.size());
+    return false;
+  }
   return is_well;
 }
 
@@ -158,6 +168,8 @@ std::string Conversation::trouble(RoundEnd ending) {
   if (ending == RoundEnd::silence)
     text = fmt::format("gave no answer within {:g} s",
                        static_cast<double>(program_->patience_of_case().count()) / 1000);
+  if (ending == RoundEnd::silence && !received_.empty())
+    text += fmt::format("; it wrote {} bytes without the end of a line", received_.size());
   if (ending == RoundEnd::closed) {
     text = child_.how_it_ended();
     if (text.empty()) text = "closed its output";

@@ -1,10 +1,13 @@
 """A right program, but for one fault in what it says: python3 faulty.py FAULT."""
 
 import json
+import math
 import random
+import struct
 import sys
 
 from right import answer
+from vectors import cross, dot
 
 
 def hits_of(case):
@@ -30,6 +33,28 @@ def open_at_t_max(case):
 
 def rounded(case):
     return with_hits([round(hit["t"], 6) for hit in hits_of(case)])
+
+
+def half(case):
+    """t in half precision."""
+    return with_hits([struct.unpack("e", struct.pack("e", hit["t"]))[0] for hit in hits_of(case)])
+
+
+def grazing(case):
+    """A plane that is met at less than a degree is taken for parallel."""
+    shape, d = case["shape"], case["ray"]["direction"]
+    n = shape["normal"] if "normal" in shape else cross(shape["u"], shape["v"])
+    slope = dot(n, d) / math.sqrt(dot(n, n) * dot(d, d))
+    return with_hits([]) if abs(slope) < 0.015 else answer(case)
+
+
+def in_plane(case):
+    """A ray inside the plane is said to hit at once."""
+    shape, ray = case["shape"], case["ray"]
+    if "d" not in shape or "transform" in case:
+        return {"unsupported": True}
+    is_level = dot(shape["normal"], ray["direction"]) == 0
+    return with_hits([ends_of(case)[0]]) if is_level and dot(shape["normal"], ray["origin"]) + shape["d"] == 0 else answer(case)
 
 
 def other_sign(case):
@@ -62,6 +87,9 @@ FAULTS = {
     "open_at_t_min": open_at_t_min,
     "open_at_t_max": open_at_t_max,
     "rounded": rounded,
+    "half": half,
+    "grazing": grazing,
+    "in_plane": in_plane,
     "other_sign": other_sign,
     "point_alone": point_alone,
     "rare": Rare(),

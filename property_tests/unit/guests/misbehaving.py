@@ -66,6 +66,11 @@ def closes_output():
         say(reply(case))
 
 
+def endless_line():
+    while True:
+        sys.stdout.write("x" * 1000000)
+
+
 def never_flushes():
     for case in cases():
         sys.stdout.write(reply(case) + "\n")
@@ -108,6 +113,7 @@ FAULTS = {
     "out_of_order": out_of_order,
     "close_output": closes_output,
     "never_flush": never_flushes,
+    "endless_line": endless_line,
     "unsupported": unsupported,
     "verdict_only": verdict_only,
     "nearest_only": nearest_only,

@@ -119,6 +119,9 @@ TEST_F(Guests, WhoFailsAlwaysIsOneFinding) {
   expect_protocol("close_output", "closed its output");
 }
 TEST_F(Guests, WhoSaysNothingIsOneFinding) { expect_protocol("ignore_input", "no answer within"); }
+TEST_F(Guests, WhoNeverEndsALineIsOneFinding) {
+  expect_protocol("endless_line", "without the end of a line");
+}
 TEST_F(Guests, WhoNeverFlushesLearnsThat) { expect_protocol("never_flush", "each line must be flushed"); }
 
 TEST_F(Guests, ACommandThatCannotBeStartedEndsWithTwoAndOneSentence) {

@@ -39,6 +39,18 @@ using Cases = std::vector<Case>;
 [[nodiscard]] Cases in_object_space(const Case& one);
 /// @}
 
+/// The scene turned so that nothing lies along an axis.
+[[nodiscard]] Cases turned(const Case& one);
+/// @{ Flat figures: met at a steep angle at the same point; a triangle made as wide as it is long.
+[[nodiscard]] Cases steeper(const Case& one);
+[[nodiscard]] Cases wider(const Case& one);
+/// @}
+
+/// @{ The ray moved aside: towards the middle of the shape, and away from it.
+[[nodiscard]] Cases nearer_the_middle(const Case& one);
+[[nodiscard]] Cases farther_off(const Case& one);
+/// @}
+
 /// @{ The ray moved aside, or the interval widened, by a millionth of the scene; or by a thousandth, where
 /// the hit is not on a boundary.
 [[nodiscard]] Cases off_boundary(const Case& one);

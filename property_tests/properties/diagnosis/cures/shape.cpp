@@ -38,20 +38,24 @@ bool reverse(S& /*has no winding*/) {
 /// x, y, z become y, z, x.
 void rename(glm::dvec3& v) { v = {v.y, v.z, v.x}; }
 
-bool rename_axes(RayQuestion& asked) {
+/// The ray and the shape with every vector moved by a linear map, if the shape has no axes of its own.
+template <class Move>
+bool move_vectors(RayQuestion& asked, Move&& move) {
   if (asked.transform || std::holds_alternative<Cylinder<double>>(asked.shape)) return false;
-  rename(asked.ray.origin);
-  rename(asked.ray.direction);
-  const auto rename_field = [](const char* /*name*/, auto& value) {
+  move(asked.ray.origin);
+  move(asked.ray.direction);
+  const auto move_field = [&](const char* /*name*/, auto& value) {
     using Value = std::remove_reference_t<decltype(value)>;
     if constexpr (std::is_same_v<Value, glm::dvec3>)
-      rename(value);
-    else if constexpr (requires { std::ranges::for_each(value, rename); })
-      std::ranges::for_each(value, rename);
+      move(value);
+    else if constexpr (requires { std::ranges::for_each(value, move); })
+      std::ranges::for_each(value, move);
   };
-  std::visit([&]<class S>(S& shape) { ShapeFormat<S>::fields(shape, rename_field); }, asked.shape);
+  std::visit([&]<class S>(S& shape) { ShapeFormat<S>::fields(shape, move_field); }, asked.shape);
   return true;
 }
+
+bool rename_axes(RayQuestion& asked) { return move_vectors(asked, rename); }
 
 }  // namespace
 
@@ -70,6 +74,16 @@ Cases renamed_axes(const Case& one) {
   if (all.empty()) return {};
   for (const Case& twice : with_question(all.front(), rename_axes)) all.push_back(twice);
   return all;
+}
+
+Cases turned(const Case& one) {
+  return with_question(one, [](RayQuestion& asked) {
+    // The columns of a rotation, in fifteenths.
+    const glm::dmat3 rotation(10.0 / 15, 11.0 / 15, 2.0 / 15, -5.0 / 15, 2.0 / 15, 14.0 / 15, 10.0 / 15,
+                              -10.0 / 15, 5.0 / 15);
+    return !std::holds_alternative<Box<double>>(asked.shape) &&
+           move_vectors(asked, [&](glm::dvec3& v) { v = rotation * v; });
+  });
 }
 
 Cases unit_normal(const Case& one) {

@@ -106,6 +106,37 @@ std::vector<Case> endless_cylinder(const Case& one) {
   });
 }
 
+namespace {
+
+template <class DoChange>
+std::vector<Case> read_otherwise(const Case& one, DoChange&& change) {
+  return with_shape<Cylinder<double>>(one, [&](RayQuestion& /*asked*/, Cylinder<double>& cylinder) {
+    change(cylinder);
+    return true;
+  });
+}
+
+std::vector<Case> with_radii_times(const Case& one, double factor) {
+  return read_otherwise(one, [factor](Cylinder<double>& cylinder) {
+    cylinder.rx *= factor;
+    cylinder.ry *= factor;
+  });
+}
+
+}  // namespace
+
+std::vector<Case> radii_doubled(const Case& one) { return with_radii_times(one, 2); }
+std::vector<Case> radii_halved(const Case& one) { return with_radii_times(one, 0.5); }
+std::vector<Case> radii_mean(const Case& one) {
+  return read_otherwise(one, [](Cylinder<double>& c) { c.rx = c.ry = (c.rx + c.ry) / 2; });
+}
+std::vector<Case> height_doubled(const Case& one) {
+  return read_otherwise(one, [](Cylinder<double>& cylinder) { cylinder.height *= 2; });
+}
+std::vector<Case> height_halved(const Case& one) {
+  return read_otherwise(one, [](Cylinder<double>& cylinder) { cylinder.height /= 2; });
+}
+
 std::vector<Case> cylinder_as_box(const Case& one) {
   return with_question(one, [](RayQuestion& asked) {
     const auto* cylinder = std::get_if<Cylinder<double>>(&asked.shape);
@@ -122,11 +153,6 @@ Answers caps_without_rim(const Case& one, const Answer& /*exact*/) {
 Answers caps_as_rectangles(const Case& one, const Answer& /*exact*/) {
   return with_ends(one, [](double x, double y, const Cylinder<double>& cylinder) {
     return std::abs(x) <= cylinder.rx && std::abs(y) <= cylinder.ry;
-  });
-}
-Answers caps_as_circles(const Case& one, const Answer& /*exact*/) {
-  return with_ends(one, [](double x, double y, const Cylinder<double>& cylinder) {
-    return std::hypot(x, y) <= cylinder.rx;
   });
 }
 

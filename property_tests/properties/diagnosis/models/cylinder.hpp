@@ -14,7 +14,6 @@ namespace rayproof::diagnosis {
 /// @{ A cap is its whole plane; the rectangle round the ellipse; the circle of radius rx.
 [[nodiscard]] Answers caps_without_rim(const Case& one, const Answer& exact);
 [[nodiscard]] Answers caps_as_rectangles(const Case& one, const Answer& exact);
-[[nodiscard]] Answers caps_as_circles(const Case& one, const Answer& exact);
 /// @}
 
 /// @{ A cylinder without end upwards, or downwards.
@@ -39,5 +38,35 @@ namespace rayproof::diagnosis {
 
 /// The object moved along its own z axis.
 void lift(RayQuestion& asked, double by);
+
+/// @{ Readings: radii doubled, halved, their mean for both; height doubled, halved.
+[[nodiscard]] std::vector<Case> radii_doubled(const Case& one);
+[[nodiscard]] std::vector<Case> radii_halved(const Case& one);
+[[nodiscard]] std::vector<Case> radii_mean(const Case& one);
+[[nodiscard]] std::vector<Case> height_doubled(const Case& one);
+[[nodiscard]] std::vector<Case> height_halved(const Case& one);
+/// @}
+/// The cylinder along another axis of its own space, each axis in the place of the one before.
+template <int axis>
+[[nodiscard]] std::vector<Case> cylinder_along(const Case& one) {
+  return with_shape<Cylinder<double>>(one, [](RayQuestion& asked, Cylinder<double>& /*cylinder*/) {
+    asked.ray = ray_in_object(asked);
+    asked.transform.reset();
+    std::swap(asked.ray.origin[axis], asked.ray.origin.z);
+    std::swap(asked.ray.direction[axis], asked.ray.direction.z);
+    return true;
+  });
+}
+/// The same with the axes in turn, x for y for z.
+template <int axis>
+[[nodiscard]] std::vector<Case> cylinder_turned_to(const Case& one) {
+  return with_shape<Cylinder<double>>(one, [](RayQuestion& asked, Cylinder<double>& /*cylinder*/) {
+    asked.ray = ray_in_object(asked);
+    asked.transform.reset();
+    for (glm::dvec3* v : {&asked.ray.origin, &asked.ray.direction})
+      *v = {(*v)[(axis + 1) % 3], (*v)[(axis + 2) % 3], (*v)[axis]};
+    return true;
+  });
+}
 
 }  // namespace rayproof::diagnosis

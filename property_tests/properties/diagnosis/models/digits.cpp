@@ -39,6 +39,25 @@ std::optional<bool> is_right_to_float(const Case& one, const Answer& got, const 
   return 0x1p-30 < worst && worst < 0x1p-19;
 }
 
+std::optional<bool> is_of_half(const Case& /*one*/, const Answer& got, const Answer& exact) {
+  return if_short(got, exact, [](double x) {
+    constexpr double smallest = 0x1p-24, largest = 65504;  // a subnormal's step; the largest of float16
+    if (x == 0 || !std::isfinite(x)) return true;
+    const double step = std::max(smallest, std::ldexp(1.0, std::ilogb(x) - 10));
+    return std::abs(x) <= largest && std::remainder(x, step) == 0;
+  });
+}
+
+std::optional<bool> is_approximate(const Case& one, const Answer& got, const Answer& exact) {
+  const std::vector<double> numbers = numbers_in(got), exactly = numbers_in(exact);
+  if (numbers.empty() || numbers.size() != exactly.size()) return std::nullopt;
+  const double best = one.precision == Precision::float32 ? 0x1p-19 : 0x1p-24, worst = 0x1p-6;
+  return std::ranges::equal(numbers, exactly, [&](double x, double y) {
+    const double error = std::abs(x - y);
+    return best * std::abs(y) <= error && error <= worst * std::abs(y);
+  });
+}
+
 std::optional<bool> has_six_digits(const Case& /*one*/, const Answer& got, const Answer& exact) {
   return if_short(got, exact,
                   [](double x) { return std::strtod(fmt::format("{:.6g}", x).c_str(), nullptr) == x; });

@@ -10,6 +10,10 @@ namespace rayproof::diagnosis {
 [[nodiscard]] std::optional<bool> is_of_float(const Case& one, const Answer& got, const Answer& exact);
 /// Some number of a case of float64 is off by what a float rounds, and none by more.
 [[nodiscard]] std::optional<bool> is_right_to_float(const Case& one, const Answer& got, const Answer& exact);
+/// Every number is one of float16.
+[[nodiscard]] std::optional<bool> is_of_half(const Case& one, const Answer& got, const Answer& exact);
+/// Every number is right to two to five decimal digits, and no better.
+[[nodiscard]] std::optional<bool> is_approximate(const Case& one, const Answer& got, const Answer& exact);
 /// Every number has six decimal digits at most.
 [[nodiscard]] std::optional<bool> has_six_digits(const Case& one, const Answer& got, const Answer& exact);
 

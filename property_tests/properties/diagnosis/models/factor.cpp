@@ -1,6 +1,7 @@
 #include "properties/diagnosis/models/factor.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "properties/claims/answers.hpp"
 
@@ -115,6 +116,11 @@ std::optional<double> slope(const Case& one) {
   const auto normal = some_normal(one);
   return normal ? std::optional(glm::dot(*normal, ray_in_object(*ray_question(one)).direction))
                 : std::nullopt;
+}
+
+std::optional<double> distance_per_t(const Case& one) {
+  const auto along = slope(one), length = length_of_normal(one);
+  return along && length ? std::optional(std::abs(*along) / *length) : std::nullopt;
 }
 
 std::optional<double> minus_slope(const Case& one) {

@@ -1,5 +1,8 @@
 #include "properties/diagnosis/models/first_hit.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "properties/diagnosis/agreement.hpp"
 
 namespace rayproof::diagnosis {
@@ -49,6 +52,48 @@ std::optional<bool> normal_not_unit(const Case& one, const Answer& got, const An
   const double length = glm::length(*mine->normal);
   if (are_close(one.precision, length, 1, 0)) return std::nullopt;
   return glm::length(*mine->normal / length - *answer->normal) < 0x1p-8;
+}
+
+Answers normal_of_first_corner(const Case& one, const Answer& exact) {
+  const auto* polygon = shape_in<Polygon<double>>(one);
+  if (polygon == nullptr) return {};
+  return with_normal(one, exact, [&](const RayQuestion& asked, const glm::dvec3& normal) {
+    const auto& v = polygon->vertices;
+    const glm::dvec3 corner = glm::cross(v[1] - v[0], v[2] - v[0]);
+    return glm::dot(corner, glm::transpose(linear(asked)) * normal) < 0 ? -normal : normal;
+  });
+}
+
+std::optional<bool> normal_of_other_face(const Case& one, const Answer& got, const Answer& exact) {
+  if (shape_in<Box<double>>(one) == nullptr || agree(one, got, exact, Aspect::normal)) return std::nullopt;
+  const auto* mine = std::get_if<RayAnswer>(&got);
+  if (mine == nullptr || !mine->normal) return std::nullopt;
+  const glm::dvec3 normal = glm::transpose(linear(*ray_question(one))) * *mine->normal;
+  const double largest = std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
+  for (int axis = 0; axis < 3; ++axis)  // -1, 0 or 1 along each axis
+    if (const double x = std::abs(normal[axis]) / largest; !(x < 0x1p-10 || x > 1 - 0x1p-10)) return false;
+  return true;
+}
+
+Answers normal_of_circle(const Case& one, const Answer& exact) {
+  const auto* cylinder = shape_in<Cylinder<double>>(one);
+  const RayAnswer* answer = hit_with_point(exact);
+  if (cylinder == nullptr || answer == nullptr) return {};
+  return with_normal(one, exact, [&](const RayQuestion& asked, const glm::dvec3& normal) {
+    const glm::dvec3 in_object = glm::transpose(linear(asked)) * normal;
+    if (std::abs(in_object.z) > 0x1p-10 * glm::length(in_object)) return normal;  // a cap's
+    const glm::dvec3 place = point_at(ray_in_object(asked), answer->hits.t[0]);
+    return glm::inverse(glm::transpose(linear(asked))) * glm::dvec3(place.x, place.y, 0);
+  });
+}
+
+Answers cap_normals_upward(const Case& one, const Answer& exact) {
+  if (shape_in<Cylinder<double>>(one) == nullptr) return {};
+  return with_normal(one, exact, [&](const RayQuestion& asked, const glm::dvec3& normal) {
+    const glm::dvec3 in_object = glm::transpose(linear(asked)) * normal;
+    const bool is_lower_cap = in_object.z < -(1 - 0x1p-10) * glm::length(in_object);
+    return is_lower_cap ? -normal : normal;
+  });
 }
 
 Answers normal_in_object(const Case& one, const Answer& exact) {

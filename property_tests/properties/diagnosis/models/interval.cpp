@@ -145,6 +145,17 @@ Answers behind_is_hit(const Case& one, const Answer& exact) {
   return {line, alone(hits.t[0]), alone(hits.t[hits.count - 1])};
 }
 
+Answers near_hit_behind(const Case& one, const Answer& /*exact*/) {
+  const Ray<double>* ray = ray_of(one);
+  if (ray == nullptr) return {};
+  const RayAnswer line = hits_of_line(one);
+  const auto& hits = line.hits;
+  if (hits.count < 2 || !(hits.t[0] < ray->t_min) || !(ray->t_min <= hits.t[1])) return {};
+  const auto admitted = [&](auto&& keep) { return Answer{hits_where(line, keep)}; };
+  return {line, admitted([&](double t) { return t <= ray->t_max; }),
+          admitted([&](double t) { return t == hits.t[0]; })};
+}
+
 Answers one_hit_admits_all(const Case& one, const Answer& exact) {
   const Ray<double>* ray = ray_of(one);
   if (ray == nullptr || std::get<RayAnswer>(exact).hits.count == 0) return {};

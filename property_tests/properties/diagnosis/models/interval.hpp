@@ -49,6 +49,8 @@ template <int power>
 [[nodiscard]] Answers first_hit_decides(const Case& one, const Answer& exact);
 /// What lies wholly before t_min is reported, in whole or by its first or last hit; other answers are right.
 [[nodiscard]] Answers behind_is_hit(const Case& one, const Answer& exact);
+/// A ray that starts inside is said to hit behind its beginning.
+[[nodiscard]] Answers near_hit_behind(const Case& one, const Answer& exact);
 /// All hits of the line are reported where one of them lies in the interval.
 [[nodiscard]] Answers one_hit_admits_all(const Case& one, const Answer& exact);
 /// Every hit of the line must lie in the interval, else none is reported.

@@ -76,6 +76,11 @@ bool is_at_side(Precision precision, const glm::dvec2& point, const Outline& out
   return false;
 }
 
+bool is_inside_first(std::size_t count, const glm::dvec2& point, Outline outline) {
+  outline.resize(std::min(count, outline.size()));
+  return crossings(point, outline, outline.size(), half_open) % 2 == 1;
+}
+
 bool is_inside(InsideRule rule, const glm::dvec2& point, const Outline& outline) {
   const std::size_t all = outline.size();
   const bool is_odd = crossings(point, outline, all, half_open) % 2 == 1;
@@ -100,6 +105,18 @@ bool is_inside(InsideRule rule, const glm::dvec2& point, const Outline& outline)
       return crossings(point, outline, all - 1, half_open) % 2 == 1;
     case InsideRule::first_triangle:
       return is_on_one_side(point, {outline[0], outline[1], outline[2]});
+    case InsideRule::first_four:
+      return is_inside_first(4, point, outline);
+    case InsideRule::first_eight:
+      return is_inside_first(8, point, outline);
+    case InsideRule::upright_sides: {
+      int more = 0;  // those to the left, which even and odd crossings don't count
+      for (std::size_t i = 0; i < all; ++i) {
+        const glm::dvec2 a = outline[i], b = outline[(i + 1) % all];
+        more += a.x == b.x && a.x < point.x && half_open(a.y - point.y, b.y - point.y) ? 1 : 0;
+      }
+      return is_odd != (more % 2 == 1);
+    }
     case InsideRule::one_side:
       return is_on_one_side(point, outline);
     case InsideRule::fan:
@@ -148,6 +165,9 @@ template Answers inside_by<InsideRule::endless_sides>(const Case&, const Answer&
 template Answers inside_by<InsideRule::both_ways>(const Case&, const Answer&);
 template Answers inside_by<InsideRule::last_side>(const Case&, const Answer&);
 template Answers inside_by<InsideRule::first_triangle>(const Case&, const Answer&);
+template Answers inside_by<InsideRule::first_four>(const Case&, const Answer&);
+template Answers inside_by<InsideRule::first_eight>(const Case&, const Answer&);
+template Answers inside_by<InsideRule::upright_sides>(const Case&, const Answer&);
 template Answers inside_by<InsideRule::one_side>(const Case&, const Answer&);
 template Answers inside_by<InsideRule::fan>(const Case&, const Answer&);
 template Answers inside_by<InsideRule::bounds>(const Case&, const Answer&);
@@ -161,6 +181,18 @@ Answers plane_of_corner(const Case& one, const Answer& /*exact*/) {
   const auto& outline = hit->vertices;
   if (is_at_side(one.precision, hit->point, outline)) return {};
   return hit_at(one, hit->t, crossings(hit->point, outline, outline.size(), half_open) % 2 == 1);
+}
+
+Answers endless_boundary(const Case& one, const Answer& exact) {
+  const auto* place = std::get_if<PointAndPolygon<double>>(&one.question);
+  if (place == nullptr || std::get<Position>(exact) == Position::boundary) return {};
+  const glm::dvec2 point(place->point.x, place->point.y);
+  const Outline outline = outline_of(*place);
+  bool is_on_line = false;
+  for (std::size_t i = 0; i < outline.size(); ++i)
+    is_on_line = is_on_line || turn(outline[i], outline[(i + 1) % outline.size()], point) == 0;
+  if (!is_on_line) return {};
+  return is_in_bounds(point, outline) ? Answers{Position::boundary} : Answers{Position::boundary, exact};
 }
 
 Answers inside_out(const Case& /*one*/, const Answer& exact) {

@@ -2,6 +2,7 @@
 /// \file
 /// Models of faults in the question whether a point lies in a polygon, in the plane or in space.
 
+#include "properties/boundary.hpp"
 #include "properties/diagnosis/models/models.hpp"
 
 namespace rayproof::diagnosis {
@@ -15,6 +16,9 @@ enum class InsideRule {
   both_ways,       ///< x is not compared: crossings on both sides of the point count, half of them
   last_side,       ///< the side from the last vertex to the first is forgotten
   first_triangle,  ///< only the first three vertices are looked at
+  first_four,      ///< only the first four
+  first_eight,     ///< only the first eight
+  upright_sides,   ///< an upright side counts on whichever side of the point it lies
   one_side,        ///< inside is where all sides turn one way: right for convex polygons only
   fan,             ///< the triangles of the fan from the first vertex, all together
   bounds           ///< the bounding box
@@ -26,6 +30,18 @@ template <InsideRule rule>
 
 /// The polygon's plane is that of its first three vertices; where these lie on a line it is missed.
 [[nodiscard]] Answers plane_of_corner(const Case& one, const Answer& exact);
+
+/// A point of the polygon's boundary at that kind of place is said to be outside, or inside.
+template <BoundaryPlace place>
+[[nodiscard]] Answers lost_at(const Case& one, const Answer& exact) {
+  const auto* position = std::get_if<Position>(&exact);
+  if (position == nullptr || !boundary_places(one).test(static_cast<std::size_t>(place))) return {};
+  return {Position::outside, Position::inside};
+}
+
+/// A point on the line of a side, beyond its ends, is said to be on the boundary, at least inside the
+/// bounding box.
+[[nodiscard]] Answers endless_boundary(const Case& one, const Answer& exact);
 
 /// Inside is called outside, and outside inside.
 [[nodiscard]] Answers inside_out(const Case& one, const Answer& exact);

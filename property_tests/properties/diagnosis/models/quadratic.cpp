@@ -64,4 +64,23 @@ Answers discriminant_with_plus(const Case& one, const Answer& /*exact*/) {
   return q == nullptr ? Answers{} : with_discriminant(one, q->b * q->b + 4 * q->a * q->c);
 }
 
+Answers positive_roots_alone(const Case& /*one*/, const Answer& exact) {
+  const auto* roots = std::get_if<Roots2>(&exact);
+  if (roots == nullptr || roots->count == 0 || (roots->count == 1 && roots->roots[0] >= 0)) return {};
+  if (roots->count == 1 || roots->roots[1] < 0) return {Roots2{RootKind::none, 0, {}}};
+  if (roots->roots[0] >= 0) return {};
+  Answers answers;
+  for (const RootKind kind : {RootKind::twice, RootKind::two, RootKind::linear})
+    answers.emplace_back(Roots2{kind, 1, {roots->roots[1]}});
+  return answers;
+}
+
+Answers real_part(const Case& one, const Answer& exact) {
+  const auto* q = std::get_if<Quadratic<double>>(&one.question);
+  const auto* roots = std::get_if<Roots2>(&exact);
+  if (q == nullptr || roots == nullptr || roots->kind != RootKind::none) return {};
+  const double x = -q->b / (2 * q->a);
+  return {Roots2{RootKind::twice, 1, {x}}, Roots2{RootKind::two, 2, {x, x}}, Roots2{RootKind::two, 1, {x}}};
+}
+
 }  // namespace rayproof::diagnosis

@@ -24,4 +24,8 @@ namespace rayproof::diagnosis {
 /// D = b² + 4ac.
 [[nodiscard]] Answers discriminant_with_plus(const Case& one, const Answer& exact);
 
+/// Only the roots that are not negative are given; the real part of complex roots is given.
+[[nodiscard]] Answers positive_roots_alone(const Case& one, const Answer& exact);
+[[nodiscard]] Answers real_part(const Case& one, const Answer& exact);
+
 }  // namespace rayproof::diagnosis

@@ -188,4 +188,13 @@ std::vector<Case> corner_as_centre(const Case& one) {
   });
 }
 
+std::vector<Case> edges_transposed(const Case& one) {
+  return with_shape<Parallelepiped<double>>(one, [](RayQuestion& /*asked*/, Parallelepiped<double>& solid) {
+    auto& e = solid.edges;
+    const glm::dmat3 other = glm::transpose(glm::dmat3(e[0], e[1], e[2]));
+    e = {other[0], other[1], other[2]};
+    return true;
+  });
+}
+
 }  // namespace rayproof::diagnosis

@@ -57,11 +57,13 @@ template <int edge>
 /// @}
 
 /// @{ Readings of a parallelepiped: the box with two of its opposite corners; its bounding box; its edges
-/// taken for orthogonal, so that projections on them are coordinates; its corner taken for the centre.
+/// taken for orthogonal, so that projections on them are coordinates; its corner taken for the centre; the
+/// matrix of its edges transposed.
 [[nodiscard]] std::vector<Case> parallelepiped_as_box(const Case& one);
 [[nodiscard]] std::vector<Case> parallelepiped_as_bounds(const Case& one);
 [[nodiscard]] std::vector<Case> edges_as_orthogonal(const Case& one);
 [[nodiscard]] std::vector<Case> corner_as_centre(const Case& one);
+[[nodiscard]] std::vector<Case> edges_transposed(const Case& one);
 /// @}
 
 /// @{ Readings of a cylinder: with caps, without them; a circular one of radius rx, of ry; with

@@ -20,15 +20,15 @@ std::vector<Hypothesis> cures_of_values() {
                  "right as soon as 0 stands for -0: the sign of zero is taken for a sign"),
       exact_cure("larger-scene", larger_scene,
                  "right as soon as the scene is larger: the code takes small lengths for 0, by an absolute "
-                 "epsilon or "
-                 "by rounding to whole numbers",
+                 "epsilon or by rounding to whole numbers",
                  gross,
                  "right as soon as the roots are larger: the code takes a small coefficient, or a small "
-                 "discriminant, "
-                 "for 0, an absolute epsilon"),
-      exact_cure("smaller-scene", smaller_scene,
-                 "right as soon as the scene is smaller: a fixed largest distance, or an overflow", gross,
-                 "right as soon as the roots are smaller: a fixed largest number, or an overflow"),
+                 "discriminant, for 0, an absolute epsilon"),
+      exact_cure(
+          "smaller-scene", smaller_scene,
+          "right as soon as the scene is smaller: a fixed largest distance, an overflow, or a direction "
+          "so small beside the shape that it is taken for 0",
+          gross, "right as soon as the roots are smaller: a fixed largest number, or an overflow"),
       exact_cure("longer-direction", longer_direction,
                  "right as soon as the direction is longer: the code takes small products with it for 0, an "
                  "absolute epsilon",
@@ -53,6 +53,10 @@ std::vector<Hypothesis> cures_of_values() {
           "tilted", tilted,
           "right as soon as the direction is tilted off the axes: 0·∞ or a division by a component that is "
           "0"),
+      cure("turned", turned,
+           "right as soon as the scene is turned off the axes: a direction, a side or a plane along an axis "
+           "is "
+           "not handled"),
       cure("unit-direction", unit_direction,
            "right as soon as the direction has length 1: the code takes it for a unit vector"),
       cure("unit-normal", unit_normal,
@@ -68,6 +72,11 @@ std::vector<Hypothesis> cures_of_values() {
            "right as soon as the ray starts before its line meets the shape: an origin inside, or hits "
            "behind it, are not handled",
            gross, Keeps::verdict),
+      cure(
+          "wider", wider,
+          "right as soon as the triangle is as wide as it is long: a thin one is taken for one without area"),
+      cure("steeper", steeper,
+           "right as soon as the ray meets the plane at a steep angle: a grazing one is taken for parallel"),
       cure("small-b", small_b, "right as soon as b² is not much larger than 4ac: -b ± √D cancels", rounding),
       cure("start-near", start_near,
            "right as soon as the ray starts near the shape: from afar its equation cancels", rounding,
@@ -78,6 +87,11 @@ std::vector<Hypothesis> cures_of_values() {
            "right as soon as the shape is at the origin of coordinates: far from it digits cancel, or its "
            "place is ignored",
            rounding),
+      cure("nearer-the-middle", nearer_the_middle,
+           "right as soon as the ray passes nearer to the middle of the shape: near its corners or ends "
+           "something is cut off"),
+      cure("farther-off", farther_off,
+           "right as soon as the ray passes farther away: the shape is taken for larger than it is"),
   };
 }
 

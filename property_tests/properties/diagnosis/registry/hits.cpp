@@ -4,6 +4,7 @@
 #include "properties/diagnosis/models/hits.hpp"
 #include "properties/diagnosis/models/flat.hpp"
 #include "properties/diagnosis/models/interval.hpp"
+#include "properties/diagnosis/models/outline.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
 
 namespace rayproof::diagnosis {
@@ -43,6 +44,9 @@ std::vector<Hypothesis> models_of_hits() {
       gives("misses-from-inside", misses_from_inside, "every ray that starts inside misses"),
       gives("behind-is-hit", behind_is_hit,
             "what lies wholly behind the ray's beginning is reported: the sign of t is not looked at"),
+      gives("near-hit-behind", near_hit_behind,
+            "a ray that starts inside is said to hit behind its beginning: the near hit is not compared with "
+            "t_min"),
       gives("one-hit-admits-all", one_hit_admits_all,
             "where one hit lies in the interval, the line's others are reported too: not each is compared "
             "with the interval"),
@@ -62,6 +66,12 @@ std::vector<Hypothesis> models_of_hits() {
             "every hit on an edge is missed: the shape is taken without its edges", boundary),
       gives("vertex-missed", misses_at<Contact::vertex>, "every hit on a vertex is missed", boundary),
       gives("rim-missed", misses_at<Contact::rim>, "every hit on a rim is missed", boundary),
+      gives("vertex-not-on-boundary", lost_at<BoundaryPlace::vertex>,
+            "a point at a vertex is not said to be on the boundary", boundary),
+      gives("level-side-not-on-boundary", lost_at<BoundaryPlace::level_side>,
+            "a point on a level side is not said to be on the boundary", boundary),
+      gives("upright-side-not-on-boundary", lost_at<BoundaryPlace::upright_side>,
+            "a point on an upright side is not said to be on the boundary", boundary),
       gives("boundary-outside", boundary_is_outside, "the boundary is taken for outside: the set is open",
             boundary),
       gives("boundary-inside", boundary_is_inside, "the boundary is taken for inside", boundary),

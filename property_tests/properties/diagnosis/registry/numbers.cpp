@@ -9,6 +9,17 @@
 
 namespace rayproof::diagnosis {
 
+namespace {
+
+/// A limit of lengths: in a smaller scene nothing lies beyond it.
+Hypothesis limit(std::string_view name, Predict predict, std::string_view sentence) {
+  Hypothesis made = gives(name, predict, sentence);
+  made.confirmed_by = "smaller-scene";
+  return made;
+}
+
+}  // namespace
+
 std::vector<Hypothesis> models_of_limits() {
   return {
       gives("epsilon-1e-10", drops_below<-10>,
@@ -29,23 +40,23 @@ std::vector<Hypothesis> models_of_limits() {
             "hits with t below about 1e-3 are left out: an absolute epsilon"),
       gives("epsilon-1e-2", drops_below<-2>,
             "hits with t below about 1e-2 are left out: an absolute epsilon"),
-      gives("limit-1e30", drops_beyond<30>,
+      limit("limit-1e30", drops_beyond<30>,
             "hits with t beyond about 1e30 are left out: a fixed largest distance"),
-      gives("limit-1e20", drops_beyond<20>,
+      limit("limit-1e20", drops_beyond<20>,
             "hits with t beyond about 1e20 are left out: a fixed largest distance"),
-      gives("limit-1e10", drops_beyond<10>,
+      limit("limit-1e10", drops_beyond<10>,
             "hits with t beyond about 1e10 are left out: a fixed largest distance"),
-      gives("limit-1e8", drops_beyond<8>,
+      limit("limit-1e8", drops_beyond<8>,
             "hits with t beyond about 1e8 are left out: a fixed largest distance"),
-      gives("limit-1e6", drops_beyond<6>,
+      limit("limit-1e6", drops_beyond<6>,
             "hits with t beyond about 1e6 are left out: a fixed largest distance"),
-      gives("limit-1e5", drops_beyond<5>,
+      limit("limit-1e5", drops_beyond<5>,
             "hits with t beyond about 1e5 are left out: a fixed largest distance"),
-      gives("limit-1e4", drops_beyond<4>,
+      limit("limit-1e4", drops_beyond<4>,
             "hits with t beyond about 1e4 are left out: a fixed largest distance"),
-      gives("limit-1e3", drops_beyond<3>,
+      limit("limit-1e3", drops_beyond<3>,
             "hits with t beyond about 1e3 are left out: a fixed largest distance"),
-      gives("limit-1e2", drops_beyond<2>,
+      limit("limit-1e2", drops_beyond<2>,
             "hits with t beyond about 1e2 are left out: a fixed largest distance"),
   };
 }
@@ -75,6 +86,10 @@ std::vector<Hypothesis> models_of_numbers() {
             "t is right divided by n·d: the division by the normal times the direction is missing"),
       gives("times-minus-slope", scaled_by<minus_slope>,
             "t is right divided by -n·d: the division by the determinant is missing"),
+      gives("distance-to-plane", scaled_by<distance_per_t>,
+            "t is the origin's distance from the plane: it was measured along the normal, and must be along "
+            "the "
+            "direction"),
       gives("doubled", scaled_by<two>,
             "every number is twice the right one: a factor 2 in the denominator is missing"),
       gives("halved", scaled_by<two, -1>,
@@ -97,6 +112,9 @@ std::vector<Hypothesis> models_of_numbers() {
       gives("double-root-missed", double_root_missed, "a double root is taken for none", boundary),
       gives("discriminant-sign-lost", discriminant_without_sign,
             "roots are reported where D < 0: the root of |D| was taken"),
+      gives("positive-roots-alone", positive_roots_alone, "negative roots are left out"),
+      gives("real-part", real_part,
+            "the real part of the complex roots is given where there is no real root"),
       gives("discriminant-plus", discriminant_with_plus,
             "the answer is right for D = b² + 4ac: a sign is wrong in the discriminant"),
   };
@@ -104,6 +122,8 @@ std::vector<Hypothesis> models_of_numbers() {
 
 std::vector<Hypothesis> models_of_digits() {
   return {
+      shows("computes-in-half", is_of_half,
+            "every number is one of float16: the code computes in half precision", rounding),
       shows("computes-in-float", is_of_float,
             "every number is one of float32, though the case is of float64: the code computes in float",
             rounding),
@@ -113,6 +133,10 @@ std::vector<Hypothesis> models_of_digits() {
             rounding),
       shows("whole-numbers", has_whole_numbers,
             "every number is a whole one: it is cut off or rounded to an integer"),
+      shows("approximate", is_approximate,
+            "every number is right to two to five digits and no better: something is approximated, a square "
+            "root or a reciprocal",
+            rounding),
       shows("prints-six-decimals", has_six_decimals,
             "no number has more than six decimals: the code prints too few of them, or rounds", rounding),
       shows("prints-six-digits", has_six_digits,

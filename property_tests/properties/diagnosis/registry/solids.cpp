@@ -2,7 +2,9 @@
 /// Faults with transforms and with solids.
 
 #include "properties/diagnosis/cures/cures.hpp"
+#include "properties/diagnosis/models/caps.hpp"
 #include "properties/diagnosis/models/cylinder.hpp"
+#include "properties/diagnosis/models/slabs.hpp"
 #include "properties/diagnosis/models/solid.hpp"
 #include "properties/diagnosis/models/transform.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
@@ -72,6 +74,16 @@ std::vector<Hypothesis> models_of_solids() {
             "the face at the end of edge 1 is not tested: the edge is taken for an endless half line"),
       gives("half-endless-edge-2", read_as<half_endless_parallelepiped<2>>,
             "the face at the end of edge 2 is not tested: the edge is taken for an endless half line"),
+      gives("leaves-at-last-end", leaves_at_last_end,
+            "the line is taken to leave where it leaves the last of the slabs, and must leave with the "
+            "first: max "
+            "for min"),
+      gives("enters-at-first-beginning", enters_at_first_beginning,
+            "the line is taken to enter where it enters the first of the slabs, and must enter with the "
+            "last: min "
+            "for max"),
+      gives("corner-faces-alone", corner_faces_alone,
+            "only the three faces at min, or at the corner, are hit: the opposite ones are missing"),
       gives("parallelepiped-as-box", read_as<parallelepiped_as_box>,
             "the answer is right for the upright box between opposite corners"),
       gives("parallelepiped-as-bounds", read_as<parallelepiped_as_bounds>,
@@ -81,8 +93,15 @@ std::vector<Hypothesis> models_of_solids() {
             "taken for orthogonal, a rectangular solid's"),
       gives("corner-as-centre", read_as<corner_as_centre>,
             "the answer is right for a solid centred at the corner: the corner is taken for the centre"),
+      gives("edges-transposed", read_as<edges_transposed>,
+            "the answer is right for the transposed matrix of the edges: rows are taken for columns"),
       gives("unit-edges", read_as<unit_edges>,
             "the answer is right for edges of length 1: the edges are taken for unit vectors"),
+  };
+}
+
+std::vector<Hypothesis> models_of_cylinders() {
+  return {
       gives("caps-added", read_as<with_caps>,
             "the answer is right for a capped cylinder: an open one has no caps"),
       gives("caps-missing", read_as<without_caps>,
@@ -91,9 +110,18 @@ std::vector<Hypothesis> models_of_solids() {
             "the whole plane of a cap is hit: (x/rx)² + (y/ry)² <= 1 is not tested there"),
       gives("caps-as-rectangles", caps_as_rectangles,
             "the caps are taken for rectangles: (x/rx)² + (y/ry)² <= 1 is not tested there"),
-      gives("caps-as-circles", caps_as_circles, "the caps are taken for circles of radius rx"),
       gives("lower-cap-missing", no_lower_cap, "hits on the cap at z = 0 are missing"),
       gives("upper-cap-missing", no_upper_cap, "hits on the cap at z = height are missing"),
+      gives("caps-of-radius-rx", caps_of_radius_rx,
+            "the caps are circles of radius rx, and must be ellipses as the side is"),
+      gives("caps-of-radius-ry", caps_of_radius_ry,
+            "the caps are circles of radius ry, and must be ellipses as the side is"),
+      gives("caps-of-rooted-radius", caps_of_rooted_radius,
+            "a cap is hit where x² + y² <= r, and must be where x² + y² <= r²"),
+      gives("caps-from-outside-alone", caps_from_outside_alone,
+            "a cap is hit from outside alone: a ray that leaves through it does not hit it"),
+      gives("side-before-caps", side_before_caps,
+            "a hit on the side is reported even where one on a cap is nearer"),
       gives("endless-cylinder", read_as<endless_cylinder>,
             "the answer is right for a cylinder without end: the height is not tested"),
       gives("upper-end-not-tested", upper_end_not_tested,
@@ -118,8 +146,19 @@ std::vector<Hypothesis> models_of_solids() {
       gives("radii-exchanged", read_as<radii_exchanged>, "the answer is right with rx and ry exchanged"),
       gives("radii-squared", read_as<radii_squared>,
             "the answer is right for rx² and ry²: the radii are squared once too often"),
+      gives("radii-doubled", read_as<radii_doubled>, "the answer is right for twice the radii"),
       gives("radii-halved", read_as<radii_halved>,
             "the answer is right for half the radii: they are taken for diameters"),
+      gives("radii-mean", read_as<radii_mean>,
+            "the answer is right for a circle of the mean of rx and ry: the ellipse is taken for a circle"),
+      gives("height-doubled", read_as<height_doubled>, "the answer is right for twice the height"),
+      gives("height-halved", read_as<height_halved>, "the answer is right for half the height"),
+      gives("axis-is-x", read_as<cylinder_along<0>>, "the answer is right for a cylinder along x"),
+      gives("axis-is-y", read_as<cylinder_along<1>>, "the answer is right for a cylinder along y"),
+      gives("axis-turned-to-x", read_as<cylinder_turned_to<0>>,
+            "the answer is right for a cylinder along x, its radii along y and z"),
+      gives("axis-turned-to-y", read_as<cylinder_turned_to<1>>,
+            "the answer is right for a cylinder along y, its radii along z and x"),
       gives("middle-at-zero", read_as<middle_at_zero>,
             "the answer is right for a cylinder from -height/2 to height/2"),
   };

@@ -66,6 +66,18 @@ Answer without_tangents(const Case& one) {
   return exact.contact == Contact::tangent ? RayAnswer{} : exact;
 }
 
+Answer without_vertices(const Case& one) {
+  const bool is_vertex = boundary_places(one).test(static_cast<std::size_t>(BoundaryPlace::vertex));
+  return is_vertex ? Answer(Position::outside) : oracle::answer(one);
+}
+
+Answer with_rays_in_planes(const Case& one) {
+  auto answer = std::get<RayAnswer>(oracle::answer(one));
+  if (answer.contact == Contact::in_surface)
+    answer.hits.push_back(std::max(0.0, std::get<RayQuestion>(one.question).ray.t_min));
+  return answer;
+}
+
 TEST(Probe, FindsOutWhatAnswersHold) {
   const Abilities all = learnt("sphere", oracle::answer);
   EXPECT_TRUE(all.all_hits && all.numbers && all.contact && all.point && all.normal);
@@ -82,6 +94,10 @@ TEST(Probe, TakesForARuleOnlyWhatIsWrongOnMostBoundaries) {
   EXPECT_TRUE(learnt("sphere", oracle::answer).rules.none());
   const auto place = static_cast<std::size_t>(BoundaryPlace::tangent);
   EXPECT_EQ(learnt("sphere", without_tangents).rules, BoundaryPlaces(1U << place));
+  const auto only = [](BoundaryPlace one) { return BoundaryPlaces(1U << static_cast<unsigned>(one)); };
+  EXPECT_EQ(learnt("point_in_polygon", without_vertices).rules, only(BoundaryPlace::vertex));
+  EXPECT_TRUE(learnt("point_in_polygon", without_boundary).rules.none());
+  EXPECT_EQ(learnt("plane", with_rays_in_planes).rules, only(BoundaryPlace::in_surface));
 }
 
 TEST(Probe, GivesTheCasesThatAreNotAnswered) {

@@ -1,0 +1,19 @@
+#pragma once
+/// \file
+/// Models of faults with the caps of a cylinder.
+
+#include "properties/diagnosis/models/models.hpp"
+
+namespace rayproof::diagnosis {
+
+/// @{ The caps have another outline than the side: a circle of radius rx, of radius ry, or of the root of rx.
+[[nodiscard]] Answers caps_of_radius_rx(const Case& one, const Answer& exact);
+[[nodiscard]] Answers caps_of_radius_ry(const Case& one, const Answer& exact);
+[[nodiscard]] Answers caps_of_rooted_radius(const Case& one, const Answer& exact);
+/// @}
+/// A ray that leaves through a cap does not hit it.
+[[nodiscard]] Answers caps_from_outside_alone(const Case& one, const Answer& exact);
+/// A hit on the side is reported before one on a cap, even where that is nearer.
+[[nodiscard]] Answers side_before_caps(const Case& one, const Answer& exact);
+
+}  // namespace rayproof::diagnosis

@@ -1,0 +1,87 @@
+#include "properties/diagnosis/models/slabs.hpp"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <optional>
+
+namespace rayproof::diagnosis {
+namespace {
+
+/// A box, or a parallelepiped as the unit cube of its own coordinates, with the ray in the same space.
+struct Cube {
+  Ray<double> ray;
+  glm::dvec3 low, high;
+};
+
+std::optional<Cube> cube_in(const Case& one) {
+  const RayQuestion* asked = ray_question(one);
+  if (asked == nullptr) return std::nullopt;
+  Ray<double> ray = ray_in_object(*asked);
+  if (const auto* box = std::get_if<Box<double>>(&asked->shape)) return Cube{ray, box->min, box->max};
+  const auto* solid = std::get_if<Parallelepiped<double>>(&asked->shape);
+  if (solid == nullptr) return std::nullopt;
+  const glm::dmat3 inverse = glm::inverse(glm::dmat3(solid->edges[0], solid->edges[1], solid->edges[2]));
+  ray.origin = inverse * (ray.origin - solid->corner);
+  ray.direction = inverse * ray.direction;
+  return Cube{ray, glm::dvec3(0), glm::dvec3(1)};
+}
+
+/// The t at which the line enters and leaves each slab that it is not parallel to; nothing where it runs
+/// beside one.
+struct Slabs {
+  std::vector<double> enters, leaves;
+};
+
+std::optional<Slabs> slabs_of(const Cube& cube) {
+  Slabs slabs;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double o = cube.ray.origin[axis], d = cube.ray.direction[axis];
+    if (d == 0 && (o < cube.low[axis] || o > cube.high[axis])) return std::nullopt;
+    if (d == 0) continue;
+    const auto [near, far] = std::minmax({(cube.low[axis] - o) / d, (cube.high[axis] - o) / d});
+    slabs.enters.push_back(near);
+    slabs.leaves.push_back(far);
+  }
+  return slabs;
+}
+
+/// The hits where the line is inside from `near(slabs)` to `far(slabs)`.
+template <class Near, class Far>
+Answers inside_between(const Case& one, Near&& near, Far&& far) {
+  const auto cube = cube_in(one);
+  const auto slabs = cube ? slabs_of(*cube) : std::nullopt;
+  if (!slabs) return {};
+  const double first = near(*slabs), last = far(*slabs);
+  RayAnswer line;
+  if (first <= last) line.hits.push_back(first);
+  if (first < last) line.hits.push_back(last);
+  return {hits_where(line, [&](double t) { return in_interval(cube->ray, t); })};
+}
+
+}  // namespace
+
+Answers leaves_at_last_end(const Case& one, const Answer& /*exact*/) {
+  return inside_between(
+      one, [](const Slabs& slabs) { return std::ranges::max(slabs.enters); },
+      [](const Slabs& slabs) { return std::ranges::max(slabs.leaves); });
+}
+
+Answers enters_at_first_beginning(const Case& one, const Answer& /*exact*/) {
+  return inside_between(
+      one, [](const Slabs& slabs) { return std::ranges::min(slabs.enters); },
+      [](const Slabs& slabs) { return std::ranges::min(slabs.leaves); });
+}
+
+Answers corner_faces_alone(const Case& one, const Answer& /*exact*/) {
+  const auto cube = cube_in(one);
+  if (!cube) return {};
+  const RayAnswer line = hits_of_line(one);
+  return {hits_where(line, [&](double t) {
+    const glm::dvec3 beside = glm::abs(point_at(cube->ray, t) - cube->low);
+    const glm::dvec3 near = 0x1p-20 * (cube->high - cube->low);
+    const bool is_on_face = beside.x <= near.x || beside.y <= near.y || beside.z <= near.z;
+    return is_on_face && in_interval(cube->ray, t);
+  })};
+}
+
+}  // namespace rayproof::diagnosis

@@ -1,0 +1,17 @@
+#pragma once
+/// \file
+/// Models of faults in how the three slabs of a box or a parallelepiped are put together.
+
+#include "properties/diagnosis/models/models.hpp"
+
+namespace rayproof::diagnosis {
+
+/// @{ The line leaves at the last of the slabs' ends, or enters at the first of their beginnings: a minimum
+/// and a maximum are exchanged.
+[[nodiscard]] Answers leaves_at_last_end(const Case& one, const Answer& exact);
+[[nodiscard]] Answers enters_at_first_beginning(const Case& one, const Answer& exact);
+/// @}
+/// Only the three faces at a box's min, or at a parallelepiped's corner, are hit.
+[[nodiscard]] Answers corner_faces_alone(const Case& one, const Answer& exact);
+
+}  // namespace rayproof::diagnosis
