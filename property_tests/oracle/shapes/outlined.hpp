@@ -3,7 +3,7 @@
 /// What triangle and polygon share: an outline of sides, which a ray must come near for its verdict to be in
 /// doubt.
 
-#include <boost/container/small_vector.hpp>
+#include <ranges>
 #include <span>
 
 #include "oracle/geometry/locate.hpp"
@@ -12,7 +12,7 @@
 namespace rayproof::oracle {
 
 /// The coordinates that are left where the axis of the normal's largest component is dropped (ties: the later
-/// axis). It matters which where the corners are not quite in a plane. Throws Undecided of estimates that are
+/// axis). It matters which where the corners are not quite in a plane. Notes a doubt of estimates that are
 /// not enough.
 template <class R>
 struct Projection {
@@ -37,9 +37,8 @@ template <class R>
 [[nodiscard]] Contact locate_in_outline(const Vector<R>& point, const R& weight, const Vector<R>& normal,
                                         const ObjectRay<R>& ray, std::span<const glm::dvec3> corners) {
   const Projection<R> project(normal);
-  boost::container::small_vector<PlanePoint<R>, 16> outline;
-  for (const glm::dvec3& corner : corners) outline.push_back(project(corner));
-  return locate(project(point), ray.scaled(weight), outline);
+  const auto projected = [&](const glm::dvec3& corner) { return project(corner); };
+  return locate(project(point), ray.scaled(weight), corners | std::views::transform(projected));
 }
 
 /// The largest distance of the corners from (0, 0, 0).
