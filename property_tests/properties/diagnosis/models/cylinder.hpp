@@ -11,7 +11,7 @@ namespace rayproof::diagnosis {
 [[nodiscard]] Answers no_upper_cap(const Case& one, const Answer& exact);
 /// @}
 
-/// @{ A cap is its whole plane; the rectangle round the ellipse; the circle of radius rx.
+/// @{ A cap is its whole plane; the rectangle round the ellipse.
 [[nodiscard]] Answers caps_without_rim(const Case& one, const Answer& exact);
 [[nodiscard]] Answers caps_as_rectangles(const Case& one, const Answer& exact);
 /// @}
