@@ -123,51 +123,55 @@ inline number max(const number& x, const number& y) { return x < y ? y : x; }
 
 /// GLM's vectors as far as the labs use them.
 template <int n>
-struct Vector {
+struct TracedVector {
   std::array<number, n> parts{};
   number &x = parts[0], &y = parts[1], &z = parts[n - 1];
 
-  Vector() = default;
-  Vector(const Vector& other) : parts(other.parts) {}
-  Vector& operator=(const Vector& other) {
+  TracedVector() = default;
+  TracedVector(const TracedVector& other) : parts(other.parts) {}
+  TracedVector& operator=(const TracedVector& other) {
     parts = other.parts;
     return *this;
   }
-  explicit Vector(const number& all) { parts.fill(all); }
-  Vector(const number& a, const number& b) requires(n == 2) : parts{a, b} {}
-  Vector(const number& a, const number& b, const number& c) requires(n == 3) : parts{a, b, c} {}
+  explicit TracedVector(const number& all) { parts.fill(all); }
+  TracedVector(const number& a, const number& b) requires(n == 2) : parts{a, b} {}
+  TracedVector(const number& a, const number& b, const number& c) requires(n == 3) : parts{a, b, c} {}
   number& operator[](int i) { return parts.at(static_cast<std::size_t>(i)); }
   const number& operator[](int i) const { return parts.at(static_cast<std::size_t>(i)); }
 
-  using Here = Placed<Vector>;
+  using Here = Placed<TracedVector>;
   template <class Function>
-  friend Vector each(Function function, const Here& a, const Here& b) {
-    Vector made;
+  friend TracedVector each(Function function, const Here& a, const Here& b) {
+    TracedVector made;
     for (int i = 0; i < n; ++i)
       made[i] = function(Given(a.value[i], a.line, 0), Given(b.value[i], a.line, 0));
     return made;
   }
-  friend Vector operator-(const Here& a) {
+  friend TracedVector operator-(const Here& a) {
     return each([](auto& x, auto&) { return -x; }, a, a);
   }
-  friend Vector operator+(const Here& a, const Here& b) { return each(std::plus<>(), a, b); }
-  friend Vector operator-(const Here& a, const Here& b) { return each(std::minus<>(), a, b); }
-  friend Vector operator*(const Here& a, const Here& b) { return each(std::multiplies<>(), a, b); }
-  friend Vector operator/(const Here& a, const Here& b) { return each(std::divides<>(), a, b); }
-  friend Vector operator*(const Given& s, const Here& a) {
-    return each(std::multiplies<>(), {Vector(s.value), s.line, 0}, a);
+  friend TracedVector operator+(const Here& a, const Here& b) { return each(std::plus<>(), a, b); }
+  friend TracedVector operator-(const Here& a, const Here& b) { return each(std::minus<>(), a, b); }
+  friend TracedVector operator*(const Here& a, const Here& b) { return each(std::multiplies<>(), a, b); }
+  friend TracedVector operator/(const Here& a, const Here& b) { return each(std::divides<>(), a, b); }
+  friend TracedVector operator*(const Given& s, const Here& a) {
+    return each(std::multiplies<>(), {TracedVector(s.value), s.line, 0}, a);
   }
-  friend Vector operator*(const Here& a, const Given& s) {
-    return each(std::multiplies<>(), a, {Vector(s.value), s.line, 0});
+  friend TracedVector operator*(const Here& a, const Given& s) {
+    return each(std::multiplies<>(), a, {TracedVector(s.value), s.line, 0});
   }
-  friend Vector operator/(const Here& a, const Given& s) {
-    return each(std::divides<>(), a, {Vector(s.value), s.line, 0});
+  friend TracedVector operator/(const Here& a, const Given& s) {
+    return each(std::divides<>(), a, {TracedVector(s.value), s.line, 0});
   }
-  friend Vector& operator+=(Vector& a, const Here& b) { return a = each(std::plus<>(), {a, b.line, 0}, b); }
-  friend Vector& operator-=(Vector& a, const Here& b) { return a = each(std::minus<>(), {a, b.line, 0}, b); }
-  friend Vector& operator*=(Vector& a, const Given& s) { return a = Here(a, s.line, 0) * s; }
-  friend Vector& operator/=(Vector& a, const Given& s) { return a = Here(a, s.line, 0) / s; }
-  friend bool operator==(const Vector& a, const Vector& b) { return a.parts == b.parts; }
+  friend TracedVector& operator+=(TracedVector& a, const Here& b) {
+    return a = each(std::plus<>(), {a, b.line, 0}, b);
+  }
+  friend TracedVector& operator-=(TracedVector& a, const Here& b) {
+    return a = each(std::minus<>(), {a, b.line, 0}, b);
+  }
+  friend TracedVector& operator*=(TracedVector& a, const Given& s) { return a = Here(a, s.line, 0) * s; }
+  friend TracedVector& operator/=(TracedVector& a, const Given& s) { return a = Here(a, s.line, 0) / s; }
+  friend bool operator==(const TracedVector& a, const TracedVector& b) { return a.parts == b.parts; }
 
   friend number dot(const Here& a, const Here& b) {
     number sum = Given(a.value[0], a.line, 0) * Given(b.value[0], a.line, 0);
@@ -178,19 +182,19 @@ struct Vector {
   }
   friend number length(const Here& a) { return sqrt(Given(dot(a, a), a.line, 0)); }
   friend number distance(const Here& a, const Here& b) { return length(Here(a - b, a.line, 0)); }
-  friend Vector normalize(const Here& a) { return a / Given(length(a), a.line, 0); }
-  friend Vector abs(const Here& a) {
+  friend TracedVector normalize(const Here& a) { return a / Given(length(a), a.line, 0); }
+  friend TracedVector abs(const Here& a) {
     return each([](auto& x, auto&) { return abs(x); }, a, a);
   }
-  friend Vector min(const Here& a, const Here& b) {
+  friend TracedVector min(const Here& a, const Here& b) {
     return each([](auto& x, auto& y) { return y.value < x.value ? y.value : x.value; }, a, b);
   }
-  friend Vector max(const Here& a, const Here& b) {
+  friend TracedVector max(const Here& a, const Here& b) {
     return each([](auto& x, auto& y) { return x.value < y.value ? y.value : x.value; }, a, b);
   }
 };
-using vec2 = Vector<2>;
-using vec3 = Vector<3>;
+using vec2 = TracedVector<2>;
+using vec3 = TracedVector<3>;
 
 inline vec3 cross(const Placed<vec3>& a, const Placed<vec3>& b) {
   const auto at = [&](const number& x) { return Given(x, a.line, 0); };
