@@ -61,7 +61,7 @@ int run(const leaks::LeakOptions& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app(
+  CommandLine app(
       "Asks methods of triangles, and other people's programs, about rays at a closed mesh's own vertices "
       "and edges.",
       "rayproof leak");

@@ -33,8 +33,8 @@ int run(const std::vector<std::string>& files, const check::Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Puts the shards of a campaign together to what one run would have written.",
-               "rayproof merge");
+  CommandLine app("Puts the shards of a campaign together to what one run would have written.",
+                  "rayproof merge");
   check::Options options;
   std::vector<std::string> files;
   app.add_option("SHARDS", files, "The folders of the shards, or their campaign.json")->required();

@@ -73,7 +73,7 @@ int run(const SpawnOptions& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Leaves surfaces by every strategy, and judges the rays exactly.", "rayproof spawn");
+  CommandLine app("Leaves surfaces by every strategy, and judges the rays exactly.", "rayproof spawn");
   SpawnOptions options;
   describe(app, options);
   if (const auto status = parse_command_line(app, argc, argv)) return *status;

@@ -87,7 +87,8 @@ int run(const WorstOptions& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Looks for each method's worst cases by varying the worst that it knows.", "rayproof worst");
+  CommandLine app("Looks for each method's worst cases by varying the worst that it knows.",
+                  "rayproof worst");
   WorstOptions options;
   describe(app, options);
   if (const auto status = parse_command_line(app, argc, argv)) return *status;

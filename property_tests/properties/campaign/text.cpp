@@ -2,10 +2,10 @@
 
 #include <cmath>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "case/files.hpp"
+#include "case/json/ordered.hpp"
 #include "properties/campaign/state.hpp"
 
 namespace rayproof::campaign {
@@ -155,12 +155,12 @@ std::string write_state(const CampaignState& state) {
                   {"rounds", state.rounds},
                   {"units ahead", state.units_ahead},
                   {"units", units}};
-  return json.dump(1) + "\n";
+  return write_json(json, 1) + "\n";
 }
 
 CampaignState read_state(const std::string& text) {
   try {
-    const Json json = Json::parse(text);
+    const Json json = read_json(text);
     const Shard shard{json.at("shard").at(0).get<std::uint64_t>(),
                       json.at("shard").at(1).get<std::uint64_t>()};
     if (shard.number < 1 || shard.number > shard.count || shard.count > most_shards)
