@@ -10,6 +10,7 @@
 #include "bench/figures/page.hpp"
 #include "bench/figures/plot.hpp"
 #include "bench/figures/text.hpp"
+#include "bench/report/describe_options.hpp"
 #include "bench/vtk/plot_png.hpp"
 #include "command_line/command_line.hpp"
 #include "command_line/progress_line.hpp"
@@ -70,7 +71,7 @@ int run(const report::BenchOptions& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app(
+  CommandLine app(
       "Measures speed against error: every method, one ray at a time and in batches, on every family.",
       "rayproof report");
   report::BenchOptions options;

@@ -5,7 +5,7 @@ if(NOT Python3_FOUND OR NOT TARGET rayproof-check)
 endif()
 add_custom_target(rayproof-lab ALL COMMAND ${CMAKE_COMMAND} -E create_symlink ${PROJECT_SOURCE_DIR}/labs/lab.py
                   ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/rayproof-lab)
-add_dependencies(rayproof-lab rayproof-check)
+add_dependencies(rayproof-lab rayproof-check rayproof-leak)  # lab 11 is judged by rays at a mesh
 
 set(programs ${CMAKE_INSTALL_LIBEXECDIR}/rayproof)
 install(DIRECTORY labs DESTINATION ${programs} COMPONENT programs USE_SOURCE_PERMISSIONS

@@ -27,7 +27,7 @@ function(rayproof_program name)
   endif()
   add_executable(rayproof-${name} ${sources})
   target_include_directories(rayproof-${name} PRIVATE ${PROJECT_SOURCE_DIR}/property_tests)
-  target_link_libraries(rayproof-${name} PRIVATE CLI11::CLI11 fmt::fmt ${ARGN} rayproof_flags)
+  target_link_libraries(rayproof-${name} PRIVATE rayproof_command_line fmt::fmt ${ARGN} rayproof_flags)
   # What needs speed is in the parts. A command line needs none, and CLI11 is most of what g++ works on here.
   target_compile_options(rayproof-${name} PRIVATE $<$<CONFIG:Release>:-O0>)
   install(TARGETS rayproof-${name} RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/rayproof COMPONENT programs)

@@ -27,6 +27,7 @@ class Lab:
             self.title, self.shape = described["title"], None if self.has_questions else described["shape"]
             self.stages, self.hints = described["stages"], described["hints"]
             self.fields = described.get("fields", [])  # of a shape that has several forms
+            self.wanted_claims = described.get("claims", [])  # which the answer must say enough for
             self.wants_all_hits = described.get("all_hits", False)
             self.libraries = [f"-l{name}" for name in described.get("libraries", [])]
         except (OSError, ValueError, KeyError) as problem:

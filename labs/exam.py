@@ -20,6 +20,8 @@ import signal
 import subprocess
 import sys
 
+import report
+
 SECONDS = 10  # for all questions of a stage
 OUTPUT = 1 << 17  # blocks of 512 bytes that the answer may write; no fewer than the sandbox allows
 PAGE = """<!doctype html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width">
@@ -88,8 +90,8 @@ def finding_of(questions, lab, claim, failures, out):
 
 
 def protocol(error, given):
-    return {"property": "answers", "kind": "protocol", "cases": 1, "asked": given, "said": error, "truth": "an answer", "diagnosis": error,
-            "got": {"error": error}}
+    return {"property": "answers", "kind": "protocol", "cases": 1, "asked": given, "said": error, "truth": "an answer",
+            "diagnosis": report.trouble(error), "got": {"error": error}}
 
 
 def judge(lab, described, command, out, timeout=SECONDS, cwd=None, **_):
@@ -105,7 +107,9 @@ def judge(lab, described, command, out, timeout=SECONDS, cwd=None, **_):
             result = answer["result"] if "error" not in answer else None
             judged = [] if "error" in answer else list(questions.judge(given, result))
         except (ValueError, TypeError, KeyError, IndexError, AttributeError, OverflowError):
-            return {"answers": False}, [protocol(f"wrote '{line.strip()[:200]}', which is no answer to this question", describe(given))]
+            words = f"wrote '{line.strip()[:200]}', which is no answer to this question"
+            words += ": nothing is returned, and what is printed is no answer" if '"result": null' in line else ""
+            return {"answers": False}, [protocol(words, describe(given))]
         if "error" in answer:
             return {"answers": False}, [protocol(str(answer["error"]), describe(given))]
         for claim, holds, truth in judged:

@@ -56,7 +56,8 @@ class Grader:
         if said:
             lines = said.splitlines()
             raise trial.NotCompiled(f"no function as {self.lab.stem}.hpp declares it" if "undefined reference" in said else
-                                    next((line for line in lines if "error:" in line or "multiple" in line), lines[0]))
+                                    next((line for line in lines if "error:" in line or "multiple" in line),
+                                         next((line for line in lines if line.strip()), "the compiler ended without a word")))
         return ["./program"]
 
     def stages(self):

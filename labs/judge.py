@@ -1,8 +1,8 @@
 """judge.py FILE FUNCTION [FIELD…]: answers cases by a function of a student's Python file (docs/your-own-code.md).
 
 It is called with origin, direction, t_min, t_max and the shape's fields, or with a query's fields; where FIELDs are given,
-for shapes of these fields alone. It returns a list of all answers, one t, a tuple (t, u, v), None, or whether a point is
-inside."""
+for shapes of these fields alone. It returns a list of all answers, one t, None, t, u and v of a triangle, or whether a point
+is inside."""
 
 import importlib.util
 import json
@@ -27,23 +27,34 @@ def arguments_of(case, wanted):
         return None
     if "query" in case:
         return [numbers(value) for key, value in case.items() if key not in ("id", "precision", "query", "note")]
-    ray, shape = numbers(case["ray"]), dict(case["shape"])
+    ray, shape = {"t_min": 0.0, "t_max": float("inf")} | numbers(case["ray"]), dict(case["shape"])
     shape.pop("type")
     if wanted and list(shape) != wanted:
         return None
     return [ray[key] for key in ("origin", "direction", "t_min", "t_max")] + [numbers(value) for value in shape.values()]
 
 
+class NoAnswer(Exception):
+    """What a function returned that answers nothing."""
+
+
 def reply(case, said):
-    if isinstance(said, bool):
-        return {"position": "inside" if said else "outside"}
-    if case.get("query") == "quadratic":
-        return {"x": list(said)}
-    if isinstance(said, tuple):
-        t, u, v = said
+    """The answer in the case format."""
+    if case.get("query") == "point_in_polygon":
+        if said in (0, 1):
+            return {"position": "inside" if said else "outside"}
+        raise NoAnswer(f"it returned {said!r}: return True or False")
+    if isinstance(said, (bool, str)) or said is None and "query" in case:
+        raise NoAnswer(f"it returned {said!r}: return {'a list of roots' if 'query' in case else 't, a list of all t, or None'}")
+    listed = [] if said is None else [said] if isinstance(said, (int, float)) else list(said)
+    if any(isinstance(x, (bool, complex)) or not isinstance(x, (int, float)) for x in listed):
+        raise NoAnswer(f"it returned {said!r}: numbers are asked for")
+    if "query" in case:
+        return {"x": listed}
+    if case["shape"]["type"] == "triangle" and len(listed) == 3:
+        t, u, v = listed
         return {"verdict": "hit", "hits": [{"t": t}], "barycentric": [1 - u - v, u, v]}
-    hits = [] if said is None else [said] if isinstance(said, (int, float)) else said
-    return {"verdict": "hit" if hits else "miss", "hits": [{"t": t} for t in hits]}
+    return {"verdict": "hit" if listed else "miss", "hits": [{"t": t} for t in listed]}
 
 
 def mistake(problem, file):
@@ -69,7 +80,10 @@ def main():
             if is_question:
                 answer["result"] = function(*arguments)
             else:
-                answer |= {"unsupported": True} if arguments is None else reply(case, function(*arguments))
+                said = None if arguments is None else function(*arguments)
+                answer |= {"unsupported": True} if arguments is None else reply(case, said)
+        except NoAnswer as problem:
+            answer["error"] = str(problem)
         except Exception as problem:  # pylint: disable=broad-except: whatever a student's code throws
             answer["error"] = mistake(problem, file)
         print(json.dumps(answer), file=answers, flush=True)

@@ -9,6 +9,7 @@ import sys
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import course as courses  # noqa: E402: found beside this file, which may be started by a link
+import explain as explaining  # noqa: E402
 import grade  # noqa: E402
 import report  # noqa: E402
 import trial  # noqa: E402
@@ -46,7 +47,9 @@ def check_lab(lab, progress):
     file = progress.folder / lab.name / lab.file(kept["language"])
     work = progress.folder / ".rayproof" / lab.name
     stages = trial.judge(lab, file, work)
-    has_passed = report.print_stages(lab, stages, f"{PROGRAM} check {lab.number}")
+    has_passed = report.print_stages(lab, stages, f"{PROGRAM} check {lab.number}", trial.warnings_of(file, work))
+    if file.suffix == ".cpp" and any("case" in finding for finding in stages[-1].findings):
+        print(f"your numbers, line by line: {PROGRAM} explain {lab.number}")
     progress.update(lab, checks=kept.get("checks", 0) + 1, passed=has_passed or kept.get("passed", False))
     return 0 if has_passed else 1
 
@@ -62,6 +65,16 @@ def hint(course, progress, options):
     if count < len(lab.hints):
         print(f"({len(lab.hints) - count} more: {PROGRAM} hint {lab.number})")
     progress.update(lab, hints=count)
+    return 0
+
+
+def explain(course, progress, options):
+    lab = course.find(options.lab or progress.current())
+    if progress.started(lab)["language"] != "cpp":
+        raise courses.LabError("explain runs answers in C++")
+    work = progress.folder / ".rayproof" / lab.name
+    case = explaining.failing_case(lab, work)
+    explaining.print_explained(lab, progress.folder / lab.name / lab.file("cpp"), case, work / "explain", report.asked(case))
     return 0
 
 
@@ -107,6 +120,7 @@ def read_arguments(arguments):
     command(start, "copy a lab into this folder").add_argument("--python", action="store_true", help="answer in Python")
     command(check, "judge your answer; the lab started last where none is given", nargs="?")
     command(watch, "judge again after each save, until Ctrl-C; all labs that were started where none is given", nargs="?")
+    command(explain, "your own code on the case that it fails, line by line: the first wrong number", nargs="?")
     command(hint, "one more hint", nargs="?")
     command(show, "the solution").add_argument("--give-up", action="store_true", help="before your answer passes")
     command(reset, "begin a lab again; what you wrote is kept")

@@ -13,6 +13,21 @@ CLAIMS = [("answers", "there is an answer"), ("verdict", "hit or miss"), ("posit
 LABELS = {"asked": "asked", "said": "you said", "truth": "the truth"}
 
 
+TROUBLES = [("is NaN", "a number is NaN: 0 / 0, the root of a negative number, or ∞ - ∞"),
+            ("gave no answer", "it does not end on this case: a loop or a recursion has no way out"),
+            ("SIGSEGV", "an index beyond the end of a list, or a recursion without end"),
+            ("SIGFPE", "a whole number is divided by 0"),
+            ("SIGABRT", "an exception that nothing catches, or a failed assertion"),
+            ("no line meets a shape as often", "it gives more hits than a line has: a list keeps its values from call to call, or hits "
+             "stand in it twice")]
+
+
+def trouble(error):
+    """What a student should think of where there is no answer to judge."""
+    short = error.partition("; the line is")[0]
+    return next((f"{words} ({short})" for part, words in TROUBLES if part in error), short)
+
+
 def number(x):
     return x if isinstance(x, str) else repr(int(x)) if float(x).is_integer() and abs(x) < 1e15 else repr(x)
 
@@ -43,7 +58,7 @@ def answered(answer):
     if not answer:
         return "nothing"
     if "error" in answer or "position" in answer:
-        return answer.get("error") or answer["position"]
+        return answer.get("error", "").partition("; the line is")[0] or answer["position"]
     if "x" in answer:
         return f"x = {', '.join(map(number, answer['x']))}" if answer["x"] else "no root"
     hits = ", ".join(number(hit["t"]) for hit in answer.get("hits", []))
@@ -70,8 +85,8 @@ def print_finding(finding):
     print(f"  diagnosis    {finding.get('diagnosis') or (case or {}).get('note') or finding['property']}")
 
 
-def print_stages(lab, stages, again):
-    """Whether all stages passed, after saying how they went."""
+def print_stages(lab, stages, again, warnings=()):
+    """Whether all stages passed, after saying how they went, and what the compiler thinks of an answer that does not."""
     print(f"{lab.name}: {lab.title}")
     for stage in stages:
         for words, holds in claims_of(stage):
@@ -85,5 +100,7 @@ def print_stages(lab, stages, again):
     for finding in last.findings:
         print(f"\nThe simplest of the cases that fail, about {finding.get('cases', 1)}:")
         print_finding(finding)
+    if warnings:
+        print("\nThe compiler warns:", *warnings, sep="\n  ")
     print(f"\nagain: {again}\na hint: {PROGRAM} hint {lab.number}")
     return False

@@ -8,6 +8,7 @@ import sys
 
 from course import OWN_LABS, LabError
 import exam
+import report
 
 CASES = 100  # for each family: a check is to take a second or two
 RAYS = 3000  # at a mesh
@@ -46,6 +47,9 @@ def judge_stage(lab, described, command, work, *more, **how):
     findings = [json.loads(line) | {"page": f"{out}/index.html#finding-{i}"} for i, line in enumerate(lines, 1)]
     claims = {one["property"]: one["mark"] != "BROKEN" for method in figures["methods"]
               for one in method["properties"] if one["held"] + one["broken"]}
+    for finding in findings:
+        if not finding.get("diagnosis") and (error := (finding.get("got") or {}).get("error")):
+            finding["diagnosis"] = report.trouble(error)
     if not described.get("digits"):
         claims.pop("digits", None)
         findings = [finding for finding in findings if finding["property"] != "digits"]
@@ -53,6 +57,10 @@ def judge_stage(lab, described, command, work, *more, **how):
         claims["all_hits"] = NEAREST_ALONE not in said
         if not claims["all_hits"]:
             findings.append({"property": "all_hits", "kind": "gross", "diagnosis": "it gives the nearest hit alone: every t is asked for"})
+    for claim in lab.wanted_claims:
+        if claim not in claims and not findings:
+            findings.append({"property": claim, "kind": "gross",
+                             "diagnosis": f"it does not give all that is asked for: no {dict(report.CLAIMS)[claim]}"})
     return Stage(described, claims, findings)
 
 
@@ -73,6 +81,8 @@ def ask(program, command, out, options, how):
     """The figures of rayproof check, or rayproof leak, about the answers of `command`, and what it prints."""
     figures = out / "figures.json"
     figures.unlink(missing_ok=True)
+    if not (programs() / f"rayproof-{program}").exists():
+        raise LabError(f"rayproof-{program} is missing beside rayproof-check: build or install it")
     ended = subprocess.run([programs() / f"rayproof-{program}", "--subject-command", command, "--precision", "float64", "--out", out,
                             "--json", figures, *options], capture_output=True, text=True, check=False, **how)
     if ended.returncode not in (0, 1) or not figures.exists():

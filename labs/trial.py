@@ -12,7 +12,9 @@ from course import OWN_LABS, LabError
 import stages
 
 COMPILER = shlex.split(os.environ.get("CXX", "c++"))
-FLAGS = ["-std=c++20", "-O1", "-ffp-contract=off"]  # a product and a sum are rounded apart, as written
+# A product and a sum are rounded apart, as written; a variable without a value has the same absurd one each time.
+FLAGS = ["-std=c++20", "-O1", "-ffp-contract=off", "-ftrivial-auto-var-init=pattern"]
+WARNINGS = ["-Wall", "-Wextra", "-Wfloat-conversion", "-Wno-unused", "-Wno-unused-parameter", "-Wno-sign-compare"]
 
 
 class NotCompiled(Exception):
@@ -34,6 +36,21 @@ def run_compiler(arguments, folder):
     return ended.stderr if ended.returncode else ""
 
 
+def compile_answer(lab, file, work):
+    """What the compiler says where it fails; what it warns of is kept beside the object."""
+    words = [*COMPILER, *FLAGS, *WARNINGS, "-fmax-errors=3", "-I", lab.folder, "-c", file.name, "-o", work / "answer.o"]
+    ended = subprocess.run(list(map(str, words)), cwd=file.parent, capture_output=True, text=True, check=False)
+    (work / "warnings.txt").write_text(ended.stderr, encoding="utf-8")
+    return ended.stderr if ended.returncode else ""
+
+
+def warnings_of(file, work):
+    """What the compiler thought of the answer: three lines at most."""
+    kept = work / "warnings.txt"
+    said = kept.read_text(encoding="utf-8").splitlines() if file.suffix == ".cpp" and kept.exists() else []
+    return [line for line in said if line.startswith(f"{file.name}:") and "warning:" in line][:3]
+
+
 def is_newer(file, *sources):
     return file.exists() and all(file.stat().st_mtime_ns > source.stat().st_mtime_ns for source in sources)
 
@@ -53,18 +70,18 @@ def build_judge(lab, work):
 
 def build(lab, file, work, judge_work=None):
     """The program of a C++ answer; made only where the answer is newer."""
-    program, code = work / "program", work / "answer.o"
+    program = work / "program"
     work.mkdir(parents=True, exist_ok=True)
     begun = time.time_ns()
     if is_newer(program, file, *file.parent.glob("*.h*"), lab.folder / "judge.cpp"):
         return program
     with ThreadPoolExecutor() as pool:
         judge = pool.submit(build_judge, lab, judge_work or work)
-        said = run_compiler(["-Wall", "-Wextra", "-fmax-errors=3", "-I", lab.folder, "-c", file.name, "-o", code], file.parent)
+        said = compile_answer(lab, file, work)
         judge = judge.result()
     if said:
         raise NotCompiled(said)
-    said = run_compiler([code, judge, *lab.libraries, "-o", program], work)
+    said = run_compiler([work / "answer.o", judge, *lab.libraries, "-o", program], work)
     if said:
         raise NotCompiled(f"{file.name} has no function as {lab.stem}.hpp declares it:\n"
                           + "\n".join(line for line in said.splitlines() if "undefined" in line))

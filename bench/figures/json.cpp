@@ -1,7 +1,8 @@
 #include "bench/figures/json.hpp"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
+
+#include "case/json/ordered.hpp"
 
 namespace rayproof::report {
 
@@ -42,8 +43,8 @@ Json row_of(const BenchRow& row, std::size_t timed_rays) {
 std::string to_json(const Measurements& figures) {
   Json rows = Json::array();
   for (const BenchRow& row : figures.rows) rows.push_back(row_of(row, figures.rays));
-  return Json{{"machine", figures.machine}, {"compiler", figures.compiler}, {"rows", std::move(rows)}}.dump(
-      1);
+  return write_json({{"machine", figures.machine}, {"compiler", figures.compiler}, {"rows", std::move(rows)}},
+                    1);
 }
 
 }  // namespace rayproof::report

@@ -12,15 +12,6 @@ namespace rayproof::report {
 
 namespace {
 
-constexpr const char* footer =
-    "Filters may be given several times, or as lists with commas. The page is DIR/index.html, the plots are "
-    "PNG files\n"
-    "beside it. Times are medians; for figures to quote, let the machine do nothing else. "
-    "RAYPROOF_ISA=baseline, avx2 or\n"
-    "avx512 chooses the instruction set of the batches.\n"
-    "Exit status: 0 everything was measured and written; 1 something could not be written; 2 wrong command "
-    "line.";
-
 bool contains(const std::vector<std::string>& list, const std::string& name) {
   return std::ranges::find(list, name) != list.end();
 }
@@ -61,27 +52,6 @@ std::vector<Precision> BenchOptions::wanted_precisions() const {
     if (passes(precisions, name_of(precision))) wanted.push_back(precision);
   }
   return wanted;
-}
-
-void describe(CLI::App& app, BenchOptions& options) {
-  app.add_option("--shape,--topic", options.shapes, fmt::format("Only {}", fmt::join(topics(), ", ")))
-      ->delimiter(',');
-  app.add_option("--method", options.methods, "Only this method: centred, or sphere/centred")->delimiter(',');
-  app.add_option("--family", options.families, "Only this family of cases")->delimiter(',');
-  app.add_option("--precision", options.precisions, "Only float32 or float64")
-      ->delimiter(',')
-      ->check(CLI::IsMember({"float32", "float64"}));
-  app.add_option("--rays", options.rays, "Rays (or equations) of each family, judged and timed")
-      ->capture_default_str()
-      ->check(CLI::Range(std::size_t{64}, std::size_t{100'000'000}));
-  app.add_option("--time", options.seconds, "Seconds of timing for each family and precision")
-      ->capture_default_str()
-      ->check(CLI::PositiveNumber);
-  app.add_option("--out", options.out, "Folder for the page and the plots")
-      ->capture_default_str()
-      ->type_name("DIR");
-  app.add_option("--json", options.json, "Write all figures as one JSON object")->type_name("FILE");
-  app.footer(footer);
 }
 
 void validate(const BenchOptions& options) {

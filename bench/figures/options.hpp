@@ -1,8 +1,8 @@
 #pragma once
 /// \file
-/// The command line of rayproof report.
+/// What rayproof report is asked to measure.
 
-#include <CLI/CLI.hpp>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -29,9 +29,6 @@ struct BenchOptions {
   [[nodiscard]] bool wants_method(const std::string& shape, const std::string& method) const;
   [[nodiscard]] std::vector<Precision> wanted_precisions() const;
 };
-
-/// Describes the options to the command line parser.
-void describe(CLI::App& app, BenchOptions& options);
 
 /// Throws UnknownFilterName where a filter names nothing.
 void validate(const BenchOptions& options);

@@ -17,16 +17,16 @@ namespace rayproof::report {
 template <class Method, class Rays>
 void hit_one_by_one(Rays& rays, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
-    const auto ray = rays.space ? to_object(*rays.space, rays.ray(i)) : rays.ray(i);
-    rays.t[i] = nearest(ray, Method::roots(ray, rays.shape));
+    const auto ray = rays.ray(i);
+    rays.t[i] = nearest(ray, rays.space ? roots_in_world<Method>(*rays.space, ray, rays.shape)
+                                        : Method::roots(ray, rays.shape));
     one_at_a_time();
   }
 }
 
 /// The nearest hits of the first `count` rays by the batch kernel.
 template <class Method, template <class> class Shape, class T>
-void hit_in_batch(ShapeRays<Shape, T>& rays, std::size_t count,
-                  InstructionSet set = preferred_instruction_set()) {
+void hit_in_batch(ShapeRays<Shape, T>& rays, std::size_t count, InstructionSet set) {
   const auto first = [count](const std::vector<T>& column) { return std::span(column).first(count); };
   const auto& c = rays.column;
   const RayBatch<T> batch{.origin = {first(c[0]), first(c[1]), first(c[2])},
@@ -77,8 +77,7 @@ void hit_by_glm(ShapeRays<Shape, T>& rays, std::size_t count) {
 
 /// The floor: reads the six numbers of each ray, writes one.
 template <template <class> class Shape, class T>
-void only_stream(ShapeRays<Shape, T>& rays, std::size_t count,
-                 InstructionSet set = preferred_instruction_set()) {
+void only_stream(ShapeRays<Shape, T>& rays, std::size_t count, InstructionSet set) {
   const auto& c = rays.column;
   stream(Columns<T, 6, 1>{{c[0].data(), c[1].data(), c[2].data(), c[3].data(), c[4].data(), c[5].data()},
                           {rays.t.data()},

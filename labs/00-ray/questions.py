@@ -82,7 +82,20 @@ MODELS = [
     ("the direction is taken for a unit vector: divide by dot(d, d)", model(lambda v, d, *_: dot(v, d))),
     ("it divides by the length of d: that is a distance, but t counts directions; divide by dot(d, d)",
      model(lambda v, d, *_: float(dot(v, d)) / math.sqrt(dot(d, d)))),
+    ("it divides once too often by the length of d: t counts directions; divide by dot(d, d) alone",
+     model(lambda v, d, *_: float(right(v, d)) / math.sqrt(dot(d, d)))),
+    ("the ends of the ray are 0 and 1 in place of t_min and t_max", model(right, lambda t, a, b: clamped(t, 0, 1))),
+    ("it is 0 where t lies outside of the interval: there the nearest end is the answer",
+     model(right, lambda t, a, b: t if a <= t <= b else 0)),
+    ("t_min and t_max are exchanged: before t_min the nearest point is at t_min",
+     model(right, lambda t, a, b: b if t < a else a if t > b else t)),
+    ("the direction is taken for a point of the ray: origin is subtracted from it",
+     model(lambda v, d, o, p: dot(v, from_to(o, d)) / (dot(from_to(o, d), from_to(o, d)) or 1))),
+    ("one coordinate alone is divided: all three count, in dot(v, d) / dot(d, d)",
+     model(lambda v, d, *_: v[0] / d[0] if d[0] else math.nan)),
     ("the origin is left out: the vector to the point begins at the origin", model(lambda v, d, o, p: dot(p, d) / dot(d, d))),
+    ("t is taken without its sign: a point behind the ray is as if it were before it",
+     model(lambda v, d, *_: abs(dot(v, d)) / dot(d, d))),
     ("the vector between origin and point has the wrong sign", model(lambda v, d, *_: -dot(v, d) / dot(d, d))),
     ("it measures the distance to the point, not the way along the ray",
      model(lambda v, d, *_: math.sqrt(dot(v, v) / dot(d, d)))),
@@ -92,11 +105,21 @@ MODELS = [
 ]
 
 
+def is_like(function, given, t, tolerance):
+    return math.isclose(function(*given), t, rel_tol=tolerance, abs_tol=tolerance)
+
+
 def diagnose(failures):
+    finite = [(given, t) for given, t in failures if math.isfinite(t)]
     for words, function in MODELS:
-        if all(math.isclose(function(*given), t, rel_tol=1e-9, abs_tol=1e-9) for given, t in failures):
+        if finite and all(is_like(function, *one, 1e-9) for one in finite):
             return words
-    origins = [(given, t) for given, t in failures if math.isfinite(t)]
-    if origins and all(math.isclose(model(right)(*given), t, rel_tol=1e-3, abs_tol=1e-3) for given, t in origins):
-        return "digits are lost: it computes in float somewhere"
-    return ""
+    if not finite or any(t != t for _, t in failures):  # pylint: disable=comparison-with-itself: NaN
+        return "t is no number: a division 0 / 0, or the root of a negative number"
+    for tolerance, words in ((1e-5, "digits are lost: it computes in float somewhere"),
+                             (1e-2, "it is right to two or three digits only: it is rounded, or found by steps; solve for t")):
+        if all(is_like(model(right), *one, tolerance) for one in finite):
+            return words
+    if all(is_like(model(right), *one, 1e-9) for one in finite[:1]) or len({t for _, t in finite}) == 1:
+        return "it gives the same answer again and again: a variable keeps its value from call to call"
+    return "no model of a fault gives these answers: solve (v - t·d)·d = 0 for t on paper, and compare term by term"

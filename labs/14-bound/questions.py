@@ -66,6 +66,8 @@ def diagnose(failures):
     errors = [float(abs(Fraction(value) - (p - q))) for value, (p, q) in zip(values, products) if math.isfinite(value)]
     if not all(map(math.isfinite, values + bounds)):
         return "it is no finite number"
+    if all(error > 2.0**-10 * total for error, total in zip(errors, sums)) and min(sums) > 2.0**-100:
+        return "the value is not a·b - c·d"
     if max(sums) < 2.0**-100:
         return "the products underflow: there a rounding is absolute, half of 2^-149"
     if not any(bounds):

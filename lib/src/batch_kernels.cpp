@@ -27,13 +27,43 @@ RayProblem<Shape, N> problem_of(const Lanes<RayProblem<Shape, T>>& in, const N (
 /// Solves the problems in packs; flat, since a pack that is handed to a function out of line goes through
 /// memory.
 template <class Method, class Problem, class T, std::size_t Columns>
-RAYPROOF_FLAT void solve(const Lanes<Problem>& given, T* const (&out)[Columns], bool all) {
+RAYPROOF_FLAT bool solve(const Lanes<Problem>& given, T* const (&out)[Columns], bool all) {
   const Lanes<Problem> in = given;  // its own copy: nothing that is written can change it
   using N = Pack<T>;
   const auto fill = [&](const auto& columns, N(&to)[Columns]) {
-    put_results<Method, Lanes<Problem>>(problem_of<N>(in, columns), to);
+    const auto problem = problem_of<N>(in, columns);
+    put_results<Lanes<Problem>>(problem, Lanes<Problem>::Topic::template solve<Method>(problem), to);
   };
   run<N>(in.columns, out, in.size, fill, all ? Columns : 1);
+  return false;
+}
+
+/// The same by a method's quick phase, in packs of doubles.
+template <class Method, class Problem, std::size_t Columns>
+RAYPROOF_FLAT bool solve_quickly(const Lanes<Problem>& given, float* const (&out)[Columns], bool all) {
+  const Lanes<Problem> in = given;
+  using N = Pack<double>;
+  Mask<N> is_sure(true);
+  const auto mark = [&](const Mask<N>& sure_now, const N& result) {
+    is_sure = is_sure && sure_now;
+    return select(sure_now, result, N(not_a_number<N>));
+  };
+  if (all) {
+    run<N>(in.columns, out, in.size, [&](const N(&columns)[6], N(&to)[Columns]) {
+      const auto problem = problem_of<N>(in, columns);
+      const auto quick = rounded_roots(problem.ray, Method::enclosed(problem.ray, problem.shape));
+      put_results<Lanes<Problem>>(problem, quick.answer, to);
+      for (N& result : to) result = mark(quick.is_sure, result);
+    });
+  } else {
+    float* const nearest_out[1] = {out[0]};
+    run<N>(in.columns, nearest_out, in.size, [&](const N(&columns)[6], N(&to)[1]) {
+      const auto problem = problem_of<N>(in, columns);
+      const auto quick = rounded_nearest(problem.ray, Method::enclosed(problem.ray, problem.shape));
+      to[0] = mark(quick.is_sure, quick.answer);
+    });
+  }
+  return !std::experimental::all_of(is_sure);
 }
 
 template <class T>
@@ -51,7 +81,11 @@ RAYPROOF_FLAT void move(const T* const (&in)[6], std::size_t size, const ObjectS
 
 template <class Method, class Problem>
 constexpr void enter(BatchKernel<Method, Problem>& kernel) {
-  kernel.solve = solve<Method, Problem>;
+  if constexpr (has_quick_phase<Method>) {
+    kernel.solve = solve_quickly<Method, Problem>;
+  } else {
+    kernel.solve = solve<Method, Problem>;
+  }
 }
 template <class T>
 constexpr void enter(ToObjectKernel<T>& kernel) {

@@ -18,12 +18,27 @@ namespace rayproof::batch {
 
 namespace {
 
-/// How a pack is read from a column and written to one; a plain number is a pack of one lane.
+/// How a pack is read from a column and written to one; a plain number is a pack of one lane. A pack of
+/// doubles reads and writes columns of floats, too, for the quick phases.
 template <class N>
 struct LaneAccess {
   static constexpr std::size_t width = N::size;
-  static N load(const Plain<N>* from) { return N::load(from); }
-  static void store(const N& value, Plain<N>* to) { value.store(to); }
+  template <class T>
+  static N load(const T* from) {
+    if constexpr (std::same_as<T, Plain<N>>) {
+      return N::load(from);
+    } else {
+      return load_floats<N>(from);
+    }
+  }
+  template <class T>
+  static void store(const N& value, T* to) {
+    if constexpr (std::same_as<T, Plain<N>>) {
+      value.store(to);
+    } else {
+      store_floats(value, to);
+    }
+  }
 };
 template <std::floating_point T>
 struct LaneAccess<T> {

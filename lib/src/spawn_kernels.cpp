@@ -23,18 +23,20 @@ RAYPROOF_FLAT void fill(const Hits<Surface<T>, T>& given, T* const (&out)[3]) {
     to[1] = origin.y;
     to[2] = origin.z;
   };
-  if (in.is_moved) {
-    batch::run<N>(in.columns, out, in.size, [&](const N(&hit)[4], N(&to)[3]) {
-      const vec3<N> p{hit[0], hit[1], hit[2]};
-      SurfacePoint<N> from = leave(convert<N>(in.surface), convert<N>(in.placement), p);
-      write(from, hit[3], to);
-    });
-  } else {
-    batch::run<N>(in.columns, out, in.size, [&](const N(&hit)[4], N(&to)[3]) {
-      SurfacePoint<N> from = leave(convert<N>(in.surface), vec3<N>{hit[0], hit[1], hit[2]});
-      write(from, hit[3], to);
-    });
+  if constexpr (!can_be_placed<Surface<T>>) {
+    if (in.is_moved) {
+      batch::run<N>(in.columns, out, in.size, [&](const N(&hit)[4], N(&to)[3]) {
+        const vec3<N> p{hit[0], hit[1], hit[2]};
+        SurfacePoint<N> from = leave(convert<N>(in.surface), convert<N>(in.placement), p);
+        write(from, hit[3], to);
+      });
+      return;
+    }
   }
+  batch::run<N>(in.columns, out, in.size, [&](const N(&hit)[4], N(&to)[3]) {
+    SurfacePoint<N> from = leave(convert<N>(in.surface), vec3<N>{hit[0], hit[1], hit[2]});
+    write(from, hit[3], to);
+  });
 }
 
 template <class Strategy, template <class> class Surface, class T>

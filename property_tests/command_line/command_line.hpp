@@ -2,25 +2,27 @@
 /// \file
 /// Command lines as every program takes them: --help ends with 0, a mistake with 2 and one sentence.
 
+// For the programs, which all speak by fmt.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <optional>
+#include <string>
 
 namespace rayproof {
 
+/// A command line to describe options to. All that CLI11 parses, writes help and reads configurations with
+/// hangs on its constructor and destructor, and is compiled with them, once for all programs.
+class CommandLine : public CLI::App {
+ public:
+  CommandLine(std::string description, std::string program);
+  CommandLine(const CommandLine&) = delete;
+  CommandLine& operator=(const CommandLine&) = delete;
+  ~CommandLine() override;
+};
+
 /// Parses the command line; gives the exit status where the program is to end here.
-[[nodiscard]] inline std::optional<int> parse_command_line(CLI::App& app, int argc, const char* const* argv) {
-  try {
-    app.parse(argc, argv);
-    return std::nullopt;
-  } catch (const CLI::Success& request) {  // --help
-    return app.exit(request);
-  } catch (const CLI::ParseError& mistake) {
-    fmt::print(stderr, "{}: {} (--help says more)\n", app.get_name(), mistake.what());
-    return 2;
-  }
-}
+[[nodiscard]] std::optional<int> parse_command_line(CommandLine& app, int argc, const char* const* argv);
 
 }  // namespace rayproof

@@ -7,11 +7,11 @@
 #include <array>
 #include <fstream>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
 
 #include "case/findings_file.hpp"
+#include "case/json/ordered.hpp"
 
 namespace rayproof::dossier {
 namespace {
@@ -26,7 +26,7 @@ std::vector<std::string> lines_of(const std::filesystem::path& file) {
 }
 
 JudgedShape judged_in(const std::string& line) {
-  const Json json = Json::parse(line);
+  const Json json = read_json(line);
   JudgedShape judged;
   judged.shape = json.at("shape");
   judged.name = json.at("method");
@@ -61,9 +61,9 @@ bool is_same_fault(const FiledFinding& a, const FiledFinding& b) {
 
 FiledFinding filed(const std::string& line, const std::string& command) {
   FiledFinding made;
-  Json bare = Json::parse(line);
+  Json bare = read_json(line);
   bare.erase("command");  // a path of this machine
-  made.line = bare.dump();
+  made.line = write_json(bare);
   RecordedFinding recorded = read_recorded(line, 0);
   try {
     made.dossier = open_dossier(recorded, command);
@@ -119,7 +119,7 @@ std::vector<LibraryDossier> collect(const std::vector<std::filesystem::path>& fo
     for (const std::string& line : judged)
       if (JudgedShape one = judged_in(line); one.name == name) library.judged.push_back(std::move(one));
     for (const std::string& line : findings)
-      if (Json::parse(line).at("method") == name) library.findings.push_back(filed(line, command));
+      if (read_json(line).at("method") == name) library.findings.push_back(filed(line, command));
   }
   std::erase_if(all, [](const LibraryDossier& one) { return one.judged.empty(); });
   std::size_t number = 0;

@@ -2,11 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
 
-#include "case/json/number.hpp"
+#include "case/json/ordered.hpp"
 #include "case/writer.hpp"
 #include "subjects/program/child.hpp"
 
@@ -35,8 +34,7 @@ Printed run(const std::string& command, std::string input, std::chrono::millisec
   printed.ending = child.is_output_closed() ? child.how_it_ended() : "did not return";
   std::istringstream lines(received);
   for (std::string line; std::getline(lines, line);)
-    if (Json one = Json::parse(line, nullptr, false); one.is_object())
-      printed.lines.push_back(std::move(one));
+    if (Json one = read_json(line, false); one.is_object()) printed.lines.push_back(std::move(one));
   return printed;
 }
 

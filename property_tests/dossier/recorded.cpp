@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
+#include "case/json/ordered.hpp"
 #include "case/reader.hpp"
 #include "oracle/oracle.hpp"
 #include "properties/report/findings.hpp"
@@ -21,7 +20,7 @@ void read_got(const Json& line, Finding& finding) {
     finding.evidence.no_answer = got.at("error").get<std::string>();
     return;
   }
-  const std::string text = got.dump();
+  const std::string text = write_json(got);
   Outcome outcome = program::ReplyLine(text).outcome(finding.one);
   if (!outcome.is_answered()) throw std::runtime_error(outcome.sentence);
   finding.evidence.got = std::move(outcome.answer);
@@ -38,7 +37,7 @@ RecordedFinding recorded(const Json& line, std::size_t number) {
   if (finding.property == nullptr) throw std::runtime_error("its property is unknown");
   finding.diagnosis = line.value("diagnosis", "");
   finding.cases = static_cast<std::uint64_t>(line.value("cases", 0.0));
-  finding.one = read_case(line.at("case").dump());
+  finding.one = read_case(write_json(line.at("case")));
   finding.evidence.note = finding.one.note;
   finding.evidence.exact = oracle::answer(finding.one);
   finding.evidence.other = finding.one;  // the words are of the answers that stand here
@@ -51,7 +50,7 @@ RecordedFinding recorded(const Json& line, std::size_t number) {
 
 RecordedFinding read_recorded(std::string_view line, std::size_t number) {
   try {
-    return recorded(Json::parse(line), number);
+    return recorded(read_json(line), number);
   } catch (const std::exception& problem) {
     throw std::runtime_error(fmt::format("finding {} can't be read: {}", number, problem.what()));
   }

@@ -1,5 +1,5 @@
-#include <nlohmann/json.hpp>
 
+#include "case/json/ordered.hpp"
 #include "leaks/text.hpp"
 
 namespace rayproof::leaks {
@@ -26,7 +26,7 @@ std::string json_text(const ClosedMesh& mesh, const LeakSettings& settings, cons
                                      {"seed", settings.seed},
                                      {"rays", settings.rays},
                                      {"subjects", subjects}};
-  return whole.dump(2) + "\n";
+  return write_json(whole, 2) + "\n";
 }
 
 }  // namespace rayproof::leaks

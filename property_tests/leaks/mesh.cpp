@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -104,7 +105,15 @@ ClosedMesh turned_outward(ClosedMesh mesh) {
 }
 
 ClosedMesh rounded(ClosedMesh mesh, Precision precision) {
-  for (glm::dvec3& v : mesh.vertices) v = rayproof::rounded(precision, v);
+  const int largest = precision == Precision::float32 ? 60 : 500;
+  for (glm::dvec3& v : mesh.vertices) {
+    const double size = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    if (size > std::ldexp(1.0, largest))
+      throw std::runtime_error(
+          fmt::format("the mesh {} has a coordinate of size {}: in {} lengths are judged up to 2^{}",
+                      mesh.name, size, name_of(precision), largest));
+    v = rayproof::rounded(precision, v);
+  }
   return mesh;
 }
 

@@ -34,7 +34,8 @@ struct ClosedMesh {
 /// The mesh with its triangles turned round if they wind clockwise as seen from outside.
 [[nodiscard]] ClosedMesh turned_outward(ClosedMesh mesh);
 
-/// The mesh with its numbers rounded to a precision, which moves its vertices but tears nothing apart.
+/// The mesh with its numbers rounded to a precision, which moves its vertices but tears nothing apart. Throws
+/// std::runtime_error where they are so large that products of lengths may overflow.
 [[nodiscard]] ClosedMesh rounded(ClosedMesh mesh, Precision precision);
 
 /// The neighbourhoods in a mesh.

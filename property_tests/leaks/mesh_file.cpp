@@ -39,6 +39,10 @@ ClosedMesh read_mesh(const std::string& file) {
   std::vector<std::vector<std::size_t>> faces;
   if (!CGAL::IO::read_polygon_soup(file, points, faces) || faces.empty())
     throw std::runtime_error(file + " is no mesh in OFF, OBJ, STL or PLY that can be read");
+  for (const std::vector<std::size_t>& face : faces)
+    for (const std::size_t corner : face)
+      if (corner >= points.size())
+        throw std::runtime_error(file + ": a face names a vertex that there is not");
   ClosedMesh mesh{.name = std::filesystem::path(file).stem().string()};
   VertexNumbers number_of(mesh);
   for (const std::vector<std::size_t>& face : faces)

@@ -1,5 +1,6 @@
 #include "oracle/oracle.hpp"
 
+#include "oracle/judge/judging.hpp"
 #include "oracle/shapes/shapes.hpp"
 
 namespace rayproof::oracle {
@@ -7,18 +8,6 @@ namespace rayproof::oracle {
 static RayAnswer answer(const RayQuestion& question, Precision precision) {
   return std::visit([&](const auto& shape) { return answer(*intersection_of(question, shape), precision); },
                     question.shape);
-}
-
-/// By estimates where they are enough. A wrong verdict is judged exactly, since its margin asks for more
-/// digits.
-template <class Judge>
-static Judgement filtered(const Judge& judge) {
-  try {
-    const Filtering by_estimates;
-    if (const Judgement judgement = judge(); !judgement.wrong) return judgement;
-  } catch (const Undecided&) {
-  }
-  return judge();
 }
 
 /// The judge of every shape that has none of its own.

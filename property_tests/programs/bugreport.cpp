@@ -31,7 +31,7 @@ int run(const std::string& number, std::string from) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app(
+  rayproof::CommandLine app(
       "Writes a finding of rayproof check --subject as a report to the makers of the library, in Markdown.",
       "rayproof bugreport");
   std::string number;

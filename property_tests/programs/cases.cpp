@@ -78,7 +78,8 @@ int run(const CasesOptions& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Prints the cases of the families that rayproof check tests, one a line.", "rayproof cases");
+  CommandLine app("Prints the cases of the families that rayproof check tests, one a line.",
+                  "rayproof cases");
   CasesOptions options;
   describe(app, options);
   if (const auto status = parse_command_line(app, argc, argv)) return *status;

@@ -64,8 +64,8 @@ int run(const check::Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Puts every method on trial before the exact oracle, and shrinks what breaks.",
-               "rayproof check");
+  CommandLine app("Puts every method on trial before the exact oracle, and shrinks what breaks.",
+                  "rayproof check");
   check::Options options;
   check::describe(app, options);
   if (const auto status = parse_command_line(app, argc, argv)) return *status;

@@ -92,8 +92,8 @@ int run(const FindingsOptions& options, const std::string& command) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Puts other people's libraries on trial, and writes the page of what was found.",
-               "rayproof findings");
+  CommandLine app("Puts other people's libraries on trial, and writes the page of what was found.",
+                  "rayproof findings");
   FindingsOptions options;
   app.add_option("--subject", options.subjects, "These libraries: names, or `peers` for all (docs/peers.md)")
       ->delimiter(',')

@@ -35,7 +35,7 @@ Answer answer_with(const Subject& subject, const Case& one) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Answers cases with a float method, in each case's own precision.", "rayproof intersect");
+  CommandLine app("Answers cases with a float method, in each case's own precision.", "rayproof intersect");
   std::string method;
   std::string file = "-";
   app.add_option("--method", method, "The method, as in sphere/centred; rayproof methods lists all")

@@ -1,9 +1,9 @@
 /// \file
 /// rayproof leak: rays at a closed mesh's own vertices and edges, and the methods that lose them.
 
-#include <filesystem>
-#include <fstream>
+#include <algorithm>
 
+#include "case/files.hpp"
 #include "command_line/command_line.hpp"
 #include "command_line/interrupt.hpp"
 #include "command_line/progress_line.hpp"
@@ -20,15 +20,10 @@ leaks::ClosedMesh mesh_called(const std::string& name) {
   return is_made ? leaks::make_mesh(name) : leaks::read_mesh(name);
 }
 
-void write(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream stream(file);
-  if (!(stream << text)) throw std::runtime_error(file.string() + " cannot be written");
-}
-
 int run(const leaks::LeakOptions& options) {
   const leaks::ClosedMesh mesh = mesh_called(options.mesh);
   const leaks::SubjectPanel panel = leaks::panel_of(options);
-  std::filesystem::create_directories(options.out);
+  make_folder(options.out);
   keep_on_interrupt();
   ProgressLine progress;
   const leaks::Result result =
@@ -36,9 +31,9 @@ int run(const leaks::LeakOptions& options) {
                     [&](double done, const std::string& what) { progress.show(done, what); });
   progress.clear();
   const std::filesystem::path out(options.out);
-  write(out / "index.html", leaks::html_page(mesh, options.settings, result));
-  write(out / "cases.jsonl", leaks::case_lines(result));
-  if (!options.json.empty()) write(options.json, leaks::json_text(mesh, options.settings, result));
+  write_file(out / "index.html", leaks::html_page(mesh, options.settings, result));
+  write_file(out / "cases.jsonl", leaks::case_lines(result));
+  if (!options.json.empty()) write_file(options.json, leaks::json_text(mesh, options.settings, result));
   fmt::print("{}: {} triangles, closed; seed {}, {} rays for each precision\n\n{}\n", mesh.name,
              mesh.triangles.size(), options.settings.seed, options.settings.rays, leaks::text_table(result));
   const std::vector<std::string> broken = leaks::broken_promises(result);
@@ -48,6 +43,13 @@ int run(const leaks::LeakOptions& options) {
     fmt::print("interrupted: only what is shown was judged\n");
     return 130;
   }
+  const auto was_asked = [](const leaks::Outcomes& one) {
+    return one.total(one.rays) + one.failed + one.unsupported > 0;
+  };
+  if (std::ranges::none_of(result.outcomes, was_asked))
+    throw std::runtime_error(
+        "no ray was judged: the surface turns away from each of them near its target; "
+        "more --rays may find some");
   const char* const tight =
       panel.guests.empty() ? "no sound method leaks or hits twice" : "nobody on trial leaks or hits twice";
   const char* const loose =
@@ -59,7 +61,7 @@ int run(const leaks::LeakOptions& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app(
+  CommandLine app(
       "Asks methods of triangles, and other people's programs, about rays at a closed mesh's own vertices "
       "and edges.",
       "rayproof leak");

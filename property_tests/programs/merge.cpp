@@ -1,6 +1,9 @@
 /// \file
 /// rayproof merge: what one campaign would have written, from its shards.
 
+#include <sstream>
+
+#include "case/files.hpp"
 #include "command_line/command_line.hpp"
 #include "programs/check/campaign.hpp"
 
@@ -8,29 +11,44 @@ namespace {
 
 using namespace rayproof;
 
+std::string text_of(const std::string& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
 int run(const std::vector<std::string>& files, const check::Options& options) {
   std::vector<campaign::CampaignState> shards;
   for (const std::string& file : files)
     shards.push_back(campaign::load(std::filesystem::is_directory(file) ? file + "/campaign.json" : file));
   const campaign::CampaignState whole = campaign::merged(shards);
-  std::filesystem::create_directories(options.out);
-  campaign::save(whole, check::state_file(options));
+  const std::string out = check::state_file(options);
+  if (std::filesystem::exists(out) && text_of(out) != campaign::write_state(whole))
+    throw std::runtime_error(out + " holds another campaign, or a shard: --out names another folder");
+  make_folder(options.out);
+  campaign::save(whole, out);
   return check::report_campaign(whole, options);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Puts the shards of a campaign together to what one run would have written.",
-               "rayproof merge");
+  CommandLine app("Puts the shards of a campaign together to what one run would have written.",
+                  "rayproof merge");
   check::Options options;
   std::vector<std::string> files;
   app.add_option("SHARDS", files, "The folders of the shards, or their campaign.json")->required();
   app.add_option("--out", options.out, "Folder for the merged campaign")->required()->type_name("DIR");
   app.footer(
-      "Exit status: as of rayproof check; 2 also where a shard is missing, given twice, unfinished, or of "
-      "another "
-      "campaign.");
+      "SHARDS are what rayproof check --campaign --shard I/N --out DIR wrote, all N of them, in any order; "
+      "they\n"
+      "are read and never changed. DIR gets campaign.json, findings.jsonl and index.html, byte for byte as "
+      "one\n"
+      "run without --shard would have written them. docs/campaigns.md has examples.\n"
+      "Exit status: as of rayproof check: 0 every contract holds; 1 not so; 2 wrong command line, or a shard "
+      "that\n"
+      "is missing, given twice, unfinished, damaged or of another campaign, or a DIR that holds something "
+      "else.");
   if (const auto status = parse_command_line(app, argc, argv)) return *status;
   try {
     return run(files, options);

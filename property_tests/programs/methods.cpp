@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <rayproof/topics.hpp>
 
+#include "case/json/ordered.hpp"
 #include "command_line/command_line.hpp"
 #include "subjects/subject.hpp"
 
@@ -180,8 +180,8 @@ Exit status: 0, or 2 for a wrong command line.)";
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Lists every method: what it does, where it comes from, what it promises.",
-               "rayproof methods");
+  CommandLine app("Lists every method: what it does, where it comes from, what it promises.",
+                  "rayproof methods");
   bool as_json = false;
   app.add_flag("--json", as_json, "One JSON array with every figure of each method");
   app.footer(fmt::format(footer, headers()));
@@ -193,6 +193,6 @@ int main(int argc, char** argv) {
   }
   Json all = Json::array();
   for (const Subject& subject : subjects()) all.push_back(to_json(subject));
-  fmt::print("{}\n", all.dump(2));
+  fmt::print("{}\n", write_json(all, 2));
   return 0;
 }

@@ -7,8 +7,8 @@
 #include "programs/stream/answer_stream.hpp"
 
 int main(int argc, char** argv) {
-  CLI::App app("Answers cases exactly: verdict, contact, and every number correctly rounded.",
-               "rayproof oracle");
+  rayproof::CommandLine app("Answers cases exactly: verdict, contact, and every number correctly rounded.",
+                            "rayproof oracle");
   std::string file = "-";
   app.add_option("FILE", file, "The cases; standard input where left out or -");
   app.footer(rayproof::stream_help);

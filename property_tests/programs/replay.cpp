@@ -7,8 +7,8 @@
 #include "command_line/command_line.hpp"
 
 int main(int argc, char** argv) {
-  CLI::App app("Judges a finding of rayproof check again, or all findings and cases of a file.",
-               "rayproof replay");
+  rayproof::CommandLine app("Judges a finding of rayproof check again, or all findings and cases of a file.",
+                            "rayproof replay");
   std::string what;
   std::string findings = rayproof::last_findings;
   app.add_option("WHAT", what, "The number of a finding, or a file of findings or cases")->required();

@@ -59,9 +59,10 @@ int run(const SpawnOptions& options) {
   progress.clear();
   json << leaving::json_text(options.settings, result);
   for (const leaving::FalseHit& failure : result.failures) findings << write_case(failure.left) << '\n';
-  fmt::print("seed {}, {} hits for each shape and precision\n\n{}\n{}\n{}", options.settings.seed,
-             options.settings.cases, leaving::text_table(result), leaving::text_shapes(result),
-             leaving::text_failures(result));
+  const std::string tenfold = leaving::text_tenfold(result);
+  fmt::print("seed {}, {} hits for each shape and precision\n\n{}\n{}\n{}{}{}", options.settings.seed,
+             options.settings.cases, leaving::text_table(result), leaving::text_shapes(result), tenfold,
+             tenfold.empty() ? "" : "\n", leaving::text_failures(result));
   const std::vector<std::string> broken = leaving::broken_promises(result);
   for (const std::string& sentence : broken) fmt::print("{}\n", sentence);
   if (result.was_interrupted) fmt::print("interrupted: only what is shown was judged\n");
@@ -72,7 +73,7 @@ int run(const SpawnOptions& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Leaves surfaces by every strategy, and judges the rays exactly.", "rayproof spawn");
+  CommandLine app("Leaves surfaces by every strategy, and judges the rays exactly.", "rayproof spawn");
   SpawnOptions options;
   describe(app, options);
   if (const auto status = parse_command_line(app, argc, argv)) return *status;

@@ -1,13 +1,13 @@
 /// \file
 /// rayproof worst: looks for each method's worst cases by varying the worst that it knows.
 
-#include <filesystem>
-#include <fstream>
-#include <map>
-
+#include "case/files.hpp"
 #include "command_line/command_line.hpp"
+#include "command_line/count_option.hpp"
 #include "command_line/interrupt.hpp"
+#include "command_line/precision_option.hpp"
 #include "command_line/progress_line.hpp"
+#include "command_line/time_option.hpp"
 #include "properties/worst/search.hpp"
 
 namespace {
@@ -29,13 +29,7 @@ void describe_filters(CLI::App& app, WorstOptions& options) {
   list("--method", plan.methods,
        "Only these methods: centred, or sphere/centred; the misprinted ones only so");
   list("--family", plan.families, "Begin with cases of these families");
-  const auto add_precisions = [&plan](const std::vector<std::string>& names) {
-    for (const std::string& name : names)
-      plan.precisions.push_back(name == "float32" ? Precision::float32 : Precision::float64);
-  };
-  app.add_option_function<std::vector<std::string>>("--precision", add_precisions, "Only float32 or float64")
-      ->delimiter(',')
-      ->check(CLI::IsMember({"float32", "float64"}));
+  add_precision_option(app, plan.precisions);
 }
 
 void describe(CLI::App& app, WorstOptions& options) {
@@ -44,12 +38,8 @@ void describe(CLI::App& app, WorstOptions& options) {
   app.add_option("--seed", plan.seed, "Where the search begins")->capture_default_str();
   app.add_option("--cases", plan.cases, "Cases for each method and precision")
       ->capture_default_str()
-      ->check(CLI::Range(1.0, 1e12));
-  app.add_option_function<long long>(
-         "--time", [&options](long long seconds) { options.what.time = std::chrono::seconds(seconds); },
-         "In place of --cases: time for each method and precision, in seconds or as 1m or 2h")
-      ->transform(CLI::AsNumberWithUnit(std::map<std::string, long long>{{"s", 1}, {"m", 60}, {"h", 3600}}))
-      ->check(CLI::PositiveNumber);
+      ->transform(whole_count());
+  add_time_option(app, options.what.time, "In place of --cases: time for each method and precision");
   app.add_flag("--compare", options.what.compare, "Draw cases at random as long, too, and show both");
   app.add_option("--jobs", plan.jobs, "Threads; as many as the machine has where left out")
       ->check(CLI::Range(1, 1024));
@@ -64,12 +54,6 @@ void describe(CLI::App& app, WorstOptions& options) {
       "Exit status: 0 no promise is exceeded; 1 one is; 2 wrong command line; 130 interrupted.");
 }
 
-std::ofstream opened(const std::filesystem::path& name) {
-  std::ofstream file(name);
-  if (!file) throw std::runtime_error(name.string() + " cannot be written");
-  return file;
-}
-
 /// The worst cases, a line each, and how many there are.
 std::size_t write_findings(const worst::WorstResult& result, std::ofstream& file) {
   std::size_t number = 0;
@@ -80,7 +64,7 @@ std::size_t write_findings(const worst::WorstResult& result, std::ofstream& file
 
 int run(const WorstOptions& options) {
   (void)make_plan(options.what.plan);  // refuses unknown names before anything is written
-  std::filesystem::create_directories(options.out);
+  make_folder(options.out);
   const std::filesystem::path name = std::filesystem::path(options.out) / "findings.jsonl";
   std::ofstream findings = opened(name), json;
   if (!options.json.empty()) json = opened(options.json);
@@ -90,7 +74,8 @@ int run(const WorstOptions& options) {
       options.what, is_interrupted, [&](double done, const std::string& what) { progress.show(done, what); });
   progress.clear();
   const std::size_t count = write_findings(result, findings);
-  json << worst::json_text(options.what, result);
+  finish(findings, name);
+  if (json.is_open()) finish(json << worst::json_text(options.what, result), options.json);
   fmt::print("seed {}, {} cases by guided search, {} by draws alone\n\n{}\n{}", options.what.plan.seed,
              result.climbed, result.drawn, worst::text_table(result), worst::text_exceeded(result));
   fmt::print("{} worst cases: {}; rayproof explain N --from {} looks into one\n", count, name.string(),
@@ -102,7 +87,8 @@ int run(const WorstOptions& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Looks for each method's worst cases by varying the worst that it knows.", "rayproof worst");
+  CommandLine app("Looks for each method's worst cases by varying the worst that it knows.",
+                  "rayproof worst");
   WorstOptions options;
   describe(app, options);
   if (const auto status = parse_command_line(app, argc, argv)) return *status;

@@ -131,6 +131,8 @@ class Trial {
   /// The reach of the subject's domain at the case's precision. Under a transform, no further than the usual
   /// one: the map into object space is plain arithmetic, however careful the method is behind it.
   [[nodiscard]] int reach() const {
+    if (is_transformed(*case_) && subject_->takes_transforms)
+      return subject_->contract.domain.reach_transformed;
     const int own = reach_of(subject_->contract.domain, case_->precision);
     return is_transformed(*case_) ? std::min(own, reach_of(Domain{}, case_->precision)) : own;
   }

@@ -12,7 +12,10 @@ namespace rayproof {
 /// Runs a method on a case in arithmetic `A`, transform included.
 template <class Topic, class Method, class A>
 [[nodiscard]] auto solve_in(const Case& one) {
-  return Topic::template solve<Method, A>(Reading<Topic>::template problem<A>(one));
+  if constexpr (requires { Reading<Topic>::template roots_in_world<Method, A>(one); })
+    return Reading<Topic>::template roots_in_world<Method, A>(one);
+  else
+    return Topic::template solve<Method, A>(Reading<Topic>::template problem<A>(one));
 }
 
 /// A method whose kernel takes checked numbers; the exact methods are written for plain ones alone.
@@ -50,6 +53,7 @@ template <class Topic, class Method>
   subject.source = Method::source;
   subject.contract = Method::contract;
   using Topical = Reading<Topic>;
+  subject.takes_transforms = requires { Topical::template roots_in_world<Method, double>(Case()); };
   subject.answer_by([](const Case& one) {
     return in_precision(one.precision, [&]<class T>(T) -> Answer {
       return Topical::template answer<Method, T>(one, solve_in<Topic, Method, T>(one));

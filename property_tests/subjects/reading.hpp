@@ -67,6 +67,17 @@ struct Reading {
     return {object ? to_object(*object, ray) : ray, exactly<A>(shape(question))};
   }
 
+  /// The roots of a method that takes the transform itself; only of one, in plain numbers.
+  template <class Method, class T>
+  [[nodiscard]] static auto roots_in_world(const Case& one) requires(
+      takes_transforms<Method, T, ShapeIn<T>>) {
+    const auto& question = std::get<RayQuestion>(one.question);
+    const Ray<T> ray = convert<T>(question.ray);
+    const ShapeIn<T> own_shape = convert<T>(shape(question));
+    const Space<T> object = space<T>(question);
+    return object ? rayproof::roots_in_world<Method>(*object, ray, own_shape) : Method::roots(ray, own_shape);
+  }
+
   /// The roots by the batch kernels, the case placed among other problems; only of a batched topic.
   template <class Method, class T>
   [[nodiscard]] static auto batch_roots(const Case& one) {

@@ -20,8 +20,8 @@ namespace rayproof {
 
 /// The names of the claims in listings and on command lines, in the order of `Claim`.
 inline constexpr std::array<std::string_view, claim_count> claim_names{
-    "verdict", "residual", "ulp",     "robust", "ascending", "moved",       "scaled", "reversed", "batch",
-    "nan",     "bounded",  "contact", "point",  "normal",    "coordinates", "exact",  "answers"};
+    "verdict", "residual", "ulp",     "rounded", "robust", "ascending", "moved",       "scaled", "reversed",
+    "batch",   "nan",      "bounded", "contact", "point",  "normal",    "coordinates", "exact",  "answers"};
 
 [[nodiscard]] constexpr std::string_view claim_name(Claim claim) {
   return claim_names.at(static_cast<std::size_t>(claim));
@@ -40,6 +40,8 @@ struct Subject {
   std::string name{};   ///< "centred"
   std::string title{};  ///< one line on what it does
   Source source{};
+  /// Whether it is given the transform itself, and not a ray that was rounded on its way into object space.
+  bool takes_transforms = false;
   std::vector<Precision> precisions{Precision::float32, Precision::float64};
   Abilities abilities{};
   DocumentedDomain documented{};

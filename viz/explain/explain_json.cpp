@@ -1,7 +1,6 @@
 #include <cmath>
-#include <nlohmann/json.hpp>
 
-#include "case/json/number.hpp"
+#include "case/json/ordered.hpp"
 #include "case/writer.hpp"
 #include "viz/explain/case_report.hpp"
 
@@ -52,7 +51,7 @@ Json decisive_loss(const Walkthrough& walk) {
 std::string explain_json(const CaseReport& report) {
   static constexpr const char* outcomes[] = {"faithful", "inaccurate", "flipped"};
   Json json;
-  json["case"] = Json::parse(write_case(report.one));
+  json["case"] = read_json(write_case(report.one));
   json["method"] = report.method;
   if (report.walk) {
     json["title"] = report.walk->title;
@@ -62,15 +61,15 @@ std::string explain_json(const CaseReport& report) {
     json["outcome"] = outcomes[static_cast<std::size_t>(report.walk->outcome)];
     json["decisive_loss"] = decisive_loss(*report.walk);
   }
-  json["exact"] = Json::parse(write_answer(report.one, report.exact));
+  json["exact"] = read_json(write_answer(report.one, report.exact));
   if (report.measured) {
     const auto& [is_wrong, margin, residual] = *report.measured;
     json["measured"] = {
         {"wrong_verdict", is_wrong}, {"margin", json_number(margin)}, {"residual", json_number(residual)}};
   }
-  if (report.claimed) json["got"] = Json::parse(write_answer(report.one, *report.claimed));
+  if (report.claimed) json["got"] = read_json(write_answer(report.one, *report.claimed));
   json["conclusion"] = conclusion_of(report);
-  return json.dump();
+  return write_json(json);
 }
 
 }  // namespace rayproof::viz

@@ -3,9 +3,9 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "case/escape.hpp"
+#include "case/json/ordered.hpp"
 #include "viz/page/math_ml.hpp"
 #include "viz/picture/palette.hpp"
 #include "viz/scene/space.hpp"
@@ -124,7 +124,7 @@ std::string space_json(const Stage& stage) {
                    {"diamond", mark_measures.diamond}};
   json["steps"] = Json::array();
   for (std::size_t i = 0; i < stage.steps.size(); ++i) json["steps"].push_back(step_json(stage, i));
-  return json.dump();
+  return write_json(json);
 }
 
 }  // namespace rayproof::viz

@@ -2,9 +2,8 @@
 
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
-#include "case/json/number.hpp"
+#include "case/json/ordered.hpp"
 #include "case/writer.hpp"
 #include "viz/picture/palette.hpp"
 #include "viz/trace/numbers.hpp"
@@ -97,7 +96,7 @@ std::string stage_json(const Stage& stage) {
             {"conclusion", stage.conclusion},
             {"precision", name_of(stage.precision)},
             {"digits", stage.digits}};
-  json["case"] = Json::parse(write_case(stage.one));
+  json["case"] = read_json(write_case(stage.one));
   json["scene"] = items(stage.scene);
   json["steps"] = steps(stage);
   if (stage.slider) json["slider"] = slider(*stage.slider);
@@ -105,7 +104,7 @@ std::string stage_json(const Stage& stage) {
                     {"up", vector(stage.camera.up)},
                     {"toward", vector(stage.camera.toward)},
                     {"flat", stage.camera.is_flat}};
-  return json.dump();
+  return write_json(json);
 }
 
 }  // namespace rayproof::viz

@@ -43,8 +43,8 @@ void draw(const viz::CaseReport& report, const Files& files) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Draws a case with its exact answer and, where a method is given, that method's.",
-               "rayproof draw");
+  CommandLine app("Draws a case with its exact answer and, where a method is given, that method's.",
+                  "rayproof draw");
   viz::CaseOptions options;
   options.add_to(app);
   Files files;

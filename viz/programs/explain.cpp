@@ -4,8 +4,9 @@
 #include "viz/programs/report_case.hpp"
 
 int main(int argc, char** argv) {
-  CLI::App app("Shows step by step what a method does with a case, and where it loses its digits.",
-               "rayproof explain");
+  rayproof::CommandLine app(
+      "Shows step by step what a method does with a case, and where it loses its digits.",
+      "rayproof explain");
   rayproof::viz::CaseOptions options;
   options.add_to(app);
   bool as_json = false;

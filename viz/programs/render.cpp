@@ -5,7 +5,8 @@
 #include "viz/programs/render/run.hpp"
 
 int main(int argc, char** argv) {
-  CLI::App app("Draws a scene: by float methods, exactly, or where the two differ.", "rayproof render");
+  rayproof::CommandLine app("Draws a scene: by float methods, exactly, or where the two differ.",
+                            "rayproof render");
   rayproof::render::RenderOptions options;
   options.add_to(app);
   if (const auto status = rayproof::parse_command_line(app, argc, argv)) return *status;

@@ -124,7 +124,7 @@ void print_topics() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Shows a ray meeting a shape, step by step, to the last digit.", "rayproof walk");
+  CommandLine app("Shows a ray meeting a shape, step by step, to the last digit.", "rayproof walk");
   WalkOptions options;
   app.add_option("TOPIC", options.topic,
                  "A topic of --list, a group of them, or all; or the number of a finding of rayproof check");

@@ -82,6 +82,18 @@ template <std::same_as<double> T>
   return static_cast<float>(x);
 }
 
+/// The float nearest to a number in double, still in double.
+template <std::same_as<double> T>
+[[nodiscard]] constexpr T to_nearest_float(T x) {
+  return static_cast<float>(x);
+}
+
+/// Between 1/x and 1.125/x for a normal number x > 0, as cheaply as an arithmetic can: for error bounds.
+template <std::same_as<double> T>
+[[nodiscard]] constexpr T reciprocal_bound(T x) {
+  return (1 + 0x1p-50) / x;
+}
+
 /// Base of an arithmetic with `<`, `<=` and `==`: its other comparisons, made of these.
 template <class A>
 struct Comparable {

@@ -17,8 +17,9 @@ namespace rayproof {
 /// itself.
 template <class T>
 struct ObjectSpace {
-  vec3<T> row_x, row_y, row_z;  ///< the rows of A⁻¹
-  vec3<T> translation;          ///< b
+  vec3<T> row_x, row_y, row_z;           ///< the rows of A⁻¹
+  vec3<T> translation;                   ///< b
+  vec3<T> column_x, column_y, column_z;  ///< the columns of A itself, as they were given
 
   [[nodiscard]] constexpr vec3<T> direction(const vec3<T>& v) const {
     return vec3<T>{dot(row_x, v), dot(row_y, v), dot(row_z, v)};
@@ -43,7 +44,7 @@ template <class T>
   const auto row = [&](const vec3<T>& cofactors) {
     return vec3<T>{cofactors.x / determinant, cofactors.y / determinant, cofactors.z / determinant};
   };
-  return {row(bc), row(cross_compensated<T>(c, a)), row(cross_compensated<T>(a, b)), translation};
+  return {row(bc), row(cross_compensated<T>(c, a)), row(cross_compensated<T>(a, b)), translation, a, b, c};
 }
 
 /// The same for an affine object-to-world matrix (last row 0 0 0 1, which is not looked at).
@@ -60,6 +61,25 @@ template <class T>
   return {space.point(ray.origin), space.direction(ray.direction), ray.t_min, ray.t_max};
 }
 
+/// Whether a method takes the map itself, and composes it with nothing rounded.
+template <class Method, class T, class Shape>
+inline constexpr bool takes_transforms = requires(const ObjectSpace<T>& space, const Ray<T>& ray,
+                                                  const Shape& shape) {
+  Method::roots_in_world(space, ray, shape);
+};
+
+/// A method's roots for a ray of the world and a shape in its own space: by the map itself where the method
+/// takes it, else for the ray rounded into that space.
+template <class Method, class T, class Shape>
+[[nodiscard]] constexpr auto roots_in_world(const ObjectSpace<T>& space, const Ray<T>& ray,
+                                            const Shape& shape) {
+  if constexpr (takes_transforms<Method, T, Shape>) {
+    return Method::roots_in_world(space, ray, shape);
+  } else {
+    return Method::roots(to_object(space, ray), shape);
+  }
+}
+
 /// A normal of the object as the world sees it: by the inverse transpose, then of unit length.
 template <class T>
 [[nodiscard]] vec3<T> normal_to_world(const ObjectSpace<T>& space, const vec3<T>& normal) {
@@ -69,8 +89,9 @@ template <class T>
 /// The same space in another arithmetic.
 template <class To, class From>
 [[nodiscard]] constexpr ObjectSpace<To> convert(const ObjectSpace<From>& space) {
-  return {convert<To>(space.row_x), convert<To>(space.row_y), convert<To>(space.row_z),
-          convert<To>(space.translation)};
+  return {convert<To>(space.row_x),       convert<To>(space.row_y),    convert<To>(space.row_z),
+          convert<To>(space.translation), convert<To>(space.column_x), convert<To>(space.column_y),
+          convert<To>(space.column_z)};
 }
 
 }  // namespace rayproof

@@ -71,7 +71,7 @@ void append_number(std::string& out, double x, Precision precision) {
 
 void append_hex(std::string& out, double x) {
   if (!std::isfinite(x)) return append_shortest(out, x);
-  fmt::format_to(std::back_inserter(out), "\"{:a}\"", x);
+  out += fmt::format("\"{:a}\"", x);
 }
 
 }  // namespace rayproof

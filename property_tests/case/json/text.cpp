@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
-#include <nlohmann/json.hpp>
-
 #include "case/json/number_text.hpp"
+#include "case/json/ordered.hpp"
 #include "case/json/scanner.hpp"
 #include "case/shape_format.hpp"
 
@@ -126,15 +124,14 @@ void append_member(std::string& path, std::string_view name) {
 
 std::string unquote(std::string_view quoted) {
   const bool is_plain = quoted.find('\\') == std::string_view::npos;
-  return is_plain ? std::string(quoted.substr(1, quoted.size() - 2))
-                  : nlohmann::json::parse(quoted).get<std::string>();
+  return is_plain ? std::string(quoted.substr(1, quoted.size() - 2)) : read_json(quoted).get<std::string>();
 }
 
 std::string quote(std::string_view text) {
   std::string out = "\"";
   for (const char c : text) {
     if (static_cast<unsigned char>(c) < 0x20) {
-      fmt::format_to(std::back_inserter(out), "\\u{:04x}", static_cast<unsigned>(c));
+      out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
     } else {
       if (c == '"' || c == '\\') out += '\\';
       out += c;

@@ -16,32 +16,34 @@ struct PlanePoint {
 };
 
 /// How the point (x, y)/weight, weight > 0, touches the closed polygon of the vertices, a range of
-/// PlanePoint: `crossing` inside, `edge` or `vertex` on the boundary, `none` outside. Throws Undecided of
+/// PlanePoint: `crossing` inside, `edge` or `vertex` on the boundary, `none` outside. Notes a doubt of
 /// estimates that are not enough.
 template <class R, class Vertices>
 [[nodiscard]] Contact locate(const PlanePoint<R>& point, const R& weight, const Vertices& vertices) {
-  const auto seen = [&](const PlanePoint<R>& vertex) {  // from the point, times the weight
-    return PlanePoint<R>{weight * vertex.x - point.x, weight * vertex.y - point.y};
-  };
+  // A vertex as seen from the point, times the weight. Few sides need more than the y of their ends.
+  const auto seen_x = [&](const PlanePoint<R>& vertex) { return weight * vertex.x - point.x; };
+  const auto seen_y = [&](const PlanePoint<R>& vertex) { return weight * vertex.y - point.y; };
   bool is_on_side = false;
   bool is_inside = false;
-  PlanePoint<R> from = seen(vertices.back());
-  int start = sign(from.y);
-  for (const PlanePoint<R>& vertex : vertices) {
-    PlanePoint<R> to = seen(vertex);
-    const int end = sign(to.y);
-    if (end == 0 && sign(to.x) == 0) return Contact::vertex;
+  PlanePoint<R> from = vertices.back();
+  R from_y = seen_y(from);
+  int start = sign(from_y);
+  for (const PlanePoint<R>& to : vertices) {
+    R to_y = seen_y(to);
+    const int end = sign(to_y);
+    if (end == 0 && sign(seen_x(to)) == 0) return Contact::vertex;
     if (start == 0 && end == 0) {
-      is_on_side = is_on_side || sign(from.x) * sign(to.x) <= 0;
+      is_on_side = is_on_side || sign(seen_x(from)) * sign(seen_x(to)) <= 0;
     } else if (start * end <= 0) {
       // The signed area seen from the point: positive where the side passes it on the right, going up.
-      const int area = sign(from.x * to.y - from.y * to.x);
+      const int area = sign(seen_x(from) * to_y - from_y * seen_x(to));
       is_on_side = is_on_side || area == 0;
       // Each side holds its lower end, not its upper one, so that a vertex that is passed counts once.
       const bool passes = (start > 0) != (end > 0);
       is_inside = is_inside != (passes && (area > 0) == (end > 0));
     }
-    from = std::move(to);
+    from = to;
+    from_y = std::move(to_y);
     start = end;
   }
   if (is_on_side) return Contact::edge;

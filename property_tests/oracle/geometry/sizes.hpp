@@ -35,21 +35,21 @@ template <class R>
 [[nodiscard]] inline long double length_of(const glm::dvec3& v) { return std::sqrt(squared_length_of(v)); }
 [[nodiscard]] inline Scaled norm(const glm::dvec3& v) { return Scaled(length_of(v)); }
 
-/// The length of all these vectors' coordinates together, to one part in 2^38: what a size is made of. Throws
-/// Undecided of estimates that are together not as good; a coordinate that is nearly 0 may well be unknown.
+/// The length of all these vectors' coordinates together, to one part in 2^38: what a size is made of. Notes
+/// a doubt of estimates that are together not as good; a coordinate that is nearly 0 may well be unknown.
 template <class... Vectors>
 [[nodiscard]] long double length_of(const Vector<Estimate>& v, const Vectors&... more) {
   long double squared = 0;
-  double doubt = 0;
+  double radius = 0;
   const auto note = [&](const Estimate& x) {
     const long double number = static_cast<long double>(x.high) + x.low;
     squared += number * number;
-    doubt = std::max(doubt, x.radius());
+    radius = std::max(radius, x.radius());
   };
   const auto note_all = [&](const Vector<Estimate>& w) { note(w.x), note(w.y), note(w.z); };
   note_all(v), (note_all(more), ...);
   const long double length = std::sqrt(squared);
-  if (!(doubt <= 0x1p-40L * length && std::isfinite(length))) throw Undecided();
+  if (!(radius <= 0x1p-40L * length && std::isfinite(length))) Doubt::note();
   return length;
 }
 template <class... Vectors>

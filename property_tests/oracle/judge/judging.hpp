@@ -22,6 +22,17 @@ namespace rayproof::oracle {
 [[nodiscard]] Details judge_details(const ExactIntersection& exact, Precision precision,
                                     const RayAnswer& claimed);
 
+/// What `judge` says by estimates where they are enough, else by exact numbers.
+template <class Judge>
+[[nodiscard]] Judgement filtered(const Judge& judge) {
+  {
+    const Filtering by_estimates;
+    Doubt::clear();
+    if (const Judgement judgement = judge(); !Doubt::is_noted()) return judgement;
+  }
+  return judge();
+}
+
 /// The finite ends of the ray's interval.
 [[nodiscard]] std::vector<double> finite_ends(const Ray<double>& ray);
 

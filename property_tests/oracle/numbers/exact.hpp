@@ -89,20 +89,20 @@ template <class Size>
   return sign(error) == 0 ? error : error / unit;
 }
 
-/// The sign of an exact number: -1, 0 or 1. Throws Undecided of an estimate that may be 0.
+/// The sign of an exact number: -1, 0 or 1. Notes a doubt of an estimate that may be 0.
 [[nodiscard]] inline int sign(const Estimate& x) {
   const auto known = certain_sign(x);
-  if (!known) throw Undecided();
-  return *known;
+  if (!known) Doubt::note();
+  return known.value_or(1);
 }
 [[nodiscard]] inline int sign(const Ring& x) {
   return x.is_exact() ? static_cast<int>(x.exact().sign()) : sign(x.estimate());
 }
 
-/// The value of an estimate that is good to one part in 1/`doubt`; throws Undecided of others.
-[[nodiscard]] inline long double approximate(const Estimate& x, double doubt = 0x1p-62) {
-  const double room = doubt * std::abs(x.high);
-  if (!(x.radius() <= room && std::isfinite(room))) throw Undecided();
+/// The value of an estimate that is good to one part in 1/`share`; notes a doubt of others.
+[[nodiscard]] inline long double approximate(const Estimate& x, double share = 0x1p-62) {
+  const double room = share * std::abs(x.high);
+  if (!(x.radius() <= room && std::isfinite(room))) Doubt::note();
   return static_cast<long double>(x.high) + x.low;
 }
 

@@ -3,8 +3,8 @@
 /// The ring that the oracle computes in: exact numbers, or estimates of them where these are enough.
 ///
 /// A judgement is made with estimates first, which takes a quarter of the time. Nearly always they are
-/// certain of every sign and of enough digits; where they are not, `Undecided` is thrown, and all is done
-/// again exactly. The formulas are the same and stand once.
+/// certain of every sign and of enough digits; where they are not, a `Doubt` is noted, and all is done again
+/// exactly. The formulas are the same and stand once.
 ///
 /// Source: H. Brönnimann, C. Burnikel, S. Pion, "Interval Arithmetic Yields Efficient Dynamic Filters for
 /// Computational Geometry", 2001.
@@ -14,6 +14,7 @@
 #include <concepts>
 #include <memory>
 #include <new>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 
@@ -24,8 +25,17 @@ namespace rayproof::oracle {
 /// Dyadic numbers with exact + - * and sign; no division. Every finite double is one, subnormals included.
 using Exact = CGAL::Mpzf;
 
-/// Thrown where an estimate is not enough.
-struct Undecided {};
+/// That an estimate was not enough, noted for the thread. Whatever is computed after that is of no use, and
+/// whoever computes by estimates asks at the end. An exception would cost more than most judgements.
+class Doubt {
+ public:
+  static void clear() { is_noted_ = false; }
+  static void note() { is_noted_ = true; }
+  [[nodiscard]] static bool is_noted() { return is_noted_; }
+
+ private:
+  static inline constinit thread_local bool is_noted_ = false;
+};
 
 /// As long as one lives, its thread makes estimates.
 class Filtering {
@@ -85,9 +95,9 @@ class Ring {
   explicit Ring(const Make& make) { put(make); }
 
   static bool are_estimates(const Ring& x, const Ring& y) { return !x.is_exact_ && !y.is_exact_; }
-  /// Of one that is exact and one that is not, which are of two judgements, nothing is known.
   static void both_exact(const Ring& x, const Ring& y) {
-    if (x.is_exact_ != y.is_exact_) throw Undecided();
+    if (x.is_exact_ != y.is_exact_)
+      throw std::logic_error("an exact number meets an estimate, of another judgement");
   }
   [[gnu::noinline]] static Ring negative(const Ring& x) {
     return Ring([&] { return -x.exact_; });

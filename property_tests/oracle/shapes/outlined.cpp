@@ -27,8 +27,7 @@ Vector<Scaled> OutlinedIntersection::in_plane(const Vector<Ring>& corner) const 
   Vector<Scaled> seen = approximate(corner);
   const Ring height = height_of(corner);
   if (is_degenerate() || sign(height) == 0) return seen;
-  const Projection<Ring> project(plane_normal());
-  const int axis = 3 - project.x - project.y;
+  const int axis = Projection<Ring>(plane_normal()).axis();
   Scaled& along = axis == 0 ? seen.x : axis == 1 ? seen.y : seen.z;
   along = along - approximate(height) / approximate(plane_normal()[axis]);
   return seen;

@@ -3,7 +3,7 @@
 /// What triangle and polygon share: an outline of sides, which a ray must come near for its verdict to be in
 /// doubt.
 
-#include <boost/container/small_vector.hpp>
+#include <ranges>
 #include <span>
 
 #include "oracle/geometry/locate.hpp"
@@ -12,34 +12,38 @@
 namespace rayproof::oracle {
 
 /// The coordinates that are left where the axis of the normal's largest component is dropped (ties: the later
-/// axis). It matters which where the corners are not quite in a plane. Throws Undecided of estimates that are
+/// axis). It matters which where the corners are not quite in a plane. Notes a doubt of estimates that are
 /// not enough.
 template <class R>
 struct Projection {
   int x = 0, y = 1;
 
-  explicit Projection(const Vector<R>& normal) {
+  /// Along an axis.
+  explicit Projection(int axis) : x(axis == 0 ? 1 : 0), y(axis == 2 ? 1 : 2) {}
+  explicit Projection(const Vector<R>& normal) : Projection(largest_of(normal)) {}
+
+  /// The axis that is dropped.
+  [[nodiscard]] int axis() const { return 3 - x - y; }
+  [[nodiscard]] PlanePoint<R> operator()(const Vector<R>& v) const { return {v[x], v[y]}; }
+  [[nodiscard]] PlanePoint<R> operator()(const glm::dvec3& v) const { return {R(v[x]), R(v[y])}; }
+
+ private:
+  static int largest_of(const Vector<R>& normal) {
     const auto magnitude = [&](int axis) { return sign(normal[axis]) < 0 ? -normal[axis] : normal[axis]; };
     int largest = 0;
     for (const int axis : {1, 2})
       if (sign(magnitude(axis) - magnitude(largest)) >= 0) largest = axis;
-    x = largest == 0 ? 1 : 0;
-    y = largest == 2 ? 1 : 2;
+    return largest;
   }
-
-  [[nodiscard]] PlanePoint<R> operator()(const Vector<R>& v) const { return {v[x], v[y]}; }
-  [[nodiscard]] PlanePoint<R> operator()(const glm::dvec3& v) const { return {R(v[x]), R(v[y])}; }
 };
 
 /// How a point of the outline's plane touches the shape by the even-odd rule; the point comes in the scale of
 /// ObjectRay, times a positive weight.
 template <class R>
-[[nodiscard]] Contact locate_in_outline(const Vector<R>& point, const R& weight, const Vector<R>& normal,
+[[nodiscard]] Contact locate_in_outline(const Vector<R>& point, const R& weight, const Projection<R>& project,
                                         const ObjectRay<R>& ray, std::span<const glm::dvec3> corners) {
-  const Projection<R> project(normal);
-  boost::container::small_vector<PlanePoint<R>, 16> outline;
-  for (const glm::dvec3& corner : corners) outline.push_back(project(corner));
-  return locate(project(point), ray.scaled(weight), outline);
+  const auto projected = [&](const glm::dvec3& corner) { return project(corner); };
+  return locate(project(point), ray.scaled(weight), corners | std::views::transform(projected));
 }
 
 /// The largest distance of the corners from (0, 0, 0).
@@ -63,7 +67,7 @@ class OutlinedIntersection : public FlatIntersection {
   /// The corners in the order of the sides, in the shape's own space.
   [[nodiscard]] virtual std::span<const glm::dvec3> corners() const = 0;
   [[nodiscard]] Contact located(const Vector<Ring>& point, const Ring& weight) const {
-    return locate_in_outline(point, weight, plane_normal(), ray(), corners());
+    return locate_in_outline(point, weight, Projection<Ring>(plane_normal()), ray(), corners());
   }
 
  private:

@@ -15,12 +15,12 @@ FlatEquation<R> plane_of(const Polygon<double>& polygon) {
   return plane_through(polygon.vertices.front(), newell_normal<R>(polygon));
 }
 
-/// How the line touches the polygon where it meets its plane at t.
+/// How the line touches the polygon where it meets its plane at t, as the projection sees it.
 template <class R>
-Contact contact_of(const QuotientOf<R>& t, const LineAndPlane<R>& met, const ObjectRay<R>& ray,
+Contact contact_of(const QuotientOf<R>& t, const Projection<R>& project, const ObjectRay<R>& ray,
                    const Polygon<double>& polygon) {
   const Vector<R> point = t.denominator() * ray.origin + t.numerator() * ray.direction;
-  return locate_in_outline(point, t.denominator(), met.normal, ray, std::span(polygon.vertices));
+  return locate_in_outline(point, t.denominator(), project, ray, std::span(polygon.vertices));
 }
 
 /// The sum of the products that Newell's normal is made of.
@@ -43,7 +43,8 @@ class PolygonMeeting : public FlatMeeting {
       : FlatMeeting(question, plane_of<Estimate>(polygon)), polygon_(polygon) {}
 
   [[nodiscard]] auto hits() const {
-    return hits_where([&](const auto& t) { return contact_of(t, met(), ray(), polygon_); });
+    return hits_where(
+        [&](const auto& t) { return contact_of(t, Projection(met().normal), ray(), polygon_); });
   }
   void measure() { measure_by(farthest_of(polygon_.vertices), normal_size_of<long double>(polygon_)); }
   [[nodiscard]] double far() const { return 1; }
@@ -57,17 +58,20 @@ class PolygonIntersection final : public OutlinedIntersection {
   PolygonIntersection(const RayQuestion& question, const Polygon<double>& polygon)
       : OutlinedIntersection(question, plane_of<Ring>(polygon)), polygon_(polygon) {}
 
-  /// In units of what the rounding of the normal moves.
+  /// In units of what the rounding of the normal moves, or by how little another axis of the projection was
+  /// not chosen.
   [[nodiscard]] Scaled margin(bool may_merge) const override {
-    const Scaled nearest = OutlinedIntersection::margin(may_merge);
+    Scaled nearest = OutlinedIntersection::margin(may_merge);
     if (is_degenerate()) return nearest;
-    return nearest / std::max(Scaled(1), reach() * reach() / norm(plane_normal()));
+    nearest = nearest / std::max(Scaled(1), reach() * reach() / norm(plane_normal()));
+    for (const int axis : {0, 1, 2}) reduce(nearest, lead_over(axis));
+    return nearest;
   }
 
  protected:
   [[nodiscard]] std::span<const glm::dvec3> corners() const override { return polygon_.vertices; }
   [[nodiscard]] Contact contact_at(const Quotient& t) const override {
-    return contact_of(t, met(), ray(), polygon_);
+    return contact_of(t, Projection(plane_normal()), ray(), polygon_);
   }
 
   [[nodiscard]] std::array<Scaled, 3> normal_sizes() const override {
@@ -79,6 +83,19 @@ class PolygonIntersection final : public OutlinedIntersection {
   }
 
  private:
+  /// How much larger the normal's largest component is than the axis's, in units of what the normal is the
+  /// sum of; endless where the polygon, seen along the axis, is met all the same.
+  [[nodiscard]] Scaled lead_over(int axis) const {
+    if (is_parallel()) return endless();
+    const Vector<Ring>& normal = plane_normal();
+    const Projection<Ring> chosen(normal), other(axis);
+    const auto is_met = [&](const Projection<Ring>& project) {
+      return contact_of(t(), project, ray(), polygon_) != Contact::none;
+    };
+    if (is_met(chosen) == is_met(other)) return endless();
+    const Scaled lead = abs(approximate(normal[chosen.axis()])) - abs(approximate(normal[axis]));
+    return lead / normal_size_of<Scaled>(polygon_);
+  }
   /// The largest distance of a vertex from the first.
   [[nodiscard]] Scaled reach() const {
     const auto first = Vector<Ring>::from(polygon_.vertices.front());

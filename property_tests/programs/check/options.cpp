@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cmath>
-#include <map>
 #include <sstream>
 
+#include "command_line/count_option.hpp"
 #include "command_line/precision_option.hpp"
+#include "command_line/time_option.hpp"
 #include "subjects/subject.hpp"
 
 namespace rayproof::check {
@@ -55,22 +55,12 @@ void describe_guests(CLI::App& app, Options& options) {
       ->check(CLI::Range(0.01, 3600.0));
 }
 
-/// A count as people write large ones: 20000, 1e9, 2.5e6. CLI11's own refuses an exponent.
-std::string whole_count(std::string& text) {
-  char* end = nullptr;
-  const double count = std::strtod(text.c_str(), &end);
-  if (end == text.c_str() || *end != 0 || !(count >= 1 && count <= 1e12) || count != std::floor(count))
-    return fmt::format("{} is not a whole number from 1 to 1e12", text);
-  text = fmt::format("{:.0f}", count);
-  return "";
-}
-
 /// "3/8" as a shard.
 std::string read_shard(const std::string& text, campaign::Shard& shard) {
   std::istringstream stream(text);
   char slash = 0;
   if (!(stream >> shard.number >> slash >> shard.count) || slash != '/' || !stream.eof() ||
-      shard.number < 1 || shard.number > shard.count || shard.count > 1'000'000)
+      shard.number < 1 || shard.number > shard.count || shard.count > campaign::most_shards)
     return fmt::format("{} is not I/N with I from 1 to N", text);
   return "";
 }
@@ -85,7 +75,7 @@ void describe_campaign(CLI::App& app, Options& options) {
       ->needs(campaign)
       ->each([&options](const std::string& text) {
         if (const std::string trouble = read_shard(text, options.shard); !trouble.empty())
-          throw CLI::ValidationError("--shard", trouble);
+          throw CLI::ValidationError(trouble);
       });
   app.add_flag("--resume", options.resume, "Go on with the campaign in DIR")->needs(campaign);
 }
@@ -117,12 +107,8 @@ void describe(CLI::App& app, Options& options) {
                  fmt::format("Cases for each method, family and precision; {} of a --subject-command",
                              usual_cases_of_command))
       ->default_str(std::to_string(usual_cases))
-      ->transform(CLI::Validator(whole_count, "COUNT"));
-  app.add_option_function<long long>(
-         "--time", [&options](long long seconds) { options.settings.time = std::chrono::seconds(seconds); },
-         "Stop after this time, in seconds or as 10m or 2h; every family has its share of it")
-      ->transform(CLI::AsNumberWithUnit(std::map<std::string, long long>{{"s", 1}, {"m", 60}, {"h", 3600}}))
-      ->check(CLI::PositiveNumber);
+      ->transform(whole_count());
+  add_time_option(app, settings.time, "Stop after this time; every family has its share of it");
   app.add_option("--jobs", settings.jobs, "Threads; as many as the machine has where left out")
       ->check(CLI::Range(1, 1024));
   describe_guests(app, options);

@@ -1,44 +1,28 @@
 #include "programs/check/outputs.hpp"
 
-#include <stdexcept>
-
+#include "case/files.hpp"
 #include "properties/report/guest.hpp"
 #include "properties/report/report.hpp"
 #include "viz/page/case_figure.hpp"
 
 namespace rayproof::check {
 
-namespace {
-
-/// Writes the file anew; whatever ends the program meanwhile, either the old or the new text stands there.
-void replace(const std::filesystem::path& path, const std::string& text) {
-  const std::filesystem::path beside = path.string() + ".new";
-  std::error_code error;
-  if (!(std::ofstream(beside) << text << std::flush)) error = std::make_error_code(std::errc::io_error);
-  if (!error) std::filesystem::rename(beside, path, error);
-  if (error) throw std::runtime_error(path.string() + " cannot be written");
+static void open(std::ofstream& file, const std::filesystem::path& path) {
+  if (!path.empty()) file = opened(path);
 }
-
-void open(std::ofstream& file, const std::filesystem::path& path) {
-  if (path.empty()) return;
-  file.open(path);
-  if (!file) throw std::runtime_error(path.string() + " cannot be written");
-}
-
-}  // namespace
 
 Outputs::Outputs(const Options& options) : folder_(options.out) {
-  std::error_code error;
-  std::filesystem::create_directories(folder_, error);
-  if (error) throw std::runtime_error("--out: the folder " + folder_.string() + " cannot be made");
-  open(as_found_, folder_ / "as-found.jsonl");
-  open(findings_, folder_ / "findings.jsonl");
+  make_folder(folder_);
+  as_found_ = opened(folder_ / "as-found.jsonl");
+  findings_ = opened(folder_ / "findings.jsonl");
   if (std::filesystem::path(options.findings).lexically_normal() !=
       folder_.lexically_normal() / "findings.jsonl")
     open(asked_findings_, options.findings);
   asked_path_ = options.findings;
-  open(json_, options.json);
-  open(junit_, options.junit);
+  json_path_ = options.json;
+  junit_path_ = options.junit;
+  open(json_, json_path_);
+  open(junit_, junit_path_);
 }
 
 void Outputs::keep_as_found(const Finding& finding) { as_found_ << write_finding(finding) << std::endl; }
@@ -50,22 +34,23 @@ void Outputs::write(const Finding& finding) {
 }
 
 void Outputs::write(const Plan& plan, const RunResult& result, const Summary& summary) {
-  if (json_.is_open()) json_ << json_report(plan, result, summary) << std::endl;
-  if (junit_.is_open()) junit_ << junit_report(summary, result) << std::flush;
+  if (json_.is_open()) finish(json_ << json_report(plan, result, summary) << '\n', json_path_);
+  if (junit_.is_open()) finish(junit_ << junit_report(summary, result), junit_path_);
+  finish(as_found_, folder_ / "as-found.jsonl");
   std::string in_order;
   for (const Finding& finding : result.findings) in_order += write_finding(finding) + "\n";
   findings_.close();
-  replace(folder_ / "findings.jsonl", in_order);
+  replace_file(folder_ / "findings.jsonl", in_order);
   // What was written at once had neither number nor diagnosis; a pipe has been read meanwhile.
   if (asked_findings_.is_open() && std::filesystem::is_regular_file(asked_path_)) {
     asked_findings_.close();
-    replace(asked_path_, in_order);
+    replace_file(asked_path_, in_order);
   }
   if (const std::string judged = json_guests(plan, result); !judged.empty())
-    replace(folder_ / "judged.jsonl", judged);
-  replace(folder_ / "scene.js", viz::shared_script());
-  replace(folder_ / "index.html",
-          html_page(plan, result, summary, {folder_, viz::case_figure, viz::scene_style(), "scene.js"}));
+    replace_file(folder_ / "judged.jsonl", judged);
+  replace_file(folder_ / "scene.js", viz::shared_script());
+  replace_file(folder_ / "index.html",
+               html_page(plan, result, summary, {folder_, viz::case_figure, viz::scene_style(), "scene.js"}));
 }
 
 }  // namespace rayproof::check

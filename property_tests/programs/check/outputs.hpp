@@ -27,8 +27,8 @@ class Outputs {
   std::ofstream findings_{};  ///< as they come; in order, and numbered by their lines, once the run ends
   std::ofstream asked_findings_{};  ///< the same for --findings
   std::filesystem::path asked_path_{};
-  std::ofstream json_{};
-  std::ofstream junit_{};
+  std::filesystem::path json_path_{}, junit_path_{};
+  std::ofstream json_{}, junit_{};
 };
 
 }  // namespace rayproof::check

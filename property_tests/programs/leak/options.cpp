@@ -1,5 +1,6 @@
 #include "programs/leak/options.hpp"
 
+#include "command_line/count_option.hpp"
 #include "command_line/precision_option.hpp"
 
 namespace rayproof::leaks {
@@ -37,7 +38,9 @@ void describe(CLI::App& app, LeakOptions& options) {
   app.add_option("MESH", options.mesh, "The mesh")->capture_default_str();
   describe_subjects(app, options);
   app.add_option("--seed", settings.seed, "Where the random rays begin")->capture_default_str();
-  app.add_option("--rays", settings.rays, "Rays for each precision")->capture_default_str();
+  app.add_option("--rays", settings.rays, "Rays for each precision")
+      ->capture_default_str()
+      ->transform(whole_count());
   app.add_option("--jobs", settings.jobs, "Threads; as many as the machine has where left out")
       ->check(CLI::Range(1, 1024));
   add_precision_option(app, settings.precisions);

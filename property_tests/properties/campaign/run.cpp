@@ -33,16 +33,15 @@ UnitState block_of(const CampaignState& state, const UnitState& one, std::uint64
   return more;
 }
 
-/// One round; nothing of it counts where it was stopped within.
-void run_round(CampaignState& state, const std::atomic<bool>& stop) {
+/// The block of the next unit; nothing of it counts where it was stopped within.
+void run_next(CampaignState& state, const std::atomic<bool>& stop) {
   const std::uint64_t block = state.rounds * state.shard.count + state.shard.number - 1;
-  std::vector<UnitState> more;
-  for (const UnitState& one : state.units) {
-    if (stop) return;
-    more.push_back(block_of(state, one, block, stop));
-  }
+  UnitState& one = state.units[state.units_ahead];
+  const UnitState more = block_of(state, one, block, stop);
   if (stop) return;
-  for (std::size_t i = 0; i < more.size(); ++i) state.units[i].add(more[i]);
+  one.add(more);
+  if (++state.units_ahead < state.units.size()) return;
+  state.units_ahead = 0;
   ++state.rounds;
 }
 
@@ -57,9 +56,9 @@ void run(CampaignState& state, const Watch& watch, const std::atomic<bool>& stop
   arena.execute([&] {
     const std::uint64_t all = state.all_rounds();
     while (state.rounds < all && !stop) {
-      run_round(state, stop);
-      watch.progress(static_cast<double>(state.rounds) / static_cast<double>(all));
-      watch.round(state);
+      run_next(state, stop);
+      watch.progress(state.share_done());
+      watch.block(state);
       if (state.settings.time && std::chrono::steady_clock::now() - start > *state.settings.time) return;
     }
   });

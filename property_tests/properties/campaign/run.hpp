@@ -9,11 +9,11 @@ namespace rayproof::campaign {
 /// Who hears from a campaign.
 struct Watch {
   std::function<void(double done)> progress = [](double) {};
-  /// Called after every round; a state that was saved here can be gone on with.
-  std::function<void(const CampaignState&)> round = [](const CampaignState&) {};
+  /// Called after every block; a state that was saved here can be gone on with.
+  std::function<void(const CampaignState&)> block = [](const CampaignState&) {};
 };
 
-/// Does what is left of the shard's rounds, until the time of the settings is over or `stop` is true; a round
+/// Does what is left of the shard's rounds, until the time of the settings is over or `stop` is true; a block
 /// that was begun then is not counted. The result is the same for every number of jobs and however often it
 /// was stopped.
 void run(CampaignState& state, const Watch& watch, const std::atomic<bool>& stop);

@@ -42,6 +42,12 @@ std::uint64_t CampaignState::all_rounds() const {
   return (blocks + shard.count - shard.number) / shard.count;
 }
 
+double CampaignState::share_done() const {
+  if (is_whole()) return 1;
+  const auto of_round = static_cast<double>(units_ahead) / static_cast<double>(units.size());
+  return (static_cast<double>(rounds) + of_round) / static_cast<double>(all_rounds());
+}
+
 CampaignState begin(const Settings& settings, Shard shard) {
   CampaignState state{.settings = settings, .shard = shard};
   for (Unit& unit : units_of(make_plan(settings))) {

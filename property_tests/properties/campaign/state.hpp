@@ -28,23 +28,29 @@ struct UnitState {
 struct CampaignState {
   Settings settings{};  ///< `cases` is for each method: its families and precisions share them
   Shard shard{};
-  std::uint64_t rounds = 0;  ///< done by this shard; a round is a block of each unit
+  std::uint64_t rounds = 0;     ///< done by this shard; a round is a block of each unit
+  std::size_t units_ahead = 0;  ///< that have done their block of the next round, too: the first ones
   std::vector<UnitState> units{};
 
   /// Cases of a unit, and the rounds that this shard has to do.
   [[nodiscard]] std::uint64_t cases_of(const Unit& unit) const;
   [[nodiscard]] std::uint64_t all_rounds() const;
   [[nodiscard]] bool is_whole() const { return rounds == all_rounds(); }
+  /// The share that is done, from 0 to 1.
+  [[nodiscard]] double share_done() const;
 };
 
 /// Whether two are of one campaign: seed, cases, filters and the number of shards are the same.
 [[nodiscard]] bool is_alike(const CampaignState& a, const CampaignState& b);
 
+/// As many shards as a campaign may have, and cases of each method.
+inline constexpr std::uint64_t most_shards = 1'000'000, most_cases = 1'000'000'000'000;
+
 /// A campaign that has not begun. Throws UnknownName as make_plan does.
 [[nodiscard]] CampaignState begin(const Settings& settings, Shard shard);
 
 /// The state as text, and from it. Throws std::runtime_error where the text is no state of a campaign, or of
-/// one with methods or families that there are no longer.
+/// one with methods or families that there are no longer, or where its counts are not those of its rounds.
 [[nodiscard]] std::string write_state(const CampaignState& state);
 [[nodiscard]] CampaignState read_state(const std::string& text);
 

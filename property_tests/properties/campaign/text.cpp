@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "case/files.hpp"
+#include "case/json/ordered.hpp"
 #include "properties/campaign/state.hpp"
 
 namespace rayproof::campaign {
@@ -16,7 +16,13 @@ using Json = nlohmann::ordered_json;
 
 /// Numbers that must come back to the last bit, infinities too.
 std::string exact_text(double x) { return fmt::format("{:a}", x); }
-double exact_number(const Json& json) { return std::strtod(json.get<std::string>().c_str(), nullptr); }
+double exact_number(const Json& json) {
+  const auto text = json.get<std::string>();
+  char* end = nullptr;
+  const double number = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != 0) throw std::runtime_error("\"" + text + "\" is no number");
+  return number;
+}
 
 /// The worst errors and counts by name: one list for writing and for reading.
 void each_figure(auto& worst, auto&& visit) {
@@ -93,6 +99,28 @@ void take(UnitState& one, const Json& json) {
     one.first_broken[index_of(name)] = number.get<std::uint64_t>();
 }
 
+/// How many cases a unit of the shard has been given.
+std::uint64_t cases_done(const CampaignState& state, std::size_t unit) {
+  const std::uint64_t all = state.cases_of(state.units[unit].unit), whole = all / cases_in_block;
+  const std::uint64_t blocks = state.rounds + (unit < state.units_ahead ? 1 : 0);
+  // The shard's blocks are number - 1, number - 1 + count, and so on; the last of the unit may be a part.
+  const auto below = [&](std::uint64_t end) {
+    const std::uint64_t first = state.shard.number - 1;
+    return std::min(blocks, end <= first ? 0 : (end - first - 1) / state.shard.count + 1);
+  };
+  return below(whole) * cases_in_block + (below(whole + 1) - below(whole)) * (all % cases_in_block);
+}
+
+/// Throws where the counts are not those of the rounds.
+void check_counts(const CampaignState& state) {
+  if (state.rounds > state.all_rounds() || state.units_ahead >= state.units.size() ||
+      (state.is_whole() && state.units_ahead > 0))
+    throw std::runtime_error("it has more rounds than there are");
+  for (std::size_t i = 0; i < state.units.size(); ++i)
+    if (state.units[i].unit.tally.cases != cases_done(state, i))
+      throw std::runtime_error("its counts of cases are not those of its rounds");
+}
+
 Settings settings_of(const Json& json) {
   const auto names = [&](const char* field) { return json.at(field).get<std::vector<std::string>>(); };
   Settings settings{.seed = json.at("seed").get<std::uint64_t>(),
@@ -103,6 +131,8 @@ Settings settings_of(const Json& json) {
   settings.families = names("families");
   for (const std::string& name : names("precisions")) settings.precisions.push_back(precision_named(name));
   settings.measure_all = json.at("measure").get<bool>();
+  if (settings.cases < 1 || settings.cases > most_cases)
+    throw std::runtime_error("its number of cases is not from 1 to 1e12");
   return settings;
 }
 
@@ -123,36 +153,32 @@ std::string write_state(const CampaignState& state) {
                   {"measure", settings.measure_all},
                   {"shard", {state.shard.number, state.shard.count}},
                   {"rounds", state.rounds},
+                  {"units ahead", state.units_ahead},
                   {"units", units}};
-  return json.dump(1) + "\n";
+  return write_json(json, 1) + "\n";
 }
 
 CampaignState read_state(const std::string& text) {
   try {
-    const Json json = Json::parse(text);
+    const Json json = read_json(text);
     const Shard shard{json.at("shard").at(0).get<std::uint64_t>(),
                       json.at("shard").at(1).get<std::uint64_t>()};
-    if (shard.number < 1 || shard.number > shard.count)
+    if (shard.number < 1 || shard.number > shard.count || shard.count > most_shards)
       throw std::runtime_error("its shard is not one of its shards");
     CampaignState state = begin(settings_of(json), shard);
     state.rounds = json.at("rounds").get<std::uint64_t>();
+    state.units_ahead = json.at("units ahead").get<std::size_t>();
     if (json.at("units").size() != state.units.size())
       throw std::runtime_error("its methods and families are not those of this program");
     for (std::size_t i = 0; i < state.units.size(); ++i) take(state.units[i], json.at("units").at(i));
+    check_counts(state);
     return state;
   } catch (const Json::exception&) {
     throw std::runtime_error("it is no state of a campaign");
   }
 }
 
-void save(const CampaignState& state, const std::string& file) {
-  const std::string beside = file + ".new";
-  std::error_code error;
-  if (!(std::ofstream(beside) << write_state(state) << std::flush))
-    error = std::make_error_code(std::errc::io_error);
-  if (!error) std::filesystem::rename(beside, file, error);
-  if (error) throw std::runtime_error(file + " cannot be written");
-}
+void save(const CampaignState& state, const std::string& file) { replace_file(file, write_state(state)); }
 
 CampaignState load(const std::string& file) {
   std::ifstream stream(file);

@@ -74,6 +74,14 @@ Evidence show_digits(Trial& trial) {
                                  robust_bound(trial.subject().topic).value_or(0)));
 }
 
+/// Bit for bit what the oracle answers; 0 and -0 are one number. A ray that is rounded on its way into the
+/// object's space is no longer the case's.
+Ruling rounded(Trial& trial) {
+  if (is_transformed(trial.question()) && !trial.subject().takes_transforms) return Ruling::outside;
+  if (!trial.in_domain()) return Ruling::outside;
+  return same(trial.claimed(), oracle::answer(trial.question())) ? Ruling::held : Ruling::broken;
+}
+
 /// The error in units of its bound; where the bound is 0, in units of the contract.
 template <BoundOf bound_of, double oracle::Judgement::*error>
 double excess(Trial& trial) {
@@ -135,6 +143,10 @@ Evidence show_ulp(Trial& trial) {
                      fmt::format("the answer is {:.3g} ulp from the exact one", trial.judgement().ulp));
 }
 
+Evidence show_rounded(Trial& trial) {
+  return trial.judgement().wrong ? show_verdict(trial) : show_ulp(trial);
+}
+
 }  // namespace
 
 std::vector<Property> accuracy_properties() {
@@ -150,6 +162,8 @@ std::vector<Property> accuracy_properties() {
        1, keeps_digits, show_digits, excess<far_beyond_robust, &Judgement::residual>},
       {Claim::ulp, "ulp", "every answer is within the promised ulps of the exact one", 1,
        error_within<promised_ulp, &Judgement::ulp>, show_ulp, excess<promised_ulp, &Judgement::ulp>},
+      {Claim::rounded, "rounded", "the verdict is the exact one, and every t is the exact t rounded once", 1,
+       rounded, show_rounded},
       {Claim::robust, "robust-verdict", "the verdict keeps the bound of the topic's best plain methods", 1,
        verdict_within<robust>, show_verdict, excess<robust, &Judgement::margin>},
       {Claim::robust, "robust-residual", "the residual keeps the bound of the topic's best plain methods", 1,

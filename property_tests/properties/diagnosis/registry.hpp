@@ -12,6 +12,7 @@ namespace rayproof::diagnosis {
 [[nodiscard]] std::vector<Hypothesis> models_of_numbers();
 [[nodiscard]] std::vector<Hypothesis> models_of_transforms();
 [[nodiscard]] std::vector<Hypothesis> models_of_solids();
+[[nodiscard]] std::vector<Hypothesis> models_of_projections();
 [[nodiscard]] std::vector<Hypothesis> models_of_cylinders();
 [[nodiscard]] std::vector<Hypothesis> models_of_flat_figures();
 [[nodiscard]] std::vector<Hypothesis> models_of_readings();

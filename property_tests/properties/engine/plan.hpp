@@ -17,9 +17,9 @@ namespace rayproof {
 /// all.
 struct Settings {
   std::uint64_t seed = 2022;
-  std::uint64_t cases = 10'000;                ///< for each subject, family and precision
-  std::optional<std::chrono::seconds> time{};  ///< stop starting new rounds after this
-  int jobs = 0;                                ///< threads; 0 for as many as the machine has
+  std::uint64_t cases = 10'000;                         ///< for each subject, family and precision
+  std::optional<std::chrono::duration<double>> time{};  ///< stop starting new rounds after this
+  int jobs = 0;                                         ///< threads; 0 for as many as the machine has
   std::vector<std::string> shapes{};
   std::vector<std::string> methods{};     ///< "centred" or "sphere/centred"
   std::vector<std::string> properties{};  ///< a property's name, or its claim's

@@ -28,12 +28,20 @@ std::uint64_t start_of(std::uint64_t seed, const std::string& shape, Precision p
   return start;
 }
 
-void count(StrategyTally& tally, const Strategy& strategy, const Situation& situation, std::uint64_t number) {
+/// What one strategy made of one situation.
+struct Started {
+  double length;  ///< of its offset
+  bool is_clear;
+};
+
+Started count(StrategyTally& tally, const Strategy& strategy, const Situation& situation,
+              std::uint64_t number) {
   const glm::dvec3 origin = strategy.origin(situation);
   const glm::dvec3 offset = origin - (strategy.moves_to_surface ? situation.from.point : situation.from.hit);
   Count& counted = tally.by_size.at(decade_of(situation.extent.size));
   ++counted.rays;
-  counted.offsets.add(std::sqrt(dot(offset, offset)) / situation.extent.size);
+  const double length = std::sqrt(dot(offset, offset));
+  counted.offsets.add(length / situation.extent.size);
   const RayQuestion ray = next_ray(strategy, situation, origin);
   const spawn::Side side = situation.what.side;
   const oracle::Departure departure = oracle::depart(ray, situation.piece, side);
@@ -52,13 +60,24 @@ void count(StrategyTally& tally, const Strategy& strategy, const Situation& situ
     ++counted.false_hits;
     tally.fail(number);
   }
+  return {length, departure == oracle::Departure::clear};
 }
 
 void count_all(Tallies& tallies, const std::vector<const Strategy*>& asked,
                const std::vector<Situation>& situations, std::uint64_t number) {
-  for (std::size_t k = 0; k < situations.size(); ++k)
+  const auto proven = std::ranges::find_if(asked, &Strategy::is_proven) - asked.begin();
+  std::vector<Started> started(asked.size());
+  for (std::size_t k = 0; k < situations.size(); ++k) {
     for (std::size_t i = 0; i < asked.size(); ++i)
-      count(tallies[i], *asked[i], situations[k], rays_from_a_hit * number + k);
+      started[i] = count(tallies[i], *asked[i], situations[k], rays_from_a_hit * number + k);
+    if (static_cast<std::size_t>(proven) == asked.size()) continue;
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+      if (!started[i].is_clear) continue;
+      Count& counted = tallies[i].by_size.at(decade_of(situations[k].extent.size));
+      ++counted.compared;
+      counted.tenfold += 10 * started[static_cast<std::size_t>(proven)].length <= started[i].length;
+    }
+  }
 }
 
 /// The situations from `begin` to `end` of a shape, left by each strategy.

@@ -39,6 +39,24 @@ spawn::SurfacePoint<double> widened(const spawn::SurfacePoint<T>& from) {
           double{from.bend}};
 }
 
+/// The normal in its own space of the face that was left; a parallelepiped's is chosen in the world.
+template <template <class> class Surface, class T>
+vec3<T> own_normal(const Surface<T>& surface, const spawn::Placement<T>& map, const vec3<T>& p,
+                   const spawn::SurfacePoint<T>& from) {
+  if constexpr (!spawn::can_be_placed<Surface<T>>) {
+    return spawn::leave(surface, map.inverse.point(p)).normal;
+  } else {
+    const Surface<T> placed = place(surface, map);
+    const vec3<T>*own[] = {&surface.normal_x, &surface.normal_y, &surface.normal_z},
+          *seen[] = {&placed.normal_x, &placed.normal_y, &placed.normal_z};
+    for (int i = 0; i < 3; ++i) {
+      if (from.normal == *seen[i]) return *own[i];
+      if (from.normal == -*seen[i]) return -*own[i];
+    }
+    return vec3<T>(infinity<T>);
+  }
+}
+
 template <template <class> class Surface, class T>
 Left left_from(const Surface<T>& surface, const RayQuestion& question,
                const std::type_identity_t<vec3<T>>& p) {
@@ -47,8 +65,8 @@ Left left_from(const Surface<T>& surface, const RayQuestion& question,
     return {widened(from), convert<double>(from.normal)};
   }
   const auto map = spawn::placement(glm::mat<4, 4, T>(*question.transform));
-  const auto own = spawn::leave(surface, map.inverse.point(p));
-  return {widened(spawn::leave(surface, map, p)), convert<double>(own.normal)};
+  const auto from = spawn::leave(surface, map, p);
+  return {widened(from), convert<double>(own_normal(surface, map, p, from))};
 }
 
 template <class T>

@@ -57,6 +57,9 @@ struct Count {
   std::uint64_t misanswered = 0;  ///< clear by the exact answer, and the shape's plain method reports a hit
   Lengths offsets{};              ///< from where the strategy starts, relative to the size of the scene
   double thickest_skipped = 0;    ///< of the solids that were skipped, relative to the same
+  /// Rays that are clear and were compared with the proven strategy's, and those of which its offset is at
+  /// least ten times smaller.
+  std::uint64_t compared = 0, tenfold = 0;
 
   Count& operator+=(const Count& more) {
     rays += more.rays;
@@ -65,6 +68,8 @@ struct Count {
     misanswered += more.misanswered;
     offsets += more.offsets;
     thickest_skipped = std::max(thickest_skipped, more.thickest_skipped);
+    compared += more.compared;
+    tenfold += more.tenfold;
     return *this;
   }
 };

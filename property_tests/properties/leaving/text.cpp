@@ -95,6 +95,34 @@ std::string text_shapes(const SearchResult& result) {
   return text;
 }
 
+std::string text_tenfold(const SearchResult& result) {
+  const auto of = [&](const char* name, Precision precision, std::size_t decade) {
+    Count sum;
+    for (const StrategyOutcome& one : result.outcomes)
+      if (one.strategy->name == name && one.precision == precision) sum += one.tally.by_size.at(decade);
+    return sum;
+  };
+  std::string rows;
+  for (std::size_t i = decade_of(1e-3); i < decade_of(1e3); ++i) {
+    std::string row = fmt::format("1e{:<+6}", least_decade + static_cast<int>(i));
+    bool is_compared = false;
+    for (const char* name : {"fixed", "relative"})
+      for (const Precision precision : {Precision::float32, Precision::float64}) {
+        const Count count = of(name, precision, i);
+        const double share = 100.0 * static_cast<double>(count.tenfold) /
+                             static_cast<double>(std::max<std::uint64_t>(count.compared, 1));
+        row += fmt::format("   {:>6.2f} % of {:>8}", share, count.compared);
+        is_compared = is_compared || count.compared > 0;
+      }
+    if (is_compared) rows += row + "\n";
+  }
+  if (rows.empty()) return "";
+  return fmt::format("{:<8}   {:>20}   {:>20}   {:>20}   {:>20}\n{}", "size", "fixed, float32",
+                     "fixed, float64", "relative, float32", "relative, float64", rows) +
+         "Of the rays that fixed or relative starts rightly, in scenes of that power of ten: the share of "
+         "which the offset of\nproven is at least ten times smaller.\n";
+}
+
 std::string text_failures(const SearchResult& result) {
   std::string text;
   for (const FalseHit& failure : result.failures)

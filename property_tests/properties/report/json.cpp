@@ -1,7 +1,5 @@
-#include "case/json/number.hpp"
+#include "case/json/ordered.hpp"
 #include "properties/report/report.hpp"
-
-#include <nlohmann/json.hpp>
 
 namespace rayproof {
 
@@ -61,7 +59,7 @@ Json json_of(const LabelCount& labels) {
           {"shares", std::move(shares)}};
 }
 
-Json json_of(const Finding& finding) { return Json::parse(write_finding(finding)); }
+Json json_of(const Finding& finding) { return read_json(write_finding(finding)); }
 
 template <class Item>
 Json array_of(const std::vector<Item>& items) {
@@ -83,7 +81,7 @@ std::string json_report(const Plan& plan, const RunResult& result, const Summary
                   {"families", array_of(result.units)},
                   {"labels", array_of(result.labels)},
                   {"findings", array_of(result.findings)}};
-  return json.dump(2);
+  return write_json(json, 2);
 }
 
 }  // namespace rayproof

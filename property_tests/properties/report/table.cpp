@@ -56,6 +56,7 @@ std::array<std::string_view, 3> head_of(Claim claim) {
   static constexpr std::array<std::array<std::string_view, 3>, claim_count> heads{{{"ver-", "di-", "ct"},
                                                                                    {"re-", "si-", "dual"},
                                                                                    {"", "", "ulp"},
+                                                                                   {"", "roun-", "ded"},
                                                                                    {"ro-", "bu-", "st"},
                                                                                    {"as-", "cen-", "ding"},
                                                                                    {"", "mo-", "ved"},

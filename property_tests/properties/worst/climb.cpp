@@ -17,16 +17,28 @@ constexpr unsigned cases_in_generation = 1024;
 constexpr std::uint64_t generations_of_draws = 8;
 /// One case in this many is drawn, whatever was found.
 constexpr int one_draw_in = 8;
+/// One variation in this many goes on along the last progress.
+constexpr int one_step_in = 4;
 /// Variations without progress after which a climb begins anew elsewhere, and what counts as progress.
 constexpr unsigned patience = 4000;
 constexpr double progress_factor = 1.001;
 /// In a search by draws alone the details are measured on one case in this many, as the property tests do.
 constexpr std::uint64_t details_every = 8;
 
-/// A place from which the search climbs.
+/// A place from which the search climbs, and the one before its last progress.
 struct Climber {
   WorstCase at{};
+  std::optional<WorstCase> before{};
   unsigned tries = 0;
+
+  /// Goes to what is as bad, or worse.
+  void move_to(const WorstCase& found) {
+    if (found.error > progress_factor * at.error) {
+      tries = 0;
+      if (at.error > 0 && found.family == at.family) before = std::move(at);
+    }
+    at = found;
+  }
 };
 
 /// A case that was made, from which climber (none for a draw), and its errors.
@@ -110,9 +122,18 @@ class Climb {
     Climber& parent = pick(kind, random);
     const Climber& mate = pick(kind, random);
     if (parent.at.family == nullptr || mate.at.family == nullptr) return drawn(number);
-    auto one = varied(parent.at.one, mate.at.one, random);
+    const bool goes_on = parent.before && random.one_in(one_step_in);
+    auto one = goes_on ? further(parent, random) : varied(parent.at.one, mate.at.one, random);
     if (!one) return drawn(number);
     return {std::move(*one), parent.at.family, kind, &parent, {}};
+  }
+
+  /// On along the last progress. Near a pole, where the error is the inverse of something that goes to 0 as a
+  /// straight line does, the step that its two values say leads there; from there in steps of all sizes.
+  [[nodiscard]] static std::optional<Case> further(const Climber& climber, Random& random) {
+    const double gained = climber.at.error / climber.before->error - 1;
+    const double share = random.one_in(2) ? 1 / gained : std::exp2(random.between(-6, 3));
+    return moved_on(climber.before->one, climber.at.one, random.one_in(4) ? -share : share);
   }
 
   /// One time in four the worst of all, the last; else the worse of two.
@@ -136,17 +157,17 @@ class Climb {
         if (climbers[i].tries > patience) climbers[i] = {};
   }
 
+  /// Copies the case only where it takes a place: most do not.
   void take(const Offspring& child, std::size_t kind) {
-    const WorstCase found{child.one, child.errors[kind], child.family};
+    const double error = child.errors[kind];
+    const auto found = [&] { return WorstCase{child.one, error, child.family}; };
     auto& worst = result_.worst[kind];
-    if (!worst || found.error > worst->error) worst = found;
+    if (!worst || error > worst->error) worst = found();
     if (!is_guided_) return;
     const auto family = std::ranges::find(ground_.families, child.family) - ground_.families.begin();
-    for (Climber* climber : {&climbers_[kind][static_cast<std::size_t>(family)], &climbers_[kind].back()}) {
-      if (found.error > progress_factor * climber->at.error) climber->tries = 0;
-      // What is as bad may take the place, too: a climb does not end on level ground.
-      if (found.error >= climber->at.error) climber->at = found;
-    }
+    // What is as bad takes the place, too: a climb does not end on level ground.
+    for (Climber* climber : {&climbers_[kind][static_cast<std::size_t>(family)], &climbers_[kind].back()})
+      if (error >= climber->at.error) climber->move_to(found());
   }
 
   const Ground& ground_;

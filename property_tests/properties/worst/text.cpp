@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "case/json/ordered.hpp"
 #include "case/writer.hpp"
 #include "properties/report/summary.hpp"
 #include "properties/worst/search.hpp"
@@ -69,12 +69,12 @@ std::string json_text(const WorstSearch& what, const WorstResult& result) {
     one["promised"] = std::isfinite(row.promised()) ? Json(row.promised()) : Json();
     one["proven"] = row.is_proven();
     one["exceeded"] = row.exceeds;
-    if (row.found) one["case"] = Json::parse(write_case(row.found->one));
+    if (row.found) one["case"] = read_json(write_case(row.found->one));
     rows.push_back(std::move(one));
   }
   const Json all{
       {"seed", what.plan.seed}, {"climbed", result.climbed}, {"drawn", result.drawn}, {"rows", rows}};
-  return all.dump(1) + "\n";
+  return write_json(all, 1) + "\n";
 }
 
 }  // namespace rayproof::worst

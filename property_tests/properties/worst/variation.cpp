@@ -114,15 +114,29 @@ void change(const Numbers& all, const Numbers& of_mate, Random& random, Precisio
 
 }  // namespace
 
+/// The case once its numbers were changed, where it is one.
+static std::optional<Case> rounded_case(Case&& one, const Numbers& numbers) {
+  for (const CaseNumber& number : numbers) *number.value = round_to(one.precision, *number.value);
+  if (!is_valid(one)) return std::nullopt;
+  return std::move(one);
+}
+
+std::optional<Case> moved_on(const Case& from, const Case& to, double share) {
+  Case start = from, result = to;
+  const Numbers all = numbers_of(result), before = numbers_of(start);
+  if (all.size() != before.size()) return std::nullopt;
+  for (std::size_t k = 0; k < all.size(); ++k)
+    if (double& x = *all[k].value; std::isfinite(x)) x += share * (x - *before[k].value);
+  return rounded_case(std::move(result), all);
+}
+
 std::optional<Case> varied(const Case& one, const Case& mate, Random& random) {
   Case result = one, other = mate;
   const Numbers all = numbers_of(result), of_mate = numbers_of(other);
   int changes = 1;
   while (changes < 6 && random.one_in(2)) ++changes;
   for (int i = 0; i < changes; ++i) change(all, of_mate, random, one.precision);
-  for (const CaseNumber& number : all) *number.value = round_to(one.precision, *number.value);
-  if (!is_valid(result)) return std::nullopt;
-  return result;
+  return rounded_case(std::move(result), all);
 }
 
 }  // namespace rayproof::worst

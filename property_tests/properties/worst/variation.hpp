@@ -14,4 +14,8 @@ namespace rayproof::worst {
 /// numbers are rounded to the precision. Nothing where the case format would refuse it.
 [[nodiscard]] std::optional<Case> varied(const Case& one, const Case& mate, Random& random);
 
+/// `to`, moved on by the share of the way from `from` to it. Nothing where the two are not of one form, or
+/// the case format would refuse the result.
+[[nodiscard]] std::optional<Case> moved_on(const Case& from, const Case& to, double share);
+
 }  // namespace rayproof::worst

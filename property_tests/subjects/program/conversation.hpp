@@ -76,7 +76,7 @@ class Conversation {
   bool has_spoken_ = false;
   std::uint64_t first_id_ = 0;  ///< of the round
   std::string unsent_{}, received_{};
-  std::size_t searched_ = 0;  ///< so many bytes received hold no end of a line
+  std::size_t searched_ = 0;  ///< the number of bytes received that hold no end of a line
   std::string stray_{};       ///< what is wrong with the line that is no answer
 };
 

@@ -56,11 +56,15 @@ struct HardBatch {
   }
 
   [[nodiscard]] Ray<T> ray(std::size_t i) const {
-    const Ray<T> world{{column[0][i], column[1][i], column[2][i]},
-                       {column[3][i], column[4][i], column[5][i]},
-                       rays.t_min,
-                       rays.t_max};
-    return rays.object_space ? to_object(*rays.object_space, world) : world;
+    return {{column[0][i], column[1][i], column[2][i]},
+            {column[3][i], column[4][i], column[5][i]},
+            rays.t_min,
+            rays.t_max};
+  }
+  template <class Method>
+  [[nodiscard]] auto roots(std::size_t i) const {
+    return rays.object_space ? roots_in_world<Method>(*rays.object_space, ray(i), shape)
+                             : Method::roots(ray(i), shape);
   }
 };
 
@@ -92,7 +96,7 @@ void expect_scalar_answers_of(const RayTopic<Shape>* /*topic*/, InstructionSet s
     nearest_hits<Method>(scene.rays, scene.shape, std::span<T>(t), set);
     for (std::size_t i = 0; i < size; ++i) {
       const Ray<T> ray = scene.ray(i);
-      const auto scalar = Method::roots(ray, scene.shape);
+      const auto scalar = scene.template roots<Method>(i);
       expect_same_roots(scalar, roots.at(i), i);
       EXPECT_TRUE(same_bits(nearest(ray, scalar), t[i])) << "lane " << i << ": batch " << t[i];
     }
@@ -130,8 +134,8 @@ TEST(Batch, TakesRaysIntoObjectSpaceBlockAfterBlock) {
   std::vector<double> t(size);
   nearest_hits<sphere::Centred>(scene.rays, scene.shape, std::span<double>(t));
   for (std::size_t i = 0; i < size; ++i) {
-    const Ray<double> ray = scene.ray(i);
-    EXPECT_TRUE(same_bits(nearest(ray, sphere::Centred::roots(ray, scene.shape)), t[i])) << "ray " << i;
+    const auto scalar = scene.roots<sphere::Centred>(i);
+    EXPECT_TRUE(same_bits(nearest(scene.ray(i), scalar), t[i])) << "ray " << i;
   }
 }
 

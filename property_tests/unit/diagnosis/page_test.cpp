@@ -3,18 +3,27 @@
 
 #include <fstream>
 #include <sstream>
+#include <string>
+#include <string_view>
 
 #include "properties/diagnosis/hypothesis.hpp"
 
 namespace rayproof {
 namespace {
 
+/// A cell of a table in Markdown, in which a bar would end it.
+std::string cell_of(std::string_view sentence) {
+  std::string cell;
+  for (const char c : sentence) cell += c == '|' ? "\\|" : std::string(1, c);
+  return cell;
+}
+
 /// The table of docs/diagnosis.md as the registry has it.
 std::string table_of(bool are_cures) {
   std::string table = "| name | kind | in words |\n| --- | --- | --- |\n";
   for (const Hypothesis& one : hypotheses())
     if ((one.change != nullptr) == are_cures)
-      table += fmt::format("| `{}` | {} | {} |\n", one.name, name_of(one.kind), one.sentence);
+      table += fmt::format("| `{}` | {} | {} |\n", one.name, name_of(one.kind), cell_of(one.sentence));
   return table;
 }
 

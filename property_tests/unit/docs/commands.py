@@ -52,7 +52,8 @@ class Runner:
         checkout = Checkout(folder, self.source, self.programs)
         for folder in ("scenes", "cases", "subjects"):
             shutil.copytree(self.source / "docs" / folder, checkout.folder / "docs" / folder)
-        shutil.copytree(self.source / "examples", checkout.folder / "examples")
+        for folder in ("examples", "labs"):
+            shutil.copytree(self.source / folder, checkout.folder / folder)
         for folder in ("scenes", "reading", "shapes", "primer"):
             (checkout.folder / "docs/images" / folder).mkdir(parents=True)
         for name in ["case.json", "cases.jsonl"]:

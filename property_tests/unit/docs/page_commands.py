@@ -7,7 +7,7 @@ BLOCK = re.compile(r"^```(\w*)\n(.*?)^```\n?", re.DOTALL | re.MULTILINE)
 INLINE = re.compile(r"`([^`\n]+)`")
 SHELLS = {"", "sh", "bash", "console"}
 # What a shell block, or code within a sentence, begins with where it is a command.
-PROGRAM = re.compile(r"(?:\w+=\S+ )*(?:\./rayproof|echo|cmake|ctest|python3|doxygen|apt-get|g\+\+|build/\S+)(?: |$)")
+PROGRAM = re.compile(r"(?:\w+=\S+ )*(?:\./rayproof|echo|mkdir|parallel|nice|cmake|ctest|python3|doxygen|apt-get|g\+\+|build/\S+)(?: |$)")
 
 
 @dataclass

@@ -29,3 +29,13 @@ execute_process(COMMAND ${WORK}/bin/rayproof no-such-thing RESULT_VARIABLE statu
 if(NOT status EQUAL 2 OR NOT sentence MATCHES "there is no subcommand 'no-such-thing'")
   message(FATAL_ERROR "an unknown subcommand ended with ${status}: ${sentence}")
 endif()
+
+# The labs need no checkout: one is started, answered and passed in an empty folder.
+set(student ${WORK}/student)
+file(MAKE_DIRECTORY ${student})
+execute_process(COMMAND ${WORK}/bin/rayproof lab start plane WORKING_DIRECTORY ${student} OUTPUT_QUIET ${run})
+file(COPY ${WORK}/libexec/rayproof/labs/01-plane/solution/plane.cpp DESTINATION ${student}/01-plane)
+execute_process(COMMAND ${WORK}/bin/rayproof lab check WORKING_DIRECTORY ${student} OUTPUT_VARIABLE said ${run})
+if(NOT said MATCHES "\npassed")
+  message(FATAL_ERROR "an installed lab's solution does not pass:\n${said}")
+endif()

@@ -71,6 +71,18 @@ TEST(Mesh, IsTheSameInEveryFormat) {
   }
 }
 
+TEST(Mesh, MayHaveWindowsLineEndsAndIndicesFromTheEnd) {
+  std::string windows;
+  for (const char* c = tetrahedron_obj; *c != 0; ++c) windows += *c == '\n' ? "\r\n" : std::string(1, *c);
+  const std::string from_end =
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf -4 -2 -3\nf -4 -3 -1\nf -3 -2 -1\nf -4 -1 -2\n";
+  for (const std::string& text : {windows, from_end}) {
+    const ClosedMesh mesh = read_mesh(file_with("other.obj", text));
+    EXPECT_EQ(topology_of(mesh).edges.size(), 6U);
+    EXPECT_EQ(volume_of(mesh), 1);
+  }
+}
+
 TEST(Mesh, ThatIsMadeIsClosed) {
   for (const std::string& name : made_meshes())
     for (const Precision precision : {Precision::float32, Precision::float64}) {
@@ -101,6 +113,19 @@ TEST(Mesh, ThatCannotBeUsedIsRefusedWithOneSentence) {
   const std::string broken = file_with("broken.off", "OFF\n3 1 0\n0 0 0\n");
   EXPECT_EQ(trouble_with([&] { (void)read_mesh(broken); }),
             broken + " is no mesh in OFF, OBJ, STL or PLY that can be read");
+  for (const auto& [name, text] : std::initializer_list<std::pair<const char*, std::string>>{
+           {"zero.obj", std::string(tetrahedron_obj) + "f 0 1 2\n"},
+           {"far.ply",
+            std::string(tetrahedron_ply).replace(std::string(tetrahedron_ply).rfind("2\n"), 1, "99")}}) {
+    const std::string wrong = file_with(name, text);
+    EXPECT_EQ(trouble_with([&] { (void)read_mesh(wrong); }),
+              wrong + ": a face names a vertex that there is not");
+  }
+  ClosedMesh huge = make_mesh("cube");
+  huge.vertices[0].z = 1e30;
+  EXPECT_EQ(trouble_with([&] { (void)rounded(huge, Precision::float32); }),
+            "the mesh cube has a coordinate of size 1e+30: in float32 lengths are judged up to 2^60");
+  EXPECT_EQ(rounded(huge, Precision::float64).vertices[0].z, 1e30);
   ClosedMesh open = make_mesh("cube");
   open.triangles.pop_back();
   EXPECT_NE(trouble_with([&] {

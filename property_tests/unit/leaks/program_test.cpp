@@ -63,6 +63,20 @@ TEST(LeakProgram, SaysWhoGivesNoAnswer) {
   EXPECT_NE(ended.output.find("rays without an answer"), std::string::npos) << ended.output;
 }
 
+TEST(LeakProgram, SaysWhereNothingWasJudged) {
+  const std::string flat = own_folder() + ".off";
+  std::ofstream(flat) << "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 2 1 0\n";
+  const test::Ended ended = leak(flat + " --rays 1e2");
+  EXPECT_EQ(ended.status, 2) << ended.output;
+  EXPECT_NE(ended.output.find("rayproof leak: no ray was judged: the surface turns away"), std::string::npos);
+}
+
+TEST(LeakProgram, SaysThatAFileCannotBeWritten) {
+  const test::Ended full = leak("cube --rays 100 --method woop --json /dev/full");
+  EXPECT_EQ(full.status, 2);
+  EXPECT_EQ(full.output, "rayproof leak: /dev/full cannot be written: is the disk full?\n");
+}
+
 TEST(LeakProgram, RefusesWhatItCannotUseWithOneSentence) {
   const test::Ended missing = leak("/nowhere.off");
   EXPECT_EQ(missing.status, 2);

@@ -16,6 +16,19 @@ TEST(GrowingExpansion, KeepsEveryTermOfALongSum) {
   EXPECT_EQ(sign(sum), 0);
 }
 
+TEST(GrowingExpansion, HoldsSumsOfMoreNumbersThanItHasTerms) {
+  Exact sum;
+  for (int i = 0; i < 2000; ++i) sum.add(std::ldexp(1.0, i % 2 == 0 ? i - 1000 : -i));
+  for (int i = 1999; i >= 0; --i) sum.add(-std::ldexp(1.0, i % 2 == 0 ? i - 1000 : -i));
+  EXPECT_EQ(sign(sum), 0);
+}
+
+TEST(GrowingExpansion, EstimatesToAnUlp) {
+  EXPECT_EQ(estimate(Exact(1.0) + Exact(0x1p-60)), 1);
+  EXPECT_EQ(estimate(Exact(0x1p-60) - Exact(0x1p-200)), 0x1p-60);
+  EXPECT_EQ(estimate(Exact()), 0);
+}
+
 TEST(GrowingExpansion, MultipliesWithoutRounding) {
   const Exact x = Exact(1.0) + Exact(0x1p-200);
   const Exact rest = x * x - Exact(1.0) - Exact(0x1p-199);

@@ -90,7 +90,65 @@ TEST_F(CampaignProgram, AMistakeEndsWithTwoAndOneSentence) {
     EXPECT_EQ(ended.status, 2) << mistake;
     EXPECT_EQ(std::count(ended.output.begin(), ended.output.end(), '\n'), 1) << ended.output;
   }
-  EXPECT_EQ(run_in("one", "rayproof-merge nowhere --out x").status, 2);
+}
+
+/// One sentence, and the status 2.
+void expect_refused(const test::Ended& ended, const std::string& reason) {
+  EXPECT_EQ(ended.status, 2) << ended.output;
+  EXPECT_EQ(std::count(ended.output.begin(), ended.output.end(), '\n'), 1) << ended.output;
+  EXPECT_NE(ended.output.find(reason), std::string::npos) << ended.output;
+}
+
+TEST_F(CampaignProgram, MergesNothingThatIsNotOneCampaign) {
+  ASSERT_EQ(run_in("1", campaign + " --shard 1/2").status, 0);
+  ASSERT_EQ(run_in("2", campaign + " --shard 2/2").status, 0);
+  (void)run_in("seed", campaign + " --shard 2/2 --seed 3");
+  (void)run_in("property", campaign + " --shard 2/2 --property verdict");
+  const auto merge = [&](const std::string& shards, const std::string& out = "x") {
+    return run_in("merged", "cd .. && rayproof-merge " + shards + " --out " + out);
+  };
+  expect_refused(merge("nowhere"), "nowhere cannot be read");
+  expect_refused(merge("1"), "1/campaign.json cannot be read");
+  expect_refused(merge("1/out/check"), "shard 2/2 is missing");
+  expect_refused(merge("1/out/check 1/out/check"), "shard 1/2 is given twice");
+  for (const char* const other : {"seed", "property"})
+    expect_refused(merge(std::string("1/out/check ") + other + "/out/check"), "are not of one campaign");
+  (void)run_in("cut", "mkdir -p out && head -c 900 ../2/out/check/campaign.json > out/campaign.json");
+  expect_refused(merge("1/out/check cut/out"), "it is no state of a campaign");
+  const std::string before = text_of("1/out/check/campaign.json");
+  expect_refused(merge("1/out/check 2/out/check", "1/out/check"), "--out names another folder");
+  EXPECT_EQ(text_of("1/out/check/campaign.json"), before);
+}
+
+TEST_F(CampaignProgram, ThatIsShortOfTimeEndsWithinARound) {
+  const std::string many = "rayproof-check --campaign --cases 1e7 --shape polygon,cylinder --jobs 1";
+  const test::Ended ended = run_in("short", many + " --time 0.1");
+  EXPECT_LE(ended.status, 1) << ended.output;
+  const std::string state = text_of("short/out/check/campaign.json");
+  EXPECT_NE(state.find("\"rounds\": 0,"), std::string::npos);
+  EXPECT_EQ(state.find("\"units ahead\": 0,"), std::string::npos) << "some of the round is done, and kept";
+}
+
+/// A disk on which no file can grow beyond one block.
+const std::string on_a_full_disk = "trap '' XFSZ; ulimit -f 1; ";
+
+TEST_F(CampaignProgram, LosesNothingOnAFullDisk) {
+  (void)run_in("full", campaign + " --time 0.01 --jobs 1");
+  const std::string before = text_of("full/out/check/campaign.json");
+  ASSERT_GT(before.size(), 1024U);
+  expect_refused(run_in("full", on_a_full_disk + campaign + " --resume"), "campaign.json cannot be written");
+  EXPECT_EQ(text_of("full/out/check/campaign.json"), before);
+  expect_refused(run_in("fresh", on_a_full_disk + campaign), "campaign.json cannot be written");
+  EXPECT_EQ(text_of("fresh/out/check/campaign.json"), "");
+}
+
+TEST_F(CampaignProgram, HasItsFolderForItself) {
+  const std::string endless = "rayproof-check --campaign --cases 1e10 --shape quadratic --method textbook";
+  (void)run_in("one",
+               "{ " + endless +
+                   " > first.txt 2>&1 & while ! test -e out/check/campaign.json; do sleep 0.1; done; " +
+                   endless + " --resume > second.txt 2>&1; echo $? >> second.txt; kill -INT $!; wait; }");
+  EXPECT_EQ(text_of("one/second.txt"), "rayproof check: another campaign is running in out/check\n2\n");
 }
 
 TEST_F(CampaignProgram, ShardsRunSideBySideUnderGnuParallel) {

@@ -4,8 +4,10 @@
 
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <random>
 #include <rayproof/topics.hpp>
+#include <vector>
 
 #include "subjects/reading.hpp"
 #include "unit/shape_types.hpp"
@@ -56,20 +58,26 @@ template <class T>
 template <class T, class Topic>
 [[nodiscard]] typename Topic::template Problem<T> random_problem(Topic /*topic*/, CaseSource& source,
                                                                  int reach) {
-  const auto number = [&] { return static_cast<double>(source.rounded<T>(reach)); };
+  // Erased, since all that reads shapes is compiled for each type of number().
+  const std::function<double()> number = [&] { return static_cast<double>(source.rounded<T>(reach)); };
   Random forms(source.bits());
   return Reading<Topic>::template problem<T>({.question = question_of_topic(Topic::name, forms, number)});
+}
+
+/// Many problems of the topic, the same at each call. Out of line: compiled once, not once for each method.
+template <class T, class Topic>
+[[nodiscard, gnu::noinline]] std::vector<typename Topic::template Problem<T>> many_problems() {
+  CaseSource source(20);
+  std::vector<typename Topic::template Problem<T>> problems;
+  for (const int reach : {0, 4, 20, std::numeric_limits<T>::max_exponent - 1})
+    for (int i = 0; i < 400; ++i) problems.push_back(random_problem<T>(Topic{}, source, reach));
+  return problems;
 }
 
 /// Calls `check.operator()<Topic, Method>(problem)` with many problems.
 template <class T, class Topic, class Method, class Check>
 void put_problems(Check&& check) {
-  CaseSource source(20);
-  for (const int reach : {0, 4, 20, std::numeric_limits<T>::max_exponent - 1}) {
-    for (int i = 0; i < 400; ++i) {
-      check.template operator()<Topic, Method>(random_problem<T>(Topic{}, source, reach));
-    }
-  }
+  for (const auto& problem : many_problems<T, Topic>()) check.template operator()<Topic, Method>(problem);
 }
 
 /// The same for every method that takes any arithmetic.

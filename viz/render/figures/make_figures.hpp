@@ -54,8 +54,13 @@ class MethodFigures final : public Figures<T> {
   }
 
   static void meet_placed(const PlacedShape& figure, const Ray<T>& ray, Nearest<T>& nearest) {
-    const Ray<T> in_object_space = to_object(*figure.space, ray);
-    meet_each(figure, {&in_object_space, 1}, {&nearest, 1});
+    if constexpr (takes_transforms<Method, T, decltype(figure.shape)>) {
+      const auto roots = Method::roots_in_world(*figure.space, ray, figure.shape);
+      nearest.offer(rayproof::nearest<T>(ray, roots), figure.object);
+    } else {
+      const Ray<T> in_object_space = to_object(*figure.space, ray);
+      meet_each(figure, {&in_object_space, 1}, {&nearest, 1});
+    }
   }
 
   std::vector<PlacedShape> figures_{};

@@ -98,13 +98,32 @@ template <class T, class Abi>
   return std::experimental::copysign(x.lanes(), sign.lanes());
 }
 
+/// The smaller in each lane. Where AVX-512 compares into a mask, g++ 12 does not see that the comparison and
+/// the choice are one instruction, which gives its second operand where they are equal or one is NaN.
 template <class T, class Abi>
 [[nodiscard]] Pack<T, Abi> min(const Pack<T, Abi>& x, const Pack<T, Abi>& y) {
+#ifdef __AVX512F__
+  using Lanes = typename Pack<T, Abi>::Lanes;
+  if constexpr (std::same_as<Lanes, std::experimental::native_simd<float>>) {
+    return Lanes(_mm512_min_ps(static_cast<__m512>(y.lanes()), static_cast<__m512>(x.lanes())));
+  } else if constexpr (std::same_as<Lanes, std::experimental::native_simd<double>>) {
+    return Lanes(_mm512_min_pd(static_cast<__m512d>(y.lanes()), static_cast<__m512d>(x.lanes())));
+  }
+#endif
   return select(y < x, y, x);
 }
 
+/// The larger in each lane, as `min`.
 template <class T, class Abi>
 [[nodiscard]] Pack<T, Abi> max(const Pack<T, Abi>& x, const Pack<T, Abi>& y) {
+#ifdef __AVX512F__
+  using Lanes = typename Pack<T, Abi>::Lanes;
+  if constexpr (std::same_as<Lanes, std::experimental::native_simd<float>>) {
+    return Lanes(_mm512_max_ps(static_cast<__m512>(y.lanes()), static_cast<__m512>(x.lanes())));
+  } else if constexpr (std::same_as<Lanes, std::experimental::native_simd<double>>) {
+    return Lanes(_mm512_max_pd(static_cast<__m512d>(y.lanes()), static_cast<__m512d>(x.lanes())));
+  }
+#endif
   return select(x < y, y, x);
 }
 

@@ -69,6 +69,16 @@ template <class T, class Abi>
   return scaled * Bits::power_of_two(left);
 }
 
+/// With x = 2^e·(1 + m), 0 <= m < 1, taking its bits from those of 2^0 twice over gives 2^-e·(1 - m/2), which
+/// is (1 + m·(1 - m)/2)/x.
+template <class T, class Abi>
+[[nodiscard]] Pack<T, Abi> reciprocal_bound(const Pack<T, Abi>& x) {
+  using Bits = PackBits<T, Abi>;
+  using Word = typename Bits::Word;
+  return Bits::number(typename Bits::Words(Word{2 * Bits::bias} << Word{Bits::fraction_bits}) -
+                      Bits::words(x));
+}
+
 }  // namespace rayproof
 
 #include <rayproof/rounding/as_before.hpp>

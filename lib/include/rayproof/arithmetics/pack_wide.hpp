@@ -10,17 +10,57 @@
 
 namespace rayproof {
 
+/// The compiler's own vector, because the library's casts go through memory.
+template <class T, std::size_t size>
+struct CompilerVector {
+  using type [[gnu::vector_size(size * sizeof(T))]] = T;
+};
+
+/// The float lanes of a pack of doubles, and back.
+template <class Wide>
+using FloatLanes = typename CompilerVector<float, Wide::size>::type;
+template <class T, class Abi>
+[[nodiscard]] FloatLanes<Pack<T, Abi>> float_lanes(const Pack<T, Abi>& x) {
+  using Doubles = typename CompilerVector<double, Pack<T, Abi>::size>::type;
+  return __builtin_convertvector(std::bit_cast<Doubles>(x.lanes()), FloatLanes<Pack<T, Abi>>);
+}
+template <class Wide>
+[[nodiscard]] Wide from_float_lanes(const FloatLanes<Wide>& x) {
+#ifdef __AVX512F__
+  // g++ 12 widens the halves one by one.
+  if constexpr (Wide::size == 8) {
+    return typename Wide::Lanes(_mm512_cvtps_pd(std::bit_cast<__m256>(x)));
+  }
+#endif
+  using Doubles = typename CompilerVector<double, Wide::size>::type;
+  return std::bit_cast<typename Wide::Lanes>(__builtin_convertvector(x, Doubles));
+}
+
+/// Reads as many consecutive floats as the pack of doubles has lanes.
+template <class Wide>
+[[nodiscard]] Wide load_floats(const float* from) {
+  FloatLanes<Wide> x;
+  __builtin_memcpy(&x, from, sizeof x);
+  return from_float_lanes<Wide>(x);
+}
+/// Writes the lanes to as many floats, each rounded once.
+template <class Wide>
+void store_floats(const Wide& x, float* to) {
+  const FloatLanes<Wide> rounded = float_lanes(x);
+  __builtin_memcpy(to, &rounded, sizeof rounded);
+}
+
+template <std::same_as<double> T, class Abi>
+[[nodiscard]] Pack<T, Abi> to_nearest_float(const Pack<T, Abi>& x) {
+  return from_float_lanes<Pack<T, Abi>>(float_lanes(x));
+}
+
 /// The lanes of a `Pack<float, Abi>` in double, the first half and the second half of them.
 template <class Abi>
 class WidePack {
   using Narrow = Pack<float, Abi>;
   static constexpr std::size_t half = Narrow::size / 2;
   using Half = Pack<double, std::experimental::simd_abi::deduce_t<double, half>>;
-  // The compiler's own vectors, because the library's casts go through memory.
-  template <class T, std::size_t size>
-  struct CompilerVector {
-    using type [[gnu::vector_size(size * sizeof(T))]] = T;
-  };
   using Floats = typename CompilerVector<float, 2 * half>::type;
   using Doubles = typename CompilerVector<double, half>::type;
 

@@ -43,10 +43,9 @@ struct Lanes<RayProblem<Shape, T>> {
   Shape<T> shape;
 };
 
-/// Solves one problem, or a pack of them, and puts its results in their order.
-template <class Method, class Lanes, class Problem, class N>
-constexpr void put_results(const Problem& problem, N (&to)[Lanes::results]) {
-  const auto roots = Lanes::Topic::template solve<Method>(problem);
+/// Puts what one problem, or a pack of them, came to in its order.
+template <class Lanes, class Problem, class Roots, class N>
+constexpr void put_results(const Problem& problem, const Roots& roots, N (&to)[Lanes::results]) {
   if constexpr (requires { problem.ray; }) {
     to[0] = nearest(problem.ray, roots);
     to[1] = to[2] = roots.lo;
@@ -66,17 +65,29 @@ template <class Method>
 inline constexpr bool runs_in_packs = requires {
   &Method::template roots<AnyNumber>;
 };
+/// Whether a method has a quick phase, which answers most rays in float, in packs of doubles.
+template <class Method>
+inline constexpr bool has_quick_phase = requires {
+  &Method::template enclosed<AnyNumber>;
+};
 /// Whether a method has kernels. What is wrong as printed has none: nobody wants it fast.
 template <class Method>
-inline constexpr bool has_kernels = runs_in_packs<Method>&& Method::contract.standing != Standing::printed;
+inline constexpr bool has_kernels = (runs_in_packs<Method> || has_quick_phase<Method>)&&  //
+                                    Method::contract.standing
+                                    != Standing::printed;
+/// The same of one precision.
+template <class Method, class T>
+inline constexpr bool has_kernel_in = has_kernels<Method> &&
+                                      (std::same_as<T, float> || !has_quick_phase<Method>);
 
 /// One method's kernel in one precision.
 template <class Method, class Problem>
 struct BatchKernel {
   using T = typename Lanes<Problem>::Number;
   /// Writes every problem's results: all of them, or the first alone. They are written in their order, so
-  /// that a column nobody wants may share the memory of a later one.
-  void (*solve)(const Lanes<Problem>& in, T* const (&out)[Lanes<Problem>::results], bool all) = nullptr;
+  /// that a column nobody wants may share the memory of a later one. Returns whether a quick phase was in
+  /// doubt somewhere: there all results are NaN.
+  bool (*solve)(const Lanes<Problem>& in, T* const (&out)[Lanes<Problem>::results], bool all) = nullptr;
 };
 
 /// Takes rays, as columns of origin and direction, into an object's space.
@@ -89,9 +100,12 @@ struct ToObjectKernel {
 template <class Topic, class... Methods>
 auto kernels_of_topic(TypeList<Methods...>) {
   [[maybe_unused]] const auto of = []<class Method>(std::type_identity<Method>) {
-    if constexpr (has_kernels<Method>) {
-      return std::tuple<BatchKernel<Method, typename Topic::template Problem<float>>,
-                        BatchKernel<Method, typename Topic::template Problem<double>>>{};
+    using Floats = BatchKernel<Method, typename Topic::template Problem<float>>;
+    using Doubles = BatchKernel<Method, typename Topic::template Problem<double>>;
+    if constexpr (has_kernel_in<Method, double>) {
+      return std::tuple<Floats, Doubles>{};
+    } else if constexpr (has_kernels<Method>) {
+      return std::tuple<Floats>{};
     } else {
       return std::tuple<>{};
     }

@@ -28,23 +28,60 @@ template <template <class> class Shape, class T>
   return {{{c[0][i], c[1][i], c[2][i]}, {c[3][i], c[4][i], c[5][i]}, in.t_min, in.t_max}, in.shape};
 }
 
-/// Answers one problem after the other.
+/// Answers one problem of a batch by `solve(problem)`.
+template <class Problem, class T, std::size_t Columns, class Solve>
+void solve_one(const Lanes<Problem>& in, std::size_t i, T* const (&out)[Columns], bool all,
+               const Solve& solve) {
+  T results[Columns];
+  const Problem problem = problem_at(in, i);
+  put_results<Lanes<Problem>>(problem, solve(problem), results);
+  for (std::size_t column = 0; column < (all ? Columns : 1); ++column) out[column][i] = results[column];
+}
 template <class Method, class Problem, class T, std::size_t Columns>
-void solve_each(const Lanes<Problem>& in, T* const (&out)[Columns], bool all) {
-  for (std::size_t i = 0; i < in.size; ++i) {
-    T results[Columns];
-    put_results<Method, Lanes<Problem>>(problem_at(in, i), results);
-    for (std::size_t column = 0; column < (all ? Columns : 1); ++column) out[column][i] = results[column];
+void solve_one(const Lanes<Problem>& in, std::size_t i, T* const (&out)[Columns], bool all) {
+  solve_one(in, i, out, all,
+            [](const Problem& one) { return Lanes<Problem>::Topic::template solve<Method>(one); });
+}
+
+/// Runs a kernel with a quick phase, some hundred problems at a time, and answers those that it is in doubt
+/// of, which it left NaN, while they are in the processor's nearest cache.
+template <class Method, class Problem, class T, std::size_t Columns>
+void run_quick_kernel(const BatchKernel<Method, Problem>& kernel, const Lanes<Problem>& in,
+                      T* const (&out)[Columns], bool all) {
+  constexpr std::size_t block = 512;
+  for (std::size_t from = 0; from < in.size; from += block) {
+    const auto part = part_of(in, from, std::min(block, in.size - from));
+    T* results[Columns] = {};
+    for (std::size_t i = 0; i < (all ? Columns : 1); ++i) results[i] = out[i] + from;
+    if (!kernel.solve(part, results, all)) continue;
+    const T* const marked = results[all ? Columns - 3 : 0];  // the discriminant, or the nearest hit
+    for (std::size_t i = 0; i < part.size; ++i) {
+      if (marked[i] != marked[i]) solve_one<Method>(part, i, results, all);
+    }
   }
 }
 
 /// Runs the method's kernel, which fills these columns, or the first alone.
 template <class Method, class Problem, class T, std::size_t Columns>
 void run_kernel(InstructionSet set, const Lanes<Problem>& in, T* const (&out)[Columns], bool all) {
-  if constexpr (has_kernels<Method>) {
-    std::get<BatchKernel<Method, Problem>>(kernel_table(set)).solve(in, out, all);
+  if constexpr (has_kernel_in<Method, T>) {
+    const auto& kernel = std::get<BatchKernel<Method, Problem>>(kernel_table(set));
+    if constexpr (has_quick_phase<Method>) {
+      run_quick_kernel(kernel, in, out, all);
+    } else {
+      kernel.solve(in, out, all);
+    }
   } else {
-    solve_each<Method>(in, out, all);
+    for (std::size_t i = 0; i < in.size; ++i) solve_one<Method>(in, i, out, all);
+  }
+}
+
+/// The same for rays that are in the world, by a method that takes the transform itself.
+template <class Method, class Problem, class T>
+void solve_in_world(const Lanes<Problem>& in, const ObjectSpace<T>& space, T* const (&out)[6], bool all) {
+  for (std::size_t i = 0; i < in.size; ++i) {
+    solve_one(in, i, out, all,
+              [&](const Problem& one) { return Method::roots_in_world(space, one.ray, one.shape); });
   }
 }
 
@@ -78,7 +115,12 @@ void solve(InstructionSet set, const Lanes<Problem>& in, T* const (&out)[Columns
                 "this method answers no batches of this input: call Method::roots in a loop instead");
   if constexpr (answers_batches<Method, Problem>) {
     if constexpr (Columns == 6) {
-      if (space) return run_in_space<Method>(set, in, *space, out, all);
+      if (space) {
+        if constexpr (takes_transforms<Method, T, decltype(in.shape)>)
+          return solve_in_world<Method>(in, *space, out, all);
+        else
+          return run_in_space<Method>(set, in, *space, out, all);
+      }
     }
     run_kernel<Method>(set, in, out, all);
   }

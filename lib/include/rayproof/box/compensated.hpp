@@ -22,7 +22,7 @@ struct Compensated {
       .ulp = {.measured = 0.5, .promised = 0.501},
       .hit = box_hit_bounds,
       .domain = {.reach_float = 1000, .reach_double = 480, .every_number = true},
-      .holds = robust_claims | hit_claims | Claims{Claim::ulp}};
+      .holds = robust_claims | hit_claims | Claims{Claim::ulp, Claim::rounded}};
 
   template <std::floating_point T>
   [[nodiscard]] static Roots<T> roots(const Ray<T>& ray, const Box<T>& box) {

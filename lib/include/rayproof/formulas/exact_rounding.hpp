@@ -3,10 +3,14 @@
 /// The last step of the compensated methods: an exact number, known by an estimate and by exact comparisons,
 /// becomes a plain number on its own side of the interval's ends.
 
+#include <bit>
+#include <cmath>
+#include <cstdint>
 #include <rayproof/arithmetics/expansion.hpp>
 #include <rayproof/formulas/finite.hpp>
 #include <rayproof/method/narration.hpp>
 #include <rayproof/roots.hpp>
+#include <type_traits>
 
 #include <rayproof/rounding/as_written.hpp>
 
@@ -33,29 +37,58 @@ template <std::floating_point T>
   return size >= double{std::numeric_limits<T>::min()} && nearest > 0x1p-22 * size;
 }
 
-/// t in T; beside the greatest float, the exact number says whether it is infinite. `compare(x)` is the exact
-/// sign of (number - x).
-template <class T, class Compare>
-[[nodiscard]] T narrowed(double t, Compare&& compare) {
-  if (!(abs(abs(t) - infinite_from<T>) <= 0x1p-40 * abs(t))) return static_cast<T>(t);
-  const int beyond = compare(copysign(infinite_from<T>, t)) * (t > 0 ? 1 : -1);
-  return static_cast<T>(copysign(beyond < 0 ? double{std::numeric_limits<T>::max()} : infinity<double>, t));
+/// Halfway between two neighbouring numbers, exactly: a float's midpoints are doubles, a double's are sums of
+/// two.
+[[nodiscard]] inline Expansion<double, 1> midpoint(float x, float next) {
+  const bool is_end = !(abs(x) < infinity<float> && abs(next) < infinity<float>);
+  return exact(is_end ? copysign(infinite_from<float>, double{x}) : (double{x} + double{next}) / 2);
+}
+[[nodiscard]] inline Expansion<double, 2> midpoint(double x, double next) {
+  return exact((next - x) / 2) + exact(x);
 }
 
-/// An exact number in T, on its own side of each end of the ray's interval. The estimate is within 0.6 ulp,
-/// so that rounding carries it onto an end at most, and never over. `compare(x)` is the exact sign of (number
-/// - x).
-template <class T, class Compare>
-[[nodiscard]] T rounded(const Ray<T>& ray, double estimated, Compare&& compare) {
-  T t = narrowed<T>(estimated, compare);
-  const auto is_near = [&](T end) { return abs(end) < infinity<T> && std::nextafter(t, end) == end; };
-  if (is_near(ray.t_min) && compare(static_cast<double>(ray.t_min)) < 0) {
-    t = std::nextafter(ray.t_min, -infinity<T>);
-  }
-  if (is_near(ray.t_max) && compare(static_cast<double>(ray.t_max)) > 0) {
-    t = std::nextafter(ray.t_max, infinity<T>);
+/// Whether the last digit of the significand is 1.
+template <std::floating_point T>
+[[nodiscard]] inline bool is_odd(T x) {
+  using Bits = std::conditional_t<sizeof(T) == sizeof(std::uint32_t), std::uint32_t, std::uint64_t>;
+  return std::bit_cast<Bits>(x) % 2 == 1;
+}
+
+/// An exact number in T, rounded once, to nearest with ties to even; infinite where it overflows. The
+/// estimate is within 2^-48 of the number's size, or for a T of double within an ulp; `compare(x)` is the
+/// exact sign of (number - x) for an expansion x.
+///
+/// A float's midpoints are looked at only where the estimate is within 2^-46 of one.
+template <std::floating_point T, class Compare>
+[[nodiscard]] T correctly_rounded(double estimated, Compare&& compare) {
+  auto t = static_cast<T>(estimated);
+  if (t != t) return t;
+  const auto is_beyond_midpoint = [&](T end) {
+    const T next = std::nextafter(t, end);
+    if (next == t) return false;
+    const auto middle = midpoint(t, next);
+    const double distance = estimate(middle) - estimated;
+    if (!(abs(distance) < infinity<double>)) return false;
+    if (sizeof(T) < sizeof(double) && abs(distance) > 0x1p-46 * abs(estimated)) return false;
+    const int side = compare(middle) * (end > 0 ? 1 : -1);
+    return side > 0 || (side == 0 && is_odd(t));
+  };
+  constexpr int most_steps = 2;  // outside of its domain an estimate may be anything
+  for (const T end : {infinity<T>, -infinity<T>}) {
+    for (int i = 0; i < most_steps && is_beyond_midpoint(end); ++i) t = std::nextafter(t, end);
   }
   return t;
+}
+
+/// The same on the number's own side of each end of the ray's interval: rounding carries it onto an end at
+/// most, and never over.
+template <class T, class Compare>
+[[nodiscard]] T rounded(const Ray<T>& ray, double estimated, Compare&& compare) {
+  const T t = correctly_rounded<T>(estimated, compare);
+  if (!(abs(t) < infinity<T>)) return t;
+  const int side = t == ray.t_min || t == ray.t_max ? compare(exact(static_cast<double>(t))) : 0;
+  if (t == ray.t_min && side < 0) return std::nextafter(t, -infinity<T>);
+  return t == ray.t_max && side > 0 ? std::nextafter(t, infinity<T>) : t;
 }
 
 /// numerator / denominator, both exact expansions; the denominator is not 0 where the ratio is of use.
@@ -66,9 +99,10 @@ struct ExactRatio {
   /// Within 2^-50 of its size: spares most comparisons their exact products.
   double approximate = estimate(numerator) / estimate(denominator);
 
-  /// The exact sign of (ratio - x) for a finite x.
-  [[nodiscard]] int compare(double x) const {
-    return sign(numerator - denominator * exact(x)) * sign(denominator);
+  /// The exact sign of (ratio - x).
+  template <std::size_t K>
+  [[nodiscard]] int compare(const Expansion<double, K>& x) const {
+    return sign(numerator - denominator * x) * sign(denominator);
   }
   /// The exact sign of (ratio - other).
   [[nodiscard]] int compare(const ExactRatio& other) const {
@@ -82,7 +116,7 @@ struct ExactRatio {
 template <std::size_t N, std::size_t M>
 ExactRatio(Expansion<double, N>, Expansion<double, M>) -> ExactRatio<N, M>;
 
-/// The ratio in T, within 0.501 ulp, on its own side of the ends of the ray's interval: in_interval(ray, t)
+/// The ratio in T, rounded once, on its own side of the ends of the ray's interval: in_interval(ray, t)
 /// is what it is for the exact ratio.
 template <std::floating_point T, std::size_t N, std::size_t M>
 [[nodiscard]] T rounded(const Ray<T>& ray, const ExactRatio<N, M>& ratio) {
@@ -90,7 +124,7 @@ template <std::floating_point T, std::size_t N, std::size_t M>
   if (sizeof(T) == sizeof(double) && abs(t) < infinity<double>) {
     t += estimate(ratio.numerator - ratio.denominator * exact(t)) / estimate(ratio.denominator);
   }
-  return rounded(ray, t, [&](double x) { return ratio.compare(x); });
+  return rounded(ray, t, [&](const auto& x) { return ratio.compare(x); });
 }
 
 /// The same where no interval is to be minded.

@@ -18,18 +18,19 @@ namespace rayproof {
 
 /// a·t² - 2·b·t + c with a > 0 and b² >= a·c, in exact expansions. Its lower root is that of side = -1, its
 /// upper one that of side = 1.
-template <std::size_t A, std::size_t B, std::size_t C>
+template <class A, class B, class C>
 struct ExpandedQuadratic {
-  Expansion<double, A> a;
-  Expansion<double, B> b;
-  Expansion<double, C> c;
+  A a;
+  B b;
+  C c;
   double half_chord;  ///< √(b² - a·c): what a·t - b comes to at the upper root, rounded
   std::array<double, 2> approximate_roots;  ///< to within 2^-49 of their size
 
   [[nodiscard]] double approximate(int side) const { return approximate_roots[side < 0 ? 0 : 1]; }
 
   /// The exact sign of (root - t).
-  [[nodiscard]] int compare(int side, double t) const {
+  template <std::size_t K>
+  [[nodiscard]] int compare(int side, const Expansion<double, K>& t) const {
     return compare_root(side, sign(at(t)), sign(slope_at(t)));
   }
   /// The exact sign of (root - n/m).
@@ -41,7 +42,7 @@ struct ExpandedQuadratic {
     return compare_root(side, value, sign(a * n - b * m) * sign(m));
   }
 
-  /// A root in T, within 0.501 ulp, on its own side of the ends of the ray's interval.
+  /// A root in T, rounded once, on its own side of the ends of the ray's interval.
   template <class T>
   [[nodiscard]] T root(const Ray<T>& ray, int side) const {
     double t = approximate(side);
@@ -50,20 +51,25 @@ struct ExpandedQuadratic {
       // roots are, their sum does not cancel.
       t += side * 0x1p-48 * abs(t);
       // Less the exact value there over the exact slope between t and the root: this rounds once.
-      const double slope = estimate(slope_at(t)) + side * half_chord;
-      if (slope != 0) t -= estimate(at(t)) / slope;
+      const double slope = estimate(slope_at(exact(t))) + side * half_chord;
+      if (slope != 0) t -= estimate(at(exact(t))) / slope;
     }
-    return rounded(ray, t, [&](double x) { return compare(side, x); });
+    return rounded(ray, t, [&](const auto& x) { return compare(side, x); });
   }
 
  private:
-  [[nodiscard]] auto at(double t) const { return (a * exact(t) - exact(2.0) * b) * exact(t) + c; }
-  [[nodiscard]] auto slope_at(double t) const { return a * exact(t) - b; }
+  template <std::size_t K>
+  [[nodiscard]] auto at(const Expansion<double, K>& t) const {
+    return (a * t - exact(2.0) * b) * t + c;
+  }
+  template <std::size_t K>
+  [[nodiscard]] auto slope_at(const Expansion<double, K>& t) const {
+    return a * t - b;
+  }
 };
 
-template <std::size_t A, std::size_t B, std::size_t C>
-ExpandedQuadratic(Expansion<double, A>, Expansion<double, B>, Expansion<double, C>, double,
-                  std::array<double, 2>) -> ExpandedQuadratic<A, B, C>;
+template <class A, class B, class C>
+ExpandedQuadratic(A, B, C, double, std::array<double, 2>) -> ExpandedQuadratic<A, B, C>;
 
 }  // namespace rayproof
 

@@ -14,6 +14,7 @@ enum class Claim : unsigned {
   verdict,    ///< hit or miss (or the kind of roots) is the exact one, outside the promised band
   residual,   ///< every answer satisfies the equation to the promised residual
   ulp,        ///< every answer is within the promised ulps of the exact one
+  rounded,    ///< the verdict is the exact one, and every t is the exact t rounded once, ties to even
   robust,     ///< verdict and residual keep the bound that the best plain methods of the shape keep
   ascending,  ///< hits come in ascending order, inside the interval, none of them NaN
   moved,      ///< t is the same after moving object and ray together by an affine map
@@ -30,7 +31,7 @@ enum class Claim : unsigned {
   exact,        ///< where no step is rounded, everything is exactly right, boundaries included
   answers  ///< every valid case gets an answer in time; asked of programs, since a function always answers
 };
-inline constexpr std::size_t claim_count = 17;
+inline constexpr std::size_t claim_count = 18;
 
 /// A set of claims.
 class Claims {
@@ -98,9 +99,10 @@ struct Refutation {
 struct Domain {
   int reach_float = 28;
   int reach_double = 240;
-  bool every_number = false;  ///< the reach is asked of every number that is not 0, not just of the lengths
+  int reach_transformed = 24;  ///< of a case with a transform, for a method that takes the transform itself
+  bool every_number = false;   ///< the reach is asked of every number that is not 0, not just of the lengths
 };
-inline constexpr Domain any_finite{1000000, 1000000, false};
+inline constexpr Domain any_finite{.reach_float = 1000000, .reach_double = 1000000};
 
 /// The contract of one method.
 struct Contract {

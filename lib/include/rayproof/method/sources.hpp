@@ -28,4 +28,8 @@ inline constexpr Source shewchuk{
     "J. R. Shewchuk", "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates",
     1997};
 
+/// A rounding test on a quick answer with a proven bound, and an accurate one where it fails.
+inline constexpr Source ziv{
+    "A. Ziv", "Fast Evaluation of Elementary Mathematical Functions with Correctly Rounded Last Bit", 1991};
+
 }  // namespace rayproof::sources

@@ -8,7 +8,7 @@
 namespace rayproof::plane {
 
 /// Numerator and denominator of t as exact expansions in double, in the plane's own form: the verdict is the
-/// exact one, t is within 0.501 ulp, and no answer is rounded across an end of the ray's interval.
+/// exact one, t is rounded once, and no answer is rounded across an end of the ray's interval.
 ///
 /// Holds for all finite floats; for doubles while every number that is not 0 lies within 2^±200, beyond which
 /// terms of the expansions over- or underflow.
@@ -22,7 +22,7 @@ struct Compensated {
       .ulp = {.measured = 0.501, .promised = 0.51},
       .hit = {plane_hit_bounds.point, plane_hit_bounds.normal},
       .domain = {.reach_float = 1000, .reach_double = 200, .every_number = true},
-      .holds = robust_claims | hit_claims | Claims{Claim::residual, Claim::ulp}};
+      .holds = robust_claims | hit_claims | Claims{Claim::residual, Claim::ulp, Claim::rounded}};
 
   template <std::floating_point T>
   [[nodiscard]] static FlatHit<T> roots(const Ray<T>& ray, const Plane<T>& plane) {

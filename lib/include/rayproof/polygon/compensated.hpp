@@ -56,12 +56,12 @@ class ExactMeeting {
  private:
   /// One coordinate of the vertex less the point's, in double, and a bound on its error: t is good to 3
   /// roundings, and 4 more follow.
-  struct Rounded {
+  struct ValueAndError {
     double value;
     double error;
     [[nodiscard]] bool is_clear() const { return abs(value) > error; }
   };
-  [[nodiscard]] Rounded rounded_offset(const Vec2<double>& vertex, double Vec2<double>::*axis) const {
+  [[nodiscard]] ValueAndError rounded_offset(const Vec2<double>& vertex, double Vec2<double>::*axis) const {
     const double moved = t_ * direction_.*axis;
     const double size = abs(origin_.*axis) + abs(moved) + abs(vertex.*axis);
     return {(vertex.*axis - origin_.*axis) - moved, 0x1p-49 * size + 0x1p-960};
@@ -74,20 +74,20 @@ class ExactMeeting {
 
   /// The sign of one coordinate of the vertex less the point's.
   [[nodiscard]] int compare(const Vec2<double>& vertex, double Vec2<double>::*axis) const {
-    const Rounded offset = rounded_offset(vertex, axis);
+    const ValueAndError offset = rounded_offset(vertex, axis);
     if (offset.is_clear()) return offset.value > 0 ? 1 : -1;
     return sign(exact_offset(vertex, axis)) * sign(denominator_);
   }
 
   /// The sign of the orientation of the point and the side from a to b, which is that of (a - point)×(b - a).
   [[nodiscard]] int side(const Vec2<double>& a, const Vec2<double>& b) const {
-    const Rounded x = rounded_offset(a, &Vec2<double>::x);
-    const Rounded y = rounded_offset(a, &Vec2<double>::y);
+    const ValueAndError x = rounded_offset(a, &Vec2<double>::x);
+    const ValueAndError y = rounded_offset(a, &Vec2<double>::y);
     const Vec2<double> edge{b.x - a.x, b.y - a.y};
     const double left = x.value * edge.y;
     const double right = y.value * edge.x;
     const double error = x.error * abs(edge.y) + y.error * abs(edge.x) + 0x1p-51 * (abs(left) + abs(right));
-    const Rounded orientation{left - right, error + 0x1p-960};
+    const ValueAndError orientation{left - right, error + 0x1p-960};
     if (orientation.is_clear()) return orientation.value > 0 ? 1 : -1;
 
     const Exact exact_left = exact_offset(a, &Vec2<double>::x) * (Exact(b.y) - Exact(a.y));
@@ -104,7 +104,7 @@ class ExactMeeting {
 };
 
 /// The Newell normal, the hit point and every orientation in the projection with nothing rounded: sides and
-/// vertices are judged exactly, t is within 0.501 ulp and never rounded across an end of the ray's interval.
+/// vertices are judged exactly, t is rounded once and never across an end of the ray's interval.
 ///
 /// Holds for all finite floats; for doubles while every number that is not 0 lies within 2^±150, beyond which
 /// terms of the expansions over- or underflow.
@@ -118,7 +118,7 @@ struct Compensated {
       .ulp = {.measured = 0.501, .promised = 0.51},
       .hit = polygon_hit_bounds,
       .domain = {.reach_float = 1000, .reach_double = 150, .every_number = true},
-      .holds = robust_claims | hit_claims | Claims{Claim::residual, Claim::ulp}};
+      .holds = robust_claims | hit_claims | Claims{Claim::residual, Claim::ulp, Claim::rounded}};
 
   template <std::floating_point T>
   [[nodiscard]] static FlatHit<T> roots(const Ray<T>& ray, const Polygon<T>& polygon) {

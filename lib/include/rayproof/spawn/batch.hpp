@@ -27,11 +27,15 @@ void next_origins(const Surface<T>& surface, const Coordinates<std::type_identit
   using Entry = Kernel<Strategy, Surface, T>;
   static_assert(batch::is_in<Entry, KernelTable>,
                 "this strategy has no batch kernels: call Strategy::origin in a loop instead");
-  const Hits<Surface<T>, T> in{{hits.x.data(), hits.y.data(), hits.z.data(), sides.data()},
-                               size,
-                               surface,
-                               placement.has_value(),
-                               placement.value_or(Placement<T>{})};
+  Hits<Surface<T>, T> in{{hits.x.data(), hits.y.data(), hits.z.data(), sides.data()},
+                         size,
+                         surface,
+                         placement.has_value(),
+                         placement.value_or(Placement<T>{})};
+  if constexpr (can_be_placed<Surface<T>>) {
+    if (placement) in.surface = place(surface, *placement);
+    in.is_moved = false;
+  }
   std::get<Entry>(kernel_table(set)).origins(in, {origins.x.data(), origins.y.data(), origins.z.data()});
 }
 

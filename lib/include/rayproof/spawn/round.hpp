@@ -42,7 +42,8 @@ template <class T>
 ///
 /// In the plane scaled by (1/rx, 1/ry) the side is a circle and this is the sphere's derivation: (X, Y)/|(X,
 /// Y)| is on the circle whatever the rounding, and rx·X/|(X, Y)| is off by 6ε of itself. Lengths grow there
-/// by the larger of 1/rx and 1/ry, distances along the normal by |(X/rx, Y/ry)|/|(X, Y)|. A cap's z is exact.
+/// by the larger of 1/rx and 1/ry, distances along the normal by its length here, which is as it comes: the
+/// circle's gradient, off by 3ε of itself in each component. A cap's z is exact.
 template <class T>
 [[nodiscard]] constexpr SurfacePoint<T> surface_point(const Cylinder<T>& cylinder, const vec3<T>& p,
                                                       const vec3<T>& resolution) {
@@ -51,11 +52,12 @@ template <class T>
   const T x = p.x * per_x, y = p.y * per_y;
   const T from_axis = sqrt(x * x + y * y), per_axis = T(1) / from_axis;
   const T gradient_x = x * per_x, gradient_y = y * per_y;
-  const T gradient = sqrt(gradient_x * gradient_x + gradient_y * gradient_y), per_gradient = T(1) / gradient;
-  const T off_side = abs(T(1) - from_axis) * from_axis * per_gradient;
-  const T off_bottom = abs(p.z), off_top = abs(cylinder.height - p.z);
+  const T off_side = (T(1) - from_axis) * from_axis;  // times the gradient's length
+  const T off_bottom = abs(p.z), off_top = abs(cylinder.height - p.z), off_cap = min(off_bottom, off_top);
   const Mask<T> is_top = off_top < off_bottom;
-  const Mask<T> is_cap = min(off_bottom, off_top) < off_side && T(cylinder.capped ? 1 : 0) > T(0);
+  const Mask<T> is_cap =
+      (off_cap * off_cap) * (gradient_x * gradient_x + gradient_y * gradient_y) < off_side * off_side &&
+      T(cylinder.capped ? 1 : 0) > T(0);
 
   const T stretch = max(per_x, per_y);
   const T inside = T(1) - (resolution.x + resolution.y) * stretch - T(16 * eps);
@@ -63,17 +65,16 @@ template <class T>
   const T z = select(is_cap, select(is_top, cylinder.height, T(0)),
                      clamped(p.z, resolution.z, cylinder.height - resolution.z));
   const vec3<T> point{cylinder.rx * (x * onto), cylinder.ry * (y * onto), z};
-  const T zero(0), climb = gradient * per_axis;
-  const vec3<T> of_side{gradient_x * per_gradient, gradient_y * per_gradient, zero};
-  const vec3<T> of_cap{zero, zero, select(is_top, T(1), T(-1))};
+  const T zero(0);
+  const auto of_side = [&](const T& side) { return select(is_cap, zero, side); };
+  const T up = select(is_cap, select(is_top, T(1), T(-1)), zero);
   return {p,
           point,
-          select_vector<T>(is_cap, of_cap, of_side),
-          select_vector<T>(is_cap, of_cap, vec3<T>{climb * point.x, climb * point.y, zero}),
-          select_vector<T>(is_cap, vec3<T>{zero, zero, zero},
-                           vec3<T>{T(8 * eps) * abs(point.x), T(8 * eps) * abs(point.y), zero}),
-          select(is_cap, zero, T(12 * eps)),
-          select(is_cap, zero, stretch * stretch * (from_axis * per_gradient))};
+          vec3<T>{of_side(gradient_x * per_axis), of_side(gradient_y * per_axis), up},
+          vec3<T>{of_side(point.x), of_side(point.y), up},
+          vec3<T>{of_side(T(8 * eps) * abs(point.x)), of_side(T(8 * eps) * abs(point.y)), zero},
+          of_side(T(12 * eps)),
+          of_side(stretch * stretch)};
 }
 
 /// How far, along each axis, no point of the body is from (0, 0, 0).

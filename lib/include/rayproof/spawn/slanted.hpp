@@ -2,8 +2,10 @@
 /// \file
 /// Leaving a face of a parallelepiped.
 
+#include <rayproof/arithmetics/growing_expansion.hpp>
 #include <rayproof/parallelepiped.hpp>
 #include <rayproof/spawn/dot_compensated.hpp>
+#include <rayproof/spawn/placement.hpp>
 #include <rayproof/spawn/solid.hpp>
 #include <rayproof/transform.hpp>
 
@@ -12,41 +14,97 @@
 namespace rayproof::spawn {
 
 /// A parallelepiped as its three pairs of faces: unit normals that look from the corner, and, for the pairs
-/// in turn, how far its faces are from one another along them, one over that, and what that is off by. The
-/// edges' lengths are bounded once for all hits.
+/// in turn, how far its faces are from one another along them, one over that, half of it, and what it is off
+/// by. Corner and edges may be off by 2ε of themselves. Made once for all hits.
 template <class T>
 struct Slanted {
   vec3<T> corner;
   vec3<T> edge_x, edge_y, edge_z;
   vec3<T> normal_x, normal_y, normal_z;
-  vec3<T> height, per_height, height_error;
-  vec3<T> edge_sizes;    ///< |edge_x| + |edge_y| + |edge_z|, component by component
+  vec3<T> height, per_height, half_height, height_error;
+  vec3<T> corner_error;
   vec3<T> edge_lengths;  ///< the largest component of each edge
+  T edge_sum;            ///< the sum of the magnitudes of all their components
 };
 
 template <class To, class From>
 [[nodiscard]] constexpr Slanted<To> convert(const Slanted<From>& from) {
-  return {convert<To>(from.corner),       convert<To>(from.edge_x),     convert<To>(from.edge_y),
-          convert<To>(from.edge_z),       convert<To>(from.normal_x),   convert<To>(from.normal_y),
-          convert<To>(from.normal_z),     convert<To>(from.height),     convert<To>(from.per_height),
-          convert<To>(from.height_error), convert<To>(from.edge_sizes), convert<To>(from.edge_lengths)};
+  return {convert<To>(from.corner),       convert<To>(from.edge_x),
+          convert<To>(from.edge_y),       convert<To>(from.edge_z),
+          convert<To>(from.normal_x),     convert<To>(from.normal_y),
+          convert<To>(from.normal_z),     convert<To>(from.height),
+          convert<To>(from.per_height),   convert<To>(from.half_height),
+          convert<To>(from.height_error), convert<To>(from.corner_error),
+          convert<To>(from.edge_lengths), To(from.edge_sum)};
 }
+
+namespace detail {
+
+/// With these edges; the rest is filled in by whoever knows the faces.
+template <std::floating_point T>
+[[nodiscard]] Slanted<T> slanted_along(const vec3<T>& corner, const vec3<T>& x, const vec3<T>& y,
+                                       const vec3<T>& z) {
+  const auto largest = [](const vec3<T>& v) { return max(max(abs(v.x), abs(v.y)), abs(v.z)); };
+  const T edge_sum = sum<T>(magnitudes<T>(x) + magnitudes<T>(y) + magnitudes<T>(z));
+  return {corner, x, y, z, {}, {}, {}, {}, {}, {}, {}, {}, {largest(x), largest(y), largest(z)}, edge_sum};
+}
+
+/// The pair of faces number i, this far from one another.
+template <std::floating_point T>
+void set_height(Slanted<T>& made, int i, T height, T error) {
+  made.height[i] = height;
+  made.per_height[i] = T(1) / height;
+  made.half_height[i] = T(0.5) * height;
+  made.height_error[i] = error;
+}
+
+}  // namespace detail
 
 /// A normal has 1.5 ulp from its cross product and 4ε from its length; a height the same of each term.
 template <std::floating_point T>
 [[nodiscard]] Slanted<T> slanted(const Parallelepiped<T>& solid) {
   const auto& [x, y, z] = solid.edges;
-  Slanted<T> made{solid.corner, x, y, z, {}, {}, {}, {}, {}, {}, {}, {}};
-  made.edge_sizes = magnitudes<T>(x) + magnitudes<T>(y) + magnitudes<T>(z);
-  const auto largest = [](const vec3<T>& v) { return max(max(abs(v.x), abs(v.y)), abs(v.z)); };
-  made.edge_lengths = {largest(x), largest(y), largest(z)};
+  Slanted<T> made = detail::slanted_along<T>(solid.corner, x, y, z);
   const auto pair = [&](int i, vec3<T>& normal, const vec3<T>& edge, const vec3<T>& a, const vec3<T>& b) {
     const vec3<T> n = cross_compensated<T>(a, b);
     const T length = sqrt(dot(n, n)), height = dot_compensated<T>(n, edge) / length;
     normal = (height < 0 ? T(-1) : T(1)) / length * n;
-    made.height[i] = abs(height);
-    made.per_height[i] = T(1) / abs(height);
-    made.height_error[i] = 8 * unit<T> * dot(magnitudes<T>(normal), magnitudes<T>(edge));
+    detail::set_height<T>(made, i, abs(height),
+                          8 * unit<T> * dot(magnitudes<T>(normal), magnitudes<T>(edge)));
+  };
+  pair(0, made.normal_x, x, y, z);
+  pair(1, made.normal_y, y, z, x);
+  pair(2, made.normal_z, z, x, y);
+  return made;
+}
+
+/// The image of a parallelepiped with exact corner and edges under a map: a parallelepiped again, left in the
+/// world as any other. Its corner, edges and normals are computed exactly and rounded once, so that they are
+/// as good as an untransformed one's however badly the map is conditioned: an edge is off by 2ε of itself, a
+/// normal by 6ε, a height by 6ε of itself.
+template <std::floating_point T>
+[[nodiscard]] Slanted<T> place(const Slanted<T>& solid, const Placement<T>& map) {
+  using Exact = GrowingExpansion<double>;
+  using Vector = Vec3<Exact>;
+  const auto exact = [](const vec3<T>& v) { return rayproof::convert<Exact>(v); };
+  const Vector column_x = exact(map.column_x), column_y = exact(map.column_y), column_z = exact(map.column_z);
+  const auto image = [&](const vec3<T>& v) {
+    return Exact(v.x) * column_x + Exact(v.y) * column_y + Exact(v.z) * column_z;
+  };
+  const auto nearest = [](const Exact& x) { return estimate(compressed<24>(x)); };
+  const auto wide = [&](const Vector& v) { return glm::dvec3{nearest(v.x), nearest(v.y), nearest(v.z)}; };
+  const auto rounded = [&](const Vector& v) { return convert<T>(wide(v)); };
+  const Vector x = image(solid.edge_x), y = image(solid.edge_y), z = image(solid.edge_z);
+  const vec3<T> corner = rounded(image(solid.corner) + exact(map.inverse.translation));
+
+  Slanted<T> made = detail::slanted_along<T>(corner, rounded(x), rounded(y), rounded(z));
+  made.corner_error = T(2 * unit<T>) * magnitudes<T>(corner);
+  const auto pair = [&](int i, vec3<T>& normal, const Vector& edge, const Vector& a, const Vector& b) {
+    const Vector n = cross(a, b);
+    const glm::dvec3 along = wide(n);
+    const double length = sqrt(dot(along, along)), height = nearest(dot(n, edge)) / length;
+    normal = convert<T>((height < 0 ? -1 : 1) / length * along);
+    detail::set_height<T>(made, i, static_cast<T>(abs(height)), static_cast<T>(8 * unit<T> * abs(height)));
   };
   pair(0, made.normal_x, x, y, z);
   pair(1, made.normal_y, y, z, x);
@@ -58,7 +116,8 @@ template <std::floating_point T>
 ///
 /// An edge lies in the planes of the other pairs, so that each move changes the distance from its own pair
 /// alone. That distance is off by 5ε·Σ|nᵢfᵢ| and tilt·|f|, and what is moved by 10ε of itself and the error
-/// of the height, which also stands between a lower and an upper face.
+/// of the height, which also stands between a lower and an upper face. What is moved is rounded by 5ε, and
+/// the edge by 2ε more.
 template <class T>
 [[nodiscard]] constexpr SurfacePoint<T> surface_point(const Slanted<T>& solid, const vec3<T>& p,
                                                       const vec3<T>& resolution) {
@@ -67,38 +126,36 @@ template <class T>
   const vec3<T> f = p - solid.corner, spread = magnitudes<T>(f), &height = solid.height;
   const vec3<T> depth{dot(solid.normal_x, f), dot(solid.normal_y, f), dot(solid.normal_z, f)};
   const vec3<T> to_low = magnitudes<T>(depth), to_high = magnitudes<T>(height - depth);
-  const SmallestOf<T> face(min(to_low.x, to_high.x), min(to_low.y, to_high.y), min(to_low.z, to_high.z));
-  const Mask<T> is_high = face(to_high.x, to_high.y, to_high.z) < face(to_low.x, to_low.y, to_low.z);
+  const vec3<T> to_face{min(to_low.x, to_high.x), min(to_low.y, to_high.y), min(to_low.z, to_high.z)};
+  const SmallestOf<T> face(to_face.x, to_face.y, to_face.z);
+  const T move = face(to_face.x, to_face.y, to_face.z);
+  const Mask<T> is_low = face(to_low.x, to_low.y, to_low.z) <= move;
 
-  const T shares = dot(vec3<T>{min(to_low.x, to_high.x), min(to_low.y, to_high.y), min(to_low.z, to_high.z)},
-                       solid.per_height);
-  const T least = sum<T>(resolution) + T(32 * eps) * (sum<T>(spread) + sum<T>(magnitudes<T>(p))) +
-                  T(24 * eps) * (T(1) + shares) * sum<T>(solid.edge_sizes);
-  const vec3<T> in{clamped(depth.x, least, height.x - least), clamped(depth.y, least, height.y - least),
-                   clamped(depth.z, least, height.z - least)};
-  const auto onto = [&](const T& whole) { return select(is_high, whole, zero); };
+  const T least = sum<T>(resolution) + T(36 * eps) * (sum<T>(spread) + sum<T>(magnitudes<T>(p))) +
+                  T(28 * eps) * solid.edge_sum * (T(1) + dot(to_face, solid.per_height));
+  const auto within = [&](const T& at, const T& whole, const T& half) {
+    const T margin = min(least, half);
+    return min(max(at, margin), whole - margin);
+  };
+  const vec3<T> in{within(depth.x, height.x, solid.half_height.x),
+                   within(depth.y, height.y, solid.half_height.y),
+                   within(depth.z, height.z, solid.half_height.z)};
+  const auto onto = [&](const T& whole) { return select(is_low, zero, whole); };
   const vec3<T> wanted = face.replaced(in, vec3<T>{onto(height.x), onto(height.y), onto(height.z)});
   const vec3<T> by = wanted - depth;
   const vec3<T> part{by.x * solid.per_height.x, by.y * solid.per_height.y, by.z * solid.per_height.z};
   const vec3<T> point = p + (part.x * solid.edge_x + part.y * solid.edge_y + part.z * solid.edge_z);
 
   const vec3<T> n = face(solid.normal_x, solid.normal_y, solid.normal_z), sizes = magnitudes<T>(n);
-  const T move = abs(face(by.x, by.y, by.z));
+  const vec3<T> shares = magnitudes<T>(part);
   const T height_error = face(solid.height_error.x, solid.height_error.y, solid.height_error.z);
-  const T share = move * face(solid.per_height.x, solid.per_height.y, solid.per_height.z);
   const T off = T(5 * eps) * dot(sizes, spread) + tilt * sum<T>(spread) + T(10 * eps) * move +
-                height_error * (share + select(is_high, T(1), zero));
-  const T moved = dot(magnitudes<T>(part), solid.edge_lengths);  // no less than along any axis
-  const vec3<T> error =
-      off * sizes + T(eps) * magnitudes<T>(point) + same_along_each_axis<T>(T(5 * eps) * moved + tilt * off);
-  const vec3<T> outward = select(is_high, T(1), T(-1)) * n;
+                height_error * (face(shares.x, shares.y, shares.z) + select(is_low, zero, T(1)));
+  const T moved = dot(shares, solid.edge_lengths);  // no less than along any axis
+  const vec3<T> error = off * sizes + T(eps) * magnitudes<T>(point) +
+                        (solid.corner_error + same_along_each_axis<T>(T(7 * eps) * moved + tilt * off));
+  const vec3<T> outward = select(is_low, T(-1), T(1)) * n;
   return {p, point, outward, outward, error, tilt, zero, true};
-}
-
-/// The same of a parallelepiped.
-template <class T>
-[[nodiscard]] constexpr vec3<T> outermost(const Slanted<T>& solid, const vec3<T>& /*p*/) {
-  return magnitudes<T>(solid.corner) + solid.edge_sizes;
 }
 
 }  // namespace rayproof::spawn

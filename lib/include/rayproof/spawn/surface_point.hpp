@@ -63,6 +63,17 @@ template <class T>
   return from;
 }
 
+/// Makes a normal of any length one of unit length, and with it `radial`, which is given for that length, and
+/// `bend`, which is given for length 1; returns one over the length.
+template <class T>
+constexpr T make_unit(SurfacePoint<T>& from) {
+  const T length = sqrt(dot(from.normal, from.normal)), per_length = T(1) / length;
+  from.normal = per_length * from.normal;
+  from.radial = length * from.radial;
+  from.bend = per_length * from.bend;
+  return per_length;
+}
+
 /// |v|, component by component.
 template <class T>
 [[nodiscard]] constexpr vec3<T> magnitudes(const vec3<T>& v) {

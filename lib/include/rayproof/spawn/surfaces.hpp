@@ -39,6 +39,12 @@ template <std::floating_point T>
   return cylinder;
 }
 
+/// Whether a surface under a map is one of its own kind in the world.
+template <class Surface>
+inline constexpr bool can_be_placed = requires(const Surface& surface) {
+  place(surface, Placement<decltype(surface.corner.x)>{});
+};
+
 /// Whether rays know how to leave a shape.
 template <class Shape>
 inline constexpr bool can_be_left = requires(const Shape& shape) {

@@ -42,6 +42,42 @@ struct Compensated {
     return exact_roots(ray, sphere);
   }
 
+  /// The same by expansions alone, every t rounded once.
+  template <std::floating_point T>
+  [[nodiscard]] static Roots<T> exact_roots(const Ray<T>& ray, const Sphere<T>& sphere) {
+    return roots_of_exact(ray, exact_vector<double>(ray.origin) - exact_vector<double>(sphere.center),
+                          exact_vector<double>(ray.direction), exact(static_cast<double>(sphere.radius)));
+  }
+
+  /// f points from the centre to the ray's origin, d is its direction and r the radius, all three times one
+  /// number of any size that is not 0.
+  template <std::floating_point T, class Offset, class Direction, class Radius>
+  [[nodiscard]] static Roots<T> roots_of_exact(const Ray<T>& ray, const Vec3<Offset>& f,
+                                               const Vec3<Direction>& d, const Radius& r) {
+    step<T>(
+        "Form the coefficients and the discriminant exactly",
+        "An expansion is an exact sum of doubles, so the sign of D, which decides hit or miss, is exact.");
+    const auto a = dot(d, d);
+    const auto b = -dot(f, d);
+    const auto c = dot(f, f) - r * r;
+    const auto discriminant = b * b - a * c;
+    const double D = estimate(discriminant);
+    constexpr T nan = not_a_number<T>;
+    if (!(D >= 0 && sign(a) > 0)) return {D < 0 ? T(-1) : nan, nan, nan};
+
+    step<T>(steps::roots_by_viete);
+    const double s = sqrt(D);
+    const double q = estimate(b) + copysign(s, estimate(b));
+    const double t1 = q / estimate(a);
+    const double t0 = q == 0 ? q : estimate(c) / q;
+    const ExpandedQuadratic equation{a, b, c, s, std::array{min(t0, t1), max(t0, t1)}};
+
+    step<T>("Round each root to its own side of the interval's ends",
+            "Each root is compared exactly with t_min and t_max, so rounding cannot move it into the "
+            "interval or out of it.");
+    return {T(sign(discriminant)), equation.root(ray, -1), equation.root(ray, 1)};
+  }
+
  private:
   /// Whether double rounding errors can't have touched the verdict or moved a root by more than 2^-5 float
   /// ulps.
@@ -63,34 +99,6 @@ struct Compensated {
     const double kept = D < 0 ? D : D * (smaller / larger);
     if (!(kept * kept > 0x1p-40 * EE)) return false;  // not for a point touched: 0 > 0
     return D < 0 || (is_clear_of_ends<T>(ray, wide.lo) && is_clear_of_ends<T>(ray, wide.hi));
-  }
-
-  template <class T>
-  static Roots<T> exact_roots(const Ray<T>& ray, const Sphere<T>& sphere) {
-    step<T>(
-        "Form the coefficients and the discriminant exactly",
-        "An expansion is an exact sum of doubles, so the sign of D, which decides hit or miss, is exact.");
-    const auto f = exact_vector<double>(ray.origin) - exact_vector<double>(sphere.center);
-    const auto d = exact_vector<double>(ray.direction);
-    const auto r = exact(static_cast<double>(sphere.radius));
-    const auto a = dot(d, d);
-    const auto b = -dot(f, d);
-    const auto c = dot(f, f) - r * r;
-    const auto D = b * b - a * c;
-    constexpr T nan = not_a_number<T>;
-    if (!(estimate(D) >= 0 && sign(a) > 0)) return {estimate(D) < 0 ? T(-1) : nan, nan, nan};
-
-    step<T>(steps::roots_by_viete);
-    const double s = sqrt(estimate(D));
-    const double q = estimate(b) + copysign(s, estimate(b));
-    const double t1 = q / estimate(a);
-    const double t0 = q == 0 ? q : estimate(c) / q;
-    const ExpandedQuadratic equation{a, b, c, s, std::array{min(t0, t1), max(t0, t1)}};
-
-    step<T>("Round each root to its own side of the interval's ends",
-            "Each root is compared exactly with t_min and t_max, so rounding cannot move it into the "
-            "interval or out of it.");
-    return {T(sign(D)), equation.root(ray, -1), equation.root(ray, 1)};
   }
 };
 

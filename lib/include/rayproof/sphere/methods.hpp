@@ -9,6 +9,7 @@
 #include <rayproof/sphere/printed_2ac.hpp>
 #include <rayproof/sphere/printed_half_b.hpp>
 #include <rayproof/sphere/printed_unit_direction.hpp>
+#include <rayproof/sphere/rounded.hpp>
 #include <rayproof/sphere/stable.hpp>
 #include <rayproof/sphere/textbook.hpp>
 
@@ -18,8 +19,8 @@ struct Topic : RayTopic<Sphere> {
   static constexpr const char* name = "sphere";
   static constexpr double robust_bound = sphere_robust_bound;
   static constexpr bool is_batched = true;
-  using Methods =
-      TypeList<Textbook, HalfB, Stable, Centred, Compensated, Printed2ac, PrintedHalfB, PrintedUnitDirection>;
+  using Methods = TypeList<Textbook, HalfB, Stable, Centred, Compensated, Rounded, Printed2ac, PrintedHalfB,
+                           PrintedUnitDirection>;
 };
 
 }  // namespace rayproof::sphere

@@ -3,6 +3,7 @@
 
 #include <tuple>
 
+#include "oracle/numbers/fused.hpp"
 #include "oracle/shapes/shapes.hpp"
 #include "oracle/shapes/sphere/equation.hpp"
 
@@ -123,8 +124,7 @@ class SphereJudge {
     }
     if (!judgement.wrong) return judgement;
     judgement.ulp = std::nan("");
-    judgement.margin =
-        value(SphereIntersection(question_, sphere_).distance_to_other_verdict() / Scaled(unit));
+    judgement.margin = exact_margin(unit);
     return judgement;
   }
 
@@ -139,10 +139,16 @@ class SphereJudge {
     if (const auto truth = verdict(scene<Interval>(), question_.ray)) return *truth;
     if (const auto truth = verdict(scene<Estimate>(), question_.ray)) return *truth;
     if (const auto truth = verdict(scene<Pair>(), question_.ray)) return *truth;
-    return *verdict(SphereEquation<Ring>(question_, sphere_), question_.ray);
+    return exact_verdict();
   }
 
   // What is rarely wanted stays out of line: inlined, it costs every judgement a twentieth.
+  [[gnu::noinline]] Truth exact_verdict() const {
+    return *verdict(SphereEquation<Ring>(question_, sphere_), question_.ray);
+  }
+  [[gnu::noinline]] double exact_margin(double unit) const {
+    return value(SphereIntersection(question_, sphere_).distance_to_other_verdict() / Scaled(unit));
+  }
   [[gnu::noinline]] HitError exact_error(double unit, int side, double t, Precision precision) const {
     const SphereIntersection exact(question_, sphere_);
     const RootList roots = real_roots(exact.quadratic());
@@ -173,7 +179,7 @@ ExactPointer intersection_of(const RayQuestion& question, const Sphere<double>& 
 
 Judgement judge(const RayQuestion& question, const Sphere<double>& sphere, Precision precision,
                 const RayAnswer& claimed) {
-  return SphereJudge(question, sphere).judge(precision, claimed);
+  return with_fused_products([&] { return SphereJudge(question, sphere).judge(precision, claimed); });
 }
 
 }  // namespace rayproof::oracle

@@ -60,6 +60,34 @@ Answers lengthened(const Case& one, bool is_upwards) {
       hits_where(all, [&](double t) { return std::abs(ray.origin.z + t * ray.direction.z) < length / 2; })};
 }
 
+/// The side, and of the planes of both ends what `is_in_cap(x, y, cylinder)` takes for a cap: the first two
+/// hits.
+template <class InCap>
+Answers with_ends(const Case& one, InCap&& is_in_cap) {
+  const auto* cylinder = shape_in<Cylinder<double>>(one);
+  if (cylinder == nullptr || !cylinder->capped) return {};
+  const Ray<double> ray = ray_in_object(*ray_question(one));
+  const std::vector<Case> open =
+      with_shape<Cylinder<double>>(one, [](RayQuestion& /*asked*/, Cylinder<double>& changed) {
+        changed.capped = false;
+        return true;
+      });
+  if (open.empty() || ray.direction.z == 0) return {};
+  std::vector<double> all;
+  for (const double t : hits_of_line(open.front()).hits.view()) all.push_back(t);
+  for (const double z : {0.0, cylinder->height}) {
+    const double t = (z - ray.origin.z) / ray.direction.z;
+    const glm::dvec3 point = point_at(ray, t);
+    if (is_in_cap(point.x, point.y, *cylinder)) all.push_back(t);
+  }
+  std::ranges::sort(all);
+  RayAnswer first_two;
+  for (const double t : all)
+    if (in_interval(ray_question(one)->ray, t) && first_two.hits.count < first_two.hits.t.size())
+      first_two.hits.push_back(t);
+  return {first_two};
+}
+
 }  // namespace
 
 void lift(RayQuestion& asked, double by) {
@@ -116,6 +144,15 @@ std::vector<Case> cylinder_as_box(const Case& one) {
     const glm::dvec3 corner(cylinder->rx, cylinder->ry, 0);
     asked.shape = Box<double>{-corner, corner + glm::dvec3(0, 0, cylinder->height)};
     return true;
+  });
+}
+
+Answers caps_without_rim(const Case& one, const Answer& /*exact*/) {
+  return with_ends(one, [](double, double, const Cylinder<double>&) { return true; });
+}
+Answers caps_as_rectangles(const Case& one, const Answer& /*exact*/) {
+  return with_ends(one, [](double x, double y, const Cylinder<double>& cylinder) {
+    return std::abs(x) <= cylinder.rx && std::abs(y) <= cylinder.ry;
   });
 }
 

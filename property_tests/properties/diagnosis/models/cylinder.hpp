@@ -11,6 +11,11 @@ namespace rayproof::diagnosis {
 [[nodiscard]] Answers no_upper_cap(const Case& one, const Answer& exact);
 /// @}
 
+/// @{ A cap is its whole plane; the rectangle round the ellipse.
+[[nodiscard]] Answers caps_without_rim(const Case& one, const Answer& exact);
+[[nodiscard]] Answers caps_as_rectangles(const Case& one, const Answer& exact);
+/// @}
+
 /// @{ A cylinder without end upwards, or downwards.
 [[nodiscard]] Answers upper_end_not_tested(const Case& one, const Answer& exact);
 [[nodiscard]] Answers lower_end_not_tested(const Case& one, const Answer& exact);

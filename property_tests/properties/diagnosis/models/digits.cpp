@@ -11,11 +11,12 @@
 namespace rayproof::diagnosis {
 namespace {
 
-/// Whether all numbers of an answer are short; nothing where the exact ones are so, or there is none.
+/// Whether all numbers of an answer are short; nothing where the exact ones are so, or there is none but 0.
 template <class IsShort>
 std::optional<bool> if_short(const Answer& got, const Answer& exact, IsShort&& is_short) {
   const std::vector<double> numbers = numbers_in(got), exactly = numbers_in(exact);
-  if (numbers.empty() || std::ranges::all_of(exactly, is_short)) return std::nullopt;
+  if (std::ranges::all_of(numbers, [](double x) { return x == 0; }) || std::ranges::all_of(exactly, is_short))
+    return std::nullopt;
   return std::ranges::all_of(numbers, is_short);
 }
 
@@ -26,6 +27,16 @@ std::optional<bool> is_of_float(const Case& one, const Answer& got, const Answer
   return if_short(got, exact, [](double x) {
     return !std::isfinite(x) || static_cast<double>(static_cast<float>(x)) == x;
   });
+}
+
+std::optional<bool> is_right_to_float(const Case& one, const Answer& got, const Answer& exact) {
+  const std::vector<double> numbers = numbers_in(got), exactly = numbers_in(exact);
+  if (one.precision == Precision::float32 || numbers.empty()) return std::nullopt;
+  if (numbers.size() > exactly.size()) return false;
+  double worst = 0;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    worst = std::max(worst, std::abs(numbers[i] - exactly[i]) / std::abs(exactly[i]));
+  return 0x1p-30 < worst && worst < 0x1p-19;
 }
 
 std::optional<bool> is_of_half(const Case& /*one*/, const Answer& got, const Answer& exact) {

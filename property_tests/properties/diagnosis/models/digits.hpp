@@ -8,6 +8,8 @@ namespace rayproof::diagnosis {
 
 /// Every number is one of float32, in a case of float64.
 [[nodiscard]] std::optional<bool> is_of_float(const Case& one, const Answer& got, const Answer& exact);
+/// Some number of a case of float64 is off by what a float rounds, and none by more.
+[[nodiscard]] std::optional<bool> is_right_to_float(const Case& one, const Answer& got, const Answer& exact);
 /// Every number is one of float16.
 [[nodiscard]] std::optional<bool> is_of_half(const Case& one, const Answer& got, const Answer& exact);
 /// Every number is right to two to five decimal digits, and no better.

@@ -108,6 +108,12 @@ Answers normal_by_matrix(const Case& one, const Answer& exact) {
   });
 }
 
+Answers normal_by_inverse(const Case& one, const Answer& exact) {
+  return with_normal(one, exact, [](const RayQuestion& asked, const glm::dvec3& normal) {
+    return glm::inverse(linear(asked)) * (glm::transpose(linear(asked)) * normal);
+  });
+}
+
 Answers normal_from_zero(const Case& one, const Answer& exact) {
   const RayAnswer* answer = hit_with_point(exact);
   if (answer == nullptr) return {};

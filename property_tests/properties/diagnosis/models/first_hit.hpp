@@ -16,6 +16,8 @@ namespace rayproof::diagnosis {
 [[nodiscard]] std::optional<bool> normal_not_unit(const Case& one, const Answer& got, const Answer& exact);
 [[nodiscard]] Answers normal_in_object(const Case& one, const Answer& exact);
 [[nodiscard]] Answers normal_by_matrix(const Case& one, const Answer& exact);
+/// The normal is carried by the inverse that is not transposed.
+[[nodiscard]] Answers normal_by_inverse(const Case& one, const Answer& exact);
 [[nodiscard]] Answers normal_from_zero(const Case& one, const Answer& exact);
 /// A polygon's, turned as its first corner turns.
 [[nodiscard]] Answers normal_of_first_corner(const Case& one, const Answer& exact);

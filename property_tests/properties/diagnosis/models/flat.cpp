@@ -132,6 +132,15 @@ Answers triangle_bounds(const Case& one, const Answer& /*exact*/) {
   return hit_at(one, hit->t, is_in(0) && is_in(1) && is_in(2));
 }
 
+Answers upright_is_missed(const Case& one, const Answer& exact, int axis) {
+  const auto figure = flat_figure(one);
+  if (!figure || shape_in<Polygon<double>>(one) == nullptr) return {};
+  if (std::get<RayAnswer>(exact).hits.count == 0) return {};
+  const glm::dvec3& n = figure->normal;
+  const bool is_upright = axis < 0 ? n.x * n.y * n.z == 0 : n[axis] == 0;
+  return is_upright ? Answers{RayAnswer{}} : Answers{};
+}
+
 Answers culls_by_first_corner(const Case& one, const Answer& exact) {
   const auto* polygon = shape_in<Polygon<double>>(one);
   if (polygon == nullptr || std::get<RayAnswer>(exact).hits.count == 0) return {};

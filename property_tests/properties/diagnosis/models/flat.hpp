@@ -60,6 +60,14 @@ template <int vertex>
 }
 /// The part of the triangle's plane in its bounding box.
 [[nodiscard]] Answers triangle_bounds(const Case& one, const Answer& exact);
+/// A polygon whose normal is 0 along the axis, or along any where it is -1, is missed: its projection is a
+/// line.
+[[nodiscard]] Answers upright_is_missed(const Case& one, const Answer& exact, int axis);
+template <int axis>
+[[nodiscard]] Answers upright_missed(const Case& one, const Answer& exact) {
+  return upright_is_missed(one, exact, axis);
+}
+
 /// A polygon is missed where the ray runs along the normal of its first corner.
 [[nodiscard]] Answers culls_by_first_corner(const Case& one, const Answer& exact);
 /// A ray along the plane is reported as a hit.

@@ -28,12 +28,12 @@ std::optional<Cube> cube_in(const Case& one) {
 
 /// The t at which the line enters and leaves each slab that it is not parallel to; nothing where it runs
 /// beside one.
-struct Slabs {
+struct SlabEnds {
   std::vector<double> enters, leaves;
 };
 
-std::optional<Slabs> slabs_of(const Cube& cube) {
-  Slabs slabs;
+std::optional<SlabEnds> slabs_of(const Cube& cube) {
+  SlabEnds slabs;
   for (int axis = 0; axis < 3; ++axis) {
     const double o = cube.ray.origin[axis], d = cube.ray.direction[axis];
     if (d == 0 && (o < cube.low[axis] || o > cube.high[axis])) return std::nullopt;
@@ -62,14 +62,14 @@ Answers inside_between(const Case& one, Near&& near, Far&& far) {
 
 Answers leaves_at_last_end(const Case& one, const Answer& /*exact*/) {
   return inside_between(
-      one, [](const Slabs& slabs) { return std::ranges::max(slabs.enters); },
-      [](const Slabs& slabs) { return std::ranges::max(slabs.leaves); });
+      one, [](const SlabEnds& slabs) { return std::ranges::max(slabs.enters); },
+      [](const SlabEnds& slabs) { return std::ranges::max(slabs.leaves); });
 }
 
 Answers enters_at_first_beginning(const Case& one, const Answer& /*exact*/) {
   return inside_between(
-      one, [](const Slabs& slabs) { return std::ranges::min(slabs.enters); },
-      [](const Slabs& slabs) { return std::ranges::min(slabs.leaves); });
+      one, [](const SlabEnds& slabs) { return std::ranges::min(slabs.enters); },
+      [](const SlabEnds& slabs) { return std::ranges::min(slabs.leaves); });
 }
 
 Answers corner_faces_alone(const Case& one, const Answer& /*exact*/) {

@@ -39,6 +39,13 @@ std::optional<EquationOfLine> sphere_equation(const Case& one) {
                         glm::dot(way, way) - sphere->radius * sphere->radius};
 }
 
+/// The hits at (-b ± root) / a that lie in the interval.
+Answers hits_with_root(const Case& one, const EquationOfLine& equation, double root) {
+  RayAnswer line;
+  for (const double x : {-equation.b - root, -equation.b + root}) line.hits.push_back(x / equation.a);
+  return {hits_where(line, [&](double t) { return in_interval(ray_question(one)->ray, t); })};
+}
+
 }  // namespace
 
 std::vector<Case> radius_squared(const Case& one) {
@@ -52,6 +59,9 @@ std::vector<Case> radius_doubled(const Case& one) {
 }
 std::vector<Case> radius_halved(const Case& one) {
   return with_sphere(one, [](Sphere<double>& sphere) { sphere.radius /= 2; });
+}
+std::vector<Case> radius_one(const Case& one) {
+  return with_sphere(one, [](Sphere<double>& sphere) { sphere.radius = 1; });
 }
 std::vector<Case> sphere_at_zero(const Case& one) {
   return with_sphere(one, [](Sphere<double>& sphere) { sphere.center = glm::dvec3(0); });
@@ -92,6 +102,12 @@ std::vector<Case> radii_squared(const Case& one) {
     cylinder.ry *= cylinder.ry;
   });
 }
+std::vector<Case> radii_halved(const Case& one) {
+  return with_cylinder(one, [](Cylinder<double>& cylinder) {
+    cylinder.rx /= 2;
+    cylinder.ry /= 2;
+  });
+}
 std::vector<Case> middle_at_zero(const Case& one) {
   return with_shape<Cylinder<double>>(one, [](RayQuestion& asked, const Cylinder<double>& cylinder) {
     lift(asked, -cylinder.height / 2);
@@ -102,10 +118,14 @@ std::vector<Case> middle_at_zero(const Case& one) {
 Answers sphere_without_sign(const Case& one, const Answer& /*exact*/) {
   const auto equation = sphere_equation(one);
   if (!equation || equation->discriminant() >= 0) return {};
-  const double s = std::sqrt(-equation->discriminant());
-  RayAnswer line;
-  for (const double root : {-equation->b - s, -equation->b + s}) line.hits.push_back(root / equation->a);
-  return {hits_where(line, [&](double t) { return in_interval(ray_question(one)->ray, t); })};
+  return hits_with_root(one, *equation, std::sqrt(-equation->discriminant()));
+}
+
+Answers sphere_with_four(const Case& one, const Answer& /*exact*/) {
+  const auto equation = sphere_equation(one);
+  if (!equation) return {};
+  const double D = equation->discriminant() - 3 * equation->a * equation->c;
+  return D < 0 ? Answers{RayAnswer{}} : hits_with_root(one, *equation, std::sqrt(D));
 }
 
 Answers nearest_point_of_line(const Case& one, const Answer& exact) {

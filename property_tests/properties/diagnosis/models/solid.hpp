@@ -6,12 +6,13 @@
 
 namespace rayproof::diagnosis {
 
-/// @{ Readings of a sphere: its radius squared, its root, doubled, halved; centred at 0; centred on the other
-/// side.
+/// @{ Readings of a sphere: its radius squared, its root, doubled, halved, 1; centred at 0; centred on the
+/// other side.
 [[nodiscard]] std::vector<Case> radius_squared(const Case& one);
 [[nodiscard]] std::vector<Case> radius_rooted(const Case& one);
 [[nodiscard]] std::vector<Case> radius_doubled(const Case& one);
 [[nodiscard]] std::vector<Case> radius_halved(const Case& one);
+[[nodiscard]] std::vector<Case> radius_one(const Case& one);
 [[nodiscard]] std::vector<Case> sphere_at_zero(const Case& one);
 [[nodiscard]] std::vector<Case> sphere_mirrored(const Case& one);
 /// @}
@@ -43,6 +44,8 @@ template <int edge>
     return true;
   });
 }
+/// D = b² - 4ac with b = (o - center)·d, of which the half is b.
+[[nodiscard]] Answers sphere_with_four(const Case& one, const Answer& exact);
 /// @{ Of a sphere: hits where the discriminant is negative; the line's nearest point to the centre for a hit.
 [[nodiscard]] Answers sphere_without_sign(const Case& one, const Answer& exact);
 [[nodiscard]] Answers nearest_point_of_line(const Case& one, const Answer& exact);
@@ -71,6 +74,7 @@ template <int edge>
 [[nodiscard]] std::vector<Case> circular_ry(const Case& one);
 [[nodiscard]] std::vector<Case> radii_exchanged(const Case& one);
 [[nodiscard]] std::vector<Case> radii_squared(const Case& one);
+[[nodiscard]] std::vector<Case> radii_halved(const Case& one);
 [[nodiscard]] std::vector<Case> middle_at_zero(const Case& one);
 /// @}
 

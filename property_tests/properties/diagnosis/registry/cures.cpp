@@ -18,17 +18,16 @@ std::vector<Hypothesis> cures_of_values() {
        .is_asked_alone = true},
       exact_cure("minus-zero", without_minus_zero,
                  "right as soon as 0 stands for -0: the sign of zero is taken for a sign"),
-      exact_cure(
-          "larger-scene", larger_scene,
-          "right as soon as the scene is larger: the code takes small lengths for 0, an absolute epsilon",
-          gross,
-          "right as soon as the roots are larger: the code takes a small coefficient, or a small "
-          "discriminant, "
-          "for 0, an absolute epsilon"),
+      exact_cure("larger-scene", larger_scene,
+                 "right as soon as the scene is larger: the code takes small lengths for 0, by an absolute "
+                 "epsilon or by rounding to whole numbers",
+                 gross,
+                 "right as soon as the roots are larger: the code takes a small coefficient, or a small "
+                 "discriminant, for 0, an absolute epsilon"),
       exact_cure(
           "smaller-scene", smaller_scene,
-          "right as soon as the scene is smaller: a fixed largest distance, an overflow, or a direction so "
-          "small beside the shape that it is taken for 0",
+          "right as soon as the scene is smaller: a fixed largest distance, an overflow, or a direction "
+          "so small beside the shape that it is taken for 0",
           gross, "right as soon as the roots are smaller: a fixed largest number, or an overflow"),
       exact_cure("longer-direction", longer_direction,
                  "right as soon as the direction is longer: the code takes small products with it for 0, an "

@@ -7,6 +7,23 @@
 
 namespace rayproof::diagnosis {
 
+std::vector<Hypothesis> models_of_projections() {
+  return {
+      gives("upright-x", upright_missed<0>,
+            "a polygon whose normal's x is 0 is missed: x must not be left out there, but the coordinate in "
+            "which the normal is largest"),
+      gives("upright-y", upright_missed<1>,
+            "a polygon whose normal's y is 0 is missed: y must not be left out there, but the coordinate in "
+            "which the normal is largest"),
+      gives("upright-z", upright_missed<2>,
+            "a polygon whose normal's z is 0 is missed: z must not be left out there, but the coordinate in "
+            "which the normal is largest"),
+      gives("upright", upright_missed<-1>,
+            "a polygon whose normal is 0 in a coordinate is missed: leave out the one in which the normal is "
+            "largest"),
+  };
+}
+
 std::vector<Hypothesis> models_of_flat_figures() {
   return {
       gives("culls-back-faces", culls_back, "a surface seen from behind is missed: back faces are culled"),

@@ -90,6 +90,23 @@ TEST(PolygonOracle, DropsTheLaterAxisOfATie) {
   EXPECT_EQ(found.contact, Contact::edge);  // on the side y = 4 of the projection along z
 }
 
+/// The margin of a case whose verdict is claimed to be the other one.
+double margin_of_the_other_verdict(const Ray<double>& ray, const Polygon<double>& polygon) {
+  const Case one{.question = RayQuestion{ray, polygon}};
+  RayAnswer claimed{Contact::none};
+  if (ray_answer(one).hits.count == 0) claimed.hits.push_back(1);
+  return judge(one, claimed).margin;
+}
+
+TEST(PolygonOracle, ExcusesATieOfTheNormalsComponentsOnlyWhereTheOtherAxisSeesAnotherVerdict) {
+  const Polygon<double> flat{{{0, 0, 0}, {4, 4, 0}, {4, 4, 4}, {0, 0, 4}}};  // of normal (-16, 16, 0)
+  EXPECT_GT(margin_of_the_other_verdict({{3, 1, 2}, {-1, 1, 0}}, flat), 1e12);
+  // Of normal (2, -2, 0), and far from a plane: seen along y the ray at (3, 2, 2) is inside, seen along x
+  // outside.
+  const Polygon<double> bent{{{4, 3, 4}, {0, 2, 3}, {4, 3, 2}, {1, 3, 0}}};
+  EXPECT_EQ(margin_of_the_other_verdict({{0, 2, 2}, {1, 0, 0}}, bent), 0);
+}
+
 TEST(PolygonOracle, IncludesBothEndsOfTheInterval) {
   Ray<double> ray = down(1, 1);
   ray.t_min = ray.t_max = 2;

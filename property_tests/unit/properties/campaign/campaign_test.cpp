@@ -53,11 +53,13 @@ TEST(Campaign, IsTheSameForEveryNumberOfThreads) {
   EXPECT_EQ(write_state(done({}, few(), 1)), write_state(done({}, few(), 3)));
 }
 
-TEST(Campaign, ThatWasStoppedGoesOnToTheSameEnd) {
+TEST(Campaign, ThatWasStoppedWithinARoundGoesOnToTheSameEnd) {
   CampaignState state = begin(few(), {});
   std::atomic<bool> stop{false};
-  run(state, {.round = [&](const CampaignState& now) { stop = now.rounds == 3; }}, stop);
+  int blocks = 0;
+  run(state, {.block = [&](const CampaignState&) { stop = ++blocks == 4 * 3 + 1; }}, stop);
   EXPECT_EQ(state.rounds, 3U);
+  EXPECT_EQ(state.units_ahead, 1U);
   EXPECT_FALSE(state.is_whole());
   CampaignState later = read_state(write_state(state));
   run(later, {}, never);
@@ -88,6 +90,40 @@ TEST(Campaign, RefusesShardsThatAreNotOneCampaign) {
   other.seed = 6;
   EXPECT_EQ(trouble_with({one, done({2, 2}, other)}),
             "the shards are not of one campaign: seed, cases, filters or their number differ");
+}
+
+TEST(Campaign, KnowsItsShareDone) {
+  EXPECT_EQ(begin(few(), {}).share_done(), 0);
+  EXPECT_EQ(done({2, 3}).share_done(), 1);
+}
+
+std::string trouble_reading(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t place = text.find(from);
+  EXPECT_NE(place, std::string::npos) << from;
+  try {
+    (void)read_state(text.replace(place, from.size(), to));
+  } catch (const std::runtime_error& trouble) {
+    return trouble.what();
+  }
+  return "";
+}
+
+TEST(Campaign, RefusesAStateThatWasChanged) {
+  const CampaignState state = done({2, 3});
+  const std::string text = write_state(state);
+  const std::string counts = "its counts of cases are not those of its rounds",
+                    rounds = "it has more rounds than there are";
+  EXPECT_EQ(trouble_reading(text, "\"rounds\": 2", "\"rounds\": 1"), counts);
+  EXPECT_EQ(trouble_reading(text, "\"rounds\": 2", "\"rounds\": 3"), rounds);
+  EXPECT_EQ(trouble_reading(text, "\"units ahead\": 0", "\"units ahead\": 1"), rounds);
+  EXPECT_EQ(trouble_reading(text, "\"units ahead\": 0", "\"units ahead\": 4"), rounds);
+  EXPECT_EQ(trouble_reading(text, "\"cases\": 400000", "\"cases\": 40000"), rounds);
+  EXPECT_EQ(trouble_reading(text, "\"cases\": 400000", "\"cases\": -1"),
+            "its number of cases is not from 1 to 1e12");
+  EXPECT_EQ(trouble_reading(text, "\"shard\": [\n  2", "\"shard\": [\n  0"),
+            "its shard is not one of its shards");
+  const std::string spoilt = trouble_reading(text, "\"verdict\": \"", "\"verdict\": \"x");
+  EXPECT_NE(spoilt.find("\" is no number"), std::string::npos) << spoilt;
 }
 
 TEST(Campaign, RefusesTextThatIsNoState) {

@@ -86,6 +86,24 @@ TEST(Properties, TwoUlpsOffBreakAnUlpContractOfOneButNotTheRobustBound) {
   EXPECT_EQ(rule("robust-residual", off), Ruling::held);
 }
 
+TEST(Properties, TheNextFloatIsNotCorrectlyRounded) {
+  const auto next = [](const Case& one) {
+    return broken::changed_hits(one, [](double t) { return after(t); });
+  };
+  EXPECT_EQ(rule("rounded", next), Ruling::broken);
+  EXPECT_EQ(rule("rounded", [](const Case&) -> Answer { return RayAnswer{}; }), Ruling::broken);
+}
+
+TEST(Properties, OnlyWhoTakesTheTransformCanRoundOnceUnderIt) {
+  Case moved = head_on();
+  std::get<RayQuestion>(moved.question).transform = glm::dmat4(3);
+  (*std::get<RayQuestion>(moved.question).transform)[3][3] = 1;
+  Subject subject = broken::subject("sphere", broken::exactly);
+  EXPECT_EQ(find_property("rounded")->rule(*std::make_unique<Trial>(subject, moved)), Ruling::outside);
+  subject.takes_transforms = true;
+  EXPECT_EQ(find_property("rounded")->rule(*std::make_unique<Trial>(subject, moved)), Ruling::held);
+}
+
 TEST(Properties, DescendingHitsAndNaNHitsAreNoticed) {
   const auto descending = [](const Case& one) -> Answer {
     auto answer = std::get<RayAnswer>(oracle::answer(one));

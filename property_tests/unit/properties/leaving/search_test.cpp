@@ -53,6 +53,18 @@ TEST(LeavingSearch, ComesToTheSameWithAnyNumberOfJobs) {
   EXPECT_EQ(json_text(one, first), json_text(one, second));
 }
 
+TEST(LeavingSearch, ComparesOffsetsOnlyWhereTheRuleItselfWorks) {
+  const SearchResult result =
+      searched({.cases = 256, .shapes = {"sphere"}, .strategies = {"fixed", "proven"}});
+  for (const StrategyOutcome& outcome : result.outcomes) {
+    const Count all = outcome.tally.all();
+    EXPECT_EQ(all.compared, all.rays - all.false_hits - all.skipped) << outcome.strategy->name;
+    EXPECT_EQ(all.tenfold > 0, !outcome.strategy->is_proven) << outcome.strategy->name;
+  }
+  EXPECT_NE(text_tenfold(result).find("1e-3 "), std::string::npos);
+  EXPECT_EQ(text_tenfold(searched({.cases = 64, .shapes = {"sphere"}, .strategies = {"proven"}})), "");
+}
+
 TEST(LeavingSearch, KeepsWhatItHasWhenItIsStopped) {
   const std::atomic<bool> at_once{true};
   const SearchResult result = searched({.cases = 1U << 20U}, at_once);

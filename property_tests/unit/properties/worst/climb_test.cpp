@@ -49,6 +49,18 @@ TEST(Climb, FindsMuchWorseThanDrawsAlone) {
   EXPECT_GT(guided.worst[0]->error, 1000 * by_draws.worst[0]->error);
 }
 
+/// With a pole at a number of many digits, far from what the families draw.
+ErrorList with_a_pole(const Case& one, bool /*with_details*/) {
+  const auto& [a, b, c] = std::get<Quadratic<double>>(one.question);
+  return {1 / (std::abs(a - 987'654.321'012'345'678) + 1e-300)};
+}
+
+TEST(Climb, GoesStraightToAPole) {
+  const Ground ground{families_of("quadratic"), Precision::float64, with_a_pole};
+  const Climbed guided = climb(ground, {5, 20'000, {}}, {}, never, ignore);
+  EXPECT_GT(guided.worst[0]->error, 1e9) << "an ulp of the place is 1e-10";
+}
+
 TEST(Climb, IsTheSameForEveryNumberOfThreads) {
   const Climbed alone = climbed(2, true, 1), together = climbed(2, true, 3);
   ASSERT_TRUE(alone.worst[0] && together.worst[0]);

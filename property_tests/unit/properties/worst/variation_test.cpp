@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "case/json/number_text.hpp"
 #include "case/reader.hpp"
 #include "case/writer.hpp"
@@ -48,6 +50,16 @@ TEST(Variation, IsTheSameForTheSameRandomNumbers) {
     ASSERT_EQ(a.has_value(), b.has_value());
     EXPECT_TRUE(!a || write_case(*a) == write_case(*b));
   }
+}
+
+TEST(Variation, MovesOnAlongTheLastProgress) {
+  const Case from{.question = Quadratic<double>{1, 2, 3}}, to{.question = Quadratic<double>{1, 3, 2.5}};
+  const auto further = moved_on(from, to, 2);
+  ASSERT_TRUE(further);
+  EXPECT_EQ(write_case(*further), write_case({.question = Quadratic<double>{1, 5, 1.5}}));
+  EXPECT_FALSE(moved_on(from, to, HUGE_VAL)) << "is no number";
+  const Case other{.question = PointAndPolygon<double>{{0, 0}, {{0, 0}, {1, 0}, {0, 1}}}};
+  EXPECT_FALSE(moved_on(from, other, 1)) << "is of another form";
 }
 
 }  // namespace

@@ -1,0 +1,37 @@
+#pragma once
+/// \file
+/// A ray taken into an object's space with nothing rounded.
+
+#include <rayproof/arithmetics/growing_expansion.hpp>
+#include <rayproof/transform.hpp>
+
+#include <rayproof/rounding/as_written.hpp>
+
+namespace rayproof {
+
+/// A ray in object space, times the determinant of the map: free of division, by the adjugate of A in place
+/// of its inverse. Both vectors are 0 where the map is singular.
+struct ExactlyMapped {
+  using Exact = GrowingExpansion<double>;
+  Vec3<Exact> origin;
+  Vec3<Exact> direction;
+  Exact determinant;
+
+  template <std::floating_point T>
+  [[nodiscard]] static ExactlyMapped of(const ObjectSpace<T>& space, const Ray<T>& ray) {
+    const Vec3<Exact> a = convert<Exact>(space.column_x);
+    const Vec3<Exact> b = convert<Exact>(space.column_y);
+    const Vec3<Exact> c = convert<Exact>(space.column_z);
+    const Vec3<Exact> row_x = cross(b, c), row_y = cross(c, a), row_z = cross(a, b);
+    const Exact determinant = dot(a, row_x);
+    const Vec3<Exact> p = convert<Exact>(ray.origin) - convert<Exact>(space.translation);
+    const Vec3<Exact> d = convert<Exact>(ray.direction);
+    return {{dot(row_x, p), dot(row_y, p), dot(row_z, p)},
+            {dot(row_x, d), dot(row_y, d), dot(row_z, d)},
+            determinant};
+  }
+};
+
+}  // namespace rayproof
+
+#include <rayproof/rounding/as_before.hpp>

@@ -1,0 +1,11 @@
+#include "case/json/ordered.hpp"
+
+namespace rayproof {
+
+nlohmann::ordered_json read_json(std::string_view text, bool throws) {
+  return nlohmann::ordered_json::parse(text, nullptr, throws);
+}
+
+std::string write_json(const nlohmann::ordered_json& json, int indent) { return json.dump(indent); }
+
+}  // namespace rayproof
