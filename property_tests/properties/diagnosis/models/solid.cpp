@@ -102,12 +102,6 @@ std::vector<Case> radii_squared(const Case& one) {
     cylinder.ry *= cylinder.ry;
   });
 }
-std::vector<Case> radii_halved(const Case& one) {
-  return with_cylinder(one, [](Cylinder<double>& cylinder) {
-    cylinder.rx /= 2;
-    cylinder.ry /= 2;
-  });
-}
 std::vector<Case> middle_at_zero(const Case& one) {
   return with_shape<Cylinder<double>>(one, [](RayQuestion& asked, const Cylinder<double>& cylinder) {
     lift(asked, -cylinder.height / 2);

@@ -74,7 +74,6 @@ template <int edge>
 [[nodiscard]] std::vector<Case> circular_ry(const Case& one);
 [[nodiscard]] std::vector<Case> radii_exchanged(const Case& one);
 [[nodiscard]] std::vector<Case> radii_squared(const Case& one);
-[[nodiscard]] std::vector<Case> radii_halved(const Case& one);
 [[nodiscard]] std::vector<Case> middle_at_zero(const Case& one);
 /// @}
 
