@@ -1,72 +1,48 @@
 /// \file
-/// Rays at one shape: our kernels one ray at a time and in batches, GLM, and the floor of streaming the rays.
-/// The time is that of one pass over all rays; items per second are rays.
+/// The random problems of every topic: our kernels one problem at a time and in batches, GLM, and the floor
+/// of streaming the rays. The time is that of one pass over all problems; items per second are problems.
 
 #include <benchmark/benchmark.h>
 
+#include <memory>
 #include <string>
 
-#include "bench/figures/shape_passes.hpp"
+#include "bench/figures/contender.hpp"
 #include "generators/generators.hpp"
 
 namespace {
 
 using namespace rayproof;
 
-constexpr std::size_t ray_count = 65536;
+constexpr std::size_t problem_count = 65536;
 
-/// The random family's rays at one shape, made once.
-template <class Topic, template <class> class Shape, class T>
-report::ShapeRays<Shape, T>& random_rays() {
-  static report::ShapeRays<Shape, T> rays = [] {
-    std::vector<Case> cases;
-    for (const Family& family : families()) {
-      if (family.topic != Topic::name || family.name != "random") continue;
-      for (std::uint64_t seed = 0; seed < ray_count; ++seed)
-        cases.push_back(family.generate(seed, sizeof(T) == 4 ? Precision::float32 : Precision::float64));
-    }
-    return report::ShapeRays<Shape, T>(cases);
-  }();
-  return rays;
+std::vector<report::Contender> contenders_of(const Family& family, Precision precision, std::size_t count) {
+  std::vector<Case> cases;
+  for (std::uint64_t seed = 0; seed < count; ++seed) cases.push_back(family.generate(seed, precision));
+  return report::contenders(family.topic, cases, precision, available_instruction_sets());
 }
 
-template <class Topic, template <class> class Shape, class T, class Pass>
-void add(const std::string& name, Pass pass) {
-  benchmark::RegisterBenchmark(
-      (std::string(Topic::name) + "/" + name + (sizeof(T) == 4 ? "/float" : "/double")).c_str(),
-      [pass](benchmark::State& state) {
-        auto& rays = random_rays<Topic, Shape, T>();
-        for (auto _ : state) pass(rays);
-        state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(ray_count));
-      })
-      ->Unit(benchmark::kMicrosecond);
-}
-
-template <class Topic, class T, template <class> class Shape>
-void add_all(const RayTopic<Shape>* /*topic*/) {
-  using Rays = report::ShapeRays<Shape, T>;
-  if constexpr (report::is_in_glm<Shape, T>)
-    add<Topic, Shape, T>("glm/scalar", [](Rays& rays) { report::hit_by_glm(rays, ray_count); });
-  Topic::Methods::for_each([]<class Method>(std::type_identity<Method>) {
-    const std::string name = Method::name;
-    add<Topic, Shape, T>(name + "/scalar", [](Rays& r) { report::hit_one_by_one<Method>(r, ray_count); });
-    if constexpr (batch::has_kernels<Method>)
-      for (const InstructionSet set : available_instruction_sets())
-        add<Topic, Shape, T>(name + "/" + std::string(name_of(set)),
-                             [set](Rays& rays) { report::hit_in_batch<Method>(rays, ray_count, set); });
-  });
-  for (const InstructionSet set : available_instruction_sets())
-    add<Topic, Shape, T>("streaming/" + std::string(name_of(set)),
-                         [set](Rays& rays) { report::only_stream(rays, ray_count, set); });
+void add_all(const Family& family, Precision precision) {
+  // The names are those of any number of problems. All are made when the first is timed.
+  const std::vector<report::Contender> named = contenders_of(family, precision, 1);
+  const auto timed = std::make_shared<std::vector<report::Contender>>();
+  for (std::size_t i = 0; i < named.size(); ++i) {
+    const bool is_scalar = named[i].arrangement == report::Arrangement::scalar;
+    const std::string arrangement(is_scalar ? "scalar" : name_of(named[i].set));
+    const std::string name = family.topic + "/" + named[i].method + "/" + arrangement +
+                             (precision == Precision::float32 ? "/float" : "/double");
+    benchmark::RegisterBenchmark(name.c_str(), [=, &family](benchmark::State& state) {
+      if (timed->empty()) *timed = contenders_of(family, precision, problem_count);
+      for (auto _ : state) (*timed)[i].pass(problem_count);
+      state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(problem_count));
+    })->Unit(benchmark::kMicrosecond);
+  }
 }
 
 [[maybe_unused]] const bool shapes_are_registered = [] {
-  Topics::for_each([]<class Topic>(std::type_identity<Topic>) {
-    if constexpr (is_batched<Topic> && !std::is_same_v<Topic, quadratic::Topic>) {
-      add_all<Topic, float>(static_cast<const Topic*>(nullptr));
-      add_all<Topic, double>(static_cast<const Topic*>(nullptr));
-    }
-  });
+  for (const Family& family : families())
+    if (family.name == "random")
+      for (const Precision precision : {Precision::float32, Precision::float64}) add_all(family, precision);
   return true;
 }();
 

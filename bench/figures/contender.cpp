@@ -11,7 +11,8 @@
 namespace rayproof::report {
 
 // In its own file, since its batches are of equations; all others come from the library's list.
-std::vector<Contender> quadratic_contenders(const std::vector<Case>& cases, Precision precision);
+std::vector<Contender> quadratic_contenders(const std::vector<Case>& cases, Precision precision,
+                                            const std::vector<InstructionSet>& sets);
 
 namespace {
 
@@ -59,14 +60,15 @@ std::vector<double> median_ns(const std::vector<Contender>& contenders, std::siz
 }
 
 std::vector<Contender> contenders(const std::string& topic, const std::vector<Case>& cases,
-                                  Precision precision) {
+                                  Precision precision, const std::vector<InstructionSet>& sets) {
   std::vector<Contender> all;
   Topics::for_each([&]<class Topic>(std::type_identity<Topic>) {
     if (topic != Topic::name) return;
     if constexpr (std::is_same_v<Topic, quadratic::Topic>)
-      all = quadratic_contenders(cases, precision);
+      all = quadratic_contenders(cases, precision, sets);
     else if constexpr (is_batched<Topic>)
-      all = ray_contenders<typename Topic::Methods>(static_cast<const Topic*>(nullptr), cases, precision);
+      all =
+          ray_contenders<typename Topic::Methods>(static_cast<const Topic*>(nullptr), cases, precision, sets);
     else
       all = problem_contenders<Topic>(cases, precision);
   });

@@ -3,6 +3,7 @@
 /// What is timed: a method's pass over many problems that lie in memory as arrays.
 
 #include <functional>
+#include <rayproof/batch/instruction_set.hpp>
 #include <string>
 #include <vector>
 
@@ -15,12 +16,15 @@ struct Contender {
   std::string method;
   Arrangement arrangement = Arrangement::scalar;
   std::function<void(std::size_t count)> pass;
+  InstructionSet set = InstructionSet::baseline;  ///< of a batch
 };
 
-/// Every method of the cases' topic in both arrangements, guests and the floor, over problems made from the
-/// cases.
+/// Every method of the cases' topic in both arrangements, GLM and, where there are batches, the floor, over
+/// problems made from the cases; batches by each of the instruction sets.
 [[nodiscard]] std::vector<Contender> contenders(const std::string& topic, const std::vector<Case>& cases,
-                                                Precision precision);
+                                                Precision precision,
+                                                const std::vector<InstructionSet>& sets = {
+                                                    preferred_instruction_set()});
 
 /// The median nanoseconds a problem costs each contender. All take turns, so that a disturbance hits all
 /// alike; a contender for which `rays` problems take long is given fewer. `seconds` is about what all

@@ -41,11 +41,11 @@ void measure_family(const BenchOptions& options, const Family& family, Precision
   }
   const std::vector<double> ns = median_ns(wanted, options.rays, options.seconds);
   for (std::size_t i = 0; i < wanted.size(); ++i) {
-    const auto& [method, arrangement, pass] = wanted[i];
-    BenchRow row{family.topic, method, precision, arrangement, family.name, ns[i]};
+    const Contender& timed = wanted[i];
+    BenchRow row{family.topic, timed.method, precision, timed.arrangement, family.name, ns[i]};
     if (!row.is_floor()) {
-      const Accuracies& found = accuracies.at(method);
-      row.accuracy = arrangement == Arrangement::scalar ? found.scalar : found.batch;
+      const Accuracies& found = accuracies.at(timed.method);
+      row.accuracy = timed.arrangement == Arrangement::scalar ? found.scalar : found.batch;
     }
     rows.push_back(row);
   }

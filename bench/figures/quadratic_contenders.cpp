@@ -37,39 +37,45 @@ struct Equations {
   }
 
   template <class Method>
-  void solve_in_batch(std::size_t count) {
+  void solve_in_batch(std::size_t count, InstructionSet set) {
     const auto first = [count](auto& column) { return std::span(column).first(count); };
     batch_roots<Method>(QuadraticBatch<T>{first(a), first(b), first(c)},
-                        RootArrays<T>{first(discriminant), first(lo), first(hi)});
+                        RootArrays<T>{first(discriminant), first(lo), first(hi)}, set);
   }
 
-  void only_stream(std::size_t count) {
+  void only_stream(std::size_t count, InstructionSet set) {
     stream(
         Columns<T, 3, 3>{{a.data(), b.data(), c.data()}, {discriminant.data(), lo.data(), hi.data()}, count},
-        preferred_instruction_set());
+        set);
   }
 };
 
 template <class T>
-std::vector<Contender> quadratic_contenders_in(const std::vector<Case>& cases) {
+std::vector<Contender> quadratic_contenders_in(const std::vector<Case>& cases,
+                                               const std::vector<InstructionSet>& sets) {
   const auto equations = std::make_shared<Equations<T>>(cases);
   std::vector<Contender> all;
   quadratic::Topic::Methods::for_each([&]<class Method>(std::type_identity<Method>) {
     all.push_back({Method::name, Arrangement::scalar,
                    [equations](std::size_t count) { equations->template solve_one_by_one<Method>(count); }});
-    all.push_back({Method::name, Arrangement::batch,
-                   [equations](std::size_t count) { equations->template solve_in_batch<Method>(count); }});
+    for (const InstructionSet set : sets)
+      all.push_back(
+          {Method::name, Arrangement::batch,
+           [equations, set](std::size_t count) { equations->template solve_in_batch<Method>(count, set); },
+           set});
   });
-  all.push_back({BenchRow::floor_name, Arrangement::batch,
-                 [equations](std::size_t count) { equations->only_stream(count); }});
+  for (const InstructionSet set : sets)
+    all.push_back({BenchRow::floor_name, Arrangement::batch,
+                   [equations, set](std::size_t count) { equations->only_stream(count, set); }, set});
   return all;
 }
 
 }  // namespace
 
-std::vector<Contender> quadratic_contenders(const std::vector<Case>& cases, Precision precision) {
-  return precision == Precision::float32 ? quadratic_contenders_in<float>(cases)
-                                         : quadratic_contenders_in<double>(cases);
+std::vector<Contender> quadratic_contenders(const std::vector<Case>& cases, Precision precision,
+                                            const std::vector<InstructionSet>& sets) {
+  return precision == Precision::float32 ? quadratic_contenders_in<float>(cases, sets)
+                                         : quadratic_contenders_in<double>(cases, sets);
 }
 
 }  // namespace rayproof::report

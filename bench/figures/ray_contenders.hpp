@@ -10,29 +10,32 @@
 namespace rayproof::report {
 
 template <class Methods, template <class> class Shape, class T>
-[[nodiscard]] std::vector<Contender> ray_contenders_in(const std::vector<Case>& cases) {
+[[nodiscard]] std::vector<Contender> ray_contenders_in(const std::vector<Case>& cases,
+                                                       const std::vector<InstructionSet>& sets) {
   const auto rays = std::make_shared<ShapeRays<Shape, T>>(cases);
   std::vector<Contender> all;
   Methods::for_each([&]<class Method>(std::type_identity<Method>) {
     all.push_back({Method::name, Arrangement::scalar,
                    [rays](std::size_t count) { hit_one_by_one<Method>(*rays, count); }});
-    all.push_back({Method::name, Arrangement::batch,
-                   [rays](std::size_t count) { hit_in_batch<Method>(*rays, count); }});
+    for (const InstructionSet set : sets)
+      all.push_back({Method::name, Arrangement::batch,
+                     [rays, set](std::size_t count) { hit_in_batch<Method>(*rays, count, set); }, set});
   });
-  // GLM's sphere is the one that is judged, too (subjects/).
-  if constexpr (std::is_same_v<Shape<T>, Sphere<T>>)
+  if constexpr (is_in_glm<Shape, T>)
     all.push_back({"glm", Arrangement::scalar, [rays](std::size_t count) { hit_by_glm(*rays, count); }});
-  all.push_back(
-      {BenchRow::floor_name, Arrangement::batch, [rays](std::size_t count) { only_stream(*rays, count); }});
+  for (const InstructionSet set : sets)
+    all.push_back({BenchRow::floor_name, Arrangement::batch,
+                   [rays, set](std::size_t count) { only_stream(*rays, count, set); }, set});
   return all;
 }
 
 /// Of a shape's topic: `topic` says which shape.
 template <class Methods, template <class> class Shape>
 [[nodiscard]] std::vector<Contender> ray_contenders(const RayTopic<Shape>* /*topic*/,
-                                                    const std::vector<Case>& cases, Precision precision) {
-  return precision == Precision::float32 ? ray_contenders_in<Methods, Shape, float>(cases)
-                                         : ray_contenders_in<Methods, Shape, double>(cases);
+                                                    const std::vector<Case>& cases, Precision precision,
+                                                    const std::vector<InstructionSet>& sets) {
+  return precision == Precision::float32 ? ray_contenders_in<Methods, Shape, float>(cases, sets)
+                                         : ray_contenders_in<Methods, Shape, double>(cases, sets);
 }
 
 }  // namespace rayproof::report

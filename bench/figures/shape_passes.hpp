@@ -26,8 +26,7 @@ void hit_one_by_one(Rays& rays, std::size_t count) {
 
 /// The nearest hits of the first `count` rays by the batch kernel.
 template <class Method, template <class> class Shape, class T>
-void hit_in_batch(ShapeRays<Shape, T>& rays, std::size_t count,
-                  InstructionSet set = preferred_instruction_set()) {
+void hit_in_batch(ShapeRays<Shape, T>& rays, std::size_t count, InstructionSet set) {
   const auto first = [count](const std::vector<T>& column) { return std::span(column).first(count); };
   const auto& c = rays.column;
   const RayBatch<T> batch{.origin = {first(c[0]), first(c[1]), first(c[2])},
@@ -78,8 +77,7 @@ void hit_by_glm(ShapeRays<Shape, T>& rays, std::size_t count) {
 
 /// The floor: reads the six numbers of each ray, writes one.
 template <template <class> class Shape, class T>
-void only_stream(ShapeRays<Shape, T>& rays, std::size_t count,
-                 InstructionSet set = preferred_instruction_set()) {
+void only_stream(ShapeRays<Shape, T>& rays, std::size_t count, InstructionSet set) {
   const auto& c = rays.column;
   stream(Columns<T, 6, 1>{{c[0].data(), c[1].data(), c[2].data(), c[3].data(), c[4].data(), c[5].data()},
                           {rays.t.data()},
