@@ -100,7 +100,10 @@ def work_from_disk(static):
     """Debian's furo takes a style from a web server's root and a script as a module, which no browser does for pages on a disk."""
     shutil.copy(NORMALIZE, static / "styles")
     style = static / "styles/furo.css"
-    style.write_text(style.read_text().replace("/javascript/normalize.css/", ""))
+    text = style.read_text().replace("/javascript/normalize.css/", "")
+    # It has no rule for a system that is dark either: code and pictures would turn dark, and the page stay light.
+    dark = re.search(r'body\[data-theme="dark"\] \{(.*?)\}', text, re.DOTALL)[1]
+    style.write_text(f'{text}\n@media screen and (prefers-color-scheme: dark) {{ body[data-theme="auto"] {{{dark}}} }}\n')
     script, module = static / "scripts/furo.js", static / "scripts/gumshoe-patched.js"
     script.write_text(module.read_text() + re.sub(r"^import .*\n", "", script.read_text()))
 

@@ -13,17 +13,26 @@ UNKNOWN = re.compile(r"(?<![\w=$'\"-])(?:[A-Z]{2,}|[A-Z])(?![\w=])")  # in capit
 
 # Numbers that are set in a command whatever it has, and options that are added where it has none of a kind.
 SMALLER = [(r"rayproof check\b", "--cases", "200"), (r"rayproof worst\b", "--cases", "500"), (r"rayproof spawn\b", "--cases", "32"), (r"--cases 400000", "--cases", "20"), (r"rayproof report\b", "--rays", "256"), (r"rayproof report\b", "--time", "0.02"),
-           (r"rayproof bench\b", "--benchmark_min_time", "0.001")]
+           (r"rayproof bench\b", "--benchmark_min_time", "0.001"),
+           (r"rayproof render\b(?!.*--case\b)", "--size", "240x135"), (r"rayproof leak\b", "--rays", "5000")]
 ADDED = [(r"rayproof check\b(?!.*--(shape|topic|method|replay)\b)", "--topic quadratic"),
          (r"rayproof spawn\b(?!.*--strategy\b)", "--strategy proven"),  # the others' smallest cases take seconds to find
          (r"rayproof report\b(?!.*--(shape|topic)\b)", "--shape quadratic"),
          (r"rayproof report\b(?!.*--family\b)", "--family random"),
          (r"rayproof report\b(?!.*--precision\b)", "--precision float32")]
-# A page that looks into findings by their numbers needs a check of all methods; with filters of its own it runs as it stands.
-WHOLE = [(r"rayproof check\b(?!.*--(shape|topic|method|cases|replay)\b)", "--cases", "250")]
+# A check of all methods; a test of the whole check runs one.
+ANY_CHECK = re.compile(r"(?:\./)?rayproof check")
+# What does the same on every page, so that no later command of the page needs it: run for the first page that has it.
+SAME_EVERYWHERE = re.compile(r"(?:\./)?rayproof (?:spawn|worst|report|methods|cases|leak --rays \d+$|test|lab list|walk --list|"
+                             r"walk \S+ --html \S+$|check --cases 200 --topic quadratic$)")
+
+# Needs no picture by VTK: pages/ and viz/ test those.
+WRITES_PAGES = re.compile(r"rayproof walk (?!.*--(?:png|movie|window))")
 
 # Commands that would take long: the same command on less, with its output compared but for the numbers.
-SHORTER = [(r"(rayproof worst.*) --time \w+", r"\1"), (r"walk all --png", "walk ray --png"), (r"RAYPROOF_QUADRIC_RAYS=\d+", "RAYPROOF_QUADRIC_RAYS=2000"),
+SHORTER = [(r"(rayproof worst.*) --time \w+", r"\1"), (r"walk all --png", "walk ray --png"),
+           (r"walk (spheres|sphere|far-sphere) --png", r"walk \1 --html"),  # a slide takes a second: those of one topic are drawn
+           (r"RAYPROOF_QUADRIC_RAYS=\d+", "RAYPROOF_QUADRIC_RAYS=2000"),
            (r"run\.py --build \S+", "run.py --list --build {build}"), (r"^(cmake --preset \S+) .*", r"\1 -N"),
            (r"^cmake --build build/mutation --target (\S+)$", r"cmake --build {build} --target help | grep -E '(^| )\1(:|$)'"),
            (r"^ctest ", "ctest --test-dir {build} --show-only "), (r"build/release/bin/", "{bin}/"),

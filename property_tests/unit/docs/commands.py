@@ -17,6 +17,7 @@ import re
 import shutil
 import subprocess
 import tempfile
+import threading
 
 import command_tables as tables
 from checkout import Checkout
@@ -46,6 +47,12 @@ class Runner:
         self.subcommands = [line.split()[0] for line in lines if not line.startswith("#")]
         self.faults = Faults("the docs")
         self.ran, self.left_out = 0, []
+        self.found, self.lock, self.ran_elsewhere = None, threading.Lock(), set()
+
+    def find(self, folder):
+        """The findings of a check, which all pages begin with."""
+        self.found = Path(folder) / "out"
+        Checkout(folder, self.source, self.programs).run("./rayproof check --method quadratic/textbook --cases 100")
 
     def checkout(self, folder):
         """A copy of what commands read: scenes, cases, and the findings of a check."""
@@ -58,7 +65,7 @@ class Runner:
             (checkout.folder / "docs/images" / folder).mkdir(parents=True)
         for name in ["case.json", "cases.jsonl"]:
             (checkout.folder / name).write_text(CASE)
-        checkout.run("./rayproof check --method quadratic/textbook --cases 100")
+        shutil.copytree(self.found, checkout.folder / "out")
         return checkout
 
     def concrete(self, command, is_looked_into):
@@ -74,10 +81,13 @@ class Runner:
                              shorter)
         if command.output and not is_looked_into:
             return shorter, "QUADRIC" in shorter
-        for pattern, option, value in tables.WHOLE if is_looked_into else tables.SMALLER:
+        # Where findings are looked into by their numbers, a check runs as it stands; one without filters is only named there.
+        if is_looked_into and (command.output or not tables.ANY_CHECK.fullmatch(text)):
+            return shorter, shorter != text
+        for pattern, option, value in tables.SMALLER:
             if re.search(pattern, text):
                 shorter = with_option(shorter, option, value)
-        for pattern, added in [] if is_looked_into else tables.ADDED:
+        for pattern, added in tables.ADDED:
             if re.search(pattern, shorter):
                 shorter += " " + added
         return shorter, shorter != text
@@ -113,6 +123,15 @@ class Runner:
             return "this processor has no AVX"
         return None
 
+    def has_run_elsewhere(self, text):
+        """Whether another page has just this command, which does the same on every page."""
+        if not tables.SAME_EVERYWHERE.match(text):
+            return False
+        with self.lock:
+            is_known = text.removeprefix("./") in self.ran_elsewhere
+            self.ran_elsewhere.add(text.removeprefix("./"))
+        return is_known
+
     def compare(self, command, ended, is_shorter):
         """The block beside a command is what it printed; … stands for left out lines, and numbers count in a full run alone."""
         got = [line for line in ended.stdout.splitlines() if not re.match(r"\[[ =A-Z-]{10}\]|Note: |Running |$", line)] \
@@ -145,9 +164,11 @@ class Runner:
                 return
             text, is_shorter = self.concrete(command, is_looked_into)
             self.faults.expect(not tables.UNKNOWN.search(re.sub(r"'.*?'", "", text)), f"{command.place}: no value for all of '{text}'")
+        if not command.output and self.has_run_elsewhere(text):
+            return
         if re.match(tables.IN_THE_SOURCE, command.text):
             text = f"cd {self.source} && {text}"
-        ended = checkout.run(text)
+        ended = checkout.run(text, is_flat=bool(tables.WRITES_PAGES.search(text)))
         if ended.returncode != 0 and tables.LACKING.search(ended.stderr) and "--window" not in text:
             self.left_out.append(f"{command.place}: {command.text}: {ended.stderr.strip()}")
             return
@@ -222,7 +243,8 @@ def main():
     wanted = [page for page in pages if not options.pages or page.name in options.pages]
     # CTest may first have to ask the test programs for their tests: once, before several pages list them at the same time.
     subprocess.run(["ctest", "--test-dir", runner.programs.parent, "--show-only"], capture_output=True, check=False)
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
+    with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(os.cpu_count()) as pool:
+        runner.find(folder)
         commands = sum(pool.map(runner.run_page, wanted), [])
     check_errata(runner)
     print(f"{len(commands)} commands on {len(wanted)} pages: {runner.ran} run, {len(runner.left_out)} not run, the rest repeat others")

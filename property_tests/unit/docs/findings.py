@@ -162,7 +162,7 @@ def check_finding(faults, checkout, finding):
     """Runs all that the page prints of one finding."""
     said = {}
     for command in finding.commands:
-        ended = checkout.run(command)
+        ended = checkout.run(command, is_flat=True)
         said[command.split()[1]] = ended.stdout
         faults.expect(ended.returncode == 0 and not ended.stderr,
                       f"{finding.name}: '{command}' ends with {ended.returncode}: {ended.stderr}")

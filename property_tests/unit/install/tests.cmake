@@ -24,7 +24,7 @@ endfunction()
 # README's recipe builds the library once, for all of them.
 set(installed install-library FIXTURES_REQUIRED installed_library)
 rayproof_package_test(the_readmes_commands_build_and_install_the_library installation
-                      install-library FIXTURES_SETUP installed_library)
+                      install-library FIXTURES_SETUP installed_library COST 900)
 rayproof_package_test(the_readmes_project_prints_what_the_readme_says project ${installed})
 rayproof_package_test(the_example_of_a_batch_prints_what_its_page_says batch_example ${installed})
 rayproof_package_test(every_example_in_the_headers_and_in_the_manual_runs comments ${installed})
@@ -35,7 +35,7 @@ rayproof_package_test(every_header_that_computes_refuses_fast_math reach ${insta
 rayproof_package_test(the_library_alone_says_that_it_has_no_laboratory absent ${installed})
 if(TARGET rayproof_properties)
   rayproof_package_test(a_property_of_twenty_lines_finds_a_case_of_three_digits laboratory install-laboratory
-                        FIXTURES_SETUP installed_laboratory)
+                        FIXTURES_SETUP installed_laboratory COST 500)
   rayproof_package_test(a_googletest_suite_of_twenty_lines_finds_the_mistake googletest_example
                         install-laboratory FIXTURES_REQUIRED installed_laboratory)
 endif()
