@@ -64,7 +64,12 @@ struct Text {
   bool bold = false;
   bool halo = false;
 };
-using Element = std::variant<Area, PixelLine, Mark, Text>;
+/// What comes after one that opens is seen only within its box, until one closes it.
+struct Window {
+  PixelBox box{};
+  bool opens = true;
+};
+using Element = std::variant<Area, PixelLine, Mark, Text, Window>;
 
 /// Elements in the order of painting.
 struct Picture {

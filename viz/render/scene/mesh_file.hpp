@@ -1,18 +1,21 @@
 #pragma once
 /// \file
-/// Mesh files, known by the ends of their names.
+/// Meshes from files.
 
 #include <filesystem>
-#include <string>
+#include <rayproof/triangle.hpp>
+#include <stdexcept>
+#include <vector>
 
 namespace rayproof::render {
 
-/// "obj" of "Bunny.OBJ".
-[[nodiscard]] inline std::string ending_of(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  if (ending.starts_with('.')) ending.erase(0, 1);
-  for (char& c : ending) c = static_cast<char>('A' <= c && c <= 'Z' ? c + ('a' - 'A') : c);
-  return ending;
-}
+/// A file that can't be read or is no mesh; the text says so in one sentence that names the file.
+class UnreadableFile : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// The triangles of a file in OBJ, STL, PLY or OFF, unrounded; the end of its name says which. A face with
+/// more than three corners becomes a fan. Throws UnreadableFile.
+[[nodiscard]] std::vector<Triangle<double>> read_mesh(const std::filesystem::path& file);
 
 }  // namespace rayproof::render
