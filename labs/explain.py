@@ -8,6 +8,7 @@ import judge
 import trial
 
 NAMES = "sqrt|abs|fabs|copysign|fma|hypot|pow|fmin|fmax|isnan|isinf|isfinite|signbit|dot|cross|length|distance|normalize"
+LITERAL = r"(?<![\w.])(?:\d+\.\d*(?:[eE][-+]?\d+)?|\.\d+(?:[eE][-+]?\d+)?|\d+[eE][-+]?\d+)(?![\w.])"
 NOTEWORTHY = 8  # bits; what a few roundings take is less
 MAIN = """#include "number.hpp"
 using rayproof::lab::number, rayproof::lab::vec2, rayproof::lab::vec3;
@@ -21,6 +22,8 @@ def over_numbers(source):
     source = re.sub(r"#\s*include\s*<glm/[^>]*>", "", source)
     source = re.sub(r"\bglm::dvec(?=[23]\b)", "rayproof::lab::vec", source)
     source = re.sub(rf"\b(?:std|glm)::(?=(?:{NAMES})\b)", "", source)
+    source = re.sub(r"\bconstexpr\b", "const", source)
+    source = re.sub(LITERAL, r"number(\g<0>)", source)  # {0.0, height} is a list of numbers, and not of two kinds
     return re.sub(r"(?<!long )\bdouble\b", "number", source)
 
 

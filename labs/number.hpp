@@ -148,7 +148,7 @@ struct TracedVector {
     return made;
   }
   friend TracedVector operator-(const Here& a) {
-    return each([](auto& x, auto&) { return -x; }, a, a);
+    return each([](const auto& x, const auto&) { return -x; }, a, a);
   }
   friend TracedVector operator+(const Here& a, const Here& b) { return each(std::plus<>(), a, b); }
   friend TracedVector operator-(const Here& a, const Here& b) { return each(std::minus<>(), a, b); }
@@ -184,13 +184,13 @@ struct TracedVector {
   friend number distance(const Here& a, const Here& b) { return length(Here(a - b, a.line, 0)); }
   friend TracedVector normalize(const Here& a) { return a / Given(length(a), a.line, 0); }
   friend TracedVector abs(const Here& a) {
-    return each([](auto& x, auto&) { return abs(x); }, a, a);
+    return each([](const auto& x, const auto&) { return abs(x); }, a, a);
   }
   friend TracedVector min(const Here& a, const Here& b) {
-    return each([](auto& x, auto& y) { return y.value < x.value ? y.value : x.value; }, a, b);
+    return each([](const auto& x, const auto& y) { return y.value < x.value ? y.value : x.value; }, a, b);
   }
   friend TracedVector max(const Here& a, const Here& b) {
-    return each([](auto& x, auto& y) { return x.value < y.value ? y.value : x.value; }, a, b);
+    return each([](const auto& x, const auto& y) { return x.value < y.value ? y.value : x.value; }, a, b);
   }
 };
 using vec2 = TracedVector<2>;

@@ -59,6 +59,8 @@ def answered(answer):
         return "nothing"
     if "error" in answer or "position" in answer:
         return answer.get("error", "").partition("; the line is")[0] or answer["position"]
+    if "roots" in answer:
+        answer = answer | {"x": [root["x"] for root in answer["roots"]]}
     if "x" in answer:
         return f"x = {', '.join(map(number, answer['x']))}" if answer["x"] else "no root"
     hits = ", ".join(number(hit["t"]) for hit in answer.get("hits", []))

@@ -8,6 +8,7 @@ Exit status: 0 where all is so, else 1.
 import argparse
 import csv
 import json
+import math
 import os
 from pathlib import Path
 import subprocess
@@ -19,6 +20,7 @@ import student_folders
 
 sys.path.insert(0, str(student_folders.LABS))
 import sandbox  # noqa: E402
+import trial  # noqa: E402
 
 
 def state_of(folder):
@@ -31,7 +33,7 @@ def faults_of_rows(rows, wanted, out):
               if sum(row["student"] == name for row in rows) != 1]
     for row in rows:
         result, words = wanted[row["student"]]
-        if row["result"] != result or words not in row["words"]:
+        if row["result"] != result or not any(one in row["words"] for one in words.split("|")):
             faults.append(f"{row['student']}: {row['result']}: {row['words']}; not {result}: {words}")
         folder = row["student"].replace("\\n", "\n")
         points = json.loads((out / "gradescope" / folder / "results.json").read_text(encoding="utf-8"))
@@ -44,14 +46,23 @@ def faults_of_rows(rows, wanted, out):
     return faults
 
 
-def grade_all(options, mode, outer):
+def patience(outer):
+    """Seconds for an answer that suffice on a machine as busy as this one: several times what compiling a right one takes."""
+    write_to = outer / "patience.o"
+    start = time.monotonic()
+    subprocess.run([*trial.without_store(), *trial.FLAGS, "-I", student_folders.SPHERE, "-c", student_folders.SPHERE / "solution/sphere.cpp",
+                    "-o", write_to], check=True)
+    return max(4, math.ceil(6 * (time.monotonic() - start)))
+
+
+def grade_all(options, mode, only, outer):
     out, escape = outer / "out", outer / "escaped"
     (outer / "tmp").mkdir(mode=0o711)
-    wanted = student_folders.make(outer / "students", escape, options.folders)
+    wanted = student_folders.make(outer / "students", escape, options.folders, only)
     before, start = state_of(outer / "students"), time.monotonic()
     ended = subprocess.run(
         [sys.executable, student_folders.LABS / "lab.py", "grade", outer / "students", "--json", out / "all.json", "--csv", out / "all.csv",
-         "--gradescope", out / "gradescope", "--seconds", str(options.seconds), *mode],
+         "--gradescope", out / "gradescope", "--seconds", str(options.seconds or patience(outer)), *mode],
         env=os.environ | {"RAYPROOF_BIN": str(options.bin.resolve()), "TMPDIR": str(outer / "tmp")}, cwd=outer,
         capture_output=True, text=True, check=False)
     print(f"{len(wanted)} folders in {time.monotonic() - start:.0f} s; {ended.stderr.strip()}")
@@ -73,14 +84,15 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--bin", type=Path, required=True)
     parser.add_argument("--folders", type=int, default=0, help="at least one of each kind")
-    parser.add_argument("--seconds", type=int, default=4)
+    parser.add_argument("--seconds", type=int, help="for an answer; where left out, 4, or more on a busy machine")
     options = parser.parse_args()
     sandbox.adopt_orphans()
     faults = []
-    for mode in ([], ["--sandbox", "prlimit"]) if not options.folders else ([],):
+    modes = [([], None)] if options.folders else [([], None), (["--sandbox", "prlimit"], student_folders.HELD_BY_THE_SANDBOX)]
+    for mode, only in modes:
         with tempfile.TemporaryDirectory() as outer:
             os.chmod(outer, 0o711)
-            faults += grade_all(options, mode, Path(outer))
+            faults += grade_all(options, mode, only, Path(outer))
     print("\n".join(faults))
     sys.exit(bool(faults))
 

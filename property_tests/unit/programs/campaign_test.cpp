@@ -144,10 +144,11 @@ TEST_F(CampaignProgram, LosesNothingOnAFullDisk) {
 
 TEST_F(CampaignProgram, HasItsFolderForItself) {
   const std::string endless = "rayproof-check --campaign --cases 1e10 --shape quadratic --method textbook";
-  (void)run_in("one",
-               "{ " + endless +
-                   " > first.txt 2>&1 & while ! test -e out/check/campaign.json; do sleep 0.1; done; " +
-                   endless + " --resume > second.txt 2>&1; echo $? >> second.txt; kill -INT $!; wait; }");
+  (void)run_in("one", "{ " + endless +
+                          " > first.txt 2>&1 & i=0; while ! test -e out/check/campaign.json && test $((i += "
+                          "1)) -lt 300; do sleep 0.1; done; " +
+                          endless +
+                          " --resume > second.txt 2>&1; echo $? >> second.txt; kill -INT $!; wait; }");
   EXPECT_EQ(text_of("one/second.txt"), "rayproof check: another campaign is running in out/check\n2\n");
 }
 
