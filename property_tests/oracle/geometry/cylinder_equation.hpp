@@ -102,6 +102,8 @@ class CylinderHits {
 
   template <class T>
   void add(T t, Contact contact) {
+    // A third hit comes of a sign in doubt alone; what is found then is of no use.
+    if (Doubt::is_noted() && all_.size() == all_.capacity()) return;
     if (is_in_interval(t, ray_.t_min, ray_.t_max)) all_.push_back({std::move(t), contact});
   }
 
