@@ -17,6 +17,7 @@ import stages
 import trial
 
 COMPILER_MEMORY = 1024  # megabytes; a compiler needs more than an answer
+COMPILER_PATIENCE = 5  # a compiler's limit is one of processor time; on a busy machine that takes longer
 READ_SYNTAX = "import sys; compile(open(sys.argv[1], encoding='utf-8').read(), sys.argv[1], 'exec')"
 
 
@@ -34,7 +35,7 @@ class Grader:
         said = self.work / "compiler.txt"
         with said.open("wb") as out:
             ended = subprocess.run(self.compile_box.command(words, is_writable=True, processes=16), cwd=self.file.parent,
-                                   timeout=self.seconds, stdin=subprocess.DEVNULL, stdout=out, stderr=out, start_new_session=True,
+                                   timeout=COMPILER_PATIENCE * self.seconds, stdin=subprocess.DEVNULL, stdout=out, stderr=out, start_new_session=True,
                                    check=False)
         with said.open(encoding="utf-8", errors="replace") as text:
             return (text.read(1 << 16) or f"it ended with {ended.returncode}") if ended.returncode else ""
@@ -80,7 +81,7 @@ class Grader:
         except trial.NotCompiled as problem:
             return {"result": "not compiled", "words": str(problem)}
         except subprocess.TimeoutExpired:
-            return {"result": "not compiled", "words": f"the compiler was stopped after {self.seconds} s"}
+            return {"result": "not compiled", "words": f"the compiler was stopped after {COMPILER_PATIENCE * self.seconds} s"}
         passed = sum(not stage.findings for stage in done)
         base = {"stages_passed": passed, "claims": {stage.name: stage.claims for stage in done}}
         if is_late:

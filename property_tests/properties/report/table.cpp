@@ -13,11 +13,14 @@ namespace rayproof {
 
 namespace {
 
-/// The status of a row for a claim, which several properties may serve: the one that matters most.
+/// In which column a claim stands: `rounded` says what `ulp` says, more strictly.
+Claim column_of(Claim claim) { return claim == Claim::rounded ? Claim::ulp : claim; }
+
+/// The status of a row in a claim's column, which several properties may serve: the one that matters most.
 ClaimStatus status_of(const Row& row, Claim claim) {
   ClaimStatus status = ClaimStatus::unclaimed;
   for (const Cell& cell : row.cells)
-    if (cell.property->claim == claim) status = std::max(status, cell.status);
+    if (column_of(cell.property->claim) == claim) status = std::max(status, cell.status);
   return status;
 }
 
@@ -56,7 +59,7 @@ std::array<std::string_view, 3> head_of(Claim claim) {
   static constexpr std::array<std::array<std::string_view, 3>, claim_count> heads{{{"ver-", "di-", "ct"},
                                                                                    {"re-", "si-", "dual"},
                                                                                    {"", "", "ulp"},
-                                                                                   {"", "roun-", "ded"},
+                                                                                   {"ro-", "un-", "ded"},
                                                                                    {"ro-", "bu-", "st"},
                                                                                    {"as-", "cen-", "ding"},
                                                                                    {"", "mo-", "ved"},
