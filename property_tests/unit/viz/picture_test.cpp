@@ -32,7 +32,7 @@ std::vector<Point> points_of(const Element& element) {
     }
     std::vector<Point> operator()(const Mark& e) const { return {e.at}; }
     std::vector<Point> operator()(const Text& e) const { return {e.at}; }
-    std::vector<Point> operator()(const ClipBox& e) const {
+    std::vector<Point> operator()(const Window& e) const {
       return {{e.box.left, e.box.top}, {e.box.right(), e.box.bottom()}};
     }
   } visitor;
@@ -49,10 +49,10 @@ double width_of(const Text& text) {
 void expect_in_bounds(const Picture& picture, const std::string& which) {
   bool is_open = false;  // what is in a window is cut there
   for (const Element& element : picture.elements) {
-    if (const auto* window = std::get_if<ClipBox>(&element)) is_open = window->opens;
+    if (const auto* window = std::get_if<Window>(&element)) is_open = window->opens;
     for (const Point& p : points_of(element)) {
       ASSERT_TRUE(std::isfinite(p.x) && std::isfinite(p.y)) << which;
-      if (is_open && !std::holds_alternative<ClipBox>(element)) continue;
+      if (is_open && !std::holds_alternative<Window>(element)) continue;
       ASSERT_TRUE(p.x >= 0 && p.x <= picture.width && p.y >= 0 && p.y <= picture.height)
           << which << ": " << p.x << ' ' << p.y;
     }
