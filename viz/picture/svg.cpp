@@ -55,9 +55,9 @@ std::string draw(const Mark& mark) {
   return {};
 }
 
-std::string draw(const ClipBox& clip) {
-  const PixelBox& b = clip.box;
-  if (!clip.opens) return "</svg>\n";
+std::string draw(const Window& window) {
+  const PixelBox& b = window.box;
+  if (!window.opens) return "</svg>\n";
   return fmt::format(
       "<svg x=\"{0:.2f}\" y=\"{1:.2f}\" width=\"{2:.2f}\" height=\"{3:.2f}\" viewBox=\"{0:.2f} {1:.2f} "
       "{2:.2f} "
