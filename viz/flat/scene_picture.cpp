@@ -98,11 +98,11 @@ double pixels_per_length(const StageView& view, const PixelBox& frame) {
 void draw_scene(Picture& picture, const PixelBox& frame, const Stage& stage, std::size_t step) {
   const Space space = space_of(stage, step);
   Painter painter(picture, frame, stage.camera, space.view);
-  picture.elements.emplace_back(ClipBox{frame, true});
+  picture.elements.emplace_back(Window{frame, true});
   for (const SpaceBody& body : space.bodies) painter.fill(body);
   for (const SpaceBody& body : space.bodies) painter.stroke(body);
   for (const SpaceBody& body : space.bodies) painter.mark(body);
-  picture.elements.emplace_back(ClipBox{frame, false});
+  picture.elements.emplace_back(Window{frame, false});
   draw_labels(picture, frame, space, [&](const glm::dvec3& p) { return painter.to_pixels(p); });
 }
 

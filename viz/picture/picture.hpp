@@ -65,11 +65,11 @@ struct Text {
   bool halo = false;
 };
 /// What comes after one that opens is seen only within its box, until one closes it.
-struct ClipBox {
+struct Window {
   PixelBox box{};
   bool opens = true;
 };
-using Element = std::variant<Area, PixelLine, Mark, Text, ClipBox>;
+using Element = std::variant<Area, PixelLine, Mark, Text, Window>;
 
 /// Elements in the order of painting.
 struct Picture {

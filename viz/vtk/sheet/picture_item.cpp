@@ -18,7 +18,7 @@ class ItemPainter {
         scale_(item.scale) {}
 
   void operator()(const Area& /*area*/) {}  // surfaces are bodies of the scene below
-  void operator()(const ClipBox& /*window*/) {}
+  void operator()(const Window& /*window*/) {}
   void operator()(const PixelLine& line) {
     std::vector<Point> points;
     for (const Point& p : line.points) points.push_back(placed(p));

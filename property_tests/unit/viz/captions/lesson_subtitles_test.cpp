@@ -203,7 +203,7 @@ const std::map<std::string, std::function<void(const Taught&)>>& checks() {
   return all;
 }
 
-/// True by their words alone, or shown by the captions below them, which lesson_captions_test.cpp checks.
+/// True by their words alone, or told by the captions below them, which lesson_captions_test.cpp checks.
 constexpr std::array<std::string_view, 36> true_by_their_words{"ray",
                                                                "camera",
                                                                "raycasting",
