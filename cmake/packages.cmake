@@ -21,6 +21,6 @@ rayproof_find(GTest "the unit tests")
 rayproof_find(VTK "PNG pictures and the window" COMPONENTS CommonCore CommonDataModel CommonComputationalGeometry FiltersSources FiltersCore FiltersGeneral
               FiltersHybrid FiltersModeling RenderingOpenGL2
               RenderingFreeType RenderingAnnotation RenderingContextOpenGL2 RenderingUI InteractionStyle InteractionWidgets ChartsCore IOImage
-              IOOggTheora)
+              IOGeometry IOPLY IOOggTheora)
 rayproof_find(embree "the quick search through scenes of many objects" 3)
 rayproof_find(benchmark "rayproof-bench")

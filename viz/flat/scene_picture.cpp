@@ -1,91 +1,107 @@
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "viz/flat/outline.hpp"
 #include "viz/flat/stage_picture.hpp"
-#include "viz/scene/space.hpp"
+#include "viz/picture/clip.hpp"
+#include "viz/scene/shown_items.hpp"
 
 namespace rayproof::viz {
 namespace {
 
-double width_of(const ShownItem& shown) {
-  const StageItem& item = *shown.item;
+double width_of(const StageItem& item, Emphasis emphasis) {
   if (item.role == Role::frame) return 1;
-  if (shown.emphasis == Emphasis::bright) return 2.8;
-  if (shown.emphasis == Emphasis::dimmed || item.pattern == Pattern::dashed) return 1.2;
+  if (emphasis == Emphasis::bright) return 2.8;
+  if (emphasis == Emphasis::dimmed || item.pattern == Pattern::dashed) return 1.2;
   return item.role == Role::ray ? 2 : 1.8;
 }
 
-/// Paints what is built of a step straight on, as the stage's own camera sees it.
+bool is_surface(const StageItem& item) {
+  return item.form == Form::polygon || item.form == Form::solid || item.form == Form::ellipsoid;
+}
+
 class Painter {
  public:
-  Painter(Picture& picture, const PixelBox& frame, const StageCamera& camera, const StageView& view)
-      : picture_(picture),
-        middle_(frame.centre()),
-        camera_(camera),
-        scale_(view.radius * pixels_per_length(view, frame)) {}
+  Painter(Picture& picture, const PixelBox& frame, const Stage& stage, const StageView& view)
+      : picture_(picture), frame_(frame), camera_(stage.camera), view_(view) {}
 
-  [[nodiscard]] Point to_pixels(const glm::dvec3& p) const {
-    return {middle_.x + scale_ * glm::dot(p, camera_.right), middle_.y - scale_ * glm::dot(p, camera_.up)};
+  void fill(const ShownItem& shown) {
+    if (shown.emphasis == Emphasis::dimmed || !is_surface(*shown.item)) return;
+    Area area{shown.item->role};
+    for (const WorldLine& ring : surface_outline(*shown.item, camera_).filled) {
+      auto inside = clip_area(to_pixels(ring), frame_);
+      if (!inside.empty()) area.rings.push_back(std::move(inside));
+    }
+    if (!area.rings.empty()) picture_.elements.emplace_back(std::move(area));
   }
 
-  void fill(const SpaceBody& body) {
-    if (!body.is_surface() || body.shown.emphasis == Emphasis::dimmed) return;
-    Area area{body.shown.item->role};
-    for (const WorldLine& ring : outline_of(body).filled) area.rings.push_back(to_pixels(ring));
-    picture_.elements.emplace_back(std::move(area));
-  }
-
-  void stroke(const SpaceBody& body) {
-    if (body.is_mark()) return;
-    PixelLine line{shown_role(body.shown), {}, width_of(body.shown), body.shown.item->pattern};
-    if (!body.is_surface()) {
-      SpacePoints all;  // the dashes lie along the line
-      for (const SpacePoints& piece : body.pieces) all.insert(all.end(), piece.begin(), piece.end());
-      if (body.head) all.push_back(body.head->tip);
-      draw(line, all);
-      if (body.head) draw_head(*body.head, line);
+  void stroke(const ShownItem& shown) {
+    const StageItem& item = *shown.item;
+    if (item.form == Form::point) return;
+    PixelLine line{shown_role(shown), {}, width_of(item, shown.emphasis), item.pattern};
+    if (is_surface(item)) {
+      const SurfaceOutline outline = surface_outline(item, camera_);
+      for (const WorldLine& seen : outline.seen) draw(line, to_pixels(seen));
+      line.width = 1.2;
+      line.pattern = Pattern::dashed;
+      for (const WorldLine& hidden : outline.hidden) draw(line, to_pixels(hidden));
       return;
     }
-    const SurfaceOutline outline = outline_of(body);
-    for (const WorldLine& seen : outline.seen) draw(line, seen);
-    line.width = 1.2;
-    line.pattern = Pattern::dashed;
-    for (const WorldLine& hidden : outline.hidden) draw(line, hidden);
+    draw(line, to_pixels(item.points));
+    if (item.form == Form::arrow) draw_head(item, line);
   }
 
-  void mark(const SpaceBody& body) {
-    if (body.is_mark())
-      picture_.elements.emplace_back(
-          Mark{shown_role(body.shown), mark_of(body.shown.item->role), to_pixels(body.points[0])});
+  void mark(const ShownItem& shown) {
+    const StageItem& item = *shown.item;
+    if (item.form != Form::point || !has_mark(item.role)) return;
+    const Point at = to_pixels(item.points.at(0));
+    if (frame_.holds(at)) picture_.elements.emplace_back(Mark{shown_role(shown), mark_of(item.role), at});
+  }
+
+  /// As it is seen, in pixels.
+  [[nodiscard]] std::vector<Point> outline_of(const StageItem& item) const {
+    return to_pixels(item.form == Form::ellipsoid ? surface_outline(item, camera_).seen.front()
+                                                  : item.points);
   }
 
  private:
-  [[nodiscard]] SurfaceOutline outline_of(const SpaceBody& body) const {
-    StageItem placed = *body.shown.item;
-    placed.points = body.points;
-    return surface_outline(placed, camera_);
+  [[nodiscard]] Point to_pixels(const glm::dvec3& p) const {
+    const glm::dvec3 q = (p - view_.centre) * pixels_per_length(view_, frame_);
+    const Point middle = frame_.centre();
+    return {middle.x + glm::dot(q, camera_.right), middle.y - glm::dot(q, camera_.up)};
   }
   [[nodiscard]] std::vector<Point> to_pixels(const WorldLine& line) const {
     std::vector<Point> pixels;
     for (const glm::dvec3& p : line) pixels.push_back(to_pixels(p));
     return pixels;
   }
-  void draw(PixelLine line, const SpacePoints& points) {
-    line.points = to_pixels(points);
-    picture_.elements.emplace_back(std::move(line));
+
+  void draw(PixelLine line, const std::vector<Point>& points) {
+    for (auto& part : clip_line(points, frame_)) {
+      line.points = std::move(part);
+      picture_.elements.emplace_back(line);
+    }
   }
-  void draw_head(const ArrowHead& head, PixelLine line) {
-    const glm::dvec3 along = 0.8 * (head.tip - head.base);
-    const glm::dvec3 aside = 0.5 * glm::cross(camera_.toward, along);
+
+  void draw_head(const StageItem& item, PixelLine line) {
+    const Point from = to_pixels(item.points.at(0));
+    const Point to = to_pixels(item.points.at(1));
+    const double length = std::hypot(to.x - from.x, to.y - from.y);
+    if (!frame_.holds(to) || length < 2) return;
+    const double size = std::min(11.0, length / 2);
+    const Point along{(to.x - from.x) / length * size, (to.y - from.y) / length * size};
+    const auto barb = [&](double side) {
+      return Point{to.x - along.x - side * along.y * 0.5, to.y - along.y + side * along.x * 0.5};
+    };
     line.pattern = Pattern::solid;
-    draw(line, {head.tip - along + aside, head.tip, head.tip - along - aside});
+    draw(line, {barb(1), to, barb(-1)});
   }
 
   Picture& picture_;
-  Point middle_;
+  PixelBox frame_;
   const StageCamera& camera_;
-  double scale_;
+  const StageView& view_;
 };
 
 }  // namespace
@@ -96,14 +112,12 @@ double pixels_per_length(const StageView& view, const PixelBox& frame) {
 }
 
 void draw_scene(Picture& picture, const PixelBox& frame, const Stage& stage, std::size_t step) {
-  const Space space = space_of(stage, step);
-  Painter painter(picture, frame, stage.camera, space.view);
-  picture.elements.emplace_back(Window{frame, true});
-  for (const SpaceBody& body : space.bodies) painter.fill(body);
-  for (const SpaceBody& body : space.bodies) painter.stroke(body);
-  for (const SpaceBody& body : space.bodies) painter.mark(body);
-  picture.elements.emplace_back(Window{frame, false});
-  draw_labels(picture, frame, space, [&](const glm::dvec3& p) { return painter.to_pixels(p); });
+  const std::vector<ShownItem> shown = shown_in(stage, step);
+  Painter painter(picture, frame, stage, stage.steps[step].view);
+  for (const ShownItem& one : shown) painter.fill(one);
+  for (const ShownItem& one : shown) painter.stroke(one);
+  for (const ShownItem& one : shown) painter.mark(one);
+  draw_labels(picture, frame, shown, [&](const StageItem& item) { return painter.outline_of(item); });
 }
 
 Picture scene_picture(const Stage& stage, std::size_t step, double width, double height) {

@@ -5,7 +5,6 @@
 #include "viz/flat/slide_values.hpp"
 #include "viz/flat/stage_picture.hpp"
 #include "viz/scene/label_places.hpp"
-#include "viz/scene/space.hpp"
 #include "viz/trace/numbers.hpp"
 
 namespace rayproof::viz {
@@ -15,7 +14,7 @@ namespace {
 void draw_caption(Picture& picture, const StageStep& step) {
   constexpr double width = slide_width - 2 * slide_margin;
   constexpr double smallest = 14.4, leading = 1.3;
-  const double top = slide_scene(step).bottom() + 22;
+  const double top = slide_scene.bottom() + 22;
   const auto room = [&](double size) {
     return static_cast<std::size_t>((slide_height - 32 - top) / (size * leading)) + 1;
   };
@@ -55,7 +54,7 @@ void draw_title(Picture& picture, const std::string& title, const std::string& s
 
 }  // namespace
 
-std::vector<LegendEntry> legend_of(const Stage& stage, const std::vector<ShownItem>& shown) {
+std::vector<LegendEntry> legend_of(const std::vector<ShownItem>& shown) {
   struct Sign {
     Role role;
     const char* mark;  ///< the word on a point; of the others, the mark names itself by its label
@@ -63,9 +62,9 @@ std::vector<LegendEntry> legend_of(const Stage& stage, const std::vector<ShownIt
   };
   static constexpr std::array<Sign, 8> signs{{{Role::ray, nullptr, "ray"},
                                               {Role::surface, nullptr, "surface"},
-                                              {Role::edge, nullptr, "construction"},
+                                              {Role::edge, nullptr, "edge, part"},
                                               {Role::normal, nullptr, "normal"},
-                                              {Role::nearest, "key point", "key part"},
+                                              {Role::nearest, "nearest, picked out", "picked out"},
                                               {Role::exact, "exact", "exact"},
                                               {Role::claimed, "as computed", "as computed"},
                                               {Role::muted, nullptr, "earlier step"}}};
@@ -79,12 +78,7 @@ std::vector<LegendEntry> legend_of(const Stage& stage, const std::vector<ShownIt
     if (has_mark && sign.mark != nullptr) {
       legend.push_back({sign.role, true, sign.mark});
     } else if (has_line) {
-      const bool is_on_axis = stage.slider && stage.slider->symbol == "x";
-      const char* const word = !is_on_axis                  ? sign.line
-                               : sign.role == Role::ray     ? "x axis"
-                               : sign.role == Role::surface ? "parabola"
-                                                            : sign.line;
-      legend.push_back({sign.role, false, word});
+      legend.push_back({sign.role, false, sign.line});
     }
   }
   return legend;
@@ -95,23 +89,19 @@ Element legend_sign(const LegendEntry& entry, const Point& at) {
   return PixelLine{entry.role, {{at.x - 9, at.y}, {at.x + 9, at.y}}, 2.6};
 }
 
-void draw_legend(Picture& picture, const Stage& stage, std::size_t step) {
+void draw_legend(Picture& picture, const std::vector<ShownItem>& shown) {
   double x = slide_margin;
   const double y = slide_height - 16;
-  for (const LegendEntry& entry : legend_of(stage, space_of(stage, step).built())) {
+  for (const LegendEntry& entry : legend_of(shown)) {
     picture.elements.push_back(legend_sign(entry, {x + 6, y - 4}));
     add_text(picture, Role::muted, {x + 20, y}, entry.text, 12);
     x += 20 + text_width(entry.text, 12) + 18;
   }
 }
 
-PixelBox slide_scene(const StageStep& step, double height) {
-  return {slide_margin, 60, step.values.empty() ? slide_width - 2 * slide_margin : 596, height};
-}
-
-Picture slide_frame(const Stage& stage, std::size_t number, const std::string& second_line, double height) {
+Picture slide_frame(const Stage& stage, std::size_t number, const std::string& second_line,
+                    const PixelBox& scene) {
   const StageStep& step = stage.steps.at(number);
-  const PixelBox scene = slide_scene(step, height);
   Picture picture;
   picture.width = slide_width;
   picture.height = slide_height;

@@ -7,7 +7,7 @@
 #include "viz/scene/label_places.hpp"
 #include "viz/trace/losses.hpp"
 #include "viz/trace/numbers.hpp"
-#include "viz/walkthrough/steps/stage_values.hpp"
+#include "viz/walkthrough/stage_values.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -23,19 +23,16 @@ void draw_scene(Picture& picture, const PixelBox& frame, const Stage& stage, std
 
 /// A slide's size, and what stays free along its border.
 inline constexpr double slide_width = 960, slide_height = 540, slide_margin = 24;
-/// How high a slide's scene is.
-inline constexpr double scene_height = 368;
-/// Where a step's scene lies: the numbers stand in the column at its right; without any, it has all the
-/// width.
-[[nodiscard]] PixelBox slide_scene(const StageStep& step, double height = scene_height);
+/// Where a slide's scene lies; the numbers stand in the column at its right.
+inline constexpr PixelBox slide_scene{slide_margin, 60, 596, 368};
 
 /// A slide without its scene and legend: the title, a smaller line below it, the caption, and beside the
-/// scene's frame, of that height, the numbers.
+/// scene's frame the numbers.
 [[nodiscard]] Picture slide_frame(const Stage& stage, std::size_t step, const std::string& second_line,
-                                  double height = scene_height);
+                                  const PixelBox& scene = slide_scene);
 
-/// The words on the roles of what a step shows, along a slide's lower border.
-void draw_legend(Picture& picture, const Stage& stage, std::size_t step);
+/// The words on the roles, along a slide's lower border.
+void draw_legend(Picture& picture, const std::vector<ShownItem>& shown);
 
 /// A word on a role.
 struct LegendEntry {
@@ -43,8 +40,8 @@ struct LegendEntry {
   bool is_mark;  ///< a mark, else a line
   const char* text;
 };
-/// The words on the roles that are among the items; a parabola has an axis in place of a ray.
-[[nodiscard]] std::vector<LegendEntry> legend_of(const Stage& stage, const std::vector<ShownItem>& shown);
+/// The words on the roles that are among the items.
+[[nodiscard]] std::vector<LegendEntry> legend_of(const std::vector<ShownItem>& shown);
 
 /// The mark, or a short line, around a place.
 [[nodiscard]] Element legend_sign(const LegendEntry& entry, const Point& at);

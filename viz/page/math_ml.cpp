@@ -1,7 +1,6 @@
 #include "viz/page/math_ml.hpp"
 
 #include "case/escape.hpp"
-#include "viz/picture/text_runs.hpp"
 #include "viz/trace/name_parts.hpp"
 
 namespace rayproof::viz {
@@ -62,13 +61,6 @@ std::string typeset_leaf(const Expression& e) {
 
 std::string math_ml(const Formula& formula) {
   return "<math>" + row(printed(formula, math_style)) + "</math>";
-}
-
-std::string line_html(const std::string& line) {
-  std::string html;
-  for (const TextRun& run : runs_of(line))
-    html += run.is_low ? "<sub>" + escaped(run.text) + "</sub>" : escaped(run.text);
-  return html;
 }
 
 }  // namespace rayproof::viz

@@ -11,7 +11,4 @@ namespace rayproof::viz {
 /// A `<math>` element: quotients are fractions, "t₀" and "S_x" get subscripts, "d⃗" an arrow.
 [[nodiscard]] std::string math_ml(const Formula& formula);
 
-/// A line of words, in which "t_c" has its index lowered.
-[[nodiscard]] std::string line_html(const std::string& line);
-
 }  // namespace rayproof::viz

@@ -9,14 +9,11 @@
 #include "properties/report/page_style.hpp"
 #include "viz/flat/stage_picture.hpp"
 #include "viz/page/case_figure.hpp"
-#include "viz/page/math_ml.hpp"
 #include "viz/page/page_step.hpp"
 #include "viz/page/script/embedded.hpp"
 #include "viz/page/space_json.hpp"
 #include "viz/page/stage_json.hpp"
-#include "viz/picture/palette.hpp"
 #include "viz/picture/svg.hpp"
-#include "viz/scene/space.hpp"
 #include "viz/walkthrough/stage_of.hpp"
 
 namespace rayproof::viz {
@@ -26,13 +23,12 @@ std::string legend(const Stage& stage) {
   std::string html = "<ul class=\"legend paint\" aria-label=\"Legend\">\n";
   std::vector<ShownItem> all;
   for (std::size_t i = 0; i < stage.steps.size(); ++i) {
-    const std::vector<ShownItem> shown = space_of(stage, i).built();
+    const std::vector<ShownItem> shown = shown_in(stage, i);
     all.insert(all.end(), shown.begin(), shown.end());
   }
-  for (const LegendEntry& entry : legend_of(stage, all)) {
-    html += fmt::format(
-        "<li data-role=\"{}\"><svg width=\"22\" height=\"16\" aria-hidden=\"true\">{}</svg>{}</li>\n",
-        colour_of(entry.role).name, to_svg(legend_sign(entry, {11, 8})), entry.text);
+  for (const LegendEntry& entry : legend_of(all)) {
+    html += fmt::format("<li><svg width=\"22\" height=\"16\" aria-hidden=\"true\">{}</svg>{}</li>\n",
+                        to_svg(legend_sign(entry, {11, 8})), entry.text);
   }
   if (stage.slider) {
     html +=
@@ -80,7 +76,7 @@ std::string head(const std::string& title) {
 }  // namespace
 
 std::string stage_page(const Stage& stage, const Still& still, const PageSurroundings& beside) {
-  const std::string conclusion = fmt::format("<p class=\"conclusion\">{}</p>\n", line_html(stage.conclusion));
+  const std::string conclusion = fmt::format("<p class=\"conclusion\">{}</p>\n", escaped(stage.conclusion));
   const bool has_figure = !beside.figure.empty();
   std::string steps;
   for (std::size_t i = 0; i < stage.steps.size(); ++i) steps += step_section(stage, i, still);
@@ -94,23 +90,17 @@ std::string stage_page(const Stage& stage, const Still& still, const PageSurroun
          fmt::format(
              fmt::runtime(page_html), arg("flat", stage.camera.is_flat ? " class=\"flat\"" : ""),
              arg("gallery", beside.gallery.empty() ? "" : gallery), arg("title", escaped(stage.title)),
-             arg("sentence", line_html(stage.sentence)), arg("method", method_line(stage)),
+             arg("sentence", escaped(stage.sentence)), arg("method", method_line(stage)),
              arg("above", has_figure ? conclusion + "<figure>\n" + beside.figure + "</figure>\n" : ""),
              arg("buttons", buttons(stage)), arg("slider", slider(stage)), arg("legend", legend(stage)),
-             arg("steps", steps), arg("first", beside.first_step), arg("below", has_figure ? "" : conclusion),
+             arg("steps", steps), arg("below", has_figure ? "" : conclusion),
              arg("case", escaped(write_case(stage.one))),
              arg("data", json_element("stage", stage_json(stage)) + json_element("space", space_json(stage))),
              arg("script", script));
 }
 
 std::string case_page(const CaseReport& report, const std::string& script) {
-  const Stage stage = stage_of(report);
-  std::size_t first = stage.steps.size() - 1;
-  if (report.walk && report.walk->decisive_loss) {
-    for (std::size_t i = stage.steps.size(); i-- > 0;)
-      if (stage.steps[i].title.starts_with(report.walk->decisive_loss->step)) first = i;
-  }
-  return stage_page(stage, flat_still, {.script = script, .figure = figure_of(report), .first_step = first});
+  return stage_page(stage_of(report), flat_still, {.script = script, .figure = figure_of(report)});
 }
 
 std::string gallery_page(const std::vector<GalleryEntry>& entries, const Still& still) {

@@ -25,7 +25,6 @@ struct PageSurroundings {
   std::string script{};  ///< the address of a file with shared_script() (case_figure.hpp), which is otherwise
                          ///< in the page
   std::string figure{};  ///< an element of HTML; the conclusion then stands above it
-  std::size_t first_step = 0;  ///< the one that is shown at first
 };
 
 /// A page. On a screen with script: one step at a time, a scene to orbit, and a slider along the ray. On
@@ -33,8 +32,7 @@ struct PageSurroundings {
 [[nodiscard]] std::string stage_page(const Stage& stage, const Still& still = flat_still,
                                      const PageSurroundings& beside = {});
 
-/// The page of a case: its stage, and above that all views of it in one figure (case_figure.hpp). It opens at
-/// the step that loses the digits which decide the answer, or else at the comparison with the exact one.
+/// The page of a case: its stage, and above that all views of it in one figure (case_figure.hpp).
 [[nodiscard]] std::string case_page(const CaseReport& report, const std::string& script = {});
 
 /// What a gallery shows of a stage.

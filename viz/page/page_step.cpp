@@ -10,7 +10,7 @@
 #include "viz/picture/svg.hpp"
 #include "viz/scene/label_places.hpp"
 #include "viz/trace/numbers.hpp"
-#include "viz/walkthrough/steps/stage_values.hpp"
+#include "viz/walkthrough/stage_values.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -83,15 +83,15 @@ std::string step_section(const Stage& stage, std::size_t number, const Still& st
   const StageStep& step = stage.steps[number];
   std::string html = fmt::format(
       "<section class=\"step\" aria-labelledby=\"title-{0}\">\n<h2 id=\"title-{0}\">{0}. {1}</h2>\n",
-      number + 1, line_html(step.title));
+      number + 1, escaped(step.title));
   html += "<figure>" + still(stage, number) + "</figure>\n";
   std::string equations;
   for (const StageValue& value : step.values) equations += equation(value, stage.precision);
   const bool is_typeset = number > 0 && !equations.empty();
   const std::string& words = is_typeset ? step.words : step.caption;
-  if (!words.empty()) html += fmt::format("<p>{}</p>\n", line_html(words));
+  if (!words.empty()) html += fmt::format("<p>{}</p>\n", escaped(words));
   if (is_typeset) html += equations;
-  if (!step.digits.empty()) html += fmt::format("<p class=\"soft\">{}</p>\n", line_html(step.digits));
+  if (!step.digits.empty()) html += fmt::format("<p class=\"soft\">{}</p>\n", escaped(step.digits));
   return html + table(step.values, stage.precision) + "</section>\n";
 }
 

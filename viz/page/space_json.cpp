@@ -98,7 +98,7 @@ Json step_json(const Stage& stage, std::size_t number) {
             {"target", flat(camera.middle)},      {"up", flat(camera.up)},
             {"near", camera.nearest()},           {"far", camera.farthest()}};
   if (camera.is_flat) json["flat"] = true;
-  if (camera.is_flat) json["half"] = camera.half;
+  if (camera.is_flat) json["half"] = view_margin;
   json["bodies"] = Json::array();
   for (const SpaceBody& body : space.bodies) json["bodies"].push_back(body_json(body));
   json["labels"] = Json::array();

@@ -64,12 +64,7 @@ struct Text {
   bool bold = false;
   bool halo = false;
 };
-/// What comes after one that opens is seen only within its box, until one closes it.
-struct Window {
-  PixelBox box{};
-  bool opens = true;
-};
-using Element = std::variant<Area, PixelLine, Mark, Text, Window>;
+using Element = std::variant<Area, PixelLine, Mark, Text>;
 
 /// Elements in the order of painting.
 struct Picture {

@@ -55,16 +55,6 @@ std::string draw(const Mark& mark) {
   return {};
 }
 
-std::string draw(const Window& window) {
-  const PixelBox& b = window.box;
-  if (!window.opens) return "</svg>\n";
-  return fmt::format(
-      "<svg x=\"{0:.2f}\" y=\"{1:.2f}\" width=\"{2:.2f}\" height=\"{3:.2f}\" viewBox=\"{0:.2f} {1:.2f} "
-      "{2:.2f} "
-      "{3:.2f}\">\n",
-      b.left, b.top, b.width, b.height);
-}
-
 /// Each run after the first stands lower or higher than the one before it.
 std::string spans_of(const Text& text) {
   const std::vector<TextRun> runs = runs_of(text.text);

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "viz/picture/raster.hpp"
-#include "viz/render/nearby/neighbourhood.hpp"
+#include "viz/render/neighbourhood.hpp"
 
 namespace rayproof::render {
 

@@ -104,12 +104,16 @@ void LabelPlaces::take(const Point& at, double radius) {
   taken_.push_back({at.x - radius, at.y - radius, 2 * radius, 2 * radius});
 }
 
-void LabelPlaces::avoid(const Point& from, const Point& to, double cost) {
-  const int pieces = std::clamp(static_cast<int>(std::hypot(to.x - from.x, to.y - from.y) / 5), 1, 400);
-  for (int k = 0; k <= pieces; ++k) {
-    const double part = static_cast<double>(k) / pieces;
-    const Point at{from.x + part * (to.x - from.x), from.y + part * (to.y - from.y)};
-    if (frame_.holds(at)) avoided_.push_back({at, cost});
+void LabelPlaces::avoid(const std::vector<Point>& line, double cost) {
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const double length = std::hypot(line[i + 1].x - line[i].x, line[i + 1].y - line[i].y);
+    const int pieces = std::clamp(static_cast<int>(length / 5), 1, 400);
+    for (int k = 0; k <= pieces; ++k) {
+      const double part = static_cast<double>(k) / pieces;
+      avoided_.push_back(
+          {{line[i].x + part * (line[i + 1].x - line[i].x), line[i].y + part * (line[i + 1].y - line[i].y)},
+           cost});
+    }
   }
 }
 

@@ -32,7 +32,7 @@ class LabelPlaces {
   void take(const PixelBox& box) { taken_.push_back(box); }
   void take(const Point& at, double radius);
   /// A line, which labels rather do not cover; `cost` for each place on it that one does.
-  void avoid(const Point& from, const Point& to, double cost);
+  void avoid(const std::vector<Point>& line, double cost);
   /// Puts a label there and nowhere else; only within the frame's sides.
   [[nodiscard]] Text put_at(const std::string& label, const Point& middle, double size);
   /// A place for a label beside one of the anchors, of which the first are the best; it is then taken.

@@ -1,9 +1,11 @@
 #pragma once
 /// \file
-/// What of a stage a step shows: the same for every sink.
+/// What of a stage a step shows, and where its labels stand: the same for every sink.
 
+#include <functional>
 #include <vector>
 
+#include "viz/picture/picture.hpp"
 #include "viz/scene/stage.hpp"
 
 namespace rayproof::viz {
@@ -29,5 +31,14 @@ struct ShownItem {
   const Role role = shown_role(shown);
   return role == Role::surface ? Role::edge : role;
 }
+
+/// An item's points as they are seen, in pixels: one of a point, the line of a line, the closed outline of a
+/// surface.
+using Outline = std::function<std::vector<Point>(const StageItem& item)>;
+
+/// Writes the items' labels into a frame of a picture, beside what they name, so that none covers another, a
+/// text that stands there, a mark or, where there is room, a line.
+void draw_labels(Picture& picture, const PixelBox& frame, const std::vector<ShownItem>& shown,
+                 const Outline& outline);
 
 }  // namespace rayproof::viz

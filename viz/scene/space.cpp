@@ -152,15 +152,6 @@ SpacePoints lowest_points(const SpaceBody& body, const StageCamera& upright) {
 
 }  // namespace
 
-std::vector<ShownItem> Space::built() const {
-  std::vector<ShownItem> items;
-  for (const SpaceBody& body : bodies) {
-    constexpr double corner = 1.25 * view_aspect;  // of the view, and a little more
-    if (!body.is_mark() || glm::length(body.points[0]) <= corner) items.push_back(body.shown);
-  }
-  return items;
-}
-
 SpacePoints placed_points(const StageItem& item, const StageView& view) {
   SpacePoints points;
   for (const glm::dvec3& p : item.points) {
@@ -194,9 +185,9 @@ std::vector<SpacePoints> pieces_of(const SpacePoints& line, double radius, Patte
   return pieces;
 }
 
-Space space_of(const Stage& stage, std::size_t step, double aspect) {
+Space space_of(const Stage& stage, std::size_t step) {
   const std::vector<ShownItem> shown = shown_in(stage, step);
-  Space space{stage.steps.at(step).view, space_camera(stage, step, shown, aspect)};
+  Space space{stage.steps.at(step).view, space_camera(stage, step, shown)};
   const bool has_net = is_net(shown);
   for (const ShownItem& one : shown) {
     if (auto body = body_of(one, space, has_net)) space.bodies.push_back(std::move(*body));

@@ -2,7 +2,6 @@
 /// \file
 /// A step in true space as plain data, ready to be built: what VTK's slides and the pages' script both read.
 
-#include <functional>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <vector>
@@ -64,20 +63,10 @@ struct Space {
   std::vector<SpaceBody> bodies{};
   std::vector<SpaceLabel> labels{};   ///< the newest first
   std::optional<SpaceFloor> floor{};  ///< none below a drawing in a plane
-
-  /// The items of the bodies, but for marks beside the view.
-  [[nodiscard]] std::vector<ShownItem> built() const;
 };
 
-/// What is out of reach is left out; lines are cut there. `aspect` is how much wider than high it is seen.
-[[nodiscard]] Space space_of(const Stage& stage, std::size_t step, double aspect = view_aspect);
-
-/// Where a sink shows a point of the view, in pixels; nothing where that is behind the eye.
-using Projection = std::function<std::optional<Point>(const glm::dvec3& p)>;
-
-/// Writes the labels into a frame of a picture, beside what they name, so that none covers another, a text
-/// that stands there, a mark or, where there is room, a line.
-void draw_labels(Picture& picture, const PixelBox& frame, const Space& space, const Projection& seen);
+/// What is out of reach is left out; lines are cut there.
+[[nodiscard]] Space space_of(const Stage& stage, std::size_t step);
 
 /// The item's points in the view's coordinates, without repetitions.
 [[nodiscard]] SpacePoints placed_points(const StageItem& item, const StageView& view);

@@ -57,13 +57,14 @@ std::vector<glm::dvec3> points_in_view(const StageCamera& chosen, const StageVie
 }
 
 /// From where the camera looks at, so far that all points are in the picture.
-double distance_for(const std::vector<glm::dvec3>& points, const SpaceCamera& camera, const StageCamera& eye,
-                    double aspect) {
+double distance_for(const std::vector<glm::dvec3>& points, const SpaceCamera& camera,
+                    const StageCamera& eye) {
   const double half = std::tan(radians(view_angle / 2));
   double distance = 0;
   for (const glm::dvec3& p : points) {
     const glm::dvec3 q = p - camera.middle;
-    const double size = std::max(std::abs(glm::dot(q, eye.right)) / aspect, std::abs(glm::dot(q, eye.up)));
+    const double size =
+        std::max(std::abs(glm::dot(q, eye.right)) / view_aspect, std::abs(glm::dot(q, eye.up)));
     distance = std::max(distance, view_margin * size / half + glm::dot(q, eye.toward));
   }
   return distance;
@@ -87,39 +88,27 @@ glm::dvec3 off_the_middle(const std::vector<glm::dvec3>& points, const SpaceCame
   return off;
 }
 
-/// How high a drawing is that has no room above and below, in a picture wider than its view.
-double half_height(const std::vector<glm::dvec3>& points, const StageCamera& eye, double aspect) {
-  double half = std::min(1.0, view_aspect / aspect);
-  for (const glm::dvec3& p : points)
-    half = std::max({half, std::abs(glm::dot(p, eye.up)), std::abs(glm::dot(p, eye.right)) / aspect});
-  return std::min(1.0, half);
-}
-
 }  // namespace
 
-SpaceCamera space_camera(const Stage& stage, std::size_t step, const std::vector<ShownItem>& shown,
-                         double aspect) {
+SpaceCamera space_camera(const Stage& stage, std::size_t step, const std::vector<ShownItem>& shown) {
   SpaceCamera camera{stage.camera.up, stage.camera.toward, glm::dvec3(0),
                      view_margin / std::tan(radians(view_angle / 2)), true};
-  const StageView& view = stage.steps.at(step).view;
-  if (stage.camera.is_flat || (stage.steps.at(step).is_apart && !stage.steps.at(step).is_other_space)) {
-    camera.half *= half_height(points_in_view(stage.camera, view, stage.camera, shown), stage.camera, aspect);
+  if (stage.camera.is_flat || (stage.steps.at(step).is_apart && !stage.steps.at(step).is_other_space))
     return camera;
-  }
   camera.is_flat = false;
   camera.up = upright_axis(stage.camera);
   const glm::dvec3 level = glm::normalize(camera.toward - glm::dot(camera.toward, camera.up) * camera.up);
   camera.toward = std::cos(radians(elevation)) * level + std::sin(radians(elevation)) * camera.up;
   const glm::dvec3 right = glm::normalize(glm::cross(camera.up, camera.toward));
   const StageCamera eye{right, glm::cross(camera.toward, right), camera.toward};
-  const std::vector<glm::dvec3> points = points_in_view(stage.camera, view, eye, shown);
+  const std::vector<glm::dvec3> points = points_in_view(stage.camera, stage.steps.at(step).view, eye, shown);
   camera.middle = middle_of(points, eye);
   // What is near takes up more of the picture: its middle is found step by step.
   for (int i = 0; i < 4; ++i) {
-    camera.distance = distance_for(points, camera, eye, aspect);
+    camera.distance = distance_for(points, camera, eye);
     camera.middle += off_the_middle(points, camera, eye);
   }
-  camera.distance = distance_for(points, camera, eye, aspect);
+  camera.distance = distance_for(points, camera, eye);
   return camera;
 }
 

@@ -20,12 +20,11 @@ inline constexpr double view_margin = 1.14;
 /// An eye above a floor, or straight before a drawing in a plane. All coordinates are of the view: its centre
 /// is 0, its radius 1.
 struct SpaceCamera {
-  glm::dvec3 up{};            ///< the axis of the world that points up most; of a drawing its own up
-  glm::dvec3 toward{};        ///< from the scene to the eye, a unit vector
-  glm::dvec3 middle{};        ///< where the eye looks
-  double distance = 1;        ///< of the eye from there
-  bool is_flat = false;       ///< without perspective
-  double half = view_margin;  ///< without perspective, what is seen above and below the middle
+  glm::dvec3 up{};       ///< the axis of the world that points up most; of a drawing its own up
+  glm::dvec3 toward{};   ///< from the scene to the eye, a unit vector
+  glm::dvec3 middle{};   ///< where the eye looks
+  double distance = 1;   ///< of the eye from there
+  bool is_flat = false;  ///< without perspective
 
   [[nodiscard]] glm::dvec3 eye() const { return middle + distance * toward; }
   /// Between these distances from the eye, things are seen.
@@ -38,9 +37,8 @@ struct SpaceCamera {
   return (p - view.centre) / view.radius;
 }
 
-/// Near enough that what the step's own view shows just fits into a picture that is `aspect` times as wide as
-/// high.
+/// Near enough that what the step's own view shows just fits.
 [[nodiscard]] SpaceCamera space_camera(const Stage& stage, std::size_t step,
-                                       const std::vector<ShownItem>& shown, double aspect);
+                                       const std::vector<ShownItem>& shown);
 
 }  // namespace rayproof::viz

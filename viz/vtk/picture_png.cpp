@@ -39,7 +39,9 @@ class PictureCanvas::Impl {
       spaces_[i]->SetViewport(frame.left / picture.width, 1 - frame.bottom() / picture.height,
                               frame.right() / picture.width, 1 - frame.top / picture.height);
       set_fine(*spaces_[i], is_fine);
-      SpaceScene(*spaces_[i], *stage, step).write_labels(picture, frame);
+      const SpaceScene scene(*spaces_[i], *stage, step);
+      draw_labels(picture, frame, shown_in(*stage, step),
+                  [&](const StageItem& item) { return scene.seen(item, frame); });
     }
     item_->picture = &picture;
     item_->scale = scale;

@@ -21,8 +21,8 @@ Rgb mean_of_four(const Raster& raster, int x, int y) {
 
 Raster SlideCanvas::draw(const Stage& stage, std::size_t step, bool is_fine) {
   Picture sheet = slide_frame(stage, step, stage.title);
-  draw_legend(sheet, stage, step);
-  return canvas_.draw(sheet, {{&stage, step, slide_scene(stage.steps[step])}}, width_ / slide_width, is_fine);
+  draw_legend(sheet, shown_in(stage, step));
+  return canvas_.draw(sheet, {{&stage, step, slide_scene}}, width_ / slide_width, is_fine);
 }
 
 Raster contact_sheet(const std::vector<Raster>& slides) {

@@ -10,7 +10,7 @@
 
 namespace rayproof::viz {
 
-SlideView::SlideView() {
+SlideView::SlideView(const PixelBox& scene) : scene_(scene) {
   prepare_for_space(*window_);
   window_->SetNumberOfLayers(4);
   int layer = 0;
@@ -46,8 +46,7 @@ Point SlideView::to_window(const Point& p) const {
   return {items_[0]->left + p.x * scale(), items_[0]->bottom + (slide_height - p.y) * scale()};
 }
 
-void SlideView::fit(const PixelBox& scene) {
-  scene_ = scene;
+void SlideView::fit() {
   const int* const size = window_->GetSize();
   const double scale = std::min(size[0] / slide_width, size[1] / slide_height);
   for (const auto& item : items_) {
@@ -64,7 +63,8 @@ void SlideView::fit(const PixelBox& scene) {
 SpaceScene SlideView::show(const Stage& stage, std::size_t step, const Picture& sheet, Look look) {
   const SpaceScene scene(*space_, stage, step, look, is_fine_ ? fine_sides : coarse_sides);
   picture_ = sheet;
-  scene.write_labels(picture_, scene_);
+  draw_labels(picture_, scene_, shown_in(stage, step),
+              [&](const StageItem& item) { return scene.seen(item, scene_); });
   if (!is_fine_) {
     for (Element& element : picture_.elements)
       if (auto* const text = std::get_if<Text>(&element)) text->halo = false;

@@ -21,14 +21,14 @@ class PictureItem;
 /// The slide is as large as the window allows, in its middle, its proportions kept.
 class SlideView {
  public:
-  SlideView();
+  /// `scene` is the scene's frame in a slide of slide_width by slide_height.
+  explicit SlideView(const PixelBox& scene);
   ~SlideView();
   SlideView(const SlideView&) = delete;
   SlideView& operator=(const SlideView&) = delete;
 
-  /// Puts the layers where the window's size has them; `scene` is the scene's frame in a slide of slide_width
-  /// by slide_height.
-  void fit(const PixelBox& scene);
+  /// Puts the layers where the window's size has them.
+  void fit();
   /// Fills the layers: the step, and the sheet with the step's labels put into it. Nothing is rendered yet.
   SpaceScene show(const Stage& stage, std::size_t step, const Picture& sheet, Look look);
   /// Fills the sheet alone; the space is empty.
@@ -49,7 +49,7 @@ class SlideView {
   [[nodiscard]] Point to_window(const Point& p) const;
 
  private:
-  PixelBox scene_{};
+  PixelBox scene_;
   Picture picture_{};
   bool is_fine_ = true;
   vtkNew<vtkRenderWindow> window_;

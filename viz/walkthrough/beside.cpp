@@ -5,10 +5,10 @@
 #include <algorithm>
 
 #include "viz/explain/answers.hpp"
+#include "viz/walkthrough/kernel_steps.hpp"
 #include "viz/walkthrough/setting.hpp"
 #include "viz/walkthrough/spaces.hpp"
 #include "viz/walkthrough/stage_of.hpp"
-#include "viz/walkthrough/steps/kernel_steps.hpp"
 
 namespace rayproof::viz {
 namespace {

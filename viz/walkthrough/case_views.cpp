@@ -44,6 +44,17 @@ std::string words_of(const Case& one, const Setting& setting) {
   return setting.close_up ? setting.close_up->words : "";
 }
 
+/// How far off the ray's start is, where the ray comes into the view.
+StageItem far_start(const StageSlider& slider, const StageView& view, const StageCamera& camera) {
+  const double speed = glm::length(slider.direction);
+  const double t = glm::dot(view.centre - slider.origin, slider.direction) / (speed * speed);
+  const double back = 1.1 * view.radius / speed;
+  const glm::dvec3 at =
+      slider.origin + (t > 0 ? t - back : t + back) * slider.direction + 0.2 * view.radius * camera.up;
+  const double off = glm::length(view.centre - slider.origin);
+  return point(Role::text, at, (t > 0 ? "← o, " : "o → ") + rough(off, 4) + " off");
+}
+
 }  // namespace
 
 Stage case_views(const CaseReport& report) {
@@ -64,8 +75,8 @@ Stage case_views(const CaseReport& report) {
   const bool is_much_larger = whole.view.radius > 2.4 * setting.near.radius;
   if (is_much_larger) {
     near.view = setting.near;
-    for (StageItem& start : far_start(setting)) {
-      near.items.push_back(std::move(start));
+    if (setting.wide.radius > 2.4 * setting.near.radius) {
+      near.items.push_back(far_start(*stage.slider, setting.near, stage.camera));
       for (StageItem& hit : whole.items) hit.label.clear();  // they are named from nearby
     }
     whole.title = "Whole";

@@ -6,7 +6,7 @@
 #include "viz/explain/answers.hpp"
 #include "viz/scene/fit_view.hpp"
 #include "viz/trace/numbers.hpp"
-#include "viz/walkthrough/difference/close_up.hpp"
+#include "viz/walkthrough/close_up.hpp"
 
 namespace rayproof::viz {
 namespace {

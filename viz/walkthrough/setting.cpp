@@ -7,8 +7,7 @@
 #include "viz/scene/fit_view.hpp"
 #include "viz/shapes/ray_scene.hpp"
 #include "viz/shapes/topics.hpp"
-#include "viz/trace/numbers.hpp"
-#include "viz/walkthrough/difference/close_up.hpp"
+#include "viz/walkthrough/close_up.hpp"
 #include "viz/walkthrough/flat_settings.hpp"
 #include "viz/walkthrough/spaces.hpp"
 
@@ -163,19 +162,6 @@ Setting ray_setting(const CaseReport& report, Figure (*figure)(const Sight&)) {
 }
 
 }  // namespace
-
-Items far_start(const Setting& setting) {
-  if (setting.wide.radius <= 2.4 * setting.near.radius) return {};
-  const StageSlider& slider = *setting.slider;
-  const StageView& view = setting.near;
-  const double speed = glm::length(slider.direction);
-  const double t = glm::dot(view.centre - slider.origin, slider.direction) / (speed * speed);
-  const double back = 1.1 * view.radius / speed;
-  const glm::dvec3 at = slider.origin + (t > 0 ? t - back : t + back) * slider.direction +
-                        0.2 * view.radius * setting.camera.up;
-  const double off = glm::length(view.centre - slider.origin);
-  return {point(Role::text, at, (t > 0 ? "← o, " : "o → ") + rough(off, 4) + " off")};
-}
 
 Setting setting_of(const CaseReport& report) {
   const TopicView* const view = view_of(report.one);

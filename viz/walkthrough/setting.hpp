@@ -50,10 +50,6 @@ struct Setting {
 /// Both answers' hits or roots on the slider's line: "t₀ exact", "t₀ as computed".
 [[nodiscard]] Items hits_of(const StageSlider& slider, const Answer& exact, const Answer* claimed);
 
-/// How far off the ray's start is, where the ray comes into the near view; nothing where that shows the
-/// start.
-[[nodiscard]] Items far_start(const Setting& setting);
-
 /// The title of a stage's last step.
 inline constexpr const char* comparison_title = "Float result against exact result";
 

@@ -9,10 +9,10 @@
 #include "viz/scene/fit_view.hpp"
 #include "viz/trace/numbers.hpp"
 #include "viz/walkthrough/compose.hpp"
+#include "viz/walkthrough/kernel_steps.hpp"
 #include "viz/walkthrough/setting.hpp"
 #include "viz/walkthrough/spaces.hpp"
-#include "viz/walkthrough/steps/kernel_steps.hpp"
-#include "viz/walkthrough/steps/stage_values.hpp"
+#include "viz/walkthrough/stage_values.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -40,12 +40,6 @@ StageStep first_step(const CaseReport& report, const Walkthrough* walk, const Se
   step.caption = "What is given";
   step.caption += step.values.empty() ? "." : ": " + inputs_in_words(step.values, report.one.precision) + ".";
   step.view = setting.wide;
-  constexpr double speck = 0.01;
-  if (setting.near.radius < speck * setting.wide.radius) {
-    const glm::dvec3 above = setting.near.centre + 0.2 * setting.wide.radius * setting.camera.up;
-    step.items = {segment(Role::frame, setting.near.centre, above),
-                  point(Role::text, above, fmt::format("a {}, too small to be seen", topic_of(report.one)))};
-  }
   return step;
 }
 

@@ -20,7 +20,7 @@ class Errors : public SceneFiles {
 
 /// The far sphere of docs/scenes, smaller.
 RenderScene far_sphere(std::pair<int, int> size) {
-  return read_scene(RAYPROOF_SOURCE_DIR "/docs/scenes/far-sphere.json", {{}, size});
+  return read_scene(RAYPROOF_SOURCE_DIR "/docs/scenes/far-sphere.json", {}, {{}, size});
 }
 
 void expect_totals_add_up(const ErrorImage& errors) {

@@ -1,5 +1,8 @@
 #include "unit/render/scenes.hpp"
-#include "viz/render/scene/mesh_file.hpp"
+#include "viz/render/scene/off_mesh.hpp"
+#ifdef RAYPROOF_HAS_VTK
+#include "viz/vtk/render/mesh_reader.hpp"
+#endif
 
 namespace rayproof::render {
 namespace {
@@ -22,24 +25,33 @@ const std::string off_square =
     "OFF # a square\n4 1 4\n0 0 0\n2 0 0 0.5 0.5 0.5\n2 2 +0.5\n\n0 2 5e-1\n4 0 1 2 3  255 0 0\n";
 
 TEST_F(Mesh, AnOffFaceWithFourCornersBecomesTwoTriangles) {
-  EXPECT_EQ(corners(read_mesh(write("a.off", off_square))), square_in_two);
-  EXPECT_EQ(corners(read_mesh(write("b.off", "OFF 3 1 0\r\n0 0 0\r\n1 0 0\r\n0 1 0\r\n3 0 1 2\r\n"))).size(),
+  EXPECT_EQ(corners(read_off(write("a.off", off_square))), square_in_two);
+  EXPECT_EQ(corners(read_off(write("b.off", "OFF 3 1 0\r\n0 0 0\r\n1 0 0\r\n0 1 0\r\n3 0 1 2\r\n"))).size(),
             3U);
 }
 
-TEST_F(Mesh, ABadOffFileIsRefusedByItsName) {
-  for (const char* bad : {"", "PLY\n", "OFF\n3 x 0\n", "OFF\n-3 1 0\n", "OFF\n3 1 0\n0 0 0\n1 0\n",
-                          "OFF\n3 1 0\n0 0 0\n1 0 0\n", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n",
-                          "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "OFF\n99999999999 1 0\n0 0 0\n"}) {
+TEST_F(Mesh, ABadOffFileIsRefusedByFileAndLine) {
+  const std::vector<std::pair<std::string, std::string>> bad{
+      {"", "line 1 is missing"},
+      {"PLY\n", "line 1 must begin with OFF"},
+      {"OFF\n3 x 0\n", "line 2 must have a number of faces, not \"x\""},
+      {"OFF\n-3 1 0\n", "line 2 must have a number of vertices, not \"-3\""},
+      {"OFF\n3 1 0\n0 0 0\n1 0\n", "line 4 must have 3 numbers, not \"\""},
+      {"OFF\n3 1 0\n0 0 0\n1 0 0\n", "line 5 is missing"},
+      {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n", "line 6 must have 3 corners or more, not 2"},
+      {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "line 6 must name one of the 3 vertices, from 0, not 3"},
+      {"OFF\n99999999999 1 0\n0 0 0\n", "line 4 is missing"}};
+  for (const auto& [text, sentence] : bad) {
     try {
-      static_cast<void>(read_mesh(write("bad.off", bad)));
-      ADD_FAILURE() << bad;
+      static_cast<void>(read_off(write("bad.off", text)));
+      ADD_FAILURE() << text;
     } catch (const UnreadableFile& why) {
-      EXPECT_NE(std::string(why.what()).find("bad.off"), std::string::npos) << why.what();
+      EXPECT_NE(std::string(why.what()).find("bad.off: " + sentence), std::string::npos) << why.what();
     }
   }
 }
 
+#ifdef RAYPROOF_HAS_VTK
 TEST_F(Mesh, ObjStlPlyAndOffGiveTheSameTriangles) {
   const std::string obj = "v 0 0 0\nv 2 0 0\nv 2 2 0.5\nv 0 2 0.5\nf 1 2 3\nf 1 3 4\n";
   const std::string stl =
@@ -81,6 +93,7 @@ TEST_F(Mesh, WhatIsNoMeshIsRefusedByItsName) {
     }
   }
 }
+#endif
 
 }  // namespace
 }  // namespace rayproof::render

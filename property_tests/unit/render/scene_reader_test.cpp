@@ -43,14 +43,18 @@ TEST_F(SceneReader, TakesThePrecisionAndSizeOfTheCommandLine) {
 }
 
 TEST_F(SceneReader, GivesTheTrianglesOfAMeshOneEntryAndItsTransform) {
-  std::filesystem::create_directories(folder / "a");
-  static_cast<void>(
-      write("a/b.obj", "v 0.1 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nf 1 2 3\nf 4 5 6\n"));
+  std::filesystem::path asked;
+  const ReadMesh two = [&](const std::filesystem::path& file) {
+    asked = file;
+    return std::vector<Triangle<double>>{{{0.1, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+                                         {{0, 0, 1}, {1, 0, 1}, {0, 1, 1}}};
+  };
   const std::string file =
       write("scene.json",
             scene_text(sphere_entry +
                        R"(, {"mesh": "a/b.obj", "transform": [[2,0,0,0],[0,2,0,0],[0,0,2,0],[0,0,0,1]]})"));
-  const RenderScene read = read_scene(file);
+  const RenderScene read = read_scene(file, two);
+  EXPECT_EQ(asked, folder / "a/b.obj");
   ASSERT_EQ(read.objects.size(), 3U);
   for (const std::size_t i : {1U, 2U}) {
     EXPECT_EQ(read.objects[i].entry, 1U);
@@ -143,7 +147,7 @@ TEST_F(SceneReader, AMissingFileIsNamed) {
   const std::string mesh = write("scene.json", scene_text(R"({"mesh": "gone.obj"})"));
   for (const std::string& file : {(folder / "none.json").string(), folder.string(), mesh}) {
     try {
-      static_cast<void>(read_scene(file));
+      static_cast<void>(read_scene(file, no_mesh));
       ADD_FAILURE() << file;
     } catch (const UnreadableFile& why) {
       EXPECT_NE(std::string(why.what()).find(file == mesh ? "gone.obj" : file), std::string::npos)
@@ -153,9 +157,11 @@ TEST_F(SceneReader, AMissingFileIsNamed) {
 }
 
 TEST_F(SceneReader, AMeshBeyondThePrecisionIsRefused) {
-  static_cast<void>(write("far.obj", "v 1e39 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+  const ReadMesh far = [](const std::filesystem::path&) {
+    return std::vector<Triangle<double>>{{{1e39, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+  };
   const std::string file = write("scene.json", scene_text(R"({"mesh": "far.obj"})"));
-  EXPECT_THROW(static_cast<void>(read_scene(file)), Refusal);
+  EXPECT_THROW(static_cast<void>(read_scene(file, far)), Refusal);
 }
 
 }  // namespace

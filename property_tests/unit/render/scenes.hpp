@@ -28,7 +28,11 @@ class SceneFiles : public testing::Test {
     return (folder / name).string();
   }
   [[nodiscard]] RenderScene scene(const std::string& text, const SceneOverrides& overrides = {}) const {
-    return read_scene(write("scene.json", text), overrides);
+    return read_scene(write("scene.json", text), no_mesh, overrides);
+  }
+
+  static std::vector<Triangle<double>> no_mesh(const std::filesystem::path& file) {
+    throw UnreadableFile("the file " + file.string() + " can't be read");
   }
 
   std::filesystem::path folder;

@@ -14,7 +14,7 @@ const std::filesystem::path docs = RAYPROOF_SOURCE_DIR "/docs";
 
 /// The totals of a method on one of the scenes of docs/raycasting.md, at its own size.
 Totals totals_of(const std::string& file, const std::string& shape, const std::string& method) {
-  const RenderScene scene = read_scene(docs / "scenes" / file);
+  const RenderScene scene = read_scene(docs / "scenes" / file, {});
   Methods methods = default_methods();
   methods[shape] = method;
   const auto tree = bounds_tree(ObjectBounds(scene));

@@ -43,10 +43,6 @@ TEST(MathMl, LowersSubscriptsAndPutsArrowsAbove) {
   EXPECT_EQ(typeset("up"), "<mi mathvariant=\"normal\">up</mi>");
 }
 
-TEST(MathMl, LowersAnIndexInALineOfWords) {
-  EXPECT_EQ(line_html("Where t_c < 2, no_such_index"), "Where t<sub>c</sub> &lt; 2, no_such_index");
-}
-
 TEST(MathMl, TypesetsANameThatIsAFormulaAsOne) {
   const std::string component = math_ml(named_formula("min - o.x"));
   EXPECT_TRUE(has(component, "<msub><mrow><mo stretchy=\"false\">(</mo>")) << component;

@@ -6,7 +6,7 @@
 #include "unit/viz/player.hpp"
 #include "viz/player/player_help.hpp"
 #include "viz/trace/numbers.hpp"
-#include "viz/walkthrough/steps/live_values.hpp"
+#include "viz/walkthrough/live_values.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "viz/walkthrough/steps/sentences.hpp"
+#include "viz/walkthrough/sentences.hpp"
 
 namespace rayproof::viz {
 namespace {

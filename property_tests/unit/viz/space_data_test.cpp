@@ -43,22 +43,6 @@ TEST(SpaceData, WhatIsOutOfReachOrNoNumberIsLeftOut) {
   EXPECT_TRUE(space.labels.empty());
 }
 
-TEST(SpaceData, AMarkBesideTheViewIsNotCountedAsShown) {
-  const Stage stage = stage_with({point(Role::exact, {3, 0, 0}), point(Role::claimed, {1, 0, 0})});
-  const std::vector<ShownItem> built = space_of(stage, 0).built();
-  ASSERT_EQ(built.size(), 1U);
-  EXPECT_EQ(built[0].item->role, Role::claimed);
-}
-
-TEST(SpaceData, ADrawingFillsAPictureThatIsWiderThanItsView) {
-  Stage stage = stage_with({segment(Role::edge, {-1.6, 0, 0}, {1.6, 0, 0})});
-  stage.camera.is_flat = true;
-  EXPECT_DOUBLE_EQ(space_of(stage, 0).camera.half, view_margin);
-  EXPECT_DOUBLE_EQ(space_of(stage, 0, 3.2).camera.half, view_margin / 2);
-  stage.steps[0].items.push_back(segment(Role::edge, {0, -1, 0}, {0, 1, 0}));
-  EXPECT_DOUBLE_EQ(space_of(stage, 0, 3.2).camera.half, view_margin);
-}
-
 TEST(SpaceData, AnArrowHasItsTipWhereItPoints) {
   const Space space = space_of(stage_with({arrow(Role::ray, {0, 0, 0}, {0, 1, 0})}), 0);
   ASSERT_TRUE(space.bodies.at(0).head);

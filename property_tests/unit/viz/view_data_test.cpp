@@ -13,7 +13,6 @@
 #include "viz/scene/fit_view.hpp"
 #include "viz/scene/label_places.hpp"
 #include "viz/scene/shown_items.hpp"
-#include "viz/scene/space.hpp"
 #include "viz/walkthrough/lesson.hpp"
 
 namespace rayproof::viz {
@@ -29,12 +28,17 @@ StageCamera turned(const StageCamera& camera, double angle) {
   return {c * camera.right + s * camera.toward, camera.up, c * camera.toward - s * camera.right, false};
 }
 
-/// Where a point of the view is seen in the scene's frame.
-Point seen(const glm::dvec3& p, const StageStep& step, const StageCamera& camera) {
-  const PixelBox scene = slide_scene(step);
-  const double scale = scene.height / 2 / 1.1;
-  return {scene.centre().x + scale * glm::dot(p, camera.right),
-          scene.centre().y - scale * glm::dot(p, camera.up)};
+/// Where an item is seen in the scene's frame.
+std::vector<Point> seen(const StageItem& item, const StageView& view, const StageCamera& camera) {
+  std::vector<Point> points;
+  if (item.form == Form::ellipsoid) return points;
+  const double scale = slide_scene.height / 2 / (1.1 * view.radius);
+  for (const glm::dvec3& p : item.points) {
+    const glm::dvec3 off = p - view.centre;
+    points.push_back({slide_scene.centre().x + scale * glm::dot(off, camera.right),
+                      slide_scene.centre().y - scale * glm::dot(off, camera.up)});
+  }
+  return points;
 }
 
 bool overlap(const PixelBox& a, const PixelBox& b) {
@@ -51,7 +55,7 @@ std::vector<Text> texts_of(const Picture& picture) {
 
 Picture frame_of(const Stage& stage, std::size_t step) {
   Picture picture = slide_frame(stage, step, stage.title);
-  draw_legend(picture, stage, step);
+  draw_legend(picture, shown_in(stage, step));
   return picture;
 }
 
@@ -59,8 +63,8 @@ Picture frame_of(const Stage& stage, std::size_t step) {
 std::vector<Text> labels_of(const Stage& stage, std::size_t step, const StageCamera& camera) {
   Picture picture = frame_of(stage, step);
   const std::size_t others = texts_of(picture).size();
-  draw_labels(picture, slide_scene(stage.steps[step]), space_of(stage, step),
-              [&](const glm::dvec3& p) { return seen(p, stage.steps[step], camera); });
+  draw_labels(picture, slide_scene, shown_in(stage, step),
+              [&](const StageItem& item) { return seen(item, stage.steps[step].view, camera); });
   std::vector<Text> texts = texts_of(picture);
   texts.erase(texts.begin(), texts.begin() + static_cast<std::ptrdiff_t>(others));
   return texts;
@@ -90,9 +94,8 @@ TEST(ViewData, NoLabelCoversAnotherOrATextOrLeavesTheFrameFromThreeSides) {
         for (const Text& label : labels) {
           const PixelBox box = box_of(label);
           EXPECT_GE(label.size * pixels_of_a_slide, 24 - 1e-9) << label.text;
-          const PixelBox scene = slide_scene(stage.steps[step]);
-          EXPECT_TRUE(scene.holds({box.left + 1, box.top + 1}) &&
-                      scene.holds({box.right() - 1, box.bottom() - 1}))
+          EXPECT_TRUE(slide_scene.holds({box.left + 1, box.top + 1}) &&
+                      slide_scene.holds({box.right() - 1, box.bottom() - 1}))
               << label.text;
         }
       }
@@ -101,9 +104,9 @@ TEST(ViewData, NoLabelCoversAnotherOrATextOrLeavesTheFrameFromThreeSides) {
   EXPECT_GT(count, 2000U);
 }
 
-bool is_title(const Text& text) { return text.bold && text.at.y < slide_scene({}).top; }
+bool is_title(const Text& text) { return text.bold && text.at.y < slide_scene.top; }
 bool is_of_caption(const Text& text) {
-  return text.at.y > slide_scene({}).bottom() + 10 && text.at.y < slide_height - 20;
+  return text.at.y > slide_scene.bottom() + 10 && text.at.y < slide_height - 20;
 }
 
 /// Titles, captions, values and the legend: large enough, whole, apart and on the slide.
@@ -150,11 +153,11 @@ Stage stage_of_vectors(int count) {
 }
 
 TEST(ViewData, ManyVectorsStayInTheirPanelInLargeLetters) {
-  for (const double height : {scene_height, 290.0}) {
+  const PixelBox low{slide_scene.left, slide_scene.top, slide_scene.width, 290};
+  for (const PixelBox& scene : {slide_scene, low}) {
     for (const int count : {1, 3, 6, 9, 30}) {
       const Stage stage = stage_of_vectors(count);
-      const PixelBox scene = slide_scene(stage.steps[0], height);
-      std::vector<Text> texts = texts_of(slide_frame(stage, 0, "", height));
+      std::vector<Text> texts = texts_of(slide_frame(stage, 0, "", scene));
       std::erase_if(texts,
                     [&](const Text& text) { return text.at.x < scene.right() || text.at.y < scene.top; });
       EXPECT_GE(texts.size(), static_cast<std::size_t>(std::min(count, 6)));
@@ -168,32 +171,16 @@ TEST(ViewData, ManyVectorsStayInTheirPanelInLargeLetters) {
   }
 }
 
-TEST(ViewData, AStepWithoutNumbersHasAllTheSlidesWidthForItsScene) {
-  StageStep step;
-  EXPECT_EQ(slide_scene(step).right(), slide_width - slide_margin);
-  step.values.emplace_back();
-  EXPECT_LT(slide_scene(step).right(), 0.7 * slide_width);
-}
-
-TEST(ViewData, AParabolaHasAnAxisAndNoRay) {
-  const Stage stage = stage_of(*lessons_of("quadratic-two").front(), report_lesson);
-  const std::vector<LegendEntry> legend = legend_of(stage, space_of(stage, 0).built());
-  ASSERT_EQ(legend.size(), 2U);
-  EXPECT_EQ(legend[0].text, std::string("x axis"));
-  EXPECT_EQ(legend[1].text, std::string("parabola"));
-}
-
 TEST(ViewData, TheLegendNamesWhatTheSlideShowsAndNothingElse) {
   const Stage stage = stage_of(*lessons_of("sphere").front(), report_lesson);
   const auto words = [&](std::size_t step) {
     std::string all;
-    for (const LegendEntry& entry : legend_of(stage, space_of(stage, step).built()))
-      all += std::string(entry.text) + ";";
+    for (const LegendEntry& entry : legend_of(shown_in(stage, step))) all += std::string(entry.text) + ";";
     return all;
   };
   EXPECT_EQ(words(0), "ray;surface;");
-  EXPECT_EQ(words(1), "ray;surface;construction;");
-  EXPECT_EQ(words(stage.steps.size() - 1), "ray;surface;key part;exact;as computed;");
+  EXPECT_EQ(words(1), "ray;surface;edge, part;");
+  EXPECT_EQ(words(stage.steps.size() - 1), "ray;surface;picked out;exact;as computed;");
 }
 
 double luminance(const Rgb& colour) {

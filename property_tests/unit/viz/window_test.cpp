@@ -18,9 +18,6 @@
 namespace rayproof::viz {
 namespace {
 
-/// Where the scene is, whatever the step.
-constexpr PixelBox window_scene{24, 60, 596, window_scene_height};
-
 /// A window of a player, fed with the events that VTK makes of what a user does.
 struct Shown {
   explicit Shown(Player shown, int width = 960, int height = 540)

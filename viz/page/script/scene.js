@@ -146,11 +146,11 @@ class StageScene {
     for (const surface of now.surfaces) {
       const pairs = surface.rimFrom(eye, toward);
       surface.rim.lay(pairs);
-      for (const [a, b] of pairs) places.avoid(seen(a), seen(b), 12);
+      for (const [a, b] of pairs) places.avoid(seen(a), seen(b), 8);
       if (!step.flat) surface.sides.forEach((side, i) => { side.renderOrder = i - 10 * surface.centre.distanceTo(eye); });
     }
     for (const body of step.bodies.filter(body => body.pieces))
-      for (const piece of body.pieces) for (const [a, b] of pairsOf(vectorsOf(piece))) places.avoid(seen(a), seen(b), body.how === 'dimmed' ? 12 : 20);
+      for (const piece of body.pieces) for (const [a, b] of pairsOf(vectorsOf(piece))) places.avoid(seen(a), seen(b), body.how === 'dimmed' ? 8 : 12);
     if (now.floor) now.floor.visible = new THREE.Vector3().fromArray(step.up).dot(eye) > step.floor.ground * step.up[step.floor.axis];
     this.renderer.render(this.scene, camera);
     this.labels.place(seen, places);

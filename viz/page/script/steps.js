@@ -29,7 +29,7 @@ class Walkthrough {
     document.documentElement.classList.add('live');
     if (hasWebGL()) this.scene = new StageScene(byId('scene')).load(dataOf('space'));
     this.listen();
-    this.show(location.hash.startsWith('#') ? Number(location.hash.slice(1)) - 1 || 0 : Number(byId('walk').dataset.first));
+    this.show(location.hash.startsWith('#') ? Number(location.hash.slice(1)) - 1 || 0 : 0);
     if (this.slider) {
       this.slider.value = 1000 * this.fraction();
       this.run(this.t);
@@ -72,11 +72,7 @@ class Walkthrough {
     byId('next').disabled = this.place === sections.length - 1;
     byId('place').textContent = `Step ${this.place + 1} of ${sections.length}: ${step.title}`;
     byId('scene').setAttribute('aria-label', `${step.title}. ${step.caption}`);
-    if (this.scene) {
-      this.scene.show(this.place);
-      const roles = new Set(this.scene.step.bodies.map(body => body.role));
-      document.querySelectorAll('.legend [data-role]').forEach(entry => { entry.hidden = !roles.has(entry.dataset.role); });
-    }
+    if (this.scene) this.scene.show(this.place);
     else byId('scene').replaceChildren(sections[this.place].querySelector('figure').firstElementChild.cloneNode(true));
     byId('magnified').textContent = isApart && step.magnification !== 1 ? step.scale : !this.scene || data.camera.flat || isApart ? ''
       : 'Drag, or focus the picture and use the arrow keys, to look from another side';

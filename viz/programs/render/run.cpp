@@ -14,6 +14,7 @@
 #include "viz/vtk/raster_png.hpp"
 #include "viz/vtk/render/error_figure.hpp"
 #include "viz/vtk/render/error_window.hpp"
+#include "viz/vtk/render/mesh_reader.hpp"
 #include "viz/vtk/render/shadow_figure.hpp"
 #include "viz/vtk/x_display.hpp"
 
@@ -27,7 +28,7 @@ class Render {
       : options_(options),
         stop_(stop),
         mode_(options.mode()),
-        scene_(read_scene(options.scene, options.overrides())) {}
+        scene_(read_scene(options.scene, read_mesh, options.overrides())) {}
 
   void run() {
     if (mode_ == Mode::pixel) return print_case();

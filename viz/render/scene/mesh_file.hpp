@@ -1,21 +1,18 @@
 #pragma once
 /// \file
-/// Meshes from files.
+/// Mesh files, known by the ends of their names.
 
 #include <filesystem>
-#include <rayproof/triangle.hpp>
-#include <stdexcept>
-#include <vector>
+#include <string>
 
 namespace rayproof::render {
 
-/// A file that can't be read or is no mesh; the text says so in one sentence that names the file.
-class UnreadableFile : public std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-/// The triangles of a file in OBJ, STL, PLY or OFF, unrounded; the end of its name says which. A face with
-/// more than three corners becomes a fan. Throws UnreadableFile.
-[[nodiscard]] std::vector<Triangle<double>> read_mesh(const std::filesystem::path& file);
+/// "obj" of "Bunny.OBJ".
+[[nodiscard]] inline std::string ending_of(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  if (ending.starts_with('.')) ending.erase(0, 1);
+  for (char& c : ending) c = static_cast<char>('A' <= c && c <= 'Z' ? c + ('a' - 'A') : c);
+  return ending;
+}
 
 }  // namespace rayproof::render

@@ -41,7 +41,7 @@ double rounded(const Field& field, Precision precision, double x) {
 /// Reads `shapes`.
 class ObjectsReader {
  public:
-  explicit ObjectsReader(RenderScene& scene) : scene_(scene) {}
+  ObjectsReader(RenderScene& scene, const ReadMesh& read_mesh) : scene_(scene), read_mesh_(read_mesh) {}
 
   void read(const Field& shapes) {
     const std::vector<Field> entries = shapes.elements("must be an array of shapes and meshes");
@@ -79,11 +79,12 @@ class ObjectsReader {
       return glm::dvec3(rounded(field, scene_.precision, v.x), rounded(field, scene_.precision, v.y),
                         rounded(field, scene_.precision, v.z));
     };
-    for (const Triangle<double>& t : read_mesh(beside / read_string(field)))
+    for (const Triangle<double>& t : read_mesh_(beside / read_string(field)))
       scene_.objects.push_back({Triangle<double>{vertex(t.a), vertex(t.b), vertex(t.c)}, transform, entry});
   }
 
   RenderScene& scene_;
+  const ReadMesh& read_mesh_;
 };
 
 void read_size(RenderScene& scene, ObjectReader& reader, const SceneOverrides& overrides) {
@@ -94,7 +95,8 @@ void read_size(RenderScene& scene, ObjectReader& reader, const SceneOverrides& o
   if (overrides.size) std::tie(scene.width, scene.height) = *overrides.size;
 }
 
-void read_members(RenderScene& scene, const json::Document& document, const SceneOverrides& overrides) {
+void read_members(RenderScene& scene, const json::Document& document, const ReadMesh& read_mesh,
+                  const SceneOverrides& overrides) {
   const Field whole{.document = &document};
   ObjectReader reader(whole);
   scene.precision = read_precision(reader);
@@ -105,7 +107,7 @@ void read_members(RenderScene& scene, const json::Document& document, const Scen
   if (const auto light = reader.find("light")) read_value(*light, scene.precision, scene.light.emplace());
   if (const auto note = reader.find("note")) static_cast<void>(read_string(*note));
   reader.refuse_unknown();
-  ObjectsReader(scene).read(shapes);
+  ObjectsReader(scene, read_mesh).read(shapes);
 }
 
 /// The case reader's sentence, with the file before it and the value behind it.
@@ -119,14 +121,15 @@ std::string sentence_about(const std::string& file, const Refusal& why, const st
 
 }  // namespace
 
-RenderScene read_scene(const std::filesystem::path& file, const SceneOverrides& overrides) {
+RenderScene read_scene(const std::filesystem::path& file, const ReadMesh& read_mesh,
+                       const SceneOverrides& overrides) {
   const std::string text = read_text(file);
   RenderScene scene;
   scene.file = file.string();
   json::Document document;
   try {
     document = json::parse(text);
-    read_members(scene, document, overrides);
+    read_members(scene, document, read_mesh, overrides);
   } catch (const Refusal& why) {
     throw Refusal(why.field(), sentence_about(scene.file, why, value_at(document, why.field())));
   }

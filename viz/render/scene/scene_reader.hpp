@@ -3,11 +3,20 @@
 /// Reads a scene from a JSON file: `camera`, `size`, `precision` and `shapes` (docs/raycasting.md).
 
 #include <filesystem>
+#include <functional>
+#include <stdexcept>
 
-#include "viz/render/scene/mesh_file.hpp"
 #include "viz/render/scene/scene.hpp"
 
 namespace rayproof::render {
+
+/// A file that can't be read or is no mesh; the text says so in one sentence that names the file.
+class UnreadableFile : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// The triangles of a mesh file, unrounded. Throws UnreadableFile.
+using ReadMesh = std::function<std::vector<Triangle<double>>(const std::filesystem::path&)>;
 
 /// What the command line says in place of the file.
 struct SceneOverrides {
@@ -21,6 +30,7 @@ inline constexpr int largest_side = 16384;
 /// Reads the scene, its numbers rounded to its precision; meshes lie beside the scene's file unless their
 /// path is absolute. Throws UnreadableFile, or a Refusal whose sentence names the file, the field and its
 /// value.
-[[nodiscard]] RenderScene read_scene(const std::filesystem::path& file, const SceneOverrides& overrides = {});
+[[nodiscard]] RenderScene read_scene(const std::filesystem::path& file, const ReadMesh& read_mesh,
+                                     const SceneOverrides& overrides = {});
 
 }  // namespace rayproof::render

@@ -1,8 +1,15 @@
 #include "viz/vtk/sheet/picture_item.hpp"
 
+#include <vtkBrush.h>
 #include <vtkContext2D.h>
 #include <vtkObjectFactory.h>
+#include <vtkPen.h>
 
+#include <cmath>
+#include <numbers>
+
+#include "viz/picture/palette.hpp"
+#include "viz/picture/raster.hpp"
 #include "viz/vtk/sheet/picture_text.hpp"
 
 namespace rayproof::viz {
@@ -18,38 +25,60 @@ class ItemPainter {
         scale_(item.scale) {}
 
   void operator()(const Area& /*area*/) {}  // surfaces are bodies of the scene below
-  void operator()(const Window& /*window*/) {}
-  void operator()(const PixelLine& line) {
-    std::vector<Point> points;
-    for (const Point& p : line.points) points.push_back(placed(p));
-    paint_line(context_, line.role, points, line.width * scale_);
-  }
-  /// As letters of DejaVu Sans, whose edges are smooth; the painter's own are not.
+  void operator()(const PixelLine& line) { stroke(line.role, line.points, line.width); }
   void operator()(const Mark& mark) {
-    constexpr double disc = 0.763;  // its diameter, in em
-    const auto letter = [&](Role role, const char* sign, double size) {
-      const double middle = mark.shape == MarkShape::cross ? 0.365 : 0.259;  // its height, in em
-      (*this)(Text{role, {mark.at.x, mark.at.y + middle * size}, sign, Anchor::middle, size});
-    };
+    const double r = mark_radius;
+    const auto [x, y] = mark.at;
     switch (mark.shape) {
       case MarkShape::dot:
-        return letter(mark.role, "●", 9 / disc);
+        return fill(mark.role, circle(mark.at, 4.5));
       case MarkShape::ring:
-        letter(mark.role, "●", (2 * mark_radius + 2.5) / disc);
-        return letter(Role::background, "●", (2 * mark_radius - 2.5) / disc);
+        return stroke(mark.role, circle(mark.at, r), 2.5);
       case MarkShape::diamond:
-        return letter(mark.role, "◆", 2 * mark_radius / disc);
+        return fill(mark.role, {{x - r, y}, {x, y + r}, {x + r, y}, {x, y - r}});
       case MarkShape::cross:
-        return letter(mark.role, "✖", 20);
+        stroke(mark.role, {{x - r, y - r}, {x + r, y + r}}, 2.5);
+        stroke(mark.role, {{x - r, y + r}, {x + r, y - r}}, 2.5);
     }
   }
   void operator()(const Text& text) {
-    const Point at = placed(text.at);
-    paint_text(context_, text, at.x, at.y, scale_);
+    paint_text(context_, text, left_ + text.at.x * scale_, top_ - text.at.y * scale_, scale_);
   }
 
  private:
-  [[nodiscard]] Point placed(const Point& p) const { return {left_ + p.x * scale_, top_ - p.y * scale_}; }
+  [[nodiscard]] float to_x(double x) const { return static_cast<float>(left_ + x * scale_); }
+  [[nodiscard]] float to_y(double y) const { return static_cast<float>(top_ - y * scale_); }
+  [[nodiscard]] std::vector<float> flat(const std::vector<Point>& points) const {
+    std::vector<float> xy;
+    for (const Point& p : points) {
+      xy.push_back(to_x(p.x));
+      xy.push_back(to_y(p.y));
+    }
+    return xy;
+  }
+  [[nodiscard]] static std::vector<Point> circle(const Point& centre, double radius) {
+    std::vector<Point> outline;
+    for (int i = 0; i <= 48; ++i) {
+      const double angle = 2 * std::numbers::pi * i / 48;
+      outline.push_back({centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle)});
+    }
+    return outline;
+  }
+  void fill(Role role, const std::vector<Point>& points) {
+    const auto [red, green, blue] = rgb_of(colour_of(role).light);
+    context_.GetBrush()->SetColor(red, green, blue, 255);
+    context_.GetPen()->SetLineType(vtkPen::NO_PEN);
+    auto xy = flat(points);
+    context_.DrawPolygon(xy.data(), static_cast<int>(points.size()));
+  }
+  void stroke(Role role, const std::vector<Point>& points, double width) {
+    const auto [red, green, blue] = rgb_of(colour_of(role).light);
+    context_.GetPen()->SetLineType(vtkPen::SOLID_LINE);
+    context_.GetPen()->SetColor(red, green, blue, 255);
+    context_.GetPen()->SetWidth(static_cast<float>(width * scale_));
+    auto xy = flat(points);
+    context_.DrawPoly(xy.data(), static_cast<int>(points.size()));
+  }
 
   vtkContext2D& context_;
   double left_, top_;

@@ -135,7 +135,17 @@ class TextPainter {
   }
 
   void stroke(const std::vector<Point>& points) {
-    paint_line(context_, text_.role, points, (text_.bold ? 0.11 : 0.075) * em_);
+    const auto [red, green, blue] = rgb_of(colour_of(text_.role).light);
+    vtkPen& pen = *context_.GetPen();
+    pen.SetLineType(vtkPen::SOLID_LINE);
+    pen.SetColor(red, green, blue, 255);
+    pen.SetWidth(static_cast<float>((text_.bold ? 0.11 : 0.075) * em_));
+    std::vector<float> xy;
+    for (const Point& p : points) {
+      xy.push_back(static_cast<float>(p.x));
+      xy.push_back(static_cast<float>(p.y));
+    }
+    context_.DrawPoly(xy.data(), static_cast<int>(points.size()));
   }
 
   vtkContext2D& context_;
@@ -145,20 +155,6 @@ class TextPainter {
 };
 
 }  // namespace
-
-void paint_line(vtkContext2D& context, Role role, const std::vector<Point>& points, double width) {
-  const auto [red, green, blue] = rgb_of(colour_of(role).light);
-  vtkPen& pen = *context.GetPen();
-  pen.SetLineType(vtkPen::SOLID_LINE);
-  pen.SetColor(red, green, blue, 255);
-  pen.SetWidth(static_cast<float>(width));
-  std::vector<float> xy;
-  for (const Point& p : points) {
-    xy.push_back(static_cast<float>(p.x));
-    xy.push_back(static_cast<float>(p.y));
-  }
-  context.DrawPoly(xy.data(), static_cast<int>(points.size()));
-}
 
 void paint_text(vtkContext2D& context, const Text& text, double x, double y, double scale) {
   const std::vector<TextRun> runs = runs_of(text.text);

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A picture's text and lines, painted by VTK's two-dimensional painter.
+/// A picture's text, painted by VTK's two-dimensional painter.
 
 #include "viz/picture/picture.hpp"
 
@@ -12,8 +12,5 @@ namespace rayproof::viz {
 /// pixels stand for each of the picture's. Arrows and hats above letters ("d⃗", "d̂") are strokes: VTK knows
 /// no combining characters.
 void paint_text(vtkContext2D& context, const Text& text, double x, double y, double scale);
-
-/// Paints a line through points of the context, in the role's light colour.
-void paint_line(vtkContext2D& context, Role role, const std::vector<Point>& points, double width);
 
 }  // namespace rayproof::viz

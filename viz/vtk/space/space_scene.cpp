@@ -47,7 +47,7 @@ void set_camera(vtkCamera& camera, const SpaceCamera& view) {
   camera.SetViewUp(view.up.x, view.up.y, view.up.z);
   camera.SetViewAngle(view_angle);
   camera.SetParallelProjection(view.is_flat ? 1 : 0);
-  camera.SetParallelScale(view.half);
+  camera.SetParallelScale(view_margin);
   camera.SetClippingRange(view.nearest(), view.farthest());
 }
 
@@ -67,7 +67,7 @@ void set_fine(vtkRenderer& renderer, bool is_fine) {
 }
 
 SpaceScene::SpaceScene(vtkRenderer& renderer, const Stage& stage, std::size_t step, Look look, int sides)
-    : renderer_(renderer), space_(space_of(stage, step, renderer.GetTiledAspectRatio())), sides_(sides) {
+    : renderer_(renderer), space_(space_of(stage, step)), sides_(sides) {
   renderer_.RemoveAllViewProps();
   place_camera(look);
   for (const SpaceBody& body : space_.bodies) {
@@ -149,12 +149,12 @@ std::vector<SpaceScene::SpacePart> SpaceScene::merged(const std::vector<SpacePar
 void SpaceScene::add_actor(const SpacePart& part) {
   const auto actor = actor_of(part.geometry, part.role, is_fine());
   renderer_.AddActor(actor);
-  if (space_.camera.is_flat) actor->GetProperty()->LightingOff();
   if (part.kind == SpacePart::Kind::line || part.kind == SpacePart::Kind::mark) return;
   vtkProperty& property = *actor->GetProperty();
   property.SetOpacity(part.opacity);
   property.SetSpecular(part.specular);
   property.SetSpecularPower(30);
+  if (space_.camera.is_flat) property.LightingOff();
   films_.emplace_back(actor);
   if (part.kind == SpacePart::Kind::closed) closed_.emplace_back(actor);
 }
@@ -183,19 +183,22 @@ void SpaceScene::add_floor() {
   for (const auto& shadow : floor.shadows) renderer_.AddActor(shadow);
 }
 
-std::optional<Point> SpaceScene::seen(const glm::dvec3& p, const PixelBox& frame) const {
-  if (!space_.camera.is_flat &&
-      glm::dot(space_.camera.eye() - p, space_.camera.toward) < space_.camera.nearest())
-    return std::nullopt;
-  renderer_.SetWorldPoint(p.x, p.y, p.z, 1);
-  renderer_.WorldToView();
-  double at[3];
-  renderer_.GetViewPoint(at);
-  return Point{frame.left + (at[0] + 1) / 2 * frame.width, frame.top + (1 - at[1]) / 2 * frame.height};
-}
-
-void SpaceScene::write_labels(Picture& picture, const PixelBox& frame) const {
-  draw_labels(picture, frame, space_, [&](const glm::dvec3& p) { return seen(p, frame); });
+std::vector<Point> SpaceScene::seen(const StageItem& item, const PixelBox& frame) const {
+  std::vector<Point> pixels;
+  if (item.form == Form::ellipsoid) return pixels;
+  for (const glm::dvec3& p : placed_points(item, space_.view)) {
+    // What is behind the eye has no place in the picture.
+    if (!space_.camera.is_flat &&
+        glm::dot(space_.camera.eye() - p, space_.camera.toward) < space_.camera.nearest())
+      continue;
+    renderer_.SetWorldPoint(p.x, p.y, p.z, 1);
+    renderer_.WorldToView();
+    double at[3];
+    renderer_.GetViewPoint(at);
+    pixels.push_back(
+        {frame.left + (at[0] + 1) / 2 * frame.width, frame.top + (1 - at[1]) / 2 * frame.height});
+  }
+  return pixels;
 }
 
 }  // namespace rayproof::viz

@@ -43,11 +43,9 @@ class SpaceScene {
   SpaceScene(vtkRenderer& renderer, const Stage& stage, std::size_t step, Look look = Look::anew,
              int sides = fine_sides);
 
-  /// Where a point of the view is seen, in the pixels of a frame that the renderer's viewport fills; nothing
-  /// of what is behind the eye.
-  [[nodiscard]] std::optional<Point> seen(const glm::dvec3& p, const PixelBox& frame) const;
-  /// Writes the step's labels into that frame of a picture.
-  void write_labels(Picture& picture, const PixelBox& frame) const;
+  /// Where an item is seen, in the pixels of a frame that the renderer's viewport fills; nothing of a round
+  /// surface.
+  [[nodiscard]] std::vector<Point> seen(const StageItem& item, const PixelBox& frame) const;
   /// Whether it is a drawing in a plane.
   [[nodiscard]] bool is_flat() const { return space_.camera.is_flat; }
 

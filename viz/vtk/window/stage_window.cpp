@@ -152,8 +152,7 @@ class StageWindow::Impl {
 
   /// The layers and widgets where the window's size has them.
   void fit() {
-    const PixelBox scene = slide_scene(player.stage().steps[player.step()], window_scene_height);
-    view.fit(scene);
+    view.fit();
     const int* const size = view.window().GetSize();
     const auto put = [&](vtkCoordinate& end, double x) {
       const Point p = view.to_window({x, slider_track.centre().y});
@@ -163,7 +162,7 @@ class StageWindow::Impl {
     put(*slider_face->GetPoint1Coordinate(), slider_track.left);
     put(*slider_face->GetPoint2Coordinate(), slider_track.right());
     auto& axes = *vtkCameraOrientationRepresentation::SafeDownCast(compass->GetRepresentation());
-    const Point corner = view.to_window({scene.right(), scene.top});
+    const Point corner = view.to_window({window_scene.right(), window_scene.top});
     axes.SetPadding(static_cast<int>(size[0] - corner.x), static_cast<int>(size[1] - corner.y));
     const int side = static_cast<int>(64 * view.scale());
     axes.SetSize(side, side);
@@ -232,7 +231,7 @@ class StageWindow::Impl {
   vtkMTimeType placed_at = 0;  ///< when the camera was last where we put it
   StageView last_view{};
   std::string last_name{};
-  SlideView view;
+  SlideView view{window_scene};
   vtkNew<vtkRenderWindowInteractor> interactor;
   vtkNew<OrbitStyle> style;
   vtkNew<vtkSliderRepresentation2D> slider_face;

@@ -14,8 +14,8 @@ class vtkRenderWindowInteractor;
 
 namespace rayproof::viz {
 
-/// How high the scene is in the window, and where the slider's track lies, in the pixels of a slide.
-inline constexpr double window_scene_height = 290;
+/// Where the scene and the slider's track lie in the window, in the pixels of a slide.
+inline constexpr PixelBox window_scene{24, 60, 596, 290};
 inline constexpr PixelBox slider_track{250, 358, 640, 20};
 
 /// The window is made with the object and gone with it. A UserDisplay (viz/vtk/x_display.hpp)

@@ -7,7 +7,7 @@
 #include "viz/player/player_help.hpp"
 #include "viz/trace/numbers.hpp"
 #include "viz/vtk/window/stage_window.hpp"
-#include "viz/walkthrough/steps/live_values.hpp"
+#include "viz/walkthrough/live_values.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -52,8 +52,8 @@ std::string focus_in_words(const Player& player) {
 Picture window_sheet(const Player& player) {
   const bool is_refused = !player.complaint().empty();
   if (player.is_help_shown()) return help_picture(player.stage());
-  Picture sheet = slide_frame(player.stage(), player.step(), is_refused ? "" : focus_in_words(player),
-                              window_scene_height);
+  Picture sheet =
+      slide_frame(player.stage(), player.step(), is_refused ? "" : focus_in_words(player), window_scene);
   if (is_refused) {
     const double room = slide_width - 2 * slide_margin;
     add_text(sheet, Role::claimed, {slide_margin, 54}, cut(player.complaint(), room, 13), 13, true);

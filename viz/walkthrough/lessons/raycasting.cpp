@@ -9,7 +9,7 @@
 #include "viz/walkthrough/lessons/camera_image.hpp"
 #include "viz/walkthrough/setting.hpp"
 #include "viz/walkthrough/stage_of.hpp"
-#include "viz/walkthrough/steps/stage_values.hpp"
+#include "viz/walkthrough/stage_values.hpp"
 
 namespace rayproof::viz {
 namespace {

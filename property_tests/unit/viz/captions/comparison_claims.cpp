@@ -1,7 +1,7 @@
 #include "unit/viz/captions/lesson_caption.hpp"
 #include "viz/explain/answers.hpp"
 #include "viz/programs/report_of.hpp"
-#include "viz/walkthrough/steps/stage_values.hpp"
+#include "viz/walkthrough/stage_values.hpp"
 
 namespace rayproof::viz {
 namespace {

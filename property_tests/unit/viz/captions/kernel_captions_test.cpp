@@ -13,7 +13,7 @@
 #include "properties/numbers.hpp"
 #include "unit/viz/captions/caption.hpp"
 #include "viz/programs/report_of.hpp"
-#include "viz/walkthrough/steps/sentences.hpp"
+#include "viz/walkthrough/sentences.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -34,9 +34,9 @@ void for_recorded_cases(std::uint64_t seeds, const std::function<void(const Case
   }
 }
 
-/// Products of four of the case's numbers are normal numbers of double, in which the checks compute.
+/// Products of three of the case's numbers are normal numbers of its precision.
 bool is_tame(Case one) {
-  const double most = one.precision == Precision::float32 ? 1e38 : 1e75;
+  const double most = one.precision == Precision::float32 ? 1e12 : 1e60;
   return std::ranges::all_of(numbers_of(one), [&](const CaseNumber& number) {
     const double size = std::abs(*number.value);
     return size == 0 || std::isinf(size) || (size > 1 / most && size < most);

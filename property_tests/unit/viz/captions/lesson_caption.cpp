@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <set>
 
-#include "viz/walkthrough/steps/sentences.hpp"
+#include "viz/walkthrough/sentences.hpp"
 
 namespace rayproof::viz {
 namespace {

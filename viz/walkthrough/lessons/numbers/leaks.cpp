@@ -11,10 +11,10 @@
 #include "viz/scene/fit_view.hpp"
 #include "viz/trace/numbers.hpp"
 #include "viz/walkthrough/compose.hpp"
+#include "viz/walkthrough/kernel_steps.hpp"
 #include "viz/walkthrough/lessons.hpp"
+#include "viz/walkthrough/sentences.hpp"
 #include "viz/walkthrough/stage_of.hpp"
-#include "viz/walkthrough/steps/kernel_steps.hpp"
-#include "viz/walkthrough/steps/sentences.hpp"
 
 namespace rayproof::viz {
 namespace {

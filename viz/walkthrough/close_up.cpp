@@ -1,4 +1,4 @@
-#include "viz/walkthrough/difference/close_up.hpp"
+#include "viz/walkthrough/close_up.hpp"
 
 #include <fmt/format.h>
 

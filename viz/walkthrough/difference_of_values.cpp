@@ -5,7 +5,7 @@
 
 #include "viz/trace/numbers.hpp"
 #include "viz/walkthrough/compose.hpp"
-#include "viz/walkthrough/steps/stage_values.hpp"
+#include "viz/walkthrough/stage_values.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -3,7 +3,7 @@
 /// geometry (P. Drábek, "Geometrie pro počítačovou grafiku", 2017, replaces `rtcIntersect` so). Embree finds
 /// whom to ask; the method and its precision stay ours.
 
-#include "viz/render/nearby/neighbourhood.hpp"
+#include "viz/render/neighbourhood.hpp"
 
 #ifdef RAYPROOF_HAS_EMBREE
 

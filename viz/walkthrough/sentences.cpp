@@ -1,4 +1,4 @@
-#include "viz/walkthrough/steps/sentences.hpp"
+#include "viz/walkthrough/sentences.hpp"
 
 #include <algorithm>
 #include <array>

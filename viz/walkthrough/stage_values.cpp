@@ -1,4 +1,4 @@
-#include "viz/walkthrough/steps/stage_values.hpp"
+#include "viz/walkthrough/stage_values.hpp"
 
 #include <algorithm>
 

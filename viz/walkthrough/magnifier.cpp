@@ -1,10 +1,10 @@
-#include "viz/walkthrough/difference/magnifier.hpp"
+#include "viz/walkthrough/magnifier.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "viz/walkthrough/steps/live_values.hpp"
+#include "viz/walkthrough/live_values.hpp"
 
 namespace rayproof::viz {
 

@@ -1,4 +1,4 @@
-#include "viz/walkthrough/difference/difference_gap.hpp"
+#include "viz/walkthrough/difference_gap.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 
 #include "viz/scene/fit_view.hpp"
 #include "viz/trace/numbers.hpp"
-#include "viz/walkthrough/difference/magnifier.hpp"
+#include "viz/walkthrough/magnifier.hpp"
 
 namespace rayproof::viz {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <numeric>
 
-#include "viz/render/nearby/neighbourhood.hpp"
+#include "viz/render/neighbourhood.hpp"
 
 namespace rayproof::render {
 namespace {

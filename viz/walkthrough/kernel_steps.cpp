@@ -1,4 +1,4 @@
-#include "viz/walkthrough/steps/kernel_steps.hpp"
+#include "viz/walkthrough/kernel_steps.hpp"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include "viz/explain/answers.hpp"
 #include "viz/trace/losses.hpp"
 #include "viz/trace/numbers.hpp"
-#include "viz/walkthrough/steps/sentences.hpp"
-#include "viz/walkthrough/steps/stage_values.hpp"
+#include "viz/walkthrough/sentences.hpp"
+#include "viz/walkthrough/stage_values.hpp"
 
 namespace rayproof::viz {
 namespace {

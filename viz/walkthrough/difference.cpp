@@ -6,11 +6,11 @@
 #include "viz/explain/answers.hpp"
 #include "viz/scene/fit_view.hpp"
 #include "viz/trace/numbers.hpp"
-#include "viz/walkthrough/difference/close_up.hpp"
-#include "viz/walkthrough/difference/difference_gap.hpp"
-#include "viz/walkthrough/difference/magnifier.hpp"
+#include "viz/walkthrough/close_up.hpp"
+#include "viz/walkthrough/difference_gap.hpp"
+#include "viz/walkthrough/live_values.hpp"
+#include "viz/walkthrough/magnifier.hpp"
 #include "viz/walkthrough/setting.hpp"
-#include "viz/walkthrough/steps/live_values.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -49,7 +49,7 @@ Items surface_at_hit(const glm::dvec3& normal, const Setting& setting) {
   const auto at = [&](double x, double y) { return x * setting.camera.right + y * setting.camera.up; };
   const glm::dvec3 out = at(facing, aside);
   const glm::dvec3 along = at(-aside, facing);
-  constexpr double reach = 12;  // beyond the picture
+  constexpr double reach = 8;
   Items items{segment(Role::surface, -reach * along, reach * along)};
   if (setting.has_inside) {
     items.push_back(viz::polygon(
@@ -84,7 +84,6 @@ void magnify(StageStep& step, const CaseReport& report, const ValuePair& pair, c
   if (const auto* q = std::get_if<Quadratic<double>>(&report.one.question))
     step.items = curve_at_root(*q, pair.exact, setting);
   step.items.push_back(arrow(Role::ray, -3.3 * magnifier.along, 3.3 * magnifier.along));
-  step.view = view_of(step.items.back().points, setting.camera);
   if (ulp > unit / 6) {
     for (StageItem& dot : dots_of(magnifier, pair.claimed, report.one.precision)) step.items.push_back(dot);
     step.caption += " " + dots_in_words(report.one.precision);
@@ -97,6 +96,8 @@ void magnify(StageStep& step, const CaseReport& report, const ValuePair& pair, c
   const std::string name = symbol + subscript(pair.rank);
   step.items.push_back(point(Role::exact, {0, 0, 0}, name + " exact"));
   step.items.push_back(point(Role::claimed, magnifier.at(pair.claimed), name + " as computed"));
+  step.view = view_of(extent_of(step.items, setting.camera), setting.camera);
+  step.view.radius = std::max(step.view.radius, 1.5);  // where the ray goes straight into the picture
 }
 
 /// "The computed t₀ is off by 2 ulps: exact 4.87997734 (to 53 bits), computed 4.8799777 (float32)."
@@ -162,10 +163,7 @@ StageStep difference_step(const CaseReport& report, const Setting& setting) {
   step.view = setting.near;
   step.digits = conclusion_of(report);
   const auto show_all = [&] {
-    if (!setting.slider) return;
-    step.begins_anew = true;  // the verdict, and nothing else
-    step.items = hits_of(*setting.slider, finest(report), report.claim());
-    for (StageItem& start : far_start(setting)) step.items.push_back(std::move(start));
+    if (setting.slider) step.items = hits_of(*setting.slider, finest(report), report.claim());
   };
   const bool differ = verdicts_differ(&report.exact, report.claim());
   const std::optional<ValuePair> pair = worst_pair_of(report);

@@ -1,0 +1,81 @@
+#include "viz/picture/clip.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace rayproof::viz {
+namespace {
+
+/// A side of a box as the half-plane nx·x + ny·y <= limit.
+struct HalfPlane {
+  int nx, ny;
+  double limit;
+  [[nodiscard]] double outside(const Point& p) const { return nx * p.x + ny * p.y - limit; }
+};
+
+std::array<HalfPlane, 4> sides_of(const PixelBox& box) {
+  return {{{-1, 0, -box.left}, {1, 0, box.right()}, {0, -1, -box.top}, {0, 1, box.bottom()}}};
+}
+
+/// What rounding has put beside the box.
+Point into(const Point& p, const PixelBox& box) {
+  return {std::clamp(p.x, box.left, box.right()), std::clamp(p.y, box.top, box.bottom())};
+}
+
+Point mix(const Point& a, const Point& b, double s) { return {a.x + s * (b.x - a.x), a.y + s * (b.y - a.y)}; }
+
+/// The part [enter, leave] of the segment inside the sides (Liang and Barsky); empty where enter > leave, or
+/// where an end is at no finite place.
+std::array<double, 2> inside(const Point& a, const Point& b, const std::array<HalfPlane, 4>& sides) {
+  double enter = 0;
+  double leave = 1;
+  for (const HalfPlane& side : sides) {
+    const double from = side.outside(a);
+    const double to = side.outside(b);
+    if (!std::isfinite(from - to) || (from > 0 && to > 0)) return {1, 0};
+    if (from > 0) enter = std::max(enter, from / (from - to));
+    if (to > 0) leave = std::min(leave, from / (from - to));
+  }
+  return {enter, leave};
+}
+
+}  // namespace
+
+std::vector<std::vector<Point>> clip_line(const std::vector<Point>& line, const PixelBox& box) {
+  std::vector<std::vector<Point>> parts;
+  bool is_open = false;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const auto [enter, leave] = inside(line[i], line[i + 1], sides_of(box));
+    if (enter > leave) {
+      is_open = false;
+      continue;
+    }
+    if (!is_open || enter > 0) parts.push_back({into(mix(line[i], line[i + 1], enter), box)});
+    parts.back().push_back(into(mix(line[i], line[i + 1], leave), box));
+    is_open = leave == 1;
+  }
+  return parts;
+}
+
+/// I. E. Sutherland, G. W. Hodgman, "Reentrant Polygon Clipping", 1974.
+std::vector<Point> clip_area(std::vector<Point> area, const PixelBox& box) {
+  for (const HalfPlane& side : sides_of(box)) {
+    std::vector<Point> kept;
+    for (std::size_t i = 0; i < area.size(); ++i) {
+      const Point& a = area[i];
+      const Point& b = area[(i + 1) % area.size()];
+      const double from = side.outside(a);
+      const double to = side.outside(b);
+      if (!std::isfinite(from - to)) return {};
+      if (from <= 0) kept.push_back(a);
+      if ((from < 0 && to > 0) || (from > 0 && to < 0)) kept.push_back(mix(a, b, from / (from - to)));
+    }
+    area = std::move(kept);
+  }
+  for (Point& p : area) p = into(p, box);
+  return area;
+}
+
+}  // namespace rayproof::viz

@@ -1,0 +1,18 @@
+#pragma once
+/// \file
+/// Cutting lines and areas at a frame.
+
+#include <vector>
+
+#include "viz/picture/picture.hpp"
+
+namespace rayproof::viz {
+
+/// The parts of a line inside the box.
+[[nodiscard]] std::vector<std::vector<Point>> clip_line(const std::vector<Point>& line, const PixelBox& box);
+
+/// The part of an area inside the box; by the even-odd rule the same is filled there. Nothing of one with a
+/// corner at no finite place.
+[[nodiscard]] std::vector<Point> clip_area(std::vector<Point> area, const PixelBox& box);
+
+}  // namespace rayproof::viz

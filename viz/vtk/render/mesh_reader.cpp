@@ -1,0 +1,94 @@
+#include "viz/vtk/render/mesh_reader.hpp"
+
+#include <fmt/format.h>
+#include <vtkCellArray.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
+#include <vtkOBJReader.h>
+#include <vtkPLYReader.h>
+#include <vtkPolyData.h>
+#include <vtkSTLReader.h>
+#include <vtkTriangleFilter.h>
+
+#include <fstream>
+#include <stdexcept>
+
+#include "viz/render/scene/mesh_file.hpp"
+#include "viz/render/scene/off_mesh.hpp"
+#include "viz/render/scene/scene_reader.hpp"
+#include "viz/vtk/render/apart.hpp"
+
+namespace rayproof::render {
+namespace {
+
+/// Throws where a cell names a point that is not there: VTK's filters do not ask.
+void check_points(vtkCellArray& cells, vtkIdType count) {
+  vtkNew<vtkIdList> points;
+  for (vtkIdType cell = 0; cell < cells.GetNumberOfCells(); ++cell) {
+    cells.GetCellAtId(cell, points);
+    for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i) {
+      if (points->GetId(i) < 0 || points->GetId(i) >= count)
+        throw std::out_of_range("a cell names a point that is not there");
+    }
+  }
+}
+
+template <class Reader>
+std::vector<Triangle<double>> read_by(const std::filesystem::path& file) {
+  vtkNew<Reader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  check_points(*reader->GetOutput()->GetPolys(), reader->GetOutput()->GetNumberOfPoints());
+  check_points(*reader->GetOutput()->GetStrips(), reader->GetOutput()->GetNumberOfPoints());
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->PassLinesOff();
+  triangles->PassVertsOff();
+  triangles->SetInputConnection(reader->GetOutputPort());
+  triangles->Update();
+  vtkPolyData& mesh = *triangles->GetOutput();
+  std::vector<Triangle<double>> all;
+  vtkNew<vtkIdList> corners;
+  const auto vertex = [&](vtkIdType corner) {
+    double at[3];
+    mesh.GetPoint(corners->GetId(corner), at);
+    return glm::dvec3(at[0], at[1], at[2]);
+  };
+  for (vtkIdType cell = 0; cell < mesh.GetNumberOfPolys(); ++cell) {
+    mesh.GetPolys()->GetCellAtId(cell, corners);
+    all.push_back({vertex(0), vertex(1), vertex(2)});
+  }
+  return all;
+}
+
+/// VTK's reader of the format; null where it has none.
+std::vector<Triangle<double>> (*reader_of(const std::string& ending))(const std::filesystem::path&) {
+  if (ending == "obj") return read_by<vtkOBJReader>;
+  if (ending == "stl") return read_by<vtkSTLReader>;
+  return ending == "ply" ? read_by<vtkPLYReader> : nullptr;
+}
+
+std::vector<Triangle<double>> read_by_name(const std::filesystem::path& file) {
+  const std::string ending = ending_of(file);
+  if (ending == "off") return read_off(file);
+  const auto read = reader_of(ending);
+  if (read == nullptr) {
+    throw UnreadableFile(fmt::format(
+        "{} is no mesh that can be read: its name must end in .obj, .stl, .ply or .off", file.string()));
+  }
+  // Some files that are not well-formed crash VTK 9.1's readers: let that be another process's end.
+  const auto triangles = made_apart([&] { return read(file); });
+  if (!triangles) throw UnreadableFile(fmt::format("{} is no well-formed {} file", file.string(), ending));
+  return *triangles;
+}
+
+}  // namespace
+
+std::vector<Triangle<double>> read_mesh(const std::filesystem::path& file) {
+  if (std::filesystem::is_directory(file) || !std::ifstream(file))
+    throw UnreadableFile(fmt::format("the file {} can't be read", file.string()));
+  std::vector<Triangle<double>> triangles = read_by_name(file);
+  if (triangles.empty()) throw UnreadableFile(fmt::format("{} holds no triangle", file.string()));
+  return triangles;
+}
+
+}  // namespace rayproof::render
