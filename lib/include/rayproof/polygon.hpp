@@ -18,10 +18,10 @@ namespace rayproof {
 /// units of ε·K·L(t) where it is nearest, K = D² / |Newell's normal|, D as below, or 1 where that is less: by
 /// so much the rounding of the normal turns the plane, which moves the point where the ray meets it. A side
 /// is taken to lie in the plane: a vertex that does not, below or above it, counts where it is projected. Or,
-/// where the vertices are so far off the plane that the polygon is met otherwise when seen along another axis,
-/// by how much the normal's largest component is larger than that axis's, in units of ε·V, if that is less:
-/// rounding may choose the other one.
-/// *Ulp* is in ulps of the exact t. *Domain* speaks of all numbers of the case that are not 0.
+/// where the vertices are so far off the plane that the polygon is met otherwise when seen along another
+/// axis, by how much the normal's largest component is larger than that axis's, in units of ε·V, if that is
+/// less: rounding may choose the other one. *Ulp* is in ulps of the exact t. *Domain* speaks of all numbers
+/// of the case that are not 0.
 template <class T>
 struct Polygon {
   std::vector<vec3<T>> vertices;
