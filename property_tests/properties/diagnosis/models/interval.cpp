@@ -152,8 +152,8 @@ Answers near_hit_behind(const Case& one, const Answer& /*exact*/) {
   const auto& hits = line.hits;
   if (hits.count < 2 || !(hits.t[0] < ray->t_min) || !(ray->t_min <= hits.t[1])) return {};
   const auto admitted = [&](auto&& keep) { return Answer{hits_where(line, keep)}; };
-  return {line, admitted([&](double t) { return t <= ray->t_max; }),
-          admitted([&](double t) { return t == hits.t[0]; })};
+  return {admitted([&](double t) { return t == hits.t[0]; }),
+          admitted([&](double t) { return t <= ray->t_max; })};
 }
 
 Answers one_hit_admits_all(const Case& one, const Answer& exact) {

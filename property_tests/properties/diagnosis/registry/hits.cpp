@@ -9,6 +9,18 @@
 
 namespace rayproof::diagnosis {
 
+namespace {
+
+/// It ends at t = 1: a longer direction brings its hits there. Misses for other reasons would fit by chance.
+Hypothesis segment() {
+  Hypothesis made = gives_to_all("segment", read_as<as_segment>,
+                                 "the answer is right for t in [0, 1]: the ray is taken for a segment");
+  made.confirmed_by = "longer-direction";
+  return made;
+}
+
+}  // namespace
+
 std::vector<Hypothesis> models_of_hits() {
   return {
       {.name = "never-hits",
@@ -33,8 +45,7 @@ std::vector<Hypothesis> models_of_hits() {
             "the answer is right for the interval [0, inf]: t_min and t_max are ignored"),
       gives("whole-line", read_as<without_interval>,
             "the answer is right for the whole line: the interval of t is ignored"),
-      gives_to_all("segment", read_as<as_segment>,
-                   "the answer is right for t in [0, 1]: the ray is taken for a segment"),
+      segment(),
       gives("interval-as-distances", read_as<interval_as_distances>,
             "the answer is right where t_min and t_max are lengths: they are compared with distances, not "
             "with t"),
@@ -44,12 +55,12 @@ std::vector<Hypothesis> models_of_hits() {
       gives("misses-from-inside", misses_from_inside, "every ray that starts inside misses"),
       gives("behind-is-hit", behind_is_hit,
             "what lies wholly behind the ray's beginning is reported: the sign of t is not looked at"),
-      gives("near-hit-behind", near_hit_behind,
-            "a ray that starts inside is said to hit behind its beginning: the near hit is not compared with "
-            "t_min"),
       gives("one-hit-admits-all", one_hit_admits_all,
             "where one hit lies in the interval, the line's others are reported too: not each is compared "
             "with the interval"),
+      gives("near-hit-behind", near_hit_behind,
+            "a ray that starts inside is said to hit behind its beginning: the near hit is not compared with "
+            "t_min"),
       gives("all-hits-or-none", all_hits_or_none,
             "it misses where one of the line's hits lies outside the interval, although another lies inside"),
       gives("starts-at-t-min", clipped_at_t_min,

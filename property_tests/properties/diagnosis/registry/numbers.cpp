@@ -127,20 +127,20 @@ std::vector<Hypothesis> models_of_digits() {
       shows("computes-in-float", is_of_float,
             "every number is one of float32, though the case is of float64: the code computes in float",
             rounding),
-      shows("float-on-the-way", is_right_to_float,
-            "every number is right to about seven digits: a float on the way to it, though the case is of "
-            "float64",
-            rounding),
       shows("whole-numbers", has_whole_numbers,
             "every number is a whole one: it is cut off or rounded to an integer"),
-      shows("approximate", is_approximate,
-            "every number is right to two to five digits and no better: something is approximated, a square "
-            "root or a reciprocal",
-            rounding),
       shows("prints-six-decimals", has_six_decimals,
             "no number has more than six decimals: the code prints too few of them, or rounds", rounding),
       shows("prints-six-digits", has_six_digits,
             "no number has more than six digits: the code prints too few of them", rounding),
+      shows("float-on-the-way", is_right_to_float,
+            "every number is right to about seven digits: a float on the way to it, though the case is of "
+            "float64",
+            rounding),
+      shows("approximate", is_approximate,
+            "every number is right to two to five digits and no better: something is approximated, a square "
+            "root or a reciprocal",
+            rounding),
   };
 }
 
