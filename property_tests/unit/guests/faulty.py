@@ -40,14 +40,6 @@ def half(case):
     return with_hits([struct.unpack("e", struct.pack("e", hit["t"]))[0] for hit in hits_of(case)])
 
 
-def grazing(case):
-    """A plane that is met at less than a degree is taken for parallel."""
-    shape, d = case["shape"], case["ray"]["direction"]
-    n = shape["normal"] if "normal" in shape else cross(shape["u"], shape["v"])
-    slope = dot(n, d) / math.sqrt(dot(n, n) * dot(d, d))
-    return with_hits([]) if abs(slope) < 0.015 else answer(case)
-
-
 def in_plane(case):
     """A ray inside the plane is said to hit at once."""
     shape, ray = case["shape"], case["ray"]
@@ -88,7 +80,6 @@ FAULTS = {
     "open_at_t_max": open_at_t_max,
     "rounded": rounded,
     "half": half,
-    "grazing": grazing,
     "in_plane": in_plane,
     "other_sign": other_sign,
     "point_alone": point_alone,

@@ -63,7 +63,6 @@ INSTANTIATE_TEST_SUITE_P(
                     FaultyGuest{"open_at_t_max", "--shape plane --family whole", "t_max"},
                     FaultyGuest{"rounded", "--shape plane --family random", "six decimals"},
                     FaultyGuest{"half", "--shape plane --family random", "half precision"},
-                    FaultyGuest{"grazing", "--shape plane --family random", "taken for parallel"},
                     FaultyGuest{"in_plane", "--shape plane --family whole", "reported as a hit"},
                     FaultyGuest{"other_sign", "--shape sphere --family random", "other sign"},
                     FaultyGuest{"point_alone", "--shape plane --family random", "the origin is missing"},

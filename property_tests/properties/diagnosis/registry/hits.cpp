@@ -9,18 +9,6 @@
 
 namespace rayproof::diagnosis {
 
-namespace {
-
-/// It ends at t = 1: a longer direction brings its hits there. Misses for other reasons would fit by chance.
-Hypothesis segment() {
-  Hypothesis made = gives_to_all("segment", read_as<as_segment>,
-                                 "the answer is right for t in [0, 1]: the ray is taken for a segment");
-  made.confirmed_by = "longer-direction";
-  return made;
-}
-
-}  // namespace
-
 std::vector<Hypothesis> models_of_hits() {
   return {
       {.name = "never-hits",
@@ -45,7 +33,8 @@ std::vector<Hypothesis> models_of_hits() {
             "the answer is right for the interval [0, inf]: t_min and t_max are ignored"),
       gives("whole-line", read_as<without_interval>,
             "the answer is right for the whole line: the interval of t is ignored"),
-      segment(),
+      gives_to_all("segment", read_as<as_segment>,
+                   "the answer is right for t in [0, 1]: the ray is taken for a segment"),
       gives("interval-as-distances", read_as<interval_as_distances>,
             "the answer is right where t_min and t_max are lengths: they are compared with distances, not "
             "with t"),
