@@ -33,7 +33,7 @@ def faults_of_rows(rows, wanted, out):
               if sum(row["student"] == name for row in rows) != 1]
     for row in rows:
         result, words = wanted[row["student"]]
-        if row["result"] != result or not any(one in row["words"] for one in words.split("|")):
+        if row["result"] not in result.split("|") or not any(one in row["words"] for one in words.split("|")):
             faults.append(f"{row['student']}: {row['result']}: {row['words']}; not {result}: {words}")
         folder = row["student"].replace("\\n", "\n")
         points = json.loads((out / "gradescope" / folder / "results.json").read_text(encoding="utf-8"))

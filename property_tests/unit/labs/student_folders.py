@@ -44,7 +44,9 @@ def noted(folder):
 
 
 def kinds(escape):
-    """Name: how the folder is made, the result, words of it, or others after |. `escape` is a file that an answer tries to write."""
+    """Name: how the folder is made, the result, words of it; others after |, where either limit may be met first.
+
+    `escape` is a file that an answer tries to write."""
     spoil = f'if (FILE* f = std::fopen("{escape}", "w")) std::fclose(f);'
     return {
         "right": (cpp(RIGHT), "passed", ""),
@@ -59,7 +61,8 @@ def kinds(escape):
         "fork bomb": (cpp(doing("for (;;) ::fork();")), "too slow", ""),
         "daemon": (cpp(doing(f"static const bool once = [] {{ if (::fork() == 0) {{ ::setsid(); if (::fork() != 0) ::_exit(0); "
                              f"::sleep(10000); }} return true; }}(); (void)once; {spoil}")), "passed", ""),
-        "10 GB of output": (cpp(doing("for (long i = 0; i < 10'000'000'000 / 64; ++i) std::printf(\"%64ld\", i);")), "too slow", ""),
+        "10 GB of output": (cpp(doing("for (long i = 0; i < 10'000'000'000 / 64; ++i) std::printf(\"%64ld\", i);")),
+                            "too slow|wrong", "longer than|gave no answer|bytes without the end of a line"),
         "10 GB of disk": (cpp(doing("std::ofstream out(std::getenv(\"TMPDIR\") ? \"large\" : \"/tmp/large\"); "
                                     "const std::string s(1 << 20, 'x'); for (int i = 0; i < 10'000; ++i) out << s;")), "crashed", "signal 25"),
         "memory": (cpp(doing("std::vector<char> all(1UL << 36U, 'x');")), "crashed", "bad_alloc"),
