@@ -11,7 +11,7 @@ namespace {
 
 /// Characters on a terminal; every one of ours is one column wide, but the arrow and the hat over a letter,
 /// which have no width.
-std::size_t columns(const std::string& text) {
+std::size_t width_of(const std::string& text) {
   std::size_t count = static_cast<std::size_t>(std::count_if(
       text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
   for (const std::string mark : {"\u20d7", "\u0302"}) {
@@ -21,15 +21,15 @@ std::size_t columns(const std::string& text) {
 }
 
 std::string padded(const std::string& text, std::size_t width) {
-  return text + std::string(width - std::min(width, columns(text)), ' ');
+  return text + std::string(width - std::min(width, width_of(text)), ' ');
 }
 
 struct Widths {
   std::size_t name = 4, value = 5, exact = 5;
   void fit(const WalkValue& v, Precision precision) {
-    name = std::max(name, columns(v.name));
-    value = std::max(value, columns(shown(v.value, precision)));
-    exact = std::max(exact, columns(v.exact));
+    name = std::max(name, width_of(v.name));
+    value = std::max(value, width_of(shown(v.value, precision)));
+    exact = std::max(exact, width_of(v.exact));
   }
 };
 

@@ -39,7 +39,7 @@ double width_of(char32_t point) {
   return point >= U'A' && point <= U'Z' ? 0.79 : 0.64;
 }
 
-double overlap(const PixelBox& a, const PixelBox& b) {
+double shared_area(const PixelBox& a, const PixelBox& b) {
   const double x = std::min(a.right(), b.right()) - std::max(a.left, b.left);
   const double y = std::min(a.bottom(), b.bottom()) - std::max(a.top, b.top);
   return x > 0 && y > 0 ? x * y : 0;
@@ -118,8 +118,8 @@ void LabelPlaces::avoid(const std::vector<Point>& line, double cost) {
 }
 
 double LabelPlaces::cost_of(const PixelBox& box, double most) const {
-  double cost = 20 * (box.width * box.height - overlap(box, frame_));  // outside of the frame
-  for (const PixelBox& other : taken_) cost += 10 * overlap(box, other);
+  double cost = 20 * (box.width * box.height - shared_area(box, frame_));  // outside of the frame
+  for (const PixelBox& other : taken_) cost += 10 * shared_area(box, other);
   for (auto one = avoided_.begin(); one != avoided_.end() && cost < most; ++one)
     cost += box.holds(one->at) ? one->cost : 0;
   return cost;

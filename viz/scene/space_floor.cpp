@@ -6,8 +6,8 @@
 namespace rayproof::viz {
 namespace {
 
-constexpr double clearance = 0.12;  ///< between the lowest thing and the floor
-constexpr double sheet = 0.002;     ///< between the floor, its grid and the shadows
+constexpr double clearance = 0.12;   ///< between the lowest thing and the floor
+constexpr double sheet_gap = 0.002;  ///< between the floor, its grid and the shadows
 
 int axis_of(const glm::dvec3& up) {
   for (int i = 0; i < 2; ++i) {
@@ -43,8 +43,8 @@ SpaceFloor floor_below(const std::vector<glm::dvec3>& points, const glm::dvec3& 
   for (const glm::dvec3& p : points) lowest = std::min(lowest, up[floor.axis] * p[floor.axis]);
   const double height = std::max(lowest, -1.9) - clearance;
   floor.shadows = up[floor.axis] * height;
-  floor.grid = up[floor.axis] * (height - sheet);
-  floor.ground = up[floor.axis] * (height - 2 * sheet);
+  floor.grid = up[floor.axis] * (height - sheet_gap);
+  floor.ground = up[floor.axis] * (height - 2 * sheet_gap);
   add_lines(floor, view);
   return floor;
 }

@@ -4,7 +4,7 @@ namespace rayproof::viz {
 namespace {
 
 /// What of v is at right angles to a unit vector.
-Place across(const Place& v, const Place& along) { return v - dot(v, along) * along; }
+Place part_across(const Place& v, const Place& along) { return v - dot(v, along) * along; }
 
 }  // namespace
 
@@ -80,7 +80,7 @@ Figure solid_figure(const Place& corner, const std::array<Place, 3>& edges) {
       const Place into_u = (foot & one) != 0 ? Place(Shadow(-1) * u) : u;
       const Place into_v = (foot & other) != 0 ? Place(Shadow(-1) * v) : v;
       figure.borders.push_back({{figure.points[foot], figure.points[foot | 1U << axis]},
-                                {unit(across(into_u, along)), unit(across(into_v, along))}});
+                                {unit(part_across(into_u, along)), unit(part_across(into_v, along))}});
     }
   }
   return figure;

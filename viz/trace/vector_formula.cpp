@@ -8,14 +8,14 @@ namespace {
 
 using Kind = Expression::Kind;
 
-constexpr std::array<char, 3> axes{'x', 'y', 'z'};
+constexpr std::array<char, 3> axis_letters{'x', 'y', 'z'};
 
 /// The names of the three components of one vector, as its name; null where they are no such three.
 Formula merged_name(const std::vector<Formula>& components) {
   std::string vector;
   std::vector<double> values;
   for (std::size_t i = 0; i < components.size(); ++i) {
-    const std::string of_this = vector_of(components[i]->text, axes.at(i));
+    const std::string of_this = vector_of(components[i]->text, axis_letters.at(i));
     if (of_this.empty() || (i > 0 && of_this != vector)) return nullptr;
     vector = of_this;
     values.insert(values.end(), components[i]->values.begin(), components[i]->values.end());

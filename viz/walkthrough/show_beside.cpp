@@ -5,9 +5,11 @@ namespace rayproof::viz {
 
 void show_beside(Stage& stage, const std::string& title, const Items& items) {
   const std::size_t number = place_of(stage.steps, title);
-  const auto reach = [&](const Items& some) { return view_of(extent_of(some, stage.camera), stage.camera); };
-  const StageView world = reach(stage.scene);
-  const StageView own = reach(items);
+  const auto seen_of = [&](const Items& some) {
+    return view_of(extent_of(some, stage.camera), stage.camera);
+  };
+  const StageView world = seen_of(stage.scene);
+  const StageView own = seen_of(items);
   const double shift = view_aspect * (world.radius + own.radius);
   StageStep& step = stage.steps.at(number);
   step.items = items;
@@ -16,7 +18,7 @@ void show_beside(Stage& stage, const std::string& title, const Items& items) {
   }
   Items all = stage.scene;
   all.insert(all.end(), step.items.begin(), step.items.end());
-  step.view = reach(all);
+  step.view = seen_of(all);
   stage.steps.at(number + 1).begins_anew = true;
 }
 

@@ -11,6 +11,7 @@ import time
 
 FLAGS = ["--headless", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-quic", "--no-first-run", "--disable-sync",
          "--disable-background-networking", "--disable-component-update", "--hide-scrollbars", "--remote-debugging-pipe"]
+PATIENCE = 600  # seconds: on a busy machine one drawing may take minutes
 
 
 def find_browser():
@@ -64,7 +65,7 @@ class Browser:
         if session:
             command["sessionId"] = session
         os.write(self.out, json.dumps(command).encode() + b"\0")
-        deadline = time.monotonic() + 180
+        deadline = time.monotonic() + PATIENCE
         while True:
             message = self.read(deadline)
             if message.get("id") != self.last:
@@ -75,7 +76,7 @@ class Browser:
                 return message["result"]
 
     def wait_for(self, method):
-        deadline = time.monotonic() + 180
+        deadline = time.monotonic() + PATIENCE
         while not any(event.get("method") == method for event in self.events):
             self.events.append(self.read(deadline))
 

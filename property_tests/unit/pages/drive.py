@@ -7,6 +7,7 @@ Exit status 0: all is well; 1: a page is at fault; 77: there is no Chromium, so 
 import argparse
 import base64
 import math
+import os
 import pathlib
 import struct
 import subprocess
@@ -303,19 +304,27 @@ def drive(folder, browser, every):
     return failures
 
 
+def write(options, folder):
+    """Writes the pages. Their still pictures by VTK take a second each, so that they are flat unless every page is used."""
+    environment = dict(os.environ)
+    if options.every > 1:
+        environment["PATH"] = "/nowhere"  # where there is no Xvfb
+    subprocess.run([pathlib.Path(options.walk).resolve(), options.topic, "--html", folder], check=True, env=environment)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--walk", required=True, help="the program rayproof-walk")
     parser.add_argument("--check", required=True, help="the program rayproof-check")
     parser.add_argument("--topic", default="all")
-    parser.add_argument("--every", type=int, default=8, help="drawn and used is one page of this many")
+    parser.add_argument("--every", type=int, default=8, help="drawn and used is one page of this many; 1: and stills by VTK")
     options = parser.parse_args()
     program = devtools.find_browser()
     if program is None:
         print("skipped: Chromium was not found (Debian package chromium)")
         return 77
     with tempfile.TemporaryDirectory() as folder:
-        subprocess.run([options.walk, options.topic, "--html", folder], check=True)
+        write(options, folder)
         browser = devtools.Browser(program)
         try:
             failures = drive(pathlib.Path(folder), browser, options.every)

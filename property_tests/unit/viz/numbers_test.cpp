@@ -14,7 +14,7 @@ namespace rayproof::viz {
 namespace {
 
 using Whole = boost::multiprecision::cpp_int;
-using Decimal = boost::multiprecision::number<boost::multiprecision::cpp_dec_float<1200>>;
+using WideDecimal = boost::multiprecision::number<boost::multiprecision::cpp_dec_float<1200>>;
 
 template <class T>
 constexpr Precision precision_of = std::is_same_v<T, float> ? Precision::float32 : Precision::float64;
@@ -164,10 +164,10 @@ TEST(ExactBeside, OfRandomQuotientsNeverReadsAsTheRoundedOne) {
     const Shadow exact = Shadow(a) / Shadow(b);
     const double value = a / b;
     if (exact == Shadow(value)) continue;
-    const Decimal text(exact_beside(exact, value, 53));
-    const Decimal truth = Decimal(a) / Decimal(b);
-    EXPECT_NE(text, Decimal(value)) << text;
-    EXPECT_LE(abs(text - truth), truth * Decimal("5.1e-17")) << text;
+    const WideDecimal text(exact_beside(exact, value, 53));
+    const WideDecimal truth = WideDecimal(a) / WideDecimal(b);
+    EXPECT_NE(text, WideDecimal(value)) << text;
+    EXPECT_LE(abs(text - truth), truth * WideDecimal("5.1e-17")) << text;
   }
 }
 

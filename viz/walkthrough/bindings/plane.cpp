@@ -13,16 +13,16 @@ glm::dvec3 point_of(const NumbersByName& n) {
 glm::dvec3 normal_of(const NumbersByName& n) { return n.vector(n.has_vector("u×v") ? "u×v" : "n"); }
 
 /// About as long as the distance to the plane: what an arrow needs to be seen.
-double reach(const NumbersByName& n) {
+double reach_of_plane(const NumbersByName& n) {
   const double distance = glm::length(point_of(n) - n.origin());
   return distance > 0 ? 0.45 * distance : glm::length(n.direction());
 }
 
 Items normal(const NumbersByName& n) {
   const glm::dvec3 foot = point_of(n);
-  return {
-      arrow(Role::normal, foot, foot + resized(normal_of(n), reach(n)), n.has_vector("u×v") ? "u×v" : "n"),
-      point(Role::edge, foot, "p")};
+  return {arrow(Role::normal, foot, foot + resized(normal_of(n), reach_of_plane(n)),
+                n.has_vector("u×v") ? "u×v" : "n"),
+          point(Role::edge, foot, "p")};
 }
 
 Items height_above_plane(const NumbersByName& n) { return way_to_plane(n, normal_of(n), point_of(n)); }

@@ -53,11 +53,11 @@ Stage camera_stage(const Case& one, const ReportCase& report_on) {
   setting.scene = grid();
   setting.scene.push_back(point(Role::ray, eye().eye, "eye"));
   setting.camera = behind_the_eye(39);
-  Items reach = setting.scene;
+  Items in_sight = setting.scene;
   const CameraAxes<double> axes = camera::axes(eye());
   for (const glm::dvec3& axis : {axes.u, axes.v, axes.w})
-    reach.push_back(arrow(Role::edge, eye().eye, eye().eye + 0.6 * axis));
-  setting.near = setting.wide = view_of(extent_of(reach, setting.camera), setting.camera);
+    in_sight.push_back(arrow(Role::edge, eye().eye, eye().eye + 0.6 * axis));
+  setting.near = setting.wide = view_of(extent_of(in_sight, setting.camera), setting.camera);
   setting.slider->origin = eye().eye;
   setting.slider->from = 0;
   setting.slider->to = 1.4;

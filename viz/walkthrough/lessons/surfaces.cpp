@@ -113,12 +113,12 @@ Stage torus_stage(const Case& one, const ReportCase& report_on) {
 
 namespace {
 
-constexpr std::array<std::array<glm::dvec3, 2>, 2> corners{
+constexpr std::array<std::array<glm::dvec3, 2>, 2> patch_corners{
     {{{{-1.25, -1, 0.75}, {-1, 1.25, -0.25}}}, {{{1.25, -0.75, -0.25}, {1.5, 1, 1}}}}};
 
 glm::dvec3 on_patch(double u, double v) {
-  return (1 - u) * ((1 - v) * corners[0][0] + v * corners[0][1]) +
-         u * ((1 - v) * corners[1][0] + v * corners[1][1]);
+  return (1 - u) * ((1 - v) * patch_corners[0][0] + v * patch_corners[0][1]) +
+         u * ((1 - v) * patch_corners[1][0] + v * patch_corners[1][1]);
 }
 
 Items patch_items() {
@@ -149,7 +149,7 @@ Stage patch_stage(const Case& one, const ReportCase& report_on) {
     given.direction = named("d", given.direction);
     parametric::BilinearPatch<R> patch;
     for (std::size_t i = 0; i < 2; ++i)
-      for (std::size_t j = 0; j < 2; ++j) patch.points[i][j] = convert<R>(corners[i][j]);
+      for (std::size_t j = 0; j < 2; ++j) patch.points[i][j] = convert<R>(patch_corners[i][j]);
     (void)parametric::BilinearQuadratic::roots(given, patch);
   });
   Setting setting = surface_setting(report, patch_items(), 5);

@@ -15,12 +15,12 @@ using Rational = boost::multiprecision::cpp_rational;
 using Float = Checked<float>;
 using Double = Checked<double>;
 
-constexpr float inf = infinity<float>, none = not_a_number<float>;
+constexpr float float_inf = infinity<float>, float_nan = not_a_number<float>;
 constexpr float ulp = std::numeric_limits<float>::epsilon();
 
 TEST(Checked, HoldsEverySpecialValueExactly) {
-  for (const float x : {0.0F, -0.0F, 1.0F, inf, -inf, none, std::numeric_limits<float>::denorm_min(),
-                        std::numeric_limits<float>::max()}) {
+  for (const float x : {0.0F, -0.0F, 1.0F, float_inf, -float_inf, float_nan,
+                        std::numeric_limits<float>::denorm_min(), std::numeric_limits<float>::max()}) {
     EXPECT_TRUE(Float(x).is_exact) << x;
     EXPECT_TRUE((-Float(x)).is_exact) << x;
     EXPECT_TRUE(abs(Float(x)).is_exact) << x;
@@ -31,16 +31,16 @@ TEST(Checked, HoldsEverySpecialValueExactly) {
 }
 
 TEST(Checked, WhatIeeeCallsInvalidOrADivisionByZeroIsNotRounded) {
-  EXPECT_TRUE((Float(inf) + Float(1)).is_exact);
-  EXPECT_TRUE((Float(inf) - Float(inf)).is_exact);
-  EXPECT_TRUE((Float(inf) * Float(0)).is_exact);
+  EXPECT_TRUE((Float(float_inf) + Float(1)).is_exact);
+  EXPECT_TRUE((Float(float_inf) - Float(float_inf)).is_exact);
+  EXPECT_TRUE((Float(float_inf) * Float(0)).is_exact);
   EXPECT_TRUE((Float(1) / Float(0)).is_exact);
   EXPECT_TRUE((Float(0) / Float(0)).is_exact);
-  EXPECT_TRUE((Float(1) / Float(inf)).is_exact);
-  EXPECT_TRUE((Float(none) + Float(1)).is_exact);
+  EXPECT_TRUE((Float(1) / Float(float_inf)).is_exact);
+  EXPECT_TRUE((Float(float_nan) + Float(1)).is_exact);
   EXPECT_TRUE(sqrt(Float(-1)).is_exact);
-  EXPECT_TRUE(sqrt(Float(inf)).is_exact);
-  EXPECT_TRUE(fma(Float(inf), Float(0), Float(1)).is_exact);
+  EXPECT_TRUE(sqrt(Float(float_inf)).is_exact);
+  EXPECT_TRUE(fma(Float(float_inf), Float(0), Float(1)).is_exact);
   EXPECT_FALSE(sqrt(Float(-1) / Float(3)).is_exact);
 }
 
@@ -108,7 +108,7 @@ TEST(Checked, ANumberThatOverflowedDecidesAsARoundedOneDoes) {
   const Float large(0x1p70F);
   const RoundedDecision decision;
   EXPECT_TRUE(is_finite(large));
-  EXPECT_FALSE(is_finite(Float(inf)));
+  EXPECT_FALSE(is_finite(Float(float_inf)));
   EXPECT_FALSE(decision.was_made()) << "infinity as it was given is exact";
   EXPECT_FALSE(is_finite(large * large));
   EXPECT_TRUE(decision.was_made());

@@ -22,15 +22,16 @@ void expect_ends(const I& x, double lo, double hi) {
 }
 
 TEST(IntervalAt, NaNIsNoNumberAndStaysNone) {
-  const I none(nan);
-  EXPECT_TRUE(none.is_empty());
-  for (const I& x : {none + I(1), I(1) - none, none * I(0), I(0) * none, I(1) / none, none / I(1), sqrt(none),
-                     square(none), abs(none), min(I(1), none), max(none, I(1)), copysign(I(1), none)})
+  const I empty(nan);
+  EXPECT_TRUE(empty.is_empty());
+  for (const I& x :
+       {empty + I(1), I(1) - empty, empty * I(0), I(0) * empty, I(1) / empty, empty / I(1), sqrt(empty),
+        square(empty), abs(empty), min(I(1), empty), max(empty, I(1)), copysign(I(1), empty)})
     EXPECT_TRUE(x.is_empty());
-  EXPECT_TRUE((none < I(1)).fails_for_certain());
-  EXPECT_TRUE((none >= I(1)).fails_for_certain());
-  EXPECT_TRUE((none == none).fails_for_certain());
-  EXPECT_TRUE((none != none).holds_for_certain());
+  EXPECT_TRUE((empty < I(1)).fails_for_certain());
+  EXPECT_TRUE((empty >= I(1)).fails_for_certain());
+  EXPECT_TRUE((empty == empty).fails_for_certain());
+  EXPECT_TRUE((empty != empty).holds_for_certain());
 }
 
 TEST(IntervalAt, InfinityIsEveryNumberTooLarge) {

@@ -18,7 +18,7 @@ namespace {
 constexpr double inf = infinity<double>;
 
 SolvedEquation unit_sphere(const glm::dvec3& origin, const glm::dvec3& direction) {
-  return meet({origin, direction}, {.xx = 1, .yy = 1, .zz = 1, .ww = -1});
+  return oracle::meet({origin, direction}, {.xx = 1, .yy = 1, .zz = 1, .ww = -1});
 }
 
 TEST(QuadricOracle, CrossesTheUnitSphereAtFourAndSix) {
@@ -38,7 +38,7 @@ TEST(QuadricOracle, DistinguishesATangentFromItsNeighbours) {
 
 TEST(QuadricOracle, MeetsAConeOnceAlongAnAsymptote) {
   const implicit::Quadric<double> cone{.xx = 1, .yy = 1, .zz = -1};
-  const SolvedEquation line = meet({{3, 0, -1}, {0, 3, 3}}, cone);
+  const SolvedEquation line = oracle::meet({{3, 0, -1}, {0, 3, 3}}, cone);
   EXPECT_EQ(line.kind, RootKind::linear);
   ASSERT_EQ(line.roots.size(), 1U);  // 9 + 9t² - (3t - 1)² = 0
   EXPECT_EQ(line.roots[0].affine_image(Ring(0.0), Ring(3.0)).compare(Ring(-4.0)), 0);
@@ -46,12 +46,12 @@ TEST(QuadricOracle, MeetsAConeOnceAlongAnAsymptote) {
 
 TEST(QuadricOracle, KnowsARulingOfAHyperboloid) {
   const implicit::Quadric<double> hyperboloid{.xx = 1, .yy = 1, .zz = -1, .ww = -1};
-  EXPECT_EQ(meet({{1, 0, 0}, {0, 1, 1}}, hyperboloid).kind, RootKind::everything);
-  EXPECT_EQ(meet({{0, 0, 0}, {0, 1, 1}}, hyperboloid).kind, RootKind::constant);
+  EXPECT_EQ(oracle::meet({{1, 0, 0}, {0, 1, 1}}, hyperboloid).kind, RootKind::everything);
+  EXPECT_EQ(oracle::meet({{0, 0, 0}, {0, 1, 1}}, hyperboloid).kind, RootKind::constant);
 }
 
 TEST(QuadricOracle, TakesMixedTermsOnce) {
-  const SolvedEquation line = meet({{2, 0, 0}, {0, 1, 0}}, {.xy = 1, .ww = -6});  // xy = 6 at x = 2
+  const SolvedEquation line = oracle::meet({{2, 0, 0}, {0, 1, 0}}, {.xy = 1, .ww = -6});  // xy = 6 at x = 2
   EXPECT_EQ(line.kind, RootKind::linear);
   EXPECT_EQ(line.roots[0].compare(Ring(3.0)), 0);
 }
