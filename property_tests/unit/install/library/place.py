@@ -23,7 +23,7 @@ class Place:
         self.environment = {name: value for name, value in os.environ.items() if name not in
                             ["CXXFLAGS", "CMAKE_PREFIX_PATH", "CMAKE_INSTALL_PREFIX", "rayproof_DIR", "rayproof_ROOT"]}
         self.environment |= {"HOME": str(self.home), "CXX": compiler, "CMAKE_CXX_COMPILER_LAUNCHER": launcher, "LC_ALL": "C.UTF-8"}
-        if shutil.which("make") is None:
+        if shutil.which("make") is None or shutil.which("ninja"):  # Ninja compiles in the folder in which ccache knows the sources
             self.environment["CMAKE_GENERATOR"] = "Ninja"
         if Path(launcher).name == "ccache":  # it would look for its cache in the new home folder
             cache = subprocess.run([launcher, "--get-config", "cache_dir"], capture_output=True, text=True, check=True)
