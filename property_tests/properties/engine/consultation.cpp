@@ -128,7 +128,8 @@ std::optional<Finding> Consultation::of_group(const Diagnosis& group) const {
   Finding other = finding_;
   const auto simplest =
       std::ranges::min(group.cases, {}, [&](std::size_t i) { return complexity(complaint_.failing[i]); });
-  other.one = shrink(complaint_.failing[simplest], [&](const Case& one) { return is_of(group, one); },
+  const auto first = [&](std::span<const Case> cases) { return first_of(group, cases); };
+  other.one = shrink(complaint_.failing[simplest], {.first = first, .at_once = asked_at_once(*other.subject)},
                      {.tries = 3000, .time = std::chrono::milliseconds(1500), .stop = &stop_});
   Trial shrunk(*other.subject, other.one);
   if (ruling_of(*other.property, shrunk) != Ruling::broken) return std::nullopt;  // a program's mood
@@ -137,11 +138,14 @@ std::optional<Finding> Consultation::of_group(const Diagnosis& group) const {
   return other;
 }
 
-bool Consultation::is_of(const Diagnosis& group, const Case& one) const {
-  if (group.cause != nullptr && group.cause->is_asked_alone) return false;  // nor is a simpler one
-  const auto answer = complaint_.patient.ask({&one, 1}).front();
-  if (!answer || complaint_.patient.rule(one, *answer) != Ruling::broken) return false;
-  return group.cause == nullptr || explains(complaint_.patient, *group.cause, one);
+std::optional<std::size_t> Consultation::first_of(const Diagnosis& group, std::span<const Case> cases) const {
+  if (group.cause != nullptr && group.cause->is_asked_alone) return std::nullopt;  // nor is a simpler one
+  const std::vector<std::optional<Answer>> answers = complaint_.patient.ask(cases);
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (!answers[i] || complaint_.patient.rule(cases[i], *answers[i]) != Ruling::broken) continue;
+    if (group.cause == nullptr || explains(complaint_.patient, *group.cause, cases[i])) return i;
+  }
+  return std::nullopt;
 }
 
 }  // namespace rayproof::diagnosis

@@ -32,7 +32,8 @@ class Consultation {
   void describe(Finding& finding, const Diagnosis& group) const;
   [[nodiscard]] std::optional<Case> most_striking(const Diagnosis& group) const;
   [[nodiscard]] std::optional<Finding> of_group(const Diagnosis& group) const;
-  [[nodiscard]] bool is_of(const Diagnosis& group, const Case& one) const;
+  [[nodiscard]] std::optional<std::size_t> first_of(const Diagnosis& group,
+                                                    std::span<const Case> cases) const;
 
   Finding& finding_;
   const std::atomic<bool>& stop_;

@@ -22,12 +22,12 @@ bool can_be_shown(const Property& property, Trial& as_found) {
 
 /// The simplest case like the one found. What is simpler is another case: it has no id, and what is noted
 /// of the first is not true of it.
-Case simplest(const Case& found, const std::function<bool(const Case&)>& breaks,
-              std::chrono::milliseconds time, const std::atomic<bool>& stop) {
+Case simplest(const Case& found, const Breaking& breaking, std::chrono::milliseconds time,
+              const std::atomic<bool>& stop) {
   Case bare = found;
   bare.id.clear();
   bare.note.clear();
-  Case shrunk = shrink(bare, breaks, {.time = time, .stop = &stop});
+  Case shrunk = shrink(bare, breaking, {.time = time, .stop = &stop});
   return write_case(shrunk) == write_case(bare) ? found : shrunk;
 }
 

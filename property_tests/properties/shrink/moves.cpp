@@ -1,5 +1,6 @@
 #include "properties/shrink/moves.hpp"
 
+#include <array>
 #include <cmath>
 
 #include "case/json/number_text.hpp"
@@ -160,10 +161,10 @@ void round_all(const Case& best, const Try& attempt) {
 
 }  // namespace
 
-void make_moves(const Case& best, const Try& attempt) {
-  for (const auto move : {drop_parts, drop_vertices, move_to_origin, rescale, simplify_one, look_straight,
-                          simplify_two, round_all})
-    move(best, attempt);
+std::span<const Move> moves() {
+  static constexpr std::array all{drop_parts,   drop_vertices, move_to_origin, rescale,
+                                  simplify_one, look_straight, simplify_two,   round_all};
+  return all;
 }
 
 }  // namespace rayproof

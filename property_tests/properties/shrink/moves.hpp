@@ -3,6 +3,7 @@
 /// The shrinker's moves: ways to a simpler case, and the simpler numbers that they try.
 
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "case/case.hpp"
@@ -12,9 +13,12 @@ namespace rayproof {
 /// Looks at a candidate, and takes it or not.
 using Try = std::function<void(const Case&)>;
 
-/// Makes every move, the boldest first: each offers candidates made from `best`, which changes with each that
-/// is taken.
-void make_moves(const Case& best, const Try& attempt);
+/// Offers candidates made from `best`, which may change with each that is taken; how many numbers it has
+/// changes in no move but those that leave something out.
+using Move = void (*)(const Case& best, const Try& attempt);
+
+/// Every move, the boldest first.
+[[nodiscard]] std::span<const Move> moves();
 
 /// Numbers near `x` that are easier to read, the easiest first: 0, 1, -1, whole numbers, powers of ten, few
 /// decimal digits, short mantissas, smaller exponents. Each is rounded to the precision.

@@ -64,39 +64,79 @@ struct Simpler {
   }
 };
 
+/// The way from a case down to the simplest that still breaks.
+class Descent {
+ public:
+  Descent(const Case& start, const Breaking& breaking, const ShrinkBudget& budget)
+      : breaking_(breaking), budget_(budget), best_(start), simpler_(start), tries_left_(budget.tries) {}
+
+  Case lowest() {
+    for (bool improved = true; improved && !is_over();) {
+      improved_ = false;
+      for (const Move move : moves()) {
+        move(best_, [this](const Case& candidate) { consider(candidate); });
+        ask();  // before the next move, which may count on what the last has left out
+      }
+      improved = improved_;
+    }
+    return best_;
+  }
+
+ private:
+  [[nodiscard]] bool is_over() const {
+    return tries_left_ == 0 || (budget_.stop != nullptr && *budget_.stop) ||
+           (tries_left_ % 64 == 0 && std::chrono::steady_clock::now() > end_);
+  }
+
+  void consider(const Case& candidate) {
+    if (!simpler_.admits(candidate) || is_over()) return;
+    --tries_left_;
+    waiting_.push_back(candidate);
+    if (waiting_.size() >= breaking_.at_once) ask();
+  }
+
+  /// What waits behind the first that breaks was made of a case that is best no longer: the next round makes
+  /// it anew.
+  void ask() {
+    const auto first = waiting_.empty() ? std::nullopt : breaking_.first(waiting_);
+    if (first) {
+      best_ = waiting_.at(*first);
+      simpler_.limit = complexity(best_);
+      improved_ = true;
+    }
+    waiting_.clear();
+  }
+
+  const Breaking& breaking_;
+  const ShrinkBudget& budget_;
+  Case best_;
+  Simpler simpler_;
+  bool improved_ = false;
+  unsigned tries_left_;
+  std::vector<Case> waiting_{};
+  std::chrono::steady_clock::time_point end_ = std::chrono::steady_clock::now() + budget_.time;
+};
+
 }  // namespace
 
+Case shrink(const Case& start, const Breaking& breaking, const ShrinkBudget& budget) {
+  return Descent(start, breaking, budget).lowest();
+}
+
 Case shrink(const Case& start, const std::function<bool(const Case&)>& breaks, const ShrinkBudget& budget) {
-  Case best = start;
-  Simpler simpler(start);
-  bool improved = true;
-  unsigned tries_left = budget.tries;
-  const auto end = std::chrono::steady_clock::now() + budget.time;
-  const auto is_over = [&] {
-    return tries_left == 0 || (budget.stop != nullptr && *budget.stop) ||
-           (tries_left % 64 == 0 && std::chrono::steady_clock::now() > end);
+  const auto first = [&](std::span<const Case> cases) -> std::optional<std::size_t> {
+    return breaks(cases.front()) ? std::optional<std::size_t>(0) : std::nullopt;
   };
-  const auto consider = [&](const Case& candidate) {
-    if (!simpler.admits(candidate) || is_over()) return;
-    --tries_left;
-    if (!breaks(candidate)) return;
-    best = candidate;
-    simpler.limit = complexity(candidate);
-    improved = true;
-  };
-  while (improved && !is_over()) {
-    improved = false;
-    make_moves(best, consider);
-  }
-  return best;
+  return shrink(start, Breaking{.first = first}, budget);
 }
 
 std::vector<Case> simpler_cases(const Case& one) {
   std::vector<Case> all;
   const Simpler simpler(one);
-  make_moves(one, [&](const Case& candidate) {
-    if (simpler.admits(candidate)) all.push_back(candidate);
-  });
+  for (const Move move : moves())
+    move(one, [&](const Case& candidate) {
+      if (simpler.admits(candidate)) all.push_back(candidate);
+    });
   return all;
 }
 
@@ -104,17 +144,6 @@ bool is_valid(const Case& one) {
   Case copy = one;
   return std::ranges::all_of(numbers_of(copy), may_be) &&
          std::visit([](const auto& asked) { return is_accepted(asked); }, one.question);
-}
-
-std::function<bool(const Case&)> striking_break(const Subject& subject, const Property& property,
-                                                Trial& as_found) {
-  constexpr double striking = 100;
-  const double wanted = property.excess != nullptr ? std::min(property.excess(as_found), striking) : 0;
-  return [&subject, &property, wanted](const Case& candidate) {
-    Trial trial(subject, candidate);
-    return ruling_of(property, trial) == Ruling::broken &&
-           (property.excess == nullptr || property.excess(trial) >= wanted);
-  };
 }
 
 }  // namespace rayproof

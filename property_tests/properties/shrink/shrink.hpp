@@ -5,6 +5,8 @@
 #include <atomic>
 #include <chrono>
 #include <functional>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "properties/property.hpp"
@@ -30,11 +32,27 @@ struct ShrinkBudget {
   const std::atomic<bool>* stop = nullptr;  ///< once true, what was found so far has to do
 };
 
-/// The simplest case found that is valid and for which `breaks` is still true. `start` itself where none is
-/// simpler: a case that does not break is never returned, provided that `start` does.
+/// How many cases a subject is asked together: a program several, since a conversation costs more than an
+/// answer.
+[[nodiscard]] inline std::size_t asked_at_once(const Subject& subject) {
+  return subject.function != nullptr ? 1 : 16;
+}
+
+/// Which cases still show what was found.
+struct Breaking {
+  /// The place of the first of some cases that does; nothing where none does.
+  std::function<std::optional<std::size_t>(std::span<const Case>)> first;
+  std::size_t at_once = 1;  ///< how many are asked together
+};
+
+/// The simplest case found that is valid and that still breaks. `start` itself where none is simpler: a case
+/// that does not break is never returned, provided that `start` does.
 ///
 /// It drops what can be left out, makes numbers simpler one at a time, in pairs and all at once, moves the
 /// scene to the origin and scales it. A step is taken only where `complexity` goes down.
+[[nodiscard]] Case shrink(const Case& start, const Breaking& breaking, const ShrinkBudget& budget = {});
+
+/// The same for whoever is asked one case at a time.
 [[nodiscard]] Case shrink(const Case& start, const std::function<bool(const Case&)>& breaks,
                           const ShrinkBudget& budget = {});
 
@@ -48,7 +66,6 @@ struct ShrinkBudget {
 /// What a shrunk case must still do: break the property, and do so strikingly, at least a hundred times over
 /// the bound or as badly as the trial that was found. A case only just over a bound shows nothing to a
 /// reader.
-[[nodiscard]] std::function<bool(const Case&)> striking_break(const Subject& subject,
-                                                              const Property& property, Trial& as_found);
+[[nodiscard]] Breaking striking_break(const Subject& subject, const Property& property, Trial& as_found);
 
 }  // namespace rayproof

@@ -116,6 +116,24 @@ TEST(Shrink, LeavesOutEverythingThatDoesNotMatter) {
   EXPECT_LE(most_digits(small), 1U);
 }
 
+// Several at a time once went on with moves for more vertices than the case had left.
+TEST(Shrink, AskedSeveralAtOnceComesAsFarDown) {
+  constexpr ShrinkBudget budget{.tries = 2000};
+  const auto some_break = [](std::span<const Case> cases) {
+    EXPECT_LE(cases.size(), 16U);
+    return std::optional(cases.size() / 2);
+  };
+  for (const Family& from : families()) {
+    if (std::string_view(from.name) != "random") continue;  // one of each topic
+    const Case start = from.generate(5, Precision::float64);
+    const Case small = shrink(start, Breaking{.first = some_break, .at_once = 16}, budget);
+    const Case alone = shrink(
+        start, [](const Case&) { return true; }, budget);
+    EXPECT_TRUE(is_valid(small)) << from.name;
+    EXPECT_LE(complexity(small), 2 * complexity(alone)) << from.name;
+  }
+}
+
 TEST(Shrink, KeepsToItsBudget) {
   unsigned tries = 0;
   const auto breaks = [&](const Case&) {
