@@ -45,6 +45,18 @@ namespace rayproof {
   return ray;
 }
 
+/// By how much a map magnifies errors: the condition of its 3 by 3 part in Frobenius' norm, to a few digits,
+/// which a domain needs no more of.
+[[nodiscard]] inline double condition_of(const glm::dmat4& map) {
+  const glm::dmat3 forward(map), backward = glm::inverse(forward);
+  double of_forward = 0, of_backward = 0;
+  for (int i = 0; i < 3; ++i) {
+    of_forward += glm::dot(forward[i], forward[i]);
+    of_backward += glm::dot(backward[i], backward[i]);
+  }
+  return std::sqrt(of_forward) * std::sqrt(of_backward);
+}
+
 /// A guest's normal is judged no farther from a shape: a plain method's hit of a far cylinder may lie where
 /// the side has any normal.
 inline constexpr double far_for_details = 1024;
@@ -109,13 +121,22 @@ class Trial {
 
   /// Whether every length of the case lies in the domain of the subject's bounds, `spare` powers of two
   /// inside it; and every number, too, where the domain asks for that.
-  [[nodiscard]] bool in_domain(int spare = 0) { return is_within(reach() - spare); }
+  [[nodiscard]] bool in_domain(int spare = 0) { return keeps_digits() && is_within(reach() - spare); }
 
   /// The same of the domain in which point and normal are promised: no further than the usual one, since they
   /// are plain arithmetic, however careful the method is that finds t.
   [[nodiscard]] bool in_domain_of_details() {
-    return is_within(std::min(reach(), reach_of(Domain{}, case_->precision))) &&
+    return keeps_digits() && is_within(std::min(reach(), reach_of(Domain{}, case_->precision))) &&
            (subject_->has_own_contract || judgement().far <= far_for_details);
+  }
+
+  /// Whether a ray that is rounded on its way into object space has any digits left there: the first-order
+  /// bounds of the contracts mean nothing where the map's condition comes near 1/ε.
+  [[nodiscard]] bool keeps_digits() const {
+    if (!is_transformed(*case_) || subject_->takes_transforms) return true;
+    return condition_of(*std::get<RayQuestion>(case_->question).transform) <=
+           std::ldexp(1.0, case_->precision == Precision::float32 ? largest_condition_float
+                                                                  : largest_condition_double);
   }
 
   /// The numbers first: they are known without a judgement.

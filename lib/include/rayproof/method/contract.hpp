@@ -95,13 +95,16 @@ struct Refutation {
 
 /// The sizes of input for which the bounds hold: every length of the problem (the shape's unit says which)
 /// lies within 2^-reach and 2^reach, so that no intermediate of the formula overflows or loses digits to
-/// underflow. Of a transform the lengths are its entries and its inverse's norm.
+/// underflow. Of a transform the lengths are its entries and its inverse's norm, and its condition is at most
+/// 2^-6/ε unless the method takes the transform itself: beyond, the ray may lose every digit on its way into
+/// object space.
 struct Domain {
   int reach_float = 28;
   int reach_double = 240;
   int reach_transformed = 24;  ///< of a case with a transform, for a method that takes the transform itself
   bool every_number = false;   ///< the reach is asked of every number that is not 0, not just of the lengths
 };
+inline constexpr int largest_condition_float = 18, largest_condition_double = 47;  ///< powers of two
 inline constexpr Domain any_finite{.reach_float = 1000000, .reach_double = 1000000};
 
 /// The contract of one method.
