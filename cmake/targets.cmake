@@ -30,6 +30,7 @@ function(rayproof_program name)
   target_link_libraries(rayproof-${name} PRIVATE rayproof_command_line fmt::fmt ${ARGN} rayproof_flags)
   # What needs speed is in the parts. A command line needs none, and CLI11 is most of what g++ works on here.
   target_compile_options(rayproof-${name} PRIVATE $<$<CONFIG:Release>:-O0>)
+  # A program that is optimised all the same sets DISABLE_PRECOMPILE_HEADERS: g++ takes a header of the same level only.
   target_precompile_headers(rayproof-${name} REUSE_FROM rayproof_command_line)
   install(TARGETS rayproof-${name} RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/rayproof COMPONENT programs)
 endfunction()
