@@ -32,6 +32,9 @@ using Shadow = boost::multiprecision::number<
     boost::multiprecision::et_off>;
 using Traced = Recorded<double, Shadow>;
 
+/// The name of the student's file, which the program that compiles it defines.
+extern const char* const answer_file;
+
 /// The line on which each operation of the active recording was done.
 inline std::vector<unsigned>& lines() {
   static std::vector<unsigned> of_operation;
@@ -49,7 +52,7 @@ struct Placed {
   template <class Given>
   requires std::is_convertible_v<Given, Value> Placed(const Given& given, unsigned where = __builtin_LINE(),
                                                       const char* file = __builtin_FILE())
-      : value(given), line(std::string_view(file).ends_with(RAYPROOF_LAB_ANSWER) ? where : 0) {}
+      : value(given), line(std::string_view(file).ends_with(answer_file) ? where : 0) {}
   Placed(const Value& given, unsigned where, int /*by hand*/) : value(given), line(where) {}
 };
 
