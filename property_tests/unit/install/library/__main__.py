@@ -11,13 +11,13 @@ Exit status: 0 where the claim holds, 1 otherwise.
 import argparse
 from pathlib import Path
 
-from claims import comments, flags, installation, project, surfaces
+from claims import comments, flags, installation, project
 from examples import batch_example, googletest_example
 from laboratory import absent, laboratory
 from place import Place
 from refusals import fast_math, kernels, reach
 
-ALL = [installation, project, comments, surfaces, flags, kernels, fast_math, reach, absent, laboratory,
+ALL = [installation, project, comments, flags, kernels, fast_math, reach, absent, laboratory,
        batch_example, googletest_example]
 CLAIMS = {claim.__name__: claim for claim in ALL}
 

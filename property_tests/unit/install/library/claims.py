@@ -47,19 +47,6 @@ def comments(place):
         place.run(str(program), place.work)
 
 
-def surfaces(place):
-    """The programs of docs/surfaces.md print what stands below them."""
-    program = place.work / "surface"
-    for title in ("f(x, y, z) = 0", "r(u, v)"):
-        text = section(place.source / "docs/surfaces.md", title)
-        ended = place.compile(blocks(text, "cpp")[0], "-Werror", "-o", str(program))
-        if ended.returncode != 0:
-            sys.exit(f"{title}: {ended.stderr}")
-        printed, expected = place.run(str(program), place.work), blocks(text, "")[0]
-        if printed != expected:
-            sys.exit(f"{title} prints\n{printed}and the page says\n{expected}")
-
-
 def flags(place):
     """The manual's table and its command without CMake name the exported target's flags; its two recipes keep them away."""
     exported = (place.home / ".local/lib/cmake/rayproof/rayproofTargets.cmake").read_text()
