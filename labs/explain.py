@@ -10,7 +10,6 @@ import trial
 NAMES = "sqrt|abs|fabs|copysign|fma|hypot|pow|fmin|fmax|isnan|isinf|isfinite|signbit|dot|cross|length|distance|normalize"
 LITERAL = r"(?<![\w.])(?:\d+\.\d*(?:[eE][-+]?\d+)?|\.\d+(?:[eE][-+]?\d+)?|\d+[eE][-+]?\d+)(?![\w.])"
 NOTEWORTHY = 8  # bits; what a few roundings take is less
-COMPILING = ["-w", "-O0", "-fmax-errors=1"]
 MAIN = """#include "number.hpp"
 const char* const rayproof::lab::answer_file = "{answer}";
 using rayproof::lab::number, rayproof::lab::vec2, rayproof::lab::vec3;
@@ -51,6 +50,12 @@ def failing_case(lab, work):
     raise courses.LabError(f"no failing case of lab {lab.name} is kept: {courses.PROGRAM} check {lab.number}")
 
 
+def compile_over_numbers(arguments, work):
+    """What the compiler says where it fails."""
+    own = [part for folder in trial.includes() for part in ("-I", folder)]
+    return trial.run_compiler(["-w", "-O0", "-fmax-errors=1", *own, *arguments], work)
+
+
 def traced(lab, file, case, work):
     """(line, value, exact value, bits lost), in the order in which they were computed."""
     arguments = judge.arguments_of(case, lab.fields)
@@ -61,8 +66,7 @@ def traced(lab, file, case, work):
         (work / source.name).write_text(over_numbers(source.read_text(encoding="utf-8")), encoding="utf-8")
     (work / "explain.cpp").write_text(MAIN.format(answer=file.name, function=lab.stem, arguments=", ".join(map(literal, arguments))),
                                       encoding="utf-8")
-    own = [part for folder in trial.includes() for part in ("-I", folder)]
-    said = trial.run_compiler([*COMPILING, *own, "explain.cpp", "-o", "explain"], work)
+    said = compile_over_numbers(["explain.cpp", "-o", "explain"], work)
     if said:
         error = next((line for line in said.splitlines() if line.startswith(f"{file.name}:") and "error" in line), said.splitlines()[0])
         raise courses.LabError(f"explain runs your code with its own numbers in place of double; this line does not take them: {error}\n"

@@ -36,8 +36,7 @@ def explained_faults(folder, lab, wrong, *wanted):
 def precompile(folder):
     """number.hpp, once for all solutions, in front of which a compiler looks for number.hpp.gch."""
     import explain  # pylint: disable=import-outside-toplevel
-    own = [part for place in explain.trial.includes() for part in ("-I", place)]
-    said = explain.trial.run_compiler([*explain.COMPILING, *own, "-x", "c++-header", LABS / "number.hpp", "-o", "number.hpp.gch"], folder)
+    said = explain.compile_over_numbers(["-x", "c++-header", LABS / "number.hpp", "-o", "number.hpp.gch"], folder)
     assert not said, said
     return folder / "number.hpp.gch"
 

@@ -224,13 +224,15 @@ class Test:
         self.page.send("Emulation.clearDeviceMetricsOverride")
 
     def all(self, number, every):
-        """Steps, slider and a phone's width; in every third page what is the same script's work in all of them."""
+        """The numbers of every page. Drawing in software takes seconds, so that steps, slider and a phone's width are tried in
+        one page of `every`, and what is the same script's work in all of them in a third of those."""
         self.numbers()
-        parts = [self.steps, self.slider, self.phone]
-        if number % (3 * every) == 0:
-            parts += [self.swipe, self.orbit, self.media]
-        for part in parts:
-            part()
+        if number % every == 0:
+            parts = [self.steps, self.slider, self.phone]
+            if number % (3 * every) == 0:
+                parts += [self.swipe, self.orbit, self.media]
+            for part in parts:
+                part()
         return self.ended()
 
     def without_webgl(self):
@@ -279,20 +281,18 @@ def drive_cases(path, browser):
 
 
 def drive(folder, browser, plain, every):
-    """A scene takes the software a second to open and many to draw: one page of `every` is used in `browser`. All of them
-    are read in `plain`, which has no WebGL."""
+    """Every page is opened in `browser`, and in `plain`, which has no WebGL."""
     failures = []
     pages = sorted(path for path in folder.glob("*.html") if path.name != "index.html")
     for number, path in enumerate(pages):
         if path.stat().st_size + (folder / "walkthrough.js").stat().st_size > 1_500_000:
             failures.append(f"{path.name}: {path.stat().st_size} bytes are more than 1.5 MB with the script")
+        page = devtools.Page(browser, path.as_uri())
+        failures += Test(page, path.name).all(number, every)
+        page.close()
         page = devtools.Page(plain, path.as_uri())
         failures += Test(page, f"{path.name} without WebGL").without_webgl()
         page.close()
-        if number % every == 0:
-            page = devtools.Page(browser, path.as_uri())
-            failures += Test(page, path.name).all(number, every)
-            page.close()
     gallery = devtools.Page(browser, (folder / "index.html").as_uri())
     links = gallery.run("[...document.querySelectorAll('.gallery a')].map(a => a.getAttribute('href'))")
     if sorted(links) != [path.name for path in pages]:
