@@ -27,7 +27,7 @@ rayproof_package_test(the_readmes_commands_build_and_install_the_library install
                       install-library FIXTURES_SETUP installed_library COST 900)
 rayproof_package_test(the_readmes_project_prints_what_the_readme_says project ${installed})
 rayproof_package_test(the_example_of_a_batch_prints_what_its_page_says batch_example ${installed})
-rayproof_package_test(every_example_in_the_headers_and_in_the_manual_runs comments ${installed})
+rayproof_package_test(every_example_in_the_headers_and_in_the_manual_runs comments ${installed} LABELS content)
 rayproof_package_test(the_manual_names_the_flags_of_the_target_and_how_to_do_without flags ${installed})
 rayproof_package_test(a_batch_without_kernels_is_refused_in_one_sentence kernels ${installed})
 rayproof_package_test(fast_math_is_refused_in_one_sentence_unless_allowed fast_math ${installed})
