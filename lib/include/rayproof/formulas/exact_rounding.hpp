@@ -55,7 +55,7 @@ template <std::floating_point T>
 }
 
 /// An exact number in T, rounded once, to nearest with ties to even; infinite where it overflows. The
-/// estimate is within 2^-48 of the number's size, or for a T of double within an ulp; `compare(x)` is the
+/// estimate is within 2^-48 of the number's size, or for a T of double within 2^-50; `compare(x)` is the
 /// exact sign of (number - x) for an expansion x.
 ///
 /// A float's midpoints are looked at only where the estimate is within 2^-46 of one.
@@ -73,7 +73,7 @@ template <std::floating_point T, class Compare>
     const int side = compare(middle) * (end > 0 ? 1 : -1);
     return side > 0 || (side == 0 && is_odd(t));
   };
-  constexpr int most_steps = 2;  // outside of its domain an estimate may be anything
+  constexpr int most_steps = 8;  // 2^-50 of a double; outside of its domain an estimate may be anything
   for (const T end : {infinity<T>, -infinity<T>}) {
     for (int i = 0; i < most_steps && is_beyond_midpoint(end); ++i) t = std::nextafter(t, end);
   }
@@ -120,11 +120,7 @@ ExactRatio(Expansion<double, N>, Expansion<double, M>) -> ExactRatio<N, M>;
 /// is what it is for the exact ratio.
 template <std::floating_point T, std::size_t N, std::size_t M>
 [[nodiscard]] T rounded(const Ray<T>& ray, const ExactRatio<N, M>& ratio) {
-  double t = ratio.approximate;
-  if (sizeof(T) == sizeof(double) && abs(t) < infinity<double>) {
-    t += estimate(ratio.numerator - ratio.denominator * exact(t)) / estimate(ratio.denominator);
-  }
-  return rounded(ray, t, [&](const auto& x) { return ratio.compare(x); });
+  return rounded(ray, ratio.approximate, [&](const auto& x) { return ratio.compare(x); });
 }
 
 /// The same where no interval is to be minded.

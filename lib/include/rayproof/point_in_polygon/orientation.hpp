@@ -18,7 +18,8 @@ template <class T>
 
 /// The exact sign of the orientation of numbers that double holds.
 ///
-/// A double that is clear of its rounding decides it (Shewchuk's ORIENT2D, stage A); else expansions do.
+/// A double that is clear of its rounding decides it (Shewchuk's ORIENT2D, stage A); else expansions do. No
+/// product underflows, since numbers of the domain differ by 2^-452 at least.
 template <std::floating_point T>
 [[nodiscard]] int orientation_sign(const Vec2<T>& point, const Vec2<T>& a, const Vec2<T>& b) {
   const double x = point.x, y = point.y;
@@ -26,7 +27,7 @@ template <std::floating_point T>
   const double right = (double{a.y} - y) * (double{b.x} - x);
   const double bound =
       0x1.8p-51 * (abs(left) + abs(right));  // 4 roundings of 2^-53 each, and a half to spare
-  if (bound > 0x1p-960 && abs(left - right) > bound) return left > right ? 1 : -1;
+  if (abs(left - right) > bound) return left > right ? 1 : -1;
 
   const auto expand = [&](const Vec2<T>& q) {
     return Vec2<Expansion<double, 1>>{exact(double{q.x}), exact(double{q.y})};

@@ -30,6 +30,15 @@ TEST(ExactRounding, DecidesMidpointsOfDoubles) {
   EXPECT_EQ(rounded_up, 1 + 0x1p-52);
 }
 
+TEST(ExactRounding, OfADoubleNeedsAnEstimateWithinEightNeighbours) {
+  const auto third = exact(0x1p-120) + exact(1.0 / 3);
+  for (int ulps = -8; ulps <= 8; ++ulps) {
+    const double estimated = 1.0 / 3 + ulps * 0x1p-54;
+    EXPECT_EQ(correctly_rounded<double>(estimated, [&](const auto& x) { return sign(third - x); }), 1.0 / 3)
+        << ulps;
+  }
+}
+
 TEST(ExactRounding, OverflowsAtTheMidpointBeyondTheGreatestFloat) {
   const double greatest = std::numeric_limits<float>::max();
   EXPECT_EQ(of_sum<float>(greatest, 0x1p102), greatest);
