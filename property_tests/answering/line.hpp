@@ -5,10 +5,23 @@
 /// A program on trial is sent valid cases alone and must read them quickly; whoever has to refuse a line, and
 /// say why, reads it by `read_case`.
 
+#include <array>
 #include <cstddef>
 #include <string_view>
 
 namespace rayproof::answering {
+
+/// What a byte of a JSON text is, outside of strings.
+enum class Byte : unsigned char { of_value, quote, opening, closing, filler };
+
+inline constexpr std::array<Byte, 256> bytes = [] {
+  std::array<Byte, 256> kinds{};
+  kinds['"'] = Byte::quote;
+  kinds['{'] = kinds['['] = Byte::opening;
+  kinds['}'] = kinds[']'] = Byte::closing;
+  for (const unsigned char c : {' ', ',', ':', '\t', '\r', '\n'}) kinds[c] = Byte::filler;
+  return kinds;
+}();
 
 /// Walks over the values of a JSON text. On a text that is not JSON it stops early, and never reads beyond.
 class Walker {
@@ -32,11 +45,11 @@ class Walker {
   }
 
  private:
+  [[nodiscard]] Byte byte_at(std::size_t i) const { return bytes[static_cast<unsigned char>(rest_[i])]; }
+
   void skip_filler() {
     std::size_t i = 0;
-    while (i < rest_.size() && (rest_[i] == ' ' || rest_[i] == ',' || rest_[i] == ':' || rest_[i] == '\t' ||
-                                rest_[i] == '\r' || rest_[i] == '\n'))
-      ++i;
+    while (i < rest_.size() && byte_at(i) == Byte::filler) ++i;
     rest_.remove_prefix(i);
   }
 
@@ -49,18 +62,28 @@ class Walker {
 
   [[nodiscard]] std::size_t length_of_value() const {
     if (rest_.front() == '"') return end_of_string(0);
+    if (byte_at(0) == Byte::opening) return length_of_nested();
+    std::size_t i = 0;
+    while (i < rest_.size() && byte_at(i) == Byte::of_value) ++i;
+    return i;
+  }
+
+  /// Of the object or array that begins here.
+  [[nodiscard]] std::size_t length_of_nested() const {
     std::size_t depth = 0;
     for (std::size_t i = 0; i < rest_.size(); ++i) {
-      const char c = rest_[i];
-      if (c == '"') {
-        i = end_of_string(i) - 1;
-      } else if (c == '{' || c == '[') {
-        ++depth;
-      } else if (c == '}' || c == ']') {
-        if (depth == 0) return i;
-        if (--depth == 0) return i + 1;
-      } else if (depth == 0 && (c == ',' || c == ' ' || c == '\t' || c == '\r' || c == '\n')) {
-        return i;
+      switch (byte_at(i)) {
+        case Byte::of_value:
+        case Byte::filler:
+          break;
+        case Byte::quote:
+          i = end_of_string(i) - 1;
+          break;
+        case Byte::opening:
+          ++depth;
+          break;
+        case Byte::closing:
+          if (--depth == 0) return i + 1;
       }
     }
     return rest_.size();
