@@ -1,4 +1,5 @@
-"""Checks docs/your-own-code.md as a reader follows it: its function is compiled and put on trial, right and wrong.
+"""Checks docs/your-own-code.md as a reader follows it: its function is compiled and put on trial, right and wrong; and so
+are its lambdas, around a shader's functions.
 
     python3 property_tests/unit/docs/own_code.py --source . --bin build/release/bin
 
@@ -6,6 +7,7 @@ Numbers of cases and findings are not compared, since less is asked. Exit status
 """
 
 import argparse
+import json
 import os
 from pathlib import Path
 import re
@@ -28,15 +30,39 @@ def run(command, folder, **options):
     return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False, **options)
 
 
+def compiled(page, text, folder, source, faults):
+    """Makes ./my_sphere by the page's command."""
+    (folder / "my_sphere.cpp").write_text(text)
+    command = blocks_of(page, "sh")[0].splitlines()[0]
+    includes = command.replace("-I property_tests -I lib/include", f"-I {source}/property_tests -I {source}/lib/include")
+    ended = run(includes.replace("g++", os.environ.get("CXX", "g++"), 1), folder, shell=True)
+    faults.expect(ended.returncode == 0, f"{command}: {ended.stderr}")
+
+
 def trial(page, text, folder, source, programs, faults):
     """What the page's two commands print for a program."""
-    (folder / "my_sphere.cpp").write_text(text)
-    compile_it, check_it = blocks_of(page, "sh")[0].splitlines()
-    includes = compile_it.replace("-I property_tests -I lib/include", f"-I {source}/property_tests -I {source}/lib/include")
-    ended = run(includes.replace("g++", os.environ.get("CXX", "g++"), 1), folder, shell=True)
-    faults.expect(ended.returncode == 0, f"{compile_it}: {ended.stderr}")
+    compiled(page, text, folder, source, faults)
+    check_it = blocks_of(page, "sh")[0].splitlines()[1]
     command = check_it.replace("./rayproof check", f"{programs}/rayproof-check") + f" --cases {CASES} --out {folder}/out"
     return run(command, folder, shell=True)
+
+
+def check_lambdas(page, folder, source, faults):
+    """The page's lambdas answer; they call what is in shader.hpp."""
+    lambdas = [block for block in blocks_of(page, "cpp") if block.startswith("const auto")]
+    names = ", ".join(re.match(r"const auto (\w+)", one)[1] for one in lambdas)
+    header = Path(__file__).resolve().parent / "shader.hpp"
+    compiled(page, "\n".join([f'#include "answer_cases.hpp"\n#include "{header}"\n', *lambdas,
+                              f"int main() {{ return rayproof::answer_cases({names}); }}\n"]), folder, source, faults)
+    ray = {"origin": [-4, 0, 0.5], "direction": [1, 0, 0]}
+    cylinder = {"type": "cylinder", "rx": 1, "ry": 1, "height": 1, "capped": True}
+    asked = [{"ray": ray | {"direction": [1, 0.125, 0.125]}, "shape": {"type": "box", "min": [-1, -1, -1], "max": [1, 3, 3]}},
+             {"ray": ray, "shape": cylinder}, {"ray": ray, "shape": cylinder | {"ry": 2}}, {"ray": ray, "shape": cylinder | {"capped": False}}]
+    lines = [json.dumps({"id": i, "precision": "float32"} | case) for i, case in enumerate(asked)]
+    ended = run("./my_sphere", folder, input="\n".join(lines) + "\n")
+    two_hits = {"verdict": "hit", "hits": [{"t": 3}, {"t": 5}]}
+    wanted = [{"id": i} | answer for i, answer in enumerate([two_hits, two_hits, {"unsupported": True}, {"unsupported": True}])]
+    faults.expect([json.loads(line) for line in ended.stdout.splitlines()] == wanted, f"the lambdas say {ended.stdout}{ended.stderr}")
 
 
 def compare(block, printed, faults):
@@ -66,6 +92,7 @@ def main():
         ended = trial(page, program.replace(OPTION, ""), Path(folder), source, programs, faults)
         faults.expect(ended.returncode == 1, f"the wrong function ends with {ended.returncode}")
         compare(wrong[:2], ended.stdout, faults)
+        check_lambdas(page, Path(folder), source, faults)
     faults.end()
 
 
