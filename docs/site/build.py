@@ -38,15 +38,20 @@ def missing_packages():
 
 
 def pages():
-    return [SOURCE / name for name in ABOUT_THE_PROJECT] + sorted((SOURCE / "docs").rglob("*.md"))
+    labs = sorted((SOURCE / "labs").glob("*/page.md"))
+    return [SOURCE / name for name in ABOUT_THE_PROJECT] + sorted((SOURCE / "docs").rglob("*.md")) + labs
 
 
 def with_contents(index, names):
-    """The first page with a hidden table of contents under each heading; pages that it does not link go under the last."""
+    """The first page with a hidden table of contents under each heading, and one of the labs; other pages that it does not
+    link go under the last heading."""
     head, *sections = re.split(r"^(?=## )", index, flags=re.MULTILINE)
     linked = [[link for link in LINK.findall(section) if link.endswith(".md")] for section in sections]
     known = {os.path.normpath(f"docs/{link}") for links in linked for link in links} | {"docs/index.md"}
-    linked[-1] += [os.path.relpath(name, "docs") for name in names if name not in known]
+    labs = [name for name in names if name.startswith("labs/")]
+    linked[-1] += [os.path.relpath(name, "docs") for name in names if name not in known and name not in labs]
+    sections.append("## Labs\n\n" + Parts.list_of_labs("docs/index.md"))
+    linked.append([os.path.relpath(name, "docs") for name in labs])
     for number, (section, links) in enumerate(zip(sections, linked)):
         caption = section.splitlines()[0].removeprefix("## ")
         lines = "\n".join(dict.fromkeys(links))

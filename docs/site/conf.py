@@ -29,6 +29,7 @@ html_static_path = [str(work / "static")]
 html_extra_path = [str(work / "extra")]
 html_copy_source = False
 html_show_search_summary = False  # fetched, which a browser refuses for pages from a disk
+html_show_copyright = False
 html_show_sphinx = False
 
 breathe_projects = {"rayproof": str(work / "xml")}

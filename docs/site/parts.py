@@ -2,10 +2,12 @@
 
 import json
 import os
+from pathlib import Path
 import subprocess
 from xml.etree import ElementTree
 
 BOUNDS = ["verdict", "residual", "ulp"]
+SOURCE = Path(__file__).resolve().parents[2]
 
 
 def in_words(bound):
@@ -33,7 +35,7 @@ class Parts:
         return subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True).stdout
 
     def make(self, part, name, page):
-        makers = {"methods": self.methods, "walk": self.walk, "header": self.header}
+        makers = {"methods": self.methods, "walk": self.walk, "header": self.header, "labs": lambda _, on: self.list_of_labs(on)}
         if part not in makers:
             raise SystemExit(f"{page}: there is no part '{part}'")
         return makers[part](name, page)
@@ -66,6 +68,14 @@ class Parts:
         link = os.path.relpath(f"walk/{file.name}", os.path.dirname(page))
         frame = f'<iframe src="{link}" title="Walkthrough {topic}" loading="lazy" style="width: 100%; height: 44rem; border: 1px solid #888"></iframe>'
         return f"```{{raw}} html\n{frame}\n<p><a href=\"{link}\">The walkthrough on a page of its own</a></p>\n```"
+
+    @staticmethod
+    def list_of_labs(page):
+        """Links to the labs' pages."""
+        files = sorted((SOURCE / "labs").glob("*/lab.json"))
+        titles = {file.parent.name: json.loads(file.read_text())["title"] for file in files}
+        labs = os.path.relpath("labs", os.path.dirname(page))
+        return "\n".join(f"- [{name.split('-')[0]} {title}]({labs}/{name}/page.md)" for name, title in titles.items())
 
     def header(self, name, page):
         """The reference of a header of the library: its types, and its functions but for those that are overloaded."""
