@@ -123,6 +123,18 @@ void widen_views(Stage& stage, const Setting& setting) {
   }
 }
 
+/// Shows the number on which the answer hangs once more at the end, where one operation spoilt it.
+void repeat_decisive_value(Stage& stage, const Walkthrough& walk) {
+  if (!walk.decisive_loss) return;
+  for (const StageStep& step : stage.steps) {
+    const auto value = std::ranges::find(step.values, walk.decisive_loss->name, &StageValue::name);
+    if (value == step.values.end()) continue;
+    const StageValue decisive = *value;
+    stage.steps.back().values.push_back(decisive);
+    return;
+  }
+}
+
 }  // namespace
 
 Stage stage_of(const CaseReport& report) {
@@ -131,6 +143,7 @@ Stage stage_of(const CaseReport& report) {
   stage.steps.push_back(first_step(report, report.walk ? &*report.walk : nullptr, setting));
   if (report.walk) add_steps(stage, report, *report.walk, setting, true);
   stage.steps.push_back(difference_step(report, setting));
+  if (report.walk) repeat_decisive_value(stage, *report.walk);
   widen_views(stage, setting);
   return stage;
 }

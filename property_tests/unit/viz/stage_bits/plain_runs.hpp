@@ -35,6 +35,7 @@ class PlainRuns {
     if (lesson == "digits") return heard(one_, "sphere/textbook");
     if (lesson == "transformed") return heard(one_, "sphere/centred");
     if (lesson == "woop") return heard(one_, "triangle/woop");
+    if (lesson == "property-test") return heard(one_, data_["method"]);
     if (lesson == "raycasting") return of_ball(title);
     if (lesson == "leak") return of_leak(title);
     if (lesson == "ray") along_ray();
