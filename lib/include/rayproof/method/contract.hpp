@@ -16,7 +16,7 @@ enum class Claim : unsigned {
   ulp,        ///< every answer is within the promised ulps of the exact one
   rounded,    ///< the verdict is the exact one, and every t is the exact t rounded once, ties to even
   robust,     ///< verdict and residual keep the bound that the best plain methods of the shape keep
-  ascending,  ///< hits come in ascending order, inside the interval, none of them NaN
+  ascending,  ///< hits come in ascending order, inside the interval, each once, none NaN
   moved,      ///< t is the same after moving object and ray together by an affine map
   scaled,     ///< scaling by powers of two changes nothing but exponents
   reversed,   ///< reversing the ray mirrors its hits

@@ -117,6 +117,15 @@ TEST(Properties, DescendingHitsAndNaNHitsAreNoticed) {
   EXPECT_EQ(rule("ascending", nan), Ruling::broken);
 }
 
+TEST(Properties, OneHitGivenForTwoIsNoticed) {
+  const auto one_twice = [](const Case& one) -> Answer {
+    auto answer = std::get<RayAnswer>(oracle::answer(one));
+    answer.hits.t[1] = answer.hits.t[0];
+    return answer;
+  };
+  EXPECT_EQ(rule("ascending", one_twice), Ruling::broken);
+}
+
 TEST(Properties, AHitOutsideTheIntervalIsNoticed) {
   Case cut = head_on();
   std::get<RayQuestion>(cut.question).ray.t_max = 4.5;
