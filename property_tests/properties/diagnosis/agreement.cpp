@@ -47,6 +47,21 @@ bool are_close(Precision precision, double x, double y, double scale) {
   return std::abs(x - y) <= 0x1p-10 * std::abs(y) + rounding * scale;
 }
 
+bool is_nearer_to(const Case& one, const Answer& got, const Answer& other, const Answer& exact) {
+  constexpr double clearly = 16;
+  const auto* mine = std::get_if<RayAnswer>(&got);
+  if (mine == nullptr || mine->verdict_only) return false;
+  const std::vector<double> a = numbers_in(got), b = numbers_in(other), c = numbers_in(exact);
+  if (a.empty() || a.size() != b.size() || a.size() != c.size()) return false;
+  const double rounding = (one.precision == Precision::float32 ? 0x1p-18 : 0x1p-40) * scale_of_t(one);
+  double from_other = rounding, from_exact = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    from_other = std::max(from_other, std::abs(a[i] - b[i]));
+    from_exact = std::max(from_exact, std::abs(a[i] - c[i]));
+  }
+  return clearly * from_other < from_exact;
+}
+
 bool agree(const Case& one, const Answer& got, const Answer& other, Aspect aspect) {
   const auto* a = std::get_if<RayAnswer>(&got);
   const auto* b = std::get_if<RayAnswer>(&other);

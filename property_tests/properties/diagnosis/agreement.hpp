@@ -11,6 +11,10 @@ namespace rayproof::diagnosis {
 /// what it leaves out agrees.
 [[nodiscard]] bool agree(const Case& one, const Answer& got, const Answer& other, Aspect aspect);
 
+/// Whether the hits of `got`, though nearly right, are those of `other`, and not the exact ones: from afar a
+/// wrong answer differs little from the right one.
+[[nodiscard]] bool is_nearer_to(const Case& one, const Answer& got, const Answer& other, const Answer& exact);
+
 /// Whether two numbers are the same to about three digits, in a problem where lengths of `scale` are rounded.
 [[nodiscard]] bool are_close(Precision precision, double x, double y, double scale);
 

@@ -31,6 +31,14 @@ Form form_of(const Case& one) {
   return {asked->shape.index(), cylinder != nullptr && cylinder->capped, asked->transform.has_value()};
 }
 
+/// What a claim speaks of beside verdict and t.
+std::optional<Aspect> aspect_of(Claim claim) {
+  if (claim == Claim::point) return Aspect::point;
+  if (claim == Claim::normal) return Aspect::normal;
+  if (claim == Claim::coordinates) return Aspect::coordinates;
+  return std::nullopt;
+}
+
 }  // namespace
 
 Examination::Examination(const Patient& patient, std::span<const Case> failing, std::span<const Case> passing)
@@ -53,6 +61,8 @@ std::optional<bool> Examination::fits(const Hypothesis& hypothesis, const Known&
   bool has_said = false, may_be_right = false;
   for (const Answer& predicted : hypothesis.predict(one, exact)) {
     const Answer reported = as_reported(predicted, got);
+    if (hypothesis.aspect == Aspect::hits && is_nearer_to(one, got, reported, as_reported(exact, got)))
+      return true;
     if (agree(one, as_reported(exact, got), reported, hypothesis.aspect)) {
       may_be_right = true;
       continue;
@@ -68,7 +78,9 @@ std::vector<std::size_t> Examination::explained(const Hypothesis& hypothesis,
   if (hypothesis.is_asked_alone) return cured_alone(cases);
   std::vector<std::size_t> all;
   if (hypothesis.change != nullptr) {
-    for (const Cured& one : cured(hypothesis, cases)) all.push_back(one.index);
+    const bool is_of_digits = hypothesis.kind == FindingKind::rounding && hypothesis.beyond_rounding.empty();
+    for (const Cured& one : cured(hypothesis, cases))
+      if (!is_of_digits || !is_beyond_rounding(one.index)) all.push_back(one.index);
     return all;
   }
   for (const std::size_t i : cases)
@@ -170,6 +182,20 @@ std::size_t Examination::contradictions(const Hypothesis& hypothesis,
            agree(known.asked.one, *known.got, known.asked.exact, hypothesis.aspect) &&
            fits(hypothesis, known) == false && !(finds_some && is_excused(hypothesis, known));
   }));
+}
+
+bool Examination::is_beyond_rounding(std::size_t i) const {
+  constexpr double generous = 1024;  // times what plain methods lose, and a share of the scene
+  const Known& known = failing_.at(i);
+  if (!known.got) return false;
+  const auto& [one, exact] = known.asked;
+  const double unit = one.precision == Precision::float32 ? 0x1p-24 : 0x1p-53;
+  const oracle::Judgement judgement = oracle::judge(one, *known.got);
+  const double lost = generous * judgement.far * judgement.far;
+  const double error = judgement.wrong ? judgement.margin : judgement.residual;
+  if (error > lost && error * unit * generous > 1) return true;
+  const std::optional<Aspect> beside = aspect_of(patient_.claim);
+  return beside && lost * unit * generous < 1 && !agree(one, *known.got, exact, *beside);
 }
 
 double Examination::error_of(std::size_t i) const {

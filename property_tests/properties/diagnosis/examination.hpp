@@ -25,6 +25,8 @@ class Examination {
   [[nodiscard]] bool is_equation() const;
 
   [[nodiscard]] std::size_t failing_count() const { return failing_.size(); }
+  /// Whether the answer to a failing case is wronger than a loss of digits can make it.
+  [[nodiscard]] bool is_beyond_rounding(std::size_t i) const;
   /// Of the failing cases, those on a boundary.
   [[nodiscard]] bool is_boundary_case(std::size_t i) const { return is_on_boundary(failing_.at(i).asked); }
   /// The largest relative error of the numbers in the answer to a failing case; infinite where the verdict is

@@ -42,6 +42,15 @@ void describe(Diagnosis& group, const Examination& examination) {
   const bool has_own_words = examination.is_equation() && !group.cause->of_equation.empty();
   group.sentence = has_own_words ? group.cause->of_equation : group.cause->sentence;
   if (group.cause->change == nullptr || group.kind == FindingKind::gross) return;
+  if (!group.cause->beyond_rounding.empty()) {
+    const auto beyond =
+        std::ranges::count_if(group.cases, [&](std::size_t i) { return examination.is_beyond_rounding(i); });
+    if (2 * beyond > static_cast<std::ptrdiff_t>(group.cases.size())) {
+      group.kind = FindingKind::gross;
+      group.sentence = group.cause->beyond_rounding;
+      return;
+    }
+  }
   const auto on_boundary =
       std::ranges::count_if(group.cases, [&](std::size_t i) { return examination.is_boundary_case(i); });
   const bool is_boundary = 2 * on_boundary > static_cast<std::ptrdiff_t>(group.cases.size());

@@ -50,6 +50,9 @@ struct Hypothesis {
   /// A cure that must help, too, in most of what a model explains; empty where none need be.
   std::string_view confirmed_by{};
   std::string_view of_equation{};  ///< the sentence where the cases are quadratic equations, if it is another
+  /// Of a cure of digits: the sentence where most cases are wronger than rounding can make them. Where there
+  /// is none the cure explains no such case.
+  std::string_view beyond_rounding{};
 };
 
 /// Every hypothesis, the most specific first: of two that explain as much, the first is taken.

@@ -83,10 +83,12 @@ std::vector<Hypothesis> cures_of_values() {
            Keeps::verdict),
       exact_cure("in-double", in_double, "right with the same numbers in double: float32 loses the digits",
                  rounding),
-      cure("shape-at-zero", shape_at_zero,
-           "right as soon as the shape is at the origin of coordinates: far from it digits cancel, or its "
-           "place is ignored",
-           rounding),
+      of_digits_or(
+          "right as soon as the shape is at the origin of coordinates: its place is ignored, or taken "
+          "wrongly",
+          cure("shape-at-zero", shape_at_zero,
+               "right as soon as the shape is at the origin of coordinates: far from it digits cancel",
+               rounding)),
       cure("nearer-the-middle", nearer_the_middle,
            "right as soon as the ray passes nearer to the middle of the shape: near its corners or ends "
            "something is cut off"),
@@ -105,8 +107,10 @@ std::vector<Hypothesis> cures_of_boundaries() {
              "right as soon as the ray passes a little aside: only edges, vertices and tangents are wrong"),
       avoids("few-digits", few_digits,
              "right as soon as the numbers have few digits: what is wrong is rounding", rounding),
-      avoids("isolated", jiggled,
-             "right as soon as any number changes a little: an isolated case of rounding", rounding),
+      of_digits_or(
+          "right as soon as any number changes a little: numbers that are 0, or equal, are not handled",
+          avoids("isolated", jiggled,
+                 "right as soon as any number changes a little: an isolated case of rounding", rounding)),
   };
 }
 

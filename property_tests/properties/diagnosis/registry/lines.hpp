@@ -48,6 +48,12 @@ inline constexpr auto rounding = FindingKind::rounding;
   return {.name = name, .kind = kind, .sentence = sentence, .change = change, .keeps = keeps};
 }
 
+/// A cure of digits that helps in other faults, too, of which the second sentence speaks.
+[[nodiscard]] constexpr Hypothesis of_digits_or(std::string_view beyond_rounding, Hypothesis cure) {
+  cure.beyond_rounding = beyond_rounding;
+  return cure;
+}
+
 /// A cure that avoids what only a boundary or a rounding can break.
 [[nodiscard]] constexpr Hypothesis avoids(std::string_view name, Change change, std::string_view sentence,
                                           FindingKind kind = boundary) {
