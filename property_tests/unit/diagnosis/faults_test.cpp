@@ -52,6 +52,21 @@ TEST(Diagnosis, OfTwoFaultsUnderOnePropertyMakesTwoGroups) {
   EXPECT_TRUE(causes.contains("edge-b-not-tested")) << in_words(groups);
 }
 
+/// The sphere stands twice as far from the origin of coordinates as it is said to.
+Answer of_sphere_twice_as_far(const Case& one) {
+  Case other = one;
+  std::get<Sphere<double>>(std::get<RayQuestion>(other.question).shape).center *= 2;
+  return oracle::answer(other);
+}
+
+TEST(Diagnosis, CallsNothingRoundingThatIsWrongerThanLostDigits) {
+  const Subject subject = subject_of("sphere", of_sphere_twice_as_far);
+  const auto groups = faults_of(subject, *find_property("residual"), Precision::float64);
+  ASSERT_FALSE(groups.empty());
+  EXPECT_TRUE(in_words(groups).starts_with("shape-at-zero ")) << in_words(groups);
+  for (const Diagnosis& group : groups) EXPECT_NE(group.kind, FindingKind::rounding) << group.sentence;
+}
+
 /// What the lectures print wrongly, and the cause of it.
 struct Printed {
   const char* method;
@@ -72,7 +87,7 @@ TEST(Diagnosis, NamesTheCauseOfEachMisprint) {
            {"sphere/printed_2ac", "robust-residual", "over-constant"},
            {"sphere/printed_half_b", "robust-residual", "unit-direction"},
            {"sphere/printed_unit_direction", "robust-residual", "t-as-object-distance"},
-           {"box/printed_slabs", "robust-verdict", "tilted"},
+           {"box/printed_slabs", "robust-verdict", "missed-in-face"},
            {"cylinder/printed", "robust-verdict", "segment"}})
     for (const Precision precision : {Precision::float32, Precision::float64}) {
       const std::string found =

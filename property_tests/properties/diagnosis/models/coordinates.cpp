@@ -41,6 +41,17 @@ std::vector<Case> with_vectors(const Case& one, Vectors which, void (*change)(gl
   });
 }
 
+std::vector<Case> place_ignored(const Case& one) {
+  return with_question(one, [](RayQuestion& asked) {
+    std::optional<glm::dvec3> place;
+    for_each_vector(asked.shape, false, [&](glm::dvec3& point) {
+      if (!place) place = point;
+      point -= *place;
+    });
+    return place && *place != glm::dvec3(0);
+  });
+}
+
 std::vector<Case> truncated_shape(const Case& one) {
   return with_question(one, [](RayQuestion& asked) {
     std::visit([](auto& shape) { each_number(shape, [](double& x) { x = std::trunc(x); }); }, asked.shape);

@@ -25,6 +25,13 @@ template <Vectors which, int i, int j>
 [[nodiscard]] std::vector<Case> exchanged(const Case& one) {
   return with_vectors(one, which, [](glm::dvec3& v) { std::swap(v[i], v[j]); });
 }
+/// One coordinate of each of these vectors is read in the place of another.
+template <Vectors which, int from, int to>
+[[nodiscard]] std::vector<Case> copied(const Case& one) {
+  return with_vectors(one, which, [](glm::dvec3& v) { v[to] = v[from]; });
+}
+/// The shape is moved so that its first point is the origin of coordinates, and the ray is not.
+[[nodiscard]] std::vector<Case> place_ignored(const Case& one);
 /// These vectors have the other sign.
 template <Vectors which>
 [[nodiscard]] std::vector<Case> negated(const Case& one) {

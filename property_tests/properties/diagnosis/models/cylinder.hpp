@@ -39,9 +39,13 @@ namespace rayproof::diagnosis {
 /// The object moved along its own z axis.
 void lift(RayQuestion& asked, double by);
 
-/// @{ Readings: radii doubled, halved, their mean for both; height doubled, halved.
+/// A ray along the axis is missed.
+[[nodiscard]] Answers missed_along_axis(const Case& one, const Answer& exact);
+
+/// @{ Readings: radii doubled, halved, their roots, their mean for both; height doubled, halved.
 [[nodiscard]] std::vector<Case> radii_doubled(const Case& one);
 [[nodiscard]] std::vector<Case> radii_halved(const Case& one);
+[[nodiscard]] std::vector<Case> radii_rooted(const Case& one);
 [[nodiscard]] std::vector<Case> radii_mean(const Case& one);
 [[nodiscard]] std::vector<Case> height_doubled(const Case& one);
 [[nodiscard]] std::vector<Case> height_halved(const Case& one);

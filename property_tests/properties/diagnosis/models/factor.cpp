@@ -123,6 +123,16 @@ std::optional<double> distance_per_t(const Case& one) {
   return along && length ? std::optional(std::abs(*along) / *length) : std::nullopt;
 }
 
+std::optional<double> sign_of_slope(const Case& one) {
+  const auto along = slope(one);
+  return along ? std::optional(*along < 0 ? -1.0 : 1.0) : std::nullopt;
+}
+
+std::optional<double> minus_sign_of_slope(const Case& one) {
+  const auto sign = sign_of_slope(one);
+  return sign ? std::optional(-*sign) : std::nullopt;
+}
+
 std::optional<double> minus_slope(const Case& one) {
   const auto along = slope(one);
   return along ? std::optional(-*along) : std::nullopt;

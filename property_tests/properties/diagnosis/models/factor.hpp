@@ -58,6 +58,10 @@ template <Quantity quantity, int power = 1>
 /// Of a plane or a flat figure: its normal times the direction.
 [[nodiscard]] std::optional<double> slope(const Case& one);
 [[nodiscard]] std::optional<double> minus_slope(const Case& one);
+/// @{ 1 where the surface is seen from behind, -1 from the front; and the other way round.
+[[nodiscard]] std::optional<double> sign_of_slope(const Case& one);
+[[nodiscard]] std::optional<double> minus_sign_of_slope(const Case& one);
+/// @}
 /// |n·d| with n of length 1: t times this is the distance from the plane.
 [[nodiscard]] std::optional<double> distance_per_t(const Case& one);
 /// Of a plane with a normal, or a figure with one: the normal's length.

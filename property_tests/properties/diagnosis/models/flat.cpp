@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "properties/diagnosis/models/factor.hpp"
+#include "properties/diagnosis/models/outline.hpp"
 #include "properties/diagnosis/models/plane_hit.hpp"
 
 namespace rayproof::diagnosis {
@@ -100,6 +102,22 @@ std::vector<Case> plane_as_parallelogram(const Case& one) {
   });
 }
 
+Answers by_wrong_normal(const Case& one, int axis) {
+  if (const auto* plane = shape_in<ParametricPlane>(one)) {
+    PointNormalPlane other{plane->point, glm::cross(plane->u, plane->v)};
+    other.normal[axis] *= -1;
+    return exact_of(with_question(one, [&](RayQuestion& asked) {
+      asked.shape = other;
+      return true;
+    }));
+  }
+  auto figure = flat_figure(one);
+  if (!figure) return {};
+  figure->normal[axis] *= -1;
+  const auto hit = plane_hit(one, *figure);
+  return hit ? hit_at(one, hit->t, is_inside_outline(*hit)) : Answers{RayAnswer{}};
+}
+
 Answers numerator_without_coefficients(const Case& one, const Answer& /*exact*/) {
   const auto plane = implicit_form(one);
   if (!plane) return {};
@@ -149,11 +167,15 @@ Answers culls_by_first_corner(const Case& one, const Answer& exact) {
   return along >= 0 ? Answers{RayAnswer{}} : Answers{};
 }
 
-std::optional<bool> parallel_is_hit(const Case& /*one*/, const Answer& got, const Answer& exact) {
+std::optional<bool> parallel_is_hit(const Case& one, const Answer& got, const Answer& exact) {
   const auto* answer = std::get_if<RayAnswer>(&exact);
   if (answer == nullptr) return std::nullopt;
   const bool is_along = answer->contact == Contact::parallel || answer->contact == Contact::in_surface;
-  return is_along ? std::optional(std::get<RayAnswer>(got).hits.count > 0) : std::nullopt;
+  if (!is_along) return std::nullopt;
+  if (std::get<RayAnswer>(got).hits.count > 0) return true;
+  // It may say so at t = 0 alone, and where it finds n·d = 0 in rounded numbers.
+  const bool may_miss = !in_interval(ray_question(one)->ray, 0.0) || slope(one).value_or(1) != 0;
+  return may_miss ? std::nullopt : std::optional(false);
 }
 
 template <int term>

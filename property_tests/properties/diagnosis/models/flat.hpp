@@ -40,6 +40,24 @@ template <int vertex>
 [[nodiscard]] std::vector<Case> constant_as_distance(const Case& one);
 [[nodiscard]] std::vector<Case> plane_as_parallelogram(const Case& one);
 /// @}
+/// A triangle whose edge from a to a vertex, b or c, is taken from the other of the two.
+template <int vertex>
+[[nodiscard]] std::vector<Case> edge_from_other(const Case& one) {
+  return with_shape<Triangle<double>>(one, [](RayQuestion& /*asked*/, Triangle<double>& triangle) {
+    const auto& [a, b, c] = triangle;
+    if (vertex == 2)
+      triangle.c = a + (c - b);
+    else
+      triangle.b = a + (b - c);
+    return true;
+  });
+}
+/// One coordinate of the normal that is a cross product of the shape's vectors has the wrong sign.
+[[nodiscard]] Answers by_wrong_normal(const Case& one, int axis);
+template <int axis>
+[[nodiscard]] Answers wrong_sign_in_normal(const Case& one, const Answer& /*exact*/) {
+  return by_wrong_normal(one, axis);
+}
 /// The origin's coordinates are added up without the plane's coefficients: t = -(x + y + z + D) / (n·d).
 [[nodiscard]] Answers numerator_without_coefficients(const Case& one, const Answer& exact);
 

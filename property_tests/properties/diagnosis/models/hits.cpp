@@ -65,6 +65,28 @@ Answers first_alone(const Case& /*one*/, const Answer& exact) {
   return {first};
 }
 
+namespace {
+
+/// Both numbers of the answer are one of them; hits that are made so before the interval is looked at.
+Answers both_are(std::size_t which, const Case& one, const Answer& exact) {
+  const RayQuestion* asked = ray_question(one);
+  RayAnswer line;
+  if (asked != nullptr && (line = hits_of_line(one)).hits.count == 2) {
+    line.hits.t.fill(line.hits.t.at(which));
+    return {hits_where(line, [&](double t) { return in_interval(asked->ray, t); })};
+  }
+  const auto* roots = std::get_if<QuadraticAnswer<double>>(&exact);
+  if (roots == nullptr || roots->count != 2) return {};
+  QuadraticAnswer<double> twice = *roots;
+  twice.roots.fill(roots->roots.at(which));
+  return {twice};
+}
+
+}  // namespace
+
+Answers nearest_twice(const Case& one, const Answer& exact) { return both_are(0, one, exact); }
+Answers farthest_twice(const Case& one, const Answer& exact) { return both_are(1, one, exact); }
+
 Answers root_alone(const Case& /*one*/, const Answer& exact) {
   const auto* roots = std::get_if<QuadraticAnswer<double>>(&exact);
   if (roots == nullptr || roots->kind != RootKind::two) return {};
@@ -101,9 +123,12 @@ Answers boundary_is_inside(const Case& /*one*/, const Answer& exact) {
   return if_position(exact, Position::boundary, Position::inside);
 }
 
-std::optional<bool> in_surface_is_hit(const Case& /*one*/, const Answer& got, const Answer& exact) {
+std::optional<bool> in_surface_is_hit(const Case& one, const Answer& got, const Answer& exact) {
   if (!is_contact(exact, Contact::in_surface)) return std::nullopt;
-  return finds_something(got);
+  if (finds_something(got)) return true;
+  // It may say so at t = 0 alone.
+  const bool may_miss = !in_interval(ray_question(one)->ray, 0.0);
+  return may_miss ? std::nullopt : std::optional(false);
 }
 
 Answers in_surface_is_parallel(const Case& /*one*/, const Answer& exact) {

@@ -16,6 +16,10 @@ namespace rayproof::diagnosis {
 [[nodiscard]] Answers farthest_alone(const Case& one, const Answer& exact);
 /// One of two hits or roots is left out: the second.
 [[nodiscard]] Answers first_alone(const Case& one, const Answer& exact);
+/// @{ One of two hits or roots is given twice, the nearest or the farthest, and the other is not.
+[[nodiscard]] Answers nearest_twice(const Case& one, const Answer& exact);
+[[nodiscard]] Answers farthest_twice(const Case& one, const Answer& exact);
+/// @}
 /// One of two roots is given, the smaller or the greater one, whatever it is called.
 [[nodiscard]] Answers root_alone(const Case& one, const Answer& exact);
 /// Two equal hits, or roots, where there is one double one.

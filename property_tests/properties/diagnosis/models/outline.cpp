@@ -117,6 +117,15 @@ bool is_inside(InsideRule rule, const glm::dvec2& point, const Outline& outline)
       }
       return is_odd != (more % 2 == 1);
     }
+    case InsideRule::unturned: {
+      int count = 0;  // upward sides to the right, downward ones to the left
+      for (std::size_t i = 0; i < all; ++i) {
+        const glm::dvec2 a = outline[i], b = outline[(i + 1) % all];
+        const double left = (point.x - a.x) * (b.y - a.y), right = (b.x - a.x) * (point.y - a.y);
+        count += half_open(a.y - point.y, b.y - point.y) && left < right ? 1 : 0;
+      }
+      return count % 2 == 1;
+    }
     case InsideRule::one_side:
       return is_on_one_side(point, outline);
     case InsideRule::fan:
@@ -135,6 +144,19 @@ Outline outline_of(const PointAndPolygon<double>& place) {
   return outline;
 }
 
+/// The point and the outline turned so that the sweep goes along x.
+PlaneHit swept(Sweep sweep, PlaneHit hit) {
+  const bool is_in_order = sweep == Sweep::along_in_order || sweep == Sweep::against_in_order;
+  const bool is_against = sweep == Sweep::against || sweep == Sweep::against_in_order;
+  const auto turned = [&](glm::dvec2 v) {
+    if (is_in_order && hit.axis == 1) std::swap(v.x, v.y);
+    return glm::dvec2(is_against ? -v.x : v.x, v.y);
+  };
+  hit.point = turned(hit.point);
+  for (glm::dvec2& vertex : hit.vertices) vertex = turned(vertex);
+  return hit;
+}
+
 Outline outline_of(const Case& one) {
   if (const auto* place = std::get_if<PointAndPolygon<double>>(&one.question)) return outline_of(*place);
   const auto hit = plane_hit(one);
@@ -143,19 +165,24 @@ Outline outline_of(const Case& one) {
 
 }  // namespace
 
-template <InsideRule rule>
+bool is_inside_outline(const PlaneHit& hit) {
+  return crossings(hit.point, hit.vertices, hit.vertices.size(), half_open) % 2 == 1;
+}
+
+template <InsideRule rule, Sweep sweep>
 Answers inside_by(const Case& one, const Answer& exact) {
   if (const auto* place = std::get_if<PointAndPolygon<double>>(&one.question)) {
     if (std::get<Position>(exact) == Position::boundary) return {};
-    const glm::dvec2 point(place->point.x, place->point.y);
-    if (is_at_side(one.precision, point, outline_of(*place))) return {};
-    const bool in = is_inside(rule, point, outline_of(*place));
+    const PlaneHit seen = swept(sweep, {0, {place->point.x, place->point.y}, outline_of(*place), 2});
+    if (is_at_side(one.precision, seen.point, seen.vertices)) return {};
+    const bool in = is_inside(rule, seen.point, seen.vertices);
     return {in ? Position::inside : Position::outside};
   }
   if (shape_in<Polygon<double>>(one) == nullptr) return {};
   const auto hit = plane_hit(one);
   if (!hit || is_at_side(one.precision, hit->point, hit->vertices)) return {};
-  return hit_at(one, hit->t, is_inside(rule, hit->point, hit->vertices));
+  const PlaneHit seen = swept(sweep, *hit);
+  return hit_at(one, hit->t, is_inside(rule, seen.point, seen.vertices));
 }
 
 template Answers inside_by<InsideRule::closed_sides>(const Case&, const Answer&);
@@ -164,10 +191,14 @@ template Answers inside_by<InsideRule::winding>(const Case&, const Answer&);
 template Answers inside_by<InsideRule::endless_sides>(const Case&, const Answer&);
 template Answers inside_by<InsideRule::both_ways>(const Case&, const Answer&);
 template Answers inside_by<InsideRule::last_side>(const Case&, const Answer&);
+template Answers inside_by<InsideRule::last_side, Sweep::against>(const Case&, const Answer&);
+template Answers inside_by<InsideRule::last_side, Sweep::along_in_order>(const Case&, const Answer&);
+template Answers inside_by<InsideRule::last_side, Sweep::against_in_order>(const Case&, const Answer&);
 template Answers inside_by<InsideRule::first_triangle>(const Case&, const Answer&);
 template Answers inside_by<InsideRule::first_four>(const Case&, const Answer&);
 template Answers inside_by<InsideRule::first_eight>(const Case&, const Answer&);
 template Answers inside_by<InsideRule::upright_sides>(const Case&, const Answer&);
+template Answers inside_by<InsideRule::unturned>(const Case&, const Answer&);
 template Answers inside_by<InsideRule::one_side>(const Case&, const Answer&);
 template Answers inside_by<InsideRule::fan>(const Case&, const Answer&);
 template Answers inside_by<InsideRule::bounds>(const Case&, const Answer&);
@@ -178,9 +209,8 @@ Answers plane_of_corner(const Case& one, const Answer& /*exact*/) {
   figure->normal = normal_of_corner(figure->vertices);
   const auto hit = plane_hit(one, *figure);
   if (!hit) return {RayAnswer{}};
-  const auto& outline = hit->vertices;
-  if (is_at_side(one.precision, hit->point, outline)) return {};
-  return hit_at(one, hit->t, crossings(hit->point, outline, outline.size(), half_open) % 2 == 1);
+  if (is_at_side(one.precision, hit->point, hit->vertices)) return {};
+  return hit_at(one, hit->t, is_inside_outline(*hit));
 }
 
 Answers endless_boundary(const Case& one, const Answer& exact) {
@@ -193,6 +223,11 @@ Answers endless_boundary(const Case& one, const Answer& exact) {
     is_on_line = is_on_line || turn(outline[i], outline[(i + 1) % outline.size()], point) == 0;
   if (!is_on_line) return {};
   return is_in_bounds(point, outline) ? Answers{Position::boundary} : Answers{Position::boundary, exact};
+}
+
+Answers never_inside(const Case& /*one*/, const Answer& exact) {
+  const auto* position = std::get_if<Position>(&exact);
+  return position != nullptr && *position == Position::inside ? Answers{Position::outside} : Answers{};
 }
 
 Answers inside_out(const Case& /*one*/, const Answer& exact) {

@@ -4,6 +4,7 @@
 
 #include "properties/boundary.hpp"
 #include "properties/diagnosis/models/models.hpp"
+#include "properties/diagnosis/models/plane_hit.hpp"
 
 namespace rayproof::diagnosis {
 
@@ -19,13 +20,21 @@ enum class InsideRule {
   first_four,      ///< only the first four
   first_eight,     ///< only the first eight
   upright_sides,   ///< an upright side counts on whichever side of the point it lies
+  unturned,        ///< an inequality is multiplied by a negative height, and not turned round
   one_side,        ///< inside is where all sides turn one way: right for convex polygons only
   fan,             ///< the triangles of the fan from the first vertex, all together
   bounds           ///< the bounding box
 };
 
+/// Where a subject's ray from the point goes that crosses the sides: along x, or against it; of a figure that
+/// is projected along y, x and z may stand for x and y in either order.
+enum class Sweep { along, against, along_in_order, against_in_order };
+
+/// Whether the point is inside by the even-odd rule.
+[[nodiscard]] bool is_inside_outline(const PlaneHit& hit);
+
 /// What a subject answers that follows the rule; none for points on the boundary.
-template <InsideRule rule>
+template <InsideRule rule, Sweep sweep = Sweep::along>
 [[nodiscard]] Answers inside_by(const Case& one, const Answer& exact);
 
 /// The polygon's plane is that of its first three vertices; where these lie on a line it is missed.
@@ -43,6 +52,8 @@ template <BoundaryPlace place>
 /// bounding box.
 [[nodiscard]] Answers endless_boundary(const Case& one, const Answer& exact);
 
+/// No point is ever said to be inside.
+[[nodiscard]] Answers never_inside(const Case& one, const Answer& exact);
 /// Inside is called outside, and outside inside.
 [[nodiscard]] Answers inside_out(const Case& one, const Answer& exact);
 

@@ -40,7 +40,7 @@ std::optional<PlaneHit> plane_hit(const Case& one, const FlatFigure& figure) {
   if (slope == 0) return std::nullopt;
   const double t = glm::dot(figure.normal, figure.vertices.front() - ray.origin) / slope;
   const int axis = largest_axis_of(figure.normal);
-  PlaneHit hit{t, projected(point_at(ray, t), axis), {}};
+  PlaneHit hit{t, projected(point_at(ray, t), axis), {}, axis};
   for (const glm::dvec3& vertex : figure.vertices) hit.vertices.push_back(projected(vertex, axis));
   return hit;
 }

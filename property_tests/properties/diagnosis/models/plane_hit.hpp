@@ -26,6 +26,7 @@ struct PlaneHit {
   double t;
   glm::dvec2 point;
   std::vector<glm::dvec2> vertices;
+  int axis;  ///< along which it is projected; the two that follow it, cyclically, are x and y here
 };
 
 /// Where the line of the case meets the plane of its figure; nothing where it does not.

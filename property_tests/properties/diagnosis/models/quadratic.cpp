@@ -36,6 +36,10 @@ std::optional<bool> wrong_where_constant(const Case& one, const Answer& got, con
   return is_wrong_where(RootKind::constant, one, got, exact);
 }
 
+std::optional<bool> wrong_where_all_is_zero(const Case& one, const Answer& got, const Answer& exact) {
+  return is_wrong_where(RootKind::everything, one, got, exact);
+}
+
 std::optional<bool> wrong_where_c_is_zero(const Case& one, const Answer& got, const Answer& exact) {
   const auto* q = std::get_if<Quadratic<double>>(&one.question);
   if (q == nullptr || q->c != 0 || q->a == 0) return std::nullopt;
@@ -54,14 +58,27 @@ Answers double_root_missed(const Case& /*one*/, const Answer& exact) {
   return {Roots2{RootKind::none, 0, {}}};
 }
 
-Answers discriminant_without_sign(const Case& one, const Answer& /*exact*/) {
+Answers discriminant_without_sign(const Case& one, const Answer& exact) {
   const auto* q = std::get_if<Quadratic<double>>(&one.question);
-  return q == nullptr ? Answers{} : with_discriminant(one, std::abs(q->b * q->b - 4 * q->a * q->c));
+  const auto* roots = std::get_if<Roots2>(&exact);
+  const bool is_negative = roots != nullptr && roots->kind == RootKind::none;
+  return !is_negative ? Answers{} : with_discriminant(one, std::abs(q->b * q->b - 4 * q->a * q->c));
 }
 
 Answers discriminant_with_plus(const Case& one, const Answer& /*exact*/) {
   const auto* q = std::get_if<Quadratic<double>>(&one.question);
   return q == nullptr ? Answers{} : with_discriminant(one, q->b * q->b + 4 * q->a * q->c);
+}
+
+Answers discriminant_without_four(const Case& one, const Answer& /*exact*/) {
+  const auto* q = std::get_if<Quadratic<double>>(&one.question);
+  return q == nullptr ? Answers{} : with_discriminant(one, q->b * q->b - q->a * q->c);
+}
+
+Answers linear_root_negated(const Case& /*one*/, const Answer& exact) {
+  const auto* roots = std::get_if<Roots2>(&exact);
+  if (roots == nullptr || roots->kind != RootKind::linear) return {};
+  return {Roots2{RootKind::linear, 1, {-roots->roots[0]}}};
 }
 
 Answers positive_roots_alone(const Case& /*one*/, const Answer& exact) {

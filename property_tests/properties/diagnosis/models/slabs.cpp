@@ -32,11 +32,11 @@ struct SlabEnds {
   std::vector<double> enters, leaves;
 };
 
-std::optional<SlabEnds> slabs_of(const Cube& cube) {
+std::optional<SlabEnds> slabs_of(const Cube& cube, bool tests_along = true) {
   SlabEnds slabs;
   for (int axis = 0; axis < 3; ++axis) {
     const double o = cube.ray.origin[axis], d = cube.ray.direction[axis];
-    if (d == 0 && (o < cube.low[axis] || o > cube.high[axis])) return std::nullopt;
+    if (tests_along && d == 0 && (o < cube.low[axis] || o > cube.high[axis])) return std::nullopt;
     if (d == 0) continue;
     const auto [near, far] = std::minmax({(cube.low[axis] - o) / d, (cube.high[axis] - o) / d});
     slabs.enters.push_back(near);
@@ -47,9 +47,9 @@ std::optional<SlabEnds> slabs_of(const Cube& cube) {
 
 /// The hits where the line is inside from `near(slabs)` to `far(slabs)`.
 template <class Near, class Far>
-Answers inside_between(const Case& one, Near&& near, Far&& far) {
+Answers inside_between(const Case& one, Near&& near, Far&& far, bool tests_along = true) {
   const auto cube = cube_in(one);
-  const auto slabs = cube ? slabs_of(*cube) : std::nullopt;
+  const auto slabs = cube ? slabs_of(*cube, tests_along) : std::nullopt;
   if (!slabs) return {};
   const double first = near(*slabs), last = far(*slabs);
   RayAnswer line;
@@ -70,6 +70,31 @@ Answers enters_at_first_beginning(const Case& one, const Answer& /*exact*/) {
   return inside_between(
       one, [](const SlabEnds& slabs) { return std::ranges::min(slabs.enters); },
       [](const SlabEnds& slabs) { return std::ranges::min(slabs.leaves); });
+}
+
+Answers slab_along_not_tested(const Case& one, const Answer& /*exact*/) {
+  return inside_between(
+      one, [](const SlabEnds& slabs) { return std::ranges::max(slabs.enters); },
+      [](const SlabEnds& slabs) { return std::ranges::min(slabs.leaves); }, false);
+}
+
+Answers missed_along_slab(const Case& one, const Answer& exact) {
+  const auto cube = cube_in(one);
+  if (!cube || !finds_something(exact)) return {};
+  const glm::dvec3& d = cube->ray.direction;
+  return d.x * d.y * d.z == 0 ? Answers{RayAnswer{}} : Answers{};
+}
+
+Answers missed_in_face(const Case& one, const Answer& exact) {
+  const auto cube = cube_in(one);
+  if (!cube || !finds_something(exact)) return {};
+  bool is_in_face = false;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double o = cube->ray.origin[axis];
+    const bool is_along = cube->ray.direction[axis] == 0;
+    is_in_face = is_in_face || (is_along && (o == cube->low[axis] || o == cube->high[axis]));
+  }
+  return is_in_face ? Answers{RayAnswer{}} : Answers{};
 }
 
 Answers corner_faces_alone(const Case& one, const Answer& /*exact*/) {

@@ -11,6 +11,12 @@ namespace rayproof::diagnosis {
 [[nodiscard]] Answers leaves_at_last_end(const Case& one, const Answer& exact);
 [[nodiscard]] Answers enters_at_first_beginning(const Case& one, const Answer& exact);
 /// @}
+/// @{ A line that runs along a slab is not compared with that slab; is missed, though inside; or is missed
+/// where it lies in one of the slab's planes.
+[[nodiscard]] Answers slab_along_not_tested(const Case& one, const Answer& exact);
+[[nodiscard]] Answers missed_along_slab(const Case& one, const Answer& exact);
+[[nodiscard]] Answers missed_in_face(const Case& one, const Answer& exact);
+/// @}
 /// Only the three faces at a box's min, or at a parallelepiped's corner, are hit.
 [[nodiscard]] Answers corner_faces_alone(const Case& one, const Answer& exact);
 

@@ -140,6 +140,14 @@ Answers flat_box_missed(const Case& one, const Answer& exact) {
   return is_flat ? Answers{RayAnswer{}} : Answers{};
 }
 
+Answers centre_behind_missed(const Case& one, const Answer& exact) {
+  const auto* sphere = shape_in<Sphere<double>>(one);
+  if (sphere == nullptr || !finds_something(exact)) return {};
+  const Ray<double> ray = ray_in_object(*ray_question(one));
+  const bool is_behind = glm::dot(sphere->center - ray.origin, ray.direction) < 0;
+  return is_behind ? Answers{RayAnswer{}} : Answers{};
+}
+
 std::vector<Case> max_as_size(const Case& one) {
   return with_shape<Box<double>>(one, [](RayQuestion& /*asked*/, Box<double>& box) {
     const glm::dvec3 low = box.min, other = box.min + box.max;  // on either side of min

@@ -26,11 +26,13 @@ template <int axis>
     return true;
   });
 }
-/// A parallelepiped without end along an edge.
+/// A parallelepiped without end along an edge: in doubles, since a corner so far away is rounded.
 template <int edge>
 [[nodiscard]] std::vector<Case> endless_parallelepiped(const Case& one) {
-  return with_shape<Parallelepiped<double>>(one, [](RayQuestion& /*asked*/, Parallelepiped<double>& solid) {
-    const glm::dvec3 along = 0x1p30 * solid.edges[edge];
+  Case in_doubles = one;
+  in_doubles.precision = Precision::float64;
+  return with_shape<Parallelepiped<double>>(in_doubles, [](RayQuestion& /*asked*/, auto& solid) {
+    const glm::dvec3 along = 0x1p20 * solid.edges[edge];
     solid.corner -= along;
     solid.edges[edge] = 2.0 * along;
     return true;
@@ -50,6 +52,9 @@ template <int edge>
 [[nodiscard]] Answers sphere_without_sign(const Case& one, const Answer& exact);
 [[nodiscard]] Answers nearest_point_of_line(const Case& one, const Answer& exact);
 /// @}
+
+/// A sphere whose centre lies behind the ray's beginning is missed, although the ray starts inside.
+[[nodiscard]] Answers centre_behind_missed(const Case& one, const Answer& exact);
 
 /// @{ A box of size 0 along an axis is missed; a box whose max is its size.
 [[nodiscard]] Answers flat_box_missed(const Case& one, const Answer& exact);

@@ -76,6 +76,7 @@ std::vector<Hypothesis> classes_of_cases() {
       shows("no-constant-not-handled", wrong_where_c_is_zero,
             "equations with c = 0, which have a root 0, are not handled"),
       shows("no-linear-term-not-handled", wrong_where_b_is_zero, "equations with b = 0 are not handled"),
+      shows("everything-not-handled", wrong_where_all_is_zero, "the equation 0 = 0 is not handled", boundary),
       shows("constant-not-handled", wrong_where_constant, "equations with a = b = 0 are not handled"),
       shows("parallel-hit", parallel_is_hit,
             "a ray along the plane, parallel to it or inside it, is reported as a hit"),

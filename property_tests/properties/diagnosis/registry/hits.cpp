@@ -58,6 +58,8 @@ std::vector<Hypothesis> models_of_hits() {
             "where the interval ends inside the solid, its end is reported as a hit"),
       gives("farthest-hit", farthest_alone, "the farthest hit is reported in place of the nearest"),
       gives("second-hit-missing", first_alone, "of two answers only the first is given"),
+      gives("nearest-twice", nearest_twice, "of two answers the first is given twice"),
+      gives("farthest-twice", farthest_twice, "of two answers the second is given twice"),
       gives("descending", descending, "the answers stand in descending order"),
       gives("root-alone", root_alone, "of two roots only one is given"),
       gives("double-hit-twice", double_hit_twice, "a double root is reported twice", boundary),

@@ -86,6 +86,10 @@ std::vector<Hypothesis> models_of_numbers() {
             "t is right divided by n·d: the division by the normal times the direction is missing"),
       gives("times-minus-slope", scaled_by<minus_slope>,
             "t is right divided by -n·d: the division by the determinant is missing"),
+      gives("sign-of-slope", scaled_by<sign_of_slope>,
+            "t has the wrong sign where the surface is seen from the front: |n·d| is in the denominator"),
+      gives("minus-sign-of-slope", scaled_by<minus_sign_of_slope>,
+            "t has the wrong sign where the surface is seen from behind: |n·d| is in the denominator"),
       gives("distance-to-plane", scaled_by<distance_per_t>,
             "t is the origin's distance from the plane: it was measured along the normal, and must be along "
             "the "
@@ -115,6 +119,10 @@ std::vector<Hypothesis> models_of_numbers() {
       gives("positive-roots-alone", positive_roots_alone, "negative roots are left out"),
       gives("real-part", real_part,
             "the real part of the complex roots is given where there is no real root"),
+      gives("discriminant-without-four", discriminant_without_four,
+            "the answer is right for D = b² - ac: a factor 4 is missing in the discriminant"),
+      gives("linear-root-negated", linear_root_negated,
+            "where a = 0 the root has the wrong sign: it is -c/b"),
       gives("discriminant-plus", discriminant_with_plus,
             "the answer is right for D = b² + 4ac: a sign is wrong in the discriminant"),
   };

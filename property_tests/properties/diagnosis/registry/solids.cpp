@@ -53,6 +53,9 @@ std::vector<Hypothesis> models_of_solids() {
           "is ac"),
       gives("nearest-point", nearest_point_of_line,
             "t is the line's nearest point to the centre: ±√D is left out"),
+      gives(
+          "centre-behind-missed", centre_behind_missed,
+          "a sphere whose centre lies behind the ray's beginning is missed, although the ray starts inside"),
       gives("flat-box-missed", flat_box_missed, "a box without thickness along an axis is missed", boundary),
       gives("max-as-size", read_as<max_as_size>,
             "the answer is right for a box from min to min + max: max is taken for the size"),
@@ -74,6 +77,14 @@ std::vector<Hypothesis> models_of_solids() {
             "the face at the end of edge 1 is not tested: the edge is taken for an endless half line"),
       gives("half-endless-edge-2", read_as<half_endless_parallelepiped<2>>,
             "the face at the end of edge 2 is not tested: the edge is taken for an endless half line"),
+      gives(
+          "slab-along-not-tested", slab_along_not_tested,
+          "a ray along a slab is not compared with it: where the direction's component is 0 the origin must "
+          "lie between the two planes"),
+      gives("missed-in-face", missed_in_face,
+            "a ray in the plane of a face is missed: 0·∞ is no number, or an inequality is strict there"),
+      gives("missed-along-slab", missed_along_slab,
+            "every ray along a face is missed: a component of the direction that is 0 is taken for a miss"),
       gives("leaves-at-last-end", leaves_at_last_end,
             "the line is taken to leave where it leaves the last of the slabs, and must leave with the "
             "first: max "
@@ -146,6 +157,10 @@ std::vector<Hypothesis> models_of_cylinders() {
       gives("radii-exchanged", read_as<radii_exchanged>, "the answer is right with rx and ry exchanged"),
       gives("radii-squared", read_as<radii_squared>,
             "the answer is right for rx² and ry²: the radii are squared once too often"),
+      gives("radii-rooted", read_as<radii_rooted>,
+            "the answer is right for the roots of the radii: r is taken for r²"),
+      gives("missed-along-axis", missed_along_axis,
+            "every ray along the axis is missed, also where it hits a cap"),
       gives("radii-doubled", read_as<radii_doubled>, "the answer is right for twice the radii"),
       gives("radii-halved", read_as<radii_halved>,
             "the answer is right for half the radii: they are taken for diameters"),

@@ -65,6 +65,7 @@ enum class Fault {
   one_sided,
   no_coefficients,
   in_plane_hit,
+  parallel_hit,  ///< at t = 0
   // polygon and point in polygon
   closed_sides,
   open_sides,

@@ -17,6 +17,7 @@ template <class T>
   const T over = fault == Fault::no_coefficients ? o.x + o.y + o.z + d : dot(normal, o) + d;
   if (slope == 0) {
     if (fault == Fault::in_plane_hit && over == 0) return {{{0, normal}}};
+    if (fault == Fault::parallel_hit) return {{{0, normal}}};
     return {{}, over == 0 ? Contact::in_surface : Contact::parallel};
   }
   if (fault == Fault::one_sided && slope > 0) return {};
