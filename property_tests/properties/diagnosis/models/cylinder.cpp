@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "properties/boundary.hpp"
+#include "properties/claims/answers.hpp"
 
 namespace rayproof::diagnosis {
 namespace {

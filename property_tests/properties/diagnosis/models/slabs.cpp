@@ -4,6 +4,8 @@
 #include <glm/common.hpp>
 #include <optional>
 
+#include "properties/claims/answers.hpp"
+
 namespace rayproof::diagnosis {
 namespace {
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "properties/claims/answers.hpp"
 #include "properties/diagnosis/models/cylinder.hpp"
 
 namespace rayproof::diagnosis {
