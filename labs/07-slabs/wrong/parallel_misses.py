@@ -1,4 +1,4 @@
-# Diagnosis: 0·∞
+# Diagnosis: a component of the direction that is 0 is taken for a miss
 from math import inf
 
 
