@@ -129,8 +129,7 @@ void repeat_decisive_value(Stage& stage, const Walkthrough& walk) {
   for (const StageStep& step : stage.steps) {
     const auto value = std::ranges::find(step.values, walk.decisive_loss->name, &StageValue::name);
     if (value == step.values.end()) continue;
-    const StageValue decisive = *value;
-    stage.steps.back().values.push_back(decisive);
+    stage.steps.back().values.push_back(*value);
     return;
   }
 }

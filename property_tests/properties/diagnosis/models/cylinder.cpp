@@ -129,19 +129,11 @@ std::vector<Case> with_radii_times(const Case& one, double factor) {
 std::vector<Case> radii_doubled(const Case& one) { return with_radii_times(one, 2); }
 std::vector<Case> radii_halved(const Case& one) { return with_radii_times(one, 0.5); }
 std::vector<Case> radii_rooted(const Case& one) {
-  return with_shape<Cylinder<double>>(one, [](RayQuestion& /*asked*/, Cylinder<double>& cylinder) {
+  return read_otherwise(one, [](Cylinder<double>& cylinder) {
     cylinder.rx = std::sqrt(cylinder.rx);
     cylinder.ry = std::sqrt(cylinder.ry);
-    return true;
   });
 }
-
-Answers missed_along_axis(const Case& one, const Answer& exact) {
-  if (shape_in<Cylinder<double>>(one) == nullptr || !finds_something(exact)) return {};
-  const glm::dvec3 d = ray_in_object(*ray_question(one)).direction;
-  return d.x == 0 && d.y == 0 ? Answers{RayAnswer{}} : Answers{};
-}
-
 std::vector<Case> radii_mean(const Case& one) {
   return read_otherwise(one, [](Cylinder<double>& c) { c.rx = c.ry = (c.rx + c.ry) / 2; });
 }
@@ -150,6 +142,12 @@ std::vector<Case> height_doubled(const Case& one) {
 }
 std::vector<Case> height_halved(const Case& one) {
   return read_otherwise(one, [](Cylinder<double>& cylinder) { cylinder.height /= 2; });
+}
+
+Answers missed_along_axis(const Case& one, const Answer& exact) {
+  if (shape_in<Cylinder<double>>(one) == nullptr || !finds_something(exact)) return {};
+  const glm::dvec3 d = ray_in_object(*ray_question(one)).direction;
+  return d.x == 0 && d.y == 0 ? Answers{RayAnswer{}} : Answers{};
 }
 
 std::vector<Case> cylinder_as_box(const Case& one) {

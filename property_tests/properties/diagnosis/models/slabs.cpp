@@ -84,7 +84,8 @@ Answers missed_along_slab(const Case& one, const Answer& exact) {
   const auto cube = cube_in(one);
   if (!cube || !finds_something(exact)) return {};
   const glm::dvec3& d = cube->ray.direction;
-  return d.x * d.y * d.z == 0 ? Answers{RayAnswer{}} : Answers{};
+  const bool is_along = d.x == 0 || d.y == 0 || d.z == 0;  // a product would underflow
+  return is_along ? Answers{RayAnswer{}} : Answers{};
 }
 
 Answers missed_in_face(const Case& one, const Answer& exact) {

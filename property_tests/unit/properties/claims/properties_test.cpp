@@ -117,13 +117,21 @@ TEST(Properties, DescendingHitsAndNaNHitsAreNoticed) {
   EXPECT_EQ(rule("ascending", nan), Ruling::broken);
 }
 
+Answer nearest_hit_twice(const Case& one) {
+  auto answer = std::get<RayAnswer>(oracle::answer(one));
+  answer.hits.t[1] = answer.hits.t[0];
+  return answer;
+}
+
 TEST(Properties, OneHitGivenForTwoIsNoticed) {
-  const auto one_twice = [](const Case& one) -> Answer {
-    auto answer = std::get<RayAnswer>(oracle::answer(one));
-    answer.hits.t[1] = answer.hits.t[0];
-    return answer;
-  };
-  EXPECT_EQ(rule("ascending", one_twice), Ruling::broken);
+  EXPECT_EQ(rule("ascending", nearest_hit_twice), Ruling::broken);
+}
+
+TEST(Properties, TwoHitsThatATransformMayMergeAreNotTakenForOneGivenTwice) {
+  Case moved = head_on();
+  std::get<RayQuestion>(moved.question).transform = glm::dmat4(1);
+  const Subject subject = broken::subject("sphere", nearest_hit_twice);
+  EXPECT_EQ(find_property("ascending")->rule(*std::make_unique<Trial>(subject, moved)), Ruling::held);
 }
 
 TEST(Properties, AHitOutsideTheIntervalIsNoticed) {
