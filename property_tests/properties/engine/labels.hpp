@@ -32,7 +32,8 @@ struct LabelCount {
   [[nodiscard]] double share(const std::string& label) const;
   /// "hit 41.2 %, miss 58.8 %".
   [[nodiscard]] std::string shares() const;
-  /// The shares the family missed, each as a sentence; empty where all is well, or the sample is too small.
+  /// The shares the family missed by more than chance, each as a sentence; empty where all is well, or the
+  /// sample is too small.
   [[nodiscard]] std::vector<std::string> missed() const;
 };
 

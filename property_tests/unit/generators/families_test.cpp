@@ -25,6 +25,21 @@ TEST(Families, ASmallSampleJudgesNoShareAndAWholeOneDoes) {
   EXPECT_EQ((LabelCount{&never, Precision::float32, label_sample}.missed().size()), 1U);
 }
 
+TEST(Families, AShareThatChanceMakesSmallerIsNotMissed) {
+  const Family family{"seldom", "a rim now and then", nullptr, {{"rim", 0.1}}};
+  const auto missed = [&](unsigned rims) {
+    return LabelCount{&family, Precision::float32, 4000, {{"rim", rims}}}.missed().size();
+  };
+  EXPECT_EQ(missed(400), 0U);
+  EXPECT_EQ(missed(325), 0U) << "the standard deviation is 19 cases";
+  EXPECT_EQ(missed(323), 1U);
+}
+
+TEST(Families, WhatAlwaysHoldsIsMissedByOneCase) {
+  const Family family{"all", "in reach without exception", nullptr, {{"in reach", 1}}};
+  EXPECT_EQ((LabelCount{&family, Precision::float32, 4000, {{"in reach", 3999}}}.missed().size()), 1U);
+}
+
 TEST(Families, TheSameSeedGivesTheSameCase) {
   for (const Family& family : families())
     for (std::uint64_t seed = 0; seed < 20; ++seed)
