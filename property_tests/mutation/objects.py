@@ -20,7 +20,7 @@ TOPICS = tuple(re.findall(r"^#include <rayproof/(\w+)/methods.hpp>", (INCLUDE / 
 SHARED = ("roots.hpp", "ray.hpp", "transform.hpp", "normals.hpp", "vec3.hpp", "arithmetic.hpp",
           "arithmetics/error_free.hpp", "arithmetics/expansion.hpp", "arithmetics/growing_expansion.hpp")
 COMPILED = sorted([*HERE.glob("planted/*.?pp"), *HERE.glob("generator/*.py")])
-ERROR = re.compile(r"^(\S+?/planted/rayproof/(\S+?)):(\d+):(\d+): (?:fatal )?error: (.*)$", re.MULTILINE)
+ERROR = re.compile(r"^(\S+?/planted/\w+/rayproof/(\S+?)):(\d+):(\d+): (?:fatal )?error: (.*)$", re.MULTILINE)
 INCLUDED = re.compile(r"^#include <rayproof/(\S+)>", re.MULTILINE)
 ROOM = 5000  # numbers for each header, so that those of the others stay when one is changed
 MARK = re.compile(rb"/\*<(\d+)\*/|/\*(\d+)>\*/")
@@ -79,9 +79,7 @@ class Planting:
             target.parent.mkdir(parents=True, exist_ok=True)
             text = one.written()
             if not target.exists() or target.read_text(encoding="utf-8") != text:
-                fresh = target.with_suffix(".new")
-                fresh.write_text(text, encoding="utf-8")
-                fresh.replace(target)  # whole at any time: another topic may be compiled just now
+                target.write_text(text, encoding="utf-8")
 
 
 def site_of_error(text, line, column):
@@ -127,7 +125,6 @@ class Objects:
         # By their words: what did not compile in headers of another day will not compile in these.
         words = {tuple(key) for key in known["dead"]}
         self.planting.bury(mutant.number for mutant in self.planting.mutants() if mutant.key in words)
-        self.planting.write(self.folder)
 
         def make_one(topic):
             while not self._compile(topic):
@@ -144,10 +141,15 @@ class Objects:
                                      if known["made"].get(topic) != self.stamp(topic) or not self.path(topic).exists()]))
 
     def _compile(self, topic):
-        before, command = set(self.planting.dead()), list(self.command)
+        # Headers of its own: where the compiler complains is a place in them, and topics are compiled side by side.
+        headers = self.folder / topic
+        with self.lock:
+            self.planting.write(headers)
+            before = set(self.planting.dead())
+        command = list(self.command)
         command[command.index("-o") + 1] = str(self.path(topic))
         command.remove("-c")
-        command[1:1] = ["-shared", "-w", "-fmax-errors=0", f"-I{self.folder}", f"-DRAYPROOF_TOPIC={topic}"]
+        command[1:1] = ["-shared", "-w", "-fmax-errors=0", f"-I{headers}", f"-DRAYPROOF_TOPIC={topic}"]
         done = subprocess.run(command, cwd=self.build, capture_output=True, text=True, check=False)
         if done.returncode == 0:
             return True
@@ -158,7 +160,6 @@ class Objects:
         with self.lock:
             self.log(f"  {topic}: {len(dead)} more do not compile")
             self.planting.bury(dead)
-            self.planting.write(self.folder)
         return False
 
     def _blamed(self, file, line, column):
