@@ -87,6 +87,13 @@ def print_finding(finding):
     print(f"  diagnosis    {finding.get('diagnosis') or (case or {}).get('note') or finding['property']}")
 
 
+def once_each(findings):
+    """The findings without those that would read as one before: a fault may break two claims on the same case."""
+    def words(finding):
+        return finding.get("asked", id(finding)), finding.get("said"), finding.get("diagnosis")
+    return list({words(finding): finding for finding in reversed(findings)}.values())[::-1]
+
+
 def print_stages(lab, stages, again, warnings=()):
     """Whether all stages passed, after saying how they went, and what the compiler thinks of an answer that does not."""
     print(f"{lab.name}: {lab.title}")
@@ -99,7 +106,7 @@ def print_stages(lab, stages, again, warnings=()):
     if not last.findings:
         print(f"passed. The solution: {PROGRAM} show {lab.number}")
         return True
-    for finding in last.findings:
+    for finding in once_each(last.findings):
         print(f"\nThe simplest of the cases that fail, about {finding.get('cases', 1)}:")
         print_finding(finding)
     if warnings:

@@ -143,6 +143,21 @@ inline void resize(Random& random, Precision precision, Scene& scene) {
   std::visit([size](auto& shape) { shape = grown(shape, size); }, scene.shape);
 }
 
+/// The same down to 2^-16 of its size, with a direction made as short: where epsilons are that are none of the
+/// scene's.
+inline void shrink(Random& random, Precision /*precision*/, Scene& scene) {
+  const double size = std::exp2(random.between(-16, -3));
+  scene.origin *= size;
+  scene.direction *= random.one_in(2) ? size : 1;
+  std::visit([size](auto& shape) { shape = grown(shape, size); }, scene.shape);
+}
+
+template <auto layout>
+[[nodiscard]] Family in_small(std::vector<MinimumShare> shares) {
+  return {"small", "2^-16 to 2^-3 times as large as others, half the time with as short a direction",
+          ask<layout, shrink>, std::move(shares)};
+}
+
 template <auto layout>
 [[nodiscard]] Family in_any_size(std::vector<MinimumShare> shares) {
   return {"exponents", "scenes of one size, of any exponent the format has", ask<layout, resize>,

@@ -39,6 +39,7 @@ std::vector<Family> polygon_families() {
           {in_reach, {"hit", 0.37}, {"miss", 0.46}, {"edge", 0.18}, {"vertex", 0.1}, {"behind", 0.2}}),
       transformed<everyday, in_space<layout::boundary>>(
           {in_reach, {"hit", 0.54}, {"miss", 0.3}, {"edge", 0.18}, {"vertex", 0.1}}),
+      in_small<everyday>({in_reach, {"hit", 0.39}, {"miss", 0.45}, {"behind", 0.06}}),
       in_any_size<everyday>({{"hit", 0.39}, {"miss", 0.45}, {"behind", 0.06}}),
       special<Polygon<double>>({{"hit", 0.04}, {"miss", 0.79}}),
       bit_patterns<Polygon<double>>({{"hit", 0.05}, {"miss", 0.78}}),
