@@ -83,7 +83,8 @@ int run(const FindingsOptions& options, const std::string& command) {
   write_file(out / "scene.js", viz::shared_script());
   if (options.write) write_docs(libraries, command);
   for (const dossier::LibraryDossier& library : libraries)
-    fmt::print("{} {}: {} findings\n", library.facts.name, library.facts.version, library.findings.size());
+    const std::size_t count = library.findings.size();
+    fmt::print("{} {}: {} finding{}\n", library.facts.name, library.facts.version, count, count == 1 ? "" : "s");
   fmt::print("./rayproof bugreport N --from {}: finding N as a report to the library's makers\npage: {}\n",
              (out / "findings.jsonl").string(), (out / "index.html").string());
   return 0;
