@@ -82,9 +82,11 @@ int run(const FindingsOptions& options, const std::string& command) {
              findings_page(libraries, {{}, viz::case_figure, viz::scene_style(), "scene.js"}));
   write_file(out / "scene.js", viz::shared_script());
   if (options.write) write_docs(libraries, command);
-  for (const dossier::LibraryDossier& library : libraries)
+  for (const dossier::LibraryDossier& library : libraries) {
     const std::size_t count = library.findings.size();
-    fmt::print("{} {}: {} finding{}\n", library.facts.name, library.facts.version, count, count == 1 ? "" : "s");
+    fmt::print("{} {}: {} finding{}\n", library.facts.name, library.facts.version, count,
+               count == 1 ? "" : "s");
+  }
   fmt::print("./rayproof bugreport N --from {}: finding N as a report to the library's makers\npage: {}\n",
              (out / "findings.jsonl").string(), (out / "index.html").string());
   return 0;
