@@ -143,8 +143,8 @@ inline void resize(Random& random, Precision precision, Scene& scene) {
   std::visit([size](auto& shape) { shape = grown(shape, size); }, scene.shape);
 }
 
-/// Makes it 2^-16 to 2^-3 times as large, half the time with as short a direction: an epsilon that has nothing
-/// to do with the scene's size is larger than that.
+/// Makes it 2^-16 to 2^-3 times as large, half the time with as short a direction: an epsilon that has
+/// nothing to do with the scene's size is larger than that.
 inline void shrink(Random& random, Precision /*precision*/, Scene& scene) {
   const double size = std::exp2(random.between(-16, -3));
   scene.origin *= size;
