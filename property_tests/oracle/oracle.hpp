@@ -44,10 +44,10 @@ struct Details {
   std::optional<double> point{};    ///< how far the point is from p(t), and so from the ray
   std::optional<double> surface{};  ///< how far it is from the surface
   std::optional<double> forward{};  ///< how far it is from the exact hit; nothing where that is a miss
-  /// The angle between the normal and the outward (or given) one of the surface at p(t), in units of ε times
-  /// the condition of that normal; of several faces the one that fits best, or how much farther from p(t) it
-  /// is than the nearest, whichever is more. Also how far from 1 its length is, in units of ε. Without a
-  /// normal, how far p(t) is from an edge.
+  /// The sine of the angle between the normal and the outward (or given) one of the surface at p(t), 1 from a
+  /// right angle on, in units of ε times the condition of that normal; of several faces the one that fits
+  /// best, or how much farther from p(t) it is than the nearest, whichever is more. Also how far from 1 its
+  /// length is, in units of ε. Without a normal, how far p(t) is from an edge.
   std::optional<double> normal{};
   /// The largest error of a triangle's [α, β, γ] at the exact hit, in units of ε; of a parametric plane's [α,
   /// β], where they are given.

@@ -19,8 +19,9 @@ namespace rayproof {
 /// *Residual* of a hit on the side is its distance from the circle in units of ε·S·S^p; of one on a cap, its
 /// distance from the cap's plane in units of ε·Z(t). *Verdict* is the least change of the circle's radius
 /// (units ε·S·S^p) or of a cap's height (units ε·Z(t)) that changes the number of hits; of a ray that several
-/// of them keep from the cylinder, the greatest. *Ulp* is in ulps of the exact t. *Domain* speaks of all
-/// numbers of the case that are not 0.
+/// of them keep from the cylinder, the greatest. Under a transform, which rounds the direction too, the
+/// circle's radius counts in units of ε·S(t), S(t) = S + |t||direction| there, where the line is between the
+/// heights. *Ulp* is in ulps of the exact t. *Domain* speaks of all numbers of the case that are not 0.
 template <class T>
 struct Cylinder {
   T rx, ry, height;

@@ -33,11 +33,19 @@ inline constexpr Roots<T> no_roots{T(-1), T(not_a_number<T>), T(not_a_number<T>)
 template <Branching T>
 inline constexpr FlatHit<T> no_hit{no_roots<T>, T(0), T(0)};
 
-/// A hit at t where `is_hit`, none elsewhere. `is_hit` false and a NaN for t mean the same.
+/// A hit at t.
+template <class T>
+[[nodiscard]] constexpr FlatHit<T> hit_at(const T& t, const T& u, const T& v) {
+  return {{T(0), t, t}, u, v};
+}
+
+/// A hit at t where `is_hit`, none elsewhere. `is_hit` false and a NaN for t mean the same; so does a t that
+/// overflows, since what it was divided by is all rounding: the ray may be parallel as well.
 template <class T>
 [[nodiscard]] constexpr FlatHit<T> flat_hit(const Mask<T>& is_hit, const T& t, const T& u, const T& v) {
-  const T there = select(is_hit, t, T(not_a_number<T>));
-  return {{select(is_hit, T(0), T(-1)), there, there}, u, v};
+  const Mask<T> is_there = is_hit && abs(t) < T(infinity<T>);
+  const T there = select(is_there, t, T(not_a_number<T>));
+  return {{select(is_there, T(0), T(-1)), there, there}, u, v};
 }
 
 /// What a convex solid cuts out of the line: [entry, exit] where entry <= exit, nothing where entry > exit or

@@ -86,7 +86,7 @@ class DetailsJudge {
     else
       details.normal = is_finite(*claimed_.normal)
                            ? units(error_of_normal(exact_, parts, t_, *claimed_.normal))
-                           : HUGE_VAL;
+                           : units(error_of_nan(exact_, parts, t_));
   }
 
   void judge_coordinates(Details& details) const {

@@ -3,16 +3,17 @@
 /// How far a claimed normal is from those of the parts of a surface that a point may lie on.
 
 #include <algorithm>
-#include <numbers>
 
 #include "oracle/geometry/sizes.hpp"
 #include "oracle/judge/judging.hpp"
 
 namespace rayproof::oracle {
 
-/// The angle between two vectors, from 0 to π.
-[[nodiscard]] inline double angle(const Vector<Scaled>& a, const Vector<Scaled>& b) {
-  return static_cast<double>(std::atan2(norm(cross(a, b)).value(), dot(a, b).value()));
+/// The least relative change of a vector that turns it into the direction of another: the sine of the angle
+/// between them, and 1 from a right angle on.
+[[nodiscard]] inline Scaled turn(const Vector<Scaled>& from, const Vector<Scaled>& to) {
+  if (dot(from, to).sign() <= 0) return Scaled(1);
+  return norm(cross(from, to)) / (norm(from) * norm(to));
 }
 
 /// The normal of a part as the world has it, of unit length, and by what factor errors may turn it.
@@ -49,18 +50,24 @@ struct WorldNormal {
     const Scaled farther = part.apart - parts.front().apart;
     if (!(farther < least)) continue;
     const WorldNormal normal(exact, part, t);
-    reduce(least, std::max(farther, Scaled(angle(own, normal.along)) / normal.condition));
+    reduce(least, std::max(farther, turn(own, normal.along) / normal.condition));
   }
   const auto exactly = Vector<Ring>::from(claimed);
   const Scaled length = abs(approximate(dot(exactly, exactly) - Ring(1.0))) / Scaled(2);
   return std::max(least, length);
 }
 
-/// Of no normal, where the surface has one: as if it were the worst. Near an edge, where it has several, as
-/// much as p(t) is farther from the second part than from the nearest.
+/// Of one that is no number: as if it were turned as far as can be.
+[[nodiscard]] inline Scaled error_of_nan(const ExactIntersection& exact, const SurfaceParts& parts,
+                                         const Quotient& t) {
+  return Scaled(1) / WorldNormal(exact, parts.front(), t).condition;
+}
+
+/// Of no normal, where the surface has one: the same. Near an edge, where it has several, as much as p(t) is
+/// farther from the second part than from the nearest.
 [[nodiscard]] inline Scaled error_of_no_normal(const ExactIntersection& exact, const SurfaceParts& parts,
                                                const Quotient& t) {
-  Scaled least = Scaled(std::numbers::pi) / WorldNormal(exact, parts.front(), t).condition;
+  Scaled least = error_of_nan(exact, parts, t);
   for (std::size_t i = 1; i < parts.size(); ++i) reduce(least, parts[i].apart - parts.front().apart);
   return least;
 }

@@ -7,15 +7,12 @@
 namespace rayproof::oracle {
 Scaled OutlinedIntersection::margin(bool) const {
   const Scaled scale = approximate(ray().scale);
-  const RayPart part{approximate(ray().direction), question().ray.t_min, question().ray.t_max,
-                     scale * sizes().origin, scale * sizes().direction};
-  const auto seen = [&](const glm::dvec3& corner) {
-    return in_plane(ray().scale * Vector<Ring>::from(corner) - ray().origin);
-  };
+  const RayPart part{ray().direction,        question().ray.t_min,      question().ray.t_max,
+                     scale * sizes().origin, scale * sizes().direction, weight_in_plane()};
   Scaled nearest = endless();
-  Vector<Scaled> from = seen(corners().back());
+  Vector<Ring> from = in_plane(corners().back(), part.weight);
   for (const glm::dvec3& corner : corners()) {
-    const Vector<Scaled> to = seen(corner);
+    const Vector<Ring> to = in_plane(corner, part.weight);
     reduce(nearest, part.distance_to(from, to));
     from = to;
   }
@@ -23,14 +20,21 @@ Scaled OutlinedIntersection::margin(bool) const {
   return nearest;
 }
 
-Vector<Scaled> OutlinedIntersection::in_plane(const Vector<Ring>& corner) const {
-  Vector<Scaled> seen = approximate(corner);
-  const Ring height = height_of(corner);
-  if (is_degenerate() || sign(height) == 0) return seen;
+Ring OutlinedIntersection::weight_in_plane() const {
+  if (is_degenerate()) return Ring(1.0);
+  const Ring& largest = plane_normal()[Projection<Ring>(plane_normal()).axis()];
+  return sign(largest) < 0 ? -largest : largest;
+}
+
+Vector<Ring> OutlinedIntersection::in_plane(const glm::dvec3& corner, const Ring& weight) const {
+  const Vector<Ring> seen = ray().scaled(Vector<Ring>::from(corner)) - ray().origin;
+  Vector<Ring> moved = weight * seen;
+  if (is_degenerate()) return moved;
   const int axis = Projection<Ring>(plane_normal()).axis();
-  Scaled& along = axis == 0 ? seen.x : axis == 1 ? seen.y : seen.z;
-  along = along - approximate(height) / approximate(plane_normal()[axis]);
-  return seen;
+  const Ring height = height_of(seen);
+  Ring& along = axis == 0 ? moved.x : axis == 1 ? moved.y : moved.z;
+  along = sign(plane_normal()[axis]) < 0 ? along + height : along - height;
+  return moved;
 }
 
 Scaled OutlinedIntersection::height_over_shape(double t) const {

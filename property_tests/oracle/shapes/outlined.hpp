@@ -71,8 +71,11 @@ class OutlinedIntersection : public FlatIntersection {
   }
 
  private:
-  /// A corner, seen from the ray's origin in the scale of ObjectRay, where it is projected onto the plane.
-  [[nodiscard]] Vector<Scaled> in_plane(const Vector<Ring>& corner) const;
+  /// A corner, seen from the ray's origin in the scale of ObjectRay, where it is projected onto the plane
+  /// along the axis of the normal's largest component; times the size of that component, which makes it
+  /// exact.
+  [[nodiscard]] Vector<Ring> in_plane(const glm::dvec3& corner, const Ring& weight) const;
+  [[nodiscard]] Ring weight_in_plane() const;
   /// The distance of p(t) from the shape in units of L(t), where its foot on the plane lies in it; endless
   /// beside it, where its sides are nearest, and where it has no area.
   [[nodiscard]] Scaled height_over_shape(double t) const;

@@ -86,12 +86,9 @@ class ParallelepipedIntersection final : public SolidIntersection {
   /// it.
   [[nodiscard]] Scaled distance_to_edges(double t_min, double t_max, bool outline) const {
     const Scaled scale = approximate(ray().scale);
-    const RayPart part{approximate(ray().direction), t_min, t_max, scale * sizes().origin,
-                       scale * sizes().direction};
+    const RayPart part{ray().direction, t_min, t_max, scale * sizes().origin, scale * sizes().direction};
     const auto edge = [&](std::size_t i) { return Vector<Ring>::from(solid_.edges[i % 3]); };
-    const auto seen = [&](const Vector<Ring>& place) {
-      return approximate(ray().scale * place - ray().origin);
-    };
+    const auto seen = [&](const Vector<Ring>& place) { return ray().scale * place - ray().origin; };
     Scaled nearest = endless();
     for (std::size_t i = 0; i < 3; ++i)
       for (const int j : {0, 1})

@@ -69,9 +69,11 @@ struct Bound {
 /// *point* is the distance of the point from p(t) in units of ε·(|origin| + |t||direction|), so that it is no
 /// farther from the surface than the residual and this together (2 is proven: each coordinate is a product
 /// and a sum, off by ε·|t·d| and by ε·(|o| + |t·d|) at most, or by less where one is below the other's ulp);
-/// *normal* the angle to the surface's outward (or given) normal at p(t), in units of ε·K with the condition
-/// K that the shape states, and the difference of its length from 1 in units of ε; near an edge it may be
-/// that of either face; *coordinates* the error of each coordinate in units of ε·K, of a method that promises
+/// *normal* the sine of the angle to the surface's outward (or given) normal at p(t), 1 from a right angle
+/// on, which is the least relative change that turns a vector so, in units of ε·K with the condition K that
+/// the shape states, and the difference of its length from 1 in units of ε; near an edge it may be that of
+/// either face. Without a transform, to make it a unit vector turns it by ε at most, and leaves its length
+/// within 3.5ε of 1; *coordinates* the error of each coordinate in units of ε·K, of a method that promises
 /// ulps in units of ε. Under a transform K grows by its condition number. The usual domain holds for them,
 /// however far a method's own may reach.
 struct HitBounds {

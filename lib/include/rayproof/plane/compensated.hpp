@@ -49,7 +49,7 @@ struct Compensated {
     const auto at_origin = dot(n, exact_vector<double>(ray.origin)) + exact(double{plane.d});
     const auto along = dot(n, exact_vector<double>(ray.direction));
     if (sign(along) == 0) return no_hit<T>;
-    return flat_hit(true, rounded(ray, ExactRatio{-at_origin, along}), T(0), T(0));
+    return hit_at(rounded(ray, ExactRatio{-at_origin, along}), T(0), T(0));
   }
 
   template <class T>
@@ -62,7 +62,7 @@ struct Compensated {
     const auto w = exact_vector<double>(plane.point) - exact_vector<double>(ray.origin);
     const auto along = dot(n, exact_vector<double>(ray.direction));
     if (sign(along) == 0) return no_hit<T>;
-    return flat_hit(true, rounded(ray, ExactRatio{dot(n, w), along}), T(0), T(0));
+    return hit_at(rounded(ray, ExactRatio{dot(n, w), along}), T(0), T(0));
   }
 
   template <class T>
@@ -80,9 +80,9 @@ struct Compensated {
     if (sign(D) == 0) return no_hit<T>;
 
     step<T>(steps::round_quotients);
-    return flat_hit(true, rounded(ray, ExactRatio{-dot(n, w), D}),
-                    rounded_alone<T>(ExactRatio{dot(cross(v, d), w), D}),
-                    rounded_alone<T>(ExactRatio{dot(cross(d, u), w), D}));
+    return hit_at(rounded(ray, ExactRatio{-dot(n, w), D}),
+                  rounded_alone<T>(ExactRatio{dot(cross(v, d), w), D}),
+                  rounded_alone<T>(ExactRatio{dot(cross(d, u), w), D}));
   }
 };
 

@@ -134,7 +134,7 @@ struct Compensated {
     if (meeting.locate() == Position::outside) return no_hit<T>;
 
     step<T>("Round t once", "The quotient is exact until here.");
-    return flat_hit(true, rounded(ray, meeting.ratio()), T(0), T(0));
+    return hit_at(rounded(ray, meeting.ratio()), T(0), T(0));
   }
 };
 

@@ -14,6 +14,9 @@ namespace rayproof::sphere {
 /// one division and one square root. Departs from its source in the roots: the source takes c/q from Viète,
 /// which for an origin beside the tangent point divides a rounded c by a q that is all rounding, and can be
 /// wrong without bound.
+///
+/// The domain in float is a little smaller than usual: where a miss may not be called a hit, D is -(8ε·S)² or
+/// less, and D/a must not underflow to 0, whose root is no NaN.
 struct Centred {
   static constexpr const char* name = "centred";
   static constexpr const char* title = "discriminant from the ray point nearest the centre";
@@ -22,6 +25,7 @@ struct Centred {
       .verdict = {.measured = 4.97, .promised = sphere_robust_bound},
       .residual = {.measured = 7.3, .promised = sphere_robust_bound},
       .hit = sphere_hit_bounds,
+      .domain = {.reach_float = 26},
       .holds = robust_claims | hit_claims | Claims{Claim::residual, Claim::bounded}};
 
   template <class T>

@@ -92,7 +92,7 @@ struct Compensated {
     const ClearSides clear(wide_ray, convert<double>(triangle));
     if (clear.is_miss()) return no_hit<T>;
     if (sizeof(T) < sizeof(double) && clear.is_hit<T>(wide_ray)) {
-      return flat_hit(true, T(clear.t()), T(clear.u()), T(clear.v()));
+      return hit_at(T(clear.t()), T(clear.u()), T(clear.v()));
     }
     return exact_hit(ray, triangle);
   }
@@ -118,8 +118,8 @@ struct Compensated {
     }
 
     step<T>(steps::round_quotients);
-    return flat_hit(true, rounded(ray, ExactRatio{dot(a, bc), D}), rounded_alone<T>(ExactRatio{V, D}),
-                    rounded_alone<T>(ExactRatio{W, D}));
+    return hit_at(rounded(ray, ExactRatio{dot(a, bc), D}), rounded_alone<T>(ExactRatio{V, D}),
+                  rounded_alone<T>(ExactRatio{W, D}));
   }
 };
 

@@ -66,15 +66,34 @@ class MeasuredCylinder : public ExactIntersection {
 
   /// How far inside the side's infinite cylinder the line comes; negative where it passes it by.
   [[nodiscard]] Scaled depth_of_line() const {
+    if (ray().map && sign(equation_.direction.z) != 0) return depth_of_mapped_line();
     if (equation_.is_axis_parallel()) {
       const Quotient start(0.0);
       return sign(equation_.power_at(start)) > 0 ? -off_circle(start) : off_circle(start);
     }
-    // The line touches a circle whose squared radius is larger by -D/a: the power of its nearest point.
+    return depth_in(sizes().from_axis);
+  }
+  /// The same of a line that is not parallel to the axis, as a share of a length. The line touches a circle
+  /// whose squared radius is larger by -D/a: the power of its nearest point.
+  [[nodiscard]] Scaled depth_in(const Scaled& reach) const {
     const Ring discriminant = side_.discriminant();
     const Scaled power = -(approximate(discriminant) / approximate(side_.a));
-    const Scaled change = sizes().change_of_radius(power) / sizes().from_axis;
+    const Scaled change = sizes().change_of_radius(power) / reach;
     return sign(discriminant) < 0 ? -change : change;
+  }
+  /// The same under a transform. That rounds the direction, and moves p(t) by the more the larger t is: much,
+  /// where the line comes by far from the ray's origin, or nearly along the axis. Only between the heights
+  /// does it matter.
+  [[nodiscard]] Scaled depth_of_mapped_line() const {
+    const Quotient bottom = equation_.cap(true), top = equation_.cap(false);
+    const bool is_upward = sign(equation_.direction.z) > 0;
+    const Quotient &entry = is_upward ? bottom : top, &exit = is_upward ? top : bottom;
+    const Scaled off_ends = std::min(off_circle(entry), off_circle(exit));
+    if (equation_.is_axis_parallel()) return sign(equation_.power_at(entry)) > 0 ? -off_ends : off_ends;
+    const Quotient nearest(-side_.h, side_.a);
+    const Quotient& between = nearest.compare(entry) < 0 ? entry : nearest.compare(exit) > 0 ? exit : nearest;
+    const Scaled depth = depth_in(sizes().reach_across(between.estimate()));
+    return depth.sign() < 0 ? -std::min(off_ends, off_circle(between)) : depth;
   }
   /// How far inside, seen from a cap's plane, the line meets the side, in the contract's unit; negative
   /// outside. By the height of that hit, or by how far from the rim the line meets the plane nearby,
@@ -114,15 +133,14 @@ class MeasuredCylinder : public ExactIntersection {
       reduce(narrowest, is_between ? off_caps(start) : -off_caps(start));
       return narrowest;
     }
-    if (equation_.is_axis_parallel()) return narrowest;
-    const RootList roots = real_roots(side_);
+    if (may_merge && cylinder_.height > 0)
+      reduce(narrowest, sizes().in_heights(Scaled(cylinder_.height), equation_.cap(true).estimate()));
+    const RootList roots = equation_.is_axis_parallel() ? RootList{} : real_roots(side_);
     if (roots.empty()) return narrowest;
     // Where the line enters the side it has not passed its last cap; where it leaves it, it has passed its
     // first.
     reduce(narrowest, depth_at_side(roots.front(), true, climb < 0));
     reduce(narrowest, depth_at_side(roots.back(), false, climb > 0));
-    if (may_merge && cylinder_.height > 0)
-      reduce(narrowest, sizes().in_heights(Scaled(cylinder_.height), equation_.cap(true).estimate()));
     return narrowest;
   }
 

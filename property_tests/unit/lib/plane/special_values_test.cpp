@@ -185,5 +185,18 @@ TYPED_TEST(EveryPlaneMethod, PrintedImplicitTakesCoefficientsForOne) {
   EXPECT_EQ(hit.lo, 1);  // -(2 + 3 - 5 - 2) / 2
 }
 
+TYPED_TEST(EveryPlaneMethod, ATThatOverflowsIsNoHit) {
+  using T = TypeParam;
+  const T tiny = std::numeric_limits<T>::min(), huge = std::numeric_limits<T>::max() / 4;
+  const Ray<T> ray{{0, 0, 0}, {0, 0, tiny}};
+  const Plane<T> implicit{PlaneForm::implicit, {}, {0, 0, 1}, -huge, {}, {}};
+  const Plane<T> level{PlaneForm::parametric, {0, 0, huge}, {}, 0, {1, 0, 0}, {0, 1, 0}};
+  for (const FlatHit<T>& hit : {ByEquation::roots(ray, implicit), ByPointAndNormal::roots(ray, level),
+                                ByParameters::roots(ray, level)}) {
+    EXPECT_FALSE(any(ray, hit));
+    EXPECT_LT(hit.discriminant, 0);
+  }
+}
+
 }  // namespace
 }  // namespace rayproof::plane

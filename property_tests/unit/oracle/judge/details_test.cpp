@@ -2,8 +2,6 @@
 /// The judge of points, normals and coordinates judged: right ones have no error to speak of, and an error
 /// that is planted is found in its size.
 
-#include <numbers>
-
 #include "oracle/numbers/ulp.hpp"
 #include "unit/oracle/every_case.hpp"
 
@@ -83,13 +81,13 @@ TEST(Details, FindAPointOffTheRayOffTheSurfaceAndOfAnotherHit) {
 TEST(Details, FindAFlippedAMissingAndALongNormal) {
   const double condition = 1 + std::hypot(0.6, 2.4) + 1.6;
   const Details flipped = planted(slanting(), [](RayAnswer& a) { a.normal = -*a.normal; });
-  EXPECT_NEAR(*flipped.normal * epsilon * condition, std::numbers::pi, 1e-7);
+  EXPECT_NEAR(*flipped.normal * epsilon * condition, 1, 1e-7);
   const Details missing = planted(slanting(), [](RayAnswer& a) { a.normal.reset(); });
-  EXPECT_NEAR(*missing.normal, *flipped.normal, 1);
+  EXPECT_EQ(*missing.normal, *flipped.normal);
   const Details longer = planted(slanting(), [](RayAnswer& a) { a.normal = 1.001 * *a.normal; });
   EXPECT_NEAR(*longer.normal * epsilon, 0.001, 1e-6);
   const Details none = planted(slanting(), [](RayAnswer& a) { a.normal = glm::dvec3(std::nan("")); });
-  EXPECT_EQ(*none.normal, HUGE_VAL);
+  EXPECT_EQ(*none.normal, *flipped.normal);
 }
 
 TEST(Details, FindANormalThatIsStillThatOfTheObjectsSpace) {

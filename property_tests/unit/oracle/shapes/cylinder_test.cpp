@@ -134,5 +134,28 @@ TEST(CylinderOracle, PointsTheNormalOutwardUnderAMirror) {
   EXPECT_EQ(*below.normal, glm::dvec3(0, 0, -1));
 }
 
+/// How far the verdict "one hit" is from right, at float precision, in units of the contract.
+double margin_of_one_hit(const RayQuestion& question) {
+  RayAnswer one_hit;
+  one_hit.hits.count = 1;
+  one_hit.hits.t[0] = 1;
+  return judge({.precision = Precision::float32, .question = question}, one_hit).margin;
+}
+
+TEST(CylinderOracle, LetsBothHitsOfAThinOneBeOneAlsoAlongTheAxis) {
+  const Cylinder<double> coin{3, 3, 0x1p-23, true};
+  const Ray<double> slanting{{0, 0, -1}, {1, 0, 1}}, along{{0, 0, -1}, {0, 0, 1}};
+  for (const Ray<double>& ray : {slanting, along}) EXPECT_NEAR(margin_of_one_hit({ray, coin}), 1, 0.001);
+}
+
+TEST(CylinderOracle, MeasuresAMappedRayWhereItsRoundedDirectionLeadsItBesideTheHeights) {
+  const Cylinder<double> mast{1, 1, 0x1p+40, false};
+  const Ray<double> leaning{{3, 0, 0}, {0, 0x1p-40, 1}}, upright{{3, 0, 0}, {0, 0, 1}};
+  for (const Ray<double>& ray : {leaning, upright}) {
+    EXPECT_NEAR(margin_of_one_hit({ray, mast}), 0x1p+24 * 2 / 4, 1);  // from the unit circle at x = 3
+    EXPECT_LT(margin_of_one_hit({ray, mast, glm::dmat4(1)}), 0x1p-15);
+  }
+}
+
 }  // namespace
 }  // namespace rayproof::oracle::test

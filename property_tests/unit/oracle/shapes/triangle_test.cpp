@@ -118,5 +118,21 @@ TEST(TriangleOracle, TurnsAndMirrorsTheNormalWithTheTriangle) {
   EXPECT_EQ(*met_under(stretch(1, 1, -1), down(1, 2), right_angled).normal, glm::dvec3(0, 0, -1));
 }
 
+/// Both numbers of the side are far away, and the ray passes it at a small share of the distance between
+/// them.
+TEST(TriangleOracle, MeasuresHowFarARayPassesFromASideThatItRunsAlong) {
+  const glm::dvec3 along{3, 5, 7}, aside{5, -3, 0}, off{21, 35, -34};  // at right angles to one another
+  const double gap = 0x1p-10;
+  const glm::dvec3 a = 0x1p+30 * along - 8.0 * aside + gap * off;
+  const glm::dvec3 c = 0x1p+40 * along + 8.0 * aside + gap * off;
+  const RayQuestion question{.ray = {{0, 0, 0}, along}, .shape = Triangle<double>{a, a + 1000.0 * off, c}};
+  RayAnswer one_hit;
+  one_hit.hits.count = 1;
+  one_hit.hits.t[0] = 0x1p+39;
+  const double reach = glm::length(c) + (0x1p+29 + 0x1p+39) * glm::length(along);
+  EXPECT_NEAR(judge({.question = question}, one_hit).margin * 0x1p-53, gap * glm::length(off) / reach,
+              1e-6 * gap * glm::length(off) / reach);
+}
+
 }  // namespace
 }  // namespace rayproof::oracle::test
