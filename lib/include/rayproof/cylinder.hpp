@@ -49,6 +49,6 @@ inline constexpr double cylinder_robust_bound = 8;
 /// turns by 2ε·K at most. Of a very eccentric cylinder seen from far away that is much more than what the
 /// turn at p(t) itself comes to: its rounded point may lie on the other side of the axis.
 inline constexpr HitBounds cylinder_hit_bounds{.point = {.measured = 2, .promised = 2, .is_proven = true},
-                                               .normal = {.measured = 2.49, .promised = 4}};
+                                               .normal = {.measured = 2.98, .promised = 5}};
 
 }  // namespace rayproof

@@ -18,19 +18,19 @@ namespace rayproof {
 /// Along the given normal, or u × v.
 template <std::floating_point T>
 [[nodiscard]] vec3<T> normal_at(const Plane<T>& plane, const vec3<T>& /*anywhere*/) {
-  return normalized<T>(plane::normal_of(plane));
+  return unit_vector<T>(plane::normal_of(plane));
 }
 
 /// Along (b-a)×(c-a).
 template <std::floating_point T>
 [[nodiscard]] vec3<T> normal_at(const Triangle<T>& triangle, const vec3<T>& /*anywhere*/) {
-  return normalized<T>(cross(triangle.b - triangle.a, triangle.c - triangle.a));
+  return unit_vector<T>(cross(triangle.b - triangle.a, triangle.c - triangle.a));
 }
 
 /// The Newell normal.
 template <std::floating_point T>
 [[nodiscard]] vec3<T> normal_at(const Polygon<T>& polygon, const vec3<T>& /*anywhere*/) {
-  return normalized<T>(
+  return unit_vector<T>(
       polygon::newell_normal<T>(polygon.vertices, polygon::nearest_the_origin(polygon.vertices)));
 }
 
@@ -53,7 +53,7 @@ template <std::floating_point T>
       normal = is_lower ? -outward : outward;
     }
   }
-  return normalized<T>(normal);
+  return unit_vector<T>(normal);
 }
 
 /// Of any shape that has a normal at a point: there where the ray, in the shape's own space, is at t.
@@ -97,7 +97,7 @@ template <std::floating_point T>
   const T to_bottom = abs(p.z), to_top = abs(cylinder.height - p.z);
   const T off_cap = min(to_bottom, to_top) / (abs(origin.z) + cylinder.height + abs(run.z));
   if (cylinder.capped && !(off_side <= off_cap)) return {0, 0, to_top < to_bottom ? T(1) : T(-1)};
-  return normalized<T>({p.x / cylinder.rx, p.y / cylinder.ry, T(0)});
+  return unit_vector<T>({p.x / cylinder.rx, p.y / cylinder.ry, T(0)});
 }
 
 }  // namespace rayproof

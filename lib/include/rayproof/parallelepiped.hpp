@@ -40,6 +40,6 @@ inline constexpr const char* parallelepiped_normals_turn =
 /// What every sound method says of its first hit. K = Nᵢ/|nᵢ|. A face is near p(t) as for *residual*.
 inline constexpr HitBounds parallelepiped_hit_bounds{
     .point = {.measured = 1.2, .promised = 2, .is_proven = true},
-    .normal = {.measured = 2.48, .promised = 4}};
+    .normal = {.measured = 2.48, .promised = 5}};
 
 }  // namespace rayproof

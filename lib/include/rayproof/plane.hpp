@@ -53,7 +53,7 @@ inline constexpr double plane_robust_bound = 12;
 /// leaves nothing the coordinates may be anything. By the errors above the volumes are off by 6.31ε times
 /// their lengths, and the quotient by 6.31ε·K and its own ε.
 inline constexpr HitBounds plane_hit_bounds{.point = {.measured = 2, .promised = 2, .is_proven = true},
-                                            .normal = {.measured = 2.99, .promised = 4},
+                                            .normal = {.measured = 3.26, .promised = 5},
                                             .coordinates = {.measured = 2.68, .promised = 8}};
 
 }  // namespace rayproof

@@ -64,6 +64,6 @@ inline constexpr double point_in_polygon_robust_bound = 4;
 /// What every sound method says of its first hit. K = n·D² / |Newell's normal|, with n vertices, none farther
 /// than D from the first.
 inline constexpr HitBounds polygon_hit_bounds{.point = {.measured = 1.98, .promised = 2, .is_proven = true},
-                                              .normal = {.measured = 2.74, .promised = 4}};
+                                              .normal = {.measured = 2.74, .promised = 5}};
 
 }  // namespace rayproof

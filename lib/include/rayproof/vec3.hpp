@@ -72,6 +72,16 @@ template <class T>
 [[nodiscard]] vec3<T> normalized(const vec3<T>& v) {
   return (T(1) / sqrt(dot(v, v))) * v;
 }
+/// The same of however short or long a vector: the squares of plain numbers neither under- nor overflow.
+template <class T>
+[[nodiscard]] vec3<T> unit_vector(const vec3<T>& v) {
+  if constexpr (std::floating_point<T>) {
+    const T e = exponent(max(abs(v.x), max(abs(v.y), abs(v.z))));
+    return normalized<T>({scale_exponent(v.x, -e), scale_exponent(v.y, -e), scale_exponent(v.z, -e)});
+  } else {
+    return normalized<T>(v);
+  }
+}
 
 #include <rayproof/rounding/as_before.hpp>
 

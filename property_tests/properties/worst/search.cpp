@@ -22,6 +22,12 @@ bool is_shown(const WorstRow& row) {
   return row.found || (is_promised && !measure_of(row.kind).is_of_details);
 }
 
+/// The case where it breaks what is promised.
+std::optional<WorstCase> broken_by(const std::optional<WorstCase>& worst, const Subject& subject,
+                                   std::size_t kind) {
+  return worst && exceeds_promise(subject, worst->one, kind) ? worst : std::nullopt;
+}
+
 class Searches {
  public:
   Searches(const WorstSearch& what, const std::atomic<bool>& stop, const HearSearch& progress)
@@ -53,9 +59,13 @@ class Searches {
     result_.drawn += drawn ? drawn->cases : 0;
     for (std::size_t kind = 0; kind < error_kinds; ++kind) {
       WorstRow row{&subject, precision, kind, std::nullopt, climbed.worst[kind]};
-      if (drawn) row.drawn = drawn->worst[kind] ? drawn->worst[kind]->error : 0;
       if (row.found) known.push_back(row.found->one);
-      row.exceeds = row.found && exceeds_promise(subject, row.found->one, kind);
+      row.exceeding = broken_by(row.found, subject, kind);
+      if (drawn) {
+        const std::optional<WorstCase>& worst = drawn->worst[kind];
+        row.drawn = worst ? worst->error : 0;
+        if (!row.exceeding) row.exceeding = broken_by(worst, subject, kind);
+      }
       if (is_shown(row)) result_.rows.push_back(std::move(row));
     }
   }
@@ -102,7 +112,7 @@ std::string WorstRow::error_name() const {
 }
 
 bool WorstResult::keeps_promises() const {
-  return std::ranges::none_of(rows, [](const WorstRow& row) { return row.exceeds; });
+  return std::ranges::none_of(rows, [](const WorstRow& row) { return row.exceeding.has_value(); });
 }
 
 WorstResult search(const WorstSearch& what, const std::atomic<bool>& stop, const HearSearch& progress) {

@@ -23,7 +23,7 @@ struct WorstRow {
   std::size_t kind = 0;
   std::optional<double> drawn{};     ///< the worst that draws alone found; nothing where they were not asked
   std::optional<WorstCase> found{};  ///< nothing where no error was met
-  bool exceeds = false;              ///< the worst case breaks what is promised
+  std::optional<WorstCase> exceeding{};  ///< the worst case, or the worst draw, where it breaks a promise
 
   [[nodiscard]] const Bound& bound() const { return measure_of(kind).bound(subject->contract); }
   /// What is promised of cases as of this row: under a transform no less than the robust bound (promise.hpp).

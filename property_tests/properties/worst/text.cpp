@@ -42,7 +42,7 @@ std::string text_table(const WorstResult& result) {
       text += fmt::format("{:>9} {:>8} ", figure(row.drawn.value_or(0)),
                           factor_in_words(found, row.drawn.value_or(0)));
     text += fmt::format("{:>11} {:>9}  {}{}\n", figure(found), promise_in_words(row),
-                        row.found ? row.found->family->name : "", row.exceeds ? "  EXCEEDED" : "");
+                        row.found ? row.found->family->name : "", row.exceeding ? "  EXCEEDED" : "");
   }
   return text;
 }
@@ -50,10 +50,10 @@ std::string text_table(const WorstResult& result) {
 std::string text_exceeded(const WorstResult& result) {
   std::string text;
   for (const WorstRow& row : result.rows)
-    if (row.exceeds)
+    if (row.exceeding)
       text += fmt::format("EXCEEDED: {} {} promises {} of {}, and is off by {}: {}\n",
                           row.subject->full_name(), name_of(row.precision), promise_in_words(row),
-                          row.error_name(), figure(row.found->error), write_case(row.found->one));
+                          row.error_name(), figure(row.exceeding->error), write_case(row.exceeding->one));
   return text;
 }
 
@@ -68,7 +68,7 @@ std::string json_text(const WorstSearch& what, const WorstResult& result) {
     if (row.drawn) one["drawn"] = finite_or_text(*row.drawn);
     one["promised"] = std::isfinite(row.promised()) ? Json(row.promised()) : Json();
     one["proven"] = row.is_proven();
-    one["exceeded"] = row.exceeds;
+    one["exceeded"] = row.exceeding.has_value();
     if (row.found) one["case"] = read_json(write_case(row.found->one));
     rows.push_back(std::move(one));
   }

@@ -67,6 +67,60 @@ TEST(Diagnosis, CallsNothingRoundingThatIsWrongerThanLostDigits) {
   for (const Diagnosis& group : groups) EXPECT_NE(group.kind, FindingKind::rounding) << group.sentence;
 }
 
+/// Möller and Trumbore's, with a determinant that a float holds: GLM's intersectLineTriangle is so.
+Answer with_determinant_in_float(const Case& one) {
+  const auto& [ray, shape, transform] = std::get<RayQuestion>(one.question);
+  if (transform) return oracle::answer(one);
+  const auto& triangle = std::get<Triangle<double>>(shape);
+  const glm::dvec3 b = triangle.b - triangle.a, c = triangle.c - triangle.a, from_a = ray.origin - triangle.a;
+  const glm::dvec3 across = glm::cross(ray.direction, c), beside = glm::cross(from_a, b);
+  const auto determinant = static_cast<float>(glm::dot(b, across));
+  const double beta = glm::dot(from_a, across) / determinant,
+               gamma = glm::dot(ray.direction, beside) / determinant;
+  const double t = glm::dot(c, beside) / determinant;
+  RayAnswer answer;
+  if (!(beta >= 0 && gamma >= 0 && beta + gamma <= 1 && in_interval(ray, t))) return answer;
+  answer.hits.push_back(t);
+  answer.barycentric = glm::dvec3(1 - beta - gamma, beta, gamma);
+  return answer;
+}
+
+TEST(Diagnosis, FindsAFloatOnTheWayThoughSmallNumbersShowNothingOfIt) {
+  const Subject subject = subject_of("triangle", with_determinant_in_float);
+  for (const auto& [property, cause] :
+       {std::pair{"residual", "float-on-the-way "}, std::pair{"coordinates", "float-in-coordinates "}}) {
+    const std::string found = in_words(faults_of(subject, *find_property(property), Precision::float64));
+    EXPECT_TRUE(found.starts_with(cause)) << found;
+  }
+}
+
+/// The nearest hit alone, half a percent too near.
+Answer nearest_too_near(const Case& one) {
+  Answer answer = oracle::answer(one);
+  auto& hits = std::get<RayAnswer>(answer);
+  hits.nearest_only = true;
+  hits.point.reset();
+  hits.hits.count = std::min<std::size_t>(hits.hits.count, 1);
+  hits.hits.t[0] *= 0.995;
+  return answer;
+}
+
+TEST(Diagnosis, CallsTheNearestHitApproximateWhereTheFartherOneIsNotGiven) {
+  const Subject subject = subject_of("sphere", nearest_too_near);
+  const std::string found = in_words(faults_of(subject, *find_property("residual"), Precision::float32));
+  EXPECT_TRUE(found.starts_with("approximate ")) << found;
+}
+
+TEST(Diagnosis, AsksNoRayThatBeginsBeforeItsOriginWhereItStartsNearer) {
+  const Case far{.question = RayQuestion{.ray = {{100, 0, 0}, {-1, 0, 0}, 0, infinity<double>},
+                                         .shape = Sphere<double>{{0, 0, 0}, 0x1p-13}}};
+  const std::vector<Case> near = find_hypothesis("start-near")->change(far);
+  ASSERT_EQ(near.size(), 1U);
+  const Ray<double>& ray = std::get<RayQuestion>(near.front().question).ray;
+  EXPECT_EQ(ray.origin, glm::dvec3(1 + 0x1p-13, 0, 0));
+  EXPECT_EQ(ray.t_min, 0);
+}
+
 /// What the lectures print wrongly, and the cause of it.
 struct Printed {
   const char* method;

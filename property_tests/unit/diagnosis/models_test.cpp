@@ -58,6 +58,7 @@ TEST_P(Model, IsNamedWhereASubjectAnswersAsItForesees) {
 }
 
 const Foreseen foreseen_faults[] = {
+    {"sphere", "zero-as-no-end"},
     {"sphere", "origin-ignored"},
     {"sphere", "origin-negated"},
     {"sphere", "direction-as-target"},

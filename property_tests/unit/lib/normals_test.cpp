@@ -75,5 +75,14 @@ TYPED_TEST(NormalsOf, ATriangleSmallerThanItsRoundingIsMissed) {
   EXPECT_TRUE(std::isnan(hit.lo));
 }
 
+TYPED_TEST(NormalsOf, ASphereAreOfUnitLengthThoughThePointIsAsGoodAsItsCentre) {
+  using T = TypeParam;
+  for (const T off : {std::numeric_limits<T>::denorm_min(), std::numeric_limits<T>::min(), T(1e-21)})
+    EXPECT_EQ(normal_at(Sphere<T>{{0, 0, 0}, 1}, vec3<T>{0, -off, 0}), (vec3<T>{0, -1, 0}));
+  const T huge = std::numeric_limits<T>::max();
+  EXPECT_NEAR(unit_vector<T>({huge, 0, -huge}).x, std::sqrt(T(0.5)), 4 * std::numeric_limits<T>::epsilon());
+  EXPECT_TRUE(std::isnan(normal_at(Sphere<T>{{1, 2, 3}, 0}, vec3<T>{1, 2, 3}).x));
+}
+
 }  // namespace
 }  // namespace rayproof

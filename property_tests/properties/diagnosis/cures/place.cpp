@@ -59,7 +59,8 @@ Cases start_near(const Case& one) {
     const double t = line.hits.count > 0 ? line.hits.t[0] - 1 / glm::length(d) : nearest;
     if (!std::isfinite(t) || asked.transform) return false;
     start_at(asked.ray, t);
-    return true;
+    asked.ray.t_min = std::max(asked.ray.t_min, 0.0);  // nothing is hit before, and many rays have no t < 0
+    return asked.ray.t_min <= asked.ray.t_max;
   });
 }
 

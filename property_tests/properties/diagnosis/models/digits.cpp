@@ -3,10 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
+#include <glm/common.hpp>
+#include <span>
 
 #include "properties/claims/answers.hpp"
+#include "properties/numbers.hpp"
 
 namespace rayproof::diagnosis {
 namespace {
@@ -18,6 +22,23 @@ std::optional<bool> if_short(const Answer& got, const Answer& exact, IsShort&& i
   if (std::ranges::all_of(numbers, [](double x) { return x == 0; }) || std::ranges::all_of(exactly, is_short))
     return std::nullopt;
   return std::ranges::all_of(numbers, is_short);
+}
+
+/// Whether a number has so few digits that a float holds products of three of them.
+bool is_short(double x) {
+  constexpr int bits = 8;
+  int exponent = 0;
+  const double digits = std::ldexp(std::frexp(x, &exponent), bits);
+  return !std::isfinite(x) || std::trunc(digits) == digits;
+}
+
+/// Whether the worst error is one of float's rounding. Less says nothing where the case's numbers are short,
+/// or those of the answer: a float may have held all that led to it.
+std::optional<bool> is_of_float_rounding(const Case& one, double worst, std::span<const double> exact) {
+  if (worst > 0x1p-30) return worst < 0x1p-19;
+  bool are_short = true;
+  each_number_of(one, [&](double x) { are_short = are_short && is_short(x); });
+  return are_short || std::ranges::all_of(exact, is_short) ? std::nullopt : std::optional(false);
 }
 
 }  // namespace
@@ -35,8 +56,18 @@ std::optional<bool> is_right_to_float(const Case& one, const Answer& got, const 
   if (numbers.size() > exactly.size()) return false;
   double worst = 0;
   for (std::size_t i = 0; i < numbers.size(); ++i)
-    worst = std::max(worst, std::abs(numbers[i] - exactly[i]) / std::abs(exactly[i]));
-  return 0x1p-30 < worst && worst < 0x1p-19;
+    if (numbers[i] != exactly[i])
+      worst = std::max(worst, std::abs(numbers[i] - exactly[i]) / std::abs(exactly[i]));
+  return is_of_float_rounding(one, worst, exactly);
+}
+
+std::optional<bool> coordinates_right_to_float(const Case& one, const Answer& got, const Answer& exact) {
+  const auto *found = std::get_if<RayAnswer>(&got), *right = std::get_if<RayAnswer>(&exact);
+  if (one.precision == Precision::float32 || found == nullptr || !found->barycentric || !right->barycentric)
+    return std::nullopt;
+  const glm::dvec3 &weights = *right->barycentric, off = glm::abs(*found->barycentric - weights);
+  return is_of_float_rounding(one, std::max({off.x, off.y, off.z}),
+                              std::array{weights.x, weights.y, weights.z});
 }
 
 std::optional<bool> is_of_half(const Case& /*one*/, const Answer& got, const Answer& exact) {
@@ -49,8 +80,10 @@ std::optional<bool> is_of_half(const Case& /*one*/, const Answer& got, const Ans
 }
 
 std::optional<bool> is_approximate(const Case& one, const Answer& got, const Answer& exact) {
-  const std::vector<double> numbers = numbers_in(got), exactly = numbers_in(exact);
-  if (numbers.empty() || numbers.size() != exactly.size()) return std::nullopt;
+  const std::vector<double> numbers = numbers_in(got);
+  std::vector<double> exactly = numbers_in(exact);
+  if (numbers.empty() || numbers.size() > exactly.size()) return std::nullopt;
+  exactly.resize(numbers.size());  // of a subject that gives the nearest hit alone
   const double best = one.precision == Precision::float32 ? 0x1p-19 : 0x1p-24, worst = 0x1p-6;
   return std::ranges::equal(numbers, exactly, [&](double x, double y) {
     const double error = std::abs(x - y);

@@ -10,6 +10,9 @@ namespace rayproof::diagnosis {
 [[nodiscard]] std::optional<bool> is_of_float(const Case& one, const Answer& got, const Answer& exact);
 /// Some number of a case of float64 is off by what a float rounds, and none by more.
 [[nodiscard]] std::optional<bool> is_right_to_float(const Case& one, const Answer& got, const Answer& exact);
+/// The same of a triangle's barycentric coordinates, in units of 1.
+[[nodiscard]] std::optional<bool> coordinates_right_to_float(const Case& one, const Answer& got,
+                                                             const Answer& exact);
 /// Every number is one of float16.
 [[nodiscard]] std::optional<bool> is_of_half(const Case& one, const Answer& got, const Answer& exact);
 /// Every number is right to two to five decimal digits, and no better.

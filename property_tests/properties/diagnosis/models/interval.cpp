@@ -78,6 +78,12 @@ Answers t_min_is_zero(const Case& one, const Answer& /*exact*/) {
   return exact_of(with_interval(one, 0, ray->t_max));
 }
 
+Answers zero_as_no_end(const Case& one, const Answer& /*exact*/) {
+  const auto* ray = ray_of(one);
+  if (ray == nullptr || ray->t_max != 0) return {};
+  return exact_of(without_t_max(one));
+}
+
 std::vector<Case> from_origin_on(const Case& one) { return with_interval(one, 0, infinity<double>); }
 
 std::vector<Case> as_segment(const Case& one) { return with_interval(one, 0, 1); }

@@ -20,6 +20,8 @@ namespace rayproof::diagnosis {
 
 /// The interval begins at 0.
 [[nodiscard]] Answers t_min_is_zero(const Case& one, const Answer& exact);
+/// Of an interval that ends at 0 the end is not looked at.
+[[nodiscard]] Answers zero_as_no_end(const Case& one, const Answer& exact);
 
 /// The exact hits without those that are dropped; nothing where none is.
 [[nodiscard]] Answers drops(const Case& one, const Answer& exact, bool (*is_dropped)(double t));

@@ -24,6 +24,8 @@ std::vector<Hypothesis> models_of_hits() {
             "hits exactly at t_min and t_max are left out: the interval is taken for open", boundary),
       gives("open-at-zero", open_at_zero,
             "a hit exactly at the ray's origin is left out: t > 0 is asked, and must be t >= 0", boundary),
+      gives("zero-as-no-end", zero_as_no_end,
+            "the answer is right without t_max where t_max = 0: 0 is taken for no end"),
       gives("ignores-t-max", read_as<without_t_max>,
             "the answer is right for a ray without end: t_max is ignored"),
       gives("t-min-is-zero", t_min_is_zero, "the answer is right for t_min = 0: t_min is ignored"),

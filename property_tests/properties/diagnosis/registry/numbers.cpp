@@ -145,6 +145,10 @@ std::vector<Hypothesis> models_of_digits() {
             "every number is right to about seven digits: a float on the way to it, though the case is of "
             "float64",
             rounding),
+      shows("float-in-coordinates", coordinates_right_to_float,
+            "the barycentric coordinates are right to about seven digits: a float on the way to them, though "
+            "the case is of float64",
+            rounding, Aspect::coordinates),
       shows("approximate", is_approximate,
             "every number is right to two to five digits and no better: something is approximated, a square "
             "root or a reciprocal",
