@@ -24,30 +24,24 @@ std::optional<bool> if_short(const Answer& got, const Answer& exact, IsShort&& i
   return std::ranges::all_of(numbers, is_short);
 }
 
-/// Whether a number has so few digits that a float holds products of three of them.
-bool is_short(double x) {
-  constexpr int bits = 8;
-  int exponent = 0;
-  const double digits = std::ldexp(std::frexp(x, &exponent), bits);
-  return !std::isfinite(x) || std::trunc(digits) == digits;
-}
+bool is_float(double x) { return !std::isfinite(x) || static_cast<double>(static_cast<float>(x)) == x; }
 
-/// Whether the worst error is one of float's rounding. Less says nothing where the case's numbers are short,
-/// or those of the answer: a float may have held all that led to it.
+/// Whether the worst error is one of float's rounding. More says nothing of numbers that nearly cancel; a
+/// little less is luck, or a small share of the whole. Much less says nothing where a float holds the case's
+/// numbers, or those of the answer: it may have held all that led to it.
 std::optional<bool> is_of_float_rounding(const Case& one, double worst, std::span<const double> exact) {
-  if (worst > 0x1p-30) return worst < 0x1p-19;
-  bool are_short = true;
-  each_number_of(one, [&](double x) { are_short = are_short && is_short(x); });
-  return are_short || std::ranges::all_of(exact, is_short) ? std::nullopt : std::optional(false);
+  if (worst > 0x1p-30) return worst < 0x1p-19 ? std::optional(true) : std::nullopt;
+  if (worst > 0x1p-45) return std::nullopt;
+  bool are_floats = true;
+  each_number_of(one, [&](double x) { are_floats = are_floats && is_float(x); });
+  return are_floats || std::ranges::all_of(exact, is_float) ? std::nullopt : std::optional(false);
 }
 
 }  // namespace
 
 std::optional<bool> is_of_float(const Case& one, const Answer& got, const Answer& exact) {
   if (one.precision == Precision::float32) return std::nullopt;
-  return if_short(got, exact, [](double x) {
-    return !std::isfinite(x) || static_cast<double>(static_cast<float>(x)) == x;
-  });
+  return if_short(got, exact, is_float);
 }
 
 std::optional<bool> is_right_to_float(const Case& one, const Answer& got, const Answer& exact) {
