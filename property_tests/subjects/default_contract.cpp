@@ -21,11 +21,11 @@ struct TextbookBounds {
 };
 constexpr std::array textbook{
     // b² and 4ac of a far sphere lose digits with its distance in radii.
-    TextbookBounds{"sphere", 2, 1, 1, {}},
-    TextbookBounds{"cylinder", 2, 1, 1, {12, 110, false}},
+    TextbookBounds{"sphere", 1, 1, 1, {.reach_float = 26}},
+    TextbookBounds{"cylinder", 2, 1, 1, {.reach_float = 12, .reach_double = 110}},
     // The determinant is small beside its rounding where a triangle is thin, or seen edge-on.
     TextbookBounds{"triangle", 1, 1, 0, {}},
-    TextbookBounds{"parallelepiped", 1, 1, 1, {16, 150, false}},
+    TextbookBounds{"parallelepiped", 1, 1, 1, {.reach_float = 16, .reach_double = 150}},
 };
 
 constexpr Claims expected{Claim::verdict, Claim::residual,    Claim::ascending, Claim::moved,
