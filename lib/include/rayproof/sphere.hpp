@@ -31,7 +31,8 @@ template <class To, class From>
   return {convert<To>(sphere.center), To(sphere.radius)};
 }
 
-/// The outward unit normal at a point of the sphere; NaN where the radius is 0.
+/// The outward unit normal at a point of the sphere; NaN at the centre, where the point of a tiny one may be
+/// rounded to.
 template <class T>
 [[nodiscard]] vec3<T> normal_at(const Sphere<T>& sphere, const vec3<T>& point) {
   return unit_vector<T>(point - sphere.center);

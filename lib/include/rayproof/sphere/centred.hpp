@@ -20,7 +20,8 @@ namespace rayproof::sphere {
 /// off by that and, in any direction, by 2; the roundings of its square and of r² come to 1.5 of |l| and 1 of
 /// r. So D is r'² - |l'|² with r' off by 1 and |l'| by 8 + 3.5, and a verdict by 13.5. Of a hit, where e is
 /// the 8, p(t) is at the distance √(r'² ± 2e√(r'² - e²)) from the centre: off by √2·e where r' is no more
-/// than that, and by 1 + 1 + 3.5 as before and 1 for the last sum: 17.8 in all.
+/// than that, and by 1 + 1 + 3.5 as before and 1 for the last sum: 17.8 in all. Of a larger sphere that e is
+/// hardly more than 8, and as much less as the roundings of h, 3.5 of r, come to.
 ///
 /// The domain in float is a little smaller than usual: where a miss may not be called a hit, D is -(18ε·S)²
 /// or less, and D/a must not underflow to 0, whose root is no NaN.
