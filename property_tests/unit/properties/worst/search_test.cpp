@@ -48,6 +48,21 @@ TEST(Search, NeverFindsWorseThanWhatIsProven) {
     }
 }
 
+TEST(Search, NamesABrokenPromiseAlsoWhereOnlyADrawFoundIt) {
+  WorstRow row = row_of(searched({"sphere/textbook"}, 6'000), "residual");
+  Subject boastful = *row.subject;
+  boastful.contract.residual.promised = row.found->error / 2;
+  EXPECT_FALSE(exceeds_promise(*row.subject, row.found->one, row.kind));
+  EXPECT_TRUE(exceeds_promise(boastful, row.found->one, row.kind));
+
+  row.exceeding = row.found;
+  row.found.reset();
+  const WorstResult result{.rows = {row}};
+  EXPECT_FALSE(result.keeps_promises());
+  EXPECT_NE(text_table(result).find("EXCEEDED"), std::string::npos);
+  EXPECT_NE(text_exceeded(result).find(write_case(row.exceeding->one)), std::string::npos);
+}
+
 TEST(Search, IsTheSameForEveryNumberOfThreads) {
   const std::vector<std::string> methods{"quadratic/kahan", "quadratic/textbook"};
   const WorstResult alone = searched(methods, 6'000, 1), together = searched(methods, 6'000, 3);
