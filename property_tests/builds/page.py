@@ -51,7 +51,7 @@ def methods_table(matrix):
 
 
 def leaks_table(matrix):
-    names = {"published": "as published", "woop": "our woop", "compensated": "our compensated"}
+    names = {"published": "as published", "woop": "our woop", "rounded": "our rounded"}
     head = "".join(f"<th>{names[which]}</th>" for which in TRIANGLES)
 
     def leak_cell(found):

@@ -25,7 +25,7 @@ def leaks(found):
 def builds_table(matrix):
     """A line for each build: which methods differ, and the triangles."""
     lines = ["| build | rounds | methods that differ | exact or watertight ones | verdicts | t | other fields | published triangle | our `woop` "
-             "| our `compensated` |", "| --- | --- |" + " ---: |" * 8]
+             "| our `rounded` |", "| --- | --- |" + " ---: |" * 8]
     for column in matrix.columns:
         tallies = column.tallies.values()
         held = sum(method.is_held for method in column.differing)

@@ -1,10 +1,10 @@
 /// \file
 /// Watertight triangles as this very build computes them, as subjects of `rayproof leak --subject-command`:
 ///
-///     rayproof-build-triangles published|woop|plucker|compensated
+///     rayproof-build-triangles published|woop|plucker|rounded
 
 #include <cmath>
-#include <rayproof/triangle/compensated.hpp>
+#include <rayproof/triangle/rounded.hpp>
 #include <rayproof/triangle/plucker.hpp>
 #include <rayproof/triangle/woop.hpp>
 #include <string_view>
@@ -66,7 +66,7 @@ int main(int count, char** arguments) {
   if (which == "published") return answer_cases(published);
   if (which == "woop") return answer_with<triangle::Woop>();
   if (which == "plucker") return answer_with<triangle::Pluecker>();
-  if (which == "compensated") return answer_with<triangle::Compensated>();
-  std::cerr << "rayproof-build-triangles: published, woop, plucker or compensated\n";
+  if (which == "rounded") return answer_with<triangle::Rounded>();
+  std::cerr << "rayproof-build-triangles: published, woop, plucker or rounded\n";
   return 2;
 }

@@ -55,7 +55,7 @@ def says_who_is_right():
 
 
 def names_what_is_broken():
-    exact, plain = Method("box/compensated", "exact"), Method("box/slabs", "-")
+    exact, plain = Method("box/rounded", "exact"), Method("box/slabs", "-")
     first = Column(Build("g++", "-O3"), Path(), "as written")
 
     def broken_in(build, **changes):
@@ -70,8 +70,8 @@ def names_what_is_broken():
     own = Build("g++", "-O3 -mfma", keeps=False)
     assert not broken_in(own)
     assert not broken_in(own, slabs={"verdict": 1})
-    assert broken_in(own, compensated={"t": 1})
-    assert not broken_in(Build("g++", "-ffast-math", keeps=False, is_warning=True), compensated={"t": 1})
+    assert broken_in(own, rounded={"t": 1})
+    assert not broken_in(Build("g++", "-ffast-math", keeps=False, is_warning=True), rounded={"t": 1})
 
 
 def keeps_builds_apart():

@@ -31,7 +31,7 @@ TEST(TeachingScenes, TheFarSphereHasRingsByTheTextbookAndNoneByTheCentredMethod)
 TEST(TeachingScenes, TrianglesLeakAlongTheFoldsButNotByWoop) {
   EXPECT_GT(totals_of("triangle-edges.json", "triangle", "moller_trumbore").wrong_misses, 10U);
   EXPECT_EQ(totals_of("triangle-edges.json", "triangle", "woop").wrong_misses, 0U);
-  EXPECT_EQ(totals_of("triangle-edges.json", "triangle", "compensated").wrong(), 0U);
+  EXPECT_EQ(totals_of("triangle-edges.json", "triangle", "rounded").wrong(), 0U);
 }
 
 TEST(TeachingScenes, PrintedParityIsWrongAtTheHeightsOfCorners) {

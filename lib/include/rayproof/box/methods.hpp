@@ -2,9 +2,9 @@
 /// \file
 /// The ray/box methods, one line each.
 
-#include <rayproof/box/compensated.hpp>
 #include <rayproof/box/padded.hpp>
 #include <rayproof/box/printed_slabs.hpp>
+#include <rayproof/box/rounded.hpp>
 #include <rayproof/box/slabs.hpp>
 #include <rayproof/box/slabs_inverse.hpp>
 #include <rayproof/method/topic.hpp>
@@ -15,7 +15,7 @@ struct Topic : RayTopic<Box> {
   static constexpr const char* name = "box";
   static constexpr double robust_bound = box_robust_bound;
   static constexpr bool is_batched = true;
-  using Methods = TypeList<Slabs, SlabsInverse, Padded, Compensated, PrintedSlabs>;
+  using Methods = TypeList<Slabs, SlabsInverse, Padded, Rounded, PrintedSlabs>;
 };
 
 }  // namespace rayproof::box

@@ -40,7 +40,8 @@ struct ExactSide {
 
   /// The exact sign of (root - x) for the lower (side = -1) or upper (side = 1) root; exact products are
   /// spared where the approximate numbers are clear of each other.
-  [[nodiscard]] int compare(int side, const ExactRatio<2, 1>& x) const {
+  template <class Numerator, class Denominator>
+  [[nodiscard]] int compare(int side, const ExactRatio<Numerator, Denominator>& x) const {
     const double t = equation.approximate(side);
     const double difference = t - x.approximate;
     const double doubt = 0x1p-46 * (abs(t) + abs(x.approximate));
@@ -101,7 +102,7 @@ struct Compensated {
   }
 
  private:
-  using Heights = box::ExactSlab<2, 1>;
+  using Heights = box::ExactSlab<Expansion<double, 2>, Expansion<double, 1>>;
 
   /// The signs of (root - entry) and (root - exit) for one root of the side; a line that runs between both
   /// ends never enters nor leaves.

@@ -9,6 +9,18 @@
 
 namespace rayproof {
 
+/// The factor of a ray that no map has scaled: 1·x is x itself, and no longer.
+struct UnitFactor {
+  template <class Number>
+  friend constexpr const Number& operator*(UnitFactor /*factor*/, const Number& x) {
+    return x;
+  }
+  template <class Number>
+  friend constexpr const Vec3<Number>& operator*(UnitFactor /*factor*/, const Vec3<Number>& x) {
+    return x;
+  }
+};
+
 /// A ray in object space, times the determinant of the map: free of division, by the adjugate of A in place
 /// of its inverse. Both vectors are 0 where the map is singular.
 struct ExactlyMapped {

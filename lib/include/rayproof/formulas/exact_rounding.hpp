@@ -54,9 +54,9 @@ template <std::floating_point T>
   return std::bit_cast<Bits>(x) % 2 == 1;
 }
 
-/// An exact number in T, rounded once, to nearest with ties to even; infinite where it overflows. The
-/// estimate is within 2^-48 of the number's size, or for a T of double within 2^-50; `compare(x)` is the
-/// exact sign of (number - x) for an expansion x.
+/// An exact number in T, rounded once, to nearest with ties to even; infinite where it overflows, and never
+/// -0. The estimate is within 2^-48 of the number's size, or for a T of double within 2^-50; `compare(x)` is
+/// the exact sign of (number - x) for an expansion x.
 ///
 /// A float's midpoints are looked at only where the estimate is within 2^-46 of one.
 template <std::floating_point T, class Compare>
@@ -77,7 +77,7 @@ template <std::floating_point T, class Compare>
   for (const T end : {infinity<T>, -infinity<T>}) {
     for (int i = 0; i < most_steps && is_beyond_midpoint(end); ++i) t = std::nextafter(t, end);
   }
-  return t;
+  return t + T(0);
 }
 
 /// The same on the number's own side of each end of the ray's interval: rounding carries it onto an end at
@@ -91,11 +91,12 @@ template <class T, class Compare>
   return t == ray.t_max && side > 0 ? std::nextafter(t, infinity<T>) : t;
 }
 
-/// numerator / denominator, both exact expansions; the denominator is not 0 where the ratio is of use.
-template <std::size_t N, std::size_t M>
+/// numerator / denominator, both exact: expansions of a fixed capacity or growing ones. The denominator is
+/// not 0 where the ratio is of use.
+template <class Numerator, class Denominator>
 struct ExactRatio {
-  Expansion<double, N> numerator;
-  Expansion<double, M> denominator;
+  Numerator numerator;
+  Denominator denominator;
   /// Within 2^-50 of its size: spares most comparisons their exact products.
   double approximate = estimate(numerator) / estimate(denominator);
 
@@ -113,19 +114,19 @@ struct ExactRatio {
            sign(other.denominator);
   }
 };
-template <std::size_t N, std::size_t M>
-ExactRatio(Expansion<double, N>, Expansion<double, M>) -> ExactRatio<N, M>;
+template <class Numerator, class Denominator>
+ExactRatio(Numerator, Denominator) -> ExactRatio<Numerator, Denominator>;
 
 /// The ratio in T, rounded once, on its own side of the ends of the ray's interval: in_interval(ray, t)
 /// is what it is for the exact ratio.
-template <std::floating_point T, std::size_t N, std::size_t M>
-[[nodiscard]] T rounded(const Ray<T>& ray, const ExactRatio<N, M>& ratio) {
+template <std::floating_point T, class Numerator, class Denominator>
+[[nodiscard]] T rounded(const Ray<T>& ray, const ExactRatio<Numerator, Denominator>& ratio) {
   return rounded(ray, ratio.approximate, [&](const auto& x) { return ratio.compare(x); });
 }
 
 /// The same where no interval is to be minded.
-template <std::floating_point T, std::size_t N, std::size_t M>
-[[nodiscard]] T rounded_alone(const ExactRatio<N, M>& ratio) {
+template <std::floating_point T, class Numerator, class Denominator>
+[[nodiscard]] T rounded_alone(const ExactRatio<Numerator, Denominator>& ratio) {
   const Ray<T> whole_line{{}, {}, -infinity<T>, infinity<T>};
   return rounded(whole_line, ratio);
 }

@@ -34,8 +34,8 @@ struct ExpandedQuadratic {
     return compare_root(side, sign(at(t)), sign(slope_at(t)));
   }
   /// The exact sign of (root - n/m).
-  template <std::size_t N, std::size_t M>
-  [[nodiscard]] int compare(int side, const ExactRatio<N, M>& ratio) const {
+  template <class Numerator, class Denominator>
+  [[nodiscard]] int compare(int side, const ExactRatio<Numerator, Denominator>& ratio) const {
     const auto& n = ratio.numerator;
     const auto& m = ratio.denominator;
     const int value = sign(a * (n * n) - exact(2.0) * b * (n * m) + c * (m * m));

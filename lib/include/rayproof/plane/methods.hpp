@@ -3,12 +3,12 @@
 /// The ray/plane methods, one line each.
 
 #include <rayproof/method/topic.hpp>
-#include <rayproof/plane/compensated.hpp>
 #include <rayproof/plane/implicit.hpp>
 #include <rayproof/plane/parametric.hpp>
 #include <rayproof/plane/point_normal.hpp>
 #include <rayproof/plane/printed_implicit.hpp>
 #include <rayproof/plane/printed_parallel.hpp>
+#include <rayproof/plane/rounded.hpp>
 
 namespace rayproof::plane {
 
@@ -17,7 +17,7 @@ struct Topic : RayTopic<Plane> {
   static constexpr double robust_bound = plane_robust_bound;
   static constexpr bool is_batched = true;
   using Methods =
-      TypeList<ByEquation, ByPointAndNormal, ByParameters, Compensated, PrintedImplicit, PrintedParallel>;
+      TypeList<ByEquation, ByPointAndNormal, ByParameters, Rounded, PrintedImplicit, PrintedParallel>;
 };
 
 }  // namespace rayproof::plane

@@ -37,7 +37,7 @@ class ExactMeeting {
   [[nodiscard]] bool is_parallel() const { return sign(denominator_) == 0; }
 
   /// t, for exact_rounding.hpp.
-  [[nodiscard]] ExactRatio<24, 24> ratio() const {
+  [[nodiscard]] ExactRatio<Expansion<double, 24>, Expansion<double, 24>> ratio() const {
     // Within the method's domain the digits of both span no more than 1200 bits.
     return {compressed<24>(numerator_), compressed<24>(denominator_)};
   }

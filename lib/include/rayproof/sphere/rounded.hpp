@@ -29,11 +29,11 @@ struct Rounded {
 
   template <std::floating_point T>
   [[nodiscard]] static Roots<T> roots(const Ray<T>& ray, const Sphere<T>& sphere) {
-    if constexpr (sizeof(T) < sizeof(double)) {
-      const Ray<double> wide_ray = convert<double>(ray);
-      const auto quick = rounded_roots(wide_ray, enclosed(wide_ray, convert<double>(sphere)));
-      if (quick.is_sure) return as_floats(quick.answer);
-    }
+    return quick_or_exact_roots<Rounded>(ray, sphere);
+  }
+
+  template <std::floating_point T>
+  [[nodiscard]] static Roots<T> exact_roots(const Ray<T>& ray, const Sphere<T>& sphere) {
     return Compensated::exact_roots(ray, sphere);
   }
 
@@ -87,8 +87,8 @@ struct Rounded {
     const W Q = abs(hi + lo) + h_twice * k_twice;
     const Mask<W> is_sure_hit = W(0x1p-44) * (k_twice * Q) < h_twice;
     const Mask<W> is_hit = W(0) < D;
-    return {roots, Q * (W(0x1p-50) + W(0x1p-49) * k_twice),
-            (is_hit && is_sure_hit) || (!is_hit && is_sure_miss)};
+    const W error = Q * (W(0x1p-50) + W(0x1p-49) * k_twice);
+    return {roots, error, error, (is_hit && is_sure_hit) || (!is_hit && is_sure_miss)};
   }
 };
 

@@ -3,7 +3,6 @@
 /// The ray/triangle methods, one line each.
 
 #include <rayproof/method/topic.hpp>
-#include <rayproof/triangle/compensated.hpp>
 #include <rayproof/triangle/cramer.hpp>
 #include <rayproof/triangle/moller_trumbore.hpp>
 #include <rayproof/triangle/plane_projection.hpp>
@@ -11,6 +10,7 @@
 #include <rayproof/triangle/printed_lambda2.hpp>
 #include <rayproof/triangle/printed_parallelogram.hpp>
 #include <rayproof/triangle/printed_xy.hpp>
+#include <rayproof/triangle/rounded.hpp>
 #include <rayproof/triangle/woop.hpp>
 
 namespace rayproof::triangle {
@@ -19,7 +19,7 @@ struct Topic : RayTopic<Triangle> {
   static constexpr const char* name = "triangle";
   static constexpr double robust_bound = triangle_robust_bound;
   static constexpr bool is_batched = true;
-  using Methods = TypeList<Cramer, PlaneProjection, MollerTrumbore, Woop, Pluecker, Compensated,
+  using Methods = TypeList<Cramer, PlaneProjection, MollerTrumbore, Woop, Pluecker, Rounded,
                            PrintedParallelogram, PrintedLambda2, PrintedXy>;
 };
 

@@ -152,7 +152,7 @@ TYPED_TEST(EveryPlaneMethod, SpansAPlaneWhateverAxisItsNormalPointsAlong) {
 
 TYPED_TEST(EveryPlaneMethod, GivesTheParametersOfAParametricPlane) {
   for (const FlatHit<TypeParam>& hit : {ByParameters::roots(this->ray_, this->parametric_),
-                                        Compensated::roots(this->ray_, this->parametric_)}) {
+                                        Rounded::roots(this->ray_, this->parametric_)}) {
     EXPECT_EQ(hit.u, TypeParam(0.25));
     EXPECT_EQ(hit.v, 1);
   }
@@ -161,22 +161,22 @@ TYPED_TEST(EveryPlaneMethod, GivesTheParametersOfAParametricPlane) {
   EXPECT_EQ(without.v, 0);
 }
 
-TYPED_TEST(EveryPlaneMethod, CompensatedComparesTheExactTWithTheEndOfTheInterval) {
+TYPED_TEST(EveryPlaneMethod, RoundedComparesTheExactTWithTheEndOfTheInterval) {
   using T = TypeParam;
   Ray<T> ray{{0, 0, 0}, {0, 0, 3}};
   ray.t_max = T(1) / T(3);  // a little more than a third in float, a little less in double
   const bool is_reached = std::is_same_v<T, float>;
   const Plane<T> plane{PlaneForm::implicit, {}, {0, 0, 1}, -1, {}, {}};
-  EXPECT_EQ(any(ray, Compensated::roots(ray, plane)), is_reached);
+  EXPECT_EQ(any(ray, Rounded::roots(ray, plane)), is_reached);
 }
 
-TYPED_TEST(EveryPlaneMethod, CompensatedSeesARayThatLeavesAParallelByTheLastBit) {
+TYPED_TEST(EveryPlaneMethod, RoundedSeesARayThatLeavesAParallelByTheLastBit) {
   using T = TypeParam;
   const T e = std::numeric_limits<T>::epsilon();
   // (1 + e, 1, 0)·(1 - e, -1, 0) = -e², which no rounded sum of the products shows.
   const Plane<T> plane{PlaneForm::implicit, {}, {1 + e, 1, 0}, e * e, {}, {}};
   const Ray<T> ray{{0, 0, 0}, {1 - e, -1, 0}};
-  EXPECT_EQ(Compensated::roots(ray, plane).lo, 1);
+  EXPECT_EQ(Rounded::roots(ray, plane).lo, 1);
   EXPECT_FALSE(any(ray, ByEquation::roots(ray, plane)));
 }
 

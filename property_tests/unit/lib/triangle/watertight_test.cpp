@@ -28,7 +28,7 @@ TYPED_TEST(WatertightTriangle, LetsNoRayThroughASharedEdge) {
     const Ray<T> ray{{T(0.1), T(0.2), T(-0.3)}, on_edge - vec3<T>{T(0.1), T(0.2), T(-0.3)}};
     EXPECT_TRUE(any(ray, Woop::roots(ray, left)) || any(ray, Woop::roots(ray, right)));
     EXPECT_TRUE(any(ray, Pluecker::roots(ray, left)) || any(ray, Pluecker::roots(ray, right)));
-    EXPECT_TRUE(any(ray, Compensated::roots(ray, left)) || any(ray, Compensated::roots(ray, right)));
+    EXPECT_TRUE(any(ray, Rounded::roots(ray, left)) || any(ray, Rounded::roots(ray, right)));
   }
 }
 
@@ -49,37 +49,37 @@ TYPED_TEST(WatertightTriangle, LetsNoRayThroughTheHubOfAFan) {
     for (int blade = 0; blade < blades; ++blade) {
       const Triangle<T> triangle{hub, rim(blade), rim(blade + 1)};
       woop += any(ray, Woop::roots(ray, triangle)) ? 1 : 0;
-      exact += any(ray, Compensated::roots(ray, triangle)) ? 1 : 0;
+      exact += any(ray, Rounded::roots(ray, triangle)) ? 1 : 0;
     }
     EXPECT_GE(woop, 1);
     EXPECT_GE(exact, 1);
   }
 }
 
-TYPED_TEST(WatertightTriangle, CompensatedComparesTheExactTWithTheEndOfTheInterval) {
+TYPED_TEST(WatertightTriangle, RoundedComparesTheExactTWithTheEndOfTheInterval) {
   using T = TypeParam;
   Ray<T> ray{{0, 0, 0}, {0, 0, 3}};
   ray.t_max = T(1) / T(3);  // a little more than a third in float, a little less in double
   const bool is_reached = std::is_same_v<T, float>;
-  EXPECT_EQ(any(ray, Compensated::roots(ray, {{-1, -1, 1}, {2, -1, 1}, {-1, 2, 1}})), is_reached);
+  EXPECT_EQ(any(ray, Rounded::roots(ray, {{-1, -1, 1}, {2, -1, 1}, {-1, 2, 1}})), is_reached);
 }
 
-TYPED_TEST(WatertightTriangle, CompensatedSeesTheLastBitBesideAnEdge) {
+TYPED_TEST(WatertightTriangle, RoundedSeesTheLastBitBesideAnEdge) {
   using T = TypeParam;
   const Triangle<T> triangle{{0, 0, 1}, {3, 1, 1}, {0, 1, 1}};
   const T third = T(1) / T(3);  // a little more than a third in float, a little less in double
   const bool is_hit = std::is_same_v<T, float>;
   const Ray<T> ray{{1, third, 0}, {0, 0, 1}};
-  EXPECT_EQ(any(ray, Compensated::roots(ray, triangle)), is_hit);
+  EXPECT_EQ(any(ray, Rounded::roots(ray, triangle)), is_hit);
   const Ray<T> from_afar{{1, third, T(-1e6)}, {0, 0, 1}};
-  EXPECT_EQ(any(from_afar, Compensated::roots(from_afar, triangle)), is_hit);
+  EXPECT_EQ(any(from_afar, Rounded::roots(from_afar, triangle)), is_hit);
 }
 
-TEST(CompensatedTriangle, BearsTheSmallestAndTheLargestFloats) {
+TEST(RoundedTriangle, BearsTheSmallestAndTheLargestFloats) {
   for (const float size : {std::numeric_limits<float>::denorm_min(), std::numeric_limits<float>::max()}) {
     const Triangle<float> triangle{{0, 0, 0}, {size, 0, 0}, {0, size, 0}};
     const Ray<float> ray{{0, 0, -size}, {0, 0, size}};
-    EXPECT_EQ(nearest(ray, Compensated::roots(ray, triangle)), 1);
+    EXPECT_EQ(nearest(ray, Rounded::roots(ray, triangle)), 1);
   }
 }
 

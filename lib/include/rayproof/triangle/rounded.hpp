@@ -1,0 +1,94 @@
+#pragma once
+#include <rayproof/formulas/exact_map.hpp>
+#include <rayproof/formulas/exact_rounding.hpp>
+#include <rayproof/method/method.hpp>
+#include <rayproof/triangle.hpp>
+#include <rayproof/triangle/clear_sides.hpp>
+
+#include <rayproof/rounding/as_written.hpp>
+
+namespace rayproof::triangle {
+
+/// Correctly rounded: the verdict is the exact one, edges, vertices and rays inside the plane included, and
+/// t, u and v are the exact ones rounded once, ties to even.
+///
+/// The three Plücker sides in double, with a bound on their rounding (ClearSides), go first, in packs too.
+/// They decide clear misses, and for a ray in float what is clearly a hit with a sure rounding as well, which
+/// is nearly everywhere; the rest goes to the same sides as exact expansions, and so does every ray under a
+/// transform. No answer is rounded across an end of the ray's interval.
+///
+/// Holds for all finite floats; for doubles while every number that is not 0 lies within 2^±200, beyond which
+/// terms of the expansions over- or underflow; under a transform within 2^±24.
+struct Rounded {
+  static constexpr const char* name = "rounded";
+  static constexpr const char* title = "correctly rounded: three sides in double, exact where in doubt";
+  static constexpr Source source = sources::ziv;
+  static constexpr Contract contract{
+      .verdict = {.measured = 0, .promised = 0, .is_proven = true},
+      .residual = {.measured = 0.433, .promised = 2},
+      .ulp = {.measured = 0.5, .promised = 0.501},
+      .hit = triangle_hit_bounds,
+      .domain = {.reach_float = 1000, .reach_double = 200, .every_number = true},
+      .holds = robust_claims | hit_claims |
+               Claims{Claim::coordinates, Claim::residual, Claim::ulp, Claim::rounded}};
+
+  template <std::floating_point T>
+  [[nodiscard]] static FlatHit<T> roots(const Ray<T>& ray, const Triangle<T>& triangle) {
+    return quick_or_exact_roots<Rounded>(ray, triangle);
+  }
+
+  template <class W>
+  [[nodiscard]] static constexpr EnclosedHit<W> enclosed(const Ray<W>& ray, const Triangle<W>& triangle) {
+    return ClearSides<W>::of(ray, triangle).hit();
+  }
+
+  /// By expansions, but for a miss that is clear.
+  template <std::floating_point T>
+  [[nodiscard]] static FlatHit<T> exact_roots(const Ray<T>& ray, const Triangle<T>& triangle) {
+    if (!are_finite(ray.origin, ray.direction, triangle.a, triangle.b, triangle.c)) return no_hit<T>;
+    if (ClearSides<double>::of(convert<double>(ray), convert<double>(triangle)).is_miss()) return no_hit<T>;
+    return meet(ray, triangle, exact_vector<double>(ray.origin), exact_vector<double>(ray.direction),
+                UnitFactor());
+  }
+
+  /// The same under a transform, which is composed with the ray exactly: t is that of the ray and the map as
+  /// they were given, not of a ray that was rounded into object space.
+  template <std::floating_point T>
+  [[nodiscard]] static FlatHit<T> roots_in_world(const ObjectSpace<T>& space, const Ray<T>& ray,
+                                                 const Triangle<T>& triangle) {
+    if (!are_finite(ray.origin, ray.direction, triangle.a, triangle.b, triangle.c, space.translation,
+                    space.column_x, space.column_y, space.column_z))
+      return no_hit<T>;
+    const auto [o, d, determinant] = ExactlyMapped::of(space, ray);
+    return sign(determinant) == 0 ? no_hit<T> : meet(ray, triangle, o, d, determinant);
+  }
+
+ private:
+  /// Where a ray from o along d meets a triangle, whose numbers count `unit` times, as o and d already do.
+  template <class T, class Number, class Unit>
+  static FlatHit<T> meet(const Ray<T>& ray, const Triangle<T>& triangle, const Vec3<Number>& o,
+                         const Vec3<Number>& d, const Unit& unit) {
+    step<T>("Find the side on which the ray passes each edge, exactly",
+            "U, V and W are exact volumes of the direction and an edge; the ray hits where no two have "
+            "opposite signs and their sum is not 0.");
+    const auto a = unit * exact_vector<double>(triangle.a) - o;
+    const auto b = unit * exact_vector<double>(triangle.b) - o;
+    const auto c = unit * exact_vector<double>(triangle.c) - o;
+    const auto bc = cross(b, c);
+    const auto U = dot(d, bc);
+    const auto V = dot(d, cross(c, a));
+    const auto W = dot(d, cross(a, b));
+    const auto D = U + V + W;
+    if (sign(D) == 0 || sign(U) * sign(D) < 0 || sign(V) * sign(D) < 0 || sign(W) * sign(D) < 0) {
+      return no_hit<T>;
+    }
+
+    step<T>(steps::round_quotients);
+    return hit_at(rounded(ray, ExactRatio{dot(a, bc), D}), rounded_alone<T>(ExactRatio{V, D}),
+                  rounded_alone<T>(ExactRatio{W, D}));
+  }
+};
+
+}  // namespace rayproof::triangle
+
+#include <rayproof/rounding/as_before.hpp>
