@@ -3,8 +3,8 @@
 /// The ray/parallelepiped methods, one line each.
 
 #include <rayproof/method/topic.hpp>
-#include <rayproof/parallelepiped/compensated.hpp>
 #include <rayproof/parallelepiped/face_planes.hpp>
+#include <rayproof/parallelepiped/rounded.hpp>
 #include <rayproof/parallelepiped/unit_cube.hpp>
 
 namespace rayproof::parallelepiped {
@@ -13,7 +13,7 @@ struct Topic : RayTopic<Parallelepiped> {
   static constexpr const char* name = "parallelepiped";
   static constexpr double robust_bound = parallelepiped_robust_bound;
   static constexpr bool is_batched = true;
-  using Methods = TypeList<FacePlanes, UnitCube, Compensated>;
+  using Methods = TypeList<FacePlanes, UnitCube, Rounded>;
 };
 
 }  // namespace rayproof::parallelepiped

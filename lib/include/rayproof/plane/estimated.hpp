@@ -2,6 +2,7 @@
 /// \file
 /// A plane met in double, with a bound on the error, for the rounding test.
 
+#include <rayproof/formulas/quotient_error.hpp>
 #include <rayproof/formulas/rounding_test.hpp>
 #include <rayproof/plane/implicit.hpp>
 #include <rayproof/plane/parametric.hpp>
@@ -10,27 +11,6 @@
 #include <rayproof/rounding/as_written.hpp>
 
 namespace rayproof::plane {
-
-/// |a.x·b.x| + |a.y·b.y| + |a.z·b.z|, which bounds the rounding of a·b.
-template <class W>
-[[nodiscard]] constexpr W size_of_dot(const vec3<W>& a, const vec3<W>& b) {
-  return abs(a.x * b.x) + abs(a.y * b.y) + abs(a.z * b.z);
-}
-
-/// The same for (a × b)·c.
-template <class W>
-[[nodiscard]] constexpr W size_of_volume(const vec3<W>& a, const vec3<W>& b, const vec3<W>& c) {
-  return (abs(a.y * b.z) + abs(a.z * b.y)) * abs(c.x) + (abs(a.z * b.x) + abs(a.x * b.z)) * abs(c.y) +
-         (abs(a.x * b.y) + abs(a.y * b.x)) * abs(c.z);
-}
-
-/// A bound on the error of x = N / L, less two roundings, where N is off by no more than 6.2u times `size`
-/// and L by 4.2u times `size_of_L`, with u = 2^-53: their share in the quotient, its own rounding, and those
-/// two. `per_L` is no less than 1/|L|, and |L| no less than 2^-20·size_of_L.
-template <class W>
-[[nodiscard]] constexpr W quotient_error(const W& x, const W& size, const W& size_of_L, const W& per_L) {
-  return W(0x1p-50) * (size + abs(x) * size_of_L) * per_L;
-}
 
 /// The plane met in its own form, in double on numbers that are floats, and what is known of it.
 ///
@@ -47,7 +27,7 @@ template <class W>
     const W along = abs(dot(n, d));
     const W size_of_L = size_of_dot<W>(n, d);
     const W t_error = quotient_error(hit.lo, size_of_N, size_of_L, reciprocal_bound(along));
-    return {hit, t_error, W(0), W(0), W(0x1p-20) * size_of_L < along || size_of_L == W(0)};
+    return {hit, t_error, W(0), W(0), has_digits(along, size_of_L) || size_of_L == W(0)};
   };
   if (plane.form == PlaneForm::implicit) {
     return enclosed(ByEquation::roots(ray, plane), plane.normal,
