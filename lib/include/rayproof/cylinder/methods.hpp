@@ -3,8 +3,8 @@
 /// The ray/cylinder methods, one line each.
 
 #include <rayproof/cylinder/centred.hpp>
-#include <rayproof/cylinder/compensated.hpp>
 #include <rayproof/cylinder/printed.hpp>
+#include <rayproof/cylinder/rounded.hpp>
 #include <rayproof/cylinder/textbook.hpp>
 #include <rayproof/method/topic.hpp>
 
@@ -14,7 +14,7 @@ struct Topic : RayTopic<Cylinder> {
   static constexpr const char* name = "cylinder";
   static constexpr double robust_bound = cylinder_robust_bound;
   static constexpr bool is_batched = true;
-  using Methods = TypeList<Textbook, Centred, Compensated, Printed>;
+  using Methods = TypeList<Textbook, Centred, Rounded, Printed>;
 };
 
 }  // namespace rayproof::cylinder

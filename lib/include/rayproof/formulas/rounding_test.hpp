@@ -14,7 +14,7 @@ namespace rayproof {
 
 /// Two roots and what is known of them: where `is_sure`, the discriminant has the exact sign and is not 0,
 /// and each root, if there are any, is within its error less two roundings of the larger root, which the test
-/// makes. An error of 0 is that of a root that is a float.
+/// makes. An error of 0 is that of a root that is a float; a lower root that is NaN stands for none.
 template <class W>
 struct Enclosed {
   Roots<W> roots;
@@ -63,7 +63,7 @@ template <class W>
   const auto hi = rounding_test(ray, wide.roots.hi, wide.hi_error);
   return {{select(is_hit, W(1), W(-1)), select(is_hit, lo.answer, W(not_a_number<W>)),
            select(is_hit, hi.answer, W(not_a_number<W>))},
-          wide.is_sure && (!is_hit || (lo.is_sure && hi.is_sure))};
+          wide.is_sure && (!is_hit || ((lo.is_sure || wide.roots.lo != wide.roots.lo) && hi.is_sure))};
 }
 
 /// The hit of a flat figure: t and its place in the figure.
@@ -85,10 +85,10 @@ template <class W>
 [[nodiscard]] constexpr Quick<W, W> rounded_nearest(const Ray<W>& ray, const Enclosed<W>& wide) {
   const auto& [discriminant, lo, hi] = wide.roots;
   const Mask<W> is_hit = W(0) < discriminant;
-  const Mask<W> is_before = lo < ray.t_min;
+  const Mask<W> is_before = !(ray.t_min <= lo);
   const auto [t, is_t_sure] =
       rounding_test(ray, select(is_before, hi, lo), select(is_before, wide.hi_error, wide.lo_error));
-  const Mask<W> is_choice_sure = !is_before || lo + wide.lo_error < ray.t_min;
+  const Mask<W> is_choice_sure = !is_before || !(ray.t_min <= lo + wide.lo_error);
   return {select(is_hit && in_interval(ray, t), t, W(infinity<W>)),
           wide.is_sure && (!is_hit || (is_t_sure && is_choice_sure))};
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <rayproof/box/bounded_slab.hpp>
 #include <rayproof/box/exact_slab.hpp>
 #include <rayproof/formulas/exact_map.hpp>
 #include <rayproof/formulas/quotient_error.hpp>
@@ -65,41 +66,23 @@ struct Rounded {
   ///
   /// u = 2^-53. A normal, a cross product of two given edges, is off by no more than u of each component, and
   /// f = corner - o of each of its. So n·d⃗ and the volume n·e are off by 4.1u times the sizes of their terms,
-  /// n·f by 5.1u, and n·f + n·e by 6.1u times the sizes of both. Whichever slab the last entry comes from, it
-  /// lies between the largest lower and the largest upper bound of the three; so does the first exit. Where
-  /// their bounds do not overlap the order is sure, and with it hit or miss.
+  /// n·f by 5.1u, and n·f + n·e by 6.1u times the sizes of both.
   template <class W>
   [[nodiscard]] static constexpr Enclosed<W> enclosed(const Ray<W>& ray, const Parallelepiped<W>& solid) {
     const auto& [e0, e1, e2] = solid.edges;
     const vec3<W> f = solid.corner - ray.origin;
-    const BoundedSlab<W> x = bounded_slab<W>(f, ray.direction, cross(e1, e2), e0);
-    const BoundedSlab<W> y = bounded_slab<W>(f, ray.direction, cross(e2, e0), e1);
-    const BoundedSlab<W> z = bounded_slab<W>(f, ray.direction, cross(e0, e1), e2);
-    const W entry = max(x.entry, max(y.entry, z.entry)), exit = min(x.exit, min(y.exit, z.exit));
-    const W entry_low = max(x.entry - x.entry_error, max(y.entry - y.entry_error, z.entry - z.entry_error));
-    const W entry_high = max(x.entry + x.entry_error, max(y.entry + y.entry_error, z.entry + z.entry_error));
-    const W exit_low = min(x.exit - x.exit_error, min(y.exit - y.exit_error, z.exit - z.exit_error));
-    const W exit_high = min(x.exit + x.exit_error, min(y.exit + y.exit_error, z.exit + z.exit_error));
-    const Mask<W> is_apart = entry_high < exit_low || exit_high < entry_low;
-    return {chord(entry, exit), max(entry_high - entry, entry - entry_low),
-            max(exit_high - exit, exit - exit_low), x.is_sure && y.is_sure && z.is_sure && is_apart};
+    return box::enclosed_chord(bounded_slab<W>(f, ray.direction, cross(e1, e2), e0),
+                               bounded_slab<W>(f, ray.direction, cross(e2, e0), e1),
+                               bounded_slab<W>(f, ray.direction, cross(e0, e1), e2));
   }
 
  private:
-  /// A slab, and bounds on the errors of its ends where `is_sure`.
-  template <class W>
-  struct BoundedSlab {
-    W entry, exit;
-    W entry_error, exit_error;
-    Mask<W> is_sure;
-  };
-
   /// The slab between the two faces with the normal n, which `edge` leads from one to the other. A ray is
   /// surely parallel to them where each term of n·d⃗ is 0, and then surely inside or outside where it is clear
   /// of both faces. Faces that may be one are not sure.
   template <class W>
-  static constexpr BoundedSlab<W> bounded_slab(const vec3<W>& f, const vec3<W>& d, const vec3<W>& n,
-                                               const vec3<W>& edge) {
+  static constexpr box::BoundedSlab<W> bounded_slab(const vec3<W>& f, const vec3<W>& d, const vec3<W>& n,
+                                                    const vec3<W>& edge) {
     const auto [entry, exit] = slab_between_faces<W>(f, d, n, edge, "n·f", "n·e");
     const W speed = dot(n, d), size_of_speed = size_of_dot<W>(n, d);
     const W near_plane = dot(n, f), apart = dot(n, edge), size_of_apart = size_of_dot<W>(n, edge);

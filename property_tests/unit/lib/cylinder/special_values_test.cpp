@@ -158,7 +158,7 @@ TYPED_TEST(EveryCylinderMethod, AlongTheAxisMeetsOnlyCapsFromInsideAndFromOnTheS
     }
     const Ray<TypeParam> beside{{std::nextafter(TypeParam(2), TypeParam(3)), 0, -1}, {zero, zero, 1}};
     this->for_each_right(beside, this->open_, [&](const auto& roots) { EXPECT_FALSE(any(beside, roots)); });
-    EXPECT_EQ(Compensated::roots(beside, this->capped_).discriminant, -1);
+    EXPECT_EQ(Rounded::roots(beside, this->capped_).discriminant, -1);
     const Ray<TypeParam> outside{{3, 0, -1}, {zero, zero, 1}};
     this->expect_no_roots(outside, this->open_);
     this->expect_no_roots(outside, this->capped_);

@@ -1,4 +1,8 @@
 #pragma once
+/// \file
+/// A ray and a cylinder without rounding: verdicts by expansions, tangents and rims that are touched
+/// included.
+
 #include <rayproof/box/exact_slab.hpp>
 #include <rayproof/cylinder/side.hpp>
 #include <rayproof/formulas/expanded_quadratic.hpp>
@@ -57,24 +61,9 @@ struct ExactSide {
   }
 };
 
-/// The side's equation and discriminant by exact expansions, and every comparison of a root with a height
-/// exact: the verdict is the exact one, tangents and rims that are touched included.
-///
-/// An answer is never rounded across an end of the ray's interval. Holds for all finite floats; for doubles
-/// while every number that is not 0 lies within 2^±100, beyond which the products, of degree six, or a root
-/// itself over- or underflow. Radii of 0 and negative heights make no cylinder and are missed.
-struct Compensated {
-  static constexpr const char* name = "compensated";
-  static constexpr const char* title = "exact discriminant and heights by expansions";
-  static constexpr Source source = sources::shewchuk;
-  static constexpr Contract contract{
-      .verdict = {.measured = 0, .promised = 0, .is_proven = true},
-      .residual = {.measured = 1, .promised = 4},
-      .ulp = {.measured = 0.501, .promised = 0.51},
-      .hit = cylinder_hit_bounds,
-      .domain = {.reach_float = 1000, .reach_double = 100, .every_number = true},
-      .holds = robust_claims | hit_claims | Claims{Claim::residual, Claim::ulp, Claim::rounded}};
-
+/// The hits by expansions alone: the side's equation and discriminant, and every comparison of a root with a
+/// height, are exact, and what is hit is rounded once.
+struct ExactCylinderHits {
   template <std::floating_point T>
   [[nodiscard]] static Roots<T> roots(const Ray<T>& ray, const Cylinder<T>& cylinder) {
     const vec3<T> size{cylinder.rx, cylinder.ry, cylinder.height};
