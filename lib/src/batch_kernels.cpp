@@ -16,12 +16,17 @@ Quadratic<N> problem_of(const Lanes<Quadratic<T>>& /*in*/, const N (&column)[3])
   return {column[0], column[1], column[2]};
 }
 
-/// One ray a lane, with the common shape. What is common is kept as plain numbers: g++ 12 copies packs inside
+/// One ray a lane.
+template <class N, class Problem>
+Ray<N> ray_of(const Lanes<Problem>& in, const N (&column)[6]) {
+  return {{column[0], column[1], column[2]}, {column[3], column[4], column[5]}, N(in.t_min), N(in.t_max)};
+}
+
+/// The same with the common shape. What is common is kept as plain numbers: g++ 12 copies packs inside
 /// structs in halves, which stalls; spreading a number anew costs nothing.
 template <class N, template <class> class Shape, class T>
 RayProblem<Shape, N> problem_of(const Lanes<RayProblem<Shape, T>>& in, const N (&column)[6]) {
-  return {{{column[0], column[1], column[2]}, {column[3], column[4], column[5]}, N(in.t_min), N(in.t_max)},
-          convert<N>(in.shape)};
+  return {ray_of<N>(in, column), convert<N>(in.shape)};
 }
 
 /// Solves the problems in packs; flat, since a pack that is handed to a function out of line goes through
@@ -38,32 +43,47 @@ RAYPROOF_FLAT bool solve(const Lanes<Problem>& given, T* const (&out)[Columns], 
   return false;
 }
 
-/// The same by a method's quick phase, in packs of doubles.
-template <class Method, class Problem, std::size_t Columns>
-RAYPROOF_FLAT bool solve_quickly(const Lanes<Problem>& given, float* const (&out)[Columns], bool all) {
-  const Lanes<Problem> in = given;
+/// The same by a method's quick phase, in packs of doubles: `solve(ray, enclosed, to)` says where it is sure.
+/// What is not is NaN. Returns whether there is any.
+template <class Method, class Problem, std::size_t Columns, class Solve>
+bool solve_quickly(const Lanes<Problem>& in, float* const (&out)[Columns], const Solve& solve) {
   using N = Pack<double>;
   Mask<N> is_sure(true);
-  const auto mark = [&](const Mask<N>& sure_now, const N& result) {
-    is_sure = is_sure && sure_now;
-    return select(sure_now, result, N(not_a_number<N>));
-  };
-  if (all) {
-    run<N>(in.columns, out, in.size, [&](const N(&columns)[6], N(&to)[Columns]) {
-      const auto problem = problem_of<N>(in, columns);
-      const auto quick = rounded_roots(problem.ray, Method::enclosed(problem.ray, problem.shape));
-      put_results<Lanes<Problem>>(problem, quick.answer, to);
-      for (N& result : to) result = mark(quick.is_sure, result);
-    });
-  } else {
-    float* const nearest_out[1] = {out[0]};
-    run<N>(in.columns, nearest_out, in.size, [&](const N(&columns)[6], N(&to)[1]) {
-      const auto problem = problem_of<N>(in, columns);
-      const auto quick = rounded_nearest(problem.ray, Method::enclosed(problem.ray, problem.shape));
-      to[0] = mark(quick.is_sure, quick.answer);
-    });
-  }
+  run<N>(in.columns, out, in.size, [&](const N(&columns)[6], N(&to)[Columns]) {
+    const Ray<N> ray = ray_of<N>(in, columns);
+    const Mask<N> is_sure_now = solve(ray, Method::enclosed(ray, convert<N>(in.shape)), to);
+    is_sure = is_sure && is_sure_now;
+    for (N& result : to) result = select(is_sure_now, result, N(not_a_number<N>));
+  });
   return !std::experimental::all_of(is_sure);
+}
+
+template <class Method, class Problem, std::size_t Columns>
+RAYPROOF_FLAT bool solve_all_quickly(const Lanes<Problem>& given, float* const (&out)[Columns]) {
+  const Lanes<Problem> in = given;
+  return solve_quickly<Method>(in, out, []<class N>(const Ray<N>& ray, const auto& wide, auto& to) {
+    const auto quick = rounded_roots(ray, wide);
+    const struct { const Ray<N>& ray; } problem{ray};
+    put_results<Lanes<Problem>>(problem, quick.answer, to);
+    return quick.is_sure;
+  });
+}
+
+template <class Method, class Problem>
+RAYPROOF_FLAT bool solve_nearest_quickly(const Lanes<Problem>& given, float* const (&out)[1]) {
+  const Lanes<Problem> in = given;
+  return solve_quickly<Method>(in, out, [](const auto& ray, const auto& wide, auto& to) {
+    const auto quick = rounded_nearest(ray, wide);
+    to[0] = quick.answer;
+    return quick.is_sure;
+  });
+}
+
+/// Two functions, since g++ 12 makes less of a loop that stands in one with another.
+template <class Method, class Problem, std::size_t Columns>
+bool solve_quickly(const Lanes<Problem>& in, float* const (&out)[Columns], bool all) {
+  float* const nearest_out[1] = {out[0]};
+  return all ? solve_all_quickly<Method>(in, out) : solve_nearest_quickly<Method>(in, nearest_out);
 }
 
 template <class T>
