@@ -151,8 +151,8 @@ TYPED_TEST(EveryPlaneMethod, SpansAPlaneWhateverAxisItsNormalPointsAlong) {
 }
 
 TYPED_TEST(EveryPlaneMethod, GivesTheParametersOfAParametricPlane) {
-  for (const FlatHit<TypeParam>& hit : {ByParameters::roots(this->ray_, this->parametric_),
-                                        Rounded::roots(this->ray_, this->parametric_)}) {
+  for (const FlatHit<TypeParam>& hit :
+       {ByParameters::roots(this->ray_, this->parametric_), Rounded::roots(this->ray_, this->parametric_)}) {
     EXPECT_EQ(hit.u, TypeParam(0.25));
     EXPECT_EQ(hit.v, 1);
   }
