@@ -4,8 +4,8 @@
 ///     rayproof-build-triangles published|woop|plucker|rounded
 
 #include <cmath>
-#include <rayproof/triangle/rounded.hpp>
 #include <rayproof/triangle/plucker.hpp>
+#include <rayproof/triangle/rounded.hpp>
 #include <rayproof/triangle/woop.hpp>
 #include <string_view>
 

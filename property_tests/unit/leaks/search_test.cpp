@@ -26,8 +26,7 @@ Subject answering(Answer (*answer)(const Case&)) {
 }
 
 TEST(Leaks, AreNoneInTheWatertightAndTheExactMethod) {
-  const std::vector<const Subject*> tight{find_subject("triangle/woop"),
-                                          find_subject("triangle/rounded")};
+  const std::vector<const Subject*> tight{find_subject("triangle/woop"), find_subject("triangle/rounded")};
   for (const std::string& mesh : made_meshes()) {
     const Result result = search_with(tight, mesh);
     EXPECT_TRUE(broken_promises(result).empty()) << text_table(result);
