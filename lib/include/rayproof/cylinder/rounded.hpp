@@ -44,9 +44,14 @@ struct Rounded {
   /// Side and heights met in double on numbers that are floats, and what is known of them.
   ///
   /// Times rx·ry, the plane in which the side is a circle takes products of two floats, which are exact: the
-  /// circle is a sphere's section, and its roots are that sphere's. Of the heights' t the numerator is
-  /// rounded once and the quotient once, so that they are off by 2.01u of their size, with u = 2^-53, and by
-  /// two roundings more in the test. They are NaN where the ray's own z are.
+  /// circle is a sphere's section at z = 0, and sphere::Rounded encloses its roots. What is derived there for
+  /// floats holds for these numbers too, with u = 2^-53: products of theirs are rounded where those of floats
+  /// are exact, but f is not, nor is a third term added, so that f·d is off by 2u|f||d| and t_c by 6u|f|/|d|,
+  /// less than the 4u and 8u there; r² is off by u of itself, for which δD < 2^-48·S·(r + …), 32u, has room.
+  /// Where D² overflows, D is far from 0; nothing that counts underflows, since no number is below 2^-298.
+  ///
+  /// Of the heights' t the numerator is rounded once and the quotient once, so that they are off by 2.01u of
+  /// their size, and by two roundings more in the test. They are NaN where the ray's own z are.
   template <class W>
   [[nodiscard]] static constexpr Enclosed<W> enclosed(const Ray<W>& ray, const Cylinder<W>& cylinder) {
     const auto& [rx, ry, height, is_capped] = cylinder;
