@@ -40,30 +40,28 @@ struct Rounded {
   /// By expansions alone.
   template <std::floating_point T>
   [[nodiscard]] static Roots<T> exact_roots(const Ray<T>& ray, const Box<T>& box) {
-    if (!are_finite(ray.origin, ray.direction, box.min, box.max)) return no_roots<T>;
-    const auto o = exact_vector<double>(ray.origin);
-    return roots_of_exact(ray, exact_vector<double>(box.min) - o, exact_vector<double>(box.max) - o,
-                          exact_vector<double>(ray.direction));
+    return met_exactly<Rounded>(ray, box);
   }
 
-  /// The same under a transform, which is composed with the ray exactly: t is that of the ray and the map as
-  /// they were given, not of a ray that was rounded into object space.
+  /// The same under a transform.
   template <std::floating_point T>
   [[nodiscard]] static Roots<T> roots_in_world(const ObjectSpace<T>& space, const Ray<T>& ray,
                                                const Box<T>& box) {
-    if (!are_finite(ray.origin, ray.direction, box.min, box.max, space.translation, space.column_x,
-                    space.column_y, space.column_z))
-      return no_roots<T>;
-    using Exact = ExactlyMapped::Exact;
-    const auto mapped = ExactlyMapped::of(space, ray);
-    if (sign(mapped.determinant) == 0) return no_roots<T>;
-    // Everything is times the determinant: where that is negative, the box's upper corner is below.
-    const bool is_mirrored = sign(mapped.determinant) < 0;
-    const auto from_origin = [&](const vec3<T>& corner) {
-      return mapped.determinant * convert<Exact>(corner) - mapped.origin;
-    };
-    return roots_of_exact(ray, from_origin(is_mirrored ? box.max : box.min),
-                          from_origin(is_mirrored ? box.min : box.max), mapped.direction);
+    return met_exactly<Rounded>(space, ray, box);
+  }
+
+  /// The chord of a ray from o along d, as met_exactly has them.
+  template <std::floating_point T, class Number, class Unit>
+  [[nodiscard]] static Roots<T> meet(const Ray<T>& ray, const Box<T>& box, const Vec3<Number>& o,
+                                     const Vec3<Number>& d, const Unit& unit) {
+    if (!are_finite(box.min, box.max)) return no_roots<T>;
+    step<T>("Form the distance to each plane exactly",
+            "No difference is rounded, so each entry and exit is an exact quotient.");
+    const bool is_mirrored = sign(unit) < 0;  // times a negative number the upper corner is below
+    const auto below = unit * exact_vector<double>(is_mirrored ? box.max : box.min) - o;
+    const auto above = unit * exact_vector<double>(is_mirrored ? box.min : box.max) - o;
+    return exact_chord(ray, std::array{ExactSlab(d.x, below.x, above.x), ExactSlab(d.y, below.y, above.y),
+                                       ExactSlab(d.z, below.z, above.z)});
   }
 
   /// Slabs in double on numbers that are floats, and what is known of them.
@@ -86,19 +84,6 @@ struct Rounded {
     const Mask<W> is_apart = entry_error + exit_error < abs(exit - entry);
     const Mask<W> is_finite_box = abs(size.x) + abs(size.y) + abs(size.z) < W(infinity<W>);
     return {chord(entry, exit), entry_error, exit_error, (is_apart || entry != entry) && is_finite_box};
-  }
-
- private:
-  /// The planes of the box are `below` and `above` ahead of the ray along each axis, all numbers times one
-  /// that is not 0.
-  template <std::floating_point T, class Distance, class Speed>
-  static Roots<T> roots_of_exact(const Ray<T>& ray, const Vec3<Distance>& below, const Vec3<Distance>& above,
-                                 const Vec3<Speed>& d) {
-    step<T>("Form the distance to each plane exactly",
-            "No difference is rounded, so each entry and exit is an exact quotient.");
-    using AxisSlab = ExactSlab<Distance, Speed>;
-    return exact_chord(ray, std::array{AxisSlab(d.x, below.x, above.x), AxisSlab(d.y, below.y, above.y),
-                                       AxisSlab(d.z, below.z, above.z)});
   }
 };
 

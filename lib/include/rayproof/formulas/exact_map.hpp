@@ -3,6 +3,8 @@
 /// A ray taken into an object's space with nothing rounded.
 
 #include <rayproof/arithmetics/growing_expansion.hpp>
+#include <rayproof/formulas/finite.hpp>
+#include <rayproof/roots.hpp>
 #include <rayproof/transform.hpp>
 
 #include <rayproof/rounding/as_written.hpp>
@@ -19,6 +21,7 @@ struct UnitFactor {
   friend constexpr const Vec3<Number>& operator*(UnitFactor /*factor*/, const Vec3<Number>& x) {
     return x;
   }
+  friend constexpr int sign(UnitFactor /*factor*/) { return 1; }
 };
 
 /// A ray in object space, times the determinant of the map: free of division, by the adjugate of A in place
@@ -43,6 +46,28 @@ struct ExactlyMapped {
             determinant};
   }
 };
+
+/// The roots of a ray by a method's `meet(ray, shape, o, d, unit)`, which meets the shape from o along d
+/// without rounding; the shape's numbers count `unit` times, as o and d already do.
+template <class Method, std::floating_point T, template <class> class Shape>
+[[nodiscard]] auto met_exactly(const Ray<T>& ray, const Shape<T>& shape) {
+  using Answer = decltype(Method::exact_roots(ray, shape));
+  if (!are_finite(ray.origin, ray.direction)) return Answer(no_hit<T>);
+  return Method::meet(ray, shape, exact_vector<double>(ray.origin), exact_vector<double>(ray.direction),
+                      UnitFactor());
+}
+
+/// The same under a transform, which is composed with the ray exactly: t is that of the ray and the map as
+/// they were given, not of a ray that was rounded into object space. A singular map gives a miss.
+template <class Method, std::floating_point T, template <class> class Shape>
+[[nodiscard]] auto met_exactly(const ObjectSpace<T>& space, const Ray<T>& ray, const Shape<T>& shape) {
+  using Answer = decltype(Method::exact_roots(ray, shape));
+  if (!are_finite(ray.origin, ray.direction, space.translation, space.column_x, space.column_y,
+                  space.column_z))
+    return Answer(no_hit<T>);
+  const auto [o, d, determinant] = ExactlyMapped::of(space, ray);
+  return sign(determinant) == 0 ? Answer(no_hit<T>) : Method::meet(ray, shape, o, d, determinant);
+}
 
 }  // namespace rayproof
 

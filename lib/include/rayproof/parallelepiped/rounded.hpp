@@ -45,21 +45,39 @@ struct Rounded {
   /// By expansions alone.
   template <std::floating_point T>
   [[nodiscard]] static Roots<T> exact_roots(const Ray<T>& ray, const Parallelepiped<T>& solid) {
-    if (!are_finite(ray.origin, ray.direction)) return no_roots<T>;
-    return meet(ray, solid, exact_vector<double>(ray.origin), exact_vector<double>(ray.direction),
-                UnitFactor());
+    return met_exactly<Rounded>(ray, solid);
   }
 
-  /// The same under a transform, which is composed with the ray exactly: t is that of the ray and the map as
-  /// they were given, not of a ray that was rounded into object space.
+  /// The same under a transform.
   template <std::floating_point T>
   [[nodiscard]] static Roots<T> roots_in_world(const ObjectSpace<T>& space, const Ray<T>& ray,
                                                const Parallelepiped<T>& solid) {
-    if (!are_finite(ray.origin, ray.direction, space.translation, space.column_x, space.column_y,
-                    space.column_z))
-      return no_roots<T>;
-    const auto [o, d, determinant] = ExactlyMapped::of(space, ray);
-    return sign(determinant) == 0 ? no_roots<T> : meet(ray, solid, o, d, determinant);
+    return met_exactly<Rounded>(space, ray, solid);
+  }
+
+  /// The chord of a ray from o along d, as met_exactly has them.
+  template <std::floating_point T, class Number, class Unit>
+  [[nodiscard]] static Roots<T> meet(const Ray<T>& ray, const Parallelepiped<T>& solid, const Vec3<Number>& o,
+                                     const Vec3<Number>& d, const Unit& unit) {
+    const auto& [e0, e1, e2] = solid.edges;
+    if (!are_finite(solid.corner, e0, e1, e2)) return no_roots<T>;
+    step<T>("Form the normals and the distance to each face exactly",
+            "Nothing is rounded; where the volume is exactly 0, the edges lie in one plane and there is no "
+            "solid.");
+    const auto f = unit * exact_vector<double>(solid.corner) - o;
+    const std::array edges{exact_vector<double>(e0), exact_vector<double>(e1), exact_vector<double>(e2)};
+    const auto volume = unit * dot(cross(edges[1], edges[2]), edges[0]);
+    if (sign(volume) == 0) return no_roots<T>;
+    const bool is_mirrored = sign(volume) < 0;
+    const auto slab = [&](std::size_t j, std::size_t k) {
+      const auto n = cross(edges[j], edges[k]);
+      const auto near_plane = dot(n, f) + decltype(volume)();
+      const auto far_plane = dot(n, f) + volume;
+      return box::ExactSlab(dot(n, d), is_mirrored ? far_plane : near_plane,
+                            is_mirrored ? near_plane : far_plane);
+    };
+
+    return box::exact_chord(ray, std::array{slab(1, 2), slab(2, 0), slab(0, 1)});
   }
 
   /// Three pairs of faces met in double on numbers that are floats, and what is known of it.
@@ -97,31 +115,6 @@ struct Rounded {
     return {
         entry, exit, error_of(entry), error_of(exit),
         (has_digits(speed, size_of_speed) || (is_parallel && is_clear)) && has_digits(apart, size_of_apart)};
-  }
-
-  /// The chord of a ray from o along d, whose numbers count `unit` times.
-  template <std::floating_point T, class Number, class Unit>
-  static Roots<T> meet(const Ray<T>& ray, const Parallelepiped<T>& solid, const Vec3<Number>& o,
-                       const Vec3<Number>& d, const Unit& unit) {
-    const auto& [e0, e1, e2] = solid.edges;
-    if (!are_finite(solid.corner, e0, e1, e2)) return no_roots<T>;
-    step<T>("Form the normals and the distance to each face exactly",
-            "Nothing is rounded; where the volume is exactly 0, the edges lie in one plane and there is no "
-            "solid.");
-    const auto f = unit * exact_vector<double>(solid.corner) - o;
-    const std::array edges{exact_vector<double>(e0), exact_vector<double>(e1), exact_vector<double>(e2)};
-    const auto volume = unit * dot(cross(edges[1], edges[2]), edges[0]);
-    if (sign(volume) == 0) return no_roots<T>;
-    const bool is_mirrored = sign(volume) < 0;
-    const auto slab = [&](std::size_t j, std::size_t k) {
-      const auto n = cross(edges[j], edges[k]);
-      const auto near_plane = dot(n, f) + decltype(volume)();
-      const auto far_plane = dot(n, f) + volume;
-      return box::ExactSlab(dot(n, d), is_mirrored ? far_plane : near_plane,
-                            is_mirrored ? near_plane : far_plane);
-    };
-
-    return box::exact_chord(ray, std::array{slab(1, 2), slab(2, 0), slab(0, 1)});
   }
 };
 

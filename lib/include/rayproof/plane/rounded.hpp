@@ -45,28 +45,20 @@ struct Rounded {
   /// By expansions alone.
   template <std::floating_point T>
   [[nodiscard]] static FlatHit<T> exact_roots(const Ray<T>& ray, const Plane<T>& plane) {
-    if (!are_finite(ray.origin, ray.direction)) return no_hit<T>;
-    return meet(ray, plane, exact_vector<double>(ray.origin), exact_vector<double>(ray.direction),
-                UnitFactor());
+    return met_exactly<Rounded>(ray, plane);
   }
 
-  /// The same under a transform, which is composed with the ray exactly: t is that of the ray and the map as
-  /// they were given, not of a ray that was rounded into object space.
+  /// The same under a transform.
   template <std::floating_point T>
   [[nodiscard]] static FlatHit<T> roots_in_world(const ObjectSpace<T>& space, const Ray<T>& ray,
                                                  const Plane<T>& plane) {
-    if (!are_finite(ray.origin, ray.direction, space.translation, space.column_x, space.column_y,
-                    space.column_z))
-      return no_hit<T>;
-    const auto [o, d, determinant] = ExactlyMapped::of(space, ray);
-    return sign(determinant) == 0 ? no_hit<T> : meet(ray, plane, o, d, determinant);
+    return met_exactly<Rounded>(space, ray, plane);
   }
 
- private:
-  /// Where a ray from o along d meets a plane, whose numbers count `unit` times, as o and d already do.
+  /// Where a ray from o along d meets the plane, as met_exactly has them.
   template <std::floating_point T, class Number, class Unit>
-  static FlatHit<T> meet(const Ray<T>& ray, const Plane<T>& plane, const Vec3<Number>& o,
-                         const Vec3<Number>& d, const Unit& unit) {
+  [[nodiscard]] static FlatHit<T> meet(const Ray<T>& ray, const Plane<T>& plane, const Vec3<Number>& o,
+                                       const Vec3<Number>& d, const Unit& unit) {
     switch (plane.form) {
       case PlaneForm::implicit:
         return meet_implicit(ray, plane, o, d, unit);
@@ -78,6 +70,7 @@ struct Rounded {
     return no_hit<T>;
   }
 
+ private:
   template <class T, class Number, class Unit>
   static FlatHit<T> meet_implicit(const Ray<T>& ray, const Plane<T>& plane, const Vec3<Number>& o,
                                   const Vec3<Number>& d, const Unit& unit) {

@@ -37,20 +37,20 @@ struct Rounded {
     return Compensated::exact_roots(ray, sphere);
   }
 
-  /// The same under a transform, which is composed with the ray exactly: t is that of the ray and the map as
-  /// they were given, not of a ray that was rounded into object space.
+  /// The same under a transform.
   template <std::floating_point T>
   [[nodiscard]] static Roots<T> roots_in_world(const ObjectSpace<T>& space, const Ray<T>& ray,
                                                const Sphere<T>& sphere) {
-    if (!are_finite(ray.origin, ray.direction, sphere.center, sphere.radius, space.translation,
-                    space.column_x, space.column_y, space.column_z))
-      return no_roots<T>;
-    using Exact = ExactlyMapped::Exact;
-    const auto mapped = ExactlyMapped::of(space, ray);
-    if (sign(mapped.determinant) == 0) return no_roots<T>;
-    const Vec3<Exact> center = mapped.determinant * convert<Exact>(sphere.center);
-    return Compensated::roots_of_exact(ray, mapped.origin - center, mapped.direction,
-                                       mapped.determinant * Exact(double{sphere.radius}));
+    return met_exactly<Rounded>(space, ray, sphere);
+  }
+
+  /// The roots of a ray from o along d, as met_exactly has them.
+  template <std::floating_point T, class Number, class Unit>
+  [[nodiscard]] static Roots<T> meet(const Ray<T>& ray, const Sphere<T>& sphere, const Vec3<Number>& o,
+                                     const Vec3<Number>& d, const Unit& unit) {
+    if (!are_finite(sphere.center, sphere.radius)) return no_roots<T>;
+    return Compensated::roots_of_exact(ray, o - unit * exact_vector<double>(sphere.center), d,
+                                       unit * exact(double{sphere.radius}));
   }
 
   /// Centred in double on numbers that are floats, and what is known of it.

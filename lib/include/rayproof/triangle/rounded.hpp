@@ -45,29 +45,22 @@ struct Rounded {
   /// By expansions, but for a miss that is clear.
   template <std::floating_point T>
   [[nodiscard]] static FlatHit<T> exact_roots(const Ray<T>& ray, const Triangle<T>& triangle) {
-    if (!are_finite(ray.origin, ray.direction, triangle.a, triangle.b, triangle.c)) return no_hit<T>;
-    if (ClearSides<double>::of(convert<double>(ray), convert<double>(triangle)).is_miss()) return no_hit<T>;
-    return meet(ray, triangle, exact_vector<double>(ray.origin), exact_vector<double>(ray.direction),
-                UnitFactor());
+    const auto clear = ClearSides<double>::of(convert<double>(ray), convert<double>(triangle));
+    return clear.is_miss() ? no_hit<T> : met_exactly<Rounded>(ray, triangle);
   }
 
-  /// The same under a transform, which is composed with the ray exactly: t is that of the ray and the map as
-  /// they were given, not of a ray that was rounded into object space.
+  /// The same under a transform.
   template <std::floating_point T>
   [[nodiscard]] static FlatHit<T> roots_in_world(const ObjectSpace<T>& space, const Ray<T>& ray,
                                                  const Triangle<T>& triangle) {
-    if (!are_finite(ray.origin, ray.direction, triangle.a, triangle.b, triangle.c, space.translation,
-                    space.column_x, space.column_y, space.column_z))
-      return no_hit<T>;
-    const auto [o, d, determinant] = ExactlyMapped::of(space, ray);
-    return sign(determinant) == 0 ? no_hit<T> : meet(ray, triangle, o, d, determinant);
+    return met_exactly<Rounded>(space, ray, triangle);
   }
 
- private:
-  /// Where a ray from o along d meets a triangle, whose numbers count `unit` times, as o and d already do.
+  /// Where a ray from o along d meets the triangle, as met_exactly has them.
   template <class T, class Number, class Unit>
-  static FlatHit<T> meet(const Ray<T>& ray, const Triangle<T>& triangle, const Vec3<Number>& o,
-                         const Vec3<Number>& d, const Unit& unit) {
+  [[nodiscard]] static FlatHit<T> meet(const Ray<T>& ray, const Triangle<T>& triangle, const Vec3<Number>& o,
+                                       const Vec3<Number>& d, const Unit& unit) {
+    if (!are_finite(triangle.a, triangle.b, triangle.c)) return no_hit<T>;
     step<T>("Find the side on which the ray passes each edge, exactly",
             "U, V and W are exact volumes of the direction and an edge; the ray hits where no two have "
             "opposite signs and their sum is not 0.");
