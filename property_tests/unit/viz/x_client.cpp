@@ -12,6 +12,24 @@ struct XClient::Connection {
   Window window = 0;
 };
 
+namespace {
+
+/// A window may be gone between its being listed and its being asked for its name, which then fails with 0.
+/// Xlib would end the process.
+class WindowsMayVanish {
+ public:
+  WindowsMayVanish() : before_(XSetErrorHandler(ignored)) {}
+  ~WindowsMayVanish() { XSetErrorHandler(before_); }
+  WindowsMayVanish(const WindowsMayVanish&) = delete;
+  WindowsMayVanish& operator=(const WindowsMayVanish&) = delete;
+
+ private:
+  static int ignored(Display* /*display*/, XErrorEvent* /*error*/) { return 0; }
+  XErrorHandler before_;
+};
+
+}  // namespace
+
 XClient::XClient() : connection_(new Connection{XOpenDisplay(nullptr), 0}) {}
 XClient::~XClient() {
   if (connection_->display != nullptr) XCloseDisplay(connection_->display);
@@ -21,6 +39,7 @@ XClient::~XClient() {
 bool XClient::find_window(int seconds) {
   Display* const display = connection_->display;
   if (display == nullptr) return false;
+  const WindowsMayVanish guard;
   for (int tries = 0; tries < 20 * seconds; ++tries, usleep(50'000)) {
     Window root = 0;
     Window parent = 0;
