@@ -52,6 +52,8 @@ struct Details {
   /// The largest error of a triangle's [α, β, γ] at the exact hit, in units of ε; of a parametric plane's [α,
   /// β], where they are given.
   std::optional<double> coordinates{};
+  /// The same where the error of a coordinate beyond 1 counts in parts of it: what rounding leaves.
+  std::optional<double> rounded_coordinates{};
   double condition = 1;              ///< of the coordinates: what plain methods may be off by
   std::optional<Contact> contact{};  ///< how the exact first hit touches
 };

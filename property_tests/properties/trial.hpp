@@ -112,11 +112,15 @@ class Trial {
   /// Whether a property has asked for them: they cost as much again, and not every case is worth that.
   [[nodiscard]] bool has_details() const { return details_.has_value(); }
 
-  /// The unit of the coordinates' errors but for ε: their condition, or 1 for a method that promises ulps,
-  /// unless the ray has been rounded before the method sees it.
-  [[nodiscard]] double unit_of_coordinates() {
-    const bool is_exact = std::isfinite(subject_->contract.ulp.promised) && !is_transformed(*case_);
-    return is_exact ? 1 : details().condition;
+  /// The error of the first hit's coordinates in the unit of the subject's promise: ε times their condition,
+  /// or, of a method that promises ulps of the case as it is given, ε or ε of a coordinate beyond 1. None
+  /// where the condition is endless, so that they may be anything.
+  [[nodiscard]] std::optional<double> error_of_coordinates() {
+    const oracle::Details& judged = details();
+    const bool sees_case = !is_transformed(*case_) || subject_->takes_transforms;
+    if (std::isfinite(subject_->contract.ulp.promised) && sees_case) return judged.rounded_coordinates;
+    if (!judged.coordinates || std::isinf(judged.condition)) return std::nullopt;
+    return *judged.coordinates == 0 ? 0 : *judged.coordinates / judged.condition;
   }
 
   /// Whether every length of the case lies in the domain of the subject's bounds, `spare` powers of two

@@ -42,13 +42,20 @@ Vector<Ring> in_object(const ExactIntersection& exact, const glm::dvec3& point) 
   return map ? map->apply(own - map->translation) : own;
 }
 
-/// The largest error of a coordinate; endless where one is no number.
+/// The largest error of a coordinate, and the largest where that of one beyond 1 counts in parts of it;
+/// endless where one is no number.
+struct ErrorOfCoordinates {
+  Scaled absolute{}, relative{};
+};
 template <std::size_t count, class Claimed>
-Scaled error_of_coordinates(const std::array<Quotient, count>& exact, const Claimed& claimed) {
-  Scaled most;
+ErrorOfCoordinates error_of_coordinates(const std::array<Quotient, count>& exact, const Claimed& claimed) {
+  ErrorOfCoordinates most;
   for (int i = 0; i < static_cast<int>(count); ++i) {
-    if (!std::isfinite(claimed[i])) return endless();
-    most = std::max(most, abs(exact.at(static_cast<std::size_t>(i)).minus(claimed[i])));
+    if (!std::isfinite(claimed[i])) return {endless(), endless()};
+    const Quotient& one = exact.at(static_cast<std::size_t>(i));
+    const Scaled error = abs(one.minus(claimed[i]));
+    most.absolute = std::max(most.absolute, error);
+    most.relative = std::max(most.relative, error / std::max(Scaled(1), abs(one.estimate())));
   }
   return most;
 }
@@ -91,12 +98,17 @@ class DetailsJudge {
 
   void judge_coordinates(Details& details) const {
     const auto& weights = claimed_.barycentric;
-    if (const auto exact = exact_.barycentric())
-      details.coordinates = weights ? units(error_of_coordinates(*exact, *weights)) : HUGE_VAL;
-    else if (const auto parameters = exact_.parameters(); claimed_.parameters && parameters)
-      details.coordinates = units(error_of_coordinates(*parameters, *claimed_.parameters));
-    if (details.coordinates)
-      details.condition = value(exact_.condition_of_coordinates(Scaled(unit_roundoff(precision_))));
+    ErrorOfCoordinates error{endless(), endless()};
+    if (const auto exact = exact_.barycentric()) {
+      if (weights) error = error_of_coordinates(*exact, *weights);
+    } else if (const auto parameters = exact_.parameters(); claimed_.parameters && parameters) {
+      error = error_of_coordinates(*parameters, *claimed_.parameters);
+    } else {
+      return;
+    }
+    details.coordinates = units(error.absolute);
+    details.rounded_coordinates = units(error.relative);
+    details.condition = value(exact_.condition_of_coordinates(Scaled(unit_roundoff(precision_))));
   }
 
   [[nodiscard]] Details judge() const {

@@ -39,8 +39,7 @@ std::optional<ErrorOfHit> of_normal(Trial& trial) {
   return measured(trial.details().normal, trial.subject().contract.hit.normal.promised);
 }
 std::optional<ErrorOfHit> of_coordinates(Trial& trial) {
-  const double promised = trial.subject().contract.hit.coordinates.promised;
-  return measured(trial.details().coordinates, promised * trial.unit_of_coordinates());
+  return measured(trial.error_of_coordinates(), trial.subject().contract.hit.coordinates.promised);
 }
 
 /// What a guest does not say is not judged; of others it is a part of the answer.

@@ -81,7 +81,7 @@ struct Worst {
     ++details;
     point = std::max(point, *judged.point);
     normal = std::max(normal, judged.normal.value_or(0));
-    coordinates = std::max(coordinates, judged.coordinates.value_or(0) / trial.unit_of_coordinates());
+    coordinates = std::max(coordinates, trial.error_of_coordinates().value_or(0));
   }
 };
 

@@ -11,7 +11,7 @@
 namespace rayproof::plane {
 
 /// Correctly rounded: the verdict is the exact one, and t the exact t rounded once, ties to even; so are the
-/// parameters of a plane in the parametric form.
+/// parameters of a plane in the parametric form, each off by ε of itself at most.
 ///
 /// For a ray in float the plane's own form is solved in double, in packs too (`estimated`); that answer
 /// stands where its error bound leaves no doubt of a ray's being parallel and of the rounding, which is
@@ -28,9 +28,13 @@ struct Rounded {
       .verdict = {.measured = 0, .promised = 0, .is_proven = true},
       .residual = {.measured = 0.5, .promised = 2},
       .ulp = {.measured = 0.501, .promised = 0.51},
-      .hit = {plane_hit_bounds.point, plane_hit_bounds.normal},
+      .hit = {plane_hit_bounds.point,
+              plane_hit_bounds.normal,
+              {.measured = 1, .promised = 1.01, .is_proven = true}},
       .domain = {.reach_float = 1000, .reach_double = 200, .every_number = true},
-      .holds = robust_claims | hit_claims | Claims{Claim::residual, Claim::ulp, Claim::rounded}};
+      .holds = robust_claims | hit_claims |
+               Claims{Claim::coordinates, Claim::residual, Claim::ulp, Claim::rounded}};
+  static constexpr bool has_parameters = true;  ///< the answer's u and v say where on the plane the hit is
 
   template <std::floating_point T>
   [[nodiscard]] static FlatHit<T> roots(const Ray<T>& ray, const Plane<T>& plane) {

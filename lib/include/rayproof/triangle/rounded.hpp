@@ -10,7 +10,8 @@
 namespace rayproof::triangle {
 
 /// Correctly rounded: the verdict is the exact one, edges, vertices and rays inside the plane included, and
-/// t, u and v are the exact ones rounded once, ties to even.
+/// t, u and v are the exact ones rounded once, ties to even: u and v are off by ε/2 and 1 - u - v by 2ε at
+/// most.
 ///
 /// The three Plücker sides in double, with a bound on their rounding (ClearSides), go first, in packs too.
 /// They decide clear misses, and for a ray in float what is clearly a hit with a sure rounding as well, which
@@ -27,7 +28,9 @@ struct Rounded {
       .verdict = {.measured = 0, .promised = 0, .is_proven = true},
       .residual = {.measured = 0.433, .promised = 2},
       .ulp = {.measured = 0.5, .promised = 0.501},
-      .hit = triangle_hit_bounds,
+      .hit = {triangle_hit_bounds.point,
+              triangle_hit_bounds.normal,
+              {.measured = 1.5, .promised = 2, .is_proven = true}},
       .domain = {.reach_float = 1000, .reach_double = 200, .every_number = true},
       .holds = robust_claims | hit_claims |
                Claims{Claim::coordinates, Claim::residual, Claim::ulp, Claim::rounded}};

@@ -124,6 +124,22 @@ TEST(Details, FindSwappedCoordinates) {
   EXPECT_EQ(*missing.coordinates, HUGE_VAL);
 }
 
+TEST(Details, CountTheErrorOfALargeParameterInUnitsOfEpsilonAndInPartsOfItself) {
+  const Case one{.question = RayQuestion{.ray = down(9000.25, 0.5),
+                                         .shape = ParametricPlane{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}};
+  const auto claim = [](double u, double v) {
+    return [u, v](RayAnswer& a) { a.parameters = glm::dvec2(u, v); };
+  };
+  EXPECT_EQ(*planted(one, claim(9000.25, 0.5)).rounded_coordinates, 0);
+  const Details far = planted(one, claim(9000.25 + 9000.25 * epsilon * 4, 0.5));
+  EXPECT_NEAR(*far.rounded_coordinates, 4, 1);
+  EXPECT_NEAR(*far.coordinates, 36001, 9001);
+  const Details near = planted(one, claim(9000.25, 0.5 + 4 * epsilon));
+  EXPECT_EQ(*near.rounded_coordinates, 4);
+  EXPECT_EQ(*near.coordinates, 4);
+  EXPECT_EQ(*planted(one, claim(9000.25, HUGE_VAL)).rounded_coordinates, HUGE_VAL);
+}
+
 TEST(Details, OfATriangleSeenFromTheSideAreLessCertain) {
   Case grazing = triangle_case();
   question_of(grazing).ray = {{-1, 0.3, 0.001}, {1, 0, -0.001}};
