@@ -74,8 +74,8 @@ struct Bound {
 /// the shape states, and the difference of its length from 1 in units of ε; near an edge it may be that of
 /// either face. Without a transform, to make it a unit vector turns it by ε at most, and leaves its length
 /// within 4.5ε of 1; *coordinates* the error of each coordinate x in units of ε·K, of a method that promises
-/// ulps in units of ε·max(1, |x|). Under a transform K grows by its condition number. The usual domain holds for them,
-/// however far a method's own may reach.
+/// ulps in units of ε·max(1, |x|). Under a transform K grows by its condition number. The usual domain holds
+/// for them, however far a method's own may reach.
 struct HitBounds {
   Bound point{};
   Bound normal{};

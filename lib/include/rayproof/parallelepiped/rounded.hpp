@@ -102,19 +102,17 @@ struct Rounded {
   static constexpr box::BoundedSlab<W> bounded_slab(const vec3<W>& f, const vec3<W>& d, const vec3<W>& n,
                                                     const vec3<W>& edge) {
     const auto [entry, exit] = slab_between_faces<W>(f, d, n, edge, "n·f", "n·e");
-    const W speed = dot(n, d), size_of_speed = size_of_dot<W>(n, d);
-    const W near_plane = dot(n, f), apart = dot(n, edge), size_of_apart = size_of_dot<W>(n, edge);
-    const W size_of_plane = size_of_dot<W>(n, f) + size_of_apart;
-    const W per_speed = reciprocal_bound(abs(speed));
-    const Mask<W> is_parallel = size_of_speed == W(0);
+    const auto normal = sized<W>(n);
+    const Sized<W> speed = dot(normal, sized<W>(d)), apart = dot(normal, sized<W>(edge));
+    const Sized<W> near_plane = dot(normal, sized<W>(f)), far_plane = near_plane + apart;
+    const W per_speed = reciprocal_bound(abs(speed.value));
+    const Mask<W> is_parallel = speed.size == W(0);
     const auto error_of = [&](const W& t) {
-      return select(is_parallel, W(0), quotient_error(t, size_of_plane, size_of_speed, per_speed));
+      return select(is_parallel, W(0), quotient_error(t, far_plane.size, speed.size, per_speed));
     };
-    const Mask<W> is_clear =
-        has_digits(near_plane, size_of_plane) && has_digits(near_plane + apart, size_of_plane);
-    return {
-        entry, exit, error_of(entry), error_of(exit),
-        (has_digits(speed, size_of_speed) || (is_parallel && is_clear)) && has_digits(apart, size_of_apart)};
+    const Mask<W> is_clear = has_digits(near_plane) && has_digits(far_plane);
+    return {entry, exit, error_of(entry), error_of(exit),
+            (has_digits(speed) || (is_parallel && is_clear)) && has_digits(apart)};
   }
 };
 

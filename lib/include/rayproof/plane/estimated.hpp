@@ -22,28 +22,26 @@ namespace rayproof::plane {
 /// over- or underflows: no product is of more than three floats.
 template <class W>
 [[nodiscard]] constexpr EnclosedHit<W> estimated(const Ray<W>& ray, const Plane<W>& plane) {
-  const vec3<W> d = ray.direction;
-  const auto enclosed = [&](const FlatHit<W>& hit, const vec3<W>& n, const W& size_of_N) -> EnclosedHit<W> {
-    const W along = abs(dot(n, d));
-    const W size_of_L = size_of_dot<W>(n, d);
-    const W t_error = quotient_error(hit.lo, size_of_N, size_of_L, reciprocal_bound(along));
-    return {hit, t_error, W(0), W(0), has_digits(along, size_of_L) || size_of_L == W(0)};
+  const auto d = sized<W>(ray.direction);
+  const auto enclosed = [&](const FlatHit<W>& hit, const Sized<W>& L, const W& size_of_N) -> EnclosedHit<W> {
+    const W t_error = quotient_error(hit.lo, size_of_N, L.size, reciprocal_bound(abs(L.value)));
+    return {hit, t_error, W(0), W(0), has_digits(L) || L.size == W(0)};
   };
   if (plane.form == PlaneForm::implicit) {
-    return enclosed(ByEquation::roots(ray, plane), plane.normal,
-                    size_of_dot<W>(plane.normal, ray.origin) + abs(plane.d));
+    const auto n = sized<W>(plane.normal);
+    return enclosed(ByEquation::roots(ray, plane), dot(n, d),
+                    dot(n, sized<W>(ray.origin)).size + abs(plane.d));
   }
-  const vec3<W> n = normal_of(plane);
-  const vec3<W> w = ray.origin - plane.point;
-  const W size_of_N = size_of_dot<W>(n, w);
+  const auto n = sized<W>(normal_of(plane));
+  const auto w = sized<W>(ray.origin - plane.point);
+  const Sized<W> L = dot(n, d);
   if (plane.form == PlaneForm::point_normal) {
-    return enclosed(ByPointAndNormal::roots(ray, plane), n, size_of_N);
+    return enclosed(ByPointAndNormal::roots(ray, plane), L, dot(n, w).size);
   }
-  EnclosedHit<W> result = enclosed(ByParameters::roots(ray, plane), n, size_of_N);
-  const W size_of_L = size_of_dot<W>(n, d);
-  const W per_L = reciprocal_bound(abs(dot(n, d)));
-  result.u_error = quotient_error(result.hit.u, size_of_volume<W>(w, plane.v, d), size_of_L, per_L);
-  result.v_error = quotient_error(result.hit.v, size_of_volume<W>(plane.u, w, d), size_of_L, per_L);
+  EnclosedHit<W> result = enclosed(ByParameters::roots(ray, plane), L, dot(n, w).size);
+  const W per_L = reciprocal_bound(abs(L.value));
+  result.u_error = quotient_error(result.hit.u, dot(cross(w, sized<W>(plane.v)), d).size, L.size, per_L);
+  result.v_error = quotient_error(result.hit.v, dot(cross(sized<W>(plane.u), w), d).size, L.size, per_L);
   return result;
 }
 

@@ -150,21 +150,21 @@ TYPED_TEST(EveryPolygonMethod, ProjectsAlongTheLaterAxisWhereTheNormalTies) {
   });
 }
 
-TYPED_TEST(EveryPolygonMethod, CompensatedComparesTheExactTWithTheEndOfTheInterval) {
+TYPED_TEST(EveryPolygonMethod, RoundedComparesTheExactTWithTheEndOfTheInterval) {
   using T = TypeParam;
   Ray<T> ray{{1, 1, -1}, {0, 0, 9}};
   ray.t_max = T(1) / T(3);  // a little more than a third in float, a little less in double
-  EXPECT_EQ(any(ray, Compensated::roots(ray, this->notched_)), (std::is_same_v<T, float>));
+  EXPECT_EQ(any(ray, Rounded::roots(ray, this->notched_)), (std::is_same_v<T, float>));
 }
 
-TYPED_TEST(EveryPolygonMethod, CompensatedSeesTheLastBitBesideASide) {
+TYPED_TEST(EveryPolygonMethod, RoundedSeesTheLastBitBesideASide) {
   using T = TypeParam;
   const Polygon<T> polygon{{{0, 0, 2}, {3, 1, 2}, {0, 1, 2}}};
   const T third = T(1) / T(3);  // a little more than a third in float, a little less in double
   const bool is_hit = std::is_same_v<T, float>;
   for (const T height : {T(0), T(-1e6)}) {
     const Ray<T> ray{{1, third, height}, {0, 0, 1}};
-    EXPECT_EQ(any(ray, Compensated::roots(ray, polygon)), is_hit);
+    EXPECT_EQ(any(ray, Rounded::roots(ray, polygon)), is_hit);
   }
 }
 

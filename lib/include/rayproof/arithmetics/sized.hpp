@@ -1,0 +1,45 @@
+#pragma once
+/// \file
+/// Numbers with the size that a bound on their rounding is measured by.
+
+#include <rayproof/vec3.hpp>
+
+#include <rayproof/rounding/as_written.hpp>
+
+namespace rayproof {
+
+/// A number, and what it would be if no sum had cancelled: |x·y| + |z| of x·y - z. Where k roundings lead to
+/// each of its terms, it is off by no more than k·u·size and terms in u², u the unit roundoff: an a-priori
+/// bound, with k counted by the reader of the formula, in a third of what running errors cost (Bounded).
+///
+/// `W` is plain or a pack. Source: N. J. Higham, "Accuracy and Stability of Numerical Algorithms", ch. 3.1,
+/// 2002.
+template <class W>
+struct Sized {
+  W value;
+  W size;
+
+  constexpr Sized(const W& number, const W& measure) : value(number), size(measure) {}
+  /// A number that is given, or that is to count as one.
+  constexpr explicit Sized(const W& given) : value(given), size(abs(given)) {}
+
+  friend constexpr Sized operator+(const Sized& x, const Sized& y) {
+    return {x.value + y.value, x.size + y.size};
+  }
+  friend constexpr Sized operator-(const Sized& x, const Sized& y) {
+    return {x.value - y.value, x.size + y.size};
+  }
+  friend constexpr Sized operator*(const Sized& x, const Sized& y) {
+    return {x.value * y.value, x.size * y.size};
+  }
+};
+
+/// A vector whose components count as given numbers.
+template <class W>
+[[nodiscard]] constexpr Vec3<Sized<W>> sized(const vec3<W>& v) {
+  return {Sized<W>(v.x), Sized<W>(v.y), Sized<W>(v.z)};
+}
+
+}  // namespace rayproof
+
+#include <rayproof/rounding/as_before.hpp>

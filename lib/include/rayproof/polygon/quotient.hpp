@@ -1,0 +1,75 @@
+#pragma once
+/// \file
+/// t where a ray's line meets a polygon's plane, as a quotient: without rounding, and in double with a bound.
+
+#include <ranges>
+#include <rayproof/arithmetics/growing_expansion.hpp>
+#include <rayproof/arithmetics/sized.hpp>
+#include <rayproof/formulas/exact_rounding.hpp>
+#include <rayproof/formulas/polygon_sides.hpp>
+
+#include <rayproof/rounding/as_written.hpp>
+
+namespace rayproof::polygon {
+
+/// t = N / D without rounding, with the exact Newell normal.
+struct ExactQuotient {
+  using Exact = GrowingExpansion<double>;
+  Vec3<Exact> normal;
+  Exact N, D;
+
+  template <class T>
+  [[nodiscard]] static ExactQuotient of(const Ray<T>& ray, const Polygon<T>& polygon) {
+    const auto vertices = convert<Exact>(polygon).vertices;
+    const Vec3<Exact> n = newell_normal<Exact>(vertices, vertices.front());
+    return {n, dot(n, vertices.front() - convert<Exact>(ray.origin)), dot(n, convert<Exact>(ray.direction))};
+  }
+  /// For exact_rounding.hpp. Within the method's domain the digits of both span no more than 1200 bits.
+  [[nodiscard]] ExactRatio<Expansion<double, 24>, Expansion<double, 24>> ratio() const {
+    return {compressed<24>(N), compressed<24>(D)};
+  }
+};
+
+/// The same in double, and how much of it is sure.
+///
+/// u = 2^-53. Of k vertices less the first each is off by u of itself, their products by 3u, and a component
+/// of the normal by (k + 3)u of its size; so N and D are off by (k + 7)u of theirs, and the quotient, where D
+/// has digits, by that of both and one rounding more. The bound leaves as much again.
+struct EnclosedQuotient {
+  Vec3<Sized<double>> normal;
+  Sized<double> N, D;
+  double relative;  ///< what both are off by, in parts of their sizes
+
+  template <class T>
+  [[nodiscard]] static EnclosedQuotient of(const Ray<T>& ray, const Polygon<T>& polygon) {
+    const auto first = convert<double>(polygon.vertices.front());
+    const auto seen_from_first = polygon.vertices | std::views::transform([&](const vec3<T>& vertex) {
+                                   return sized<double>(convert<double>(vertex) - first);
+                                 });
+    const Sized<double> zero(0.0);
+    const auto n = newell_normal<Sized<double>>(seen_from_first, {zero, zero, zero});
+    return {n, dot(n, sized<double>(first - convert<double>(ray.origin))),
+            dot(n, sized<double>(convert<double>(ray.direction))),
+            0x1p-52 * (static_cast<double>(polygon.vertices.size()) + 8)};
+  }
+
+  [[nodiscard]] vec3<double> normal_in_double() const {
+    return {normal.x.value, normal.y.value, normal.z.value};
+  }
+  [[nodiscard]] double t() const { return N.value / D.value; }
+  [[nodiscard]] double error_of_t() const { return relative * (N.size + abs(t()) * D.size) / abs(D.value); }
+  /// The sign of D is that of the exact one and its digits are good; so is the choice of the normal's largest
+  /// component.
+  [[nodiscard]] bool is_sure() const {
+    const auto [x, y, z] = normal;
+    const double doubt = 2 * relative * max(x.size, max(y.size, z.size));
+    const double a = abs(x.value), b = abs(y.value), c = abs(z.value);
+    const double largest = max(a, max(b, c));
+    const int rivals = int{largest - a <= doubt} + int{largest - b <= doubt} + int{largest - c <= doubt};
+    return rivals == 1 && 0x1p20 * relative * D.size < abs(D.value);
+  }
+};
+
+}  // namespace rayproof::polygon
+
+#include <rayproof/rounding/as_before.hpp>
