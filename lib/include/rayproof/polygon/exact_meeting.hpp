@@ -37,7 +37,7 @@ class ExactMeeting {
   }
 
   /// The ray runs along the plane, or the polygon has no plane.
-  [[nodiscard]] bool is_parallel() const { return exact_ && sign(exact_->D) == 0; }
+  [[nodiscard]] bool is_parallel() const { return exact_.has_value() && sign(exact_->D) == 0; }
 
   /// t in double, and a bound on its error less two roundings.
   [[nodiscard]] std::pair<double, double> enclosed_t() const { return {t_, t_error_}; }
@@ -106,7 +106,7 @@ class ExactMeeting {
 
   /// Formed where it is first asked for.
   [[nodiscard]] const ExactQuotient& exact() const {
-    if (!exact_) exact_ = ExactQuotient::of(ray_, polygon_);
+    if (!exact_.has_value()) exact_ = ExactQuotient::of(ray_, polygon_);
     return *exact_;
   }
 
