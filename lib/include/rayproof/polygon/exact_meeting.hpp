@@ -15,13 +15,12 @@ namespace rayproof::polygon {
 /// Where a ray's line meets a polygon's plane: t, the point in the projection along the largest axis of the
 /// Newell normal, and its place in the projected polygon. What double leaves in doubt is asked of the exact
 /// quotient.
-template <std::floating_point T>
 class ExactMeeting {
  public:
   using Exact = ExactQuotient::Exact;
 
-  ExactMeeting(const Ray<T>& ray, const Polygon<T>& polygon) : ray_(ray), polygon_(polygon) {
-    const auto quick = EnclosedQuotient::of(ray, polygon);
+  ExactMeeting(const Ray<double>& ray, Polygon<double> polygon) : ray_(ray), polygon_(std::move(polygon)) {
+    const auto quick = EnclosedQuotient::of(ray_, polygon_);
     if (quick.is_sure()) {
       turned_ = LargestAxisLast<double>(quick.normal_in_double());
       t_ = quick.t();
@@ -42,14 +41,14 @@ class ExactMeeting {
   /// t in double, and a bound on its error less two roundings.
   [[nodiscard]] std::pair<double, double> enclosed_t() const { return {t_, t_error_}; }
   /// t without rounding.
-  [[nodiscard]] auto ratio() const { return exact().ratio(); }
+  [[nodiscard]] ExactQuotient::Ratio ratio() const { return exact().ratio(); }
 
   /// The place of the meeting point in the polygon. Vertices are distinguished from it by the signs of their
   /// coordinates alone: for the winding number, the point may be at 0 and they at -1, 0 and 1.
   [[nodiscard]] Position locate() const {
     PointAndPolygon<double> signs{{0, 0}, {}};
     signs.vertices.reserve(polygon_.vertices.size());
-    for (const vec3<T>& vertex : polygon_.vertices) {
+    for (const vec3<double>& vertex : polygon_.vertices) {
       const Vec2<double> v = dropped(vertex);
       signs.vertices.push_back({double(compare(v, &Vec2<double>::x)), double(compare(v, &Vec2<double>::y))});
     }
@@ -102,7 +101,7 @@ class ExactMeeting {
   }
 
   /// A vector in the projection.
-  [[nodiscard]] Vec2<double> dropped(const vec3<T>& v) const { return turned_.dropped(convert<double>(v)); }
+  [[nodiscard]] Vec2<double> dropped(const vec3<double>& v) const { return turned_.dropped(v); }
 
   /// Formed where it is first asked for.
   [[nodiscard]] const ExactQuotient& exact() const {
@@ -110,8 +109,8 @@ class ExactMeeting {
     return *exact_;
   }
 
-  const Ray<T>& ray_;
-  const Polygon<T>& polygon_;
+  Ray<double> ray_;
+  Polygon<double> polygon_;
   mutable std::optional<ExactQuotient> exact_;
   LargestAxisLast<double> turned_{vec3<double>{}};
   Vec2<double> origin_{}, direction_{};

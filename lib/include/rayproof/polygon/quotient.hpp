@@ -15,19 +15,17 @@ namespace rayproof::polygon {
 /// t = N / D without rounding, with the exact Newell normal.
 struct ExactQuotient {
   using Exact = GrowingExpansion<double>;
+  using Ratio = ExactRatio<Expansion<double, 24>, Expansion<double, 24>>;
   Vec3<Exact> normal;
   Exact N, D;
 
-  template <class T>
-  [[nodiscard]] static ExactQuotient of(const Ray<T>& ray, const Polygon<T>& polygon) {
+  [[nodiscard]] static ExactQuotient of(const Ray<double>& ray, const Polygon<double>& polygon) {
     const auto vertices = convert<Exact>(polygon).vertices;
     const Vec3<Exact> n = newell_normal<Exact>(vertices, vertices.front());
     return {n, dot(n, vertices.front() - convert<Exact>(ray.origin)), dot(n, convert<Exact>(ray.direction))};
   }
   /// For exact_rounding.hpp. Within the method's domain the digits of both span no more than 1200 bits.
-  [[nodiscard]] ExactRatio<Expansion<double, 24>, Expansion<double, 24>> ratio() const {
-    return {compressed<24>(N), compressed<24>(D)};
-  }
+  [[nodiscard]] Ratio ratio() const { return {compressed<24>(N), compressed<24>(D)}; }
 };
 
 /// The same in double, and how much of it is sure.
@@ -40,16 +38,14 @@ struct EnclosedQuotient {
   Sized<double> N, D;
   double relative;  ///< what both are off by, in parts of their sizes
 
-  template <class T>
-  [[nodiscard]] static EnclosedQuotient of(const Ray<T>& ray, const Polygon<T>& polygon) {
-    const auto first = convert<double>(polygon.vertices.front());
-    const auto seen_from_first = polygon.vertices | std::views::transform([&](const vec3<T>& vertex) {
-                                   return sized<double>(convert<double>(vertex) - first);
+  [[nodiscard]] static EnclosedQuotient of(const Ray<double>& ray, const Polygon<double>& polygon) {
+    const vec3<double> first = polygon.vertices.front();
+    const auto seen_from_first = polygon.vertices | std::views::transform([&](const vec3<double>& vertex) {
+                                   return sized<double>(vertex - first);
                                  });
     const Sized<double> zero(0.0);
     const auto n = newell_normal<Sized<double>>(seen_from_first, {zero, zero, zero});
-    return {n, dot(n, sized<double>(first - convert<double>(ray.origin))),
-            dot(n, sized<double>(convert<double>(ray.direction))),
+    return {n, dot(n, sized<double>(first - ray.origin)), dot(n, sized<double>(ray.direction)),
             0x1p-52 * (static_cast<double>(polygon.vertices.size()) + 8)};
   }
 

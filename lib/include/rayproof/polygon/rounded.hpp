@@ -36,7 +36,7 @@ struct Rounded {
         "Meet the plane of the Newell normal",
         "The Newell normal is the sum of the cross products of neighbouring vertices, formed exactly where "
         "rounding leaves a doubt.");
-    const ExactMeeting meeting(ray, polygon);
+    const ExactMeeting meeting(convert<double>(ray), convert<double>(polygon));
     if (meeting.is_parallel()) return no_hit<T>;
 
     step<T>("Find the meeting point's place in the polygon, exactly",

@@ -49,8 +49,10 @@ TEST(EnclosedQuotientOfAPolygon, HoldsTheExactQuotientWithinItsBound) {
     for (int i = 0; i < 100; ++i) {
       const float aside = static_cast<float>(i) * 0.013F;
       const Ray<float> ray{{aside, 0.3F - aside, -2}, {0.1F * aside, 0.05F, 1}};
-      const auto quick = EnclosedQuotient::of(ray, bowl(far));
-      const auto exact = ExactQuotient::of(ray, bowl(far)).ratio();
+      const auto wide_ray = convert<double>(ray);
+      const auto polygon = convert<double>(bowl(far));
+      const auto quick = EnclosedQuotient::of(wide_ray, polygon);
+      const auto exact = ExactQuotient::of(wide_ray, polygon).ratio();
       ASSERT_TRUE(quick.is_sure());
       EXPECT_EQ(exact.compare(rayproof::exact(quick.t() - quick.error_of_t())), 1);
       EXPECT_EQ(exact.compare(rayproof::exact(quick.t() + quick.error_of_t())), -1);
@@ -59,16 +61,16 @@ TEST(EnclosedQuotientOfAPolygon, HoldsTheExactQuotientWithinItsBound) {
 }
 
 TEST(EnclosedQuotientOfAPolygon, IsSureOnlyOfAClearNormalAndARayThatIsClearlyNotParallel) {
-  const Polygon<float> level{{{0, 0, 2}, {1, 0, 2}, {0, 1, 2}}};
-  const Polygon<float> leaning{{{3, 0, 0}, {0, 3, 0}, {0, 0, 3}}};
-  const auto is_sure = [](const Ray<float>& ray, const Polygon<float>& polygon) {
+  const Polygon<double> level{{{0, 0, 2}, {1, 0, 2}, {0, 1, 2}}};
+  const Polygon<double> leaning{{{3, 0, 0}, {0, 3, 0}, {0, 0, 3}}};
+  const auto is_sure = [](const Ray<double>& ray, const Polygon<double>& polygon) {
     return EnclosedQuotient::of(ray, polygon).is_sure();
   };
-  EXPECT_TRUE(is_sure({{0, 0, 0}, {0.1F, 0.2F, 1}}, level));
-  EXPECT_FALSE(is_sure({{0, 0, 0}, {0.1F, 0.2F, 0}}, level));      // parallel
-  EXPECT_FALSE(is_sure({{0, 0, 0}, {1, -1, 0x1p-60F}}, leaning));  // nearly parallel
-  EXPECT_FALSE(is_sure({{0, 0, 0}, {0, 0, 1}}, leaning));          // two axes are as large as z
-  EXPECT_FALSE(is_sure({{0, 0, 0}, {0, 0, 1}}, {{{0, 0, 1}}}));    // no plane
+  EXPECT_TRUE(is_sure({{0, 0, 0}, {0.1, 0.2, 1}}, level));
+  EXPECT_FALSE(is_sure({{0, 0, 0}, {0.1, 0.2, 0}}, level));       // parallel
+  EXPECT_FALSE(is_sure({{0, 0, 0}, {1, -1, 0x1p-60}}, leaning));  // nearly parallel
+  EXPECT_FALSE(is_sure({{0, 0, 0}, {0, 0, 1}}, leaning));         // two axes are as large as z
+  EXPECT_FALSE(is_sure({{0, 0, 0}, {0, 0, 1}}, {{{0, 0, 1}}}));   // no plane
 }
 
 }  // namespace
