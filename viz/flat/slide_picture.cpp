@@ -54,6 +54,12 @@ void draw_title(Picture& picture, const std::string& title, const std::string& s
 
 }  // namespace
 
+PixelBox slide_scene_of(const StageStep& step) {
+  PixelBox scene = slide_scene;
+  if (step.values.empty()) scene.width = slide_width - 2 * slide_margin;
+  return scene;
+}
+
 std::vector<LegendEntry> legend_of(const std::vector<ShownItem>& shown) {
   struct Sign {
     Role role;

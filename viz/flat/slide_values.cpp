@@ -15,7 +15,8 @@ namespace {
 constexpr double value_column = 634;
 constexpr double value_width = slide_width - slide_margin - value_column;
 
-/// A line of the column of values: a name, or a number and in grey before it what it is.
+/// A line of the column of values: a name with its formula, more of that, or a number and in grey before it
+/// what it is.
 struct ValueLine {
   Role role = Role::text;
   bool is_name = false;
@@ -49,7 +50,12 @@ std::vector<ValueLine> lines_of(const StageValue& value, const Stage& stage, Det
     return lines;
   }
   const std::string head = value.name + (has_formula(value) ? " = " + text_of(value.formula) : "");
-  lines.push_back({Role::text, true, "", cut(head, value_width, name_size * bold_width)});
+  const auto heads = wrapped(head, value_width, name_size * bold_width);
+  const bool is_whole = detail == Detail::full && heads.size() < 4;
+  lines.push_back(
+      {Role::text, true, "", is_whole ? heads[0] : cut(head, value_width, name_size * bold_width)});
+  for (std::size_t i = 1; is_whole && i < heads.size(); ++i)
+    lines.push_back({Role::text, false, "", heads[i]});
   add(Role::claimed, is_float ? "float" : "double", rounded, width);
   const WalkValue& worst = worst_component(value);
   if (worst.bits_lost < (detail == Detail::noteworthy ? noteworthy : 0.05)) return lines;
@@ -101,10 +107,10 @@ void draw_values(Picture& picture, const Stage& stage, const StageStep& step, co
   double y = scene.top + 14 - above_name;
   for (const ValueLine& line : lines) {
     if (line.is_name) y += above_name;
-    const bool is_head = line.is_name && line.role == Role::text;
+    const bool is_head = line.role == Role::text;
     if (*line.what != '\0') add_text(picture, Role::muted, {value_column + 8, y}, line.what, word_size);
-    add_text(picture, line.role, {line.is_name ? value_column : number_left, y}, line.text,
-             is_head ? name_size : number_size, is_head);
+    const double left = line.is_name ? value_column : is_head ? value_column + 8 : number_left;
+    add_text(picture, line.role, {left, y}, line.text, is_head ? name_size : number_size, is_head);
     y += row;
   }
 }

@@ -23,13 +23,15 @@ void draw_scene(Picture& picture, const PixelBox& frame, const Stage& stage, std
 
 /// A slide's size, and what stays free along its border.
 inline constexpr double slide_width = 960, slide_height = 540, slide_margin = 24;
-/// Where a slide's scene lies; the numbers stand in the column at its right.
+/// Where a slide's scene lies beside a column of numbers.
 inline constexpr PixelBox slide_scene{slide_margin, 60, 596, 368};
+/// Where it lies in the step's slide: without numbers it has the column's place, too.
+[[nodiscard]] PixelBox slide_scene_of(const StageStep& step);
 
 /// A slide without its scene and legend: the title, a smaller line below it, the caption, and beside the
 /// scene's frame the numbers.
 [[nodiscard]] Picture slide_frame(const Stage& stage, std::size_t step, const std::string& second_line,
-                                  const PixelBox& scene = slide_scene);
+                                  const PixelBox& scene);
 
 /// The words on the roles, along a slide's lower border.
 void draw_legend(Picture& picture, const std::vector<ShownItem>& shown);

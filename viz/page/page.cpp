@@ -92,15 +92,17 @@ std::string stage_page(const Stage& stage, const Still& still, const PageSurroun
              arg("gallery", beside.gallery.empty() ? "" : gallery), arg("title", escaped(stage.title)),
              arg("sentence", escaped(stage.sentence)), arg("method", method_line(stage)),
              arg("above", has_figure ? conclusion + "<figure>\n" + beside.figure + "</figure>\n" : ""),
-             arg("buttons", buttons(stage)), arg("slider", slider(stage)), arg("legend", legend(stage)),
-             arg("steps", steps), arg("below", has_figure ? "" : conclusion),
+             arg("first", beside.first_step), arg("buttons", buttons(stage)), arg("slider", slider(stage)),
+             arg("legend", legend(stage)), arg("steps", steps), arg("below", has_figure ? "" : conclusion),
              arg("case", escaped(write_case(stage.one))),
              arg("data", json_element("stage", stage_json(stage)) + json_element("space", space_json(stage))),
              arg("script", script));
 }
 
 std::string case_page(const CaseReport& report, const std::string& script) {
-  return stage_page(stage_of(report), flat_still, {.script = script, .figure = figure_of(report)});
+  const Stage stage = stage_of(report);
+  return stage_page(stage, flat_still,
+                    {.script = script, .figure = figure_of(report), .first_step = stage.decisive_step});
 }
 
 std::string gallery_page(const std::vector<GalleryEntry>& entries, const Still& still) {

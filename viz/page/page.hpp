@@ -25,6 +25,7 @@ struct PageSurroundings {
   std::string script{};  ///< the address of a file with shared_script() (case_figure.hpp), which is otherwise
                          ///< in the page
   std::string figure{};  ///< an element of HTML; the conclusion then stands above it
+  std::size_t first_step = 0;  ///< at which it opens, unless its address says another
 };
 
 /// A page. On a screen with script: one step at a time, a scene to orbit, and a slider along the ray. On

@@ -98,7 +98,7 @@ Json step_json(const Stage& stage, std::size_t number) {
             {"target", flat(camera.middle)},      {"up", flat(camera.up)},
             {"near", camera.nearest()},           {"far", camera.farthest()}};
   if (camera.is_flat) json["flat"] = true;
-  if (camera.is_flat) json["half"] = view_margin;
+  if (camera.is_flat) json["half"] = camera.half;
   json["bodies"] = Json::array();
   for (const SpaceBody& body : space.bodies) json["bodies"].push_back(body_json(body));
   json["labels"] = Json::array();
@@ -106,7 +106,7 @@ Json step_json(const Stage& stage, std::size_t number) {
   if (space.floor) json["floor"] = floor_json(*space.floor);
   if (stage.slider && !stage.steps[number].is_apart) {
     const glm::dvec3 origin = in_view(space.view, stage.slider->origin);
-    json["runner"] = {{"size", runner_size}};
+    json["runner"] = {{"size", runner_size * camera.unit()}};
     for (int i = 0; i < 3; ++i) json["runner"]["ray"].push_back(origin[i]);
     for (int i = 0; i < 3; ++i)
       json["runner"]["ray"].push_back(stage.slider->direction[i] / space.view.radius);
@@ -118,7 +118,8 @@ Json step_json(const Stage& stage, std::size_t number) {
 
 std::string space_json(const Stage& stage) {
   Json json{{"angle", view_angle}};
-  json["marks"] = {{"ring", mark_measures.ring},
+  json["marks"] = {{"dot", mark_measures.dot},
+                   {"ring", mark_measures.ring},
                    {"wire", mark_measures.wire},
                    {"cross", mark_measures.cross},
                    {"diamond", mark_measures.diamond}};

@@ -14,12 +14,14 @@ bool is_letter(const std::string& text, std::size_t i) {
   return std::isalnum(byte) != 0 || lead == 0xCE || lead == 0xCF;
 }
 
-/// Where the index ends that begins after the "_" at `low`; `low` where there is none. "cross_side" has none.
+/// Where the index ends that begins after the "_" at `low`; `low` where there is none. "cross_side" and the
+/// method "sphere/half_b" have none.
 std::size_t end_of_index(const std::string& line, std::size_t low) {
   std::size_t begin = low, end = low + 1;
   while (begin > 0 && is_letter(line, begin - 1)) --begin;
   while (is_letter(line, end)) ++end;
-  const bool is_alone = (begin == 0 || line[begin - 1] != '_') && (end == line.size() || line[end] != '_');
+  const bool is_alone = (begin == 0 || (line[begin - 1] != '_' && line[begin - 1] != '/')) &&
+                        (end == line.size() || line[end] != '_');
   const std::size_t before = low - begin, after = end - low - 1;
   const bool is_name = before > 0 && after > 0 && (before <= 2 || after == 1);
   return is_alone && is_name ? end : low;

@@ -65,12 +65,17 @@ class Stills {
 #endif
 };
 
-/// One page where the path is that of a page; else a folder of pages with a gallery.
-void write_pages(const std::vector<viz::Walk>& walks, const std::string& path, ProgressLine& progress) {
+/// One page where the path is that of a page; else a folder of pages with a gallery. That of a finding opens
+/// where the answer was spoilt.
+void write_pages(const std::vector<viz::Walk>& walks, const std::string& path, bool is_finding,
+                 ProgressLine& progress) {
   Stills stills;
   const viz::Still still = std::ref(stills);
-  if (walks.size() == 1 && path.ends_with(".html"))
-    return viz::write_text(path, viz::stage_page(walks.front().stage, still));
+  if (walks.size() == 1 && path.ends_with(".html")) {
+    const viz::Stage& stage = walks.front().stage;
+    const std::size_t first = is_finding ? stage.decisive_step : 0;
+    return viz::write_text(path, viz::stage_page(stage, still, {.first_step = first}));
+  }
   viz::make_folder(path);
   const std::filesystem::path folder = path;
   std::vector<viz::GalleryEntry> gallery;
@@ -167,7 +172,7 @@ int main(int argc, char** argv) {
     if (options.is_json) {
       for (const viz::Walk& walk : walks) fmt::print("{}\n", viz::stage_json(walk.stage));
     }
-    if (!options.html.empty()) write_pages(walks, options.html, progress);
+    if (!options.html.empty()) write_pages(walks, options.html, !has_output, progress);
     if (!options.png.empty()) write_pngs(walks, options.png, progress);
     if (!options.movie.empty()) viz::write_movie(walks, options.movie, progress);
     progress.clear();

@@ -28,6 +28,19 @@ using Items = std::vector<StageItem>;
 [[nodiscard]] inline StageItem polygon(Role role, std::vector<glm::dvec3> corners, std::string label = {}) {
   return {role, Form::polygon, std::move(corners), std::move(label)};
 }
+/// What of an endless surface the view shows.
+[[nodiscard]] inline StageItem open_polygon(Role role, std::vector<glm::dvec3> corners) {
+  StageItem item = polygon(role, std::move(corners));
+  item.is_open = true;
+  return item;
+}
+/// A body seen in profile, so near that its surface is level: all that lies below 0.
+[[nodiscard]] inline Items ground_of(const StageCamera& camera) {
+  constexpr double beyond = 8;
+  const glm::dvec3 end = beyond * camera.right, down = beyond * camera.up;
+  return {open_polygon(Role::surface, {-end, end, end - down, -end - down}),
+          segment(Role::surface, -end, end)};
+}
 [[nodiscard]] inline StageItem polyline(Role role, std::vector<glm::dvec3> points, std::string label = {},
                                         Pattern pattern = Pattern::solid) {
   return {role, Form::polyline, std::move(points), std::move(label), pattern};

@@ -27,7 +27,7 @@ class Labeller {
     const std::vector<Point> points = outline_(item);
     if (item.form == Form::point) {
       if (has_mark(item.role) && !points.empty() && frame_.holds(points[0]))
-        places_.take(points[0], mark_radius + 1);
+        places_.take(points[0], mark_radius + 6);
       return;
     }
     for (const auto& part : clip_line(points, frame_))

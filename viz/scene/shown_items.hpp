@@ -26,10 +26,11 @@ struct ShownItem {
   return shown.emphasis == Emphasis::dimmed ? Role::muted : shown.item->role;
 }
 
-/// The role in whose colour its label is written: a surface's own colour would be lost before it.
+/// The role in whose colour its label is written: a surface's own colour would be lost before it, and a
+/// frame's is too light to be read.
 [[nodiscard]] constexpr Role label_role(const ShownItem& shown) {
   const Role role = shown_role(shown);
-  return role == Role::surface ? Role::edge : role;
+  return role == Role::surface ? Role::edge : role == Role::frame ? Role::muted : role;
 }
 
 /// An item's points as they are seen, in pixels: one of a point, the line of a line, the closed outline of a

@@ -88,14 +88,22 @@ bool is_net(const std::vector<ShownItem>& shown) {
   return std::count_if(shown.begin(), shown.end(), is_polygon) > many;
 }
 
+/// How far a place is from the eye over how far the middle is: what is as much larger looks alike there.
+double depth_of(const glm::dvec3& p, const SpaceCamera& camera) {
+  if (camera.is_flat) return 1;
+  return std::clamp(glm::dot(camera.eye() - p, camera.toward) / camera.distance, 0.2, 3.0);
+}
+
 std::optional<SpaceBody> body_of(const ShownItem& shown, const Space& space, bool has_net) {
   const bool is_bright = shown.emphasis == Emphasis::bright;
   const bool is_dimmed = shown.emphasis == Emphasis::dimmed;
-  SpaceBody body{shown, placed_points(*shown.item, space.view), {}, {}, {}, line_radius(shown)};
+  SpaceBody body{shown, placed_points(*shown.item, space.view),  {}, {},
+                 {},    line_radius(shown) * space.camera.unit()};
   switch (shown.item->form) {
     case Form::point:
       if (!has_mark(shown.item->role) || !(glm::length(body.points.at(0)) <= reach)) return std::nullopt;
-      body.radius = is_bright ? 0.034 : 0.027;
+      body.radius =
+          (is_bright ? 0.034 : 0.028) * space.camera.unit() * depth_of(body.points[0], space.camera);
       return body;
     case Form::arrow:
     case Form::segment:
@@ -109,6 +117,7 @@ std::optional<SpaceBody> body_of(const ShownItem& shown, const Space& space, boo
         return std::nullopt;
       const bool is_polygon = shown.item->form == Form::polygon;
       if (is_polygon && has_net) body.radius *= 0.5;
+      if (shown.item->is_open) body.radius = 0;
       if (is_polygon) body.strips = strips_of(body.points);
       const bool is_thick = is_polygon && (!has_net || space.camera.is_flat);
       body.opacity = is_dimmed ? 0.12 : is_thick ? 0.36 : 0.2;
@@ -185,9 +194,9 @@ std::vector<SpacePoints> pieces_of(const SpacePoints& line, double radius, Patte
   return pieces;
 }
 
-Space space_of(const Stage& stage, std::size_t step) {
+Space space_of(const Stage& stage, std::size_t step, double aspect) {
   const std::vector<ShownItem> shown = shown_in(stage, step);
-  Space space{stage.steps.at(step).view, space_camera(stage, step, shown)};
+  Space space{stage.steps.at(step).view, space_camera(stage, step, shown, aspect)};
   const bool has_net = is_net(shown);
   for (const ShownItem& one : shown) {
     if (auto body = body_of(one, space, has_net)) space.bodies.push_back(std::move(*body));

@@ -30,7 +30,7 @@ struct SpaceBody {
   std::optional<ArrowHead> head{};
   /// Of a polygon that crosses itself the inside by the even-odd rule, in pieces of four corners.
   std::vector<SpacePoints> strips{};
-  double radius = 0;   ///< of the lines' tubes, of the mark, of the line around a surface
+  double radius = 0;   ///< of the lines' tubes, of the mark, of the line around a surface; 0 for none
   double opacity = 1;  ///< of a surface
 
   [[nodiscard]] bool is_mark() const { return shown.item->form == Form::point; }
@@ -44,16 +44,18 @@ struct SpaceLabel {
   bool is_at_end = false;
 };
 
-/// What marks look like beside a ball of radius 1: a ring and its wire, a cross's arm, a diamond's corner.
+/// What marks look like beside their radius: a dot, a ring and its wire, a cross's arm, a diamond's corner. A
+/// cross reaches beyond a dot behind it, and leaves a gap to a ring around it.
 struct MarkMeasures {
-  double ring = 1.15;
-  double wire = 0.3;
-  double cross = 1.1;
+  double dot = 0.8;
+  double ring = 2;
+  double wire = 0.26;
+  double cross = 1;
   double diamond = 1.7;
 };
 inline constexpr MarkMeasures mark_measures{};
 
-/// The width of what shows the slider's point, in the view's radii.
+/// The width of what shows the slider's point, in the camera's units.
 inline constexpr double runner_size = 0.03;
 
 /// What a step shows, in the order of painting. The bodies live as long as the stage.
@@ -65,8 +67,8 @@ struct Space {
   std::optional<SpaceFloor> floor{};  ///< none below a drawing in a plane
 };
 
-/// What is out of reach is left out; lines are cut there.
-[[nodiscard]] Space space_of(const Stage& stage, std::size_t step);
+/// For a frame `aspect` times as wide as high. What is out of reach is left out; lines are cut there.
+[[nodiscard]] Space space_of(const Stage& stage, std::size_t step, double aspect = view_aspect);
 
 /// The item's points in the view's coordinates, without repetitions.
 [[nodiscard]] SpacePoints placed_points(const StageItem& item, const StageView& view);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "viz/picture/clip.hpp"
 #include "viz/scene/fit_view.hpp"
 
 namespace rayproof::viz {
@@ -57,14 +58,13 @@ std::vector<glm::dvec3> points_in_view(const StageCamera& chosen, const StageVie
 }
 
 /// From where the camera looks at, so far that all points are in the picture.
-double distance_for(const std::vector<glm::dvec3>& points, const SpaceCamera& camera,
-                    const StageCamera& eye) {
+double distance_for(const std::vector<glm::dvec3>& points, const SpaceCamera& camera, const StageCamera& eye,
+                    double aspect) {
   const double half = std::tan(radians(view_angle / 2));
   double distance = 0;
   for (const glm::dvec3& p : points) {
     const glm::dvec3 q = p - camera.middle;
-    const double size =
-        std::max(std::abs(glm::dot(q, eye.right)) / view_aspect, std::abs(glm::dot(q, eye.up)));
+    const double size = std::max(std::abs(glm::dot(q, eye.right)) / aspect, std::abs(glm::dot(q, eye.up)));
     distance = std::max(distance, view_margin * size / half + glm::dot(q, eye.toward));
   }
   return distance;
@@ -88,13 +88,39 @@ glm::dvec3 off_the_middle(const std::vector<glm::dvec3>& points, const SpaceCame
   return off;
 }
 
+/// A drawing in a frame that is wider than a view: as near as its height allows.
+SpaceCamera fitted(SpaceCamera camera, const Stage& stage, const StageView& view,
+                   const std::vector<ShownItem>& shown, double aspect) {
+  if (aspect <= view_aspect) return camera;
+  constexpr PixelBox whole{-view_aspect, -1, 2 * view_aspect, 2};
+  double half = view_aspect / aspect;
+  for (const ShownItem& one : shown) {
+    std::vector<Point> line;
+    for (const glm::dvec3& p : extent_of(*one.item, stage.camera)) {
+      const glm::dvec3 q = in_view(view, p);
+      line.push_back({glm::dot(q, stage.camera.right), glm::dot(q, stage.camera.up)});
+    }
+    if (line.size() == 1) line.push_back(line.front());
+    for (const std::vector<Point>& part : clip_line(line, whole))
+      for (const Point& p : part) half = std::max(half, std::abs(p.y));
+  }
+  camera.half = view_margin * half;
+  return camera;
+}
+
 }  // namespace
 
-SpaceCamera space_camera(const Stage& stage, std::size_t step, const std::vector<ShownItem>& shown) {
-  SpaceCamera camera{stage.camera.up, stage.camera.toward, glm::dvec3(0),
-                     view_margin / std::tan(radians(view_angle / 2)), true};
+double SpaceCamera::unit() const {
+  return (is_flat ? half : distance * std::tan(radians(view_angle / 2))) / view_margin;
+}
+
+SpaceCamera space_camera(const Stage& stage, std::size_t step, const std::vector<ShownItem>& shown,
+                         double aspect) {
+  SpaceCamera camera{stage.camera.up, stage.camera.toward,
+                     glm::dvec3(0),   view_margin / std::tan(radians(view_angle / 2)),
+                     view_margin,     true};
   if (stage.camera.is_flat || (stage.steps.at(step).is_apart && !stage.steps.at(step).is_other_space))
-    return camera;
+    return fitted(camera, stage, stage.steps[step].view, shown, aspect);
   camera.is_flat = false;
   camera.up = upright_axis(stage.camera);
   const glm::dvec3 level = glm::normalize(camera.toward - glm::dot(camera.toward, camera.up) * camera.up);
@@ -105,10 +131,10 @@ SpaceCamera space_camera(const Stage& stage, std::size_t step, const std::vector
   camera.middle = middle_of(points, eye);
   // What is near takes up more of the picture: its middle is found step by step.
   for (int i = 0; i < 4; ++i) {
-    camera.distance = distance_for(points, camera, eye);
+    camera.distance = distance_for(points, camera, eye, aspect);
     camera.middle += off_the_middle(points, camera, eye);
   }
-  camera.distance = distance_for(points, camera, eye);
+  camera.distance = distance_for(points, camera, eye, aspect);
   return camera;
 }
 

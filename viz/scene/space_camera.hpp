@@ -24,8 +24,11 @@ struct SpaceCamera {
   glm::dvec3 toward{};   ///< from the scene to the eye, a unit vector
   glm::dvec3 middle{};   ///< where the eye looks
   double distance = 1;   ///< of the eye from there
+  double half = 1;       ///< of a drawing, how much is seen above the middle and below it
   bool is_flat = false;  ///< without perspective
 
+  /// What is of this size in the middle looks as large as 1 does where the view just fits.
+  [[nodiscard]] double unit() const;
   [[nodiscard]] glm::dvec3 eye() const { return middle + distance * toward; }
   /// Between these distances from the eye, things are seen.
   [[nodiscard]] double nearest() const { return 0.2 * distance; }
@@ -37,8 +40,8 @@ struct SpaceCamera {
   return (p - view.centre) / view.radius;
 }
 
-/// Near enough that what the step's own view shows just fits.
+/// Near enough that what the step's own view shows just fits into a frame `aspect` times as wide as high.
 [[nodiscard]] SpaceCamera space_camera(const Stage& stage, std::size_t step,
-                                       const std::vector<ShownItem>& shown);
+                                       const std::vector<ShownItem>& shown, double aspect = view_aspect);
 
 }  // namespace rayproof::viz

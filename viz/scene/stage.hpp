@@ -48,6 +48,7 @@ struct StageItem {
   std::string label{};  ///< "t₀"; empty for none
   Pattern pattern = Pattern::solid;
   std::vector<std::vector<std::size_t>> faces{};  ///< of a solid, the corners around each in either direction
+  bool is_open = false;  ///< a polygon that goes on beyond the view: without a line around it
 };
 
 /// The mark of a point of the role: no two roles that can meet in a picture share one.
@@ -138,6 +139,7 @@ struct Stage {
   int digits = 24;
   std::vector<StageItem> scene{};  ///< what all steps have in common: the shape and the ray
   std::vector<StageStep> steps{};
+  std::size_t decisive_step = 0;  ///< where the answer was spoilt, else where it is seen to be wrong
   std::optional<StageSlider> slider{};
   StageCamera camera{};
 };

@@ -27,7 +27,7 @@ Level level_of(const Sight& sight) {
   return {sight.world.point(point), unit(cross(sight.world.vector(u), sight.world.vector(v)))};
 }
 
-/// The part of the plane worth drawing: around the hit, or under the ray's start where there is none.
+/// The part of the plane worth drawing: around the hit, and to the foot of the ray's start.
 struct Patch {
   Place middle, across, along;  ///< half its width and half its length
 };
@@ -43,7 +43,8 @@ Patch patch_of(const Sight& sight, const Level& plane) {
   const Place level_part = sight.ray.direction - dot(sight.ray.direction, plane.normal) * plane.normal;
   const bool is_steep = length(level_part) < Shadow(1e-3) * length(sight.ray.direction);
   const Place along = is_steep ? some_perpendicular(plane.normal) : unit(level_part);
-  return {middle, half * cross(plane.normal, along), half * along};
+  const Shadow to_foot = Shadow(1.1) * length(foot - middle);
+  return {middle, half * cross(plane.normal, along), std::max(half, to_foot) * along};
 }
 
 Figure plane_figure(const Sight& sight) {

@@ -96,6 +96,7 @@ std::string exact_beside(const Shadow& exact, double value, int bits) {
 }
 
 std::string scale_in_words(const Shadow& times) {
+  if (rough(times, 2) == "1" || rough(1 / times, 2) == "1") return "In true size";
   return times < 1 ? fmt::format("Reduced to 1/{}", rough(1 / times, 2))
                    : fmt::format("Magnified ×{}", rough(times, 2));
 }

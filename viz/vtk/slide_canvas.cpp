@@ -20,9 +20,10 @@ Rgb mean_of_four(const Raster& raster, int x, int y) {
 }  // namespace
 
 Raster SlideCanvas::draw(const Stage& stage, std::size_t step, bool is_fine) {
-  Picture sheet = slide_frame(stage, step, stage.title);
+  const PixelBox scene = slide_scene_of(stage.steps.at(step));
+  Picture sheet = slide_frame(stage, step, stage.title, scene);
   draw_legend(sheet, shown_in(stage, step));
-  return canvas_.draw(sheet, {{&stage, step, slide_scene}}, width_ / slide_width, is_fine);
+  return canvas_.draw(sheet, {{&stage, step, scene}}, width_ / slide_width, is_fine);
 }
 
 Raster contact_sheet(const std::vector<Raster>& slides) {

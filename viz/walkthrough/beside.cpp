@@ -50,6 +50,7 @@ Stage stage_beside(const Case& one, const ReportCase& report_on, const std::stri
   stage.steps.resize(1);
   add_different(stage, printed, *mended.walk, "As printed");
   add_different(stage, mended, *printed.walk, "As it should be");
+  widen_views(stage, setting_of(printed));
   StageStep& end = stage.steps.emplace_back(last);
   end.begins_anew = true;
   end.caption += fmt::format(" {} says: {}.", right, verdict_of(mended.claim()));

@@ -45,7 +45,7 @@ inline constexpr TopicBindings topic_bindings[] = {
 /// The chord of a round shape, as the centred methods have it: t_c in its middle, h to either side.
 [[nodiscard]] Items half_chords(const NumbersByName& n);
 
-/// From the ray's origin straight to the plane through `on_plane`.
+/// From the ray's origin straight to the plane through `on_plane`, and on in the plane to that point.
 [[nodiscard]] Items way_to_plane(const NumbersByName& n, const glm::dvec3& normal,
                                  const glm::dvec3& on_plane);
 

@@ -44,17 +44,6 @@ std::string words_of(const Case& one, const Setting& setting) {
   return setting.close_up ? setting.close_up->words : "";
 }
 
-/// How far off the ray's start is, where the ray comes into the view.
-StageItem far_start(const StageSlider& slider, const StageView& view, const StageCamera& camera) {
-  const double speed = glm::length(slider.direction);
-  const double t = glm::dot(view.centre - slider.origin, slider.direction) / (speed * speed);
-  const double back = 1.1 * view.radius / speed;
-  const glm::dvec3 at =
-      slider.origin + (t > 0 ? t - back : t + back) * slider.direction + 0.2 * view.radius * camera.up;
-  const double off = glm::length(view.centre - slider.origin);
-  return point(Role::text, at, (t > 0 ? "← o, " : "o → ") + rough(off, 4) + " off");
-}
-
 }  // namespace
 
 Stage case_views(const CaseReport& report) {
@@ -63,6 +52,7 @@ Stage case_views(const CaseReport& report) {
   StageStep whole = stage.steps.front();
   StageStep magnified = stage.steps.back();
   whole.caption = words_of(report.one, setting);
+  whole.view = setting.wide;
   if (const auto* question = std::get_if<PointAndPolygon<double>>(&report.one.question)) {
     whole.items = crossings_of(*question);
   } else if (stage.slider) {
@@ -75,8 +65,8 @@ Stage case_views(const CaseReport& report) {
   const bool is_much_larger = whole.view.radius > 2.4 * setting.near.radius;
   if (is_much_larger) {
     near.view = setting.near;
-    if (setting.wide.radius > 2.4 * setting.near.radius) {
-      near.items.push_back(far_start(*stage.slider, setting.near, stage.camera));
+    if (setting.far_start) {
+      near.items.push_back(*setting.far_start);
       for (StageItem& hit : whole.items) hit.label.clear();  // they are named from nearby
     }
     whole.title = "Whole";

@@ -43,7 +43,7 @@ Items surface_of(const NearestPass& nearest, const Profile& profile) {
   const glm::dvec3 level{profile_reach, 0, 0};
   if (nearest.border->into.empty() || profile.runs_along) {
     const glm::dvec3 down{0, -profile_reach, 0};
-    return {polygon(Role::surface, {-level, level, level + down, down - level}),
+    return {open_polygon(Role::surface, {-level, level, level + down, down - level}),
             segment(Role::surface, -level, level)};
   }
   Items items;
@@ -52,7 +52,7 @@ Items surface_of(const NearestPass& nearest, const Profile& profile) {
     corners.push_back(profile_reach * profile.direction(into));
     items.push_back(segment(Role::surface, {0, 0, 0}, corners.back()));
   }
-  if (corners.size() > 2) items.push_back(polygon(Role::surface, corners));
+  if (corners.size() > 2) items.push_back(open_polygon(Role::surface, corners));
   return items;
 }
 

@@ -49,10 +49,10 @@ Items surface_at_hit(const glm::dvec3& normal, const Setting& setting) {
   const auto at = [&](double x, double y) { return x * setting.camera.right + y * setting.camera.up; };
   const glm::dvec3 out = at(facing, aside);
   const glm::dvec3 along = at(-aside, facing);
-  constexpr double reach = 8;
+  constexpr double reach = 12;
   Items items{segment(Role::surface, -reach * along, reach * along)};
   if (setting.has_inside) {
-    items.push_back(viz::polygon(
+    items.push_back(open_polygon(
         Role::surface, {-reach * along, reach * along, reach * (along - out), -reach * (along + out)}));
   }
   return items;
@@ -96,8 +96,8 @@ void magnify(StageStep& step, const CaseReport& report, const ValuePair& pair, c
   const std::string name = symbol + subscript(pair.rank);
   step.items.push_back(point(Role::exact, {0, 0, 0}, name + " exact"));
   step.items.push_back(point(Role::claimed, magnifier.at(pair.claimed), name + " as computed"));
-  step.view = view_of(extent_of(step.items, setting.camera), setting.camera);
-  step.view.radius = std::max(step.view.radius, 1.5);  // where the ray goes straight into the picture
+  // As far as the numbers go: the surface goes on.
+  step.view = {glm::dvec3(0), (magnified_reach + 0.1) / view_aspect};
 }
 
 /// "The computed t₀ is off by 2 ulps: exact 4.87997734 (to 53 bits), computed 4.8799777 (float32)."

@@ -87,6 +87,7 @@ void add_placed(StageStep& step, const Items& items, const Setting& setting) {
 
 /// The wide view for a step that shows something far from the shape.
 StageView view_of(const StageStep& step, const Setting& setting) {
+  if (setting.starts_far()) return setting.near;
   for (const StageItem& item : step.items) {
     for (const glm::dvec3& p : item.points) {
       if (glm::length(p - setting.near.centre) > 1.6 * view_aspect * setting.near.radius) return setting.wide;
@@ -174,7 +175,8 @@ std::vector<StageStep> kernel_steps(const CaseReport& report, const Walkthrough&
   std::vector<StageStep> steps;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     StageStep step;
-    step.title = parts.size() == 1 ? title : fmt::format("{} ({} of {})", title, i + 1, parts.size());
+    step.title =
+        parts.size() == 1 ? title : fmt::format("{} ({}\u00a0of\u00a0{})", title, i + 1, parts.size());
     step.values = parts[i];
     step.words = words[i];
     if (i == 0) {

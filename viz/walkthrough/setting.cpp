@@ -102,6 +102,17 @@ StageSlider slider_of(const RayScene& scene, const StageView& near, const CaseRe
   return slider;
 }
 
+/// How far off the ray's start is, where the ray comes into the view.
+StageItem far_start(const StageSlider& slider, const StageView& view, const StageCamera& camera) {
+  const double speed = glm::length(slider.direction);
+  const double t = glm::dot(view.centre - slider.origin, slider.direction) / (speed * speed);
+  const double back = 1.3 * view.radius / speed;
+  const glm::dvec3 at =
+      slider.origin + (t > 0 ? t - back : t + back) * slider.direction + 0.4 * view.radius * camera.up;
+  const double off = glm::length(view.centre - slider.origin);
+  return point(Role::text, at, (t > 0 ? "← o, " : "o → ") + rough(off, 4) + " off");
+}
+
 void add_ray(Items& scene, const Ray<double>& ray, const StageSlider& slider, const char* origin = "o") {
   const bool starts = std::isfinite(ray.t_min);
   const glm::dvec3 start = ray.origin + (starts ? ray.t_min : slider.from) * ray.direction;
@@ -152,6 +163,8 @@ Setting ray_setting(const CaseReport& report, Figure (*figure)(const Sight&)) {
   setting.wide = views.wide;
   setting.scene = items_of(scene.figure);
   setting.slider = slider_of(scene, setting.near, report);
+  if (setting.wide.radius > 2.4 * setting.near.radius)
+    setting.far_start = far_start(*setting.slider, setting.near, setting.camera);
   add_ray(setting.scene, scene.sight.question.ray, *setting.slider);
   const World world = scene.sight.world;
   setting.to_world = [world](const glm::dvec3& p) { return rounded(world.point(p)); };

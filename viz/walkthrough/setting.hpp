@@ -36,7 +36,11 @@ struct Setting {
   StageCamera camera{};
   std::optional<StageSlider> slider{};
   StageView near{};  ///< the shape
-  StageView wide{};  ///< the shape and the ray's start, where that is not too far to show both
+  StageView wide{};  ///< the shape and the ray's start
+  /// How far off the ray's start is, where the ray comes into the near view.
+  std::optional<StageItem> far_start{};
+  /// Whether the shape would be a speck in the wide view.
+  [[nodiscard]] bool starts_far() const { return far_start && wide.radius > 12 * near.radius; }
   /// From the space in which the kernel works to the world; the identity where there is no transform.
   std::function<glm::dvec3(const glm::dvec3&)> to_world{};
   std::vector<Binding> bindings{};  ///< how the named values look: the topic's, or a lesson's own

@@ -2,16 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <rayproof/formulas/largest_axis.hpp>
 
 #include "viz/scene/fit_view.hpp"
 #include "viz/trace/numbers.hpp"
 
 namespace rayproof::viz {
 namespace {
-
-std::function<glm::dvec3(const glm::dvec3&)> flat_on(const StageCamera& camera) {
-  return [=](const glm::dvec3& p) { return p.x * camera.right + p.y * camera.up; };
-}
 
 Items triangle_items(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
   return {polygon(Role::surface, {a, b, c}), polyline(Role::surface, {a, b, c, a}),
@@ -44,19 +41,9 @@ Items depths(const NumbersByName& n) {
   return items;
 }
 
-/// The coordinates that a projection keeps, in the order of LargestAxisLast.
-glm::dvec3 dropped(const glm::dvec3& p, int axis) {
-  return axis == 2 ? glm::dvec3(p.x, p.y, 0) : axis == 1 ? glm::dvec3(p.z, p.x, 0) : glm::dvec3(p.y, p.z, 0);
-}
-
-int largest_axis(const glm::dvec3& v) {
-  const glm::dvec3 size = glm::abs(v);
-  return size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
-}
-
 /// The three triangles whose areas over the whole are the coordinates.
-Items weights(const NumbersByName& n, int axis) {
-  const auto flat = [&](const char* name) { return dropped(n.input(name), axis); };
+Items weights(const NumbersByName& n, const glm::dvec3& normal) {
+  const auto flat = [&](const char* name) { return dropped(normal, n.input(name)); };
   const glm::dvec3 a = flat("a"), b = flat("b"), c = flat("c"), q = flat("q");
   const auto part = [&](Role role, const glm::dvec3& u, const glm::dvec3& v, const char* name) {
     return polygon(role, {q, u, v}, n.has(name) ? name + (" = " + rough(n[name], 3)) : std::string(name));
@@ -67,6 +54,15 @@ Items weights(const NumbersByName& n, int axis) {
 }
 
 }  // namespace
+
+std::function<glm::dvec3(const glm::dvec3&)> flat_on(const StageCamera& camera) {
+  return [=](const glm::dvec3& p) { return p.x * camera.right + p.y * camera.up; };
+}
+
+glm::dvec3 dropped(const glm::dvec3& n, const glm::dvec3& p) {
+  const Vec2<double> flat = LargestAxisLast<double>(n).dropped(p);
+  return {flat.x, flat.y, 0};
+}
 
 const StepSpace* space_of(const Setting& setting, const Walkthrough& walk, std::size_t index) {
   const StepSpace* found = nullptr;
@@ -96,16 +92,16 @@ std::vector<StepSpace> triangle_spaces(const Walkthrough& walk, const StageCamer
                         true});
     is_projected = is_projected || step.title.starts_with("Project along");
     if (!step.title.starts_with("Find the barycentric coordinates")) continue;
-    const auto axis_of = [is_projected](const NumbersByName& n) {
-      return is_projected ? largest_axis(n.vector("n")) : 2;
+    const auto normal_of = [is_projected](const NumbersByName& n) {
+      return is_projected ? n.vector("n") : glm::dvec3(0, 0, 1);
     };
     const auto scene = [=](const NumbersByName& n) {
-      const auto flat = [&](const char* name) { return dropped(n.input(name), axis_of(n)); };
+      const auto flat = [&](const char* name) { return dropped(normal_of(n), n.input(name)); };
       Items items = triangle_items(flat("a"), flat("b"), flat("c"));
       items.push_back(point(Role::nearest, flat("q"), "q"));
       return items;
     };
-    const Binding areas{"D", [=](const NumbersByName& n) { return weights(n, axis_of(n)); }};
+    const Binding areas{"D", [=](const NumbersByName& n) { return weights(n, normal_of(n)); }};
     spaces.push_back({step.title, "In the projection:", scene, flat_on(camera), {areas}, true});
   }
   return spaces;

@@ -6,6 +6,12 @@
 
 namespace rayproof::viz {
 
+/// From the plane of a drawing to the plane of the screen.
+[[nodiscard]] std::function<glm::dvec3(const glm::dvec3&)> flat_on(const StageCamera& camera);
+
+/// The point's projection along the largest axis of `n`, as the kernels have it.
+[[nodiscard]] glm::dvec3 dropped(const glm::dvec3& n, const glm::dvec3& p);
+
 /// The space that step `index` of the run computes in; null for the world.
 [[nodiscard]] const StepSpace* space_of(const Setting& setting, const Walkthrough& walk, std::size_t index);
 

@@ -39,7 +39,8 @@ StageStep first_step(const CaseReport& report, const Walkthrough* walk, const Se
   if (walk != nullptr) step.values = grouped(walk->inputs);
   step.caption = "What is given";
   step.caption += step.values.empty() ? "." : ": " + inputs_in_words(step.values, report.one.precision) + ".";
-  step.view = setting.wide;
+  step.view = setting.starts_far() ? setting.near : setting.wide;
+  if (setting.starts_far()) step.items.push_back(*setting.far_start);
   return step;
 }
 
@@ -98,17 +99,33 @@ void add_steps(Stage& stage, const CaseReport& report, const Walkthrough& walk, 
   }
 }
 
-/// Lets every near step see a little more where a step's items reach beyond the shape's own view: the same
-/// for all of them, so that nothing jumps.
+/// Finds the step that spoilt the answer, and shows the number on which it hangs once more at the end.
+void find_decisive_step(Stage& stage, const CaseReport& report) {
+  const bool is_right =
+      report.claim() == nullptr || (report.walk && report.walk->outcome == Faithfulness::faithful);
+  if (!is_right) stage.decisive_step = stage.steps.size() - 1;
+  if (!report.walk || !report.walk->decisive_loss) return;
+  const PrecisionLoss& loss = *report.walk->decisive_loss;
+  for (std::size_t i = 0; i < stage.steps.size(); ++i) {
+    const auto value = std::ranges::find(stage.steps[i].values, loss.name, &StageValue::name);
+    if (value == stage.steps[i].values.end()) continue;
+    if (!is_right) stage.decisive_step = i;
+    stage.steps.back().values.push_back(*value);
+    return;
+  }
+}
+
+}  // namespace
+
 void widen_views(Stage& stage, const Setting& setting) {
   constexpr double most = 2.4;  // more would make the shape a speck; such a step looks from wide off
   const auto needed = [&](const StageView& view, const StageStep& step) {
     return radius_for(view, step.items, stage.camera);
   };
   double radius = setting.near.radius;
-  for (StageStep& step : stage.steps) {
-    const double reach = step.is_apart ? 0 : needed(setting.near, step);
-    if (reach <= most * setting.near.radius) radius = std::max(radius, reach);
+  for (const StageStep& step : stage.steps) {
+    const double wanted = step.is_apart ? 0 : needed(setting.near, step);
+    if (wanted <= most * setting.near.radius) radius = std::max(radius, wanted);
   }
   for (StageStep& step : stage.steps) {
     if (step.is_apart) continue;
@@ -123,26 +140,13 @@ void widen_views(Stage& stage, const Setting& setting) {
   }
 }
 
-/// Shows the number on which the answer hangs once more at the end, where one operation spoilt it.
-void repeat_decisive_value(Stage& stage, const Walkthrough& walk) {
-  if (!walk.decisive_loss) return;
-  for (const StageStep& step : stage.steps) {
-    const auto value = std::ranges::find(step.values, walk.decisive_loss->name, &StageValue::name);
-    if (value == step.values.end()) continue;
-    stage.steps.back().values.push_back(*value);
-    return;
-  }
-}
-
-}  // namespace
-
 Stage stage_of(const CaseReport& report) {
   const Setting setting = setting_of(report);
   Stage stage = bare_stage(report, setting);
   stage.steps.push_back(first_step(report, report.walk ? &*report.walk : nullptr, setting));
   if (report.walk) add_steps(stage, report, *report.walk, setting, true);
   stage.steps.push_back(difference_step(report, setting));
-  if (report.walk) repeat_decisive_value(stage, *report.walk);
+  find_decisive_step(stage, report);
   widen_views(stage, setting);
   return stage;
 }

@@ -11,12 +11,15 @@
 #include "oracle/oracle.hpp"
 #include "subjects/subject.hpp"
 #include "unit/viz/markup.hpp"
+#include "unit/viz/stage_data.hpp"
 #include "viz/explain/case_report.hpp"
 #include "viz/flat/case_sheet.hpp"
 #include "viz/page/case_figure.hpp"
 #include "viz/page/page.hpp"
 #include "viz/picture/clip.hpp"
 #include "viz/shapes/topics.hpp"
+#include "viz/walkthrough/lesson.hpp"
+#include "viz/walkthrough/stage_of.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -131,6 +134,15 @@ TEST(Picture, MarkupInANoteIsText) {
       read_case(R"({"query":"quadratic","a":1,"b":-3,"c":2,"note":"<script>alert(1)</script>"})");
   const std::string page = case_page({one, oracle::answer(one), "", {}, {}}, "data:,");
   EXPECT_EQ(page.find("<script>alert"), std::string::npos);
+}
+
+TEST(Page, OfACaseOpensAtTheStepThatSpoiltTheAnswer) {
+  const Case one = read_case(lessons_of("far-sphere").front()->case_text);
+  const Stage stage = stage_of(report_lesson(one, "sphere/textbook"));
+  const std::string opens = "data-first=\"" + std::to_string(stage.decisive_step) + "\"";
+  EXPECT_GT(stage.decisive_step, 0U);
+  EXPECT_NE(case_page(report_lesson(one, "sphere/textbook")).find(opens), std::string::npos);
+  EXPECT_NE(stage_page(stage).find("data-first=\"0\""), std::string::npos);
 }
 
 TEST(CaseFigure, HasASceneInNumbersOfEveryCase) {

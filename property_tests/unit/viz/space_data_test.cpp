@@ -69,6 +69,30 @@ TEST(SpaceData, ALineOnASurfaceIsSolidInSpaceAndDashedInADrawing) {
   EXPECT_GT(space_of(stage, 0).bodies[0].pieces.size(), 5U);
 }
 
+TEST(SpaceData, MarksAreSeenAllOfOneSize) {
+  const Stage stage = stage_with({point(Role::exact, {0, 0, -2}), point(Role::exact, {0, 0, 1})});
+  const Space space = space_of(stage, 0);
+  const auto size = [&](const SpaceBody& mark) {
+    return mark.radius / glm::dot(space.camera.eye() - mark.points[0], space.camera.toward);
+  };
+  EXPECT_NEAR(size(space.bodies.at(0)), size(space.bodies.at(1)), 1e-12);
+}
+
+TEST(SpaceData, AnOpenPolygonHasNoLineAroundIt) {
+  const Stage stage = stage_with({open_polygon(Role::surface, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}),
+                                  viz::polygon(Role::surface, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})});
+  EXPECT_EQ(space_of(stage, 0).bodies.at(0).radius, 0);
+  EXPECT_GT(space_of(stage, 0).bodies.at(1).radius, 0);
+}
+
+TEST(SpaceData, ADrawingFillsAFrameThatIsWiderThanItsView) {
+  Stage stage = stage_with({segment(Role::edge, {-1.6, 0, 0}, {1.6, 0.5, 0})});
+  stage.camera.is_flat = true;
+  EXPECT_EQ(space_of(stage, 0).camera.half, view_margin);
+  EXPECT_NEAR(space_of(stage, 0, 2.0).camera.half, 0.8 * view_margin, 1e-12);
+  EXPECT_NEAR(space_of(stage, 0, 9.0).camera.half, 0.5 * view_margin, 1e-12);
+}
+
 /// Whether there is a null in it: JSON's word for what is no number.
 bool has_null(const Json& json) {
   if (json.is_null()) return true;

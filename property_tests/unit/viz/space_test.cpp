@@ -8,12 +8,14 @@
 #include <vtkRenderWindow.h>
 #include <vtkTriangleFilter.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
 
 #include "unit/viz/every_shape.hpp"
 #include "unit/viz/stage_data.hpp"
+#include "viz/scene/items.hpp"
 #include "viz/vtk/offscreen_display.hpp"
 #include "viz/vtk/slide_canvas.hpp"
 #include "viz/vtk/space/floor.hpp"
@@ -86,7 +88,7 @@ Point pinhole(const SpaceCamera& camera, const PixelBox& frame, const glm::dvec3
   const glm::dvec3 off = p - camera.eye();
   const double depth = -glm::dot(off, camera.toward);
   const double half =
-      camera.is_flat ? view_margin : depth * std::tan(view_angle / 2 * std::numbers::pi / 180);
+      camera.is_flat ? camera.half : depth * std::tan(view_angle / 2 * std::numbers::pi / 180);
   const double scale = frame.height / 2 / half;
   return {frame.centre().x + scale * glm::dot(off, right),
           frame.centre().y - scale * glm::dot(off, glm::cross(camera.toward, right))};
@@ -111,7 +113,10 @@ TEST(SpaceScene, SeesEveryPointWhereTheCamerasNumbersSay) {
         for (const ShownItem& shown : shown_in(stage, step)) {
           const SpacePoints points = placed_points(*shown.item, space.view);
           const std::vector<Point> seen = scene.seen(*shown.item, frame);
-          if (seen.size() != points.size()) continue;  // round, or behind the eye
+          const auto is_behind = [&](const glm::dvec3& p) {
+            return glm::dot(space.camera.eye() - p, space.camera.toward) < space.camera.nearest();
+          };
+          if (seen.empty() || std::any_of(points.begin(), points.end(), is_behind)) continue;
           for (std::size_t i = 0; i < points.size(); ++i, ++count) {
             const Point expected = pinhole(space.camera, frame, points[i]);
             const double tolerance = 0.01 + 1e-5 * std::hypot(expected.x, expected.y);
@@ -125,12 +130,25 @@ TEST(SpaceScene, SeesEveryPointWhereTheCamerasNumbersSay) {
   EXPECT_GT(count, 100);
 }
 
+TEST(SpaceScene, SeesOfALineThatPassesTheEyeThePartBeforeIt) {
+  const OffscreenDisplay display;
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  window->SetSize(800, 500);
+  vtkNew<vtkRenderer> renderer;
+  window->AddRenderer(renderer);
+  Stage stage;
+  stage.steps.emplace_back().items = {segment(Role::edge, {-0.5, 0, -3}, {0.5, 0, 30}, "label")};
+  const SpaceScene scene(*renderer, stage, 0);
+  EXPECT_EQ(scene.seen(stage.steps[0].items[0], {0, 0, 640, 400}).size(), 2U);
+}
+
 /// How many pixels of the slide's scene are of such a colour.
 template <class Test>
-int count(const Raster& slide, const Test& test) {
+int count(const Raster& slide, const Test& test, int right = 1020) {
   int count = 0;
   for (int y = 110; y < 700; ++y) {
-    for (int x = 50; x < 1020; ++x) count += test(slide.at(x, y)) ? 1 : 0;
+    for (int x = 50; x < right; ++x) count += test(slide.at(x, y)) ? 1 : 0;
   }
   return count;
 }
@@ -155,7 +173,7 @@ TEST(Slide, ShowsEveryShape) {
   SlideCanvas canvas;
   for (const std::string& type : ray_topics()) {
     const Stage stage = stage_of(report_lesson(with_shape(shapes_of(type).front()), ""));
-    EXPECT_GT(count(canvas.draw(stage, 0), is_bluish), 5000) << type;
+    EXPECT_GT(count(canvas.draw(stage, 0), is_bluish, 1550), 5000) << type;  // it has no numbers
   }
 }
 

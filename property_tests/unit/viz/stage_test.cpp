@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -71,11 +72,58 @@ TEST(Stage, EveryItemHasAsManyPointsAsItsFormTakesAllOfThemFinite) {
   }
 }
 
+/// Where the stage's curve crosses the axis.
+std::vector<double> zeros_of(const Stage& stage) {
+  std::vector<double> zeros;
+  for (const StageItem& item : stage.scene) {
+    if (item.form != Form::polyline) continue;
+    for (std::size_t i = 0; i + 1 < item.points.size(); ++i) {
+      const glm::dvec3 &a = item.points[i], &b = item.points[i + 1];
+      if (a.y * b.y <= 0 && a.y != b.y) zeros.push_back(a.x + (b.x - a.x) * a.y / (a.y - b.y));
+    }
+  }
+  return zeros;
+}
+
+TEST(Stage, TheRootsOfAQuadraticAreMarkedWhereItsCurveCrossesTheAxis) {
+  int count = 0;
+  for (const char* lesson : {"quadratic-two", "quadratic-linear", "quadratic-viete"}) {
+    const Stage stage = stage_of(*lessons_of(lesson).front(), report_lesson);
+    const std::vector<double> zeros = zeros_of(stage);
+    for (const StageStep& step : stage.steps) {
+      for (const StageItem& item : step.items) {
+        if (step.is_apart || item.form != Form::point || item.role != Role::claimed) continue;
+        const bool is_marked = std::any_of(zeros.begin(), zeros.end(), [&](double zero) {
+          return std::abs(zero - item.points[0].x) < 0.01;
+        });
+        EXPECT_TRUE(is_marked) << lesson << ": " << item.label;
+        ++count;
+      }
+    }
+  }
+  EXPECT_GE(count, 5);
+}
+
+TEST(Stage, ASphereThatIsFarFromTheRaysStartIsLargeInEveryStep) {
+  for (const char* lesson : {"far-sphere", "far-sphere-centred"}) {
+    const Stage stage = stage_of(*lessons_of(lesson).front(), report_lesson);
+    for (const StageStep& step : stage.steps) EXPECT_LT(step.view.radius, 3) << lesson << ": " << step.title;
+    EXPECT_EQ(stage.steps.front().items.back().label, "← o, 4500 off") << lesson;
+  }
+}
+
+TEST(Stage, TheDecisiveStepIsTheOneWithTheNumberThatWasSpoilt) {
+  const Stage far = stage_of(*lessons_of("far-sphere").front(), report_lesson);
+  EXPECT_EQ(far.steps.at(far.decisive_step).title, "Form the discriminant");
+  const Stage near = stage_of(*lessons_of("sphere").front(), report_lesson);
+  EXPECT_EQ(near.decisive_step, 0U);
+}
+
 TEST(Stage, TheTitlesOfAKernelsStepsAreTheCommentsInItsCode) {
   const Case one = read_case(lessons_of("sphere").front()->case_text);
   const Stage stage = stage_of(report_lesson(one, "sphere/centred"));
   ASSERT_EQ(stage.steps.size(), 7U);
-  EXPECT_EQ(stage.steps[2].title, "Find the ray point nearest the centre (1 of 2)");
+  EXPECT_EQ(stage.steps[2].title, "Find the ray point nearest the centre (1\u00a0of\u00a02)");
   EXPECT_EQ(stage.steps[4].title, "Compare its distance with the radius");
   EXPECT_NE(stage.steps[5].caption.find("t₁ = t_c + h = 2.8512821 + 0.90387434 = 3.7551565"),
             std::string::npos)
@@ -128,8 +176,9 @@ TEST(Stage, ShowsTheWholeOfEveryPointAndArrowOfAStep) {
   for (const Lesson& lesson : lessons()) {
     const Stage stage = stage_of(lesson, report_lesson);
     if (lesson.compose != nullptr) continue;
+    const bool starts_far = !stage.steps.front().items.empty();
     for (const StageStep& step : stage.steps) {
-      if (step.is_apart) continue;
+      if (step.is_apart || starts_far) continue;
       for (const StageItem& item : step.items) {
         if (item.form != Form::point && item.form != Form::arrow) continue;  // an interval may be infinite
         for (const glm::dvec3& p : item.points) {

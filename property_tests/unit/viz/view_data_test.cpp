@@ -29,14 +29,15 @@ StageCamera turned(const StageCamera& camera, double angle) {
 }
 
 /// Where an item is seen in the scene's frame.
-std::vector<Point> seen(const StageItem& item, const StageView& view, const StageCamera& camera) {
+std::vector<Point> seen(const StageItem& item, const StageStep& step, const StageCamera& camera) {
   std::vector<Point> points;
   if (item.form == Form::ellipsoid) return points;
-  const double scale = slide_scene.height / 2 / (1.1 * view.radius);
+  const PixelBox scene = slide_scene_of(step);
+  const double scale = scene.height / 2 / (1.1 * step.view.radius);
   for (const glm::dvec3& p : item.points) {
-    const glm::dvec3 off = p - view.centre;
-    points.push_back({slide_scene.centre().x + scale * glm::dot(off, camera.right),
-                      slide_scene.centre().y - scale * glm::dot(off, camera.up)});
+    const glm::dvec3 off = p - step.view.centre;
+    points.push_back({scene.centre().x + scale * glm::dot(off, camera.right),
+                      scene.centre().y - scale * glm::dot(off, camera.up)});
   }
   return points;
 }
@@ -54,7 +55,7 @@ std::vector<Text> texts_of(const Picture& picture) {
 }
 
 Picture frame_of(const Stage& stage, std::size_t step) {
-  Picture picture = slide_frame(stage, step, stage.title);
+  Picture picture = slide_frame(stage, step, stage.title, slide_scene_of(stage.steps[step]));
   draw_legend(picture, shown_in(stage, step));
   return picture;
 }
@@ -63,8 +64,8 @@ Picture frame_of(const Stage& stage, std::size_t step) {
 std::vector<Text> labels_of(const Stage& stage, std::size_t step, const StageCamera& camera) {
   Picture picture = frame_of(stage, step);
   const std::size_t others = texts_of(picture).size();
-  draw_labels(picture, slide_scene, shown_in(stage, step),
-              [&](const StageItem& item) { return seen(item, stage.steps[step].view, camera); });
+  draw_labels(picture, slide_scene_of(stage.steps[step]), shown_in(stage, step),
+              [&](const StageItem& item) { return seen(item, stage.steps[step], camera); });
   std::vector<Text> texts = texts_of(picture);
   texts.erase(texts.begin(), texts.begin() + static_cast<std::ptrdiff_t>(others));
   return texts;
@@ -86,6 +87,7 @@ TEST(ViewData, NoLabelCoversAnotherOrATextOrLeavesTheFrameFromThreeSides) {
     const Stage stage = stage_of(lesson, report_lesson);
     for (std::size_t step = 0; step < stage.steps.size(); ++step) {
       const std::vector<Text> others = texts_of(frame_of(stage, step));
+      const PixelBox scene = slide_scene_of(stage.steps[step]);
       for (const double angle : {0.0, 0.6, -0.9}) {
         const std::vector<Text> labels = labels_of(stage, step, turned(stage.camera, angle));
         SCOPED_TRACE(lesson.name + ": " + stage.steps[step].title + " from " + std::to_string(angle));
@@ -94,14 +96,24 @@ TEST(ViewData, NoLabelCoversAnotherOrATextOrLeavesTheFrameFromThreeSides) {
         for (const Text& label : labels) {
           const PixelBox box = box_of(label);
           EXPECT_GE(label.size * pixels_of_a_slide, 24 - 1e-9) << label.text;
-          EXPECT_TRUE(slide_scene.holds({box.left + 1, box.top + 1}) &&
-                      slide_scene.holds({box.right() - 1, box.bottom() - 1}))
+          EXPECT_TRUE(scene.holds({box.left + 1, box.top + 1}) &&
+                      scene.holds({box.right() - 1, box.bottom() - 1}))
               << label.text;
         }
       }
     }
   }
   EXPECT_GT(count, 2000U);
+}
+
+TEST(ViewData, WithoutNumbersTheSceneHasTheWholeWidth) {
+  for (const Lesson& lesson : lessons()) {
+    for (const StageStep& step : stage_of(lesson, report_lesson).steps) {
+      const double right = slide_scene_of(step).right();
+      EXPECT_EQ(right, step.values.empty() ? slide_width - slide_margin : slide_scene.right())
+          << lesson.name << ": " << step.title;
+    }
+  }
 }
 
 bool is_title(const Text& text) { return text.bold && text.at.y < slide_scene.top; }

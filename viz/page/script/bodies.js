@@ -81,7 +81,7 @@ function markMesh(body, sizes, material) {
   const shapes = {
     ring: () => new THREE.TorusBufferGeometry(sizes.ring, sizes.wire, 12, 40),
     diamond: () => new THREE.OctahedronBufferGeometry(sizes.diamond),
-    dot: () => new THREE.SphereBufferGeometry(1, 24, 16),
+    dot: () => new THREE.SphereBufferGeometry(sizes.dot, 24, 16),
     cross: () => null,
   };
   const corner = (x, y) => new THREE.Vector3(x * sizes.cross, y * sizes.cross, 0);

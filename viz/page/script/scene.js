@@ -134,7 +134,7 @@ class StageScene {
     const eye = camera.position, seen = p => this.seen(p), toward = step.flat ? new THREE.Vector3(0, 0, 1).transformDirection(camera.matrixWorld) : null;
     for (const mark of now.marks) {
       mark.quaternion.copy(camera.quaternion);
-      const [x, y] = seen(mark.position), r = mark.scale.x * 1.5 * this.pixelsPerLength(mark.position);
+      const [x, y] = seen(mark.position), r = mark.scale.x * 2.2 * this.pixelsPerLength(mark.position);
       places.taken.push([x - r, y - r, x + r, y + r]);
     }
     if (now.runner) {

@@ -29,7 +29,7 @@ class Walkthrough {
     document.documentElement.classList.add('live');
     if (hasWebGL()) this.scene = new StageScene(byId('scene')).load(dataOf('space'));
     this.listen();
-    this.show(location.hash.startsWith('#') ? Number(location.hash.slice(1)) - 1 || 0 : 0);
+    this.show(location.hash ? Number(location.hash.slice(1)) - 1 || 0 : Number(byId('walk').dataset.first));
     if (this.slider) {
       this.slider.value = 1000 * this.fraction();
       this.run(this.t);

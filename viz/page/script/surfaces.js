@@ -28,9 +28,10 @@ function ellipsoidOf([centre, ...tips]) {
   return {geometry: new THREE.SphereBufferGeometry(1, 64, 48).applyMatrix(matrix), rimFrom, most: 96, centre};
 }
 
-/** A filled ring of points in a plane; what is filled of one that crosses itself comes in strips of four corners. */
-function polygonOf(ring, strips) {
-  const pairs = pairsOf([...ring, ring[0]]), rest = {rimFrom: () => pairs, most: pairs.length, centre: ring[0]};
+/** A filled ring of points in a plane, an open one without a line around it; what is filled of one that crosses itself
+    comes in strips of four corners. */
+function polygonOf(ring, strips, isOpen) {
+  const pairs = isOpen ? [] : pairsOf([...ring, ring[0]]), rest = {rimFrom: () => pairs, most: pairs.length, centre: ring[0]};
   if (strips) {
     const corners = strips.flatMap(strip => { const [a, b, c, d] = vectorsOf(strip); return [a, b, c, a, c, d]; });
     const across = corners[1].clone().sub(corners[0]).cross(corners[2].clone().sub(corners[0])).normalize();
@@ -78,7 +79,7 @@ function solidOf(points, rings) {
 
 /** Back sides first, then front sides; the line around it is opaque. */
 function surfaceMeshes(body, paint, flat) {
-  const made = {ellipsoid: ellipsoidOf, polygon: polygonOf, solid: solidOf}[body.form](vectorsOf(body.points), body.faces ?? body.strips);
+  const made = {ellipsoid: ellipsoidOf, polygon: polygonOf, solid: solidOf}[body.form](vectorsOf(body.points), body.faces ?? body.strips, body.radius === 0);
   const film = {transparent: true, opacity: body.opacity, depthWrite: false, ...flat}, isRound = body.form === 'ellipsoid';
   const mesh = side => new THREE.Mesh(made.geometry, flat.depthTest === false ? paint.material('Basic', body.role, {...film, side})
     : paint.material(isRound ? 'Phong' : 'Lambert', body.role, {...film, side, ...(isRound ? {specular: 0} : {})}));

@@ -21,9 +21,9 @@ inline constexpr int fine_sides = 16, coarse_sides = 6;
                                      const std::optional<ArrowHead>& head, double radius,
                                      int sides = fine_sides);
 
-/// A point's mark; a ring and a cross face the eye, which lies in the direction `toward`.
+/// A point's mark, which faces the eye.
 [[nodiscard]] Geometry mark_geometry(MarkShape shape, const glm::dvec3& at, double radius,
-                                     const glm::dvec3& toward, int sides = fine_sides);
+                                     const SpaceCamera& camera, int sides = fine_sides);
 
 /// The surface with this outline: a filled polygon (one that crosses itself in strips), a convex solid of its
 /// corners and faces, an ellipsoid of a centre and the tips of three conjugate semi-axes.

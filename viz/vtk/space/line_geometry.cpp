@@ -16,10 +16,10 @@
 namespace rayproof::viz {
 namespace {
 
-/// With its z axis turned into the direction.
-vtkSmartPointer<vtkTransform> turned(const glm::dvec3& at, const glm::dvec3& z, double size) {
-  const glm::dvec3 aside = std::abs(z.x) < 0.8 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-  const glm::dvec3 x = glm::normalize(glm::cross(aside, z));
+/// With its z axis turned to the eye and its y axis upright.
+vtkSmartPointer<vtkTransform> turned(const glm::dvec3& at, const SpaceCamera& camera, double size) {
+  const glm::dvec3& z = camera.toward;
+  const glm::dvec3 x = glm::normalize(glm::cross(camera.up, z));
   const glm::dvec3 y = glm::cross(z, x);
   vtkNew<vtkMatrix4x4> matrix;
   for (int i = 0; i < 3; ++i) {
@@ -54,9 +54,9 @@ Geometry line_geometry(const std::vector<SpacePoints>& pieces, const std::option
   return both->GetOutput();
 }
 
-Geometry mark_geometry(MarkShape shape, const glm::dvec3& at, double radius, const glm::dvec3& toward,
+Geometry mark_geometry(MarkShape shape, const glm::dvec3& at, double radius, const SpaceCamera& camera,
                        int sides) {
-  const auto transform = turned(at, toward, radius);
+  const auto transform = turned(at, camera, radius);
   switch (shape) {
     case MarkShape::ring: {
       vtkNew<vtkParametricTorus> torus;
@@ -71,6 +71,7 @@ Geometry mark_geometry(MarkShape shape, const glm::dvec3& at, double radius, con
     case MarkShape::diamond: {
       vtkNew<vtkPlatonicSolidSource> source;
       source->SetSolidTypeToOctahedron();
+      transform->RotateZ(45);  // its corners up, down, left and right
       transform->Scale(mark_measures.diamond, mark_measures.diamond, mark_measures.diamond);
       return placed(*source, *transform);
     }
@@ -83,7 +84,7 @@ Geometry mark_geometry(MarkShape shape, const glm::dvec3& at, double radius, con
     }
     case MarkShape::dot: {
       vtkNew<vtkSphereSource> source;
-      source->SetRadius(1);
+      source->SetRadius(mark_measures.dot);
       source->SetThetaResolution(sides * 3 / 2);
       source->SetPhiResolution(sides * 3 / 2);
       return placed(*source, *transform);

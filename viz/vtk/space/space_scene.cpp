@@ -38,6 +38,28 @@ vtkSmartPointer<vtkActor> actor_of(const Geometry& geometry, Role role, bool is_
   return actor;
 }
 
+/// How many times wider than high the renderer's part of its window is.
+double aspect_of(vtkRenderer& renderer) {
+  const int* const size = renderer.GetRenderWindow()->GetSize();
+  const double* const port = renderer.GetViewport();
+  return (port[2] - port[0]) * size[0] / ((port[3] - port[1]) * size[1]);
+}
+
+/// The part of a line before the eye: what is behind it has no place in the picture.
+SpacePoints before_eye(const SpacePoints& line, const SpaceCamera& camera) {
+  if (camera.is_flat) return line;
+  const auto depth = [&](const glm::dvec3& p) {
+    return glm::dot(camera.eye() - p, camera.toward) - camera.nearest();
+  };
+  SpacePoints part;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const double here = depth(line[i]), last = i > 0 ? depth(line[i - 1]) : here;
+    if ((here < 0) != (last < 0)) part.push_back(glm::mix(line[i - 1], line[i], last / (last - here)));
+    if (here >= 0) part.push_back(line[i]);
+  }
+  return part;
+}
+
 }  // namespace
 
 void set_camera(vtkCamera& camera, const SpaceCamera& view) {
@@ -47,7 +69,7 @@ void set_camera(vtkCamera& camera, const SpaceCamera& view) {
   camera.SetViewUp(view.up.x, view.up.y, view.up.z);
   camera.SetViewAngle(view_angle);
   camera.SetParallelProjection(view.is_flat ? 1 : 0);
-  camera.SetParallelScale(view_margin);
+  camera.SetParallelScale(view.half);
   camera.SetClippingRange(view.nearest(), view.farthest());
 }
 
@@ -67,7 +89,7 @@ void set_fine(vtkRenderer& renderer, bool is_fine) {
 }
 
 SpaceScene::SpaceScene(vtkRenderer& renderer, const Stage& stage, std::size_t step, Look look, int sides)
-    : renderer_(renderer), space_(space_of(stage, step)), sides_(sides) {
+    : renderer_(renderer), space_(space_of(stage, step, aspect_of(renderer))), sides_(sides) {
   renderer_.RemoveAllViewProps();
   place_camera(look);
   for (const SpaceBody& body : space_.bodies) {
@@ -107,7 +129,7 @@ void SpaceScene::add_mark(const SpaceBody& body) {
   const double height = space_.camera.is_flat ? 0.1 + 0.01 * static_cast<double>(parts_.size()) : 0;
   const glm::dvec3 place = body.points.at(0) + height * space_.camera.toward;
   const Geometry mark =
-      mark_geometry(mark_of(body.shown.item->role), place, body.radius, space_.camera.toward, sides_);
+      mark_geometry(mark_of(body.shown.item->role), place, body.radius, space_.camera, sides_);
   parts_.push_back({SpacePart::Kind::mark, shown_role(body.shown), mark});
 }
 
@@ -119,6 +141,7 @@ void SpaceScene::add_surface(const SpaceBody& body) {
   const bool is_polygon = form == Form::polygon;
   parts_.push_back({is_polygon ? SpacePart::Kind::polygon : SpacePart::Kind::closed, shown_role(body.shown),
                     surface, body.opacity, body.shown.emphasis == Emphasis::dimmed ? 0 : 0.25});
+  if (body.radius == 0) return;
   const Geometry outline = is_polygon ? ring_of(body.points, body.radius, sides_)
                                       : silhouette_of(surface, space_.camera.eye(), body.radius, sides_);
   parts_.push_back({SpacePart::Kind::line, shown_role(body.shown), outline});
@@ -149,12 +172,12 @@ std::vector<SpaceScene::SpacePart> SpaceScene::merged(const std::vector<SpacePar
 void SpaceScene::add_actor(const SpacePart& part) {
   const auto actor = actor_of(part.geometry, part.role, is_fine());
   renderer_.AddActor(actor);
+  if (space_.camera.is_flat) actor->GetProperty()->LightingOff();
   if (part.kind == SpacePart::Kind::line || part.kind == SpacePart::Kind::mark) return;
   vtkProperty& property = *actor->GetProperty();
   property.SetOpacity(part.opacity);
   property.SetSpecular(part.specular);
   property.SetSpecularPower(30);
-  if (space_.camera.is_flat) property.LightingOff();
   films_.emplace_back(actor);
   if (part.kind == SpacePart::Kind::closed) closed_.emplace_back(actor);
 }
@@ -186,11 +209,7 @@ void SpaceScene::add_floor() {
 std::vector<Point> SpaceScene::seen(const StageItem& item, const PixelBox& frame) const {
   std::vector<Point> pixels;
   if (item.form == Form::ellipsoid) return pixels;
-  for (const glm::dvec3& p : placed_points(item, space_.view)) {
-    // What is behind the eye has no place in the picture.
-    if (!space_.camera.is_flat &&
-        glm::dot(space_.camera.eye() - p, space_.camera.toward) < space_.camera.nearest())
-      continue;
+  for (const glm::dvec3& p : before_eye(placed_points(item, space_.view), space_.camera)) {
     renderer_.SetWorldPoint(p.x, p.y, p.z, 1);
     renderer_.WorldToView();
     double at[3];

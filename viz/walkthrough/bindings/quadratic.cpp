@@ -14,7 +14,9 @@ ParabolaFrame frame_of(const NumbersByName& n) {
   const auto [a, b, c] = equation_of(n);
   std::vector<double> roots;
   const double D = b * b - 4 * a * c;
-  if (D >= 0 && a != 0) {
+  if (a == 0) {
+    roots = {-c / b};
+  } else if (D >= 0) {
     const double q = -0.5 * (b + std::copysign(std::sqrt(D), b));
     roots = {q / a};
     if (q != 0) roots.push_back(c / q);

@@ -20,7 +20,7 @@ Items slabs(const NumbersByName& n) {
     if (d[axis] == 0) continue;
     const double first = below[axis] / d[axis];
     const double second = above[axis] / d[axis];
-    const glm::dvec3 off = (axis + 1.0) * aside;
+    const glm::dvec3 off = static_cast<double>(items.size() + 1) * aside;
     items.push_back(segment(Role::edge, n.at(std::min(first, second)) + off,
                             n.at(std::max(first, second)) + off,
                             std::string(names.at(static_cast<std::size_t>(axis))) + " slab"));
@@ -112,6 +112,10 @@ std::vector<Binding> cylinder_bindings() {
       answer("s₀"),
       answer("s₁"),
       {"Keep the roots between both ends", between_both_ends},
+      {"Keep what lies on the segment, as printed",
+       [](const NumbersByName& n) {
+         return Items{segment(Role::nearest, n.at(0), n.at(1), "t from 0 to 1")};
+       }},
       answer("t_entry"),
       answer("t_exit"),
   };

@@ -57,7 +57,7 @@ Items both_parameters(const NumbersByName& n) {
 Items other_half(const NumbersByName& n) {
   const Corners tri = corners_of(n);
   const glm::dvec3 far = tri.b + tri.c - tri.a;
-  return {polyline(Role::frame, {tri.b, far, tri.c}, "sum > 1", Pattern::dashed)};
+  return {polyline(Role::edge, {tri.b, far, tri.c}, "sum > 1", Pattern::dashed)};
 }
 
 Items height_above_triangle(const NumbersByName& n) {
@@ -123,6 +123,8 @@ std::vector<Binding> triangle_bindings() {
       {"Ask whether α and β lie in [0, 1], as printed", other_half},
       {"n·(p - o)", height_above_triangle},
       {"Project along the normal's largest axis", projection},
+      {"Call z the axis along which the ray is longest",
+       [](const NumbersByName& n) { return Items{arrow(Role::edge, n.at(0), n.at(1), "d")}; }},
       side("U", 1, 2),
       side("V", 2, 0),
       side("W", 0, 1),

@@ -8,6 +8,7 @@
 #include "viz/walkthrough/bindings.hpp"
 #include "viz/walkthrough/compose.hpp"
 #include "viz/walkthrough/lessons.hpp"
+#include "viz/walkthrough/spaces.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -52,11 +53,6 @@ void meet_polygon(const RayQuestion& question) {
   cross_projected(LargestAxisLast<R>(n), q, vertices);
 }
 
-glm::dvec3 dropped(const glm::dvec3& n, const glm::dvec3& p) {
-  const Vec2<double> flat = LargestAxisLast<double>(n).dropped(p);
-  return {flat.x, flat.y, 0};
-}
-
 /// The projection, seen straight on.
 Items projected_scene(const NumbersByName& n, std::size_t count) {
   const auto at = [&](const std::string& name) { return dropped(n.vector("n"), n.vector(name)); };
@@ -96,16 +92,16 @@ Stage polygon_stage(const Case& one, const ReportCase& report_on) {
       {"n·(p - o)", [=](const NumbersByName& n) { return way_to_plane(n, n.vector("n"), first); }},
       answer("t"),
       marked("q", Role::nearest)};
-  const StageCamera camera = setting.camera;
   setting.spaces = {{"Project along",
                      "In the projection:",
                      [=](const NumbersByName& n) { return projected_scene(n, count); },
-                     [=](const glm::dvec3& p) { return p.x * camera.right + p.y * camera.up; },
+                     flat_on(setting.camera),
                      {},
                      true}};
   Stage stage = composed_stage(report, walk, setting);
   stage.steps.push_back(difference_step(report, setting));
   stage.steps.back().begins_anew = true;
+  stage.steps.back().digits.clear();  // the caption has it; it is not the method that was recorded
   stage.method = "polygon/parity";
   stage.source = "E. Haines, Point in Polygon Strategies, Graphics Gems IV, 1994";
   return stage;

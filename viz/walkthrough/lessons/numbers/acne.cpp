@@ -62,11 +62,12 @@ StageStep start_step(const spawn::SurfacePoint<float>& from, const glm::vec3& di
   step.magnification = 1 / size;
   step.view = {0.3 * camera.up, 1.5};
   const double rise = std::clamp(start.climb, 0.2, 0.8) * size;
-  step.items = {segment(Role::surface, at(-2, 0), at(2, 0)),
-                point(Role::text, at(1.6, -0.15 * size), "the sphere"),
-                point(Role::nearest, at(-1, hit), "p"),
-                point(is_acne ? Role::claimed : Role::exact, at(-0.6, start.height), "o′"),
-                arrow(Role::ray, at(-0.6, start.height), at(0.3, start.height + 0.9 * rise), "the next ray")};
+  step.items = ground_of(camera);
+  for (const StageItem& item :
+       Items{point(Role::text, at(1.6, -0.15 * size), "the sphere"), point(Role::nearest, at(-1, hit), "p"),
+             point(is_acne ? Role::claimed : Role::exact, at(-0.6, start.height), "o′"),
+             arrow(Role::ray, at(-0.6, start.height), at(0.3, start.height + 0.9 * rise), "the next ray")})
+    step.items.push_back(item);
   if (is_acne)
     step.items.push_back(point(Role::claimed, at(-0.6 - start.height / rise, 0), "its own surface again"));
   return step;

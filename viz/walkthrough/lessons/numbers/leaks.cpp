@@ -88,12 +88,11 @@ StageStep edge_step(const std::array<Judge, 2>& sides, const Setting& setting) {
   step.is_apart = true;
   step.magnification = 2 / farthest;
   step.view = {{0, 0, 0}, 1.9};
-  step.items = {
-      polygon(Role::surface, {corner(-2.6, -1.6), corner(0, -1.6), corner(0, 1.6), corner(-2.6, 1.6)}),
-      polygon(Role::surface, {corner(2.6, -1.6), corner(0, -1.6), corner(0, 1.6), corner(2.6, 1.6)}),
-      segment(Role::surface, corner(0, -1.7), corner(0, 1.7), "the shared edge"),
-      point(Role::text, corner(-1.6, -1.3), "the first triangle"),
-      point(Role::text, corner(1.6, -1.3), "the second triangle")};
+  step.items = {open_polygon(Role::surface, {corner(-9, -5), corner(0, -5), corner(0, 5), corner(-9, 5)}),
+                open_polygon(Role::surface, {corner(9, -5), corner(0, -5), corner(0, 5), corner(9, 5)}),
+                segment(Role::surface, corner(0, -5), corner(0, 5), "the shared edge"),
+                point(Role::text, corner(-1.6, -1.3), "the first triangle"),
+                point(Role::text, corner(1.6, -1.3), "the second triangle")};
   for (std::size_t i = 0; i < sides.size(); ++i) {
     const WalkValue& v = sides.at(i).v();
     const double up = i == 0 ? 0.8 : -0.4;

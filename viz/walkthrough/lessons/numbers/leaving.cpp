@@ -66,10 +66,13 @@ StageStep heights_step(const NumbersByName& n, const Sphere<double>& sphere, con
   const auto at = [&](double sideways, double height) {
     return sideways * setting.camera.right + step.magnification * height * setting.camera.up;
   };
-  step.items = {segment(Role::surface, at(-1.3, 0), at(1.3, 0)),
-                point(Role::text, at(0.8, -0.15 / step.magnification), "the sphere"),
-                point(Role::claimed, at(-0.7, hit), "p"), point(Role::nearest, at(0, moved), "q"),
-                arrow(Role::normal, at(0.7, moved), at(0.7, origin), "o′")};
+  step.items = ground_of(setting.camera);
+  for (const StageItem& item :
+       Items{point(Role::text, at(0.8, -0.15 / step.magnification), "the sphere"),
+             point(Role::claimed, at(-0.7, hit), "p"), point(Role::nearest, at(0, moved), "q"),
+             arrow(Role::normal, at(0.7, moved), at(0.7, origin), "along n"),
+             point(Role::exact, at(0.7, origin), "o′")})
+    step.items.push_back(item);
   step.view = {{}, 1.3};
   return step;
 }
