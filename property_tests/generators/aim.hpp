@@ -3,6 +3,8 @@
 /// Rays aimed at a point: in rounded numbers, which pass it by an ulp, and in whole ones, which pass through
 /// it exactly.
 
+#include <glm/geometric.hpp>
+
 #include "generators/scene.hpp"
 
 namespace rayproof {
@@ -96,6 +98,14 @@ using Sheet = ParametricPlane;
 /// The same along a whole vector.
 [[nodiscard]] inline Scene looked_at_exactly(Random& random, const Shape& shape, const glm::dvec3& target) {
   return looked_at_exactly(random, shape, target, whole_vector(random, 4));
+}
+
+/// Half the time moved aside by a small step: a tolerance shows beside what the ray was aimed at.
+[[nodiscard]] inline Scene maybe_aside(Random& random, Precision precision, Scene scene) {
+  if (random.one_in(2)) return scene;
+  const glm::dvec3 aside = draw::perpendicular(random, glm::normalize(scene.direction));
+  scene.origin += draw::small_step(random, precision) * aside;
+  return scene;
 }
 
 /// A fifth of the rays turned round, and a quarter made whole lines.

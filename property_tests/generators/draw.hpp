@@ -90,6 +90,12 @@ template <class T>
   });
 }
 
+/// A small length in a room of a few units: any power of two as likely as every other, down to the last
+/// digits.
+[[nodiscard]] inline double small_step(Random& random, Precision precision) {
+  return std::exp2(random.uniform(2 - digits_of(precision), 0));
+}
+
 /// Three numbers from one draw.
 [[nodiscard]] auto vector(auto&& draw) { return glm::vec<3, decltype(draw())>{draw(), draw(), draw()}; }
 

@@ -81,11 +81,15 @@ inline constexpr Layout whole{
     }};
 
 inline constexpr Layout near_boundary{
-    "near_boundary", "the point is an ulp or so from a side or a vertex", false,
-    [](Random& random) -> PolygonCase {
+    "near_boundary", "the point is an ulp or so from a side or a vertex, or any small step from a side",
+    false, [](Random& random) -> PolygonCase {
       const int count = vertex_count(random);
       const Outline vertices = star(random, count, random.one_in(3) ? 2 : 1);
-      return {on_a_side(random, vertices, random.one_in(4) ? 0 : random.unit()), vertices};
+      if (random.one_in(4)) return {on_a_side(random, vertices, 0), vertices};
+      Vec2<double> point = on_a_side(random, vertices, random.unit());
+      // Down to a double's last digits, which a float rounds away.
+      if (random.one_in(2)) point.x += draw::magnitude<double>(random, -50, 0);
+      return {point, vertices};
     }};
 
 inline constexpr Layout self_crossing{

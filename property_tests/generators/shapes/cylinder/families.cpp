@@ -15,8 +15,10 @@ std::vector<Family> cylinder_families() {
       laid_out<grazing>("grazing",
                         "the line passes the side at (1 ± a few ulps … 1e-3) of the radii, or touches",
                         {in_reach, {"hit", 0.54}, {"miss", 0.3}, {"tangent", 0.11}, {"rim", 0.11}}),
-      laid_out<rims>("rims", "the line passes through a rim: exactly, in whole numbers, or an ulp beside",
-                     {in_reach, {"hit", 0.68}, {"miss", 0.15}, {"rim", 0.36}, {"in surface", 0.02}}),
+      laid_out<rims>(
+          "rims",
+          "the line passes through a rim: exactly, in whole numbers, or an ulp or any small step beside",
+          {in_reach, {"hit", 0.68}, {"miss", 0.15}, {"rim", 0.36}, {"in surface", 0.02}}),
       laid_out<caps>("caps", "the line passes through an end disk, near its rim half the time",
                      {in_reach, {"hit", 0.61}, {"miss", 0.23}}),
       laid_out<axis_parallel>("axis_parallel",

@@ -51,8 +51,13 @@ namespace rayproof::cylinder_family {
                  : looked_at(random, tube, at(tube, any_turn(random), 1, z));
 }
 
-[[nodiscard]] inline Scene rims(Random& random) {
-  return at_the_side(random, [&](const Tube& tube, bool /*exactly*/) { return some_end(random, tube); });
+[[nodiscard]] inline Scene rims(Random& random, Precision precision) {
+  return at_the_side(random, [&](const Tube& tube, bool exactly) {
+    const double end = some_end(random, tube);
+    if (exactly || random.one_in(2)) return end;
+    const double step = draw::small_step(random, precision);
+    return random.one_in(2) ? end + step : end - step;
+  });
 }
 
 /// For the interval: aimed at the side.

@@ -29,9 +29,10 @@ struct SolidLayouts {
                              at(frame, exact_place(random, random.between(2, 3))));
   }
 
-  static Scene near_edges(Random& random) {
+  static Scene near_edges(Random& random, Precision precision) {
     const Frame frame = Kind::in_a_room(random);
-    return looked_at(random, Kind::shape(frame), at(frame, place(random, random.one_in(4) ? 3 : 2)));
+    const glm::dvec3 target = at(frame, place(random, random.one_in(4) ? 3 : 2));
+    return maybe_aside(random, precision, looked_at(random, Kind::shape(frame), target));
   }
 
   /// For the interval: aimed at a face.
@@ -108,7 +109,8 @@ std::vector<Family> solid_families(const std::vector<MinimumShare>& flat_shares)
       laid_out<Layout::edges>("edges",
                               "in whole numbers: the line passes exactly through an edge or a corner",
                               {in_reach, {"hit", 0.95}, {"tangent", 0.32}, {"sharp", 0.74}}),
-      laid_out<Layout::near_edges>("near_edges", "the line passes an ulp or so from an edge or a corner",
+      laid_out<Layout::near_edges>("near_edges",
+                                   "the line passes an ulp or so from an edge or a corner, or any small step",
                                    {in_reach, {"hit", 0.57}, {"miss", 0.24}}),
       laid_out<Layout::in_faces>(
           "in_faces", "in whole numbers: the ray runs in the plane of a face or along an edge",

@@ -65,9 +65,9 @@ namespace rayproof::triangle_family {
   return looked_at_exactly(random, triangle, exactly_on_the_rim(random, triangle));
 }
 
-[[nodiscard]] inline Scene near_edges(Random& random) {
+[[nodiscard]] inline Scene near_edges(Random& random, Precision precision) {
   const Triangle<double> triangle = in_a_room(random);
-  return looked_at(random, triangle, on_the_rim(random, triangle));
+  return maybe_aside(random, precision, looked_at(random, triangle, on_the_rim(random, triangle)));
 }
 
 /// Aimed at a point within the triangle, nearer to one vertex than to the others.
