@@ -27,6 +27,7 @@ struct Finding {
   const Hypothesis* cause =
       nullptr;  ///< what explains or cures it, once it is diagnosed; null where nothing does
   std::optional<FindingKind> kind_of_fault{};  ///< as the diagnosis has it
+  bool is_beyond_rounding = false;             ///< most cases of the fault are wronger than by lost digits
   std::string diagnosis{};                     ///< the same as a sentence; empty before it is diagnosed
   std::uint64_t cases = 0;                     ///< about how many of the run's cases this fault broke
   std::optional<Case> striking{};              ///< the case that it breaks worst, where that is another

@@ -82,7 +82,9 @@ Diagnosis CauseSearch::next(const Indices& left) const {
     if (Indices cases = screened(*one, left); may_show(*one) && is_most(*one, cases, left))
       return {.cause = one, .cases = std::move(cases)};
   Diagnosis best = best_model(left);
-  if (is_share(best.cases, left, most_for_a_model)) return best;
+  // That misses are foreseen says no more than a cure does.
+  const bool is_of_misses = examination_.finds_nothing(best.cases);
+  if (is_share(best.cases, left, is_of_misses ? most_for_a_cure : most_for_a_model)) return best;
   if (!is_part(best.cases, left)) best = {};
   const bool is_isolated = is_share(explained_by("isolated", left), left, 50);
   for (const Hypothesis& one : hypotheses()) {

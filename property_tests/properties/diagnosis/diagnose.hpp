@@ -15,6 +15,7 @@ struct Diagnosis {
   const Hypothesis* cause = nullptr;  ///< null where nothing tried explains or cures it
   FindingKind kind = FindingKind::gross;
   std::string sentence{};            ///< what is wrong, in words
+  bool is_beyond_rounding = false;   ///< most of the cases are wronger than lost digits can make them
   std::vector<std::size_t> cases{};  ///< of the failing cases, by index, ascending
 };
 

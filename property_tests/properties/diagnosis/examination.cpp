@@ -12,12 +12,14 @@
 namespace rayproof::diagnosis {
 namespace {
 
-/// A prediction as a subject gives it that reports the nearest hit alone.
+/// An answer as a subject gives it that reports the nearest hit alone, or only whether there is one.
 Answer as_reported(const Answer& predicted, const Answer& got) {
   Answer reported = predicted;
   const auto* mine = std::get_if<RayAnswer>(&got);
-  if (auto* ray = std::get_if<RayAnswer>(&reported); ray != nullptr && mine != nullptr && mine->nearest_only)
-    ray->hits.count = std::min<std::size_t>(ray->hits.count, 1);
+  auto* ray = std::get_if<RayAnswer>(&reported);
+  if (ray == nullptr || mine == nullptr) return reported;
+  ray->verdict_only = mine->verdict_only;
+  if (mine->nearest_only) ray->hits.count = std::min<std::size_t>(ray->hits.count, 1);
   return reported;
 }
 
@@ -175,13 +177,28 @@ std::size_t Examination::contradictions(const Hypothesis& hypothesis,
   std::set<Form> forms;
   for (const std::size_t i : explained) forms.insert(form_of(failing_.at(i).asked.one));
   // Misses alone are foreseen by many a model: then nothing is excused.
-  const bool finds_some = std::ranges::any_of(
+  const auto finds = std::ranges::count_if(
       explained, [&](std::size_t i) { return finds_something(failing_.at(i).got.value_or(Answer{})); });
-  return static_cast<std::size_t>(std::ranges::count_if(passing_, [&](const Known& known) {
-    return known.got && (hypothesis.speaks_of_all || forms.contains(form_of(known.asked.one))) &&
-           agree(known.asked.one, *known.got, known.asked.exact, hypothesis.aspect) &&
-           fits(hypothesis, known) == false && !(finds_some && is_excused(hypothesis, known));
-  }));
+  const bool finds_some = finds > 0;
+  std::size_t found = 0, against_found = 0, against = 0;
+  for (const Known& known : passing_) {
+    if (!known.got || !(hypothesis.speaks_of_all || forms.contains(form_of(known.asked.one)))) continue;
+    const bool is_found = finds_something(*known.got);
+    found += is_found ? 1 : 0;
+    if (!agree(known.asked.one, *known.got, known.asked.exact, hypothesis.aspect) ||
+        fits(hypothesis, known) != false || (finds_some && is_excused(hypothesis, known)))
+      continue;
+    ++against;
+    against_found += is_found ? 1 : 0;
+  }
+  // Nor must it foresee misses of a good part of what is found.
+  const bool misses_mostly = 4 * finds < static_cast<std::ptrdiff_t>(explained.size());
+  return misses_mostly && against_found > 1 && 3 * against_found > found ? failing_.size() : against;
+}
+
+bool Examination::finds_nothing(std::span<const std::size_t> cases) const {
+  return std::ranges::none_of(
+      cases, [&](std::size_t i) { return finds_something(failing_.at(i).got.value_or(Answer{})); });
 }
 
 bool Examination::is_beyond_rounding(std::size_t i) const {

@@ -37,19 +37,18 @@ void describe_unknown(Diagnosis& group, const Examination& examination) {
 }
 
 void describe(Diagnosis& group, const Examination& examination) {
+  const auto beyond =
+      std::ranges::count_if(group.cases, [&](std::size_t i) { return examination.is_beyond_rounding(i); });
+  group.is_beyond_rounding = 2 * beyond > static_cast<std::ptrdiff_t>(group.cases.size());
   if (group.cause == nullptr) return describe_unknown(group, examination);
   group.kind = group.cause->kind;
   const bool has_own_words = examination.is_equation() && !group.cause->of_equation.empty();
   group.sentence = has_own_words ? group.cause->of_equation : group.cause->sentence;
   if (group.cause->change == nullptr || group.kind == FindingKind::gross) return;
-  if (!group.cause->beyond_rounding.empty()) {
-    const auto beyond =
-        std::ranges::count_if(group.cases, [&](std::size_t i) { return examination.is_beyond_rounding(i); });
-    if (2 * beyond > static_cast<std::ptrdiff_t>(group.cases.size())) {
-      group.kind = FindingKind::gross;
-      group.sentence = group.cause->beyond_rounding;
-      return;
-    }
+  if (group.is_beyond_rounding && !group.cause->beyond_rounding.empty()) {
+    group.kind = FindingKind::gross;
+    group.sentence = group.cause->beyond_rounding;
+    return;
   }
   const auto on_boundary =
       std::ranges::count_if(group.cases, [&](std::size_t i) { return examination.is_boundary_case(i); });

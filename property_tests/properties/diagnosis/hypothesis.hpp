@@ -22,6 +22,16 @@ enum class Keeps {
   verdict    ///< hit stays hit, miss stays miss
 };
 
+/// What a fault has to do with the sizes of numbers: of two findings one may be a part of the other.
+enum class OfSizes {
+  nothing,
+  zero,     ///< a hit is missed where a number is exactly 0
+  small,    ///< what is small is taken for 0; then 0 is, too
+  limit,    ///< right up to some size
+  type,     ///< a type of fewer digits, which has a smaller range, too
+  extremes  ///< right at ordinary sizes: no more is known
+};
+
 /// The answers that a subject with this fault may give to the case; none where the fault does not show.
 using Predict = std::vector<Answer> (*)(const Case& one, const Answer& exact);
 /// Whether an answer bears the fault's mark; nothing where the fault does not show in this case.
@@ -50,10 +60,22 @@ struct Hypothesis {
   /// A cure that must help, too, in most of what a model explains; empty where none need be.
   std::string_view confirmed_by{};
   std::string_view of_equation{};  ///< the sentence where the cases are quadratic equations, if it is another
+  OfSizes of_sizes = OfSizes::nothing;
+  /// Of a cure: it only says where to look, and helps against many a fault that a model may name.
+  bool is_vague = false;
   /// Of a cure of digits: the sentence where most cases are wronger than rounding can make them. Where there
   /// is none the cure explains no such case.
   std::string_view beyond_rounding{};
 };
+
+/// Whether the first says no more than a part of what the second says.
+[[nodiscard]] constexpr bool is_part_of(const Hypothesis& part, const Hypothesis& whole) {
+  const OfSizes own = part.of_sizes, other = whole.of_sizes;
+  if (own == OfSizes::zero) return other == OfSizes::small;
+  if (own == OfSizes::extremes)
+    return other == OfSizes::small || other == OfSizes::limit || other == OfSizes::type;
+  return (own == OfSizes::small || own == OfSizes::limit) && other == OfSizes::type;
+}
 
 /// Every hypothesis, the most specific first: of two that explain as much, the first is taken.
 [[nodiscard]] const std::vector<Hypothesis>& hypotheses();

@@ -95,6 +95,7 @@ const Diagnosis& Consultation::own_group(const std::vector<Diagnosis>& groups) c
 void Consultation::describe(Finding& finding, const Diagnosis& group) const {
   finding.cause = group.cause;
   finding.kind_of_fault = group.cause == nullptr ? std::nullopt : std::optional(group.kind);
+  finding.is_beyond_rounding = group.is_beyond_rounding;
   finding.diagnosis = group.sentence;
   const double share =
       static_cast<double>(group.cases.size()) / static_cast<double>(complaint_.failing.size());

@@ -24,6 +24,7 @@ bool is_vague(const Finding& finding) {
 void adopt(Finding& finding, const Finding& from) {
   finding.cause = from.cause;
   finding.kind_of_fault = from.kind_of_fault;
+  finding.is_beyond_rounding = from.is_beyond_rounding;
   finding.diagnosis = from.diagnosis;
 }
 

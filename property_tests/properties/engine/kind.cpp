@@ -65,15 +65,24 @@ FindingKind kind_of(const Finding& finding) {
   const FindingKind by_case = kind_of_case(finding);
   if (!finding.kind_of_fault || by_case == FindingKind::protocol) return by_case;
   if (finding.kind_of_fault != FindingKind::gross) return *finding.kind_of_fault;
-  // A cure may help where digits are lost, too; a model foresees no rounding.
+  // A cure may help where digits are lost, too; a model foresees no rounding. The simplest case may lie near
+  // a boundary though most do not.
   const bool is_model = finding.cause != nullptr && finding.cause->change == nullptr;
   const bool may_be_gross = finding.property->claim != Claim::exact && by_case != FindingKind::range;
-  return is_model && may_be_gross ? FindingKind::gross : by_case;
+  return (is_model || finding.is_beyond_rounding) && may_be_gross ? FindingKind::gross : by_case;
 }
 
 bool is_named_boundary(const Finding& finding) {
   const Hypothesis* cause = finding.cause;
   return cause != nullptr && cause->change == nullptr && cause->kind == FindingKind::boundary;
+}
+
+bool is_part_of(const Finding& finding, const Finding& other) {
+  if (finding.cause == nullptr || other.cause == nullptr) return false;
+  const bool is_known_at_extremes_alone = finding.cause->of_sizes == OfSizes::extremes;
+  if (finding.cases > other.cases && !is_known_at_extremes_alone) return false;
+  const bool is_model = other.cause->change == nullptr && other.cause->kind == FindingKind::gross;
+  return (finding.cause->is_vague && is_model) || is_part_of(*finding.cause, *other.cause);
 }
 
 bool is_avoided(const Finding& finding) {

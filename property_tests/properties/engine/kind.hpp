@@ -14,6 +14,9 @@ namespace rayproof {
 /// Whether a model names what is wrong on a boundary.
 [[nodiscard]] bool is_named_boundary(const Finding& finding);
 
+/// Whether its cause says no more than a part of what the other's says.
+[[nodiscard]] bool is_part_of(const Finding& finding, const Finding& other);
+
 /// Whether the cause says no more than that a small change avoids what is wrong.
 [[nodiscard]] bool is_avoided(const Finding& finding);
 

@@ -83,6 +83,13 @@ bool is_fringe_of_more(const Finding& finding, const std::vector<Finding>& all, 
          });
 }
 
+/// Whether another finding of the subject says more of the same: what takes small numbers for 0 misses what
+/// is 0, too.
+bool is_part_of_other(const Finding& finding, const std::vector<Finding>& all, const CauseSays& says) {
+  return std::ranges::any_of(
+      all, [&](const Finding& one) { return one.subject == finding.subject && says.is_part(finding, one); });
+}
+
 /// Whether it says no more than that digits are lost, of a subject of which more is known.
 bool is_lost_in_more(const Finding& finding, const std::vector<Finding>& all) {
   return finding.property->name == "digits" && std::ranges::any_of(all, [&](const Finding& one) {
@@ -137,7 +144,8 @@ void put_together(std::vector<Finding>& findings, KindOf gravity, const CauseSay
   std::erase_if(kept, [&](const Finding& one) {
     return is_of_guest(one) &&
            (is_overshadowed(one, all, gravity) || is_boundary_of_more(one, all, gravity, says) ||
-            is_fringe_of_more(one, all, gravity, says) || is_lost_in_more(one, all));
+            is_fringe_of_more(one, all, gravity, says) || is_part_of_other(one, all, says) ||
+            is_lost_in_more(one, all));
   });
   findings = std::move(kept);
 }

@@ -18,6 +18,7 @@ using KindOf = FindingKind (*)(const Finding&);
 struct CauseSays {
   bool (*is_named)(const Finding&) = nullptr;    ///< a model names what is wrong on a boundary
   bool (*is_avoided)(const Finding&) = nullptr;  ///< no more than that a small change avoids it
+  bool (*is_part)(const Finding&, const Finding& of) = nullptr;  ///< of what the other's cause says
 };
 
 /// Makes one of the findings of a program that have one cause: the simplest case of the gravest kind, with

@@ -27,6 +27,7 @@ struct Share {
     count += is_so ? 1 : 0;
   }
   [[nodiscard]] bool is_never() const { return of >= enough && count == 0; }
+  [[nodiscard]] bool is_always() const { return of >= enough && count == of; }
   /// Two times in three, and oftener than a coin would be so in any run.
   [[nodiscard]] bool is_mostly() const {
     return of >= enough && 3 * count >= 2 * of && count >= 0.5 * of + 2 * std::sqrt(static_cast<double>(of));
@@ -69,9 +70,11 @@ struct Learnt {
     abilities.boundary = !boundary.is_never();
     for (std::size_t place = 0; place < boundary_place_count; ++place)
       abilities.rules[place] = wrong_on.at(abilities.all_hits ? 0 : 1).at(place).is_mostly();
-    // Even and odd crossings leave some of a polygon's edges open, whatever one does.
-    if (topic == "polygon" || topic == "point_in_polygon")
-      abilities.rules.reset(static_cast<std::size_t>(BoundaryPlace::edge));
+    // Even and odd crossings leave some of a polygon's edges open, whatever one does; not all of them.
+    constexpr auto edge = static_cast<std::size_t>(BoundaryPlace::edge);
+    if ((topic == "polygon" || topic == "point_in_polygon") &&
+        !wrong_on.at(abilities.all_hits ? 0 : 1).at(edge).is_always())
+      abilities.rules.reset(edge);
     if (topic == "point_in_polygon" && !abilities.boundary) abilities.rules.reset();
   }
 

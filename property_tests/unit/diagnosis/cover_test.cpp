@@ -13,8 +13,7 @@ namespace {
 using Causes = std::set<std::string_view>;
 
 /// The causes that are named where verdicts, numbers and intervals are looked at in both precisions.
-Causes causes_of(const char* topic, Answer (*code)(const Case&)) {
-  const Subject subject = subject_of(topic, code);
+Causes causes_of(const Subject& subject) {
   std::vector<Complaint> complaints;
   for (const Precision precision : {Precision::float32, Precision::float64})
     for (const char* const name : {"verdict", "residual", "ascending"}) {
@@ -29,6 +28,10 @@ Causes causes_of(const char* topic, Answer (*code)(const Case&)) {
   return causes;
 }
 
+Causes causes_of(const char* topic, Answer (*code)(const Case&)) {
+  return causes_of(subject_of(topic, code));
+}
+
 TEST(Cover, NamesOneCauseOfOneFaultInAllPropertiesAndPrecisions) {
   EXPECT_EQ(causes_of("triangle", answer<Fault::absolute_epsilon>), Causes{"larger-scene"});
   EXPECT_EQ(causes_of("sphere", answer<Fault::ignores_t_min>), Causes{"ignores-t-min"});
@@ -36,6 +39,22 @@ TEST(Cover, NamesOneCauseOfOneFaultInAllPropertiesAndPrecisions) {
 
 TEST(Cover, NamesTwoCausesOfTwoFaults) {
   EXPECT_EQ(causes_of("triangle", two_faults), (Causes{"culls-back-faces", "edge-b-not-tested"}));
+}
+
+/// Whether the line hits, and no more.
+Answer whether_the_line_hits(const Case& one) {
+  RayAnswer answer{.verdict_only = true};
+  if (!numbers_in(oracle::answer(on_whole_line(one))).empty()) answer.hits.push_back(0);
+  return answer;
+}
+
+TEST(Cover, NamesOneCauseOfWhoSaysOnlyWhether) {
+  Subject subject = subject_of("sphere", whether_the_line_hits);
+  subject.abilities.all_hits = subject.abilities.numbers = false;
+  const Causes causes = causes_of(subject);
+  EXPECT_EQ(causes.size(), 1U) << testing::PrintToString(causes);
+  EXPECT_TRUE(causes.contains("whole-line") || causes.contains("ignores-t-min"))
+      << testing::PrintToString(causes);
 }
 
 /// It reports hits before t_min, but finds no small triangle: made small, every case is right that has no

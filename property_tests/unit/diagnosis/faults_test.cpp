@@ -121,6 +121,66 @@ TEST(Diagnosis, AsksNoRayThatBeginsBeforeItsOriginWhereItStartsNearer) {
   EXPECT_EQ(ray.t_min, 0);
 }
 
+/// Right, but for rays that start at the centre.
+Answer missed_from_the_centre(const Case& one) {
+  const auto& asked = std::get<RayQuestion>(one.question);
+  const bool is_at_centre = asked.ray.origin == std::get<Sphere<double>>(asked.shape).center;
+  return is_at_centre ? RayAnswer{} : oracle::answer(one);
+}
+
+TEST(Diagnosis, CallsNoMissOfAWholeShapeAMatterOfTheBoundary) {
+  const Subject subject = subject_of("sphere", missed_from_the_centre);
+  for (const Diagnosis& group : faults_of(subject, *find_property("verdict"), Precision::float64))
+    EXPECT_EQ(group.kind, FindingKind::gross) << group.sentence;
+}
+
+/// The textbook's sphere, but for the discriminant, which a float holds.
+Answer with_discriminant_in_float(const Case& one) {
+  const auto& [ray, shape, transform] = std::get<RayQuestion>(one.question);
+  if (transform) return oracle::answer(one);
+  const auto& [center, radius] = std::get<Sphere<double>>(shape);
+  const glm::dvec3 f = ray.origin - center;
+  const double a = glm::dot(ray.direction, ray.direction), b = glm::dot(f, ray.direction);
+  const double root = std::sqrt(double{static_cast<float>(b * b - a * (glm::dot(f, f) - radius * radius))});
+  RayAnswer answer;
+  for (const double t : {(-b - root) / a, (-b + root) / a})
+    if (in_interval(ray, t)) answer.hits.push_back(t);
+  return answer;
+}
+
+TEST(Diagnosis, FindsAFloatOnTheWayThoughTCancels) {
+  const Subject subject = subject_of("sphere", with_discriminant_in_float);
+  const std::string found = in_words(faults_of(subject, *find_property("residual"), Precision::float64));
+  EXPECT_TRUE(found.starts_with("float-on-the-way ")) << found;
+}
+
+TEST(Diagnosis, TakesWhatMissesZeroForAPartOfWhatMissesSmallNumbers) {
+  const Hypothesis &tangent = *find_hypothesis("tangent-missed"), &small = *find_hypothesis("larger-scene"),
+                   &extreme = *find_hypothesis("ordinary-sizes"), &limit = *find_hypothesis("limit-1e6"),
+                   &in_float = *find_hypothesis("computes-in-float");
+  EXPECT_TRUE(is_part_of(tangent, small));
+  EXPECT_FALSE(is_part_of(small, tangent));
+  EXPECT_FALSE(is_part_of(tangent, limit));
+  EXPECT_TRUE(is_part_of(extreme, limit));
+  EXPECT_TRUE(is_part_of(extreme, small));
+  EXPECT_TRUE(is_part_of(extreme, in_float) && is_part_of(small, in_float) && is_part_of(limit, in_float));
+  EXPECT_FALSE(is_part_of(tangent, in_float));
+  EXPECT_FALSE(is_part_of(tangent, extreme));
+}
+
+/// Right, but for rays along a plane, which hit at infinity.
+Answer at_infinity_along_the_plane(const Case& one) {
+  auto answer = std::get<RayAnswer>(oracle::answer(one));
+  if (answer.contact == Contact::parallel) answer.hits.push_back(infinity<double>);
+  return answer;
+}
+
+TEST(Diagnosis, NamesADivisionByZeroThatIsNotKeptFrom) {
+  const Subject subject = subject_of("plane", at_infinity_along_the_plane);
+  const std::string found = in_words(faults_of(subject, *find_property("residual"), Precision::float64));
+  EXPECT_TRUE(found.starts_with("is-infinite ") || found.starts_with("parallel-hit ")) << found;
+}
+
 /// What the lectures print wrongly, and the cause of it.
 struct Printed {
   const char* method;

@@ -3,6 +3,7 @@
 #include "oracle/oracle.hpp"
 #include "subjects/default_contract.hpp"
 #include "unit/diagnosis/clinic.hpp"
+#include "unit/diagnosis/faulty/faulty.hpp"
 
 namespace rayproof::faulty {
 namespace {
@@ -152,6 +153,22 @@ const Foreseen foreseen_faults[] = {
     {"quadratic", "positive-roots-alone"},
     {"quadratic", "real-part"},
     {"point_in_polygon", "endless-boundary"},
+    {"cylinder", "origin-z-ignored"},
+    {"sphere", "far-hit-beyond"},
+    {"sphere", "behind-origin-missed"},
+    {"plane", "missed-from-back"},
+    {"triangle", "missed-from-front"},
+    {"box", "transpose-as-inverse"},
+    {"sphere", "uniform-scale"},
+    {"box", "bounds-in-world"},
+    {"box", "two-corners-in-world"},
+    {"parallelepiped", "corner-not-moved"},
+    {"parallelepiped", "edges-translated"},
+    {"parallelepiped", "leaves-before-it-enters"},
+    {"cylinder", "radii-one"},
+    {"cylinder", "height-one"},
+    {"quadratic", "times-a-squared"},
+    {"point_in_polygon", "repeated-vertices"},
 };
 
 std::string name_of_model(const testing::TestParamInfo<Foreseen>& info) {
@@ -161,6 +178,27 @@ std::string name_of_model(const testing::TestParamInfo<Foreseen>& info) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Diagnosis, Model, testing::ValuesIn(foreseen_faults), name_of_model);
+
+/// Subjects with the fault of a model of what is said of the first hit.
+struct ForeseenDetail {
+  const char* topic;
+  const char* property;
+  const char* model;
+  Answer (*code)(const Case&);
+};
+
+TEST(Diagnosis, NamesWhatIsWronglySaidOfTheFirstHit) {
+  for (const auto& [topic, property, model, code] : std::initializer_list<ForeseenDetail>{
+           {"cylinder", "normal", "normal-keeps-z",
+            [](const Case& one) { return foreseen(*find_hypothesis("normal-keeps-z"), one); }},
+           {"parallelepiped", "normal", "normal-along-edge",
+            [](const Case& one) { return foreseen(*find_hypothesis("normal-along-edge"), one); }},
+           {"triangle", "point", "point-by-other-weights",
+            [](const Case& one) { return foreseen(*find_hypothesis("point-by-other-weights"), one); }}}) {
+    const auto groups = faults_of(subject_of(topic, code), *find_property(property), Precision::float64, 60);
+    EXPECT_TRUE(in_words(groups).starts_with(std::string(model) + " ")) << in_words(groups);
+  }
+}
 
 }  // namespace
 }  // namespace rayproof::faulty

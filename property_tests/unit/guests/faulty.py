@@ -7,7 +7,7 @@ import struct
 import sys
 
 from right import answer
-from vectors import cross, dot
+from vectors import dot, minus, ray_of
 
 
 def hits_of(case):
@@ -78,6 +78,14 @@ def uncapped(case):
     return answer({**case, "shape": {**case["shape"], "capped": False}})
 
 
+def small_discriminant(case):
+    """A discriminant below 1e-3 is taken for none."""
+    origin, direction, *_ = ray_of(case)
+    apart = minus(origin, case["shape"]["center"])
+    a, b, c = dot(direction, direction), dot(apart, direction), dot(apart, apart) - case["shape"]["radius"] ** 2
+    return with_hits([]) if b * b - a * c < 1e-3 else answer(case)
+
+
 FAULTS = {
     "open_at_t_min": open_at_t_min,
     "open_at_t_max": open_at_t_max,
@@ -88,6 +96,7 @@ FAULTS = {
     "point_alone": point_alone,
     "rare": Rare(),
     "uncapped": uncapped,
+    "small_discriminant": small_discriminant,
 }
 
 if __name__ == "__main__":

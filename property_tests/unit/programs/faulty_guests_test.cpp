@@ -70,6 +70,17 @@ INSTANTIATE_TEST_SUITE_P(
                     FaultyGuest{"uncapped", "--shape cylinder --family random", "caps are missing"}),
     [](const auto& one) { return std::string(one.param.fault); });
 
+class GuestsWithOneFault : public FaultyGuests {};
+
+TEST_F(GuestsWithOneFault, GetOneFindingThoughAnEpsilonMissesTangentsToo) {
+  const Ended outcome = in_folder("rayproof-check --subject-command 'python3 " + guests +
+                                  "faulty.py small_discriminant' --shape sphere --case-seconds 10 --jobs 2 "
+                                  "--cases 200 --family random,grazing,whole,exponents");
+  ASSERT_EQ(findings().size(), 1U) << outcome.output;
+  EXPECT_NE(findings()[0].value("diagnosis", "").find("absolute epsilon"), std::string::npos)
+      << outcome.output;
+}
+
 class HangingGuests : public FaultyGuests {
  protected:
   [[nodiscard]] Ended check_hanging(const std::string& more) const {

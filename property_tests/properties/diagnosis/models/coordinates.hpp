@@ -30,6 +30,16 @@ template <Vectors which, int from, int to>
 [[nodiscard]] std::vector<Case> copied(const Case& one) {
   return with_vectors(one, which, [](glm::dvec3& v) { v[to] = v[from]; });
 }
+/// One coordinate of the ray's origin in the object's space is read as 0.
+template <int i>
+[[nodiscard]] std::vector<Case> without_coordinate(const Case& one) {
+  return with_question(one, [](RayQuestion& asked) {
+    asked.ray = ray_in_object(asked);
+    asked.transform.reset();
+    asked.ray.origin[i] = 0;
+    return true;
+  });
+}
 /// The shape is moved so that its first point is the origin of coordinates, and the ray is not.
 [[nodiscard]] std::vector<Case> place_ignored(const Case& one);
 /// These vectors have the other sign.

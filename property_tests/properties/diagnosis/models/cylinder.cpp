@@ -144,6 +144,13 @@ std::vector<Case> height_halved(const Case& one) {
   return read_otherwise(one, [](Cylinder<double>& cylinder) { cylinder.height /= 2; });
 }
 
+std::vector<Case> radii_one(const Case& one) {
+  return read_otherwise(one, [](Cylinder<double>& cylinder) { cylinder.rx = cylinder.ry = 1; });
+}
+std::vector<Case> height_one(const Case& one) {
+  return read_otherwise(one, [](Cylinder<double>& cylinder) { cylinder.height = 1; });
+}
+
 Answers missed_along_axis(const Case& one, const Answer& exact) {
   if (shape_in<Cylinder<double>>(one) == nullptr || !finds_something(exact)) return {};
   const glm::dvec3 d = ray_in_object(*ray_question(one)).direction;

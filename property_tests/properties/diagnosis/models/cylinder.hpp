@@ -42,13 +42,16 @@ void lift(RayQuestion& asked, double by);
 /// A ray along the axis is missed.
 [[nodiscard]] Answers missed_along_axis(const Case& one, const Answer& exact);
 
-/// @{ Readings: radii doubled, halved, their roots, their mean for both; height doubled, halved.
+/// @{ Readings: radii doubled, halved, their roots, their mean for both, 1; height doubled, halved,
+/// 1.
 [[nodiscard]] std::vector<Case> radii_doubled(const Case& one);
 [[nodiscard]] std::vector<Case> radii_halved(const Case& one);
 [[nodiscard]] std::vector<Case> radii_rooted(const Case& one);
 [[nodiscard]] std::vector<Case> radii_mean(const Case& one);
 [[nodiscard]] std::vector<Case> height_doubled(const Case& one);
 [[nodiscard]] std::vector<Case> height_halved(const Case& one);
+[[nodiscard]] std::vector<Case> radii_one(const Case& one);
+[[nodiscard]] std::vector<Case> height_one(const Case& one);
 /// @}
 /// The cylinder along another axis of its own space, each axis in the place of the one before.
 template <int axis>

@@ -8,7 +8,7 @@ namespace rayproof::diagnosis {
 
 /// Every number is one of float32, in a case of float64.
 [[nodiscard]] std::optional<bool> is_of_float(const Case& one, const Answer& got, const Answer& exact);
-/// Some number of a case of float64 is off by what a float rounds, and none by more.
+/// The answer to a case of float64 is off by what a float rounds, and by no more.
 [[nodiscard]] std::optional<bool> is_right_to_float(const Case& one, const Answer& got, const Answer& exact);
 /// The same of a triangle's barycentric coordinates, in units of 1.
 [[nodiscard]] std::optional<bool> coordinates_right_to_float(const Case& one, const Answer& got,

@@ -89,6 +89,11 @@ std::optional<double> coefficient_a(const Case& one) {
   return equation == nullptr || equation->a == 0 ? std::nullopt : std::optional(equation->a);
 }
 
+std::optional<double> square_of_a(const Case& one) {
+  const auto a = coefficient_a(one);
+  return a ? std::optional(*a * *a) : std::nullopt;
+}
+
 std::optional<double> coefficient_c(const Case& one) {
   const auto* equation = std::get_if<Quadratic<double>>(&one.question);
   return equation == nullptr ? std::nullopt : std::optional(equation->c);

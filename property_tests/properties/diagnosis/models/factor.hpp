@@ -53,6 +53,7 @@ template <Quantity quantity, int power = 1>
 /// @}
 /// @{ Of a quadratic: its coefficients.
 [[nodiscard]] std::optional<double> coefficient_a(const Case& one);
+[[nodiscard]] std::optional<double> square_of_a(const Case& one);
 [[nodiscard]] std::optional<double> coefficient_c(const Case& one);
 /// @}
 /// Of a plane or a flat figure: its normal times the direction.

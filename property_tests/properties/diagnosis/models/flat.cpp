@@ -17,11 +17,6 @@ Answers misses_side(const Case& one, const Answer& exact, double side) {
   return along > 0 ? Answers{RayAnswer{}} : Answers{};
 }
 
-bool is_flat(const Case& one) {
-  return shape_in<ImplicitPlane>(one) != nullptr || shape_in<PointNormalPlane>(one) != nullptr ||
-         shape_in<ParametricPlane>(one) != nullptr || flat_figure(one).has_value();
-}
-
 /// A plane whose distance from the origin of coordinates is `factor(length of its normal)` times as large.
 template <class Factor>
 std::vector<Case> with_distance(const Case& one, Factor&& factor) {
@@ -53,10 +48,10 @@ std::optional<std::pair<glm::dvec3, double>> implicit_form(const Case& one) {
 }  // namespace
 
 Answers culls_back(const Case& one, const Answer& exact) {
-  return is_flat(one) ? misses_side(one, exact, 1) : Answers{};
+  return lies_in_a_plane(one) ? misses_side(one, exact, 1) : Answers{};
 }
 Answers culls_front(const Case& one, const Answer& exact) {
-  return is_flat(one) ? misses_side(one, exact, -1) : Answers{};
+  return lies_in_a_plane(one) ? misses_side(one, exact, -1) : Answers{};
 }
 Answers misses_from_inside(const Case& one, const Answer& exact) {
   const RayQuestion* asked = ray_question(one);
@@ -176,6 +171,13 @@ std::optional<bool> parallel_is_hit(const Case& one, const Answer& got, const An
   // It may say so at t = 0 alone, and where it finds n·d = 0 in rounded numbers.
   const bool may_miss = !in_interval(ray_question(one)->ray, 0.0) || slope(one).value_or(1) != 0;
   return may_miss ? std::nullopt : std::optional(false);
+}
+
+std::optional<bool> zero_slope_is_hit(const Case& one, const Answer& got, const Answer& exact) {
+  const auto* answer = std::get_if<RayAnswer>(&exact);
+  const bool has_no_area = answer != nullptr && answer->contact == Contact::degenerate;
+  if (!has_no_area) return parallel_is_hit(one, got, exact);
+  return std::get<RayAnswer>(got).hits.count > 0 ? std::optional(true) : std::nullopt;
 }
 
 template <int term>

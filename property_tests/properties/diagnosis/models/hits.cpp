@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "properties/claims/answers.hpp"
+#include "properties/diagnosis/agreement.hpp"
 
 namespace rayproof::diagnosis {
 namespace {
@@ -35,6 +36,15 @@ Answers never_hits(const Case& /*one*/, const Answer& exact) {
 std::optional<bool> always_hits(const Case& /*one*/, const Answer& got, const Answer& exact) {
   if (finds_something(exact)) return std::nullopt;
   return finds_something(got);
+}
+
+std::optional<bool> not_sorted(const Case& one, const Answer& got, const Answer& exact) {
+  std::vector<double> numbers = numbers_in(got);
+  if (ray_question(one) == nullptr || std::ranges::is_sorted(numbers)) return std::nullopt;
+  std::ranges::sort(numbers);
+  const std::vector<double> exactly = numbers_in(exact);
+  return std::ranges::equal(numbers, exactly,
+                            [&](double x, double y) { return are_close(one.precision, x, y, 0); });
 }
 
 Answers descending(const Case& /*one*/, const Answer& exact) {
@@ -142,6 +152,18 @@ Answers no_reason(const Case& /*one*/, const Answer& exact) {
   const auto* answer = std::get_if<RayAnswer>(&exact);
   if (answer == nullptr || answer->hits.count > 0 || answer->contact == Contact::none) return {};
   return {RayAnswer{}};
+}
+
+std::optional<bool> is_infinite(const Case& one, const Answer& got, const Answer& exact) {
+  constexpr double large = 0x1p40;  // beyond that something may overflow
+  Case sizes = one;
+  for (const CaseNumber& number : numbers_of(sizes)) {
+    const double size = std::abs(*number.value);
+    if (std::isfinite(size) && size != 0 && (size > large || size < 1 / large)) return std::nullopt;
+  }
+  const auto is_infinity = [](double x) { return std::isinf(x); };
+  if (std::ranges::any_of(numbers_in(exact), is_infinity)) return std::nullopt;
+  return std::ranges::any_of(numbers_in(got), is_infinity) ? std::optional(true) : std::nullopt;
 }
 
 std::optional<bool> is_nan(const Case& /*one*/, const Answer& got, const Answer& exact) {

@@ -10,6 +10,8 @@ namespace rayproof::diagnosis {
 [[nodiscard]] Answers never_hits(const Case& one, const Answer& exact);
 /// What is missed is hit somewhere, what is outside is inside.
 [[nodiscard]] std::optional<bool> always_hits(const Case& one, const Answer& got, const Answer& exact);
+/// The right hits, and not in ascending order.
+[[nodiscard]] std::optional<bool> not_sorted(const Case& one, const Answer& got, const Answer& exact);
 /// Hits or roots in descending order.
 [[nodiscard]] Answers descending(const Case& one, const Answer& exact);
 /// The farthest hit alone in place of the nearest.
@@ -42,6 +44,8 @@ template <Contact contact>
 [[nodiscard]] Answers in_surface_is_parallel(const Case& one, const Answer& exact);
 /// The reason why a ray misses is not given.
 [[nodiscard]] Answers no_reason(const Case& one, const Answer& exact);
+/// A number of the answer is infinite, in ordinary numbers, and none should be.
+[[nodiscard]] std::optional<bool> is_infinite(const Case& one, const Answer& got, const Answer& exact);
 /// A number that is no number, or infinite.
 [[nodiscard]] std::optional<bool> is_nan(const Case& one, const Answer& got, const Answer& exact);
 

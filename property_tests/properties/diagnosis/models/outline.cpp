@@ -117,6 +117,12 @@ bool is_inside(InsideRule rule, const glm::dvec2& point, const Outline& outline)
       }
       return is_odd != (more % 2 == 1);
     }
+    case InsideRule::unrepeated: {
+      Outline kept;
+      for (const glm::dvec2& vertex : outline)
+        if (std::ranges::find(kept, vertex) == kept.end()) kept.push_back(vertex);
+      return crossings(point, kept, kept.size(), half_open) % 2 == 1;
+    }
     case InsideRule::unturned: {
       int count = 0;  // upward sides to the right, downward ones to the left
       for (std::size_t i = 0; i < all; ++i) {
@@ -198,6 +204,7 @@ template Answers inside_by<InsideRule::first_triangle>(const Case&, const Answer
 template Answers inside_by<InsideRule::first_four>(const Case&, const Answer&);
 template Answers inside_by<InsideRule::first_eight>(const Case&, const Answer&);
 template Answers inside_by<InsideRule::upright_sides>(const Case&, const Answer&);
+template Answers inside_by<InsideRule::unrepeated>(const Case&, const Answer&);
 template Answers inside_by<InsideRule::unturned>(const Case&, const Answer&);
 template Answers inside_by<InsideRule::one_side>(const Case&, const Answer&);
 template Answers inside_by<InsideRule::fan>(const Case&, const Answer&);

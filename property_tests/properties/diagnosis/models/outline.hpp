@@ -20,6 +20,7 @@ enum class InsideRule {
   first_four,      ///< only the first four
   first_eight,     ///< only the first eight
   upright_sides,   ///< an upright side counts on whichever side of the point it lies
+  unrepeated,      ///< a vertex that was there before is left out
   unturned,        ///< an inequality is multiplied by a negative height, and not turned round
   one_side,        ///< inside is where all sides turn one way: right for convex polygons only
   fan,             ///< the triangles of the fan from the first vertex, all together

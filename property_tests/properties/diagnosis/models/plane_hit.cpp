@@ -34,6 +34,11 @@ std::optional<FlatFigure> flat_figure(const Case& one) {
   return figure;
 }
 
+bool lies_in_a_plane(const Case& one) {
+  return shape_in<ImplicitPlane>(one) != nullptr || shape_in<PointNormalPlane>(one) != nullptr ||
+         shape_in<ParametricPlane>(one) != nullptr || flat_figure(one).has_value();
+}
+
 std::optional<PlaneHit> plane_hit(const Case& one, const FlatFigure& figure) {
   const Ray<double> ray = ray_in_object(*ray_question(one));
   const double slope = glm::dot(figure.normal, ray.direction);

@@ -20,6 +20,9 @@ struct FlatFigure {
 /// The triangle or polygon of a case; nothing where it has none, or one without area.
 [[nodiscard]] std::optional<FlatFigure> flat_figure(const Case& one);
 
+/// Whether the shape is a plane, or a triangle or polygon with an area.
+[[nodiscard]] bool lies_in_a_plane(const Case& one);
+
 /// A point of the figure's plane, projected along the axis where its normal is largest, and the t at which
 /// the ray passes it.
 struct PlaneHit {

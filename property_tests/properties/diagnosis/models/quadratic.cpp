@@ -52,6 +52,12 @@ std::optional<bool> wrong_where_b_is_zero(const Case& one, const Answer& got, co
   return !agree(one, got, exact, Aspect::hits);
 }
 
+std::optional<bool> wrong_where_square(const Case& one, const Answer& got, const Answer& exact) {
+  const auto* q = std::get_if<Quadratic<double>>(&one.question);
+  if (q == nullptr || q->b != 0 || q->c != 0 || q->a == 0) return std::nullopt;
+  return !agree(one, got, exact, Aspect::hits);
+}
+
 Answers double_root_missed(const Case& /*one*/, const Answer& exact) {
   const auto* roots = std::get_if<Roots2>(&exact);
   if (roots == nullptr || roots->kind != RootKind::twice) return {};

@@ -20,6 +20,8 @@ namespace rayproof::diagnosis {
 /// The same of b = 0.
 [[nodiscard]] std::optional<bool> wrong_where_b_is_zero(const Case& one, const Answer& got,
                                                         const Answer& exact);
+/// The same of b = c = 0.
+[[nodiscard]] std::optional<bool> wrong_where_square(const Case& one, const Answer& got, const Answer& exact);
 /// A double root is no root.
 [[nodiscard]] Answers double_root_missed(const Case& one, const Answer& exact);
 /// The root of |D| is taken: roots where there are none.

@@ -80,6 +80,19 @@ Answers slab_along_not_tested(const Case& one, const Answer& /*exact*/) {
       [](const SlabEnds& slabs) { return std::ranges::min(slabs.leaves); }, false);
 }
 
+Answers leaves_before_it_enters(const Case& one, const Answer& exact) {
+  const auto cube = cube_in(one);
+  const auto slabs = cube && !finds_something(exact) ? slabs_of(*cube) : std::nullopt;
+  if (!slabs) return {};
+  const double enters = std::ranges::max(slabs->enters), leaves = std::ranges::min(slabs->leaves);
+  if (enters <= leaves) return {};
+  RayAnswer as_found, in_order;
+  for (const double t : {enters, leaves}) as_found.hits.push_back(t);
+  for (const double t : {leaves, enters}) in_order.hits.push_back(t);
+  const auto admits = [&](double t) { return in_interval(cube->ray, t); };
+  return {hits_where(as_found, admits), hits_where(in_order, admits)};
+}
+
 Answers missed_along_slab(const Case& one, const Answer& exact) {
   const auto cube = cube_in(one);
   if (!cube || !finds_something(exact)) return {};

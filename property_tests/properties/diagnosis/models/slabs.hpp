@@ -11,6 +11,8 @@ namespace rayproof::diagnosis {
 [[nodiscard]] Answers leaves_at_last_end(const Case& one, const Answer& exact);
 [[nodiscard]] Answers enters_at_first_beginning(const Case& one, const Answer& exact);
 /// @}
+/// The line is taken to enter and leave though it leaves one slab before it enters another.
+[[nodiscard]] Answers leaves_before_it_enters(const Case& one, const Answer& exact);
 /// @{ A line that runs along a slab is not compared with that slab; is missed, though inside; or is missed
 /// where it lies in one of the slab's planes.
 [[nodiscard]] Answers slab_along_not_tested(const Case& one, const Answer& exact);

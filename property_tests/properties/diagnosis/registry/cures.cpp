@@ -18,28 +18,36 @@ std::vector<Hypothesis> cures_of_values() {
        .is_asked_alone = true},
       exact_cure("minus-zero", without_minus_zero,
                  "right as soon as 0 stands for -0: the sign of zero is taken for a sign"),
-      exact_cure("larger-scene", larger_scene,
-                 "right as soon as the scene is larger: the code takes small lengths for 0, by an absolute "
-                 "epsilon or by rounding to whole numbers",
-                 gross,
-                 "right as soon as the roots are larger: the code takes a small coefficient, or a small "
-                 "discriminant, for 0, an absolute epsilon"),
-      exact_cure(
-          "smaller-scene", smaller_scene,
-          "right as soon as the scene is smaller: a fixed largest distance, an overflow, or a direction "
-          "so small beside the shape that it is taken for 0",
-          gross, "right as soon as the roots are smaller: a fixed largest number, or an overflow"),
-      exact_cure("longer-direction", longer_direction,
-                 "right as soon as the direction is longer: the code takes small products with it for 0, an "
-                 "absolute epsilon",
-                 gross,
-                 "right as soon as a, b and c are larger: the code takes a small coefficient, or a small "
-                 "discriminant, for 0, an absolute epsilon"),
-      exact_cure("shorter-direction", shorter_direction,
-                 "right as soon as the direction is shorter: something overflows, or has a fixed limit",
-                 gross, "right as soon as a, b and c are smaller: something overflows, or has a fixed limit"),
-      exact_cure("ordinary-sizes", ordinary_sizes,
-                 "right as soon as lengths and direction are of ordinary size", FindingKind::range),
+      of(OfSizes::small,
+         exact_cure(
+             "larger-scene", larger_scene,
+             "right as soon as the scene is larger: the code takes small lengths for 0, by an absolute "
+             "epsilon or by rounding to whole numbers",
+             gross,
+             "right as soon as the roots are larger: the code takes a small coefficient, or a small "
+             "discriminant, for 0, an absolute epsilon")),
+      of(OfSizes::limit,
+         exact_cure(
+             "smaller-scene", smaller_scene,
+             "right as soon as the scene is smaller: a fixed largest distance, an overflow, or a direction "
+             "so small beside the shape that it is taken for 0",
+             gross, "right as soon as the roots are smaller: a fixed largest number, or an overflow")),
+      of(OfSizes::small,
+         exact_cure(
+             "longer-direction", longer_direction,
+             "right as soon as the direction is longer: the code takes small products with it for 0, an "
+             "absolute epsilon",
+             gross,
+             "right as soon as a, b and c are larger: the code takes a small coefficient, or a small "
+             "discriminant, for 0, an absolute epsilon")),
+      of(OfSizes::limit,
+         exact_cure("shorter-direction", shorter_direction,
+                    "right as soon as the direction is shorter: something overflows, or has a fixed limit",
+                    gross,
+                    "right as soon as a, b and c are smaller: something overflows, or has a fixed limit")),
+      of(OfSizes::extremes,
+         exact_cure("ordinary-sizes", ordinary_sizes,
+                    "right as soon as lengths and direction are of ordinary size", FindingKind::range)),
       exact_cure("positive-a", positive_a,
                  "right as soon as a > 0: the order of the roots, or a sign, is wrong for a < 0"),
       exact_cure(
@@ -65,18 +73,19 @@ std::vector<Hypothesis> cures_of_values() {
       cure("in-object-space", in_object_space,
            "right with the same ray in object space, without the transform: the fault lies in the transform",
            gross, Keeps::verdict),
-      cure("plain-interval", plain_interval,
-           "right as soon as the interval is [0, inf]: the fault lies with t_min or t_max", gross,
-           Keeps::verdict),
+      vague(cure("plain-interval", plain_interval,
+                 "right as soon as the interval is [0, inf]: the fault lies with t_min or t_max", gross,
+                 Keeps::verdict)),
       cure("start-behind", start_behind,
            "right as soon as the ray starts before its line meets the shape: an origin inside, or hits "
            "behind it, are not handled",
            gross, Keeps::verdict),
-      cure(
-          "wider", wider,
-          "right as soon as the triangle is as wide as it is long: a thin one is taken for one without area"),
-      cure("steeper", steeper,
-           "right as soon as the ray meets the plane at a steep angle: a grazing one is taken for parallel"),
+      of(OfSizes::small, cure("wider", wider,
+                              "right as soon as the triangle is as wide as it is long: a thin one is taken "
+                              "for one without area")),
+      of(OfSizes::small, cure("steeper", steeper,
+                              "right as soon as the ray meets the plane at a steep angle: a grazing one is "
+                              "taken for parallel")),
       cure("small-b", small_b, "right as soon as b² is not much larger than 4ac: -b ± √D cancels", rounding),
       cure("start-near", start_near,
            "right as soon as the ray starts near the shape: from afar its equation cancels", rounding,
@@ -89,11 +98,12 @@ std::vector<Hypothesis> cures_of_values() {
           cure("shape-at-zero", shape_at_zero,
                "right as soon as the shape is at the origin of coordinates: far from it digits cancel",
                rounding)),
-      cure("nearer-the-middle", nearer_the_middle,
-           "right as soon as the ray passes nearer to the middle of the shape: near its corners or ends "
-           "something is cut off"),
-      cure("farther-off", farther_off,
-           "right as soon as the ray passes farther away: the shape is taken for larger than it is"),
+      vague(
+          cure("nearer-the-middle", nearer_the_middle,
+               "right as soon as the ray passes nearer to the middle of the shape: near its corners or ends "
+               "something is cut off")),
+      vague(cure("farther-off", farther_off,
+                 "right as soon as the ray passes farther away: the shape is taken for larger than it is")),
   };
 }
 
@@ -103,8 +113,11 @@ std::vector<Hypothesis> cures_of_boundaries() {
              "right as soon as no vertex is level with the point: a ray through a vertex counts wrongly"),
       avoids("off-interval-ends", off_interval_ends,
              "right as soon as no hit lies on an end of the interval"),
-      avoids("off-boundary", off_boundary,
-             "right as soon as the ray passes a little aside: only edges, vertices and tangents are wrong"),
+      of_digits_or(
+          "right as soon as the ray passes a little aside: numbers that are 0, or equal, are not handled",
+          avoids(
+              "off-boundary", off_boundary,
+              "right as soon as the ray passes a little aside: only edges, vertices and tangents are wrong")),
       avoids("few-digits", few_digits,
              "right as soon as the numbers have few digits: what is wrong is rounding", rounding),
       of_digits_or(

@@ -1,6 +1,7 @@
 /// \file
 /// Faults in what is said of the first hit, and classes of cases that are not handled.
 
+#include "properties/diagnosis/models/details_of_shapes.hpp"
 #include "properties/diagnosis/models/first_hit.hpp"
 #include "properties/diagnosis/models/flat.hpp"
 #include "properties/diagnosis/models/hits.hpp"
@@ -41,6 +42,11 @@ std::vector<Hypothesis> models_of_first_hits() {
             Aspect::normal),
       gives("cap-normals-upward", cap_normals_upward,
             "both caps' normals point upward: the lower one's must point downward", gross, Aspect::normal),
+      gives("normal-keeps-z", normal_keeps_z,
+            "the normal of the side keeps the z of the point, and must be level", gross, Aspect::normal),
+      gives("normal-along-edge", normal_along_edge,
+            "the normal runs along the edge that leads to the face, and must be across the other two", gross,
+            Aspect::normal),
       shows("normal-of-other-face", normal_of_other_face,
             "the normal is another face's, or points between faces: the wrong face is taken for the one that "
             "is "
@@ -49,6 +55,9 @@ std::vector<Hypothesis> models_of_first_hits() {
       shows("point-right-t-wrong", point_right_t_wrong, "the point is right although t is wrong"),
       gives("point-in-object", point_in_object, "the point is the one in object space", gross, Aspect::point),
       gives("point-without-origin", point_without_origin, "the point is t·d: the origin is missing", gross,
+            Aspect::point),
+      gives("point-by-other-weights", point_by_other_weights,
+            "the point is put together by the barycentric coordinates in another order", gross,
             Aspect::point),
       gives("point-of-far-hit", point_of_far_hit, "the point is the far hit's", gross, Aspect::point),
       gives("barycentric-acb", in_order<0, 2, 1>, "the barycentric coordinates stand in the order of a, c, b",
@@ -76,16 +85,22 @@ std::vector<Hypothesis> classes_of_cases() {
       shows("no-constant-not-handled", wrong_where_c_is_zero,
             "equations with c = 0, which have a root 0, are not handled"),
       shows("no-linear-term-not-handled", wrong_where_b_is_zero, "equations with b = 0 are not handled"),
+      shows("square-alone-not-handled", wrong_where_square, "equations ax² = 0 are not handled"),
       shows("everything-not-handled", wrong_where_all_is_zero, "the equation 0 = 0 is not handled", boundary),
       shows("constant-not-handled", wrong_where_constant, "equations with a = b = 0 are not handled"),
       shows("parallel-hit", parallel_is_hit,
             "a ray along the plane, parallel to it or inside it, is reported as a hit"),
+      shows("zero-slope-hit", zero_slope_is_hit,
+            "a ray along the plane, or a figure without area, is reported as a hit: a division by 0 is not "
+            "kept from"),
       shows("in-surface-hit", in_surface_is_hit, "a ray that runs inside the surface is reported as a hit",
             boundary),
       shows("wrong-where-concave", wrong_where_concave,
             "right on convex polygons: concave ones are not handled"),
       shows("hits-before-t-min", hits_before_t_min, "hits before t_min are reported: t_min is ignored"),
       shows("is-nan", is_nan, "a number of the answer is NaN"),
+      shows("is-infinite", is_infinite,
+            "a number of the answer is infinite: a division by 0 is not kept from"),
       shows("always-hits", always_hits,
             "it finds something on every case tried, even where there is nothing"),
   };

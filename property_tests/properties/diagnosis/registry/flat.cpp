@@ -3,6 +3,7 @@
 
 #include "properties/diagnosis/models/flat.hpp"
 #include "properties/diagnosis/models/outline.hpp"
+#include "properties/diagnosis/models/starts.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
 
 namespace rayproof::diagnosis {
@@ -29,6 +30,10 @@ std::vector<Hypothesis> models_of_flat_figures() {
       gives("culls-back-faces", culls_back, "a surface seen from behind is missed: back faces are culled"),
       gives("culls-front-faces", culls_front,
             "a surface seen from the front is missed: front faces are culled"),
+      gives("missed-from-front", missed_from_front,
+            "a surface is missed from an origin on the side where its normal points"),
+      gives("missed-from-back", missed_from_back,
+            "a surface is missed from an origin on the side from which its normal points away"),
       gives("parallelogram", read_as<as_parallelogram>,
             "the other half of the parallelogram is hit, too: u + v <= 1 is not tested"),
       gives("edge-a-not-tested", read_as<without_edge_opposite<0>>,
@@ -43,14 +48,21 @@ std::vector<Hypothesis> models_of_flat_figures() {
             "hits beside the triangle by barycentric coordinates of -1e-3 count, too: a tolerance"),
       gives("edges-loose-1e-4", edges_with_tolerance<-4>,
             "hits beside the triangle by barycentric coordinates of -1e-4 count, too: a tolerance"),
+      gives("edges-loose-1e-5", edges_with_tolerance<-5>,
+            "hits beside the triangle by barycentric coordinates of -1e-5 count, too: a tolerance"),
       gives("edges-loose-1e-6", edges_with_tolerance<-6>,
             "hits beside the triangle by barycentric coordinates of -1e-6 count, too: a tolerance", boundary),
-      gives("edge-a-open", open_at_edge<0>,
-            "hits on the edge bc are left out: alpha > 0 is asked, and must be alpha >= 0", boundary),
-      gives("edge-b-open", open_at_edge<1>,
-            "hits on the edge ca are left out: beta > 0 is asked, and must be beta >= 0", boundary),
-      gives("edge-c-open", open_at_edge<2>,
-            "hits on the edge ab are left out: gamma > 0 is asked, and must be gamma >= 0", boundary),
+      gives("edges-loose-1e-8", edges_with_tolerance<-8>,
+            "hits beside the triangle by barycentric coordinates of -1e-8 count, too: a tolerance", boundary),
+      gives("edges-loose-1e-10", edges_with_tolerance<-10>,
+            "hits beside the triangle by barycentric coordinates of -1e-10 count, too: a tolerance",
+            boundary),
+      misses_zero("edge-a-open", open_at_edge<0>,
+                  "hits on the edge bc are left out: alpha > 0 is asked, and must be alpha >= 0"),
+      misses_zero("edge-b-open", open_at_edge<1>,
+                  "hits on the edge ca are left out: beta > 0 is asked, and must be beta >= 0"),
+      misses_zero("edge-c-open", open_at_edge<2>,
+                  "hits on the edge ab are left out: gamma > 0 is asked, and must be gamma >= 0"),
       gives("triangle-bounds", triangle_bounds,
             "the whole bounding box of the triangle is hit, as far as its plane goes"),
       gives("whole-plane", read_as<as_plane>,
@@ -120,6 +132,8 @@ std::vector<Hypothesis> models_of_flat_figures() {
       gives("upright-sides", inside_by<InsideRule::upright_sides>,
             "an upright side counts as crossed on whichever side of the point it lies: x is not compared "
             "there"),
+      gives("repeated-vertices", inside_by<InsideRule::unrepeated>,
+            "a vertex that has been there before is left out, and a side goes past it"),
       gives("inequality-unturned", inside_by<InsideRule::unturned>,
             "an inequality is multiplied by a side's height, which may be negative, and not turned round"),
       gives("never-inside", never_inside, "no point is ever said to be inside"),

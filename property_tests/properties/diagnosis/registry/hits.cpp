@@ -5,6 +5,7 @@
 #include "properties/diagnosis/models/flat.hpp"
 #include "properties/diagnosis/models/interval.hpp"
 #include "properties/diagnosis/models/outline.hpp"
+#include "properties/diagnosis/models/starts.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
 
 namespace rayproof::diagnosis {
@@ -16,16 +17,19 @@ std::vector<Hypothesis> models_of_hits() {
        .sentence = "it finds nothing on any case tried",
        .predict = never_hits,
        .speaks_of_all = true},
-      gives("open-at-t-min", open_at_t_min,
-            "a hit exactly at t_min is left out: the interval is taken for open there", boundary),
-      gives("open-at-t-max", open_at_t_max,
-            "a hit exactly at t_max is left out: the interval is taken for open there", boundary),
-      gives("open-interval", open_at_both_ends,
-            "hits exactly at t_min and t_max are left out: the interval is taken for open", boundary),
-      gives("open-at-zero", open_at_zero,
-            "a hit exactly at the ray's origin is left out: t > 0 is asked, and must be t >= 0", boundary),
+      misses_zero("open-at-t-min", open_at_t_min,
+                  "a hit exactly at t_min is left out: the interval is taken for open there"),
+      misses_zero("open-at-t-max", open_at_t_max,
+                  "a hit exactly at t_max is left out: the interval is taken for open there"),
+      misses_zero("open-interval", open_at_both_ends,
+                  "hits exactly at t_min and t_max are left out: the interval is taken for open"),
+      misses_zero("open-at-zero", open_at_zero,
+                  "a hit exactly at the ray's origin is left out: t > 0 is asked, and must be t >= 0"),
       gives("zero-as-no-end", zero_as_no_end,
             "the answer is right without t_max where t_max = 0: 0 is taken for no end"),
+      gives("far-hit-beyond", far_hit_beyond,
+            "a ray that starts inside and ends there is said to hit beyond its end: the far hit is not "
+            "compared with t_max"),
       gives("ignores-t-max", read_as<without_t_max>,
             "the answer is right for a ray without end: t_max is ignored"),
       gives("t-min-is-zero", t_min_is_zero, "the answer is right for t_min = 0: t_min is ignored"),
@@ -52,6 +56,8 @@ std::vector<Hypothesis> models_of_hits() {
       gives("near-hit-behind", near_hit_behind,
             "a ray that starts inside is said to hit behind its beginning: the near hit is not compared with "
             "t_min"),
+      gives("behind-origin-missed", behind_origin_missed,
+            "what lies wholly behind the ray's origin is missed, though t_min is less than 0"),
       gives("all-hits-or-none", all_hits_or_none,
             "it misses where one of the line's hits lies outside the interval, although another lies inside"),
       gives("starts-at-t-min", clipped_at_t_min,
@@ -63,13 +69,15 @@ std::vector<Hypothesis> models_of_hits() {
       gives("nearest-twice", nearest_twice, "of two answers the first is given twice"),
       gives("farthest-twice", farthest_twice, "of two answers the second is given twice"),
       gives("descending", descending, "the answers stand in descending order"),
+      shows("not-sorted", not_sorted,
+            "the hits are right, and do not always stand in ascending order: they are not sorted"),
       gives("root-alone", root_alone, "of two roots only one is given"),
       gives("double-hit-twice", double_hit_twice, "a double root is reported twice", boundary),
-      gives("tangent-missed", misses_at<Contact::tangent>, "a ray that only touches is missed", boundary),
-      gives("edge-missed", misses_at<Contact::edge>,
-            "every hit on an edge is missed: the shape is taken without its edges", boundary),
-      gives("vertex-missed", misses_at<Contact::vertex>, "every hit on a vertex is missed", boundary),
-      gives("rim-missed", misses_at<Contact::rim>, "every hit on a rim is missed", boundary),
+      misses_zero("tangent-missed", misses_at<Contact::tangent>, "a ray that only touches is missed"),
+      misses_zero("edge-missed", misses_at<Contact::edge>,
+                  "every hit on an edge is missed: the shape is taken without its edges"),
+      misses_zero("vertex-missed", misses_at<Contact::vertex>, "every hit on a vertex is missed"),
+      misses_zero("rim-missed", misses_at<Contact::rim>, "every hit on a rim is missed"),
       gives("vertex-not-on-boundary", lost_at<BoundaryPlace::vertex>,
             "a point at a vertex is not said to be on the boundary", boundary),
       gives("level-side-not-on-boundary", lost_at<BoundaryPlace::level_side>,

@@ -24,6 +24,13 @@ inline constexpr auto rounding = FindingKind::rounding;
   return made;
 }
 
+/// The same of a model that foresees misses mostly, which many a fault makes: hardly any right answer may
+/// contradict it.
+[[nodiscard]] constexpr Hypothesis strictly(Hypothesis model) {
+  model.speaks_of_all = true;
+  return model;
+}
+
 /// A subject whose answers bear this mark.
 [[nodiscard]] constexpr Hypothesis shows(std::string_view name, Recognise recognise,
                                          std::string_view sentence, FindingKind kind = gross,
@@ -48,10 +55,28 @@ inline constexpr auto rounding = FindingKind::rounding;
   return {.name = name, .kind = kind, .sentence = sentence, .change = change, .keeps = keeps};
 }
 
+/// A cure that only says where to look.
+[[nodiscard]] constexpr Hypothesis vague(Hypothesis cure) {
+  cure.is_vague = true;
+  return cure;
+}
+
 /// A cure of digits that helps in other faults, too, of which the second sentence speaks.
 [[nodiscard]] constexpr Hypothesis of_digits_or(std::string_view beyond_rounding, Hypothesis cure) {
   cure.beyond_rounding = beyond_rounding;
   return cure;
+}
+
+/// The same with what the fault has to do with sizes.
+[[nodiscard]] constexpr Hypothesis of(OfSizes sizes, Hypothesis made) {
+  made.of_sizes = sizes;
+  return made;
+}
+
+/// A hit that is left out where a number is exactly 0.
+[[nodiscard]] constexpr Hypothesis misses_zero(std::string_view name, Predict predict,
+                                               std::string_view sentence) {
+  return of(OfSizes::zero, gives(name, predict, sentence, boundary));
 }
 
 /// A cure that avoids what only a boundary or a rounding can break.

@@ -15,31 +15,36 @@ namespace {
 Hypothesis limit(std::string_view name, Predict predict, std::string_view sentence) {
   Hypothesis made = gives(name, predict, sentence);
   made.confirmed_by = "smaller-scene";
-  return made;
+  return of(OfSizes::limit, made);
+}
+
+/// What is nearer than a length is taken to be at 0.
+Hypothesis epsilon(std::string_view name, Predict predict, std::string_view sentence) {
+  return of(OfSizes::small, gives(name, predict, sentence));
 }
 
 }  // namespace
 
 std::vector<Hypothesis> models_of_limits() {
   return {
-      gives("epsilon-1e-10", drops_below<-10>,
-            "hits with t below about 1e-10 are left out: an absolute epsilon"),
-      gives("epsilon-1e-9", drops_below<-9>,
-            "hits with t below about 1e-9 are left out: an absolute epsilon"),
-      gives("epsilon-1e-8", drops_below<-8>,
-            "hits with t below about 1e-8 are left out: an absolute epsilon"),
-      gives("epsilon-1e-7", drops_below<-7>,
-            "hits with t below about 1e-7 are left out: an absolute epsilon"),
-      gives("epsilon-1e-6", drops_below<-6>,
-            "hits with t below about 1e-6 are left out: an absolute epsilon"),
-      gives("epsilon-1e-5", drops_below<-5>,
-            "hits with t below about 1e-5 are left out: an absolute epsilon"),
-      gives("epsilon-1e-4", drops_below<-4>,
-            "hits with t below about 1e-4 are left out: an absolute epsilon"),
-      gives("epsilon-1e-3", drops_below<-3>,
-            "hits with t below about 1e-3 are left out: an absolute epsilon"),
-      gives("epsilon-1e-2", drops_below<-2>,
-            "hits with t below about 1e-2 are left out: an absolute epsilon"),
+      epsilon("epsilon-1e-10", drops_below<-10>,
+              "hits with t below about 1e-10 are left out: an absolute epsilon"),
+      epsilon("epsilon-1e-9", drops_below<-9>,
+              "hits with t below about 1e-9 are left out: an absolute epsilon"),
+      epsilon("epsilon-1e-8", drops_below<-8>,
+              "hits with t below about 1e-8 are left out: an absolute epsilon"),
+      epsilon("epsilon-1e-7", drops_below<-7>,
+              "hits with t below about 1e-7 are left out: an absolute epsilon"),
+      epsilon("epsilon-1e-6", drops_below<-6>,
+              "hits with t below about 1e-6 are left out: an absolute epsilon"),
+      epsilon("epsilon-1e-5", drops_below<-5>,
+              "hits with t below about 1e-5 are left out: an absolute epsilon"),
+      epsilon("epsilon-1e-4", drops_below<-4>,
+              "hits with t below about 1e-4 are left out: an absolute epsilon"),
+      epsilon("epsilon-1e-3", drops_below<-3>,
+              "hits with t below about 1e-3 are left out: an absolute epsilon"),
+      epsilon("epsilon-1e-2", drops_below<-2>,
+              "hits with t below about 1e-2 are left out: an absolute epsilon"),
       limit("limit-1e30", drops_beyond<30>,
             "hits with t beyond about 1e30 are left out: a fixed largest distance"),
       limit("limit-1e20", drops_beyond<20>,
@@ -105,6 +110,9 @@ std::vector<Hypothesis> models_of_numbers() {
       gives("times-radius", scaled_by<radius_of_sphere>, "t is right divided by the radius"),
       gives("times-a", scaled_by<coefficient_a>,
             "every root is right divided by a: the division by a is missing"),
+      gives("times-a-squared", scaled_by<square_of_a>,
+            "every root is right divided by a²: it is multiplied by a and must be divided, as (-b ± √D) / 2 "
+            "* a is read"),
       gives("over-a", scaled_by<coefficient_a, -1>,
             "every root is right times a: a stands once too often in the denominator"),
       gives("over-c", scaled_by<coefficient_c, -1>,
@@ -113,7 +121,7 @@ std::vector<Hypothesis> models_of_numbers() {
             "t is right divided by the normal's length: a division by it is missing"),
       gives("over-normal", scaled_by<length_of_normal, -1>,
             "t is right times the normal's length: the normal is taken for a unit vector"),
-      gives("double-root-missed", double_root_missed, "a double root is taken for none", boundary),
+      misses_zero("double-root-missed", double_root_missed, "a double root is taken for none"),
       gives("discriminant-sign-lost", discriminant_without_sign,
             "roots are reported where D < 0: the root of |D| was taken"),
       gives("positive-roots-alone", positive_roots_alone, "negative roots are left out"),
@@ -130,21 +138,22 @@ std::vector<Hypothesis> models_of_numbers() {
 
 std::vector<Hypothesis> models_of_digits() {
   return {
-      shows("computes-in-half", is_of_half,
-            "every number is one of float16: the code computes in half precision", rounding),
-      shows("computes-in-float", is_of_float,
-            "every number is one of float32, though the case is of float64: the code computes in float",
-            rounding),
+      of(OfSizes::type,
+         shows("computes-in-half", is_of_half,
+               "every number is one of float16: the code computes in half precision", rounding)),
+      of(OfSizes::type,
+         shows("computes-in-float", is_of_float,
+               "every number is one of float32, though the case is of float64: the code computes in float",
+               rounding)),
       shows("whole-numbers", has_whole_numbers,
             "every number is a whole one: it is cut off or rounded to an integer"),
       shows("prints-six-decimals", has_six_decimals,
             "no number has more than six decimals: the code prints too few of them, or rounds", rounding),
       shows("prints-six-digits", has_six_digits,
             "no number has more than six digits: the code prints too few of them", rounding),
-      shows("float-on-the-way", is_right_to_float,
-            "every number is right to about seven digits: a float on the way to it, though the case is of "
-            "float64",
-            rounding),
+      of(OfSizes::type,
+         shows("float-on-the-way", is_right_to_float,
+               "right to about seven digits: a float on the way, though the case is of float64", rounding)),
       shows("float-in-coordinates", coordinates_right_to_float,
             "the barycentric coordinates are right to about seven digits: a float on the way to them, though "
             "the case is of float64",

@@ -11,6 +11,12 @@ std::vector<Hypothesis> models_of_readings() {
   return {
       gives("origin-ignored", read_as<without_origin>,
             "the answer is right for a ray from the origin of coordinates: the ray's origin is ignored"),
+      strictly(gives("origin-x-ignored", read_as<without_coordinate<0>>,
+                     "the answer is right for a ray from x = 0: x of the ray's origin is ignored")),
+      strictly(gives("origin-y-ignored", read_as<without_coordinate<1>>,
+                     "the answer is right for a ray from y = 0: y of the ray's origin is ignored")),
+      strictly(gives("origin-z-ignored", read_as<without_coordinate<2>>,
+                     "the answer is right for a ray from z = 0: z of the ray's origin is ignored")),
       gives("origin-negated", read_as<negated<origin>>,
             "the answer is right for the opposite origin: a sign is wrong at the ray's origin"),
       gives("direction-as-target", read_as<direction_as_target>,

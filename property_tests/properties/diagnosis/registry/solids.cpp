@@ -4,6 +4,7 @@
 #include "properties/diagnosis/cures/cures.hpp"
 #include "properties/diagnosis/models/caps.hpp"
 #include "properties/diagnosis/models/cylinder.hpp"
+#include "properties/diagnosis/models/placing.hpp"
 #include "properties/diagnosis/models/slabs.hpp"
 #include "properties/diagnosis/models/solid.hpp"
 #include "properties/diagnosis/models/transform.hpp"
@@ -28,6 +29,20 @@ std::vector<Hypothesis> models_of_transforms() {
             "the direction is translated like a point: it is transformed with w = 1 and must be with w = 0"),
       gives("direction-not-transformed", read_as<direction_not_transformed>,
             "the direction is not taken into object space"),
+      gives("transpose-as-inverse", read_as<with_transpose_for_inverse>,
+            "the matrix's transpose is taken for its inverse"),
+      gives("uniform-scale", read_as<with_uniform_scale>,
+            "the answer is right for a sphere in the world: the transform is taken for one that scales all "
+            "axes alike"),
+      gives("bounds-in-world", read_as<bounds_in_world>,
+            "the answer is right for the upright bounding box in the world"),
+      gives("two-corners-in-world", read_as<between_two_corners>,
+            "the answer is right for the upright box between min and max in the world: no other corner is "
+            "transformed"),
+      gives("corner-not-moved", read_as<corner_not_moved>,
+            "the edges are taken to the world, and the corner is not"),
+      gives("edges-translated", read_as<edges_translated>,
+            "the edges are taken to the world like points: they are translated, too"),
   };
 }
 
@@ -56,7 +71,7 @@ std::vector<Hypothesis> models_of_solids() {
       gives(
           "centre-behind-missed", centre_behind_missed,
           "a sphere whose centre lies behind the ray's beginning is missed, although the ray starts inside"),
-      gives("flat-box-missed", flat_box_missed, "a box without thickness along an axis is missed", boundary),
+      misses_zero("flat-box-missed", flat_box_missed, "a box without thickness along an axis is missed"),
       gives("max-as-size", read_as<max_as_size>,
             "the answer is right for a box from min to min + max: max is taken for the size"),
       gives("endless-box-x", read_as<endless_box<0>>,
@@ -93,6 +108,8 @@ std::vector<Hypothesis> models_of_solids() {
             "the line is taken to enter where it enters the first of the slabs, and must enter with the "
             "last: min "
             "for max"),
+      gives("leaves-before-it-enters", leaves_before_it_enters,
+            "a line that leaves one slab before it enters another is said to hit: the two are not compared"),
       gives("corner-faces-alone", corner_faces_alone,
             "only the three faces at min, or at the corner, are hit: the opposite ones are missing"),
       gives("parallelepiped-as-box", read_as<parallelepiped_as_box>,
@@ -142,12 +159,11 @@ std::vector<Hypothesis> models_of_cylinders() {
       gives("first-side-hit-decides", first_side_hit_decides,
             "it misses where the side's first hit lies beyond an end, although the other one is on the "
             "cylinder"),
-      gives("low-rim-missed", without_low_rim, "hits on the rim at z = 0 are left out: z > 0 is asked",
-            boundary),
-      gives("high-rim-missed", without_high_rim,
-            "hits on the rim at z = height are left out: z < height is asked", boundary),
-      gives("rims-missed", without_rims, "hits on both rims are left out: the height is taken for open",
-            boundary),
+      misses_zero("low-rim-missed", without_low_rim, "hits on the rim at z = 0 are left out: z > 0 is asked"),
+      misses_zero("high-rim-missed", without_high_rim,
+                  "hits on the rim at z = height are left out: z < height is asked"),
+      misses_zero("rims-missed", without_rims,
+                  "hits on both rims are left out: the height is taken for open"),
       gives("cylinder-as-box", read_as<cylinder_as_box>,
             "the answer is right for the box round the cylinder: the caps are rectangles"),
       gives("circle-rx", read_as<circular_rx>,
@@ -168,6 +184,8 @@ std::vector<Hypothesis> models_of_cylinders() {
             "the answer is right for a circle of the mean of rx and ry: the ellipse is taken for a circle"),
       gives("height-doubled", read_as<height_doubled>, "the answer is right for twice the height"),
       gives("height-halved", read_as<height_halved>, "the answer is right for half the height"),
+      gives("radii-one", read_as<radii_one>, "the answer is right for radii of 1: they are ignored"),
+      gives("height-one", read_as<height_one>, "the answer is right for a height of 1: it is ignored"),
       gives("axis-is-x", read_as<cylinder_along<0>>, "the answer is right for a cylinder along x"),
       gives("axis-is-y", read_as<cylinder_along<1>>, "the answer is right for a cylinder along y"),
       gives("axis-turned-to-x", read_as<cylinder_turned_to<0>>,
