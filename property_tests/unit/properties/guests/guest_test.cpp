@@ -71,12 +71,13 @@ Answer without_vertices(const Case& one) {
   return is_vertex ? Answer(Position::outside) : oracle::answer(one);
 }
 
-/// Without all edges; without those that are seen from one side.
+/// Without all of the boundary; without what is seen of it from one side.
 template <bool all>
-Answer without_edges(const Case& one) {
+Answer without_boundary_hits(const Case& one) {
   const auto exact = std::get<RayAnswer>(oracle::answer(one));
   const bool is_left_out = all || (exact.normal && exact.normal->x + exact.normal->y > 0);
-  return exact.contact == Contact::edge && is_left_out ? RayAnswer{} : exact;
+  const bool is_on_boundary = exact.contact == Contact::edge || exact.contact == Contact::vertex;
+  return is_on_boundary && is_left_out ? RayAnswer{} : exact;
 }
 
 Answer with_rays_in_planes(const Case& one) {
@@ -105,8 +106,8 @@ TEST(Probe, TakesForARuleOnlyWhatIsWrongOnMostBoundaries) {
   const auto only = [](BoundaryPlace one) { return BoundaryPlaces(1U << static_cast<unsigned>(one)); };
   EXPECT_EQ(learnt("point_in_polygon", without_vertices).rules, only(BoundaryPlace::vertex));
   EXPECT_TRUE(learnt("point_in_polygon", without_boundary).rules.none());
-  EXPECT_EQ(learnt("polygon", without_edges<true>).rules, only(BoundaryPlace::edge));
-  EXPECT_TRUE(learnt("polygon", without_edges<false>).rules.none());
+  EXPECT_EQ(learnt("polygon", without_boundary_hits<true>).rules, only(BoundaryPlace::edge));
+  EXPECT_TRUE(learnt("polygon", without_boundary_hits<false>).rules.none());
   EXPECT_EQ(learnt("plane", with_rays_in_planes).rules, only(BoundaryPlace::in_surface));
 }
 
