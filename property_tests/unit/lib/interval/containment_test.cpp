@@ -42,7 +42,7 @@ Sample<T> sample(Random& random) {
 }
 
 /// numerator / denominator, exactly, but never divided.
-struct ExactQuotient {
+struct RationalQuotient {
   Ring numerator;
   Ring denominator = Ring(1.0);
 
@@ -54,7 +54,7 @@ struct ExactQuotient {
 };
 
 template <class T>
-bool holds(const Interval<T>& range, const ExactQuotient& exact) {
+bool holds(const Interval<T>& range, const RationalQuotient& exact) {
   if (range.is_empty()) return false;
   return exact.compare(range.lo) >= 0 && exact.compare(range.hi) <= 0;
 }
@@ -150,7 +150,7 @@ TYPED_TEST(IntervalOf, IsNoWiderThanPromised) {
     for (; count > 0; --count) x = outward::above(x);
     return x;
   };
-  const auto is_tight = [&](const Interval<TypeParam>& z, const ExactQuotient& exact) {
+  const auto is_tight = [&](const Interval<TypeParam>& z, const RationalQuotient& exact) {
     if (!z.is_bounded()) return true;
     return z.is_point() || (exact.compare(steps(z.lo, 2)) <= 0 && exact.compare(-steps(-z.hi, 2)) >= 0);
   };
