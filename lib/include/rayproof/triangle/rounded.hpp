@@ -30,7 +30,7 @@ struct Rounded {
       .ulp = {.measured = 0.5, .promised = 0.501},
       .hit = {triangle_hit_bounds.point,
               triangle_hit_bounds.normal,
-              {.measured = 1.5, .promised = 2, .is_proven = true}},
+              {.measured = 1.22, .promised = 2, .is_proven = true}},
       .domain = {.reach_float = 1000, .reach_double = 200, .every_number = true},
       .holds = robust_claims | hit_claims |
                Claims{Claim::coordinates, Claim::residual, Claim::ulp, Claim::rounded}};
