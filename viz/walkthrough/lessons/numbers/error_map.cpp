@@ -107,10 +107,12 @@ Stage map_stage(const Case& one, const ReportCase& report_on) {
   stage.camera = setting.camera;
   stage.slider.reset();
   stage.steps.clear();
-  for (const double distance : {10.0, 1500.0, 2200.0, 3000.0, 8000.0})
+  for (const double distance : {10.0, 1500.0, 2500.0, 4000.0, 8000.0})
     stage.steps.push_back(map_step(distance));
   stage.method = "sphere/textbook and sphere/centred for each pixel";
-  stage.conclusion = "The textbook's error grows with the distance squared; the centred formula's does not.";
+  stage.conclusion =
+      "The textbook's error grows with the distance squared, the centred formula's does not; how many pixels "
+      "that spoils goes up and down.";
   stage.steps.back().digits = stage.conclusion;
   return stage;
 }
