@@ -21,10 +21,20 @@ ABSENT = "qwertzuiopx"
 SECONDS = 20
 
 
+def holds(page, expression):
+    """Whether the expression is true in the page now; a page that is left for another one meanwhile gives no answer."""
+    try:
+        return page.run(expression)
+    except RuntimeError as error:
+        if "navigated" not in str(error):
+            raise
+        return False
+
+
 def wait_until(page, expression):
     """Whether the expression comes true in the page."""
     deadline = time.monotonic() + SECONDS
-    while not page.run(expression):
+    while not holds(page, expression):
         if time.monotonic() > deadline:
             return False
         time.sleep(0.1)
