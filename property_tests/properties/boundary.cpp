@@ -103,6 +103,8 @@ BoundaryPlaces places_of(const Case& one, const RayQuestion& asked, RayAnswer ex
     if (t == asked.ray.t_min) places |= only(t_min);
     if (t == asked.ray.t_max) places |= only(t_max);
   }
+  const auto* sphere = std::get_if<Sphere<double>>(&asked.shape);
+  if (sphere != nullptr && sphere->radius == 0) return places | only(no_radius);
   if (exact.contact == Contact::tangent) return places | only(tangent);
   const Ray<double> ray = ray_in_object(asked);
   const auto edges = [&] { return std::visit(EdgeOf{ray, exact}, asked.shape); };

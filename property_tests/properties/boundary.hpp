@@ -27,7 +27,8 @@ enum class BoundaryPlace {
   // Of shapes without faces; a place is one of its shape.
   in_surface = low_face,    ///< a line that runs inside a plane, a figure's plane or an open side: a miss
   level_side = low_face,    ///< a level side of a polygon in the plane
-  upright_side = high_face  ///< an upright one
+  upright_side = high_face,  ///< an upright one
+  no_radius = low_face       ///< a sphere that is a point
 };
 inline constexpr std::size_t boundary_place_count = 12;
 

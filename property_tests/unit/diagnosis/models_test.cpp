@@ -77,6 +77,7 @@ const Foreseen foreseen_faults[] = {
     {"plane", "absolute"},
     {"plane", "times-slope"},
     {"sphere", "origin-not-transformed"},
+    {"sphere", "point-missed"},
     {"box", "flat-box-missed"},
     {"box", "max-as-size"},
     {"parallelepiped", "parallelepiped-as-bounds"},

@@ -141,6 +141,11 @@ Answers flat_box_missed(const Case& one, const Answer& exact) {
   return is_flat ? Answers{RayAnswer{}} : Answers{};
 }
 
+Answers sphere_of_no_radius_missed(const Case& one, const Answer& exact) {
+  const auto* sphere = shape_in<Sphere<double>>(one);
+  return sphere != nullptr && sphere->radius == 0 && finds_something(exact) ? Answers{RayAnswer{}} : Answers{};
+}
+
 Answers centre_behind_missed(const Case& one, const Answer& exact) {
   const auto* sphere = shape_in<Sphere<double>>(one);
   if (sphere == nullptr || !finds_something(exact)) return {};

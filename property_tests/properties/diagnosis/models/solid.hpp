@@ -53,6 +53,9 @@ template <int edge>
 [[nodiscard]] Answers nearest_point_of_line(const Case& one, const Answer& exact);
 /// @}
 
+/// A sphere that is a point is missed.
+[[nodiscard]] Answers sphere_of_no_radius_missed(const Case& one, const Answer& exact);
+
 /// A sphere whose centre lies behind the ray's beginning is missed, although the ray starts inside.
 [[nodiscard]] Answers centre_behind_missed(const Case& one, const Answer& exact);
 

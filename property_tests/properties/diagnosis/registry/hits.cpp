@@ -72,7 +72,7 @@ std::vector<Hypothesis> models_of_hits() {
       shows("not-sorted", not_sorted,
             "the hits are right, and do not always stand in ascending order: they are not sorted"),
       gives("root-alone", root_alone, "of two roots only one is given"),
-      gives("double-hit-twice", double_hit_twice, "a double root is reported twice", boundary),
+      gives("double-hit-twice", double_hit_twice, "where the ray touches, the one hit is reported twice", boundary),
       misses_zero("tangent-missed", misses_at<Contact::tangent>, "a ray that only touches is missed"),
       misses_zero("edge-missed", misses_at<Contact::edge>,
                   "every hit on an edge is missed: the shape is taken without its edges"),

@@ -71,6 +71,8 @@ std::vector<Hypothesis> models_of_solids() {
       gives(
           "centre-behind-missed", centre_behind_missed,
           "a sphere whose centre lies behind the ray's beginning is missed, although the ray starts inside"),
+      misses_zero("point-missed", sphere_of_no_radius_missed,
+                  "a sphere of radius 0 is missed: it is a point, and a ray may meet it"),
       misses_zero("flat-box-missed", flat_box_missed, "a box without thickness along an axis is missed"),
       gives("max-as-size", read_as<max_as_size>,
             "the answer is right for a box from min to min + max: max is taken for the size"),

@@ -48,6 +48,7 @@ enum class Fault {
   from_inside_missed,
   tangent_missed,
   tangent_twice,
+  no_radius_missed,
   // triangle
   no_sum_test,
   no_beta_test,

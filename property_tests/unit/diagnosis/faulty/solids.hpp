@@ -31,6 +31,7 @@ template <class T>
 
 template <class T>
 [[nodiscard]] FoundHits<T> find(const Ray<T>& ray, const Sphere<T>& sphere, Fault fault) {
+  if (fault == Fault::no_radius_missed && sphere.radius == 0) return {};
   glm::vec<3, T> f = ray.origin - sphere.center;
   if (fault == Fault::centre_ignored) f = ray.origin;
   if (fault == Fault::centre_negated) f = ray.origin + sphere.center;
