@@ -4,12 +4,13 @@
 
 #include <filesystem>
 #include <fstream>
+#include <optional>
 
 #include "bench/figures/json.hpp"
 #include "bench/figures/measure.hpp"
-#include "bench/figures/page.hpp"
-#include "bench/figures/plot.hpp"
-#include "bench/figures/text.hpp"
+#include "bench/page/page.hpp"
+#include "bench/page/plot.hpp"
+#include "bench/page/text.hpp"
 #include "bench/report/describe_options.hpp"
 #include "bench/vtk/plot_png.hpp"
 #include "command_line/command_line.hpp"
@@ -29,12 +30,22 @@ void write_file(const std::filesystem::path& path, const std::string& text) {
   if (!out) throw std::runtime_error(path.string() + " can't be written");
 }
 
+report::Measurements read_file(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  const std::string text(std::istreambuf_iterator<char>(in), {});
+  try {
+    return report::from_json(text);
+  } catch (const report::FiguresError& trouble) {
+    throw report::FiguresError(path + ": " + trouble.what());
+  }
+}
+
 /// Writes leaving.svg, of rays that leave surfaces by every strategy, where no filter asks for something
 /// else; gives the line that says so.
 std::string write_leaving([[maybe_unused]] const report::BenchOptions& options,
                           [[maybe_unused]] ProgressLine& progress) {
 #ifdef RAYPROOF_LEAVING
-  if (!options.shapes.empty() || !options.methods.empty() || !options.families.empty()) return "";
+  if (options.has_filter() || !options.figures.empty()) return "";
   constexpr std::size_t hits = 16384;
   const std::atomic<bool> never{false};
   const leaving::SearchResult result =
@@ -49,21 +60,32 @@ std::string write_leaving([[maybe_unused]] const report::BenchOptions& options,
 #endif
 }
 
-int run(const report::BenchOptions& options) {
-  std::filesystem::create_directories(options.out);
-  ProgressLine progress;
-  const report::Measurements figures =
+report::Measurements measured_or_read(const report::BenchOptions& options, ProgressLine& progress) {
+  if (!options.figures.empty()) return read_file(options.figures);
+  report::Measurements figures =
       report::measure(options, [&](double done, const std::string& what) { progress.show(done, what); });
   progress.clear();
+  return figures;
+}
+
+int run(const report::BenchOptions& options) {
+  const std::optional<report::Measurements> baseline =
+      options.baseline.empty() ? std::nullopt : std::optional(read_file(options.baseline));
+  std::filesystem::create_directories(options.out);
+  ProgressLine progress;
+  report::Conclusions found{.figures = measured_or_read(options, progress)};
+  const report::Measurements& figures = found.figures;
+  if (baseline) found.baseline = {report::compare(*baseline, figures), baseline->machine};
+  found.summaries = report::summarise(figures.rows);
+  found.choices = report::choose(figures.rows);
+  found.plots = report::make_plots(found.summaries);
 
   const std::filesystem::path out = options.out;
-  const auto summaries = report::summarise(figures.rows);
-  const std::vector<report::Plot> plots = report::make_plots(summaries);
-  fmt::print("{}", report::to_text(figures, summaries));
+  fmt::print("{}", report::to_text(found));
   if (!options.json.empty()) write_file(options.json, report::to_json(figures));
-  write_file(out / "index.html", report::to_page(figures, summaries, plots));
+  write_file(out / "index.html", report::to_page(found));
   fmt::print("page: {}\n", (out / "index.html").string());
-  for (const std::string& line : report::write_pngs(plots, out)) fmt::print("{}\n", line);
+  for (const std::string& line : report::write_pngs(found.plots, out)) fmt::print("{}\n", line);
   fmt::print("{}", write_leaving(options, progress));
   return 0;
 }
@@ -78,10 +100,17 @@ int main(int argc, char** argv) {
   report::describe(app, options);
   if (const auto status = parse_command_line(app, argc, argv)) return *status;
   try {
+    if (options.is_quick) {
+      options.rays = 4096;
+      options.seconds = 0.02;
+    }
     report::validate(options);
     return run(options);
   } catch (const report::UnknownFilterName& unknown) {
     fmt::print(stderr, "rayproof report: {}\n", unknown.what());
+    return 2;
+  } catch (const report::FiguresError& trouble) {
+    fmt::print(stderr, "rayproof report: {}\n", trouble.what());
     return 2;
   } catch (const std::exception& trouble) {
     fmt::print(stderr, "rayproof report: {}\n", trouble.what());

@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-#include "bench/figures/contender.hpp"
+#include "bench/contenders/contender.hpp"
 #include "generators/generators.hpp"
 
 namespace {

@@ -1,6 +1,12 @@
 #include "bench/figures/json.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "case/json/ordered.hpp"
 
@@ -10,11 +16,23 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr std::array errors_by_name{
+    std::pair{"max_ulp", &Accuracy::max_ulp},       std::pair{"p99_ulp", &Accuracy::p99_ulp},
+    std::pair{"mean_bits", &Accuracy::mean_bits},   std::pair{"max_point", &Accuracy::max_point},
+    std::pair{"max_normal", &Accuracy::max_normal}, std::pair{"max_coordinates", &Accuracy::max_coordinates}};
+
 /// JSON has neither infinity nor NaN: the case format's string for the one, null for what there is none of.
 Json number(double x) {
   if (std::isnan(x)) return nullptr;
   if (std::isinf(x)) return "inf";
   return x;
+}
+
+/// Four digits: no pass is timed to more.
+Json passes_of(const std::vector<double>& passes_ns) {
+  Json json = Json::array();
+  for (const double ns : passes_ns) json.push_back(std::stod(fmt::format("{:.4g}", ns)));
+  return json;
 }
 
 Json row_of(const BenchRow& row, std::size_t timed_rays) {
@@ -24,18 +42,60 @@ Json row_of(const BenchRow& row, std::size_t timed_rays) {
             {"arrangement", name_of(row.arrangement)},
             {"family", row.family},
             {"rays", row.is_floor() ? timed_rays : row.accuracy.cases},
-            {"ns_per_ray", row.ns_per_ray}};
+            {"ns_per_ray", row.ns_per_ray},
+            {"passes_ns", passes_of(row.passes_ns)}};
   const Accuracy& errors = row.accuracy;
   const auto add = [&](const char* name, const Json& value) { json[name] = row.is_floor() ? Json() : value; };
   add("wrong_hits", errors.wrong_hits);
   add("wrong_misses", errors.wrong_misses);
-  add("max_ulp", number(errors.max_ulp));
-  add("p99_ulp", number(errors.p99_ulp));
-  add("mean_bits", number(errors.mean_bits));
-  add("max_point", number(errors.max_point));
-  add("max_normal", number(errors.max_normal));
-  add("max_coordinates", number(errors.max_coordinates));
+  add("agreed_hits", errors.agreed_hits);
+  for (const auto& [name, error] : errors_by_name) add(name, number(errors.*error));
   return json;
+}
+
+/// A member of an object, as what it is to be; FiguresError where it is not there or something else.
+template <class Value>
+Value member(const Json& json, const std::string& place, const char* name) {
+  if (!json.is_object() || !json.contains(name))
+    throw FiguresError(fmt::format("{}: there is no \"{}\"", place, name));
+  try {
+    return json[name].get<Value>();
+  } catch (const Json::exception&) {
+    throw FiguresError(fmt::format("{}: \"{}\" is something else than it should be", place, name));
+  }
+}
+
+double number_in(const Json& json, const std::string& place, const char* name) {
+  const Json value = member<Json>(json, place, name);
+  if (value.is_null()) return std::numeric_limits<double>::quiet_NaN();
+  return value == "inf" ? std::numeric_limits<double>::infinity() : member<double>(json, place, name);
+}
+
+/// The one of some values that has this name.
+template <class Value>
+Value named(const Json& json, const std::string& place, const char* name,
+            std::initializer_list<Value> values) {
+  const auto wanted = member<std::string>(json, place, name);
+  const auto found = std::ranges::find_if(values, [&](Value value) { return name_of(value) == wanted; });
+  if (found == values.end()) throw FiguresError(fmt::format("{}: \"{}\" can't be '{}'", place, name, wanted));
+  return *found;
+}
+
+BenchRow read_row(const Json& json, const std::string& place) {
+  BenchRow row{member<std::string>(json, place, "shape"),
+               member<std::string>(json, place, "method"),
+               named(json, place, "precision", {Precision::float32, Precision::float64}),
+               named(json, place, "arrangement", {Arrangement::scalar, Arrangement::batch}),
+               member<std::string>(json, place, "family"),
+               member<double>(json, place, "ns_per_ray")};
+  row.passes_ns = member<std::vector<double>>(json, place, "passes_ns");
+  if (row.is_floor()) return row;
+  row.accuracy.cases = member<std::size_t>(json, place, "rays");
+  row.accuracy.wrong_hits = member<std::size_t>(json, place, "wrong_hits");
+  row.accuracy.wrong_misses = member<std::size_t>(json, place, "wrong_misses");
+  row.accuracy.agreed_hits = member<std::size_t>(json, place, "agreed_hits");
+  for (const auto& [name, error] : errors_by_name) row.accuracy.*error = number_in(json, place, name);
+  return row;
 }
 
 }  // namespace
@@ -45,6 +105,22 @@ std::string to_json(const Measurements& figures) {
   for (const BenchRow& row : figures.rows) rows.push_back(row_of(row, figures.rays));
   return write_json({{"machine", figures.machine}, {"compiler", figures.compiler}, {"rows", std::move(rows)}},
                     1);
+}
+
+Measurements from_json(const std::string& text) {
+  const Json json = read_json(text, false);
+  if (json.is_discarded()) throw FiguresError("this is not JSON");
+  Measurements figures{member<std::string>(json, "the report", "machine"),
+                       member<std::string>(json, "the report", "compiler"),
+                       0,
+                       {}};
+  const Json rows = member<Json>(json, "the report", "rows");
+  if (!rows.is_array()) throw FiguresError("the report: \"rows\" is no array");
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    figures.rows.push_back(read_row(rows[i], fmt::format("rows[{}]", i)));
+    figures.rays = std::max(figures.rays, rows[i].value("rays", std::size_t{0}));
+  }
+  return figures;
 }
 
 }  // namespace rayproof::report

@@ -4,8 +4,9 @@
 
 #include <map>
 
+#include "bench/contenders/contender.hpp"
 #include "bench/figures/accuracy.hpp"
-#include "bench/figures/contender.hpp"
+#include "bench/figures/median.hpp"
 
 namespace rayproof::report {
 
@@ -39,10 +40,11 @@ void measure_family(const BenchOptions& options, const Family& family, Precision
     if (contender.method == BenchRow::floor_name || accuracies.contains(contender.method))
       wanted.push_back(std::move(contender));
   }
-  const std::vector<double> ns = median_ns(wanted, options.rays, options.seconds);
+  const auto passes = time_passes(wanted, options.rays, options.seconds);
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     const Contender& timed = wanted[i];
-    BenchRow row{family.topic, timed.method, precision, timed.arrangement, family.name, ns[i]};
+    BenchRow row{family.topic, timed.method, precision, timed.arrangement, family.name, median(passes[i])};
+    row.passes_ns = passes[i];
     if (!row.is_floor()) {
       const Accuracies& found = accuracies.at(timed.method);
       row.accuracy = timed.arrangement == Arrangement::scalar ? found.scalar : found.batch;

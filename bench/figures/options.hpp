@@ -19,6 +19,9 @@ class UnknownFilterName : public std::runtime_error {
 /// What is to be measured. An empty filter lets everything through.
 struct BenchOptions {
   std::string json;
+  std::string figures;   ///< a report's JSON to be shown in place of measuring
+  std::string baseline;  ///< one to compare with
+  bool is_quick = false;
   std::string out = "out/report";
   std::size_t rays = 65536;
   double seconds = 0.25;
@@ -28,6 +31,7 @@ struct BenchOptions {
   [[nodiscard]] bool wants_family(const Family& family) const;
   [[nodiscard]] bool wants_method(const std::string& shape, const std::string& method) const;
   [[nodiscard]] std::vector<Precision> wanted_precisions() const;
+  [[nodiscard]] bool has_filter() const { return !(shapes.empty() && methods.empty() && families.empty()); }
 };
 
 /// Throws UnknownFilterName where a filter names nothing.

@@ -43,10 +43,16 @@ struct BenchRow {
   Precision precision = Precision::float32;
   Arrangement arrangement = Arrangement::scalar;
   std::string family;
-  double ns_per_ray = 0;
+  double ns_per_ray = 0;  ///< the median of the passes
   Accuracy accuracy{};
+  std::vector<double> passes_ns{};  ///< nanoseconds a ray of each timed pass
 
   [[nodiscard]] bool is_floor() const { return method == floor_name; }
+  /// Whether both are of one method on one family, in one precision and arrangement.
+  [[nodiscard]] bool is_same_as(const BenchRow& other) const {
+    return shape == other.shape && method == other.method && precision == other.precision &&
+           arrangement == other.arrangement && family == other.family;
+  }
   static constexpr const char* floor_name = "streaming";
 };
 

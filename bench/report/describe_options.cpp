@@ -32,6 +32,16 @@ void describe(CLI::App& app, BenchOptions& options) {
   app.add_option("--time", options.seconds, "Seconds of timing for each family and precision")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
+  app.add_flag("--quick", options.is_quick, "Two minutes in place of ten: 4096 rays, 0.02 seconds")
+      ->excludes("--rays")
+      ->excludes("--time");
+  app.add_option("--baseline", options.baseline,
+                 "Compare with the figures of an older report, or of another machine")
+      ->check(CLI::ExistingFile)
+      ->type_name("FILE");
+  app.add_option("--figures", options.figures, "Show the figures of a report in place of measuring")
+      ->check(CLI::ExistingFile)
+      ->type_name("FILE");
   app.add_option("--out", options.out, "Folder for the page and the plots")
       ->capture_default_str()
       ->type_name("DIR");

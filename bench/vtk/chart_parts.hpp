@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "bench/figures/plot.hpp"
+#include "bench/page/plot.hpp"
 
 class vtkChartXY;
 class vtkTextProperty;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/figures/plot.hpp"
+#include "bench/page/plot.hpp"
 
 namespace rayproof::report {
 

@@ -17,6 +17,10 @@ struct Ray {
   T t_min = T(0);
   T t_max = T(infinity<T>);
 };
+template <class T>
+Ray(glm::vec<3, T>, glm::vec<3, T>) -> Ray<T>;
+template <class T>
+Ray(glm::vec<3, T>, glm::vec<3, T>, T, T) -> Ray<T>;
 
 /// Whether t counts as a hit of `ray`; false where t or an end of the interval is NaN.
 template <class T>

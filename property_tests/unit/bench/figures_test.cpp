@@ -1,25 +1,17 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "bench/contenders/contender.hpp"
 #include "bench/figures/accuracy.hpp"
-#include "bench/figures/contender.hpp"
-#include "bench/figures/json.hpp"
-#include "bench/figures/plot.hpp"
-#include "bench/figures/plot_svg.hpp"
+#include "bench/page/plot.hpp"
+#include "bench/page/plot_svg.hpp"
 #include "generators/generators.hpp"
+#include "unit/bench/rows.hpp"
 
 namespace rayproof::report {
 
 namespace {
-
-BenchRow row(const char* method, Arrangement arrangement, const char* family, double ns, std::size_t wrong,
-             double bits) {
-  BenchRow one{"sphere", method, Precision::float32, arrangement, family, ns};
-  one.accuracy = {.cases = 1000, .wrong_misses = wrong, .agreed_hits = 100, .mean_bits = bits};
-  return one;
-}
 
 Case unit_sphere_from(double z) {
   Case one;
@@ -68,25 +60,25 @@ TEST(Accuracy, CountsAHitTooFew) {
 
 TEST(Summary, LeavesOutTheFamiliesThatAreNotOfScenesAndSumsUpTheOthers) {
   const std::vector<MethodSummary> found =
-      summarise({row("centred", Arrangement::batch, "random", 1, 10, 2),
-                 row("centred", Arrangement::batch, "far", 3, 30, 4),
-                 row("centred", Arrangement::batch, "bit_patterns", 90, 900, 20)});
+      summarise({sphere_row("centred", Arrangement::batch, "random", 1, 10, 2),
+                 sphere_row("centred", Arrangement::batch, "far", 3, 30, 4),
+                 sphere_row("centred", Arrangement::batch, "bit_patterns", 90, 900, 20)});
   ASSERT_EQ(found.size(), 1U);
   EXPECT_DOUBLE_EQ(found[0].wrong_share(), 0.02);
   EXPECT_DOUBLE_EQ(found[0].accuracy.mean_bits, 3);
 }
 
 TEST(Headline, IsLeftOutWhereGlmWasNotMeasured) {
-  const std::vector<BenchRow> rows{row("centred", Arrangement::batch, "random", 1, 0, 0),
-                                   row(BenchRow::floor_name, Arrangement::batch, "random", 0.5, 0, 0)};
+  const std::vector<BenchRow> rows{sphere_row("centred", Arrangement::batch, "random", 1, 0, 0),
+                                   sphere_row(BenchRow::floor_name, Arrangement::batch, "random", 0.5, 0, 0)};
   EXPECT_FALSE(headline(rows).has_value());
 }
 
 TEST(Plot, HasAFrontOfThePointsThatNoOtherBeats) {
   const std::vector<Plot> plots =
-      make_plots(summarise({row("fast", Arrangement::batch, "random", 1, 0, 8),
-                            row("beaten", Arrangement::batch, "random", 10, 0, 9),
-                            row("exact", Arrangement::batch, "random", 100, 0, 0)}));
+      make_plots(summarise({sphere_row("fast", Arrangement::batch, "random", 1, 0, 8),
+                            sphere_row("beaten", Arrangement::batch, "random", 10, 0, 9),
+                            sphere_row("exact", Arrangement::batch, "random", 100, 0, 0)}));
   ASSERT_EQ(plots.size(), 1U);
   const auto& front = plots[0].panels.back().front;
   const std::vector<std::pair<double, double>> stair{{0, 8}, {2, 8}, {2, 0}};
@@ -96,7 +88,7 @@ TEST(Plot, HasAFrontOfThePointsThatNoOtherBeats) {
 TEST(Plot, DistinguishesAnyTwoMethodsWithoutColour) {
   std::vector<BenchRow> rows;
   for (const char* method : {"a", "b", "c", "d", "e", "f", "g", "h", "i"})
-    rows.push_back(row(method, Arrangement::batch, "random", 1, 0, 1));
+    rows.push_back(sphere_row(method, Arrangement::batch, "random", 1, 0, 1));
   const std::vector<PlotMark> marks = make_plots(summarise(rows)).at(0).marks;
   for (std::size_t i = 0; i < marks.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
@@ -106,26 +98,11 @@ TEST(Plot, DistinguishesAnyTwoMethodsWithoutColour) {
 TEST(PlotInSvg, HasRoomForTheLongestNameOfAMethod) {
   const std::string name = "printed_unit_direction_and_more";
   const std::string svg =
-      to_svg(make_plots(summarise({row(name.c_str(), Arrangement::batch, "random", 1, 0, 1)})).at(0));
+      to_svg(make_plots(summarise({sphere_row(name.c_str(), Arrangement::batch, "random", 1, 0, 1)})).at(0));
   const double width = std::stod(svg.substr(svg.find("viewBox=\"0 0 ") + 13));
   const std::size_t text = svg.rfind("<text x=\"", svg.find(">" + name + "<"));
   ASSERT_NE(text, std::string::npos);
   EXPECT_GE(width, std::stod(svg.substr(text + 9)) + 8.5 * static_cast<double>(name.size()));
-}
-
-TEST(Json, HasTheKeysOfTheCaseFormatInEveryRow) {
-  BenchRow floor{"sphere", BenchRow::floor_name, Precision::float64, Arrangement::batch, "random", 0.5};
-  const auto json = nlohmann::json::parse(
-      to_json({"machine", "compiler", 64, {row("centred", Arrangement::scalar, "random", 1, 2, 3), floor}}));
-  EXPECT_EQ(json.at("machine"), "machine");
-  for (const auto& one : json.at("rows")) {
-    for (const char* key :
-         {"shape", "method", "precision", "arrangement", "family", "rays", "ns_per_ray", "wrong_hits",
-          "wrong_misses", "max_ulp", "p99_ulp", "mean_bits", "max_point", "max_normal", "max_coordinates"})
-      EXPECT_TRUE(one.contains(key)) << key;
-  }
-  EXPECT_EQ(json["rows"][0]["wrong_misses"], 2);
-  EXPECT_TRUE(json["rows"][1]["max_ulp"].is_null());
 }
 
 TEST(Contenders, CoverEveryMethodInItsArrangementsAndTheFloorOfBatches) {
@@ -137,7 +114,10 @@ TEST(Contenders, CoverEveryMethodInItsArrangementsAndTheFloorOfBatches) {
     const std::vector<Contender> all = contenders(family.topic, cases, Precision::float32);
     const bool has_batches = std::ranges::count(all, Arrangement::batch, &Contender::arrangement) > 0;
     EXPECT_EQ(all.back().method == BenchRow::floor_name, has_batches);
-    for (const double ns : median_ns(all, cases.size(), 0.001)) EXPECT_GT(ns, 0);
+    for (const auto& passes : time_passes(all, cases.size(), 0.001)) {
+      EXPECT_GE(passes.size(), 5U);
+      for (const double ns : passes) EXPECT_GT(ns, 0);
+    }
     for (const Subject& subject : subjects()) {
       if (subject.topic != family.topic) continue;
       const auto own = std::ranges::count(all, subject.name, &Contender::method);

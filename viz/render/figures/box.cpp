@@ -9,6 +9,6 @@ void enclose(Hull& hull, const rayproof::Box<double>& box) {
 
 }  // namespace
 
-FigureKind box_figures() { return figure_kind<box::Topic, rayproof::Box<double>, enclose>("slabs"); }
+FigureKind box_figures() { return figure_kind<box::Topic, rayproof::Box<double>, enclose>(); }
 
 }  // namespace rayproof::render

@@ -9,6 +9,6 @@ void enclose(Hull& hull, const Cylinder<double>& cylinder) {
 
 }  // namespace
 
-FigureKind cylinder_figures() { return figure_kind<cylinder::Topic, Cylinder<double>, enclose>("centred"); }
+FigureKind cylinder_figures() { return figure_kind<cylinder::Topic, Cylinder<double>, enclose>(); }
 
 }  // namespace rayproof::render

@@ -77,8 +77,8 @@ template <class Topic, class T>
 
 /// What a topic's shape, which has no end, brings to a scene.
 template <class Topic>
-[[nodiscard]] FigureKind figure_kind(const char* default_method) {
-  FigureKind kind{Topic::name, default_method};
+[[nodiscard]] FigureKind figure_kind() {
+  FigureKind kind{Topic::name, Topic::Plain::name};
   Topic::Methods::for_each(
       [&]<class Method>(std::type_identity<Method>) { kind.methods.emplace_back(Method::name); });
   kind.in_float = make_figures<Topic, float>;
@@ -88,8 +88,8 @@ template <class Topic>
 
 /// The same of a shape that points enclose.
 template <class Topic, class S, void (*enclose)(Hull&, const S&)>
-[[nodiscard]] FigureKind figure_kind(const char* default_method) {
-  FigureKind kind = figure_kind<Topic>(default_method);
+[[nodiscard]] FigureKind figure_kind() {
+  FigureKind kind = figure_kind<Topic>();
   kind.enclose = [](Hull& hull, const Shape& shape) { enclose(hull, std::get<S>(shape)); };
   return kind;
 }

@@ -15,7 +15,7 @@ void enclose(Hull& hull, const Parallelepiped<double>& solid) {
 }  // namespace
 
 FigureKind parallelepiped_figures() {
-  return figure_kind<parallelepiped::Topic, Parallelepiped<double>, enclose>("face_planes");
+  return figure_kind<parallelepiped::Topic, Parallelepiped<double>, enclose>();
 }
 
 }  // namespace rayproof::render

@@ -2,6 +2,6 @@
 
 namespace rayproof::render {
 
-FigureKind plane_figures() { return figure_kind<plane::Topic>("implicit"); }
+FigureKind plane_figures() { return figure_kind<plane::Topic>(); }
 
 }  // namespace rayproof::render

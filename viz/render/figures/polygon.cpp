@@ -46,6 +46,6 @@ void enclose(Hull& hull, const Polygon<double>& polygon) {
 
 }  // namespace
 
-FigureKind polygon_figures() { return figure_kind<polygon::Topic, Polygon<double>, enclose>("winding"); }
+FigureKind polygon_figures() { return figure_kind<polygon::Topic, Polygon<double>, enclose>(); }
 
 }  // namespace rayproof::render

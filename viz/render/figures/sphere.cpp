@@ -11,6 +11,6 @@ void enclose(Hull& hull, const Sphere<double>& sphere) {
 
 }  // namespace
 
-FigureKind sphere_figures() { return figure_kind<sphere::Topic, Sphere<double>, enclose>("centred"); }
+FigureKind sphere_figures() { return figure_kind<sphere::Topic, Sphere<double>, enclose>(); }
 
 }  // namespace rayproof::render

@@ -9,6 +9,6 @@ void enclose(Hull& hull, const Triangle<double>& triangle) {
 
 }  // namespace
 
-FigureKind triangle_figures() { return figure_kind<triangle::Topic, Triangle<double>, enclose>("woop"); }
+FigureKind triangle_figures() { return figure_kind<triangle::Topic, Triangle<double>, enclose>(); }
 
 }  // namespace rayproof::render

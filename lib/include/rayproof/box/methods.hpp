@@ -16,6 +16,8 @@ struct Topic : RayTopic<Box> {
   static constexpr double robust_bound = box_robust_bound;
   static constexpr bool is_batched = true;
   using Methods = TypeList<Slabs, SlabsInverse, Padded, Rounded, PrintedSlabs>;
+  using Plain = Slabs;
+  using Exact = Rounded;
 };
 
 }  // namespace rayproof::box

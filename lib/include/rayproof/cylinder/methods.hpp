@@ -15,6 +15,8 @@ struct Topic : RayTopic<Cylinder> {
   static constexpr double robust_bound = cylinder_robust_bound;
   static constexpr bool is_batched = true;
   using Methods = TypeList<Textbook, Centred, Rounded, Printed>;
+  using Plain = Centred;
+  using Exact = Rounded;
 };
 
 }  // namespace rayproof::cylinder

@@ -33,7 +33,9 @@ template <class To, template <class> class Shape, class From>
   return {convert<To>(problem.ray), convert<To>(problem.shape)};
 }
 
-/// The base of a shape's topic, as the registries see it.
+/// The base of a shape's topic, as the registries see it. The topic names two of its methods for who does not
+/// want to choose: `Plain`, a sound and quick one, and `Exact`, whose verdict is the exact one and whose t is
+/// the exact one rounded once.
 template <template <class> class Shape>
 struct RayTopic {
   template <class T>

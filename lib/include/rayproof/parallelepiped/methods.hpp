@@ -14,6 +14,8 @@ struct Topic : RayTopic<Parallelepiped> {
   static constexpr double robust_bound = parallelepiped_robust_bound;
   static constexpr bool is_batched = true;
   using Methods = TypeList<FacePlanes, UnitCube, Rounded>;
+  using Plain = FacePlanes;
+  using Exact = Rounded;
 };
 
 }  // namespace rayproof::parallelepiped

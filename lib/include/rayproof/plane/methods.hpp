@@ -18,6 +18,8 @@ struct Topic : RayTopic<Plane> {
   static constexpr bool is_batched = true;
   using Methods =
       TypeList<ByEquation, ByPointAndNormal, ByParameters, Rounded, PrintedImplicit, PrintedParallel>;
+  using Plain = ByEquation;
+  using Exact = Rounded;
 };
 
 }  // namespace rayproof::plane

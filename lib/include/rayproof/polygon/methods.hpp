@@ -14,6 +14,8 @@ struct Topic : RayTopic<Polygon> {
   static constexpr const char* name = "polygon";
   static constexpr double robust_bound = polygon_robust_bound;
   using Methods = TypeList<Parity, Winding, Rounded, PrintedParity>;
+  using Plain = Winding;
+  using Exact = Rounded;
 };
 
 }  // namespace rayproof::polygon

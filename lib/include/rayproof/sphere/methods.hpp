@@ -21,6 +21,8 @@ struct Topic : RayTopic<Sphere> {
   static constexpr bool is_batched = true;
   using Methods = TypeList<Textbook, HalfB, Stable, Centred, Compensated, Rounded, Printed2ac, PrintedHalfB,
                            PrintedUnitDirection>;
+  using Plain = Centred;
+  using Exact = Rounded;
 };
 
 }  // namespace rayproof::sphere

@@ -21,6 +21,8 @@ struct Topic : RayTopic<Triangle> {
   static constexpr bool is_batched = true;
   using Methods = TypeList<Cramer, PlaneProjection, MollerTrumbore, Woop, Pluecker, Rounded,
                            PrintedParallelogram, PrintedLambda2, PrintedXy>;
+  using Plain = Woop;
+  using Exact = Rounded;
 };
 
 }  // namespace rayproof::triangle

@@ -26,11 +26,11 @@ struct Contender {
                                                 const std::vector<InstructionSet>& sets = {
                                                     preferred_instruction_set()});
 
-/// The median nanoseconds a problem costs each contender. All take turns, so that a disturbance hits all
-/// alike; a contender for which `rays` problems take long is given fewer. `seconds` is about what all
-/// together may take.
-[[nodiscard]] std::vector<double> median_ns(const std::vector<Contender>& contenders, std::size_t rays,
-                                            double seconds);
+/// The nanoseconds a problem costs each contender, of each timed pass. All take turns, so that a disturbance
+/// hits all alike; a contender for which `rays` problems take long is given fewer. `seconds` is about what
+/// all together may take.
+[[nodiscard]] std::vector<std::vector<double>> time_passes(const std::vector<Contender>& contenders,
+                                                           std::size_t rays, double seconds);
 
 /// Keeps the compiler from answering several problems at once where one at a time is to be timed.
 inline void one_at_a_time() { asm volatile("" ::: "memory"); }

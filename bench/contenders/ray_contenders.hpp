@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "bench/figures/shape_passes.hpp"
+#include "bench/contenders/shape_passes.hpp"
 
 namespace rayproof::report {
 

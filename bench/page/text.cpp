@@ -1,8 +1,11 @@
-#include "bench/figures/text.hpp"
+#include "bench/page/text.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
+
+#include "bench/page/choice_table.hpp"
+#include "bench/page/comparison_table.hpp"
 
 namespace rayproof::report {
 
@@ -12,7 +15,8 @@ std::string figure(double x) {
   return fmt::format("{:.3g}", x);
 }
 
-std::string to_text(const Measurements& figures, const std::vector<MethodSummary>& summaries) {
+std::string to_text(const Conclusions& found) {
+  const auto& [figures, summaries, choices, plots, baseline] = found;
   std::string text = fmt::format("{}; {}\n", figures.machine, figures.compiler);
   std::string group;
   for (const MethodSummary& one : summaries) {
@@ -32,8 +36,10 @@ std::string to_text(const Measurements& figures, const std::vector<MethodSummary
                           figure(errors.max_normal), figure(errors.max_coordinates));
     text += '\n';
   }
-  if (const auto found = headline(figures.rows))
-    text += fmt::format("\n{}\n", sentence(*found, figures.rays));
+  if (const auto of_sphere = headline(figures.rows))
+    text += fmt::format("\n{}\n", sentence(*of_sphere, figures.rays));
+  if (!choices.empty()) text += "\n" + choices_in_text(choices);
+  if (baseline) text += "\n" + comparison_in_text(baseline->first, baseline->second);
   return text;
 }
 

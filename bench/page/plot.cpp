@@ -1,4 +1,4 @@
-#include "bench/figures/plot.hpp"
+#include "bench/page/plot.hpp"
 
 #include <fmt/format.h>
 

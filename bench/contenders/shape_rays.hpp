@@ -8,7 +8,7 @@
 #include <rayproof/transform.hpp>
 #include <vector>
 
-#include "bench/figures/shape_frame.hpp"
+#include "bench/contenders/shape_frame.hpp"
 #include "subjects/reading.hpp"
 
 namespace rayproof::report {

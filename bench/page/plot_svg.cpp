@@ -1,10 +1,10 @@
-#include "bench/figures/plot_svg.hpp"
+#include "bench/page/plot_svg.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "case/escape.hpp"
+#include "bench/page/svg.hpp"
 
 namespace rayproof::report {
 
@@ -25,16 +25,6 @@ struct Frame {
     return y0 + panel_height * (1 - (value - panel.y.low) / (panel.y.high - panel.y.low));
   }
 };
-
-std::string text(double x, double y, const char* anchor, const std::string& words, const char* more = "") {
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" {}>{}</text>\n", x, y, anchor, more,
-                     escaped(words));
-}
-
-std::string line(double x0, double y0, double x1, double y1, const char* style) {
-  return fmt::format("<line class=\"{}\" x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\"/>\n", style,
-                     x0, y0, x1, y1);
-}
 
 std::string outline(MarkOutline shape, double x, double y, double r, const char* style) {
   switch (shape) {
@@ -73,23 +63,23 @@ std::string axes(const Frame& frame) {
       fmt::format("<rect class=\"frame\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{}\" height=\"{}\"/>\n", frame.x0,
                   frame.y0, panel_width, panel_height);
   for (const auto& [place, words] : frame.panel.x.ticks) {
-    svg += line(frame.x(place), frame.y0, frame.x(place), bottom, "grid");
-    svg += text(frame.x(place), bottom + 18, "middle", words);
+    svg += svg_line(frame.x(place), frame.y0, frame.x(place), bottom, "grid");
+    svg += svg_text(frame.x(place), bottom + 18, "middle", words);
   }
   for (const auto& [place, words] : frame.panel.y.ticks) {
-    svg += line(frame.x0, frame.y(place), frame.x0 + panel_width, frame.y(place), "grid");
-    svg += text(frame.x0 - 8, frame.y(place) + 4.5, "end", words);
+    svg += svg_line(frame.x0, frame.y(place), frame.x0 + panel_width, frame.y(place), "grid");
+    svg += svg_text(frame.x0 - 8, frame.y(place) + 4.5, "end", words);
   }
-  svg += text(frame.x0 + panel_width / 2, bottom + 40, "middle", frame.panel.x.title, "class=\"axis\"");
-  svg += text(frame.x0, frame.y0 - 12, "start", frame.panel.title + ": " + frame.panel.y.title,
-              "class=\"title\"");
+  svg += svg_text(frame.x0 + panel_width / 2, bottom + 40, "middle", frame.panel.x.title, "class=\"axis\"");
+  svg += svg_text(frame.x0, frame.y0 - 12, "start", frame.panel.title + ": " + frame.panel.y.title,
+                  "class=\"title\"");
   return svg;
 }
 
 std::string chart(const Plot& plot, const Frame& frame) {
   std::string svg = axes(frame);
   const double floor = frame.x(frame.panel.floor_x);
-  svg += line(floor, frame.y0, floor, frame.y0 + panel_height, "floor");
+  svg += svg_line(floor, frame.y0, floor, frame.y0 + panel_height, "floor");
   svg += fmt::format(
       "<text class=\"note\" transform=\"translate({:.1f} {:.1f}) rotate(-90)\">streaming</text>\n", floor - 5,
       frame.y0 + panel_height - 6);
@@ -103,17 +93,19 @@ std::string chart(const Plot& plot, const Frame& frame) {
 }
 
 std::string legend(const Plot& plot, double x) {
-  std::string svg = text(x + 8, top + 4, "middle", "one", "class=\"note\"") +
-                    text(x + 48, top + 4, "middle", "batch", "class=\"note\"");
+  std::string svg = svg_text(x + 8, top + 4, "middle", "one", "class=\"note\"") +
+                    svg_text(x + 48, top + 4, "middle", "batch", "class=\"note\"");
   double y = top + 26;
   for (std::size_t i = 0; i < plot.marks.size(); ++i, y += 28) {
     svg +=
         mark(plot.marks[i], i, Arrangement::scalar, x + 8, y, plot.marks[i].method + ", one ray at a time");
     svg += mark(plot.marks[i], i, Arrangement::batch, x + 48, y, plot.marks[i].method + ", in batches");
-    svg += text(x + name_in_legend, y + 5, "start", plot.marks[i].method);
+    svg += svg_text(x + name_in_legend, y + 5, "start", plot.marks[i].method);
   }
-  svg += line(x, y + 4, x + 56, y + 4, "front") + text(x + name_in_legend, y + 9, "start", "Pareto front");
-  svg += line(x, y + 32, x + 56, y + 32, "floor") + text(x + name_in_legend, y + 37, "start", "streaming");
+  svg += svg_line(x, y + 4, x + 56, y + 4, "front") +
+         svg_text(x + name_in_legend, y + 9, "start", "Pareto front");
+  svg += svg_line(x, y + 32, x + 56, y + 32, "floor") +
+         svg_text(x + name_in_legend, y + 37, "start", "streaming");
   return svg;
 }
 

@@ -7,8 +7,8 @@
 #include <rayproof/batch.hpp>
 #include <span>
 
-#include "bench/figures/contender.hpp"
-#include "bench/figures/shape_rays.hpp"
+#include "bench/contenders/contender.hpp"
+#include "bench/contenders/shape_rays.hpp"
 #include "bench/streaming/streaming.hpp"
 
 namespace rayproof::report {

@@ -1,12 +1,11 @@
-#include "bench/figures/contender.hpp"
+#include "bench/contenders/contender.hpp"
 
 #include <algorithm>
 #include <ctime>
 #include <utility>
 
-#include "bench/figures/median.hpp"
-#include "bench/figures/problem_contenders.hpp"
-#include "bench/figures/ray_contenders.hpp"
+#include "bench/contenders/problem_contenders.hpp"
+#include "bench/contenders/ray_contenders.hpp"
 
 namespace rayproof::report {
 
@@ -40,23 +39,20 @@ std::size_t affordable(const Contender& contender, std::size_t rays) {
 
 }  // namespace
 
-std::vector<double> median_ns(const std::vector<Contender>& contenders, std::size_t rays, double seconds) {
+std::vector<std::vector<double>> time_passes(const std::vector<Contender>& contenders, std::size_t rays,
+                                             double seconds) {
   constexpr std::size_t fewest_rounds = 5;
   std::vector<std::size_t> counts;
   for (const Contender& contender : contenders) counts.push_back(affordable(contender, rays));
 
-  std::vector<std::vector<double>> times(contenders.size());
+  std::vector<std::vector<double>> passes(contenders.size());
   const double start = thread_seconds();
   const auto is_time_left = [&] { return thread_seconds() - start < seconds; };
   for (std::size_t round = 0; round < fewest_rounds || is_time_left(); ++round) {
     for (std::size_t i = 0; i < contenders.size(); ++i)
-      times[i].push_back(seconds_of(contenders[i], counts[i]));
+      passes[i].push_back(1e9 * seconds_of(contenders[i], counts[i]) / static_cast<double>(counts[i]));
   }
-
-  std::vector<double> result;
-  for (std::size_t i = 0; i < contenders.size(); ++i)
-    result.push_back(1e9 * median(times[i]) / static_cast<double>(counts[i]));
-  return result;
+  return passes;
 }
 
 std::vector<Contender> contenders(const std::string& topic, const std::vector<Case>& cases,

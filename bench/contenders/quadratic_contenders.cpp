@@ -2,7 +2,7 @@
 #include <rayproof/batch.hpp>
 #include <rayproof/quadratic/methods.hpp>
 
-#include "bench/figures/contender.hpp"
+#include "bench/contenders/contender.hpp"
 #include "bench/streaming/streaming.hpp"
 
 namespace rayproof::report {

@@ -6,7 +6,7 @@
 #include <memory>
 #include <rayproof/topics.hpp>
 
-#include "bench/figures/contender.hpp"
+#include "bench/contenders/contender.hpp"
 #include "subjects/reading.hpp"
 
 namespace rayproof::report {

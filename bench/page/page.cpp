@@ -1,11 +1,13 @@
-#include "bench/figures/page.hpp"
+#include "bench/page/page.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "bench/figures/plot_svg.hpp"
-#include "bench/figures/text.hpp"
+#include "bench/page/choice_table.hpp"
+#include "bench/page/comparison_table.hpp"
+#include "bench/page/plot_svg.hpp"
+#include "bench/page/text.hpp"
 #include "case/escape.hpp"
 #include "generators/generators.hpp"
 #include "properties/report/page_style.hpp"
@@ -84,13 +86,16 @@ std::string families_of(const Measurements& figures, const std::string& shape) {
 
 }  // namespace
 
-std::string to_page(const Measurements& figures, const std::vector<MethodSummary>& summaries,
-                    const std::vector<Plot>& plots) {
+std::string to_page(const Conclusions& found) {
+  const auto& [figures, summaries, choices, plots, baseline] = found;
   std::string body =
       fmt::format("<h1>rayproof report: speed against error</h1><p class=\"soft\">{}; {}</p>\n",
                   escaped(figures.machine), escaped(figures.compiler));
-  if (const auto found = headline(figures.rows))
-    body += "<p class=\"verdict\">" + escaped(sentence(*found, figures.rays)) + "</p>\n";
+  if (const auto of_sphere = headline(figures.rows))
+    body += "<p class=\"verdict\">" + escaped(sentence(*of_sphere, figures.rays)) + "</p>\n";
+  if (const std::string svg = choices_in_svg(choices); !svg.empty())
+    body += "<figure>" + svg + "</figure>\n<p><a href=\"#choice\">Which method do I take?</a></p>\n";
+  if (baseline) body += comparison_in_html(baseline->first, baseline->second);
   body += how_to_read;
   for (const Plot& plot : plots) {
     body += fmt::format("<h2>{}</h2>\n<figure>{}</figure>\n<h3>Over the families of scenes</h3>\n",
@@ -98,6 +103,7 @@ std::string to_page(const Measurements& figures, const std::vector<MethodSummary
     body += table(summaries, [&](const MethodSummary& one) { return one.shape == plot.shape; });
     body += families_of(figures, plot.shape);
   }
+  if (!choices.empty()) body += choices_in_html(choices);
   return html_head("rayproof report", std::string(figures_style) + plot_style) + "</head>\n<body>\n<main>\n" +
          body + "</main>\n</body>\n</html>\n";
 }

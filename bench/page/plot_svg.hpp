@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "bench/figures/plot.hpp"
+#include "bench/page/plot.hpp"
 
 namespace rayproof::report {
 

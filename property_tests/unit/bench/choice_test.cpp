@@ -1,0 +1,65 @@
+#include "bench/figures/choice.hpp"
+
+#include <gmock/gmock.h>
+
+#include "bench/page/choice_table.hpp"
+#include "unit/bench/rows.hpp"
+
+namespace rayproof::report {
+namespace {
+
+using testing::HasSubstr;
+
+/// On one family: the exact method is dear, the fastest is printed wrongly, another is naive.
+std::vector<BenchRow> rows_on(const char* family) {
+  constexpr auto batch = Arrangement::batch;
+  std::vector<BenchRow> rows{sphere_row("printed_2ac", batch, family, 0.1, 500, 9),
+                             sphere_row("textbook", batch, family, 0.5, 90, 5),
+                             sphere_row("centred", batch, family, 1, 20, 1),
+                             sphere_row("compensated", batch, family, 1.9, 5, 0.5),
+                             sphere_row("rounded", batch, family, 4, 0, 0),
+                             sphere_row("centred", Arrangement::scalar, family, 0.01, 0, 0)};
+  return rows;
+}
+
+TEST(Choice, IsAmongSoundMethodsInBatches) {
+  const std::vector<Choice> found = choose(rows_on("random"));
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].scenes, Scenes::near_by);
+  EXPECT_EQ(found[0].fastest.method, "centred");
+  EXPECT_EQ(found[0].fastest.arrangement, Arrangement::batch);
+  EXPECT_EQ(found[0].closest.method, "compensated");
+  ASSERT_TRUE(found[0].exact);
+  EXPECT_EQ(found[0].exact->method, "rounded");
+}
+
+TEST(Choice, IsMadeForEachKindOfScenesAndNotForNumbersOfAnySize) {
+  std::vector<BenchRow> rows = rows_on("grazing");
+  for (const char* family : {"far", "bit_patterns"}) {
+    const std::vector<BenchRow> more = rows_on(family);
+    rows.insert(rows.end(), more.begin(), more.end());
+  }
+  const std::vector<Choice> found = choose(rows);
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0].scenes, Scenes::from_afar);
+  EXPECT_EQ(found[1].scenes, Scenes::hard);
+  EXPECT_EQ(choices_in_svg(found), "") << "nothing near by was measured";
+}
+
+TEST(Choice, SaysSoWhereNoMethodIsExact) {
+  const std::vector<Choice> found = choose({sphere_row("centred", Arrangement::batch, "random", 1, 1, 0)});
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_FALSE(found[0].exact);
+  EXPECT_THAT(choices_in_text(found), HasSubstr("centred 1 ns, 0.1 % wrong"));
+  EXPECT_THAT(choices_in_html(found), HasSubstr("<td>-</td>"));
+}
+
+TEST(Choice, TellsWhatIsProvenFromWhatWasFound) {
+  const std::vector<Choice> found = choose(rows_on("random"));
+  EXPECT_EQ(guarantee_of(*found[0].exact), "verdict exact, t rounded once: proven");
+  EXPECT_THAT(guarantee_of(found[0].fastest), HasSubstr(": proven"));
+  EXPECT_THAT(choices_in_svg(found), HasSubstr("rounded ×4"));
+}
+
+}  // namespace
+}  // namespace rayproof::report
