@@ -8,6 +8,7 @@
 
 #include "bench/figures/json.hpp"
 #include "bench/figures/measure.hpp"
+#include "bench/page/choice_table.hpp"
 #include "bench/page/page.hpp"
 #include "bench/page/plot.hpp"
 #include "bench/page/text.hpp"
@@ -85,6 +86,10 @@ int run(const report::BenchOptions& options) {
   if (!options.json.empty()) write_file(options.json, report::to_json(figures));
   write_file(out / "index.html", report::to_page(found));
   fmt::print("page: {}\n", (out / "index.html").string());
+  if (const std::string price = report::choices_in_svg(found.choices); !price.empty()) {
+    write_file(out / "price.svg", price);
+    fmt::print("the price of an exact answer: {}\n", (out / "price.svg").string());
+  }
   for (const std::string& line : report::write_pngs(found.plots, out)) fmt::print("{}\n", line);
   fmt::print("{}", write_leaving(options, progress));
   return 0;

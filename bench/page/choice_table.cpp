@@ -31,9 +31,25 @@ std::string in_html(const MethodSummary& one) {
                      escaped(one.method), figures_of(one), escaped(guarantee_of(one)));
 }
 
+/// By itself, on a page or on paper; in the page's colours or on a dark screen.
+constexpr const char* price_style = R"css(<style>
+.price { font: 14px system-ui, sans-serif; fill: #1a1a1a; --paper: #ffffff; --soft: #59636e; --line: #d0d7de; }
+@media screen and (prefers-color-scheme: dark) { .price { fill: #e6edf3; --paper: #14181d; --soft: #9aa4af; --line: #3a424c; } }
+.price .title { font-weight: 600; } .price .soft { fill: var(--soft); } .price .grid { stroke: var(--line); stroke-width: .6; }
+.price .way { stroke: currentColor; stroke-width: 1.2; stroke-dasharray: 1.5 3; } .price { color: var(--soft); }
+.price .fastest { fill: var(--paper); stroke: #0072b2; stroke-width: 2; } .price .exact { fill: #b84a00; }
+</style>
+)css";
+
+/// "3.3", "17", "2300".
+std::string rounded_ratio(double ratio) {
+  const double power = std::pow(10, std::max(0.0, std::floor(std::log10(ratio)) - 1));
+  return ratio < 10 ? fmt::format("{:.1f}", ratio) : fmt::format("{:.0f}", std::round(ratio / power) * power);
+}
+
 /// Places of the plot of costs.
 struct CostAxis {
-  static constexpr double left = 210, width = 640, row = 30, top = 34;
+  static constexpr double left = 210, width = 640, row = 30, top = 56;
   double low = 10, high = -10;  ///< log10 of nanoseconds
 
   void include(double ns) {
@@ -55,7 +71,7 @@ std::string ticks(const CostAxis& axis, double bottom) {
     svg += svg_text(x, bottom + 18, "middle", fmt::format("{:g}", std::pow(10, power)));
   }
   return svg + svg_text(CostAxis::left + CostAxis::width / 2, bottom + 40, "middle", "nanoseconds a ray",
-                        "class=\"axis\"");
+                        "class=\"soft\"");
 }
 
 /// A hollow circle for the fastest, its name to the left; a solid square for the exact one, to the right.
@@ -63,33 +79,33 @@ std::string costs_of(const Choice& one, const CostAxis& axis, double y) {
   const double fast = axis.x(one.fastest.ns_per_ray);
   std::string svg = svg_text(CostAxis::left - 10, y + 5, "end",
                              fmt::format("{} {}", one.fastest.shape, name_of(one.fastest.precision)));
+  const bool is_one = one.exact && one.exact->method == one.fastest.method;
   if (one.exact) {
     const double exact = axis.x(one.exact->ns_per_ray);
-    svg += svg_line(fast, y, exact, y, "front");
+    svg += svg_line(fast, y, exact, y, "way");
     svg += fmt::format(
-        "<g class=\"solid\"><title>{}</title><rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"11\" "
-        "height=\"11\"/></g>\n",
-        escaped(in_text(*one.exact)), exact - 5.5, y - 5.5);
-    svg += svg_text(
-        exact + 12, y + 5, "start",
-        fmt::format("{} ×{:.2g}", one.exact->method, one.exact->ns_per_ray / one.fastest.ns_per_ray));
+        "<rect class=\"exact\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"12\" "
+        "height=\"12\"><title>{}</title></rect>\n",
+        exact - 6, y - 6, escaped(in_text(*one.exact)));
+    const std::string dearer =
+        is_one ? "" : " ×" + rounded_ratio(one.exact->ns_per_ray / one.fastest.ns_per_ray);
+    svg += svg_text(exact + 12, y + 5, "start", one.exact->method + dearer);
   }
-  const bool is_one = one.exact && one.exact->method == one.fastest.method;
   if (is_one) return svg;
   return svg +
          fmt::format(
-             "<g class=\"hollow\"><title>{}</title><circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"6\"/></g>\n",
-             escaped(in_text(one.fastest)), fast, y) +
+             "<circle class=\"fastest\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"6\"><title>{}</title></circle>\n",
+             fast, y, escaped(in_text(one.fastest))) +
          svg_text(fast - 12, y + 5, "end", one.fastest.method);
 }
 
 }  // namespace
 
 std::string choices_in_text(const std::vector<Choice>& choices) {
-  std::string text = fmt::format("Which method?\n{:<16} {:<7} {:<11}  {:<36} {:<36} {}\n", "shape", "",
+  std::string text = fmt::format("Which method?\n{:<16} {:<7} {:<11}  {:<40} {:<40} {}\n", "shape", "",
                                  "scenes", "fastest", "closest", "exact");
   for (const Choice& one : choices)
-    text += fmt::format("{:<16} {:<7} {:<11}  {:<36} {:<36} {}\n", one.fastest.shape,
+    text += fmt::format("{:<16} {:<7} {:<11}  {:<40} {:<40} {}\n", one.fastest.shape,
                         name_of(one.fastest.precision), name_of(one.scenes), in_text(one.fastest),
                         in_text(one.closest), one.exact ? in_text(*one.exact) : "-");
   return text + words_on_choices + "\n";
@@ -121,15 +137,13 @@ std::string choices_in_svg(const std::vector<Choice>& choices) {
   if (rows == 0) return "";
   const double bottom = CostAxis::top + CostAxis::row * static_cast<double>(rows);
   std::string svg = fmt::format(
-      "<svg class=\"plot\" style=\"--m: var(--ink)\" viewBox=\"0 0 900 {:.0f}\" role=\"img\" "
-      "aria-label=\"The price of "
-      "an exact answer\">\n",
-      bottom + 50);
+      "<svg class=\"price\" viewBox=\"0 0 900 {:.0f}\" role=\"img\" xmlns=\"http://www.w3.org/2000/svg\">\n"
+      "<title>The price of an exact answer</title>\n{}",
+      bottom + 50, price_style);
+  svg += svg_text(0, 18, "start", "The price of an exact answer, for random scenes", "class=\"title\"");
   svg +=
-      svg_text(0, 18, "start",
-               "The price of an exact answer, random scenes: ○ the fastest sound method, ■ the exact one and "
-               "how many times as long it takes",
-               "class=\"title\"");
+      svg_text(0, 40, "start",
+               "○ the fastest sound method   ■ the fastest exact one, and how many times as long it takes");
   svg += ticks(axis, bottom);
   double y = CostAxis::top + CostAxis::row / 2;
   for (const Choice& one : choices) {

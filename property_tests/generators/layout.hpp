@@ -135,6 +135,30 @@ template <auto layout, auto whole = nullptr>
           ask_moved, std::move(shares)};
 }
 
+/// An interval that ends well before or beyond the point that is aimed at, and a map of any size from 10^-3
+/// to 10^3: who takes t for a distance in the object's space, or a small determinant for 0, is wrong.
+inline void cut_and_place(Random& random, Precision precision, Scene& scene) {
+  const double near = scene.aimed_at * random.uniform(0.1, 0.9),
+               far = scene.aimed_at * random.uniform(1.1, 9);
+  const int kind = random.between(0, 3);
+  if (kind == 0) scene.t_max = near;
+  if (kind == 1) scene.t_min = far;
+  if (kind == 2) scene.t_min = near;
+  if (kind >= 2) scene.t_max = far;
+  if (scene.t_max < scene.t_min) std::swap(scene.t_min, scene.t_max);
+  scene.t_min = round_to(precision, scene.t_min);
+  scene.t_max = round_to(precision, scene.t_max);
+  const double size = std::pow(10, random.uniform(-3, 3));
+  move_by(scene, size * linear_part(random), size * point_in_a_room(random));
+}
+
+/// The layout so.
+template <auto layout>
+[[nodiscard]] Family placed(std::vector<MinimumShare> shares) {
+  return {"placed", "a map of size 1e-3 to 1e3; t_min and t_max before the hit or beyond",
+          ask<layout, cut_and_place>, std::move(shares)};
+}
+
 /// Makes a scene, whose numbers are between 2^-8 and 2^8, as large or small as the format has numbers.
 inline void resize(Random& random, Precision precision, Scene& scene) {
   const double size = std::exp2(draw::any_exponent(random, precision, 10));

@@ -106,8 +106,7 @@ struct Reading {
     result.contact = is_single && !is_flat ? Contact::tangent : Contact::crossing;
     const auto t = static_cast<T>(result.hits.t[0]);
     result.point = glm::dvec3(point_at(ray, t));
-    const vec3<T> normal = normal_at(asked.shape, asked.ray, t);
-    const auto in_world = glm::dvec3(object ? normal_to_world(*object, normal) : normal);
+    const auto in_world = glm::dvec3(normal_in_world(object, asked.shape, ray, t));
     if (dot(in_world, in_world) > 0) result.normal = in_world;  // not where the figure has none: NaN
     if constexpr (is_flat && std::is_same_v<ShapeIn<T>, Triangle<T>>)
       result.barycentric = glm::dvec3(T(1) - roots.u - roots.v, roots.u, roots.v);

@@ -39,7 +39,7 @@ class Hull;
 /// What a shape brings to a scene.
 struct FigureKind {
   std::string shape;                   ///< "sphere"
-  std::string default_method;          ///< "centred": a sound and quick one
+  std::string default_method;          ///< "centred": the topic's plain one
   std::vector<std::string> methods{};  ///< all that can render
   MakeFigures<float> in_float = nullptr;
   MakeFigures<double> in_double = nullptr;

@@ -11,13 +11,9 @@ namespace {
 
 /// The unit normal in the world at t, either way round; NaN where the figure has none.
 glm::dvec3 normal_at_hit(const Object& object, const Ray<double>& ray, double t) {
-  const auto own_normal = [&](const Ray<double>& own) {
-    return std::visit([&](const auto& shape) { return normal_at(library_shape(shape), own, t); },
-                      object.shape);
-  };
-  if (!object.transform) return own_normal(ray);
-  const ObjectSpace<double> space = object_space<double>(*object.transform);
-  return normal_to_world(space, own_normal(to_object(space, ray)));
+  const auto space = object.transform ? std::optional(object_space<double>(*object.transform)) : std::nullopt;
+  return std::visit([&](const auto& shape) { return normal_in_world(space, library_shape(shape), ray, t); },
+                    object.shape);
 }
 
 /// How much of a colour the eye gets: 1 where it looks straight down on the surface.

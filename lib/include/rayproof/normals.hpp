@@ -3,12 +3,14 @@
 /// The unit normal of every figure where a ray meets it, in its own space; the sphere's stands beside the
 /// sphere.
 
+#include <optional>
 #include <rayproof/box.hpp>
 #include <rayproof/cylinder.hpp>
 #include <rayproof/formulas/polygon_sides.hpp>
 #include <rayproof/parallelepiped.hpp>
 #include <rayproof/plane/forms.hpp>
 #include <rayproof/sphere.hpp>
+#include <rayproof/transform.hpp>
 #include <rayproof/triangle.hpp>
 
 #include <rayproof/rounding/as_written.hpp>
@@ -98,6 +100,36 @@ template <std::floating_point T>
   const T off_cap = min(to_bottom, to_top) / (abs(origin.z) + cylinder.height + abs(run.z));
   if (cylinder.capped && !(off_side <= off_cap)) return {0, 0, to_top < to_bottom ? T(1) : T(-1)};
   return unit_vector<T>({p.x / cylinder.rx, p.y / cylinder.ry, T(0)});
+}
+
+/// Outward, of the face nearest to the point: of a box under a map. A ray that was rounded on its way into
+/// the box's space is off by as much along each axis, and of a face that it nearly runs along t says little.
+template <std::floating_point T>
+[[nodiscard]] vec3<T> normal_of_nearest_face(const Box<T>& box, const vec3<T>& point) {
+  vec3<T> normal(0);
+  T nearest = infinity<T>;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const bool is_lower : {true, false}) {
+      const T apart = abs((is_lower ? box.min : box.max)[axis] - point[axis]);
+      if (!(apart < nearest)) continue;
+      nearest = apart;
+      normal = vec3<T>(0);
+      normal[axis] = is_lower ? T(-1) : T(1);
+    }
+  return normal;
+}
+
+/// The normal in the world where the world's ray is at t: of an object that is put there by a map, or of a
+/// shape as it is.
+template <class Shape, std::floating_point T>
+[[nodiscard]] vec3<T> normal_in_world(const std::optional<ObjectSpace<T>>& space, const Shape& shape,
+                                      const Ray<T>& ray, const T& t) {
+  if (!space) return normal_at(shape, ray, t);
+  const Ray<T> own_ray = to_object(*space, ray);
+  if constexpr (std::is_same_v<Shape, Box<T>>)
+    return normal_to_world(*space, normal_of_nearest_face(shape, point_at(own_ray, t)));
+  else
+    return normal_to_world(*space, normal_at(shape, own_ray, t));
 }
 
 }  // namespace rayproof

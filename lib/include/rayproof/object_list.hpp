@@ -66,9 +66,7 @@ struct Placed {
 
   template <class Roots>
   [[nodiscard]] HitRecord<T> record(const Ray<T>& ray, const T& t, const Roots& roots) const {
-    HitRecord<T> hit{t, index, point_at(ray, t), {}, T(0), T(0)};
-    hit.normal = space ? normal_to_world(*space, normal_at(shape, to_object(*space, ray), t))
-                       : normal_at(shape, ray, t);
+    HitRecord<T> hit{t, index, point_at(ray, t), normal_in_world(space, shape, ray, t), T(0), T(0)};
     if constexpr (requires { roots.u; }) std::tie(hit.u, hit.v) = std::tie(roots.u, roots.v);
     return hit;
   }

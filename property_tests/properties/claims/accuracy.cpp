@@ -49,10 +49,11 @@ Ruling error_within(Trial& trial) {
   return trial.judgement().*error <= *bound ? Ruling::held : Ruling::broken;
 }
 
-/// A dozen binary digits more than the topic's best plain methods lose.
+/// A quarter of the format's binary digits more than the topic's best plain methods lose.
 std::optional<double> far_beyond_robust(Trial& trial) {
   const std::optional<double> bound = robust(trial);
-  return bound ? std::optional(0x1p12 * *bound) : std::nullopt;
+  const double digits = trial.question().precision == Precision::float32 ? 0x1p6 : 0x1p12;
+  return bound ? std::optional(digits * *bound) : std::nullopt;
 }
 
 /// Of a guest: its own bound is that of the textbook, which loses with the distance what others keep.
@@ -158,7 +159,8 @@ std::vector<Property> accuracy_properties() {
        error_within<promised_residual, &Judgement::residual>, show_residual,
        excess<promised_residual, &Judgement::residual>},
       {Claim::residual, "digits",
-       "from afar no more than a dozen binary digits are lost beyond those that the best plain methods lose",
+       "from afar no more than a quarter of the digits are lost beyond those that the best plain methods "
+       "lose",
        1, keeps_digits, show_digits, excess<far_beyond_robust, &Judgement::residual>},
       {Claim::ulp, "ulp", "every answer is within the promised ulps of the exact one", 1,
        error_within<promised_ulp, &Judgement::ulp>, show_ulp, excess<promised_ulp, &Judgement::ulp>},

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/vector_relational.hpp>
 
 #include "properties/claims/promise.hpp"
 #include "properties/property.hpp"
@@ -36,7 +37,8 @@ std::optional<ErrorOfHit> of_surface(Trial& trial) {
   return measured(trial.details().surface, promised_surface(trial));
 }
 std::optional<ErrorOfHit> of_normal(Trial& trial) {
-  return measured(trial.details().normal, trial.subject().contract.hit.normal.promised);
+  const double allowed = trial.subject().has_own_contract ? 1 : allowed_of_normal(trial.question());
+  return measured(trial.details().normal, allowed * trial.subject().contract.hit.normal.promised);
 }
 std::optional<ErrorOfHit> of_coordinates(Trial& trial) {
   return measured(trial.error_of_coordinates(), trial.subject().contract.hit.coordinates.promised);
@@ -50,9 +52,18 @@ bool is_judged(Trial& trial) {
   return claimed != nullptr && (claimed->*member).has_value();
 }
 
+/// Which of the two faces of a box without thickness a guest means by a hit is its own affair.
+bool is_flat_box_of_guest(const Trial& trial) {
+  if (trial.subject().has_own_contract) return false;
+  const auto& asked = std::get<RayQuestion>(trial.question().question);
+  const auto* box = std::get_if<Box<double>>(&asked.shape);
+  return box != nullptr && glm::any(glm::equal(box->min, box->max));
+}
+
 template <Measure measure, auto member>
 Ruling is_within(Trial& trial) {
   if (!is_judged<member>(trial) || !trial.in_domain_of_details()) return Ruling::outside;
+  if (measure == of_normal && is_flat_box_of_guest(trial)) return Ruling::outside;
   const auto found = measure(trial);
   if (!found) return Ruling::outside;
   return found->error <= found->bound ? Ruling::held : Ruling::broken;

@@ -8,6 +8,7 @@
 #include <rayproof/topics.hpp>
 #include <string_view>
 
+#include "properties/guests/allowance.hpp"
 #include "properties/trial.hpp"
 
 namespace rayproof {
@@ -39,7 +40,8 @@ struct Promise {
 [[nodiscard]] inline Promise promise_for(Trial& trial) {
   const Contract& contract = trial.subject().contract;
   const double far = trial.judgement().far;
-  const Promise promise{promised(contract.verdict, far), promised(contract.residual, far),
+  const double allowed = trial.subject().has_own_contract ? 1 : allowed_of_hits(trial.question());
+  const Promise promise{allowed * promised(contract.verdict, far), allowed * promised(contract.residual, far),
                         contract.ulp.promised};
   if (!is_transformed(trial.question())) return promise;
   const double robust = robust_bound(trial.subject().topic).value_or(0);

@@ -34,8 +34,8 @@ template <class To, template <class> class Shape, class From>
 }
 
 /// The base of a shape's topic, as the registries see it. The topic names two of its methods for who does not
-/// want to choose: `Plain`, a sound and quick one, and `Exact`, whose verdict is the exact one and whose t is
-/// the exact one rounded once.
+/// want to choose: `Plain`, a quick one for pictures (sound, but of the parallelepiped), and `Exact`, whose
+/// verdict is the exact one and whose t is the exact one rounded once.
 template <template <class> class Shape>
 struct RayTopic {
   template <class T>

@@ -43,6 +43,7 @@ std::vector<Family> cylinder_families() {
                        {"in surface", 0.02},
                        {"behind", 0.22},
                        {"cut", 0.28}}),
+      placed<side>({{"in reach", 0.97}, {"hit", 0.25}, {"miss", 0.4}}),
       transformed<everyday, rims>({in_reach, {"hit", 0.48}, {"miss", 0.36}, {"rim", 0.12}}),
       in_whole_numbers<whole_numbers>(
           "so short that little is rounded: rims, tangents, ends and their planes", {in_reach,

@@ -138,6 +138,7 @@ std::vector<Family> plane_families() {
       laid_out<tiny_normal>("tiny_normal", "the numbers that give the plane's slope are tiny",
                             {in_reach, {"hit", 0.95}}),
       cut_short<met>({in_reach, {"hit", 0.49}, {"miss", 0.35}, {"in surface", 0.03}, {"behind", 0.3}}),
+      placed<met>({{"in reach", 0.97}, {"hit", 0.25}, {"miss", 0.4}}),
       transformed<everyday, in_plane>(
           {in_reach, {"hit", 0.41}, {"miss", 0.43}, {"in surface", 0.21}, {"parallel", 0.06}}),
       in_whole_numbers<whole_numbers>(

@@ -37,6 +37,7 @@ std::vector<Family> polygon_families() {
                     {in_reach, {"hit", 0.42}, {"miss", 0.42}}),
       cut_short<met>(
           {in_reach, {"hit", 0.37}, {"miss", 0.46}, {"edge", 0.18}, {"vertex", 0.1}, {"behind", 0.2}}),
+      placed<met>({{"in reach", 0.97}, {"hit", 0.25}, {"miss", 0.4}}),
       transformed<everyday, in_space<layout::boundary>>(
           {in_reach, {"hit", 0.54}, {"miss", 0.3}, {"edge", 0.18}, {"vertex", 0.1}}),
       in_small<everyday>({in_reach, {"hit", 0.39}, {"miss", 0.45}, {"behind", 0.06}}),

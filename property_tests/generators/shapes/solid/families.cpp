@@ -130,6 +130,7 @@ std::vector<Family> solid_families(const std::vector<MinimumShare>& flat_shares)
                                 {"sharp", 0.25},
                                 {"behind", 0.18},
                                 {"cut", 0.38}}),
+      placed<Layout::faces>({{"in reach", 0.97}, {"hit", 0.25}, {"miss", 0.4}}),
       transformed<Layout::everyday, Layout::edges>(
           {in_reach, {"hit", 0.54}, {"miss", 0.29}, {"tangent", 0.11}, {"sharp", 0.25}}),
       in_whole_numbers<whole_numbers<Kind>>(

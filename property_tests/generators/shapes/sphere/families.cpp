@@ -100,6 +100,7 @@ std::vector<Family> sphere_families() {
                            {all_in_reach, {"hit", 0.4}, {"from inside", 0.2}}),
       laid_out<interval>("interval", "t_min or t_max at a hit or a few ulps beside it",
                          {all_in_reach, {"hit", 0.4}, {"cut", 0.2}}),
+      placed<near_its_origin>({{"in reach", 0.97}, {"hit", 0.25}, {"miss", 0.4}}),
       transformed<near_its_origin>({all_in_reach, {"hit", 0.3}, {"miss", 0.1}}),
       in_whole_numbers<whole_numbers>(
           "so short that little is rounded: tangents, and chords between whole points of the surface",

@@ -39,6 +39,7 @@ std::vector<Family> triangle_families() {
           "degenerate", "no area: vertices in a line, or two or three of them in one point; also almost so",
           {in_reach, {"hit", 0.04}, {"miss", 0.77}, {"vertex", 0.03}, {"degenerate", 0.64}}),
       cut_short<met>({in_reach, {"hit", 0.47}, {"miss", 0.34}, {"edge", 0.14}, {"behind", 0.34}}),
+      placed<met>({{"in reach", 0.97}, {"hit", 0.25}, {"miss", 0.4}}),
       transformed<everyday, edges>(
           {in_reach, {"hit", 0.54}, {"miss", 0.3}, {"edge", 0.15}, {"vertex", 0.12}}),
       {"corners",

@@ -190,8 +190,15 @@ Answers first_side_hit_decides(const Case& one, const Answer& exact) {
   const RayAnswer side = hits_of_line(endless.front());
   if (side.hits.count < 2) return {};
   const Ray<double> ray = ray_in_object(*ray_question(one));
-  const double z = ray.origin.z + side.hits.t[0] * ray.direction.z;
-  return 0 <= z && z <= cylinder->height ? Answers{} : Answers{RayAnswer{}};
+  const auto is_off = [&](double t) {
+    const double z = ray.origin.z + t * ray.direction.z;
+    return !(0 <= z && z <= cylinder->height);
+  };
+  const auto hits = side.hits.view();
+  const auto first = std::ranges::find_if(hits, [&](double t) { return in_interval(ray, t); });
+  if (first != hits.end() && is_off(*first)) return {RayAnswer{}};
+  // Who takes the line's first hit, be it before t_min, misses here, too.
+  return is_off(hits.front()) ? Answers{RayAnswer{}, exact} : Answers{};
 }
 
 Answers without_low_rim(const Case& one, const Answer& exact) {

@@ -148,4 +148,12 @@ std::optional<bool> point_right_t_wrong(const Case& one, const Answer& got, cons
   return agree(one, got, exact, Aspect::point);
 }
 
+Answers weights_and_t(const Case& /*one*/, const Answer& exact) {
+  const auto* answer = std::get_if<RayAnswer>(&exact);
+  if (answer == nullptr || !answer->barycentric) return {};
+  RayAnswer shifted = *answer;
+  shifted.barycentric = {answer->barycentric->y, answer->barycentric->z, answer->hits.t[0]};
+  return {shifted};
+}
+
 }  // namespace rayproof::diagnosis

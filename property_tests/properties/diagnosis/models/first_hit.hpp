@@ -49,6 +49,9 @@ template <int x, int y, int z>
   return {permuted};
 }
 
+/// Beta, gamma and t in the places of alpha, beta and gamma.
+[[nodiscard]] Answers weights_and_t(const Case& one, const Answer& exact);
+
 /// One barycentric coordinate is wrong, and the two others are right.
 template <int place>
 [[nodiscard]] std::optional<bool> weight_is_wrong(const Case& /*one*/, const Answer& got,

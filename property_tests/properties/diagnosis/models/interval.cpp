@@ -184,4 +184,14 @@ Answers clipped_at_t_min(const Case& one, const Answer& exact) {
   return clipped(one, exact, infinity<double>);
 }
 
+Answers behind_at_t_min(const Case& one, const Answer& exact) {
+  const Ray<double>* ray = ray_of(one);
+  if (ray == nullptr || std::get<RayAnswer>(exact).hits.count > 0) return {};
+  const RayAnswer line = hits_of_line(one);
+  if (line.hits.count == 0 || !(line.hits.t.at(line.hits.count - 1) < ray->t_min)) return {};
+  RayAnswer clamped;
+  clamped.hits.push_back(ray->t_min);
+  return {clamped};
+}
+
 }  // namespace rayproof::diagnosis

@@ -61,5 +61,7 @@ template <int power>
 [[nodiscard]] Answers clipped_to_interval(const Case& one, const Answer& exact);
 /// The same of its beginning alone.
 [[nodiscard]] Answers clipped_at_t_min(const Case& one, const Answer& exact);
+/// What lies wholly before t_min is a hit at t_min.
+[[nodiscard]] Answers behind_at_t_min(const Case& one, const Answer& exact);
 
 }  // namespace rayproof::diagnosis

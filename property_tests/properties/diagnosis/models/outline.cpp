@@ -153,9 +153,11 @@ Outline outline_of(const PointAndPolygon<double>& place) {
 /// The point and the outline turned so that the sweep goes along x.
 PlaneHit swept(Sweep sweep, PlaneHit hit) {
   const bool is_in_order = sweep == Sweep::along_in_order || sweep == Sweep::against_in_order;
-  const bool is_against = sweep == Sweep::against || sweep == Sweep::against_in_order;
+  const bool is_across = sweep == Sweep::upward || sweep == Sweep::downward;
+  const bool is_against =
+      sweep == Sweep::against || sweep == Sweep::against_in_order || sweep == Sweep::downward;
   const auto turned = [&](glm::dvec2 v) {
-    if (is_in_order && hit.axis == 1) std::swap(v.x, v.y);
+    if (is_across || (is_in_order && hit.axis == 1)) std::swap(v.x, v.y);
     return glm::dvec2(is_against ? -v.x : v.x, v.y);
   };
   hit.point = turned(hit.point);
@@ -200,6 +202,8 @@ template Answers inside_by<InsideRule::last_side>(const Case&, const Answer&);
 template Answers inside_by<InsideRule::last_side, Sweep::against>(const Case&, const Answer&);
 template Answers inside_by<InsideRule::last_side, Sweep::along_in_order>(const Case&, const Answer&);
 template Answers inside_by<InsideRule::last_side, Sweep::against_in_order>(const Case&, const Answer&);
+template Answers inside_by<InsideRule::last_side, Sweep::upward>(const Case&, const Answer&);
+template Answers inside_by<InsideRule::last_side, Sweep::downward>(const Case&, const Answer&);
 template Answers inside_by<InsideRule::first_triangle>(const Case&, const Answer&);
 template Answers inside_by<InsideRule::first_four>(const Case&, const Answer&);
 template Answers inside_by<InsideRule::first_eight>(const Case&, const Answer&);
@@ -209,6 +213,17 @@ template Answers inside_by<InsideRule::unturned>(const Case&, const Answer&);
 template Answers inside_by<InsideRule::one_side>(const Case&, const Answer&);
 template Answers inside_by<InsideRule::fan>(const Case&, const Answer&);
 template Answers inside_by<InsideRule::bounds>(const Case&, const Answer&);
+
+bool is_on_third_side(const Case& one) {
+  const auto* place = std::get_if<PointAndPolygon<double>>(&one.question);
+  if (place == nullptr) return false;
+  const glm::dvec2 point(place->point.x, place->point.y);
+  const Outline outline = outline_of(*place);
+  int sides = 0;
+  for (std::size_t i = 0; i < outline.size(); ++i)
+    sides += distance_to_side(point, outline[i], outline[(i + 1) % outline.size()]) == 0 ? 1 : 0;
+  return sides > 2;
+}
 
 Answers plane_of_corner(const Case& one, const Answer& /*exact*/) {
   auto figure = flat_figure(one);

@@ -28,8 +28,8 @@ enum class InsideRule {
 };
 
 /// Where a subject's ray from the point goes that crosses the sides: along x, or against it; of a figure that
-/// is projected along y, x and z may stand for x and y in either order.
-enum class Sweep { along, against, along_in_order, against_in_order };
+/// is projected along y, x and z may stand for x and y in either order; along y, or against it.
+enum class Sweep { along, against, along_in_order, against_in_order, upward, downward };
 
 /// Whether the point is inside by the even-odd rule.
 [[nodiscard]] bool is_inside_outline(const PlaneHit& hit);
@@ -41,11 +41,16 @@ template <InsideRule rule, Sweep sweep = Sweep::along>
 /// The polygon's plane is that of its first three vertices; where these lie on a line it is missed.
 [[nodiscard]] Answers plane_of_corner(const Case& one, const Answer& exact);
 
-/// A point of the polygon's boundary at that kind of place is said to be outside, or inside.
+/// Whether a point at a vertex lies on more sides than the two that meet there.
+[[nodiscard]] bool is_on_third_side(const Case& one);
+
+/// A point of the polygon's boundary at that kind of place is said to be outside, or inside. One on a third
+/// side may be found there.
 template <BoundaryPlace place>
 [[nodiscard]] Answers lost_at(const Case& one, const Answer& exact) {
   const auto* position = std::get_if<Position>(&exact);
   if (position == nullptr || !boundary_places(one).test(static_cast<std::size_t>(place))) return {};
+  if (place == BoundaryPlace::vertex && is_on_third_side(one)) return {};
   return {Position::outside, Position::inside};
 }
 

@@ -143,7 +143,8 @@ Answers flat_box_missed(const Case& one, const Answer& exact) {
 
 Answers sphere_of_no_radius_missed(const Case& one, const Answer& exact) {
   const auto* sphere = shape_in<Sphere<double>>(one);
-  return sphere != nullptr && sphere->radius == 0 && finds_something(exact) ? Answers{RayAnswer{}} : Answers{};
+  return sphere != nullptr && sphere->radius == 0 && finds_something(exact) ? Answers{RayAnswer{}}
+                                                                            : Answers{};
 }
 
 Answers centre_behind_missed(const Case& one, const Answer& exact) {
@@ -173,6 +174,13 @@ std::vector<Case> parallelepiped_as_bounds(const Case& one) {
       high += glm::max(edge, glm::dvec3(0));
     }
     asked.shape = Box<double>{low, high};
+    return true;
+  });
+}
+
+std::vector<Case> edges_times_length(const Case& one) {
+  return with_shape<Parallelepiped<double>>(one, [](RayQuestion& /*asked*/, Parallelepiped<double>& solid) {
+    for (glm::dvec3& edge : solid.edges) edge *= glm::length(edge);
     return true;
   });
 }

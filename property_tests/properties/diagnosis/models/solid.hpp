@@ -64,11 +64,12 @@ template <int edge>
 [[nodiscard]] std::vector<Case> max_as_size(const Case& one);
 /// @}
 
-/// @{ Readings of a parallelepiped: the box with two of its opposite corners; its bounding box; its edges
-/// taken for orthogonal, so that projections on them are coordinates; its corner taken for the centre; the
-/// matrix of its edges transposed.
+/// @{ Readings of a parallelepiped: the box with two of its opposite corners; its bounding box; with each
+/// edge as long as its square; its edges taken for orthogonal, so that projections on them are coordinates;
+/// its corner taken for the centre; the matrix of its edges transposed.
 [[nodiscard]] std::vector<Case> parallelepiped_as_box(const Case& one);
 [[nodiscard]] std::vector<Case> parallelepiped_as_bounds(const Case& one);
+[[nodiscard]] std::vector<Case> edges_times_length(const Case& one);
 [[nodiscard]] std::vector<Case> edges_as_orthogonal(const Case& one);
 [[nodiscard]] std::vector<Case> corner_as_centre(const Case& one);
 [[nodiscard]] std::vector<Case> edges_transposed(const Case& one);

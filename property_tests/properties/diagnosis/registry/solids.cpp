@@ -118,6 +118,9 @@ std::vector<Hypothesis> models_of_solids() {
             "the answer is right for the upright box between opposite corners"),
       gives("parallelepiped-as-bounds", read_as<parallelepiped_as_bounds>,
             "the answer is right for the upright bounding box"),
+      gives("edges-times-length", read_as<edges_times_length>,
+            "the answer is right for each edge times its length: coordinates that are counted in edges are "
+            "compared with lengths, and must be with 1"),
       gives("edges-as-orthogonal", read_as<edges_as_orthogonal>,
             "the answer is right where a point's coordinates are its projections on the edges: the edges are "
             "taken for orthogonal, a rectangular solid's"),

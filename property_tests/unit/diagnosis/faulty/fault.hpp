@@ -38,6 +38,7 @@ enum class Fault {
   point_in_object,
   point_without_origin,
   barycentric_order,
+  barycentric_with_t,
   // sphere
   radius_not_squared,
   radius_is_diameter,

@@ -52,6 +52,7 @@ inline const Planted planted[] = {
     {"sphere", answer<point_in_object>, "point", "point-in-object"},
     {"sphere", answer<point_without_origin>, "point", "point-without-origin"},
     {"triangle", answer<barycentric_order>, "coordinates", "barycentric-cba"},
+    {"triangle", answer<barycentric_with_t>, "coordinates", "barycentric-u-v-t"},
     {"sphere", answer<radius_not_squared>, "verdict", "radius-rooted"},
     {"sphere", answer<radius_is_diameter>, "verdict", "radius-halved"},
     {"sphere", answer<centre_ignored>, "verdict", "centre-ignored"},

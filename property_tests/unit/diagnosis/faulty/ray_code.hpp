@@ -108,6 +108,8 @@ template <class T, class Find>
   answer.barycentric = hits.front().barycentric;
   if (answer.barycentric && fault == Fault::barycentric_order)
     std::swap(answer.barycentric->x, answer.barycentric->z);
+  if (answer.barycentric && fault == Fault::barycentric_with_t)
+    answer.barycentric = {answer.barycentric->y, answer.barycentric->z, answer.hits.t[0]};
   return answer;
 }
 

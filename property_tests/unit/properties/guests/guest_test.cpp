@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "case/reader.hpp"
@@ -101,9 +102,9 @@ TEST(Probe, FindsOutWhatAnswersHold) {
 
 TEST(Probe, TakesForARuleOnlyWhatIsWrongOnMostBoundaries) {
   EXPECT_TRUE(learnt("sphere", oracle::answer).rules.none());
-  const auto place = static_cast<std::size_t>(BoundaryPlace::tangent);
-  EXPECT_EQ(learnt("sphere", without_tangents).rules, BoundaryPlaces(1U << place));
   const auto only = [](BoundaryPlace one) { return BoundaryPlaces(1U << static_cast<unsigned>(one)); };
+  EXPECT_EQ(learnt("sphere", without_tangents).rules,
+            only(BoundaryPlace::tangent) | only(BoundaryPlace::no_radius));
   EXPECT_EQ(learnt("point_in_polygon", without_vertices).rules, only(BoundaryPlace::vertex));
   EXPECT_TRUE(learnt("point_in_polygon", without_boundary).rules.none());
   EXPECT_EQ(learnt("polygon", without_boundary_hits<true>).rules, only(BoundaryPlace::edge));
@@ -137,7 +138,7 @@ TEST(Guest, IsJudgedByWhatItSaysAlone) {
   }
 }
 
-TEST(Guest, EqualHitsOfATangentAreOne) {
+TEST(Guest, HitsOfATangentThatDifferByARoundingAreOne) {
   Subject one = guest("sphere", nullptr);
   const Case grazed = read_case(
       R"({"ray": {"origin": [1,0,-5], "direction": [0,0,1]}, "shape": {"type": "sphere", "center": [0,0,0], "radius": 1}})");
@@ -145,7 +146,33 @@ TEST(Guest, EqualHitsOfATangentAreOne) {
   twice.hits.push_back(5);
   twice.hits.push_back(5.000000000000001);
   EXPECT_EQ(std::get<RayAnswer>(completed(one, grazed, twice)).hits.count, 1U);
+  twice.hits.t[1] = 5;
+  EXPECT_EQ(std::get<RayAnswer>(completed(one, grazed, twice)).hits.count, 2U) << "nothing is rounded here";
   EXPECT_EQ(std::get<RayAnswer>(completed(one, from_five_away(), twice)).hits.count, 2U);
+}
+
+TEST(Guest, MayMeanEitherFaceOfABoxWithoutThickness) {
+  const auto with_normal = [](const Case& asked, double side) {
+    auto answer = std::get<RayAnswer>(oracle::answer(asked));
+    answer.normal = glm::dvec3(0, side, 0);
+    return answer;
+  };
+  const Case flat = read_case(
+      R"({"ray": {"origin": [0,1,0], "direction": [0,-1,0]}, "shape": {"type": "box", "min": [-1,0,-1], "max": [1,0,1]}})");
+  const Case thick = read_case(
+      R"({"ray": {"origin": [0,2,0], "direction": [0,-1,0]}, "shape": {"type": "box", "min": [-1,0,-1], "max": [1,1,1]}})");
+  const Subject one = guest("box", nullptr);
+  const auto is_broken = [&](const Case& asked, double side) {
+    Trial trial(one, asked);
+    trial.know({.answer = with_normal(asked, side)}, {});
+    return std::ranges::any_of(properties(), [&](const Property& property) {
+      return property.name == "normal" && ruling_of(property, trial) == Ruling::broken;
+    });
+  };
+  EXPECT_FALSE(is_broken(flat, 1));
+  EXPECT_FALSE(is_broken(flat, -1));
+  EXPECT_FALSE(is_broken(thick, 1));
+  EXPECT_TRUE(is_broken(thick, -1));
 }
 
 TEST(Guest, AHitAtARimMayFallBetweenSideAndCap) {

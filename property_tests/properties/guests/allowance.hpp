@@ -1,0 +1,18 @@
+#pragma once
+/// \file
+/// What the plain arithmetic of a guest may lose beyond the units of the contracts, which are measured by
+/// what our own methods take care of: factors on the promised bounds, 1 for most cases.
+
+#include "case/case.hpp"
+
+namespace rayproof {
+
+/// Of verdict and residual. A polygon's normal from differences to its first vertex loses digits where that
+/// vertex lies far from the others; the contracts' unit knows the distances from (0, 0, 0) alone.
+[[nodiscard]] double allowed_of_hits(const Case& one);
+
+/// Of the normal: the same, and under a map as much again as its condition. An inverse, or cofactors, by
+/// plain products are off by that.
+[[nodiscard]] double allowed_of_normal(const Case& one);
+
+}  // namespace rayproof
