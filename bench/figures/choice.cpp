@@ -12,7 +12,7 @@ namespace rayproof::report {
 
 namespace {
 
-constexpr double twice_as_dear = 2;
+constexpr double twice_the_price = 2;
 
 Scenes scenes_of(const std::string& family) {
   if (family == "random") return Scenes::near_by;
@@ -47,8 +47,8 @@ Choice choice_among(Scenes scenes, std::vector<MethodSummary> methods) {
     const auto error = [](const MethodSummary& some) {
       return std::tuple(some.wrong_share(), bits_of(some));
     };
-    const bool is_dear = one.ns_per_ray > twice_as_dear * choice.fastest.ns_per_ray;
-    if (!is_dear && error(one) < error(choice.closest)) choice.closest = one;
+    const bool is_expensive = one.ns_per_ray > twice_the_price * choice.fastest.ns_per_ray;
+    if (!is_expensive && error(one) < error(choice.closest)) choice.closest = one;
     if (!choice.exact && is_exact(one)) choice.exact = one;
   }
   return choice;
@@ -79,12 +79,13 @@ std::vector<Choice> choose(const std::vector<BenchRow>& rows) {
     });
     std::vector<MethodSummary> methods = summarise(own);
     while (!methods.empty()) {
-      const MethodSummary first = methods.front();
-      const auto others = std::ranges::stable_partition(methods, [&](const MethodSummary& one) {
-        return one.shape == first.shape && one.precision == first.precision;
-      });
-      std::vector<MethodSummary> group(methods.begin(), others.begin());
-      methods.erase(methods.begin(), others.begin());
+      const auto is_of_others = [first = methods.front()](const MethodSummary& one) {
+        return one.shape != first.shape || one.precision != first.precision;
+      };
+      std::vector<MethodSummary> group = methods, others = methods;
+      std::erase_if(group, is_of_others);
+      std::erase_if(others, std::not_fn(is_of_others));
+      methods = std::move(others);
       const auto is_batch = [](const MethodSummary& one) { return one.arrangement == Arrangement::batch; };
       if (std::ranges::any_of(group, is_batch)) std::erase_if(group, std::not_fn(is_batch));
       all.push_back(choice_among(scenes, std::move(group)));

@@ -25,8 +25,8 @@ enum class Scenes {
 struct Choice {
   Scenes scenes = Scenes::near_by;
   MethodSummary fastest{};
-  MethodSummary closest{};  ///< of those at most twice as dear: the fewest wrong verdicts, then the fewest
-                            ///< bits of error
+  MethodSummary closest{};  ///< of those at most twice as expensive: the fewest wrong verdicts, then the
+                            ///< fewest bits of error
   std::optional<MethodSummary> exact{};  ///< the fastest with every verdict right and every t rounded rightly
 };
 

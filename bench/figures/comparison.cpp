@@ -34,9 +34,9 @@ bool is_beyond_spread(const BenchRow& longer, const BenchRow& shorter, double ma
 
 }  // namespace
 
-Comparison compare(const Measurements& before, const Measurements& now) {
+ReportComparison compare(const Measurements& before, const Measurements& now) {
   std::vector<Change> changes = common_rows(before, now);
-  Comparison result{.rows = changes.size()};
+  ReportComparison result{.rows = changes.size()};
   if (changes.empty()) return result;
   std::vector<double> ratios;
   for (const Change& change : changes) ratios.push_back(change.slowdown);

@@ -16,7 +16,7 @@ struct Change {
 };
 
 /// A report beside an older one, or beside that of another machine.
-struct Comparison {
+struct ReportComparison {
   std::size_t rows = 0;   ///< how many both have
   double machines = 1;    ///< how many times as long a row takes now; the median
   std::size_t other = 0;  ///< rows of other cases than before (another --rays): their errors say nothing
@@ -26,6 +26,6 @@ struct Comparison {
 };
 
 /// Both have to outlive what is returned.
-[[nodiscard]] Comparison compare(const Measurements& before, const Measurements& now);
+[[nodiscard]] ReportComparison compare(const Measurements& before, const Measurements& now);
 
 }  // namespace rayproof::report

@@ -87,9 +87,9 @@ std::string costs_of(const Choice& one, const CostAxis& axis, double y) {
         "<rect class=\"exact\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"12\" "
         "height=\"12\"><title>{}</title></rect>\n",
         exact - 6, y - 6, escaped(in_text(*one.exact)));
-    const std::string dearer =
+    const std::string multiple =
         is_one ? "" : " ×" + rounded_ratio(one.exact->ns_per_ray / one.fastest.ns_per_ray);
-    svg += svg_text(exact + 12, y + 5, "start", one.exact->method + dearer);
+    svg += svg_text(exact + 12, y + 5, "start", one.exact->method + multiple);
   }
   if (is_one) return svg;
   return svg +

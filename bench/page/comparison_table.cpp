@@ -9,7 +9,7 @@ namespace rayproof::report {
 
 namespace {
 
-/// So many of a list are shown; their number is always told.
+/// The number of lines of a list that are shown; the number of all stands above it.
 constexpr std::size_t shown = 40;
 
 std::string name_of(const BenchRow& row) {
@@ -32,7 +32,7 @@ std::string times(const Change& change) {
                      figure(change.now->ns_per_ray), figure(change.before->ns_per_ray), change.slowdown);
 }
 
-std::string summary_of(const Comparison& comparison, const std::string& machine) {
+std::string summary_of(const ReportComparison& comparison, const std::string& machine) {
   std::string text = fmt::format(
       "{} rows are in both reports. A row takes {:.2f} times as long as before (the median); times below are "
       "without that. Before: {}.",
@@ -45,7 +45,7 @@ std::string summary_of(const Comparison& comparison, const std::string& machine)
 
 /// Calls `list(title, lines, left_out)` for each list.
 template <class List>
-void each_list(const Comparison& comparison, const List& list) {
+void each_list(const ReportComparison& comparison, const List& list) {
   const auto give = [&](const char* title, const std::vector<Change>& changes,
                         std::string (*line_of)(const Change&)) {
     std::vector<std::string> lines;
@@ -60,7 +60,7 @@ void each_list(const Comparison& comparison, const List& list) {
 
 }  // namespace
 
-std::string comparison_in_text(const Comparison& comparison, const std::string& machine) {
+std::string comparison_in_text(const ReportComparison& comparison, const std::string& machine) {
   std::string text = "Beside the baseline\n" + summary_of(comparison, machine) + "\n";
   if (comparison.rows == 0) return text;
   each_list(comparison, [&](const std::string& title, const std::vector<std::string>& lines) {
@@ -70,7 +70,7 @@ std::string comparison_in_text(const Comparison& comparison, const std::string& 
   return text;
 }
 
-std::string comparison_in_html(const Comparison& comparison, const std::string& machine) {
+std::string comparison_in_html(const ReportComparison& comparison, const std::string& machine) {
   std::string html = "<h2 id=\"baseline\">Beside the baseline</h2>\n<p>" +
                      escaped(summary_of(comparison, machine)) + "</p>\n";
   if (comparison.rows == 0) return html;

@@ -19,7 +19,7 @@ struct Conclusions {
   std::vector<Choice> choices{};
   std::vector<Plot> plots{};
   /// What an older report says beside this one, and its machine.
-  std::optional<std::pair<Comparison, std::string>> baseline{};
+  std::optional<std::pair<ReportComparison, std::string>> baseline{};
 };
 
 }  // namespace rayproof::report

@@ -25,8 +25,8 @@ enum class BoundaryPlace {
   high_rim,   ///< an open cylinder's rim at z = height
   edge,       ///< any other edge, or the boundary of a polygon
   // Of shapes without faces; a place is one of its shape.
-  in_surface = low_face,    ///< a line that runs inside a plane, a figure's plane or an open side: a miss
-  level_side = low_face,    ///< a level side of a polygon in the plane
+  in_surface = low_face,     ///< a line that runs inside a plane, a figure's plane or an open side: a miss
+  level_side = low_face,     ///< a level side of a polygon in the plane
   upright_side = high_face,  ///< an upright one
   no_radius = low_face       ///< a sphere that is a point
 };

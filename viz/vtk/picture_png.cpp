@@ -35,7 +35,8 @@ class PictureCanvas::Impl {
                      static_cast<int>(std::lround(picture.height * scale)));
     has_spaces(inlays.size());
     for (std::size_t i = 0; i < inlays.size(); ++i) {
-      const auto& [stage, step, frame] = inlays[i];
+      const auto& [stage, step, frame_of_inlay] = inlays[i];
+      const auto& frame = frame_of_inlay;  // clang++ 14 captures no structured binding
       spaces_[i]->SetViewport(frame.left / picture.width, 1 - frame.bottom() / picture.height,
                               frame.right() / picture.width, 1 - frame.top / picture.height);
       set_fine(*spaces_[i], is_fine);

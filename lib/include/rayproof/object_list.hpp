@@ -52,7 +52,7 @@ namespace objects {
 
 /// A shape where its matrix puts it.
 template <class Topic, class S, std::floating_point T>
-struct Placed {
+struct ListedObject {
   using Shape = S;
   S shape;
   std::optional<ObjectSpace<T>> space;
@@ -73,7 +73,8 @@ struct Placed {
 };
 
 template <class Topic, class T, template <class> class Shape>
-auto vectors_of(const RayTopic<Shape>* /*topic*/) -> std::tuple<std::vector<Placed<Topic, Shape<T>, T>>>;
+auto vectors_of(const RayTopic<Shape>* /*topic*/)
+    -> std::tuple<std::vector<ListedObject<Topic, Shape<T>, T>>>;
 template <class Topic, class T>
 auto vectors_of(const void* /*no shape*/) -> std::tuple<>;
 

@@ -15,20 +15,22 @@ struct PlanePoint {
   R x, y;
 };
 
-/// How the point (x, y)/weight, weight > 0, touches the closed polygon of the vertices, a range of
-/// PlanePoint: `crossing` inside, `edge` or `vertex` on the boundary, `none` outside. Notes a doubt of
-/// estimates that are not enough.
-template <class R, class Vertices>
-[[nodiscard]] Contact locate(const PlanePoint<R>& point, const R& weight, const Vertices& vertices) {
+/// How the point (x, y)/weight, weight > 0, touches the closed polygon of the vertices, each of which
+/// `in_plane` makes a PlanePoint: `crossing` inside, `edge` or `vertex` on the boundary, `none` outside.
+/// Notes a doubt of estimates that are not enough.
+template <class R, class Vertices, class InPlane>
+[[nodiscard]] Contact locate(const PlanePoint<R>& point, const R& weight, const Vertices& vertices,
+                             const InPlane& in_plane) {
   // A vertex as seen from the point, times the weight. Few sides need more than the y of their ends.
   const auto seen_x = [&](const PlanePoint<R>& vertex) { return weight * vertex.x - point.x; };
   const auto seen_y = [&](const PlanePoint<R>& vertex) { return weight * vertex.y - point.y; };
   bool is_on_side = false;
   bool is_inside = false;
-  PlanePoint<R> from = vertices.back();
+  PlanePoint<R> from = in_plane(vertices.back());
   R from_y = seen_y(from);
   int start = sign(from_y);
-  for (const PlanePoint<R>& to : vertices) {
+  for (const auto& vertex : vertices) {
+    const PlanePoint<R> to = in_plane(vertex);
     R to_y = seen_y(to);
     const int end = sign(to_y);
     if (end == 0 && sign(seen_x(to)) == 0) return Contact::vertex;

@@ -3,7 +3,6 @@
 /// What triangle and polygon share: an outline of sides, which a ray must come near for its verdict to be in
 /// doubt.
 
-#include <ranges>
 #include <span>
 
 #include "oracle/geometry/locate.hpp"
@@ -43,7 +42,7 @@ template <class R>
 [[nodiscard]] Contact locate_in_outline(const Vector<R>& point, const R& weight, const Projection<R>& project,
                                         const ObjectRay<R>& ray, std::span<const glm::dvec3> corners) {
   const auto projected = [&](const glm::dvec3& corner) { return project(corner); };
-  return locate(project(point), ray.scaled(weight), corners | std::views::transform(projected));
+  return locate(project(point), ray.scaled(weight), corners, projected);
 }
 
 /// The largest distance of the corners from (0, 0, 0).

@@ -20,7 +20,7 @@ PlanePoint<R> in(const Vec2<double>& v) {
 
 template <class R>
 Contact contact_of(const PointAndPolygon<double>& question) {
-  return locate(in<R>(question.point), R(1.0), question.vertices | std::views::transform(in<R>));
+  return locate(in<R>(question.point), R(1.0), question.vertices, in<R>);
 }
 
 /// The distance of the point from the nearest side in units of |point| + P.

@@ -103,8 +103,8 @@ bool Examination::is_confirmed(const Hypothesis& model, std::span<const std::siz
 bool Examination::is_excused(const Hypothesis& hypothesis, const Known& known) {
   constexpr double near_boundary = 1024;  // units of the topic's contract
   if (hypothesis.predict == nullptr || hypothesis.kind == FindingKind::boundary) return false;
-  const auto& [one, exact] = known.asked;
-  return std::ranges::any_of(hypothesis.predict(one, exact), [&](const Answer& predicted) {
+  const Case& one = known.asked.one;
+  return std::ranges::any_of(hypothesis.predict(one, known.asked.exact), [&](const Answer& predicted) {
     const oracle::Judgement judgement = oracle::judge(one, as_reported(predicted, *known.got));
     return judgement.wrong && judgement.margin <= near_boundary;
   });

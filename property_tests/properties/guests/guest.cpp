@@ -21,8 +21,8 @@ bool is_near(double t, double other, double share) {
 }
 
 /// Hits that are one but for their last digits (a double root, or a rim that was met as a part of the side
-/// and of the cap) are one where there are more than there should be. One that is given twice where nothing is
-/// rounded stays so.
+/// and of the cap) are one where there are more than there should be. One that is given twice where nothing
+/// is rounded stays so.
 void merge_near_hits(const Case& one, HitList& hits) {
   HitList merged;
   for (const double t : hits.view())

@@ -10,7 +10,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// On one family: the exact method is dear, the fastest is printed wrongly, another is naive.
+/// On one family: the exact method is expensive, the fastest is printed wrongly, another is naive.
 std::vector<BenchRow> rows_on(const char* family) {
   constexpr auto batch = Arrangement::batch;
   std::vector<BenchRow> rows{sphere_row("printed_2ac", batch, family, 0.1, 500, 9),
@@ -54,7 +54,7 @@ TEST(Choice, SaysSoWhereNoMethodIsExact) {
   EXPECT_THAT(choices_in_html(found), HasSubstr("<td>-</td>"));
 }
 
-TEST(Choice, TellsWhatIsProvenFromWhatWasFound) {
+TEST(Choice, DistinguishesWhatIsProvenFromWhatWasFound) {
   const std::vector<Choice> found = choose(rows_on("random"));
   EXPECT_EQ(guarantee_of(*found[0].exact), "verdict exact, t rounded once: proven");
   EXPECT_THAT(guarantee_of(found[0].fastest), HasSubstr(": proven"));

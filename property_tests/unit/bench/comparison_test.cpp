@@ -10,7 +10,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// A report of four methods, each of which takes so many times 1, 2, 3 and 4 ns.
+/// A report of four methods, each of which takes 1, 2, 3 and 4 ns times this.
 Measurements four_methods(double times) {
   Measurements figures{"a machine", "a compiler", 1000, {}};
   double ns = 1;
@@ -22,9 +22,9 @@ Measurements four_methods(double times) {
   return figures;
 }
 
-TEST(Comparison, OfAMachineThatIsSlowerByOneFactorFindsNothingSlower) {
+TEST(ReportComparison, OfAMachineThatIsSlowerByOneFactorFindsNothingSlower) {
   const Measurements before = four_methods(1), now = four_methods(3);
-  const Comparison found = compare(before, now);
+  const ReportComparison found = compare(before, now);
   EXPECT_EQ(found.rows, 4U);
   EXPECT_DOUBLE_EQ(found.machines, 3);
   EXPECT_TRUE(found.slower.empty());
@@ -32,7 +32,7 @@ TEST(Comparison, OfAMachineThatIsSlowerByOneFactorFindsNothingSlower) {
   EXPECT_TRUE(found.wronger.empty());
 }
 
-TEST(Comparison, FindsTheOneMethodThatGotSlowerAndTheOneThatGotFaster) {
+TEST(ReportComparison, FindsTheOneMethodThatGotSlowerAndTheOneThatGotFaster) {
   const Measurements before = four_methods(1);
   Measurements now = four_methods(3);
   for (double* ns : {&now.rows[1].ns_per_ray, &now.rows[1].passes_ns[0], &now.rows[1].passes_ns[1],
@@ -41,7 +41,7 @@ TEST(Comparison, FindsTheOneMethodThatGotSlowerAndTheOneThatGotFaster) {
   for (double* ns : {&now.rows[3].ns_per_ray, &now.rows[3].passes_ns[0], &now.rows[3].passes_ns[1],
                      &now.rows[3].passes_ns[2]})
     *ns /= 2;
-  const Comparison found = compare(before, now);
+  const ReportComparison found = compare(before, now);
   ASSERT_EQ(found.slower.size(), 1U);
   EXPECT_EQ(found.slower[0].now->method, "b");
   EXPECT_DOUBLE_EQ(found.slower[0].slowdown, 2);
@@ -52,7 +52,7 @@ TEST(Comparison, FindsTheOneMethodThatGotSlowerAndTheOneThatGotFaster) {
                         "before 2 ns: 2.00 times as long\n"));
 }
 
-TEST(Comparison, BelievesNoTimeWhosePassesSpreadAsFar) {
+TEST(ReportComparison, BelievesNoTimeWhosePassesSpreadAsFar) {
   const Measurements before = four_methods(1);
   Measurements now = four_methods(1);
   now.rows[1].ns_per_ray = 4;
@@ -60,14 +60,14 @@ TEST(Comparison, BelievesNoTimeWhosePassesSpreadAsFar) {
   EXPECT_TRUE(compare(before, now).slower.empty());
 }
 
-TEST(Comparison, FindsWhatIsWrongerOnTheSameCasesAlone) {
+TEST(ReportComparison, FindsWhatIsWrongerOnTheSameCasesAlone) {
   const Measurements before = four_methods(1);
   Measurements now = four_methods(1);
   now.rows[0].accuracy.wrong_hits = 1;
   now.rows[1].accuracy.max_ulp = 2;
   now.rows[2].accuracy.wrong_hits = 7;
   now.rows[2].accuracy.cases = 5000;
-  const Comparison found = compare(before, now);
+  const ReportComparison found = compare(before, now);
   ASSERT_EQ(found.wronger.size(), 2U);
   EXPECT_EQ(found.wronger[0].now->method, "a");
   EXPECT_EQ(found.wronger[1].now->method, "b");
@@ -75,9 +75,9 @@ TEST(Comparison, FindsWhatIsWrongerOnTheSameCasesAlone) {
   EXPECT_THAT(comparison_in_html(found, before.machine), HasSubstr("<h3>Wronger than before: 2</h3>"));
 }
 
-TEST(Comparison, OfReportsThatShareNoRowSaysSo) {
+TEST(ReportComparison, OfReportsThatShareNoRowSaysSo) {
   const Measurements before = four_methods(1);
-  const Comparison found = compare(before, {"another", "compiler", 1, {}});
+  const ReportComparison found = compare(before, {"another", "compiler", 1, {}});
   EXPECT_EQ(found.rows, 0U);
   EXPECT_THAT(comparison_in_text(found, before.machine), HasSubstr("0 rows are in both reports"));
 }

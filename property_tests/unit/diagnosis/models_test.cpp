@@ -77,6 +77,8 @@ const Foreseen foreseen_faults[] = {
     {"plane", "absolute"},
     {"plane", "times-slope"},
     {"sphere", "origin-not-transformed"},
+    {"sphere", "interval-as-object-distances"},
+    {"box", "small-determinant-1e-6"},
     {"sphere", "point-missed"},
     {"plane", "behind-at-t-min"},
     {"box", "flat-box-missed"},

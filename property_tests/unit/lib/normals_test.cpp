@@ -35,6 +35,47 @@ TYPED_TEST(NormalsOf, ABoxFromInsideAndInAFaceAreOutward) {
   EXPECT_EQ(normal_at(box, Ray<T>{{-1, 1, 2}, {1, 0, 0}}, T(1)), (vec3<T>{-1, 0, 0}));
 }
 
+TYPED_TEST(NormalsOf, AMappedBoxAreThoseOfItsNearestFaceTurnedByTheMap) {
+  using T = TypeParam;
+  const Box<T> box{{0, 0, 0}, {2, 2, 2}};
+  glm::mat<4, 4, T> map(1);  // twice as long along x, and moved by 10
+  map[0].x = 2;
+  map[3].x = 10;
+  const std::optional space = object_space<T>(map);
+  for (int axis = 0; axis < 3; ++axis)
+    for (const T side : {T(-1), T(1)}) {
+      vec3<T> from{12, 1, 1}, outward(0);
+      outward[axis] = side;
+      from += T(5) * outward;
+      const Ray<T> ray{from, -outward};
+      const T t = axis == 0 ? T(3) : T(4);
+      EXPECT_EQ(normal_in_world(space, box, ray, t), outward);
+    }
+}
+
+TYPED_TEST(NormalsOf, AShapeWithoutAMapAreItsOwn) {
+  using T = TypeParam;
+  const std::optional<ObjectSpace<T>> no_map;
+  const Ray<T> ray{{0, 0, -5}, {0, 0, 1}};
+  EXPECT_EQ(normal_in_world(no_map, Sphere<T>{{0, 0, 0}, 1}, ray, T(4)), (vec3<T>{0, 0, -1}));
+  EXPECT_EQ(normal_in_world(no_map, Box<T>{{-1, -1, -1}, {1, 1, 1}}, ray, T(4)), (vec3<T>{0, 0, -1}));
+}
+
+TEST(NormalInWorld, OfABoxWhoseEdgeIsPassedBesideAFaceThatTheRayNearlyRunsAlong) {
+  // By each face's own t, which says little of the one that is met at a small angle, it was another's.
+  const glm::dmat4 map(-567.825862353766, 471.96876368697446, -88.35645581927972, 0,  //
+                       376.6429086872584, 250.26174943701787, 169.1000765114173, 0,   //
+                       1251.516, -617.68, -516.93, 0,                                 //
+                       -1348.1716330534891, -2295.412068572545, 1017.4548765813153, 1);
+  const Ray<double> ray{{29942.689336804877, -18021.616263243257, -10371.593515949673},
+                        {-1877.2742006963795, 926.5162878444505, 775.4012072846547}};
+  const glm::dvec3 normal = normal_in_world(std::optional(object_space<double>(map)),
+                                            Box<double>{{-8, 0, 0}, {0, 1, 1}}, ray, 15.333333330245527);
+  EXPECT_NEAR(normal.x, 0.536207837, 1e-6);
+  EXPECT_NEAR(normal.y, 0.725788190, 1e-6);
+  EXPECT_NEAR(normal.z, 0.430943916, 1e-6);
+}
+
 TYPED_TEST(NormalsOf, ALowCylinderAreThoseOfItsCapsUpToTheRim) {
   using T = TypeParam;
   const T low = std::sqrt(std::numeric_limits<T>::epsilon());

@@ -2,11 +2,11 @@
 /// \file
 /// t where a ray's line meets a polygon's plane, as a quotient: without rounding, and in double with a bound.
 
-#include <ranges>
 #include <rayproof/arithmetics/growing_expansion.hpp>
 #include <rayproof/arithmetics/sized.hpp>
 #include <rayproof/formulas/exact_rounding.hpp>
 #include <rayproof/formulas/polygon_sides.hpp>
+#include <vector>
 
 #include <rayproof/rounding/as_written.hpp>
 
@@ -40,9 +40,10 @@ struct EnclosedQuotient {
 
   [[nodiscard]] static EnclosedQuotient of(const Ray<double>& ray, const Polygon<double>& polygon) {
     const vec3<double> first = polygon.vertices.front();
-    const auto seen_from_first = polygon.vertices | std::views::transform([&](const vec3<double>& vertex) {
-                                   return sized<double>(vertex - first);
-                                 });
+    std::vector<Vec3<Sized<double>>> seen_from_first;
+    seen_from_first.reserve(polygon.vertices.size());
+    for (const vec3<double>& vertex : polygon.vertices)
+      seen_from_first.push_back(sized<double>(vertex - first));
     const Sized<double> zero(0.0);
     const auto n = newell_normal<Sized<double>>(seen_from_first, {zero, zero, zero});
     return {n, dot(n, sized<double>(first - ray.origin)), dot(n, sized<double>(ray.direction)),

@@ -97,6 +97,13 @@ std::vector<Case> interval_as_distances(const Case& one) {
   });
 }
 
+std::vector<Case> interval_as_object_distances(const Case& one) {
+  const RayQuestion* asked = ray_question(one);
+  if (asked == nullptr || !asked->transform) return {};
+  const double length = glm::length(ray_in_object(*asked).direction);
+  return with_interval(one, asked->ray.t_min / length, asked->ray.t_max / length);
+}
+
 Answers drops(const Case& one, const Answer& exact, bool (*is_dropped)(double t)) {
   return without_hits(one, exact,
                       [is_dropped](const Ray<double>& /*ray*/, double t) { return is_dropped(t); });

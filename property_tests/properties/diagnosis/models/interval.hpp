@@ -9,13 +9,14 @@
 namespace rayproof::diagnosis {
 
 /// @{ Readings of the case: the interval has no upper end, no lower one, neither; begins at 0; is [0, inf];
-/// is a segment's; is meant in units of length.
+/// is a segment's; is meant in units of length, in the world or in the object's space.
 [[nodiscard]] std::vector<Case> without_t_max(const Case& one);
 [[nodiscard]] std::vector<Case> without_t_min(const Case& one);
 [[nodiscard]] std::vector<Case> without_interval(const Case& one);
 [[nodiscard]] std::vector<Case> from_origin_on(const Case& one);
 [[nodiscard]] std::vector<Case> as_segment(const Case& one);
 [[nodiscard]] std::vector<Case> interval_as_distances(const Case& one);
+[[nodiscard]] std::vector<Case> interval_as_object_distances(const Case& one);
 /// @}
 
 /// The interval begins at 0.

@@ -2,6 +2,10 @@
 /// \file
 /// Readings of a case by subjects that use its transform wrongly; none where there is no transform.
 
+#include <cmath>
+#include <glm/matrix.hpp>
+
+#include "properties/claims/answers.hpp"
 #include "properties/diagnosis/models/models.hpp"
 
 namespace rayproof::diagnosis {
@@ -20,5 +24,14 @@ namespace rayproof::diagnosis {
 [[nodiscard]] std::vector<Case> direction_not_transformed(const Case& one);
 /// The origin stays what it is in the world.
 [[nodiscard]] std::vector<Case> origin_not_transformed(const Case& one);
+
+/// What a matrix of a determinant below 10^power puts into the world is missed.
+template <int power>
+[[nodiscard]] Answers small_determinant_missed(const Case& one, const Answer& exact) {
+  const RayQuestion* asked = ray_question(one);
+  if (asked == nullptr || !asked->transform || !finds_something(exact)) return {};
+  const double size = std::abs(glm::determinant(glm::dmat3(*asked->transform)));
+  return size < std::pow(10.0, power) ? Answers{RayAnswer{}} : Answers{};
+}
 
 }  // namespace rayproof::diagnosis

@@ -44,6 +44,9 @@ std::vector<Hypothesis> models_of_hits() {
       gives("interval-as-distances", read_as<interval_as_distances>,
             "the answer is right where t_min and t_max are lengths: they are compared with distances, not "
             "with t"),
+      gives("interval-as-object-distances", read_as<interval_as_object_distances>,
+            "the answer is right where t_min and t_max are lengths in object space: they are compared with "
+            "distances along the transformed ray, whose direction was made a unit vector"),
       gives("first-hit-decides", first_hit_decides,
             "it misses where the line's nearest hit lies before t_min, although a farther one lies in the "
             "interval: only the smaller root is looked at"),

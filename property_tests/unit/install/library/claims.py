@@ -19,14 +19,16 @@ def installation(place):
 
 
 def project(place):
-    """README's project prints what README says, built by README's commands and by the manual's without CMake."""
+    """README's project prints what README says, built by README's commands and by the manual's without CMake, by clang++, too."""
     folder = place.make_project("my_tracer")
     expected = blocks(place.readme, "")[-1]
     by_cmake = place.run(place.project_script, folder).splitlines(keepends=True)[-1]
-    place.run(blocks(section(place.manual, "Without CMake"), "sh")[0], folder)
-    by_hand = place.run("./my_tracer", folder)
-    if not by_cmake == by_hand == expected:
-        sys.exit(f"README says: {expected}printed: {by_cmake}without CMake: {by_hand}")
+    command = blocks(section(place.manual, "Without CMake"), "sh")[0]
+    for compiler in ["g++", *filter(shutil.which, ["clang++"])]:
+        place.run(command.replace("g++", compiler, 1), folder)
+        by_hand = place.run("./my_tracer", folder)
+        if not by_cmake == by_hand == expected:
+            sys.exit(f"README says: {expected}printed: {by_cmake}without CMake, by {compiler}: {by_hand}")
 
 
 def comments(place):

@@ -1,0 +1,37 @@
+#include "properties/guests/allowance.hpp"
+
+#include <gtest/gtest.h>
+
+#include "case/reader.hpp"
+
+namespace rayproof {
+namespace {
+
+TEST(Allowance, IsOneForWhatPlainArithmeticKeeps) {
+  for (
+      const char* text :
+      {R"({"ray": {"origin": [0,0,-5], "direction": [0,0,1]}, "shape": {"type": "sphere", "center": [0,0,0], "radius": 1}})",
+       R"({"ray": {"origin": [0,0,-5], "direction": [0,0,1]}, "shape": {"type": "polygon", "vertices": [[5,0,0],[5,1,0],[6,0,0]]}})",
+       R"({"query": "quadratic", "a": 1, "b": 2, "c": 3})"}) {
+    EXPECT_EQ(allowed_of_hits(read_case(text)), 1) << text;
+    EXPECT_EQ(allowed_of_normal(read_case(text)), 1) << text;
+  }
+}
+
+TEST(Allowance, GrowsWithThePolygonsFirstVertexFarFromTheOthers) {
+  const Case one = read_case(
+      R"({"ray": {"origin": [0,0,0], "direction": [0,0,1]}, "shape": {"type": "polygon", "vertices": [[0,100,0],[1,0,0],[0,0,0]]}})");
+  // In the contracts' unit 100·1; about the first vertex 100·√(100² + 1).
+  EXPECT_NEAR(allowed_of_hits(one), 100.005, 1e-3);
+  EXPECT_EQ(allowed_of_normal(one), allowed_of_hits(one));
+}
+
+TEST(Allowance, OfNormalsGrowsWithTheConditionOfTheMap) {
+  const Case one = read_case(
+      R"({"ray": {"origin": [0,0,-5], "direction": [0,0,1]}, "shape": {"type": "sphere", "center": [0,0,0], "radius": 1}, "transform": [[1000,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]})");
+  EXPECT_EQ(allowed_of_hits(one), 1);
+  EXPECT_NEAR(allowed_of_normal(one), 1414, 1);  // in Frobenius' norm: about √2 of 1000
+}
+
+}  // namespace
+}  // namespace rayproof
