@@ -78,7 +78,7 @@ const Foreseen foreseen_faults[] = {
     {"plane", "times-slope"},
     {"sphere", "origin-not-transformed"},
     {"sphere", "interval-as-object-distances"},
-    {"box", "small-determinant-1e-6"},
+    {"box", "small-determinant-1e-4"},
     {"sphere", "point-missed"},
     {"plane", "behind-at-t-min"},
     {"box", "flat-box-missed"},
