@@ -17,7 +17,7 @@ constexpr double twice_the_price = 2;
 Scenes scenes_of(const std::string& family) {
   if (family == "random") return Scenes::near_by;
   if (family == "far") return Scenes::from_afar;
-  return family == "transformed" ? Scenes::transformed : Scenes::hard;
+  return family == "transformed" || family == "placed" ? Scenes::transformed : Scenes::hard;
 }
 
 const Contract* own_contract(const std::string& shape, const std::string& method) {

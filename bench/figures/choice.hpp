@@ -14,7 +14,7 @@ namespace rayproof::report {
 enum class Scenes {
   near_by,      ///< family `random`: about as far away as they are large
   from_afar,    ///< family `far`: 10² to 10⁶ sizes away
-  transformed,  ///< family `transformed`: under a matrix
+  transformed,  ///< families `transformed` and `placed`: under a matrix
   hard          ///< all others of scenes: edges, tangents, origins on the surface …
 };
 
