@@ -6,8 +6,8 @@
 #include <fstream>
 #include <optional>
 
+#include "bench/contenders/measure.hpp"
 #include "bench/figures/json.hpp"
-#include "bench/figures/measure.hpp"
 #include "bench/page/choice_table.hpp"
 #include "bench/page/page.hpp"
 #include "bench/page/plot.hpp"

@@ -42,8 +42,8 @@ struct PlainMethods {
   template <class Topic>
   using method = typename Topic::Plain;
 };
-/// No verdict is wrong, and each t is the exact one rounded once; but of polygons and cylinders under a matrix,
-/// whose ray is rounded on its way into the object's space.
+/// No verdict is wrong, and each t is the exact one rounded once; but of polygons and cylinders under a
+/// matrix, whose ray is rounded on its way into the object's space.
 struct ExactMethods {
   template <class Topic>
   using method = typename Topic::Exact;

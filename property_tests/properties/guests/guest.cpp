@@ -21,8 +21,7 @@ bool is_near(double t, double other, double share) {
 }
 
 /// Hits that are one but for their last digits (a double root, or a rim that was met as a part of the side
-/// and of the cap) are one where there are more than there should be. One that is given twice where nothing
-/// is rounded stays so.
+/// and of the cap) are one where there are more than there should be.
 void merge_near_hits(const Case& one, HitList& hits) {
   HitList merged;
   for (const double t : hits.view())
@@ -30,9 +29,7 @@ void merge_near_hits(const Case& one, HitList& hits) {
       merged.push_back(t);
   if (merged.count == hits.count) return;
   const auto exact = std::get<RayAnswer>(oracle::answer(one));
-  if (hits.count <= exact.hits.count) return;
-  const bool repeats = std::ranges::adjacent_find(hits.view()) != hits.view().end();
-  if (!repeats || !is_exact_for_some_method(one)) hits = merged;
+  if (hits.count > exact.hits.count) hits = merged;
 }
 
 /// Whether the ray at t is at the rim of a cylinder's cap, as far as rounding can say: a plain method asks

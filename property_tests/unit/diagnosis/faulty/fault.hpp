@@ -48,7 +48,6 @@ enum class Fault {
   denominator_a,
   from_inside_missed,
   tangent_missed,
-  tangent_twice,
   no_radius_missed,
   // triangle
   no_sum_test,

@@ -62,7 +62,6 @@ inline const Planted planted[] = {
     {"sphere", answer<from_inside_missed>, "verdict", "misses-from-inside"},
     {"sphere", answer<tangent_missed>, "boundary", "tangent-missed"},
     {"sphere", answer<no_radius_missed>, "boundary", "point-missed"},
-    {"sphere", answer<tangent_twice>, "boundary", "double-hit-twice"},
     {"triangle", answer<no_sum_test>, "verdict", "parallelogram"},
     {"triangle", answer<no_beta_test>, "verdict", "edge-b-not-tested"},
     {"triangle", answer<no_test>, "verdict", "whole-plane"},

@@ -19,7 +19,7 @@ template <class T>
     const T t = -b / (fault == Fault::denominator_2ac ? 2 * a * c
                       : fault == Fault::denominator_a ? a
                                                       : 2 * a);
-    return fault == Fault::tangent_twice ? std::vector<T>{t, t} : std::vector<T>{t};
+    return {t};
   }
   if (fault == Fault::denominator_2ac)
     return {std::min((-b - s) / (2 * a * c), (-b + s) / (2 * a * c)),

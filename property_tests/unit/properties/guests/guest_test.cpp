@@ -138,7 +138,7 @@ TEST(Guest, IsJudgedByWhatItSaysAlone) {
   }
 }
 
-TEST(Guest, HitsOfATangentThatDifferByARoundingAreOne) {
+TEST(Guest, EqualHitsOfATangentAreOne) {
   Subject one = guest("sphere", nullptr);
   const Case grazed = read_case(
       R"({"ray": {"origin": [1,0,-5], "direction": [0,0,1]}, "shape": {"type": "sphere", "center": [0,0,0], "radius": 1}})");
@@ -146,8 +146,8 @@ TEST(Guest, HitsOfATangentThatDifferByARoundingAreOne) {
   twice.hits.push_back(5);
   twice.hits.push_back(5.000000000000001);
   EXPECT_EQ(std::get<RayAnswer>(completed(one, grazed, twice)).hits.count, 1U);
-  twice.hits.t[1] = 5;
-  EXPECT_EQ(std::get<RayAnswer>(completed(one, grazed, twice)).hits.count, 2U) << "nothing is rounded here";
+  twice.hits.t[1] = 5;  // as good as right: many a sound program has both roots of D = 0
+  EXPECT_EQ(std::get<RayAnswer>(completed(one, grazed, twice)).hits.count, 1U);
   EXPECT_EQ(std::get<RayAnswer>(completed(one, from_five_away(), twice)).hits.count, 2U);
 }
 

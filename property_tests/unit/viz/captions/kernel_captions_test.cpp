@@ -11,6 +11,7 @@
 #include "case/writer.hpp"
 #include "generators/generators.hpp"
 #include "properties/numbers.hpp"
+#include "properties/trial.hpp"
 #include "unit/viz/captions/caption.hpp"
 #include "viz/programs/report_of.hpp"
 #include "viz/walkthrough/sentences.hpp"
@@ -34,9 +35,13 @@ void for_recorded_cases(std::uint64_t seeds, const std::function<void(const Case
   }
 }
 
-/// Products of three of the case's numbers are normal numbers of its precision.
+/// Products of three of the case's numbers are normal numbers of its precision, and its map leaves a ray most
+/// of its digits.
 bool is_tame(Case one) {
   const double most = one.precision == Precision::float32 ? 1e12 : 1e60;
+  const auto* asked = std::get_if<RayQuestion>(&one.question);
+  if (asked != nullptr && asked->transform && condition_of(*asked->transform) > std::pow(most, 0.25))
+    return false;
   return std::ranges::all_of(numbers_of(one), [&](const CaseNumber& number) {
     const double size = std::abs(*number.value);
     return size == 0 || std::isinf(size) || (size > 1 / most && size < most);

@@ -1,4 +1,4 @@
-#include "bench/figures/measure.hpp"
+#include "bench/contenders/measure.hpp"
 
 #include <tbb/parallel_for.h>
 

@@ -4,7 +4,7 @@
 #include <rayproof/batch/instruction_set.hpp>
 #include <thread>
 
-#include "bench/figures/measure.hpp"
+#include "bench/contenders/measure.hpp"
 
 namespace rayproof::report {
 
