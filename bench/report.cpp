@@ -105,10 +105,8 @@ int main(int argc, char** argv) {
   report::describe(app, options);
   if (const auto status = parse_command_line(app, argc, argv)) return *status;
   try {
-    if (options.is_quick) {
-      options.rays = 4096;
-      options.seconds = 0.02;
-    }
+    if (options.is_quick && app.count("--rays") == 0) options.rays = 4096;
+    if (options.is_quick && app.count("--time") == 0) options.seconds = 0.02;
     report::validate(options);
     return run(options);
   } catch (const report::UnknownFilterName& unknown) {
