@@ -11,6 +11,6 @@ void enclose(Hull& hull, const Disk<double>& disk) {
 
 }  // namespace
 
-FigureKind disk_figures() { return figure_kind<disk::Topic, Disk<double>, enclose>("projected"); }
+FigureKind disk_figures() { return figure_kind<disk::Topic, Disk<double>, enclose>(); }
 
 }  // namespace rayproof::render

@@ -12,6 +12,8 @@ struct Topic : RayTopic<Disk> {
   static constexpr const char* name = "disk";
   static constexpr double robust_bound = disk_robust_bound;
   using Methods = TypeList<Projected>;
+  using Plain = Projected;
+  using Exact = Projected;  // until there is an exact one
 };
 
 }  // namespace rayproof::disk
