@@ -109,7 +109,7 @@ Answers root_alone(const Case& /*one*/, const Answer& exact) {
 Answers double_hit_twice(const Case& /*one*/, const Answer& exact) {
   Answer twice = exact;
   if (auto* ray = std::get_if<RayAnswer>(&twice)) {
-    if (ray->hits.count != 1 || ray->contact == Contact::crossing) return {};
+    if (ray->hits.count != 1 || ray->contact != Contact::tangent) return {};
     ray->hits.push_back(ray->hits.t[0]);
     return {twice};
   }
