@@ -1,6 +1,6 @@
 #include "bench/figures/json.hpp"
 
-#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
