@@ -43,23 +43,25 @@ RAYPROOF_FLAT bool solve(const Lanes<Problem>& given, T* const (&out)[Columns], 
   return false;
 }
 
-/// The same by a method's quick phase, in packs of doubles: `solve(ray, enclosed, to)` says where it is sure.
-/// What is not is NaN. Returns whether there is any.
-template <class Method, class Problem, std::size_t Columns, class Solve>
-bool solve_quickly(const Lanes<Problem>& in, float* const (&out)[Columns], const Solve& solve) {
+/// The same by a method's quick phase, in packs of doubles or of double-doubles: `solve(ray, enclosed, to)`
+/// says where it is sure. What is not is NaN. Returns whether there is any.
+template <class Method, class Problem, class T, std::size_t Columns, class Solve>
+bool solve_quickly(const Lanes<Problem>& in, T* const (&out)[Columns], const Solve& solve) {
   using N = Pack<double>;
+  using Wide = WiderThan<T, N>;
   Mask<N> is_sure(true);
   run<N>(in.columns, out, in.size, [&](const N(&columns)[6], N(&to)[Columns]) {
     const Ray<N> ray = ray_of<N>(in, columns);
-    const Mask<N> is_sure_now = solve(ray, Method::enclosed(ray, convert<N>(in.shape)), to);
+    const Mask<N> is_sure_now =
+        solve(ray, Method::enclosed(convert<Wide>(ray), convert<Wide>(convert<N>(in.shape))), to);
     is_sure = is_sure && is_sure_now;
     for (N& result : to) result = select(is_sure_now, result, N(not_a_number<N>));
   });
   return !std::experimental::all_of(is_sure);
 }
 
-template <class Method, class Problem, std::size_t Columns>
-RAYPROOF_FLAT bool solve_all_quickly(const Lanes<Problem>& given, float* const (&out)[Columns]) {
+template <class Method, class Problem, class T, std::size_t Columns>
+RAYPROOF_FLAT bool solve_all_quickly(const Lanes<Problem>& given, T* const (&out)[Columns]) {
   const Lanes<Problem> in = given;
   return solve_quickly<Method>(in, out, []<class N>(const Ray<N>& ray, const auto& wide, auto& to) {
     const auto quick = rounded_roots(ray, wide);
@@ -69,8 +71,8 @@ RAYPROOF_FLAT bool solve_all_quickly(const Lanes<Problem>& given, float* const (
   });
 }
 
-template <class Method, class Problem>
-RAYPROOF_FLAT bool solve_nearest_quickly(const Lanes<Problem>& given, float* const (&out)[1]) {
+template <class Method, class Problem, class T>
+RAYPROOF_FLAT bool solve_nearest_quickly(const Lanes<Problem>& given, T* const (&out)[1]) {
   const Lanes<Problem> in = given;
   return solve_quickly<Method>(in, out, [](const auto& ray, const auto& wide, auto& to) {
     const auto quick = rounded_nearest(ray, wide);
@@ -80,9 +82,9 @@ RAYPROOF_FLAT bool solve_nearest_quickly(const Lanes<Problem>& given, float* con
 }
 
 /// Two functions, since g++ 12 makes less of a loop that stands in one with another.
-template <class Method, class Problem, std::size_t Columns>
-bool solve_quickly(const Lanes<Problem>& in, float* const (&out)[Columns], bool all) {
-  float* const nearest_out[1] = {out[0]};
+template <class Method, class Problem, class T, std::size_t Columns>
+bool solve_quickly(const Lanes<Problem>& in, T* const (&out)[Columns], bool all) {
+  T* const nearest_out[1] = {out[0]};
   return all ? solve_all_quickly<Method>(in, out) : solve_nearest_quickly<Method>(in, nearest_out);
 }
 
@@ -102,7 +104,7 @@ RAYPROOF_FLAT void move(const T* const (&in)[6], std::size_t size, const ObjectS
 template <class Method, class Problem>
 constexpr void enter(BatchKernel<Method, Problem>& kernel) {
   if constexpr (has_quick_phase<Method>) {
-    kernel.solve = solve_quickly<Method, Problem>;
+    kernel.solve = solve_quickly<Method, Problem, typename Lanes<Problem>::Number>;
   } else {
     kernel.solve = solve<Method, Problem>;
   }

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <concepts>
 #include <limits>
+#include <type_traits>
+#include <utility>
 
 // A miss is an infinite t or a NaN, and the exact methods count on every rounding as written. -ffast-math,
 // -Ofast and -ffinite-math-only allow the compiler to ignore both; g++ has macros for their parts, too.
@@ -130,5 +132,18 @@ template <class T>
 inline constexpr Plain<T> not_a_number = std::numeric_limits<Plain<T>>::quiet_NaN();
 template <class T>
 inline constexpr int digits = std::numeric_limits<Plain<T>>::digits;
+
+/// What one operation is off by at most, in parts of its result.
+template <class T>
+inline constexpr Plain<T> unit_roundoff = std::numeric_limits<Plain<T>>::epsilon() / 2;
+
+/// What stands for a number, or a vector, where its size is wanted and not its last digits: itself. An
+/// arithmetic of several parts brings its own, which gives the largest of them.
+template <class T>
+[[nodiscard]] constexpr const T& leading(const T& x) {
+  return x;
+}
+template <class T>
+using Leading = std::remove_cvref_t<decltype(leading(std::declval<const T&>()))>;
 
 }  // namespace rayproof

@@ -2,6 +2,7 @@
 /// \file
 /// Numbers with the size that a bound on their rounding is measured by.
 
+#include <concepts>
 #include <rayproof/vec3.hpp>
 
 #include <rayproof/rounding/as_written.hpp>
@@ -12,16 +13,18 @@ namespace rayproof {
 /// each of its terms, it is off by no more than k·u·size and terms in u², u the unit roundoff: an a-priori
 /// bound, with k counted by the reader of the formula, in a third of what running errors cost (Bounded).
 ///
-/// `W` is plain or a pack. Source: N. J. Higham, "Accuracy and Stability of Numerical Algorithms", ch. 3.1,
-/// 2002.
+/// `W` is plain, a pack, or a double-double. Source: N. J. Higham, "Accuracy and Stability of Numerical
+/// Algorithms", ch. 3.1, 2002.
 template <class W>
 struct Sized {
   W value;
-  W size;
+  Leading<W> size;
 
-  constexpr Sized(const W& number, const W& measure) : value(number), size(measure) {}
+  constexpr Sized(const W& number, const Leading<W>& measure) : value(number), size(measure) {}
   /// A number that is given, or that is to count as one.
-  constexpr explicit Sized(const W& given) : value(given), size(abs(given)) {}
+  template <class Number>
+  requires std::constructible_from<W, Number>
+  constexpr explicit Sized(const Number& given) : value(given), size(abs(leading(value))) {}
 
   friend constexpr Sized operator+(const Sized& x, const Sized& y) {
     return {x.value + y.value, x.size + y.size};

@@ -65,7 +65,7 @@ template <class Method>
 inline constexpr bool runs_in_packs = requires {
   &Method::template roots<AnyNumber>;
 };
-/// Whether a method has a quick phase, which answers most rays in float, in packs of doubles.
+/// Whether a method has a quick phase, which answers most rays, in packs of more digits.
 template <class Method>
 inline constexpr bool has_quick_phase = requires {
   &Method::template enclosed<AnyNumber>;
@@ -75,10 +75,6 @@ template <class Method>
 inline constexpr bool has_kernels = (runs_in_packs<Method> || has_quick_phase<Method>)&&  //
                                     Method::contract.standing
                                     != Standing::printed;
-/// The same of one precision.
-template <class Method, class T>
-inline constexpr bool has_kernel_in = has_kernels<Method> &&
-                                      (std::same_as<T, float> || !has_quick_phase<Method>);
 
 /// One method's kernel in one precision.
 template <class Method, class Problem>
@@ -102,10 +98,8 @@ auto kernels_of_topic(TypeList<Methods...>) {
   [[maybe_unused]] const auto of = []<class Method>(std::type_identity<Method>) {
     using Floats = BatchKernel<Method, typename Topic::template Problem<float>>;
     using Doubles = BatchKernel<Method, typename Topic::template Problem<double>>;
-    if constexpr (has_kernel_in<Method, double>) {
+    if constexpr (has_kernels<Method>) {
       return std::tuple<Floats, Doubles>{};
-    } else if constexpr (has_kernels<Method>) {
-      return std::tuple<Floats>{};
     } else {
       return std::tuple<>{};
     }

@@ -64,7 +64,7 @@ void run_quick_kernel(const BatchKernel<Method, Problem>& kernel, const Lanes<Pr
 /// Runs the method's kernel, which fills these columns, or the first alone.
 template <class Method, class Problem, class T, std::size_t Columns>
 void run_kernel(InstructionSet set, const Lanes<Problem>& in, T* const (&out)[Columns], bool all) {
-  if constexpr (has_kernel_in<Method, T>) {
+  if constexpr (has_kernels<Method>) {
     const auto& kernel = std::get<BatchKernel<Method, Problem>>(kernel_table(set));
     if constexpr (has_quick_phase<Method>) {
       run_quick_kernel(kernel, in, out, all);

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Slabs met in double, with bounds on the errors of their ends, for the rounding test.
+/// Slabs met with more digits, and with bounds on the errors of their ends, for the rounding test.
 
 #include <rayproof/box/slab.hpp>
 #include <rayproof/formulas/rounding_test.hpp>
@@ -13,7 +13,7 @@ namespace rayproof::box {
 template <class W>
 struct BoundedSlab {
   W entry, exit;
-  W entry_error, exit_error;
+  Leading<W> entry_error, exit_error;
   Mask<W> is_sure;
 };
 
@@ -33,8 +33,9 @@ template <class W, class... More>
   ((exit_high = min(exit_high, more.exit + more.exit_error)), ...);
   Mask<W> is_sure = first.is_sure && (entry_high < exit_low || exit_high < entry_low);
   ((is_sure = is_sure && more.is_sure), ...);
-  return {chord(entry, exit), max(entry_high - entry, entry - entry_low),
-          max(exit_high - exit, exit - exit_low), is_sure};
+  const auto larger = [](const W& x, const W& y) { return max(leading(x), leading(y)); };
+  return {chord(entry, exit), larger(entry_high - entry, entry - entry_low),
+          larger(exit_high - exit, exit - exit_low), is_sure};
 }
 
 }  // namespace rayproof::box

@@ -12,18 +12,18 @@ namespace rayproof::box {
 
 /// Correctly rounded: the verdict is the exact one, and each t the exact t rounded once, ties to even.
 ///
-/// For a ray in float SlabsInverse runs in double, in packs too; its answer stands where the error bound
-/// below leaves no doubt of which comes first, entry or exit, and of the rounding of both, which is nearly
-/// everywhere. The rest, and every ray in double or under a transform, goes to slabs with nothing rounded
-/// before the last step: two t are compared by their exact cross products, so that an edge that is touched
-/// counts once.
+/// SlabsInverse runs in double for a ray in float, in double-double for one in double, in packs too; its
+/// answer stands where the error bound below leaves no doubt of which comes first, entry or exit, and of the
+/// rounding of both, which is nearly everywhere. The rest, and every ray under a transform, goes to slabs
+/// with nothing rounded before the last step: two t are compared by their exact cross products, so that an
+/// edge that is touched counts once.
 ///
 /// An answer is never rounded across an end of the ray's interval; entry and exit may round to one number and
 /// are still two, with a discriminant of 1. Holds for all finite floats; for doubles while every number that
 /// is not 0 lies within 2^±480, beyond which the products over- or underflow; under a transform within 2^±24.
 struct Rounded {
   static constexpr const char* name = "rounded";
-  static constexpr const char* title = "correctly rounded: slabs in double, exact where in doubt";
+  static constexpr const char* title = "correctly rounded: slabs with more digits, exact where in doubt";
   static constexpr Source source = sources::ziv;
   static constexpr Contract contract{
       .verdict = {.measured = 0, .promised = 0, .is_proven = true},
@@ -64,26 +64,28 @@ struct Rounded {
                                        ExactSlab(d.z, below.z, above.z)});
   }
 
-  /// Slabs in double on numbers that are floats, and what is known of them.
+  /// Slabs in double on numbers that are floats, or in double-double on doubles, and what is known of them.
   ///
-  /// u = 2^-53. Each t is (plane - o)·(1/d), three roundings, so off by at most 3.01u of its size, and 0 or
-  /// of the wrong sign never. The last entry and the first exit keep that bound: whichever slab they come
-  /// from, the exact one cannot be farther than its own rounding. The order of the two is sure where they are
-  /// farther apart than both errors together. Where the ray runs along a slab it is inside by an exact
-  /// comparison, or never meets the box: then the entry is NaN. So is that of a ray that is not finite, or
-  /// else its entry is not surely before its exit; of a box that is not finite nothing is sure.
+  /// With u the unit roundoff each t is (plane - o)·(1/d), three roundings, so off by at most 3.01u of its
+  /// size, and 0 or of the wrong sign never. The last entry and the first exit keep that bound: whichever
+  /// slab they come from, the exact one cannot be farther than its own rounding. The order of the two is sure
+  /// where they are farther apart than both errors together. Where the ray runs along a slab it is inside by
+  /// an exact comparison, or never meets the box: then the entry is NaN. Of a ray or a box that is not finite
+  /// nothing is sure.
   ///
   /// Nothing over- or underflows: floats are whole multiples of 2^-149 below 2^128.
   template <class W>
   [[nodiscard]] static constexpr Enclosed<W> enclosed(const Ray<W>& ray, const Box<W>& box) {
     const auto [entry, exit] = SlabsInverse::common_interval(ray, box);
-    constexpr double bound = 0x1.6p-51;  // 3.01u and two roundings more
-    const W entry_error = W(bound) * abs(entry);
-    const W exit_error = W(bound) * abs(exit);
-    const vec3<W> size = box.max - box.min;
-    const Mask<W> is_apart = entry_error + exit_error < abs(exit - entry);
-    const Mask<W> is_finite_box = abs(size.x) + abs(size.y) + abs(size.z) < W(infinity<W>);
-    return {chord(entry, exit), entry_error, exit_error, (is_apart || entry != entry) && is_finite_box};
+    using N = Leading<W>;
+    const N bound(5.5 * unit_roundoff<W>);  // 3.01u and two roundings more
+    const N entry_error = bound * abs(leading(entry));
+    const N exit_error = bound * abs(leading(exit));
+    const Mask<W> is_apart = entry_error + exit_error < abs(leading(exit - entry));
+    const auto sum = [](const auto& v) { return leading(v).x + leading(v).y + leading(v).z; };
+    const N all = sum(ray.origin) + sum(ray.direction) + (sum(box.min) + sum(box.max));
+    const Mask<W> is_finite = abs(all) < N(infinity<W>);
+    return {chord(entry, exit), entry_error, exit_error, (is_apart || entry != entry) && is_finite};
   }
 };
 

@@ -12,9 +12,9 @@ namespace rayproof::cylinder {
 /// Correctly rounded: the verdict is the exact one, tangents and rims that are touched included, and each t
 /// the exact t rounded once, ties to even.
 ///
-/// For a ray in float side and heights are met in double, in packs too; that answer stands where the error
-/// bounds below leave no doubt of hit or miss, of which comes first, root or height, and of the rounding,
-/// which is nearly everywhere but along the axis. The rest, and every ray in double, goes to expansions
+/// Side and heights are met in double for a ray in float, in double-double for one in double, in packs too;
+/// that answer stands where the error bounds below leave no doubt of hit or miss, of which comes first, root
+/// or height, and of the rounding, which is nearly everywhere but along the axis. The rest goes to expansions
 /// (ExactCylinderHits). An answer is never rounded across an end of the ray's interval.
 ///
 /// Holds for all finite floats; for doubles while every number that is not 0 lies within 2^±100, beyond which
@@ -22,7 +22,7 @@ namespace rayproof::cylinder {
 /// cylinder and are missed.
 struct Rounded {
   static constexpr const char* name = "rounded";
-  static constexpr const char* title = "correctly rounded: in double, exact where in doubt";
+  static constexpr const char* title = "correctly rounded: with more digits, exact where in doubt";
   static constexpr Source source = sources::ziv;
   static constexpr Contract contract{
       .verdict = {.measured = 0, .promised = 0, .is_proven = true},
@@ -41,14 +41,16 @@ struct Rounded {
     return ExactCylinderHits::roots(ray, cylinder);
   }
 
-  /// Side and heights met in double on numbers that are floats, and what is known of them.
+  /// Side and heights met in double on numbers that are floats, or in double-double on doubles, and what is
+  /// known of them.
   ///
-  /// Times rx·ry, the plane in which the side is a circle takes products of two floats, which are exact: the
-  /// circle is a sphere's section at z = 0, and sphere::Rounded encloses its roots. What is derived there for
-  /// floats holds for these numbers too, with u = 2^-53: products of theirs are rounded where those of floats
-  /// are exact, but f is not, nor is a third term added, so that f·d is off by 2u|f||d| and t_c by 6u|f|/|d|,
-  /// less than the 4u and 8u there; r² is off by u of itself, for which δD < 2^-48·S·(r + …), 32u, has room.
-  /// Where D² overflows, D is far from 0; nothing that counts underflows, since no number is below 2^-298.
+  /// Times rx·ry, the plane in which the side is a circle takes products of two given numbers, which are
+  /// exact: the circle is a sphere's section at z = 0, and sphere::Rounded encloses its roots. What is
+  /// derived there for given numbers holds for these too: products of theirs are rounded where those of given
+  /// ones are exact, but f is not, nor is a third term added, so that f·d is off by 2u|f||d| and t_c by
+  /// 6u|f|/|d|, less than the 4u and 8u there; r² is off by u of itself, for which δD < 2^-48·S·(r + …), 32u,
+  /// has room. Where D² overflows, D is far from 0; nothing that counts underflows, since no number is below
+  /// 2^-298.
   ///
   /// Of the heights' t the numerator is rounded once and the quotient once, so that they are off by 2.01u of
   /// their size, and by two roundings more in the test. They are NaN where the ray's own z are.
@@ -61,9 +63,12 @@ struct Rounded {
     const Sphere<W> circle{{W(0), W(0), W(0)}, rx * ry};
     const Enclosed<W> side = sphere::Rounded::enclosed(seen_along_axis, circle);
     const auto [entry, exit] = between_heights(ray, cylinder);
-    const auto error_of = [](const W& t) { return W(0x1.4p-51) * min(abs(t), W(0x1p1000)); };
+    using N = Leading<W>;
+    const auto error_of = [](const W& t) {
+      return N(5 * unit_roundoff<W>) * min(abs(leading(t)), N(0x1p1000));
+    };
     const box::BoundedSlab<W> heights{entry, exit, error_of(entry), error_of(exit),
-                                      entry == entry && abs(height) < W(infinity<W>)};
+                                      entry == entry && abs(leading(height)) < N(infinity<W>)};
     return is_capped ? inside(side, heights) : between(side, heights);
   }
 
@@ -86,10 +91,10 @@ struct Rounded {
   static constexpr Enclosed<W> between(const Enclosed<W>& side, const box::BoundedSlab<W>& heights) {
     const W after = heights.entry + heights.entry_error, before = heights.exit - heights.exit_error;
     const W earliest = heights.entry - heights.entry_error, latest = heights.exit + heights.exit_error;
-    const auto is_between = [&](const W& t, const W& error) {
+    const auto is_between = [&](const W& t, const Leading<W>& error) {
       return after < t - error && t + error < before;
     };
-    const auto is_outside = [&](const W& t, const W& error) {
+    const auto is_outside = [&](const W& t, const Leading<W>& error) {
       return t + error < earliest || latest < t - error;
     };
     const auto& [D, lo, hi] = side.roots;

@@ -15,11 +15,11 @@ namespace rayproof::parallelepiped {
 
 /// Correctly rounded: the verdict is the exact one, and each t the exact t rounded once, ties to even.
 ///
-/// For a ray in float the slabs of FacePlanes are met in double, in packs too; that answer stands where the
-/// error bound below leaves no doubt of which comes first, entry or exit, and of the rounding of both, which
-/// is nearly everywhere. The rest, and every ray in double or under a transform, goes to normals, distances
-/// and comparisons of two t with nothing rounded before the last step, so that an edge or corner that is
-/// touched counts once.
+/// The slabs of FacePlanes are met in double for a ray in float, in double-double for one in double, in packs
+/// too; that answer stands where the error bound below leaves no doubt of which comes first, entry or exit,
+/// and of the rounding of both, which is nearly everywhere. The rest, and every ray under a transform, goes
+/// to normals, distances and comparisons of two t with nothing rounded before the last step, so that an edge
+/// or corner that is touched counts once.
 ///
 /// An answer is never rounded across an end of the ray's interval; entry and exit may round to one number and
 /// are still two, with a discriminant of 1. Holds for all finite floats; for doubles while every number that
@@ -27,7 +27,8 @@ namespace rayproof::parallelepiped {
 /// transform within 2^±24. Dependent edges span no solid and are missed.
 struct Rounded {
   static constexpr const char* name = "rounded";
-  static constexpr const char* title = "correctly rounded: face planes in double, exact where in doubt";
+  static constexpr const char* title =
+      "correctly rounded: face planes with more digits, exact where in doubt";
   static constexpr Source source = sources::ziv;
   static constexpr Contract contract{
       .verdict = {.measured = 0, .promised = 0, .is_proven = true},
@@ -80,11 +81,12 @@ struct Rounded {
     return box::exact_chord(ray, std::array{slab(1, 2), slab(2, 0), slab(0, 1)});
   }
 
-  /// Three pairs of faces met in double on numbers that are floats, and what is known of it.
+  /// Three pairs of faces met in double on numbers that are floats, or in double-double on doubles, and what
+  /// is known of it.
   ///
-  /// u = 2^-53. A normal, a cross product of two given edges, is off by no more than u of each component, and
-  /// f = corner - o of each of its. So n·d⃗ and the volume n·e are off by 4.1u times the sizes of their terms,
-  /// n·f by 5.1u, and n·f + n·e by 6.1u times the sizes of both.
+  /// With u the unit roundoff a normal, a cross product of two given edges, is off by no more than u of each
+  /// component, and f = corner - o of each of its. So n·d⃗ and the volume n·e are off by 4.1u times the sizes
+  /// of their terms, n·f by 5.1u, and n·f + n·e by 6.1u times the sizes of both.
   template <class W>
   [[nodiscard]] static constexpr Enclosed<W> enclosed(const Ray<W>& ray, const Parallelepiped<W>& solid) {
     const auto& [e0, e1, e2] = solid.edges;
@@ -105,10 +107,11 @@ struct Rounded {
     const auto normal = sized<W>(n);
     const Sized<W> speed = dot(normal, sized<W>(d)), apart = dot(normal, sized<W>(edge));
     const Sized<W> near_plane = dot(normal, sized<W>(f)), far_plane = near_plane + apart;
-    const W per_speed = reciprocal_bound(abs(speed.value));
-    const Mask<W> is_parallel = speed.size == W(0);
+    using N = Leading<W>;
+    const N per_speed = reciprocal_bound(abs(leading(speed.value)));
+    const Mask<W> is_parallel = speed.size == N(0);
     const auto error_of = [&](const W& t) {
-      return select(is_parallel, W(0), quotient_error(t, far_plane.size, speed.size, per_speed));
+      return select(is_parallel, N(0), quotient_error(t, far_plane.size, speed.size, per_speed));
     };
     const Mask<W> is_clear = has_digits(near_plane) && has_digits(far_plane);
     return {entry, exit, error_of(entry), error_of(exit),

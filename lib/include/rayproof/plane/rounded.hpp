@@ -13,16 +13,16 @@ namespace rayproof::plane {
 /// Correctly rounded: the verdict is the exact one, and t the exact t rounded once, ties to even; so are the
 /// parameters of a plane in the parametric form, each off by ε of itself at most.
 ///
-/// For a ray in float the plane's own form is solved in double, in packs too (`estimated`); that answer
-/// stands where its error bound leaves no doubt of a ray's being parallel and of the rounding, which is
-/// nearly everywhere. The rest, and every ray in double or under a transform, goes to numerators and
-/// denominators without rounding. No answer is rounded across an end of the ray's interval.
+/// The plane's own form is solved in double for a ray in float, in double-double for one in double, in packs
+/// too (`estimated`); that answer stands where its error bound leaves no doubt of a ray's being parallel and
+/// of the rounding, which is nearly everywhere. The rest, and every ray under a transform, goes to numerators
+/// and denominators without rounding. No answer is rounded across an end of the ray's interval.
 ///
 /// Holds for all finite floats; for doubles while every number that is not 0 lies within 2^±200, beyond which
 /// terms of the expansions over- or underflow; under a transform within 2^±24.
 struct Rounded {
   static constexpr const char* name = "rounded";
-  static constexpr const char* title = "correctly rounded: in double, exact where in doubt";
+  static constexpr const char* title = "correctly rounded: with more digits, exact where in doubt";
   static constexpr Source source = sources::ziv;
   static constexpr Contract contract{
       .verdict = {.measured = 0, .promised = 0, .is_proven = true},

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <rayproof/formulas/largest_axis.hpp>
+#include <rayproof/formulas/rounding_test.hpp>
 #include <rayproof/point_in_polygon/winding.hpp>
 #include <rayproof/polygon/quotient.hpp>
 #include <utility>
@@ -20,7 +21,7 @@ class ExactMeeting {
   using Exact = ExactQuotient::Exact;
 
   ExactMeeting(const Ray<double>& ray, Polygon<double> polygon) : ray_(ray), polygon_(std::move(polygon)) {
-    const auto quick = EnclosedQuotient::of(ray_, polygon_);
+    const auto quick = EnclosedQuotient<double>::of(ray_, polygon_);
     if (quick.is_sure()) {
       turned_ = LargestAxisLast<double>(quick.normal_in_double());
       t_ = quick.t();
@@ -38,8 +39,17 @@ class ExactMeeting {
   /// The ray runs along the plane, or the polygon has no plane.
   [[nodiscard]] bool is_parallel() const { return exact_.has_value() && sign(exact_->D) == 0; }
 
-  /// t in double, and a bound on its error less two roundings.
-  [[nodiscard]] std::pair<double, double> enclosed_t() const { return {t_, t_error_}; }
+  /// t with more digits than T, and a bound on its error less two roundings.
+  template <std::floating_point T>
+  [[nodiscard]] std::pair<WiderThan<T>, double> enclosed_t() const {
+    using W = WiderThan<T>;
+    if constexpr (std::same_as<W, double>) {
+      return {t_, t_error_};
+    } else {
+      const auto quotient = EnclosedQuotient<W>::of(convert<W>(ray_), convert<W>(polygon_));
+      return {quotient.t(), quotient.error_of_t()};
+    }
+  }
   /// t without rounding.
   [[nodiscard]] ExactQuotient::Ratio ratio() const { return exact().ratio(); }
 

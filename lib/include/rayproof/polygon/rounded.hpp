@@ -1,5 +1,4 @@
 #pragma once
-#include <rayproof/formulas/rounding_test.hpp>
 #include <rayproof/method/method.hpp>
 #include <rayproof/polygon/by_projection.hpp>
 #include <rayproof/polygon/exact_meeting.hpp>
@@ -12,14 +11,14 @@ namespace rayproof::polygon {
 /// once, ties to even.
 ///
 /// The Newell normal, the hit point and its orientation to each side are formed in double with a bound on
-/// their errors, and with nothing rounded where that leaves a doubt; so is t of a ray in float. No answer is
-/// rounded across an end of the ray's interval.
+/// their errors, and with nothing rounded where that leaves a doubt; so is t, of a ray in double after
+/// double-double. No answer is rounded across an end of the ray's interval.
 ///
 /// Holds for all finite floats; for doubles while every number that is not 0 lies within 2^±150, beyond which
 /// terms of the expansions over- or underflow.
 struct Rounded {
   static constexpr const char* name = "rounded";
-  static constexpr const char* title = "correctly rounded: in double, exact where in doubt";
+  static constexpr const char* title = "correctly rounded: with more digits, exact where in doubt";
   static constexpr Source source = sources::ziv;
   static constexpr Contract contract{
       .verdict = {.measured = 0, .promised = 0, .is_proven = true},
@@ -44,11 +43,9 @@ struct Rounded {
     if (meeting.locate() == Position::outside) return no_hit<T>;
 
     step<T>("Round t once", "The quotient is exact until here.");
-    if constexpr (sizeof(T) < sizeof(double)) {
-      const auto [t, error] = meeting.enclosed_t();
-      const auto quick = rounding_test(convert<double>(ray), t, error);
-      if (quick.is_sure) return hit_at(static_cast<T>(quick.answer), T(0), T(0));
-    }
+    const auto [t, error] = meeting.enclosed_t<T>();
+    const auto quick = rounding_test(convert<double>(ray), t, error);
+    if (quick.is_sure) return hit_at(static_cast<T>(quick.answer), T(0), T(0));
     return hit_at(rounded(ray, meeting.ratio()), T(0), T(0));
   }
 };

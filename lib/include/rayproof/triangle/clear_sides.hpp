@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A triangle met in double, with a bound on the error, for the rounding test.
+/// A triangle met with more digits, and with a bound on the error, for the rounding test.
 
 #include <rayproof/formulas/rounding_test.hpp>
 #include <rayproof/triangle.hpp>
@@ -13,20 +13,22 @@ namespace rayproof::triangle {
 template <class W>
 struct Volume {
   W value;
-  W error;
-  [[nodiscard]] constexpr Mask<W> is_positive() const { return value > error; }
-  [[nodiscard]] constexpr Mask<W> is_negative() const { return value < -error; }
+  Leading<W> error;
+  [[nodiscard]] constexpr Mask<W> is_positive() const { return leading(value) > error; }
+  [[nodiscard]] constexpr Mask<W> is_negative() const { return leading(value) < -error; }
 };
 
-/// The three sides and the numerators of a ray and a triangle in double, with bounds on their rounding
-/// errors: what is clear needs no exact arithmetic.
+/// The three sides and the numerators of a ray and a triangle, with bounds on their rounding errors: what is
+/// clear needs no exact arithmetic. `T` is double, double-double, or a pack of either.
 ///
 /// Every number here is the volume of three vectors that are differences of inputs. With |x| the sum of a
-/// vector's magnitudes its error is less than 2^-50·|x||y||z|: at most two roundings of differences and six
-/// of the volume, each 2^-53 of no more than that product; the bound is twice as much. Nothing may underflow:
-/// true of floats in double; of doubles only within the domain of the caller.
+/// vector's magnitudes its error is less than 8u·|x||y||z|: at most two roundings of differences and six of
+/// the volume, each u, the unit roundoff, of no more than that product; the bound is twice as much. Nothing
+/// may underflow: true of floats in double and of what double-doubles are made of; of doubles in double only
+/// within the domain of the caller.
 template <class T>
 struct ClearSides {
+  using N = Leading<T>;
   Volume<T> U, V, W;    ///< of the same sign, or two of them clear and of different signs: the ray passes by
   Volume<T> D;          ///< U + V + W in real numbers
   Volume<T> at_origin;  ///< t = at_origin / D
@@ -39,15 +41,16 @@ struct ClearSides {
     const vec3<T> ac = triangle.c - triangle.a;
     const vec3<T> bc = triangle.c - triangle.b;
     const vec3<T> da = cross(d, a), db = cross(d, b), normal = cross(ab, ac);
-    const T size_d = T(0x1p-49) * size(d), size_ab = size(ab), size_ac = size(ac);
-    const T size_normal = size_ab * size_ac;
-    const T size_da = size_d * size(a);
+    const N bound(16 * unit_roundoff<T>);
+    const N size_d = bound * size(d), size_ab = size(ab), size_ac = size(ac);
+    const N size_normal = size_ab * size_ac;
+    const N size_da = size_d * size(a);
     // b×c = b×(c-b): so formed, the sides of a small far triangle keep their digits.
     return {{dot(db, bc), size_d * size(b) * size(bc)},
             {-dot(da, ac), size_da * size_ac},
             {dot(da, ab), size_da * size_ab},
             {dot(d, normal), size_d * size_normal},
-            {dot(a, normal), T(0x1p-49) * size(a) * size_normal}};
+            {dot(a, normal), bound * size(a) * size_normal}};
   }
 
   /// Two sides are clear and of different signs: the ray passes by.
@@ -66,13 +69,14 @@ struct ClearSides {
   /// two of them the test's; the bounds, twice as large as they need be, leave room for what D's error does
   /// to the divisor, of which it is no more than a 2^-20th.
   [[nodiscard]] constexpr EnclosedHit<T> hit() const {
-    const T per_D = reciprocal_bound(abs(D.value));
+    const N abs_D = abs(leading(D.value)), per_D = reciprocal_bound(abs_D);
     const auto error_of = [&](const T& x, const Volume<T>& numerator) {
-      return (numerator.error + abs(x) * D.error) * per_D + T(0x1p-51) * abs(x);
+      const N size_x = abs(leading(x));
+      return (numerator.error + size_x * D.error) * per_D + N(4 * unit_roundoff<T>) * size_x;
     };
     const T t = at_origin.value / D.value, u = V.value / D.value, v = W.value / D.value;
     const Mask<T> is_hit = is_inside();
-    const Mask<T> has_digits = T(0x1p20) * D.error < abs(D.value);
+    const Mask<T> has_digits = N(0x1p20) * D.error < abs_D;
     return {{{select(is_hit, T(0), T(-1)), t, t}, u, v},
             error_of(t, at_origin),
             error_of(u, V),
@@ -81,7 +85,9 @@ struct ClearSides {
   }
 
  private:
-  static constexpr T size(const vec3<T>& x) { return abs(x.x) + abs(x.y) + abs(x.z); }
+  static constexpr N size(const vec3<T>& x) {
+    return abs(leading(x.x)) + abs(leading(x.y)) + abs(leading(x.z));
+  }
 };
 
 }  // namespace rayproof::triangle

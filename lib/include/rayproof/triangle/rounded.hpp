@@ -13,16 +13,17 @@ namespace rayproof::triangle {
 /// t, u and v are the exact ones rounded once, ties to even: u and v are off by ε/2 and 1 - u - v by 2ε at
 /// most.
 ///
-/// The three Plücker sides in double, with a bound on their rounding (ClearSides), go first, in packs too.
-/// They decide clear misses, and for a ray in float what is clearly a hit with a sure rounding as well, which
-/// is nearly everywhere; the rest goes to the same sides as exact expansions, and so does every ray under a
-/// transform. No answer is rounded across an end of the ray's interval.
+/// The three Plücker sides with a bound on their rounding (ClearSides) go first, in double for a ray in
+/// float, in double-double for one in double, in packs too. They decide what is clearly a miss, or a hit with
+/// a sure rounding, which is nearly everywhere; the rest goes to the same sides as exact expansions, and so
+/// does every ray under a transform. No answer is rounded across an end of the ray's interval.
 ///
 /// Holds for all finite floats; for doubles while every number that is not 0 lies within 2^±200, beyond which
 /// terms of the expansions over- or underflow; under a transform within 2^±24.
 struct Rounded {
   static constexpr const char* name = "rounded";
-  static constexpr const char* title = "correctly rounded: three sides in double, exact where in doubt";
+  static constexpr const char* title =
+      "correctly rounded: three sides with more digits, exact where in doubt";
   static constexpr Source source = sources::ziv;
   static constexpr Contract contract{
       .verdict = {.measured = 0, .promised = 0, .is_proven = true},

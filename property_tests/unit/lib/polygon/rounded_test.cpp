@@ -51,7 +51,7 @@ TEST(EnclosedQuotientOfAPolygon, HoldsTheExactQuotientWithinItsBound) {
       const Ray<float> ray{{aside, 0.3F - aside, -2}, {0.1F * aside, 0.05F, 1}};
       const auto wide_ray = convert<double>(ray);
       const auto polygon = convert<double>(bowl(far));
-      const auto quick = EnclosedQuotient::of(wide_ray, polygon);
+      const auto quick = EnclosedQuotient<double>::of(wide_ray, polygon);
       const auto exact = ExactQuotient::of(wide_ray, polygon).ratio();
       ASSERT_TRUE(quick.is_sure());
       EXPECT_EQ(exact.compare(rayproof::exact(quick.t() - quick.error_of_t())), 1);
@@ -64,7 +64,7 @@ TEST(EnclosedQuotientOfAPolygon, IsSureOnlyOfAClearNormalAndARayThatIsClearlyNot
   const Polygon<double> level{{{0, 0, 2}, {1, 0, 2}, {0, 1, 2}}};
   const Polygon<double> leaning{{{3, 0, 0}, {0, 3, 0}, {0, 0, 3}}};
   const auto is_sure = [](const Ray<double>& ray, const Polygon<double>& polygon) {
-    return EnclosedQuotient::of(ray, polygon).is_sure();
+    return EnclosedQuotient<double>::of(ray, polygon).is_sure();
   };
   EXPECT_TRUE(is_sure({{0, 0, 0}, {0.1, 0.2, 1}}, level));
   EXPECT_FALSE(is_sure({{0, 0, 0}, {0.1, 0.2, 0}}, level));       // parallel
