@@ -162,7 +162,7 @@ class AnsweringFunction final : public Answering {
     const Ray<double>& ray = problem_.asked->ray;
     const double first = reply.hits.empty() ? 0 : reply.hits.front() / problem_.length;
     const bool knows = has_interval(order);
-    for (double& t : reply.hits) t = scaled_back(t, knows);
+    for (double& t : reply.hits) t = scaled_back(t);
     finish_hits(reply, [&](double t) {
       if (said.verdict && (knows || std::isnan(t))) return true;
       // The one hit of a ray is not behind its origin; a function that says so is not helped.
@@ -181,13 +181,14 @@ class AnsweringFunction final : public Answering {
     if (reply.normal) reply.normal = normal_to_world<double>(*problem_.object_space, *reply.normal);
   }
 
-  /// t in lengths of the case's direction. Where the interval was scaled, too, its ends stay its ends.
-  [[nodiscard]] double scaled_back(double t, bool knows_interval) const {
+  /// t in lengths of the case's direction. The ends of the interval stay its ends: that the scaling rounds is
+  /// no fault of the function.
+  [[nodiscard]] double scaled_back(double t) const {
     const Ray<double>& ray = problem_.asked->ray;
     if (problem_.length == 1) return t;
     t /= problem_.length;
     for (const double end : {ray.t_min, ray.t_max})
-      if (knows_interval && std::abs(t - end) <= rounding * std::abs(end)) return end;
+      if (std::isfinite(end) && std::abs(t - end) <= rounding * std::abs(end)) return end;
     return t;
   }
 

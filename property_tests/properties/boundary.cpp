@@ -100,7 +100,7 @@ BoundaryPlaces places_of(const Case& one, const RayQuestion& asked, RayAnswer ex
   if (exact.hits.count == 0) return exact.contact == Contact::in_surface ? only(in_surface) : places;
   if (is_first_alone) exact.hits.count = 1;
   for (const double t : exact.hits.view()) {
-    if (t == asked.ray.t_min) places |= only(t_min);
+    if (t == asked.ray.t_min) places |= only(t == 0 ? at_origin : t_min);
     if (t == asked.ray.t_max) places |= only(t_max);
   }
   const auto* sphere = std::get_if<Sphere<double>>(&asked.shape);

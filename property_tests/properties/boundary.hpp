@@ -12,10 +12,11 @@ namespace rayproof {
 /// What decides a case that lies exactly on a boundary. Code has a comparison for each of these, so that one
 /// may be open and the others closed.
 enum class BoundaryPlace {
-  tangent,  ///< a double root; a solid touched at one t
-  t_min,    ///< a hit exactly at t_min
-  t_max,    ///< a hit exactly at t_max
-  edge_a,   ///< the triangle's edge opposite to a, without its ends
+  tangent,    ///< a double root; a solid touched at one t
+  at_origin,  ///< a hit exactly at the ray's origin, where t_min is 0
+  t_min,      ///< a hit exactly at a t_min that is not 0
+  t_max,      ///< a hit exactly at t_max
+  edge_a,     ///< the triangle's edge opposite to a, without its ends
   edge_b,
   edge_c,
   vertex,     ///< a vertex of a triangle, or of a polygon in the plane
@@ -30,7 +31,7 @@ enum class BoundaryPlace {
   upright_side = high_face,  ///< an upright one
   no_radius = low_face       ///< a sphere that is a point
 };
-inline constexpr std::size_t boundary_place_count = 12;
+inline constexpr std::size_t boundary_place_count = 13;
 
 /// Some of these places.
 using BoundaryPlaces = std::bitset<boundary_place_count>;

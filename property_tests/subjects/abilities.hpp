@@ -17,7 +17,7 @@ struct Abilities {
   bool boundary = true;  ///< says of a point that it is on the boundary of a polygon
   /// The places (properties/boundary.hpp) where its wrong verdict is a rule of its own, and not what rounding
   /// makes of it.
-  std::bitset<12> rules{0xfff};
+  std::bitset<13> rules{0x1fff};
 };
 
 /// The questions that a subject's documentation says it takes. What breaks outside is a fault of nobody;

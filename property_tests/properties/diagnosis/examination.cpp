@@ -44,7 +44,14 @@ std::optional<Aspect> aspect_of(Claim claim) {
 }  // namespace
 
 Examination::Examination(const Patient& patient, std::span<const Case> failing, std::span<const Case> passing)
-    : patient_(patient), failing_(ask(failing)), passing_(ask(passing)) {}
+    : patient_(patient), failing_(ask(failing)), passing_(ask(passing)) {
+  // A miss does not show whether its subject would have given t.
+  const auto is_without_t = [](const Known& known) { return known.got && !gives_numbers(*known.got); };
+  if (std::ranges::none_of(failing_, is_without_t) && std::ranges::none_of(passing_, is_without_t)) return;
+  for (auto* const all : {&failing_, &passing_})
+    for (Known& known : *all)
+      if (auto* ray = known.got ? std::get_if<RayAnswer>(&*known.got) : nullptr) ray->verdict_only = true;
+}
 
 std::vector<Examination::Known> Examination::ask(std::span<const Case> cases) const {
   std::vector<std::optional<Answer>> answers = patient_.ask(cases);
@@ -60,7 +67,7 @@ std::optional<bool> Examination::fits(const Hypothesis& hypothesis, const Known&
   const Answer& got = *known.got;
   if (hypothesis.recognise != nullptr) return hypothesis.recognise(one, got, exact);
   const bool is_right = agree(one, got, exact, hypothesis.aspect);
-  bool has_said = false, may_be_right = false;
+  bool has_said = false, may_be_right = false, may_be_this = false;
   for (const Answer& predicted : hypothesis.predict(one, exact)) {
     const Answer reported = as_reported(predicted, got);
     if (hypothesis.aspect == Aspect::hits && is_nearer_to(one, got, reported, as_reported(exact, got)))
@@ -69,9 +76,11 @@ std::optional<bool> Examination::fits(const Hypothesis& hypothesis, const Known&
       may_be_right = true;
       continue;
     }
-    if (!is_right && agree(one, got, reported, hypothesis.aspect)) return true;
+    may_be_this |= !is_right && agree(one, got, reported, hypothesis.aspect);
     has_said = true;
   }
+  // Of a subject that gives no t a model that foresees the right verdict, too, may say anything.
+  if (may_be_this) return may_be_right && !gives_numbers(got) ? std::nullopt : std::optional(true);
   return has_said && !may_be_right ? std::optional(false) : std::nullopt;
 }
 

@@ -22,6 +22,11 @@ TEST(option, unit_direction_scales_t_back) {
   EXPECT_EQ(answer_of(sphere_case("-5", R"(, "t_max": 0.7)"), ends_at_t_max, unit_direction),
             hit_at("0.699999988079071"))
       << "the scaled interval's end is the case's end";
+  const auto nearest_of_ray = [](const Ray<float>& ray, const Sphere<float>& s) {
+    return unit_sphere_distance(ray.origin, ray.direction, s.center, s.radius);
+  };
+  EXPECT_EQ(answer_of(sphere_case("-5"), nearest_of_ray, unit_direction), hit_at("2"))
+      << "an endless interval has no end to stand on";
 }
 
 TEST(option, no_interval_means_that_hits_outside_are_dropped_and_what_lies_before_t_min_is_not_asked) {

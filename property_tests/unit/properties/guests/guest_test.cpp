@@ -88,6 +88,12 @@ Answer with_rays_in_planes(const Case& one) {
   return answer;
 }
 
+/// t > 0 is asked: other ends of the interval count.
+Answer without_hits_at_origin(const Case& one) {
+  const auto exact = std::get<RayAnswer>(oracle::answer(one));
+  return exact.hits.count > 0 && exact.hits.t[0] == 0 ? RayAnswer{} : exact;
+}
+
 TEST(Probe, FindsOutWhatAnswersHold) {
   const Abilities all = learnt("sphere", oracle::answer);
   EXPECT_TRUE(all.all_hits && all.numbers && all.contact && all.point && all.normal);
@@ -110,6 +116,7 @@ TEST(Probe, TakesForARuleOnlyWhatIsWrongOnMostBoundaries) {
   EXPECT_EQ(learnt("polygon", without_boundary_hits<true>).rules, only(BoundaryPlace::edge));
   EXPECT_TRUE(learnt("polygon", without_boundary_hits<false>).rules.none());
   EXPECT_EQ(learnt("plane", with_rays_in_planes).rules, only(BoundaryPlace::in_surface));
+  EXPECT_EQ(learnt("plane", without_hits_at_origin).rules, only(BoundaryPlace::at_origin));
 }
 
 TEST(Probe, GivesTheCasesThatAreNotAnswered) {
