@@ -48,8 +48,8 @@ struct Rounded {
   /// exact: the circle is a sphere's section at z = 0, and sphere::Rounded encloses its roots. What is
   /// derived there for given numbers holds for these too: products of theirs are rounded where those of given
   /// ones are exact, but f is not, nor is a third term added, so that f·d is off by 2u|f||d| and t_c by
-  /// 6u|f|/|d|, less than the 4u and 8u there; r² is off by u of itself, for which δD < 2^-48·S·(r + …), 32u,
-  /// has room. Where D² overflows, D is far from 0; nothing that counts underflows, since no number is below
+  /// 6u|f|/|d|, less than the 4u and 8u there; r² is off by u of itself, for which δD < 2^5·u·S·(r + …) has
+  /// room. Where D² overflows, D is far from 0; nothing that counts underflows, since no number is below
   /// 2^-298.
   ///
   /// Of the heights' t the numerator is rounded once and the quotient once, so that they are off by 2.01u of
