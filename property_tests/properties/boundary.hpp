@@ -2,39 +2,10 @@
 /// \file
 /// Cases that lie on a boundary of what is a hit, and nothing of which a plain method rounds.
 
-#include <bitset>
-#include <cstddef>
-
 #include "case/case.hpp"
+#include "subjects/boundary_places.hpp"
 
 namespace rayproof {
-
-/// What decides a case that lies exactly on a boundary. Code has a comparison for each of these, so that one
-/// may be open and the others closed.
-enum class BoundaryPlace {
-  tangent,    ///< a double root; a solid touched at one t
-  at_origin,  ///< a hit exactly at the ray's origin, where t_min is 0
-  t_min,      ///< a hit exactly at a t_min that is not 0
-  t_max,      ///< a hit exactly at t_max
-  edge_a,     ///< the triangle's edge opposite to a, without its ends
-  edge_b,
-  edge_c,
-  vertex,     ///< a vertex of a triangle, or of a polygon in the plane
-  low_face,   ///< a line in a face of a box at its min, or of a parallelepiped at its corner
-  high_face,  ///< the same of the opposite faces
-  low_rim,    ///< an open cylinder's rim at z = 0
-  high_rim,   ///< an open cylinder's rim at z = height
-  edge,       ///< any other edge, or the boundary of a polygon
-  // Of shapes without faces; a place is one of its shape.
-  in_surface = low_face,     ///< a line that runs inside a plane, a figure's plane or an open side: a miss
-  level_side = low_face,     ///< a level side of a polygon in the plane
-  upright_side = high_face,  ///< an upright one
-  no_radius = low_face       ///< a sphere that is a point
-};
-inline constexpr std::size_t boundary_place_count = 13;
-
-/// Some of these places.
-using BoundaryPlaces = std::bitset<boundary_place_count>;
 
 /// The places that the exact answer lies on. With `is_first_alone`, only those that its first hit shows: who
 /// reports no other hit has nothing to say of those.

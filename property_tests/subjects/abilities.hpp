@@ -2,7 +2,7 @@
 /// \file
 /// What a subject's answers hold, and which questions its documentation says it takes.
 
-#include <bitset>
+#include "subjects/boundary_places.hpp"
 
 namespace rayproof {
 
@@ -15,9 +15,8 @@ struct Abilities {
   bool normal = true;
   bool barycentric = true;
   bool boundary = true;  ///< says of a point that it is on the boundary of a polygon
-  /// The places (properties/boundary.hpp) where its wrong verdict is a rule of its own, and not what rounding
-  /// makes of it.
-  std::bitset<13> rules{0x1fff};
+  /// Where its wrong verdict is a rule of its own, and not what rounding makes of it.
+  BoundaryPlaces rules{~0ULL};
 };
 
 /// The questions that a subject's documentation says it takes. What breaks outside is a fault of nobody;

@@ -34,8 +34,6 @@ struct Members {
 template <class T>
 using MakeFigures = std::unique_ptr<Figures<T>> (*)(std::string_view method, const Members& members);
 
-class Hull;
-
 /// What a shape brings to a scene.
 struct FigureKind {
   std::string shape;                   ///< "sphere"
@@ -43,8 +41,8 @@ struct FigureKind {
   std::vector<std::string> methods{};  ///< all that can render
   MakeFigures<float> in_float = nullptr;
   MakeFigures<double> in_double = nullptr;
-  /// Adds points whose hull holds the whole shape; null for a shape without end, which every ray asks.
-  void (*enclose)(Hull& hull, const Shape& shape) = nullptr;
+  /// A box that holds an object of the shape; nothing for a shape without end, which every ray asks.
+  std::optional<objects::Bounds> (*bounds)(const Object& object) = nullptr;
 
   template <class T>
   [[nodiscard]] MakeFigures<T> make() const {

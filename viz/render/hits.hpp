@@ -74,12 +74,9 @@ using Methods = std::map<std::string, std::string>;
 /// From this many objects on, a method is asked only about rays that come near an object's box.
 inline constexpr std::size_t many_objects = 65;
 
-/// How far around a box a method is still asked: this part of the largest coordinate of the boxes and the
-/// eye.
+/// How far around a box a method is still asked: this part of the largest coordinates of the boxes and the
+/// ray's origin.
 inline constexpr double method_margin = 0x1p-16;
-
-/// Where the objects lie for a float method, and with how much room around them.
-[[nodiscard]] ObjectBounds bounds_for_methods(const RenderScene& scene);
 
 /// Hits by float methods in the scene's precision. `neighbourhood` may be null: then every object is tested
 /// against every ray. Throws Stopped.

@@ -4,8 +4,9 @@
 
 #include <functional>
 #include <memory>
+#include <rayproof/objects/hull.hpp>
 
-#include "viz/render/bounds.hpp"
+#include "viz/render/scene/scene.hpp"
 
 namespace rayproof::render {
 
@@ -26,21 +27,15 @@ class Neighbourhood {
   virtual void visit(const Ray<double>& ray, const Meet& meet) const = 0;
 };
 
-/// Boxes of all objects, larger by `margin`; an object without a box is near every ray.
-struct ObjectBounds {
-  std::vector<Bounds> boxes{};
-  std::vector<ObjectIndex> boxed{};      ///< whose box each is
-  std::vector<ObjectIndex> unbounded{};  ///< those without one
+/// A box around the object in the world: no point of the exact figure lies outside it. Nothing for a plane,
+/// or where a number is beyond what can be reasoned about.
+[[nodiscard]] std::optional<objects::Bounds> bounds_of(const Object& object);
 
-  explicit ObjectBounds(const RenderScene& scene, double margin = 0);
-};
+/// By the library's tree of boxes. With no margin it certainly leaves out no object that the exact ray meets;
+/// otherwise the boxes are larger by this part of the largest coordinates of boxes and ray's origin.
+[[nodiscard]] std::unique_ptr<Neighbourhood> bounds_tree(const RenderScene& scene, double margin = 0);
 
-/// A tree of boxes, searched in doubles with bounds on every rounding: it certainly leaves out no object that
-/// the exact ray meets in its box.
-[[nodiscard]] std::unique_ptr<Neighbourhood> bounds_tree(ObjectBounds bounds);
-
-/// The same by Embree, the objects being its user geometries. Embree searches in float: the boxes want a
-/// margin of some 2^-20 of the scene. Null in a build without Embree.
-[[nodiscard]] std::unique_ptr<Neighbourhood> embree_tree(ObjectBounds bounds);
+/// The same by Embree. Null in a build without it.
+[[nodiscard]] std::unique_ptr<Neighbourhood> embree_tree(const RenderScene& scene, double margin);
 
 }  // namespace rayproof::render

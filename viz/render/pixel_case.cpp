@@ -23,8 +23,8 @@ std::string object_name(const RenderScene& scene, ObjectIndex object) {
 
 PixelHits hits_at(const RenderScene& scene, int x, int y, const Methods& methods) {
   const bool has_many = scene.objects.size() >= many_objects;
-  const auto near = has_many ? bounds_tree(bounds_for_methods(scene)) : nullptr;
-  const auto exactly_near = bounds_tree(ObjectBounds(scene));
+  const auto near = has_many ? bounds_tree(scene, method_margin) : nullptr;
+  const auto exactly_near = bounds_tree(scene);
   return {exact_nearest_at(scene, *exactly_near, x, y), nearest_at(scene, methods, near.get(), x, y)};
 }
 

@@ -51,20 +51,6 @@ std::vector<std::string> renderable_methods() {
   return names;
 }
 
-ObjectBounds bounds_for_methods(const RenderScene& scene) {
-  const ObjectBounds exact(scene);
-  double largest = 0;
-  const auto note = [&largest](const glm::dvec3& p) {
-    for (int axis = 0; axis < 3; ++axis) largest = std::max(largest, std::abs(p[axis]));
-  };
-  note(scene.camera.eye);
-  for (const Bounds& box : exact.boxes) {
-    note(box.low);
-    note(box.high);
-  }
-  return ObjectBounds(scene, method_margin * largest);
-}
-
 HitImage trace(const RenderScene& scene, const Methods& methods, const Neighbourhood* neighbourhood,
                const Work& work) {
   return scene.precision == Precision::float32 ? trace_in<float>(scene, methods, neighbourhood, work)

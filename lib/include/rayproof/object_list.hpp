@@ -10,32 +10,12 @@
 /// assert(hit && hit->index == 0 && hit->t == 4 && hit->normal.z == -1);
 /// \endcode
 ///
-/// One object is tested after the other, in the order of their shapes: a program with thousands of them asks
-/// its own tree first, and this list of the few objects in a leaf.
+/// One object is tested after the other, in the order of their shapes: of many an ObjectTree asks only the
+/// few near the ray (object_tree.hpp).
 
-#include <algorithm>
-#include <optional>
-#include <rayproof/normals.hpp>
-#include <rayproof/topics.hpp>
-#include <rayproof/transform.hpp>
-#include <tuple>
-#include <utility>
-#include <vector>
+#include <rayproof/objects/search.hpp>
 
 namespace rayproof {
-
-/// One hit of a ray with an object.
-template <std::floating_point T>
-struct HitRecord {
-  T t;                ///< in lengths of the ray's direction
-  std::size_t index;  ///< of the object, in the order in which they were added
-  vec3<T> point;      ///< p(t)
-  /// A unit vector: outward from a solid, else as normals.hpp has it; also where it points away from the
-  /// ray's origin.
-  vec3<T> normal;
-  T u;  ///< with `v` the place in a plane or triangle, as FlatHit has them; 0 of other shapes
-  T v;
-};
 
 /// The method of a shape's topic that an ObjectList asks.
 struct PlainMethods {
@@ -48,48 +28,6 @@ struct ExactMethods {
   template <class Topic>
   using method = typename Topic::Exact;
 };
-
-namespace objects {
-
-/// A shape where its matrix puts it.
-template <class Topic, class S, std::floating_point T>
-struct ListedObject {
-  using Shape = S;
-  S shape;
-  std::optional<ObjectSpace<T>> space;
-  std::size_t index;
-
-  template <class Choice>
-  [[nodiscard]] auto roots(const Ray<T>& ray) const {
-    using Method = typename Choice::template method<Topic>;
-    return space ? roots_in_world<Method>(*space, ray, shape) : Method::roots(ray, shape);
-  }
-
-  template <class Roots>
-  [[nodiscard]] HitRecord<T> record(const Ray<T>& ray, const T& t, const Roots& roots) const {
-    HitRecord<T> hit{t, index, point_at(ray, t), normal_in_world(space, shape, ray, t), T(0), T(0)};
-    if constexpr (requires { roots.u; }) std::tie(hit.u, hit.v) = std::tie(roots.u, roots.v);
-    return hit;
-  }
-};
-
-template <class Topic, class T, template <class> class Shape>
-auto vectors_of(const RayTopic<Shape>* /*topic*/)
-    -> std::tuple<std::vector<ListedObject<Topic, Shape<T>, T>>>;
-template <class Topic, class T>
-auto vectors_of(const void* /*no shape*/) -> std::tuple<>;
-
-/// Whether a list of these vectors has one for the shape.
-template <class Shape, class... Vectors>
-constexpr bool holds(const std::tuple<Vectors...>* /*vectors*/) {
-  return (std::is_same_v<typename Vectors::value_type::Shape, Shape> || ...);
-}
-
-template <class T, class... Topics>
-auto vectors_of_all(TypeList<Topics...>)
-    -> decltype(std::tuple_cat(vectors_of<Topics, T>(static_cast<const Topics*>(nullptr))...));
-
-}  // namespace objects
 
 /// See the head of the file.
 template <std::floating_point T, class Choice = PlainMethods>
@@ -109,33 +47,35 @@ class ObjectList {
 
   /// The nearest hit in the ray's interval; of several at one t, that of the object added first.
   [[nodiscard]] std::optional<HitRecord<T>> nearest(const Ray<T>& ray) const {
-    std::optional<HitRecord<T>> best;
-    visit(ray, [&](const auto& object, const auto& roots) {
-      if (!rayproof::any(ray, roots)) return false;
-      const T t = rayproof::nearest(ray, roots);
-      if (!best || std::pair(t, object.index) < std::pair(best->t, best->index))
-        best = object.record(ray, t, roots);
-      return false;
-    });
-    return best;
+    return objects::nearest_of<Choice>(ray, visit());
   }
-
   /// Whether anything is hit in the ray's interval: what a shadow ray asks.
-  [[nodiscard]] bool any(const Ray<T>& ray) const {
-    return visit(ray, [&](const auto&, const auto& roots) { return rayproof::any(ray, roots); });
-  }
-
+  [[nodiscard]] bool any(const Ray<T>& ray) const { return objects::any_of<Choice>(ray, visit()); }
   /// Every hit in the ray's interval, ascending; of a solid both, of a tangent one.
   [[nodiscard]] std::vector<HitRecord<T>> all(const Ray<T>& ray) const {
-    std::vector<HitRecord<T>> hits;
-    visit(ray, [&](const auto& object, const auto& roots) {
-      if (in_interval(ray, roots.lo)) hits.push_back(object.record(ray, roots.lo, roots));
-      const bool is_one = roots.discriminant == T(0);
-      if (!is_one && in_interval(ray, roots.hi)) hits.push_back(object.record(ray, roots.hi, roots));
-      return false;
-    });
-    std::ranges::sort(hits, std::less{}, [](const HitRecord<T>& hit) { return std::pair(hit.t, hit.index); });
-    return hits;
+    return objects::all_of<Choice>(ray, visit());
+  }
+
+  /// Calls `meet(object)` for each object in the order of the shapes, until that gives NaN.
+  template <class Meet>
+  void for_each(const Meet& meet) const {
+    const auto is_over = [&](const auto& object) { return std::isnan(meet(object)); };
+    std::apply([&](const auto&... vectors) { (std::ranges::any_of(vectors, is_over) || ...); }, objects_);
+  }
+  /// Calls `meet(object)` for the n-th object in that order, and gives back its answer; n counts from 0.
+  template <class Meet>
+  [[nodiscard]] T meet_nth(std::size_t n, const Meet& meet) const {
+    T answer{};
+    const auto is_in = [&](const auto& vector) {
+      const bool is_here = n < vector.size();
+      if (is_here)
+        answer = meet(vector[n]);
+      else
+        n -= vector.size();
+      return is_here;
+    };
+    std::apply([&](const auto&... vectors) { (is_in(vectors) || ...); }, objects_);
+    return answer;
   }
 
  private:
@@ -154,14 +94,8 @@ class ObjectList {
     if constexpr (std::is_same_v<typename Object::Shape, Shape>) objects.push_back({shape, space, size_});
   }
 
-  /// Calls `meet(object, roots)` for each object until that gives true; whether it did.
-  template <class Meet>
-  bool visit(const Ray<T>& ray, const Meet& meet) const {
-    const auto visit_each = [&](const auto& objects) {
-      return std::ranges::any_of(
-          objects, [&](const auto& object) { return meet(object, object.template roots<Choice>(ray)); });
-    };
-    return std::apply([&](const auto&... vectors) { return (visit_each(vectors) || ...); }, objects_);
+  [[nodiscard]] auto visit() const {
+    return [this](const auto& meet) { for_each(meet); };
   }
 
   Objects objects_{};

@@ -6,5 +6,6 @@
 #include <rayproof/batch.hpp>
 #include <rayproof/camera.hpp>
 #include <rayproof/object_list.hpp>
+#include <rayproof/object_tree.hpp>
 #include <rayproof/spawn.hpp>
 #include <rayproof/topics.hpp>

@@ -13,7 +13,7 @@ class Errors : public SceneFiles {
                                             const std::string& method) {
     Methods methods = default_methods();
     methods[shape] = method;
-    const auto tree = bounds_tree(ObjectBounds(scene));
+    const auto tree = bounds_tree(scene);
     return find_errors(scene, trace_exactly(scene, *tree, {}), trace(scene, methods, nullptr, {}), {});
   }
 };
@@ -60,7 +60,7 @@ TEST_F(Errors, TheFormulasAsPrintedAreWrongInTheirOwnWays) {
 
 TEST_F(Errors, ATieIsNoWrongObject) {
   const RenderScene twins = scene(scene_text(sphere_entry + ", " + sphere_entry));
-  const auto tree = bounds_tree(ObjectBounds(twins));
+  const auto tree = bounds_tree(twins);
   const HitImage exact = trace_exactly(twins, *tree, {});
   HitImage other = exact;
   for (ObjectIndex& object : other.object) object = object == no_object ? object : 1;

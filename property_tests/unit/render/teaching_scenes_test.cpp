@@ -17,7 +17,7 @@ Totals totals_of(const std::string& file, const std::string& shape, const std::s
   const RenderScene scene = read_scene(docs / "scenes" / file, {});
   Methods methods = default_methods();
   methods[shape] = method;
-  const auto tree = bounds_tree(ObjectBounds(scene));
+  const auto tree = bounds_tree(scene);
   return find_errors(scene, trace_exactly(scene, *tree, {}), trace(scene, methods, nullptr, {}), {}).totals;
 }
 

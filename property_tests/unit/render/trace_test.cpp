@@ -32,7 +32,7 @@ TEST_F(Trace, TakesTheNearestOfTwo) {
 
 TEST_F(Trace, OfTwoAtTheSameTItTakesTheFirst) {
   const RenderScene twins = scene(scene_text(sphere_entry + ", " + sphere_entry));
-  const auto tree = bounds_tree(ObjectBounds(twins));
+  const auto tree = bounds_tree(twins);
   for (const HitImage& hits :
        {trace(twins, default_methods(), nullptr, {}), trace_exactly(twins, *tree, {})}) {
     EXPECT_EQ(std::count(hits.object.begin(), hits.object.end(), 1U), 0);
@@ -42,7 +42,7 @@ TEST_F(Trace, OfTwoAtTheSameTItTakesTheFirst) {
 
 TEST_F(Trace, EveryPixelIsTheSameForOneJobAndForMore) {
   const RenderScene mixed = scene(scene_text(mixed_entries, "[101, 67]"));
-  const auto tree = bounds_tree(ObjectBounds(mixed));
+  const auto tree = bounds_tree(mixed);
   expect_same(trace(mixed, default_methods(), nullptr, {1, nullptr, {}}),
               trace(mixed, default_methods(), nullptr, {2, nullptr, {}}));
   expect_same(trace_exactly(mixed, *tree, {1, nullptr, {}}), trace_exactly(mixed, *tree, {3, nullptr, {}}));
@@ -74,8 +74,8 @@ TEST_F(Trace, ATreeAndEmbreeLeaveOutNoHit) {
         scene(scene_text(many_spheres(12) + "," + mixed_entries, "[96, 72]"), {precision, {}});
     ASSERT_GE(many.objects.size(), many_objects);
     const HitImage all = trace(many, default_methods(), nullptr, {});
-    expect_same(all, trace(many, default_methods(), bounds_tree(bounds_for_methods(many)).get(), {}));
-    const auto embree = embree_tree(bounds_for_methods(many));
+    expect_same(all, trace(many, default_methods(), bounds_tree(many, method_margin).get(), {}));
+    const auto embree = embree_tree(many, method_margin);
 #ifdef RAYPROOF_HAS_EMBREE
     ASSERT_NE(embree, nullptr);
     expect_same(all, trace(many, default_methods(), embree.get(), {}));
@@ -87,7 +87,7 @@ TEST_F(Trace, ATreeAndEmbreeLeaveOutNoHit) {
 
 TEST_F(Trace, TheExactImageIsTheOraclesWithNobodyLeftOut) {
   const RenderScene mixed = scene(scene_text(mixed_entries + "," + many_spheres(4), "[30, 22]"));
-  const auto tree = bounds_tree(ObjectBounds(mixed));
+  const auto tree = bounds_tree(mixed);
   const HitImage hits = trace_exactly(mixed, *tree, {});
   for (int y = 0; y < mixed.height; ++y) {
     for (int x = 0; x < mixed.width; ++x) {
@@ -108,8 +108,8 @@ TEST_F(Trace, TheExactImageIsTheOraclesWithNobodyLeftOut) {
 TEST_F(Trace, FortyThousandObjectsAreSearchedThroughATree) {
   const RenderScene crowd = scene(scene_text(many_spheres(200), "[64, 48]"));
   ASSERT_EQ(crowd.objects.size(), 40'000U);
-  const auto tree = bounds_tree(ObjectBounds(crowd));
-  const auto near = bounds_tree(bounds_for_methods(crowd));
+  const auto tree = bounds_tree(crowd);
+  const auto near = bounds_tree(crowd, method_margin);
   const ErrorImage errors = find_errors(crowd, trace_exactly(crowd, *tree, {}),
                                         trace(crowd, default_methods(), near.get(), {}), {});
   EXPECT_GT(errors.totals.exact_hits, 1000U);
@@ -119,7 +119,7 @@ TEST_F(Trace, FortyThousandObjectsAreSearchedThroughATree) {
 
 TEST_F(Trace, AnEmptySceneSeesNothing) {
   const RenderScene empty = scene(scene_text(""));
-  const auto tree = bounds_tree(ObjectBounds(empty));
+  const auto tree = bounds_tree(empty);
   for (const HitImage& hits : {trace(empty, default_methods(), nullptr, {}), trace_exactly(empty, *tree, {}),
                                trace(empty, default_methods(), tree.get(), {})})
     EXPECT_EQ(std::count(hits.object.begin(), hits.object.end(), no_object), 40 * 30);

@@ -159,7 +159,7 @@ class Render {
 
   HitImage exactly() {
     const auto start = std::chrono::steady_clock::now();
-    const auto tree = bounds_tree(ObjectBounds(scene_));
+    const auto tree = bounds_tree(scene_);
     HitImage hits = trace_exactly(scene_, *tree, work("exactly"));
     report_time("exactly", start);
     return hits;
@@ -175,12 +175,12 @@ class Render {
   const Neighbourhood* near_methods() {
     if (scene_.objects.size() < many_objects) return nullptr;
     if (!near_) {
-      near_ = embree_tree(bounds_for_methods(scene_));
+      near_ = embree_tree(scene_, method_margin);
       if (!near_) {
         fmt::print(stderr,
                    "rayproof render: without Embree in this build, {} objects are searched more slowly\n",
                    scene_.objects.size());
-        near_ = bounds_tree(bounds_for_methods(scene_));
+        near_ = bounds_tree(scene_, method_margin);
       }
     }
     return near_.get();

@@ -2,9 +2,10 @@
 /// \file
 /// What every shape's figures are made by: the method's kernel inlined in the loop over the rays.
 
+#include <rayproof/objects/bounds_of.hpp>
+
 #include "subjects/reading.hpp"
 #include "viz/render/figures.hpp"
-#include "viz/render/figures/hull.hpp"
 
 namespace rayproof::render {
 
@@ -75,7 +76,7 @@ template <class Topic, class T>
   return figures;
 }
 
-/// What a topic's shape, which has no end, brings to a scene.
+/// What a topic's shape brings to a scene.
 template <class Topic>
 [[nodiscard]] FigureKind figure_kind() {
   FigureKind kind{Topic::name, Topic::Plain::name};
@@ -83,14 +84,11 @@ template <class Topic>
       [&]<class Method>(std::type_identity<Method>) { kind.methods.emplace_back(Method::name); });
   kind.in_float = make_figures<Topic, float>;
   kind.in_double = make_figures<Topic, double>;
-  return kind;
-}
-
-/// The same of a shape that points enclose.
-template <class Topic, class S, void (*enclose)(Hull&, const S&)>
-[[nodiscard]] FigureKind figure_kind() {
-  FigureKind kind = figure_kind<Topic>();
-  kind.enclose = [](Hull& hull, const Shape& shape) { enclose(hull, std::get<S>(shape)); };
+  kind.bounds = [](const Object& object) {
+    const RayQuestion question{{}, object.shape, object.transform};
+    return objects::bounds_of(Reading<Topic>::shape(question),
+                              Reading<Topic>::template space<double>(question));
+  };
   return kind;
 }
 

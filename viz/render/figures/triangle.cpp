@@ -1,14 +1,7 @@
 #include "viz/render/figures/make_figures.hpp"
 
 namespace rayproof::render {
-namespace {
 
-void enclose(Hull& hull, const Triangle<double>& triangle) {
-  for (const glm::dvec3& vertex : {triangle.a, triangle.b, triangle.c}) hull.add(Point::from(vertex));
-}
-
-}  // namespace
-
-FigureKind triangle_figures() { return figure_kind<triangle::Topic, Triangle<double>, enclose>(); }
+FigureKind triangle_figures() { return figure_kind<triangle::Topic>(); }
 
 }  // namespace rayproof::render

@@ -3,6 +3,7 @@
 /// The disk, and the meaning of a ray/disk method's answers.
 
 #include <rayproof/method/contract.hpp>
+#include <rayproof/objects/hull.hpp>
 #include <rayproof/roots.hpp>
 
 namespace rayproof {
@@ -33,6 +34,12 @@ template <class To, class From>
 template <class T>
 [[nodiscard]] vec3<T> normal_at(const Disk<T>& disk, const vec3<T>& /*anywhere*/) {
   return normalized<T>(disk.normal);
+}
+
+/// The cube around the ball of its radius holds it.
+inline void enclose(objects::Hull& hull, const Disk<objects::Enclosed>& disk) {
+  const objects::EnclosedPoint reach{disk.radius, disk.radius, disk.radius};
+  hull.add_box(disk.center - reach, disk.center + reach);
 }
 
 /// The bound, in the units above, that a robust ray/disk method keeps (Claim::robust).

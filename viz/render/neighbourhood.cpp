@@ -1,0 +1,68 @@
+#include "viz/render/neighbourhood.hpp"
+
+#include <algorithm>
+#include <rayproof/objects/bounds_tree.hpp>
+#ifdef RAYPROOF_HAS_EMBREE
+#include <rayproof/objects/embree_tree.hpp>
+#endif
+
+#include "case/case.hpp"
+#include "viz/render/figures.hpp"
+
+namespace rayproof::render {
+namespace {
+
+/// The objects' boxes in one of the library's trees; an object without a box is near every ray.
+template <class Tree>
+class NearInTree final : public Neighbourhood {
+ public:
+  NearInTree(const RenderScene& scene, double margin) : margin_(margin), tree_(boxes_of(scene)) {
+    if (!boxed_.empty()) reach_ = objects::reach_of(tree_.bounds());
+  }
+
+  void visit(const Ray<double>& ray, const Meet& meet) const override {
+    double nearest = HUGE_VAL;
+    for (const ObjectIndex object : unbounded_) nearest = meet(object);
+    tree_.visit(objects::with_margin(ray, margin_, reach_), nearest,
+                [&](std::uint32_t i) { return meet(boxed_[i]); });
+  }
+
+ private:
+  std::vector<objects::Bounds> boxes_of(const RenderScene& scene) {
+    std::vector<objects::Bounds> boxes;
+    for (ObjectIndex i = 0; i < scene.objects.size(); ++i) {
+      const auto box = bounds_of(scene.objects[i]);
+      (box ? boxed_ : unbounded_).push_back(i);
+      if (box) boxes.push_back(*box);
+    }
+    return boxes;
+  }
+
+  double margin_;
+  std::vector<ObjectIndex> boxed_{}, unbounded_{};  // before the tree, whose boxes fill them
+  Tree tree_;
+  double reach_ = 0;
+};
+
+}  // namespace
+
+std::optional<objects::Bounds> bounds_of(const Object& object) {
+  const auto& kinds = figure_kinds();
+  const auto kind = std::ranges::find(kinds, shape_name(object.shape), &FigureKind::shape);
+  return kind == kinds.end() ? std::nullopt : kind->bounds(object);
+}
+
+std::unique_ptr<Neighbourhood> bounds_tree(const RenderScene& scene, double margin) {
+  return std::make_unique<NearInTree<objects::BoundsTree>>(scene, margin);
+}
+
+std::unique_ptr<Neighbourhood> embree_tree([[maybe_unused]] const RenderScene& scene,
+                                           [[maybe_unused]] double margin) {
+#ifdef RAYPROOF_HAS_EMBREE
+  return std::make_unique<NearInTree<objects::EmbreeTree>>(scene, margin);
+#else
+  return nullptr;
+#endif
+}
+
+}  // namespace rayproof::render
