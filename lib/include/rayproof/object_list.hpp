@@ -95,7 +95,7 @@ class ObjectList {
   }
 
   [[nodiscard]] auto visit() const {
-    return [this](const auto& meet) { for_each(meet); };
+    return [this](const auto& meet) { this->for_each(meet); };
   }
 
   Objects objects_{};
