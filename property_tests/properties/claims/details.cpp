@@ -30,7 +30,12 @@ std::optional<ErrorOfHit> measured(const std::optional<double>& error, double bo
 }
 
 std::optional<ErrorOfHit> of_point(Trial& trial) {
-  return measured(trial.details().point, trial.subject().contract.hit.point.promised);
+  const double allowed =
+      trial.subject().has_own_contract
+          ? 1
+          : allowed_of_point(trial.question(), std::get<RayAnswer>(trial.claimed()).hits.t[0],
+                             trial.details().condition);
+  return measured(trial.details().point, allowed * trial.subject().contract.hit.point.promised);
 }
 /// No farther than the residual of t and the error of the point together.
 std::optional<ErrorOfHit> of_surface(Trial& trial) {

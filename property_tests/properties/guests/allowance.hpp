@@ -15,4 +15,9 @@ namespace rayproof {
 /// plain products are off by that.
 [[nodiscard]] double allowed_of_normal(const Case& one);
 
+/// Of the point of a hit at t. The unit knows p(t) alone; who goes from a vertex along the edges by u and v,
+/// from the centre along the normal, or back from an object's space, rounds as much as the shape is large, as
+/// u and v are ill conditioned, and as the map is.
+[[nodiscard]] double allowed_of_point(const Case& one, double t, double condition_of_coordinates);
+
 }  // namespace rayproof

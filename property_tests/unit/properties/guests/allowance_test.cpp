@@ -33,5 +33,19 @@ TEST(Allowance, OfNormalsGrowsWithTheConditionOfTheMap) {
   EXPECT_NEAR(allowed_of_normal(one), 1414, 1);  // in Frobenius' norm: about √2 of 1000
 }
 
+TEST(Allowance, OfPointsGrowsWithTheShapeTheConditionOfItsCoordinatesAndOfTheMap) {
+  const Case far = read_case(
+      R"({"ray": {"origin": [0,0,-5], "direction": [0,0,1]}, "shape": {"type": "sphere", "center": [0,0,0], "radius": 1}})");
+  EXPECT_DOUBLE_EQ(allowed_of_point(far, 5, 0), 1.1);
+  const Case within = read_case(
+      R"({"ray": {"origin": [0,0,0], "direction": [0,1,0]}, "shape": {"type": "triangle", "a": [0,0,-1], "b": [3,0,0], "c": [0,0,0.4]}})");
+  // From a vertex along the edges, the point (0, 0, 0) is off by a rounding of their lengths.
+  EXPECT_GT(allowed_of_point(within, 0, 1), 1e300);
+  EXPECT_DOUBLE_EQ(allowed_of_point(within, 1, 100), 301);
+  const Case placed = read_case(
+      R"({"ray": {"origin": [0,0,-5], "direction": [0,0,1]}, "shape": {"type": "plane", "normal": [0,0,1], "d": 0}, "transform": [[1000,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]})");
+  EXPECT_NEAR(allowed_of_point(placed, 5, 0), 1414, 1);
+}
+
 }  // namespace
 }  // namespace rayproof
