@@ -53,7 +53,8 @@ void describe(Diagnosis& group, const Examination& examination) {
   const auto on_boundary =
       std::ranges::count_if(group.cases, [&](std::size_t i) { return examination.is_boundary_case(i); });
   const bool is_boundary = 2 * on_boundary > static_cast<std::ptrdiff_t>(group.cases.size());
-  if (group.kind == FindingKind::boundary && !is_boundary) group.kind = FindingKind::rounding;
+  if (group.kind == FindingKind::boundary && !is_boundary)
+    group.kind = group.is_beyond_rounding ? FindingKind::gross : FindingKind::rounding;
 }
 
 }  // namespace

@@ -63,6 +63,20 @@ std::vector<Case> without_origin(const Case& one) {
   return with_vectors(one, Vectors::origin, [](glm::dvec3& origin) { origin = glm::dvec3(0); });
 }
 
+std::vector<Case> direction_as_origin(const Case& one) {
+  std::vector<Case> readings;
+  for (const bool is_apart_along_axes : {false, true}) {
+    const auto read = with_question(one, [&](RayQuestion& asked) {
+      auto& [origin, direction, t_min, t_max] = asked.ray;
+      for (int axis = 0; axis < 3; ++axis)
+        if (direction[axis] != 0 || !is_apart_along_axes) origin[axis] = direction[axis];
+      return true;
+    });
+    readings.insert(readings.end(), read.begin(), read.end());
+  }
+  return readings;
+}
+
 std::vector<Case> direction_as_target(const Case& one) {
   return with_question(one, [](RayQuestion& asked) {
     asked.ray.direction -= asked.ray.origin;

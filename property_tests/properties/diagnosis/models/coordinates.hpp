@@ -57,6 +57,8 @@ template <Vectors which>
 /// direction is taken for a point that it goes through; x and y of the point in the plane are exchanged.
 [[nodiscard]] std::vector<Case> truncated_shape(const Case& one);
 [[nodiscard]] std::vector<Case> without_origin(const Case& one);
+/// d for o; and where a component of d that is 0 is looked at apart, for the others alone.
+[[nodiscard]] std::vector<Case> direction_as_origin(const Case& one);
 [[nodiscard]] std::vector<Case> direction_as_target(const Case& one);
 [[nodiscard]] std::vector<Case> point_exchanged(const Case& one);
 

@@ -55,6 +55,22 @@ std::optional<PlaneHit> plane_hit(const Case& one) {
   return figure ? plane_hit(one, *figure) : std::nullopt;
 }
 
+Answers triangle_of_wrong_constant(const Case& one, const Answer& /*exact*/) {
+  const auto figure = flat_figure(one);
+  if (!figure || figure->vertices.size() != 3 || shape_in<Triangle<double>>(one) == nullptr) return {};
+  const Ray<double> ray = ray_in_object(*ray_question(one));
+  const double slope = glm::dot(figure->normal, ray.direction);
+  if (slope == 0) return {};
+  const double t = glm::dot(figure->normal, figure->vertices[0] + ray.origin) / slope;
+  const glm::dvec3 p = point_at(ray, t);
+  bool is_inside = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const glm::dvec3 &from = figure->vertices[i], &to = figure->vertices[(i + 1) % 3];
+    is_inside = is_inside && glm::dot(figure->normal, glm::cross(to - from, p - from)) >= 0;
+  }
+  return hit_at(one, t, is_inside);
+}
+
 Answers hit_at(const Case& one, double t, bool is_hit) {
   RayAnswer answer;
   if (is_hit && in_interval(ray_question(one)->ray, t)) answer.hits.push_back(t);

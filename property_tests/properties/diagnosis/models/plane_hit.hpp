@@ -37,6 +37,10 @@ struct PlaneHit {
 /// The same with the figure given.
 [[nodiscard]] std::optional<PlaneHit> plane_hit(const Case& one, const FlatFigure& figure);
 
+/// A triangle whose plane's constant, or n·o, has the wrong sign: t is (n·a + n·o) / (n·d), and what lies
+/// there is seen along the normal.
+[[nodiscard]] Answers triangle_of_wrong_constant(const Case& one, const Answer& exact);
+
 /// The answer of a ray that hits at t, if it does and t is in its interval.
 [[nodiscard]] Answers hit_at(const Case& one, double t, bool is_hit);
 

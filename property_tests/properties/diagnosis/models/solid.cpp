@@ -5,6 +5,7 @@
 
 #include "properties/claims/answers.hpp"
 #include "properties/diagnosis/models/cylinder.hpp"
+#include "properties/diagnosis/models/plane_hit.hpp"
 
 namespace rayproof::diagnosis {
 namespace {
@@ -132,6 +133,13 @@ Answers nearest_point_of_line(const Case& one, const Answer& exact) {
   Answers answers{hits_where(nearest, [&](double t) { return in_interval(ray_question(one)->ray, t); })};
   if (is_hit) answers.push_back(nearest);
   return answers;
+}
+
+Answers half_chord(const Case& one, const Answer& exact) {
+  if (shape_in<Sphere<double>>(one) == nullptr || std::get<RayAnswer>(exact).hits.count == 0) return {};
+  const RayAnswer line = hits_of_line(one);
+  if (line.hits.count < 2) return {};
+  return hit_at(one, (line.hits.t[1] - line.hits.t[0]) / 2, true);
 }
 
 Answers flat_box_missed(const Case& one, const Answer& exact) {

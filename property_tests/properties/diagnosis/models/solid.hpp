@@ -51,6 +51,8 @@ template <int edge>
 /// @{ Of a sphere: hits where the discriminant is negative; the line's nearest point to the centre for a hit.
 [[nodiscard]] Answers sphere_without_sign(const Case& one, const Answer& exact);
 [[nodiscard]] Answers nearest_point_of_line(const Case& one, const Answer& exact);
+/// Half of the chord that a sphere cuts from the line: √D / a, without the line's nearest point.
+[[nodiscard]] Answers half_chord(const Case& one, const Answer& exact);
 /// @}
 
 /// A sphere that is a point is missed.

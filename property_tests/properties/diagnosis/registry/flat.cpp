@@ -3,6 +3,7 @@
 
 #include "properties/diagnosis/models/flat.hpp"
 #include "properties/diagnosis/models/outline.hpp"
+#include "properties/diagnosis/models/plane_hit.hpp"
 #include "properties/diagnosis/models/starts.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
 
@@ -34,6 +35,9 @@ std::vector<Hypothesis> models_of_flat_figures() {
             "a surface is missed from an origin on the side where its normal points"),
       gives("missed-from-back", missed_from_back,
             "a surface is missed from an origin on the side from which its normal points away"),
+      gives("triangle-constant-negated", triangle_of_wrong_constant,
+            "t is right for the opposite origin, or the opposite constant, of the plane n·p = n·a: a sign is "
+            "wrong in n·a - n·o"),
       gives("parallelogram", read_as<as_parallelogram>,
             "the other half of the parallelogram is hit, too: u + v <= 1 is not tested"),
       gives("edge-a-not-tested", read_as<without_edge_opposite<0>>,

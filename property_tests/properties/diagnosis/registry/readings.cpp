@@ -11,6 +11,8 @@ std::vector<Hypothesis> models_of_readings() {
   return {
       gives("origin-ignored", read_as<without_origin>,
             "the answer is right for a ray from the origin of coordinates: the ray's origin is ignored"),
+      gives("direction-as-origin", read_as<direction_as_origin>,
+            "the answer is right for a ray from the point d: the direction stands where the origin belongs"),
       strictly(gives("origin-x-ignored", read_as<without_coordinate<0>>,
                      "the answer is right for a ray from x = 0: x of the ray's origin is ignored")),
       strictly(gives("origin-y-ignored", read_as<without_coordinate<1>>,

@@ -77,6 +77,8 @@ std::vector<Hypothesis> models_of_solids() {
           "is ac"),
       gives("nearest-point", nearest_point_of_line,
             "t is the line's nearest point to the centre: ±√D is left out"),
+      gives("half-chord", half_chord,
+            "t is half the chord: the line's nearest point to the centre is left out"),
       gives(
           "centre-behind-missed", centre_behind_missed,
           "a sphere whose centre lies behind the ray's beginning is missed, although the ray starts inside"),
