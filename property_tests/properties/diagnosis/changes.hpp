@@ -56,6 +56,7 @@ template <class S, class DoChange>
 /// What is exact of the changed cases: the answers of a subject that reads the case so.
 [[nodiscard]] inline std::vector<Answer> exact_of(const std::vector<Case>& cases) {
   std::vector<Answer> answers;
+  answers.reserve(cases.size());
   for (const Case& one : cases) answers.push_back(oracle::answer(one));
   return answers;
 }

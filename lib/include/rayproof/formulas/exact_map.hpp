@@ -52,7 +52,7 @@ struct ExactlyMapped {
 template <class Method, std::floating_point T, template <class> class Shape>
 [[nodiscard]] auto met_exactly(const Ray<T>& ray, const Shape<T>& shape) {
   using Result = decltype(Method::exact_roots(ray, shape));
-  if (!are_finite(ray.origin, ray.direction)) return Result(no_hit<T>);
+  if (!are_finite(ray.origin, ray.direction)) return Result(no_hit<T>);  // NOLINT: a miss has no u, v
   return Method::meet(ray, shape, exact_vector<double>(ray.origin), exact_vector<double>(ray.direction),
                       UnitFactor());
 }
@@ -64,9 +64,9 @@ template <class Method, std::floating_point T, template <class> class Shape>
   using Result = decltype(Method::exact_roots(ray, shape));
   if (!are_finite(ray.origin, ray.direction, space.translation, space.column_x, space.column_y,
                   space.column_z))
-    return Result(no_hit<T>);
+    return Result(no_hit<T>);  // NOLINT: a miss has no u, v
   const auto [o, d, determinant] = ExactlyMapped::of(space, ray);
-  return sign(determinant) == 0 ? Result(no_hit<T>) : Method::meet(ray, shape, o, d, determinant);
+  return sign(determinant) == 0 ? Result(no_hit<T>) : Method::meet(ray, shape, o, d, determinant);  // NOLINT
 }
 
 }  // namespace rayproof

@@ -28,8 +28,8 @@ class EmbreeTree {
     if (boxes.empty()) return;
     reach_ = reach_of(tree_.bounds());
     for (Bounds& box : boxes) box = box.grown(margin * reach_);
-    const RTCDevice device = rtcNewDevice(nullptr);
-    const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+    RTCDevice device = rtcNewDevice(nullptr);
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
     scene_ = {rtcNewScene(device), rtcReleaseScene};
     rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(boxes.size()));
     rtcSetGeometryUserData(geometry, boxes.data());
