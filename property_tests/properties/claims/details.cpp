@@ -8,6 +8,7 @@
 #include <cmath>
 #include <glm/vector_relational.hpp>
 
+#include "properties/claims/place_of_point.hpp"
 #include "properties/claims/promise.hpp"
 #include "properties/property.hpp"
 
@@ -30,6 +31,7 @@ std::optional<ErrorOfHit> measured(const std::optional<double>& error, double bo
 }
 
 std::optional<ErrorOfHit> of_point(Trial& trial) {
+  if (const double excess = excess_of_place(trial); excess > 1) return ErrorOfHit{excess, 1};
   const double allowed =
       trial.subject().has_own_contract
           ? 1
@@ -119,6 +121,9 @@ Evidence show(Trial& trial, const char* name, const std::string& error) {
 }
 
 Evidence show_point(Trial& trial) {
+  if (excess_of_place(trial) > 1)
+    return show<&RayAnswer::point>(trial, "point",
+                                   "another hit of the line than the nearest in the interval");
   return show<&RayAnswer::point>(
       trial, "point", fmt::format("{:.3g} contract units from the ray at t", *trial.details().point));
 }

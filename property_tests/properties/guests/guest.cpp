@@ -49,8 +49,10 @@ bool is_at_rim(const Case& one, double t) {
   return std::min(std::abs(place.z), std::abs(place.z - cylinder->height)) <= band && beside_side <= band;
 }
 
-/// Puts in the exact hits at a rim that are left out, where that makes up the number of hits.
-void add_hits_at_rims(const Case& one, HitList& hits) {
+/// Puts in the exact hits at a rim that are left out, where that makes up the number of hits. Point and
+/// normal are of the first hit that was given: nothing is said of one that is put in before it.
+void add_hits_at_rims(const Case& one, RayAnswer& answer) {
+  const HitList& hits = answer.hits;
   const auto* asked = std::get_if<RayQuestion>(&one.question);
   if (asked == nullptr || !std::holds_alternative<Cylinder<double>>(asked->shape) || hits.count > 1) return;
   const auto exact = std::get<RayAnswer>(oracle::answer(one));
@@ -64,7 +66,9 @@ void add_hits_at_rims(const Case& one, HitList& hits) {
     else if (is_at_rim(one, t))
       all.push_back(t);
   }
-  if (all.count == exact.hits.count) hits = all;
+  if (all.count != exact.hits.count) return;
+  if (hits.count == 0 || all.t[0] != hits.t[0]) answer.point = answer.normal = std::nullopt;
+  answer.hits = all;
 }
 
 /// A hit that is given by its point alone: t is where the ray passes nearest to that, for the judgement of
@@ -76,7 +80,7 @@ void add_t_of_point(const RayQuestion& asked, RayAnswer& answer) {
 
 RayAnswer completed_hits(const Abilities& abilities, const Case& one, RayAnswer answer) {
   if (answer.hits.count > 1) merge_near_hits(one, answer.hits);
-  if (!answer.verdict_only) add_hits_at_rims(one, answer.hits);
+  if (!answer.verdict_only) add_hits_at_rims(one, answer);
   if (answer.verdict_only && answer.point) add_t_of_point(std::get<RayQuestion>(one.question), answer);
   answer.nearest_only = !abilities.all_hits && answer.hits.count <= 1;
   return answer;

@@ -188,10 +188,15 @@ TEST(Guest, AHitAtARimMayFallBetweenSideAndCap) {
       R"({"ray": {"origin": [-2,0,-1], "direction": [1,0,1]}, "shape": {"type": "cylinder", "rx": 1, "ry": 1, "height": 1, "capped": true}})");
   RayAnswer behind;
   behind.hits.push_back(2);
-  EXPECT_EQ(std::get<RayAnswer>(completed(one, at_rim, behind)).hits.count, 2U);
+  behind.point = {0, 0, 1};
+  const auto with_rim = std::get<RayAnswer>(completed(one, at_rim, behind));
+  EXPECT_EQ(with_rim.hits.count, 2U);
+  EXPECT_FALSE(with_rim.point) << "it is of the second hit";
   const Case through_cap = read_case(
       R"({"ray": {"origin": [0.5,0,-1], "direction": [0,0,1]}, "shape": {"type": "cylinder", "rx": 1, "ry": 1, "height": 1, "capped": true}})");
-  EXPECT_EQ(std::get<RayAnswer>(completed(one, through_cap, behind)).hits.count, 1U);
+  const auto as_given = std::get<RayAnswer>(completed(one, through_cap, behind));
+  EXPECT_EQ(as_given.hits.count, 1U);
+  EXPECT_TRUE(as_given.point);
 }
 
 TEST(Guest, RootsThatAreLeftOutAreNotJudged) {
