@@ -135,13 +135,7 @@ RTCGeometry embree_geometry(RTCDevice device, const std::vector<Triangle<float>>
 bool is_hit_by_embree(RTCScene scene, const Ray<float>& ray) {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  RTCRayHit asked{};
-  asked.ray.org_x = ray.origin.x, asked.ray.org_y = ray.origin.y, asked.ray.org_z = ray.origin.z;
-  asked.ray.dir_x = ray.direction.x, asked.ray.dir_y = ray.direction.y, asked.ray.dir_z = ray.direction.z;
-  asked.ray.tnear = ray.t_min;
-  asked.ray.tfar = ray.t_max;
-  asked.ray.mask = ~0U;
-  asked.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  RTCRayHit asked = objects::embree_ray(ray);
   rtcIntersect1(scene, &context, &asked);
   return asked.hit.geomID != RTC_INVALID_GEOMETRY_ID;
 }

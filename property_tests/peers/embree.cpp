@@ -7,6 +7,7 @@
 #include <embree3/rtcore.h>
 
 #include <limits>
+#include <rayproof/objects/embree_ray.hpp>
 #include <string_view>
 
 #include "peers/reproduction.hpp"
@@ -63,13 +64,7 @@ std::printf("hit = %d, t = %.9g\n", asked.hit.geomID != RTC_INVALID_GEOMETRY_ID,
   rtcAttachGeometry(scene, geometry);
   rtcReleaseGeometry(geometry);
   rtcCommitScene(scene);
-  RTCRayHit asked{};
-  asked.ray.org_x = ray.origin.x, asked.ray.org_y = ray.origin.y, asked.ray.org_z = ray.origin.z;
-  asked.ray.dir_x = ray.direction.x, asked.ray.dir_y = ray.direction.y, asked.ray.dir_z = ray.direction.z;
-  asked.ray.tnear = ray.t_min;
-  asked.ray.tfar = ray.t_max;
-  asked.ray.mask = ~0U;
-  asked.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  RTCRayHit asked = objects::embree_ray(ray);
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   rtcIntersect1(scene, &context, &asked);

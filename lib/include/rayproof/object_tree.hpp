@@ -25,7 +25,8 @@ namespace rayproof {
 /// The boxes are rounded outwards, and no rounding of the search leaves out one that the exact ray meets. A
 /// method's hit may lie beside the exact object: it is found, too, while it is not farther from it than 256ε
 /// of the largest coordinates of the boxes and the ray's origin, ε being T's unit roundoff. So the answers
-/// are those of the list, but where a matrix is so badly conditioned that a method errs by more than that.
+/// are those of the list, but where a matrix, or a shape, is so badly conditioned that a method errs by more
+/// than that.
 ///
 /// `Search` is who searches the boxes: objects::EmbreeTree (objects/embree_tree.hpp) is the faster one.
 template <std::floating_point T, class Choice = PlainMethods, class Search = objects::BoundsTree>

@@ -4,7 +4,9 @@
 
 #if __has_include(<embree3/rtcore.h>)
 #include <embree3/rtcore.h>
+
 #include <gtest/gtest.h>
+#include <rayproof/objects/embree_ray.hpp>
 
 #include "leaks/judge.hpp"
 #include "oracle/oracle.hpp"
@@ -38,13 +40,7 @@ class EmbreeScene {
 
   /// Whether it reports any hit between two t.
   [[nodiscard]] bool is_hit(const Ray<float>& ray, float near, float far) const {
-    RTCRayHit asked{};
-    asked.ray.org_x = ray.origin.x, asked.ray.org_y = ray.origin.y, asked.ray.org_z = ray.origin.z;
-    asked.ray.dir_x = ray.direction.x, asked.ray.dir_y = ray.direction.y, asked.ray.dir_z = ray.direction.z;
-    asked.ray.tnear = near;
-    asked.ray.tfar = far;
-    asked.ray.mask = ~0U;
-    asked.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    RTCRayHit asked = objects::embree_ray({ray.origin, ray.direction, near, far});
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     rtcIntersect1(scene_, &context, &asked);

@@ -12,6 +12,7 @@
 #include <limits>
 #include <memory>
 #include <rayproof/objects/bounds_tree.hpp>
+#include <rayproof/objects/embree_ray.hpp>
 
 #include <rayproof/rounding/as_written.hpp>
 
@@ -57,18 +58,12 @@ class EmbreeTree {
                   return (*static_cast<const std::remove_reference_t<Meet>*>(asked))(i);
                 }};
     rtcInitIntersectContext(&query.context);
-    RTCRayHit hit{};
     const auto scaled = [&](double x) { return static_cast<float>(std::scalbn(x, -length)); };
-    hit.ray.org_x = static_cast<float>(origin.x);
-    hit.ray.org_y = static_cast<float>(origin.y);
-    hit.ray.org_z = static_cast<float>(origin.z);
-    hit.ray.dir_x = scaled(direction.x);
-    hit.ray.dir_y = scaled(direction.y);
-    hit.ray.dir_z = scaled(direction.z);
-    hit.ray.tnear = std::max(0.0F, rounded_down(std::scalbn(t_first, length) * (1 - doubt)));
-    hit.ray.tfar = query.limit(std::min(t_last, t_max));
-    hit.ray.mask = ~0U;
-    hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    const float first = rounded_down(std::scalbn(t_first, length) * (1 - doubt));
+    RTCRayHit hit = embree_ray({convert<float>(origin),
+                                {scaled(direction.x), scaled(direction.y), scaled(direction.z)},
+                                std::max(0.0F, first),
+                                query.limit(std::min(t_last, t_max))});
     rtcIntersect1(scene_.get(), &query.context, &hit);
   }
 
