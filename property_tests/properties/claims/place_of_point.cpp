@@ -24,7 +24,7 @@ double excess_of_place(Trial& trial) {
     at_t.nearest_only = true;
     const oracle::Judgement as_t = judged(one, at_t);
     const double band = promise_for(trial).verdict;
-    return as_t.wrong && band > 0 ? as_t.margin / band : 0;
+    return as_t.wrong ? as_t.margin / band : 0;
   }
   // By how much the other hit lies outside the interval, in parts of the scene as the ray sees it.
   constexpr double excused = 0x1p-8;
