@@ -10,6 +10,8 @@ CLAIMS = [("answers", "there is an answer"), ("verdict", "hit or miss"), ("posit
           ("watertight", "no ray slips through between triangles"), ("hit_once", "a ray through an edge hits at one place"),
           ("scaled", "the same in another size"), ("moved", "the same in another place"),
           ("reversed", "the same from the other end")]
+# What compares answers with one another: where these fail and others do, too, they say no more.
+TWINS = {"scaled", "moved", "reversed"}
 LABELS = {"asked": "asked", "said": "you said", "truth": "the truth"}
 
 
@@ -69,8 +71,10 @@ def answered(answer):
 
 def claims_of(stage):
     """Each claim that was judged, in words, and whether it holds; a lab's own questions name theirs in words."""
-    known = [(words, stage.claims[name]) for name, words in CLAIMS if name in stage.claims]
-    return known + [(name, holds) for name, holds in stage.claims.items() if name not in dict(CLAIMS)]
+    is_wrong = any(not holds for name, holds in stage.claims.items() if name not in TWINS)
+    claims = {name: holds for name, holds in stage.claims.items() if holds or not (is_wrong and name in TWINS)}
+    known = [(words, claims[name]) for name, words in CLAIMS if name in claims]
+    return known + [(name, holds) for name, holds in claims.items() if name not in dict(CLAIMS)]
 
 
 def print_finding(finding):

@@ -138,8 +138,11 @@ std::vector<Cover::Candidate> Cover::chosen() const {
     if (most == 0) return taken;
     const auto first = std::ranges::max_element(worth) - worth.begin();
     const bool is_model = open[static_cast<std::size_t>(first)].cause->change == nullptr;
-    const double enough = (is_model ? nearly_as_good_model : nearly_as_good_cure) * most;
-    const auto best = std::ranges::find_if(worth, [&](double one) { return one >= enough; });
+    // Models that differ in a size alone are no words for one another.
+    const bool is_of_size =
+        is_model && open[static_cast<std::size_t>(first)].cause->of_sizes != OfSizes::nothing;
+    const double nearly = is_of_size ? 1 : is_model ? nearly_as_good_model : nearly_as_good_cure;
+    const auto best = std::ranges::find_if(worth, [&](double one) { return one >= nearly * most; });
     const auto place = open.begin() + (best - worth.begin());
     for (std::size_t k = 0; k < sheets_.size(); ++k) left[k] = without(left[k], place->explained[k]);
     taken.push_back(std::move(*place));

@@ -9,22 +9,17 @@ namespace rayproof {
 
 namespace {
 
-bool is_of_verdict_or_t(const Property& property) {
-  return property.claim == Claim::verdict || property.claim == Claim::residual;
-}
-
-/// Whether verdict or t of a guest is broken by a fault that is a finding of the other one: they are one
-/// fault then, and one finding (guests/one_fault.cpp).
-bool is_broken_with_the_other(const RunResult& result, const Row& row, const Cell& cell) {
-  return !row.subject->has_own_contract && is_of_verdict_or_t(*cell.property) && cell.tally.broken > 0 &&
-         std::ranges::any_of(properties(), [&](const Property& property) {
-           return is_of_verdict_or_t(property) && find_finding(result, row, property) != nullptr;
-         });
+/// Whether a guest breaks the property by a fault whose finding stands at another property or precision: one
+/// fault is one finding (guests/one_fault.cpp).
+bool is_broken_elsewhere(const RunResult& result, const Row& row, const Cell& cell) {
+  return !row.subject->has_own_contract && cell.tally.broken > 0 &&
+         std::ranges::any_of(result.findings,
+                             [&](const Finding& finding) { return finding.subject == row.subject; });
 }
 
 ClaimStatus status_of(const Plan& plan, const RunResult& result, const Row& row, const Cell& cell) {
   const bool was_found =
-      find_finding(result, row, *cell.property) != nullptr || is_broken_with_the_other(result, row, cell);
+      find_finding(result, row, *cell.property) != nullptr || is_broken_elsewhere(result, row, cell);
   if (claims(*row.subject, *cell.property)) {
     if (was_found) return ClaimStatus::broken;
     return cell.tally.judged() > 0 ? ClaimStatus::holds : ClaimStatus::untested;

@@ -111,6 +111,23 @@ TEST(Diagnosis, CallsTheNearestHitApproximateWhereTheFartherOneIsNotGiven) {
   EXPECT_TRUE(found.starts_with("approximate ")) << found;
 }
 
+/// The nearest hit alone, as sphere tracing finds it: it stops within 1e-3 before the surface.
+Answer marched_to_the_surface(const Case& one) {
+  Answer answer = nearest_too_near(one);
+  const auto& ray = std::get<RayQuestion>(one.question).ray;
+  const Answer exact = oracle::answer(one);
+  auto& hits = std::get<RayAnswer>(answer).hits;
+  const double left = 1e-3 * (0.1 + 0.8 * std::abs(std::sin(1e3 * ray.origin.x)));
+  if (hits.count > 0) hits.t[0] = std::get<RayAnswer>(exact).hits.t[0] - left / glm::length(ray.direction);
+  return answer;
+}
+
+TEST(Diagnosis, NamesTheLengthAtWhichAnIterationStops) {
+  const Subject subject = subject_of("sphere", marched_to_the_surface);
+  const std::string found = in_words(faults_of(subject, *find_property("residual"), Precision::float32));
+  EXPECT_TRUE(found.starts_with("stops-at-1e-3 ")) << found;
+}
+
 TEST(Diagnosis, AsksNoRayThatBeginsBeforeItsOriginWhereItStartsNearer) {
   const Case far{.question = RayQuestion{.ray = {{100, 0, 0}, {-1, 0, 0}, 0, infinity<double>},
                                          .shape = Sphere<double>{{0, 0, 0}, 0x1p-13}}};

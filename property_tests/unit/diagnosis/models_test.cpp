@@ -178,6 +178,14 @@ const Foreseen foreseen_faults[] = {
     {"cylinder", "height-one"},
     {"quadratic", "times-a-squared"},
     {"point_in_polygon", "repeated-vertices"},
+    {"box", "missed-in-high-face"},
+    {"parallelepiped", "missed-in-low-face"},
+    {"sphere", "nearer-to-zero-decides"},
+    {"parallelepiped", "faces-as-rectangles"},
+    {"triangle", "edges-loose-1e-5"},
+    {"plane", "epsilon-1e-12"},
+    {"point_in_polygon", "sides-loose-1e-3"},
+    {"polygon", "sides-loose-1e-4"},
 };
 
 std::string name_of_model(const testing::TestParamInfo<Foreseen>& info) {

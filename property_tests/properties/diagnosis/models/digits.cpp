@@ -95,6 +95,36 @@ std::optional<bool> is_approximate(const Case& one, const Answer& got, const Ans
   });
 }
 
+std::optional<bool> has_approximate_root(const Case& one, const Answer& got, const Answer& exact) {
+  const std::vector<double> numbers = numbers_in(got), exactly = numbers_in(exact);
+  const RayQuestion* asked = ray_question(one);
+  if (asked == nullptr || numbers.empty() || numbers.size() > exactly.size()) return std::nullopt;
+  const HitList line = hits_of_line(one).hits;
+  if (line.count < 2) return std::nullopt;
+  const double half = (line.t[1] - line.t[0]) / 2;
+  double worst = 0;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    worst = std::max(worst, std::abs(numbers[i] - exactly[i]) / half);
+  // The textbook's discriminant loses this much of its root by rounding.
+  const double far = 1 + size_of_scene(one) / (glm::length(asked->ray.direction) * half);
+  const double rounding = (one.precision == Precision::float32 ? 0x1p-20 : 0x1p-48) * far * far;
+  if (worst > 0x1p-5) return false;
+  return worst > std::max(0x1p-17, rounding) ? std::optional(true) : std::nullopt;
+}
+
+std::optional<bool> is_right_to_length(const Case& one, const Answer& got, const Answer& exact,
+                                       double length) {
+  const std::vector<double> numbers = numbers_in(got), exactly = numbers_in(exact);
+  const RayQuestion* asked = ray_question(one);
+  if (asked == nullptr || numbers.empty() || numbers.size() > exactly.size()) return std::nullopt;
+  double worst = 0;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    worst = std::max(worst, std::abs(numbers[i] - exactly[i]) * glm::length(asked->ray.direction));
+  if (worst > 1.5 * length) return false;
+  const double rounding = (one.precision == Precision::float32 ? 0x1p-16 : 0x1p-44) * size_of_scene(one);
+  return worst > std::max(length / 32, rounding) ? std::optional(true) : std::nullopt;
+}
+
 std::optional<bool> has_six_digits(const Case& /*one*/, const Answer& got, const Answer& exact) {
   return if_short(got, exact,
                   [](double x) { return std::strtod(fmt::format("{:.6g}", x).c_str(), nullptr) == x; });

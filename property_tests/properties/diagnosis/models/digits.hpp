@@ -2,6 +2,8 @@
 /// \file
 /// Marks of answers that have lost digits.
 
+#include <cmath>
+
 #include "properties/diagnosis/models/models.hpp"
 
 namespace rayproof::diagnosis {
@@ -17,6 +19,18 @@ namespace rayproof::diagnosis {
 [[nodiscard]] std::optional<bool> is_of_half(const Case& one, const Answer& got, const Answer& exact);
 /// Every number is right to two to five decimal digits, and no better.
 [[nodiscard]] std::optional<bool> is_approximate(const Case& one, const Answer& got, const Answer& exact);
+/// The hits of a solid are as far off as a root would be that is right to two to five digits, in shares of
+/// half the chord between them.
+[[nodiscard]] std::optional<bool> has_approximate_root(const Case& one, const Answer& got,
+                                                       const Answer& exact);
+/// Every hit is right to about this length of the scene, whatever the scene's size, and no better.
+[[nodiscard]] std::optional<bool> is_right_to_length(const Case& one, const Answer& got, const Answer& exact,
+                                                     double length);
+template <int power>
+[[nodiscard]] std::optional<bool> is_right_to_length(const Case& one, const Answer& got,
+                                                     const Answer& exact) {
+  return is_right_to_length(one, got, exact, std::pow(10.0, power));
+}
 /// Every number has six decimal digits at most.
 [[nodiscard]] std::optional<bool> has_six_digits(const Case& one, const Answer& got, const Answer& exact);
 

@@ -19,14 +19,18 @@ double squared(const glm::dvec3& v) { return glm::dot(v, v); }
 
 }  // namespace
 
+Answers line_times(const Case& one, double factor) {
+  const auto line = std::get<RayAnswer>(stretched(hits_of_line(one), factor));
+  return {hits_where(line, [&](double t) { return in_interval(ray_question(one)->ray, t); })};
+}
+
 Answers times(const Case& one, const Answer& exact, double factor) {
   if (std::holds_alternative<Position>(exact)) return {};
   const RayQuestion* asked = ray_question(one);
   const auto* roots = std::get_if<QuadraticAnswer<double>>(&exact);
   if (roots != nullptr && roots->kind == RootKind::linear) return {};  // another formula's
   if (asked == nullptr) return {stretched(exact, factor)};
-  const auto line = std::get<RayAnswer>(stretched(hits_of_line(one), factor));
-  Answers answers{hits_where(line, [&](double t) { return in_interval(asked->ray, t); })};
+  Answers answers = line_times(one, factor);
   answers.push_back(stretched(exact, factor));  // where t is compared with the interval before that
   if (!finds_something(exact)) return answers;
   RayAnswer in_order = std::get<RayAnswer>(exact);  // nor are they sorted anew where the factor is negative

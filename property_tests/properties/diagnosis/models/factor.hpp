@@ -16,6 +16,9 @@ using Quantity = std::optional<double> (*)(const Case&);
 /// admits when so multiplied.
 [[nodiscard]] Answers times(const Case& one, const Answer& exact, double factor);
 
+/// The hits of the line times the factor, as far as the interval admits them then.
+[[nodiscard]] Answers line_times(const Case& one, double factor);
+
 /// Every t of the line without its sign, as far as the interval admits it then.
 [[nodiscard]] Answers absolute(const Case& one, const Answer& exact);
 /// Every number is made a whole one.
@@ -35,6 +38,13 @@ template <Quantity quantity, int power = 1>
   const std::optional<double> factor = quantity(one);
   if (!factor || *factor == 0 || !std::isfinite(*factor)) return {};
   return times(one, exact, power > 0 ? *factor : 1 / *factor);
+}
+
+/// Every t of the line is the right one times the quantity, and is compared with the interval after that.
+template <Quantity quantity>
+[[nodiscard]] Answers line_scaled_by(const Case& one, const Answer& /*exact*/) {
+  const std::optional<double> factor = quantity(one);
+  return factor ? line_times(one, *factor) : Answers{};
 }
 
 /// @{ Of any question.

@@ -41,6 +41,12 @@ Answers normal_faces_ray(const Case& one, const Answer& exact) {
   });
 }
 
+Answers normal_follows_ray(const Case& one, const Answer& exact) {
+  return with_normal(one, exact, [](const RayQuestion& asked, const glm::dvec3& normal) {
+    return glm::dot(normal, asked.ray.direction) < 0 ? -normal : normal;
+  });
+}
+
 Answers normal_flipped(const Case& one, const Answer& exact) {
   return with_normal(one, exact,
                      [](const RayQuestion& /*asked*/, const glm::dvec3& normal) { return -normal; });

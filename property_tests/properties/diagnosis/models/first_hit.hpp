@@ -12,6 +12,7 @@ namespace rayproof::diagnosis {
 /// length; in the object's space; carried to the world by the matrix and not by its inverse transpose; from
 /// the origin of coordinates.
 [[nodiscard]] Answers normal_faces_ray(const Case& one, const Answer& exact);
+[[nodiscard]] Answers normal_follows_ray(const Case& one, const Answer& exact);
 [[nodiscard]] Answers normal_flipped(const Case& one, const Answer& exact);
 [[nodiscard]] std::optional<bool> normal_not_unit(const Case& one, const Answer& got, const Answer& exact);
 [[nodiscard]] Answers normal_in_object(const Case& one, const Answer& exact);

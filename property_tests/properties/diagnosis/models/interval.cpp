@@ -1,6 +1,7 @@
 #include "properties/diagnosis/models/interval.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "properties/boundary.hpp"
 #include "properties/diagnosis/agreement.hpp"
@@ -144,6 +145,17 @@ Answers first_hit_decides(const Case& one, const Answer& exact) {
   if (ray == nullptr || std::get<RayAnswer>(exact).hits.count == 0) return {};
   const RayAnswer line = hits_of_line(one);
   return in_interval(*ray, line.hits.t[0]) ? Answers{} : Answers{RayAnswer{}};
+}
+
+Answers nearer_to_zero_decides(const Case& one, const Answer& exact) {
+  const Ray<double>* ray = ray_of(one);
+  if (ray == nullptr || std::get<RayAnswer>(exact).hits.count == 0) return {};
+  const RayAnswer line = hits_of_line(one);
+  if (line.hits.count < 2) return {};
+  const auto [first, second] = std::pair(line.hits.t[0], line.hits.t[1]);
+  const double nearer = std::abs(first) < std::abs(second) ? first : second;
+  if (std::get<RayAnswer>(exact).hits.t[0] == nearer) return {};
+  return {hits_where(line, [&](double t) { return t == nearer && in_interval(*ray, t); })};
 }
 
 Answers behind_is_hit(const Case& one, const Answer& exact) {

@@ -50,6 +50,8 @@ template <int power>
 
 /// The nearest hit of the line lies outside the interval, and the farther one is not looked at.
 [[nodiscard]] Answers first_hit_decides(const Case& one, const Answer& exact);
+/// Of the hits of the line the one with the smaller |t| is looked at alone.
+[[nodiscard]] Answers nearer_to_zero_decides(const Case& one, const Answer& exact);
 /// What lies wholly before t_min is reported, in whole or by its first or last hit; other answers are right.
 [[nodiscard]] Answers behind_is_hit(const Case& one, const Answer& exact);
 /// A ray that starts inside is said to hit behind its beginning.

@@ -1,80 +1,13 @@
 #include "properties/diagnosis/models/outline.hpp"
 
 #include <algorithm>
-#include <glm/vec2.hpp>
 
+#include "properties/claims/answers.hpp"
 #include "properties/diagnosis/agreement.hpp"
-#include "properties/diagnosis/models/plane_hit.hpp"
+#include "properties/diagnosis/models/outline_geometry.hpp"
 
 namespace rayproof::diagnosis {
 namespace {
-
-using Outline = std::vector<glm::dvec2>;
-
-double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
-/// How often a ray from the point along x crosses sides; `counts(from, to)` of the heights of a side's ends
-/// over the point decides whether a side is crossed at all.
-template <class Counts>
-int crossings(const glm::dvec2& point, const Outline& outline, std::size_t sides, Counts&& counts) {
-  int sum = 0;
-  for (std::size_t i = 0; i < sides; ++i) {
-    const glm::dvec2 a = outline[i], b = outline[(i + 1) % outline.size()];
-    if (a.y == b.y || !counts(a.y - point.y, b.y - point.y)) continue;
-    if (a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x) >= point.x) ++sum;
-  }
-  return sum;
-}
-
-bool half_open(double from, double to) { return (from <= 0) != (to <= 0); }
-
-int windings(const glm::dvec2& point, const Outline& outline) {
-  const auto passes = [&](bool is_upward) {
-    return crossings(point, outline, outline.size(), [is_upward](double from, double to) {
-      return is_upward ? from <= 0 && to > 0 : from > 0 && to <= 0;
-    });
-  };
-  return passes(true) - passes(false);
-}
-
-bool is_in_bounds(const glm::dvec2& point, const Outline& outline) {
-  glm::dvec2 low = outline.front(), high = low;
-  for (const glm::dvec2& vertex : outline) {
-    low = glm::min(low, vertex);
-    high = glm::max(high, vertex);
-  }
-  return low.x <= point.x && point.x <= high.x && low.y <= point.y && point.y <= high.y;
-}
-
-/// Whether all sides turn one way round the point.
-bool is_on_one_side(const glm::dvec2& point, const Outline& outline) {
-  bool left = false, right = false;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const double turned = turn(outline[i], outline[(i + 1) % outline.size()], point);
-    left = left || turned > 0;
-    right = right || turned < 0;
-  }
-  return !(left && right);
-}
-
-double distance_to_side(const glm::dvec2& point, const glm::dvec2& a, const glm::dvec2& b) {
-  const glm::dvec2 side = b - a, way = point - a;
-  const double length = glm::dot(side, side);
-  const double along = length > 0 ? std::clamp(glm::dot(way, side) / length, 0.0, 1.0) : 0.0;
-  return glm::length(way - along * side);
-}
-
-/// Whether the point is so near a side that rounding decides.
-bool is_at_side(Precision precision, const glm::dvec2& point, const Outline& outline) {
-  double size = glm::length(point);
-  for (const glm::dvec2& vertex : outline) size = std::max(size, glm::length(vertex));
-  const double near = size * (precision == Precision::float32 ? 0x1p-18 : 0x1p-44);
-  for (std::size_t i = 0; i < outline.size(); ++i)
-    if (distance_to_side(point, outline[i], outline[(i + 1) % outline.size()]) <= near) return true;
-  return false;
-}
 
 bool is_inside_first(std::size_t count, const glm::dvec2& point, Outline outline) {
   outline.resize(std::min(count, outline.size()));
@@ -144,10 +77,16 @@ bool is_inside(InsideRule rule, const glm::dvec2& point, const Outline& outline)
   return false;
 }
 
-Outline outline_of(const PointAndPolygon<double>& place) {
-  Outline outline;
-  for (const auto& vertex : place.vertices) outline.emplace_back(vertex.x, vertex.y);
-  return outline;
+PlaneHit upside_down(PlaneHit seen) {
+  seen.point.y = -seen.point.y;
+  for (glm::dvec2& vertex : seen.vertices) vertex.y = -vertex.y;
+  return seen;
+}
+
+/// What a subject answers that takes the point for inside, or for outside.
+Answers place_at(const Case& one, const PlaneHit& seen, bool is_inside) {
+  if (ray_question(one) != nullptr) return hit_at(one, seen.t, is_inside);
+  return {is_inside ? Position::inside : Position::outside};
 }
 
 /// The point and the outline turned so that the sweep goes along x.
@@ -165,64 +104,32 @@ PlaneHit swept(Sweep sweep, PlaneHit hit) {
   return hit;
 }
 
-Outline outline_of(const Case& one) {
-  if (const auto* place = std::get_if<PointAndPolygon<double>>(&one.question)) return outline_of(*place);
-  const auto hit = plane_hit(one);
-  return hit ? hit->vertices : Outline{};
-}
-
 }  // namespace
 
 bool is_inside_outline(const PlaneHit& hit) {
   return crossings(hit.point, hit.vertices, hit.vertices.size(), half_open) % 2 == 1;
 }
 
-template <InsideRule rule, Sweep sweep>
-Answers inside_by(const Case& one, const Answer& exact) {
-  if (const auto* place = std::get_if<PointAndPolygon<double>>(&one.question)) {
-    if (std::get<Position>(exact) == Position::boundary) return {};
-    const PlaneHit seen = swept(sweep, {0, {place->point.x, place->point.y}, outline_of(*place), 2});
-    if (is_at_side(one.precision, seen.point, seen.vertices)) return {};
-    const bool in = is_inside(rule, seen.point, seen.vertices);
-    return {in ? Position::inside : Position::outside};
-  }
-  if (shape_in<Polygon<double>>(one) == nullptr) return {};
-  const auto hit = plane_hit(one);
+Answers inside_by(const Case& one, const Answer& exact, InsideRule rule, Sweep sweep) {
+  const auto* position = std::get_if<Position>(&exact);
+  const bool is_on_boundary = position != nullptr && *position == Position::boundary;
+  if (is_on_boundary || shape_in<Triangle<double>>(one) != nullptr) return {};
+  const auto hit = point_and_outline(one);
   if (!hit || is_at_side(one.precision, hit->point, hit->vertices)) return {};
   const PlaneHit seen = swept(sweep, *hit);
-  return hit_at(one, hit->t, is_inside(rule, seen.point, seen.vertices));
+  const bool in = is_inside(rule, seen.point, seen.vertices);
+  Answers all = place_at(one, *hit, in);
+  // A vertex on the point's level may count as above it; of what is not turned round that is another rule.
+  const PlaneHit mirrored = upside_down(seen);
+  if (rule != InsideRule::unturned && is_inside(rule, mirrored.point, mirrored.vertices) != in)
+    for (const Answer& other : place_at(one, *hit, !in)) all.push_back(other);
+  return all;
 }
-
-template Answers inside_by<InsideRule::closed_sides>(const Case&, const Answer&);
-template Answers inside_by<InsideRule::not_level>(const Case&, const Answer&);
-template Answers inside_by<InsideRule::winding>(const Case&, const Answer&);
-template Answers inside_by<InsideRule::endless_sides>(const Case&, const Answer&);
-template Answers inside_by<InsideRule::both_ways>(const Case&, const Answer&);
-template Answers inside_by<InsideRule::last_side>(const Case&, const Answer&);
-template Answers inside_by<InsideRule::last_side, Sweep::against>(const Case&, const Answer&);
-template Answers inside_by<InsideRule::last_side, Sweep::along_in_order>(const Case&, const Answer&);
-template Answers inside_by<InsideRule::last_side, Sweep::against_in_order>(const Case&, const Answer&);
-template Answers inside_by<InsideRule::last_side, Sweep::upward>(const Case&, const Answer&);
-template Answers inside_by<InsideRule::last_side, Sweep::downward>(const Case&, const Answer&);
-template Answers inside_by<InsideRule::first_triangle>(const Case&, const Answer&);
-template Answers inside_by<InsideRule::first_four>(const Case&, const Answer&);
-template Answers inside_by<InsideRule::first_eight>(const Case&, const Answer&);
-template Answers inside_by<InsideRule::upright_sides>(const Case&, const Answer&);
-template Answers inside_by<InsideRule::unrepeated>(const Case&, const Answer&);
-template Answers inside_by<InsideRule::unturned>(const Case&, const Answer&);
-template Answers inside_by<InsideRule::one_side>(const Case&, const Answer&);
-template Answers inside_by<InsideRule::fan>(const Case&, const Answer&);
-template Answers inside_by<InsideRule::bounds>(const Case&, const Answer&);
 
 bool is_on_third_side(const Case& one) {
   const auto* place = std::get_if<PointAndPolygon<double>>(&one.question);
-  if (place == nullptr) return false;
-  const glm::dvec2 point(place->point.x, place->point.y);
-  const Outline outline = outline_of(*place);
-  int sides = 0;
-  for (std::size_t i = 0; i < outline.size(); ++i)
-    sides += distance_to_side(point, outline[i], outline[(i + 1) % outline.size()]) == 0 ? 1 : 0;
-  return sides > 2;
+  const auto seen = place == nullptr ? std::nullopt : point_and_outline(one);
+  return seen && sides_within(0, seen->point, seen->vertices) > 2;
 }
 
 Answers plane_of_corner(const Case& one, const Answer& /*exact*/) {
@@ -236,15 +143,30 @@ Answers plane_of_corner(const Case& one, const Answer& /*exact*/) {
 }
 
 Answers endless_boundary(const Case& one, const Answer& exact) {
-  const auto* place = std::get_if<PointAndPolygon<double>>(&one.question);
-  if (place == nullptr || std::get<Position>(exact) == Position::boundary) return {};
-  const glm::dvec2 point(place->point.x, place->point.y);
-  const Outline outline = outline_of(*place);
+  const auto* position = std::get_if<Position>(&exact);
+  if (position == nullptr || *position == Position::boundary) return {};
+  const PlaneHit seen = *point_and_outline(one);
+  const Outline& outline = seen.vertices;
   bool is_on_line = false;
   for (std::size_t i = 0; i < outline.size(); ++i)
-    is_on_line = is_on_line || turn(outline[i], outline[(i + 1) % outline.size()], point) == 0;
+    is_on_line = is_on_line || turn(outline[i], outline[(i + 1) % outline.size()], seen.point) == 0;
   if (!is_on_line) return {};
-  return is_in_bounds(point, outline) ? Answers{Position::boundary} : Answers{Position::boundary, exact};
+  return is_in_bounds(seen.point, outline) ? Answers{Position::boundary} : Answers{Position::boundary, exact};
+}
+
+Answers near_sides_inside(const Case& one, const Answer& exact, double tolerance) {
+  if (finds_something(exact) || shape_in<Triangle<double>>(one) != nullptr) return {};
+  const auto seen = point_and_outline(one);
+  if (!seen || is_at_side(one.precision, seen->point, seen->vertices)) return {};
+  glm::dvec2 low = seen->vertices.front(), high = low;
+  for (const glm::dvec2& vertex : seen->vertices) {
+    low = glm::min(low, vertex);
+    high = glm::max(high, vertex);
+  }
+  const double near = tolerance * glm::length(high - low);
+  if (sides_within(near, seen->point, seen->vertices) == 0) return {};
+  if (ray_question(one) != nullptr) return hit_at(one, seen->t, true);
+  return {Position::inside, Position::boundary};
 }
 
 Answers never_inside(const Case& /*one*/, const Answer& exact) {
@@ -259,7 +181,9 @@ Answers inside_out(const Case& /*one*/, const Answer& exact) {
 }
 
 std::optional<bool> wrong_where_concave(const Case& one, const Answer& got, const Answer& exact) {
-  const Outline outline = outline_of(one);
+  const auto seen = point_and_outline(one);
+  if (!seen) return std::nullopt;
+  const Outline& outline = seen->vertices;
   bool left = false, right = false;
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const double turned =

@@ -2,6 +2,8 @@
 /// \file
 /// Models of faults in the question whether a point lies in a polygon, in the plane or in space.
 
+#include <cmath>
+
 #include "properties/boundary.hpp"
 #include "properties/diagnosis/models/models.hpp"
 #include "properties/diagnosis/models/plane_hit.hpp"
@@ -34,9 +36,20 @@ enum class Sweep { along, against, along_in_order, against_in_order, upward, dow
 /// Whether the point is inside by the even-odd rule.
 [[nodiscard]] bool is_inside_outline(const PlaneHit& hit);
 
-/// What a subject answers that follows the rule; none for points on the boundary.
+/// What a subject may answer that follows the rule, a vertex on the point's level counting as below or as
+/// above; none for points on the boundary.
+[[nodiscard]] Answers inside_by(const Case& one, const Answer& exact, InsideRule rule, Sweep sweep);
 template <InsideRule rule, Sweep sweep = Sweep::along>
-[[nodiscard]] Answers inside_by(const Case& one, const Answer& exact);
+[[nodiscard]] Answers inside_by(const Case& one, const Answer& exact) {
+  return inside_by(one, exact, rule, sweep);
+}
+
+/// What is no farther from a side than a share of the polygon's size is said to be inside.
+[[nodiscard]] Answers near_sides_inside(const Case& one, const Answer& exact, double tolerance);
+template <int power>
+[[nodiscard]] Answers near_sides_inside(const Case& one, const Answer& exact) {
+  return near_sides_inside(one, exact, std::pow(10.0, power));
+}
 
 /// The polygon's plane is that of its first three vertices; where these lie on a line it is missed.
 [[nodiscard]] Answers plane_of_corner(const Case& one, const Answer& exact);

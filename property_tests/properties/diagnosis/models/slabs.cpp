@@ -101,16 +101,41 @@ Answers missed_along_slab(const Case& one, const Answer& exact) {
   return is_along ? Answers{RayAnswer{}} : Answers{};
 }
 
-Answers missed_in_face(const Case& one, const Answer& exact) {
+Answers missed_in_face(const Case& one, const Answer& exact, bool at_low, bool at_high) {
   const auto cube = cube_in(one);
   if (!cube || !finds_something(exact)) return {};
   bool is_in_face = false;
   for (int axis = 0; axis < 3; ++axis) {
     const double o = cube->ray.origin[axis];
     const bool is_along = cube->ray.direction[axis] == 0;
-    is_in_face = is_in_face || (is_along && (o == cube->low[axis] || o == cube->high[axis]));
+    const bool is_in_one = (at_low && o == cube->low[axis]) || (at_high && o == cube->high[axis]);
+    is_in_face = is_in_face || (is_along && is_in_one);
   }
   return is_in_face ? Answers{RayAnswer{}} : Answers{};
+}
+
+Answers faces_as_rectangles(const Case& one, const Answer& /*exact*/) {
+  const auto* solid = shape_in<Parallelepiped<double>>(one);
+  if (solid == nullptr) return {};
+  const Ray<double> ray = ray_in_object(*ray_question(one));
+  std::vector<double> all;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (const double side : {0.0, 1.0}) {
+      const glm::dvec3 &u = solid->edges.at((i + 1) % 3), &v = solid->edges.at((i + 2) % 3);
+      const glm::dvec3 n = glm::cross(u, v), corner = solid->corner + side * solid->edges.at(i);
+      const double t = glm::dot(n, corner - ray.origin) / glm::dot(n, ray.direction);
+      const glm::dvec3 way = point_at(ray, t) - corner;
+      const auto is_along = [&](const glm::dvec3& edge) {
+        const double share = glm::dot(way, edge) / glm::dot(edge, edge);
+        return 0 <= share && share <= 1;
+      };
+      if (is_along(u) && is_along(v) && in_interval(ray, t)) all.push_back(t);
+    }
+  std::ranges::sort(all);
+  RayAnswer found;
+  for (const double t : all)
+    if (found.hits.count < found.hits.t.size()) found.hits.push_back(t);
+  return {found};
 }
 
 Answers corner_faces_alone(const Case& one, const Answer& /*exact*/) {

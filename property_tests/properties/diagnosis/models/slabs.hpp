@@ -14,11 +14,18 @@ namespace rayproof::diagnosis {
 /// The line is taken to enter and leave though it leaves one slab before it enters another.
 [[nodiscard]] Answers leaves_before_it_enters(const Case& one, const Answer& exact);
 /// @{ A line that runs along a slab is not compared with that slab; is missed, though inside; or is missed
-/// where it lies in one of the slab's planes.
+/// where it lies in one of the slab's planes, the lower or the upper one.
 [[nodiscard]] Answers slab_along_not_tested(const Case& one, const Answer& exact);
 [[nodiscard]] Answers missed_along_slab(const Case& one, const Answer& exact);
-[[nodiscard]] Answers missed_in_face(const Case& one, const Answer& exact);
+[[nodiscard]] Answers missed_in_face(const Case& one, const Answer& exact, bool at_low, bool at_high);
+template <bool at_low, bool at_high>
+[[nodiscard]] Answers missed_in_face(const Case& one, const Answer& exact) {
+  return missed_in_face(one, exact, at_low, at_high);
+}
 /// @}
+/// A point of a parallelepiped's face is taken for inside it by its projections on the two edges, in lengths
+/// of these: right where the edges are at right angles.
+[[nodiscard]] Answers faces_as_rectangles(const Case& one, const Answer& exact);
 /// Only the three faces at a box's min, or at a parallelepiped's corner, are hit.
 [[nodiscard]] Answers corner_faces_alone(const Case& one, const Answer& exact);
 

@@ -50,6 +50,10 @@ std::vector<Hypothesis> models_of_hits() {
       gives("first-hit-decides", first_hit_decides,
             "it misses where the line's nearest hit lies before t_min, although a farther one lies in the "
             "interval: only the smaller root is looked at"),
+      gives(
+          "nearer-to-zero-decides", nearer_to_zero_decides,
+          "of two roots the one with the smaller |t| is looked at alone: from inside it misses where the hit "
+          "behind the origin is the nearer one"),
       gives("misses-from-inside", misses_from_inside, "every ray that starts inside misses"),
       gives("behind-is-hit", behind_is_hit,
             "what lies wholly behind the ray's beginning is reported: the sign of t is not looked at"),

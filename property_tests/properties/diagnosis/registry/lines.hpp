@@ -2,6 +2,9 @@
 /// \file
 /// What the lines of the registry are made by.
 
+#include <deque>
+#include <string>
+
 #include "properties/diagnosis/registry.hpp"
 
 namespace rayproof::diagnosis {
@@ -9,6 +12,12 @@ namespace rayproof::diagnosis {
 inline constexpr auto gross = FindingKind::gross;
 inline constexpr auto boundary = FindingKind::boundary;
 inline constexpr auto rounding = FindingKind::rounding;
+
+/// Words that are made of a number, kept as long as the program runs.
+[[nodiscard]] inline std::string_view kept(std::string words) {
+  static std::deque<std::string> all;
+  return all.emplace_back(std::move(words));
+}
 
 /// A subject that gives these answers.
 [[nodiscard]] constexpr Hypothesis gives(std::string_view name, Predict predict, std::string_view sentence,

@@ -1,6 +1,8 @@
 /// \file
 /// Faults in limits, units and digits of t.
 
+#include <fmt/format.h>
+
 #include "properties/diagnosis/models/digits.hpp"
 #include "properties/diagnosis/models/factor.hpp"
 #include "properties/diagnosis/models/interval.hpp"
@@ -11,59 +13,45 @@ namespace rayproof::diagnosis {
 
 namespace {
 
+/// What is nearer than 10^power is taken to be at 0.
+template <int... power>
+std::vector<Hypothesis> epsilons() {
+  return {of(
+      OfSizes::small,
+      gives(kept(fmt::format("epsilon-1e{}", power)), drops_below<power>,
+            kept(fmt::format("hits with t below about 1e{} are left out: an absolute epsilon", power))))...};
+}
+
 /// A limit of lengths: in a smaller scene nothing lies beyond it.
-Hypothesis limit(std::string_view name, Predict predict, std::string_view sentence) {
-  Hypothesis made = gives(name, predict, sentence);
+Hypothesis limit(int power, Predict predict) {
+  Hypothesis made =
+      gives(kept(fmt::format("limit-1e{}", power)), predict,
+            kept(fmt::format("hits with t beyond about 1e{} are left out: a fixed largest distance", power)));
   made.confirmed_by = "smaller-scene";
   return of(OfSizes::limit, made);
 }
 
-/// What is nearer than a length is taken to be at 0.
-Hypothesis epsilon(std::string_view name, Predict predict, std::string_view sentence) {
-  return of(OfSizes::small, gives(name, predict, sentence));
+/// An iteration that stops at a fixed length.
+template <int... power>
+std::vector<Hypothesis> lengths() {
+  return {
+      shows(kept(fmt::format("stops-at-1e{}", power)), is_right_to_length<power>,
+            kept(fmt::format("every hit is right to about 1e{} in length, whatever the size of the scene: an "
+                             "iteration stops there",
+                             power)))...};
+}
+
+template <int... power>
+std::vector<Hypothesis> limits() {
+  return {limit(power, drops_beyond<power>)...};
 }
 
 }  // namespace
 
 std::vector<Hypothesis> models_of_limits() {
-  return {
-      epsilon("epsilon-1e-10", drops_below<-10>,
-              "hits with t below about 1e-10 are left out: an absolute epsilon"),
-      epsilon("epsilon-1e-9", drops_below<-9>,
-              "hits with t below about 1e-9 are left out: an absolute epsilon"),
-      epsilon("epsilon-1e-8", drops_below<-8>,
-              "hits with t below about 1e-8 are left out: an absolute epsilon"),
-      epsilon("epsilon-1e-7", drops_below<-7>,
-              "hits with t below about 1e-7 are left out: an absolute epsilon"),
-      epsilon("epsilon-1e-6", drops_below<-6>,
-              "hits with t below about 1e-6 are left out: an absolute epsilon"),
-      epsilon("epsilon-1e-5", drops_below<-5>,
-              "hits with t below about 1e-5 are left out: an absolute epsilon"),
-      epsilon("epsilon-1e-4", drops_below<-4>,
-              "hits with t below about 1e-4 are left out: an absolute epsilon"),
-      epsilon("epsilon-1e-3", drops_below<-3>,
-              "hits with t below about 1e-3 are left out: an absolute epsilon"),
-      epsilon("epsilon-1e-2", drops_below<-2>,
-              "hits with t below about 1e-2 are left out: an absolute epsilon"),
-      limit("limit-1e30", drops_beyond<30>,
-            "hits with t beyond about 1e30 are left out: a fixed largest distance"),
-      limit("limit-1e20", drops_beyond<20>,
-            "hits with t beyond about 1e20 are left out: a fixed largest distance"),
-      limit("limit-1e10", drops_beyond<10>,
-            "hits with t beyond about 1e10 are left out: a fixed largest distance"),
-      limit("limit-1e8", drops_beyond<8>,
-            "hits with t beyond about 1e8 are left out: a fixed largest distance"),
-      limit("limit-1e6", drops_beyond<6>,
-            "hits with t beyond about 1e6 are left out: a fixed largest distance"),
-      limit("limit-1e5", drops_beyond<5>,
-            "hits with t beyond about 1e5 are left out: a fixed largest distance"),
-      limit("limit-1e4", drops_beyond<4>,
-            "hits with t beyond about 1e4 are left out: a fixed largest distance"),
-      limit("limit-1e3", drops_beyond<3>,
-            "hits with t beyond about 1e3 are left out: a fixed largest distance"),
-      limit("limit-1e2", drops_beyond<2>,
-            "hits with t beyond about 1e2 are left out: a fixed largest distance"),
-  };
+  std::vector<Hypothesis> all = epsilons<-15, -12, -10, -9, -8, -7, -6, -5, -4, -3, -2>();
+  for (const Hypothesis& one : limits<30, 20, 16, 15, 12, 10, 9, 8, 7, 6, 5, 4, 3, 2>()) all.push_back(one);
+  return all;
 }
 
 std::vector<Hypothesis> models_of_numbers() {
@@ -91,9 +79,9 @@ std::vector<Hypothesis> models_of_numbers() {
             "t is right divided by n·d: the division by the normal times the direction is missing"),
       gives("times-minus-slope", scaled_by<minus_slope>,
             "t is right divided by -n·d: the division by the determinant is missing"),
-      gives("sign-of-slope", scaled_by<sign_of_slope>,
+      gives("sign-of-slope", line_scaled_by<sign_of_slope>,
             "t has the wrong sign where the surface is seen from the front: |n·d| is in the denominator"),
-      gives("minus-sign-of-slope", scaled_by<minus_sign_of_slope>,
+      gives("minus-sign-of-slope", line_scaled_by<minus_sign_of_slope>,
             "t has the wrong sign where the surface is seen from behind: |n·d| is in the denominator"),
       gives("distance-to-plane", scaled_by<distance_per_t>,
             "t is the origin's distance from the plane: it was measured along the normal, and must be along "
@@ -137,7 +125,7 @@ std::vector<Hypothesis> models_of_numbers() {
 }
 
 std::vector<Hypothesis> models_of_digits() {
-  return {
+  std::vector<Hypothesis> all{
       of(OfSizes::type,
          shows("computes-in-half", is_of_half,
                "every number is one of float16: the code computes in half precision", rounding)),
@@ -162,7 +150,12 @@ std::vector<Hypothesis> models_of_digits() {
             "every number is right to two to five digits and no better: something is approximated, a square "
             "root or a reciprocal",
             rounding),
+      shows("approximate-root", has_approximate_root,
+            "the hits are off by a small share of the chord between them: the square root is approximated",
+            rounding),
   };
+  for (const Hypothesis& one : lengths<-6, -5, -4, -3, -2, -1>()) all.push_back(one);
+  return all;
 }
 
 }  // namespace rayproof::diagnosis

@@ -109,7 +109,15 @@ std::vector<Hypothesis> models_of_solids() {
           "slab-along-not-tested", slab_along_not_tested,
           "a ray along a slab is not compared with it: where the direction's component is 0 the origin must "
           "lie between the two planes"),
-      gives("missed-in-face", missed_in_face,
+      misses_zero(
+          "missed-in-low-face", missed_in_face<true, false>,
+          "a ray in the plane of a face at min, or at the corner, is missed: > is asked there, and must "
+          "be >="),
+      misses_zero(
+          "missed-in-high-face", missed_in_face<false, true>,
+          "a ray in the plane of a face at max, or opposite to the corner, is missed: < is asked there, "
+          "and must be <="),
+      gives("missed-in-face", missed_in_face<true, true>,
             "a ray in the plane of a face is missed: 0·∞ is no number, or an inequality is strict there"),
       gives("missed-along-slab", missed_along_slab,
             "every ray along a face is missed: a component of the direction that is 0 is taken for a miss"),
@@ -135,6 +143,10 @@ std::vector<Hypothesis> models_of_solids() {
       gives("edges-as-orthogonal", read_as<edges_as_orthogonal>,
             "the answer is right where a point's coordinates are its projections on the edges: the edges are "
             "taken for orthogonal, a rectangular solid's"),
+      gives("faces-as-rectangles", faces_as_rectangles,
+            "a face is hit where the point's projections on its two edges lie between their ends: the faces "
+            "are "
+            "taken for rectangles"),
       gives("corner-as-centre", read_as<corner_as_centre>,
             "the answer is right for a solid centred at the corner: the corner is taken for the centre"),
       gives("edges-transposed", read_as<edges_transposed>,

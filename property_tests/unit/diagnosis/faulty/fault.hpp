@@ -72,6 +72,7 @@ enum class Fault {
   open_sides,
   winding,
   last_side_missing,
+  last_side_missing_above,  ///< and a vertex on the point's level counts as above it
   convex_only,
   first_triangle,
   // box and parallelepiped

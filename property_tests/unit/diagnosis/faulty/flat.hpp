@@ -88,7 +88,8 @@ template <class T>
   const std::size_t all = fault == Fault::first_triangle ? 3 : v.size();
   int crossings = 0, windings = 0;
   bool left = false, right = false;
-  for (std::size_t i = 0; i < all - (fault == Fault::last_side_missing ? 1 : 0); ++i) {
+  const bool is_last_missing = fault == Fault::last_side_missing || fault == Fault::last_side_missing_above;
+  for (std::size_t i = 0; i < all - (is_last_missing ? 1 : 0); ++i) {
     const auto &a = v[i], &b = v[(i + 1) % all];
     const T side = (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
     left = left || side > 0;
@@ -97,6 +98,8 @@ template <class T>
     const bool lower = std::min(a.y, b.y) <= p.y, upper = p.y < std::max(a.y, b.y);
     bool is_level = lower && upper;
     if (fault == Fault::closed_sides) is_level = lower && p.y <= std::max(a.y, b.y);
+    if (fault == Fault::last_side_missing_above)
+      is_level = std::min(a.y, b.y) < p.y && p.y <= std::max(a.y, b.y);
     if (fault == Fault::open_sides) is_level = std::min(a.y, b.y) < p.y && upper;
     const bool is_right = b.y > a.y ? side >= 0 : side <= 0;  // the crossing lies at p.x or beyond
     if (!is_level || !is_right) continue;
