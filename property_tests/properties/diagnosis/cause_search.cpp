@@ -156,7 +156,7 @@ Diagnosis CauseSearch::best_model(const Indices& left) const {
 
 /// A model that fits single cases by chance must explain nearly all that fail, not only those that are left.
 bool CauseSearch::is_by_chance(const Hypothesis& one, const Indices& cases) const {
-  constexpr std::size_t few = 4, nearly_all = 90;
+  constexpr std::size_t few = 4, nearly_all = 80;
   return one.needs_all &&
          (cases.size() < few || 100 * cases.size() < nearly_all * examination_.failing_count());
 }

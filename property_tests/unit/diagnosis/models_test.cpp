@@ -184,6 +184,7 @@ const Foreseen foreseen_faults[] = {
     {"parallelepiped", "faces-as-rectangles"},
     {"triangle", "edges-loose-1e-5"},
     {"plane", "epsilon-1e-12"},
+    {"sphere", "type-epsilon"},
     {"point_in_polygon", "sides-loose-1e-3"},
     {"polygon", "sides-loose-1e-4"},
 };

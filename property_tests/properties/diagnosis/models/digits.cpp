@@ -121,8 +121,8 @@ std::optional<bool> is_right_to_length(const Case& one, const Answer& got, const
   for (std::size_t i = 0; i < numbers.size(); ++i)
     worst = std::max(worst, std::abs(numbers[i] - exactly[i]) * glm::length(asked->ray.direction));
   if (worst > 1.5 * length) return false;
-  const double rounding = (one.precision == Precision::float32 ? 0x1p-16 : 0x1p-44) * size_of_scene(one);
-  return worst > std::max(length / 32, rounding) ? std::optional(true) : std::nullopt;
+  const double of_float = 0x1p-16 * size_of_scene(one);  // which a double may have on its way, too
+  return worst > std::max(length / 1024, of_float) ? std::optional(true) : std::nullopt;
 }
 
 std::optional<bool> has_six_digits(const Case& /*one*/, const Answer& got, const Answer& exact) {

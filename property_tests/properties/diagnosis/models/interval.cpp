@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "properties/boundary.hpp"
 #include "properties/diagnosis/agreement.hpp"
@@ -108,6 +109,12 @@ std::vector<Case> interval_as_object_distances(const Case& one) {
 Answers drops(const Case& one, const Answer& exact, bool (*is_dropped)(double t)) {
   return without_hits(one, exact,
                       [is_dropped](const Ray<double>& /*ray*/, double t) { return is_dropped(t); });
+}
+
+Answers drops_below_epsilon(const Case& one, const Answer& exact) {
+  return in_precision(one.precision, [&]<class T>(T) {
+    return drops(one, exact, [](double t) { return t <= std::numeric_limits<T>::epsilon(); });
+  });
 }
 
 Answers open_at_t_min(const Case& one, const Answer& exact) {

@@ -42,6 +42,8 @@ template <int power>
 [[nodiscard]] Answers drops_below(const Case& one, const Answer& exact) {
   return drops(one, exact, [](double t) { return t < std::pow(10.0, power); });
 }
+/// Hits of t below the machine epsilon of the case's precision, which the interval admits, are left out.
+[[nodiscard]] Answers drops_below_epsilon(const Case& one, const Answer& exact);
 /// Hits of t beyond 10^power, which the interval admits, are left out.
 template <int power>
 [[nodiscard]] Answers drops_beyond(const Case& one, const Answer& exact) {

@@ -13,13 +13,17 @@ namespace rayproof::diagnosis {
 
 namespace {
 
-/// What is nearer than 10^power is taken to be at 0.
+/// What is nearer than that is taken to be at 0.
+Hypothesis epsilon(std::string_view name, Predict predict, std::string_view sentence) {
+  return of(OfSizes::small, gives(name, predict, sentence));
+}
+
 template <int... power>
-std::vector<Hypothesis> epsilons() {
-  return {of(
-      OfSizes::small,
-      gives(kept(fmt::format("epsilon-1e{}", power)), drops_below<power>,
-            kept(fmt::format("hits with t below about 1e{} are left out: an absolute epsilon", power))))...};
+void add_epsilons(std::vector<Hypothesis>& all) {
+  (all.push_back(
+       epsilon(kept(fmt::format("epsilon-1e{}", power)), drops_below<power>,
+               kept(fmt::format("hits with t below about 1e{} are left out: an absolute epsilon", power)))),
+   ...);
 }
 
 /// A limit of lengths: in a smaller scene nothing lies beyond it.
@@ -31,26 +35,36 @@ Hypothesis limit(int power, Predict predict) {
   return of(OfSizes::limit, made);
 }
 
-/// An iteration that stops at a fixed length.
 template <int... power>
-std::vector<Hypothesis> lengths() {
-  return {
-      shows(kept(fmt::format("stops-at-1e{}", power)), is_right_to_length<power>,
-            kept(fmt::format("every hit is right to about 1e{} in length, whatever the size of the scene: an "
-                             "iteration stops there",
-                             power)))...};
+void add_limits(std::vector<Hypothesis>& all) {
+  (all.push_back(limit(power, drops_beyond<power>)), ...);
+}
+
+/// An iteration that stops at a fixed length: any loss of digits is near to it in some cases.
+Hypothesis stop(int power, Recognise recognise) {
+  Hypothesis made = shows(kept(fmt::format("stops-at-1e{}", power)), recognise,
+                          kept(fmt::format("every hit is right to about 1e{} in length, whatever the size of "
+                                           "the scene: an iteration stops there",
+                                           power)));
+  made.needs_all = true;
+  return made;
 }
 
 template <int... power>
-std::vector<Hypothesis> limits() {
-  return {limit(power, drops_beyond<power>)...};
+void add_stops(std::vector<Hypothesis>& all) {
+  (all.push_back(stop(power, is_right_to_length<power>)), ...);
 }
 
 }  // namespace
 
 std::vector<Hypothesis> models_of_limits() {
-  std::vector<Hypothesis> all = epsilons<-15, -12, -10, -9, -8, -7, -6, -5, -4, -3, -2>();
-  for (const Hypothesis& one : limits<30, 20, 16, 15, 12, 10, 9, 8, 7, 6, 5, 4, 3, 2>()) all.push_back(one);
+  std::vector<Hypothesis> all{
+      epsilon("type-epsilon", drops_below_epsilon,
+              "hits with t below the machine epsilon of the type, 1.2e-7 or 2.2e-16, are left out: it is no "
+              "length"),
+  };
+  add_epsilons<-15, -12, -10, -9, -8, -7, -6, -5, -4, -3, -2>(all);
+  add_limits<30, 20, 16, 15, 12, 10, 9, 8, 7, 6, 5, 4, 3, 2>(all);
   return all;
 }
 
@@ -154,7 +168,7 @@ std::vector<Hypothesis> models_of_digits() {
             "the hits are off by a small share of the chord between them: the square root is approximated",
             rounding),
   };
-  for (const Hypothesis& one : lengths<-6, -5, -4, -3, -2, -1>()) all.push_back(one);
+  add_stops<-6, -5, -4, -3, -2, -1>(all);
   return all;
 }
 
