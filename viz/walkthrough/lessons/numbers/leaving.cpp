@@ -77,6 +77,41 @@ StageStep heights_step(const NumbersByName& n, const Sphere<double>& sphere, con
   return step;
 }
 
+/// The plane that touches the sphere at q.
+Items tangent_plane(const NumbersByName& n) {
+  const glm::dvec3 q = n.vector("q"), along = across(n.vector("n")),
+                   beside = glm::cross(n.vector("n"), along);
+  const double reach = 0.6 / n["bend"];
+  std::vector<glm::dvec3> corners;
+  for (const auto& [x, y] : {std::pair{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}})
+    corners.push_back(q + reach * (x * along + y * beside));
+  return {polygon(Role::nearest, corners, "touches it at q")};
+}
+
+/// What the next origin may be off round q, so near that the sphere is a plane: the box of its coordinates,
+/// and how far that reaches along the normal.
+void show_room(StageStep& step, const NumbersByName& n) {
+  const glm::dvec3 room = n.vector("room"), normal = n.vector("n"), along = across(normal),
+                   beside = glm::cross(normal, along);
+  step.is_apart = step.is_other_space = true;
+  step.magnification = 1 / glm::length(room);
+  const glm::dvec3 half = step.magnification * room;
+  StageItem box{.role = Role::nearest, .form = Form::solid, .label = "room"};
+  for (unsigned i = 0; i < 8; ++i)
+    box.points.push_back(half *
+                         glm::dvec3((i & 1U) != 0 ? 1 : -1, (i & 2U) != 0 ? 1 : -1, (i & 4U) != 0 ? 1 : -1));
+  box.faces = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
+  constexpr double wide = 1.4;
+  step.items = {polygon(Role::surface,
+                        {-wide * (along + beside), wide * (along - beside), wide * (along + beside),
+                         wide * (beside - along)},
+                        "the sphere"),
+                box, point(Role::nearest, {0, 0, 0}, "q")};
+  if (n.has("reach"))
+    step.items.push_back(arrow(Role::normal, {0, 0, 0}, step.magnification * n["reach"] * normal, "reach"));
+  step.view = {{}, 1.5};
+}
+
 }  // namespace
 
 Stage leaving_stage(const Case& one, const ReportCase& report_on) {
@@ -94,9 +129,15 @@ Stage leaving_stage(const Case& one, const ReportCase& report_on) {
                          return Items{arrow(Role::normal, n.vector("q"),
                                             n.vector("q") + 0.5 * sphere.radius * n.vector("n"), "n")};
                        }},
+                      {"bend", tangent_plane},
                       marked("o′", Role::exact)};
   Stage stage = composed_stage(report, walk, setting);
   stage.method = "spawn/proven";
+  for (std::size_t i = 0; i < walk.steps.size(); ++i) {
+    const NumbersByName n(walk, i);
+    if (n.has_vector("room") && !n.has("bend"))
+      show_room(stage.steps.at(i + 1), n);  // after the one that shows what is given
+  }
   stage.steps.push_back(heights_step(NumbersByName(walk, walk.steps.size() - 1), sphere, setting));
   stage.conclusion = "The offset pays for what rounding can have done, and for no more.";
   return stage;

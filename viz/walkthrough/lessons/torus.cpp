@@ -1,0 +1,126 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <rayproof/implicit/roots.hpp>
+#include <rayproof/implicit/torus.hpp>
+
+#include "viz/trace/numbers.hpp"
+#include "viz/walkthrough/bindings.hpp"
+#include "viz/walkthrough/compose.hpp"
+#include "viz/walkthrough/lessons.hpp"
+#include "viz/walkthrough/lessons/surface_setting.hpp"
+
+namespace rayproof::viz {
+namespace {
+
+constexpr implicit::Torus<double> torus{1.25, 0.5};
+
+Items torus_items() {
+  constexpr int around = 16, over = 6;  // more would make the page too large
+  constexpr double turn = 6.283185307179586;
+  const auto at = [](int i, int j) {
+    const double r = torus.major + torus.minor * std::cos(turn * j / over);
+    const double angle = turn * i / around;
+    return glm::dvec3(r * std::cos(angle), r * std::sin(angle), torus.minor * std::sin(turn * j / over));
+  };
+  Items items;
+  for (int i = 0; i < around; ++i) {
+    for (int j = 0; j < over; ++j)
+      items.push_back(polygon(Role::surface, {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)}));
+  }
+  return items;
+}
+
+/// The point where f is taken, from the centre; and the circle of radius R round which the torus lies.
+Items from_centre(const NumbersByName& n) {
+  constexpr int pieces = 48;
+  constexpr double turn = 6.283185307179586;
+  std::vector<glm::dvec3> circle;
+  for (int i = 0; i <= pieces; ++i)
+    circle.emplace_back(torus.major * std::cos(turn * i / pieces), torus.major * std::sin(turn * i / pieces),
+                        0);
+  const std::string p = n.has_vector("p_b") ? "p_b" : "p_a";
+  return {polyline(Role::edge, circle), segment(Role::normal, {0, 0, 0}, circle[pieces / 2], "R"),
+          arrow(Role::nearest, {0, 0, 0}, n.vector(p))};
+}
+
+/// The same point's height over the plane of that circle.
+Items height_over_circle(const NumbersByName& n) {
+  const glm::dvec3 p = n.vector(n.has_vector("p_b") ? "p_b" : "p_a");
+  return {segment(Role::nearest, {p.x, p.y, 0}, p, "z")};
+}
+
+Items both_points(const NumbersByName& n) {
+  return {point(Role::edge, n.vector("p_a"), "p_a"), point(Role::nearest, n.vector("p_b"), "p_b")};
+}
+
+template <class R>
+void close_in(const Ray<double>& given, double before, double behind) {
+  Ray<R> ray = convert<R>(given);
+  ray.origin = named("o", ray.origin);
+  ray.direction = named("d", ray.direction);
+  const implicit::Torus<double>& f = torus;
+  const auto value = [&](const char* point, const char* name, double t) {
+    step<R>(
+        Step(name, "f at a point of the ray: its sign says on which side of the surface the point lies."));
+    const vec3<R> p = named(point, point_at(ray, R(t)));
+    return f(p.x, p.y, p.z, R(1));
+  };
+  const R first = named("f(t_a)", value("p_a", "Take a point outside: f > 0", before));
+  const R second = named("f(t_b)", value("p_b", "Take a point inside: f < 0", behind));
+  step<R>(
+      "Guess where f changes its sign",
+      "f is continuous, so between both there is a root: t_s is where the straight line between them is 0.");
+  const R share = named("share", first / (first - second));
+  (void)named("t_s", R(before) + share * R(behind - before));
+}
+
+}  // namespace
+
+Stage torus_stage(const Case& one, const ReportCase& report_on) {
+  const CaseReport report = report_on(one, "");
+  const Ray<double>& ray = std::get<RayQuestion>(one.question).ray;
+  constexpr double before = 1, behind = 1.5;
+  const Walkthrough walk =
+      record(one.precision, [&]<class R>(std::type_identity<R>) { close_in<R>(ray, before, behind); });
+  Setting setting = surface_setting(report, torus_items(), 5.2);
+  setting.bindings = {
+      marked("p_a", Role::edge),
+      {"p_b", both_points},
+      {"Compare the distance from the centre with that of the circle", from_centre},
+      {"Add what the height above the circle's plane makes of it", height_over_circle},
+      {"t_s", [=](const NumbersByName& n) {
+         Items items = both_points(n);
+         items.push_back(point(Role::claimed, ray.origin + n.rounded("t_s") * ray.direction, "t_s"));
+         return items;
+       }}};
+  Stage stage = composed_stage(report, walk, setting);
+  stage.steps.front().title = "Look at the ray and the torus f = 0";
+  for (const char* const title : {"Take a point inside", "Guess"}) begin_anew(stage, title);
+  const implicit::Torus<float> rounded{static_cast<float>(torus.major), static_cast<float>(torus.minor)};
+  const auto roots = implicit::roots(convert<float>(ray), rounded);
+  StageStep step;
+  step.title = "Enclose all roots by intervals";
+  step.begins_anew = true;
+  step.view = setting.near;
+  step.caption =
+      fmt::format("Interval arithmetic says where f cannot be 0, and Newton steps shrink the rest: {} roots.",
+                  roots.size());
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    const double lo = static_cast<double>(roots[i].lo), hi = static_cast<double>(roots[i].hi);
+    step.caption +=
+        fmt::format(" t{} in [{}, {}].", subscript(i), shown(lo, one.precision), shown(hi, one.precision));
+    step.items.push_back(
+        point(Role::exact, ray.origin + 0.5 * (lo + hi) * ray.direction, "t" + subscript(i)));
+  }
+  stage.steps.push_back(std::move(step));
+  stage.steps.push_back(difference_of_values(walk, setting, one.precision));
+  stage.method = "implicit::roots";
+  stage.source = "D. P. Mitchell, Robust Ray Intersection with Interval Arithmetic, 1990";
+  stage.sentence.clear();
+  stage.conclusion =
+      "A change of sign proves a root; only interval arithmetic proves that there is no other.";
+  return stage;
+}
+
+}  // namespace rayproof::viz
