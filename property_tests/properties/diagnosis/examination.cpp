@@ -54,10 +54,9 @@ Examination::Examination(const Patient& patient, std::span<const Case> failing, 
 }
 
 std::vector<Examination::Known> Examination::ask(std::span<const Case> cases) const {
-  std::vector<std::optional<Answer>> answers = patient_.ask(cases);
+  const std::vector<std::optional<Answer>> answers = patient_.ask(cases);
   std::vector<Known> known;
-  for (std::size_t i = 0; i < cases.size(); ++i)
-    known.push_back({AnsweredCase(cases[i]), std::move(answers[i])});
+  for (std::size_t i = 0; i < cases.size(); ++i) known.push_back({AnsweredCase(cases[i]), answers[i]});
   return known;
 }
 

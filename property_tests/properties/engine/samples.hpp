@@ -82,6 +82,7 @@ class Samples {
 [[nodiscard]] inline std::vector<Case> in_turn(const std::vector<SeededCase>& cases, std::size_t most) {
   std::map<const Family*, std::size_t> seen;
   std::vector<std::pair<std::size_t, const SeededCase*>> order;
+  order.reserve(cases.size());
   for (const SeededCase& one : cases) order.emplace_back(seen[one.family]++, &one);
   std::ranges::stable_sort(order, {}, [](const auto& entry) { return entry.first; });
   std::vector<Case> all;

@@ -86,6 +86,7 @@ std::string not_judged(const Plan& plan, const Subject& guest, const Tally& tall
   }
   by_reason.erase("");
   std::vector<std::string> parts;
+  parts.reserve(by_reason.size() + 2);
   for (const auto& [reason, names] : by_reason)
     parts.push_back(fmt::format("{} ({})", fmt::join(names, ", "), reason));
   if (!guest.abilities.all_hits) parts.emplace_back("hits behind the nearest (none is given)");
@@ -173,6 +174,7 @@ GuestVerdict verdict_on_guests(const Plan& plan, const RunResult& result) {
     std::map<FindingKind, unsigned> kinds;
     for (const Finding& finding : result.findings) ++kinds[kind_of(finding)];
     std::vector<std::string> counts;
+    counts.reserve(kinds.size());
     for (const auto& [kind, count] : kinds) counts.push_back(fmt::format("{} {}", count, name_of(kind)));
     return {fmt::format("{} finding{}: {}", result.findings.size(), result.findings.size() == 1 ? "" : "s",
                         fmt::join(counts, ", ")),

@@ -69,7 +69,7 @@ std::string method_table(const std::string& head, const Summary& summary, const 
 std::string claims_table(const Summary& summary) {
   std::string head = heads({"cases"});
   for (const Property& property : properties())
-    head += fmt::format("<th class=\"claim\" title=\"{}\"><span>{}</span></th>", escaped(property.statement),
+    head += fmt::format(R"(<th class="claim" title="{}"><span>{}</span></th>)", escaped(property.statement),
                         escaped(property.name));
   std::string legend;
   for (const ClaimStatus status : statuses_in_legend)

@@ -91,6 +91,7 @@ std::string text_table(const Summary& summary) {
     if (std::exchange(last, row.subject) != row.subject)
       rows.push_back(line_of(*row.subject, summary.rows, claims));
   std::vector<std::string> legend;
+  legend.reserve(statuses_in_legend.size());
   for (const ClaimStatus status : statuses_in_legend)
     legend.push_back(fmt::format("{} {}", text_of(status).sign, text_of(status).words));
   return fmt::format("{}{}\n", in_columns(rows, 1, false), fmt::join(legend, "   "));

@@ -109,9 +109,10 @@ Stage normal_stage(const Case& one, const ReportCase& report_on) {
          return Items{arrow(Role::normal, n.vector("q"), n.vector("q") + 0.9 * n.vector("n"), "n = q")};
        }}};
   const Items unit_sphere{{Role::surface, Form::ellipsoid, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}};
-  setting.spaces = {{walk.steps.at(0).title, "In the object's own space:",
-                     [=](const NumbersByName& /*n*/) { return unit_sphere; }, as_it_is, on_unit_sphere},
-                    {walk.steps.at(2).title}};
+  setting.spaces = {
+      {walk.steps.at(0).title, "In the object's own space:",
+       [=](const NumbersByName& /*n*/) { return Items(unit_sphere); }, as_it_is, on_unit_sphere},
+      {walk.steps.at(2).title}};
   Stage stage = composed_stage(report, walk, setting);
   stage.method = "normal_to_world";
   // The tangent plane makes it plain which of the two stands upright.

@@ -16,7 +16,7 @@ template <std::floating_point P>
 [[nodiscard]] P turning_point(const Ray<P>& ray) {
   const auto largest = [](const vec3<P>& v) { return max(abs(v.x), max(abs(v.y), abs(v.z))); };
   const P apart = exponent(max(largest(ray.origin), P(1))) - exponent(largest(ray.direction));
-  constexpr P most = P(std::numeric_limits<P>::max_exponent / 2);
+  constexpr P most = P(int{std::numeric_limits<P>::max_exponent / 2});
   return scale_exponent(P(1), max(-most, min(most, apart + 2)));
 }
 

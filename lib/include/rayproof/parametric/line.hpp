@@ -22,9 +22,9 @@ struct Seen {
 template <std::floating_point P>
 struct Line {
   vec3<P> origin, direction;
-  int i, j, k;
+  int i = 1, j = 2, k = 0;
 
-  explicit Line(const Ray<P>& ray) : origin(ray.origin), direction(ray.direction), i(1), j(2), k(0) {
+  explicit Line(const Ray<P>& ray) : origin(ray.origin), direction(ray.direction) {
     const auto size = [&](int axis) { return abs(direction[axis]); };
     if (size(1) > size(0) && size(1) >= size(2)) k = 1;
     if (size(2) > size(0) && size(2) > size(1)) k = 2;

@@ -61,7 +61,7 @@ std::vector<Case> with_uniform_scale(const Case& one) {
 }
 
 std::vector<Case> bounds_in_world(const Case& one) {
-  const auto of_box = placed<Box<double>>(one, [](const Box<double>& box, const glm::dmat4& matrix) {
+  auto of_box = placed<Box<double>>(one, [](const Box<double>& box, const glm::dmat4& matrix) {
     const glm::dvec3 size = box.max - box.min;
     return bounds_of(matrix, box.min,
                      {glm::dvec3(size.x, 0, 0), glm::dvec3(0, size.y, 0), glm::dvec3(0, 0, size.z)});
