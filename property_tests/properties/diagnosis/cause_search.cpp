@@ -156,9 +156,9 @@ Diagnosis CauseSearch::best_model(const Indices& left) const {
 
 /// A model that fits single cases by chance must explain nearly all that fail, not only those that are left.
 bool CauseSearch::is_by_chance(const Hypothesis& one, const Indices& cases) const {
-  constexpr std::size_t few = 4, nearly_all = 80;
-  return one.needs_all &&
-         (cases.size() < few || 100 * cases.size() < nearly_all * examination_.failing_count());
+  constexpr std::size_t few = 4;
+  return one.least_share > 0 &&
+         (cases.size() < few || 100 * cases.size() < one.least_share * examination_.failing_count());
 }
 
 bool CauseSearch::is_contradicted(const Hypothesis& one, const Indices& cases) const {

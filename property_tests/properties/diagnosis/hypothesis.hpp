@@ -55,8 +55,8 @@ struct Hypothesis {
   /// The changed case is asked of a program that has been asked nothing before.
   bool is_asked_alone = false;
   bool speaks_of_all = false;  ///< of every form of a shape, whatever forms the failing cases have
-  /// It fits single cases by chance: it must explain nearly all of a sample.
-  bool needs_all = false;
+  /// Of what fits single cases by chance: the percentage of a sample that it must explain; else 0.
+  std::size_t least_share = 0;
   /// A cure that must help, too, in most of what a model explains; empty where none need be.
   std::string_view confirmed_by{};
   std::string_view of_equation{};  ///< the sentence where the cases are quadratic equations, if it is another

@@ -25,6 +25,15 @@ std::optional<bool> if_short(const Answer& got, const Answer& exact, IsShort&& i
   return std::ranges::all_of(numbers, is_short);
 }
 
+/// By how much the worst of the answer's numbers is off; nothing where it gives none, or more than there are.
+std::optional<double> largest_error(const Answer& got, const Answer& exact) {
+  const std::vector<double> numbers = numbers_in(got), exactly = numbers_in(exact);
+  if (numbers.empty() || numbers.size() > exactly.size()) return std::nullopt;
+  double worst = 0;
+  for (std::size_t i = 0; i < numbers.size(); ++i) worst = std::max(worst, std::abs(numbers[i] - exactly[i]));
+  return worst;
+}
+
 bool is_float(double x) { return !std::isfinite(x) || static_cast<double>(static_cast<float>(x)) == x; }
 
 /// Whether a hit is as far from the surface, or a wrong verdict from being right, as a float's rounding of
@@ -96,15 +105,13 @@ std::optional<bool> is_approximate(const Case& one, const Answer& got, const Ans
 }
 
 std::optional<bool> has_approximate_root(const Case& one, const Answer& got, const Answer& exact) {
-  const std::vector<double> numbers = numbers_in(got), exactly = numbers_in(exact);
   const RayQuestion* asked = ray_question(one);
-  if (asked == nullptr || numbers.empty() || numbers.size() > exactly.size()) return std::nullopt;
+  const std::optional<double> error = asked == nullptr ? std::nullopt : largest_error(got, exact);
+  if (!error) return std::nullopt;
   const HitList line = hits_of_line(one).hits;
   if (line.count < 2) return std::nullopt;
   const double half = (line.t[1] - line.t[0]) / 2;
-  double worst = 0;
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-    worst = std::max(worst, std::abs(numbers[i] - exactly[i]) / half);
+  const double worst = *error / half;
   // The textbook's discriminant loses this much of its root by rounding.
   const double far = 1 + size_of_scene(one) / (glm::length(asked->ray.direction) * half);
   const double rounding = (one.precision == Precision::float32 ? 0x1p-20 : 0x1p-48) * far * far;
@@ -114,12 +121,10 @@ std::optional<bool> has_approximate_root(const Case& one, const Answer& got, con
 
 std::optional<bool> is_right_to_length(const Case& one, const Answer& got, const Answer& exact,
                                        double length) {
-  const std::vector<double> numbers = numbers_in(got), exactly = numbers_in(exact);
   const RayQuestion* asked = ray_question(one);
-  if (asked == nullptr || numbers.empty() || numbers.size() > exactly.size()) return std::nullopt;
-  double worst = 0;
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-    worst = std::max(worst, std::abs(numbers[i] - exactly[i]) * glm::length(asked->ray.direction));
+  const std::optional<double> error = asked == nullptr ? std::nullopt : largest_error(got, exact);
+  if (!error) return std::nullopt;
+  const double worst = *error * glm::length(asked->ray.direction);
   if (worst > 1.5 * length) return false;
   const double of_float = 0x1p-16 * size_of_scene(one);  // which a double may have on its way, too
   return worst > std::max(length / 1024, of_float) ? std::optional(true) : std::nullopt;

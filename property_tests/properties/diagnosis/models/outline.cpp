@@ -158,11 +158,7 @@ Answers near_sides_inside(const Case& one, const Answer& exact, double tolerance
   if (finds_something(exact) || shape_in<Triangle<double>>(one) != nullptr) return {};
   const auto seen = point_and_outline(one);
   if (!seen || is_at_side(one.precision, seen->point, seen->vertices)) return {};
-  glm::dvec2 low = seen->vertices.front(), high = low;
-  for (const glm::dvec2& vertex : seen->vertices) {
-    low = glm::min(low, vertex);
-    high = glm::max(high, vertex);
-  }
+  const auto [low, high] = bounds_of(seen->vertices);
   const double near = tolerance * glm::length(high - low);
   if (sides_within(near, seen->point, seen->vertices) == 0) return {};
   if (ray_question(one) != nullptr) return hit_at(one, seen->t, true);

@@ -31,12 +31,17 @@ int windings(const glm::dvec2& point, const Outline& outline) {
   return passes(true) - passes(false);
 }
 
-bool is_in_bounds(const glm::dvec2& point, const Outline& outline) {
+std::pair<glm::dvec2, glm::dvec2> bounds_of(const Outline& outline) {
   glm::dvec2 low = outline.front(), high = low;
   for (const glm::dvec2& vertex : outline) {
     low = glm::min(low, vertex);
     high = glm::max(high, vertex);
   }
+  return {low, high};
+}
+
+bool is_in_bounds(const glm::dvec2& point, const Outline& outline) {
+  const auto [low, high] = bounds_of(outline);
   return low.x <= point.x && point.x <= high.x && low.y <= point.y && point.y <= high.y;
 }
 

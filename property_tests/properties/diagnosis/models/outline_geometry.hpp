@@ -3,6 +3,7 @@
 /// A point and a closed outline in the plane, as the models of faults need them: in doubles.
 
 #include <glm/vec2.hpp>
+#include <utility>
 
 #include "properties/diagnosis/models/plane_hit.hpp"
 
@@ -41,6 +42,8 @@ template <class Counts>
 /// How often the outline winds round the point.
 [[nodiscard]] int windings(const glm::dvec2& point, const Outline& outline);
 
+/// The bounding box of the outline: its lower and its upper corner.
+[[nodiscard]] std::pair<glm::dvec2, glm::dvec2> bounds_of(const Outline& outline);
 [[nodiscard]] bool is_in_bounds(const glm::dvec2& point, const Outline& outline);
 
 /// Whether all sides turn one way round the point.

@@ -1,6 +1,8 @@
 /// \file
 /// Faults with planes, triangles and polygons.
 
+#include <fmt/format.h>
+
 #include "properties/diagnosis/models/flat.hpp"
 #include "properties/diagnosis/models/outline.hpp"
 #include "properties/diagnosis/models/plane_hit.hpp"
@@ -8,6 +10,26 @@
 #include "properties/diagnosis/registry/lines.hpp"
 
 namespace rayproof::diagnosis {
+namespace {
+
+template <int power>
+Hypothesis loose_edges(FindingKind kind = gross) {
+  return gives(
+      kept(fmt::format("edges-loose-1e{}", power)), edges_with_tolerance<power>,
+      kept(fmt::format("hits beside the triangle by barycentric coordinates of -1e{} count, too: a tolerance",
+                       power)),
+      kind);
+}
+
+template <int power>
+Hypothesis loose_sides() {
+  return gives(kept(fmt::format("sides-loose-1e{}", power)), near_sides_inside<power>,
+               kept(fmt::format("what lies nearer to a side than about 1e{} of the polygon's size is said to "
+                                "be inside: a tolerance",
+                                power)));
+}
+
+}  // namespace
 
 std::vector<Hypothesis> models_of_projections() {
   return {
@@ -46,21 +68,13 @@ std::vector<Hypothesis> models_of_flat_figures() {
             "the edge ca is not tested: beta >= 0 is missing"),
       gives("edge-c-not-tested", read_as<without_edge_opposite<2>>,
             "the edge ab is not tested: gamma >= 0 is missing"),
-      gives("edges-loose-1e-10", edges_with_tolerance<-10>,
-            "hits beside the triangle by barycentric coordinates of -1e-10 count, too: a tolerance",
-            boundary),
-      gives("edges-loose-1e-8", edges_with_tolerance<-8>,
-            "hits beside the triangle by barycentric coordinates of -1e-8 count, too: a tolerance", boundary),
-      gives("edges-loose-1e-6", edges_with_tolerance<-6>,
-            "hits beside the triangle by barycentric coordinates of -1e-6 count, too: a tolerance", boundary),
-      gives("edges-loose-1e-5", edges_with_tolerance<-5>,
-            "hits beside the triangle by barycentric coordinates of -1e-5 count, too: a tolerance"),
-      gives("edges-loose-1e-4", edges_with_tolerance<-4>,
-            "hits beside the triangle by barycentric coordinates of -1e-4 count, too: a tolerance"),
-      gives("edges-loose-1e-3", edges_with_tolerance<-3>,
-            "hits beside the triangle by barycentric coordinates of -1e-3 count, too: a tolerance"),
-      gives("edges-loose-1e-2", edges_with_tolerance<-2>,
-            "hits beside the triangle by barycentric coordinates of -1e-2 count, too: a tolerance"),
+      loose_edges<-10>(boundary),
+      loose_edges<-8>(boundary),
+      loose_edges<-6>(boundary),
+      loose_edges<-5>(),
+      loose_edges<-4>(),
+      loose_edges<-3>(),
+      loose_edges<-2>(),
       misses_zero("edge-a-open", open_at_edge<0>,
                   "hits on the edge bc are left out: alpha > 0 is asked, and must be alpha >= 0"),
       misses_zero("edge-b-open", open_at_edge<1>,
@@ -151,18 +165,10 @@ std::vector<Hypothesis> models_of_flat_figures() {
             "inside is what lies in a triangle of the fan from the first vertex: the polygon is taken for "
             "convex"),
       gives("inside-out", inside_out, "inside is called outside, and outside inside"),
-      gives("sides-loose-1e-5", near_sides_inside<-5>,
-            "what lies nearer to a side than about 1e-5 of the polygon's size is said to be inside: a "
-            "tolerance"),
-      gives("sides-loose-1e-4", near_sides_inside<-4>,
-            "what lies nearer to a side than about 1e-4 of the polygon's size is said to be inside: a "
-            "tolerance"),
-      gives("sides-loose-1e-3", near_sides_inside<-3>,
-            "what lies nearer to a side than about 1e-3 of the polygon's size is said to be inside: a "
-            "tolerance"),
-      gives("sides-loose-1e-2", near_sides_inside<-2>,
-            "what lies nearer to a side than about 1e-2 of the polygon's size is said to be inside: a "
-            "tolerance"),
+      loose_sides<-5>(),
+      loose_sides<-4>(),
+      loose_sides<-3>(),
+      loose_sides<-2>(),
       gives("bounding-box", inside_by<InsideRule::bounds>, "the whole bounding box of the polygon is hit"),
   };
 }

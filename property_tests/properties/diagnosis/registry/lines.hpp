@@ -29,7 +29,7 @@ inline constexpr auto rounding = FindingKind::rounding;
 [[nodiscard]] constexpr Hypothesis gives_to_all(std::string_view name, Predict predict,
                                                 std::string_view sentence) {
   Hypothesis made = gives(name, predict, sentence);
-  made.needs_all = true;
+  made.least_share = 90;
   return made;
 }
 
