@@ -1,5 +1,6 @@
 #include <cstdlib>
 #include <rayproof/batch/kernels.hpp>
+#include <rayproof/objects/kernels.hpp>
 #include <rayproof/spawn/kernels.hpp>
 #include <stdexcept>
 #include <string>
@@ -43,6 +44,16 @@ InstructionSet choose() {
                            choices);
 }
 
+/// What `table` gives for a set that is available.
+template <class Table>
+decltype(auto) of_set([[maybe_unused]] InstructionSet set, const Table& table) {
+#ifdef RAYPROOF_X86
+  if (set == InstructionSet::avx2) return table.template operator()<InstructionSet::avx2>();
+  if (set == InstructionSet::avx512) return table.template operator()<InstructionSet::avx512>();
+#endif
+  return table.template operator()<InstructionSet::baseline>();
+}
+
 }  // namespace
 
 std::string_view name_of(InstructionSet set) {
@@ -61,19 +72,13 @@ InstructionSet preferred_instruction_set() {
 }
 
 const batch::KernelTable& batch::kernel_table(InstructionSet set) {
-#ifdef RAYPROOF_X86
-  if (set == InstructionSet::avx2) return built_table<InstructionSet::avx2>();
-  if (set == InstructionSet::avx512) return built_table<InstructionSet::avx512>();
-#endif
-  return built_table<InstructionSet::baseline>();
+  return of_set(set, []<InstructionSet built>() -> const KernelTable& { return built_table<built>(); });
 }
-
 const spawn::KernelTable& spawn::kernel_table(InstructionSet set) {
-#ifdef RAYPROOF_X86
-  if (set == InstructionSet::avx2) return built_table<InstructionSet::avx2>();
-  if (set == InstructionSet::avx512) return built_table<InstructionSet::avx512>();
-#endif
-  return built_table<InstructionSet::baseline>();
+  return of_set(set, []<InstructionSet built>() -> const KernelTable& { return built_table<built>(); });
+}
+const objects::KernelTable& objects::kernel_table(InstructionSet set) {
+  return of_set(set, []<InstructionSet built>() -> const KernelTable& { return built_table<built>(); });
 }
 
 }  // namespace rayproof

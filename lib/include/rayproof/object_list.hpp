@@ -10,9 +10,11 @@
 /// assert(hit && hit->index == 0 && hit->t == 4 && hit->normal.z == -1);
 /// \endcode
 ///
-/// One object is tested after the other, in the order of their shapes: of many an ObjectTree asks only the
-/// few near the ray (object_tree.hpp).
+/// The ray is tested against all objects: against spheres, triangles, boxes and parallelepipeds in packs, as
+/// many at once as the processor has lanes, against the others one after the other. Of many an ObjectTree
+/// asks only the few near the ray (object_tree.hpp).
 
+#include <rayproof/objects/object_group.hpp>
 #include <rayproof/objects/search.hpp>
 
 namespace rayproof {
@@ -47,58 +49,64 @@ class ObjectList {
 
   /// The nearest hit in the ray's interval; of several at one t, that of the object added first.
   [[nodiscard]] std::optional<HitRecord<T>> nearest(const Ray<T>& ray) const {
-    return objects::nearest_of<Choice>(ray, visit());
+    return objects::nearest_of<Choice>(ray, near(ray));
   }
   /// Whether anything is hit in the ray's interval: what a shadow ray asks.
-  [[nodiscard]] bool any(const Ray<T>& ray) const { return objects::any_of<Choice>(ray, visit()); }
+  [[nodiscard]] bool any(const Ray<T>& ray) const { return objects::any_of<Choice>(ray, near(ray)); }
   /// Every hit in the ray's interval, ascending; of a solid both, of a tangent one.
   [[nodiscard]] std::vector<HitRecord<T>> all(const Ray<T>& ray) const {
-    return objects::all_of<Choice>(ray, visit());
+    return objects::all_of<Choice>(ray, [this](const auto& meet) { this->for_each(meet); });
   }
 
   /// Calls `meet(object)` for each object in the order of the shapes, until that gives NaN.
   template <class Meet>
   void for_each(const Meet& meet) const {
     const auto is_over = [&](const auto& object) { return std::isnan(meet(object)); };
-    std::apply([&](const auto&... vectors) { (std::ranges::any_of(vectors, is_over) || ...); }, objects_);
+    std::apply([&](const auto&... groups) { (std::ranges::any_of(groups.objects(), is_over) || ...); },
+               groups_);
   }
   /// Calls `meet(object)` for the n-th object in that order, and gives back its answer; n counts from 0.
   template <class Meet>
   [[nodiscard]] T meet_nth(std::size_t n, const Meet& meet) const {
     T answer{};
-    const auto is_in = [&](const auto& vector) {
-      const bool is_here = n < vector.size();
+    const auto is_in = [&](const auto& group) {
+      const std::size_t size = group.objects().size();
+      const bool is_here = n < size;
       if (is_here)
-        answer = meet(vector[n]);
+        answer = meet(group.objects()[n]);
       else
-        n -= vector.size();
+        n -= size;
       return is_here;
     };
-    std::apply([&](const auto&... vectors) { (is_in(vectors) || ...); }, objects_);
+    std::apply([&](const auto&... groups) { (is_in(groups) || ...); }, groups_);
     return answer;
   }
 
  private:
-  using Objects = decltype(objects::vectors_of_all<T>(Topics{}));
+  using Groups = decltype(objects::groups_of_all<T>(Topics{}));
 
   template <class Shape>
   std::size_t add_at(Shape shape, const std::optional<ObjectSpace<T>>& space) {
-    static_assert(objects::holds<Shape>(static_cast<const Objects*>(nullptr)),
+    static_assert(objects::holds<Shape>(static_cast<const Groups*>(nullptr)),
                   "an object is a shape of this library, of the list's own arithmetic: Sphere<float>, say");
-    std::apply([&](auto&... vectors) { (add_if_of(vectors, shape, space), ...); }, objects_);
+    std::apply([&](auto&... groups) { (add_if_of(groups, shape, space), ...); }, groups_);
     return size_++;
   }
-  template <class Object, class Shape>
-  void add_if_of(std::vector<Object>& objects, const Shape& shape,
-                 const std::optional<ObjectSpace<T>>& space) {
-    if constexpr (std::is_same_v<typename Object::Shape, Shape>) objects.push_back({shape, space, size_});
+  template <class Group, class Shape>
+  void add_if_of(Group& group, const Shape& shape, const std::optional<ObjectSpace<T>>& space) {
+    if constexpr (std::is_same_v<typename Group::Shape, Shape>) group.add({shape, space, size_});
   }
 
-  [[nodiscard]] auto visit() const {
-    return [this](const auto& meet) { this->for_each(meet); };
+  /// Those that the ray may meet first, for objects/search.hpp.
+  [[nodiscard]] auto near(const Ray<T>& ray) const {
+    return [this, &ray](const auto& meet) {
+      T t_max = infinity<T>;
+      std::apply([&](const auto&... groups) { (groups.template visit<Choice>(ray, t_max, meet), ...); },
+                 groups_);
+    };
   }
 
-  Objects objects_{};
+  Groups groups_{};
   std::size_t size_ = 0;
 };
 

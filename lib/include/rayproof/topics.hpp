@@ -17,7 +17,9 @@
 namespace rayproof {
 
 /// Every topic the library has methods for. A topic has a `name`, a `robust_bound`, the list `Methods`, and
-/// `Problem<T>`; one with `is_batched` has its methods built as batch kernels, too.
+/// `Problem<T>`; one with `is_batched` has its methods built as batch kernels, too. One with `has_columns`,
+/// whose shape is numbers of type T and nothing else, has kernels for one ray and many shapes
+/// (objects/kernels.hpp).
 using Topics = TypeList<quadratic::Topic,         //
                         point_in_polygon::Topic,  //
                         plane::Topic,             //
@@ -32,6 +34,12 @@ using Topics = TypeList<quadratic::Topic,         //
 template <class Topic>
 inline constexpr bool is_batched = requires {
   requires Topic::is_batched;
+};
+
+/// Whether many of its shapes are met by one ray in packs.
+template <class Topic>
+inline constexpr bool has_columns = requires {
+  requires Topic::has_columns;
 };
 
 }  // namespace rayproof

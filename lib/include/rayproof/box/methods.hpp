@@ -15,6 +15,7 @@ struct Topic : RayTopic<Box> {
   static constexpr const char* name = "box";
   static constexpr double robust_bound = box_robust_bound;
   static constexpr bool is_batched = true;
+  static constexpr bool has_columns = true;
   using Methods = TypeList<Slabs, SlabsInverse, Padded, Rounded, PrintedSlabs>;
   using Plain = Slabs;
   using Exact = Rounded;

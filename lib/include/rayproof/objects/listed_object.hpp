@@ -7,7 +7,6 @@
 #include <rayproof/topics.hpp>
 #include <rayproof/transform.hpp>
 #include <tuple>
-#include <vector>
 
 namespace rayproof {
 
@@ -47,23 +46,6 @@ struct ListedObject {
     return hit;
   }
 };
-
-template <class Topic, class T, template <class> class Shape>
-auto vectors_of(const RayTopic<Shape>* /*topic*/)
-    -> std::tuple<std::vector<ListedObject<Topic, Shape<T>, T>>>;
-template <class Topic, class T>
-auto vectors_of(const void* /*no shape*/) -> std::tuple<>;
-
-/// Whether a list of these vectors has one for the shape.
-template <class Shape, class... Vectors>
-constexpr bool holds(const std::tuple<Vectors...>* /*vectors*/) {
-  return (std::is_same_v<typename Vectors::value_type::Shape, Shape> || ...);
-}
-
-/// A vector for each shape of the topics.
-template <class T, class... Topics>
-auto vectors_of_all(TypeList<Topics...>)
-    -> decltype(std::tuple_cat(vectors_of<Topics, T>(static_cast<const Topics*>(nullptr))...));
 
 }  // namespace objects
 

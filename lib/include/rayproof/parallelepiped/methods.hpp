@@ -13,6 +13,7 @@ struct Topic : RayTopic<Parallelepiped> {
   static constexpr const char* name = "parallelepiped";
   static constexpr double robust_bound = parallelepiped_robust_bound;
   static constexpr bool is_batched = true;
+  static constexpr bool has_columns = true;
   using Methods = TypeList<FacePlanes, UnitCube, Rounded>;
   using Plain = FacePlanes;
   using Exact = Rounded;

@@ -19,6 +19,7 @@ struct Topic : RayTopic<Sphere> {
   static constexpr const char* name = "sphere";
   static constexpr double robust_bound = sphere_robust_bound;
   static constexpr bool is_batched = true;
+  static constexpr bool has_columns = true;
   using Methods = TypeList<Textbook, HalfB, Stable, Centred, Compensated, Rounded, Printed2ac, PrintedHalfB,
                            PrintedUnitDirection>;
   using Plain = Centred;

@@ -19,6 +19,7 @@ struct Topic : RayTopic<Triangle> {
   static constexpr const char* name = "triangle";
   static constexpr double robust_bound = triangle_robust_bound;
   static constexpr bool is_batched = true;
+  static constexpr bool has_columns = true;
   using Methods = TypeList<Cramer, PlaneProjection, MollerTrumbore, Woop, Pluecker, Rounded,
                            PrintedParallelogram, PrintedLambda2, PrintedXy>;
   using Plain = Woop;
