@@ -44,7 +44,7 @@ auto meet_shape(const Ray<N>& ray, const Shape<N>& shape) {
 
 /// In packs, flat, since a pack that is handed to a function out of line goes through memory.
 template <class Method, bool is_in_world, template <class> class Shape, class T>
-RAYPROOF_FLAT Nearest<T> meet_all(const Many<RayProblem<Shape, T>>& given, T* out) {
+RAYPROOF_FLAT LeastHit<T> meet_all(const Many<RayProblem<Shape, T>>& given, T* out) {
   using All = Many<RayProblem<Shape, T>>;
   constexpr std::size_t space_numbers = is_in_world ? All::space_numbers : 0;
   const All in = given;  // its own copy: nothing that is written can change it

@@ -74,7 +74,13 @@ int main(int argc, char** argv) {
   options.settings.count_labels = !options.has_guests();
   try {
     if (options.campaign) return check::run_campaign(options);
-    return options.replay.empty() ? run(options) : replay_file(options.replay);
+    if (options.replay.empty()) return run(options);
+    if (options.has_guests())
+      throw std::runtime_error(
+          "--replay asks whoever a finding names, and of a bare case the library's own methods: leave "
+          "--subject and "
+          "--subject-command out, or give the cases as --corpus FILE");
+    return replay_file(options.replay);
   } catch (const std::runtime_error& trouble) {
     fmt::print(stderr, "rayproof check: {}\n", trouble.what());
   }

@@ -60,20 +60,21 @@ PixelBox slide_scene_of(const StageStep& step) {
   return scene;
 }
 
-std::vector<LegendEntry> legend_of(const std::vector<ShownItem>& shown) {
+std::vector<LegendEntry> legend_of(const Stage& stage, const std::vector<ShownItem>& shown) {
+  const bool is_equation = std::holds_alternative<Quadratic<double>>(stage.one.question);
   struct Sign {
     Role role;
     const char* mark;  ///< the word on a point; of the others, the mark names itself by its label
     const char* line;
   };
-  static constexpr std::array<Sign, 8> signs{{{Role::ray, nullptr, "ray"},
-                                              {Role::surface, nullptr, "surface"},
-                                              {Role::edge, nullptr, "edge, part"},
-                                              {Role::normal, nullptr, "normal"},
-                                              {Role::nearest, "nearest, picked out", "picked out"},
-                                              {Role::exact, "exact", "exact"},
-                                              {Role::claimed, "as computed", "as computed"},
-                                              {Role::muted, nullptr, "earlier step"}}};
+  const std::array<Sign, 8> signs{{{Role::ray, nullptr, is_equation ? "x axis" : "ray"},
+                                   {Role::surface, nullptr, is_equation ? "the curve" : "surface"},
+                                   {Role::edge, nullptr, "construction"},
+                                   {Role::normal, nullptr, "normal"},
+                                   {Role::nearest, "nearest, key point", "key point"},
+                                   {Role::exact, "exact", "exact"},
+                                   {Role::claimed, "as computed", "as computed"},
+                                   {Role::muted, nullptr, "earlier step"}}};
   std::vector<LegendEntry> legend;
   for (const Sign& sign : signs) {
     bool has_mark = false, has_line = false;
@@ -95,10 +96,10 @@ Element legend_sign(const LegendEntry& entry, const Point& at) {
   return PixelLine{entry.role, {{at.x - 9, at.y}, {at.x + 9, at.y}}, 2.6};
 }
 
-void draw_legend(Picture& picture, const std::vector<ShownItem>& shown) {
+void draw_legend(Picture& picture, const Stage& stage, std::size_t step) {
   double x = slide_margin;
   const double y = slide_height - 16;
-  for (const LegendEntry& entry : legend_of(shown)) {
+  for (const LegendEntry& entry : legend_of(stage, shown_in(stage, step))) {
     picture.elements.push_back(legend_sign(entry, {x + 6, y - 4}));
     add_text(picture, Role::muted, {x + 20, y}, entry.text, 12);
     x += 20 + text_width(entry.text, 12) + 18;
@@ -120,7 +121,7 @@ Picture slide_frame(const Stage& stage, std::size_t number, const std::string& s
   if (step.is_apart && step.magnification != 1) {
     picture.elements.emplace_back(Text{Role::muted,
                                        {scene.left, scene.bottom() - 4},
-                                       scale_in_words(step.magnification),
+                                       scale_in_words(enlargement(stage.steps.front(), step)),
                                        Anchor::start,
                                        13});
   }

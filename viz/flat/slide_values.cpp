@@ -49,7 +49,8 @@ std::vector<ValueLine> lines_of(const StageValue& value, const Stage& stage, Det
     lines.front().is_name = true;
     return lines;
   }
-  const std::string head = value.name + (has_formula(value) ? " = " + text_of(value.formula) : "");
+  const std::string formula = formula_beside_name(value);
+  const std::string head = value.name + (formula.empty() ? "" : " = " + formula);
   const auto heads = wrapped(head, value_width, name_size * bold_width);
   const bool is_whole = detail == Detail::full && heads.size() < 4;
   lines.push_back(

@@ -34,7 +34,7 @@ inline constexpr PixelBox slide_scene{slide_margin, 60, 596, 368};
                                   const PixelBox& scene);
 
 /// The words on the roles, along a slide's lower border.
-void draw_legend(Picture& picture, const std::vector<ShownItem>& shown);
+void draw_legend(Picture& picture, const Stage& stage, std::size_t step);
 
 /// A word on a role.
 struct LegendEntry {
@@ -42,8 +42,8 @@ struct LegendEntry {
   bool is_mark;  ///< a mark, else a line
   const char* text;
 };
-/// The words on the roles that are among the items.
-[[nodiscard]] std::vector<LegendEntry> legend_of(const std::vector<ShownItem>& shown);
+/// The words on the roles that are among the items of a stage.
+[[nodiscard]] std::vector<LegendEntry> legend_of(const Stage& stage, const std::vector<ShownItem>& shown);
 
 /// The mark, or a short line, around a place.
 [[nodiscard]] Element legend_sign(const LegendEntry& entry, const Point& at);

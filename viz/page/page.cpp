@@ -26,7 +26,7 @@ std::string legend(const Stage& stage) {
     const std::vector<ShownItem> shown = shown_in(stage, i);
     all.insert(all.end(), shown.begin(), shown.end());
   }
-  for (const LegendEntry& entry : legend_of(all)) {
+  for (const LegendEntry& entry : legend_of(stage, all)) {
     html += fmt::format("<li><svg width=\"22\" height=\"16\" aria-hidden=\"true\">{}</svg>{}</li>\n",
                         to_svg(legend_sign(entry, {11, 8})), entry.text);
   }

@@ -37,7 +37,7 @@ std::string numbers_in_terms(const Formula& put_in) {
 std::string equation(const StageValue& value, Precision precision) {
   const auto part = [](const std::string& html) { return fmt::format("<span>= {}</span> ", html); };
   std::string html = math_ml(named_formula(value.name)) + " ";
-  if (has_formula(value)) {
+  if (!formula_beside_name(value).empty()) {
     html += part(in_terms(value.formula));
     if (value.put_in != nullptr && text_of(value.put_in) != text_of(value.formula))
       html += part(numbers_in_terms(value.put_in));

@@ -61,7 +61,7 @@ Json steps(const Stage& stage) {
     if (step.begins_anew) one["anew"] = true;
     if (step.is_apart) {
       one["magnification"] = json_number(step.magnification);
-      one["scale"] = scale_in_words(step.magnification);
+      one["scale"] = scale_in_words(enlargement(stage.steps.front(), step));
     }
     all.push_back(one);
   }

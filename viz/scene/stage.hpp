@@ -100,6 +100,11 @@ struct StageStep {
   bool begins_anew = false;
 };
 
+/// How much larger than the stage's first step a step shows the world.
+[[nodiscard]] inline double enlargement(const StageStep& first, const StageStep& step) {
+  return step.magnification / first.magnification * first.view.radius / step.view.radius;
+}
+
 /// A number that lives on the slider: a polynomial in t, or in x where the slider moves along an x axis.
 struct StageReadout {
   std::string label;                   ///< "|p − C|² − r²"

@@ -46,7 +46,7 @@ Figure sphere_figure(const Sight& sight) {
     figure.grid.push_back(great_circle(world, sphere, axes[i], axes[(i + 1) % 3]));
   }
   figure.borders = {border_of(sight, sphere)};
-  figure.labels = {{"C", figure.ellipsoid.front()}};
+  figure.labels = {{sight.question.transform ? "M·C" : "C", figure.ellipsoid.front()}};
   return figure;
 }
 

@@ -53,12 +53,13 @@ std::string in_words(const PrecisionLoss& loss) {
   // Of "dot(n, p − o)" a reader would take the difference in it for what cancels.
   if (loss.effect == "cancels" && loss.formula.starts_with("dot(") &&
       loss.formula.find(')') + 1 == loss.formula.size())
-    return fmt::format(
-        "the sum in {}, whose terms are nearly equal but for their signs, cancels {:.0f} of {} bits",
-        loss.formula, loss.bits_lost_here, loss.digits);
+    return fmt::format("the sum in {}, whose terms nearly cancel, loses {:.0f} of {} bits", loss.formula,
+                       loss.bits_lost_here, loss.digits);
   const std::string what = loss.formula.size() <= longest
                                ? fmt::format("the {} {}", loss.kind, loss.formula)
                                : fmt::format("{} {}", is_vowel ? "an" : "a", loss.kind);
+  if (loss.effect == "cancels")
+    return fmt::format("{} loses {:.0f} of {} bits by cancellation", what, loss.bits_lost_here, loss.digits);
   return fmt::format("{} {} {:.0f} of {} bits", what, loss.effect, loss.bits_lost_here, loss.digits);
 }
 

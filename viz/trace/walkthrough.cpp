@@ -156,7 +156,8 @@ Walkthrough walkthrough_of(const Tape& tape, const Ending& ending, Precision pre
 
 std::string verdict_sentence(const Walkthrough& walk) {
   if (walk.outcome == Faithfulness::faithful) {
-    return "Rounding changed the result of the formula by a few ulps at most.";
+    return std::isfinite(walk.lo) ? "Rounding changed the result of the formula by a few ulps at most."
+                                  : "Rounding is not to blame.";
   }
   const std::string consequence =
       walk.outcome == Faithfulness::flipped

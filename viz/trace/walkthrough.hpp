@@ -26,7 +26,7 @@ struct PrecisionLoss {
   int digits = 24;            ///< of the result's own format: a float kernel may compute a part in double
 };
 
-/// "the subtraction b·b − 4·a·c cancels 22 of 24 bits"
+/// "the subtraction b·b − 4·a·c loses 22 of 24 bits by cancellation"
 [[nodiscard]] std::string in_words(const PrecisionLoss& loss);
 
 /// The same as a sentence; empty for no loss.
@@ -87,7 +87,7 @@ struct Walkthrough {
       worst_loss{};  ///< the operation that lost most, whether or not the answer hangs on it
 };
 
-/// "In step 'Form the discriminant' the subtraction b·b − 4·a·c cancels 22 of 24 bits: …", or that rounding
+/// "In step 'Form the discriminant' the subtraction b·b − 4·a·c loses 22 of 24 bits by cancellation: …", or that rounding
 /// changed little.
 [[nodiscard]] std::string verdict_sentence(const Walkthrough& walk);
 

@@ -22,7 +22,7 @@ Rgb mean_of_four(const Raster& raster, int x, int y) {
 Raster SlideCanvas::draw(const Stage& stage, std::size_t step, bool is_fine) {
   const PixelBox scene = slide_scene_of(stage.steps.at(step));
   Picture sheet = slide_frame(stage, step, stage.title, scene);
-  draw_legend(sheet, shown_in(stage, step));
+  draw_legend(sheet, stage, step);
   return canvas_.draw(sheet, {{&stage, step, scene}}, width_ / slide_width, is_fine);
 }
 

@@ -74,8 +74,7 @@ Stage case_views(const CaseReport& report) {
   }
   stage.steps = {near};
   if (is_much_larger) stage.steps.push_back(whole);
-  const double enlarged =
-      magnified.magnification / near.magnification * near.view.radius / magnified.view.radius;
+  const double enlarged = enlargement(near, magnified);
   const bool are_equal = report.claim() != nullptr && !values_of(&report.exact).empty() &&
                          !verdicts_differ(&report.exact, report.claim()) &&
                          worst_ulps(&report.exact, report.claim(), report.one.precision) == 0;

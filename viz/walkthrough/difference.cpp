@@ -58,8 +58,14 @@ Items surface_at_hit(const glm::dvec3& normal, const Setting& setting) {
   return items;
 }
 
-/// The curve at a root, its slope not to scale.
+/// The curve at a root, its slope not to scale; at a double root it touches the axis.
 Items curve_at_root(const Quadratic<double>& q, double root, const Setting& setting) {
+  if (q.b * q.b == 4 * q.a * q.c) {
+    std::vector<glm::dvec3> arc;
+    for (double x = -3.4; x <= 3.4; x += 0.2)
+      arc.push_back(x * setting.camera.right + std::copysign(0.1 * x * x, q.a) * setting.camera.up);
+    return {polyline(Role::surface, arc)};
+  }
   const double slope = 2 * q.a * root + q.b < 0 ? -0.5 : 0.5;
   const glm::dvec3 end = 3.4 * (setting.camera.right + slope * setting.camera.up);
   return {segment(Role::surface, -end, end)};
@@ -79,7 +85,9 @@ void magnify(StageStep& step, const CaseReport& report, const ValuePair& pair, c
   step.is_apart = true;
   step.magnification = 1 / (unit * speed);
   const auto* answer = std::get_if<RayAnswer>(&report.exact);
-  if (answer != nullptr && answer->normal && pair.rank == 0)
+  // From farther off a surface is not level.
+  const bool is_level = unit * speed < 0.02 * setting.near.radius;
+  if (answer != nullptr && answer->normal && pair.rank == 0 && is_level)
     step.items = surface_at_hit(*answer->normal, setting);
   if (const auto* q = std::get_if<Quadratic<double>>(&report.one.question))
     step.items = curve_at_root(*q, pair.exact, setting);
@@ -91,7 +99,7 @@ void magnify(StageStep& step, const CaseReport& report, const ValuePair& pair, c
   if (gap > unit / 2) {
     const glm::dvec3 above = 0.5 * setting.camera.up;
     step.items.push_back(
-        segment(Role::nearest, above, magnifier.at(pair.claimed) + above, "off by " + rough(gap * speed, 2)));
+        segment(Role::nearest, above, magnifier.at(pair.claimed) + above, "off by " + rough(gap, 2)));
   }
   const std::string name = symbol + subscript(pair.rank);
   step.items.push_back(point(Role::exact, {0, 0, 0}, name + " exact"));
@@ -100,13 +108,15 @@ void magnify(StageStep& step, const CaseReport& report, const ValuePair& pair, c
   step.view = {glm::dvec3(0), (magnified_reach + 0.1) / view_aspect};
 }
 
-/// "The computed t₀ is off by 2 ulps: exact 4.87997734 (to 53 bits), computed 4.8799777 (float32)."
+/// "The computed t₀ is off by 2 ulps, counted from the exact one correctly rounded: exact 4.87997734 (to 53
+/// bits), computed 4.8799777 (float32)."
 std::string pair_in_words(const CaseReport& report, const ValuePair& pair, const std::string& symbol) {
   const char* const format = name_of(report.one.precision);
-  return fmt::format("The computed {}{} is {}: exact {} (to 53 bits), computed {} ({}).", symbol,
-                     subscript(pair.rank), accuracy_in_words(pair.ulps),
-                     shown(pair.exact, Precision::float64), shown(pair.claimed, report.one.precision),
-                     format);
+  const bool is_counted = pair.ulps > 0 && std::isfinite(pair.ulps);
+  return fmt::format(
+      "The computed {}{} is {}{}: exact {} (to 53 bits), computed {} ({}).", symbol, subscript(pair.rank),
+      accuracy_in_words(pair.ulps), is_counted ? ", counted from the exact one correctly rounded" : "",
+      shown(pair.exact, Precision::float64), shown(pair.claimed, report.one.precision), format);
 }
 
 /// " Exact: t₀ = 1. Computed: t₀ = 1, t₁ = 2." of the answers that have a number.

@@ -44,7 +44,7 @@ StageStep difference_of_values(const Walkthrough& walk, const Setting& setting, 
     step.caption = "Float result and exact result are the same: no value of this run is rounded.";
     return step;
   }
-  step.caption = fmt::format("Of all values {} lost most, {:.1f} of {} bits: exact {}, computed {}.",
+  step.caption = fmt::format("Of all values {} lost the most, {:.1f} of {} bits: exact {}, computed {}.",
                              worst->name, lost_by(*worst), worst_component(*worst).digits, exact_of(*worst),
                              shown(*worst, precision));
   const glm::dvec3 error = error_of(*worst, setting);

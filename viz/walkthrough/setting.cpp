@@ -28,7 +28,9 @@ Items items_of(const Figure& figure) {
   } else {
     items.push_back({Role::surface, Form::solid, points, {}, Pattern::solid, figure.faces});
   }
-  for (const auto& [name, at] : figure.labels) items.push_back(point(Role::surface, rounded(at), name));
+  // A corner shows itself, a centre needs a dot.
+  const Role label = figure.ellipsoid.empty() ? Role::surface : Role::edge;
+  for (const auto& [name, at] : figure.labels) items.push_back(point(label, rounded(at), name));
   return items;
 }
 

@@ -85,7 +85,7 @@ std::vector<StepSpace> triangle_spaces(const Walkthrough& walk, const StageCamer
   for (const WalkStep& step : walk.steps) {
     if (step.title.starts_with("Shear the vertices"))
       spaces.push_back({step.title,
-                        "In the sheared space, looking along the ray:",
+                        "In the sheared space, looking back along the ray toward o:",
                         sheared_scene,
                         flat_on(camera),
                         {side("U", "b", "c"), side("V", "c", "a"), side("W", "a", "b"), {"z", depths}},

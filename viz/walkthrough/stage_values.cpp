@@ -31,6 +31,17 @@ bool has_formula(const StageValue& value) {
   return value.formula != nullptr && text_of(value.formula) != value.name;
 }
 
+std::string formula_beside_name(const StageValue& value) {
+  const auto bare = [](std::string text) {
+    std::erase(text, ' ');
+    for (std::size_t at = text.find("−"); at != std::string::npos; at = text.find("−", at))
+      text.replace(at, 3, "-");
+    return text;
+  };
+  const std::string formula = text_of(value.formula);
+  return bare(formula) == bare(value.name) ? "" : formula;
+}
+
 std::vector<StageValue> grouped(const std::vector<WalkValue>& values) {
   std::vector<StageValue> groups;
   for (const WalkValue& value : values) {
@@ -75,7 +86,7 @@ std::optional<PrecisionLoss> worst_loss_of(const std::vector<StageValue>& values
 
 std::string equation_of(const StageValue& value, Precision precision) {
   std::string text = value.name;
-  if (has_formula(value)) text += " = " + text_of(value.formula);
+  if (const std::string formula = formula_beside_name(value); !formula.empty()) text += " = " + formula;
   const std::string result = shown(value, precision), numbers = text_of(value.put_in);
   if (!numbers.empty() && numbers != result && numbers != text_of(value.formula)) text += " = " + numbers;
   return text + " = " + result;

@@ -19,6 +19,8 @@ void put_numbers_in(StageValue& value, Precision precision);
 
 /// Whether it has a formula that says more than its name.
 [[nodiscard]] bool has_formula(const StageValue& value);
+/// Its text, where it says more than the name: "1/d" is 1 / d, and "min - o" min − o.
+[[nodiscard]] std::string formula_beside_name(const StageValue& value);
 
 /// The rounded number as the shortest decimal that reads back as it; a vector's in parentheses.
 [[nodiscard]] std::string shown(const StageValue& value, Precision precision);

@@ -1,8 +1,8 @@
 #include "properties/guests/probe.hpp"
 
 #include <array>
-#include <bit>
 #include <cmath>
+#include <map>
 
 #include "generators/generators.hpp"
 #include "properties/boundary.hpp"
@@ -17,6 +17,8 @@ constexpr unsigned cases_on_boundaries = 1200;
 constexpr std::size_t cases_at_a_time = 400;
 /// From fewer cases nothing follows about what a guest never does.
 constexpr unsigned enough = 12;
+/// As many in a row are no chance.
+constexpr unsigned a_few = 6;
 
 /// How often something was so.
 struct Share {
@@ -26,19 +28,28 @@ struct Share {
     ++of;
     count += is_so ? 1 : 0;
   }
+  void add(const Share& more) {
+    count += more.count;
+    of += more.of;
+  }
   [[nodiscard]] bool is_never() const { return of >= enough && count == 0; }
   [[nodiscard]] bool is_always() const { return of >= enough && count == of; }
-  /// Two times in three, and oftener than a coin would be so in any run.
+  /// Once in ten, or less: what another boundary is to blame for.
+  [[nodiscard]] bool is_rarely() const { return of >= enough && 10 * count <= of; }
+  /// Every time of a few, or two times in three and oftener than a coin would be so in any run.
   [[nodiscard]] bool is_mostly() const {
+    if (count == of) return of >= a_few;
     return of >= enough && 3 * count >= 2 * of && count >= 0.5 * of + 2 * std::sqrt(static_cast<double>(of));
   }
 };
 
+constexpr unsigned long only_at(BoundaryPlace place) { return 1UL << static_cast<unsigned>(place); }
+
 /// What the answers so far hold.
 struct Learnt {
   Share two{}, numbers{}, contact{}, point{}, normal{}, barycentric{}, boundary{};
-  /// By BoundaryPlace: of cases that lie on that one alone; the same of who reports the first hit alone.
-  std::array<std::array<Share, boundary_place_count>, 2> wrong_on{};
+  /// How often it is wrong on some boundaries at once; the same of who reports the first hit alone.
+  std::array<std::map<unsigned long, Share>, 2> wrong_on{};
 
   void add(const Subject& guest, const Case& one, const Answer& given) {
     const Answer exact = oracle::answer(one);
@@ -53,10 +64,7 @@ struct Learnt {
     trial.know({.answer = given}, {});
     for (const bool is_first_alone : {false, true}) {
       const BoundaryPlaces places = boundary_places(one, is_first_alone);
-      if (places.count() == 1)
-        wrong_on.at(is_first_alone ? 1 : 0)
-            .at(static_cast<std::size_t>(std::countr_zero(places.to_ulong())))
-            .add(trial.judgement().wrong);
+      if (places.any()) wrong_on.at(is_first_alone ? 1 : 0)[places.to_ulong()].add(trial.judgement().wrong);
     }
   }
 
@@ -69,16 +77,37 @@ struct Learnt {
     abilities.barycentric = !barycentric.is_never();
     abilities.boundary = !boundary.is_never();
     for (std::size_t place = 0; place < boundary_place_count; ++place)
-      abilities.rules[place] = wrong_on.at(abilities.all_hits ? 0 : 1).at(place).is_mostly();
+      abilities.rules[place] = wrong_at(place, topic, abilities.all_hits).is_mostly();
     // Even and odd crossings leave some of a polygon's edges open, whatever one does; not all of them.
     constexpr auto edge = static_cast<std::size_t>(BoundaryPlace::edge);
     if ((topic == "polygon" || topic == "point_in_polygon") &&
-        !wrong_on.at(abilities.all_hits ? 0 : 1).at(edge).is_always())
+        !wrong_at(edge, topic, abilities.all_hits).is_always())
       abilities.rules.reset(edge);
     if (topic == "point_in_polygon" && !abilities.boundary) abilities.rules.reset();
   }
 
  private:
+  /// How often it is wrong at a place: of the cases that lie on no other boundary, and, where the place is
+  /// one of its own comparison whatever is met, on others alone that it is never wrong on.
+  [[nodiscard]] Share wrong_at(std::size_t place, const std::string& topic, bool all_hits) const {
+    const auto& shares = wrong_on.at(all_hits ? 0 : 1);
+    const unsigned long own = 1UL << place;
+    // A hit at the rim of a capped cylinder may fall between side and cap, and is nobody's fault.
+    const unsigned long forgiven = topic == "cylinder" ? only_at(BoundaryPlace::edge) : 0;
+    const auto is_rarely_wrong_on = [&](unsigned long places) {
+      for (; places != 0; places &= places - 1) {
+        const auto found = shares.find(places & -places);
+        if (found == shares.end() || !found->second.is_rarely()) return false;
+      }
+      return true;
+    };
+    Share share;
+    for (const auto& [places, one] : shares)
+      if ((places & own) != 0 && (places & forgiven & ~own) == 0 && is_rarely_wrong_on(places & ~own))
+        share.add(one);
+    return share;
+  }
+
   void add_hits(const RayAnswer& given, const RayAnswer& exact) {
     contact.add(given.says_contact);
     if (given.hits.count == 0 || exact.hits.count == 0) return;

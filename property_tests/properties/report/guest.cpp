@@ -81,7 +81,7 @@ std::string not_judged(const Plan& plan, const Subject& guest, const Tally& tall
     if (!plan.is_wanted[p] || is_for_own_methods(property)) continue;
     std::string reason = left_out(guest, property);
     if (is_one_of(property, {"boundary"}) && tally.properties[p].judged() == 0)
-      reason = "its verdict there is right, or what rounding makes of it";
+      reason = "its verdicts there are right, or follow no single rule";
     by_reason[reason].push_back(property.name);
   }
   by_reason.erase("");

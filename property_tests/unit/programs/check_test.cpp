@@ -50,7 +50,7 @@ TEST_F(CheckProgram, AMistakeOnTheCommandLineEndsWithTwoAndOneSentence) {
   for (const char* mistake :
        {"--no-such-option", "--cases 0", "--method nobody", "--family nowhere", "--property none",
         "--shape cube", "--precision float16", "--shape quadratic --method centred", "--replay no-such-file",
-        "--corpus no-such-file", "--json no/such/folder/file"}) {
+        "--replay f.jsonl --subject-command cat", "--corpus no-such-file", "--json no/such/folder/file"}) {
     const Ended outcome = check(mistake);
     EXPECT_EQ(outcome.status, 2) << mistake;
     EXPECT_EQ(std::count(outcome.output.begin(), outcome.output.end(), '\n'), 1) << outcome.output;

@@ -128,8 +128,8 @@ TEST(Explain, TheJsonHoldsStepsValuesAndTheDecisiveLoss) {
   EXPECT_EQ(json["steps"][0]["values"][0]["name"], "D");
   const std::string meaning = json["steps"][0]["meaning"];
   EXPECT_EQ(meaning,
-            "Where a is not 0, its sign gives the number of real roots: two for D > 0, one for D = 0, none "
-            "for D < 0.");
+            "Where a is not 0, the sign of D gives the number of real roots: two for D > 0, one for D = 0, "
+            "none for D < 0.");
   EXPECT_NE(explain_text(report).find("1. Form the discriminant\n   " + meaning + "\n   D  "),
             std::string::npos);
   EXPECT_EQ(json["inputs"].size(), 3U);

@@ -56,7 +56,7 @@ std::vector<Text> texts_of(const Picture& picture) {
 
 Picture frame_of(const Stage& stage, std::size_t step) {
   Picture picture = slide_frame(stage, step, stage.title, slide_scene_of(stage.steps[step]));
-  draw_legend(picture, shown_in(stage, step));
+  draw_legend(picture, stage, step);
   return picture;
 }
 
@@ -187,12 +187,13 @@ TEST(ViewData, TheLegendNamesWhatTheSlideShowsAndNothingElse) {
   const Stage stage = stage_of(*lessons_of("sphere").front(), report_lesson);
   const auto words = [&](std::size_t step) {
     std::string all;
-    for (const LegendEntry& entry : legend_of(shown_in(stage, step))) all += std::string(entry.text) + ";";
+    for (const LegendEntry& entry : legend_of(stage, shown_in(stage, step)))
+      all += std::string(entry.text) + ";";
     return all;
   };
   EXPECT_EQ(words(0), "ray;surface;");
-  EXPECT_EQ(words(1), "ray;surface;edge, part;");
-  EXPECT_EQ(words(stage.steps.size() - 1), "ray;surface;picked out;exact;as computed;");
+  EXPECT_EQ(words(1), "ray;surface;construction;");
+  EXPECT_EQ(words(stage.steps.size() - 1), "ray;surface;key point;exact;as computed;");
 }
 
 double luminance(const Rgb& colour) {

@@ -54,7 +54,7 @@ Items parameters(const NumbersByName& n) {
 std::vector<Binding> plane_bindings() {
   return {
       {"Put the ray into the plane's equation", normal},
-      {"Compare the distance to the plane with the ray's progress", normal},
+      {"Divide the distance by the ray's progress", normal},
       {"n·o + d", height_above_plane},
       {"n·(p - o)", height_above_plane},
       {"n·d⃗", gain},

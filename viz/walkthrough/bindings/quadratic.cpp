@@ -32,7 +32,7 @@ Items discriminant(const NumbersByName& n) {
   const auto [a, b, c] = equation_of(n);
   const double x = -b / (2 * a);
   const ParabolaFrame frame = frame_of(n);
-  return {segment(Role::nearest, frame.at(x, 0), frame.at(x, c - b * b / (4 * a)), "−D/4a")};
+  return {segment(Role::nearest, frame.at(x, 0), frame.at(x, c - b * b / (4 * a)), "−D/(4a)")};
 }
 
 Items half_distance(const NumbersByName& n) {
@@ -40,8 +40,10 @@ Items half_distance(const NumbersByName& n) {
   const ParabolaFrame frame = frame_of(n);
   const double x = -b / (2 * a);
   const double s = std::sqrt(b * b - 4 * a * c) / (2 * a);
-  return {segment(Role::edge, frame.at(x, 0) + under_the_axis, frame.at(x + s, 0) + under_the_axis, "√D/2a"),
-          segment(Role::edge, frame.at(x, 0) + under_the_axis, frame.at(x - s, 0) + under_the_axis)};
+  return {
+      segment(Role::edge, frame.at(x, 0) + under_the_axis, frame.at(x + s, 0) + under_the_axis, "√D/(2a)"),
+      segment(Role::edge, frame.at(x, 0) + under_the_axis, frame.at(x - s, 0) + under_the_axis),
+      point(Role::edge, frame.at(x, 0) + under_the_axis)};
 }
 
 Binding root(const char* name) {

@@ -31,7 +31,7 @@ Items slabs(const NumbersByName& n) {
 /// The stretch that all have in common, where there is one.
 Items overlap(const NumbersByName& n) {
   if (!(n["t_entry"] < n["t_exit"])) return {};
-  return {segment(Role::nearest, n.at(n["t_entry"]), n.at(n["t_exit"]), "in all of them")};
+  return {segment(Role::nearest, n.at(n["t_entry"]), n.at(n["t_exit"]), "inside all three slabs")};
 }
 
 Items to_corner(const NumbersByName& n, const char* name) {

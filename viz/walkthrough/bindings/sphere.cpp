@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "viz/walkthrough/bindings.hpp"
 
 namespace rayproof::viz {
@@ -10,10 +12,13 @@ glm::dvec3 nearest_on_sphere(const NumbersByName& n) {
   return n.vector("C") + resized(out, n["r"]);
 }
 
-/// The legs r and l of the right triangle whose third side is half the chord.
+/// The hypotenuse r of the right triangle whose legs are l and half the chord; where the line misses, r
+/// beside l.
 Items radius_and_distance(const NumbersByName& n) {
   if (!n.has_vector("l")) return {};
-  return {segment(Role::edge, n.vector("C"), nearest_on_sphere(n), "r", Pattern::dashed)};
+  const double half_chord = n.has("1/a") ? std::sqrt(n["D"] * n["1/a"]) : NAN;  // in t
+  const glm::dvec3 tip = half_chord >= 0 ? n.at(n["t_c"] - half_chord) : nearest_on_sphere(n);
+  return {segment(Role::edge, n.vector("C"), tip, "r", Pattern::dashed)};
 }
 
 }  // namespace
@@ -34,7 +39,11 @@ std::vector<Binding> sphere_bindings() {
       {"h", half_chords},
       {"√D",
        [](const NumbersByName& n) {
-         return Items{segment(Role::edge, n.at(n["t₀"]), n.at(n["t₁"]), "the chord")};
+         // A formula as printed may give other ends.
+         const double off = glm::length(n.at(n["t₀"]) - n.vector("C")) - n["r"];
+         const bool is_chord = std::abs(off) < 1e-3 * n["r"];
+         return Items{
+             segment(Role::edge, n.at(n["t₀"]), n.at(n["t₁"]), is_chord ? "the chord" : "as printed")};
        }},
       answer("t₀"),
       answer("t₁"),

@@ -31,7 +31,7 @@ void cross_sides(const PointAndPolygon<double>& question, Takes&& takes) {
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const std::size_t next = polygon::next(i, vertices.size());
     step<R>(
-        fmt::format("Meet the side {}", side_name(i, vertices.size())).c_str(),
+        fmt::format("Intersect the side {}", side_name(i, vertices.size())).c_str(),
         "The ray meets the line through the side at t; s is the place on the line, 0 to 1 from end to end.");
     if (!takes(question.vertices[i], question.vertices[next])) continue;
     const auto [s, t] = polygon::cross_side(p, vertices[i], vertices[next]);
@@ -56,6 +56,7 @@ PolygonSide polygon_side(const PointAndPolygon<double>& question, std::size_t i)
 struct Counting {
   bool (*takes)(const Vec2<double>& point, const Vec2<double>& a, const Vec2<double>& b);
   bool (*counts)(double s, double t);
+  bool is_half_open;  ///< a side contains only its lower end
 };
 
 /// Of a side that a half-open rule does not look at.
@@ -64,18 +65,38 @@ std::string why_not(const PolygonSide& side, const std::string& top, double y) {
     return "it lies along the ray and has no lower end: no crossing.";
   if (std::max(side.a.y, side.b.y) == y)
     return fmt::format(
-        "{} is its upper end and lies on the ray: excluded, for a side has only its lower end.", top);
+        "{} is its upper end and lies on the ray: excluded, for a side contains only its lower end.", top);
   return fmt::format("both ends are {} the ray: no crossing.", side.a.y < y ? "below" : "above");
 }
 
-/// What s and t say of a closed side.
-std::string what_of(const std::string& s, const std::string& t, double at, bool is_counted) {
-  if (std::isnan(at)) return fmt::format("{} is NaN, which fails every comparison: the side counts 0.", s);
-  if (at > 1) return fmt::format("{} > 1, beyond the side: it does not count.", s);
-  if (at < 0) return fmt::format("{} < 0, before the side: it does not count.", s);
-  if (!is_counted) return fmt::format("{} ≤ 0, behind p: it does not count.", t);
-  return fmt::format("0 ≤ {} ≤ 1 and {} > 0: it counts.{}", s, t,
-                     at == 0 || at == 1 ? " It is met at its end." : "");
+/// A side of the polygon that the ray's line meets, as a lesson speaks of it.
+struct CrossedSide {
+  PolygonSide side;
+  std::string first, second;  ///< the names of its ends
+  std::string s, t;           ///< of s and t
+  double at, along;           ///< s and t
+};
+
+/// What s and t say of a side, by the rule of the lesson.
+std::string what_of(const CrossedSide& met, const Counting& counting, double y) {
+  const auto& [side, first, second, s, t, at, along] = met;
+  if (std::isnan(at))
+    return fmt::format("{} is NaN, which fails every ordered comparison: the side counts 0.", s);
+  if (!counting.is_half_open && at > 1) return fmt::format("{} > 1, beyond the side: it does not count.", s);
+  if (!counting.is_half_open && at < 0) return fmt::format("{} < 0, before the side: it does not count.", s);
+  if (!counting.counts(at, along))
+    return fmt::format("{} {} 0, {} p: it does not count.", t, along < 0 ? "<" : "=",
+                       along < 0 ? "behind" : "at");
+  if (!counting.is_half_open) {
+    const std::string where = at == 0   ? fmt::format(" It is met at its start {}.", first)
+                              : at == 1 ? fmt::format(" It is met at its end {}.", second)
+                                        : "";
+    return fmt::format("0 ≤ {} ≤ 1 and {} > 0: it counts.{}", s, t, where);
+  }
+  if (std::min(side.a.y, side.b.y) == y)
+    return fmt::format("{} is its lower end and lies on the ray: included. {} > 0: it counts.",
+                       side.a.y < side.b.y ? first : second, t);
+  return fmt::format("One end lies below the ray and one above, and {} > 0: it counts.", t);
 }
 
 Stage counted_stage(const CaseReport& report, const Counting& counting) {
@@ -91,13 +112,18 @@ Stage counted_stage(const CaseReport& report, const Counting& counting) {
   for (std::size_t i = 0; i < question.vertices.size(); ++i) {
     StageStep& step = stage.steps[i + 1];
     const PolygonSide side = polygon_side(question, i);
+    const std::size_t after = polygon::next(i, question.vertices.size());
     step.items.push_back(segment(Role::edge, side.a, side.b, side.name));
     if (step.values.empty()) {
       const auto y = [&](double height) { return shown(height, report.one.precision); };
-      const std::size_t top = side.a.y > side.b.y ? i : polygon::next(i, question.vertices.size());
-      step.caption =
-          fmt::format("{} from y = {} to {}, the ray at y = {}: {} Crossings so far: {}.", side.name,
-                      y(side.a.y), y(side.b.y), y(p.y), why_not(side, "v" + subscript(top), p.y), count);
+      const std::size_t top = side.a.y > side.b.y ? i : after;
+      const std::string where = side.a.y == side.b.y
+                                    ? fmt::format("at y = {}", y(side.a.y))
+                                    : fmt::format("from y = {} to {}", y(side.a.y), y(side.b.y));
+      step.caption = fmt::format("{} {}, the ray at y = {}: {} Crossings so far: {}.", side.name, where,
+                                 y(p.y), why_not(side, "v" + subscript(top), p.y), count);
+      if (side.a.y != side.b.y && std::max(side.a.y, side.b.y) == p.y)
+        step.items.push_back(point(Role::muted, side.a.y > side.b.y ? side.a : side.b, "excluded"));
       continue;
     }
     const WalkValue& s = step.values[0].components[0];
@@ -108,8 +134,10 @@ Stage counted_stage(const CaseReport& report, const Counting& counting) {
       step.items.push_back(point(is_counted ? Role::claimed : Role::muted, p + glm::dvec3(t.value, 0, 0),
                                  is_counted ? fmt::format("crossing {}", count) : "not counted"));
     }
-    step.words = fmt::format("{} Crossings so far: {}.",
-                             what_of(step.values[0].name, step.values[1].name, s.value, is_counted), count);
+    const CrossedSide met{
+        side,   "v" + subscript(i), "v" + subscript(after), step.values[0].name, step.values[1].name, s.value,
+        t.value};
+    step.words = fmt::format("{} Crossings so far: {}.", what_of(met, counting, p.y), count);
     step.caption = fmt::format("{} {}, {}.", step.words, equation_of(step.values[0], report.one.precision),
                                equation_of(step.values[1], report.one.precision));
   }
@@ -117,11 +145,11 @@ Stage counted_stage(const CaseReport& report, const Counting& counting) {
   last.title = comparison_title;
   last.view = setting.near;
   last.caption = fmt::format(
-      "{} {} {}: the point is {}. Exactly it is {}.", count, count == 1 ? "crossing is" : "crossings are",
-      count % 2 == 1 ? "an odd number" : "an even number", count % 2 == 1 ? "inside" : "outside",
-      name_of(std::get<Position>(report.exact)));
+      "{} {} {}: the point is {}. In exact arithmetic it is {}.", count,
+      count == 1 ? "crossing is" : "crossings are", count % 2 == 1 ? "an odd number" : "an even number",
+      count % 2 == 1 ? "inside" : "outside", name_of(std::get<Position>(report.exact)));
   last.items.push_back(
-      point(Role::exact, p, std::string("exactly ") + name_of(std::get<Position>(report.exact))));
+      point(Role::exact, p, std::string("exact: ") + name_of(std::get<Position>(report.exact))));
   last.items.push_back(point(Role::claimed, p, count % 2 == 1 ? "computed: inside" : "computed: outside"));
   stage.steps.push_back(last);
   stage.conclusion = last.caption;
@@ -139,13 +167,13 @@ bool any_side(const Vec2<double>& /*p*/, const Vec2<double>& /*a*/, const Vec2<d
 
 Stage parity_stage(const Case& one, const ReportCase& report_on) {
   return counted_stage(report_on(one, "point_in_polygon/parity"),
-                       {has_ends_apart, [](double /*s*/, double t) { return t > 0; }});
+                       {has_ends_apart, [](double /*s*/, double t) { return t > 0; }, true});
 }
 
 /// As the lecture prints it: a side is met for s in [0, 1], closed at both ends.
 Stage printed_stage(const Case& one, const ReportCase& report_on) {
   return counted_stage(report_on(one, "point_in_polygon/printed_parity"),
-                       {any_side, [](double s, double t) { return s >= 0 && s <= 1 && t > 0; }});
+                       {any_side, [](double s, double t) { return s >= 0 && s <= 1 && t > 0; }, false});
 }
 
 }  // namespace rayproof::viz

@@ -27,7 +27,11 @@ constexpr std::array<Try, 3> tries{
       {-1.1, 1.2},
       "s₁",
       "t₁"},
-     {"A ray that begins behind it", "t₂ < 0: the segment lies behind the ray.", {1.6, 0.1}, "s₂", "t₂"}}};
+     {"A ray that begins beyond it",
+      "t₂ < 0: the segment lies behind the ray's origin.",
+      {1.6, 0.1},
+      "s₂",
+      "t₂"}}};
 
 template <class R>
 void try_rays(const Vec2<double>& first, const Vec2<double>& second) {

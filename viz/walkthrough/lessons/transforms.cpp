@@ -25,8 +25,7 @@ StageStep back_in_the_world(const CaseReport& report, const NumbersByName& n, co
   step.title = "Take the hit back into the world";
   step.caption = fmt::format(
       "M·q = A·q + T takes q = o′ + t₀·d = {} to {}, which is p(t₀). Had d been normalised, t would be "
-      "|d|·t₀ = {} "
-      "there, and no t of this ray.",
+      "|d|·t₀ = {} there, and no t of this ray.",
       vector(q), vector(p), rough(t * glm::length(n.direction()), 5));
   step.words = step.caption;
   step.view = stage.steps.front().view;
@@ -73,14 +72,13 @@ void carry_normal(const RayQuestion& question, double t) {
           "The sphere's radius ends at q and is perpendicular to the surface.");
   const vec3<R> normal = named("n", R(1) * q);
 
-  step<R>("Carried like a direction, by A, it stands askew: wrong",
-          "A maps tangents rightly, but not the right angle between them and the normal.");
+  step<R>("Carried like a direction, by A, it is not perpendicular: wrong",
+          "A maps tangents to tangents, but does not preserve the right angle between them and the normal.");
   (void)named("A·n", vec3<R>(normal.x * a + normal.y * b + normal.z * c));
 
-  step<R>(
-      "Carried by the inverse transpose it stands upright",
-      "m = A⁻ᵀ·n: its product with A·u is n·u, which is 0 for every tangent u, so m is perpendicular to the "
-      "surface. A·u is the tangent in the world.");
+  step<R>("Carried by the inverse transpose it is perpendicular",
+          "m = A⁻ᵀ·n: its product with A·u is n·u, which is 0 for every tangent u, so m is perpendicular to "
+          "the surface. A·u is the tangent in the world.");
   (void)named("m", vec3<R>(normal.x * space.row_x + normal.y * space.row_y + normal.z * space.row_z));
 }
 
@@ -115,7 +113,7 @@ Stage normal_stage(const Case& one, const ReportCase& report_on) {
       {walk.steps.at(2).title}};
   Stage stage = composed_stage(report, walk, setting);
   stage.method = "normal_to_world";
-  // The tangent plane makes it plain which of the two stands upright.
+  // The tangent plane makes it plain which of the two is perpendicular.
   const glm::dvec3 normal = *std::get<RayAnswer>(report.exact).normal;
   const glm::dvec3 u = 0.7 * across(normal);
   const glm::dvec3 v = glm::cross(normal, u);

@@ -32,10 +32,9 @@ struct Padded {
   [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Box<T>& box) {
     const auto [entry, exit] = SlabsInverse::common_interval(ray, box);
 
-    step<T>(
-        "Move the far end two ulps on",
-        "Rounding may put the exit before the entry: two ulps more can keep a ray that touches the box, and "
-        "can make a hit of a near miss.");
+    step<T>("Move the far end on by two machine epsilons",
+            "Rounding may put the exit before the entry: two machine epsilons more, 2 to 4 ulps, can keep a "
+            "ray that touches the box, and can make a hit of a near miss.");
     const T two_ulps = T(2 * std::numeric_limits<Plain<T>>::epsilon());
     const T padded = named("t_padded", exit + two_ulps * abs(exit));
     return chord(entry, padded);

@@ -7,9 +7,9 @@
 
 namespace rayproof::box {
 
-/// Slabs with a precomputed 1/v and no thought of v = 0, **as printed** in the source.
+/// Slabs with a precomputed 1/d and no thought of d = 0, **as printed** in the source.
 ///
-/// Where v = 0 the products are ∞ and -∞, which serve, unless the
+/// Where d = 0 the products are ∞ and -∞, which serve, unless the
 /// origin is in a face's plane: 0·∞ is NaN, with which every comparison is false, and the ray in the face is
 /// lost. SlabsInverse is the mended form.
 struct PrintedSlabs {
@@ -24,22 +24,24 @@ struct PrintedSlabs {
 
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Box<T>& box) {
-    step<T>("Invert the direction", "1/v serves both planes of an axis; where v is 0 it is infinite.");
-    const vec3<T> v = ray.direction;
-    const vec3<T> per_v = named("1/v", vec3<T>{T(1) / v.x, T(1) / v.y, T(1) / v.z});
+    step<T>("Invert the direction",
+            "1/d serves both planes of an axis; where a component of d is 0, it is infinite.");
+    const vec3<T> d = ray.direction;
+    const vec3<T> per_d = named("1/d", vec3<T>{T(1) / d.x, T(1) / d.y, T(1) / d.z});
 
     step<T>(
         "Meet both planes of each axis, as printed",
-        "The two products with 1/v are put in order; a ray in a face has 0·∞ = NaN, and its hit is lost.");
+        "The two products with 1/d are put in order; a ray in a face has 0·∞ = NaN, and its hit is lost.");
     const vec3<T> below = box.min - ray.origin;
     const vec3<T> above = box.max - ray.origin;
-    const Slab<T> x = swapped_into_order(below.x * per_v.x, above.x * per_v.x);
-    const Slab<T> y = swapped_into_order(below.y * per_v.y, above.y * per_v.y);
-    const Slab<T> z = swapped_into_order(below.z * per_v.z, above.z * per_v.z);
+    const Slab<T> x = swapped_into_order(below.x * per_d.x, above.x * per_d.x);
+    const Slab<T> y = swapped_into_order(below.y * per_d.y, above.y * per_d.y);
+    const Slab<T> z = swapped_into_order(below.z * per_d.z, above.z * per_d.z);
     const auto [t_near, t_far] = overlap(x, y, z);
 
     step<T>("Drop the box behind the ray, which begins at t_min",
-            "The box is behind where the ray leaves it before t_min.");
+            "A box counts as behind if t_exit < t_min; with NaN that comparison is false, and so is every "
+            "other.");
     return chord(select(t_far < ray.t_min, T(not_a_number<T>), t_near), t_far);
   }
 

@@ -10,7 +10,7 @@
 namespace rayproof::steps {
 inline constexpr Step measure_planes{
     "Measure the planes from the ray's origin",
-    "The six planes of the box lie at these distances from the ray's origin, along the axes."};
+    "The six planes of the box lie at these signed distances from the ray's origin, along the axes."};
 }  // namespace rayproof::steps
 
 namespace rayproof::box {
@@ -47,10 +47,9 @@ template <class T>
 /// then the direction is 0 or the origin infinite.
 template <class T, class... More>
 [[nodiscard]] constexpr Slab<T> overlap(const Slab<T>& first, const More&... more) {
-  step<T>(
-      "Keep the last entry and the first exit",
-      "The ray is inside while it is in every slab: from the largest entry to the smallest exit. Where the "
-      "exit comes first, it misses.");
+  step<T>("Keep the last entry and the first exit",
+          "The ray is inside while it is in every slab: from the largest entry to the smallest exit. Where "
+          "the exit comes first, it misses.");
   T entry = first.entry;
   T exit = first.exit;
   Mask<T> is_hit = first.entry <= first.exit;

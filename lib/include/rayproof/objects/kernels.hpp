@@ -29,7 +29,7 @@ struct Many<RayProblem<Shape, T>> {
 
 /// The nearest hit of all, infinity where nothing is hit; but for those in doubt.
 template <class T>
-struct Nearest {
+struct LeastHit {
   T t;
   bool is_in_doubt;
 };
@@ -39,8 +39,8 @@ struct Nearest {
 template <class Method, class Problem>
 struct ObjectKernel {
   using T = typename Many<Problem>::Number;
-  Nearest<T> (*meet)(const Many<Problem>& in, T* t) = nullptr;
-  Nearest<T> (*meet_in_world)(const Many<Problem>& in, T* t) = nullptr;  ///< of shapes under a matrix
+  LeastHit<T> (*meet)(const Many<Problem>& in, T* t) = nullptr;
+  LeastHit<T> (*meet_in_world)(const Many<Problem>& in, T* t) = nullptr;  ///< of shapes under a matrix
 };
 
 /// The methods that an object list asks by kernels, and the table of these.

@@ -37,12 +37,12 @@ class ObjectBlocks {
     T t[most * lanes];
     for (std::size_t from = 0; from < places_.size() && !std::isnan(t_max); from += most * lanes) {
       const std::size_t size = std::min(most * lanes, places_.size() - from);
-      const Nearest<T> nearest = kernel({numbers_.data() + from * count, (size + lanes - 1) / lanes, ray}, t);
-      if (nearest.t < infinity<T> && nearest.t <= t_max) {
-        const auto first = static_cast<std::size_t>(std::find(t, t + size, nearest.t) - t);
+      const LeastHit<T> least = kernel({numbers_.data() + from * count, (size + lanes - 1) / lanes, ray}, t);
+      if (least.t < infinity<T> && least.t <= t_max) {
+        const auto first = static_cast<std::size_t>(std::find(t, t + size, least.t) - t);
         t_max = meet(places_[from + first]);
       }
-      if (!nearest.is_in_doubt) continue;
+      if (!least.is_in_doubt) continue;
       for (std::size_t i = 0; i < size && !std::isnan(t_max); ++i)
         if (std::isnan(t[i])) t_max = meet(places_[from + i]);
     }

@@ -10,10 +10,9 @@ namespace rayproof::plane {
 /// none where it adds 0.
 template <class T>
 [[nodiscard]] constexpr FlatHit<T> solved_for_t(const T& at_origin, const T& along) {
-  step<T>(
-      "Solve it for t",
-      "t is minus the value at the ray's origin over what each unit of t adds; where that is 0, the ray is "
-      "parallel to the plane or in it, and there is no t.");
+  step<T>("Solve it for t",
+          "t is minus the value at the ray's origin over what each unit of t adds; where that is 0, the ray "
+          "is parallel to the plane or in it, and there is no t.");
   return flat_hit(along != T(0), named("t", -at_origin / along), T(0), T(0));
 }
 
@@ -34,10 +33,9 @@ struct ByEquation {
   [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Plane<T>& plane) {
     const auto [n, d] = as_implicit(plane);
 
-    step<T>(
-        "Put the ray into the plane's equation",
-        "p(t) is in the plane where n·p(t) + d = 0. n·o + d is the value at the ray's origin. Each unit of t "
-        "adds n·d⃗ to it.");
+    step<T>("Put the ray into the plane's equation",
+            "p(t) is in the plane where n·p(t) + d = 0. n·o + d is the value at the ray's origin. Each unit "
+            "of t adds n·d⃗ to n·p(t) + d.");
     const T at_origin = named("n·o + d", dot(n, ray.origin) + d);
     const T along = named("n·d⃗", dot(n, ray.direction));
     return solved_for_t(at_origin, along);

@@ -29,12 +29,13 @@ template <class T>
   const vec3<T> n = named("u×v", cross(u, v));
   const T D = named("D", dot(n, d));
 
-  step<T>(
-      "Put w in the place of each column in turn",
-      "Cramer's rule: each unknown is a quotient of two volumes. The column d belongs to −t, so t = −D_t / "
-      "D.");
-  const T D_a = named("D_α", dot(cross(w, v), d));
-  const T D_b = named("D_β", dot(cross(u, w), d));
+  step<T>("Put w in the place of each column in turn",
+          "Cramer's rule: each unknown is a quotient of two volumes. The column d belongs to −t, so t = −D_t "
+          "/ D.");
+  const vec3<T> wv = named("w×v", cross(w, v));
+  const vec3<T> uw = named("u×w", cross(u, w));
+  const T D_a = named("D_α", dot(wv, d));
+  const T D_b = named("D_β", dot(uw, d));
   const T D_t = named("D_t", dot(n, w));
   return {D, named("t", -D_t / D), named("α", D_a / D), named("β", D_b / D)};
 }

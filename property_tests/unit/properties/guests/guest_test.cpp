@@ -94,6 +94,17 @@ Answer without_hits_at_origin(const Case& one) {
   return exact.hits.count > 0 && exact.hits.t[0] == 0 ? RayAnswer{} : exact;
 }
 
+/// t < t_max is asked.
+Answer without_hits_at_the_end(const Case& one) {
+  const auto exact = std::get<RayAnswer>(oracle::answer(one));
+  const double end = std::get<RayQuestion>(one.question).ray.t_max;
+  RayAnswer left = exact;
+  left.hits.count = 0;
+  for (const double t : exact.hits.view())
+    if (t < end) left.hits.push_back(t);
+  return left.hits.count == exact.hits.count ? exact : left.hits.count == 0 ? RayAnswer{} : left;
+}
+
 TEST(Probe, FindsOutWhatAnswersHold) {
   const Abilities all = learnt("sphere", oracle::answer);
   EXPECT_TRUE(all.all_hits && all.numbers && all.contact && all.point && all.normal);
@@ -117,6 +128,12 @@ TEST(Probe, TakesForARuleOnlyWhatIsWrongOnMostBoundaries) {
   EXPECT_TRUE(learnt("polygon", without_boundary_hits<false>).rules.none());
   EXPECT_EQ(learnt("plane", with_rays_in_planes).rules, only(BoundaryPlace::in_surface));
   EXPECT_EQ(learnt("plane", without_hits_at_origin).rules, only(BoundaryPlace::at_origin));
+  // In short numbers a triangle is hardly ever met but at its edges and vertices.
+  for (const char* topic : {"triangle", "polygon", "cylinder"}) {
+    SCOPED_TRACE(topic);
+    EXPECT_EQ(learnt(topic, without_hits_at_the_end).rules, only(BoundaryPlace::t_max));
+    EXPECT_EQ(learnt(topic, without_hits_at_origin).rules, only(BoundaryPlace::at_origin));
+  }
 }
 
 TEST(Probe, GivesTheCasesThatAreNotAnswered) {

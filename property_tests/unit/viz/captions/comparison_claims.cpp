@@ -40,7 +40,7 @@ std::vector<LessonClaim> comparison_claims() {
       {"", "The computed * is the exact one, correctly rounded: exact * (to 53 bits), computed * (float32)."},
       {"", "Each dot is a float32 value."},
       {"", "Float result and exact result are the same: *."},
-      {"", "Of all values * lost most, * of 24 bits: exact *, computed *.", expect_worst},
+      {"", "Of all values * lost the most, * of 24 bits: exact *, computed *.", expect_worst},
       {"", "Float result and exact result differ.",
        [](const LessonSaid& s) {
          const CaseReport report = report_of(s.stage.one, s.stage.method);

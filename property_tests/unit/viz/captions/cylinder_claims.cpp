@@ -80,7 +80,8 @@ std::vector<CheckedClaim> cylinder_claims() {
              EXPECT_TRUE(are_perpendicular(l, d, 1e-13));
              EXPECT_TRUE(are_equal(l, f + s.n["t_c"] * d, 2 * glm::length(f)));
            }},
-          {"√D is half the chord and h its length in t: the line meets the surface h before and h after t_c.",
+          {"√D is half the chord, and h is half the chord measured in t: the line meets the surface h before "
+           "and h after t_c.",
            [](const Said& s) {
              if (!(s.n["D"] > 0)) return;
              const double h = s.n["h"], t = s.n["t_c"];

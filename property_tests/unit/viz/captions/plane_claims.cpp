@@ -51,7 +51,7 @@ std::vector<CheckedClaim> plane_claims() {
          const double size = glm::length(n) * glm::length(o) + std::abs(s.n["d"]);
          EXPECT_TRUE(are_equal(s.n["n·o + d"], glm::dot(n, o) + s.n["d"], size));
        }},
-      {"Each unit of t adds n·d⃗ to it.",
+      {"Each unit of t adds n·d⃗ to n·p(t) + d.",
        [](const Said& s) {
          const glm::dvec3 n = s.n.vector("n"), d = s.n.direction();
          EXPECT_TRUE(are_equal(s.n["n·d⃗"], glm::dot(n, d), glm::length(n) * glm::length(d)));
@@ -78,18 +78,18 @@ std::vector<CheckedClaim> plane_claims() {
            EXPECT_TRUE(are_equal(glm::dot(n, p), -s.n["d"], size));
          }
        }},
-      {"p is a point of the plane: a of a triangle, v₀ of a polygon."},
-      {"n·(p - o) is its distance from o along n, times |n|.",
+      {"p is a point of the plane: of a triangle a, of a polygon v₀."},
+      {"n·(p - o) is the signed distance from o to the plane, times |n|.",
        [](const Said& s) {
          const glm::dvec3 n = s.n.vector("n"), way = point_of_plane(s.n) - s.n.origin();
          EXPECT_TRUE(are_equal(s.n["n·(p - o)"], glm::dot(n, way), glm::length(n) * reach_of(s.n)));
        }},
-      {"n·d⃗ is the ray's progress along n, times |n| too.",
+      {"n·d⃗ is what the ray gains along n in each unit of t, times |n| too.",
        [](const Said& s) {
          const glm::dvec3 n = s.n.vector("n"), d = s.n.direction();
          EXPECT_TRUE(are_equal(s.n["n·d⃗"], glm::dot(n, d), glm::length(n) * glm::length(d)));
        }},
-      {"t is the quotient of both; where the progress is 0, there is none.",
+      {"t is the quotient of the two; where the ray gains nothing, there is no single t.",
        [](const Said& s) {
          expect_no_hit_if_parallel(s, s.n["n·d⃗"]);
          EXPECT_TRUE(is_quotient(s.n["t"], s.n["n·(p - o)"], s.n["n·d⃗"]));

@@ -51,19 +51,40 @@ std::vector<LessonClaim> polygon_lesson_claims() {
          const auto [s, t] = crossing(said);
          EXPECT_TRUE(s >= 0 && s <= 1 && t > 0) << s << " " << t;
        }},
-      {"", "t* ≤ 0, behind p: it does not count.",
-       [](const LessonSaid& said) { EXPECT_LE(crossing(said).t, 0); }},
+      {"", "t* < 0, behind p: it does not count.",
+       [](const LessonSaid& said) { EXPECT_LT(crossing(said).t, 0); }},
+      {"", "t* = 0, at p: it does not count.",
+       [](const LessonSaid& said) { EXPECT_EQ(crossing(said).t, 0); }},
+      {"", "One end lies below the ray and one above, and t* > 0: it counts.",
+       [](const LessonSaid& said) {
+         const auto [a, b] = side_of(said);
+         const double y = asked(said).point.y;
+         EXPECT_TRUE(std::min(a.y, b.y) < y && y < std::max(a.y, b.y));
+         EXPECT_GT(crossing(said).t, 0);
+       }},
+      {"", "v* is its lower end and lies on the ray: included.",
+       [](const LessonSaid& said) {
+         const auto [a, b] = side_of(said);
+         EXPECT_EQ(std::min(a.y, b.y), asked(said).point.y);
+         EXPECT_NE(a.y, b.y);
+       }},
+      {"", "t* > 0: it counts.", [](const LessonSaid& said) { EXPECT_GT(crossing(said).t, 0); }},
       {"", "s* > 1, beyond the side: it does not count.",
        [](const LessonSaid& said) { EXPECT_GT(crossing(said).s, 1); }},
       {"", "s* < 0, before the side: it does not count.",
        [](const LessonSaid& said) { EXPECT_LT(crossing(said).s, 0); }},
-      {"", "s* is NaN, which fails every comparison: the side counts 0.",
+      {"", "s* is NaN, which fails every ordered comparison: the side counts 0.",
        [](const LessonSaid& said) { EXPECT_TRUE(std::isnan(crossing(said).s)); }},
-      {"", "It is met at its end.",
-       [](const LessonSaid& said) { EXPECT_TRUE(crossing(said).s == 0 || crossing(said).s == 1); }},
+      {"", "It is met at its start v*.", [](const LessonSaid& said) { EXPECT_EQ(crossing(said).s, 0); }},
+      {"", "It is met at its end v*.", [](const LessonSaid& said) { EXPECT_EQ(crossing(said).s, 1); }},
       {"", "Crossings so far: #.", expect_count},
       {"",
        "The ray meets the line through the side at t; s is the place on the line, 0 to 1 from end to end."},
+      {"", "v* at y = #, the ray at y = #: both ends are * the ray: no crossing.",
+       [](const LessonSaid& said) {
+         const auto [a, b] = side_of(said);
+         EXPECT_TRUE(a.y == b.y && a.y != asked(said).point.y);
+       }},
       {"", "v* from y = # to #, the ray at y = #: both ends are * the ray: no crossing.",
        [](const LessonSaid& said) {
          const auto [a, b] = side_of(said);
@@ -74,14 +95,13 @@ std::vector<LessonClaim> polygon_lesson_claims() {
        }},
       {"",
        "v* from y = # to #, the ray at y = #: v* is its upper end and lies on the ray: excluded, for a side "
-       "has "
-       "only its lower end.",
+       "contains only its lower end.",
        [](const LessonSaid& said) {
          const auto [a, b] = side_of(said);
          EXPECT_EQ(std::max(a.y, b.y), asked(said).point.y);
          EXPECT_NE(a.y, b.y);
        }},
-      {"", "v* from y = # to #, the ray at y = #: it lies along the ray and has no lower end: no crossing.",
+      {"", "v* at y = #, the ray at y = #: it lies along the ray and has no lower end: no crossing.",
        [](const LessonSaid& said) {
          const auto [a, b] = side_of(said);
          EXPECT_TRUE(a.y == b.y && a.y == asked(said).point.y);
@@ -89,7 +109,7 @@ std::vector<LessonClaim> polygon_lesson_claims() {
       {"", "* crossing is an odd number: the point is inside.", expect_count},
       {"", "* crossings are an odd number: the point is inside.", expect_count},
       {"", "* crossings are an even number: the point is outside.", expect_count},
-      {"", "Exactly it is *.",
+      {"", "In exact arithmetic it is *.",
        [](const LessonSaid& said) {
          EXPECT_TRUE(said.sentence.ends_with("side.") || said.sentence.ends_with("boundary."));
        }},
@@ -123,7 +143,7 @@ std::vector<LessonClaim> polygon_lesson_claims() {
       {"ray-segment", "s is the place on the segment, 0 at v₀ and 1 at v₁; t is that on the ray."},
       {"ray-segment", "s₁ > 1: the line of the segment is met beyond v₁.",
        [](const LessonSaid& said) { EXPECT_GT(said.n["s₁"], 1); }},
-      {"ray-segment", "t₂ < 0: the segment lies behind the ray.",
+      {"ray-segment", "t₂ < 0: the segment lies behind the ray's origin.",
        [](const LessonSaid& said) { EXPECT_LT(said.n["t₂"], 0); }}};
 }
 

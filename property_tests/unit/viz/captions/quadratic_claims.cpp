@@ -37,9 +37,8 @@ void expect_sign_of_discriminant(const Said& s) {
 
 std::vector<CheckedClaim> quadratic_claims() {
   return {
-      {"Where a is not 0, its sign gives the number of real roots: two for D > 0, one for D = 0, none for D "
-       "< "
-       "0.",
+      {"Where a is not 0, the sign of D gives the number of real roots: two for D > 0, one for D = 0, none "
+       "for D < 0.",
        [](const Said& s) {
          if (!s.n.has("a") || s.n["a"] == 0 || !std::isfinite(s.n["D"])) return;
          const double scale = s.n["b"] * s.n["b"] + std::abs(4 * s.n["a"] * s.n["c"]);
@@ -49,9 +48,8 @@ std::vector<CheckedClaim> quadratic_claims() {
            EXPECT_EQ(values_of(&s.report.exact).size(), roots) << s.n["D"];
          }
        }},
-      {"Where a is not 0 and D ≥ 0, the roots lie √D / |2a| to either side of −b / 2a; where D < 0, √D is "
-       "NaN: "
-       "no real root.",
+      {"Where a is not 0 and D ≥ 0, the roots lie √D / |2a| to either side of −b / (2a); where D < 0, √D is "
+       "NaN: no real root.",
        [](const Said& s) {
          const double D = s.n.rounded("D");
          EXPECT_EQ(std::isnan(s.n.rounded("√D")), D < 0 || std::isnan(D)) << D;
@@ -91,8 +89,7 @@ std::vector<CheckedClaim> quadratic_claims() {
        "underflow."},
       {"The next steps find y by Kahan's method; then x = 2^k·y, which changes only the exponent."},
       {"Where 4ac is too small to change b², √D is |b| and the roots are −b / a and −c / b; where a = 0, "
-       "only "
-       "−c / b."},
+       "only −c / b."},
       {"Cancellation depends on b² and 4ac, not on b and 4ac as printed; 'much larger' is taken as 1000 "
        "times."}};
 }

@@ -40,7 +40,8 @@ std::vector<LessonClaim> surface_lesson_claims() {
        }},
       {"transformed-normal", "The sphere's radius ends at q and is perpendicular to the surface.",
        [](const LessonSaid& s) { EXPECT_NEAR(glm::length(s.n.vector("q")), 1, 1e-5); }},
-      {"transformed-normal", "A maps tangents rightly, but not the right angle between them and the normal.",
+      {"transformed-normal",
+       "A maps tangents to tangents, but does not preserve the right angle between them and the normal.",
        [](const LessonSaid& s) {
          const auto all = tangents(s);
          EXPECT_GT(std::abs(cosine(s.n.vector("A·n"), all[0])) + std::abs(cosine(s.n.vector("A·n"), all[1])),
@@ -95,15 +96,13 @@ std::vector<LessonClaim> surface_lesson_claims() {
        }},
       {"parametric-patch",
        "p is the corner r(0, 0) seen from the ray's origin, p_u and e lead to the next corners along u and "
-       "v, "
-       "and e_u is what e gains along u.",
+       "v, and e_u is what e gains along u.",
        [](const LessonSaid& s) {
          EXPECT_LT(glm::length(s.n.vector("p") - (glm::dvec3(-1.25, -1, 0.75) - s.n.vector("o"))), 1e-6);
        }},
       {"parametric-patch",
        "For each u the patch has a straight line, its ruling; it meets the ray where both lie in one plane, "
-       "a "
-       "quadratic equation in u."},
+       "a quadratic equation in u."},
       {"parametric-patch",
        "The two lines meet where p + v·e = t·d; products with their normal n = d × e give t and v.",
        [](const LessonSaid& s) {

@@ -25,20 +25,20 @@ constexpr std::array<ShrunkCase, 5> trials{
       R"({"precision": "float32", "ray": {"origin": [-3.7, -0.9, 0.4], "direction": [1.3, 0.5, 0.1]},
           "shape": {"type": "sphere", "center": [0.2, 0.1, 0.3], "radius": 1.4}})"},
      {"After many cases that agree, one does not",
-      "A verdict that differs from the oracle's breaks the property. Ten numbers, and none of them plain.",
+      "A verdict that differs from the oracle's breaks the property. Ten numbers, and none of them is round.",
       R"({"precision": "float32", "ray": {"origin": [-2883.1, -878.8, -2395.1], "direction": [1.0544523, 0.32390717, 0.87506]},
           "shape": {"type": "sphere", "center": [9.4, 9.77, 5.56], "radius": 0.55}})"},
-     {"Shrink: turn the ray along an axis",
-      "A simpler case is kept where it still breaks the property: here the direction has one number left.",
+     {"Shrink: try a ray along an axis",
+      "A simpler case is kept where it still breaks the property: here the direction has one component that "
+      "is not 0.",
       R"({"precision": "float32", "ray": {"origin": [9.5, 9.9, -4500.6], "direction": [0, 0, 9]},
           "shape": {"type": "sphere", "center": [9.4, 9.77, 5.56], "radius": 0.55}})"},
-     {"Shrink: put the centre at 0",
-      "Where the sphere is does not matter, then: only how far from the ray's origin.",
+     {"Shrink: try the centre at 0",
+      "It still breaks: what matters is not where the sphere is, but how far from the ray's origin.",
       R"({"precision": "float32", "ray": {"origin": [0.1, 0.2, -4499.9], "direction": [0, 0, 9]},
           "shape": {"type": "sphere", "center": [0, 0, 0], "radius": 0.55}})"},
-     {"Shrink: whole numbers, as small as they can be",
-      "Small whole numbers still break it: a ray straight at the centre, which can be computed by hand.",
-      nullptr}}};
+     {"Shrink: try small whole numbers",
+      "Small whole numbers still break it: a case that can be computed by hand.", nullptr}}};
 
 std::string vector(const glm::dvec3& v, Precision precision) {
   return fmt::format("({}, {}, {})", shown(v.x, precision), shown(v.y, precision), shown(v.z, precision));
