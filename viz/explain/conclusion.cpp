@@ -47,9 +47,9 @@ std::string without_steps(const CaseReport& report) {
 /// How near a right answer is; an operation that lost digits is named all the same.
 std::string right_answer_in_words(const CaseReport& report) {
   const double ulps = ulps_of(report);
-  const std::string sentence = ulps == 0
-                                   ? fmt::format("The answer is {}.", accuracy_of(report))
-                                   : fmt::format("The answer is within {} of the exact one, correctly rounded.", in_ulps(ulps));
+  const std::string sentence =
+      ulps == 0 ? fmt::format("The answer is {}.", accuracy_of(report))
+                : fmt::format("The answer is within {} of the exact one, correctly rounded.", in_ulps(ulps));
   const Walkthrough& walk = *report.walk;
   if (walk.outcome == Faithfulness::faithful || !walk.decisive_loss) return sentence;
   return fmt::format("{} In step '{}' {}.", sentence, walk.decisive_loss->step,

@@ -30,7 +30,7 @@ inline constexpr PixelBox slide_scene{slide_margin, 60, 596, 368};
 
 /// A slide without its scene and legend: the title, a smaller line below it, the caption, and beside the
 /// scene's frame the numbers.
-[[nodiscard]] Picture slide_frame(const Stage& stage, std::size_t step, const std::string& second_line,
+[[nodiscard]] Picture slide_frame(const Stage& stage, std::size_t number, const std::string& second_line,
                                   const PixelBox& scene);
 
 /// The words on the roles, along a slide's lower border.

@@ -87,8 +87,8 @@ struct Walkthrough {
       worst_loss{};  ///< the operation that lost most, whether or not the answer hangs on it
 };
 
-/// "In step 'Form the discriminant' the subtraction b·b − 4·a·c loses 22 of 24 bits by cancellation: …", or that rounding
-/// changed little.
+/// "In step 'Form the discriminant' the subtraction b·b − 4·a·c loses 22 of 24 bits by cancellation: …", or
+/// that rounding changed little.
 [[nodiscard]] std::string verdict_sentence(const Walkthrough& walk);
 
 }  // namespace rayproof::viz

@@ -114,7 +114,7 @@ TEST(ManyObjects, HaveTheSameHitsOnEveryInstructionSet) {
       const Topic* const topic = nullptr;
       for (const InstructionSet set : available_instruction_sets()) {
         SCOPED_TRACE(std::string(Topic::name) + " on " + std::string(name_of(set)));
-        const std::size_t all = 200 * 4 * objects::lanes;
+        const std::size_t all = std::size_t{200} * 4 * objects::lanes;
         EXPECT_LT((expect_scalar_hits<typename Topic::Plain, float>(topic, set)), all / 50);
         EXPECT_LT((expect_scalar_hits<typename Topic::Plain, double>(topic, set)), all / 50);
         const std::size_t in_doubt = expect_scalar_hits<typename Topic::Exact, float>(topic, set) +

@@ -40,8 +40,8 @@ class Programs : public testing::Test {
 TEST_F(Programs, ExplainNamesTheSubtractionThatLosesPrecision) {
   const Ended ended = run(explain + cancelling + "--method quadratic/textbook");
   EXPECT_EQ(ended.status, 0) << ended.output;
-  EXPECT_NE(ended.output.find(
-                "In step 'Apply the quadratic formula' the subtraction −b + √D loses 16 of 24 bits by cancellation"),
+  EXPECT_NE(ended.output.find("In step 'Apply the quadratic formula' the subtraction −b + √D loses 16 of 24 "
+                              "bits by cancellation"),
             std::string::npos)
       << ended.output;
 }

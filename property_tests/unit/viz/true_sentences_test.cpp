@@ -64,7 +64,8 @@ TEST(TrueSentences, TheConclusionAgreesWithTheCountAboveIt) {
     if (says(conclusion, "The answer is within")) {
       ++off;
       const double ulps = worst_ulps(&report.exact, report.claim(), report.one.precision);
-      EXPECT_TRUE(says(conclusion, "The answer is within " + few_ulps(ulps) + " of the exact one, correctly rounded."));
+      EXPECT_TRUE(says(conclusion,
+                       "The answer is within " + few_ulps(ulps) + " of the exact one, correctly rounded."));
       EXPECT_TRUE(says(text, "off by " + few_ulps(ulps)));
     }
   });

@@ -31,7 +31,9 @@ struct Slabs {
     const vec3<T> d = ray.direction;
 
     step<T>("Meet both planes of each axis",
-            "Each pair of planes bounds a slab; the ray is in it between two t: (min - o) / d = {min - o} / {d} and (max - o) / d = {max - o} / {d}. Where d is negative along an axis, the ray enters at max; where it is 0, the ray is in that slab for all t or for none.");
+            "Each pair of planes bounds a slab; the ray is in it between two t: (min - o) / d = {min - o} / "
+            "{d} and (max - o) / d = {max - o} / {d}. Where d is negative along an axis, the ray enters at "
+            "max; where it is 0, the ray is in that slab for all t or for none.");
     const Slab<T> x = slab_of(d.x, below.x, above.x);
     const Slab<T> y = slab_of(d.y, below.y, above.y);
     const Slab<T> z = slab_of(d.z, below.z, above.z);

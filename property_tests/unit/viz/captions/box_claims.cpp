@@ -39,9 +39,12 @@ std::vector<CheckedClaim> box_claims() {
   return {{"The six planes of the box lie at these signed distances from the ray's origin, along the axes.",
            expect_distances},
           // The numbers are put in by the walkthrough itself.
-          {"Each pair of planes bounds a slab; the ray is in it between two t: (min - o) / d = # / # and (max - o) / d = # / #."},
-          {"Each pair of planes bounds a slab; the ray is in it between two t: (min - o)·(1/d) = #·# and (max - o)·(1/d) = #·#."},
-          {"Where d is negative along an axis, the ray enters at max; where it is 0, the ray is in that slab for all t or for none.",
+          {"Each pair of planes bounds a slab; the ray is in it between two t: (min - o) / d = # / # and "
+           "(max - o) / d = # / #."},
+          {"Each pair of planes bounds a slab; the ray is in it between two t: (min - o)·(1/d) = #·# and "
+           "(max - o)·(1/d) = #·#."},
+          {"Where d is negative along an axis, the ray enters at max; where it is 0, the ray is in that slab "
+           "for all t or for none.",
            [](const Said& s) {
              const glm::dvec3 below = s.n.vector("min - o"), above = s.n.vector("max - o"),
                               d = s.n.vector("d");
@@ -69,7 +72,8 @@ std::vector<CheckedClaim> box_claims() {
              }
            }},
           {"Each plane then costs a multiplication in place of a division."},
-          {"Rounding may put the exit before the entry: two machine epsilons more, 2 to 4 ulps, can keep a ray that touches the box, and can make a hit of a near miss.",
+          {"Rounding may put the exit before the entry: two machine epsilons more, 2 to 4 ulps, can keep a "
+           "ray that touches the box, and can make a hit of a near miss.",
            [](const Said& s) {
              EXPECT_FALSE(s.n.rounded("t_padded") < s.n.rounded("t_exit"));
              if (std::isnormal(s.n.rounded("t_exit")) && std::isfinite(s.n.rounded("t_padded"))) {
@@ -97,7 +101,8 @@ std::vector<CheckedClaim> box_claims() {
                EXPECT_TRUE(values_of(s.report.claim()).empty());
              }
            }},
-          {"A box counts as behind if t_exit < t_min; with NaN that comparison is false, and so is every other."}};
+          {"A box counts as behind if t_exit < t_min; with NaN that comparison is false, and so is every "
+           "other."}};
 }
 
 }  // namespace rayproof::viz
