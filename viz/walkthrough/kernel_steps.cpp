@@ -48,7 +48,7 @@ std::string equations_of(const std::vector<StageValue>& values, Precision precis
 
 /// Of a step that names nothing: what it came to.
 std::string decision_of(const CaseReport& report) {
-  std::string text = fmt::format("The numbers so far decide: {}", verdict_of(report.claim()));
+  std::string text = fmt::format("So the verdict is: {}", verdict_of(report.claim()));
   const std::vector<double> values = values_of(report.claim());
   for (std::size_t i = 0; i < values.size(); ++i) {
     text += fmt::format("{} {}{} = {}", i == 0 ? "" : ",", symbol_of(report.one), subscript(i),

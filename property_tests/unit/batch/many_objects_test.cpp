@@ -51,7 +51,7 @@ void expect_the_same_of_hard_shapes(const RayTopic<Shape>* /*topic*/) {
     } else {
       list.add(shape);
     }
-    for (int rays = 0; rays < 20; ++rays) expect_answers_of_one_by_one(list, hard_ray<T>(random));
+    for (int rays = 0; rays < 6; ++rays) expect_answers_of_one_by_one(list, hard_ray<T>(random));
   }
 }
 

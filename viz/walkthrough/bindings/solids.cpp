@@ -23,7 +23,7 @@ Items slabs(const NumbersByName& n) {
     const glm::dvec3 off = static_cast<double>(items.size() + 1) * aside;
     items.push_back(segment(Role::edge, n.at(std::min(first, second)) + off,
                             n.at(std::max(first, second)) + off,
-                            std::string(names.at(static_cast<std::size_t>(axis))) + " slab"));
+                            "in the " + std::string(names.at(static_cast<std::size_t>(axis))) + " slab"));
   }
   return items;
 }
@@ -56,7 +56,7 @@ Items ring(double rx, double ry, double z, const char* label) {
 }
 
 Items ends(const NumbersByName& n) {
-  Items items = ring(n["rx"], n["ry"], 0, "z = 0");
+  Items items = ring(n["rx"], n["ry"], 0, "");  // the scene names it
   for (StageItem& item : ring(n["rx"], n["ry"], n["height"], "z = height")) items.push_back(std::move(item));
   return items;
 }

@@ -48,7 +48,7 @@ Items edges_of_patch(const NumbersByName& n) {
   const glm::dvec3 corner = on_patch(0, 0), along_u = on_patch(1, 0), along_v = on_patch(0, 1);
   return {arrow(Role::nearest, n.origin(), corner, "p"), arrow(Role::edge, corner, along_u, "p_u"),
           arrow(Role::edge, corner, along_v, "e"),
-          arrow(Role::normal, along_u + along_v - corner, on_patch(1, 1), "e_u")};
+          arrow(Role::edge, along_u + along_v - corner, on_patch(1, 1), "e_u")};
 }
 
 Items some_rulings(const NumbersByName& /*n*/) {

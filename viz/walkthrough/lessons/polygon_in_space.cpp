@@ -17,9 +17,9 @@ namespace {
 template <class R>
 void cross_projected(const LargestAxisLast<R>& turned, const vec3<R>& q,
                      const std::vector<vec3<R>>& vertices) {
-  step<R>(
-      "Count the sides that a ray along +x crosses there",
-      "s is the place on the side and t that on the ray: an odd number of crossings with t > 0 is inside.");
+  step<R>("Count the sides that a ray along +x crosses there",
+          "s is the place on the side and t that on the ray: an odd number of crossings with t > 0 means "
+          "inside.");
   const Vec2<R> p = turned.dropped(q);
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const Vec2<R> a = turned.dropped(vertices[i]);

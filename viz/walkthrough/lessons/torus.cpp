@@ -40,7 +40,7 @@ Items from_centre(const NumbersByName& n) {
     circle.emplace_back(torus.major * std::cos(turn * i / pieces), torus.major * std::sin(turn * i / pieces),
                         0);
   const std::string p = n.has_vector("p_b") ? "p_b" : "p_a";
-  return {polyline(Role::edge, circle), segment(Role::normal, {0, 0, 0}, circle[pieces / 2], "R"),
+  return {polyline(Role::edge, circle), segment(Role::edge, {0, 0, 0}, circle[pieces / 2], "R"),
           arrow(Role::nearest, {0, 0, 0}, n.vector(p))};
 }
 

@@ -25,7 +25,7 @@ StageStep back_in_the_world(const CaseReport& report, const NumbersByName& n, co
   step.title = "Take the hit back into the world";
   step.caption = fmt::format(
       "M·q = A·q + T takes q = o′ + t₀·d = {} to {}, which is p(t₀). Had d been normalised, t would be "
-      "|d|·t₀ = {} there, and no t of this ray.",
+      "|d|·t₀ = {} there, which is not the t of this ray.",
       vector(q), vector(p), rough(t * glm::length(n.direction()), 5));
   step.words = step.caption;
   step.view = stage.steps.front().view;

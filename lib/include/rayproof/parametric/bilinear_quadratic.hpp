@@ -57,8 +57,10 @@ struct BilinearQuadratic {
     const vec3<T> p = named("p", at_0);
     const vec3<T> e = named("e", along);
     const vec3<T> n = named("n", cross(ray.direction, e));
-    step<T>("Divide by the square of the normal",
-            "p × e along n is t times n·n, and p × d along n is v times n·n.");
+    step<T>(
+        "Divide by the square of the normal",
+        "p × e along n is t times n·n, and p × d along n is v times n·n. Where u or v is not in [0, 1], the "
+        "lines meet off the patch.");
     const T nn = dot(n, n);
     const vec3<T> g = named("g", cross(p, e)), h = named("h", cross(p, ray.direction));
     const T t = named("t", dot(g, n) / nn);

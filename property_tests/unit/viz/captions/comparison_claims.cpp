@@ -50,7 +50,7 @@ std::vector<LessonClaim> comparison_claims() {
       {"", "Computed: *.", [](const LessonSaid& s) { expect_verdict(s, s.stage.method); }},
       {"", "*/* says: *.",
        [](const LessonSaid& s) { expect_verdict(s, s.sentence.substr(0, s.sentence.find(' '))); }},
-      {"", "The numbers so far decide: *."}};
+      {"", "So the verdict is: *."}};
 }
 
 }  // namespace rayproof::viz

@@ -135,7 +135,8 @@ std::vector<LessonClaim> polygon_lesson_claims() {
            EXPECT_LT(std::abs(glm::dot(sum, v[(i + 1) % v.size()] - v[i])), 1e-6);
        }},
       {"polygon-in-space",
-       "s is the place on the side and t that on the ray: an odd number of crossings with t > 0 is inside."},
+       "s is the place on the side and t that on the ray: an odd number of crossings with t > 0 means "
+       "inside."},
       {"ray-segment", "0 ≤ s₀ ≤ 1 and t₀ > 0: a hit.",
        [](const LessonSaid& said) {
          EXPECT_TRUE(said.n["s₀"] >= 0 && said.n["s₀"] <= 1 && said.n["t₀"] > 0);

@@ -124,7 +124,7 @@ std::vector<LessonClaim> solid_lesson_claims() {
          EXPECT_LT(glm::length(glm::dvec3(*asked.transform * glm::dvec4(q, 1)) - p), 1e-4);
          EXPECT_LT(glm::length(asked.ray.origin + s.n["t₀"] * asked.ray.direction - p), 1e-4);
        }},
-      {"transformed", "Had d been normalised, t would be |d|·t₀ = # there, and no t of this ray.",
+      {"transformed", "Had d been normalised, t would be |d|·t₀ = # there, which is not the t of this ray.",
        [](const LessonSaid& s) {
          EXPECT_TRUE(is_near(glm::length(s.n.vector("d")) * s.n["t₀"], numbers_in(s.sentence).at(0)));
        }}};

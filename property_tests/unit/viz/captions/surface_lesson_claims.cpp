@@ -116,6 +116,10 @@ std::vector<LessonClaim> surface_lesson_claims() {
          if (glm::length(glm::cross(p, e) - s.n.vector("g")) > 1e-5) return;
          EXPECT_NEAR(glm::dot(glm::cross(p, e), n), s.n["t"] * glm::dot(n, n), 1e-5);
          EXPECT_NEAR(glm::dot(glm::cross(p, d), n), s.n["v"] * glm::dot(n, n), 1e-5);
+       }},
+      {"parametric-patch", "Where u or v is not in [0, 1], the lines meet off the patch.",
+       [](const LessonSaid& s) {  // here behind the origin, where the patch is not
+         EXPECT_EQ(s.n["v"] >= 0 && s.n["v"] <= 1, s.n["t"] > 0);
        }}};
 }
 
