@@ -53,7 +53,8 @@ class ObjectList {
   }
   /// Whether anything is hit in the ray's interval: what a shadow ray asks.
   [[nodiscard]] bool any(const Ray<T>& ray) const { return objects::any_of<Choice>(ray, near(ray)); }
-  /// Every hit in the ray's interval, ascending; of a solid both, of a tangent one.
+  /// Every hit in the ray's interval, ascending; of a solid both, of a tangent one. Asks one object after the
+  /// other.
   [[nodiscard]] std::vector<HitRecord<T>> all(const Ray<T>& ray) const {
     return objects::all_of<Choice>(ray, [this](const auto& meet) { this->for_each(meet); });
   }
