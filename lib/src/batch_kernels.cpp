@@ -114,11 +114,7 @@ constexpr void enter(ToObjectKernel<T>& kernel) {
   kernel.move = move<T>;
 }
 
-constexpr KernelTable built = [] {
-  KernelTable table;
-  std::apply([](auto&... kernels) { (enter(kernels), ...); }, table);
-  return table;
-}();
+constexpr KernelTable built = filled<KernelTable>([](auto& kernel) { enter(kernel); });
 
 }  // namespace
 

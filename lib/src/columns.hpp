@@ -6,6 +6,9 @@
 
 #include <rayproof/arithmetics/pack.hpp>
 
+#include <algorithm>
+#include <tuple>
+
 /// Puts all that a function calls into the function itself; not under AddressSanitizer, which would take
 /// minutes.
 #ifdef __SANITIZE_ADDRESS__
@@ -48,36 +51,52 @@ struct LaneAccess<T> {
 };
 
 /// Calls `solve(in, out)` for every `width` lanes of the columns. The last lanes are padded with copies of
-/// the very last one, so that they take the same path as all others. Where 1 column is `wanted`, the others
-/// are not written.
+/// the very last one, so that they take the same path as all others: the same loop, since all that `solve`
+/// calls becomes part of it, which a second one would have g++ do twice. Where 1 column is `wanted`, the
+/// others are not written.
 template <class N, class T, std::size_t In, std::size_t Out, class Solve>
 void run(const T* const (&in)[In], T* const (&out)[Out], std::size_t size, const Solve& solve,
          std::size_t wanted = Out) {
   using Access = LaneAccess<N>;
   constexpr std::size_t lanes = Access::width;
-  N from[In];
-  N to[Out];
-  std::size_t i = 0;
-  for (; i + lanes <= size; i += lanes) {
-    for (std::size_t column = 0; column < In; ++column) from[column] = Access::load(in[column] + i);
-    solve(from, to);
-    Access::store(to[0], out[0] + i);
-    if (wanted == 1) continue;
-    for (std::size_t column = 1; column < Out; ++column) Access::store(to[column], out[column] + i);
-  }
-  if (i == size) return;
+  const std::size_t whole = size - size % lanes;
+  T rest_in[In][lanes];
+  T rest_out[Out][lanes];
+  const T* source[In];
+  T* target[Out];
+  for (std::size_t column = 0; column < In; ++column) source[column] = in[column];
+  for (std::size_t column = 0; column < Out; ++column) target[column] = out[column];
+  for (std::size_t end = whole;;) {
+    N from[In];
+    N to[Out];
+    for (std::size_t i = 0; i < end; i += lanes) {
+      for (std::size_t column = 0; column < In; ++column) from[column] = Access::load(source[column] + i);
+      solve(from, to);
+      Access::store(to[0], target[0] + i);
+      if (wanted == 1) continue;
+      for (std::size_t column = 1; column < Out; ++column) Access::store(to[column], target[column] + i);
+    }
+    if (whole == size || source[0] == rest_in[0]) break;
 
-  T padded[lanes];
-  for (std::size_t column = 0; column < In; ++column) {
-    for (std::size_t lane = 0; lane < lanes; ++lane)
-      padded[lane] = in[column][i + lane < size ? i + lane : size - 1];
-    from[column] = Access::load(padded);
+    for (std::size_t column = 0; column < In; ++column) {
+      for (std::size_t lane = 0; lane < lanes; ++lane)
+        rest_in[column][lane] = in[column][std::min(whole + lane, size - 1)];
+      source[column] = rest_in[column];
+    }
+    for (std::size_t column = 0; column < Out; ++column) target[column] = rest_out[column];
+    end = lanes;
   }
-  solve(from, to);
   for (std::size_t column = 0; column < wanted; ++column) {
-    Access::store(to[column], padded);
-    for (std::size_t lane = 0; i + lane < size; ++lane) out[column][i + lane] = padded[lane];
+    for (std::size_t i = whole; i < size; ++i) out[column][i] = rest_out[column][i - whole];
   }
+}
+
+/// A table of kernels, each of which `enter(kernel)` has given its function.
+template <class Table, class Enter>
+constexpr Table filled(const Enter& enter) {
+  Table table;
+  std::apply([&](auto&... kernels) { (enter(kernels), ...); }, table);
+  return table;
 }
 
 }  // namespace

@@ -78,11 +78,7 @@ constexpr void enter(ObjectKernel<Method, RayProblem<Shape, T>>& kernel) {
     kernel.meet_in_world = meet_all<Method, true, Shape, T>;
 }
 
-constexpr KernelTable built = [] {
-  KernelTable table;
-  std::apply([](auto&... kernels) { (enter(kernels), ...); }, table);
-  return table;
-}();
+constexpr KernelTable built = batch::filled<KernelTable>([](auto& kernel) { enter(kernel); });
 
 }  // namespace
 

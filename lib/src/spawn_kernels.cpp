@@ -44,11 +44,7 @@ constexpr void enter(Kernel<Strategy, Surface, T>& kernel) {
   kernel.origins = fill<Strategy, Surface, T>;
 }
 
-constexpr KernelTable built = [] {
-  KernelTable table;
-  std::apply([](auto&... kernels) { (enter(kernels), ...); }, table);
-  return table;
-}();
+constexpr KernelTable built = batch::filled<KernelTable>([](auto& kernel) { enter(kernel); });
 
 }  // namespace
 
