@@ -82,6 +82,9 @@ class Progress:
                 self.kept = json.loads((folder / self.FILE).read_text(encoding="utf-8"))
             except ValueError as problem:
                 raise LabError(f"{folder / self.FILE}: {problem}") from problem
+            labs = self.kept.get("labs", {}) if isinstance(self.kept, dict) else None
+            if not isinstance(labs, dict) or not all(isinstance(lab, dict) for lab in labs.values()):
+                raise LabError(f"{folder / self.FILE} is not what {PROGRAM} has written; without it, you begin again")
 
     @classmethod
     def find(cls):

@@ -2,6 +2,7 @@
 """rayproof lab: exercises on ray intersection, judged by the exact oracle."""
 
 import argparse
+import os
 from pathlib import Path
 import shutil
 import signal
@@ -144,6 +145,11 @@ def main():
 
 if __name__ == "__main__":
     try:
-        sys.exit(main())
+        status = main()
+        if sys.stdout: sys.stdout.flush()  # where the disk is full, this is what finds out
+        sys.exit(status)
     except KeyboardInterrupt:
         sys.exit(130)
+    except OSError as problem:
+        print(f"{PROGRAM}: {problem}", file=sys.stderr)
+        os._exit(2)  # what is left in the output would be tried again, and fail again

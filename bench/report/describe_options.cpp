@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "command_line/run_options.hpp"
+
 namespace rayproof::report {
 
 namespace {
@@ -31,7 +33,7 @@ void describe(CLI::App& app, BenchOptions& options) {
       ->check(CLI::Range(std::size_t{64}, std::size_t{100'000'000}));
   app.add_option("--time", options.seconds, "Seconds of timing for each family and precision")
       ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+      ->check(seconds_between(1e-6, 3600));
   app.add_flag("--quick", options.is_quick,
                "Two minutes in place of ten: 4096 rays and 0.02 seconds, where no others are given");
   app.add_option("--baseline", options.baseline,

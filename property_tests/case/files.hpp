@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Folders and files that a program writes: each trouble is one sentence that names the file.
+/// Folders and files that a program reads and writes: each trouble is one sentence that names the file.
 
 #include <filesystem>
 #include <fstream>
@@ -15,6 +15,19 @@ inline void make_folder(const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder, error);
   if (error)
     throw std::runtime_error("the folder " + folder.string() + " cannot be made: " + error.message());
+}
+
+/// Whether a file was opened to be read. A folder opens, too, and only then can't be read.
+[[nodiscard]] inline bool is_readable(const std::ifstream& file, const std::filesystem::path& path) {
+  std::error_code error;
+  return file && !std::filesystem::is_directory(path, error);
+}
+
+/// A file opened to be read. Throws std::runtime_error.
+[[nodiscard]] inline std::ifstream opened_to_read(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!is_readable(file, path)) throw std::runtime_error(path.string() + " cannot be read");
+  return file;
 }
 
 /// A file opened to be written anew. Throws std::runtime_error.
@@ -36,18 +49,33 @@ inline void write_file(const std::filesystem::path& path, const std::string& tex
   finish(file, path);
 }
 
+/// Puts a whole file that stands beside `path` in its place, in one step; false where that can't be. A link
+/// goes on to lead to the file; what is no file (/dev/stdout, a pipe) is written to, and never replaced.
+[[nodiscard]] inline bool put_in_place(const std::filesystem::path& beside,
+                                       const std::filesystem::path& path) {
+  std::error_code error;
+  if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error)) {
+    std::ofstream out(path, std::ios::binary);
+    if (std::filesystem::file_size(beside, error) > 0) out << std::ifstream(beside, std::ios::binary).rdbuf();
+    return static_cast<bool>(out << std::flush);
+  }
+  const std::filesystem::path place = std::filesystem::weakly_canonical(path, error);
+  if (!error) std::filesystem::rename(beside, place, error);
+  return !error;
+}
+
 /// Writes the file anew; whatever ends the program meanwhile, either the old or the new text stands there.
 inline void replace_file(const std::filesystem::path& path, const std::string& text) {
   const std::filesystem::path beside = path.string() + ".new";
-  std::error_code error;
   bool is_written = false;
   {
     std::ofstream file(beside);
     is_written = static_cast<bool>(file << text << std::flush);
   }
-  if (is_written) std::filesystem::rename(beside, path, error);
-  if (is_written && !error) return;
+  is_written = is_written && put_in_place(beside, path);
+  std::error_code error;
   std::filesystem::remove(beside, error);
+  if (is_written) return;
   throw std::runtime_error(path.string() +
                            " cannot be written: is its folder writable, and is there room on the disk?");
 }

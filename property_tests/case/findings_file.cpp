@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <fstream>
 #include <iterator>
 #include <sstream>
+
+#include "case/files.hpp"
 
 namespace rayproof {
 
@@ -27,7 +28,7 @@ std::vector<std::string> lines_in(const std::string& text) {
 
 std::string finding_line(const std::string& file, std::size_t number) {
   std::ifstream in(file, std::ios::binary);
-  if (!in) {
+  if (!is_readable(in, file)) {
     throw UnreadableCase(fmt::format(
         "there is no finding {}: {} can't be read; rayproof check writes it, --from names another run's file",
         number, file));

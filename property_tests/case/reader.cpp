@@ -69,11 +69,11 @@ Precision read_precision(ObjectReader& reader) {
 
 glm::dmat4 read_transform(const Field& field, Precision precision) {
   constexpr glm::dvec4 last_row{0, 0, 0, 1};
-  constexpr auto expected = "must be an array of 4 rows of 4 numbers";
   glm::dmat4 transform{};
-  const std::vector<Field> rows = field.elements(expected, 4);
+  const std::vector<Field> rows = field.elements("must be an array of 4 rows of 4 numbers", 4);
   for (glm::length_t row = 0; row < 4; ++row) {
-    const std::vector<Field> row_elements = rows[static_cast<std::size_t>(row)].elements(expected, 4);
+    const std::vector<Field> row_elements =
+        rows[static_cast<std::size_t>(row)].elements("must be an array of 4 numbers", 4);
     for (glm::length_t column = 0; column < 4; ++column) {
       read_value(row_elements[static_cast<std::size_t>(column)], precision, transform[column][row]);
     }

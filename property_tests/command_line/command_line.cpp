@@ -1,8 +1,57 @@
 #include "command_line/command_line.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <system_error>
 #include <utility>
+#include <vector>
+
+#include "case/reader/near_names.hpp"
 
 namespace rayproof {
+namespace {
+
+/// Standard output holds back what it is given: only its last write finds out that the disk is full.
+void finish_output() {
+  errno = 0;
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
+  const std::string why = errno == 0 ? "is the disk full?" : std::generic_category().message(errno);
+  // A reader who has seen enough (`| head`) is no failure to speak of.
+  if (errno != EPIPE) fmt::print(stderr, "rayproof: the output cannot be written: {}\n", why);
+  std::_Exit(2);
+}
+
+/// The first file that a program opens would take the number of a stream that was closed before it began, and
+/// what is printed would go there. In its place stands what can't be read or written.
+void occupy_closed_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(stream, F_GETFD) < 0)
+      (void)!::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
+
+std::vector<std::string> option_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+/// What is wrong. An option that there is not comes first: it may be the misspelt one that is missing.
+std::string sentence_of(const CLI::App& app, const CLI::ParseError& mistake) {
+  for (const std::string& argument : app.remaining()) {
+    if (!argument.starts_with("--") || argument.size() == 2) continue;
+    const std::string given = argument.substr(0, argument.find('='));
+    const auto meant = likely_name(given, option_names(app));
+    return fmt::format("there is no option {}{}", given,
+                       meant ? fmt::format("; did you mean {}?", *meant) : "");
+  }
+  return mistake.what();
+}
+
+}  // namespace
 
 CommandLine::CommandLine(std::string description, std::string program)
     : CLI::App(std::move(description), std::move(program)) {}
@@ -10,13 +59,15 @@ CommandLine::CommandLine(std::string description, std::string program)
 CommandLine::~CommandLine() = default;
 
 std::optional<int> parse_command_line(CommandLine& app, int argc, const char* const* argv) {
+  occupy_closed_streams();
+  std::atexit(finish_output);
   try {
     app.parse(argc, argv);
     return std::nullopt;
   } catch (const CLI::Success& request) {  // --help
     return app.exit(request);
   } catch (const CLI::ParseError& mistake) {
-    fmt::print(stderr, "{}: {} (--help says more)\n", app.get_name(), mistake.what());
+    fmt::print(stderr, "{}: {} (--help says more)\n", app.get_name(), sentence_of(app, mistake));
     return 2;
   }
 }

@@ -22,7 +22,8 @@ class CommandLine : public CLI::App {
   ~CommandLine() override;
 };
 
-/// Parses the command line; gives the exit status where the program is to end here.
+/// Parses the command line, and sees to it that a program whose output was lost ends with 2. Gives the exit
+/// status where the program is to end here.
 [[nodiscard]] std::optional<int> parse_command_line(CommandLine& app, int argc, const char* const* argv);
 
 }  // namespace rayproof

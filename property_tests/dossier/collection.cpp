@@ -10,6 +10,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "case/files.hpp"
 #include "case/findings_file.hpp"
 #include "case/json/ordered.hpp"
 
@@ -20,7 +21,7 @@ using Json = nlohmann::ordered_json;
 
 std::vector<std::string> lines_of(const std::filesystem::path& file) {
   std::ifstream in(file);
-  if (!in)
+  if (!is_readable(in, file))
     throw std::runtime_error(file.string() + " can't be read: it is written by rayproof check --subject");
   return lines_in({std::istreambuf_iterator<char>(in), {}});
 }

@@ -51,6 +51,9 @@ RecordedFinding recorded(const Json& line, std::size_t number) {
 RecordedFinding read_recorded(std::string_view line, std::size_t number) {
   try {
     return recorded(read_json(line), number);
+  } catch (const Json::exception&) {
+    throw std::runtime_error(
+        fmt::format("finding {} can't be read: its line is none of rayproof check --subject", number));
   } catch (const std::exception& problem) {
     throw std::runtime_error(fmt::format("finding {} can't be read: {}", number, problem.what()));
   }

@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <system_error>
 
 #include "case/writer.hpp"
 #include "command_line/command_line.hpp"
+#include "command_line/count_option.hpp"
 #include "command_line/precision_option.hpp"
+#include "command_line/run_options.hpp"
 #include "properties/engine/hunt.hpp"
 
 namespace {
@@ -42,8 +45,8 @@ void describe(CLI::App& app, CasesOptions& options) {
   add_precision_option(app, options.precisions);
   app.add_option("--count", options.count, "Cases of each family and precision")
       ->capture_default_str()
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000'000}));
-  app.add_option("--seed", options.seed, "Where the random cases begin")->capture_default_str();
+      ->transform(whole_count());
+  add_seed_option(app, options.seed, "Where the random cases begin");
   app.add_flag("--list", options.list, "List the families in place of their cases");
   app.footer(
       "One case a line (docs/case-format.md), its id the name of its family and its number. They are the\n"
@@ -83,5 +86,9 @@ int main(int argc, char** argv) {
   CasesOptions options;
   describe(app, options);
   if (const auto status = parse_command_line(app, argc, argv)) return *status;
-  return run(options);
+  try {
+    return run(options);
+  } catch (const std::system_error&) {  // of the output, which says so at the end of every program
+  }
+  return 2;
 }

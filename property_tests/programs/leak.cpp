@@ -24,6 +24,8 @@ int run(const leaks::LeakOptions& options) {
   const leaks::ClosedMesh mesh = mesh_called(options.mesh);
   const leaks::SubjectPanel panel = leaks::panel_of(options);
   make_folder(options.out);
+  std::ofstream json;
+  if (!options.json.empty()) json = opened(options.json);
   keep_on_interrupt();
   ProgressLine progress;
   const leaks::Result result =
@@ -33,7 +35,7 @@ int run(const leaks::LeakOptions& options) {
   const std::filesystem::path out(options.out);
   write_file(out / "index.html", leaks::html_page(mesh, options.settings, result));
   write_file(out / "cases.jsonl", leaks::case_lines(result));
-  if (!options.json.empty()) write_file(options.json, leaks::json_text(mesh, options.settings, result));
+  if (json.is_open()) finish(json << leaks::json_text(mesh, options.settings, result), options.json);
   fmt::print("{}: {} triangles, closed; seed {}, {} rays for each precision\n\n{}\n", mesh.name,
              mesh.triangles.size(), options.settings.seed, options.settings.rays, leaks::text_table(result));
   const std::vector<std::string> broken = leaks::broken_promises(result);

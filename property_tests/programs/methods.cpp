@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <rayproof/topics.hpp>
+#include <system_error>
 
 #include "case/json/ordered.hpp"
 #include "command_line/command_line.hpp"
@@ -133,6 +134,12 @@ std::string headers() {
   return lines;
 }
 
+void print_json() {
+  Json all = Json::array();
+  for (const Subject& subject : subjects()) all.push_back(to_json(subject));
+  fmt::print("{}\n", write_json(all, 2));
+}
+
 constexpr auto footer =
     R"(The table has a row of bounds for each method, and under it what the method
 does, its source, its domain, and which properties of rayproof check it breaks.
@@ -187,12 +194,13 @@ int main(int argc, char** argv) {
   app.footer(fmt::format(footer, headers()));
   if (const auto status = parse_command_line(app, argc, argv)) return *status;
 
-  if (!as_json) {
-    print_table();
+  try {
+    if (as_json)
+      print_json();
+    else
+      print_table();
     return 0;
+  } catch (const std::system_error&) {  // of the output, which says so at the end of every program
   }
-  Json all = Json::array();
-  for (const Subject& subject : subjects()) all.push_back(to_json(subject));
-  fmt::print("{}\n", write_json(all, 2));
-  return 0;
+  return 2;
 }

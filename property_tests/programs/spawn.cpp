@@ -1,13 +1,14 @@
 /// \file
 /// rayproof spawn: leaves surfaces by every strategy, and judges the rays exactly.
 
-#include <fstream>
-
+#include "case/files.hpp"
 #include "case/writer.hpp"
 #include "command_line/command_line.hpp"
+#include "command_line/count_option.hpp"
 #include "command_line/interrupt.hpp"
 #include "command_line/precision_option.hpp"
 #include "command_line/progress_line.hpp"
+#include "command_line/run_options.hpp"
 #include "properties/leaving/text.hpp"
 
 namespace {
@@ -26,9 +27,11 @@ void describe(CLI::App& app, SpawnOptions& options) {
   };
   leaving::SearchSettings& settings = options.settings;
   settings.cases = 65536;
-  app.add_option("--seed", settings.seed, "Where the random hits begin")->capture_default_str();
-  app.add_option("--cases", settings.cases, "Hits for each shape and precision")->capture_default_str();
-  app.add_option("--jobs", settings.jobs, "Threads; as many as the machine has where left out");
+  add_seed_option(app, settings.seed, "Where the random hits begin");
+  app.add_option("--cases", settings.cases, "Hits for each shape and precision")
+      ->capture_default_str()
+      ->transform(whole_count());
+  add_jobs_option(app, settings.jobs);
   list("--shape", settings.shapes, "Only these shapes");
   list("--strategy", settings.strategies, "Only these strategies");
   add_precision_option(app, options.settings.precisions);
@@ -39,26 +42,21 @@ void describe(CLI::App& app, SpawnOptions& options) {
   app.footer("Exit status: 0 what is proven holds; 1 not so; 2 wrong command line; 130 interrupted.");
 }
 
-void open(std::ofstream& file, const std::string& name) {
-  if (name.empty()) return;
-  file.open(name);
-  if (!file) throw std::runtime_error(name + " cannot be written");
-}
-
 int run(const SpawnOptions& options) {
   if (const std::string sentence = leaving::unknown_names(options.settings); !sentence.empty())
     throw std::runtime_error(sentence);
   std::ofstream json, findings;
-  open(json, options.json);
-  open(findings, options.findings);
+  if (!options.json.empty()) json = opened(options.json);
+  if (!options.findings.empty()) findings = opened(options.findings);
   keep_on_interrupt();
   ProgressLine progress;
   const leaving::SearchResult result =
       leaving::search(options.settings, is_interrupted,
                       [&](double done, const std::string& what) { progress.show(done, what); });
   progress.clear();
-  json << leaving::json_text(options.settings, result);
   for (const leaving::FalseHit& failure : result.failures) findings << write_case(failure.left) << '\n';
+  if (findings.is_open()) finish(findings, options.findings);
+  if (json.is_open()) finish(json << leaving::json_text(options.settings, result), options.json);
   const std::string tenfold = leaving::text_tenfold(result);
   fmt::print("seed {}, {} hits for each shape and precision\n\n{}\n{}\n{}{}{}", options.settings.seed,
              options.settings.cases, leaving::text_table(result), leaving::text_shapes(result), tenfold,

@@ -7,6 +7,7 @@
 #include "command_line/interrupt.hpp"
 #include "command_line/precision_option.hpp"
 #include "command_line/progress_line.hpp"
+#include "command_line/run_options.hpp"
 #include "command_line/time_option.hpp"
 #include "properties/worst/search.hpp"
 
@@ -35,14 +36,13 @@ void describe_filters(CLI::App& app, WorstOptions& options) {
 void describe(CLI::App& app, WorstOptions& options) {
   Settings& plan = options.what.plan;
   plan.cases = 100'000;
-  app.add_option("--seed", plan.seed, "Where the search begins")->capture_default_str();
+  add_seed_option(app, plan.seed, "Where the search begins");
   app.add_option("--cases", plan.cases, "Cases for each method and precision")
       ->capture_default_str()
       ->transform(whole_count());
   add_time_option(app, options.what.time, "In place of --cases: time for each method and precision");
   app.add_flag("--compare", options.what.compare, "Draw cases at random as long, too, and show both");
-  app.add_option("--jobs", plan.jobs, "Threads; as many as the machine has where left out")
-      ->check(CLI::Range(1, 1024));
+  add_jobs_option(app, plan.jobs);
   describe_filters(app, options);
   app.add_option("--out", options.out, "Folder for findings.jsonl, the worst cases")
       ->capture_default_str()

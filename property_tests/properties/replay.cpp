@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-
+#include "case/files.hpp"
 #include "case/findings_file.hpp"
 #include "case/shape_format.hpp"
 #include "case/writer.hpp"
@@ -98,8 +97,7 @@ int summed_up(const Replays& replays) {
 }  // namespace
 
 int replay_file(const std::string& file) {
-  std::ifstream in(file);
-  if (!in) throw std::runtime_error(file + " cannot be read");
+  std::ifstream in = opened_to_read(file);
   Replays replays;
   std::string line;
   for (std::size_t number = 1; std::getline(in, line); ++number) replay_line(file, line, number, replays);

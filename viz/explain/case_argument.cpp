@@ -6,6 +6,7 @@
 #include <iostream>
 #include <iterator>
 
+#include "case/files.hpp"
 #include "case/json/text.hpp"
 #include "case/reader.hpp"
 #include "case/reader/field.hpp"
@@ -27,7 +28,7 @@ std::string read_all(const std::string& file) {
   const auto drain = [](std::istream& in) { return std::string(std::istreambuf_iterator<char>(in), {}); };
   if (file == "-") return drain(std::cin);
   std::ifstream in(file, std::ios::binary);
-  if (!in) throw UnreadableCase(fmt::format("the file {} can't be read", file));
+  if (!is_readable(in, file)) throw UnreadableCase(fmt::format("the file {} can't be read", file));
   return drain(in);
 }
 

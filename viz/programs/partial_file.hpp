@@ -9,6 +9,8 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "case/files.hpp"
+
 namespace rayproof::viz {
 
 /// A file beside the one asked for, which takes its name in one step at the end, or goes away with this
@@ -31,9 +33,7 @@ class PartialFile {
   [[nodiscard]] std::string path() const { return partial_.string(); }
 
   void keep() {
-    std::error_code error;
-    std::filesystem::rename(partial_, asked_, error);
-    if (error) fail();
+    if (!put_in_place(partial_, asked_)) fail();
   }
 
  private:

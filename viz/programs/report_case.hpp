@@ -11,6 +11,7 @@
 
 #include "case/reader/near_names.hpp"
 #include "command_line/command_line.hpp"
+#include "command_line/count_option.hpp"
 #include "subjects/command.hpp"
 #include "viz/explain/case_argument.hpp"
 #include "viz/programs/report_of.hpp"
@@ -30,7 +31,7 @@ struct CaseOptions {
     app.add_option("--from", findings, "The findings of the run whose number is given")
         ->capture_default_str()
         ->type_name("FILE");
-    return {app.add_option("--line", line, "Which line of the file, from 1")->check(CLI::PositiveNumber),
+    return {app.add_option("--line", line, "Which line of the file, from 1")->transform(whole_count()),
             app.add_option("--method", method, which_method)->type_name("SHAPE/METHOD"),
             app.add_option("--precision", precision, "Round the case to this in place of its own precision")
                 ->check(CLI::IsMember({"float32", "float64"}))};

@@ -16,6 +16,7 @@ class Parser {
   explicit Parser(std::string_view text) : text_(text), scanner_(text) { document_.reserve(64); }
 
   Document parse() {
+    if (text_.starts_with("\xEF\xBB\xBF")) scanner_.refuse("no byte order mark");
     scanner_.skip_blanks();
     do {
       begin_value();

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <sstream>
 
+#include "case/files.hpp"
 #include "case/reader.hpp"
 
 namespace rayproof::check {
@@ -27,8 +27,7 @@ void append_cases(std::vector<Case>& cases, std::istream& in, const std::string&
 std::vector<Case> read_corpus(const std::string& file) {
   std::vector<Case> cases;
   if (!file.empty()) {
-    std::ifstream in(file);
-    if (!in) throw std::runtime_error(file + " cannot be read");
+    std::ifstream in = opened_to_read(file);
     append_cases(cases, in, file);
     return cases;
   }

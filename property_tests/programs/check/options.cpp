@@ -7,6 +7,7 @@
 
 #include "command_line/count_option.hpp"
 #include "command_line/precision_option.hpp"
+#include "command_line/run_options.hpp"
 #include "command_line/time_option.hpp"
 #include "subjects/subject.hpp"
 
@@ -42,17 +43,15 @@ void describe_guests(CLI::App& app, Options& options) {
          "Put this program on trial in place of our methods: a shell line that reads cases, one a line, "
          "on standard input and writes an answer to each, in any order, each flushed "
          "(docs/case-format.md)")
-      ->type_name("COMMAND");
+      ->type_name("COMMAND")
+      ->check(no_blank_command());
   app.add_option(
          "--subject", options.subjects,
          "Put these libraries on trial in place of our methods: names, or `peers` for all that are built "
          "(docs/peers.md)")
       ->delimiter(',')
       ->type_name("NAME");
-  app.add_option("--case-seconds", options.case_seconds,
-                 "How long the program may be silent while a case waits for its answer")
-      ->capture_default_str()
-      ->check(CLI::Range(0.01, 3600.0));
+  add_case_seconds_option(app, options.case_seconds);
 }
 
 /// "3/8" as a shard.
@@ -102,15 +101,14 @@ void describe_outputs(CLI::App& app, Options& options) {
 
 void describe(CLI::App& app, Options& options) {
   Settings& settings = options.settings;
-  app.add_option("--seed", settings.seed, "Where the random cases begin")->capture_default_str();
+  add_seed_option(app, settings.seed, "Where the random cases begin");
   app.add_option("--cases", options.cases,
                  fmt::format("Cases for each method, family and precision; {} of a --subject-command",
                              usual_cases_of_command))
       ->default_str(std::to_string(usual_cases))
       ->transform(whole_count());
   add_time_option(app, settings.time, "Stop after this time; every family has its share of it");
-  app.add_option("--jobs", settings.jobs, "Threads; as many as the machine has where left out")
-      ->check(CLI::Range(1, 1024));
+  add_jobs_option(app, settings.jobs);
   describe_guests(app, options);
   describe_campaign(app, options);
   describe_filters(app, options);

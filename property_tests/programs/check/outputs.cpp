@@ -41,6 +41,7 @@ void Outputs::write(const Plan& plan, const RunResult& result, const Summary& su
   for (const Finding& finding : result.findings) in_order += write_finding(finding) + "\n";
   findings_.close();
   replace_file(folder_ / "findings.jsonl", in_order);
+  if (asked_findings_.is_open()) finish(asked_findings_, asked_path_);
   // What was written at once had neither number nor diagnosis; a pipe has been read meanwhile.
   if (asked_findings_.is_open() && std::filesystem::is_regular_file(asked_path_)) {
     asked_findings_.close();

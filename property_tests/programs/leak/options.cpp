@@ -2,6 +2,7 @@
 
 #include "command_line/count_option.hpp"
 #include "command_line/precision_option.hpp"
+#include "command_line/run_options.hpp"
 
 namespace rayproof::leaks {
 
@@ -20,15 +21,13 @@ void describe_subjects(CLI::App& app, LeakOptions& options) {
          "--subject-command", options.command,
          "Put this program on trial: a shell line that reads cases, one a line, on standard input and writes "
          "an answer to each (docs/your-own-code.md); our methods only where --method names them")
-      ->type_name("COMMAND");
+      ->type_name("COMMAND")
+      ->check(no_blank_command());
   app.add_option("--subject", options.subjects,
                  "Put these libraries on trial: names, or `peers` for all that are built (docs/peers.md)")
       ->delimiter(',')
       ->type_name("NAME");
-  app.add_option("--case-seconds", options.case_seconds,
-                 "How long a program may be silent while a case waits for its answer")
-      ->capture_default_str()
-      ->check(CLI::Range(0.01, 3600.0));
+  add_case_seconds_option(app, options.case_seconds);
 }
 
 }  // namespace
@@ -37,12 +36,11 @@ void describe(CLI::App& app, LeakOptions& options) {
   LeakSettings& settings = options.settings;
   app.add_option("MESH", options.mesh, "The mesh")->capture_default_str();
   describe_subjects(app, options);
-  app.add_option("--seed", settings.seed, "Where the random rays begin")->capture_default_str();
+  add_seed_option(app, settings.seed, "Where the random rays begin");
   app.add_option("--rays", settings.rays, "Rays for each precision")
       ->capture_default_str()
       ->transform(whole_count());
-  app.add_option("--jobs", settings.jobs, "Threads; as many as the machine has where left out")
-      ->check(CLI::Range(1, 1024));
+  add_jobs_option(app, settings.jobs);
   add_precision_option(app, settings.precisions);
   app.add_option("--out", options.out, "Folder for the page and the cases")
       ->capture_default_str()

@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <filesystem>
 #include <system_error>
 
 namespace rayproof {
@@ -22,6 +23,8 @@ int run_stream_program(const std::string& file, const AnswerFunction& answer) {
   try {
     const int input = file == "-" ? STDIN_FILENO : ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
     if (input < 0) throw std::system_error(errno, std::generic_category(), file + " cannot be opened");
+    if (std::error_code error; std::filesystem::is_directory(file, error))
+      throw std::system_error(EISDIR, std::generic_category(), file + " cannot be read");
     return answer_stream(input, STDOUT_FILENO, answer) > 0 ? 1 : 0;
   } catch (const std::system_error& error) {
     // A reader who has seen enough (`| head`) is no failure to speak of.

@@ -181,10 +181,8 @@ CampaignState read_state(const std::string& text) {
 void save(const CampaignState& state, const std::string& file) { replace_file(file, write_state(state)); }
 
 CampaignState load(const std::string& file) {
-  std::ifstream stream(file);
-  if (!stream) throw std::runtime_error(file + " cannot be read");
   std::ostringstream text;
-  text << stream.rdbuf();
+  text << opened_to_read(file).rdbuf();
   try {
     return read_state(text.str());
   } catch (const std::runtime_error& trouble) {

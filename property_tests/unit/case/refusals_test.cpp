@@ -13,6 +13,7 @@ std::string known_types() {
 
 TEST(reader, refuses_what_is_not_an_object) {
   expect_refused("", "line", "the line is not JSON: expected a value at byte 1");
+  expect_refused("\xEF\xBB\xBF{}", "line", "the line is not JSON: expected no byte order mark at byte 1");
   expect_refused("[1]", "", "the case must be a JSON object");
   expect_refused("7", "", "the case must be a JSON object");
 }
@@ -94,7 +95,7 @@ TEST(reader, refuses_rays_and_shapes_that_make_no_sense) {
 TEST(reader, refuses_a_transform_that_is_not_affine_or_is_singular) {
   expect_refused({
       {"[[2,0,0,7],", "[", "transform", "transform must be an array of 4 rows of 4 numbers"},
-      {"[2,0,0,7]", "[2,0,0]", "transform[0]", "transform[0] must be an array of 4 rows of 4 numbers"},
+      {"[2,0,0,7]", "[2,0,0]", "transform[0]", "transform[0] must be an array of 4 numbers"},
       {"[0,0,0,1]", "[0,0,0,2]", "transform", "transform must be affine, with the last row 0 0 0 1"},
       {"[0,0,0,1]", "[0,1e-40,0,1]", "transform", "transform must be affine, with the last row 0 0 0 1"},
       {"[2,0,0,7]", "[0,0,0,7]", "transform", "transform must not be singular"},

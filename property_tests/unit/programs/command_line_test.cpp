@@ -138,6 +138,49 @@ TEST(methods_program, lists_every_method_with_its_contract) {
   }
 }
 
+TEST(programs, name_the_option_that_a_misspelt_one_may_be) {
+  for (const std::string command :
+       {"intersect --methd sphere/centred", "methods --jsn", "replay --fron=x 1"}) {
+    const Ended answered = run(command);
+    EXPECT_EQ(answered.status, 2) << command;
+    EXPECT_NE(answered.output.find("there is no option --"), std::string::npos) << answered.output;
+    EXPECT_NE(answered.output.find("; did you mean --"), std::string::npos) << answered.output;
+  }
+}
+
+TEST(programs, end_with_2_where_their_output_is_lost) {
+  const TemporaryFile file(sphere_case);
+  for (const std::string& command :
+       {"oracle " + file.path(), std::string("methods"), std::string("methods --json"),
+        std::string("cases --count 1"), "replay " + file.path(), std::string("check --help")})
+    for (const std::string where : {" > /dev/full", " >&-"}) {
+      const Ended answered = run(command + where);
+      EXPECT_EQ(answered.status, 2) << command << where;
+      EXPECT_EQ(std::count(answered.output.begin(), answered.output.end(), '\n'), 1) << answered.output;
+    }
+}
+
+TEST(programs, refuse_a_folder_in_place_of_a_file) {
+  for (const std::string command : {"oracle /", "replay /", "replay 1 --from /", "check --replay /",
+                                    "check --corpus / --cases 1 --shape quadratic"}) {
+    const Ended answered = run(command);
+    EXPECT_EQ(answered.status, 2) << command;
+    EXPECT_NE(answered.output.find("/ ca"), std::string::npos) << answered.output;
+    EXPECT_EQ(std::count(answered.output.begin(), answered.output.end(), '\n'), 1) << answered.output;
+  }
+}
+
+TEST(programs, take_no_number_for_another_one) {
+  for (const std::string command :
+       {"cases --seed -1", "cases --seed 18446744073709551616", "cases --count 0", "spawn --seed -1",
+        "spawn --cases -1", "spawn --cases 0", "spawn --jobs 0", "spawn --jobs -1", "check --seed -1",
+        "check --case-seconds nan --subject-command cat", "check --subject-command ''"}) {
+    const Ended answered = run(command);
+    EXPECT_EQ(answered.status, 2) << command;
+    EXPECT_EQ(std::count(answered.output.begin(), answered.output.end(), '\n'), 1) << answered.output;
+  }
+}
+
 TEST(programs, list_their_options) {
   for (const std::string program : {"oracle", "intersect", "methods"}) {
     const Ended help = run(program + " --help");

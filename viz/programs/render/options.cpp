@@ -57,7 +57,7 @@ void RenderOptions::add_to(CLI::App& app) {
                  "normal: darker where the surface turns away (the default); flat: one colour a shape")
       ->check(CLI::IsMember({"normal", "flat"}));
   app.add_option("--jobs", jobs, "Threads; as many as the machine has where left out")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Range(1, 1024));
   app.add_flag("--exact", is_exact, "Let the oracle decide every pixel");
   CLI::Option* const asked =
       app.add_option(
