@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "viz/explain/answers.hpp"
@@ -81,6 +82,25 @@ std::string in_words(const Measured& measured) {
 
 std::string symbol_of(const Case& one) {
   return std::holds_alternative<RayQuestion>(one.question) ? "t" : "x";
+}
+
+std::string root_name(const CaseReport& report, std::size_t rank) {
+  const std::string symbol = symbol_of(report.one);
+  const std::vector<double> roots = values_of(report.claim());
+  std::vector<std::string> names;  // those of this number, the last first
+  if (report.walk && rank < roots.size()) {
+    for (const WalkStep& step : report.walk->steps) {
+      for (const WalkValue& value : step.values)
+        if (value.value == roots[rank] && value.name.starts_with(symbol))
+          names.insert(names.begin(), value.name);
+    }
+  }
+  // Of equal roots the later rank has the later name.
+  const auto later = rank < roots.size() ? std::count(roots.begin() + static_cast<std::ptrdiff_t>(rank) + 1,
+                                                      roots.end(), roots[rank])
+                                         : 0;
+  return static_cast<std::size_t>(later) < names.size() ? names[static_cast<std::size_t>(later)]
+                                                        : symbol + subscript(rank);
 }
 
 std::string conclusion_of(const CaseReport& report) {

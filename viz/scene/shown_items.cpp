@@ -21,6 +21,7 @@ class Labeller {
   }
 
   /// No label may cover it.
+  void keep_clear(const PixelBox& box) { places_.take(box); }
   void keep_clear(const ShownItem& shown) {
     const StageItem& item = *shown.item;
     if (item.form == Form::polygon || item.form == Form::solid) return;
@@ -117,8 +118,9 @@ std::vector<ShownItem> shown_in(const Stage& stage, std::size_t step) {
 }
 
 void draw_labels(Picture& picture, const PixelBox& frame, const std::vector<ShownItem>& shown,
-                 const Outline& outline) {
+                 const Outline& outline, const std::optional<PixelBox>& taken) {
   Labeller labeller(picture, frame, outline);
+  if (taken) labeller.keep_clear(*taken);
   for (const ShownItem& one : shown) labeller.keep_clear(one);
   // What has but one place takes it first, then what is newest.
   for (const bool is_mere_text : {true, false}) {
