@@ -74,7 +74,7 @@ Stage bare_stage(const CaseReport& report, const Setting& setting) {
 }
 
 /// More steps than this, with the first and the last, nobody follows.
-constexpr std::size_t most_steps = 9;
+constexpr std::size_t most_steps = 8;
 
 /// Splits steps that draw several things, from the first on, as long as there is room.
 void add_steps(Stage& stage, const CaseReport& report, const Walkthrough& walk, const Setting& setting,

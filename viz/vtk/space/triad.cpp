@@ -30,7 +30,7 @@ void Triad::show(vtkRenderer& space, bool is_shown) {
   renderer_->SetDraw(is_shown ? 1 : 0);
   vtkCamera& camera = *renderer_->GetActiveCamera();
   camera.SetParallelProjection(1);
-  camera.SetParallelScale(1.2);
+  camera.SetParallelScale(1.55);
   camera.SetFocalPoint(0, 0, 0);
   camera.SetPosition(space.GetActiveCamera()->GetViewPlaneNormal());
   camera.SetViewUp(space.GetActiveCamera()->GetViewUp());

@@ -11,7 +11,7 @@ namespace rayproof::viz {
 
 /// The place of the axes in a scene's frame: no label may stand there.
 [[nodiscard]] inline PixelBox triad_place(const PixelBox& frame) {
-  const double size = 0.2 * frame.height;
+  const double size = 0.25 * frame.height;
   return {frame.left, frame.bottom() - size, size, size};
 }
 

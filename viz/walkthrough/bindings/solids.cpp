@@ -7,49 +7,50 @@
 namespace rayproof::viz {
 namespace {
 
-/// A face that is widened to where the ray meets its plane, unless that is far off.
-StageItem widened_face(const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v,
-                       const glm::dvec3& crossing) {
-  constexpr double margin = 0.2, farthest = 2.5;
-  const glm::dvec3 n = glm::cross(u, v), off = crossing - corner;
-  const auto range = [&](const glm::dvec3& across) {
-    const double at = glm::dot(across, n) / glm::dot(n, n);
-    const bool is_near = std::abs(at - 0.5) < farthest;  // false for a ray that never meets it
-    return std::pair{std::min(0.0, is_near ? at : 0) - margin, std::max(1.0, is_near ? at : 1) + margin};
-  };
-  const auto [u_from, u_to] = range(glm::cross(off, v));
-  const auto [v_from, v_to] = range(glm::cross(u, off));
-  const auto at = [&](double a, double b) { return corner + a * u + b * v; };
-  return polygon(Role::edge, {at(u_from, v_from), at(u_to, v_from), at(u_to, v_to), at(u_from, v_to)});
-}
-
-/// Two parallel planes, each by the face that `u` and `v` span at a corner, where the ray meets them, and
-/// the stretch of the ray between them.
+/// Two parallel planes, each by the face that `u` and `v` span at a corner, widened to where the ray meets
+/// it, and the stretch of the ray between them. A place far off is left out; nothing is left of planes that
+/// the ray meets nowhere else, but it may be parallel to them.
 Items slab(const NumbersByName& n, const std::array<glm::dvec3, 2>& corners, const glm::dvec3& u,
-           const glm::dvec3& v, const std::string& in, const std::string& out) {
+           const glm::dvec3& v, const std::array<std::string, 2>& names) {
+  constexpr double margin = 0.2, farthest = 2.5;  // in edges
   const glm::dvec3 normal = glm::cross(u, v);
-  std::array<double, 2> t{};
-  Items items;
+  const bool is_backward = glm::dot(corners[1] - corners[0], normal) * glm::dot(n.direction(), normal) < 0;
+  Items planes, marks;
   for (std::size_t i = 0; i < 2; ++i) {
-    t.at(i) = glm::dot(corners.at(i) - n.origin(), normal) / glm::dot(n.direction(), normal);
-    items.push_back(widened_face(corners.at(i), u, v, n.at(t.at(i))));
+    const double t = glm::dot(corners.at(i) - n.origin(), normal) / glm::dot(n.direction(), normal);
+    const glm::dvec3 off = n.at(t) - corners.at(i);
+    const double a = glm::dot(glm::cross(off, v), normal) / glm::dot(normal, normal);
+    const double b = glm::dot(glm::cross(u, off), normal) / glm::dot(normal, normal);
+    const bool is_near = std::abs(a - 0.5) < farthest && std::abs(b - 0.5) < farthest;
+    if (is_near) marks.push_back(point(Role::nearest, n.at(t), names.at(is_backward ? 1 - i : i)));
+    if (std::isfinite(t) && !is_near) continue;
+    const double u_from = std::min(0.0, is_near ? a : 0) - margin,
+                 u_to = std::max(1.0, is_near ? a : 1) + margin;
+    const double v_from = std::min(0.0, is_near ? b : 0) - margin,
+                 v_to = std::max(1.0, is_near ? b : 1) + margin;
+    // A little outside, or it would lie in the solid's own face.
+    const glm::dvec3 corner = corners.at(i) + 0.004 * (corners.at(i) - corners.at(1 - i));
+    const auto at = [&](double x, double y) { return corner + x * u + y * v; };
+    planes.push_back(
+        polygon(Role::edge, {at(u_from, v_from), at(u_to, v_from), at(u_to, v_to), at(u_from, v_to)}));
   }
-  if (t[0] > t[1]) std::swap(t[0], t[1]);
-  items.push_back(segment(Role::nearest, n.at(t[0]), n.at(t[1])));
-  items.push_back(point(Role::nearest, n.at(t[0]), in));
-  items.push_back(point(Role::nearest, n.at(t[1]), out));
-  return items;
+  if (marks.size() == 2) planes.push_back(segment(Role::nearest, marks[0].points[0], marks[1].points[0]));
+  planes.insert(planes.end(), marks.begin(), marks.end());
+  return planes;
 }
 
 Binding slab_along(std::size_t axis) {
   const std::string name(1, "xyz"[axis]);
   return {name + "_in",
           [=](const NumbersByName& n) {
-            const glm::dvec3 min = n.input("min"), max = n.input("max");
+            const glm::dvec3 min = n.input("min"), max = n.input("max"), d = n.direction();
             std::array<glm::dvec3, 3> edges{};
             for (int i = 0; i < 3; ++i) edges.at(static_cast<std::size_t>(i))[i] = max[i] - min[i];
+            // A ray parallel to some planes is there for those.
+            const bool is_parallel = d.x == 0 || d.y == 0 || d.z == 0;
+            if (is_parallel && d[static_cast<int>(axis)] != 0) return Items{};
             return slab(n, {min, min + edges.at(axis)}, edges.at((axis + 1) % 3), edges.at((axis + 2) % 3),
-                        name + "_in", name + "_out");
+                        {name + "_in", name + "_out"});
           },
           true};
 }
@@ -58,7 +59,7 @@ Binding slab_of_faces(const char* name, const char* edge, const char* u, const c
   return {name,
           [=](const NumbersByName& n) {
             const glm::dvec3 corner = n.vector("corner");
-            return slab(n, {corner, corner + n.vector(edge)}, n.vector(u), n.vector(v), "in", "out");
+            return slab(n, {corner, corner + n.vector(edge)}, n.vector(u), n.vector(v), {"in", "out"});
           },
           true};
 }
