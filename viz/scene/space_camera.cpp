@@ -151,7 +151,9 @@ SpaceCamera space_camera(const Stage& stage, std::size_t step, const std::vector
   if (stage.camera.is_flat || (stage.steps.at(step).is_apart && !stage.steps.at(step).is_other_space))
     return fitted(camera, stage, stage.steps[step].view, shown, aspect);
   camera.is_flat = false;
-  const glm::dvec3 ray = stage.slider ? glm::normalize(stage.slider->direction) : stage.camera.right;
+  const auto* const asked = std::get_if<RayQuestion>(&stage.one.question);
+  const bool has_ray = asked != nullptr && glm::length(asked->ray.direction) > 0;
+  const glm::dvec3 ray = has_ray ? glm::normalize(asked->ray.direction) : stage.camera.right;
   camera.up = upright_axis(stage, ray);
   camera.toward = side_of(stage, camera.up, ray);
   const glm::dvec3 right = glm::normalize(glm::cross(camera.up, camera.toward));

@@ -81,7 +81,7 @@ std::optional<StepSpace> padded_space(const CaseReport& report, const StageCamer
                  point(Role::claimed, at(gap.computed_exit), "t_padded")};
   };
   return StepSpace{report.walk->steps.back().title,
-                   "At the edge that the ray nearly touches, seen end-on:",
+                   "In the plane across the edge that the ray nearly touches:",
                    scene,
                    flat_on(camera),
                    {{"t_padded", padding}},
