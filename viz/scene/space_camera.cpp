@@ -16,14 +16,9 @@ constexpr double elevation = 20;  ///< degrees, of the eye above the floor
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
-/// The world's z axis; for a ray that runs along it the axis that points up most as the stage is seen.
-glm::dvec3 upright_axis(const Stage& stage, const glm::dvec3& ray) {
-  if (std::abs(ray.z) < 0.9) return {0, 0, 1};
-  const glm::dvec3& seen_up = stage.camera.up;
-  const int axis = std::abs(seen_up.x) > std::abs(seen_up.y) ? 0 : 1;
-  glm::dvec3 up(0);
-  up[axis] = seen_up[axis] < 0 ? -1 : 1;
-  return up;
+/// The world's z axis; for a ray that runs along it y.
+glm::dvec3 upright_axis(const glm::dvec3& ray) {
+  return std::abs(ray.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
 }
 
 /// From above the floor: from the stage's own side where that has the same axis up, else as near to it as can
@@ -154,7 +149,7 @@ SpaceCamera space_camera(const Stage& stage, std::size_t step, const std::vector
   const auto* const asked = std::get_if<RayQuestion>(&stage.one.question);
   const bool has_ray = asked != nullptr && glm::length(asked->ray.direction) > 0;
   const glm::dvec3 ray = has_ray ? glm::normalize(asked->ray.direction) : stage.camera.right;
-  camera.up = upright_axis(stage, ray);
+  camera.up = upright_axis(ray);
   camera.toward = side_of(stage, camera.up, ray);
   const glm::dvec3 right = glm::normalize(glm::cross(camera.up, camera.toward));
   const StageCamera eye{right, glm::cross(camera.toward, right), camera.toward};
