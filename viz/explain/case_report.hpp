@@ -43,6 +43,9 @@ struct CaseReport {
 /// "t" or "x".
 [[nodiscard]] std::string symbol_of(const Case& one);
 
+/// What the method's run calls its hit or root of this rank, "t_entry"; "t₀" where it has no name for it.
+[[nodiscard]] std::string root_name(const CaseReport& report, std::size_t rank);
+
 /// One plain sentence, sometimes two: how far off the answer is, or where its digits were lost; and where an
 /// answer is wrong though none were, why.
 [[nodiscard]] std::string conclusion_of(const CaseReport& report);

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "viz/explain/answers.hpp"
@@ -81,6 +82,28 @@ std::string in_words(const Measured& measured) {
 
 std::string symbol_of(const Case& one) {
   return std::holds_alternative<RayQuestion>(one.question) ? "t" : "x";
+}
+
+std::string root_name(const CaseReport& report, std::size_t rank) {
+  const std::string symbol = symbol_of(report.one), usual = symbol + subscript(rank);
+  if (!report.walk) return usual;
+  const std::vector<double> roots = values_of(report.claim());
+  std::vector<std::string> all, equal;  // the last first
+  for (const WalkStep& step : report.walk->steps) {
+    for (const WalkValue& value : step.values) {
+      if (!value.name.starts_with(symbol)) continue;
+      all.insert(all.begin(), value.name);
+      if (rank < roots.size() && value.value == roots[rank]) equal.insert(equal.begin(), value.name);
+    }
+  }
+  // Of equal roots the later rank has the later name.
+  const auto next = roots.begin() + static_cast<std::ptrdiff_t>(std::min(rank + 1, roots.size()));
+  const auto later = rank < roots.size() ? std::count(next, roots.end(), roots[rank]) : 0;
+  if (static_cast<std::size_t>(later) < equal.size()) return equal[static_cast<std::size_t>(later)];
+  // What it did not find it has a name for all the same.
+  for (const std::string& name : {usual, std::string(rank == 0 ? "t_entry" : "t_exit"), symbol})
+    if (std::ranges::find(all, name) != all.end()) return name;
+  return usual;
 }
 
 std::string conclusion_of(const CaseReport& report) {

@@ -39,9 +39,8 @@ const PrintStyle math_style{
 
 std::string typeset_name(const std::string& name) {
   const NameParts parts = parts_of_name(name);
-  std::string letters =
+  const std::string letters =
       parts.letters.size() > 1 ? upright(parts.letters) : "<mi>" + escaped(parts.letters) + "</mi>";
-  if (parts.has_arrow) letters = "<mover>" + letters + "<mo>→</mo></mover>";
   return parts.index.empty() ? letters : "<msub>" + letters + "<mi>" + escaped(parts.index) + "</mi></msub>";
 }
 

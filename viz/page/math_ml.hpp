@@ -8,7 +8,7 @@
 
 namespace rayproof::viz {
 
-/// A `<math>` element: quotients are fractions, "t₀" and "S_x" get subscripts, "d⃗" an arrow.
+/// A `<math>` element: quotients are fractions, "t₀" and "S_x" get subscripts.
 [[nodiscard]] std::string math_ml(const Formula& formula);
 
 }  // namespace rayproof::viz

@@ -52,6 +52,7 @@ using Items = std::vector<StageItem>;
 struct Binding {
   std::string name;
   std::function<Items(const NumbersByName& n)> draw;
+  bool begins_anew = false;  ///< the items of the steps before would hide what this one shows
 };
 
 /// How a topic's named values look.

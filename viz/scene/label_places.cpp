@@ -118,10 +118,13 @@ void LabelPlaces::avoid(const std::vector<Point>& line, double cost) {
 }
 
 double LabelPlaces::cost_of(const PixelBox& box, double most) const {
+  constexpr double half_line = 2;  // the lines that are avoided have a width
+  const PixelBox wide{box.left - half_line, box.top - half_line, box.width + 2 * half_line,
+                      box.height + 2 * half_line};
   double cost = 20 * (box.width * box.height - shared_area(box, frame_));  // outside of the frame
   for (const PixelBox& other : taken_) cost += 10 * shared_area(box, other);
   for (auto one = avoided_.begin(); one != avoided_.end() && cost < most; ++one)
-    cost += box.holds(one->at) ? one->cost : 0;
+    cost += wide.holds(one->at) ? one->cost : 0;
   return cost;
 }
 
@@ -139,12 +142,12 @@ Text LabelPlaces::put_at(const std::string& label, const Point& middle, double s
 }
 
 std::optional<Text> LabelPlaces::put(const std::string& label, const std::vector<Point>& anchors, double size,
-                                     bool must) {
+                                     double most) {
   const PixelBox own = box_around({0, 0}, label, size);
   PixelBox best{};
-  double least = std::numeric_limits<double>::infinity();
+  double least = std::numeric_limits<double>::infinity(), covered = 0;
   for (std::size_t k = 0; k < anchors.size(); ++k) {
-    for (const double away : {13.0, 22.0, 34.0, 48.0}) {
+    for (const double away : {13.0, 22.0, 34.0, 48.0, 64.0}) {
       for (int i = 0; i < 16; ++i) {
         // Beginning above at the right, where a reader looks for it first.
         const double angle = std::numbers::pi * (0.25 + i / 8.0);
@@ -152,14 +155,15 @@ std::optional<Text> LabelPlaces::put(const std::string& label, const std::vector
                            anchors[k].y - (away + own.height / 4) * std::sin(angle)};
         const PixelBox box = box_around(middle, label, size);
         const double penalty = away * 1.5 + i * 0.4 + static_cast<double>(k) * 5;
-        const double cost = penalty + cost_of(box, least - penalty);
-        if (cost >= least) continue;
-        least = cost;
+        const double cost = cost_of(box, least - penalty);
+        if (penalty + cost >= least) continue;
+        least = penalty + cost;
+        covered = cost;
         best = box;
       }
     }
   }
-  if (!must && least > 150) return std::nullopt;
+  if (covered > most) return std::nullopt;
   return take(best, label, size);
 }
 

@@ -36,9 +36,9 @@ class LabelPlaces {
   /// Puts a label there and nowhere else; only within the frame's sides.
   [[nodiscard]] Text put_at(const std::string& label, const Point& middle, double size);
   /// A place for a label beside one of the anchors, of which the first are the best; it is then taken.
-  /// Nothing where all are taken and `must` is false.
+  /// Nothing where what it would cover there costs more than `most`.
   [[nodiscard]] std::optional<Text> put(const std::string& label, const std::vector<Point>& anchors,
-                                        double size, bool must);
+                                        double size, double most);
 
  private:
   [[nodiscard]] Text take(const PixelBox& box, const std::string& label, double size);

@@ -55,6 +55,6 @@ glm::dvec3 NumbersByName::first_vector(const std::string& name) const {
 glm::dvec3 NumbersByName::origin() const { return first_vector(has_vector("o′") ? "o′" : "o"); }
 
 // A plane has a d of its own; beside it the direction bears an arrow. A kernel may name a d of its own later.
-glm::dvec3 NumbersByName::direction() const { return first_vector(has_vector("d⃗") ? "d⃗" : "d"); }
+glm::dvec3 NumbersByName::direction() const { return first_vector("d"); }
 
 }  // namespace rayproof::viz

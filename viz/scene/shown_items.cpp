@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "viz/picture/clip.hpp"
 #include "viz/scene/label_places.hpp"
@@ -21,17 +22,26 @@ class Labeller {
   }
 
   /// No label may cover it.
+  void keep_clear(const PixelBox& box) { places_.take(box); }
   void keep_clear(const ShownItem& shown) {
     const StageItem& item = *shown.item;
-    if (item.form == Form::polygon || item.form == Form::solid) return;
-    const std::vector<Point> points = outline_(item);
-    if (item.form == Form::point) {
-      if (has_mark(item.role) && !points.empty() && frame_.holds(points[0]))
-        places_.take(points[0], mark_radius + 6);
+    const double cost = shown.emphasis == Emphasis::dimmed || item.role == Role::frame ? faint : plain;
+    if (item.form == Form::solid) {
+      // The edges of round sides are not drawn.
+      for (const auto& corners : item.faces) {
+        if (item.faces.size() <= 12) avoid(ring_of(item, corners), cost);
+      }
       return;
     }
-    for (const auto& part : clip_line(points, frame_))
-      places_.avoid(part, shown.emphasis == Emphasis::dimmed ? faint : plain);
+    std::vector<Point> points = outline_(item);
+    if (points.empty() || item.is_open) return;
+    if (item.form == Form::point || item.form == Form::arrow) {
+      const bool is_seen = item.form == Form::arrow || has_mark(item.role);
+      if (is_seen && frame_.holds(points.back()))
+        places_.take(points.back(), item.form == Form::arrow ? head_radius : mark_radius + 6);
+    }
+    if (item.form == Form::polygon) points.push_back(points.front());
+    avoid(points, cost);
   }
 
   void label(const ShownItem& shown) {
@@ -41,8 +51,9 @@ class Labeller {
     if (anchors.empty() || is_written(item.label, anchors[0])) return;
     const bool is_bright = shown.emphasis == Emphasis::bright;
     const double size = is_bright ? 16 : 14.4;  // 24 pixels of a slide: large letters
+    const double most = is_bright ? must : shown.emphasis == Emphasis::dimmed ? few : several;
     auto text = is_text(item) ? places_.put_at(item.label, anchors[0], size)
-                              : places_.put(item.label, anchors, size, is_bright);
+                              : places_.put(item.label, anchors, size, most);
     if (!text) return;
     text->role = label_role(shown);
     text->bold = is_bright;
@@ -51,6 +62,19 @@ class Labeller {
   }
 
  private:
+  void avoid(const std::vector<Point>& line, double cost) {
+    for (const auto& part : clip_line(line, frame_)) places_.avoid(part, cost);
+  }
+
+  /// The outline of one face.
+  [[nodiscard]] std::vector<Point> ring_of(const StageItem& solid,
+                                           const std::vector<std::size_t>& corners) const {
+    StageItem face{solid.role, Form::polyline};
+    for (const std::size_t corner : corners) face.points.push_back(solid.points[corner]);
+    face.points.push_back(face.points.front());
+    return outline_(face);
+  }
+
   /// Whether the same stands there already, of a newer step.
   [[nodiscard]] bool is_written(const std::string& label, const Point& at) const {
     return std::any_of(written_.begin(), written_.end(), [&](const auto& one) {
@@ -90,6 +114,10 @@ class Labeller {
   /// What it costs a label to cover a place on a line.
   static constexpr double plain = 12;
   static constexpr double faint = 8;
+  /// What a label may cost: of an earlier step it is rather left out than to cover a line.
+  static constexpr double few = 4 * faint, several = 12 * plain,
+                          must = std::numeric_limits<double>::infinity();
+  static constexpr double head_radius = 9;  ///< of an arrow's head
 
   Picture& picture_;
   PixelBox frame_;
@@ -117,8 +145,9 @@ std::vector<ShownItem> shown_in(const Stage& stage, std::size_t step) {
 }
 
 void draw_labels(Picture& picture, const PixelBox& frame, const std::vector<ShownItem>& shown,
-                 const Outline& outline) {
+                 const Outline& outline, const std::optional<PixelBox>& taken) {
   Labeller labeller(picture, frame, outline);
+  if (taken) labeller.keep_clear(*taken);
   for (const ShownItem& one : shown) labeller.keep_clear(one);
   // What has but one place takes it first, then what is newest.
   for (const bool is_mere_text : {true, false}) {

@@ -3,6 +3,7 @@
 /// What of a stage a step shows, and where its labels stand: the same for every sink.
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "viz/picture/picture.hpp"
@@ -38,8 +39,8 @@ struct ShownItem {
 using Outline = std::function<std::vector<Point>(const StageItem& item)>;
 
 /// Writes the items' labels into a frame of a picture, beside what they name, so that none covers another, a
-/// text that stands there, a mark or, where there is room, a line.
+/// text that stands there, a mark or, where there is room, a line; nor what is taken already.
 void draw_labels(Picture& picture, const PixelBox& frame, const std::vector<ShownItem>& shown,
-                 const Outline& outline);
+                 const Outline& outline, const std::optional<PixelBox>& taken = {});
 
 }  // namespace rayproof::viz

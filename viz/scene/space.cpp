@@ -155,6 +155,10 @@ SpacePoints lowest_points(const SpaceBody& body, const StageCamera& upright) {
   for (const SpacePoints& piece : body.pieces)
     placed.points.insert(placed.points.end(), piece.begin(), piece.end());
   SpacePoints points = extent_of(placed, upright);
+  // A line that leaves the picture downward need not stay above the floor.
+  constexpr double below_picture = -1.9;
+  if (!body.pieces.empty())
+    std::erase_if(points, [&](const glm::dvec3& p) { return glm::dot(p, upright.up) < below_picture; });
   for (glm::dvec3& p : points) p -= body.radius * upright.up;
   return points;
 }

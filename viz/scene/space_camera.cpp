@@ -16,15 +16,39 @@ constexpr double elevation = 20;  ///< degrees, of the eye above the floor
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
-/// The axis of the world that points up most as the stage is seen.
-glm::dvec3 upright_axis(const StageCamera& camera) {
-  int axis = 0;
-  for (int i = 1; i < 3; ++i) {
-    if (std::abs(camera.up[i]) > std::abs(camera.up[axis])) axis = i;
+/// The world's z axis; for a ray that runs along it y.
+glm::dvec3 upright_axis(const glm::dvec3& ray) {
+  return std::abs(ray.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
+}
+
+/// From above the floor: from the stage's own side where that has the same axis up, else as near to it as can
+/// be so that the ray and plane surfaces are seen.
+glm::dvec3 side_of(const Stage& stage, const glm::dvec3& up, const glm::dvec3& ray) {
+  const auto raised = [&](const glm::dvec3& level) {
+    return std::cos(radians(elevation)) * level + std::sin(radians(elevation)) * up;
+  };
+  const glm::dvec3& toward = stage.camera.toward;
+  if (glm::dot(stage.camera.up, up) > 0.7) return raised(glm::normalize(toward - glm::dot(toward, up) * up));
+  std::vector<glm::dvec3> normals;
+  for (const StageItem& item : stage.scene) {
+    if (item.form != Form::polygon || item.points.size() < 3) continue;
+    const glm::dvec3 n = glm::cross(item.points[1] - item.points[0], item.points[2] - item.points[0]);
+    if (glm::length(n) > 0) normals.push_back(glm::normalize(n));
   }
-  glm::dvec3 up(0);
-  up[axis] = camera.up[axis] < 0 ? -1 : 1;
-  return up;
+  const glm::dvec3 x = up.z != 0 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1), y = glm::cross(up, x);
+  glm::dvec3 best(0);
+  double most = -std::numeric_limits<double>::infinity();
+  for (int degrees = 0; degrees < 360; degrees += 5) {
+    const glm::dvec3 from = raised(std::cos(radians(degrees)) * x + std::sin(radians(degrees)) * y);
+    const double along = glm::dot(from, ray);
+    double seen = std::min(1.0, std::sqrt(1 - std::min(1.0, along * along)) / 0.8);
+    for (const glm::dvec3& n : normals) seen = std::min(seen, std::abs(glm::dot(from, n)) / 0.5);
+    const double score = 2 * seen + 0.5 * glm::dot(from, toward) + 0.3 * glm::dot(glm::cross(up, from), ray);
+    if (score <= most) continue;
+    most = score;
+    best = from;
+  }
+  return best;
 }
 
 /// The middle of what the points take up as they are seen.
@@ -122,9 +146,11 @@ SpaceCamera space_camera(const Stage& stage, std::size_t step, const std::vector
   if (stage.camera.is_flat || (stage.steps.at(step).is_apart && !stage.steps.at(step).is_other_space))
     return fitted(camera, stage, stage.steps[step].view, shown, aspect);
   camera.is_flat = false;
-  camera.up = upright_axis(stage.camera);
-  const glm::dvec3 level = glm::normalize(camera.toward - glm::dot(camera.toward, camera.up) * camera.up);
-  camera.toward = std::cos(radians(elevation)) * level + std::sin(radians(elevation)) * camera.up;
+  const auto* const asked = std::get_if<RayQuestion>(&stage.one.question);
+  const bool has_ray = asked != nullptr && glm::length(asked->ray.direction) > 0;
+  const glm::dvec3 ray = has_ray ? glm::normalize(asked->ray.direction) : stage.camera.right;
+  camera.up = upright_axis(ray);
+  camera.toward = side_of(stage, camera.up, ray);
   const glm::dvec3 right = glm::normalize(glm::cross(camera.up, camera.toward));
   const StageCamera eye{right, glm::cross(camera.toward, right), camera.toward};
   const std::vector<glm::dvec3> points = points_in_view(stage.camera, stage.steps.at(step).view, eye, shown);

@@ -20,7 +20,7 @@ inline constexpr double view_margin = 1.14;
 /// An eye above a floor, or straight before a drawing in a plane. All coordinates are of the view: its centre
 /// is 0, its radius 1.
 struct SpaceCamera {
-  glm::dvec3 up{};       ///< the axis of the world that points up most; of a drawing its own up
+  glm::dvec3 up{};       ///< z, for a ray along z the y axis; of a drawing its own up
   glm::dvec3 toward{};   ///< from the scene to the eye, a unit vector
   glm::dvec3 middle{};   ///< where the eye looks
   double distance = 1;   ///< of the eye from there

@@ -41,7 +41,7 @@ SpaceFloor floor_below(const std::vector<glm::dvec3>& points, const glm::dvec3& 
   floor.axis = axis_of(up);
   double lowest = -0.3;
   for (const glm::dvec3& p : points) lowest = std::min(lowest, up[floor.axis] * p[floor.axis]);
-  const double height = std::max(lowest, -1.9) - clearance;
+  const double height = lowest - clearance;
   floor.shadows = up[floor.axis] * height;
   floor.grid = up[floor.axis] * (height - sheet_gap);
   floor.ground = up[floor.axis] * (height - 2 * sheet_gap);

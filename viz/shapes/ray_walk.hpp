@@ -18,8 +18,8 @@ namespace rayproof::viz {
 
 /// The letter by which formulas call a field of the case format; where they have none, the field's own name.
 [[nodiscard]] constexpr const char* letter_of(const char* field) {
-  constexpr std::array<std::array<const char*, 2>, 4> letters{
-      {{"center", "C"}, {"radius", "r"}, {"normal", "n"}, {"point", "p"}}};
+  constexpr std::array<std::array<const char*, 2>, 5> letters{
+      {{"center", "C"}, {"radius", "r"}, {"normal", "n"}, {"point", "p"}, {"d", "D"}}};
   for (const auto& [name, letter] : letters) {
     if (std::string_view(name) == field) return letter;
   }
@@ -41,7 +41,7 @@ void name_input(const char* field, V& value) {
 
 /// The ray as the shape's own space sees it, narrated like a step of the method.
 template <class R>
-[[nodiscard]] Ray<R> in_object_space(const Ray<R>& ray, const glm::dmat4& transform, const char* direction,
+[[nodiscard]] Ray<R> in_object_space(const Ray<R>& ray, const glm::dmat4& transform,
                                      const std::string& shape) {
   const auto column = [&](const char* name, int i) {
     return named(name, convert<R>(glm::dvec3(transform[i])));
@@ -54,7 +54,7 @@ template <class R>
           "The inverse map applies to o and v; v is not normalised, so t is the same number in both spaces.");
   Ray<R> inside = to_object(object_space<R>(a, b, c, translation), ray);
   inside.origin = named("o′", inside.origin);
-  inside.direction = named(direction, inside.direction);
+  inside.direction = named("d", inside.direction);
   return inside;
 }
 
@@ -87,14 +87,11 @@ template <class Topic>
   return walk_topic<Topic>(method, one.precision, [&]<class R>(std::type_identity<R>) {
     using Problem = typename Topic::template Problem<R>;
     using Shape = decltype(Problem::shape);
-    // A plane has a d of its own; beside it the direction bears an arrow.
-    const char* const direction = requires(Shape shape) { shape.d; }
-    ? "d⃗" : "d";
     Ray<R> ray = convert<R>(question.ray);
     ray.origin = named("o", ray.origin);
-    ray.direction = named(question.transform ? "v" : direction, ray.direction);
+    ray.direction = named(question.transform ? "v" : "d", ray.direction);
     const auto shape = recorded_shape<Shape, R>(question);
-    if (question.transform) ray = in_object_space(ray, *question.transform, direction, Topic::name);
+    if (question.transform) ray = in_object_space(ray, *question.transform, Topic::name);
     return Problem{ray, shape};
   });
 }

@@ -8,7 +8,6 @@ namespace {
 // Of three bytes each.
 constexpr std::string_view low_signs = "₀₁₂₃₄₅₆₇₈₉ₓᵢⱼₖ";
 constexpr std::string_view plain_signs = "0123456789xijk";
-constexpr std::string_view arrow_above = "\u20d7";
 
 }  // namespace
 
@@ -27,9 +26,6 @@ NameParts parts_of_name(std::string name) {
     parts.index = plain_signs[sign / 3] + parts.index;
     name.erase(name.size() - 3);
   }
-  const std::size_t arrow = name.find(arrow_above);
-  parts.has_arrow = arrow != std::string::npos;
-  if (parts.has_arrow) name.erase(arrow, arrow_above.size());
   parts.letters = name;
   return parts;
 }

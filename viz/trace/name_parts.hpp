@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The names in formulas, taken apart: letters, index, arrow.
+/// The names in formulas, taken apart: letters and index.
 
 #include <string>
 
@@ -8,9 +8,8 @@ namespace rayproof::viz {
 
 /// A name of one thing, as it is typeset.
 struct NameParts {
-  std::string letters;     ///< "t" of "t₀", "S" of "S_x", "d" of "d⃗"
-  std::string index{};     ///< "0" of "t₀", "x" of "S_x" and of "f.x", "1x" of "e₁.x"
-  bool has_arrow = false;  ///< "d⃗"
+  std::string letters;  ///< "t" of "t₀", "S" of "S_x"
+  std::string index{};  ///< "0" of "t₀", "x" of "S_x" and of "f.x", "1x" of "e₁.x"
 };
 
 [[nodiscard]] NameParts parts_of_name(std::string name);

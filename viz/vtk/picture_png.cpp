@@ -12,6 +12,7 @@
 #include "viz/vtk/raster_png.hpp"
 #include "viz/vtk/sheet/picture_item.hpp"
 #include "viz/vtk/space/space_scene.hpp"
+#include "viz/vtk/space/triad.hpp"
 
 namespace rayproof::viz {
 
@@ -33,16 +34,20 @@ class PictureCanvas::Impl {
   Raster draw(Picture picture, const std::vector<Inlay>& inlays, double scale, bool is_fine) {
     window_->SetSize(static_cast<int>(std::lround(picture.width * scale)),
                      static_cast<int>(std::lround(picture.height * scale)));
-    has_spaces(inlays.size());
+    has_views(inlays.size());
     for (std::size_t i = 0; i < inlays.size(); ++i) {
       const auto& [stage, step, frame_of_inlay] = inlays[i];
       const auto& frame = frame_of_inlay;  // clang++ 14 captures no structured binding
-      spaces_[i]->SetViewport(frame.left / picture.width, 1 - frame.bottom() / picture.height,
-                              frame.right() / picture.width, 1 - frame.top / picture.height);
-      set_fine(*spaces_[i], is_fine);
-      const SpaceScene scene(*spaces_[i], *stage, step);
-      draw_labels(picture, frame, shown_in(*stage, step),
-                  [&](const StageItem& item) { return scene.seen(item, frame); });
+      const auto& [space, triad] = views_[i];
+      put(*space, frame, picture);
+      put(triad->renderer(), triad_place(frame), picture);
+      set_fine(*space, is_fine);
+      const SpaceScene scene(*space, *stage, step);
+      triad->show(*space, !scene.is_flat());
+      draw_labels(
+          picture, frame, shown_in(*stage, step),
+          [&](const StageItem& item) { return scene.seen(item, frame); },
+          scene.is_flat() ? std::optional<PixelBox>() : triad_place(frame));
     }
     item_->picture = &picture;
     item_->scale = scale;
@@ -50,19 +55,33 @@ class PictureCanvas::Impl {
   }
 
  private:
-  void has_spaces(std::size_t count) {
-    for (; spaces_.size() > count; spaces_.pop_back()) window_->RemoveRenderer(spaces_.back());
-    while (spaces_.size() < count) {
-      const auto& space = spaces_.emplace_back(vtkSmartPointer<vtkRenderer>::New());
-      space->SetLayer(1);
-      window_->AddRenderer(space);
+  static void put(vtkRenderer& renderer, const PixelBox& place, const Picture& picture) {
+    renderer.SetViewport(place.left / picture.width, 1 - place.bottom() / picture.height,
+                         place.right() / picture.width, 1 - place.top / picture.height);
+  }
+
+  void has_views(std::size_t count) {
+    for (; views_.size() > count; views_.pop_back()) {
+      window_->RemoveRenderer(views_.back().space);
+      window_->RemoveRenderer(&views_.back().triad->renderer());
+    }
+    while (views_.size() < count) {
+      View& view = views_.emplace_back();
+      for (vtkRenderer* const renderer : {view.space.GetPointer(), &view.triad->renderer()}) {
+        renderer->SetLayer(1);
+        window_->AddRenderer(renderer);
+      }
     }
   }
 
+  struct View {
+    vtkSmartPointer<vtkRenderer> space = vtkSmartPointer<vtkRenderer>::New();
+    std::unique_ptr<Triad> triad = std::make_unique<Triad>();
+  };
   vtkNew<PictureItem> item_;
   vtkNew<vtkContextActor> actor_;
   vtkNew<vtkRenderer> backdrop_, sheet_;
-  std::vector<vtkSmartPointer<vtkRenderer>> spaces_;
+  std::vector<View> views_;
   vtkNew<vtkRenderWindow> window_;
 };
 

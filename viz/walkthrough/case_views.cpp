@@ -56,7 +56,7 @@ Stage case_views(const CaseReport& report) {
   if (const auto* question = std::get_if<PointAndPolygon<double>>(&report.one.question)) {
     whole.items = crossings_of(*question);
   } else if (stage.slider) {
-    whole.items = hits_of(*stage.slider, report.exact, report.claim());
+    whole.items = hits_of(*stage.slider, report);
     if (stage.slider->symbol == "x") whole.magnification = glm::length(stage.slider->direction);
   }
   StageStep near = whole;

@@ -72,8 +72,7 @@ Items curve_at_root(const Quadratic<double>& q, double root, const Setting& sett
 }
 
 /// The stretch of the ray around one hit, so near that single numbers can be distinguished.
-void magnify(StageStep& step, const CaseReport& report, const ValuePair& pair, const std::string& symbol,
-             const Setting& setting) {
+void magnify(StageStep& step, const CaseReport& report, const ValuePair& pair, const Setting& setting) {
   const bool is_ray = std::holds_alternative<RayQuestion>(report.one.question);
   const double up = neighbour_of(pair.claimed, 1, report.one.precision);
   const double ulp = std::isinf(up) ? pair.claimed - neighbour_of(pair.claimed, -1, report.one.precision)
@@ -101,7 +100,7 @@ void magnify(StageStep& step, const CaseReport& report, const ValuePair& pair, c
     step.items.push_back(
         segment(Role::nearest, above, magnifier.at(pair.claimed) + above, "off by " + rough(gap, 2)));
   }
-  const std::string name = symbol + subscript(pair.rank);
+  const std::string name = root_name(report, pair.rank);
   step.items.push_back(point(Role::exact, {0, 0, 0}, name + " exact"));
   step.items.push_back(point(Role::claimed, magnifier.at(pair.claimed), name + " as computed"));
   // As far as the numbers go: the surface goes on.
@@ -110,23 +109,23 @@ void magnify(StageStep& step, const CaseReport& report, const ValuePair& pair, c
 
 /// "The computed t₀ is off by 2 ulps, counted from the exact one correctly rounded: exact 4.87997734 (to 53
 /// bits), computed 4.8799777 (float32)."
-std::string pair_in_words(const CaseReport& report, const ValuePair& pair, const std::string& symbol) {
+std::string pair_in_words(const CaseReport& report, const ValuePair& pair) {
   const char* const format = name_of(report.one.precision);
   const bool is_counted = pair.ulps > 0 && std::isfinite(pair.ulps);
   return fmt::format(
-      "The computed {}{} is {}{}: exact {} (to 53 bits), computed {} ({}).", symbol, subscript(pair.rank),
+      "The computed {} is {}{}: exact {} (to 53 bits), computed {} ({}).", root_name(report, pair.rank),
       accuracy_in_words(pair.ulps), is_counted ? ", counted from the exact one correctly rounded" : "",
       shown(pair.exact, Precision::float64), shown(pair.claimed, report.one.precision), format);
 }
 
 /// " Exact: t₀ = 1. Computed: t₀ = 1, t₁ = 2." of the answers that have a number.
-std::string hits_in_words(const CaseReport& report, const std::string& symbol) {
+std::string hits_in_words(const CaseReport& report) {
   std::string words;
   for (const auto& [who, answer] : {std::pair{"Exact", &report.exact}, {"Computed", report.claim()}}) {
     const std::vector<double> values = values_of(answer);
     for (std::size_t i = 0; i < values.size(); ++i) {
       words += i == 0 ? fmt::format(" {}: ", who) : ", ";
-      words += fmt::format("{}{} = {}", symbol, subscript(i), shown(values[i], report.one.precision));
+      words += fmt::format("{} = {}", root_name(report, i), shown(values[i], report.one.precision));
     }
     if (!values.empty()) words += ".";
   }
@@ -152,35 +151,34 @@ std::string verdict_in_words(const CaseReport& report) {
 
 }  // namespace
 
-Items hits_of(const StageSlider& slider, const Answer& exact, const Answer* claimed) {
+Items hits_of(const StageSlider& slider, const CaseReport& report) {
   Items items;
-  for (const auto& [role, answer, word] :
-       {std::tuple{Role::exact, &exact, "exact"}, std::tuple{Role::claimed, claimed, "as computed"}}) {
+  for (const auto& [role, answer, word] : {std::tuple{Role::exact, &finest(report), "exact"},
+                                           std::tuple{Role::claimed, report.claim(), "as computed"}}) {
     const std::vector<double> values = values_of(answer);
     for (std::size_t i = 0; i < values.size(); ++i) {
       if (std::isfinite(values[i]))
-        items.push_back(point(role, slider.origin + values[i] * slider.direction,
-                              fmt::format("{}{} {}", slider.symbol, subscript(i), word)));
+        items.push_back(
+            point(role, slider.origin + values[i] * slider.direction, root_name(report, i) + " " + word));
     }
   }
   return items;
 }
 
 StageStep difference_step(const CaseReport& report, const Setting& setting) {
-  const std::string symbol = symbol_of(report.one);
   StageStep step;
   step.title = report.claim() == nullptr ? "The exact answer" : comparison_title;
   step.view = setting.near;
   step.digits = conclusion_of(report);
   const auto show_all = [&] {
-    if (setting.slider) step.items = hits_of(*setting.slider, finest(report), report.claim());
+    if (setting.slider) step.items = hits_of(*setting.slider, report);
   };
   const bool differ = verdicts_differ(&report.exact, report.claim());
   const std::optional<ValuePair> pair = worst_pair_of(report);
   if (!differ && pair) {
-    step.caption = pair_in_words(report, *pair, symbol);
+    step.caption = pair_in_words(report, *pair);
     if (std::isfinite(pair->claimed - pair->exact)) {
-      magnify(step, report, *pair, symbol, setting);
+      magnify(step, report, *pair, setting);
     } else {
       show_all();
     }
@@ -198,12 +196,12 @@ StageStep difference_step(const CaseReport& report, const Setting& setting) {
     step.magnification = 1 / setting.close_up->gap;
     step.view = close_up_view;
     step.items = setting.close_up->items;
-    step.caption += " " + setting.close_up->words + hits_in_words(report, symbol);
+    step.caption += " " + setting.close_up->words + hits_in_words(report);
     return step;
   }
   if (differ && pair && is_hidden(*pair, setting)) {
-    step.caption += " " + pair_in_words(report, *pair, symbol);
-    magnify(step, report, *pair, symbol, setting);
+    step.caption += " " + pair_in_words(report, *pair);
+    magnify(step, report, *pair, setting);
     return step;
   }
   show_all();

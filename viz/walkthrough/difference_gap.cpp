@@ -8,6 +8,7 @@
 #include "viz/scene/fit_view.hpp"
 #include "viz/trace/numbers.hpp"
 #include "viz/walkthrough/magnifier.hpp"
+#include "viz/walkthrough/spaces.hpp"
 
 namespace rayproof::viz {
 
@@ -43,6 +44,49 @@ void show_gap(StageStep& step, const Gap& gap, Precision precision, const Settin
   interval(Role::exact, aside, gap.entry, gap.exit, "exact");
   interval(Role::claimed, -aside, gap.computed_entry, gap.computed_exit, "as computed");
   step.view = view_of(extent_of(step.items, setting.camera), setting.camera);
+}
+
+std::optional<StepSpace> padded_space(const CaseReport& report, const StageCamera& camera) {
+  const std::optional<Gap> gap = gap_of(report);
+  const auto& question = std::get<RayQuestion>(report.one.question);
+  const auto* box = std::get_if<rayproof::Box<double>>(&question.shape);
+  if (!gap || box == nullptr || !report.walk->steps.back().title.starts_with("Move the far end on"))
+    return std::nullopt;
+  const glm::dvec3 d = question.ray.direction;
+  const glm::dvec3 below = (box->min - question.ray.origin) / d, above = (box->max - question.ray.origin) / d;
+  int in = 0, out = 0;
+  for (int i = 1; i < 3; ++i) {
+    if (std::min(below[i], above[i]) > std::min(below[in], above[in])) in = i;
+    if (std::max(below[i], above[i]) < std::max(below[out], above[out])) out = i;
+  }
+  if (in == out) return std::nullopt;
+  const double unit = std::abs(d[out]) * (gap->computed_exit - gap->exit);
+  // The edge is at 0; the ray enters across the plane x = 0 and leaves across y = 0.
+  const auto at = [=, gap = *gap](double t) {
+    return glm::dvec3(std::abs(d[in]) * (t - gap.entry), std::abs(d[out]) * (t - gap.exit), 0) / unit;
+  };
+  constexpr double wide = 3.2, high = 2;
+  const glm::dvec3 run = at(gap->exit + (gap->computed_exit - gap->exit) * 2) - at(gap->exit);
+  const auto scene = [=, gap = *gap](const NumbersByName& /*n*/) {
+    return Items{open_polygon(Role::surface, {{0, 0, 0}, {wide, 0, 0}, {wide, -high, 0}, {0, -high, 0}}),
+                 polyline(Role::surface, {{0, -high, 0}, {0, 0, 0}, {wide, 0, 0}}),
+                 point(Role::text, {0.6 * wide, -0.5 * high, 0}, "the box"),
+                 arrow(Role::ray, at(gap.exit) - run, at(gap.exit) + run, "p(t)"),
+                 point(Role::nearest, at(gap.exit), "t_exit"),
+                 point(Role::nearest, at(gap.entry), "t_entry")};
+  };
+  const auto padding = [=, gap = *gap](const NumbersByName& /*n*/) {
+    return Items{open_polygon(Role::claimed, {{0, 0, 0}, {wide, 0, 0}, {wide, 1, 0}, {0, 1, 0}}),
+                 polyline(Role::claimed, {{0, 0, 0}, {0, 1, 0}, {wide, 1, 0}}, "padded"),
+                 point(Role::claimed, at(gap.computed_exit), "t_padded")};
+  };
+  return StepSpace{report.walk->steps.back().title,
+                   "In the plane across the edge that the ray nearly touches:",
+                   scene,
+                   flat_on(camera),
+                   {{"t_padded", padding}},
+                   true,
+                   1 / unit};
 }
 
 std::string in_words(const Gap& gap, Precision precision) {

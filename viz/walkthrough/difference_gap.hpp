@@ -26,6 +26,10 @@ inline constexpr std::array<const char*, 3> gap_names{"t_entry", "t_exit", "t_pa
 /// Both intervals beside the ray, magnified.
 void show_gap(StageStep& step, const Gap& gap, Precision precision, const Setting& setting);
 
+/// The step that moves the exit on, where the planes of entry and exit meet in an edge that the ray nearly
+/// touches: that edge seen end-on, with the box as it is and as it counts.
+[[nodiscard]] std::optional<StepSpace> padded_space(const CaseReport& report, const StageCamera& camera);
+
 /// "Exactly the ray is in at 1, out at 0.999999886; …"
 [[nodiscard]] std::string in_words(const Gap& gap, Precision precision);
 

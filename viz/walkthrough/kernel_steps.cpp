@@ -51,7 +51,7 @@ std::string decision_of(const CaseReport& report) {
   std::string text = fmt::format("So the verdict is: {}", verdict_of(report.claim()));
   const std::vector<double> values = values_of(report.claim());
   for (std::size_t i = 0; i < values.size(); ++i) {
-    text += fmt::format("{} {}{} = {}", i == 0 ? "" : ",", symbol_of(report.one), subscript(i),
+    text += fmt::format("{} {} = {}", i == 0 ? "" : ",", root_name(report, i),
                         shown(values[i], report.one.precision));
   }
   return text + ".";
@@ -79,6 +79,11 @@ Items items_of(const std::string& name, const NumbersByName& n, const Setting& s
     for (StageItem& item : binding.draw(n)) items.push_back(std::move(item));
   }
   return items;
+}
+
+bool begins_anew(const std::string& name, const Setting& setting) {
+  return std::any_of(setting.bindings.begin(), setting.bindings.end(),
+                     [&](const Binding& binding) { return binding.begins_anew && binding.name == name; });
 }
 
 void add_placed(StageStep& step, const Items& items, const Setting& setting) {
@@ -179,10 +184,11 @@ std::vector<StageStep> kernel_steps(const CaseReport& report, const Walkthrough&
         parts.size() == 1 ? title : fmt::format("{} ({}\u00a0of\u00a0{})", title, i + 1, parts.size());
     step.values = parts[i];
     step.words = words[i];
-    if (i == 0) {
-      add_placed(step, items_of(title, n, setting), setting);
+    if (i == 0) add_placed(step, items_of(title, n, setting), setting);
+    for (const StageValue& value : step.values) {
+      add_placed(step, items_of(value.name, n, setting), setting);
+      step.begins_anew = step.begins_anew || begins_anew(value.name, setting);
     }
-    for (const StageValue& value : step.values) add_placed(step, items_of(value.name, n, setting), setting);
     step.digits =
         digits_of(step.values, parts.size() == 1 ? walk.steps[index].loss : worst_loss_of(parts[i]));
     caption(step, report, index + 1 == walk.steps.size());

@@ -8,6 +8,7 @@
 #include "viz/shapes/ray_scene.hpp"
 #include "viz/shapes/topics.hpp"
 #include "viz/walkthrough/close_up.hpp"
+#include "viz/walkthrough/difference_gap.hpp"
 #include "viz/walkthrough/flat_settings.hpp"
 #include "viz/walkthrough/spaces.hpp"
 
@@ -150,6 +151,7 @@ std::vector<StepSpace> spaces_of(const CaseReport& report, Figure (*figure)(cons
     if (steps[i].title.starts_with("Take the ray into the "))
       spaces.push_back(object_space_of(report, figure, setting, steps[i + 1].title));
   }
+  if (auto space = padded_space(report, setting.camera)) spaces.push_back(std::move(*space));
   if (topic_of(report.one) == "triangle") {
     for (StepSpace& space : triangle_spaces(*report.walk, setting.camera)) spaces.push_back(std::move(space));
   }

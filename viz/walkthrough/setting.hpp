@@ -20,6 +20,7 @@ struct StepSpace {
   std::function<glm::dvec3(const glm::dvec3&)> place{};  ///< from the kernel's space to where it is drawn
   std::vector<Binding> bindings{};                       ///< its own; none for those of the setting
   bool is_flat = false;                                  ///< a drawing in a plane
+  double magnification = 1;                              ///< its lengths over the world's
 };
 
 /// What the verdict hangs on, drawn so large that its length is 1: of the ray and the shape's outline where
@@ -52,7 +53,7 @@ struct Setting {
 [[nodiscard]] Setting setting_of(const CaseReport& report);
 
 /// Both answers' hits or roots on the slider's line: "t₀ exact", "t₀ as computed".
-[[nodiscard]] Items hits_of(const StageSlider& slider, const Answer& exact, const Answer* claimed);
+[[nodiscard]] Items hits_of(const StageSlider& slider, const CaseReport& report);
 
 /// The title of a stage's last step.
 inline constexpr const char* comparison_title = "Float result against exact result";

@@ -123,6 +123,7 @@ void show_in_space(StageStep& step, const StepSpace& space, const NumbersByName&
   }
   step.is_apart = true;
   step.is_other_space = !space.is_flat;
+  step.magnification = space.magnification;
   step.view = view_of(extent_of(step.items, camera), camera);
   step.view.radius *= 1.05;
   step.words = space.words + (step.words.empty() ? "" : " ") + step.words;

@@ -35,11 +35,10 @@ TEST(MathMl, PutsAllOfAProductAboveTheBarOfWhatItIsDividedBy) {
             "mo><mi>d</mi></mfrac>");
 }
 
-TEST(MathMl, LowersSubscriptsAndPutsArrowsAbove) {
+TEST(MathMl, LowersSubscripts) {
   EXPECT_EQ(typeset("t₀"), "<msub><mi>t</mi><mi>0</mi></msub>");
   EXPECT_EQ(typeset("S_x"), "<msub><mi>S</mi><mi>x</mi></msub>");
   EXPECT_EQ(typeset("f.x"), "<msub><mi>f</mi><mi>x</mi></msub>");
-  EXPECT_EQ(typeset("d\u20d7"), "<mover><mi>d</mi><mo>→</mo></mover>");
   EXPECT_EQ(typeset("up"), "<mi mathvariant=\"normal\">up</mi>");
 }
 

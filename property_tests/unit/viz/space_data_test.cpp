@@ -55,7 +55,7 @@ TEST(SpaceData, TheFloorLiesBelowAllOfIt) {
       stage_with({{Role::surface, Form::ellipsoid, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}});
   const Space space = space_of(stage, 0);
   ASSERT_TRUE(space.floor);
-  EXPECT_EQ(space.floor->axis, 1);
+  EXPECT_EQ(space.floor->axis, 2);
   EXPECT_LT(space.floor->shadows, -1);
   EXPECT_LT(space.floor->grid, space.floor->shadows);
   EXPECT_LT(space.floor->ground, space.floor->grid);

@@ -8,6 +8,7 @@
 
 #include "unit/viz/stage_data.hpp"
 #include "viz/flat/stage_picture.hpp"
+#include "viz/picture/clip.hpp"
 #include "viz/picture/palette.hpp"
 #include "viz/picture/raster.hpp"
 #include "viz/scene/fit_view.hpp"
@@ -104,6 +105,56 @@ TEST(ViewData, NoLabelCoversAnotherOrATextOrLeavesTheFrameFromThreeSides) {
     }
   }
   EXPECT_GT(count, 2000U);
+}
+
+/// The lines that a step draws, as they are seen: of surfaces the edges.
+std::vector<std::vector<Point>> lines_of(const Stage& stage, std::size_t step, const StageCamera& camera) {
+  std::vector<std::vector<Point>> lines;
+  for (const ShownItem& shown : shown_in(stage, step)) {
+    const StageItem& item = *shown.item;
+    if (item.form == Form::point || item.form == Form::ellipsoid || item.is_open) continue;
+    if (item.role == Role::frame || item.faces.size() > 12) continue;
+    const std::vector<Point> corners = seen(item, stage.steps[step], camera);
+    if (item.form != Form::solid) lines.push_back(corners);
+    if (item.form == Form::polygon) lines.back().push_back(corners.front());
+    for (const std::vector<std::size_t>& face : item.faces) {
+      lines.emplace_back();
+      for (const std::size_t i : face) lines.back().push_back(corners[i]);
+      lines.back().push_back(corners[face.front()]);
+    }
+  }
+  return lines;
+}
+
+/// How many pixels of the lines a label covers.
+double covered_by(const Text& label, const std::vector<std::vector<Point>>& lines) {
+  double length = 0;
+  for (const std::vector<Point>& line : lines) {
+    for (const std::vector<Point>& part : clip_line(line, box_of(label)))
+      for (std::size_t i = 1; i < part.size(); ++i)
+        length += std::hypot(part[i].x - part[i - 1].x, part[i].y - part[i - 1].y);
+  }
+  return length;
+}
+
+TEST(ViewData, FewLabelsCoverALineAndNoneOfAnEarlierStep) {
+  int count = 0, covering = 0;
+  for (const Lesson& lesson : lessons()) {
+    const Stage stage = stage_of(lesson, report_lesson);
+    for (std::size_t step = 0; step < stage.steps.size(); ++step) {
+      const auto lines = lines_of(stage, step, stage.camera);
+      for (const Text& label : labels_of(stage, step, stage.camera)) {
+        const double covered = covered_by(label, lines);
+        ++count;
+        if (covered > label.size) ++covering;
+        if (label.role == Role::muted) {
+          EXPECT_LT(covered, 3 * label.size)
+              << lesson.name << ": " << stage.steps[step].title << ": " << label.text;
+        }
+      }
+    }
+  }
+  EXPECT_LT(covering, 0.05 * count) << count;
 }
 
 TEST(ViewData, WithoutNumbersTheSceneHasTheWholeWidth) {

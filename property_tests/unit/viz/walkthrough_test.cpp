@@ -48,9 +48,9 @@ TEST(Stories, NameTheInputsByTheLettersOfTheFormat) {
     for (const WalkValue& value : walkthrough.inputs) all += value.name + ' ';
     return all;
   };
-  EXPECT_EQ(names(shapes_of("plane").front(), "implicit"), "o.x o.y o.z d⃗.x d⃗.y d⃗.z n.x n.y n.z d ");
+  EXPECT_EQ(names(shapes_of("plane").front(), "implicit"), "o.x o.y o.z d.x d.y d.z n.x n.y n.z D ");
   EXPECT_EQ(names(shapes_of("plane")[2], "parametric"),
-            "o.x o.y o.z d⃗.x d⃗.y d⃗.z p.x p.y p.z u.x u.y u.z v.x v.y v.z ");
+            "o.x o.y o.z d.x d.y d.z p.x p.y p.z u.x u.y u.z v.x v.y v.z ");
   EXPECT_EQ(names(shapes_of("triangle").front(), "cramer"),
             "o.x o.y o.z d.x d.y d.z a.x a.y a.z b.x b.y b.z c.x c.y c.z ");
   EXPECT_EQ(names(shapes_of("sphere").front(), "centred"), "o.x o.y o.z d.x d.y d.z C.x C.y C.z r ");

@@ -27,27 +27,19 @@ namespace {
 /// in em.
 constexpr double descent = 0.21;
 
-/// What stands above a letter, as combining characters say it.
-struct Accent {
-  std::size_t letter;  ///< where the letter begins in the plain text
-  bool is_arrow;       ///< else a hat
-};
-
 struct Accented {
   std::string plain;
-  std::vector<Accent> accents;
+  std::vector<std::size_t> hats;  ///< where the letters begin in it above which there is one
 };
 
 Accented without_accents(std::string_view text) {
-  constexpr std::string_view arrow = "\u20d7";
   constexpr std::string_view hat = "\u0302";
   Accented result;
   std::size_t letter = 0;
   while (!text.empty()) {
-    const bool is_arrow = text.starts_with(arrow);
-    if (is_arrow || text.starts_with(hat)) {
-      result.accents.push_back({letter, is_arrow});
-      text.remove_prefix(is_arrow ? arrow.size() : hat.size());
+    if (text.starts_with(hat)) {
+      result.hats.push_back(letter);
+      text.remove_prefix(hat.size());
       continue;
     }
     const bool begins_letter = (static_cast<unsigned char>(text[0]) & 0xc0U) != 0x80U;
@@ -90,7 +82,7 @@ class TextPainter {
       }
     }
     write(text_.role, x, y);
-    for (const Accent& accent : accented_.accents) draw(accent, x, y);
+    for (const std::size_t letter : accented_.hats) draw_hat(letter, x, y);
   }
 
   /// Of all of the text, in the context's pixels.
@@ -113,25 +105,19 @@ class TextPainter {
   }
 
   /// Above the letter, in the text's colour.
-  void draw(const Accent& accent, double x, double y) {
+  void draw_hat(std::size_t begin, double x, double y) {
     const std::string& plain = accented_.plain;
-    std::size_t end = accent.letter + 1;
+    std::size_t end = begin + 1;
     while (end < plain.size() && (static_cast<unsigned char>(plain[end]) & 0xc0U) == 0x80U) ++end;
-    const std::string letter = plain.substr(accent.letter, end - accent.letter);
+    const std::string letter = plain.substr(begin, end - begin);
     const double part = text_.anchor == Anchor::start ? 0 : text_.anchor == Anchor::middle ? 0.5 : 1;
     const double right = x - part * width_of(plain) + width_of(plain.substr(0, end));
     const double middle = right - width_of(letter) / 2;
     const bool is_low = letter.find_first_of("acegmnopqrsuvwxyz") == 0;
     const double base = y + (is_low ? 0.7 : 0.94) * em_;
-    const double half = 0.3 * em_;
+    const double half = 0.21 * em_;
     const double barb = 0.13 * em_;
-    if (accent.is_arrow) {
-      stroke({{middle - half, base}, {middle + half, base}});
-      stroke(
-          {{middle + half - barb, base + barb}, {middle + half, base}, {middle + half - barb, base - barb}});
-    } else {
-      stroke({{middle - 0.7 * half, base - barb}, {middle, base + barb}, {middle + 0.7 * half, base - barb}});
-    }
+    stroke({{middle - half, base - barb}, {middle, base + barb}, {middle + half, base - barb}});
   }
 
   void stroke(const std::vector<Point>& points) {

@@ -9,8 +9,8 @@ class vtkContext2D;
 namespace rayproof::viz {
 
 /// Paints the text with its anchor at (x, y) of the context, whose y points up; `scale` of the context's
-/// pixels stand for each of the picture's. Arrows and hats above letters ("d⃗", "d̂") are strokes: VTK knows
-/// no combining characters.
+/// pixels stand for each of the picture's. Hats above letters ("d̂") are strokes: VTK knows no combining
+/// characters.
 void paint_text(vtkContext2D& context, const Text& text, double x, double y, double scale);
 
 }  // namespace rayproof::viz

@@ -14,6 +14,7 @@
 #include <glm/geometric.hpp>
 #include <tuple>
 
+#include "viz/flat/outline.hpp"
 #include "viz/picture/palette.hpp"
 #include "viz/picture/raster.hpp"
 #include "viz/vtk/space/floor.hpp"
@@ -208,8 +209,16 @@ void SpaceScene::add_floor() {
 
 std::vector<Point> SpaceScene::seen(const StageItem& item, const PixelBox& frame) const {
   std::vector<Point> pixels;
-  if (item.form == Form::ellipsoid) return pixels;
-  for (const glm::dvec3& p : before_eye(placed_points(item, space_.view), space_.camera)) {
+  SpacePoints points = placed_points(item, space_.view);
+  if (item.form == Form::ellipsoid) {
+    // Its outline as it is seen from afar.
+    const glm::dvec3 right = glm::normalize(glm::cross(space_.camera.up, space_.camera.toward));
+    const StageCamera camera{right, glm::cross(space_.camera.toward, right), space_.camera.toward};
+    StageItem placed = item;
+    placed.points = points;
+    points = surface_outline(placed, camera).seen.front();
+  }
+  for (const glm::dvec3& p : before_eye(points, space_.camera)) {
     renderer_.SetWorldPoint(p.x, p.y, p.z, 1);
     renderer_.WorldToView();
     double at[3];

@@ -43,8 +43,8 @@ class SpaceScene {
   SpaceScene(vtkRenderer& renderer, const Stage& stage, std::size_t step, Look look = Look::anew,
              int sides = fine_sides);
 
-  /// Where an item is seen, in the pixels of a frame that the renderer's viewport fills; nothing of a round
-  /// surface.
+  /// Where an item is seen, in the pixels of a frame that the renderer's viewport fills; of a round surface
+  /// the outline.
   [[nodiscard]] std::vector<Point> seen(const StageItem& item, const PixelBox& frame) const;
   /// Whether it is a drawing in a plane.
   [[nodiscard]] bool is_flat() const { return space_.camera.is_flat; }

@@ -7,7 +7,7 @@ namespace {
 glm::dvec3 point_of(const NumbersByName& n) {
   if (n.has_vector("p")) return n.vector("p");
   const glm::dvec3 normal = n.vector("n");
-  return normal * (-n["d"] / glm::dot(normal, normal));
+  return normal * (-n["D"] / glm::dot(normal, normal));
 }
 
 glm::dvec3 normal_of(const NumbersByName& n) { return n.vector(n.has_vector("u×v") ? "u×v" : "n"); }
@@ -32,7 +32,7 @@ Items gain(const NumbersByName& n) {
   const glm::dvec3 along = resized(normal_of(n), 1);
   const glm::dvec3 tip = n.origin() + n.direction();
   const glm::dvec3 foot = n.origin() + along * glm::dot(along, n.direction());
-  return {arrow(Role::edge, n.origin(), tip, "d⃗"), segment(Role::normal, n.origin(), foot, "d⃗ along n"),
+  return {arrow(Role::edge, n.origin(), tip, "d"), segment(Role::normal, n.origin(), foot, "d along n"),
           segment(Role::frame, foot, tip, {}, Pattern::dotted)};
 }
 
@@ -55,9 +55,9 @@ std::vector<Binding> plane_bindings() {
   return {
       {"Put the ray into the plane's equation", normal},
       {"Divide the distance by the ray's progress", normal},
-      {"n·o + d", height_above_plane},
+      {"n·o + D", height_above_plane},
       {"n·(p - o)", height_above_plane},
-      {"n·d⃗", gain},
+      {"n·d", gain},
       {"w", spanning},
       {"u×v", normal},
       {"β", parameters},

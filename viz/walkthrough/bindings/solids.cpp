@@ -7,25 +7,61 @@
 namespace rayproof::viz {
 namespace {
 
-/// The stretches of the ray between each pair of planes, side by side along the ray: where all three overlap,
-/// it is in the box.
-Items slabs(const NumbersByName& n) {
-  const glm::dvec3 below = n.vector("min - o");
-  const glm::dvec3 above = n.vector("max - o");
-  const glm::dvec3 d = n.direction();
-  const glm::dvec3 aside = resized(across(d), 0.25 * glm::length(above - below));
-  constexpr std::array<const char*, 3> names{"x", "y", "z"};
-  Items items;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (d[axis] == 0) continue;
-    const double first = below[axis] / d[axis];
-    const double second = above[axis] / d[axis];
-    const glm::dvec3 off = static_cast<double>(items.size() + 1) * aside;
-    items.push_back(segment(Role::edge, n.at(std::min(first, second)) + off,
-                            n.at(std::max(first, second)) + off,
-                            "in the " + std::string(names.at(static_cast<std::size_t>(axis))) + " slab"));
+/// Two parallel planes, each by the face that `u` and `v` span at a corner, widened to where the ray meets
+/// it, and the stretch of the ray between them. A place far off is left out; nothing is left of planes that
+/// the ray meets nowhere else, but it may be parallel to them.
+Items slab(const NumbersByName& n, const std::array<glm::dvec3, 2>& corners, const glm::dvec3& u,
+           const glm::dvec3& v, const std::array<std::string, 2>& names) {
+  constexpr double margin = 0.2, farthest = 2.5;  // in edges
+  const glm::dvec3 normal = glm::cross(u, v);
+  const bool is_backward = glm::dot(corners[1] - corners[0], normal) * glm::dot(n.direction(), normal) < 0;
+  Items planes, marks;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double t = glm::dot(corners.at(i) - n.origin(), normal) / glm::dot(n.direction(), normal);
+    const glm::dvec3 off = n.at(t) - corners.at(i);
+    const double a = glm::dot(glm::cross(off, v), normal) / glm::dot(normal, normal);
+    const double b = glm::dot(glm::cross(u, off), normal) / glm::dot(normal, normal);
+    const bool is_near = std::abs(a - 0.5) < farthest && std::abs(b - 0.5) < farthest;
+    if (is_near) marks.push_back(point(Role::nearest, n.at(t), names.at(is_backward ? 1 - i : i)));
+    if (std::isfinite(t) && !is_near) continue;
+    const double u_from = std::min(0.0, is_near ? a : 0) - margin,
+                 u_to = std::max(1.0, is_near ? a : 1) + margin;
+    const double v_from = std::min(0.0, is_near ? b : 0) - margin,
+                 v_to = std::max(1.0, is_near ? b : 1) + margin;
+    // A little outside, or it would lie in the solid's own face.
+    const glm::dvec3 corner = corners.at(i) + 0.004 * (corners.at(i) - corners.at(1 - i));
+    const auto at = [&](double x, double y) { return corner + x * u + y * v; };
+    planes.push_back(
+        polygon(Role::edge, {at(u_from, v_from), at(u_to, v_from), at(u_to, v_to), at(u_from, v_to)}));
   }
-  return items;
+  if (marks.size() == 2) planes.push_back(segment(Role::nearest, marks[0].points[0], marks[1].points[0]));
+  planes.insert(planes.end(), marks.begin(), marks.end());
+  return planes;
+}
+
+Binding slab_along(std::size_t axis) {
+  const std::string name(1, "xyz"[axis]);
+  return {name + "_in",
+          [=](const NumbersByName& n) {
+            const glm::dvec3 min = n.input("min"), max = n.input("max"), d = n.direction();
+            std::array<glm::dvec3, 3> edges{};
+            for (int i = 0; i < 3; ++i) edges.at(static_cast<std::size_t>(i))[i] = max[i] - min[i];
+            // A ray parallel to some planes is there for those.
+            const bool is_parallel = d.x == 0 || d.y == 0 || d.z == 0;
+            if (is_parallel && d[static_cast<int>(axis)] != 0) return Items{};
+            return slab(n, {min, min + edges.at(axis)}, edges.at((axis + 1) % 3), edges.at((axis + 2) % 3),
+                        {name + "_in", name + "_out"});
+          },
+          true};
+}
+
+Binding slab_of_faces(const char* name, const char* edge, const char* u, const char* v) {
+  return {name,
+          [=](const NumbersByName& n) {
+            const glm::dvec3 corner = n.vector("corner");
+            return slab(n, {corner, corner + n.vector(edge)}, n.vector(u), n.vector(v), {"in", "out"});
+          },
+          true};
 }
 
 /// The stretch that all have in common, where there is one.
@@ -34,16 +70,21 @@ Items overlap(const NumbersByName& n) {
   return {segment(Role::nearest, n.at(n["t_entry"]), n.at(n["t_exit"]), "inside all three slabs")};
 }
 
-Items to_corner(const NumbersByName& n, const char* name) {
-  return {arrow(Role::edge, n.origin(), n.origin() + n.vector(name), name)};
+StageItem to_corner(const NumbersByName& n, const char* name) {
+  return arrow(Role::edge, n.origin(), n.origin() + n.vector(name), name);
 }
 
-Binding face_normal(const char* name, const char* first, const char* second) {
-  return {name, [=](const NumbersByName& n) {
-            const glm::dvec3 middle = n.vector("corner") + 0.5 * (n.vector(first) + n.vector(second));
-            const double length = 0.5 * std::max(glm::length(n.vector(first)), glm::length(n.vector(second)));
-            return Items{arrow(Role::normal, middle, middle + resized(n.vector(name), length), name)};
-          }};
+Items face_normals(const NumbersByName& n) {
+  constexpr std::array<const char*, 3> names{"n₀", "n₁", "n₂"}, edges{"e₀", "e₁", "e₂"};
+  Items items;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const glm::dvec3 u = n.vector(edges.at((i + 1) % 3)), v = n.vector(edges.at((i + 2) % 3));
+    const glm::dvec3 middle = n.vector("corner") + 0.5 * (u + v);
+    const double length = 0.5 * std::max(glm::length(u), glm::length(v));
+    items.push_back(
+        arrow(Role::normal, middle, middle + resized(n.vector(names.at(i)), length), names.at(i)));
+  }
+  return items;
 }
 
 Items ring(double rx, double ry, double z, const char* label) {
@@ -82,23 +123,28 @@ Items nearest_the_axis(const NumbersByName& n) {
 
 std::vector<Binding> box_bindings() {
   return {
-      {"min - o", [](const NumbersByName& n) { return to_corner(n, "min - o"); }},
-      {"max - o", [](const NumbersByName& n) { return to_corner(n, "max - o"); }},
-      {"Meet both planes of each axis", slabs},
+      {"max - o",
+       [](const NumbersByName& n) {
+         return Items{to_corner(n, "min - o"), to_corner(n, "max - o")};
+       }},
+      slab_along(0),
+      slab_along(1),
+      slab_along(2),
       {"t_exit", overlap},
-      answer("t_entry"),
+      {"t_entry", answer("t_entry").draw, true},
       answer("t_exit"),
   };
 }
 
 std::vector<Binding> parallelepiped_bindings() {
   return {
-      face_normal("n₀", "e₁", "e₂"),
-      face_normal("n₁", "e₂", "e₀"),
-      face_normal("n₂", "e₀", "e₁"),
-      {"Meet each pair of faces", [](const NumbersByName& n) { return to_corner(n, "f"); }},
+      {"n₂", face_normals},
+      {"Meet each pair of faces", [](const NumbersByName& n) { return Items{to_corner(n, "f")}; }},
+      slab_of_faces("n₀·f", "e₀", "e₁", "e₂"),
+      slab_of_faces("n₁·f", "e₁", "e₂", "e₀"),
+      slab_of_faces("n₂·f", "e₂", "e₀", "e₁"),
       {"t_exit", overlap},
-      answer("t_entry"),
+      {"t_entry", answer("t_entry").draw, true},
       answer("t_exit"),
   };
 }

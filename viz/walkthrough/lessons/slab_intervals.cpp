@@ -25,16 +25,12 @@ void narrate_slabs(const RayQuestion& question) {
   step<R>("Meet both x planes",
           "The ray is between them from t = x_in to t = x_out: an interval of the t axis. It enters at min.x "
           "where d.x > 0.");
-  const auto slab = [](const R& speed, const R& below, const R& above, const char* in, const char* out) {
-    const box::Slab<R> one = box::slab_of(speed, below, above);
-    return box::Slab<R>{named(in, one.entry), named(out, one.exit)};
-  };
-  const auto x = slab(d.x, R(least.x - o.x), R(most.x - o.x), "x_in", "x_out");
+  const auto x = box::named_slab("x_in", "x_out", box::slab_of(d.x, R(least.x - o.x), R(most.x - o.x)));
   step<R>("Meet both y planes", "The same for y: the two intervals need not overlap.");
-  const auto y = slab(d.y, R(least.y - o.y), R(most.y - o.y), "y_in", "y_out");
+  const auto y = box::named_slab("y_in", "y_out", box::slab_of(d.y, R(least.y - o.y), R(most.y - o.y)));
   step<R>("Meet both z planes",
           "For an axis along which d is negative, the ray enters at max and leaves at min.");
-  const auto z = slab(d.z, R(least.z - o.z), R(most.z - o.z), "z_in", "z_out");
+  const auto z = box::named_slab("z_in", "z_out", box::slab_of(d.z, R(least.z - o.z), R(most.z - o.z)));
   (void)box::overlap(x, y, z);
 }
 

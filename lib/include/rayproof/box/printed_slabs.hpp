@@ -34,9 +34,9 @@ struct PrintedSlabs {
         "The two products with 1/d are put in order; a ray in a face has 0·∞ = NaN, and its hit is lost.");
     const vec3<T> below = box.min - ray.origin;
     const vec3<T> above = box.max - ray.origin;
-    const Slab<T> x = swapped_into_order(below.x * per_d.x, above.x * per_d.x);
-    const Slab<T> y = swapped_into_order(below.y * per_d.y, above.y * per_d.y);
-    const Slab<T> z = swapped_into_order(below.z * per_d.z, above.z * per_d.z);
+    const Slab<T> x = named_slab("x_in", "x_out", swapped_into_order(below.x * per_d.x, above.x * per_d.x));
+    const Slab<T> y = named_slab("y_in", "y_out", swapped_into_order(below.y * per_d.y, above.y * per_d.y));
+    const Slab<T> z = named_slab("z_in", "z_out", swapped_into_order(below.z * per_d.z, above.z * per_d.z));
     const auto [t_near, t_far] = overlap(x, y, z);
 
     step<T>("Drop the box behind the ray, which begins at t_min",

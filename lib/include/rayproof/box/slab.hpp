@@ -42,6 +42,12 @@ template <class T>
   return slab_of(speed, below, above, below / speed, above / speed);
 }
 
+/// The slab, its ends with the names that they have in a walkthrough.
+template <class T>
+[[nodiscard]] constexpr Slab<T> named_slab(const char* in, const char* out, const Slab<T>& slab) {
+  return {named(in, slab.entry), named(out, slab.exit)};
+}
+
 /// When the line is in all slabs: from the last entry to the first exit, which may lie before it. The entry
 /// is NaN where a slab is never met or holds a NaN, which `max` could lose, and where neither end is finite:
 /// then the direction is 0 or the origin infinite.

@@ -34,9 +34,9 @@ struct Slabs {
             "Each pair of planes bounds a slab; the ray is in it between two t: (min - o) / d = {min - o} / "
             "{d} and (max - o) / d = {max - o} / {d}. Where d is negative along an axis, the ray enters at "
             "max; where it is 0, the ray is in that slab for all t or for none.");
-    const Slab<T> x = slab_of(d.x, below.x, above.x);
-    const Slab<T> y = slab_of(d.y, below.y, above.y);
-    const Slab<T> z = slab_of(d.z, below.z, above.z);
+    const Slab<T> x = named_slab("x_in", "x_out", slab_of(d.x, below.x, above.x));
+    const Slab<T> y = named_slab("y_in", "y_out", slab_of(d.y, below.y, above.y));
+    const Slab<T> z = named_slab("z_in", "z_out", slab_of(d.z, below.z, above.z));
     const auto [entry, exit] = overlap(x, y, z);
     return chord(entry, exit);
   }

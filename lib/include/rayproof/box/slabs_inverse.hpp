@@ -46,9 +46,12 @@ struct SlabsInverse {
             "Each pair of planes bounds a slab; the ray is in it between two t: (min - o)·(1/d) = {min - "
             "o}·{1/d} and (max - o)·(1/d) = {max - o}·{1/d}. Where d is negative along an axis, the ray "
             "enters at max; where it is 0, the ray is in that slab for all t or for none.");
-    const Slab<T> x = slab_of(d.x, below.x, above.x, below.x * per_d.x, above.x * per_d.x);
-    const Slab<T> y = slab_of(d.y, below.y, above.y, below.y * per_d.y, above.y * per_d.y);
-    const Slab<T> z = slab_of(d.z, below.z, above.z, below.z * per_d.z, above.z * per_d.z);
+    const Slab<T> x =
+        named_slab("x_in", "x_out", slab_of(d.x, below.x, above.x, below.x * per_d.x, above.x * per_d.x));
+    const Slab<T> y =
+        named_slab("y_in", "y_out", slab_of(d.y, below.y, above.y, below.y * per_d.y, above.y * per_d.y));
+    const Slab<T> z =
+        named_slab("z_in", "z_out", slab_of(d.z, below.z, above.z, below.z * per_d.z, above.z * per_d.z));
     return overlap(x, y, z);
   }
 };

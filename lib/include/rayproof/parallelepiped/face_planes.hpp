@@ -62,9 +62,10 @@ struct FacePlanes {
         "solid.");
     const vec3<T> f = named("f", solid.corner - ray.origin);
     const vec3<T> d = ray.direction;
-    const auto [entry, exit] = box::overlap(slab_between_faces<T>(f, d, n0, e0, "n₀·f", "n₀·e₀"),
-                                            slab_between_faces<T>(f, d, n1, e1, "n₁·f", "n₁·e₁"),
-                                            slab_between_faces<T>(f, d, n2, e2, "n₂·f", "n₂·e₂"));
+    const box::Slab<T> slab0 = slab_between_faces<T>(f, d, n0, e0, "n₀·f", "n₀·e₀");
+    const box::Slab<T> slab1 = slab_between_faces<T>(f, d, n1, e1, "n₁·f", "n₁·e₁");
+    const box::Slab<T> slab2 = slab_between_faces<T>(f, d, n2, e2, "n₂·f", "n₂·e₂");
+    const auto [entry, exit] = box::overlap(slab0, slab1, slab2);
     return chord(entry, exit);
   }
 };

@@ -85,7 +85,7 @@ struct Rounded {
   /// is known of it.
   ///
   /// With u the unit roundoff a normal, a cross product of two given edges, is off by no more than u of each
-  /// component, and f = corner - o of each of its. So n·d⃗ and the volume n·e are off by 4.1u times the sizes
+  /// component, and f = corner - o of each of its. So n·d and the volume n·e are off by 4.1u times the sizes
   /// of their terms, n·f by 5.1u, and n·f + n·e by 6.1u times the sizes of both.
   template <class W>
   [[nodiscard]] static constexpr Enclosed<W> enclosed(const Ray<W>& ray, const Parallelepiped<W>& solid) {
@@ -98,7 +98,7 @@ struct Rounded {
 
  private:
   /// The slab between the two faces with the normal n, which `edge` leads from one to the other. A ray is
-  /// surely parallel to them where each term of n·d⃗ is 0, and then surely inside or outside where it is clear
+  /// surely parallel to them where each term of n·d is 0, and then surely inside or outside where it is clear
   /// of both faces. Faces that may be one are not sure.
   template <class W>
   static constexpr box::BoundedSlab<W> bounded_slab(const vec3<W>& f, const vec3<W>& d, const vec3<W>& n,

@@ -53,14 +53,14 @@ struct BilinearQuadratic {
   template <class T>
   static BilinearHit<T> on_ruling(const Ray<T>& ray, const vec3<T>& at_0, const vec3<T>& along, const T& u) {
     step<T>("Meet the ruling in the plane that it and the ray span",
-            "The two lines meet where p + v·e = t·d; products with their normal n = d × e give t and v.");
-    const vec3<T> p = named("p", at_0);
-    const vec3<T> e = named("e", along);
+            "The two lines meet where p(u) + v·e(u) = t·d; products with their normal n = d × e(u) give t "
+            "and v.");
+    const vec3<T> p = named("p(u)", at_0);
+    const vec3<T> e = named("e(u)", along);
     const vec3<T> n = named("n", cross(ray.direction, e));
-    step<T>(
-        "Divide by the square of the normal",
-        "p × e along n is t times n·n, and p × d along n is v times n·n. Where u or v is not in [0, 1], the "
-        "lines meet off the patch.");
+    step<T>("Divide by the square of the normal",
+            "p(u) × e(u) along n is t times n·n, and p(u) × d along n is v times n·n. Where u or v is not in "
+            "[0, 1], the lines meet off the patch.");
     const T nn = dot(n, n);
     const vec3<T> g = named("g", cross(p, e)), h = named("h", cross(p, ray.direction));
     const T t = named("t", dot(g, n) / nn);

@@ -16,9 +16,9 @@ namespace rayproof::plane {
 /// what is known of it.
 ///
 /// Products of two given numbers are exact and their differences are rounded once, so that each component
-/// of u × v is off by no more than u of itself, and so is p - o. Then n·d⃗ is off by at most 4.1u times the
-/// sum of its terms' sizes, n·(p - o) by 5.1u, n·o + d by 3.1u, a determinant of w = o - p and two given
-/// vectors by 6.1u. Whether the ray is parallel is sure where n·d⃗ is large beside its own error, or where
+/// of u × v is off by no more than u of itself, and so is p - o. Then n·d is off by at most 4.1u times the
+/// sum of its terms' sizes, n·(p - o) by 5.1u, n·o + D by 3.1u, a determinant of w = o - p and two given
+/// vectors by 6.1u. Whether the ray is parallel is sure where n·d is large beside its own error, or where
 /// each of its terms is 0. Where the plane or the ray's origin is not finite no hit and no miss is sure but
 /// that of a parallel ray. Nothing over- or underflows: no product is of more than three given numbers.
 template <class W>

@@ -48,10 +48,10 @@ template <class T>
 template <class T>
 [[nodiscard]] constexpr Implicit<T> as_implicit(const Plane<T>& plane) {
   if (plane.form == PlaneForm::implicit) return {plane.normal, plane.d};
-  step<T>("Write the plane as n·q + d = 0",
-          "The points q of the plane satisfy this equation; d follows from the given point.");
+  step<T>("Write the plane as n·q + D = 0",
+          "The points q of the plane satisfy this equation; D follows from the given point.");
   const vec3<T> n = named("n", normal_of(plane));
-  return {n, named("d", -dot(n, plane.point))};
+  return {n, named("D", -dot(n, plane.point))};
 }
 
 template <class T>

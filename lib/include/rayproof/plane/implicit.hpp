@@ -16,9 +16,9 @@ template <class T>
   return flat_hit(along != T(0), named("t", -at_origin / along), T(0), T(0));
 }
 
-/// t = -(n·o + d) / (n·d⃗), the ray put into the plane's equation.
+/// t = -(n·o + D) / (n·d), the ray put into the plane's equation.
 ///
-/// A ray with n·d⃗ = 0 is parallel to the plane or runs inside it: a miss.
+/// A ray with n·d = 0 is parallel to the plane or runs inside it: a miss.
 struct ByEquation {
   static constexpr const char* name = "implicit";
   static constexpr const char* title = "the ray in the plane's equation";
@@ -31,13 +31,13 @@ struct ByEquation {
 
   template <class T>
   [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Plane<T>& plane) {
-    const auto [n, d] = as_implicit(plane);
+    const auto [n, D] = as_implicit(plane);
 
     step<T>("Put the ray into the plane's equation",
-            "p(t) is in the plane where n·p(t) + d = 0. n·o + d is the value at the ray's origin. Each unit "
-            "of t adds n·d⃗ to n·p(t) + d.");
-    const T at_origin = named("n·o + d", dot(n, ray.origin) + d);
-    const T along = named("n·d⃗", dot(n, ray.direction));
+            "p(t) is in the plane where n·p(t) + D = 0. n·o + D is the value at the ray's origin. Each unit "
+            "of t adds n·d to n·p(t) + D.");
+    const T at_origin = named("n·o + D", dot(n, ray.origin) + D);
+    const T along = named("n·d", dot(n, ray.direction));
     return solved_for_t(at_origin, along);
   }
 };

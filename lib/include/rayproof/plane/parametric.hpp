@@ -6,7 +6,7 @@
 
 namespace rayproof::plane {
 
-/// The solution of point + a·u + b·v = o + t·d⃗, and the determinant of the system; all NaN or infinite where
+/// The solution of point + a·u + b·v = o + t·d, and the determinant of the system; all NaN or infinite where
 /// the determinant is 0.
 template <class T>
 struct Meeting {
@@ -16,7 +16,7 @@ struct Meeting {
   T b;
 };
 
-/// Cramer's rule on the 3×3 system with the columns u, v, d⃗ and the unknowns a, b, -t.
+/// Cramer's rule on the 3×3 system with the columns u, v, d and the unknowns a, b, -t.
 template <class T>
 [[nodiscard]] constexpr Meeting<T> meet_by_cramer(const Ray<T>& ray, const vec3<T>& point, const vec3<T>& u,
                                                   const vec3<T>& v) {
@@ -40,7 +40,7 @@ template <class T>
   return {D, named("t", -D_t / D), named("α", D_a / D), named("β", D_b / D)};
 }
 
-/// point + a·u + b·v = o + t·d⃗, solved by Cramer's rule; the answer's u and v are a and b where the plane is
+/// point + a·u + b·v = o + t·d, solved by Cramer's rule; the answer's u and v are a and b where the plane is
 /// given in the parametric form, else 0.
 ///
 /// A ray whose direction u and v span is parallel to the plane or runs inside it: a miss.

@@ -5,7 +5,7 @@
 
 namespace rayproof::plane {
 
-/// t = -(x₀ + y₀ + z₀ + D) / (n·d⃗), **as printed** in the source: the coefficients A, B, C are missing in the
+/// t = -(x₀ + y₀ + z₀ + D) / (n·d), **as printed** in the source: the coefficients A, B, C are missing in the
 /// numerator.
 ///
 /// Right only for A = B = C = 1. ByEquation is the mended form.
@@ -21,13 +21,13 @@ struct PrintedImplicit {
 
   template <class T>
   [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Plane<T>& plane) {
-    const auto [n, d] = as_implicit(plane);
+    const auto [n, D] = as_implicit(plane);
 
     step<T>("Put the ray into the plane's equation, as printed",
-            "The coefficients of x₀, y₀ and z₀ are missing: the value at the ray's origin is n·o + d.");
+            "The coefficients of x₀, y₀ and z₀ are missing: the value at the ray's origin is n·o + D.");
     const vec3<T> o = ray.origin;
-    const T at_origin = named("x₀ + y₀ + z₀ + D", o.x + o.y + o.z + d);
-    const T along = named("n·d⃗", dot(n, ray.direction));
+    const T at_origin = named("x₀ + y₀ + z₀ + D", o.x + o.y + o.z + D);
+    const T along = named("n·d", dot(n, ray.direction));
     return solved_for_t(at_origin, along);
   }
 };

@@ -6,7 +6,7 @@
 
 namespace rayproof::plane {
 
-/// The plane's equation, and 'parallel' for every ray with n·d⃗ = 0, **as printed** in the source: a ray that
+/// The plane's equation, and 'parallel' for every ray with n·d = 0, **as printed** in the source: a ray that
 /// runs inside the plane is parallel to it and in it.
 ///
 /// Hit or miss and t are those of ByEquation; wrong is what a miss is called, which is why the contact is

@@ -80,8 +80,8 @@ struct Rounded {
                                   const Vec3<Number>& d, const Unit& unit) {
     if (!are_finite(plane.normal, plane.d)) return no_hit<T>;
     step<T>("Put the ray into the plane's equation exactly",
-            "n·o + d and n·d⃗ are exact, so a parallel ray is recognised with certainty; "
-            "t = −(n·o + d) / (n·d⃗) is rounded once.");
+            "n·o + D and n·d are exact, so a parallel ray is recognised with certainty; "
+            "t = −(n·o + D) / (n·d) is rounded once.");
     const auto n = exact_vector<double>(plane.normal);
     const auto at_origin = dot(n, o) + unit * exact(double{plane.d});
     const auto along = dot(n, d);
@@ -94,7 +94,7 @@ struct Rounded {
                                       const Vec3<Number>& d, const Unit& unit) {
     if (!are_finite(plane.normal, plane.point)) return no_hit<T>;
     step<T>("Form the distance to the plane and the ray's progress exactly",
-            "n·(p − o) and n·d⃗ are exact, so a parallel ray is recognised with certainty; their quotient t "
+            "n·(p − o) and n·d are exact, so a parallel ray is recognised with certainty; their quotient t "
             "is rounded once.");
     const auto n = exact_vector<double>(plane.normal);
     const auto w = unit * exact_vector<double>(plane.point) - o;

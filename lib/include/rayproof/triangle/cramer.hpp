@@ -8,7 +8,7 @@
 
 namespace rayproof::triangle {
 
-/// a + u·(b-a) + v·(c-a) = o + t·d⃗ by Cramer's rule, inside where u >= 0, v >= 0 and u + v <= 1.
+/// a + u·(b-a) + v·(c-a) = o + t·d by Cramer's rule, inside where u >= 0, v >= 0 and u + v <= 1.
 ///
 /// Each triangle judges its edges by its own rounded numbers, so a ray can slip between two triangles that
 /// share an edge.

@@ -48,12 +48,12 @@ struct Pluecker {
     const T W = named("W", side(a, b));
 
     step<T>("Meet the plane of the triangle",
-            "t is n·a, |n| times the distance to the plane, over the progress n·d⃗; U, V and W over their sum "
+            "t is n·a, |n| times the distance to the plane, over the progress n·d; U, V and W over their sum "
             "are the "
             "barycentric coordinates.");
     // By the edges, not as U + V + W: for a small far triangle those cancel.
     const vec3<T> n = named("n", cross(triangle.b - triangle.a, triangle.c - triangle.a));
-    const T along = named("n·d⃗", dot(n, d));
+    const T along = named("n·d", dot(n, d));
     const T t = named("t", dot(n, a) / along);
     const T sum = named("U+V+W", U + V + W);
     // Of a triangle so far and small that its ends are one point, all three vanish wherever the ray goes: a

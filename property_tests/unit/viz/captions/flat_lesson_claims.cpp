@@ -46,13 +46,13 @@ std::vector<LessonClaim> flat_lesson_claims() {
        }},
       {"plane-parallel", "Here the progress is 0, and the distance is not: t is infinite.",
        [](const LessonSaid& s) {
-         EXPECT_EQ(s.n["n·d⃗"], 0);
+         EXPECT_EQ(s.n["n·d"], 0);
          EXPECT_NE(s.n["n·(p - o)"], 0);
          EXPECT_TRUE(std::isinf(s.n["t"]));
        }},
       {"plane-inside", "Here both are 0, and 0/0 is NaN.",
        [](const LessonSaid& s) {
-         EXPECT_EQ(s.n["n·d⃗"], 0);
+         EXPECT_EQ(s.n["n·d"], 0);
          EXPECT_EQ(s.n["n·(p - o)"], 0);
          EXPECT_TRUE(std::isnan(s.n["t"]));
        }},

@@ -25,7 +25,7 @@ void expect_mapped_ray(const Said& s) {
     EXPECT_TRUE(are_equal(m.x * x + m.y * y + m.z * z + offset, s.n.input(given), scale)) << mapped;
   };
   expect("o′", s.n.input("T"), "o");
-  expect(s.n.has_vector("d⃗") ? "d⃗" : "d", {}, "v");
+  expect("d", {}, "v");
 }
 
 void expect_no_hit_if_parallel(const Said& s, double progress) {
@@ -38,30 +38,30 @@ void expect_no_hit_if_parallel(const Said& s, double progress) {
 
 std::vector<CheckedClaim> plane_claims() {
   return {
-      {"The points q of the plane satisfy this equation; d follows from the given point.",
+      {"The points q of the plane satisfy this equation; D follows from the given point.",
        [](const Said& s) {
          if (!s.n.has_vector("p") || !s.n.has_vector("n")) return;
          const glm::dvec3 n = s.n.vector("n"), p = s.n.vector("p");
-         EXPECT_TRUE(are_equal(glm::dot(n, p), -s.n["d"], glm::length(n) * glm::length(p)));
+         EXPECT_TRUE(are_equal(glm::dot(n, p), -s.n["D"], glm::length(n) * glm::length(p)));
        }},
-      {"p(t) is in the plane where n·p(t) + d = 0."},
-      {"n·o + d is the value at the ray's origin.",
+      {"p(t) is in the plane where n·p(t) + D = 0."},
+      {"n·o + D is the value at the ray's origin.",
        [](const Said& s) {
          const glm::dvec3 n = s.n.vector("n"), o = s.n.origin();
-         const double size = glm::length(n) * glm::length(o) + std::abs(s.n["d"]);
-         EXPECT_TRUE(are_equal(s.n["n·o + d"], glm::dot(n, o) + s.n["d"], size));
+         const double size = glm::length(n) * glm::length(o) + std::abs(s.n["D"]);
+         EXPECT_TRUE(are_equal(s.n["n·o + D"], glm::dot(n, o) + s.n["D"], size));
        }},
-      {"Each unit of t adds n·d⃗ to n·p(t) + d.",
+      {"Each unit of t adds n·d to n·p(t) + D.",
        [](const Said& s) {
          const glm::dvec3 n = s.n.vector("n"), d = s.n.direction();
-         EXPECT_TRUE(are_equal(s.n["n·d⃗"], glm::dot(n, d), glm::length(n) * glm::length(d)));
+         EXPECT_TRUE(are_equal(s.n["n·d"], glm::dot(n, d), glm::length(n) * glm::length(d)));
        }},
       {"t is minus the value at the ray's origin over what each unit of t adds; where that is 0, the ray is "
        "parallel to the plane or in it, and there is no t.",
        [](const Said& s) {
-         expect_no_hit_if_parallel(s, s.n["n·d⃗"]);
-         if (s.n.has("n·o + d")) {
-           EXPECT_TRUE(is_quotient(s.n["t"], -s.n["n·o + d"], s.n["n·d⃗"]));
+         expect_no_hit_if_parallel(s, s.n["n·d"]);
+         if (s.n.has("n·o + D")) {
+           EXPECT_TRUE(is_quotient(s.n["t"], -s.n["n·o + D"], s.n["n·d"]));
          }
        }},
       {"The inverse map applies to o and v; v is not normalised, so t is the same number in both spaces.",
@@ -72,10 +72,10 @@ std::vector<CheckedClaim> plane_claims() {
          if (s.n.has_vector("u")) {
            const glm::dvec3 u = s.n.vector("u"), v = s.n.vector("v");
            EXPECT_TRUE(are_equal(n, glm::cross(u, v), glm::length(u) * glm::length(v)));
-         } else if (s.n.has("d")) {
+         } else if (s.n.has("D")) {
            const double size = glm::length(n) * glm::length(p);
            EXPECT_TRUE(are_equal(glm::cross(n, p), glm::dvec3(0), size));
-           EXPECT_TRUE(are_equal(glm::dot(n, p), -s.n["d"], size));
+           EXPECT_TRUE(are_equal(glm::dot(n, p), -s.n["D"], size));
          }
        }},
       {"p is a point of the plane: of a triangle a, of a polygon v₀."},
@@ -84,15 +84,15 @@ std::vector<CheckedClaim> plane_claims() {
          const glm::dvec3 n = s.n.vector("n"), way = point_of_plane(s.n) - s.n.origin();
          EXPECT_TRUE(are_equal(s.n["n·(p - o)"], glm::dot(n, way), glm::length(n) * reach_of(s.n)));
        }},
-      {"n·d⃗ is what the ray gains along n in each unit of t, times |n| too.",
+      {"n·d is what the ray gains along n in each unit of t, times |n| too.",
        [](const Said& s) {
          const glm::dvec3 n = s.n.vector("n"), d = s.n.direction();
-         EXPECT_TRUE(are_equal(s.n["n·d⃗"], glm::dot(n, d), glm::length(n) * glm::length(d)));
+         EXPECT_TRUE(are_equal(s.n["n·d"], glm::dot(n, d), glm::length(n) * glm::length(d)));
        }},
       {"t is the quotient of the two; where the ray gains nothing, there is no single t.",
        [](const Said& s) {
-         expect_no_hit_if_parallel(s, s.n["n·d⃗"]);
-         EXPECT_TRUE(is_quotient(s.n["t"], s.n["n·(p - o)"], s.n["n·d⃗"]));
+         expect_no_hit_if_parallel(s, s.n["n·d"]);
+         EXPECT_TRUE(is_quotient(s.n["t"], s.n["n·(p - o)"], s.n["n·d"]));
        }},
       {"α·u + β·v − t·d = w is three equations for α, β and t; w leads from the plane's point to the ray's "
        "origin.",
@@ -124,11 +124,11 @@ std::vector<CheckedClaim> plane_claims() {
          EXPECT_TRUE(are_perpendicular(v, n));
          EXPECT_TRUE(are_perpendicular(u, v));
        }},
-      {"The coefficients of x₀, y₀ and z₀ are missing: the value at the ray's origin is n·o + d.",
+      {"The coefficients of x₀, y₀ and z₀ are missing: the value at the ray's origin is n·o + D.",
        [](const Said& s) {
          const glm::dvec3 o = s.n.origin();
-         const double printed = o.x + o.y + o.z + s.n["d"];
-         EXPECT_TRUE(are_equal(s.n["x₀ + y₀ + z₀ + D"], printed, 3 * glm::length(o) + std::abs(s.n["d"])));
+         const double printed = o.x + o.y + o.z + s.n["D"];
+         EXPECT_TRUE(are_equal(s.n["x₀ + y₀ + z₀ + D"], printed, 3 * glm::length(o) + std::abs(s.n["D"])));
        }}};
 }
 

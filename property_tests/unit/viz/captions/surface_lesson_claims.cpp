@@ -104,15 +104,16 @@ std::vector<LessonClaim> surface_lesson_claims() {
        "For each u the patch has a straight line, its ruling; it meets the ray where both lie in one plane, "
        "a quadratic equation in u."},
       {"parametric-patch",
-       "The two lines meet where p + v·e = t·d; products with their normal n = d × e give t and v.",
+       "The two lines meet where p(u) + v·e(u) = t·d; products with their normal n = d × e(u) give t and v.",
        [](const LessonSaid& s) {
-         EXPECT_TRUE(are_perpendicular(s.n.vector("n"), s.n.vector("e"), 1e-6));
-         EXPECT_TRUE(are_perpendicular(s.n.vector("n"), s.n.vector("p"), 1e-6));  // all three in one plane
+         EXPECT_TRUE(are_perpendicular(s.n.vector("n"), s.n.vector("e(u)"), 1e-6));
+         EXPECT_TRUE(are_perpendicular(s.n.vector("n"), s.n.vector("p(u)"), 1e-6));  // all three in one plane
        }},
-      {"parametric-patch", "p × e along n is t times n·n, and p × d along n is v times n·n.",
+      {"parametric-patch", "p(u) × e(u) along n is t times n·n, and p(u) × d along n is v times n·n.",
        [](const LessonSaid& s) {
-         const glm::dvec3 n = s.n.vector("n"), p = s.n.vector("p"), e = s.n.vector("e"), d = s.n.vector("d");
-         // Of the second ruling p and e are not shown.
+         const glm::dvec3 n = s.n.vector("n"), p = s.n.vector("p(u)"), e = s.n.vector("e(u)"),
+                          d = s.n.vector("d");
+         // Of the second ruling p(u) and e(u) are not shown.
          if (glm::length(glm::cross(p, e) - s.n.vector("g")) > 1e-5) return;
          EXPECT_NEAR(glm::dot(glm::cross(p, e), n), s.n["t"] * glm::dot(n, n), 1e-5);
          EXPECT_NEAR(glm::dot(glm::cross(p, d), n), s.n["v"] * glm::dot(n, n), 1e-5);

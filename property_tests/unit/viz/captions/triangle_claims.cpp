@@ -96,7 +96,7 @@ std::vector<CheckedClaim> triangle_claims() {
          expect("V", "c", "a");
          expect("W", "a", "b");
        }},
-      {"t is n·a, |n| times the distance to the plane, over the progress n·d⃗; U, V and W over their sum are "
+      {"t is n·a, |n| times the distance to the plane, over the progress n·d; U, V and W over their sum are "
        "the barycentric coordinates.",
        [](const Said& s) {
          const double U = s.n["U"], V = s.n["V"], W = s.n["W"], sum = s.n["U+V+W"];
@@ -104,7 +104,7 @@ std::vector<CheckedClaim> triangle_claims() {
          EXPECT_TRUE(is_quotient(s.n["u"], V, sum));
          EXPECT_TRUE(is_quotient(s.n["v"], W, sum));
          const glm::dvec3 n = s.n.vector("n"), a = s.n.vector("a");
-         EXPECT_TRUE(are_equal(s.n["t"] * s.n["n·d⃗"], glm::dot(n, a), glm::length(n) * glm::length(a)));
+         EXPECT_TRUE(are_equal(s.n["t"] * s.n["n·d"], glm::dot(n, a), glm::length(n) * glm::length(a)));
          expect_hit(s.report, std::min({U / sum, V / sum, W / sum}), s.n["t"]);
        }},
       {"These are the points of a whole parallelogram: the condition α + β ≤ 1 is missing."},

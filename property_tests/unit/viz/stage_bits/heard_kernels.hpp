@@ -23,7 +23,7 @@ typename Topic::template Problem<H> heard_problem(const Case& one) {
     const auto shape = recorded_shape<Shape, H>(question);
     H::names.clear();
     if (!question.transform) return {convert<H>(question.ray), shape};
-    const auto ray = in_object_space<H>(convert<H>(question.ray), *question.transform, "d", Topic::name);
+    const auto ray = in_object_space<H>(convert<H>(question.ray), *question.transform, Topic::name);
     H::names.erase(H::names.begin(), H::names.begin() + 12);  // the map's columns are inputs
     return {ray, shape};
   }

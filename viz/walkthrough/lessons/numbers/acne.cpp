@@ -40,6 +40,7 @@ Start start_by(const spawn::SurfacePoint<float>& from, const glm::vec3& directio
           static_cast<double>(glm::dot(direction, from.normal)) / glm::length(glm::dvec3(direction))};
 }
 
+/// Above its surface, enlarged: the hit p, and o′ straight over or below it.
 template <class Strategy>
 StageStep start_step(const spawn::SurfacePoint<float>& from, const glm::vec3& direction,
                      const Sphere<double>& sphere, const StageCamera& camera) {
@@ -63,11 +64,15 @@ StageStep start_step(const spawn::SurfacePoint<float>& from, const glm::vec3& di
   step.view = {0.3 * camera.up, 1.5};
   const double rise = std::clamp(start.climb, 0.2, 0.8) * size;
   step.items = ground_of(camera);
+  const glm::dvec3 from_p = at(-0.6, hit), from_o = at(-0.6, start.height);
+  const bool has_moved = start.height != hit;
   for (const StageItem& item :
-       Items{point(Role::text, at(1.6, -0.15 * size), "the sphere"), point(Role::nearest, at(-1, hit), "p"),
-             point(is_acne ? Role::claimed : Role::exact, at(-0.6, start.height), "o′"),
-             arrow(Role::ray, at(-0.6, start.height), at(0.3, start.height + 0.9 * rise), "the next ray")})
+       Items{point(Role::text, at(1.6, -0.15 * size), "the sphere"),
+             point(Role::nearest, from_p, has_moved ? "p" : ""),
+             point(Role::claimed, from_o, has_moved ? "o′" : "o′ = p"),
+             arrow(Role::ray, from_o, at(0.3, start.height + 0.9 * rise), "the next ray")})
     step.items.push_back(item);
+  if (has_moved) step.items.push_back(segment(Role::normal, from_p, from_o, "the offset"));
   if (is_acne)
     step.items.push_back(point(Role::claimed, at(-0.6 - start.height / rise, 0), "its own surface again"));
   return step;

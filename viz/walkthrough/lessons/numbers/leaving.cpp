@@ -69,9 +69,9 @@ StageStep heights_step(const NumbersByName& n, const Sphere<double>& sphere, con
   step.items = ground_of(setting.camera);
   for (const StageItem& item :
        Items{point(Role::text, at(0.8, -0.15 / step.magnification), "the sphere"),
-             point(Role::claimed, at(-0.7, hit), "p"), point(Role::nearest, at(0, moved), "q"),
-             arrow(Role::normal, at(0.7, moved), at(0.7, origin), "along n"),
-             point(Role::exact, at(0.7, origin), "o′")})
+             point(Role::claimed, at(0, hit), "p"), point(Role::nearest, at(0, moved), "q"),
+             arrow(Role::normal, at(0, moved), at(0, origin), "along n"),
+             point(Role::claimed, at(0, origin), "o′")})
     step.items.push_back(item);
   step.view = {{}, 1.3};
   return step;
@@ -130,7 +130,7 @@ Stage leaving_stage(const Case& one, const ReportCase& report_on) {
                                             n.vector("q") + 0.5 * sphere.radius * n.vector("n"), "n")};
                        }},
                       {"bend", tangent_plane},
-                      marked("o′", Role::exact)};
+                      marked("o′", Role::claimed)};
   Stage stage = composed_stage(report, walk, setting);
   stage.method = "spawn/proven";
   for (std::size_t i = 0; i < walk.steps.size(); ++i) {
