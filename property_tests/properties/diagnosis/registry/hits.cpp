@@ -44,6 +44,8 @@ std::vector<Hypothesis> models_of_hits() {
       gives("interval-as-distances", read_as<interval_as_distances>,
             "the answer is right where t_min and t_max are lengths: they are compared with distances, not "
             "with t"),
+      gives("t-max-as-distance", read_as<t_max_as_distance>,
+            "the answer is right where t_max is a length: it is compared with a distance, not with t"),
       gives("interval-as-object-distances", read_as<interval_as_object_distances>,
             "the answer is right where t_min and t_max are lengths in object space: they are compared with "
             "distances along the transformed ray, whose direction was made a unit vector"),

@@ -76,6 +76,12 @@ inline constexpr auto rounding = FindingKind::rounding;
   return cure;
 }
 
+/// The same with other words where the cases are quadratic equations.
+[[nodiscard]] constexpr Hypothesis of_equation(std::string_view words, Hypothesis made) {
+  made.of_equation = words;
+  return made;
+}
+
 /// The same with what the fault has to do with sizes.
 [[nodiscard]] constexpr Hypothesis of(OfSizes sizes, Hypothesis made) {
   made.of_sizes = sizes;

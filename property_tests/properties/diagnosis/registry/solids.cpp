@@ -1,9 +1,13 @@
 /// \file
 /// Faults with transforms and with solids.
 
+#include <fmt/format.h>
+
 #include "properties/diagnosis/cures/cures.hpp"
 #include "properties/diagnosis/models/caps.hpp"
 #include "properties/diagnosis/models/cylinder.hpp"
+#include "properties/diagnosis/models/faces.hpp"
+#include "properties/diagnosis/models/loose.hpp"
 #include "properties/diagnosis/models/placing.hpp"
 #include "properties/diagnosis/models/slabs.hpp"
 #include "properties/diagnosis/models/solid.hpp"
@@ -11,6 +15,53 @@
 #include "properties/diagnosis/registry/lines.hpp"
 
 namespace rayproof::diagnosis {
+namespace {
+
+/// A solid that is larger, or smaller, by a fixed length: in a larger scene that is next to nothing.
+template <int... power>
+void add_loose(std::vector<Hypothesis>& all) {
+  (all.push_back(of(
+       OfSizes::small,
+       gives(kept(fmt::format("solid-wider-1e{}", power)), read_as<widened_by<power>>,
+             kept(fmt::format(
+                 "the answer is right for a solid that is wider by 1e{} at each end: a tolerance", power))))),
+   ...);
+  (all.push_back(
+       of(OfSizes::small,
+          gives(kept(fmt::format("solid-narrower-1e{}", power)), narrowed_by<power>,
+                kept(fmt::format(
+                    "the answer is right for a solid that is narrower by 1e{} at each end: an absolute "
+                    "epsilon keeps its ends out",
+                    power))))),
+   ...);
+}
+
+template <int... power>
+void add_along_axis(std::vector<Hypothesis>& all) {
+  (all.push_back(
+       of(OfSizes::small,
+          gives(kept(fmt::format("side-missed-along-1e{}", power)), side_missed_along<power>,
+                kept(fmt::format(
+                    "the side is missed where dx² + dy² is below about 1e{}: a ray nearly along the axis "
+                    "is taken for one along it, by an absolute epsilon",
+                    power))))),
+   ...);
+}
+
+template <int axis>
+void add_slab_order(std::vector<Hypothesis>& all, char coordinate) {
+  all.push_back(
+      gives(kept(fmt::format("slab-exchanged-{}", coordinate)), slab_exchanged<axis>,
+            kept(fmt::format("near and far are exchanged in the slab of {}: min and max of its two t",
+                             coordinate))));
+  all.push_back(
+      gives(kept(fmt::format("slab-unsorted-{}", coordinate)), slab_unsorted<axis>,
+            kept(fmt::format("near and far are not exchanged in the slab of {} where the direction's "
+                             "component is negative",
+                             coordinate))));
+}
+
+}  // namespace
 
 std::vector<Hypothesis> models_of_transforms() {
   return {
@@ -58,7 +109,7 @@ std::vector<Hypothesis> models_of_transforms() {
 std::vector<Hypothesis> models_of_solids() {
   return {
       gives("radius-squared", read_as<radius_squared>, "the answer is right for the radius squared"),
-      gives("radius-rooted", read_as<radius_rooted>,
+      gives("radius-rooted", radius_for_square,
             "the answer is right for the root of the radius: r is taken for r²"),
       gives("radius-doubled", read_as<radius_doubled>, "the answer is right for twice the radius"),
       gives("radius-halved", read_as<radius_halved>,
@@ -71,10 +122,6 @@ std::vector<Hypothesis> models_of_solids() {
             "the answer is right for the centre's opposite: a sign is wrong in o - center"),
       gives("discriminant-of-sphere", sphere_without_sign,
             "hits are reported where D < 0: the root of |D| was taken, or D < 0 is not tested"),
-      gives(
-          "discriminant-with-four", sphere_with_four,
-          "the answer is right for D = b² - 4ac where b is l·d: with b = 2 (l·d) it is 4ac, with b = l·d it "
-          "is ac"),
       gives("nearest-point", nearest_point_of_line,
             "t is the line's nearest point to the centre: ±√D is left out"),
       gives("half-chord", half_chord,
@@ -143,7 +190,7 @@ std::vector<Hypothesis> models_of_solids() {
       gives("edges-as-orthogonal", read_as<edges_as_orthogonal>,
             "the answer is right where a point's coordinates are its projections on the edges: the edges are "
             "taken for orthogonal, a rectangular solid's"),
-      gives("faces-as-rectangles", faces_as_rectangles,
+      gives("faces-as-rectangles", by_faces<rectangular_face>,
             "a face is hit where the point's projections on its two edges lie between their ends: the faces "
             "are "
             "taken for rectangles"),
@@ -154,6 +201,16 @@ std::vector<Hypothesis> models_of_solids() {
       gives("unit-edges", read_as<unit_edges>,
             "the answer is right for edges of length 1: the edges are taken for unit vectors"),
   };
+}
+
+std::vector<Hypothesis> models_of_slab_orders() {
+  std::vector<Hypothesis> all;
+  add_slab_order<0>(all, 'x');
+  add_slab_order<1>(all, 'y');
+  add_slab_order<2>(all, 'z');
+  add_along_axis<-3, -4, -6, -8, -10, -12>(all);
+  add_loose<-2, -3, -4, -5, -6, -7, -8>(all);
+  return all;
 }
 
 std::vector<Hypothesis> models_of_cylinders() {
