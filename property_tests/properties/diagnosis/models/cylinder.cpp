@@ -84,13 +84,20 @@ Answers with_ends(const Case& one, InCap&& is_in_cap) {
     if (is_in_cap(point.x, point.y, *cylinder)) all.push_back(t);
   }
   std::ranges::sort(all);
-  std::erase_if(all, [&](double t) { return !in_interval(ray_question(one)->ray, t); });
+  const auto admits = [&](double t) { return in_interval(ray_question(one)->ray, t); };
   RayAnswer first_two, ends;
   for (const double t : all)
-    if (first_two.hits.count < first_two.hits.t.size()) first_two.hits.push_back(t);
-  if (all.size() < 3) return {first_two};
-  for (const double t : {all.front(), all.back()}) ends.hits.push_back(t);
-  return {first_two, ends};
+    if (admits(t) && first_two.hits.count < first_two.hits.t.size()) first_two.hits.push_back(t);
+  Answers answers{first_two};
+  if (all.size() > 2) {
+    for (const double t : {all.front(), all.back()})
+      if (admits(t)) ends.hits.push_back(t);
+    answers.emplace_back(ends);
+  }
+  // Who looks for the side first may leave off where the line passes it by.
+  const auto equation = reduced_equation(one);
+  if (equation && equation->discriminant() < 0) answers.emplace_back(RayAnswer{});
+  return answers;
 }
 
 }  // namespace
@@ -157,8 +164,11 @@ std::vector<Case> height_one(const Case& one) {
 
 Answers missed_along_axis(const Case& one, const Answer& exact) {
   if (shape_in<Cylinder<double>>(one) == nullptr || !finds_something(exact)) return {};
-  const glm::dvec3 d = ray_in_object(*ray_question(one)).direction;
-  return d.x == 0 && d.y == 0 ? Answers{RayAnswer{}} : Answers{};
+  const glm::dvec3 d = glm::abs(ray_in_object(*ray_question(one)).direction);
+  const double across = std::max(d.x, d.y);
+  if (across == 0) return {RayAnswer{}};
+  // Of a transform rounding decides.
+  return across < 0x1p-20 * d.z ? Answers{RayAnswer{}, exact} : Answers{};
 }
 
 Answers side_missed_along(const Case& one, double least) {

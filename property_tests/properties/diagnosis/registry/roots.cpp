@@ -33,9 +33,9 @@ std::vector<Hypothesis> models_of_roots() {
       of_equation(
           "the answer is right for D = (b/2)² - 4ac: where b is halved the discriminant is (b/2)² - ac",
           gives("discriminant-with-four", by_formula<four_with_half>,
-                "the answer is right for D = b² - 4ac where b is half the coefficient of t, as l·d is: with "
-                "b = "
-                "2 (l·d) it is 4ac, with b = l·d it is ac")),
+                "the answer is right for D = b² - 4ac where b is l·d: with b = 2 (l·d) it is 4ac, with b = "
+                "l·d it "
+                "is ac")),
       gives("discriminant-without-four", by_formula<no_four>,
             "the answer is right for D = b² - ac: a factor 4 is missing in the discriminant"),
       gives("discriminant-with-two", by_formula<two_for_four>,

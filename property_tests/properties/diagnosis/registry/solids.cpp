@@ -203,13 +203,18 @@ std::vector<Hypothesis> models_of_solids() {
   };
 }
 
+std::vector<Hypothesis> models_of_axis_rays() {
+  std::vector<Hypothesis> all;
+  add_along_axis<-12, -10, -8, -6, -4, -3>(all);
+  return all;
+}
+
 std::vector<Hypothesis> models_of_slab_orders() {
   std::vector<Hypothesis> all;
   add_slab_order<0>(all, 'x');
   add_slab_order<1>(all, 'y');
   add_slab_order<2>(all, 'z');
-  add_along_axis<-3, -4, -6, -8, -10, -12>(all);
-  add_loose<-2, -3, -4, -5, -6, -7, -8>(all);
+  add_loose<-8, -7, -6, -5, -4, -3, -2>(all);
   return all;
 }
 
