@@ -226,7 +226,6 @@ const Foreseen foreseen_faults[] = {
     {"triangle", "edge-c-turned"},
     {"triangle", "cross-product-x"},
     {"plane", "cross-product-y"},
-    {"triangle", "tested-along-normal"},
     {"polygon", "tested-against-direction"},
     {"triangle", "tested-without-origin"},
     {"triangle", "tested-by-unit-direction"},

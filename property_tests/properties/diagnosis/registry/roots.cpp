@@ -15,7 +15,7 @@ namespace {
 template <Product product>
 void add_terms(std::vector<Hypothesis>& all, std::string_view name, std::string_view product_in_words) {
   const auto add = [&](char coordinate, Predict predict) {
-    all.push_back(gives_to_all(
+    all.push_back(gives_one_of(
         kept(fmt::format("{}-{}", name, coordinate)), predict,
         kept(fmt::format(
             "the term with {} of {} is wrong: its sign, or another coordinate in it, or it is missing",

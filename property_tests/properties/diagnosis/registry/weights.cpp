@@ -22,7 +22,7 @@ Hypothesis turned_edge(char name, std::string_view edge) {
 
 template <int axis>
 Hypothesis cross_product(char coordinate) {
-  return gives_to_all(kept(fmt::format("cross-product-{}", coordinate)), wrong_cross<axis>,
+  return gives_one_of(kept(fmt::format("cross-product-{}", coordinate)), wrong_cross<axis>,
                       kept(fmt::format("the {} of the cross product is wrong: a sign, the order, or another "
                                        "coordinate in it",
                                        coordinate)));
