@@ -222,7 +222,7 @@ const Foreseen foreseen_faults[] = {
     {"triangle", "gamma-undivided"},
     {"triangle", "weights-times-area"},
     {"triangle", "factors-exchanged"},
-    {"triangle", "way-turned"},
+    {"triangle", "tested-along-normal"},
     {"triangle", "edge-c-turned"},
     {"triangle", "cross-product-x"},
     {"plane", "cross-product-y"},

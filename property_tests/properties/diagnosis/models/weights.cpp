@@ -118,9 +118,9 @@ Answers where_inside(const Case& one, TestedPoint point) {
   if (!hit) return {};
   const glm::dvec3 tested = point(ray_in_object(*ray_question(one)), hit->t, figure->normal);
   hit->point = projected(tested, hit->axis);
-  Answers answers = hit_at(one, hit->t, is_inside_outline(*hit));
-  if (figure->vertices.size() == 3)
-    answers.push_back(hit_at(one, hit->t, is_inside_along_normal(*figure, tested)).front());
+  Answers answers;
+  if (figure->vertices.size() == 3) answers = hit_at(one, hit->t, is_inside_along_normal(*figure, tested));
+  answers.push_back(hit_at(one, hit->t, is_inside_outline(*hit)).front());
   return answers;
 }
 

@@ -39,16 +39,11 @@ inline void undivided_by_area(TriangleHit& hit) {
   hit.gamma *= hit.area_squared;
 }
 /// @}
-/// @{ The factors of one of the cross products are exchanged; a - o stands for o - a.
+/// The factors of one of the cross products are exchanged.
 inline void exchanged_factors(TriangleHit& hit) {
   hit.gamma = -hit.gamma;
   hit.t = -hit.t;
 }
-inline void turned_way(TriangleHit& hit) {
-  hit.beta = -hit.beta;
-  exchanged_factors(hit);
-}
-/// @}
 
 /// A triangle that is hit where the weight of one vertex is negative and the others are not: one of its edges
 /// is looked at from the wrong side.

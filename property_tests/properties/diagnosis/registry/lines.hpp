@@ -33,10 +33,10 @@ inline constexpr auto rounding = FindingKind::rounding;
   return made;
 }
 
-/// The same of one that stands for many mistakes, of which a subject makes one.
+/// A model that stands for many mistakes, of which a subject makes one.
 [[nodiscard]] constexpr Hypothesis gives_one_of(std::string_view name, Predict predict,
                                                 std::string_view sentence) {
-  Hypothesis made = gives_to_all(name, predict, sentence);
+  Hypothesis made = gives(name, predict, sentence);
   made.is_one_of_many = true;
   return made;
 }

@@ -50,8 +50,6 @@ std::vector<Hypothesis> models_of_weights() {
             "t is right, and the weights are not divided by n·n, the square of twice the area"),
       gives_to_all("factors-exchanged", with_weights<exchanged_factors>,
                    "v and t have the wrong sign: the factors of a cross product are exchanged"),
-      gives_to_all("way-turned", with_weights<turned_way>,
-                   "u, v and t have the wrong sign: a - o stands for o - a"),
       turned_edge<0>('a', "bc"),
       turned_edge<1>('b', "ca"),
       turned_edge<2>('c', "ab"),
