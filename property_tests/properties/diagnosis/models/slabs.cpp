@@ -34,22 +34,24 @@ struct SlabEnds {
   std::vector<double> enters, leaves;
 };
 
-std::optional<SlabEnds> slabs_of(const Cube& cube, bool tests_along = true, int turned = -1) {
+std::optional<SlabEnds> slabs_of(const Cube& cube, bool tests_along = true, unsigned turned = 0) {
   SlabEnds slabs;
   for (int axis = 0; axis < 3; ++axis) {
     const double o = cube.ray.origin[axis], d = cube.ray.direction[axis];
     if (tests_along && d == 0 && (o < cube.low[axis] || o > cube.high[axis])) return std::nullopt;
     if (d == 0) continue;
     const auto [near, far] = std::minmax({(cube.low[axis] - o) / d, (cube.high[axis] - o) / d});
-    slabs.enters.push_back(axis == turned ? far : near);
-    slabs.leaves.push_back(axis == turned ? near : far);
+    const bool is_turned = (turned >> static_cast<unsigned>(axis) & 1U) != 0;
+    slabs.enters.push_back(is_turned ? far : near);
+    slabs.leaves.push_back(is_turned ? near : far);
   }
   return slabs;
 }
 
 /// The hits where the line is inside from `near(slabs)` to `far(slabs)`.
 template <class Near, class Far>
-Answers inside_between(const Case& one, Near&& near, Far&& far, bool tests_along = true, int turned = -1) {
+Answers inside_between(const Case& one, Near&& near, Far&& far, bool tests_along = true,
+                       unsigned turned = 0) {
   const auto cube = cube_in(one);
   const auto slabs = cube ? slabs_of(*cube, tests_along, turned) : std::nullopt;
   if (!slabs) return {};
@@ -74,12 +76,17 @@ Answers enters_at_first_beginning(const Case& one, const Answer& /*exact*/) {
       [](const SlabEnds& slabs) { return std::ranges::min(slabs.leaves); });
 }
 
-Answers slab_turned(const Case& one, int axis, bool is_always) {
+Answers slabs_turned(const Case& one, unsigned axes, bool is_always) {
   const auto cube = cube_in(one);
-  if (!cube || cube->ray.direction[axis] == 0 || (!is_always && cube->ray.direction[axis] > 0)) return {};
+  if (!cube) return {};
+  for (unsigned axis = 0; axis < 3; ++axis) {
+    const double along = cube->ray.direction[static_cast<int>(axis)];
+    if (along == 0 || (!is_always && along > 0)) axes &= ~(1U << axis);
+  }
+  if (axes == 0) return {};
   return inside_between(
       one, [](const SlabEnds& slabs) { return std::ranges::max(slabs.enters); },
-      [](const SlabEnds& slabs) { return std::ranges::min(slabs.leaves); }, true, axis);
+      [](const SlabEnds& slabs) { return std::ranges::min(slabs.leaves); }, true, axes);
 }
 
 Answers slab_along_not_tested(const Case& one, const Answer& /*exact*/) {

@@ -23,16 +23,16 @@ template <bool at_low, bool at_high>
   return missed_in_face(one, exact, at_low, at_high);
 }
 /// @}
-/// @{ In the slab of one axis near and far are exchanged: always, or where the direction's component is
-/// negative.
-[[nodiscard]] Answers slab_turned(const Case& one, int axis, bool is_always);
-template <int axis>
-[[nodiscard]] Answers slab_exchanged(const Case& one, const Answer& /*exact*/) {
-  return slab_turned(one, axis, true);
+/// @{ In the slabs of some axes, each a bit, near and far are exchanged: always, or where the direction's
+/// component is negative.
+[[nodiscard]] Answers slabs_turned(const Case& one, unsigned axes, bool is_always);
+template <unsigned axes>
+[[nodiscard]] Answers slabs_exchanged(const Case& one, const Answer& /*exact*/) {
+  return slabs_turned(one, axes, true);
 }
-template <int axis>
-[[nodiscard]] Answers slab_unsorted(const Case& one, const Answer& /*exact*/) {
-  return slab_turned(one, axis, false);
+template <unsigned axes>
+[[nodiscard]] Answers slabs_unsorted(const Case& one, const Answer& /*exact*/) {
+  return slabs_turned(one, axes, false);
 }
 /// @}
 /// Only the three faces at a box's min, or at a parallelepiped's corner, are hit.

@@ -81,6 +81,8 @@ std::vector<Hypothesis> models_of_hits() {
       gives("nearest-twice", nearest_twice, "of two answers the first is given twice"),
       gives("farthest-twice", farthest_twice, "of two answers the second is given twice"),
       gives("descending", descending, "the answers stand in descending order"),
+      gives("plus-root-first", plus_root_first,
+            "(-b + √D)/2a is given before (-b - √D)/2a: for a > 0 that is the descending order"),
       shows("not-sorted", not_sorted,
             "the hits are right, and do not always stand in ascending order: they are not sorted"),
       gives("root-alone", root_alone, "of two roots only one is given"),

@@ -43,14 +43,14 @@ void add_along_axis(std::vector<Hypothesis>& all) {
    ...);
 }
 
-template <int axis>
+template <unsigned axis>
 void add_slab_order(std::vector<Hypothesis>& all, char coordinate) {
   all.push_back(
-      gives(kept(fmt::format("slab-exchanged-{}", coordinate)), slab_exchanged<axis>,
+      gives(kept(fmt::format("slab-exchanged-{}", coordinate)), slabs_exchanged<1U << axis>,
             kept(fmt::format("near and far are exchanged in the slab of {}: min and max of its two t",
                              coordinate))));
   all.push_back(
-      gives(kept(fmt::format("slab-unsorted-{}", coordinate)), slab_unsorted<axis>,
+      gives(kept(fmt::format("slab-unsorted-{}", coordinate)), slabs_unsorted<1U << axis>,
             kept(fmt::format("near and far are not exchanged in the slab of {} where the direction's "
                              "component is negative",
                              coordinate))));
@@ -65,7 +65,9 @@ std::vector<Hypothesis> models_of_axis_rays() {
 }
 
 std::vector<Hypothesis> models_of_slab_orders() {
-  std::vector<Hypothesis> all;
+  std::vector<Hypothesis> all{
+      gives("slabs-unsorted", slabs_unsorted<7U>,
+            "near and far slab are not exchanged where a component of the direction is negative")};
   add_slab_order<0>(all, 'x');
   add_slab_order<1>(all, 'y');
   add_slab_order<2>(all, 'z');

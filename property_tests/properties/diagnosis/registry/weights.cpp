@@ -30,7 +30,7 @@ Hypothesis cross_product(char coordinate) {
 
 /// Of what is compared with a figure's sides: "o + t·n".
 Hypothesis tested_point(std::string_view name, Predict predict, std::string_view point) {
-  return gives_to_all(
+  return gives_one_of(
       name, predict,
       kept(fmt::format("t is right, and {} is compared with the sides: the point is o + t·d", point)));
 }
@@ -56,10 +56,10 @@ std::vector<Hypothesis> models_of_weights() {
       cross_product<0>('x'),
       cross_product<1>('y'),
       cross_product<2>('z'),
-      tested_point("tested-along-normal", tested_at<along_normal>, "o + t·n"),
       tested_point("tested-against-direction", tested_at<against_direction>, "o - t·d"),
       tested_point("tested-without-origin", tested_at<without_start>, "t·d"),
       tested_point("tested-by-unit-direction", tested_at<by_unit_direction>, "o + t·d/|d|"),
+      tested_point("tested-along-normal", tested_at<along_normal>, "o + t·n"),
       gives("faces-undivided", by_faces<undivided_face>,
             "a face's u and v are not divided by their determinant before they are compared with 0 and 1"),
       gives("face-u-undivided", by_faces<undivided_u>,
