@@ -212,7 +212,6 @@ const Foreseen foreseen_faults[] = {
     {"plane", "term-of-n-o-x"},
     {"plane", "reciprocal"},
     {"box", "t-max-as-distance"},
-    {"quadratic", "plus-root-first"},
     {"box", "slabs-unsorted"},
     {"box", "slab-exchanged-y"},
     {"box", "slab-unsorted-z"},
