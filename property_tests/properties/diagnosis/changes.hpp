@@ -75,6 +75,9 @@ template <class Keep>
   return some;
 }
 
+/// A point of the shape; nothing for one that the format has in one place only.
+[[nodiscard]] std::optional<glm::dvec3> some_point(const Shape& shape);
+
 /// The size of the largest number that gives a length of the scene: origin and shape.
 [[nodiscard]] inline double size_of_scene(Case one) {
   double size = 0;

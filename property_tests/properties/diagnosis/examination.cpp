@@ -60,14 +60,17 @@ std::vector<Examination::Known> Examination::ask(std::span<const Case> cases) co
   return known;
 }
 
-std::optional<bool> Examination::fits(const Hypothesis& hypothesis, const Known& known) {
+std::optional<bool> Examination::fits(const Hypothesis& hypothesis, const Known& known, std::size_t mistake) {
   if (!known.got) return std::nullopt;
   const auto& [one, exact] = known.asked;
   const Answer& got = *known.got;
   if (hypothesis.recognise != nullptr) return hypothesis.recognise(one, got, exact);
   const bool is_right = agree(one, got, exact, hypothesis.aspect);
   bool has_said = false, may_be_right = false, may_be_this = false;
-  for (const Answer& predicted : hypothesis.predict(one, exact)) {
+  std::vector<Answer> foreseen = hypothesis.predict(one, exact);
+  if (hypothesis.is_one_of_many && !foreseen.empty())
+    foreseen = mistake < foreseen.size() ? std::vector{foreseen[mistake]} : std::vector<Answer>{};
+  for (const Answer& predicted : foreseen) {
     const Answer reported = as_reported(predicted, got);
     if (hypothesis.aspect == Aspect::hits && is_nearer_to(one, got, reported, as_reported(exact, got)))
       return true;
@@ -93,9 +96,31 @@ std::vector<std::size_t> Examination::explained(const Hypothesis& hypothesis,
       if (!is_of_digits || !is_beyond_rounding(one.index)) all.push_back(one.index);
     return all;
   }
-  for (const std::size_t i : cases)
-    if (fits(hypothesis, failing_.at(i)) == true) all.push_back(i);
+  all = explained_by(hypothesis, cases, best_mistake(hypothesis, cases));
   return is_confirmed(hypothesis, all) ? all : std::vector<std::size_t>{};
+}
+
+std::vector<std::size_t> Examination::explained_by(const Hypothesis& hypothesis,
+                                                   std::span<const std::size_t> cases,
+                                                   std::size_t mistake) const {
+  std::vector<std::size_t> all;
+  for (const std::size_t i : cases)
+    if (fits(hypothesis, failing_.at(i), mistake) == true) all.push_back(i);
+  return all;
+}
+
+std::size_t Examination::best_mistake(const Hypothesis& hypothesis,
+                                      std::span<const std::size_t> cases) const {
+  constexpr std::size_t most_mistakes = 12;
+  std::size_t best = 0, most = 0;
+  for (std::size_t mistake = 0; hypothesis.is_one_of_many && mistake < most_mistakes; ++mistake) {
+    const std::size_t count = explained_by(hypothesis, cases, mistake).size();
+    if (count > most) {
+      best = mistake;
+      most = count;
+    }
+  }
+  return best;
 }
 
 /// Whether the cure that the model asks for helps in most of a few of the cases.
@@ -188,13 +213,14 @@ std::size_t Examination::contradictions(const Hypothesis& hypothesis,
   const auto finds = std::ranges::count_if(
       explained, [&](std::size_t i) { return finds_something(failing_.at(i).got.value_or(Answer{})); });
   const bool finds_some = finds > 0;
+  const std::size_t mistake = best_mistake(hypothesis, explained);
   std::size_t found = 0, against_found = 0, against = 0;
   for (const Known& known : passing_) {
     if (!known.got || !(hypothesis.speaks_of_all || forms.contains(form_of(known.asked.one)))) continue;
     const bool is_found = finds_something(*known.got);
     found += is_found ? 1 : 0;
     if (!agree(known.asked.one, *known.got, known.asked.exact, hypothesis.aspect) ||
-        fits(hypothesis, known) != false || (finds_some && is_excused(hypothesis, known)))
+        fits(hypothesis, known, mistake) != false || (finds_some && is_excused(hypothesis, known)))
       continue;
     ++against;
     against_found += is_found ? 1 : 0;

@@ -53,8 +53,16 @@ class Examination {
   [[nodiscard]] static bool is_excused(const Hypothesis& hypothesis, const Known& known);
   /// The first of the cases to which the subject is right when it is asked each alone.
   [[nodiscard]] std::vector<std::size_t> cured_alone(std::span<const std::size_t> cases) const;
-  /// Whether a model's hypothesis fits an answer; nothing where it has nothing to say.
-  [[nodiscard]] static std::optional<bool> fits(const Hypothesis& hypothesis, const Known& known);
+  /// Whether a model's hypothesis fits an answer; nothing where it has nothing to say. Of a model that stands
+  /// for many mistakes only the answer of that number is looked at.
+  [[nodiscard]] static std::optional<bool> fits(const Hypothesis& hypothesis, const Known& known,
+                                                std::size_t mistake);
+  [[nodiscard]] std::vector<std::size_t> explained_by(const Hypothesis& hypothesis,
+                                                      std::span<const std::size_t> cases,
+                                                      std::size_t mistake) const;
+  /// Of the mistakes that a model stands for, that which explains most of the cases.
+  [[nodiscard]] std::size_t best_mistake(const Hypothesis& hypothesis,
+                                         std::span<const std::size_t> cases) const;
 
   const Patient& patient_;
   std::vector<Known> failing_;

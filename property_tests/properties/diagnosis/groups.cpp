@@ -47,7 +47,7 @@ void describe(Diagnosis& group, const Examination& examination) {
   if (group.cause->change == nullptr || group.kind == FindingKind::gross) return;
   if (group.is_beyond_rounding && !group.cause->beyond_rounding.empty()) {
     group.kind = FindingKind::gross;
-    group.sentence = group.cause->beyond_rounding;
+    if (!has_own_words) group.sentence = group.cause->beyond_rounding;
     return;
   }
   const auto on_boundary =

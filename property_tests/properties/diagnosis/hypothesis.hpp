@@ -66,6 +66,8 @@ struct Hypothesis {
   /// Of a cure of digits: the sentence where most cases are wronger than rounding can make them. Where there
   /// is none the cure explains no such case.
   std::string_view beyond_rounding{};
+  /// Of a model that foresees many answers, always in the same order: one of these must explain all cases.
+  bool is_one_of_many = false;
 };
 
 /// Whether the first says no more than a part of what the second says.

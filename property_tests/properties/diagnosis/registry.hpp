@@ -10,8 +10,13 @@ namespace rayproof::diagnosis {
 [[nodiscard]] std::vector<Hypothesis> models_of_hits();
 [[nodiscard]] std::vector<Hypothesis> models_of_limits();
 [[nodiscard]] std::vector<Hypothesis> models_of_numbers();
+[[nodiscard]] std::vector<Hypothesis> models_of_roots();
+[[nodiscard]] std::vector<Hypothesis> classes_of_roots();
 [[nodiscard]] std::vector<Hypothesis> models_of_transforms();
 [[nodiscard]] std::vector<Hypothesis> models_of_solids();
+[[nodiscard]] std::vector<Hypothesis> models_of_axis_rays();
+[[nodiscard]] std::vector<Hypothesis> models_of_slab_orders();
+[[nodiscard]] std::vector<Hypothesis> models_of_weights();
 [[nodiscard]] std::vector<Hypothesis> models_of_projections();
 [[nodiscard]] std::vector<Hypothesis> models_of_cylinders();
 [[nodiscard]] std::vector<Hypothesis> models_of_flat_figures();

@@ -17,6 +17,16 @@ double first_t(const Case& one) {
   return line.hits.count > 0 && std::isfinite(line.hits.t[0]) ? line.hits.t[0] : 0;
 }
 
+/// The same points of the ray with a direction that is divided by `length`.
+Cases with_direction_over(const Case& one, double length) {
+  return with_question(one, [length](RayQuestion& asked) {
+    asked.ray.direction /= length;
+    asked.ray.t_min *= length;
+    asked.ray.t_max *= length;
+    return length != 1;
+  });
+}
+
 bool has_minus_zero(Case one) {
   for (const CaseNumber& number : numbers_of(one))
     if (*number.value == 0 && std::signbit(*number.value)) return true;
@@ -26,13 +36,14 @@ bool has_minus_zero(Case one) {
 }  // namespace
 
 Cases unit_direction(const Case& one) {
-  return with_question(one, [](RayQuestion& asked) {
-    const double length = glm::length(asked.ray.direction);
-    asked.ray.direction /= length;
-    asked.ray.t_min *= length;
-    asked.ray.t_max *= length;
-    return length != 1;
-  });
+  const RayQuestion* asked = ray_question(one);
+  if (asked == nullptr) return {};
+  Cases all = with_direction_over(one, glm::length(asked->ray.direction));
+  // Or it is of length 1 where the shape is.
+  if (asked->transform)
+    for (Case& other : with_direction_over(one, glm::length(ray_in_object(*asked).direction)))
+      all.push_back(std::move(other));
+  return all;
 }
 
 Cases tilted(const Case& one) {

@@ -20,16 +20,6 @@ void for_each_point(S& shape, Act&& act) {
   });
 }
 
-/// A point of the shape; nothing for one that the format has in one place only.
-std::optional<glm::dvec3> some_point(const Shape& shape) {
-  std::optional<glm::dvec3> found;
-  Shape copy = shape;
-  std::visit(
-      [&](auto& s) { for_each_point(s, [&](const glm::dvec3& point) { found = found.value_or(point); }); },
-      copy);
-  return found;
-}
-
 /// The ray started at another t: the same points, and the same interval of them.
 void start_at(Ray<double>& ray, double t) {
   ray.origin += t * ray.direction;
@@ -38,6 +28,15 @@ void start_at(Ray<double>& ray, double t) {
 }
 
 }  // namespace
+
+std::optional<glm::dvec3> some_point(const Shape& shape) {
+  std::optional<glm::dvec3> found;
+  Shape copy = shape;
+  std::visit(
+      [&](auto& s) { for_each_point(s, [&](const glm::dvec3& point) { found = found.value_or(point); }); },
+      copy);
+  return found;
+}
 
 Cases shape_at_zero(const Case& one) {
   return with_question(one, [](RayQuestion& asked) {

@@ -16,4 +16,8 @@ namespace rayproof::diagnosis {
 /// A hit on the side is reported before one on a cap, even where that is nearer.
 [[nodiscard]] Answers side_before_caps(const Case& one, const Answer& exact);
 
+/// The answer where the side of a cylinder without end is met at these t: those within the height, and the
+/// caps'.
+[[nodiscard]] Answers with_side_hits(const Case& one, std::vector<double> side);
+
 }  // namespace rayproof::diagnosis

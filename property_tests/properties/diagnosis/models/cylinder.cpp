@@ -5,6 +5,8 @@
 
 #include "properties/boundary.hpp"
 #include "properties/claims/answers.hpp"
+#include "properties/diagnosis/models/caps.hpp"
+#include "properties/diagnosis/models/root_formula.hpp"
 
 namespace rayproof::diagnosis {
 namespace {
@@ -62,7 +64,7 @@ Answers lengthened(const Case& one, bool is_upwards) {
 }
 
 /// The side, and of the planes of both ends what `is_in_cap(x, y, cylinder)` takes for a cap: the first two
-/// hits.
+/// hits, or the first and the last.
 template <class InCap>
 Answers with_ends(const Case& one, InCap&& is_in_cap) {
   const auto* cylinder = shape_in<Cylinder<double>>(one);
@@ -82,11 +84,20 @@ Answers with_ends(const Case& one, InCap&& is_in_cap) {
     if (is_in_cap(point.x, point.y, *cylinder)) all.push_back(t);
   }
   std::ranges::sort(all);
-  RayAnswer first_two;
+  const auto admits = [&](double t) { return in_interval(ray_question(one)->ray, t); };
+  RayAnswer first_two, ends;
   for (const double t : all)
-    if (in_interval(ray_question(one)->ray, t) && first_two.hits.count < first_two.hits.t.size())
-      first_two.hits.push_back(t);
-  return {first_two};
+    if (admits(t) && first_two.hits.count < first_two.hits.t.size()) first_two.hits.push_back(t);
+  Answers answers{first_two};
+  if (all.size() > 2) {
+    for (const double t : {all.front(), all.back()})
+      if (admits(t)) ends.hits.push_back(t);
+    answers.emplace_back(ends);
+  }
+  // Who looks for the side first may leave off where the line passes it by.
+  const auto equation = reduced_equation(one);
+  if (equation && equation->discriminant() < 0) answers.emplace_back(RayAnswer{});
+  return answers;
 }
 
 }  // namespace
@@ -153,8 +164,22 @@ std::vector<Case> height_one(const Case& one) {
 
 Answers missed_along_axis(const Case& one, const Answer& exact) {
   if (shape_in<Cylinder<double>>(one) == nullptr || !finds_something(exact)) return {};
+  const glm::dvec3 d = glm::abs(ray_in_object(*ray_question(one)).direction);
+  const double across = std::max(d.x, d.y);
+  if (across == 0) return {RayAnswer{}};
+  // Of a transform rounding decides.
+  return across < 0x1p-20 * d.z ? Answers{RayAnswer{}, exact} : Answers{};
+}
+
+Answers side_missed_along(const Case& one, double least) {
+  const auto equation = shape_in<Cylinder<double>>(one) == nullptr ? std::nullopt : reduced_equation(one);
+  if (!equation) return {};
   const glm::dvec3 d = ray_in_object(*ray_question(one)).direction;
-  return d.x == 0 && d.y == 0 ? Answers{RayAnswer{}} : Answers{};
+  const bool is_scaled = equation->a < least, is_plain = d.x * d.x + d.y * d.y < least;
+  if (!is_scaled && !is_plain) return {};
+  Answers answers = with_side_hits(one, {});
+  if (is_scaled != is_plain) answers.push_back(oracle::answer(one));
+  return answers;
 }
 
 std::vector<Case> cylinder_as_box(const Case& one) {

@@ -2,6 +2,8 @@
 /// \file
 /// Models of faults with the ends of a cylinder.
 
+#include <cmath>
+
 #include "properties/diagnosis/models/models.hpp"
 
 namespace rayproof::diagnosis {
@@ -41,6 +43,13 @@ void lift(RayQuestion& asked, double by);
 
 /// A ray along the axis is missed.
 [[nodiscard]] Answers missed_along_axis(const Case& one, const Answer& exact);
+
+/// The side is missed by rays nearly along the axis: where dx² + dy², in radii or not, is below a limit.
+[[nodiscard]] Answers side_missed_along(const Case& one, double least);
+template <int power>
+[[nodiscard]] Answers side_missed_along(const Case& one, const Answer& /*exact*/) {
+  return side_missed_along(one, std::pow(10.0, power));
+}
 
 /// @{ Readings: radii doubled, halved, their roots, their mean for both, 1; height doubled, halved,
 /// 1.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "properties/claims/answers.hpp"
+#include "properties/diagnosis/models/plane_hit.hpp"
 
 namespace rayproof::diagnosis {
 namespace {
@@ -46,6 +47,13 @@ Answers absolute(const Case& one, const Answer& /*exact*/) {
   for (double& t : line.hits.t) t = std::abs(t);
   std::sort(line.hits.t.begin(), line.hits.t.begin() + static_cast<std::ptrdiff_t>(line.hits.count));
   return {hits_where(line, [&](double t) { return in_interval(asked->ray, t); })};
+}
+
+Answers reciprocal(const Case& one, const Answer& /*exact*/) {
+  const RayQuestion* asked = ray_question(one);
+  if (asked == nullptr) return {};
+  const RayAnswer line = hits_of_line(one);
+  return line.hits.count == 1 ? hit_at(one, 1 / line.hits.t[0], true) : Answers{};
 }
 
 Answers made_whole(const Case& one, const Answer& exact, double (*whole)(double)) {

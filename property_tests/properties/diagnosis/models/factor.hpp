@@ -21,6 +21,8 @@ using Quantity = std::optional<double> (*)(const Case&);
 
 /// Every t of the line without its sign, as far as the interval admits it then.
 [[nodiscard]] Answers absolute(const Case& one, const Answer& exact);
+/// Every t of the line is 1 / t, as far as the interval admits it then.
+[[nodiscard]] Answers reciprocal(const Case& one, const Answer& exact);
 /// Every number is made a whole one.
 [[nodiscard]] Answers made_whole(const Case& one, const Answer& exact, double (*whole)(double));
 /// By rounding down, as a division of integers does in Python.
@@ -41,10 +43,11 @@ template <Quantity quantity, int power = 1>
 }
 
 /// Every t of the line is the right one times the quantity, and is compared with the interval after that.
-template <Quantity quantity>
+template <Quantity quantity, int power = 1>
 [[nodiscard]] Answers line_scaled_by(const Case& one, const Answer& /*exact*/) {
   const std::optional<double> factor = quantity(one);
-  return factor ? line_times(one, *factor) : Answers{};
+  if (!factor || *factor == 0) return {};
+  return line_times(one, power > 0 ? *factor : 1 / *factor);
 }
 
 /// @{ Of any question.

@@ -127,6 +127,35 @@ Answers normal_from_zero(const Case& one, const Answer& exact) {
       one, exact, [&](const RayQuestion& /*asked*/, const glm::dvec3& /*normal*/) { return *answer->point; });
 }
 
+Answers normal_from_middle(const Case& one, const Answer& exact) {
+  const RayAnswer* answer = hit_with_point(exact);
+  if (answer == nullptr) return {};
+  const Shape& shape = ray_question(one)->shape;
+  glm::dvec3 middle;
+  if (const auto* box = std::get_if<Box<double>>(&shape))
+    middle = 0.5 * (box->min + box->max);
+  else if (const auto* solid = std::get_if<Parallelepiped<double>>(&shape))
+    middle = solid->corner + 0.5 * (solid->edges[0] + solid->edges[1] + solid->edges[2]);
+  else if (const auto* cylinder = std::get_if<Cylinder<double>>(&shape))
+    middle = {0, 0, cylinder->height / 2};
+  else
+    return {};
+  const glm::dvec3 way = point_at(ray_in_object(*ray_question(one)), answer->hits.t[0]) - middle;
+  return with_normal(one, exact, [&](const RayQuestion& asked, const glm::dvec3& /*normal*/) {
+    return glm::inverse(glm::transpose(linear(asked))) * way;
+  });
+}
+
+Answers normal_without_signs(const Case& one, const Answer& exact) {
+  Answers in_world = with_normal(
+      one, exact, [](const RayQuestion& /*asked*/, const glm::dvec3& normal) { return glm::abs(normal); });
+  const Answers in_object = with_normal(one, exact, [](const RayQuestion& asked, const glm::dvec3& normal) {
+    return glm::inverse(glm::transpose(linear(asked))) * glm::abs(glm::transpose(linear(asked)) * normal);
+  });
+  in_world.insert(in_world.end(), in_object.begin(), in_object.end());
+  return in_world;
+}
+
 Answers point_in_object(const Case& one, const Answer& exact) {
   const RayAnswer* answer = hit_with_point(exact);
   if (answer == nullptr || !ray_question(one)->transform) return {};
@@ -137,6 +166,18 @@ Answers point_without_origin(const Case& one, const Answer& exact) {
   const RayAnswer* answer = hit_with_point(exact);
   return answer == nullptr ? Answers{}
                            : with_point(exact, answer->hits.t[0] * ray_question(one)->ray.direction);
+}
+
+Answers point_against_direction(const Case& one, const Answer& exact) {
+  const RayAnswer* answer = hit_with_point(exact);
+  return answer == nullptr ? Answers{}
+                           : with_point(exact, point_at(ray_question(one)->ray, -answer->hits.t[0]));
+}
+
+Answers point_from_shape(const Case& one, const Answer& exact) {
+  const RayAnswer* answer = hit_with_point(exact);
+  const auto place = answer == nullptr ? std::nullopt : some_point(ray_question(one)->shape);
+  return place ? with_point(exact, *answer->point - *place) : Answers{};
 }
 
 Answers point_of_far_hit(const Case& one, const Answer& exact) {

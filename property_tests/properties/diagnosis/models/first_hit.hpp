@@ -20,6 +20,9 @@ namespace rayproof::diagnosis {
 /// The normal is carried by the inverse that is not transposed.
 [[nodiscard]] Answers normal_by_inverse(const Case& one, const Answer& exact);
 [[nodiscard]] Answers normal_from_zero(const Case& one, const Answer& exact);
+/// From the middle of a solid; with no component below 0.
+[[nodiscard]] Answers normal_from_middle(const Case& one, const Answer& exact);
+[[nodiscard]] Answers normal_without_signs(const Case& one, const Answer& exact);
 /// A polygon's, turned as its first corner turns.
 [[nodiscard]] Answers normal_of_first_corner(const Case& one, const Answer& exact);
 /// A box's normal along another axis, or between axes.
@@ -34,6 +37,9 @@ namespace rayproof::diagnosis {
 /// wrong.
 [[nodiscard]] Answers point_in_object(const Case& one, const Answer& exact);
 [[nodiscard]] Answers point_without_origin(const Case& one, const Answer& exact);
+/// o - t·d; and in coordinates from the shape's own point, its centre or corner.
+[[nodiscard]] Answers point_against_direction(const Case& one, const Answer& exact);
+[[nodiscard]] Answers point_from_shape(const Case& one, const Answer& exact);
 [[nodiscard]] Answers point_of_far_hit(const Case& one, const Answer& exact);
 [[nodiscard]] std::optional<bool> point_right_t_wrong(const Case& one, const Answer& got,
                                                       const Answer& exact);

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "properties/diagnosis/agreement.hpp"
 #include "properties/diagnosis/models/factor.hpp"
 #include "properties/diagnosis/models/outline.hpp"
 #include "properties/diagnosis/models/plane_hit.hpp"
@@ -33,7 +34,8 @@ std::vector<Case> with_distance(const Case& one, Factor&& factor) {
   });
 }
 
-/// normal and d of any form of a plane.
+}  // namespace
+
 std::optional<std::pair<glm::dvec3, double>> implicit_form(const Case& one) {
   if (const auto* p = shape_in<ImplicitPlane>(one)) return std::pair{p->normal, p->d};
   if (const auto* p = shape_in<PointNormalPlane>(one))
@@ -45,7 +47,11 @@ std::optional<std::pair<glm::dvec3, double>> implicit_form(const Case& one) {
   return std::nullopt;
 }
 
-}  // namespace
+glm::dvec3 point_of_plane(const Case& one) {
+  if (const auto* p = shape_in<PointNormalPlane>(one)) return p->point;
+  const auto* p = shape_in<ParametricPlane>(one);
+  return p == nullptr ? glm::dvec3(0) : p->point;
+}
 
 Answers culls_back(const Case& one, const Answer& exact) {
   return lies_in_a_plane(one) ? misses_side(one, exact, 1) : Answers{};
@@ -152,6 +158,14 @@ Answers upright_is_missed(const Case& one, const Answer& exact, int axis) {
   const glm::dvec3& n = figure->normal;
   const bool is_upright = axis < 0 ? n.x * n.y * n.z == 0 : n[axis] == 0;
   return is_upright ? Answers{RayAnswer{}} : Answers{};
+}
+
+std::optional<bool> wrong_where_upright(const Case& one, const Answer& got, const Answer& exact) {
+  const auto figure = flat_figure(one);
+  if (!figure || shape_in<Polygon<double>>(one) == nullptr || agree(one, got, exact, Aspect::hits))
+    return std::nullopt;
+  const glm::dvec3& n = figure->normal;
+  return n.x * n.y * n.z == 0;
 }
 
 Answers culls_by_first_corner(const Case& one, const Answer& exact) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "properties/boundary.hpp"
 #include "properties/diagnosis/models/models.hpp"
@@ -58,6 +59,10 @@ template <int axis>
 [[nodiscard]] Answers wrong_sign_in_normal(const Case& one, const Answer& /*exact*/) {
   return by_wrong_normal(one, axis);
 }
+/// normal and d of any form of a plane, n·p + d = 0; nothing where the shape is none.
+[[nodiscard]] std::optional<std::pair<glm::dvec3, double>> implicit_form(const Case& one);
+/// The point that a plane's form has; 0 where it has none.
+[[nodiscard]] glm::dvec3 point_of_plane(const Case& one);
 /// The origin's coordinates are added up without the plane's coefficients: t = -(x + y + z + D) / (n·d).
 [[nodiscard]] Answers numerator_without_coefficients(const Case& one, const Answer& exact);
 
@@ -85,6 +90,10 @@ template <int axis>
 [[nodiscard]] Answers upright_missed(const Case& one, const Answer& exact) {
   return upright_is_missed(one, exact, axis);
 }
+
+/// The answer is wrong, and the polygon's normal is 0 along an axis.
+[[nodiscard]] std::optional<bool> wrong_where_upright(const Case& one, const Answer& got,
+                                                      const Answer& exact);
 
 /// A polygon is missed where the ray runs along the normal of its first corner.
 [[nodiscard]] Answers culls_by_first_corner(const Case& one, const Answer& exact);

@@ -14,6 +14,8 @@ namespace rayproof::diagnosis {
 [[nodiscard]] std::optional<bool> not_sorted(const Case& one, const Answer& got, const Answer& exact);
 /// Hits or roots in descending order.
 [[nodiscard]] Answers descending(const Case& one, const Answer& exact);
+/// Those of (-b + √D)/2a and (-b - √D)/2a in this order: descending where a > 0.
+[[nodiscard]] Answers plus_root_first(const Case& one, const Answer& exact);
 /// The farthest hit alone in place of the nearest.
 [[nodiscard]] Answers farthest_alone(const Case& one, const Answer& exact);
 /// One of two hits or roots is left out: the second.

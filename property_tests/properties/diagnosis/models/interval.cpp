@@ -99,6 +99,14 @@ std::vector<Case> interval_as_distances(const Case& one) {
   });
 }
 
+std::vector<Case> t_max_as_distance(const Case& one) {
+  return with_question(one, [](RayQuestion& asked) {
+    const double length = glm::length(asked.ray.direction);
+    asked.ray.t_max /= length;
+    return length != 1;
+  });
+}
+
 std::vector<Case> interval_as_object_distances(const Case& one) {
   const RayQuestion* asked = ray_question(one);
   if (asked == nullptr || !asked->transform) return {};

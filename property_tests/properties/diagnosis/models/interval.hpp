@@ -16,6 +16,7 @@ namespace rayproof::diagnosis {
 [[nodiscard]] std::vector<Case> from_origin_on(const Case& one);
 [[nodiscard]] std::vector<Case> as_segment(const Case& one);
 [[nodiscard]] std::vector<Case> interval_as_distances(const Case& one);
+[[nodiscard]] std::vector<Case> t_max_as_distance(const Case& one);
 [[nodiscard]] std::vector<Case> interval_as_object_distances(const Case& one);
 /// @}
 

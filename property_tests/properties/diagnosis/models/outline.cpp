@@ -14,6 +14,17 @@ bool is_inside_first(std::size_t count, const glm::dvec2& point, Outline outline
   return crossings(point, outline, outline.size(), half_open) % 2 == 1;
 }
 
+/// Even and odd crossings where x is compared with `x_of(side)`.
+bool is_inside_by(const glm::dvec2& point, const Outline& outline,
+                  double (*x_of)(const glm::dvec2& from, const glm::dvec2& to)) {
+  int count = 0;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const glm::dvec2 &a = outline[i], &b = outline[(i + 1) % outline.size()];
+    count += half_open(a.y - point.y, b.y - point.y) && point.x < x_of(a, b) ? 1 : 0;
+  }
+  return count % 2 == 1;
+}
+
 bool is_inside(InsideRule rule, const glm::dvec2& point, const Outline& outline) {
   const std::size_t all = outline.size();
   const bool is_odd = crossings(point, outline, all, half_open) % 2 == 1;
@@ -65,6 +76,14 @@ bool is_inside(InsideRule rule, const glm::dvec2& point, const Outline& outline)
       }
       return count % 2 == 1;
     }
+    case InsideRule::first_end:
+      return is_inside_by(point, outline, [](const glm::dvec2& from, const glm::dvec2&) { return from.x; });
+    case InsideRule::second_end:
+      return is_inside_by(point, outline, [](const glm::dvec2&, const glm::dvec2& to) { return to.x; });
+    case InsideRule::farther_end:
+      return is_inside_by(point, outline, [](const glm::dvec2& from, const glm::dvec2& to) {
+        return std::max(from.x, to.x);
+      });
     case InsideRule::one_side:
       return is_on_one_side(point, outline);
     case InsideRule::fan:

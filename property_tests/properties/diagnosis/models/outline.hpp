@@ -24,6 +24,9 @@ enum class InsideRule {
   upright_sides,   ///< an upright side counts on whichever side of the point it lies
   unrepeated,      ///< a vertex that was there before is left out
   unturned,        ///< an inequality is multiplied by a negative height, and not turned round
+  first_end,       ///< x is compared with that of a side's first vertex, not with the crossing's
+  second_end,      ///< with that of its second vertex
+  farther_end,     ///< with the larger of the two
   one_side,        ///< inside is where all sides turn one way: right for convex polygons only
   fan,             ///< the triangles of the fan from the first vertex, all together
   bounds           ///< the bounding box

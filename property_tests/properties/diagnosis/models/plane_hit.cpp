@@ -12,11 +12,11 @@ int largest_axis_of(const glm::dvec3& normal) {
   return axis;
 }
 
+}  // namespace
+
 glm::dvec2 projected(const glm::dvec3& point, int axis) {
   return {point[(axis + 1) % 3], point[(axis + 2) % 3]};
 }
-
-}  // namespace
 
 std::optional<FlatFigure> flat_figure(const Case& one) {
   FlatFigure figure{};

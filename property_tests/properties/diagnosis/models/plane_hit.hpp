@@ -32,6 +32,9 @@ struct PlaneHit {
   int axis;  ///< along which it is projected; the two that follow it, cyclically, are x and y here
 };
 
+/// A point without the coordinate of that axis.
+[[nodiscard]] glm::dvec2 projected(const glm::dvec3& point, int axis);
+
 /// Where the line of the case meets the plane of its figure; nothing where it does not.
 [[nodiscard]] std::optional<PlaneHit> plane_hit(const Case& one);
 /// The same with the figure given.

@@ -32,6 +32,10 @@ std::optional<bool> wrong_where_linear(const Case& one, const Answer& got, const
   return is_wrong_where(RootKind::linear, one, got, exact);
 }
 
+std::optional<bool> wrong_where_double(const Case& one, const Answer& got, const Answer& exact) {
+  return is_wrong_where(RootKind::twice, one, got, exact);
+}
+
 std::optional<bool> wrong_where_constant(const Case& one, const Answer& got, const Answer& exact) {
   return is_wrong_where(RootKind::constant, one, got, exact);
 }
@@ -71,20 +75,30 @@ Answers discriminant_without_sign(const Case& one, const Answer& exact) {
   return !is_negative ? Answers{} : with_discriminant(one, std::abs(q->b * q->b - 4 * q->a * q->c));
 }
 
-Answers discriminant_with_plus(const Case& one, const Answer& /*exact*/) {
-  const auto* q = std::get_if<Quadratic<double>>(&one.question);
-  return q == nullptr ? Answers{} : with_discriminant(one, q->b * q->b + 4 * q->a * q->c);
-}
-
-Answers discriminant_without_four(const Case& one, const Answer& /*exact*/) {
-  const auto* q = std::get_if<Quadratic<double>>(&one.question);
-  return q == nullptr ? Answers{} : with_discriminant(one, q->b * q->b - q->a * q->c);
-}
-
 Answers linear_root_negated(const Case& /*one*/, const Answer& exact) {
   const auto* roots = std::get_if<Roots2>(&exact);
   if (roots == nullptr || roots->kind != RootKind::linear) return {};
   return {Roots2{RootKind::linear, 1, {-roots->roots[0]}}};
+}
+
+Answers linear_root_inverted(const Case& /*one*/, const Answer& exact) {
+  const auto* roots = std::get_if<Roots2>(&exact);
+  if (roots == nullptr || roots->kind != RootKind::linear || roots->roots[0] == 0) return {};
+  return {Roots2{RootKind::linear, 1, {1 / roots->roots[0]}}};
+}
+
+Answers double_root_times(const Answer& exact, double factor) {
+  const auto* roots = std::get_if<Roots2>(&exact);
+  if (roots == nullptr || roots->kind != RootKind::twice) return {};
+  return {Roots2{RootKind::twice, 1, {factor * roots->roots[0]}}};
+}
+
+Answers double_root_undivided(const Case& one, const Answer& exact) {
+  const auto* q = std::get_if<Quadratic<double>>(&one.question);
+  if (q == nullptr) return {};
+  Answers answers = double_root_times(exact, q->a);
+  for (Answer& answer : double_root_times(exact, 2 * q->a)) answers.push_back(std::move(answer));
+  return answers;
 }
 
 Answers positive_roots_alone(const Case& /*one*/, const Answer& exact) {

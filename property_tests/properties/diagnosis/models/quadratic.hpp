@@ -26,12 +26,25 @@ namespace rayproof::diagnosis {
 [[nodiscard]] Answers double_root_missed(const Case& one, const Answer& exact);
 /// The root of |D| is taken: roots where there are none.
 [[nodiscard]] Answers discriminant_without_sign(const Case& one, const Answer& exact);
-/// D = b² + 4ac.
-[[nodiscard]] Answers discriminant_with_plus(const Case& one, const Answer& exact);
-/// D = b² - ac.
-[[nodiscard]] Answers discriminant_without_four(const Case& one, const Answer& exact);
-/// Where a = 0 the root is c/b.
+/// @{ Where a = 0 the root is c/b, or -b/c.
 [[nodiscard]] Answers linear_root_negated(const Case& one, const Answer& exact);
+[[nodiscard]] Answers linear_root_inverted(const Case& one, const Answer& exact);
+/// @}
+/// A double root is the right one times a factor.
+[[nodiscard]] Answers double_root_times(const Answer& exact, double factor);
+[[nodiscard]] inline Answers double_root_halved(const Case& /*one*/, const Answer& exact) {
+  return double_root_times(exact, 0.5);
+}
+[[nodiscard]] inline Answers double_root_doubled(const Case& /*one*/, const Answer& exact) {
+  return double_root_times(exact, 2);
+}
+[[nodiscard]] inline Answers double_root_negated(const Case& /*one*/, const Answer& exact) {
+  return double_root_times(exact, -1);
+}
+/// The same of what is not divided by a, or by 2a.
+[[nodiscard]] Answers double_root_undivided(const Case& one, const Answer& exact);
+/// The equation with a double root is not handled.
+[[nodiscard]] std::optional<bool> wrong_where_double(const Case& one, const Answer& got, const Answer& exact);
 
 /// Only the roots that are not negative are given; the real part of complex roots is given.
 [[nodiscard]] Answers positive_roots_alone(const Case& one, const Answer& exact);

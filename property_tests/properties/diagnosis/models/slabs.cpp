@@ -34,24 +34,26 @@ struct SlabEnds {
   std::vector<double> enters, leaves;
 };
 
-std::optional<SlabEnds> slabs_of(const Cube& cube, bool tests_along = true) {
+std::optional<SlabEnds> slabs_of(const Cube& cube, bool tests_along = true, unsigned turned = 0) {
   SlabEnds slabs;
   for (int axis = 0; axis < 3; ++axis) {
     const double o = cube.ray.origin[axis], d = cube.ray.direction[axis];
     if (tests_along && d == 0 && (o < cube.low[axis] || o > cube.high[axis])) return std::nullopt;
     if (d == 0) continue;
     const auto [near, far] = std::minmax({(cube.low[axis] - o) / d, (cube.high[axis] - o) / d});
-    slabs.enters.push_back(near);
-    slabs.leaves.push_back(far);
+    const bool is_turned = (turned >> static_cast<unsigned>(axis) & 1U) != 0;
+    slabs.enters.push_back(is_turned ? far : near);
+    slabs.leaves.push_back(is_turned ? near : far);
   }
   return slabs;
 }
 
 /// The hits where the line is inside from `near(slabs)` to `far(slabs)`.
 template <class Near, class Far>
-Answers inside_between(const Case& one, Near&& near, Far&& far, bool tests_along = true) {
+Answers inside_between(const Case& one, Near&& near, Far&& far, bool tests_along = true,
+                       unsigned turned = 0) {
   const auto cube = cube_in(one);
-  const auto slabs = cube ? slabs_of(*cube, tests_along) : std::nullopt;
+  const auto slabs = cube ? slabs_of(*cube, tests_along, turned) : std::nullopt;
   if (!slabs) return {};
   const double first = near(*slabs), last = far(*slabs);
   RayAnswer line;
@@ -72,6 +74,19 @@ Answers enters_at_first_beginning(const Case& one, const Answer& /*exact*/) {
   return inside_between(
       one, [](const SlabEnds& slabs) { return std::ranges::min(slabs.enters); },
       [](const SlabEnds& slabs) { return std::ranges::min(slabs.leaves); });
+}
+
+Answers slabs_turned(const Case& one, unsigned axes, bool is_always) {
+  const auto cube = cube_in(one);
+  if (!cube) return {};
+  for (unsigned axis = 0; axis < 3; ++axis) {
+    const double along = cube->ray.direction[static_cast<int>(axis)];
+    if (along == 0 || (!is_always && along > 0)) axes &= ~(1U << axis);
+  }
+  if (axes == 0) return {};
+  return inside_between(
+      one, [](const SlabEnds& slabs) { return std::ranges::max(slabs.enters); },
+      [](const SlabEnds& slabs) { return std::ranges::min(slabs.leaves); }, true, axes);
 }
 
 Answers slab_along_not_tested(const Case& one, const Answer& /*exact*/) {
@@ -112,30 +127,6 @@ Answers missed_in_face(const Case& one, const Answer& exact, bool at_low, bool a
     is_in_face = is_in_face || (is_along && is_in_one);
   }
   return is_in_face ? Answers{RayAnswer{}} : Answers{};
-}
-
-Answers faces_as_rectangles(const Case& one, const Answer& /*exact*/) {
-  const auto* solid = shape_in<Parallelepiped<double>>(one);
-  if (solid == nullptr) return {};
-  const Ray<double> ray = ray_in_object(*ray_question(one));
-  std::vector<double> all;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (const double side : {0.0, 1.0}) {
-      const glm::dvec3 &u = solid->edges.at((i + 1) % 3), &v = solid->edges.at((i + 2) % 3);
-      const glm::dvec3 n = glm::cross(u, v), corner = solid->corner + side * solid->edges.at(i);
-      const double t = glm::dot(n, corner - ray.origin) / glm::dot(n, ray.direction);
-      const glm::dvec3 way = point_at(ray, t) - corner;
-      const auto is_along = [&](const glm::dvec3& edge) {
-        const double share = glm::dot(way, edge) / glm::dot(edge, edge);
-        return 0 <= share && share <= 1;
-      };
-      if (is_along(u) && is_along(v) && in_interval(ray, t)) all.push_back(t);
-    }
-  std::ranges::sort(all);
-  RayAnswer found;
-  for (const double t : all)
-    if (found.hits.count < found.hits.t.size()) found.hits.push_back(t);
-  return {found};
 }
 
 Answers corner_faces_alone(const Case& one, const Answer& /*exact*/) {

@@ -23,9 +23,18 @@ template <bool at_low, bool at_high>
   return missed_in_face(one, exact, at_low, at_high);
 }
 /// @}
-/// A point of a parallelepiped's face is taken for inside it by its projections on the two edges, in lengths
-/// of these: right where the edges are at right angles.
-[[nodiscard]] Answers faces_as_rectangles(const Case& one, const Answer& exact);
+/// @{ In the slabs of some axes, each a bit, near and far are exchanged: always, or where the direction's
+/// component is negative.
+[[nodiscard]] Answers slabs_turned(const Case& one, unsigned axes, bool is_always);
+template <unsigned axes>
+[[nodiscard]] Answers slabs_exchanged(const Case& one, const Answer& /*exact*/) {
+  return slabs_turned(one, axes, true);
+}
+template <unsigned axes>
+[[nodiscard]] Answers slabs_unsorted(const Case& one, const Answer& /*exact*/) {
+  return slabs_turned(one, axes, false);
+}
+/// @}
 /// Only the three faces at a box's min, or at a parallelepiped's corner, are hit.
 [[nodiscard]] Answers corner_faces_alone(const Case& one, const Answer& exact);
 

@@ -1,11 +1,13 @@
 #include "properties/diagnosis/models/solid.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "properties/claims/answers.hpp"
 #include "properties/diagnosis/models/cylinder.hpp"
 #include "properties/diagnosis/models/plane_hit.hpp"
+#include "properties/diagnosis/models/root_formula.hpp"
 
 namespace rayproof::diagnosis {
 namespace {
@@ -26,35 +28,15 @@ std::vector<Case> with_cylinder(const Case& one, DoChange&& change) {
   });
 }
 
-/// a t² + 2 b t + c = 0, the equation of a ray and a sphere.
-struct EquationOfLine {
-  double a = 0, b = 0, c = 0;
-  [[nodiscard]] double discriminant() const { return b * b - a * c; }
-};
-
-std::optional<EquationOfLine> sphere_equation(const Case& one) {
-  const auto* sphere = shape_in<Sphere<double>>(one);
-  if (sphere == nullptr) return std::nullopt;
-  const Ray<double> ray = ray_in_object(*ray_question(one));
-  const glm::dvec3 way = ray.origin - sphere->center;
-  return EquationOfLine{glm::dot(ray.direction, ray.direction), glm::dot(way, ray.direction),
-                        glm::dot(way, way) - sphere->radius * sphere->radius};
-}
-
-/// The hits at (-b ± root) / a that lie in the interval.
-Answers hits_with_root(const Case& one, const EquationOfLine& equation, double root) {
-  RayAnswer line;
-  for (const double x : {-equation.b - root, -equation.b + root}) line.hits.push_back(x / equation.a);
-  return {hits_where(line, [&](double t) { return in_interval(ray_question(one)->ray, t); })};
+/// The same of a sphere alone.
+std::optional<ReducedEquation> sphere_equation(const Case& one) {
+  return shape_in<Sphere<double>>(one) == nullptr ? std::nullopt : reduced_equation(one);
 }
 
 }  // namespace
 
 std::vector<Case> radius_squared(const Case& one) {
   return with_sphere(one, [](Sphere<double>& sphere) { sphere.radius *= sphere.radius; });
-}
-std::vector<Case> radius_rooted(const Case& one) {
-  return with_sphere(one, [](Sphere<double>& sphere) { sphere.radius = std::sqrt(sphere.radius); });
 }
 std::vector<Case> radius_doubled(const Case& one) {
   return with_sphere(one, [](Sphere<double>& sphere) { sphere.radius *= 2; });
@@ -114,21 +96,27 @@ std::vector<Case> middle_at_zero(const Case& one) {
 Answers sphere_without_sign(const Case& one, const Answer& /*exact*/) {
   const auto equation = sphere_equation(one);
   if (!equation || equation->discriminant() >= 0) return {};
-  return hits_with_root(one, *equation, std::sqrt(-equation->discriminant()));
+  return with_roots(one, roots_by(-equation->h, -equation->discriminant(), equation->a));
 }
 
-Answers sphere_with_four(const Case& one, const Answer& /*exact*/) {
+Answers radius_for_square(const Case& one, const Answer& /*exact*/) {
   const auto equation = sphere_equation(one);
   if (!equation) return {};
-  const double D = equation->discriminant() - 3 * equation->a * equation->c;
-  return D < 0 ? Answers{RayAnswer{}} : hits_with_root(one, *equation, std::sqrt(D));
+  const double radius = shape_in<Sphere<double>>(one)->radius;
+  ReducedEquation rooted = *equation;
+  rooted.c += radius * radius - radius;
+  const auto hits = [&](bool is_near, double D) {
+    return with_roots(one, is_near ? roots_by(-rooted.h, std::max(D, 0.0), rooted.a) : std::nullopt).front();
+  };
+  const double own = equation->discriminant(), other = rooted.discriminant();
+  return {hits(other >= 0, other), hits(own >= 0, other), hits(other >= 0, own)};
 }
 
 Answers nearest_point_of_line(const Case& one, const Answer& exact) {
   const auto equation = sphere_equation(one);
   if (!equation || hits_of_line(one).hits.count == 0) return {};
   RayAnswer nearest;
-  nearest.hits.push_back(-equation->b / equation->a);
+  nearest.hits.push_back(-equation->h / equation->a);
   const bool is_hit = std::get<RayAnswer>(exact).hits.count > 0;
   Answers answers{hits_where(nearest, [&](double t) { return in_interval(ray_question(one)->ray, t); })};
   if (is_hit) answers.push_back(nearest);

@@ -9,7 +9,6 @@ namespace rayproof::diagnosis {
 /// @{ Readings of a sphere: its radius squared, its root, doubled, halved, 1; centred at 0; centred on the
 /// other side.
 [[nodiscard]] std::vector<Case> radius_squared(const Case& one);
-[[nodiscard]] std::vector<Case> radius_rooted(const Case& one);
 [[nodiscard]] std::vector<Case> radius_doubled(const Case& one);
 [[nodiscard]] std::vector<Case> radius_halved(const Case& one);
 [[nodiscard]] std::vector<Case> radius_one(const Case& one);
@@ -46,8 +45,8 @@ template <int edge>
     return true;
   });
 }
-/// D = b² - 4ac with b = (o - center)·d, of which the half is b.
-[[nodiscard]] Answers sphere_with_four(const Case& one, const Answer& exact);
+/// r for r²: everywhere, in half the chord alone, or in the test whether the line passes near enough alone.
+[[nodiscard]] Answers radius_for_square(const Case& one, const Answer& exact);
 /// @{ Of a sphere: hits where the discriminant is negative; the line's nearest point to the centre for a hit.
 [[nodiscard]] Answers sphere_without_sign(const Case& one, const Answer& exact);
 [[nodiscard]] Answers nearest_point_of_line(const Case& one, const Answer& exact);

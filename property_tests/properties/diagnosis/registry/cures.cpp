@@ -55,8 +55,10 @@ std::vector<Hypothesis> cures_of_values() {
           "right as soon as no component of the direction is negative: near and far slab are not exchanged"),
       exact_cure("reversed-winding", reversed_winding,
                  "right as soon as the winding is reversed: only one orientation is handled"),
-      exact_cure("renamed-axes", renamed_axes,
-                 "right as soon as the axes are renamed: the code always leaves out the same coordinate"),
+      exact_cure(
+          "renamed-axes", renamed_axes,
+          "right as soon as the axes are renamed: one coordinate is treated otherwise than the others, or "
+          "always left out"),
       exact_cure(
           "tilted", tilted,
           "right as soon as the direction is tilted off the axes: 0·∞ or a division by a component that is "
@@ -115,9 +117,12 @@ std::vector<Hypothesis> cures_of_boundaries() {
              "right as soon as no hit lies on an end of the interval"),
       of_digits_or(
           "right as soon as the ray passes a little aside: numbers that are 0, or equal, are not handled",
-          avoids(
-              "off-boundary", off_boundary,
-              "right as soon as the ray passes a little aside: only edges, vertices and tangents are wrong")),
+          of_equation(
+              "right as soon as a coefficient changes a little: only double roots, or coefficients that "
+              "are 0, are wrong",
+              avoids("off-boundary", off_boundary,
+                     "right as soon as the ray passes a little aside: only edges, vertices and tangents "
+                     "are wrong"))),
       avoids("few-digits", few_digits,
              "right as soon as the numbers have few digits: what is wrong is rounding", rounding),
       of_digits_or(

@@ -44,6 +44,8 @@ std::vector<Hypothesis> models_of_hits() {
       gives("interval-as-distances", read_as<interval_as_distances>,
             "the answer is right where t_min and t_max are lengths: they are compared with distances, not "
             "with t"),
+      gives("t-max-as-distance", read_as<t_max_as_distance>,
+            "the answer is right where t_max is a length: it is compared with a distance, not with t"),
       gives("interval-as-object-distances", read_as<interval_as_object_distances>,
             "the answer is right where t_min and t_max are lengths in object space: they are compared with "
             "distances along the transformed ray, whose direction was made a unit vector"),
@@ -79,6 +81,8 @@ std::vector<Hypothesis> models_of_hits() {
       gives("nearest-twice", nearest_twice, "of two answers the first is given twice"),
       gives("farthest-twice", farthest_twice, "of two answers the second is given twice"),
       gives("descending", descending, "the answers stand in descending order"),
+      gives("plus-root-first", plus_root_first,
+            "(-b + √D)/2a is given before (-b - √D)/2a: for a > 0 that is the descending order"),
       shows("not-sorted", not_sorted,
             "the hits are right, and do not always stand in ascending order: they are not sorted"),
       gives("root-alone", root_alone, "of two roots only one is given"),

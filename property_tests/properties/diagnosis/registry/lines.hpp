@@ -33,6 +33,14 @@ inline constexpr auto rounding = FindingKind::rounding;
   return made;
 }
 
+/// A model that stands for many mistakes, of which a subject makes one.
+[[nodiscard]] constexpr Hypothesis gives_one_of(std::string_view name, Predict predict,
+                                                std::string_view sentence) {
+  Hypothesis made = gives(name, predict, sentence);
+  made.is_one_of_many = true;
+  return made;
+}
+
 /// The same of a model that foresees misses mostly, which many a fault makes: hardly any right answer may
 /// contradict it.
 [[nodiscard]] constexpr Hypothesis strictly(Hypothesis model) {
@@ -74,6 +82,12 @@ inline constexpr auto rounding = FindingKind::rounding;
 [[nodiscard]] constexpr Hypothesis of_digits_or(std::string_view beyond_rounding, Hypothesis cure) {
   cure.beyond_rounding = beyond_rounding;
   return cure;
+}
+
+/// The same with other words where the cases are quadratic equations.
+[[nodiscard]] constexpr Hypothesis of_equation(std::string_view words, Hypothesis made) {
+  made.of_equation = words;
+  return made;
 }
 
 /// The same with what the fault has to do with sizes.

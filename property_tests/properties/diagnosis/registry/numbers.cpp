@@ -85,6 +85,7 @@ std::vector<Hypothesis> models_of_numbers() {
       gives_to_all("negated", scaled_by<minus_one>, "every number is right with the other sign"),
       gives_to_all("absolute", absolute,
                    "t is right without its sign: hits behind the origin are taken for hits before it"),
+      gives_to_all("reciprocal", reciprocal, "every number is 1/t: numerator and denominator are exchanged"),
       gives_to_all(
           "rounded-down", rounded_down,
           "every number is rounded down to a whole one: a division of integers, or an integer holds it"),
@@ -129,12 +130,8 @@ std::vector<Hypothesis> models_of_numbers() {
       gives("positive-roots-alone", positive_roots_alone, "negative roots are left out"),
       gives("real-part", real_part,
             "the real part of the complex roots is given where there is no real root"),
-      gives("discriminant-without-four", discriminant_without_four,
-            "the answer is right for D = b² - ac: a factor 4 is missing in the discriminant"),
       gives("linear-root-negated", linear_root_negated,
             "where a = 0 the root has the wrong sign: it is -c/b"),
-      gives("discriminant-plus", discriminant_with_plus,
-            "the answer is right for D = b² + 4ac: a sign is wrong in the discriminant"),
   };
 }
 

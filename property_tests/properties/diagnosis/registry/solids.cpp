@@ -4,6 +4,7 @@
 #include "properties/diagnosis/cures/cures.hpp"
 #include "properties/diagnosis/models/caps.hpp"
 #include "properties/diagnosis/models/cylinder.hpp"
+#include "properties/diagnosis/models/faces.hpp"
 #include "properties/diagnosis/models/placing.hpp"
 #include "properties/diagnosis/models/slabs.hpp"
 #include "properties/diagnosis/models/solid.hpp"
@@ -58,7 +59,7 @@ std::vector<Hypothesis> models_of_transforms() {
 std::vector<Hypothesis> models_of_solids() {
   return {
       gives("radius-squared", read_as<radius_squared>, "the answer is right for the radius squared"),
-      gives("radius-rooted", read_as<radius_rooted>,
+      gives("radius-rooted", radius_for_square,
             "the answer is right for the root of the radius: r is taken for r²"),
       gives("radius-doubled", read_as<radius_doubled>, "the answer is right for twice the radius"),
       gives("radius-halved", read_as<radius_halved>,
@@ -71,10 +72,6 @@ std::vector<Hypothesis> models_of_solids() {
             "the answer is right for the centre's opposite: a sign is wrong in o - center"),
       gives("discriminant-of-sphere", sphere_without_sign,
             "hits are reported where D < 0: the root of |D| was taken, or D < 0 is not tested"),
-      gives(
-          "discriminant-with-four", sphere_with_four,
-          "the answer is right for D = b² - 4ac where b is l·d: with b = 2 (l·d) it is 4ac, with b = l·d it "
-          "is ac"),
       gives("nearest-point", nearest_point_of_line,
             "t is the line's nearest point to the centre: ±√D is left out"),
       gives("half-chord", half_chord,
@@ -143,7 +140,7 @@ std::vector<Hypothesis> models_of_solids() {
       gives("edges-as-orthogonal", read_as<edges_as_orthogonal>,
             "the answer is right where a point's coordinates are its projections on the edges: the edges are "
             "taken for orthogonal, a rectangular solid's"),
-      gives("faces-as-rectangles", faces_as_rectangles,
+      gives("faces-as-rectangles", by_faces<rectangular_face>,
             "a face is hit where the point's projections on its two edges lie between their ends: the faces "
             "are "
             "taken for rectangles"),

@@ -1,0 +1,53 @@
+#pragma once
+/// \file
+/// Models of faults in a parallelepiped's six faces, each a point and two edges, and in the frame of its
+/// edges.
+
+#include "properties/diagnosis/models/factor.hpp"
+#include "properties/diagnosis/models/models.hpp"
+
+namespace rayproof::diagnosis {
+
+/// A point of a face's plane by its two edges e and f: its coordinates u, v, and what they are made of.
+struct FacePoint {
+  double u, v;           ///< in edges
+  double along, across;  ///< (p - corner)·e, (p - corner)·f
+  double e, f;           ///< the edges' lengths
+  double determinant;    ///< e²f² - (e·f)²
+};
+
+/// The first two hits, or the first and the last, of a subject that takes a face's point for inside by that
+/// rule.
+[[nodiscard]] Answers hits_of_faces(const Case& one, bool (*is_inside)(const FacePoint& point));
+template <bool (*is_inside)(const FacePoint& point)>
+[[nodiscard]] Answers by_faces(const Case& one, const Answer& /*exact*/) {
+  return hits_of_faces(one, is_inside);
+}
+
+[[nodiscard]] constexpr bool are_in_square(double u, double v) {
+  return 0 <= u && u <= 1 && 0 <= v && v <= 1;
+}
+/// @{ u and v, or one of them, are not divided; are lengths; are projections; their sum is at most 1.
+[[nodiscard]] inline bool undivided_face(const FacePoint& p) {
+  return are_in_square(p.u * p.determinant, p.v * p.determinant);
+}
+[[nodiscard]] inline bool undivided_u(const FacePoint& p) { return are_in_square(p.u * p.determinant, p.v); }
+[[nodiscard]] inline bool unit_face(const FacePoint& p) { return are_in_square(p.u * p.e, p.v * p.f); }
+[[nodiscard]] inline bool unit_projections(const FacePoint& p) { return are_in_square(p.along, p.across); }
+[[nodiscard]] inline bool triangular_face(const FacePoint& p) {
+  return are_in_square(p.u, p.v) && p.u + p.v <= 1;
+}
+[[nodiscard]] inline bool rectangular_face(const FacePoint& p) {
+  return are_in_square(p.along / (p.e * p.e), p.across / (p.f * p.f));
+}
+/// @}
+
+/// The edges' triple product.
+[[nodiscard]] std::optional<double> volume(const Case& one);
+/// @{ Edges divided by their triple product; doubled; from -1 to 1.
+[[nodiscard]] std::vector<Case> edges_over_volume(const Case& one);
+[[nodiscard]] std::vector<Case> edges_doubled(const Case& one);
+[[nodiscard]] std::vector<Case> edges_both_ways(const Case& one);
+/// @}
+
+}  // namespace rayproof::diagnosis

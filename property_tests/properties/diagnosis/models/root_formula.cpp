@@ -1,0 +1,99 @@
+#include "properties/diagnosis/models/root_formula.hpp"
+
+#include <algorithm>
+
+#include "properties/claims/answers.hpp"
+#include "properties/diagnosis/models/caps.hpp"
+
+namespace rayproof::diagnosis {
+namespace {
+
+ReducedEquation of_sphere(const Ray<double>& ray, const Sphere<double>& sphere) {
+  const glm::dvec3 way = ray.origin - sphere.center;
+  return {glm::dot(ray.direction, ray.direction), glm::dot(way, ray.direction),
+          glm::dot(way, way) - sphere.radius * sphere.radius};
+}
+
+ReducedEquation of_side(const Ray<double>& ray, const Cylinder<double>& cylinder) {
+  const glm::dvec2 radii(cylinder.rx, cylinder.ry);
+  const glm::dvec2 o = glm::dvec2(ray.origin) / radii, d = glm::dvec2(ray.direction) / radii;
+  return {glm::dot(d, d), glm::dot(o, d), glm::dot(o, o) - 1};
+}
+
+Answers of_equation(const FoundRoots& roots) {
+  using Roots = QuadraticAnswer<double>;
+  if (!roots) return {Roots{RootKind::none, 0, {}}};
+  const auto [x, y] = *roots;
+  if (x == y) return {Roots{RootKind::twice, 1, {x}}, Roots{RootKind::two, 2, {x, x}}};
+  Answers answers{Roots{RootKind::two, 2, {std::min(x, y), std::max(x, y)}}};
+  if (x > y) answers.emplace_back(Roots{RootKind::two, 2, {x, y}});
+  return answers;
+}
+
+/// Two numbers of the answer and two of the exact one; nothing where either has not two.
+struct TwoPairs {
+  double x, y, exact_x, exact_y;
+  [[nodiscard]] double size() const { return std::max(std::abs(exact_x), std::abs(exact_y)); }
+  /// Whether the difference is more than a loss of digits makes.
+  [[nodiscard]] bool differ(double a, double b) const {
+    return std::abs(a - b) > 0x1p-10 * std::max(size(), std::abs(a));
+  }
+};
+
+std::optional<TwoPairs> two_pairs(const Case& one, const Answer& got, const Answer& exact) {
+  if (!reduced_equation(one) || shape_in<Cylinder<double>>(one) != nullptr) return std::nullopt;
+  const std::vector<double> found = numbers_in(got), right = numbers_in(exact);
+  if (found.size() != 2 || right.size() != 2) return std::nullopt;
+  return TwoPairs{found[0], found[1], right[0], right[1]};
+}
+
+}  // namespace
+
+std::optional<ReducedEquation> reduced_equation(const Case& one) {
+  ReducedEquation equation;
+  if (const auto* q = std::get_if<Quadratic<double>>(&one.question))
+    equation = {q->a, q->b / 2, q->c};
+  else if (const auto* sphere = shape_in<Sphere<double>>(one))
+    equation = of_sphere(ray_in_object(*ray_question(one)), *sphere);
+  else if (const auto* cylinder = shape_in<Cylinder<double>>(one))
+    equation = of_side(ray_in_object(*ray_question(one)), *cylinder);
+  return equation.a == 0 ? std::nullopt : std::optional(equation);
+}
+
+Answers with_roots(const Case& one, const FoundRoots& roots) {
+  if (std::holds_alternative<Quadratic<double>>(one.question)) return of_equation(roots);
+  std::vector<double> hits;
+  if (roots) hits.assign(roots->begin(), roots->end());
+  if (shape_in<Cylinder<double>>(one) != nullptr) return with_side_hits(one, std::move(hits));
+  std::ranges::sort(hits);
+  RayAnswer line;
+  for (const double t : hits) line.hits.push_back(t);
+  return {hits_where(line, [&](double t) { return in_interval(ray_question(one)->ray, t); })};
+}
+
+std::optional<bool> one_root_wrong(const Case& one, const Answer& got, const Answer& exact) {
+  const auto pairs = two_pairs(one, got, exact);
+  if (!pairs) return std::nullopt;
+  const auto [x, y, p, q] = *pairs;
+  const auto is_one_of = [&](double z) { return !pairs->differ(z, p) || !pairs->differ(z, q); };
+  const bool is_first = is_one_of(x), is_second = is_one_of(y);
+  return is_first && is_second ? std::nullopt : std::optional(is_first != is_second);
+}
+
+std::optional<bool> distance_of_roots_wrong(const Case& one, const Answer& got, const Answer& exact) {
+  const auto pairs = two_pairs(one, got, exact);
+  if (!pairs) return std::nullopt;
+  const auto [x, y, p, q] = *pairs;
+  if (!pairs->differ(std::abs(y - x), q - p)) return std::nullopt;
+  return !pairs->differ(x + y, p + q);
+}
+
+std::optional<bool> middle_of_roots_wrong(const Case& one, const Answer& got, const Answer& exact) {
+  const auto pairs = two_pairs(one, got, exact);
+  if (!pairs) return std::nullopt;
+  const auto [x, y, p, q] = *pairs;
+  if (!pairs->differ(x + y, p + q)) return std::nullopt;
+  return !pairs->differ(std::abs(y - x), q - p);
+}
+
+}  // namespace rayproof::diagnosis

@@ -1,0 +1,102 @@
+/// \file
+/// Faults in the formula for two roots, and in the products that it is made of.
+
+#include <fmt/format.h>
+
+#include "properties/diagnosis/models/products.hpp"
+#include "properties/diagnosis/models/quadratic.hpp"
+#include "properties/diagnosis/models/root_formula.hpp"
+#include "properties/diagnosis/registry/lines.hpp"
+
+namespace rayproof::diagnosis {
+namespace {
+
+/// The term of each coordinate in a dot product.
+template <Product product>
+void add_terms(std::vector<Hypothesis>& all, std::string_view name, std::string_view product_in_words) {
+  const auto add = [&](char coordinate, Predict predict) {
+    all.push_back(gives_one_of(
+        kept(fmt::format("{}-{}", name, coordinate)), predict,
+        kept(fmt::format(
+            "the term with {} of {} is wrong: its sign, or another coordinate in it, or it is missing",
+            coordinate, product_in_words))));
+  };
+  add('x', wrong_term<product, 0>);
+  add('y', wrong_term<product, 1>);
+  add('z', wrong_term<product, 2>);
+}
+
+}  // namespace
+
+std::vector<Hypothesis> models_of_roots() {
+  std::vector<Hypothesis> all{
+      of_equation(
+          "the answer is right for D = (b/2)² - 4ac: where b is halved the discriminant is (b/2)² - ac",
+          gives("discriminant-with-four", by_formula<four_with_half>,
+                "the answer is right for D = b² - 4ac where b is l·d: with b = 2 (l·d) it is 4ac, with b = "
+                "l·d it "
+                "is ac")),
+      gives("discriminant-without-four", by_formula<no_four>,
+            "the answer is right for D = b² - ac: a factor 4 is missing in the discriminant"),
+      gives("discriminant-with-two", by_formula<two_for_four>,
+            "the answer is right for D = b² - 2ac: the factor in the discriminant must be 4"),
+      gives("discriminant-plus", by_formula<plus_for_minus>,
+            "the answer is right for D = b² + 4ac: a sign is wrong in the discriminant"),
+      of_equation(
+          "the answer is right for 2b: b stands where the reduced formula has b/2",
+          gives("whole-b-for-half", by_formula<whole_for_half>,
+                "the answer is right for twice the coefficient of t: with b = 2 (l·d) the divisor is 2a "
+                "and D = b² - 4ac, with b = l·d they are a and b² - ac")),
+      of_equation(
+          "the answer is right for b/2: b is halved once too often",
+          gives("half-b-for-whole", by_formula<half_for_whole>,
+                "the answer is right for half the coefficient of t: with b = l·d the divisor is a and D = "
+                "b² - ac, with b = 2 (l·d) they are 2a and b² - 4ac")),
+      gives("discriminant-unrooted", by_formula<no_root_of_half, no_root_of_whole, no_root_of_chord>,
+            "the answer is right with D in the place of √D: the square root is missing"),
+      gives("root-alone-divided", by_formula<root_divided, root_divided_of_half>,
+            "of -b ± √D only √D is divided: parentheses are missing"),
+      gives("b-alone-divided", by_formula<b_divided, b_divided_of_half>,
+            "of -b ± √D only -b is divided: parentheses are missing"),
+      gives("undivided", by_formula<undivided>, "every number is -b ± √D: the division by 2a is missing"),
+      gives("b-not-halved", by_formula<b_not_halved>, "√D is halved, and -b is not"),
+      gives("root-not-halved", by_formula<root_not_halved>, "-b is halved, and √D is not"),
+      gives("double-root-halved", double_root_halved,
+            "a double root is half the right one: it is -b/(2a), and -h/a with h = b/2"),
+      gives("double-root-doubled", double_root_doubled,
+            "a double root is twice the right one: it is -b/(2a)"),
+      gives("double-root-negated", double_root_negated, "a double root has the wrong sign: it is -b/(2a)"),
+      gives("double-root-undivided", double_root_undivided,
+            "a double root is not divided by a, or by 2a: it is -b/(2a)"),
+      gives("linear-root-inverted", linear_root_inverted, "where a = 0 the root is -b/c, and must be -c/b"),
+  };
+  add_terms<Product::direction_squared>(all, "term-of-d-d", "d·d");
+  add_terms<Product::way_and_direction>(all, "term-of-l-d", "l·d, l = o - center,");
+  add_terms<Product::way_squared>(all, "term-of-l-l", "l·l, l = o - center,");
+  add_terms<Product::normal_and_direction>(all, "term-of-n-d", "n·d");
+  add_terms<Product::normal_and_origin>(all, "term-of-n-o",
+                                        "n·o, o the origin or its way from the plane's point,");
+  return all;
+}
+
+std::vector<Hypothesis> classes_of_roots() {
+  return {
+      of_equation(
+          "what lies half way between the two roots is right, and their distance is not: √D is wrong",
+          shows("distance-of-roots-wrong", distance_of_roots_wrong,
+                "what lies half way between the two hits is right, and their distance is not: √D, or the "
+                "radius in it, is wrong")),
+      of_equation(
+          "the distance of the two roots is right, and what lies half way between is not: -b is wrong",
+          shows("middle-of-roots-wrong", middle_of_roots_wrong,
+                "the distance of the two hits is right, and what lies half way between is not: -b, or the "
+                "centre in it, is wrong")),
+      of_equation(
+          "of two roots one is right and one wrong: their two formulas differ in more than a sign",
+          shows("one-root-wrong", one_root_wrong,
+                "of two hits one is right and one wrong: their two formulas differ in more than a sign")),
+      shows("double-root-wrong", wrong_where_double, "a double root is wrong: it is -b/(2a)"),
+  };
+}
+
+}  // namespace rayproof::diagnosis

@@ -1,0 +1,78 @@
+/// \file
+/// Faults with the slabs of solids, with their widths, and with rays along a cylinder's axis.
+
+#include "properties/diagnosis/models/slabs.hpp"
+
+#include <fmt/format.h>
+
+#include "properties/diagnosis/models/cylinder.hpp"
+#include "properties/diagnosis/models/loose.hpp"
+#include "properties/diagnosis/registry/lines.hpp"
+
+namespace rayproof::diagnosis {
+namespace {
+
+/// A solid that is larger, or smaller, by a fixed length: in a larger scene that is next to nothing.
+template <int... power>
+void add_loose(std::vector<Hypothesis>& all) {
+  (all.push_back(of(
+       OfSizes::small,
+       gives(kept(fmt::format("solid-wider-1e{}", power)), read_as<widened_by<power>>,
+             kept(fmt::format(
+                 "the answer is right for a solid that is wider by 1e{} at each end: a tolerance", power))))),
+   ...);
+  (all.push_back(
+       of(OfSizes::small,
+          gives(kept(fmt::format("solid-narrower-1e{}", power)), narrowed_by<power>,
+                kept(fmt::format(
+                    "the answer is right for a solid that is narrower by 1e{} at each end: an absolute "
+                    "epsilon keeps its ends out",
+                    power))))),
+   ...);
+}
+
+template <int... power>
+void add_along_axis(std::vector<Hypothesis>& all) {
+  (all.push_back(
+       of(OfSizes::small,
+          gives(kept(fmt::format("side-missed-along-1e{}", power)), side_missed_along<power>,
+                kept(fmt::format(
+                    "the side is missed where dx² + dy² is below about 1e{}: a ray nearly along the axis "
+                    "is taken for one along it, by an absolute epsilon",
+                    power))))),
+   ...);
+}
+
+template <unsigned axis>
+void add_slab_order(std::vector<Hypothesis>& all, char coordinate) {
+  all.push_back(
+      gives(kept(fmt::format("slab-exchanged-{}", coordinate)), slabs_exchanged<1U << axis>,
+            kept(fmt::format("near and far are exchanged in the slab of {}: min and max of its two t",
+                             coordinate))));
+  all.push_back(
+      gives(kept(fmt::format("slab-unsorted-{}", coordinate)), slabs_unsorted<1U << axis>,
+            kept(fmt::format("near and far are not exchanged in the slab of {} where the direction's "
+                             "component is negative",
+                             coordinate))));
+}
+
+}  // namespace
+
+std::vector<Hypothesis> models_of_axis_rays() {
+  std::vector<Hypothesis> all;
+  add_along_axis<-12, -10, -8, -6, -4, -3>(all);
+  return all;
+}
+
+std::vector<Hypothesis> models_of_slab_orders() {
+  std::vector<Hypothesis> all{
+      gives("slabs-unsorted", slabs_unsorted<7U>,
+            "near and far slab are not exchanged where a component of the direction is negative")};
+  add_slab_order<0>(all, 'x');
+  add_slab_order<1>(all, 'y');
+  add_slab_order<2>(all, 'z');
+  add_loose<-8, -7, -6, -5, -4, -3, -2>(all);
+  return all;
+}
+
+}  // namespace rayproof::diagnosis

@@ -1,0 +1,97 @@
+/// \file
+/// Faults in how a subject finds whether a point lies in a triangle, in a polygon or in a face.
+
+#include "properties/diagnosis/models/weights.hpp"
+
+#include <fmt/format.h>
+
+#include "properties/diagnosis/models/faces.hpp"
+#include "properties/diagnosis/registry/lines.hpp"
+
+namespace rayproof::diagnosis {
+namespace {
+
+template <int vertex>
+Hypothesis turned_edge(char name, std::string_view edge) {
+  return gives(kept(fmt::format("edge-{}-turned", name)), edge_turned<vertex>,
+               kept(fmt::format(
+                   "what lies beyond the edge {} is hit, and what lies on this side is not: a sign, or the "
+                   "order of the edge's ends, is wrong there",
+                   edge)));
+}
+
+template <int axis>
+Hypothesis cross_product(char coordinate) {
+  return gives_one_of(kept(fmt::format("cross-product-{}", coordinate)), wrong_cross<axis>,
+                      kept(fmt::format("the {} of the cross product is wrong: a sign, the order, or another "
+                                       "coordinate in it",
+                                       coordinate)));
+}
+
+/// Of what is compared with a figure's sides: "o + t·n".
+Hypothesis tested_point(std::string_view name, Predict predict, std::string_view point) {
+  return gives_one_of(
+      name, predict,
+      kept(fmt::format("t is right, and {} is compared with the sides: the point is o + t·d", point)));
+}
+
+}  // namespace
+
+std::vector<Hypothesis> models_of_weights() {
+  return {
+      gives(
+          "weights-undivided", with_weights<undivided_weights>,
+          "t is right, and u and v are not divided by the determinant before they are compared with 0 and 1"),
+      gives("beta-undivided", with_weights<undivided_beta>,
+            "t is right, and u is not divided by the determinant before it is compared with 0 and 1"),
+      gives("gamma-undivided", with_weights<undivided_gamma>,
+            "t is right, and v is not divided by the determinant before it is compared with 0 and 1"),
+      gives("weights-times-area", with_weights<undivided_by_area>,
+            "t is right, and the weights are not divided by n·n, the square of twice the area"),
+      gives_to_all("factors-exchanged", with_weights<exchanged_factors>,
+                   "v and t have the wrong sign: the factors of a cross product are exchanged"),
+      turned_edge<0>('a', "bc"),
+      turned_edge<1>('b', "ca"),
+      turned_edge<2>('c', "ab"),
+      cross_product<0>('x'),
+      cross_product<1>('y'),
+      cross_product<2>('z'),
+      tested_point("tested-against-direction", tested_at<against_direction>, "o - t·d"),
+      tested_point("tested-without-origin", tested_at<without_start>, "t·d"),
+      tested_point("tested-by-unit-direction", tested_at<by_unit_direction>, "o + t·d/|d|"),
+      tested_point("tested-along-normal", tested_at<along_normal>, "o + t·n"),
+      gives("faces-undivided", by_faces<undivided_face>,
+            "a face's u and v are not divided by their determinant before they are compared with 0 and 1"),
+      gives("face-u-undivided", by_faces<undivided_u>,
+            "of a face's u and v one is not divided by their determinant before it is compared with 0 and 1"),
+      gives("faces-of-unit-edges", by_faces<unit_face>,
+            "a face's u and v are lengths along its edges, and are compared with 1: the edges are taken for "
+            "unit "
+            "vectors"),
+      gives("faces-by-unit-projections", by_faces<unit_projections>,
+            "a face's u and v are dot products with its edges: these are taken for unit vectors at right "
+            "angles"),
+      gives("faces-as-triangles", by_faces<triangular_face>,
+            "of each face one half alone is hit: u + v <= 1 is asked, and must not be"),
+      gives("coordinates-undivided", read_as<edges_over_volume>,
+            "the coordinates in the edges' frame are not divided by the determinant before they are compared "
+            "with 0 "
+            "and 1"),
+      gives("over-volume", line_scaled_by<volume, -1>,
+            "t is right times the determinant: of origin and direction in the edges' frame one alone is "
+            "divided by it"),
+      gives("times-volume", line_scaled_by<volume>,
+            "t is right divided by the determinant: of origin and direction in the edges' frame one alone is "
+            "divided "
+            "by it"),
+      gives("edges-doubled", read_as<edges_doubled>,
+            "the answer is right for edges of twice the length: coordinates are compared with 2, and must be "
+            "with 1"),
+      gives("edges-both-ways", read_as<edges_both_ways>,
+            "the answer is right for coordinates from -1 to 1: the corner is taken for the centre, and edges "
+            "for "
+            "half edges"),
+  };
+}
+
+}  // namespace rayproof::diagnosis
