@@ -51,6 +51,12 @@ TEST(DiagnosisOfEdges, KnowsASolidThatIsMissedThroughAnEdgeOrARim) {
   EXPECT_EQ(bears("missed-through-edge", at_rim, {}), true);
   EXPECT_EQ(bears("missed-through-edge", along_a_diagonal, hit_at(2)), std::nullopt);
   EXPECT_EQ(bears("missed-through-edge", through_the_middle, {}), false);
+  const char* const touching =
+      R"({"ray": {"origin": [0.5,-1,1], "direction": [0,1,-1]}, "shape": {"type": "box", "min": [0,0,0], "max": [1,1,1]}})";
+  const char* const in_a_face =
+      R"({"ray": {"origin": [0,0.5,-2], "direction": [0,0,1]}, "shape": {"type": "box", "min": [0,0,0], "max": [1,1,1]}})";
+  EXPECT_EQ(bears("missed-through-edge", touching, {}), false);
+  EXPECT_EQ(bears("missed-through-edge", in_a_face, {}), false);
 }
 
 TEST(DiagnosisOfEdges, KnowsABoxOfARoundedCentre) {

@@ -37,14 +37,24 @@ std::optional<double> largest_error(const Answer& got, const Answer& exact) {
 
 bool is_float(double x) { return !std::isfinite(x) || static_cast<double>(static_cast<float>(x)) == x; }
 
+/// Whether a product of three of the case's numbers may overflow or vanish in a float.
+bool is_beyond_float(const Case& one) {
+  bool is_beyond = false;
+  each_number_of(one, [&](double x) {
+    is_beyond = is_beyond || (x != 0 && std::isfinite(x) && std::abs(std::ilogb(x)) > 42);
+  });
+  return is_beyond;
+}
+
 /// Whether a hit is as far from the surface, or a wrong verdict from being right, as a float's rounding of
 /// the scene puts it, and a double's does not: what cancels in t does not there. Of a triangle or a polygon
-/// nothing cancels with the distance, so that all that a double does not lose is a float's.
+/// plain doubles are right to their bound, and all that is wrong may be a float's, its range too.
 bool is_off_by_a_float(const Case& one, const oracle::Judgement& judgement) {
   constexpr double generous = 1024;  // times what plain methods lose
   const double off = std::max(judgement.wrong ? judgement.margin : 0, judgement.residual);
   const double far = judgement.far;
-  if (plane_hit(one)) return generous * far < off && off < 0x1p34 * far;
+  if (plane_hit(one))
+    return (generous < off && off < 0x1p34 * far) || (judgement.wrong && is_beyond_float(one));
   return 0x1p19 < off && off < 0x1p34 && off > generous * far * far;
 }
 

@@ -7,8 +7,9 @@
 
 namespace rayproof::diagnosis {
 
-/// A miss of a ray that enters a solid through an edge, or a capped cylinder through a rim, as far as
-/// rounding can say; nothing where the subject is right there, since rounding decides.
+/// A miss of a ray that enters a solid, and does not only touch it, through an edge, or a capped cylinder
+/// through a rim, as far as rounding can say; nothing where the subject is right there, since rounding
+/// decides.
 [[nodiscard]] std::optional<bool> missed_through_edge(const Case& one, const Answer& got,
                                                       const Answer& exact);
 /// The first hit of a box whose edges and corners are rounded off by up to an eighth of its smallest side: of
