@@ -34,6 +34,12 @@ double reach_in_world(const RayQuestion& asked) {
   return reach * longest + glm::length(glm::dvec3(map[3]));
 }
 
+/// How many radii the centre of a sphere is from (0, 0, 0); 0 of other shapes.
+double radii_away(const RayQuestion& asked) {
+  const auto* sphere = std::get_if<Sphere<double>>(&asked.shape);
+  return sphere == nullptr || sphere->radius == 0 ? 0 : glm::length(sphere->center) / sphere->radius;
+}
+
 }  // namespace
 
 double allowed_of_hits(const Case& one) {
@@ -48,7 +54,7 @@ double allowed_of_hits(const Case& one) {
 double allowed_of_normal(const Case& one, double far) {
   const auto* asked = std::get_if<RayQuestion>(&one.question);
   const bool has_map = asked != nullptr && asked->transform.has_value();
-  const double of_round = loses_digits_from_afar(topic_of(one)) ? std::max(1.0, far) : 1;
+  const double of_round = loses_digits_from_afar(topic_of(one)) ? std::max(1.0, far) + radii_away(*asked) : 1;
   return allowed_of_hits(one) * of_round * (has_map ? std::max(1.0, condition_of(*asked->transform)) : 1);
 }
 

@@ -10,6 +10,7 @@
 #include "properties/boundary.hpp"
 #include "properties/edges.hpp"
 #include "properties/numbers.hpp"
+#include "properties/trial.hpp"
 
 namespace rayproof {
 namespace {
@@ -34,13 +35,17 @@ bool may_be_met_twice(const Case& one, const RayAnswer& exact, double t) {
 /// Hits that are one but for their last digits (a double root, or a rim that was met as a part of the side
 /// and of the cap) are one where there are more than there should be, and one may be met twice.
 void merge_near_hits(const Case& one, HitList& hits) {
+  const auto is_again = [&](double t, double before) {
+    return is_near(before, t, last_digits(one.precision));
+  };
+  if (std::ranges::adjacent_find(hits.view(), is_again) == hits.view().end()) return;
+  const auto exact = std::get<RayAnswer>(oracle::answer(one));
+  if (hits.count <= exact.hits.count) return;
   HitList merged;
   for (const double t : hits.view())
-    if (merged.count == 0 || !is_near(merged.t.at(merged.count - 1), t, last_digits(one.precision)))
+    if (merged.count == 0 || !is_again(t, merged.t.at(merged.count - 1)) || !may_be_met_twice(one, exact, t))
       merged.push_back(t);
-  if (merged.count == hits.count) return;
-  const auto exact = std::get<RayAnswer>(oracle::answer(one));
-  if (hits.count > exact.hits.count && may_be_met_twice(one, exact, merged.t[0])) hits = merged;
+  hits = merged;
 }
 
 /// Puts in the exact hits at a rim that are left out, where that makes up the number of hits. Point and
