@@ -128,7 +128,10 @@ console.log(hit ? "hit = 1, distance = " + hit.distance : "hit = 0");
   const [hit] = new THREE.Raycaster(vector(given.origin), vector(direction), near, far).intersectObject(mesh);
   if (isReproducing) show({ printed: hit ? "hit = 1, distance = " + hit.distance : "hit = 0", said: hit ? { hit: 1, distance: hit.distance } : { hit: 0 } });
   if (!hit) return { id, verdict: "miss", hits: [] };
-  return { id, verdict: "hit", hits: [{ t: written(hit.distance / length) }], point: hit.point.toArray().map(written) };
+  // A distance within near and far is a t within t_min and t_max: what the division rounds is not the library's.
+  const isWithin = near <= hit.distance && hit.distance <= far, t = hit.distance / length;
+  const said = isWithin ? Math.min(Math.max(t, given.t_min), given.t_max) : t;
+  return { id, verdict: "hit", hits: [{ t: written(said) }], point: hit.point.toArray().map(written) };
 }
 
 if (process.argv.includes("--about")) {

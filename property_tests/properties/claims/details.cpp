@@ -44,7 +44,8 @@ std::optional<ErrorOfHit> of_surface(Trial& trial) {
   return measured(trial.details().surface, promised_surface(trial));
 }
 std::optional<ErrorOfHit> of_normal(Trial& trial) {
-  const double allowed = trial.subject().has_own_contract ? 1 : allowed_of_normal(trial.question());
+  const double allowed =
+      trial.subject().has_own_contract ? 1 : allowed_of_normal(trial.question(), trial.judgement().far);
   return measured(trial.details().normal, allowed * trial.subject().contract.hit.normal.promised);
 }
 std::optional<ErrorOfHit> of_coordinates(Trial& trial) {

@@ -144,10 +144,22 @@ std::vector<Cover::Candidate> Cover::chosen() const {
     const double nearly = is_of_size ? 1 : is_model ? nearly_as_good_model : nearly_as_good_cure;
     const auto best = std::ranges::find_if(worth, [&](double one) { return one >= nearly * most; });
     const auto place = open.begin() + (best - worth.begin());
-    for (std::size_t k = 0; k < sheets_.size(); ++k) left[k] = without(left[k], place->explained[k]);
     taken.push_back(std::move(*place));
     open.erase(place);
+    for (std::size_t k = 0; k < sheets_.size(); ++k)
+      left[k] = without(left[k], without(taken.back().explained[k], kept_for_models(taken.back(), k, open)));
   }
+}
+
+/// The cases of a complaint that a cure helps in which only avoids what is asked, and that a model foresees.
+Indices Cover::kept_for_models(const Candidate& cure, std::size_t complaint,
+                               std::span<const Candidate> open) const {
+  Indices kept;
+  const bool avoids =
+      cure.cause->change != nullptr && cure.cause->keeps == Keeps::verdict && !cure.cause->perturbs;
+  for (const Candidate& one : open)
+    if (avoids && one.cause->change == nullptr) kept = united(kept, one.explained[complaint]);
+  return kept;
 }
 
 /// Whether what is left of the complaint is enough for a group: a good part of it, or a model's proof.

@@ -37,6 +37,8 @@ class Cover {
   [[nodiscard]] Candidate* model_of(const Candidate& cure, std::vector<Candidate>& candidates) const;
   void name_by_models(std::vector<Candidate>& candidates) const;
   [[nodiscard]] std::vector<Candidate> chosen() const;
+  [[nodiscard]] Indices kept_for_models(const Candidate& cure, std::size_t complaint,
+                                        std::span<const Candidate> open) const;
   [[nodiscard]] std::vector<Diagnosis> groups_of(std::size_t complaint,
                                                  std::span<const Candidate> causes) const;
   [[nodiscard]] bool is_group(const Candidate& one, std::size_t complaint, const Indices& left) const;

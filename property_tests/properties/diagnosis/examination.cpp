@@ -249,6 +249,19 @@ bool Examination::is_beyond_rounding(std::size_t i) const {
   return beside && lost * unit * generous < 1 && !agree(one, *known.got, exact, *beside);
 }
 
+bool Examination::is_of_ordinary_size(std::size_t i) const {
+  const auto& [one, exact] = failing_.at(i).asked;
+  const auto is_ordinary = [](double x) {
+    return x == 0 || !std::isfinite(x) || (0x1p-10 <= std::abs(x) && std::abs(x) <= 0x1p10);
+  };
+  bool are_all = true;
+  each_number_of(one, [&](double x) { are_all = are_all && is_ordinary(x); });
+  const RayQuestion* asked = ray_question(one);
+  const double length = asked == nullptr ? 1 : glm::length(asked->ray.direction);
+  for (const double t : numbers_in(exact)) are_all = are_all && is_ordinary(t) && is_ordinary(t * length);
+  return are_all;
+}
+
 double Examination::error_of(std::size_t i) const {
   const Known& known = failing_.at(i);
   if (!known.got || std::holds_alternative<Position>(*known.got)) return HUGE_VAL;

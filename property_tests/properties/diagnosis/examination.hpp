@@ -31,6 +31,9 @@ class Examination {
   [[nodiscard]] bool is_beyond_rounding(std::size_t i) const;
   /// Of the failing cases, those on a boundary.
   [[nodiscard]] bool is_boundary_case(std::size_t i) const { return is_on_boundary(failing_.at(i).asked); }
+  /// Whether all numbers of a failing case, its hits, and the lengths to them are of ordinary size, about
+  /// 1e-3 to 1e3.
+  [[nodiscard]] bool is_of_ordinary_size(std::size_t i) const;
   /// The largest relative error of the numbers in the answer to a failing case; infinite where the verdict is
   /// wrong.
   [[nodiscard]] double error_of(std::size_t i) const;

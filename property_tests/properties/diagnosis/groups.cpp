@@ -36,6 +36,15 @@ void describe_unknown(Diagnosis& group, const Examination& examination) {
                                group.cases.size() == 1 ? "case" : "cases");
 }
 
+/// Whether the fault has to do with sizes, and next to no case of ordinary size shows it.
+bool is_of_sizes_alone(const Diagnosis& group, const Examination& examination) {
+  const OfSizes sizes = group.cause->of_sizes;
+  if (sizes != OfSizes::small && sizes != OfSizes::limit && sizes != OfSizes::extremes) return false;
+  const auto ordinary =
+      std::ranges::count_if(group.cases, [&](std::size_t i) { return examination.is_of_ordinary_size(i); });
+  return 10 * ordinary < static_cast<std::ptrdiff_t>(group.cases.size());
+}
+
 void describe(Diagnosis& group, const Examination& examination) {
   const auto beyond =
       std::ranges::count_if(group.cases, [&](std::size_t i) { return examination.is_beyond_rounding(i); });
@@ -44,6 +53,8 @@ void describe(Diagnosis& group, const Examination& examination) {
   group.kind = group.cause->kind;
   const bool has_own_words = examination.is_equation() && !group.cause->of_equation.empty();
   group.sentence = has_own_words ? group.cause->of_equation : group.cause->sentence;
+  if (group.kind == FindingKind::gross && is_of_sizes_alone(group, examination))
+    group.kind = FindingKind::range;
   if (group.cause->change == nullptr || group.kind == FindingKind::gross) return;
   if (group.is_beyond_rounding && !group.cause->beyond_rounding.empty()) {
     group.kind = FindingKind::gross;

@@ -19,6 +19,7 @@ namespace rayproof::diagnosis {
 [[nodiscard]] std::vector<Hypothesis> models_of_weights();
 [[nodiscard]] std::vector<Hypothesis> models_of_projections();
 [[nodiscard]] std::vector<Hypothesis> models_of_cylinders();
+[[nodiscard]] std::vector<Hypothesis> models_of_edges();
 [[nodiscard]] std::vector<Hypothesis> models_of_flat_figures();
 [[nodiscard]] std::vector<Hypothesis> models_of_readings();
 [[nodiscard]] std::vector<Hypothesis> models_of_first_hits();

@@ -7,6 +7,7 @@
 
 #include "case/each_number.hpp"
 #include "properties/trial.hpp"
+#include "subjects/default_contract.hpp"
 
 namespace rayproof {
 namespace {
@@ -33,6 +34,12 @@ double reach_in_world(const RayQuestion& asked) {
   return reach * longest + glm::length(glm::dvec3(map[3]));
 }
 
+/// How many radii the centre of a sphere is from (0, 0, 0); 0 of other shapes.
+double radii_away(const RayQuestion& asked) {
+  const auto* sphere = std::get_if<Sphere<double>>(&asked.shape);
+  return sphere == nullptr || sphere->radius == 0 ? 0 : glm::length(sphere->center) / sphere->radius;
+}
+
 }  // namespace
 
 double allowed_of_hits(const Case& one) {
@@ -44,10 +51,11 @@ double allowed_of_hits(const Case& one) {
   return in_units > 0 ? std::max(1.0, plain / in_units) : 1;
 }
 
-double allowed_of_normal(const Case& one) {
+double allowed_of_normal(const Case& one, double far) {
   const auto* asked = std::get_if<RayQuestion>(&one.question);
   const bool has_map = asked != nullptr && asked->transform.has_value();
-  return allowed_of_hits(one) * (has_map ? std::max(1.0, condition_of(*asked->transform)) : 1);
+  const double of_round = loses_digits_from_afar(topic_of(one)) ? std::max(1.0, far) + radii_away(*asked) : 1;
+  return allowed_of_hits(one) * of_round * (has_map ? std::max(1.0, condition_of(*asked->transform)) : 1);
 }
 
 double allowed_of_point(const Case& one, double t, double condition_of_coordinates) {

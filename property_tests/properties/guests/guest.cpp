@@ -8,7 +8,9 @@
 
 #include "oracle/oracle.hpp"
 #include "properties/boundary.hpp"
+#include "properties/edges.hpp"
 #include "properties/numbers.hpp"
+#include "properties/trial.hpp"
 
 namespace rayproof {
 namespace {
@@ -20,33 +22,30 @@ bool is_near(double t, double other, double share) {
   return std::abs(other - t) <= share * std::max(std::abs(t), std::abs(other));
 }
 
-/// Hits that are one but for their last digits (a double root, or a rim that was met as a part of the side
-/// and of the cap) are one where there are more than there should be.
-void merge_near_hits(const Case& one, HitList& hits) {
-  HitList merged;
-  for (const double t : hits.view())
-    if (merged.count == 0 || !is_near(merged.t.at(merged.count - 1), t, last_digits(one.precision)))
-      merged.push_back(t);
-  if (merged.count == hits.count) return;
-  const auto exact = std::get<RayAnswer>(oracle::answer(one));
-  if (hits.count > exact.hits.count) hits = merged;
+/// Whether one hit may be met twice: where the line touches, or meets an edge or a rim, where the line's own
+/// two hits are near each other, and inside a polygon, which may be made of triangles.
+bool may_be_met_twice(const Case& one, const RayAnswer& exact, double t) {
+  const double share = last_digits(one.precision);
+  if (exact.contact != Contact::crossing || is_at_edge(one, t, share)) return true;
+  if (std::holds_alternative<Polygon<double>>(std::get<RayQuestion>(one.question).shape)) return true;
+  const HitList line = std::get<RayAnswer>(oracle::answer(on_whole_line(one))).hits;
+  return line.count > 1 && is_near(line.t[0], line.t[1], share);
 }
 
-/// Whether the ray at t is at the rim of a cylinder's cap, as far as rounding can say: a plain method asks
-/// once for the side and once for the cap, and may miss the solid's hit between them.
-bool is_at_rim(const Case& one, double t) {
-  const auto& asked = std::get<RayQuestion>(one.question);
-  const auto* cylinder = std::get_if<Cylinder<double>>(&asked.shape);
-  if (cylinder == nullptr || !cylinder->capped) return false;
-  const glm::dmat4 map = glm::inverse(asked.transform.value_or(glm::dmat4(1)));
-  const glm::dvec3 origin(map * glm::dvec4(asked.ray.origin, 1));
-  const glm::dvec3 way = t * glm::dvec3(map * glm::dvec4(asked.ray.direction, 0));
-  const glm::dvec3 place = origin + way;
-  const double share = one.precision == Precision::float32 ? 0x1p-18 : 0x1p-40;
-  const double band = share * (glm::length(origin) + glm::length(way) + cylinder->height);
-  const double x = place.x / cylinder->rx, y = place.y / cylinder->ry;
-  const double beside_side = std::abs(x * x + y * y - 1) * std::min(cylinder->rx, cylinder->ry);
-  return std::min(std::abs(place.z), std::abs(place.z - cylinder->height)) <= band && beside_side <= band;
+/// Hits that are one but for their last digits (a double root, or a rim that was met as a part of the side
+/// and of the cap) are one where there are more than there should be, and one may be met twice.
+void merge_near_hits(const Case& one, HitList& hits) {
+  const auto is_again = [&](double t, double before) {
+    return is_near(before, t, last_digits(one.precision));
+  };
+  if (std::ranges::adjacent_find(hits.view(), is_again) == hits.view().end()) return;
+  const auto exact = std::get<RayAnswer>(oracle::answer(one));
+  if (hits.count <= exact.hits.count) return;
+  HitList merged;
+  for (const double t : hits.view())
+    if (merged.count == 0 || !is_again(t, merged.t.at(merged.count - 1)) || !may_be_met_twice(one, exact, t))
+      merged.push_back(t);
+  hits = merged;
 }
 
 /// Puts in the exact hits at a rim that are left out, where that makes up the number of hits. Point and
@@ -63,7 +62,7 @@ void add_hits_at_rims(const Case& one, RayAnswer& answer) {
     const auto same = std::ranges::find_if(hits.view(), [&](double own) { return is_near(own, t, share); });
     if (same != hits.view().end())
       all.push_back(*same);
-    else if (is_at_rim(one, t))
+    else if (is_at_rim(one, t, share_of_rounding(one.precision)))
       all.push_back(t);
   }
   if (all.count != exact.hits.count) return;

@@ -90,12 +90,17 @@ bool is_part_of_other(const Finding& finding, const std::vector<Finding>& all, c
       all, [&](const Finding& one) { return one.subject == finding.subject && says.is_part(finding, one); });
 }
 
-/// Whether it says no more than that digits are lost, of a subject of which more is known.
-bool is_lost_in_more(const Finding& finding, const std::vector<Finding>& all) {
+/// Whether it says no more than that digits are lost, of a subject of which more is known; or where it does
+/// not say why, and another finding does.
+bool is_lost_in_more(const Finding& finding, const std::vector<Finding>& all, const CauseSays& says) {
+  const auto says_more = [&](const Finding& one) {
+    if (one.property == finding.property)
+      return says.is_avoided(finding) && !says.is_avoided(one) && one.cause != nullptr &&
+             one.cases >= finding.cases;
+    return one.property->claim != Claim::answers && (finding.cause == nullptr || one.cause == finding.cause);
+  };
   return finding.property->name == "digits" && std::ranges::any_of(all, [&](const Finding& one) {
-           return one.subject == finding.subject && one.property != finding.property &&
-                  one.property->claim != Claim::answers &&
-                  (finding.cause == nullptr || one.cause == finding.cause);
+           return one.subject == finding.subject && says_more(one);
          });
 }
 
@@ -145,7 +150,7 @@ void put_together(std::vector<Finding>& findings, KindOf gravity, const CauseSay
     return is_of_guest(one) &&
            (is_overshadowed(one, all, gravity) || is_boundary_of_more(one, all, gravity, says) ||
             is_fringe_of_more(one, all, gravity, says) || is_part_of_other(one, all, says) ||
-            is_lost_in_more(one, all));
+            is_lost_in_more(one, all, says));
   });
   findings = std::move(kept);
 }

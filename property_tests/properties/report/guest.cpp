@@ -81,7 +81,11 @@ std::string not_judged(const Plan& plan, const Subject& guest, const Tally& tall
     if (!plan.is_wanted[p] || is_for_own_methods(property)) continue;
     std::string reason = left_out(guest, property);
     if (is_one_of(property, {"boundary"}) && tally.properties[p].judged() == 0)
-      reason = "its verdicts there are right, or follow no single rule";
+      reason =
+          guest.topic == "polygon"
+              ? "its verdicts there are right, or it is half-open: of its sides some belong to it, as even "
+                "and odd crossings have it"
+              : "its verdicts there are right, or follow no single rule";
     by_reason[reason].push_back(property.name);
   }
   by_reason.erase("");

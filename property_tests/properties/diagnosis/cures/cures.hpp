@@ -12,10 +12,11 @@ using Cases = std::vector<Case>;
 
 /// The case itself.
 [[nodiscard]] Cases unchanged(const Case& one);
-/// @{ The direction: of unit length; tilted off the axes by a thousandth without moving the hit; of positive
-/// components, the scene mirrored with it.
+/// @{ The direction: of unit length; tilted off the axes by a thousandth without moving the hit; without
+/// components below a millionth of the largest; of positive components, the scene mirrored with it.
 [[nodiscard]] Cases unit_direction(const Case& one);
 [[nodiscard]] Cases tilted(const Case& one);
+[[nodiscard]] Cases without_tiny_component(const Case& one);
 [[nodiscard]] Cases positive_direction(const Case& one);
 /// @}
 /// Every -0 becomes 0.

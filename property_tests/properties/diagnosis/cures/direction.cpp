@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "properties/diagnosis/cures/cures.hpp"
@@ -67,6 +68,20 @@ Cases tilted(const Case& one) {
     all.insert(all.end(), changed.begin(), changed.end());
   }
   return all;
+}
+
+Cases without_tiny_component(const Case& one) {
+  return with_question(one, [](RayQuestion& asked) {
+    glm::dvec3& d = asked.ray.direction;
+    const double tiny = 0x1p-20 * std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+    bool has_tiny = false;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (d[axis] == 0 || std::abs(d[axis]) > tiny) continue;
+      d[axis] = 0;
+      has_tiny = true;
+    }
+    return has_tiny;
+  });
 }
 
 Cases positive_direction(const Case& one) {

@@ -11,6 +11,7 @@
 
 #include "oracle/oracle.hpp"
 #include "properties/claims/answers.hpp"
+#include "properties/diagnosis/models/plane_hit.hpp"
 #include "properties/numbers.hpp"
 
 namespace rayproof::diagnosis {
@@ -36,12 +37,25 @@ std::optional<double> largest_error(const Answer& got, const Answer& exact) {
 
 bool is_float(double x) { return !std::isfinite(x) || static_cast<double>(static_cast<float>(x)) == x; }
 
+/// Whether a product of three of the case's numbers may overflow or vanish in a float.
+bool is_beyond_float(const Case& one) {
+  bool is_beyond = false;
+  each_number_of(one, [&](double x) {
+    is_beyond = is_beyond || (x != 0 && std::isfinite(x) && std::abs(std::ilogb(x)) > 42);
+  });
+  return is_beyond;
+}
+
 /// Whether a hit is as far from the surface, or a wrong verdict from being right, as a float's rounding of
-/// the scene puts it, and a double's does not: what cancels in t does not there.
-bool is_off_by_a_float(const oracle::Judgement& judgement) {
+/// the scene puts it, and a double's does not: what cancels in t does not there. Of a triangle or a polygon
+/// plain doubles are right to their bound, and all that is wrong may be a float's, its range too.
+bool is_off_by_a_float(const Case& one, const oracle::Judgement& judgement) {
   constexpr double generous = 1024;  // times what plain methods lose
   const double off = std::max(judgement.wrong ? judgement.margin : 0, judgement.residual);
-  return 0x1p19 < off && off < 0x1p34 && off > generous * judgement.far * judgement.far;
+  const double far = judgement.far;
+  if (plane_hit(one))
+    return (generous < off && off < 0x1p34 * far) || (judgement.wrong && is_beyond_float(one));
+  return 0x1p19 < off && off < 0x1p34 && off > generous * far * far;
 }
 
 /// Whether the worst error is one of float's rounding. More says nothing of numbers that nearly cancel; a
@@ -64,7 +78,7 @@ std::optional<bool> is_of_float(const Case& one, const Answer& got, const Answer
 
 std::optional<bool> is_right_to_float(const Case& one, const Answer& got, const Answer& exact) {
   if (one.precision == Precision::float32) return std::nullopt;
-  if (is_off_by_a_float(oracle::judge(one, got))) return true;
+  if (is_off_by_a_float(one, oracle::judge(one, got))) return true;
   const std::vector<double> numbers = numbers_in(got), exactly = numbers_in(exact);
   if (numbers.empty() || numbers.size() > exactly.size()) return std::nullopt;
   double worst = 0;

@@ -19,6 +19,14 @@ bool is_contact(const Answer& exact, Contact contact) {
   return answer != nullptr && answer->contact == contact;
 }
 
+/// Whether the normal of a plane is along an axis, so that nothing of it is rounded; of other shapes always.
+bool has_normal_along_axis(const Case& one) {
+  const auto is_along = [](const glm::dvec3& n) { return (n.x != 0) + (n.y != 0) + (n.z != 0) == 1; };
+  if (const auto* plane = shape_in<ImplicitPlane>(one)) return is_along(plane->normal);
+  if (const auto* plane = shape_in<PointNormalPlane>(one)) return is_along(plane->normal);
+  return true;
+}
+
 Answers if_position(const Answer& exact, Position from, Position to) {
   const auto* position = std::get_if<Position>(&exact);
   return position != nullptr && *position == from ? Answers{to} : Answers{};
@@ -125,6 +133,14 @@ Answers double_hit_twice(const Case& /*one*/, const Answer& exact) {
           QuadraticAnswer<double>{RootKind::twice, 2, {x, x}}};
 }
 
+Answers single_hit_twice(const Case& /*one*/, const Answer& exact) {
+  const RayAnswer* answer = hit_of(exact);
+  if (answer == nullptr || answer->hits.count != 1 || answer->contact != Contact::crossing) return {};
+  RayAnswer twice = *answer;
+  twice.hits.push_back(answer->hits.t[0]);
+  return {twice};
+}
+
 Answers boundary_is_outside(const Case& /*one*/, const Answer& exact) {
   if (std::holds_alternative<Position>(exact))
     return if_position(exact, Position::boundary, Position::outside);
@@ -141,8 +157,8 @@ Answers boundary_is_inside(const Case& /*one*/, const Answer& exact) {
 std::optional<bool> in_surface_is_hit(const Case& one, const Answer& got, const Answer& exact) {
   if (!is_contact(exact, Contact::in_surface)) return std::nullopt;
   if (finds_something(got)) return true;
-  // It may say so at t = 0 alone.
-  const bool may_miss = !in_interval(ray_question(one)->ray, 0.0);
+  // It may say so at t = 0 alone, and where a normal that is made a unit vector keeps n·d = 0.
+  const bool may_miss = !in_interval(ray_question(one)->ray, 0.0) || !has_normal_along_axis(one);
   return may_miss ? std::nullopt : std::optional(false);
 }
 

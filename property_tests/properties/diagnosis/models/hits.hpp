@@ -28,6 +28,8 @@ namespace rayproof::diagnosis {
 [[nodiscard]] Answers root_alone(const Case& one, const Answer& exact);
 /// Two equal hits, or roots, where there is one double one.
 [[nodiscard]] Answers double_hit_twice(const Case& one, const Answer& exact);
+/// One crossing in the interval is reported twice.
+[[nodiscard]] Answers single_hit_twice(const Case& one, const Answer& exact);
 
 /// A hit that first touches in that manner is missed.
 template <Contact contact>

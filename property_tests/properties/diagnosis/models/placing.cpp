@@ -4,6 +4,9 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "properties/claims/answers.hpp"
+#include "properties/diagnosis/models/plane_hit.hpp"
+
 namespace rayproof::diagnosis {
 namespace {
 
@@ -92,6 +95,23 @@ std::vector<Case> edges_translated(const Case& one) {
     for (glm::dvec3& edge : solid.edges) edge = point_in(matrix, edge);
     return solid;
   });
+}
+
+Answers beyond_bounding_sphere(const Case& one, const Answer& exact) {
+  const auto figure = flat_figure(one);
+  const RayQuestion* asked = ray_question(one);
+  if (!figure || !asked->transform || !finds_something(exact)) return {};
+  const glm::dmat4& matrix = *asked->transform;
+  glm::dvec3 low = figure->vertices.front(), high = low;
+  for (const glm::dvec3& vertex : figure->vertices)
+    low = glm::min(low, vertex), high = glm::max(high, vertex);
+  const glm::dvec3 middle = (low + high) / 2.0, centre = point_in(matrix, middle);
+  double radius = 0;
+  for (const glm::dvec3& vertex : figure->vertices) radius = std::max(radius, glm::length(vertex - middle));
+  radius *= std::max({glm::length(matrix[0]), glm::length(matrix[1]), glm::length(matrix[2])});
+  const glm::dvec3 &d = asked->ray.direction, way = centre - asked->ray.origin;
+  const double nearest = std::max(0.0, glm::dot(way, d) / glm::dot(d, d));
+  return glm::length(way - nearest * d) > radius ? Answers{RayAnswer{}} : Answers{};
 }
 
 }  // namespace rayproof::diagnosis

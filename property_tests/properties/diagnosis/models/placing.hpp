@@ -19,5 +19,8 @@ namespace rayproof::diagnosis {
 [[nodiscard]] std::vector<Case> corner_not_moved(const Case& one);
 [[nodiscard]] std::vector<Case> edges_translated(const Case& one);
 /// @}
+/// A triangle or polygon under a transform is missed where the ray passes the sphere round its bounding box,
+/// whose radius is scaled by the longest column of the matrix.
+[[nodiscard]] Answers beyond_bounding_sphere(const Case& one, const Answer& exact);
 
 }  // namespace rayproof::diagnosis

@@ -5,28 +5,11 @@
 #include <optional>
 
 #include "properties/claims/answers.hpp"
+#include "properties/edges.hpp"
 
 namespace rayproof::diagnosis {
+
 namespace {
-
-/// A box, or a parallelepiped as the unit cube of its own coordinates, with the ray in the same space.
-struct Cube {
-  Ray<double> ray;
-  glm::dvec3 low, high;
-};
-
-std::optional<Cube> cube_in(const Case& one) {
-  const RayQuestion* asked = ray_question(one);
-  if (asked == nullptr) return std::nullopt;
-  Ray<double> ray = ray_in_object(*asked);
-  if (const auto* box = std::get_if<Box<double>>(&asked->shape)) return Cube{ray, box->min, box->max};
-  const auto* solid = std::get_if<Parallelepiped<double>>(&asked->shape);
-  if (solid == nullptr) return std::nullopt;
-  const glm::dmat3 inverse = glm::inverse(glm::dmat3(solid->edges[0], solid->edges[1], solid->edges[2]));
-  ray.origin = inverse * (ray.origin - solid->corner);
-  ray.direction = inverse * ray.direction;
-  return Cube{ray, glm::dvec3(0), glm::dvec3(1)};
-}
 
 /// The t at which the line enters and leaves each slab that it is not parallel to; nothing where it runs
 /// beside one.

@@ -63,6 +63,9 @@ std::vector<Hypothesis> cures_of_values() {
           "tilted", tilted,
           "right as soon as the direction is tilted off the axes: 0·∞ or a division by a component that is "
           "0"),
+      exact_cure("without-tiny-component", without_tiny_component,
+                 "right as soon as a component of the direction is 0 that is tiny beside the others: what "
+                 "decides is a coordinate in which the ray hardly moves"),
       cure("turned", turned,
            "right as soon as the scene is turned off the axes: a direction, a side or a plane along an axis "
            "is "

@@ -87,6 +87,8 @@ std::vector<Hypothesis> models_of_hits() {
             "the hits are right, and do not always stand in ascending order: they are not sorted"),
       gives("root-alone", root_alone, "of two roots only one is given"),
       gives("double-hit-twice", double_hit_twice, "a double root is reported twice", boundary),
+      gives("single-hit-twice", single_hit_twice,
+            "where one hit alone is in the interval it is reported twice"),
       misses_zero("tangent-missed", misses_at<Contact::tangent>, "a ray that only touches is missed"),
       misses_zero("edge-missed", misses_at<Contact::edge>,
                   "every hit on an edge is missed: the shape is taken without its edges"),

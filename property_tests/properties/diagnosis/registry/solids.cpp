@@ -4,6 +4,7 @@
 #include "properties/diagnosis/cures/cures.hpp"
 #include "properties/diagnosis/models/caps.hpp"
 #include "properties/diagnosis/models/cylinder.hpp"
+#include "properties/diagnosis/models/edges.hpp"
 #include "properties/diagnosis/models/faces.hpp"
 #include "properties/diagnosis/models/placing.hpp"
 #include "properties/diagnosis/models/slabs.hpp"
@@ -53,6 +54,10 @@ std::vector<Hypothesis> models_of_transforms() {
             "the edges are taken to the world, and the corner is not"),
       gives("edges-translated", read_as<edges_translated>,
             "the edges are taken to the world like points: they are translated, too"),
+      gives(
+          "bounding-sphere-too-small", beyond_bounding_sphere,
+          "what its bounding sphere does not hold is missed: its radius is made longer by the longest column "
+          "of the matrix, which is too little where the matrix shears"),
   };
 }
 
@@ -219,6 +224,23 @@ std::vector<Hypothesis> models_of_cylinders() {
             "the answer is right for a cylinder along y, its radii along z and x"),
       gives("middle-at-zero", read_as<middle_at_zero>,
             "the answer is right for a cylinder from -height/2 to height/2"),
+  };
+}
+
+std::vector<Hypothesis> models_of_edges() {
+  return {
+      shows("rounded-edges", has_rounded_edges,
+            "the edges and corners of a box are rounded off: a smaller box is met, with a margin around it"),
+      shows(
+          "rounded-centre", is_of_rounded_centre,
+          "right for the box whose centre and half lengths are rounded: far from the origin of coordinates, "
+          "or beside a long side, these lose the digits of min and max",
+          rounding),
+      shows(
+          "missed-through-edge", missed_through_edge,
+          "a ray that enters the solid through an edge, or a rim, is missed: rounding puts the point beside "
+          "either face",
+          boundary),
   };
 }
 

@@ -33,6 +33,17 @@ TEST(Allowance, OfNormalsGrowsWithTheConditionOfTheMap) {
   EXPECT_NEAR(allowed_of_normal(one), 1414, 1);  // in Frobenius' norm: about √2 of 1000
 }
 
+TEST(Allowance, OfTheNormalOfWhatIsRoundGrowsWithTheDistance) {
+  const auto allowed = [](const char* shape) {
+    return allowed_of_normal(
+        read_case(std::string(R"({"ray": {"origin": [0,0,-5], "direction": [0,0,1]}, "shape": )") + shape +
+                  "}"),
+        100);
+  };
+  EXPECT_EQ(allowed(R"({"type": "sphere", "center": [0,0,0], "radius": 1})"), 100);
+  EXPECT_EQ(allowed(R"({"type": "box", "min": [0,0,0], "max": [1,1,1]})"), 1);
+}
+
 TEST(Allowance, OfPointsGrowsWithTheShapeTheConditionOfItsCoordinatesAndOfTheMap) {
   const Case far = read_case(
       R"({"ray": {"origin": [0,0,-5], "direction": [0,0,1]}, "shape": {"type": "sphere", "center": [0,0,0], "radius": 1}})");

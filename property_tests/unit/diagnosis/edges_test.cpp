@@ -1,0 +1,98 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "case/reader.hpp"
+#include "oracle/oracle.hpp"
+#include "unit/diagnosis/clinic.hpp"
+#include "unit/diagnosis/faulty/faulty.hpp"
+
+namespace rayproof::faulty {
+namespace {
+
+RayAnswer hit_at(double t) {
+  RayAnswer answer{.nearest_only = true};
+  answer.hits.push_back(t);
+  return answer;
+}
+
+/// Whether the answer to the case bears the mark of the model.
+std::optional<bool> bears(const char* model, const char* text, const RayAnswer& got) {
+  const Case one = read_case(text);
+  return find_hypothesis(model)->recognise(one, got, oracle::answer(one));
+}
+
+constexpr const char* along_a_diagonal =
+    R"({"ray": {"origin": [0.5,-2,-2], "direction": [0,1,1]}, "shape": {"type": "box", "min": [0,0,0], "max": [1,1,1]}})";
+constexpr const char* through_the_middle =
+    R"({"ray": {"origin": [0.5,0.5,-2], "direction": [0,0,1]}, "shape": {"type": "box", "min": [0,0,0], "max": [1,1,1]}})";
+
+TEST(DiagnosisOfEdges, KnowsABoxWhoseEdgesAreRoundedOff) {
+  // The edge x = y = 0 rounded off with a radius of 0.04 is 0.04 (1 - 1/√2) behind both faces.
+  const double behind = 0.04 * (1 - std::sqrt(0.5));
+  EXPECT_EQ(bears("rounded-edges", along_a_diagonal, hit_at(2 + behind)), true);
+  EXPECT_EQ(bears("rounded-edges", along_a_diagonal, hit_at(2)), std::nullopt) << "that is right";
+  EXPECT_EQ(bears("rounded-edges", along_a_diagonal, hit_at(2.2)), false) << "no radius is so large";
+  EXPECT_EQ(bears("rounded-edges", along_a_diagonal, hit_at(1.9)), false) << "it lies before the box";
+  EXPECT_EQ(bears("rounded-edges", through_the_middle, hit_at(2 + behind)), false);
+  const char* const beside_an_edge =
+      R"({"ray": {"origin": [0.5,-0.99,1], "direction": [0,1,-1]}, "shape": {"type": "box", "min": [0,0,0], "max": [1,1,1]}})";
+  EXPECT_EQ(bears("rounded-edges", beside_an_edge, {}), true);
+  EXPECT_EQ(bears("rounded-edges", through_the_middle, {}), false);
+}
+
+TEST(DiagnosisOfEdges, KnowsASolidThatIsMissedThroughAnEdgeOrARim) {
+  const char* const at_rim =
+      R"({"ray": {"origin": [-2,0,-1], "direction": [1,0,1]}, "shape": {"type": "cylinder", "rx": 1, "ry": 1, "height": 1, "capped": true}})";
+  EXPECT_EQ(bears("missed-through-edge", along_a_diagonal, {}), true);
+  EXPECT_EQ(bears("missed-through-edge", at_rim, {}), true);
+  EXPECT_EQ(bears("missed-through-edge", along_a_diagonal, hit_at(2)), std::nullopt);
+  EXPECT_EQ(bears("missed-through-edge", through_the_middle, {}), false);
+  const char* const touching =
+      R"({"ray": {"origin": [0.5,-1,1], "direction": [0,1,-1]}, "shape": {"type": "box", "min": [0,0,0], "max": [1,1,1]}})";
+  const char* const in_a_face =
+      R"({"ray": {"origin": [0,0.5,-2], "direction": [0,0,1]}, "shape": {"type": "box", "min": [0,0,0], "max": [1,1,1]}})";
+  EXPECT_EQ(bears("missed-through-edge", touching, {}), false);
+  EXPECT_EQ(bears("missed-through-edge", in_a_face, {}), false);
+}
+
+TEST(DiagnosisOfEdges, KnowsABoxOfARoundedCentre) {
+  // 5000000 + 4038432.25 is rounded to whole numbers in float32: the box then begins at -4999999.875.
+  const char* const in_its_face =
+      R"({"precision": "float32", "ray": {"origin": [0,-5000000,0], "direction": [1,0,0]}, "shape": {"type": "box", "min": [1,-5000000,0], "max": [9,-4038432.25,1]}})";
+  EXPECT_EQ(bears("rounded-centre", in_its_face, {}), true);
+  EXPECT_EQ(bears("rounded-centre", in_its_face, hit_at(1)), std::nullopt);
+  EXPECT_EQ(bears("rounded-centre", through_the_middle, {}), std::nullopt);
+}
+
+TEST(DiagnosisOfDirections, TakesAwayWhatIsTinyBesideTheRest) {
+  const Change change = find_hypothesis("without-tiny-component")->change;
+  const char* const tiny =
+      R"({"ray": {"origin": [-0.1,1,-0.25], "direction": [-2.8e-17,-1,1.5]}, "shape": {"type": "plane", "normal": [0,0,1], "d": 0}})";
+  const std::vector<Case> changed = change(read_case(tiny));
+  ASSERT_EQ(changed.size(), 1U);
+  EXPECT_EQ(std::get<RayQuestion>(changed.front().question).ray.direction, glm::dvec3(0, -1, 1.5));
+  EXPECT_TRUE(change(read_case(along_a_diagonal)).empty());
+}
+
+/// "range: ignores-t-min": what is found wrong with a sphere's verdicts, each cause once.
+template <Fault fault>
+std::set<std::string> kinds_and_causes() {
+  std::set<std::string> found;
+  const Subject subject = subject_of("sphere", answer<fault>);
+  for (const Diagnosis& group : faults_of(subject, *find_property("verdict"), Precision::float64, 100))
+    found.insert(std::string(name_of(group.kind)) + ": " +
+                 std::string(group.cause ? group.cause->name : "none"));
+  return found;
+}
+
+TEST(DiagnosisOfSizes, CallsAFaultOneOfRangeThatNoOrdinarySizeShows) {
+  EXPECT_EQ(kinds_and_causes<Fault::limited>(), std::set<std::string>{"range: limit-1e5"});
+  EXPECT_EQ(kinds_and_causes<Fault::ignores_t_min>(), std::set<std::string>{"gross: ignores-t-min"});
+}
+
+}  // namespace
+}  // namespace rayproof::faulty
