@@ -1,6 +1,7 @@
 #include "bench/figures/curve.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "bench/figures/median.hpp"
 
@@ -68,6 +69,11 @@ std::vector<CurveChart> charts_of(const std::vector<BenchRow>& rows, const std::
     else
       add(charts, row.shape, row.method, row);
   }
+  // The same line is drawn the same in every chart of scenes.
+  constexpr std::array order{"list", "tree", "tree in Embree", "Embree alone"};
+  const auto place = [&](const CurveLine& line) { return std::ranges::find(order, line.name); };
+  if (curve == "scenes")
+    for (CurveChart& chart : charts) std::ranges::stable_sort(chart.lines, std::less{}, place);
   return charts;
 }
 

@@ -13,8 +13,8 @@ namespace rayproof::report {
 namespace {
 
 std::string quartiles(const CurvePoint& point) {
-  return fmt::format("<td>{}<br><span class=\"soft\">{}–{}</span></td>", figure(point.ns), figure(point.low),
-                     figure(point.high));
+  return fmt::format("<td>{}<br><span class=\"soft\">{}–{}</span></td>", nanoseconds(point.ns),
+                     nanoseconds(point.low), nanoseconds(point.high));
 }
 
 /// All sizes of a chart, ascending.
@@ -78,7 +78,7 @@ std::string scaling_in_text(const std::vector<BenchRow>& rows) {
         text += fmt::format("{:>9}", size);
         for (const CurveLine& line : chart.lines) {
           const CurvePoint* const point = point_at(line, size);
-          text += fmt::format(" {:>22}", point == nullptr ? "-" : figure(point->ns));
+          text += fmt::format(" {:>22}", point == nullptr ? "-" : nanoseconds(point->ns));
         }
         text += '\n';
       }

@@ -16,6 +16,8 @@ std::string figure(double x) {
   return fmt::format("{:.3g}", x);
 }
 
+std::string nanoseconds(double ns) { return ns < 1000 ? figure(ns) : fmt::format("{:.0f}", ns); }
+
 std::string to_text(const Conclusions& found) {
   const auto& [figures, summaries, choices, plots, baseline] = found;
   std::string text = fmt::format("{}; {}\n", figures.machine, figures.compiler);

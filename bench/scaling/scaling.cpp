@@ -2,16 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 
 namespace rayproof::report {
 
 std::vector<BenchRow> measure_scaling(const BenchOptions& options, const ProgressListener& listener) {
   std::vector<ScalingStep> steps;
-  for (const auto& [name, made_by] :
-       {std::pair{"scenes", scenes_scaling}, std::pair{"polygon_size", polygon_scaling},
-        std::pair{"threads", threads_scaling}})
-    if (options.wants_scaling(name)) std::ranges::move(made_by(options), std::back_inserter(steps));
+  const auto add = [&](const char* name, std::vector<ScalingStep> (*curve)(const BenchOptions&)) {
+    if (options.wants_scaling(name)) std::ranges::move(curve(options), std::back_inserter(steps));
+  };
+  add("scenes", scenes_scaling);
+  add("polygon_size", polygon_scaling);
+  add("threads", threads_scaling);
 
   std::vector<BenchRow> rows;
   for (std::size_t i = 0; i < steps.size(); ++i) {

@@ -94,7 +94,7 @@ TEST(CurvesInSvg, HaveRoundNumbersAtTheAxes) {
 TEST(CurvesInSvg, OfOneSizeAreDrawnAllTheSame) {
   const std::string svg = scaling_in_svg({curve_row("threads", "rays", "sphere/centred", 1, 0.7)}, "threads");
   EXPECT_THAT(svg, HasSubstr("sphere/centred"));
-  EXPECT_THAT(svg, Not(HasSubstr("nan")));
+  EXPECT_THAT(svg, Not(HasSubstr("\"nan\"")));
   EXPECT_THAT(svg, Not(HasSubstr("inf\"")));
 }
 
@@ -110,7 +110,7 @@ TEST(CurvesInTables, HaveADashWhereASizeWasNotMeasured) {
   const std::vector<BenchRow> rows{curve_row("scenes", "mixed", "list", 1, 50),
                                    curve_row("scenes", "mixed", "tree", 1, 70),
                                    curve_row("scenes", "mixed", "tree", 100'000, 9000)};
-  EXPECT_THAT(scaling_in_html(rows), HasSubstr("<tr><td>100000</td><td>–</td><td>9e+03"));
+  EXPECT_THAT(scaling_in_html(rows), HasSubstr("<tr><td>100000</td><td>–</td><td>9000"));
   EXPECT_THAT(scaling_in_text(rows), HasSubstr("mixed, plain methods"));
 }
 
