@@ -26,7 +26,7 @@ struct EmbreeAlone {
   explicit EmbreeAlone(const Shape<float>& given)
       : shape_is_in_range(has_range(given)), scene(scene_of(given)) {}
   [[nodiscard]] std::optional<Ray<float>> prepared(const Ray<float>& ray) const {
-    if (!shape_is_in_range || !is_in_range(ray.origin)) return {};
+    if (!shape_is_in_range || !is_in_range(ray.origin) || !is_in_range(ray.direction)) return {};
     return ray;
   }
   [[nodiscard]] float nearest(const Ray<float>& ray) const { return scene.nearest(ray); }

@@ -14,7 +14,8 @@ namespace rayproof::report {
 /// A library's routine for one shape.
 struct PeerRoutine {
   Subject subject{};
-  /// Whether the routine can be asked; where it cannot, the case is left out.
+  /// Whether the routine can be asked: of t in [0, ∞] alone, and nothing that the library excludes. Where it
+  /// cannot, the case is left out.
   bool (*takes)(const Case&) = nullptr;
   std::vector<Contender> (*contenders)(const std::string& library, const std::vector<Case>& cases) = nullptr;
   std::size_t most_cases = 16'384;  ///< that are judged
@@ -53,7 +54,8 @@ template <class Routine, class T, template <class> class Shape>
 template <class Routine, class T, template <class> class Shape>
 [[nodiscard]] bool is_taken_by_routine(const Case& one) {
   const auto [ray, shape] = Reading<RayTopic<Shape>>::template problem<T>(one);
-  return Routine(shape).prepared(ray).has_value();
+  const bool has_interval = ray.t_min != 0 || ray.t_max != infinity<T>;
+  return !has_interval && Routine(shape).prepared(ray).has_value();
 }
 
 /// One ray at a time. Without a transform the rays were prepared beforehand, at no cost to the library; with

@@ -73,6 +73,17 @@ TEST(Peers, AreNotAskedWhatTheyExclude) {
     EXPECT_EQ(peer.takes(flat), peer.subject.name != "cgal") << "CGAL's manual excludes degenerate triangles";
 }
 
+TEST(Peers, AreAskedAboutNoInterval) {
+  for (const auto& [t_min, t_max] : {std::pair{-1.0, 9.0}, std::pair{1.0, infinity<double>}}) {
+    Case cut;
+    cut.question = RayQuestion{{{0, 0, -5}, {0, 0, 1}, t_min, t_max}, Sphere<double>{{0, 0, 0}, 1}};
+    for (const Precision precision : precisions) {
+      cut.precision = precision;
+      for (const PeerRoutine& peer : peers_of("sphere", precision)) EXPECT_FALSE(peer.takes(cut));
+    }
+  }
+}
+
 TEST(OracleContender, JudgesAsManyCasesAsItIsGiven) {
   const std::vector<Case> cases = random_cases("sphere", Precision::float32, 10);
   const Contender oracle = oracle_contender("sphere", cases);
