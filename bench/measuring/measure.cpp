@@ -69,7 +69,8 @@ void measure_family(const BenchOptions& options, const Family& family, Precision
   judge_peers(options, family, precision, judged, accuracies);
 
   std::vector<Contender> wanted = contenders(family.topic, judged.cases, precision);
-  std::ranges::move(peer_contenders(family.topic, judged.cases, precision), std::back_inserter(wanted));
+  if (is_of_scenes(family.name))
+    std::ranges::move(peer_contenders(family.topic, judged.cases, precision), std::back_inserter(wanted));
   std::erase_if(wanted, [&](const Contender& one) {
     return one.method != floor_name && !accuracies.contains(one.method);
   });
