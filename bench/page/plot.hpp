@@ -45,9 +45,10 @@ struct PlotPoint {
 
 /// One chart: speed across, one kind of error up.
 struct Panel {
-  /// Whether there is no room for a name to the right of a mark.
+  /// Whether a mark's name stands to its left: that of a batch, which may be near its scalar; and where there
+  /// is no room to the right.
   [[nodiscard]] bool is_named_on_the_left(const PlotPoint& point) const {
-    return point.x > x.low + 0.8 * (x.high - x.low);
+    return point.arrangement == Arrangement::batch || point.x > x.low + 0.8 * (x.high - x.low);
   }
 
   std::string title;

@@ -40,6 +40,7 @@ constexpr const char* scaling_style = R"css(<style>
 struct LogFrame {
   double x0 = 0, y0 = 0;
   double first = 0, last = 1, low = 1e300, high = -1e300;
+  double largest = 1;           ///< size
   std::vector<double> sizes{};  ///< that the axis shows
 
   [[nodiscard]] double x(double size) const {
@@ -65,6 +66,7 @@ LogFrame frame_of(const std::vector<CurveChart>& charts) {
       }
   frame.last = std::max(frame.last, frame.first + 0.1);
   const double wide = 0.04 * (frame.last - frame.first), tall = 0.05 * std::max(frame.high - frame.low, 0.2);
+  if (!sizes.empty()) frame.largest = *sizes.rbegin();
   constexpr std::size_t room = 7;
   const auto is_power = [](double size) { return std::abs(std::remainder(std::log10(size), 1)) < 1e-9; };
   for (const double size : sizes)
@@ -154,14 +156,16 @@ std::string line_of(const CurveLine& line, std::size_t index, const LogFrame& fr
 
 /// Whether a line ends far from the names: it has its own at its last mark.
 bool ends_early(const CurveLine& line, const LogFrame& frame) {
-  return frame.x(static_cast<double>(line.points.back().size)) < frame.x0 + 0.9 * frame_width;
+  return frame.x(static_cast<double>(line.points.back().size)) < frame.x(frame.largest) - 0.1 * frame_width;
 }
 
 std::string chart_in_svg(const CurveChart& chart, const LogFrame& frame, const char* sizes, bool has_ideal) {
   std::string svg = axes(frame, chart.title, sizes);
   std::vector<double> ends;
-  for (const CurveLine& line : chart.lines) ends.push_back(frame.y(line.points.back().ns) + 5);
+  for (const CurveLine& line : chart.lines)
+    if (!ends_early(line, frame)) ends.push_back(frame.y(line.points.back().ns) + 5);
   const std::vector<double> heights = spread_out(ends, frame.y0 + 12, frame.y0 + frame_height);
+  std::size_t name = 0;
   for (std::size_t i = 0; i < chart.lines.size(); ++i) {
     const CurveLine& line = chart.lines[i];
     const CurvePoint &first = line.points.front(), &last = line.points.back();
@@ -173,11 +177,13 @@ std::string chart_in_svg(const CurveChart& chart, const LogFrame& frame, const c
                            std::pow(10, frame.low))),
           "ideal");
     svg += fmt::format("<g class=\"l{}\">\n{}", i % 4, line_of(line, i, frame, sizes));
-    if (ends_early(line, frame))
-      svg += svg_text(x - 10, ends[i] - 10, "end", line.name, "class=\"label\"");
-    else
-      svg += svg_line(x + 7, ends[i] - 5, name_x - 4, heights[i] - 5, "leader") +
-             svg_text(name_x, heights[i], "start", line.name, "class=\"label\"");
+    const double end = frame.y(last.ns);
+    if (ends_early(line, frame)) {
+      svg += svg_text(x - 10, end - 5, "end", line.name, "class=\"label\"");
+    } else {
+      svg += svg_line(x + 7, end, name_x - 4, heights[name] - 5, "leader");
+      svg += svg_text(name_x, heights[name++], "start", line.name, "class=\"label\"");
+    }
     svg += "</g>\n";
   }
   return svg;
