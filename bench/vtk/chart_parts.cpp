@@ -73,8 +73,6 @@ namespace {
 class TextInChart : public vtkPlot {
  public:
   static TextInChart* New();
-  vtkTypeMacro(TextInChart, vtkPlot);
-
   bool Paint(vtkContext2D* painter) override {
     painter->ApplyTextProp(font);
     painter->DrawString(static_cast<float>(x), static_cast<float>(y), words);
