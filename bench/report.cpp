@@ -1,18 +1,19 @@
 /// \file
-/// rayproof report: speed against error, of every method in every arrangement, with GLM and the floor beside
-/// them.
+/// rayproof report: speed against error, of every method in every arrangement, with other people's libraries
+/// and the floor beside them; and how times grow.
 
 #include <filesystem>
 #include <fstream>
 #include <optional>
 
-#include "bench/contenders/measure.hpp"
 #include "bench/figures/json.hpp"
 #include "bench/page/choice_table.hpp"
 #include "bench/page/page.hpp"
 #include "bench/page/plot.hpp"
+#include "bench/page/scaling_svg.hpp"
 #include "bench/page/text.hpp"
 #include "bench/report/describe_options.hpp"
+#include "bench/scaling/scaling.hpp"
 #include "bench/vtk/plot_png.hpp"
 #include "command_line/command_line.hpp"
 #include "command_line/progress_line.hpp"
@@ -46,7 +47,7 @@ report::Measurements read_file(const std::string& path) {
 std::string write_leaving([[maybe_unused]] const report::BenchOptions& options,
                           [[maybe_unused]] ProgressLine& progress) {
 #ifdef RAYPROOF_LEAVING
-  if (options.has_filter() || !options.figures.empty()) return "";
+  if (options.has_filter() || !options.scaling.empty() || !options.figures.empty()) return "";
   constexpr std::size_t hits = 16384;
   const std::atomic<bool> never{false};
   const leaving::SearchResult result =
@@ -63,8 +64,9 @@ std::string write_leaving([[maybe_unused]] const report::BenchOptions& options,
 
 report::Measurements measured_or_read(const report::BenchOptions& options, ProgressLine& progress) {
   if (!options.figures.empty()) return read_file(options.figures);
-  report::Measurements figures =
-      report::measure(options, [&](double done, const std::string& what) { progress.show(done, what); });
+  const auto listener = [&](double done, const std::string& what) { progress.show(done, what); };
+  report::Measurements figures = report::measure(options, listener);
+  figures.scaling = report::measure_scaling(options, listener);
   progress.clear();
   return figures;
 }
@@ -89,6 +91,13 @@ int run(const report::BenchOptions& options) {
   if (const std::string price = report::choices_in_svg(found.choices); !price.empty()) {
     write_file(out / "price.svg", price);
     fmt::print("the price of an exact answer: {}\n", (out / "price.svg").string());
+  }
+  for (const char* const curve : report::scaling_names) {
+    const std::string svg = report::scaling_in_svg(figures.scaling, curve);
+    if (svg.empty()) continue;
+    const std::filesystem::path file = out / fmt::format("scaling-{}.svg", curve);
+    write_file(file, svg);
+    fmt::print("how times grow: {}\n", file.string());
   }
   for (const std::string& line : report::write_pngs(found.plots, out)) fmt::print("{}\n", line);
   fmt::print("{}", write_leaving(options, progress));

@@ -1,13 +1,16 @@
 /// \file
-/// The random problems of every topic: our kernels one problem at a time and in batches, GLM, and the floor
-/// of streaming the rays. The time is that of one pass over all problems; items per second are problems.
+/// The random problems of every topic: our kernels one problem at a time and in batches, other people's
+/// libraries, and the floor of streaming the rays. The time is that of one pass over all problems; items per
+/// second are problems.
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <string>
 
-#include "bench/contenders/contender.hpp"
+#include "bench/peers/peer.hpp"
 #include "generators/generators.hpp"
 
 namespace {
@@ -19,7 +22,9 @@ constexpr std::size_t problem_count = 65536;
 std::vector<report::Contender> contenders_of(const Family& family, Precision precision, std::size_t count) {
   std::vector<Case> cases;
   for (std::uint64_t seed = 0; seed < count; ++seed) cases.push_back(family.generate(seed, precision));
-  return report::contenders(family.topic, cases, precision, available_instruction_sets());
+  auto all = report::contenders(family.topic, cases, precision, available_instruction_sets());
+  std::ranges::move(report::peer_contenders(family.topic, cases, precision), std::back_inserter(all));
+  return all;
 }
 
 void add_all(const Family& family, Precision precision) {

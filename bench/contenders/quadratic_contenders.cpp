@@ -65,7 +65,7 @@ std::vector<Contender> quadratic_contenders_in(const std::vector<Case>& cases,
            set});
   });
   for (const InstructionSet set : sets)
-    all.push_back({BenchRow::floor_name, Arrangement::batch,
+    all.push_back({floor_name, Arrangement::batch,
                    [equations, set](std::size_t count) { equations->only_stream(count, set); }, set});
   return all;
 }

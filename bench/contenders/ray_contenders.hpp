@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Contenders over many rays at one shape: every method one ray at a time and in batches, GLM and the
+/// Contenders over many rays at one shape: every method one ray at a time and in batches, and the
 /// floor.
 
 #include <memory>
@@ -21,10 +21,8 @@ template <class Methods, template <class> class Shape, class T>
       all.push_back({Method::name, Arrangement::batch,
                      [rays, set](std::size_t count) { hit_in_batch<Method>(*rays, count, set); }, set});
   });
-  if constexpr (is_in_glm<Shape, T>)
-    all.push_back({"glm", Arrangement::scalar, [rays](std::size_t count) { hit_by_glm(*rays, count); }});
   for (const InstructionSet set : sets)
-    all.push_back({BenchRow::floor_name, Arrangement::batch,
+    all.push_back({floor_name, Arrangement::batch,
                    [rays, set](std::size_t count) { only_stream(*rays, count, set); }, set});
   return all;
 }

@@ -20,7 +20,6 @@ namespace rayproof::report {
 template <template <class> class Shape, class T>
 struct ShapeRays {
   std::array<std::vector<T>, 6> column;  ///< origin and direction
-  std::array<std::vector<T>, 3> unit;    ///< direction of length 1
   std::vector<T> t;                      ///< the answers
   Shape<T> shape{};
   std::optional<ObjectSpace<T>> space{};
@@ -64,12 +63,10 @@ struct ShapeRays {
   }
 
   void push_back(const Ray<T>& ray) {
-    const vec3<T> unit_direction = ray.direction / std::sqrt(dot(ray.direction, ray.direction));
     for (int axis = 0; axis < 3; ++axis) {
       const auto i = static_cast<std::size_t>(axis);
       column[i].push_back(ray.origin[axis]);
       column[i + 3].push_back(ray.direction[axis]);
-      unit[i].push_back(unit_direction[axis]);
     }
   }
 };

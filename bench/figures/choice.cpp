@@ -6,6 +6,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "bench/figures/median.hpp"
 #include "subjects/subject.hpp"
 
 namespace rayproof::report {
@@ -54,6 +55,17 @@ Choice choice_among(Scenes scenes, std::vector<MethodSummary> methods) {
   return choice;
 }
 
+/// The median over the families of what the oracle costs for such cases.
+std::optional<double> oracle_in(const std::vector<BenchRow>& rows, const Choice& choice) {
+  std::vector<double> times;
+  for (const BenchRow& row : rows)
+    if (row.method == oracle_name && row.shape == choice.fastest.shape &&
+        row.precision == choice.fastest.precision && is_of_scenes(row.family) &&
+        scenes_of(row.family) == choice.scenes)
+      times.push_back(row.ns_per_ray);
+  return times.empty() ? std::nullopt : std::optional(median(std::move(times)));
+}
+
 }  // namespace
 
 const char* name_of(Scenes scenes) {
@@ -91,6 +103,7 @@ std::vector<Choice> choose(const std::vector<BenchRow>& rows) {
       all.push_back(choice_among(scenes, std::move(group)));
     }
   }
+  for (Choice& one : all) one.oracle_ns = oracle_in(rows, one);
   const auto place = [&](const Choice& one) {
     const auto same_shape = [&](const BenchRow& row) { return row.shape == one.fastest.shape; };
     return std::tuple(std::ranges::find_if(rows, same_shape) - rows.begin(), one.fastest.precision,

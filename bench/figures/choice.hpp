@@ -28,6 +28,7 @@ struct Choice {
   MethodSummary closest{};  ///< of those at most twice as expensive: the fewest wrong verdicts, then the
                             ///< fewest bits of error
   std::optional<MethodSummary> exact{};  ///< the fastest with every verdict right and every t rounded rightly
+  std::optional<double> oracle_ns{};     ///< what an exact verdict of the oracle costs there
 };
 
 /// In the order of the rows' shapes and precisions.

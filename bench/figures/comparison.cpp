@@ -10,15 +10,13 @@ namespace {
 
 constexpr double notable = 1.2;
 
-std::vector<Change> common_rows(const Measurements& before, const Measurements& now) {
-  std::vector<Change> changes;
-  for (const BenchRow& row : now.rows) {
-    const auto same =
-        std::ranges::find_if(before.rows, [&](const BenchRow& old) { return old.is_same_as(row); });
-    if (same != before.rows.end() && same->ns_per_ray > 0)
+void add_common(const std::vector<BenchRow>& before, const std::vector<BenchRow>& now,
+                std::vector<Change>& changes) {
+  for (const BenchRow& row : now) {
+    const auto same = std::ranges::find_if(before, [&](const BenchRow& old) { return old.is_same_as(row); });
+    if (same != before.end() && same->ns_per_ray > 0)
       changes.push_back({&*same, &row, row.ns_per_ray / same->ns_per_ray});
   }
-  return changes;
 }
 
 bool is_wronger(const Accuracy& before, const Accuracy& now) {
@@ -35,7 +33,9 @@ bool is_beyond_spread(const BenchRow& longer, const BenchRow& shorter, double ma
 }  // namespace
 
 ReportComparison compare(const Measurements& before, const Measurements& now) {
-  std::vector<Change> changes = common_rows(before, now);
+  std::vector<Change> changes;
+  add_common(before.rows, now.rows, changes);
+  add_common(before.scaling, now.scaling, changes);
   ReportComparison result{.rows = changes.size()};
   if (changes.empty()) return result;
   std::vector<double> ratios;

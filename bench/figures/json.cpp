@@ -41,16 +41,30 @@ Json row_of(const BenchRow& row, std::size_t timed_rays) {
             {"precision", name_of(row.precision)},
             {"arrangement", name_of(row.arrangement)},
             {"family", row.family},
-            {"rays", row.is_floor() ? timed_rays : row.accuracy.cases},
+            {"rays", row.has_errors() ? row.accuracy.cases : timed_rays},
             {"ns_per_ray", row.ns_per_ray},
             {"passes_ns", passes_of(row.passes_ns)}};
   const Accuracy& errors = row.accuracy;
-  const auto add = [&](const char* name, const Json& value) { json[name] = row.is_floor() ? Json() : value; };
+  const auto add = [&](const char* name, const Json& value) {
+    json[name] = row.has_errors() ? value : Json();
+  };
   add("wrong_hits", errors.wrong_hits);
   add("wrong_misses", errors.wrong_misses);
   add("agreed_hits", errors.agreed_hits);
   for (const auto& [name, error] : errors_by_name) add(name, number(errors.*error));
   return json;
+}
+
+/// What stands at one size of a curve.
+Json scaling_of(const BenchRow& row) {
+  return {{"curve", row.family},
+          {"shape", row.shape},
+          {"method", row.method},
+          {"precision", name_of(row.precision)},
+          {"arrangement", name_of(row.arrangement)},
+          {"size", row.size},
+          {"ns_per_ray", row.ns_per_ray},
+          {"passes_ns", passes_of(row.passes_ns)}};
 }
 
 /// A member of an object, as what it is to be; FiguresError where it is not there or something else.
@@ -81,15 +95,28 @@ Value named(const Json& json, const std::string& place, const char* name,
   return *found;
 }
 
-BenchRow read_row(const Json& json, const std::string& place) {
+/// A number above 0.
+double positive(const Json& json, const std::string& place, const char* name) {
+  const auto value = member<double>(json, place, name);
+  if (!(value > 0)) throw FiguresError(fmt::format("{}: \"{}\" can't be {:g}", place, name, value));
+  return value;
+}
+
+/// What a row and a curve's have in common; the key `family_name` has the family.
+BenchRow read_timed(const Json& json, const std::string& place, const char* family_name) {
   BenchRow row{member<std::string>(json, place, "shape"),
                member<std::string>(json, place, "method"),
                named(json, place, "precision", {Precision::float32, Precision::float64}),
                named(json, place, "arrangement", {Arrangement::scalar, Arrangement::batch}),
-               member<std::string>(json, place, "family"),
-               member<double>(json, place, "ns_per_ray")};
+               member<std::string>(json, place, family_name),
+               positive(json, place, "ns_per_ray")};
   row.passes_ns = member<std::vector<double>>(json, place, "passes_ns");
-  if (row.is_floor()) return row;
+  return row;
+}
+
+BenchRow read_row(const Json& json, const std::string& place) {
+  BenchRow row = read_timed(json, place, "family");
+  if (!row.has_errors()) return row;
   row.accuracy.cases = member<std::size_t>(json, place, "rays");
   row.accuracy.wrong_hits = member<std::size_t>(json, place, "wrong_hits");
   row.accuracy.wrong_misses = member<std::size_t>(json, place, "wrong_misses");
@@ -98,12 +125,33 @@ BenchRow read_row(const Json& json, const std::string& place) {
   return row;
 }
 
+BenchRow read_scaling(const Json& json, const std::string& place) {
+  BenchRow row = read_timed(json, place, "curve");
+  row.size = static_cast<std::size_t>(std::ceil(positive(json, place, "size")));
+  return row;
+}
+
+/// The elements of an array, each read by `read(element, place)`.
+std::vector<BenchRow> rows_in(const Json& json, const char* name,
+                              BenchRow (*read)(const Json&, const std::string&)) {
+  const Json all = member<Json>(json, "the report", name);
+  if (!all.is_array()) throw FiguresError(fmt::format("the report: \"{}\" is no array", name));
+  std::vector<BenchRow> rows;
+  for (std::size_t i = 0; i < all.size(); ++i) rows.push_back(read(all[i], fmt::format("{}[{}]", name, i)));
+  return rows;
+}
+
 }  // namespace
 
 std::string to_json(const Measurements& figures) {
   Json rows = Json::array();
   for (const BenchRow& row : figures.rows) rows.push_back(row_of(row, figures.rays));
-  return write_json({{"machine", figures.machine}, {"compiler", figures.compiler}, {"rows", std::move(rows)}},
+  Json scaling = Json::array();
+  for (const BenchRow& row : figures.scaling) scaling.push_back(scaling_of(row));
+  return write_json({{"machine", figures.machine},
+                     {"compiler", figures.compiler},
+                     {"rows", std::move(rows)},
+                     {"scaling", std::move(scaling)}},
                     1);
 }
 
@@ -111,15 +159,12 @@ Measurements from_json(const std::string& text) {
   const Json json = read_json(text, false);
   if (json.is_discarded()) throw FiguresError("this is not JSON");
   Measurements figures{member<std::string>(json, "the report", "machine"),
-                       member<std::string>(json, "the report", "compiler"),
-                       0,
-                       {}};
-  const Json rows = member<Json>(json, "the report", "rows");
-  if (!rows.is_array()) throw FiguresError("the report: \"rows\" is no array");
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    figures.rows.push_back(read_row(rows[i], fmt::format("rows[{}]", i)));
-    figures.rays = std::max(figures.rays, rows[i].value("rays", std::size_t{0}));
-  }
+                       member<std::string>(json, "the report", "compiler"), 0,
+                       rows_in(json, "rows", read_row)};
+  for (const Json& row : json["rows"])
+    figures.rays = std::max(figures.rays, row.value("rays", std::size_t{0}));
+  // Older reports have no curves.
+  if (json.contains("scaling")) figures.scaling = rows_in(json, "scaling", read_scaling);
   return figures;
 }
 

@@ -46,6 +46,10 @@ bool BenchOptions::wants_method(const std::string& shape, const std::string& met
   return passes(methods, method) || contains(methods, shape + "/" + method);
 }
 
+bool BenchOptions::wants_scaling(const std::string& curve) const {
+  return scaling.empty() ? !has_filter() : contains(scaling, curve);
+}
+
 std::vector<Precision> BenchOptions::wanted_precisions() const {
   std::vector<Precision> wanted;
   for (const Precision precision : {Precision::float32, Precision::float64}) {
@@ -63,6 +67,7 @@ void validate(const BenchOptions& options) {
   }
   demand("--shape", options.shapes, shapes);
   demand("--family", options.families, names);
+  demand("--scaling", options.scaling, {scaling_names.begin(), scaling_names.end()});
 
   std::vector<std::string> methods;
   for (const Subject& subject : subjects()) {
@@ -70,6 +75,7 @@ void validate(const BenchOptions& options) {
     add_once(methods, subject.name);
     add_once(methods, subject.full_name());
   }
+  for (const char* const peer : peer_names) add_once(methods, peer);
   demand("--method", options.methods, methods);
 }
 

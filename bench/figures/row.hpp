@@ -2,6 +2,8 @@
 /// \file
 /// The figures of the report, with the meaning and the names they have in the case format.
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -14,6 +16,20 @@ enum class Arrangement { scalar, batch };
 
 [[nodiscard]] constexpr const char* name_of(Arrangement arrangement) {
   return arrangement == Arrangement::scalar ? "scalar" : "batch";
+}
+
+inline constexpr const char* floor_name = "streaming";
+inline constexpr const char* oracle_name = "oracle";
+
+/// Other people's libraries, where they were built in.
+inline constexpr std::array peer_names{"glm", "vtk", "embree", "cgal"};
+[[nodiscard]] inline bool is_peer(const std::string& method) {
+  return std::ranges::find(peer_names, method) != peer_names.end();
+}
+
+/// Whether what is timed by this name answers cases, so that its errors can be counted.
+[[nodiscard]] inline bool has_errors(const std::string& method) {
+  return method != floor_name && method != oracle_name;
 }
 
 /// How wrong a method's answers to a family of cases are. Wrong verdicts are counted apart, never averaged
@@ -36,24 +52,25 @@ struct Accuracy {
 };
 
 /// One method on one family, in one precision and arrangement. The floor has the method name `streaming` and
-/// no errors.
+/// no errors; neither has `oracle`, the exact judge of them all, nor what is timed for a curve.
 struct BenchRow {
-  std::string shape;
-  std::string method;
+  std::string shape{};
+  std::string method{};
   Precision precision = Precision::float32;
   Arrangement arrangement = Arrangement::scalar;
-  std::string family;
+  std::string family{};
   double ns_per_ray = 0;  ///< the median of the passes
   Accuracy accuracy{};
   std::vector<double> passes_ns{};  ///< nanoseconds a ray of each timed pass
+  std::size_t size = 0;             ///< of a curve: how many objects, vertices or threads; else 0
 
   [[nodiscard]] bool is_floor() const { return method == floor_name; }
-  /// Whether both are of one method on one family, in one precision and arrangement.
+  [[nodiscard]] bool has_errors() const { return rayproof::report::has_errors(method) && size == 0; }
+  /// Whether both are of one method on one family, in one precision, arrangement and size.
   [[nodiscard]] bool is_same_as(const BenchRow& other) const {
     return shape == other.shape && method == other.method && precision == other.precision &&
-           arrangement == other.arrangement && family == other.family;
+           arrangement == other.arrangement && family == other.family && size == other.size;
   }
-  static constexpr const char* floor_name = "streaming";
 };
 
 /// Everything the report knows.
@@ -62,6 +79,7 @@ struct Measurements {
   std::string compiler;
   std::size_t rays = 0;  ///< how many rays one timed pass takes
   std::vector<BenchRow> rows;
+  std::vector<BenchRow> scaling{};  ///< the curves: the family is the curve's name
 };
 
 }  // namespace rayproof::report

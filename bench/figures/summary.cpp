@@ -77,7 +77,7 @@ std::optional<Headline> headline(const std::vector<BenchRow>& rows) {
     return found == rows.end() ? 0 : found->ns_per_ray;
   };
   const Headline found{ns_of("centred", Arrangement::batch), ns_of("glm", Arrangement::scalar),
-                       ns_of(BenchRow::floor_name, Arrangement::batch)};
+                       ns_of(floor_name, Arrangement::batch)};
   if (found.batch_ns == 0 || found.glm_ns == 0 || found.floor_ns == 0) return std::nullopt;
   return found;
 }

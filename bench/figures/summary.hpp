@@ -17,7 +17,8 @@ struct MethodSummary {
   double ns_per_ray = 0;  ///< the median of the families
   Accuracy accuracy{};    ///< summed up; the worst ulps; mean bits over all agreed hits
 
-  [[nodiscard]] bool is_floor() const { return method == BenchRow::floor_name; }
+  [[nodiscard]] bool is_floor() const { return method == floor_name; }
+  [[nodiscard]] bool has_errors() const { return rayproof::report::has_errors(method); }
   /// The share of cases with a wrong verdict.
   [[nodiscard]] double wrong_share() const;
 };

@@ -38,6 +38,8 @@ constexpr const char* price_style = R"css(<style>
 .price .title { font-weight: 600; } .price .soft { fill: var(--soft); } .price .grid { stroke: var(--line); stroke-width: .6; }
 .price .way { stroke: currentColor; stroke-width: 1.2; stroke-dasharray: 1.5 3; } .price { color: var(--soft); }
 .price .fastest { fill: var(--paper); stroke: #0072b2; stroke-width: 2; } .price .exact { fill: #b84a00; }
+.price .oracle { fill: var(--paper); stroke: #00734f; stroke-width: 2; }
+@media screen and (prefers-color-scheme: dark) { .price .fastest { stroke: #56b4e9; } .price .exact { fill: #ff8f4d; } .price .oracle { stroke: #2fc99a; } }
 </style>
 )css";
 
@@ -80,6 +82,10 @@ std::string costs_of(const Choice& one, const CostAxis& axis, double y) {
   std::string svg = svg_text(CostAxis::left - 10, y + 5, "end",
                              fmt::format("{} {}", one.fastest.shape, name_of(one.fastest.precision)));
   const bool is_one = one.exact && one.exact->method == one.fastest.method;
+  if (one.oracle_ns)
+    svg += fmt::format(
+        "<path class=\"oracle\" d=\"M{:.1f} {:.1f}l7 7 7 -7 -7 -7z\"><title>oracle {} ns</title></path>\n",
+        axis.x(*one.oracle_ns) - 7, y, figure(*one.oracle_ns));
   if (one.exact) {
     const double exact = axis.x(one.exact->ns_per_ray);
     svg += svg_line(fast, y, exact, y, "way");
@@ -133,6 +139,7 @@ std::string choices_in_svg(const std::vector<Choice>& choices) {
     ++rows;
     axis.include(one.fastest.ns_per_ray);
     if (one.exact) axis.include(one.exact->ns_per_ray);
+    if (one.oracle_ns) axis.include(*one.oracle_ns);
   }
   if (rows == 0) return "";
   const double bottom = CostAxis::top + CostAxis::row * static_cast<double>(rows);
@@ -141,9 +148,10 @@ std::string choices_in_svg(const std::vector<Choice>& choices) {
       "<title>The price of an exact answer</title>\n{}",
       bottom + 50, price_style);
   svg += svg_text(0, 18, "start", "The price of an exact answer, for random scenes", "class=\"title\"");
-  svg +=
-      svg_text(0, 40, "start",
-               "○ the fastest sound method   ■ the fastest exact one, and how many times as long it takes");
+  svg += svg_text(0, 40, "start",
+                  "○ the fastest sound method   ■ the fastest exact one, and how many times as long it takes "
+                  "  ◇ one exact "
+                  "verdict of the oracle");
   svg += ticks(axis, bottom);
   double y = CostAxis::top + CostAxis::row / 2;
   for (const Choice& one : choices) {

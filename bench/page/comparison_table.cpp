@@ -13,8 +13,8 @@ namespace {
 constexpr std::size_t shown = 40;
 
 std::string name_of(const BenchRow& row) {
-  return fmt::format("{}/{} {} {}, {}", row.shape, row.method, rayproof::name_of(row.precision),
-                     name_of(row.arrangement), row.family);
+  return fmt::format("{}/{} {} {}, {}{}", row.shape, row.method, rayproof::name_of(row.precision),
+                     name_of(row.arrangement), row.family, row.size > 0 ? fmt::format(" {}", row.size) : "");
 }
 
 std::string errors_of(const Accuracy& errors) {

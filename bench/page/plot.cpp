@@ -16,6 +16,7 @@ constexpr std::array<std::pair<const char*, const char*>, 4> colours{
     {{"#0072b2", "#56b4e9"}, {"#b84a00", "#ff8f4d"}, {"#00734f", "#2fc99a"}, {"#9c4a7f", "#e29ac6"}}};
 
 PlotMark mark_of(const std::string& method, std::size_t index) {
+  if (is_peer(method)) return {method, MarkOutline::triangle, Inner::nothing, "#5a626c", "#a3abb5"};
   const auto& [light, dark] = colours[index % colours.size()];
   return {method, static_cast<MarkOutline>(index % 3), static_cast<Inner>(index / 3 % 3), light, dark};
 }
@@ -101,8 +102,9 @@ Panel make_panel(const Plot& plot, const std::vector<MethodSummary>& summaries, 
     if (summary.precision != precision) continue;
     const double x = std::log10(summary.ns_per_ray);
     if (summary.is_floor()) panel.floor_x = x;
+    if (summary.method == oracle_name) panel.oracle_x = x;
     const double y = place(summary);
-    if (summary.is_floor() || summary.accuracy.cases == 0 || std::isnan(y)) continue;
+    if (!summary.has_errors() || summary.accuracy.cases == 0 || std::isnan(y)) continue;
     const auto mark = std::ranges::find(plot.marks, summary.method, &PlotMark::method) - plot.marks.begin();
     panel.points.push_back({x, y, static_cast<std::size_t>(mark), summary.arrangement, label_of(summary)});
   }
@@ -114,7 +116,7 @@ Plot make_plot(const std::string& shape, const std::vector<MethodSummary>& summa
   Plot plot{shape, {}, {}};
   for (const MethodSummary& summary : summaries) {
     const bool is_new = std::ranges::find(plot.marks, summary.method, &PlotMark::method) == plot.marks.end();
-    if (is_new && !summary.is_floor()) plot.marks.push_back(mark_of(summary.method, plot.marks.size()));
+    if (is_new && summary.has_errors()) plot.marks.push_back(mark_of(summary.method, plot.marks.size()));
   }
   for (const bool is_share : {true, false}) {
     for (const Precision precision : {Precision::float32, Precision::float64}) {

@@ -33,6 +33,9 @@ std::string outline(MarkOutline shape, double x, double y, double r, const char*
                          y - r, 2 * r, 2 * r);
     case MarkOutline::circle:
       return fmt::format("<circle{} cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\"/>", style, x, y, r + 0.5);
+    case MarkOutline::triangle:
+      return fmt::format("<path{0} d=\"M{1:.1f} {2:.1f}h{3}l-{4} -{3}z\"/>", style, x - r - 1, y + r - 1,
+                         2 * r + 2, r + 1);
     case MarkOutline::diamond:
       break;
   }
@@ -76,19 +79,31 @@ std::string axes(const Frame& frame) {
   return svg;
 }
 
+/// A line from top to bottom with its name along it, where `place` is one.
+std::string upright(const Frame& frame, const std::optional<double>& place, const char* style,
+                    const char* name) {
+  if (!place) return "";
+  const double x = frame.x(*place);
+  return svg_line(x, frame.y0, x, frame.y0 + panel_height, style) +
+         fmt::format("<text class=\"note\" transform=\"translate({:.1f} {:.1f}) rotate(-90)\">{}</text>\n",
+                     x - 5, frame.y0 + panel_height - 6, name);
+}
+
 std::string chart(const Plot& plot, const Frame& frame) {
-  std::string svg = axes(frame);
-  const double floor = frame.x(frame.panel.floor_x);
-  svg += svg_line(floor, frame.y0, floor, frame.y0 + panel_height, "floor");
-  svg += fmt::format(
-      "<text class=\"note\" transform=\"translate({:.1f} {:.1f}) rotate(-90)\">streaming</text>\n", floor - 5,
-      frame.y0 + panel_height - 6);
+  std::string svg = axes(frame) + upright(frame, frame.panel.floor_x, "floor", "streaming") +
+                    upright(frame, frame.panel.oracle_x, "oracle", "oracle");
   std::string stair;
   for (const auto& [x, y] : frame.panel.front) stair += fmt::format("{:.1f},{:.1f} ", frame.x(x), frame.y(y));
   svg += "<polyline class=\"front\" points=\"" + stair + "\"/>\n";
-  for (const PlotPoint& point : frame.panel.points)
-    svg += mark(plot.marks[point.mark], point.mark, point.arrangement, frame.x(point.x), frame.y(point.y),
-                point.label);
+  for (const PlotPoint& point : frame.panel.points) {
+    const PlotMark& own = plot.marks[point.mark];
+    const double x = frame.x(point.x), y = frame.y(point.y);
+    svg += mark(own, point.mark, point.arrangement, x, y, point.label);
+    if (!own.is_named_at_mark()) continue;
+    const bool is_left = frame.panel.is_named_on_the_left(point);
+    svg +=
+        svg_text(is_left ? x - 12 : x + 12, y + 5, is_left ? "end" : "start", own.method, "class=\"name\"");
+  }
   return svg;
 }
 
@@ -96,11 +111,13 @@ std::string legend(const Plot& plot, double x) {
   std::string svg = svg_text(x + 8, top + 4, "middle", "one", "class=\"note\"") +
                     svg_text(x + 48, top + 4, "middle", "batch", "class=\"note\"");
   double y = top + 26;
-  for (std::size_t i = 0; i < plot.marks.size(); ++i, y += 28) {
+  for (std::size_t i = 0; i < plot.marks.size(); ++i) {
+    if (plot.marks[i].is_named_at_mark()) continue;
     svg +=
         mark(plot.marks[i], i, Arrangement::scalar, x + 8, y, plot.marks[i].method + ", one ray at a time");
     svg += mark(plot.marks[i], i, Arrangement::batch, x + 48, y, plot.marks[i].method + ", in batches");
     svg += svg_text(x + name_in_legend, y + 5, "start", plot.marks[i].method);
+    y += 28;
   }
   svg += svg_line(x, y + 4, x + 56, y + 4, "front") +
          svg_text(x + name_in_legend, y + 9, "start", "Pareto front");

@@ -11,5 +11,7 @@ namespace rayproof::report {
 
 /// A figure in a table: "0.55", "1.2e+04", "inf", and a dash where there is none.
 [[nodiscard]] std::string figure(double x);
+/// A time of a curve: "0.55", "12.3", "12000".
+[[nodiscard]] std::string nanoseconds(double ns);
 
 }  // namespace rayproof::report

@@ -28,6 +28,10 @@ void describe(CLI::App& app, BenchOptions& options) {
   app.add_option("--precision", options.precisions, "Only float32 or float64")
       ->delimiter(',')
       ->check(CLI::IsMember({"float32", "float64"}));
+  app.add_option(
+         "--scaling", options.scaling,
+         fmt::format("Only these curves, and of the methods nothing: {}", fmt::join(scaling_names, ", ")))
+      ->delimiter(',');
   app.add_option("--rays", options.rays, "Rays (or equations) of each family, judged and timed")
       ->capture_default_str()
       ->check(CLI::Range(std::size_t{64}, std::size_t{100'000'000}));

@@ -2,8 +2,10 @@
 
 #include <vtkAxis.h>
 #include <vtkChartXY.h>
+#include <vtkContext2D.h>
 #include <vtkDoubleArray.h>
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
 #include <vtkPen.h>
 #include <vtkPlotPoints.h>
 #include <vtkStringArray.h>
@@ -63,6 +65,37 @@ void add_marker(vtkChartXY& chart, double x, double y, int style, float size, co
   marker.SetMarkerStyle(style);
   marker.SetMarkerSize(size);
   set_colour(marker, colour);
+}
+
+namespace {
+
+/// Words at a place of a chart.
+class TextInChart : public vtkPlot {
+ public:
+  static TextInChart* New();
+  bool Paint(vtkContext2D* painter) override {
+    painter->ApplyTextProp(font);
+    painter->DrawString(static_cast<float>(x), static_cast<float>(y), words);
+    return true;
+  }
+
+  double x = 0, y = 0;
+  std::string words{};
+  vtkNew<vtkTextProperty> font{};
+};
+vtkStandardNewMacro(TextInChart);
+
+}  // namespace
+
+void add_text(vtkChartXY& chart, double x, double y, const std::string& words, bool ends_there) {
+  vtkNew<TextInChart> text;
+  text->x = x;
+  text->y = y;
+  text->words = words;
+  set_font(*text->font, 15);
+  text->font->SetJustification(ends_there ? VTK_TEXT_RIGHT : VTK_TEXT_LEFT);
+  text->font->SetVerticalJustification(VTK_TEXT_CENTERED);
+  chart.AddPlot(text);
 }
 
 void set_axis(vtkChartXY& chart, int position, const Axis& axis, bool has_grid) {

@@ -2,6 +2,7 @@
 /// \file
 /// What the PNG plots are put together of, in terms of VTK's charts.
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -24,6 +25,9 @@ void add_line(vtkChartXY& chart, const Polyline& polyline, int pattern, const ch
 
 /// One of vtkPlotPoints' markers at one point.
 void add_marker(vtkChartXY& chart, double x, double y, int style, float size, const char* colour);
+
+/// Words that begin, or end, at a point.
+void add_text(vtkChartXY& chart, double x, double y, const std::string& words, bool ends_there);
 
 /// Makes vtkAxis::BOTTOM or vtkAxis::LEFT show just this range and these ticks.
 void set_axis(vtkChartXY& chart, int position, const Axis& axis, bool has_grid);

@@ -10,6 +10,8 @@
 #include <vtkRenderer.h>
 #include <vtkRenderWindow.h>
 
+#include <tuple>
+
 #include "bench/vtk/chart_parts.hpp"
 #include "viz/vtk/offscreen_display.hpp"
 #include "viz/vtk/raster_png.hpp"
@@ -27,6 +29,7 @@ constexpr const char* faint = "#5a626c";
 /// A mark is put together of VTK's few markers: an outline, paper inside it where it is hollow, and a sign on
 /// top.
 void add_mark(vtkChartXY& chart, const PlotMark& mark, Arrangement arrangement, double x, double y) {
+  if (mark.is_named_at_mark()) return;  // a name with a sign before it, see add_name
   constexpr int outlines[] = {vtkPlotPoints::SQUARE, vtkPlotPoints::CIRCLE, vtkPlotPoints::DIAMOND};
   const int outline = outlines[static_cast<std::size_t>(mark.outline)];
   const float size = mark.outline == MarkOutline::diamond ? marker_size + 4 : marker_size;
@@ -38,6 +41,16 @@ void add_mark(vtkChartXY& chart, const PlotMark& mark, Arrangement arrangement, 
   if (mark.inner == Inner::nothing) return;
   const int sign = mark.inner == Inner::plus ? vtkPlotPoints::PLUS : vtkPlotPoints::CROSS;
   add_marker(chart, x, y, sign, 10, is_hollow ? mark.light : paper);
+}
+
+/// A method's mark; of other people's libraries the name beside a triangle.
+void add_point(vtkChartXY& chart, const PlotMark& mark, const PlotPoint& point, bool is_named_on_the_left) {
+  add_mark(chart, mark, point.arrangement, point.x, point.y);
+  if (!mark.is_named_at_mark()) return;
+  const char* const sign = point.arrangement == Arrangement::scalar ? "△" : "▲";
+  add_text(chart, point.x, point.y,
+           is_named_on_the_left ? mark.method + " " + sign : sign + (" " + mark.method),
+           is_named_on_the_left);
 }
 
 void place(vtkContextScene& scene, vtkChartXY& chart, float x, float y, float width, float height) {
@@ -56,18 +69,25 @@ void add_panel(vtkContextScene& scene, const Plot& plot, const Panel& panel, flo
   Axis height = panel.y;
   height.title.clear();  // the panel's title says it
   set_axis(*chart, vtkAxis::LEFT, height, true);
-  add_line(*chart, {{panel.floor_x, panel.y.low}, {panel.floor_x, panel.y.high}}, vtkPen::DASH_LINE, faint);
+  for (const auto& [place, pattern, name] : {std::tuple{panel.floor_x, vtkPen::DASH_LINE, ""},
+                                             std::tuple{panel.oracle_x, vtkPen::DASH_DOT_LINE, "oracle"}}) {
+    if (!place) continue;
+    add_line(*chart, {{*place, panel.y.low}, {*place, panel.y.high}}, pattern, faint);
+    add_text(*chart, *place, panel.y.low + 0.97 * (panel.y.high - panel.y.low), name, false);
+  }
   add_line(*chart, panel.front, vtkPen::DOT_LINE, ink);
   for (const PlotPoint& point : panel.points)
-    add_mark(*chart, plot.marks[point.mark], point.arrangement, point.x, point.y);
+    add_point(*chart, plot.marks[point.mark], point, panel.is_named_on_the_left(point));
 }
 
 /// A chart without axes: a row for each method with its hollow and its solid mark.
 void add_legend(vtkContextScene& scene, const Plot& plot, float x, float height) {
-  const auto rows = static_cast<double>(plot.marks.size()) + 2;
+  std::vector<PlotMark> marks = plot.marks;
+  std::erase_if(marks, [](const PlotMark& mark) { return mark.is_named_at_mark(); });
+  const auto rows = static_cast<double>(marks.size()) + 2;
   Axis names{"", -rows + 0.5, 0.5, {{1 - rows, "streaming"}, {2 - rows, "Pareto front"}}};
-  for (std::size_t i = 0; i < plot.marks.size(); ++i)
-    names.ticks.emplace_back(-static_cast<double>(i), plot.marks[i].method);
+  for (std::size_t i = 0; i < marks.size(); ++i)
+    names.ticks.emplace_back(-static_cast<double>(i), marks[i].method);
   vtkNew<vtkChartXY> chart;
   const float own_height = 34 * static_cast<float>(rows) + 60;
   place(scene, *chart, x, height - own_height - 20, legend_width, own_height);
@@ -77,9 +97,9 @@ void add_legend(vtkContextScene& scene, const Plot& plot, float x, float height)
     chart->GetAxis(position)->SetAxisVisible(false);
     chart->GetAxis(position)->SetTicksVisible(false);
   }
-  for (std::size_t i = 0; i < plot.marks.size(); ++i) {
-    add_mark(*chart, plot.marks[i], Arrangement::scalar, 0, -static_cast<double>(i));
-    add_mark(*chart, plot.marks[i], Arrangement::batch, 1, -static_cast<double>(i));
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    add_mark(*chart, marks[i], Arrangement::scalar, 0, -static_cast<double>(i));
+    add_mark(*chart, marks[i], Arrangement::batch, 1, -static_cast<double>(i));
   }
   add_line(*chart, {{-0.4, 2 - rows}, {1.4, 2 - rows}}, vtkPen::DOT_LINE, ink);
   add_line(*chart, {{-0.4, 1 - rows}, {1.4, 1 - rows}}, vtkPen::DASH_LINE, faint);

@@ -54,6 +54,17 @@ TEST(Choice, SaysSoWhereNoMethodIsExact) {
   EXPECT_THAT(choices_in_html(found), HasSubstr("<td>-</td>"));
 }
 
+TEST(Choice, HasTheOraclesPriceBesideTheMethods) {
+  std::vector<BenchRow> rows = rows_on("random");
+  EXPECT_FALSE(choose(rows).at(0).oracle_ns);
+  rows.push_back(sphere_row(oracle_name, Arrangement::scalar, "random", 140, 0, 0));
+  rows.push_back(sphere_row(oracle_name, Arrangement::scalar, "far", 900, 0, 0));
+  const std::vector<Choice> found = choose(rows);
+  ASSERT_TRUE(found.at(0).oracle_ns);
+  EXPECT_EQ(*found[0].oracle_ns, 140) << "of random scenes alone";
+  EXPECT_THAT(choices_in_svg(found), HasSubstr("oracle 140 ns"));
+}
+
 TEST(Choice, DistinguishesWhatIsProvenFromWhatWasFound) {
   const std::vector<Choice> found = choose(rows_on("random"));
   EXPECT_EQ(guarantee_of(*found[0].exact), "verdict exact, t rounded once: proven");

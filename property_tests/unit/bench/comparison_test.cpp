@@ -75,6 +75,28 @@ TEST(ReportComparison, FindsWhatIsWrongerOnTheSameCasesAlone) {
   EXPECT_THAT(comparison_in_html(found, before.machine), HasSubstr("<h3>Wronger than before: 2</h3>"));
 }
 
+TEST(ReportComparison, FindsTheSizeAtWhichACurveGotSlower) {
+  Measurements before = four_methods(1), now = four_methods(1);
+  for (const std::size_t size : {1, 10, 100}) {
+    before.scaling.push_back(curve_row("scenes", "spheres", "list", size, 50));
+    now.scaling.push_back(curve_row("scenes", "spheres", "list", size, size == 10 ? 200 : 50));
+  }
+  const ReportComparison found = compare(before, now);
+  EXPECT_EQ(found.rows, 7U);
+  ASSERT_EQ(found.slower.size(), 1U);
+  EXPECT_EQ(found.slower[0].now->size, 10U);
+  EXPECT_THAT(comparison_in_text(found, before.machine),
+              HasSubstr("spheres/list float32 scalar, scenes 10: 200 ns"));
+}
+
+TEST(ReportComparison, WithAnOlderReportThatHasNoCurvesComparesTheRest) {
+  const Measurements before = four_methods(1);
+  Measurements now = four_methods(1);
+  now.scaling.push_back(curve_row("scenes", "spheres", "list", 1, 50));
+  EXPECT_EQ(compare(before, now).rows, 4U);
+  EXPECT_EQ(compare(now, before).rows, 4U);
+}
+
 TEST(ReportComparison, OfReportsThatShareNoRowSaysSo) {
   const Measurements before = four_methods(1);
   const ReportComparison found = compare(before, {"another", "compiler", 1, {}});

@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "bench/contenders/contender.hpp"
 #include "bench/figures/accuracy.hpp"
 #include "bench/page/plot.hpp"
 #include "bench/page/plot_svg.hpp"
+#include "bench/peers/peer.hpp"
 #include "generators/generators.hpp"
 #include "unit/bench/rows.hpp"
 
@@ -70,7 +70,7 @@ TEST(Summary, LeavesOutTheFamiliesThatAreNotOfScenesAndSumsUpTheOthers) {
 
 TEST(Headline, IsLeftOutWhereGlmWasNotMeasured) {
   const std::vector<BenchRow> rows{sphere_row("centred", Arrangement::batch, "random", 1, 0, 0),
-                                   sphere_row(BenchRow::floor_name, Arrangement::batch, "random", 0.5, 0, 0)};
+                                   sphere_row(floor_name, Arrangement::batch, "random", 0.5, 0, 0)};
   EXPECT_FALSE(headline(rows).has_value());
 }
 
@@ -95,6 +95,22 @@ TEST(Plot, DistinguishesAnyTwoMethodsWithoutColour) {
       EXPECT_FALSE(marks[i].outline == marks[j].outline && marks[i].inner == marks[j].inner) << i << ' ' << j;
 }
 
+TEST(PlotInSvg, NamesOtherLibrariesAtTheirMarksAndTheOracleAtItsLine) {
+  const std::string svg =
+      to_svg(make_plots(summarise({sphere_row("centred", Arrangement::batch, "random", 1, 0, 1),
+                                   sphere_row("glm", Arrangement::scalar, "random", 9, 3, 1),
+                                   sphere_row(oracle_name, Arrangement::scalar, "random", 150, 0, 0)}))
+                 .at(0));
+  const auto count = [&](const std::string& words) {
+    std::size_t found = 0;
+    for (std::size_t at = svg.find(words); at != std::string::npos; at = svg.find(words, at + 1)) ++found;
+    return found;
+  };
+  EXPECT_EQ(count(">glm</text>"), 2U) << "in each of the two charts, and in no legend";
+  EXPECT_EQ(count(">oracle</text>"), 2U);
+  EXPECT_EQ(count(">streaming</text>"), 1U) << "the floor was not measured: in the legend alone";
+}
+
 TEST(PlotInSvg, HasRoomForTheLongestNameOfAMethod) {
   const std::string name = "printed_unit_direction_and_more";
   const std::string svg =
@@ -111,9 +127,10 @@ TEST(Contenders, CoverEveryMethodInItsArrangementsAndTheFloorOfBatches) {
     std::vector<Case> cases;
     for (std::uint64_t seed = 0; seed < 64; ++seed)
       cases.push_back(family.generate(seed, Precision::float32));
-    const std::vector<Contender> all = contenders(family.topic, cases, Precision::float32);
+    std::vector<Contender> all = contenders(family.topic, cases, Precision::float32);
     const bool has_batches = std::ranges::count(all, Arrangement::batch, &Contender::arrangement) > 0;
-    EXPECT_EQ(all.back().method == BenchRow::floor_name, has_batches);
+    EXPECT_EQ(all.back().method == floor_name, has_batches);
+    std::ranges::move(peer_contenders(family.topic, cases, Precision::float32), std::back_inserter(all));
     for (const auto& passes : time_passes(all, cases.size(), 0.001)) {
       EXPECT_GE(passes.size(), 5U);
       for (const double ns : passes) EXPECT_GT(ns, 0);

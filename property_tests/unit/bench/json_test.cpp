@@ -12,7 +12,7 @@ namespace rayproof::report {
 namespace {
 
 TEST(Json, HasTheKeysOfTheCaseFormatInEveryRow) {
-  BenchRow floor{"sphere", BenchRow::floor_name, Precision::float64, Arrangement::batch, "random", 0.5};
+  BenchRow floor{"sphere", floor_name, Precision::float64, Arrangement::batch, "random", 0.5};
   const auto json = nlohmann::json::parse(to_json(
       {"machine", "compiler", 64, {sphere_row("centred", Arrangement::scalar, "random", 1, 2, 3), floor}}));
   EXPECT_EQ(json.at("machine"), "machine");
@@ -31,7 +31,7 @@ TEST(Json, IsReadAsItWasWritten) {
   one.passes_ns = {1.25, 1.5, 1};
   one.accuracy.max_ulp = std::numeric_limits<double>::infinity();
   one.accuracy.max_coordinates = std::numeric_limits<double>::quiet_NaN();
-  const BenchRow floor{"sphere", BenchRow::floor_name, Precision::float64, Arrangement::batch, "random", 0.5};
+  const BenchRow floor{"sphere", floor_name, Precision::float64, Arrangement::batch, "random", 0.5};
   const Measurements read = from_json(to_json({"some machine", "some compiler", 1000, {one, floor}}));
   EXPECT_EQ(read.machine, "some machine");
   EXPECT_EQ(read.compiler, "some compiler");
@@ -47,6 +47,29 @@ TEST(Json, IsReadAsItWasWritten) {
   EXPECT_EQ(read.rows[0].accuracy.max_ulp, std::numeric_limits<double>::infinity());
   EXPECT_EQ(read.rows[0].accuracy.mean_bits, 0.5);
   EXPECT_TRUE(std::isnan(read.rows[0].accuracy.max_coordinates));
+}
+
+TEST(Json, HasTheCurvesWithTheSamplesOfEverySize) {
+  const std::vector<BenchRow> curve{curve_row("scenes", "spheres", "list", 1, 50),
+                                    curve_row("scenes", "spheres", "list", 1000, 700)};
+  const Measurements read = from_json(to_json({"m", "c", 1, {}, curve}));
+  ASSERT_EQ(read.scaling.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_TRUE(read.scaling[i].is_same_as(curve[i]));
+    EXPECT_EQ(read.scaling[i].ns_per_ray, curve[i].ns_per_ray);
+    EXPECT_EQ(read.scaling[i].passes_ns.size(), 5U);
+  }
+}
+
+TEST(Json, OfAnOlderReportWithoutCurvesIsRead) {
+  EXPECT_TRUE(from_json(R"({"machine": "m", "compiler": "c", "rows": []})").scaling.empty());
+}
+
+TEST(Json, OfTheOracleHasATimeAndNoErrors) {
+  const BenchRow oracle{"sphere", oracle_name, Precision::float32, Arrangement::scalar, "random", 150};
+  const std::string text = to_json({"m", "c", 64, {oracle}});
+  EXPECT_TRUE(nlohmann::json::parse(text)["rows"][0]["wrong_hits"].is_null());
+  EXPECT_EQ(from_json(text).rows.at(0).ns_per_ray, 150);
 }
 
 /// What from_json says of a text.
@@ -75,6 +98,20 @@ TEST(Json, ThatIsNoReportIsRefusedByAWordOnThePlace) {
   one["rows"][0]["precision"] = "float32";
   one["rows"][0]["wrong_hits"] = "many";
   EXPECT_EQ(complaint(one.dump()), "rows[0]: \"wrong_hits\" is something else than it should be");
+  one["rows"][0]["wrong_hits"] = 0;
+  one["rows"][0]["ns_per_ray"] = 0;
+  EXPECT_EQ(complaint(one.dump()), "rows[0]: \"ns_per_ray\" can't be 0");
+}
+
+TEST(Json, OfACurveThatIsNoneIsRefusedByAWordOnThePlace) {
+  auto one =
+      nlohmann::json::parse(to_json({"m", "c", 1, {}, {curve_row("scenes", "spheres", "list", 3, 50)}}));
+  one["scaling"][0]["size"] = -3;
+  EXPECT_EQ(complaint(one.dump()), "scaling[0]: \"size\" can't be -3");
+  one["scaling"][0].erase("size");
+  EXPECT_EQ(complaint(one.dump()), "scaling[0]: there is no \"size\"");
+  one["scaling"] = "none";
+  EXPECT_EQ(complaint(one.dump()), "the report: \"scaling\" is no array");
 }
 
 }  // namespace

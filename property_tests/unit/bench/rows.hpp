@@ -14,4 +14,13 @@ namespace rayproof::report {
   return one;
 }
 
+/// What a curve has at one size, with passes that spread by a tenth about it.
+[[nodiscard]] inline BenchRow curve_row(const char* curve, const char* shape, const char* method,
+                                        std::size_t size, double ns) {
+  BenchRow one{.shape = shape, .method = method, .family = curve, .ns_per_ray = ns};
+  one.passes_ns = {0.9 * ns, 0.95 * ns, ns, 1.05 * ns, 1.1 * ns};
+  one.size = size;
+  return one;
+}
+
 }  // namespace rayproof::report

@@ -4,7 +4,7 @@
 #include <rayproof/batch/instruction_set.hpp>
 #include <thread>
 
-#include "bench/contenders/measure.hpp"
+#include "bench/measuring/measure.hpp"
 
 namespace rayproof::report {
 
