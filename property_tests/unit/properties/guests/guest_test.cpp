@@ -182,13 +182,13 @@ TEST(Guest, MayNotGiveOneCrossingTwice) {
     twice.hits.push_back(t);
     return std::get<RayAnswer>(completed(guest(topic, nullptr), read_case(text), twice)).hits.count;
   };
-  const char* const from_inside =
+  const char* const from_centre =
       R"({"ray": {"origin": [0,0,0], "direction": [0,0,1]}, "shape": {"type": "sphere", "center": [0,0,0], "radius": 1}})";
   const char* const plane =
       R"({"ray": {"origin": [0,0,-1], "direction": [0,0,1]}, "shape": {"type": "plane", "normal": [0,0,1], "d": 0}})";
   const char* const through_an_edge =
       R"({"ray": {"origin": [0.5,-2,-2], "direction": [0,1,1], "t_max": 2.5}, "shape": {"type": "box", "min": [0,0,0], "max": [1,1,1]}})";
-  EXPECT_EQ(count_of("sphere", from_inside, 1), 2U);
+  EXPECT_EQ(count_of("sphere", from_centre, 1), 2U);
   EXPECT_EQ(count_of("plane", plane, 1), 2U);
   EXPECT_EQ(count_of("box", through_an_edge, 2), 1U) << "it is met in two faces";
 }
