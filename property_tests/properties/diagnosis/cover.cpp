@@ -15,8 +15,13 @@ double weight_of(const Hypothesis& cause) {
 }
 
 /// Of those that are nearly as good as the best the first in the table, which is the more specific one, is
-/// taken. A model is right digit by digit, and is rivalled by less.
-constexpr double nearly_as_good_cure = 0.85, nearly_as_good_model = 0.97;
+/// taken. A model is right digit by digit, and is rivalled by less; by none that differs in a size alone. But
+/// digits of a shorter type prove that type where a ray that is missed shows only how much was lost.
+constexpr double nearly_as_good(const Hypothesis& cause) {
+  if (cause.change != nullptr) return 0.85;
+  if (cause.of_sizes == OfSizes::type) return 0.9;
+  return cause.of_sizes == OfSizes::nothing ? 0.97 : 1;
+}
 
 Indices common(const Indices& a, const Indices& b) {
   Indices both;
@@ -137,11 +142,7 @@ std::vector<Cover::Candidate> Cover::chosen() const {
     const double most = worth.empty() ? 0 : std::ranges::max(worth);
     if (most == 0) return taken;
     const auto first = std::ranges::max_element(worth) - worth.begin();
-    const bool is_model = open[static_cast<std::size_t>(first)].cause->change == nullptr;
-    // Models that differ in a size alone are no words for one another.
-    const bool is_of_size =
-        is_model && open[static_cast<std::size_t>(first)].cause->of_sizes != OfSizes::nothing;
-    const double nearly = is_of_size ? 1 : is_model ? nearly_as_good_model : nearly_as_good_cure;
+    const double nearly = nearly_as_good(*open[static_cast<std::size_t>(first)].cause);
     const auto best = std::ranges::find_if(worth, [&](double one) { return one >= nearly * most; });
     const auto place = open.begin() + (best - worth.begin());
     taken.push_back(std::move(*place));

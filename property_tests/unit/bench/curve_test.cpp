@@ -85,8 +85,10 @@ TEST(CurvesInSvg, DistinguishLinesByDashesAndOutlinesToo) {
   EXPECT_THAT(svg, HasSubstr("prefers-color-scheme: dark"));
 }
 
-TEST(CurvesInSvg, HaveRoundNumbersAtTheAxes) {
-  const std::string svg = scaling_in_svg(scenes_of_two_sizes(), "scenes");
+TEST(CurvesInSvg, HaveTheSizesAndRoundTimesAtTheAxes) {
+  std::vector<BenchRow> rows = scenes_of_two_sizes();
+  rows.push_back(curve_row("scenes", "spheres", "list", 1'000, 200));
+  const std::string svg = scaling_in_svg(rows, "scenes");
   for (const char* const tick : {">10</text>", ">1,000</text>", ">10⁶</text>", ">100</text>"})
     EXPECT_THAT(svg, HasSubstr(tick));
 }

@@ -111,6 +111,7 @@ TEST(SpaceScene, SeesEveryPointWhereTheCamerasNumbersSay) {
         const SpaceScene scene(*renderer, stage, step);
         const Space space = space_of(stage, step);
         for (const ShownItem& shown : shown_in(stage, step)) {
+          if (shown.item->form == Form::ellipsoid) continue;  // its outline, which is no point of the item
           const SpacePoints points = placed_points(*shown.item, space.view);
           const std::vector<Point> seen = scene.seen(*shown.item, frame);
           const auto is_behind = [&](const glm::dvec3& p) {

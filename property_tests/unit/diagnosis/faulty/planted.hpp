@@ -94,7 +94,7 @@ inline const Planted planted[] = {
     {"point_in_polygon", answer<first_triangle>, "verdict", "first-triangle"},
     {"box", answer<slab_z_missing>, "verdict", "endless-box-z"},
     {"box", answer<zero_times_infinity>, "verdict", "missed-in-face"},
-    {"box", answer<no_exchange>, "verdict", "positive-direction"},
+    {"box", answer<no_exchange>, "verdict", "slabs-unsorted"},
     {"box", answer<starts_at_t_min>, "verdict", "starts-at-t-min"},
     {"box", answer<ignores_t_max>, "verdict", "ignores-t-max"},
     {"parallelepiped", answer<as_box>, "verdict", "parallelepiped-as-box"},
