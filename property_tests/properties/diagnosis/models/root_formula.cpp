@@ -74,10 +74,10 @@ Answers with_roots(const Case& one, const FoundRoots& roots) {
 std::optional<bool> one_root_wrong(const Case& one, const Answer& got, const Answer& exact) {
   const auto pairs = two_pairs(one, got, exact);
   if (!pairs) return std::nullopt;
-  const auto [x, y, p, q] = *pairs;
-  // Named anew, since clang++ 14 captures no structured binding.
-  const auto is_one_of = [&, p = p, q = q](double z) { return !pairs->differ(z, p) || !pairs->differ(z, q); };
-  const bool is_first = is_one_of(x), is_second = is_one_of(y);
+  const auto is_one_of = [&](double z) {
+    return !pairs->differ(z, pairs->exact_x) || !pairs->differ(z, pairs->exact_y);
+  };
+  const bool is_first = is_one_of(pairs->x), is_second = is_one_of(pairs->y);
   return is_first && is_second ? std::nullopt : std::optional(is_first != is_second);
 }
 
