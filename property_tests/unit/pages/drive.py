@@ -157,6 +157,10 @@ class Test:
         page.send("Input.dispatchTouchEvent", type="touchStart", touchPoints=[{"x": x, "y": y}])
         page.send("Input.dispatchTouchEvent", type="touchMove", touchPoints=[{"x": x - 120, "y": y + 5}])
         page.send("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
+        # The page's listeners are passive, so that Chromium says "done" before they have heard of the finger.
+        deadline = time.monotonic() + 20
+        while page.run(VISIBLE) != [1] and time.monotonic() < deadline:
+            time.sleep(0.1)
         self.expect(page.run(VISIBLE) == [1], "a finger from right to left ought to lead a step on")
 
     def slider(self):

@@ -40,8 +40,8 @@ struct PrintedSlabs {
     const auto [t_near, t_far] = overlap(x, y, z);
 
     step<T>("Drop the box behind the ray, which begins at t_min",
-            "A box counts as behind if t_exit < t_min; with NaN that comparison is false, and so is every "
-            "other.");
+            "A box counts as behind if t_exit < t_min; with NaN that comparison is false, as are "
+            "<=, >, >= and =.");
     return chord(select(t_far < ray.t_min, T(not_a_number<T>), t_near), t_far);
   }
 

@@ -101,8 +101,8 @@ std::vector<CheckedClaim> box_claims() {
                EXPECT_TRUE(values_of(s.report.claim()).empty());
              }
            }},
-          {"A box counts as behind if t_exit < t_min; with NaN that comparison is false, and so is every "
-           "other."}};
+          {"A box counts as behind if t_exit < t_min; with NaN that comparison is false, as are "
+           "<=, >, >= and =."}};
 }
 
 }  // namespace rayproof::viz
