@@ -17,16 +17,26 @@ Quadratic<N> problem_of(const Lanes<Quadratic<T>>& /*in*/, const N (&column)[3])
 }
 
 /// One ray a lane.
-template <class N, class Problem>
-Ray<N> ray_of(const Lanes<Problem>& in, const N (&column)[6]) {
-  return {{column[0], column[1], column[2]}, {column[3], column[4], column[5]}, N(in.t_min), N(in.t_max)};
+template <class N>
+Ray<N> ray_of(const N (&column)[8]) {
+  return {{column[0], column[1], column[2]}, {column[3], column[4], column[5]}, column[6], column[7]};
 }
 
-/// The same with the common shape. What is common is kept as plain numbers: g++ 12 copies packs inside
-/// structs in halves, which stalls; spreading a number anew costs nothing.
+/// The same with the common shape. It is kept as plain numbers: g++ 12 copies packs inside structs in halves,
+/// which stalls; spreading a number anew costs nothing.
 template <class N, template <class> class Shape, class T>
-RayProblem<Shape, N> problem_of(const Lanes<RayProblem<Shape, T>>& in, const N (&column)[6]) {
-  return {ray_of<N>(in, column), convert<N>(in.shape)};
+RayProblem<Shape, N> problem_of(const Lanes<RayProblem<Shape, T>>& in, const N (&column)[8]) {
+  return {ray_of<N>(column), convert<N>(in.shape)};
+}
+
+/// What the problems have in common that may have columns, too.
+template <class T>
+std::array<T, 0> interval_of(const Lanes<Quadratic<T>>& /*in*/) {
+  return {};
+}
+template <template <class> class Shape, class T>
+std::array<T, 2> interval_of(const Lanes<RayProblem<Shape, T>>& in) {
+  return in.interval;
 }
 
 /// Solves the problems in packs; flat, since a pack that is handed to a function out of line goes through
@@ -39,7 +49,7 @@ RAYPROOF_FLAT bool solve(const Lanes<Problem>& given, T* const (&out)[Columns], 
     const auto problem = problem_of<N>(in, columns);
     put_results<Lanes<Problem>>(problem, Lanes<Problem>::Topic::template solve<Method>(problem), to);
   };
-  run<N>(in.columns, out, in.size, fill, all ? Columns : 1);
+  run<N>(in.columns, out, in.size, fill, all ? Columns : 1, interval_of(in));
   return false;
 }
 
@@ -50,13 +60,14 @@ bool solve_quickly(const Lanes<Problem>& in, T* const (&out)[Columns], const Sol
   using N = Pack<double>;
   using Wide = WiderThan<T, N>;
   Mask<N> is_sure(true);
-  run<N>(in.columns, out, in.size, [&](const N(&columns)[6], N(&to)[Columns]) {
-    const Ray<N> ray = ray_of<N>(in, columns);
+  const auto fill = [&](const N(&columns)[8], N(&to)[Columns]) {
+    const Ray<N> ray = ray_of<N>(columns);
     const Mask<N> is_sure_now =
         solve(ray, Method::enclosed(convert<Wide>(ray), convert<Wide>(convert<N>(in.shape))), to);
     is_sure = is_sure && is_sure_now;
     for (N& result : to) result = select(is_sure_now, result, N(not_a_number<N>));
-  });
+  };
+  run<N>(in.columns, out, in.size, fill, Columns, interval_of(in));
   return !std::experimental::all_of(is_sure);
 }
 

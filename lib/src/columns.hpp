@@ -7,6 +7,7 @@
 #include <rayproof/arithmetics/pack.hpp>
 
 #include <algorithm>
+#include <array>
 #include <tuple>
 
 /// Puts all that a function calls into the function itself; not under AddressSanitizer, which would take
@@ -53,24 +54,38 @@ struct LaneAccess<T> {
 /// Calls `solve(in, out)` for every `width` lanes of the columns. The last lanes are padded with copies of
 /// the very last one, so that they take the same path as all others: the same loop, since all that `solve`
 /// calls becomes part of it, which a second one would have g++ do twice. Where 1 column is `wanted`, the
-/// others are not written.
-template <class N, class T, std::size_t In, std::size_t Out, class Solve>
+/// others are not written. The last columns that are read may be null: `common` has a number for each of
+/// these, which stands in all lanes.
+template <class N, class T, std::size_t In, std::size_t Out, class Solve, std::size_t Common = 0>
 void run(const T* const (&in)[In], T* const (&out)[Out], std::size_t size, const Solve& solve,
-         std::size_t wanted = Out) {
+         std::size_t wanted = Out, const std::array<T, Common>& common = {}) {
   using Access = LaneAccess<N>;
   constexpr std::size_t lanes = Access::width;
   const std::size_t whole = size - size % lanes;
+  constexpr std::size_t always = In - Common;
   T rest_in[In][lanes];
   T rest_out[Out][lanes];
   const T* source[In];
   T* target[Out];
+  // A common number is read again and again from one pack of it: all bits of `i` that count are masked out.
+  std::array<std::array<T, lanes>, Common> same;
+  std::array<std::size_t, Common> moving;
   for (std::size_t column = 0; column < In; ++column) source[column] = in[column];
+  for (std::size_t c = 0; c < Common; ++c) {
+    for (T& lane : same[c]) lane = common[c];
+    const bool is_common = in[always + c] == nullptr;
+    moving[c] = is_common ? 0 : ~std::size_t{0};
+    if (is_common) source[always + c] = same[c].data();
+  }
   for (std::size_t column = 0; column < Out; ++column) target[column] = out[column];
   for (std::size_t end = whole;;) {
     N from[In];
     N to[Out];
     for (std::size_t i = 0; i < end; i += lanes) {
-      for (std::size_t column = 0; column < In; ++column) from[column] = Access::load(source[column] + i);
+      for (std::size_t column = 0; column < always; ++column)
+        from[column] = Access::load(source[column] + i);
+      for (std::size_t c = 0; c < Common; ++c)
+        from[always + c] = Access::load(source[always + c] + (i & moving[c]));
       solve(from, to);
       Access::store(to[0], target[0] + i);
       if (wanted == 1) continue;
@@ -79,6 +94,7 @@ void run(const T* const (&in)[In], T* const (&out)[Out], std::size_t size, const
     if (whole == size || source[0] == rest_in[0]) break;
 
     for (std::size_t column = 0; column < In; ++column) {
+      if (column >= always && moving[column - always] == 0) continue;
       for (std::size_t lane = 0; lane < lanes; ++lane)
         rest_in[column][lane] = in[column][std::min(whole + lane, size - 1)];
       source[column] = rest_in[column];

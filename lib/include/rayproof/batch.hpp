@@ -29,8 +29,9 @@ struct Coordinates {
   std::span<const T> x, y, z;
 };
 
-/// Rays as six arrays of one length, with a common interval of t. Where `object_space` is given the rays are
-/// in the world, and meet the shape in that space; t is the same in both.
+/// Rays as six arrays of one length, with a common interval of t, either end of which gives way to an array
+/// of one for each ray. Where `object_space` is given the rays are in the world, and meet the shape in that
+/// space; t is the same in both.
 template <class T>
 struct RayBatch {
   Coordinates<T> origin;
@@ -38,6 +39,7 @@ struct RayBatch {
   T t_min = T(0);
   T t_max = infinity<T>;
   std::optional<ObjectSpace<T>> object_space{};
+  std::span<const T> each_t_min{}, each_t_max{};  ///< empty where the common one counts
 };
 
 /// Quadratic equations as three arrays of one length.
@@ -64,17 +66,25 @@ std::size_t common_size(const First& first, const Rest&... rest) {
   return first.size();
 }
 
+/// Where an array begins that may be left out, or `otherwise`.
+template <class T, class First>
+[[nodiscard]] T* begin_of(std::span<T> column, const First& first, std::type_identity_t<T*> otherwise) {
+  if (column.empty()) return otherwise;
+  common_size(first, column);
+  return column.data();
+}
+
 /// The columns of a batch of rays, valid as long as `rays`.
 template <class T, template <class> class Shape>
 [[nodiscard]] Lanes<RayProblem<Shape, T>> lanes_of(const RayBatch<T>& rays, const Shape<T>& shape) {
-  const auto& [origin, direction, t_min, t_max, space] = rays;
+  const auto& [origin, direction, t_min, t_max, space, each_t_min, each_t_max] = rays;
   const std::size_t size = common_size(origin.x, origin.y, origin.z, direction.x, direction.y, direction.z);
-  return {{origin.x.data(), origin.y.data(), origin.z.data(), direction.x.data(), direction.y.data(),
-           direction.z.data()},
-          size,
-          t_min,
-          t_max,
-          shape};
+  return {
+      {origin.x.data(), origin.y.data(), origin.z.data(), direction.x.data(), direction.y.data(),
+       direction.z.data(), begin_of(each_t_min, origin.x, nullptr), begin_of(each_t_max, origin.x, nullptr)},
+      size,
+      {t_min, t_max},
+      shape};
 }
 
 }  // namespace batch
@@ -96,11 +106,7 @@ void batch_roots(const RayBatch<T>& rays, const Shape<T>& shape, const RootArray
   batch::common_size(rays.origin.x, roots.discriminant, roots.lo, roots.hi);
   // What nobody wants is written where a root is written after it.
   T* const spare = roots.lo.data();
-  const auto given = [&](std::span<T> column) {
-    if (column.empty()) return spare;
-    batch::common_size(rays.origin.x, column);
-    return column.data();
-  };
+  const auto given = [&](std::span<T> column) { return batch::begin_of(column, rays.origin.x, spare); };
   batch::solve<Method>(
       set, batch::lanes_of(rays, shape),
       {spare, given(roots.u), given(roots.v), roots.discriminant.data(), spare, roots.hi.data()}, true,

@@ -32,10 +32,10 @@ struct RootColumns {
   [[nodiscard]] FlatHit<T> at(std::size_t i) const { return {{discriminant[i], lo[i], hi[i]}, u[i], v[i]}; }
 };
 
-/// Six columns of hard rays and a shape.
+/// Columns of hard rays, each with its own interval or one of all, and a shape.
 template <class T, template <class> class Shape>
 struct HardBatch {
-  std::vector<T> column[6];
+  std::vector<T> column[8];
   Shape<T> shape;
   RayBatch<T> rays;
 
@@ -45,6 +45,8 @@ struct HardBatch {
     rays = {{column[0], column[1], column[2]}, {column[3], column[4], column[5]}};
     if (random.one_in(2)) rays.t_min = hard_number<T>(random);
     if (random.one_in(2)) rays.t_max = hard_number<T>(random);
+    if (random.one_in(2)) rays.each_t_min = column[6];
+    if (random.one_in(2)) rays.each_t_max = column[7];
     if (random.one_in(3)) rays.object_space = object_space(matrix(random));
   }
 
@@ -58,8 +60,8 @@ struct HardBatch {
   [[nodiscard]] Ray<T> ray(std::size_t i) const {
     return {{column[0][i], column[1][i], column[2][i]},
             {column[3][i], column[4][i], column[5][i]},
-            rays.t_min,
-            rays.t_max};
+            rays.each_t_min.empty() ? rays.t_min : column[6][i],
+            rays.each_t_max.empty() ? rays.t_max : column[7][i]};
   }
   template <class Method>
   [[nodiscard]] auto roots(std::size_t i) const {
@@ -178,6 +180,10 @@ TEST(Batch, RefusesArraysOfUnlikeLengths) {
   std::vector<float> t(3);
   EXPECT_THROW(nearest_hits<sphere::Centred>(RayBatch<float>{{three, three, three}, {three, four, three}},
                                              Sphere<float>{{0, 0, 0}, 1}, std::span<float>(t)),
+               std::invalid_argument);
+  const RayBatch<float> with_ends{
+      .origin = {three, three, three}, .direction = {three, three, three}, .each_t_max = four};
+  EXPECT_THROW(nearest_hits<sphere::Centred>(with_ends, Sphere<float>{{0, 0, 0}, 1}, std::span<float>(t)),
                std::invalid_argument);
   EXPECT_THROW(
       batch_roots<quadratic::Kahan>(QuadraticBatch<float>{three, three, three}, RootArrays<float>{t, t, {}}),

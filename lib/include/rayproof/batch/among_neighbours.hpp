@@ -56,15 +56,18 @@ struct MixedRoots {
 };
 
 /// The roots of one ray's problem, answered in a batch of many. The ray is in the world where `space` is
-/// given.
+/// given. In every other lane it has the ends of its interval in columns, in the rest in common with all.
 template <class Method, class T, class Shape>
 [[nodiscard]] auto roots_among_neighbours(const Ray<T>& ray, const Shape& shape,
                                           const std::optional<ObjectSpace<T>>& space = {},
                                           InstructionSet set = preferred_instruction_set()) {
   const auto& [o, d, t_min, t_max] = ray;
-  const MixedLanes<T, 6, mixed_lanes<Method>> lanes({o.x, o.y, o.z, d.x, d.y, d.z});
+  const MixedLanes<T, 8, mixed_lanes<Method>> lanes({o.x, o.y, o.z, d.x, d.y, d.z, t_min, t_max});
   const auto& c = lanes.column;
-  const RayBatch<T> rays{{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, t_min, t_max, space};
+  RayBatch<T> rays{{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, t_min, t_max, space};
+  if (lanes.lane % 2 == 1) {
+    rays = {rays.origin, rays.direction, not_a_number<T>, not_a_number<T>, space, c[6], c[7]};
+  }
   MixedRoots<T, decltype(Method::roots(ray, shape)), mixed_lanes<Method>> roots;
   batch_roots<Method>(rays, shape, roots.arrays(), set);
   return roots.at(lanes.lane);

@@ -6,6 +6,7 @@
 /// What a kernel is handed holds bare pointers: its object code is for one instruction set, and must contain
 /// no inline function that the linker could put in the place of another instruction set's.
 
+#include <array>
 #include <concepts>
 #include <cstddef>
 #include <rayproof/batch/instruction_set.hpp>
@@ -30,16 +31,17 @@ struct Lanes<Quadratic<T>> {
   std::size_t size;
 };
 
-/// The columns of origin and direction, and what the rays have in common. Results: the nearest hit (infinity
-/// for a miss), u, v (written for flat shapes alone), the discriminant and both roots.
+/// The columns of origin and direction, of t_min and t_max where they differ from ray to ray (null where they
+/// do not), and what the rays have in common. Results: the nearest hit (infinity for a miss), u, v (written
+/// for flat shapes alone), the discriminant and both roots.
 template <template <class> class Shape, class T>
 struct Lanes<RayProblem<Shape, T>> {
   using Number = T;
   using Topic = RayTopic<Shape>;
   static constexpr std::size_t results = 6;
-  const T* columns[6];
+  const T* columns[8];
   std::size_t size;
-  T t_min, t_max;
+  std::array<T, 2> interval;  ///< t_min and t_max of all rays that have no column of them
   Shape<T> shape;
 };
 

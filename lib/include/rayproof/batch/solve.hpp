@@ -12,7 +12,8 @@ namespace rayproof::batch {
 /// `size` problems of a batch, from the given one on.
 template <class Problem>
 [[nodiscard]] Lanes<Problem> part_of(Lanes<Problem> in, std::size_t from, std::size_t size) {
-  for (auto& column : in.columns) column += from;
+  for (auto& column : in.columns)
+    if (column != nullptr) column += from;
   in.size = size;
   return in;
 }
@@ -25,7 +26,10 @@ template <class T>
 template <template <class> class Shape, class T>
 [[nodiscard]] RayProblem<Shape, T> problem_at(const Lanes<RayProblem<Shape, T>>& in, std::size_t i) {
   const auto& c = in.columns;
-  return {{{c[0][i], c[1][i], c[2][i]}, {c[3][i], c[4][i], c[5][i]}, in.t_min, in.t_max}, in.shape};
+  const auto end = [&](std::size_t which) {
+    return c[6 + which] == nullptr ? in.interval[which] : c[6 + which][i];
+  };
+  return {{{c[0][i], c[1][i], c[2][i]}, {c[3][i], c[4][i], c[5][i]}, end(0), end(1)}, in.shape};
 }
 
 /// Answers one problem of a batch by `solve(problem)`.
@@ -96,7 +100,8 @@ void run_in_space(InstructionSet set, const Lanes<Problem>& in, const ObjectSpac
   const auto& kernel = std::get<ToObjectKernel<T>>(kernel_table(set));
   for (std::size_t from = 0; from < in.size; from += block) {
     auto part = part_of(in, from, std::min(block, in.size - from));
-    kernel.move(part.columns, part.size, space, to);
+    const auto& [x, y, z, dx, dy, dz, t_min, t_max] = part.columns;
+    kernel.move({x, y, z, dx, dy, dz}, part.size, space, to);
     T* results[6] = {};
     for (std::size_t i = 0; i < 6; ++i) {
       part.columns[i] = to[i];
