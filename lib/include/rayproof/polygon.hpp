@@ -31,6 +31,7 @@ struct Polygon {
 template <class To, class From>
 [[nodiscard]] Polygon<To> convert(const Polygon<From>& polygon) {
   Polygon<To> other;
+  other.vertices.reserve(polygon.vertices.size());
   for (const auto& vertex : polygon.vertices) other.vertices.push_back(convert<To>(vertex));
   return other;
 }

@@ -2,6 +2,7 @@
 #include <rayproof/box/bounded_slab.hpp>
 #include <rayproof/cylinder/exact_hits.hpp>
 #include <rayproof/cylinder/side.hpp>
+#include <rayproof/formulas/exact_map.hpp>
 #include <rayproof/method/method.hpp>
 #include <rayproof/sphere/rounded.hpp>
 
@@ -14,11 +15,13 @@ namespace rayproof::cylinder {
 ///
 /// Side and heights are met in double for a ray in float, in double-double for one in double, in packs too;
 /// that answer stands where the error bounds below leave no doubt of hit or miss, of which comes first, root
-/// or height, and of the rounding, which is nearly everywhere but along the axis. The rest goes to expansions
-/// (ExactCylinderHits). An answer is never rounded across an end of the ray's interval.
+/// or height, and of the rounding, which is nearly everywhere but along the axis. The rest, and every ray
+/// under a transform, goes to expansions (ExactCylinderHits). An answer is never rounded across an end of the
+/// ray's interval.
 ///
 /// Holds for all finite floats; for doubles while every number that is not 0 lies within 2^±100, beyond which
-/// the products, of degree six, or a root itself over- or underflow. Radii of 0 and negative heights make no
+/// the products, of degree six, or a root itself over- or underflow; under a transform, where they are of
+/// degree 16, within 2^±12. Radii of 0 and negative heights make no
 /// cylinder and are missed.
 struct Rounded {
   static constexpr const char* name = "rounded";
@@ -29,7 +32,7 @@ struct Rounded {
       .residual = {.measured = 1, .promised = 4},
       .ulp = {.measured = 0.501, .promised = 0.51},
       .hit = cylinder_hit_bounds,
-      .domain = {.reach_float = 1000, .reach_double = 100, .every_number = true},
+      .domain = {.reach_float = 1000, .reach_double = 100, .reach_transformed = 12, .every_number = true},
       .holds = robust_claims | hit_claims | Claims{Claim::residual, Claim::ulp, Claim::rounded}};
 
   template <std::floating_point T>
@@ -38,7 +41,21 @@ struct Rounded {
   }
   template <std::floating_point T>
   [[nodiscard]] static Roots<T> exact_roots(const Ray<T>& ray, const Cylinder<T>& cylinder) {
-    return ExactCylinderHits::roots(ray, cylinder);
+    return met_exactly<Rounded>(ray, cylinder);
+  }
+
+  /// The same under a transform.
+  template <std::floating_point T>
+  [[nodiscard]] static Roots<T> roots_in_world(const ObjectSpace<T>& space, const Ray<T>& ray,
+                                               const Cylinder<T>& cylinder) {
+    return met_exactly<Rounded>(space, ray, cylinder);
+  }
+
+  /// The hits of a ray from o along d, as met_exactly has them.
+  template <std::floating_point T, class Number, class Unit>
+  [[nodiscard]] static Roots<T> meet(const Ray<T>& ray, const Cylinder<T>& cylinder, const Vec3<Number>& o,
+                                     const Vec3<Number>& d, const Unit& unit) {
+    return ExactCylinderHits::meet(ray, cylinder, o, d, unit);
   }
 
   /// Side and heights met in double on numbers that are floats, or in double-double on doubles, and what is

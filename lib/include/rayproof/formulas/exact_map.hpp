@@ -51,7 +51,7 @@ struct ExactlyMapped {
 /// without rounding; the shape's numbers count `unit` times, as o and d already do.
 template <class Method, std::floating_point T, template <class> class Shape>
 [[nodiscard]] auto met_exactly(const Ray<T>& ray, const Shape<T>& shape) {
-  using Result = decltype(Method::exact_roots(ray, shape));
+  using Result = decltype(Method::roots(ray, shape));
   if (!are_finite(ray.origin, ray.direction)) return Result(no_hit<T>);  // NOLINT: a miss has no u, v
   return Method::meet(ray, shape, exact_vector<double>(ray.origin), exact_vector<double>(ray.direction),
                       UnitFactor());
@@ -61,7 +61,7 @@ template <class Method, std::floating_point T, template <class> class Shape>
 /// they were given, not of a ray that was rounded into object space. A singular map gives a miss.
 template <class Method, std::floating_point T, template <class> class Shape>
 [[nodiscard]] auto met_exactly(const ObjectSpace<T>& space, const Ray<T>& ray, const Shape<T>& shape) {
-  using Result = decltype(Method::exact_roots(ray, shape));
+  using Result = decltype(Method::roots(ray, shape));
   if (!are_finite(ray.origin, ray.direction, space.translation, space.column_x, space.column_y,
                   space.column_z))
     return Result(no_hit<T>);  // NOLINT: a miss has no u, v

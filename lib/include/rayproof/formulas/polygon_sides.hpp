@@ -9,6 +9,7 @@
 #include <rayproof/arithmetic.hpp>
 #include <rayproof/formulas/finite.hpp>
 #include <rayproof/polygon.hpp>
+#include <utility>
 
 #include <rayproof/rounding/as_written.hpp>
 
@@ -44,6 +45,18 @@ template <class T>
          point.y <= max(a.y, b.y);
 }
 
+/// A list whose elements are made when they are asked for: vertices in another arithmetic, say.
+template <class Make>
+struct MadeInTurn {
+  std::size_t count;
+  Make make;
+
+  [[nodiscard]] constexpr std::size_t size() const { return count; }
+  [[nodiscard]] constexpr auto operator[](std::size_t i) const { return make(i); }
+};
+template <class Make>
+MadeInTurn(std::size_t, Make) -> MadeInTurn<Make>;
+
 /// The vertex after vertex i of a closed polygon.
 [[nodiscard]] constexpr std::size_t next(std::size_t i, std::size_t vertex_count) {
   return i + 1 < vertex_count ? i + 1 : 0;
@@ -68,7 +81,11 @@ constexpr void for_each_side(const Vertices& vertices, Visit&& visit) {
 template <class T, class Vertices>
 [[nodiscard]] vec3<T> newell_normal(const Vertices& vertices, const vec3<T>& r) {
   vec3<T> normal{T(0), T(0), T(0)};
-  for_each_side(vertices, [&](const vec3<T>& a, const vec3<T>& b) { normal = normal + cross(a - r, b - r); });
+  vec3<T> b = vertices[0] - r;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const vec3<T> a = std::exchange(b, vertices[next(i, vertices.size())] - r);
+    normal = normal + cross(a, b);
+  }
   return normal;
 }
 

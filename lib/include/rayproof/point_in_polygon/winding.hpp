@@ -2,6 +2,7 @@
 #include <rayproof/formulas/polygon_sides.hpp>
 #include <rayproof/method/method.hpp>
 #include <rayproof/point_in_polygon/orientation.hpp>
+#include <utility>
 
 #include <rayproof/rounding/as_written.hpp>
 
@@ -12,19 +13,20 @@ namespace rayproof::point_in_polygon {
 /// point and the side from vertex i to vertex j, or its sign.
 ///
 /// Inside is where the winding number is odd: the even-odd rule. Where a polygon runs twice about a point,
-/// the point is wound about and yet outside.
-template <Branching T, class Side>
-[[nodiscard]] Position locate_by_winding(const PointAndPolygon<T>& question, Side&& side) {
+/// the point is wound about and yet outside. `vertices` may be made in turn.
+template <Branching T, class Vertices, class Side>
+[[nodiscard]] Position locate_by_winding(const Vec2<T>& p, const Vertices& vertices, Side&& side) {
   step<T>("Add up the turns of the sides about the point",
           "At the point's height, a rising side with the point on its left counts +1 and a falling side with "
           "it on its right −1; an odd sum means inside.");
-  const Vec2<T> p = question.point;
   int winding = 0;
   bool is_on_side = false;
-  for (std::size_t i = 0; i < question.vertices.size(); ++i) {
-    const std::size_t j = polygon::next(i, question.vertices.size());
-    const Vec2<T> a = question.vertices[i];
-    const Vec2<T> b = question.vertices[j];
+  const std::size_t count = vertices.size();
+  if (count == 0) return Position::outside;
+  Vec2<T> b = vertices[0];
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t j = polygon::next(i, count);
+    const Vec2<T> a = std::exchange(b, vertices[j]);
     const bool is_beside = min(a.y, b.y) <= p.y && p.y <= max(a.y, b.y);
     if (!is_beside) continue;
     const auto orientation = side(i, j);
@@ -54,7 +56,7 @@ struct Winding {
   template <Branching T>
   [[nodiscard]] static Position locate(const PointAndPolygon<T>& question) {
     if (!polygon::is_finite(question)) return Position::outside;
-    return locate_by_winding(question, [&](std::size_t i, std::size_t j) {
+    return locate_by_winding(question.point, question.vertices, [&](std::size_t i, std::size_t j) {
       return orientation(question.point, question.vertices[i], question.vertices[j]);
     });
   }

@@ -15,13 +15,17 @@ namespace rayproof::polygon {
 
 /// Where a ray's line meets a polygon's plane: t, the point in the projection along the largest axis of the
 /// Newell normal, and its place in the projected polygon. What double leaves in doubt is asked of the exact
-/// quotient.
+/// quotient. The ray leads from o along d, as met_exactly has them.
+template <class T, class Vector, class Unit>
 class ExactMeeting {
  public:
   using Exact = ExactQuotient::Exact;
 
-  ExactMeeting(const Ray<double>& ray, Polygon<double> polygon) : ray_(ray), polygon_(std::move(polygon)) {
-    const auto quick = EnclosedQuotient<double>::of(ray_, polygon_);
+  /// Valid as long as what it is made of.
+  ExactMeeting(const Polygon<T>& polygon, const Vector& o, const Vector& d, const Unit& unit)
+      : polygon_(polygon), o_(o), d_(d), unit_(unit) {
+    const vec3<double> origin = approximate(o), direction = approximate(d);
+    const auto quick = EnclosedQuotient<double>::of({origin, direction}, polygon, is_ray_given);
     if (quick.is_sure()) {
       turned_ = LargestAxisLast<double>(quick.normal_in_double());
       t_ = quick.t();
@@ -32,22 +36,22 @@ class ExactMeeting {
       t_ = ratio().approximate;
       t_error_ = 0x1.4p-51 * abs(t_);  // three roundings, and two
     }
-    origin_ = dropped(ray.origin);
-    direction_ = dropped(ray.direction);
+    origin_ = turned_.dropped(origin);
+    direction_ = turned_.dropped(direction);
   }
 
   /// The ray runs along the plane, or the polygon has no plane.
   [[nodiscard]] bool is_parallel() const { return exact_.has_value() && sign(exact_->D) == 0; }
 
-  /// t with more digits than T, and a bound on its error less two roundings.
-  template <std::floating_point T>
-  [[nodiscard]] std::pair<WiderThan<T>, double> enclosed_t() const {
+  /// t with more digits than T, and a bound on its error less two roundings; of `ray` itself, where it is
+  /// given, in double-double for a T of double.
+  [[nodiscard]] std::pair<WiderThan<T>, double> enclosed_t(const Ray<T>& ray) const {
     using W = WiderThan<T>;
-    if constexpr (std::same_as<W, double>) {
-      return {t_, t_error_};
-    } else {
-      const auto quotient = EnclosedQuotient<W>::of(convert<W>(ray_), convert<W>(polygon_));
+    if constexpr (is_ray_given && !std::same_as<W, double>) {
+      const auto quotient = EnclosedQuotient<W>::of(convert<W>(ray), polygon_);
       return {quotient.t(), quotient.error_of_t()};
+    } else {
+      return {W(t_), t_error_};
     }
   }
   /// t without rounding.
@@ -56,20 +60,33 @@ class ExactMeeting {
   /// The place of the meeting point in the polygon. Vertices are distinguished from it by the signs of their
   /// coordinates alone: for the winding number, the point may be at 0 and they at -1, 0 and 1.
   [[nodiscard]] Position locate() const {
-    PointAndPolygon<double> signs{{0, 0}, {}};
-    signs.vertices.reserve(polygon_.vertices.size());
-    for (const vec3<double>& vertex : polygon_.vertices) {
-      const Vec2<double> v = dropped(vertex);
-      signs.vertices.push_back({double(compare(v, &Vec2<double>::x)), double(compare(v, &Vec2<double>::y))});
-    }
-    return point_in_polygon::locate_by_winding(signs, [&](std::size_t i, std::size_t j) {
-      return side(dropped(polygon_.vertices[i]), dropped(polygon_.vertices[j]));
-    });
+    const auto signs = [&](std::size_t i) {
+      const Vec2<double> v = dropped(i);
+      return Vec2<double>{double(compare(v, &Vec2<double>::x)), double(compare(v, &Vec2<double>::y))};
+    };
+    return point_in_polygon::locate_by_winding(
+        Vec2<double>{0, 0}, MadeInTurn{polygon_.vertices.size(), signs},
+        [&](std::size_t i, std::size_t j) { return side(dropped(i), dropped(j)); });
   }
 
  private:
-  /// One coordinate of the vertex less the point's, in double, and a bound on its error: 4 roundings
-  /// beside that of t.
+  static constexpr bool is_ray_given = std::same_as<Unit, UnitFactor>;
+  /// What differences of products of the ray's coordinates are off by, in parts of their terms: 4 roundings
+  /// of their own, and 5.1 of each coordinate where the ray is not given; and some for the bound's own.
+  static constexpr double rounding = is_ray_given ? 0x1p-50 : 0x1p-49;
+
+  /// A vector of the ray, within 5.1 roundings.
+  [[nodiscard]] vec3<double> approximate(const Vector& v) const {
+    const auto& [x, y, z] = v;
+    if constexpr (is_ray_given) {
+      return {estimate(x), estimate(y), estimate(z)};
+    } else {
+      const double unit = estimate(unit_);
+      return {estimate(x) / unit, estimate(y) / unit, estimate(z) / unit};
+    }
+  }
+
+  /// One coordinate of the vertex less the point's, in double, and a bound on its error.
   struct ValueAndError {
     double value;
     double error;
@@ -79,19 +96,23 @@ class ExactMeeting {
     const double moved = t_ * direction_.*axis;
     const double size = abs(origin_.*axis) + abs(moved) + abs(vertex.*axis);
     return {(vertex.*axis - origin_.*axis) - moved,
-            t_error_ * abs(direction_.*axis) + 0x1p-50 * size + 0x1p-960};
+            t_error_ * abs(direction_.*axis) + rounding * size + 0x1p-960};
   }
 
-  /// The same, exactly, times the denominator.
+  /// The same, exactly, times the denominator and the unit.
   [[nodiscard]] Exact exact_offset(const Vec2<double>& vertex, double Vec2<double>::*axis) const {
-    return (Exact(vertex.*axis) - Exact(origin_.*axis)) * exact().D - exact().N * Exact(direction_.*axis);
+    const double number_of_axis = turned_.dropped({0, 1, 2}).*axis;
+    const auto coordinate = [&](const Vector& v) {
+      return Exact(number_of_axis == 0 ? v.x : number_of_axis == 1 ? v.y : v.z);
+    };
+    return (unit_ * Exact(vertex.*axis) - coordinate(o_)) * exact().D - exact().N * coordinate(d_);
   }
 
   /// The sign of one coordinate of the vertex less the point's.
   [[nodiscard]] int compare(const Vec2<double>& vertex, double Vec2<double>::*axis) const {
     const ValueAndError offset = rounded_offset(vertex, axis);
     if (offset.is_clear()) return offset.value > 0 ? 1 : -1;
-    return sign(exact_offset(vertex, axis)) * sign(exact().D);
+    return sign(exact_offset(vertex, axis)) * sign_of_factors();
   }
 
   /// The sign of the orientation of the point and the side from a to b, which is that of (a - point)×(b - a).
@@ -107,20 +128,26 @@ class ExactMeeting {
 
     const Exact exact_left = exact_offset(a, &Vec2<double>::x) * (Exact(b.y) - Exact(a.y));
     const Exact exact_right = exact_offset(a, &Vec2<double>::y) * (Exact(b.x) - Exact(a.x));
-    return sign(exact_left - exact_right) * sign(exact().D);
+    return sign(exact_left - exact_right) * sign_of_factors();
   }
 
-  /// A vector in the projection.
-  [[nodiscard]] Vec2<double> dropped(const vec3<double>& v) const { return turned_.dropped(v); }
+  /// Of what exact offsets are multiplied by.
+  [[nodiscard]] int sign_of_factors() const { return sign(exact().D) * sign(unit_); }
+
+  /// A vertex in the projection.
+  [[nodiscard]] Vec2<double> dropped(std::size_t i) const {
+    return turned_.dropped(convert<double>(polygon_.vertices[i]));
+  }
 
   /// Formed where it is first asked for.
   [[nodiscard]] const ExactQuotient& exact() const {
-    if (!exact_.has_value()) exact_ = ExactQuotient::of(ray_, polygon_);
+    if (!exact_.has_value()) exact_ = ExactQuotient::of(o_, d_, unit_, polygon_);
     return *exact_;
   }
 
-  Ray<double> ray_;
-  Polygon<double> polygon_;
+  const Polygon<T>& polygon_;
+  const Vector &o_, &d_;
+  const Unit& unit_;
   mutable std::optional<ExactQuotient> exact_;
   LargestAxisLast<double> turned_{vec3<double>{}};
   Vec2<double> origin_{}, direction_{};

@@ -4,9 +4,9 @@
 
 #include <rayproof/arithmetics/growing_expansion.hpp>
 #include <rayproof/arithmetics/sized.hpp>
+#include <rayproof/formulas/exact_map.hpp>
 #include <rayproof/formulas/exact_rounding.hpp>
 #include <rayproof/formulas/polygon_sides.hpp>
-#include <vector>
 
 #include <rayproof/rounding/as_written.hpp>
 
@@ -19,10 +19,14 @@ struct ExactQuotient {
   Vec3<Exact> normal;
   Exact N, D;
 
-  [[nodiscard]] static ExactQuotient of(const Ray<double>& ray, const Polygon<double>& polygon) {
-    const auto vertices = convert<Exact>(polygon).vertices;
-    const Vec3<Exact> n = newell_normal<Exact>(vertices, vertices.front());
-    return {n, dot(n, vertices.front() - convert<Exact>(ray.origin)), dot(n, convert<Exact>(ray.direction))};
+  /// Of a ray from o along d, as met_exactly has them.
+  template <class Vector, class Unit, class T>
+  [[nodiscard]] static ExactQuotient of(const Vector& o, const Vector& d, const Unit& unit,
+                                        const Polygon<T>& polygon) {
+    const auto exact_vertex = [&](std::size_t i) { return convert<Exact>(polygon.vertices[i]); };
+    const Vec3<Exact> first = exact_vertex(0);
+    const Vec3<Exact> n = newell_normal<Exact>(MadeInTurn{polygon.vertices.size(), exact_vertex}, first);
+    return {n, dot(n, unit * first - convert<Exact>(o)), dot(n, convert<Exact>(d))};
   }
   /// For exact_rounding.hpp. Within the method's domain the digits of both span no more than 1200 bits.
   [[nodiscard]] Ratio ratio() const { return {compressed<24>(N), compressed<24>(D)}; }
@@ -32,21 +36,27 @@ struct ExactQuotient {
 ///
 /// With u the unit roundoff, of k vertices less the first each is off by u of itself, their products by 3u,
 /// and a component of the normal by (k + 3)u of its size; so N and D are off by (k + 7)u of theirs, and the
-/// quotient, where D has digits, by that of both and one rounding more. The bound leaves as much again.
+/// quotient, where D has digits, by that of both and one rounding more. The bound leaves as much again: room
+/// for a ray that is not given, but off by 5.1u of each coordinate, where N's size has that of its origin.
 template <class W>
 struct EnclosedQuotient {
   Vec3<Sized<W>> normal;
   Sized<W> N, D;
   double relative;  ///< what both are off by, in parts of their sizes
 
-  [[nodiscard]] static EnclosedQuotient of(const Ray<W>& ray, const Polygon<W>& polygon) {
-    const vec3<W> first = polygon.vertices.front();
-    std::vector<Vec3<Sized<W>>> seen_from_first;
-    seen_from_first.reserve(polygon.vertices.size());
-    for (const vec3<W>& vertex : polygon.vertices) seen_from_first.push_back(sized<W>(vertex - first));
+  template <class T>
+  [[nodiscard]] static EnclosedQuotient of(const Ray<W>& ray, const Polygon<T>& polygon,
+                                           bool is_ray_given = true) {
+    const auto first = convert<W>(polygon.vertices.front());
+    const auto seen_from_first = [&](std::size_t i) {
+      return sized<W>(convert<W>(polygon.vertices[i]) - first);
+    };
     const Sized<W> zero(W(0));
-    const auto n = newell_normal<Sized<W>>(seen_from_first, {zero, zero, zero});
-    return {n, dot(n, sized<W>(first - ray.origin)), dot(n, sized<W>(ray.direction)),
+    const auto n =
+        newell_normal<Sized<W>>(MadeInTurn{polygon.vertices.size(), seen_from_first}, {zero, zero, zero});
+    const auto o = sized<W>(ray.origin);
+    const auto ahead = is_ray_given ? sized<W>(first - ray.origin) : sized<W>(first) - o;
+    return {n, dot(n, ahead), dot(n, sized<W>(ray.direction)),
             2 * unit_roundoff<W> * (static_cast<double>(polygon.vertices.size()) + 8)};
   }
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <rayproof/cylinder/methods.hpp>
 
 namespace rayproof::cylinder {
@@ -92,6 +93,40 @@ TYPED_TEST(RoundedCylinder, RoundsTiesToEven) {
     EXPECT_EQ(exit_from(-1), most);
     EXPECT_EQ(exit_from(-3), most + 4);
   }
+}
+
+/// The map's third is no float: a ray that is rounded into object space first loses what decides.
+TYPED_TEST(RoundedCylinder, ComposesATransformExactly) {
+  using T = TypeParam;
+  for (const T scale : {T(3), T(-3)}) {
+    const auto third = object_space(glm::scale(glm::mat<4, 4, T>(1), vec3<T>(scale)));
+    const auto across = [&](T y, bool is_capped) {  // at the height 1, 6 by 3 in the world
+      return roots_in_world<Rounded>(third, Ray<T>{{-30, y, scale}, {1, 0, 0}},
+                                     Cylinder<T>{2, 1, 4, is_capped});
+    };
+    for (const bool is_capped : {false, true}) {
+      EXPECT_EQ(across(3, is_capped).discriminant, 0);
+      EXPECT_EQ(across(3, is_capped).lo, 30);
+      EXPECT_GT(across(std::nextafter(T(3), T(0)), is_capped).discriminant, 0);
+      EXPECT_LT(across(std::nextafter(T(3), T(4)), is_capped).discriminant, 0);
+      EXPECT_EQ(across(0, is_capped).lo, 24);
+      EXPECT_EQ(across(0, is_capped).hi, 36);
+    }
+    const auto past_the_rim = [&](T x) {
+      return roots_in_world<Rounded>(third, Ray<T>{{x, 0, 3 * scale}, {-1, 0, scale}},
+                                     Cylinder<T>{2, 1, 4, true});
+    };
+    EXPECT_TRUE(std::isnan(past_the_rim(7).lo));
+    EXPECT_EQ(past_the_rim(7).hi, 1);  // touches it at x = 6
+    EXPECT_LT(past_the_rim(std::nextafter(T(7), T(8))).discriminant, 0);
+    EXPECT_LT(past_the_rim(std::nextafter(T(7), T(6))).lo, 1);
+    const Ray<T> along{{1, 1, 0}, {0, 0, scale}};
+    EXPECT_EQ(roots_in_world<Rounded>(third, along, Cylinder<T>{2, 1, 4, true}).hi, 4);
+    EXPECT_FALSE(any(along, roots_in_world<Rounded>(third, along, Cylinder<T>{2, 1, 4, false})));
+  }
+  const auto flat = object_space(glm::scale(glm::mat<4, 4, T>(1), vec3<T>(1, 1, 0)));
+  const Ray<T> ray{{-3, 0, 0}, {1, 0, 0}};
+  EXPECT_FALSE(any(ray, roots_in_world<Rounded>(flat, ray, this->capped_)));
 }
 
 class RoundedCylinderInDouble : public testing::TestWithParam<bool> {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 #include <rayproof/polygon/methods.hpp>
 
 namespace rayproof::polygon {
@@ -33,6 +34,32 @@ TYPED_TEST(RoundedPolygonIn, TakesATouchedSideForAHitHoweverTheNormalLeans) {
   EXPECT_FALSE(any(beside_it, Rounded::roots(beside_it, leaning)));
 }
 
+/// The map's third is no float: a ray that is rounded into object space first loses what decides.
+TYPED_TEST(RoundedPolygonIn, ComposesATransformExactly) {
+  using T = TypeParam;
+  const Polygon<T> square{{{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}};
+  for (const T scale : {T(3), T(-3)}) {
+    const auto third = object_space(glm::scale(glm::mat<4, 4, T>(1), vec3<T>(scale)));
+    const auto at = [&](T x, T y) {
+      return roots_in_world<Rounded>(third, Ray<T>{{x, y, 0}, {0, 0, scale / 2}}, square);
+    };
+    const T more = std::nextafter(T(3), T(4)), less = std::nextafter(T(3), T(0));
+    for (const T side : {T(3), T(-3)}) {
+      EXPECT_EQ(at(side, side).lo, 2);
+      EXPECT_EQ(at(side, 0).lo, 2);
+      EXPECT_EQ(at(0, side).lo, 2);
+    }
+    for (const T x : {more, -more}) EXPECT_EQ(at(x, 0).discriminant, -1);
+    for (const T y : {more, -more}) EXPECT_EQ(at(0, y).discriminant, -1);
+    EXPECT_EQ(at(less, less).lo, 2);
+    const Ray<T> level{{0, 0, scale}, {1, 0, 0}};
+    EXPECT_FALSE(any(level, roots_in_world<Rounded>(third, level, square)));
+  }
+  const auto flat = object_space(glm::scale(glm::mat<4, 4, T>(1), vec3<T>(1, 1, 0)));
+  const Ray<T> ray{{0, 0, -1}, {0, 0, 1}};
+  EXPECT_FALSE(any(ray, roots_in_world<Rounded>(flat, ray, square)));
+}
+
 /// Sixteen corners about the z axis, not in one plane, turned so that z stays the largest axis of the normal.
 Polygon<float> bowl(float far) {
   Polygon<float> polygon;
@@ -51,11 +78,15 @@ TEST(EnclosedQuotientOfAPolygon, HoldsTheExactQuotientWithinItsBound) {
       const Ray<float> ray{{aside, 0.3F - aside, -2}, {0.1F * aside, 0.05F, 1}};
       const auto wide_ray = convert<double>(ray);
       const auto polygon = convert<double>(bowl(far));
-      const auto quick = EnclosedQuotient<double>::of(wide_ray, polygon);
-      const auto exact = ExactQuotient::of(wide_ray, polygon).ratio();
-      ASSERT_TRUE(quick.is_sure());
-      EXPECT_EQ(exact.compare(rayproof::exact(quick.t() - quick.error_of_t())), 1);
-      EXPECT_EQ(exact.compare(rayproof::exact(quick.t() + quick.error_of_t())), -1);
+      const auto exact = ExactQuotient::of(exact_vector<double>(ray.origin),
+                                           exact_vector<double>(ray.direction), UnitFactor(), polygon)
+                             .ratio();
+      for (const bool is_ray_given : {true, false}) {
+        const auto quick = EnclosedQuotient<double>::of(wide_ray, polygon, is_ray_given);
+        ASSERT_TRUE(quick.is_sure());
+        EXPECT_EQ(exact.compare(rayproof::exact(quick.t() - quick.error_of_t())), 1);
+        EXPECT_EQ(exact.compare(rayproof::exact(quick.t() + quick.error_of_t())), -1);
+      }
     }
   }
 }
