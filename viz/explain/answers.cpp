@@ -1,4 +1,4 @@
-#include "viz/explain/answers.hpp"
+#include "viz/explain/case_report.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "viz/page/space_json.hpp"
+#include "viz/page/stage_json.hpp"
 
 #include <array>
 #include <cctype>

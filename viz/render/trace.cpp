@@ -5,10 +5,13 @@
 #include <array>
 
 #include "case/case.hpp"
+#include "oracle/oracle.hpp"
 #include "viz/render/all_figures.hpp"
+#include "viz/render/hits.hpp"
 #include "viz/render/tiles.hpp"
 
 namespace rayproof::render {
+
 namespace {
 
 template <class T>
@@ -25,6 +28,19 @@ HitImage trace_in(const RenderScene& scene, const Methods& methods, const Neighb
     for_each_pixel(tile, [&](int x, int y) { image.set(x, y, nearest[next++]); });
   });
   return image;
+}
+
+/// Asks the objects near the ray one after another, keeping the nearest.
+Nearest<double> exact_nearest(const RenderScene& scene, const Neighbourhood& neighbourhood,
+                              const Ray<double>& ray) {
+  Nearest<double> nearest;
+  auto ask = [&](ObjectIndex object) {
+    const ExactHit hit = exact_hit(scene, object, ray);
+    if (hit.is_hit) nearest.take(hit.t, object);
+    return beyond_rounding(nearest.t);
+  };
+  neighbourhood.visit(ray, ask);
+  return nearest;
 }
 
 }  // namespace
@@ -69,6 +85,26 @@ ObjectIndex nearest_at(const RenderScene& scene, const Methods& methods, const N
 Ray<double> pixel_ray(const RenderScene& scene, int x, int y) {
   return scene.precision == Precision::float32 ? convert<double>(PixelRays<float>(scene)(x, y))
                                                : PixelRays<double>(scene)(x, y);
+}
+
+ExactHit exact_hit(const RenderScene& scene, ObjectIndex object, const Ray<double>& ray) {
+  const Object& asked = scene.objects[object];
+  const Case one{{}, scene.precision, {}, RayQuestion{ray, asked.shape, asked.transform}};
+  const auto answer = std::get<RayAnswer>(oracle::answer(one));
+  if (answer.hits.count == 0) return {};
+  return {true, answer.hits.t[0]};
+}
+
+ObjectIndex exact_nearest_at(const RenderScene& scene, const Neighbourhood& neighbourhood, int x, int y) {
+  return exact_nearest(scene, neighbourhood, pixel_ray(scene, x, y)).object;
+}
+
+HitImage trace_exactly(const RenderScene& scene, const Neighbourhood& neighbourhood, const Work& work) {
+  HitImage image(scene.width, scene.height);
+  for_each_pixel(scene.width, scene.height, work, [&](int x, int y) {
+    image.set(x, y, exact_nearest(scene, neighbourhood, pixel_ray(scene, x, y)));
+  });
+  return image;
 }
 
 }  // namespace rayproof::render

@@ -3,6 +3,7 @@
 /// A ray and a figure: from which side they are seen, and where the ray passes nearest to the outline.
 
 #include <optional>
+#include <vector>
 
 #include "case/answer.hpp"
 #include "viz/scene/stage.hpp"
@@ -30,5 +31,9 @@ struct NearestPass {
   Shadow gap;
 };
 [[nodiscard]] std::optional<NearestPass> nearest_of(const RayScene& scene);
+
+/// From where neither the ray is seen end-on nor a surface with one of the given normals edge-on; the ray
+/// runs to the right. All are unit vectors.
+[[nodiscard]] StageCamera chosen_camera(const glm::dvec3& along_ray, const std::vector<glm::dvec3>& normals);
 
 }  // namespace rayproof::viz

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <rayproof/arithmetics/recorded.hpp>
 #include <stdexcept>
+#include <string_view>
 #include <type_traits>
 
 #include "viz/trace/record.hpp"
@@ -46,5 +47,22 @@ void show_beside(Stage& stage, const std::string& title, const Items& items);
 /// A last step on how far the run's own values differ from the exact ones: the one that lost most, magnified.
 [[nodiscard]] StageStep difference_of_values(const Walkthrough& walk, const Setting& setting,
                                              Precision precision);
+
+/// A drawing in the plane of the screen, of its own scene.
+[[nodiscard]] inline Setting plot_setting(const CaseReport& report) {
+  Setting setting = setting_of(report);
+  setting.camera = {};
+  setting.camera.is_flat = true;
+  setting.scene.clear();
+  setting.near = setting.wide = {{0, 0, 0}, 0.8};
+  setting.to_world = [](const glm::dvec3& p) { return p; };
+  return setting;
+}
+
+/// The surface and the ray up to t_end, with a slider over the same.
+[[nodiscard]] Setting surface_setting(const CaseReport& report, Items surface, double t_end);
+
+/// From the steps of that title on, what was drawn before is shown no more.
+void begin_anew(Stage& stage, std::string_view title);
 
 }  // namespace rayproof::viz

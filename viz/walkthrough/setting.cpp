@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viz/explain/answers.hpp"
-#include "viz/scene/fit_view.hpp"
+#include "viz/explain/case_report.hpp"
+#include "viz/scene/items.hpp"
 #include "viz/shapes/ray_scene.hpp"
 #include "viz/shapes/topics.hpp"
-#include "viz/walkthrough/close_up.hpp"
 #include "viz/walkthrough/difference_gap.hpp"
-#include "viz/walkthrough/flat_settings.hpp"
-#include "viz/walkthrough/spaces.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -9,8 +9,8 @@
 #include "subjects/subject.hpp"
 #include "unit/viz/every_shape.hpp"
 #include "viz/flat/case_sheet.hpp"
-#include "viz/flat/outline.hpp"
-#include "viz/shapes/camera.hpp"
+#include "viz/flat/stage_picture.hpp"
+#include "viz/shapes/ray_scene.hpp"
 #include "viz/shapes/topics.hpp"
 
 namespace rayproof::viz {

@@ -9,18 +9,20 @@
 
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 #include <numeric>
 #include <set>
+#include <string>
 #include <string_view>
 #include <tuple>
 
 #include "viz/picture/palette.hpp"
+#include "viz/picture/picture.hpp"
 #include "viz/picture/raster.hpp"
-#include "viz/picture/text_runs.hpp"
-#include "viz/vtk/sheet/legible_font.hpp"
 
 namespace rayproof::viz {
+
 namespace {
 
 /// VTK puts the bottom of the line at the given point, not the baseline; DejaVu Sans reaches so far below,
@@ -166,6 +168,14 @@ void paint_text(vtkContext2D& context, const Text& text, double x, double y, dou
       at += widths[i];
     }
   }
+}
+
+void use_legible_font(vtkTextProperty& text, bool bold) {
+  const std::string file =
+      std::string(RAYPROOF_FONT_DIR) + (bold ? "/DejaVuSans-Bold.ttf" : "/DejaVuSans.ttf");
+  if (!std::filesystem::exists(file)) return;
+  text.SetFontFamily(VTK_FONT_FILE);
+  text.SetFontFile(file.c_str());
 }
 
 }  // namespace rayproof::viz

@@ -9,7 +9,7 @@
 
 #include "viz/picture/palette.hpp"
 #include "viz/picture/raster.hpp"
-#include "viz/vtk/space/geometry_parts.hpp"
+#include "viz/vtk/space/geometry.hpp"
 
 namespace rayproof::viz {
 namespace {

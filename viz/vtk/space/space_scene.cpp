@@ -14,7 +14,7 @@
 #include <glm/geometric.hpp>
 #include <tuple>
 
-#include "viz/flat/outline.hpp"
+#include "viz/flat/stage_picture.hpp"
 #include "viz/picture/palette.hpp"
 #include "viz/picture/raster.hpp"
 #include "viz/vtk/space/floor.hpp"

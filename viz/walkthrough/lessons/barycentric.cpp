@@ -4,12 +4,11 @@
 #include <map>
 #include <rayproof/triangle/barycentric.hpp>
 
-#include "viz/scene/fit_view.hpp"
-#include "viz/trace/losses.hpp"
+#include "viz/scene/items.hpp"
 #include "viz/trace/numbers.hpp"
+#include "viz/trace/tape.hpp"
 #include "viz/walkthrough/compose.hpp"
-#include "viz/walkthrough/lessons.hpp"
-#include "viz/walkthrough/lessons/plot_setting.hpp"
+#include "viz/walkthrough/lesson.hpp"
 
 namespace rayproof::viz {
 

@@ -3,12 +3,12 @@
 #include <rayproof/formulas/polygon_sides.hpp>
 #include <rayproof/plane/point_normal.hpp>
 
-#include "viz/scene/fit_view.hpp"
+#include "viz/scene/items.hpp"
 #include "viz/trace/numbers.hpp"
 #include "viz/walkthrough/bindings.hpp"
 #include "viz/walkthrough/compose.hpp"
-#include "viz/walkthrough/lessons.hpp"
-#include "viz/walkthrough/spaces.hpp"
+#include "viz/walkthrough/lesson.hpp"
+#include "viz/walkthrough/setting.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "viz/trace/numbers.hpp"
 #include "viz/walkthrough/compose.hpp"
-#include "viz/walkthrough/lessons.hpp"
+#include "viz/walkthrough/lesson.hpp"
 #include "viz/walkthrough/stage_values.hpp"
 
 namespace rayproof::viz {
