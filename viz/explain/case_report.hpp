@@ -1,7 +1,7 @@
 #pragma once
 /// \file
 /// The report on one case: the exact answer, a method's answer, and how it came to it; and what pictures
-/// and\ntexts say of answers.
+/// and texts say of answers.
 
 #include <optional>
 #include <string>

@@ -5,8 +5,8 @@
 #include <rayproof/spawn.hpp>
 
 #include "subjects/reading.hpp"
-#include "viz/render/all_figures.hpp"
 #include "viz/render/colours.hpp"
+#include "viz/render/figures.hpp"
 #include "viz/render/tiles.hpp"
 
 namespace rayproof::render {

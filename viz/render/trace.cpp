@@ -6,7 +6,7 @@
 
 #include "case/case.hpp"
 #include "oracle/oracle.hpp"
-#include "viz/render/all_figures.hpp"
+#include "viz/render/figures.hpp"
 #include "viz/render/hits.hpp"
 #include "viz/render/tiles.hpp"
 
@@ -44,15 +44,6 @@ Nearest<double> exact_nearest(const RenderScene& scene, const Neighbourhood& nei
 }
 
 }  // namespace
-
-const std::vector<FigureKind>& figure_kinds() {
-  static const std::vector<FigureKind> kinds = [] {
-    std::vector<FigureKind> all;
-    for (const auto make : figure_makers) all.push_back(make());
-    return all;
-  }();
-  return kinds;
-}
 
 Methods default_methods() {
   Methods chosen;

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "viz/explain/case_report.hpp"
+#include "viz/shapes/topics.hpp"
 
 namespace rayproof::viz {
 
@@ -60,11 +61,10 @@ StageCamera RayScene::camera() const {
   return chosen_camera(rounded(along_ray), normals);
 }
 
-RayScene scene_of(Figure (*maker)(const Sight&), const Case& one, const Answer* exact,
-                  const Answer* claimed) {
+RayScene scene_of(const Case& one, const Answer* exact, const Answer* claimed) {
   const auto& question = std::get<RayQuestion>(one.question);
   const Sight sight{question, World(question), convert<Shadow>(question.ray), first_hit(exact, claimed)};
-  return {sight, maker(sight), unit(sight.ray.direction)};
+  return {sight, figure_of(sight), unit(sight.ray.direction)};
 }
 
 std::optional<NearestPass> nearest_of(const RayScene& scene) {

@@ -20,8 +20,7 @@ struct RayScene {
   [[nodiscard]] Place at(const Shadow& t) const { return point_at(sight.ray, t); }
   [[nodiscard]] StageCamera camera() const;
 };
-[[nodiscard]] RayScene scene_of(Figure (*maker)(const Sight&), const Case& one, const Answer* exact,
-                                const Answer* claimed);
+[[nodiscard]] RayScene scene_of(const Case& one, const Answer* exact, const Answer* claimed);
 
 /// Where the ray passes nearest to the outline.
 struct NearestPass {

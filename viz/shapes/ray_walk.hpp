@@ -58,19 +58,22 @@ template <class R>
   return inside;
 }
 
+/// The library's shape of a case's: the same, but for what the format has in several forms.
+template <class S>
+[[nodiscard]] auto in_library(const S& given) {
+  if constexpr (requires { library_shape(given); })
+    return library_shape(given);
+  else
+    return given;
+}
+
 /// The case's shape in the recording arithmetic R as the library has it, every field of the format named.
 template <class Shape, class R>
 [[nodiscard]] Shape recorded_shape(const RayQuestion& question) {
   return std::visit(
       []<class S>(const S& given) -> Shape {
-        const auto in_library = [&] {
-          if constexpr (requires { library_shape(given); })
-            return library_shape(given);
-          else
-            return given;
-        };
-        if constexpr (requires(Shape & to) { to = convert<R>(in_library()); }) {
-          Shape shape = convert<R>(in_library());
+        if constexpr (requires(Shape & to) { to = convert<R>(in_library(given)); }) {
+          Shape shape = convert<R>(in_library(given));
           ShapeFormat<S>::fields(shape, [](const char* name, auto& value) { name_input<R>(name, value); });
           return shape;
         } else {

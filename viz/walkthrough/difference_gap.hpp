@@ -1,7 +1,7 @@
 #pragma once
 /// \file
 /// What only from very near is to be seen: a stretch of a line on which single numbers can be distinguished,
-/// and a\nsolid that a ray just misses, or just meets.
+/// and a solid that a ray just misses, or just meets.
 
 #include <array>
 #include <optional>
