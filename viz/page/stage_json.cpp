@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json vector(const glm::dvec3& p) { return {json_number(p.x), json_number(p.y), json_number(p.z)}; }
+Json vector_json(const glm::dvec3& p) { return {json_number(p.x), json_number(p.y), json_number(p.z)}; }
 
 Json items(const std::vector<StageItem>& list) {
   static constexpr std::array<const char*, 3> patterns{"solid", "dashed", "dotted"};
@@ -22,7 +22,7 @@ Json items(const std::vector<StageItem>& list) {
              {"form", form_names.at(static_cast<std::size_t>(item.form))}};
     if (!item.label.empty()) one["label"] = item.label;
     if (item.pattern != Pattern::solid) one["pattern"] = patterns.at(static_cast<std::size_t>(item.pattern));
-    one["points"] = json_list(item.points, vector);
+    one["points"] = json_list(item.points, vector_json);
     if (!item.faces.empty()) one["faces"] = item.faces;
     return one;
   });
@@ -49,7 +49,7 @@ Json steps(const Stage& stage) {
         {"title", step.title}, {"words", step.words}, {"caption", step.caption}, {"digits", step.digits}};
     one["values"] = values(step.values, stage.precision);
     one["items"] = items(step.items);
-    one["view"] = {{"centre", vector(step.view.centre)}, {"radius", json_number(step.view.radius)}};
+    one["view"] = {{"centre", vector_json(step.view.centre)}, {"radius", json_number(step.view.radius)}};
     if (step.begins_anew) one["anew"] = true;
     if (step.is_apart) {
       one["magnification"] = json_number(step.magnification);
@@ -64,8 +64,8 @@ Json slider(const StageSlider& slider) {
     return Json{{"label", readout.label}, {"coefficients", json_list(readout.coefficients, json_number)}};
   });
   return {{"symbol", slider.symbol},
-          {"origin", vector(slider.origin)},
-          {"direction", vector(slider.direction)},
+          {"origin", vector_json(slider.origin)},
+          {"direction", vector_json(slider.direction)},
           {"from", json_number(slider.from)},
           {"to", json_number(slider.to)},
           {"start", json_number(slider.start)},
@@ -88,9 +88,9 @@ std::string stage_json(const Stage& stage) {
   json["scene"] = items(stage.scene);
   json["steps"] = steps(stage);
   if (stage.slider) json["slider"] = slider(*stage.slider);
-  json["camera"] = {{"right", vector(stage.camera.right)},
-                    {"up", vector(stage.camera.up)},
-                    {"toward", vector(stage.camera.toward)},
+  json["camera"] = {{"right", vector_json(stage.camera.right)},
+                    {"up", vector_json(stage.camera.up)},
+                    {"toward", vector_json(stage.camera.toward)},
                     {"flat", stage.camera.is_flat}};
   return write_json(json);
 }
