@@ -7,7 +7,6 @@
 #include <set>
 
 namespace rayproof::viz {
-
 namespace {
 
 /// A side of a box as the half-plane nx·x + ny·y <= limit.

@@ -10,7 +10,6 @@
 #include "viz/render/tiles.hpp"
 
 namespace rayproof::render {
-
 namespace {
 
 /// The unit normal in the world at t, either way round; NaN where the figure has none.

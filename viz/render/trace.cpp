@@ -11,7 +11,6 @@
 #include "viz/render/tiles.hpp"
 
 namespace rayproof::render {
-
 namespace {
 
 template <class T>
@@ -60,22 +59,21 @@ std::vector<std::string> renderable_methods() {
 
 HitImage trace(const RenderScene& scene, const Methods& methods, const Neighbourhood* neighbourhood,
                const Work& work) {
-  return scene.precision == Precision::float32 ? trace_in<float>(scene, methods, neighbourhood, work)
-                                               : trace_in<double>(scene, methods, neighbourhood, work);
+  return in_precision(scene.precision,
+                      [&]<class T>(T) { return trace_in<T>(scene, methods, neighbourhood, work); });
 }
 
 ObjectIndex nearest_at(const RenderScene& scene, const Methods& methods, const Neighbourhood* neighbourhood,
                        int x, int y) {
-  const auto in = [&]<class T>(T) {
+  return in_precision(scene.precision, [&]<class T>(T) {
     const std::array<Ray<T>, 1> ray{PixelRays<T>(scene)(x, y)};
     return meet<T>(AllFigures<T>(scene, methods), neighbourhood, ray).front().object;
-  };
-  return scene.precision == Precision::float32 ? in(float{}) : in(double{});
+  });
 }
 
 Ray<double> pixel_ray(const RenderScene& scene, int x, int y) {
-  return scene.precision == Precision::float32 ? convert<double>(PixelRays<float>(scene)(x, y))
-                                               : PixelRays<double>(scene)(x, y);
+  return in_precision(scene.precision,
+                      [&]<class T>(T) { return convert<double>(PixelRays<T>(scene)(x, y)); });
 }
 
 ExactHit exact_hit(const RenderScene& scene, ObjectIndex object, const Ray<double>& ray) {

@@ -9,7 +9,6 @@
 #include "viz/shapes/topics.hpp"
 
 namespace rayproof::viz {
-
 namespace {
 
 std::optional<Shadow> first_hit(const Answer* exact, const Answer* claimed) {

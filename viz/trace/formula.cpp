@@ -5,7 +5,6 @@
 #include "viz/trace/tape.hpp"
 
 namespace rayproof::viz {
-
 namespace {
 
 using Kind = Expression::Kind;

@@ -12,7 +12,6 @@
 #include "viz/vtk/image_of.hpp"
 
 namespace rayproof::viz {
-
 namespace {
 
 /// The mean of the pixels at (x, y) and to its right and below.

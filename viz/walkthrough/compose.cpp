@@ -9,7 +9,6 @@
 #include "viz/walkthrough/stage_values.hpp"
 
 namespace rayproof::viz {
-
 namespace {
 
 double lost_by(const StageValue& value) { return worst_component(value).bits_lost; }

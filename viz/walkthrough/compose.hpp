@@ -18,13 +18,26 @@ namespace rayproof::viz {
 /// The steps that `run(std::type_identity<R>{})` narrates in the recording arithmetic R of the precision.
 template <class Run>
 [[nodiscard]] Walkthrough record(Precision precision, Run&& run) {
-  const auto record_as = [&]<class T>(std::type_identity<T>) {
+  return in_precision(precision, [&]<class T>(T) {
     Tape tape;
     run(std::type_identity<Recorded<T, Shadow>>{});
     return steps_of(tape, precision);
-  };
-  return precision == Precision::float32 ? record_as(std::type_identity<float>{})
-                                         : record_as(std::type_identity<double>{});
+  });
+}
+
+/// The ray with its origin and direction by name.
+template <class R>
+[[nodiscard]] Ray<R> named_ray(const Ray<double>& given) {
+  Ray<R> ray = convert<R>(given);
+  ray.origin = named("o", ray.origin);
+  ray.direction = named("d", ray.direction);
+  return ray;
+}
+
+/// A point of a plane by name.
+template <class R>
+[[nodiscard]] Vec2<R> named_point(const std::string& name, const Vec2<double>& p) {
+  return {named((name + ".x").c_str(), R(p.x)), named((name + ".y").c_str(), R(p.y))};
 }
 
 /// The stage of a composed run: the given case's scene, a first step with the inputs, and the run's steps.

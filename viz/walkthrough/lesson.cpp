@@ -8,7 +8,6 @@
 #include "viz/walkthrough/stage_of.hpp"
 
 namespace rayproof::viz {
-
 namespace {
 
 Lesson read_lesson(const Field& field) {

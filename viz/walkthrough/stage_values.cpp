@@ -9,7 +9,6 @@
 #include "viz/trace/numbers.hpp"
 
 namespace rayproof::viz {
-
 namespace {
 
 /// The texts of a value's components; a vector's in parentheses.

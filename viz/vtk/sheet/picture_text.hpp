@@ -14,6 +14,9 @@ namespace rayproof::viz {
 /// characters.
 void paint_text(vtkContext2D& context, const Text& text, double x, double y, double scale);
 
+/// Draws a line through points of the context, x and y in turn.
+void stroke(vtkContext2D& context, Role role, std::vector<float> xy, double width);
+
 /// Sets the DejaVu Sans font, which has the λ, √, subscripts, ∈ and ∞ that VTK's built-in font silently
 /// drops; the built-in font where DejaVu is not installed.
 void use_legible_font(vtkTextProperty& text, bool bold = false);

@@ -18,7 +18,6 @@
 #include "viz/vtk/space/geometry.hpp"
 
 namespace rayproof::viz {
-
 namespace {
 
 /// With its z axis turned to the eye and its y axis upright.
@@ -79,6 +78,21 @@ Geometry tubes_of(const Geometry& lines, double radius, int sides) {
   tube->CappingOn();
   tube->Update();
   return tube->GetOutput();
+}
+
+void set_colour(vtkProperty& property, const RoleColour& colour) {
+  const auto [red, green, blue] = rgb_of(colour.light);
+  property.SetColor(red / 255.0, green / 255.0, blue / 255.0);
+}
+
+vtkSmartPointer<vtkActor> actor_of(const Geometry& geometry, const RoleColour& colour) {
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(geometry);
+  mapper->ScalarVisibilityOff();
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  set_colour(*actor->GetProperty(), colour);
+  return actor;
 }
 
 Geometry line_geometry(const std::vector<SpacePoints>& pieces, const std::optional<ArrowHead>& head,

@@ -7,10 +7,12 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
-#include "viz/picture/picture.hpp"
+#include "viz/picture/palette.hpp"
 #include "viz/scene/space.hpp"
 
+class vtkActor;
 class vtkAlgorithm;
+class vtkProperty;
 class vtkTransform;
 
 namespace rayproof::viz {
@@ -48,6 +50,9 @@ inline constexpr int fine_sides = 16, coarse_sides = 6;
 [[nodiscard]] Geometry lines_of(const std::vector<SpacePoints>& lines);
 /// Tubes around all lines of the geometry.
 [[nodiscard]] Geometry tubes_of(const Geometry& lines, double radius, int sides);
+/// An actor of the geometry in a colour.
+[[nodiscard]] vtkSmartPointer<vtkActor> actor_of(const Geometry& geometry, const RoleColour& colour);
+void set_colour(vtkProperty& property, const RoleColour& colour);
 /// What the source makes, under the transform.
 [[nodiscard]] Geometry placed(vtkAlgorithm& source, vtkTransform& transform);
 
