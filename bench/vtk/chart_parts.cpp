@@ -14,7 +14,7 @@
 
 #include <string>
 
-#include "viz/vtk/sheet/legible_font.hpp"
+#include "viz/vtk/sheet/picture_text.hpp"
 
 namespace rayproof::report {
 

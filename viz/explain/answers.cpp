@@ -1,8 +1,9 @@
-#include "viz/explain/answers.hpp"
+#include "viz/explain/case_report.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "viz/trace/numbers.hpp"
 
@@ -13,43 +14,26 @@ std::string name_of(RootKind kind, std::size_t count) {
   if (count == 0 && (kind == RootKind::two || kind == RootKind::twice || kind == RootKind::linear)) {
     return "no root that is a number";
   }
-  switch (kind) {
-    case RootKind::two:
-      return "two roots";
-    case RootKind::twice:
-      return "a double root";
-    case RootKind::none:
-      return "no real root";
-    case RootKind::linear:
-      return "one root (a = 0)";
-    case RootKind::constant:
-      return "no root (a = b = 0)";
-    case RootKind::everything:
-      return "every number";
-  }
-  return "";
+  static constexpr std::array names{"two roots",        "a double root",       "no real root",
+                                    "one root (a = 0)", "no root (a = b = 0)", "every number"};
+  return names.at(static_cast<std::size_t>(kind));
 }
 
 std::string words_of(const RayAnswer& answer) {
-  const bool is_hit = answer.hits.count > 0;
-  switch (answer.contact) {
-    case Contact::tangent:
-      return is_hit ? "tangent hit" : "miss";
-    case Contact::edge:
-      return "hit on an edge";
-    case Contact::vertex:
-      return "hit on a vertex";
-    case Contact::rim:
-      return "hit on the rim";
-    case Contact::in_surface:
-      return "miss (in the surface)";
-    case Contact::parallel:
-      return "miss (parallel)";
-    case Contact::degenerate:
-      return "miss (no area)";
-    default:
-      return is_hit ? "hit" : "miss";
-  }
+  // Those of no words may be either.
+  static constexpr std::array names{"",
+                                    "",
+                                    "hit on an edge",
+                                    "hit on a vertex",
+                                    "hit on the rim",
+                                    "miss (in the surface)",
+                                    "miss (parallel)",
+                                    "miss (no area)",
+                                    ""};
+  const std::string name = names.at(static_cast<std::size_t>(answer.contact));
+  if (!name.empty()) return name;
+  if (answer.hits.count == 0) return "miss";
+  return answer.contact == Contact::tangent ? "tangent hit" : "hit";
 }
 
 /// Two misses, each with a reason, and not the same.

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// The report on one case: the exact answer, a method's answer, and how it came to it.
+/// The report on one case: the exact answer, a method's answer, and how it came to it; and what pictures
+/// and texts say of answers.
 
 #include <optional>
 #include <string>
@@ -55,5 +56,21 @@ struct CaseReport {
 
 /// The same as one line of JSON.
 [[nodiscard]] std::string explain_json(const CaseReport& report);
+
+/// The t or x of the answer, ascending; none for a missing answer.
+[[nodiscard]] std::vector<double> values_of(const Answer* answer);
+
+/// "hit on an edge", "miss (parallel)", "two roots", "inside", "not given".
+[[nodiscard]] std::string verdict_of(const Answer* answer);
+
+/// Whether both are given and differ in how many hits or roots there are, of what kind, or in why there is
+/// none.
+[[nodiscard]] bool verdicts_differ(const Answer* exact, const Answer* claimed);
+
+/// The worst distance of a claimed value from the exact one of the same rank, as count_ulps counts.
+[[nodiscard]] double worst_ulps(const Answer* exact, const Answer* claimed, Precision precision);
+
+/// "Exact: hit. Claimed: miss, which is wrong." in one line.
+[[nodiscard]] std::string headline_of(const Case& one, const Answer* exact, const Answer* claimed);
 
 }  // namespace rayproof::viz

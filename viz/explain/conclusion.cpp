@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viz/explain/answers.hpp"
 #include "viz/explain/case_report.hpp"
 #include "viz/trace/numbers.hpp"
 

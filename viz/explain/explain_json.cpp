@@ -10,28 +10,24 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json values(const std::vector<WalkValue>& list) {
-  Json all = Json::array();
-  for (const WalkValue& v : list) {
-    all.push_back({{"name", v.name},
-                   {"formula", text_of(v.formula)},
-                   {"value", json_number(v.value)},
-                   {"exact", v.exact},
-                   {"error", json_number(std::abs(v.error))},
-                   {"error_bound", json_number(v.error_bound)},
-                   {"bits_lost", v.bits_lost}});
-  }
-  return all;
+  return json_list(list, [](const WalkValue& v) {
+    return Json{{"name", v.name},
+                {"formula", text_of(v.formula)},
+                {"value", json_number(v.value)},
+                {"exact", v.exact},
+                {"error", json_number(std::abs(v.error))},
+                {"error_bound", json_number(v.error_bound)},
+                {"bits_lost", v.bits_lost}};
+  });
 }
 
 Json steps(const Walkthrough& walk) {
-  Json all = Json::array();
-  for (const WalkStep& step : walk.steps) {
-    all.push_back({{"title", step.title},
-                   {"meaning", step.meaning},
-                   {"caption", step.caption},
-                   {"values", values(step.values)}});
-  }
-  return all;
+  return json_list(walk.steps, [](const WalkStep& step) {
+    return Json{{"title", step.title},
+                {"meaning", step.meaning},
+                {"caption", step.caption},
+                {"values", values(step.values)}};
+  });
 }
 
 Json decisive_loss(const Walkthrough& walk) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "viz/explain/answers.hpp"
 #include "viz/explain/case_report.hpp"
 #include "viz/trace/numbers.hpp"
 

@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viz/explain/answers.hpp"
-#include "viz/flat/slide_values.hpp"
+#include "viz/explain/case_report.hpp"
 #include "viz/flat/stage_picture.hpp"
-#include "viz/scene/space_floor.hpp"
+#include "viz/scene/space.hpp"
 #include "viz/trace/numbers.hpp"
-#include "viz/walkthrough/case_views.hpp"
+#include "viz/walkthrough/stage_of.hpp"
 
 namespace rayproof::viz {
 namespace {

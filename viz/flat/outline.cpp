@@ -1,4 +1,4 @@
-#include "viz/flat/outline.hpp"
+#include "viz/flat/stage_picture.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "viz/scene/fit_view.hpp"
+#include "viz/scene/items.hpp"
 
 namespace rayproof::viz {
 namespace {

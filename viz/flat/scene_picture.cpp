@@ -2,7 +2,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "viz/flat/outline.hpp"
 #include "viz/flat/stage_picture.hpp"
 #include "viz/picture/clip.hpp"
 #include "viz/scene/shown_items.hpp"

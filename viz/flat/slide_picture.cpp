@@ -2,7 +2,6 @@
 
 #include <array>
 
-#include "viz/flat/slide_values.hpp"
 #include "viz/flat/stage_picture.hpp"
 #include "viz/scene/label_places.hpp"
 #include "viz/trace/numbers.hpp"

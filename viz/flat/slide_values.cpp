@@ -1,12 +1,12 @@
-#include "viz/flat/slide_values.hpp"
+#include "viz/flat/stage_picture.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "viz/scene/label_places.hpp"
-#include "viz/trace/losses.hpp"
 #include "viz/trace/numbers.hpp"
+#include "viz/trace/tape.hpp"
 #include "viz/walkthrough/stage_values.hpp"
 
 namespace rayproof::viz {

@@ -48,4 +48,23 @@ struct LegendEntry {
 /// The mark, or a short line, around a place.
 [[nodiscard]] Element legend_sign(const LegendEntry& entry, const Point& at);
 
+/// Below each name of the step the rounded number, the exact one, and the bits lost where they are worth a
+/// word; as high as the scene.
+void draw_values(Picture& picture, const Stage& stage, const StageStep& step, const PixelBox& scene);
+
+/// The text's first line of that width, and "…" where there are more.
+[[nodiscard]] std::string cut(const std::string& text, double width, double size);
+
+using WorldLine = std::vector<glm::dvec3>;
+
+struct SurfaceOutline {
+  std::vector<WorldLine> filled{};  ///< rings; the even-odd rule fills them
+  std::vector<WorldLine> seen{};
+  std::vector<WorldLine> hidden{};
+};
+
+/// Of a solid its edges and where it turns away from the camera, of an ellipsoid the latter. A polygon has no
+/// line around it but what other items draw.
+[[nodiscard]] SurfaceOutline surface_outline(const StageItem& surface, const StageCamera& camera);
+
 }  // namespace rayproof::viz

@@ -6,10 +6,10 @@
 
 #include "viz/flat/case_sheet.hpp"
 #include "viz/page/script/embedded.hpp"
-#include "viz/page/space_json.hpp"
+#include "viz/page/stage_json.hpp"
 #include "viz/picture/palette.hpp"
 #include "viz/picture/svg.hpp"
-#include "viz/walkthrough/case_views.hpp"
+#include "viz/walkthrough/stage_of.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -1,7 +1,7 @@
 #include "viz/page/math_ml.hpp"
 
 #include "case/escape.hpp"
-#include "viz/trace/name_parts.hpp"
+#include "viz/trace/expression.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -47,4 +47,7 @@ struct GalleryEntry {
 [[nodiscard]] std::string gallery_page(const std::vector<GalleryEntry>& entries,
                                        const Still& still = flat_still);
 
+/// Title, picture, words, typeset equations, what became of the digits, and a table of the numbers.
+[[nodiscard]] std::string step_section(const Stage& stage, std::size_t number, const Still& still);
+
 }  // namespace rayproof::viz

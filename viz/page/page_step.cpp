@@ -1,4 +1,4 @@
-#include "viz/page/page_step.hpp"
+#include "viz/page/page.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "viz/page/space_json.hpp"
+#include "viz/page/stage_json.hpp"
 
 #include <array>
 #include <cctype>
@@ -26,6 +26,9 @@ Json flat(const SpacePoints& points) {
   return list;
 }
 Json flat(const glm::dvec3& p) { return flat(SpacePoints{p}); }
+Json flat_each(const std::vector<SpacePoints>& lists) {
+  return json_list(lists, [](const SpacePoints& points) { return flat(points); });
+}
 
 const char* name_of(Emphasis emphasis) {
   static constexpr std::array<const char*, 3> names{"scene", "dimmed", "bright"};
@@ -43,12 +46,10 @@ Json body_json(const SpaceBody& body) {
   if (body.is_mark() || body.is_surface()) {
     json["points"] = flat(body.points);
     if (!body.shown.item->faces.empty()) json["faces"] = body.shown.item->faces;
-    if (!body.strips.empty()) json["strips"] = Json::array();
-    for (const SpacePoints& strip : body.strips) json["strips"].push_back(flat(strip));
+    if (!body.strips.empty()) json["strips"] = flat_each(body.strips);
     return json;
   }
-  json["pieces"] = Json::array();
-  for (const SpacePoints& piece : body.pieces) json["pieces"].push_back(flat(piece));
+  json["pieces"] = flat_each(body.pieces);
   if (body.head) {
     json["head"] = flat({body.head->base, body.head->tip});
     json["headRadius"] = short_number(body.head->radius);
@@ -78,11 +79,8 @@ Json label_json(const SpaceLabel& label) {
 }
 
 Json floor_json(const SpaceFloor& floor) {
-  Json lines = Json::array();
-  for (const std::vector<double>& across : floor.lines) {
-    lines.push_back(Json::array());
-    for (const double at : across) lines.back().push_back(short_number(at));
-  }
+  const Json lines = json_list(
+      floor.lines, [](const std::vector<double>& across) { return json_list(across, short_number); });
   return {{"axis", floor.axis},
           {"reach", floor_reach},
           {"ground", short_number(floor.ground)},
@@ -99,10 +97,8 @@ Json step_json(const Stage& stage, std::size_t number) {
             {"near", camera.nearest()},           {"far", camera.farthest()}};
   if (camera.is_flat) json["flat"] = true;
   if (camera.is_flat) json["half"] = camera.half;
-  json["bodies"] = Json::array();
-  for (const SpaceBody& body : space.bodies) json["bodies"].push_back(body_json(body));
-  json["labels"] = Json::array();
-  for (const SpaceLabel& label : space.labels) json["labels"].push_back(label_json(label));
+  json["bodies"] = json_list(space.bodies, body_json);
+  json["labels"] = json_list(space.labels, label_json);
   if (space.floor) json["floor"] = floor_json(*space.floor);
   if (stage.slider && !stage.steps[number].is_apart) {
     const glm::dvec3 origin = in_view(space.view, stage.slider->origin);

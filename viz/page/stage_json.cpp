@@ -13,71 +13,59 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json vector(const glm::dvec3& p) { return {json_number(p.x), json_number(p.y), json_number(p.z)}; }
+Json vector_json(const glm::dvec3& p) { return {json_number(p.x), json_number(p.y), json_number(p.z)}; }
 
 Json items(const std::vector<StageItem>& list) {
   static constexpr std::array<const char*, 3> patterns{"solid", "dashed", "dotted"};
-  Json all = Json::array();
-  for (const StageItem& item : list) {
-    Json points = Json::array();
-    for (const glm::dvec3& p : item.points) points.push_back(vector(p));
+  return json_list(list, [](const StageItem& item) {
     Json one{{"role", colour_of(item.role).name},
              {"form", form_names.at(static_cast<std::size_t>(item.form))}};
     if (!item.label.empty()) one["label"] = item.label;
     if (item.pattern != Pattern::solid) one["pattern"] = patterns.at(static_cast<std::size_t>(item.pattern));
-    one["points"] = points;
+    one["points"] = json_list(item.points, vector_json);
     if (!item.faces.empty()) one["faces"] = item.faces;
-    all.push_back(one);
-  }
-  return all;
+    return one;
+  });
 }
 
 Json values(const std::vector<StageValue>& list, Precision precision) {
-  Json all = Json::array();
-  for (const StageValue& value : list) {
-    Json components = Json::array();
-    for (const WalkValue& v : value.components) {
-      components.push_back({{"value", json_number(v.value)},
-                            {"shown", shown(v.value, precision)},
-                            {"exact", v.exact},
-                            {"bits_lost", v.bits_lost}});
-    }
-    all.push_back({{"name", value.name},
-                   {"formula", text_of(value.formula)},
-                   {"put_in", text_of(value.put_in)},
-                   {"components", components}});
-  }
-  return all;
+  const auto component = [&](const WalkValue& v) {
+    return Json{{"value", json_number(v.value)},
+                {"shown", shown(v.value, precision)},
+                {"exact", v.exact},
+                {"bits_lost", v.bits_lost}};
+  };
+  return json_list(list, [&](const StageValue& value) {
+    return Json{{"name", value.name},
+                {"formula", text_of(value.formula)},
+                {"put_in", text_of(value.put_in)},
+                {"components", json_list(value.components, component)}};
+  });
 }
 
 Json steps(const Stage& stage) {
-  Json all = Json::array();
-  for (const StageStep& step : stage.steps) {
+  return json_list(stage.steps, [&](const StageStep& step) {
     Json one{
         {"title", step.title}, {"words", step.words}, {"caption", step.caption}, {"digits", step.digits}};
     one["values"] = values(step.values, stage.precision);
     one["items"] = items(step.items);
-    one["view"] = {{"centre", vector(step.view.centre)}, {"radius", json_number(step.view.radius)}};
+    one["view"] = {{"centre", vector_json(step.view.centre)}, {"radius", json_number(step.view.radius)}};
     if (step.begins_anew) one["anew"] = true;
     if (step.is_apart) {
       one["magnification"] = json_number(step.magnification);
       one["scale"] = scale_in_words(enlargement(stage.steps.front(), step));
     }
-    all.push_back(one);
-  }
-  return all;
+    return one;
+  });
 }
 
 Json slider(const StageSlider& slider) {
-  Json readouts = Json::array();
-  for (const StageReadout& readout : slider.readouts) {
-    Json coefficients = Json::array();
-    for (const double c : readout.coefficients) coefficients.push_back(json_number(c));
-    readouts.push_back({{"label", readout.label}, {"coefficients", coefficients}});
-  }
+  const Json readouts = json_list(slider.readouts, [](const StageReadout& readout) {
+    return Json{{"label", readout.label}, {"coefficients", json_list(readout.coefficients, json_number)}};
+  });
   return {{"symbol", slider.symbol},
-          {"origin", vector(slider.origin)},
-          {"direction", vector(slider.direction)},
+          {"origin", vector_json(slider.origin)},
+          {"direction", vector_json(slider.direction)},
           {"from", json_number(slider.from)},
           {"to", json_number(slider.to)},
           {"start", json_number(slider.start)},
@@ -100,9 +88,9 @@ std::string stage_json(const Stage& stage) {
   json["scene"] = items(stage.scene);
   json["steps"] = steps(stage);
   if (stage.slider) json["slider"] = slider(*stage.slider);
-  json["camera"] = {{"right", vector(stage.camera.right)},
-                    {"up", vector(stage.camera.up)},
-                    {"toward", vector(stage.camera.toward)},
+  json["camera"] = {{"right", vector_json(stage.camera.right)},
+                    {"up", vector_json(stage.camera.up)},
+                    {"toward", vector_json(stage.camera.toward)},
                     {"flat", stage.camera.is_flat}};
   return write_json(json);
 }

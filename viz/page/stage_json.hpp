@@ -13,4 +13,8 @@ namespace rayproof::viz {
 /// precision.
 [[nodiscard]] std::string stage_json(const Stage& stage);
 
+/// Of each step the camera, the bodies, the labels as HTML, the floor, and the slider's ray, all in the
+/// coordinates of the step's view, to 4 decimals (a hundredth of a pixel); see viz/scene/space.hpp.
+[[nodiscard]] std::string space_json(const Stage& stage);
+
 }  // namespace rayproof::viz

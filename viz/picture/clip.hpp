@@ -1,7 +1,8 @@
 #pragma once
 /// \file
-/// Cutting lines and areas at a frame.
+/// Cutting lines and areas: at a frame, and a polygon that crosses itself into what it fills.
 
+#include <array>
 #include <vector>
 
 #include "viz/picture/picture.hpp"
@@ -14,5 +15,11 @@ namespace rayproof::viz {
 /// The part of an area inside the box; by the even-odd rule the same is filled there. Nothing of one with a
 /// corner at no finite place.
 [[nodiscard]] std::vector<Point> clip_area(std::vector<Point> area, const PixelBox& box);
+
+/// Four corners in turn; two of them may be one.
+using Strip = std::array<Point, 4>;
+
+/// The inside in level strips; none of a ring no two of whose sides cross.
+[[nodiscard]] std::vector<Strip> even_odd_strips(const std::vector<Point>& ring);
 
 }  // namespace rayproof::viz

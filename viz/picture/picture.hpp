@@ -89,4 +89,16 @@ inline void add_frame(Picture& picture, Role role, const PixelBox& b, double wid
 /// How far marks reach from their centre.
 inline constexpr double mark_radius = 6;
 
+/// A part of a line that stands on one height.
+struct TextRun {
+  std::string text;
+  bool is_low = false;  ///< an index: smaller, and below the baseline
+};
+/// In em of the line's text: an index's size, and how far its baseline lies below the line's.
+inline constexpr double low_size = 0.72;
+inline constexpr double low_drop = 0.16;
+
+/// The runs of a line: letters and digits that follow a letter and "_" are an index, without the "_".
+[[nodiscard]] std::vector<TextRun> runs_of(const std::string& line);
+
 }  // namespace rayproof::viz

@@ -4,7 +4,7 @@
 
 #include "case/escape.hpp"
 #include "viz/picture/palette.hpp"
-#include "viz/picture/text_runs.hpp"
+#include "viz/picture/picture.hpp"
 
 namespace rayproof::viz {
 namespace {

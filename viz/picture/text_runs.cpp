@@ -1,4 +1,4 @@
-#include "viz/picture/text_runs.hpp"
+#include "viz/picture/picture.hpp"
 
 #include <cctype>
 

@@ -10,7 +10,7 @@
 #include "case/json/number_text.hpp"
 #include "case/reader.hpp"
 #include "case/writer.hpp"
-#include "viz/scene/space_camera.hpp"
+#include "viz/scene/space.hpp"
 
 namespace rayproof::viz {
 namespace {

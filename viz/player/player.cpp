@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "case/json/number_text.hpp"
-#include "viz/scene/runner.hpp"
+#include "viz/scene/film.hpp"
 
 namespace rayproof::viz {
 

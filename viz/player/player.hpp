@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "viz/flat/stage_picture.hpp"
 #include "viz/player/handles.hpp"
 #include "viz/scene/stage.hpp"
 
@@ -97,5 +98,8 @@ class Player {
   std::string complaint_{};
   std::optional<Grasp> held_{};
 };
+
+/// In a slide's place.
+[[nodiscard]] Picture help_picture(const Stage& stage);
 
 }  // namespace rayproof::viz

@@ -1,4 +1,4 @@
-#include "viz/player/player_help.hpp"
+#include "viz/player/player.hpp"
 
 #include <array>
 

@@ -18,9 +18,8 @@ namespace rayproof::viz {
 /// first.
 [[nodiscard]] inline std::vector<std::string> recordable_methods(const Case& one, const std::string& method) {
   std::vector<std::string> names;
-  const TopicView* const view = view_of(one);
   for (const Subject& subject : subjects()) {
-    if (view != nullptr && subject.topic == topic_of(one) && view->walk(one, subject.name))
+    if (subject.topic == topic_of(one) && recorded_walk(one, subject.name))
       names.push_back(subject.full_name());
   }
   return near_names(method, std::move(names), 3);
@@ -39,7 +38,7 @@ namespace rayproof::viz {
   report.claimed = subject->answer(one);
   const oracle::Judgement judged = oracle::judge(one, *report.claimed);
   report.measured = {judged.wrong, judged.margin, judged.residual};
-  if (const TopicView* view = view_of(one)) report.walk = view->walk(one, subject->name);
+  report.walk = recorded_walk(one, subject->name);
   if (!report.walk) report.recordable = recordable_methods(one, report.method);
   return report;
 }

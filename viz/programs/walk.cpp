@@ -13,15 +13,12 @@
 #include "viz/page/page.hpp"
 #include "viz/page/stage_json.hpp"
 #include "viz/programs/files.hpp"
-#include "viz/programs/walk/movie.hpp"
 #include "viz/programs/walk/walks.hpp"
-#include "viz/programs/walk/window.hpp"
 #include "viz/walkthrough/lesson.hpp"
 #ifdef RAYPROOF_HAS_VTK
 #include "viz/vtk/offscreen_display.hpp"
 #include "viz/vtk/raster_png.hpp"
 #include "viz/vtk/slide_canvas.hpp"
-#include "viz/vtk/still.hpp"
 #endif
 
 namespace {
@@ -87,32 +84,6 @@ void write_pages(const std::vector<viz::Walk>& walks, const std::string& path, b
   }
   viz::write_text(folder / "index.html", viz::gallery_page(gallery, still));
   viz::write_text(folder / "walkthrough.js", viz::shared_script());
-}
-
-void write_pngs(const std::vector<viz::Walk>& walks, const std::string& folder, ProgressLine& progress) {
-#ifdef RAYPROOF_HAS_VTK
-  const viz::OffscreenDisplay display;
-  viz::SlideCanvas canvas;
-  viz::make_folder(folder);
-  std::size_t all = 0;
-  for (const viz::Walk& walk : walks) all += walk.stage.steps.size();
-  std::size_t done = 0;
-  const auto path = [&](const std::string& name) { return fmt::format("{}/{}.png", folder, name); };
-  for (const auto& [group, stage] : walks) {
-    std::vector<viz::Raster> slides;
-    for (std::size_t i = 0; i < stage.steps.size(); ++i) {
-      const std::string name = fmt::format("{}-{}", stage.name, i + 1);
-      progress.show(viz::share(done++, all), fmt::format("picture {}.png", name));
-      slides.push_back(canvas.draw(stage, i));
-      viz::write_png(slides.back(), path(name));
-    }
-    viz::write_png(viz::contact_sheet(slides), path(stage.name));
-  }
-#else
-  (void)walks;
-  (void)progress;
-  throw viz::WrongCommand("--png " + folder + " needs VTK, which this build was made without; --html works");
-#endif
 }
 
 /// What TOPIC may be: all, a group of topics, or a topic, each topic below its group.

@@ -5,7 +5,9 @@
 #include <array>
 
 #include "case/case.hpp"
-#include "viz/render/all_figures.hpp"
+#include "oracle/oracle.hpp"
+#include "viz/render/figures.hpp"
+#include "viz/render/hits.hpp"
 #include "viz/render/tiles.hpp"
 
 namespace rayproof::render {
@@ -27,16 +29,20 @@ HitImage trace_in(const RenderScene& scene, const Methods& methods, const Neighb
   return image;
 }
 
-}  // namespace
-
-const std::vector<FigureKind>& figure_kinds() {
-  static const std::vector<FigureKind> kinds = [] {
-    std::vector<FigureKind> all;
-    for (const auto make : figure_makers) all.push_back(make());
-    return all;
-  }();
-  return kinds;
+/// Asks the objects near the ray one after another, keeping the nearest.
+Nearest<double> exact_nearest(const RenderScene& scene, const Neighbourhood& neighbourhood,
+                              const Ray<double>& ray) {
+  Nearest<double> nearest;
+  auto ask = [&](ObjectIndex object) {
+    const ExactHit hit = exact_hit(scene, object, ray);
+    if (hit.is_hit) nearest.take(hit.t, object);
+    return beyond_rounding(nearest.t);
+  };
+  neighbourhood.visit(ray, ask);
+  return nearest;
 }
+
+}  // namespace
 
 Methods default_methods() {
   Methods chosen;
@@ -53,22 +59,41 @@ std::vector<std::string> renderable_methods() {
 
 HitImage trace(const RenderScene& scene, const Methods& methods, const Neighbourhood* neighbourhood,
                const Work& work) {
-  return scene.precision == Precision::float32 ? trace_in<float>(scene, methods, neighbourhood, work)
-                                               : trace_in<double>(scene, methods, neighbourhood, work);
+  return in_precision(scene.precision,
+                      [&]<class T>(T) { return trace_in<T>(scene, methods, neighbourhood, work); });
 }
 
 ObjectIndex nearest_at(const RenderScene& scene, const Methods& methods, const Neighbourhood* neighbourhood,
                        int x, int y) {
-  const auto in = [&]<class T>(T) {
+  return in_precision(scene.precision, [&]<class T>(T) {
     const std::array<Ray<T>, 1> ray{PixelRays<T>(scene)(x, y)};
     return meet<T>(AllFigures<T>(scene, methods), neighbourhood, ray).front().object;
-  };
-  return scene.precision == Precision::float32 ? in(float{}) : in(double{});
+  });
 }
 
 Ray<double> pixel_ray(const RenderScene& scene, int x, int y) {
-  return scene.precision == Precision::float32 ? convert<double>(PixelRays<float>(scene)(x, y))
-                                               : PixelRays<double>(scene)(x, y);
+  return in_precision(scene.precision,
+                      [&]<class T>(T) { return convert<double>(PixelRays<T>(scene)(x, y)); });
+}
+
+ExactHit exact_hit(const RenderScene& scene, ObjectIndex object, const Ray<double>& ray) {
+  const Object& asked = scene.objects[object];
+  const Case one{{}, scene.precision, {}, RayQuestion{ray, asked.shape, asked.transform}};
+  const auto answer = std::get<RayAnswer>(oracle::answer(one));
+  if (answer.hits.count == 0) return {};
+  return {true, answer.hits.t[0]};
+}
+
+ObjectIndex exact_nearest_at(const RenderScene& scene, const Neighbourhood& neighbourhood, int x, int y) {
+  return exact_nearest(scene, neighbourhood, pixel_ray(scene, x, y)).object;
+}
+
+HitImage trace_exactly(const RenderScene& scene, const Neighbourhood& neighbourhood, const Work& work) {
+  HitImage image(scene.width, scene.height);
+  for_each_pixel(scene.width, scene.height, work, [&](int x, int y) {
+    image.set(x, y, exact_nearest(scene, neighbourhood, pixel_ray(scene, x, y)));
+  });
+  return image;
 }
 
 }  // namespace rayproof::render

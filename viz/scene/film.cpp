@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "viz/scene/runner.hpp"
-
 namespace rayproof::viz {
 namespace {
 

@@ -2,8 +2,11 @@
 /// \file
 /// A stage as a film: what each of its pictures shows, and for how long.
 
+#include <fmt/format.h>
+
 #include <vector>
 
+#include "viz/scene/items.hpp"
 #include "viz/scene/stage.hpp"
 
 namespace rayproof::viz {
@@ -25,5 +28,14 @@ struct Shot {
 
 /// The stage with a shot's step as the shot shows it.
 [[nodiscard]] Stage stage_at(const Stage& stage, const Shot& shot);
+
+/// Puts p(t) among the items of a step, where its scene is that of the slider.
+inline void add_runner(Stage& stage, std::size_t step, double t) {
+  StageStep& shown = stage.steps.at(step);
+  if (!stage.slider || shown.is_apart) return;
+  const StageSlider& slider = *stage.slider;
+  shown.items.push_back(
+      point(Role::ray, slider.origin + t * slider.direction, fmt::format("{} = {:.4g}", slider.symbol, t)));
+}
 
 }  // namespace rayproof::viz

@@ -1,4 +1,4 @@
-#include "viz/scene/fit_view.hpp"
+#include "viz/scene/items.hpp"
 
 #include <algorithm>
 #include <cmath>

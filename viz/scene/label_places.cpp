@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string_view>
 
-#include "viz/picture/text_runs.hpp"
+#include "viz/picture/picture.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -6,8 +6,8 @@
 #include <rayproof/box/slabs.hpp>
 #include <rayproof/formulas/finite.hpp>
 
-#include "viz/picture/even_odd_strips.hpp"
-#include "viz/scene/fit_view.hpp"
+#include "viz/picture/clip.hpp"
+#include "viz/scene/items.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -1,4 +1,4 @@
-#include "viz/scene/space_camera.hpp"
+#include "viz/scene/space.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "viz/picture/clip.hpp"
-#include "viz/scene/fit_view.hpp"
+#include "viz/scene/items.hpp"
 
 namespace rayproof::viz {
 namespace {

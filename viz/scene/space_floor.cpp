@@ -1,4 +1,4 @@
-#include "viz/scene/space_floor.hpp"
+#include "viz/scene/space.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,13 +1,11 @@
 #include <rayproof/box/methods.hpp>
 
-#include "viz/shapes/ray_walk.hpp"
 #include "viz/shapes/topics.hpp"
 
 namespace rayproof::viz {
-namespace {
 
-Figure box_figure(const Sight& sight) {
-  const auto box = convert<Shadow>(std::get<rayproof::Box<double>>(sight.question.shape));
+Figure figure_of(const Sight& sight, const rayproof::Box<double>& given) {
+  const auto box = convert<Shadow>(given);
   const Place size = box.max - box.min;
   const World& world = sight.world;
   Figure figure = solid_figure(world.point(box.min),
@@ -16,9 +14,5 @@ Figure box_figure(const Sight& sight) {
   figure.labels = {{"min", world.point(box.min)}, {"max", world.point(box.max)}};
   return figure;
 }
-
-}  // namespace
-
-TopicView box_view() { return {box::Topic::name, walk_ray<box::Topic>, box_figure}; }
 
 }  // namespace rayproof::viz

@@ -2,7 +2,6 @@
 #include <numbers>
 #include <rayproof/cylinder/methods.hpp>
 
-#include "viz/shapes/ray_walk.hpp"
 #include "viz/shapes/topics.hpp"
 
 namespace rayproof::viz {
@@ -32,16 +31,14 @@ struct Tube {
   [[nodiscard]] Place spoke(const RimAngle& turn) const { return turn.c * x + turn.s * y; }
 };
 
-Tube tube_of(const Sight& sight) {
-  const auto cylinder = convert<Shadow>(std::get<Cylinder<double>>(sight.question.shape));
+Tube tube_of(const Sight& sight, const Cylinder<Shadow>& cylinder) {
   const World& world = sight.world;
   return {world.point(Place{0, 0, 0}), world.vector(Place{cylinder.rx, 0, 0}),
           world.vector(Place{0, cylinder.ry, 0}), world.vector(Place{0, 0, cylinder.height})};
 }
 
 /// The spoke toward the line's point nearest the axis, in the plane scaled by (1/rx, 1/ry).
-Place nearest_spoke(const Sight& sight, const Tube& tube) {
-  const auto cylinder = convert<Shadow>(std::get<Cylinder<double>>(sight.question.shape));
+Place nearest_spoke(const Sight& sight, const Cylinder<Shadow>& cylinder, const Tube& tube) {
   const Ray<Shadow> ray = sight.world.ray_in_object_space(sight.ray);
   const Place f{ray.origin.x / cylinder.rx, ray.origin.y / cylinder.ry, 0};
   const Place d{ray.direction.x / cylinder.rx, ray.direction.y / cylinder.ry, 0};
@@ -97,9 +94,12 @@ void add_faces(Figure& figure, const Tube& tube) {
   figure.faces.push_back(head);
 }
 
-Figure cylinder_figure(const Sight& sight) {
-  const Tube tube = tube_of(sight);
-  const Place side = tube.base + nearest_spoke(sight, tube);
+}  // namespace
+
+Figure figure_of(const Sight& sight, const Cylinder<double>& given) {
+  const auto cylinder = convert<Shadow>(given);
+  const Tube tube = tube_of(sight, cylinder);
+  const Place side = tube.base + nearest_spoke(sight, cylinder, tube);
   Figure figure;
   add_faces(figure, tube);
   figure.borders = {{{side, side + tube.axis}},
@@ -112,9 +112,5 @@ Figure cylinder_figure(const Sight& sight) {
   figure.labels = {{"z = 0", tube.base}};
   return figure;
 }
-
-}  // namespace
-
-TopicView cylinder_view() { return {cylinder::Topic::name, walk_ray<cylinder::Topic>, cylinder_figure}; }
 
 }  // namespace rayproof::viz

@@ -1,7 +1,6 @@
 #include <rayproof/plane/forms.hpp>
 #include <rayproof/plane/methods.hpp>
 
-#include "viz/shapes/ray_walk.hpp"
 #include "viz/shapes/topics.hpp"
 
 namespace rayproof::viz {
@@ -12,15 +11,7 @@ struct Level {
   Place point, normal;
 };
 
-Level level_of(const Sight& sight) {
-  const Plane<double> given = std::visit(
-      []<class S>(const S& shape) -> Plane<double> {
-        if constexpr (requires { Plane<double>(library_shape(shape)); })
-          return library_shape(shape);
-        else
-          throw std::logic_error("a case was given to the wrong picture");
-      },
-      sight.question.shape);
+Level level_of(const Sight& sight, const Plane<double>& given) {
   const auto [point, normal] = plane::as_point_normal(convert<Shadow>(given));
   const Place u = some_perpendicular(unit(normal));
   const Place v = cross(normal, u);
@@ -47,8 +38,10 @@ Patch patch_of(const Sight& sight, const Level& plane) {
   return {middle, half * cross(plane.normal, along), std::max(half, to_foot) * along};
 }
 
-Figure plane_figure(const Sight& sight) {
-  const Level plane = level_of(sight);
+}  // namespace
+
+Figure figure_of(const Sight& sight, const Plane<double>& given) {
+  const Level plane = level_of(sight, given);
   const Patch patch = patch_of(sight, plane);
   const auto at = [&](int across, int along) {
     return patch.middle + Shadow(across) / 2 * patch.across + Shadow(along) / 2 * patch.along;
@@ -63,9 +56,5 @@ Figure plane_figure(const Sight& sight) {
   }
   return figure;
 }
-
-}  // namespace
-
-TopicView plane_view() { return {plane::Topic::name, walk_ray<plane::Topic>, plane_figure}; }
 
 }  // namespace rayproof::viz

@@ -1,6 +1,5 @@
 #include <rayproof/polygon/methods.hpp>
 
-#include "viz/shapes/ray_walk.hpp"
 #include "viz/shapes/topics.hpp"
 #include "viz/trace/numbers.hpp"
 
@@ -10,8 +9,9 @@ namespace {
 /// More names than this would hide the polygon.
 constexpr std::size_t most_names = 8;
 
-Figure polygon_figure(const Sight& sight) {
-  const auto& polygon = std::get<Polygon<double>>(sight.question.shape);
+}  // namespace
+
+Figure figure_of(const Sight& sight, const Polygon<double>& polygon) {
   std::vector<Place> vertices;
   std::vector<std::string> names;
   for (std::size_t i = 0; i < polygon.vertices.size(); ++i) {
@@ -20,9 +20,5 @@ Figure polygon_figure(const Sight& sight) {
   }
   return flat_figure(vertices, polygon::newell_normal<Shadow>(vertices, vertices.front()), names);
 }
-
-}  // namespace
-
-TopicView polygon_view() { return {polygon::Topic::name, walk_ray<polygon::Topic>, polygon_figure}; }
 
 }  // namespace rayproof::viz

@@ -39,17 +39,20 @@ void name_input(const char* field, V& value) {
   }
 }
 
+/// A transform's columns by name: the three of its linear part A, and its translation.
+template <class R>
+[[nodiscard]] std::array<vec3<R>, 4> named_columns(const glm::dmat4& transform) {
+  const auto column = [&](const char* name, int i) {
+    return named(name, convert<R>(glm::dvec3(transform[i])));
+  };
+  return {column("A₁", 0), column("A₂", 1), column("A₃", 2), column("T", 3)};
+}
+
 /// The ray as the shape's own space sees it, narrated like a step of the method.
 template <class R>
 [[nodiscard]] Ray<R> in_object_space(const Ray<R>& ray, const glm::dmat4& transform,
                                      const std::string& shape) {
-  const auto column = [&](const char* name, int i) {
-    return named(name, convert<R>(glm::dvec3(transform[i])));
-  };
-  const vec3<R> a = column("A₁", 0);
-  const vec3<R> b = column("A₂", 1);
-  const vec3<R> c = column("A₃", 2);
-  const vec3<R> translation = column("T", 3);
+  const auto [a, b, c, translation] = named_columns<R>(transform);
   step<R>(("Take the ray into the " + shape + "'s own space").c_str(),
           "The inverse map applies to o and v; v is not normalised, so t is the same number in both spaces.");
   Ray<R> inside = to_object(object_space<R>(a, b, c, translation), ray);
@@ -58,19 +61,22 @@ template <class R>
   return inside;
 }
 
+/// The library's shape of a case's: the same, but for what the format has in several forms.
+template <class S>
+[[nodiscard]] auto in_library(const S& given) {
+  if constexpr (requires { library_shape(given); })
+    return library_shape(given);
+  else
+    return given;
+}
+
 /// The case's shape in the recording arithmetic R as the library has it, every field of the format named.
 template <class Shape, class R>
 [[nodiscard]] Shape recorded_shape(const RayQuestion& question) {
   return std::visit(
       []<class S>(const S& given) -> Shape {
-        const auto in_library = [&] {
-          if constexpr (requires { library_shape(given); })
-            return library_shape(given);
-          else
-            return given;
-        };
-        if constexpr (requires(Shape & to) { to = convert<R>(in_library()); }) {
-          Shape shape = convert<R>(in_library());
+        if constexpr (requires(Shape & to) { to = convert<R>(in_library(given)); }) {
+          Shape shape = convert<R>(in_library(given));
           ShapeFormat<S>::fields(shape, [](const char* name, auto& value) { name_input<R>(name, value); });
           return shape;
         } else {

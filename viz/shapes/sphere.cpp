@@ -2,7 +2,6 @@
 #include <numbers>
 #include <rayproof/sphere/methods.hpp>
 
-#include "viz/shapes/ray_walk.hpp"
 #include "viz/shapes/topics.hpp"
 
 namespace rayproof::viz {
@@ -33,8 +32,10 @@ Border border_of(const Sight& sight, const Sphere<Shadow>& sphere) {
   return {{sight.world.point(top - across), sight.world.point(top + across)}};
 }
 
-Figure sphere_figure(const Sight& sight) {
-  const auto sphere = convert<Shadow>(std::get<Sphere<double>>(sight.question.shape));
+}  // namespace
+
+Figure figure_of(const Sight& sight, const Sphere<double>& given) {
+  const auto sphere = convert<Shadow>(given);
   const World& world = sight.world;
   const std::array<Place, 3> axes{Place{1, 0, 0}, Place{0, 1, 0}, Place{0, 0, 1}};
   Figure figure;
@@ -49,9 +50,5 @@ Figure sphere_figure(const Sight& sight) {
   figure.labels = {{sight.question.transform ? "M·C" : "C", figure.ellipsoid.front()}};
   return figure;
 }
-
-}  // namespace
-
-TopicView sphere_view() { return {sphere::Topic::name, walk_ray<sphere::Topic>, sphere_figure}; }
 
 }  // namespace rayproof::viz

@@ -1,10 +1,9 @@
 #pragma once
 /// \file
-/// The registration of the pictures' layer: how each topic looks, and its walkthroughs.
+/// The registration of the pictures' layer: how each shape looks; and the walkthroughs of all topics.
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "case/case.hpp"
 #include "viz/shapes/figure.hpp"
@@ -12,40 +11,20 @@
 
 namespace rayproof::viz {
 
-/// A topic's look and walkthroughs.
-struct TopicView {
-  std::string name;  ///< "sphere"
-  /// The method's run on the case; nothing where the topic has no such method, or one that can't be recorded.
-  std::optional<Walkthrough> (*walk)(const Case& one, const std::string& method) = nullptr;
-  /// What the shape looks like in space; null for a question about no shape.
-  Figure (*figure)(const Sight& sight) = nullptr;
-};
+// What a shape looks like in space, each in NAME.cpp.
+Figure figure_of(const Sight& sight, const Plane<double>& given);
+Figure figure_of(const Sight& sight, const Triangle<double>& triangle);
+Figure figure_of(const Sight& sight, const Polygon<double>& polygon);
+Figure figure_of(const Sight& sight, const Sphere<double>& given);
+Figure figure_of(const Sight& sight, const rayproof::Box<double>& given);
+Figure figure_of(const Sight& sight, const Parallelepiped<double>& given);
+Figure figure_of(const Sight& sight, const Cylinder<double>& given);
 
-// Each in NAME.cpp.
-TopicView quadratic_view();
-TopicView point_in_polygon_view();
-TopicView plane_view();
-TopicView triangle_view();
-TopicView polygon_view();
-TopicView sphere_view();
-TopicView box_view();
-TopicView parallelepiped_view();
-TopicView cylinder_view();
+/// What the question's shape looks like.
+[[nodiscard]] Figure figure_of(const Sight& sight);
 
-/// Every topic with a view, in the order of the registries.
-inline constexpr TopicView (*topic_views[])() = {
-    quadratic_view,         //
-    point_in_polygon_view,  //
-    plane_view,             //
-    triangle_view,          //
-    polygon_view,           //
-    sphere_view,            //
-    box_view,               //
-    parallelepiped_view,    //
-    cylinder_view,          //
-};
-
-/// The view of a case's topic, or null.
-[[nodiscard]] const TopicView* view_of(const Case& one);
+/// The method's run on the case; nothing where the case's topic has no such method, or one that can't be
+/// recorded.
+[[nodiscard]] std::optional<Walkthrough> recorded_walk(const Case& one, const std::string& method);
 
 }  // namespace rayproof::viz

@@ -2,7 +2,6 @@
 
 #include <array>
 
-#include "viz/trace/name_parts.hpp"
 #include "viz/trace/numbers.hpp"
 
 namespace rayproof::viz {

@@ -1,4 +1,4 @@
-#include "viz/trace/losses.hpp"
+#include "viz/trace/tape.hpp"
 
 #include <fmt/format.h>
 

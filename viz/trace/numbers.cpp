@@ -42,30 +42,6 @@ double count_between(T a, T b) {
   return static_cast<double>(x > y ? x - y : y - x);
 }
 
-/// "-1.50e+03" as "-1500": with an exponent only where the number is small, or has more than `most` digits
-/// before the point.
-std::string laid_out(const std::string& scientific, int most) {
-  const std::size_t e = scientific.find('e');
-  const int exponent = std::stoi(scientific.substr(e + 1));
-  if (exponent < -4 || exponent >= most) return without_padding(scientific);
-  const std::string sign = scientific[0] == '-' ? "-" : "";
-  std::string digits = scientific.substr(sign.size(), e - sign.size());
-  std::erase(digits, '.');
-  if (exponent < 0) return sign + "0." + std::string(static_cast<std::size_t>(-exponent - 1), '0') + digits;
-  const auto whole = static_cast<std::size_t>(exponent) + 1;
-  if (digits.size() <= whole) return sign + digits + std::string(whole - digits.size(), '0');
-  return sign + digits.substr(0, whole) + "." + digits.substr(whole);
-}
-
-/// "1.500e+03" as "1.5e+03".
-std::string without_final_zeros(const std::string& scientific) {
-  const std::size_t e = scientific.find('e');
-  const std::size_t point = scientific.find('.');
-  if (point == std::string::npos) return scientific;
-  const std::size_t last = scientific.find_last_not_of('0', e - 1);
-  return scientific.substr(0, last == point ? point : last + 1) + scientific.substr(e);
-}
-
 }  // namespace
 
 std::string shown(double value, Precision precision) {
@@ -81,7 +57,7 @@ std::string rough(double value, int digits) {
 
 std::string rough(const Shadow& value, int digits) {
   if (isnan(value) || isinf(value) || value == 0) return rough(static_cast<double>(value), digits);
-  return laid_out(without_final_zeros(scientific(value, digits)), digits);
+  return without_padding(in_digits(value, digits, false));
 }
 
 std::string exact_beside(const Shadow& exact, double value, int bits) {
@@ -90,9 +66,10 @@ std::string exact_beside(const Shadow& exact, double value, int bits) {
   constexpr int most = 40;  // what differs later differs by the roundings of the 320 bits themselves
   int digits = bits == std::numeric_limits<float>::digits ? 12 : 17;
   if (std::isfinite(value)) {
-    while (digits < most && scientific(exact, digits) == scientific(Shadow(value), digits)) ++digits;
+    while (digits < most && in_digits(exact, digits, true) == in_digits(Shadow(value), digits, true))
+      ++digits;
   }
-  return laid_out(scientific(exact, digits), digits);
+  return without_padding(in_digits(exact, digits, true));
 }
 
 std::string scale_in_words(const Shadow& times) {

@@ -65,8 +65,7 @@ template <class Topic, class T, class Build>
 template <class Topic, class Build>
 [[nodiscard]] std::optional<Walkthrough> walk_topic(const std::string& method, Precision precision,
                                                     Build&& build) {
-  return precision == Precision::float32 ? walk_in<Topic, float>(method, precision, build)
-                                         : walk_in<Topic, double>(method, precision, build);
+  return in_precision(precision, [&]<class T>(T) { return walk_in<Topic, T>(method, precision, build); });
 }
 
 }  // namespace rayproof::viz

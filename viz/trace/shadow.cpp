@@ -86,11 +86,13 @@ Shadow frexp(const Shadow& x, int* e) {
   return significand;
 }
 
-std::string scientific(const Shadow& x, int digits) {
-  // The digits, and at most a sign, a point, "e+" and the exponent.
+std::string in_digits(const Shadow& x, int digits, bool has_final_zeros) {
+  // The digits, and at most a sign, a point, zeros behind it, "e+" and the exponent.
   std::string text(static_cast<std::size_t>(digits) + 24, '\0');
-  const int length = mpfr_snprintf(text.data(), text.size(), "%.*Re", digits - 1, Inside(x).number);
+  const char* const format = has_final_zeros ? "%#.*Rg" : "%.*Rg";
+  const int length = mpfr_snprintf(text.data(), text.size(), format, digits, Inside(x).number);
   text.resize(static_cast<std::size_t>(length));
+  if (text.ends_with('.')) text.pop_back();
   return text;
 }
 

@@ -49,8 +49,9 @@ class Shadow {
   friend Shadow ldexp(const Shadow& x, int e);
   friend Shadow frexp(const Shadow& x, int* e);
 
-  /// A finite number as "-1.50e+03", of this many significant digits, rounded to nearest.
-  friend std::string scientific(const Shadow& x, int digits);
+  /// A finite number rounded to this many significant digits, to nearest, as "%g" writes it: "-1500", or
+  /// "1.5e+07" where it is small or has more digits before the point. Final zeros are left out, or stay.
+  friend std::string in_digits(const Shadow& x, int digits, bool has_final_zeros);
 
  private:
   struct Exactly {

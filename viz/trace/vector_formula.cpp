@@ -1,7 +1,6 @@
 #include <array>
 
 #include "viz/trace/expression.hpp"
-#include "viz/trace/name_parts.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -5,9 +5,9 @@
 #include <limits>
 #include <stdexcept>
 
-#include "viz/trace/losses.hpp"
 #include "viz/trace/numbers.hpp"
 #include "viz/trace/record.hpp"
+#include "viz/trace/tape.hpp"
 
 namespace rayproof::viz {
 namespace {

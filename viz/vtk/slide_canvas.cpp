@@ -1,7 +1,15 @@
 #include "viz/vtk/slide_canvas.hpp"
 
+#include <fmt/format.h>
+#include <vtkBase64Utilities.h>
+#include <vtkJPEGWriter.h>
+#include <vtkNew.h>
+#include <vtkUnsignedCharArray.h>
+
+#include "case/escape.hpp"
 #include "viz/flat/stage_picture.hpp"
 #include "viz/picture/palette.hpp"
+#include "viz/vtk/image_of.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -15,6 +23,22 @@ Rgb mean_of_four(const Raster& raster, int x, int y) {
     mean[i] = static_cast<std::uint8_t>((sum + 2) / 4);
   }
   return mean;
+}
+
+constexpr PixelBox still_frame{0, 0, 640, 640 / view_aspect};
+
+std::string jpeg_of(const Raster& picture) {
+  vtkNew<vtkJPEGWriter> writer;
+  writer->SetInputData(image_of(picture));
+  writer->SetQuality(60);
+  writer->WriteToMemoryOn();
+  writer->Write();
+  const auto& bytes = *writer->GetResult();
+  const auto size = static_cast<std::size_t>(bytes.GetNumberOfValues());
+  std::string text(size / 3 * 4 + 8, '\0');
+  text.resize(vtkBase64Utilities::Encode(writer->GetResult()->GetPointer(0), size,
+                                         reinterpret_cast<unsigned char*>(text.data())));
+  return text;
 }
 
 }  // namespace
@@ -42,6 +66,15 @@ Raster contact_sheet(const std::vector<Raster>& slides) {
     }
   }
   return sheet;
+}
+
+std::string still_of(PictureCanvas& canvas, const Stage& stage, std::size_t step) {
+  Picture labels;
+  labels.width = still_frame.width;
+  labels.height = still_frame.height;
+  const Raster picture = canvas.draw(labels, {{&stage, step, still_frame}}, 1);
+  return fmt::format("<img width=\"{}\" height=\"{}\" alt=\"{}\" src=\"data:image/jpeg;base64,{}\">",
+                     picture.width, picture.height, escaped(stage.steps[step].caption), jpeg_of(picture));
 }
 
 }  // namespace rayproof::viz

@@ -2,6 +2,8 @@
 /// \file
 /// Slides: a step of a walkthrough in true space, with its title, numbers and caption.
 
+#include <cstddef>
+#include <string>
 #include <vector>
 
 #include "viz/picture/raster.hpp"
@@ -27,5 +29,8 @@ class SlideCanvas {
 
 /// Slides side by side, at half their size, all of one size.
 [[nodiscard]] Raster contact_sheet(const std::vector<Raster>& slides);
+
+/// An `<img>` with the picture in it, drawn by the canvas; its text for screen readers is the step's caption.
+[[nodiscard]] std::string still_of(PictureCanvas& canvas, const Stage& stage, std::size_t step);
 
 }  // namespace rayproof::viz

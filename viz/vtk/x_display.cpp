@@ -1,4 +1,4 @@
-#include "viz/vtk/x_display.hpp"
+#include "viz/vtk/offscreen_display.hpp"
 
 #include <poll.h>
 #include <vtkRenderWindow.h>
@@ -6,8 +6,6 @@
 
 #include <cstdlib>
 #include <string>
-
-#include "viz/vtk/offscreen_display.hpp"
 
 namespace rayproof::viz {
 namespace {

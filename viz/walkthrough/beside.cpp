@@ -1,14 +1,12 @@
-#include "viz/walkthrough/beside.hpp"
+#include "viz/walkthrough/stage_of.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "viz/explain/answers.hpp"
+#include "viz/explain/case_report.hpp"
 #include "viz/walkthrough/kernel_steps.hpp"
 #include "viz/walkthrough/setting.hpp"
-#include "viz/walkthrough/spaces.hpp"
-#include "viz/walkthrough/stage_of.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -1,4 +1,4 @@
-#include "viz/walkthrough/case_views.hpp"
+#include "viz/walkthrough/stage_of.hpp"
 
 #include <fmt/format.h>
 
@@ -7,12 +7,10 @@
 #include <glm/geometric.hpp>
 #include <rayproof/formulas/polygon_sides.hpp>
 
-#include "viz/explain/answers.hpp"
-#include "viz/scene/fit_view.hpp"
+#include "viz/explain/case_report.hpp"
 #include "viz/scene/items.hpp"
 #include "viz/trace/numbers.hpp"
 #include "viz/walkthrough/setting.hpp"
-#include "viz/walkthrough/stage_of.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -1,11 +1,11 @@
-#include "viz/walkthrough/close_up.hpp"
+#include "viz/walkthrough/setting.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "viz/explain/answers.hpp"
+#include "viz/explain/case_report.hpp"
 #include "viz/trace/numbers.hpp"
 
 namespace rayproof::viz {

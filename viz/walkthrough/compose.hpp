@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <rayproof/arithmetics/recorded.hpp>
 #include <stdexcept>
+#include <string_view>
 #include <type_traits>
 
 #include "viz/trace/record.hpp"
@@ -17,13 +18,26 @@ namespace rayproof::viz {
 /// The steps that `run(std::type_identity<R>{})` narrates in the recording arithmetic R of the precision.
 template <class Run>
 [[nodiscard]] Walkthrough record(Precision precision, Run&& run) {
-  const auto record_as = [&]<class T>(std::type_identity<T>) {
+  return in_precision(precision, [&]<class T>(T) {
     Tape tape;
     run(std::type_identity<Recorded<T, Shadow>>{});
     return steps_of(tape, precision);
-  };
-  return precision == Precision::float32 ? record_as(std::type_identity<float>{})
-                                         : record_as(std::type_identity<double>{});
+  });
+}
+
+/// The ray with its origin and direction by name.
+template <class R>
+[[nodiscard]] Ray<R> named_ray(const Ray<double>& given) {
+  Ray<R> ray = convert<R>(given);
+  ray.origin = named("o", ray.origin);
+  ray.direction = named("d", ray.direction);
+  return ray;
+}
+
+/// A point of a plane by name.
+template <class R>
+[[nodiscard]] Vec2<R> named_point(const std::string& name, const Vec2<double>& p) {
+  return {named((name + ".x").c_str(), R(p.x)), named((name + ".y").c_str(), R(p.y))};
 }
 
 /// The stage of a composed run: the given case's scene, a first step with the inputs, and the run's steps.
@@ -46,5 +60,22 @@ void show_beside(Stage& stage, const std::string& title, const Items& items);
 /// A last step on how far the run's own values differ from the exact ones: the one that lost most, magnified.
 [[nodiscard]] StageStep difference_of_values(const Walkthrough& walk, const Setting& setting,
                                              Precision precision);
+
+/// A drawing in the plane of the screen, of its own scene.
+[[nodiscard]] inline Setting plot_setting(const CaseReport& report) {
+  Setting setting = setting_of(report);
+  setting.camera = {};
+  setting.camera.is_flat = true;
+  setting.scene.clear();
+  setting.near = setting.wide = {{0, 0, 0}, 0.8};
+  setting.to_world = [](const glm::dvec3& p) { return p; };
+  return setting;
+}
+
+/// The surface and the ray up to t_end, with a slider over the same.
+[[nodiscard]] Setting surface_setting(const CaseReport& report, Items surface, double t_end);
+
+/// From the steps of that title on, what was drawn before is shown no more.
+void begin_anew(Stage& stage, std::string_view title);
 
 }  // namespace rayproof::viz

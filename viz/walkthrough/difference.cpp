@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viz/explain/answers.hpp"
-#include "viz/scene/fit_view.hpp"
+#include "viz/explain/case_report.hpp"
+#include "viz/scene/items.hpp"
 #include "viz/trace/numbers.hpp"
-#include "viz/walkthrough/close_up.hpp"
 #include "viz/walkthrough/difference_gap.hpp"
 #include "viz/walkthrough/live_values.hpp"
-#include "viz/walkthrough/magnifier.hpp"
 #include "viz/walkthrough/setting.hpp"
 
 namespace rayproof::viz {

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viz/scene/fit_view.hpp"
+#include "viz/scene/items.hpp"
 #include "viz/trace/numbers.hpp"
-#include "viz/walkthrough/magnifier.hpp"
-#include "viz/walkthrough/spaces.hpp"
+#include "viz/walkthrough/live_values.hpp"
+#include "viz/walkthrough/setting.hpp"
 
 namespace rayproof::viz {
 
@@ -96,6 +96,22 @@ std::string in_words(const Gap& gap, Precision precision) {
   return fmt::format("Exactly the ray is {}; computed, {}. {}",
                      interval(gap.entry, gap.exit, Precision::float64),
                      interval(gap.computed_entry, gap.computed_exit, precision), dots_in_words(precision));
+}
+
+Items dots_of(const Magnifier& magnifier, double around, Precision precision) {
+  Items items;
+  for (const int next : {-1, 1}) {
+    double t = next > 0 ? neighbour_of(around, next, precision) : around;
+    for (int i = 0; i < 8 && std::abs(t - magnifier.centre) <= magnified_reach * magnifier.unit; ++i) {
+      items.push_back(point(Role::muted, magnifier.at(t)));
+      t = neighbour_of(t, next, precision);
+    }
+  }
+  return items;
+}
+
+std::string dots_in_words(Precision precision) {
+  return fmt::format("Each dot is a {} value.", name_of(precision));
 }
 
 }  // namespace rayproof::viz

@@ -1,11 +1,13 @@
 #pragma once
 /// \file
-/// A solid that a ray just misses, or just meets: rounding decides, and only from very near it is to be seen.
+/// What only from very near is to be seen: a stretch of a line on which single numbers can be distinguished,
+/// and a solid that a ray just misses, or just meets.
 
 #include <array>
 #include <optional>
 #include <string>
 
+#include "viz/scene/items.hpp"
 #include "viz/walkthrough/setting.hpp"
 
 namespace rayproof::viz {
@@ -32,5 +34,22 @@ void show_gap(StageStep& step, const Gap& gap, Precision precision, const Settin
 
 /// "Exactly the ray is in at 1, out at 0.999999886; …"
 [[nodiscard]] std::string in_words(const Gap& gap, Precision precision);
+
+/// Where a number lies on the magnified line: the centre's is 0, and `unit` more is one length along.
+struct Magnifier {
+  double centre = 0;
+  double unit = 1;
+  glm::dvec3 along{1, 0, 0};
+  [[nodiscard]] glm::dvec3 at(double t) const { return (t - centre) / unit * along; }
+};
+
+/// A dot for each number of the precision around one of them: between them there is nothing for an answer.
+[[nodiscard]] Items dots_of(const Magnifier& magnifier, double around, Precision precision);
+
+/// "Each dot is a float32 value."
+[[nodiscard]] std::string dots_in_words(Precision precision);
+
+/// What magnified steps show: numbers up to this many lengths from the centre.
+inline constexpr double magnified_reach = 3.2;
 
 }  // namespace rayproof::viz

@@ -1,12 +1,11 @@
-#include "viz/walkthrough/flat_settings.hpp"
+#include "viz/walkthrough/setting.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "viz/explain/answers.hpp"
-#include "viz/scene/fit_view.hpp"
+#include "viz/explain/case_report.hpp"
+#include "viz/scene/items.hpp"
 #include "viz/trace/numbers.hpp"
-#include "viz/walkthrough/close_up.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viz/explain/answers.hpp"
-#include "viz/trace/losses.hpp"
+#include "viz/explain/case_report.hpp"
 #include "viz/trace/numbers.hpp"
-#include "viz/walkthrough/sentences.hpp"
+#include "viz/trace/tape.hpp"
 #include "viz/walkthrough/stage_values.hpp"
 
 namespace rayproof::viz {

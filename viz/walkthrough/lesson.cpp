@@ -4,13 +4,10 @@
 
 #include "case/reader.hpp"
 #include "case/reader/field.hpp"
-#include "viz/walkthrough/beside.hpp"
 #include "viz/walkthrough/compose.hpp"
-#include "viz/walkthrough/lessons.hpp"
 #include "viz/walkthrough/stage_of.hpp"
 
 namespace rayproof::viz {
-
 namespace {
 
 Lesson read_lesson(const Field& field) {

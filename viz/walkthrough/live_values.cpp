@@ -19,28 +19,22 @@ T value_at(const std::vector<double>& coefficients, double t) {
   return sum;
 }
 
-template <class T>
-glm::dvec3 point_in(const StageSlider& slider, double t) {
-  const Ray<T> ray{vec3<T>(slider.origin), vec3<T>(slider.direction)};
-  return glm::dvec3(point_at(ray, T(t)));
-}
-
-template <class T>
-T stepped(T t, int count) {
-  const T end = count < 0 ? -std::numeric_limits<T>::infinity() : std::numeric_limits<T>::infinity();
-  for (int i = 0; i < std::abs(count); ++i) t = std::nextafter(t, end);
-  return t;
-}
-
 }  // namespace
 
 glm::dvec3 point_on(const StageSlider& slider, double t, Precision precision) {
-  return precision == Precision::float32 ? point_in<float>(slider, t) : point_in<double>(slider, t);
+  return in_precision(precision, [&]<class T>(T) {
+    const Ray<T> ray{vec3<T>(slider.origin), vec3<T>(slider.direction)};
+    return glm::dvec3(point_at(ray, T(t)));
+  });
 }
 
 double neighbour_of(double t, int count, Precision precision) {
-  return precision == Precision::float32 ? static_cast<double>(stepped(static_cast<float>(t), count))
-                                         : stepped(t, count);
+  return in_precision(precision, [&]<class T>(T) {
+    const T end = count < 0 ? -std::numeric_limits<T>::infinity() : std::numeric_limits<T>::infinity();
+    T next = T(t);
+    for (int i = 0; i < std::abs(count); ++i) next = std::nextafter(next, end);
+    return double{next};
+  });
 }
 
 std::vector<LiveValue> live_values(const StageSlider& slider, double t, Precision precision) {
@@ -59,7 +53,7 @@ std::vector<LiveValue> live_values(const StageSlider& slider, double t, Precisio
   }
   for (const StageReadout& readout : slider.readouts) {
     const auto& c = readout.coefficients;
-    const double rounded = is_float ? static_cast<double>(value_at<float>(c, t)) : value_at<double>(c, t);
+    const double rounded = in_precision(precision, [&]<class T>(T) { return double{value_at<T>(c, t)}; });
     values.push_back({readout.label, shown(rounded, precision),
                       is_float ? exact_beside(value_at<Shadow>(c, t), rounded, float_bits) : ""});
   }

@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viz/explain/answers.hpp"
-#include "viz/scene/fit_view.hpp"
+#include "viz/explain/case_report.hpp"
+#include "viz/scene/items.hpp"
 #include "viz/shapes/ray_scene.hpp"
 #include "viz/shapes/topics.hpp"
-#include "viz/walkthrough/close_up.hpp"
 #include "viz/walkthrough/difference_gap.hpp"
-#include "viz/walkthrough/flat_settings.hpp"
-#include "viz/walkthrough/spaces.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -126,15 +123,14 @@ void add_ray(Items& scene, const Ray<double>& ray, const StageSlider& slider, co
 }
 
 /// The shape and the ray as the kernel sees them, where the case has a transform.
-StepSpace object_space_of(const CaseReport& report, Figure (*figure)(const Sight&), const Setting& setting,
-                          const std::string& first_step) {
+StepSpace object_space_of(const CaseReport& report, const Setting& setting, const std::string& first_step) {
   Case one = report.one;
   auto& question = std::get<RayQuestion>(one.question);
   const Ray<Shadow> inside = World(question).ray_in_object_space(convert<Shadow>(question.ray));
   question.ray.origin = rounded(inside.origin);
   question.ray.direction = rounded(inside.direction);
   question.transform.reset();
-  const RayScene scene = scene_of(figure, one, &report.exact, report.claim());
+  const RayScene scene = scene_of(one, &report.exact, report.claim());
   Items items = items_of(scene.figure);
   add_ray(items, question.ray, *setting.slider, "o′");
   return {first_step, "In the object's own space:", [items](const NumbersByName& /*n*/) { return items; },
@@ -142,14 +138,13 @@ StepSpace object_space_of(const CaseReport& report, Figure (*figure)(const Sight
 }
 
 /// The spaces in which a run computes.
-std::vector<StepSpace> spaces_of(const CaseReport& report, Figure (*figure)(const Sight&),
-                                 const Setting& setting) {
+std::vector<StepSpace> spaces_of(const CaseReport& report, const Setting& setting) {
   std::vector<StepSpace> spaces;
   if (!report.walk) return spaces;
   const std::vector<WalkStep>& steps = report.walk->steps;
   for (std::size_t i = 0; i + 1 < steps.size(); ++i) {
     if (steps[i].title.starts_with("Take the ray into the "))
-      spaces.push_back(object_space_of(report, figure, setting, steps[i + 1].title));
+      spaces.push_back(object_space_of(report, setting, steps[i + 1].title));
   }
   if (auto space = padded_space(report, setting.camera)) spaces.push_back(std::move(*space));
   if (topic_of(report.one) == "triangle") {
@@ -158,8 +153,8 @@ std::vector<StepSpace> spaces_of(const CaseReport& report, Figure (*figure)(cons
   return spaces;
 }
 
-Setting ray_setting(const CaseReport& report, Figure (*figure)(const Sight&)) {
-  const RayScene scene = scene_of(figure, report.one, &report.exact, report.claim());
+Setting ray_setting(const CaseReport& report) {
+  const RayScene scene = scene_of(report.one, &report.exact, report.claim());
   Setting setting;
   setting.camera = scene.camera();
   const Views views = views_of(scene, report, setting.camera);
@@ -172,7 +167,7 @@ Setting ray_setting(const CaseReport& report, Figure (*figure)(const Sight&)) {
   add_ray(setting.scene, scene.sight.question.ray, *setting.slider);
   const World world = scene.sight.world;
   setting.to_world = [world](const glm::dvec3& p) { return rounded(world.point(p)); };
-  setting.spaces = spaces_of(report, figure, setting);
+  setting.spaces = spaces_of(report, setting);
   setting.has_inside = scene.figure.faces.size() != 1;
   setting.close_up = close_up_of(scene, report, setting.camera);
   return setting;
@@ -181,9 +176,8 @@ Setting ray_setting(const CaseReport& report, Figure (*figure)(const Sight&)) {
 }  // namespace
 
 Setting setting_of(const CaseReport& report) {
-  const TopicView* const view = view_of(report.one);
-  const bool is_in_space = view != nullptr && view->figure != nullptr;
-  Setting setting = is_in_space ? ray_setting(report, view->figure) : flat_setting(report);
+  const bool is_in_space = std::holds_alternative<RayQuestion>(report.one.question);
+  Setting setting = is_in_space ? ray_setting(report) : flat_setting(report);
   setting.bindings = bindings_of(topic_of(report.one));
   return setting;
 }

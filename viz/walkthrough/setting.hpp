@@ -8,6 +8,7 @@
 
 #include "viz/explain/case_report.hpp"
 #include "viz/scene/items.hpp"
+#include "viz/shapes/ray_scene.hpp"
 
 namespace rayproof::viz {
 
@@ -61,5 +62,52 @@ inline constexpr const char* comparison_title = "Float result against exact resu
 /// The step of that title: what the exact answer says beside the method's, magnified where
 /// they are too near to be distinguished.
 [[nodiscard]] StageStep difference_step(const CaseReport& report, const Setting& setting);
+
+[[nodiscard]] Setting flat_setting(const CaseReport& report);
+
+/// The height of an equation's drawing, whose x goes from -1 to 1.
+inline constexpr double plot_height = 1.2;
+
+/// How an equation's numbers are put into its drawing: x from `left` to `right` becomes -1 to 1, and y from
+/// its least to its greatest value, `height` more, takes up the drawing's height.
+struct ParabolaFrame {
+  double left = -1, right = 1, height = 1;
+  [[nodiscard]] glm::dvec3 at(double x, double y) const {
+    return {(2 * x - left - right) / (right - left), plot_height * y / height, 0};
+  }
+};
+[[nodiscard]] ParabolaFrame parabola_frame(const Quadratic<double>& equation,
+                                           const std::vector<double>& roots);
+
+/// From the plane of a drawing to the plane of the screen.
+[[nodiscard]] std::function<glm::dvec3(const glm::dvec3&)> flat_on(const StageCamera& camera);
+
+/// The point's projection along the largest axis of `n`, as the kernels have it.
+[[nodiscard]] glm::dvec3 dropped(const glm::dvec3& n, const glm::dvec3& p);
+
+/// The space that step `index` of the run computes in; null for the world.
+[[nodiscard]] const StepSpace* space_of(const Setting& setting, const Walkthrough& walk, std::size_t index);
+
+/// The setting with what the space has of its own.
+[[nodiscard]] Setting in_space(Setting setting, const StepSpace& space);
+
+/// The spaces in which the methods of triangles compute.
+[[nodiscard]] std::vector<StepSpace> triangle_spaces(const Walkthrough& walk, const StageCamera& camera);
+
+/// Lets a step show its space: the scene there, what earlier steps showed there in grey, and its own items.
+/// `earlier` then has those, too.
+void show_in_space(StageStep& step, const StepSpace& space, const NumbersByName& n, const StageCamera& camera,
+                   Items& earlier);
+
+/// What is shown of it, in gaps from the outline: surfaces run out of the view.
+inline constexpr StageView close_up_view{{0, 0, 0}, 2.3};
+
+/// The ray and what lies below it in profile: a face, a solid's edge, or a round side that looks level; with
+/// both answers' hits that are near.
+[[nodiscard]] std::optional<CloseUp> close_up_of(const RayScene& scene, const CaseReport& report,
+                                                 const StageCamera& camera);
+
+/// A point and the sides of a polygon that are nearest to it.
+[[nodiscard]] CloseUp close_up_of(const std::vector<glm::dvec3>& ring, const glm::dvec3& p);
 
 }  // namespace rayproof::viz

@@ -1,10 +1,10 @@
-#include "viz/walkthrough/spaces.hpp"
+#include "viz/walkthrough/setting.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <rayproof/formulas/largest_axis.hpp>
 
-#include "viz/scene/fit_view.hpp"
+#include "viz/scene/items.hpp"
 #include "viz/trace/numbers.hpp"
 
 namespace rayproof::viz {

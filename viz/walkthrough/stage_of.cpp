@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "viz/explain/answers.hpp"
-#include "viz/scene/fit_view.hpp"
+#include "viz/explain/case_report.hpp"
+#include "viz/scene/items.hpp"
 #include "viz/trace/numbers.hpp"
 #include "viz/walkthrough/compose.hpp"
 #include "viz/walkthrough/kernel_steps.hpp"
 #include "viz/walkthrough/setting.hpp"
-#include "viz/walkthrough/spaces.hpp"
 #include "viz/walkthrough/stage_values.hpp"
 
 namespace rayproof::viz {

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// The numbers of a walkthrough as a stage shows them: the components of a vector together, in words and
-/// formulas.
+/// The numbers of a walkthrough as a stage shows them, in words and formulas, and what a step says, taken
+/// apart.
 
 #include <optional>
 #include <string>
@@ -36,5 +36,14 @@ void put_numbers_in(StageValue& value, Precision precision);
 
 /// "D = b·b − 4·a·c = 3·3 − 4·1·2 = 1"
 [[nodiscard]] std::string equation_of(const StageValue& value, Precision precision);
+
+/// "p is a point. t is its place." as two.
+[[nodiscard]] std::vector<std::string> sentences_of(const std::string& text);
+
+/// Whether a sentence speaks of a number of that name. "a" is an article, too, and never counts.
+[[nodiscard]] bool mentions(const std::string& sentence, const std::string& name);
+
+/// How many letters a text has; combining marks are none.
+[[nodiscard]] std::size_t letters_of(const std::string& text);
 
 }  // namespace rayproof::viz

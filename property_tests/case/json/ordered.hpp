@@ -16,6 +16,13 @@ namespace rayproof {
   return std::isnan(x) ? "nan" : x > 0 ? "inf" : "-inf";
 }
 
+/// An array of what `as_json` makes of each element.
+[[nodiscard]] nlohmann::ordered_json json_list(const auto& elements, auto&& as_json) {
+  auto list = nlohmann::ordered_json::array();
+  for (const auto& element : elements) list.push_back(as_json(element));
+  return list;
+}
+
 /// Where the text is not JSON: throws nlohmann's parse_error, or gives a discarded value.
 [[nodiscard]] nlohmann::ordered_json read_json(std::string_view text, bool throws = true);
 

@@ -26,7 +26,7 @@ OPTIONS = ["-G", "Ninja", "-D", "CMAKE_BUILD_TYPE=Release", "-D", "CMAKE_CXX_FLA
            "-D", "CMAKE_DISABLE_FIND_PACKAGE_VTK=ON"]
 PROGRAMS = ["methods", "oracle", "intersect", "check", "explain", "walk", "draw"]
 TESTS = {"lib": "EveryDiskMethod*", "oracle": "DiskOracle*:*/disk:*/disk/*", "render": "Bounds*",
-         "generators": "TheCasesOfASeed*:Families*", "viz": "Views*:Wireframe*:Stories*:Recorded*:Bounded*"}
+         "generators": "TheCasesOfASeed*:Families*", "viz": "Figure.*:Wireframe*:Stories*:Recorded*:Bounded*"}
 CASE = {"ray": {"origin": [3, 4, -2], "direction": [0, 0, 1]},
         "shape": {"type": "disk", "center": [0, 0, 0], "normal": [0, 0, 2], "radius": 5}}
 ERROR = ("dot(q, q)) <= named", "dot(q, q)) >= named")

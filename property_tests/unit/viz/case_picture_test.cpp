@@ -9,8 +9,8 @@
 #include "subjects/subject.hpp"
 #include "unit/viz/every_shape.hpp"
 #include "viz/flat/case_sheet.hpp"
-#include "viz/flat/outline.hpp"
-#include "viz/shapes/camera.hpp"
+#include "viz/flat/stage_picture.hpp"
+#include "viz/shapes/ray_scene.hpp"
 #include "viz/shapes/topics.hpp"
 
 namespace rayproof::viz {
@@ -44,11 +44,14 @@ bool says(const Picture& picture, const std::string& words) {
   return std::any_of(texts.begin(), texts.end(), [&](const Text& text) { return text.text == words; });
 }
 
-TEST(Views, EveryTopicHasOne) {
-  Topics::for_each([]<class Topic>(std::type_identity<Topic>) {
-    const auto is_its = [](const auto make) { return make().name == Topic::name; };
-    EXPECT_EQ(std::ranges::count_if(topic_views, is_its), 1) << Topic::name;
-  });
+TEST(Figure, OfEveryShapeHasPointsAndAnOutline) {
+  for (const std::string& shape : shapes()) {
+    const Case one = with_shape(shape);
+    const Answer exact = oracle::answer(one);
+    const Figure figure = scene_of(one, &exact, nullptr).figure;
+    EXPECT_FALSE(figure.points.empty()) << shape;
+    EXPECT_FALSE(figure.borders.empty() && figure.grid.empty()) << shape;
+  }
 }
 
 TEST(CasePicture, MarksEveryHitOfEveryShape) {

@@ -1,4 +1,4 @@
-#include "viz/picture/even_odd_strips.hpp"
+#include "viz/picture/clip.hpp"
 
 #include <gtest/gtest.h>
 

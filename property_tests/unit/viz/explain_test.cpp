@@ -12,7 +12,7 @@ namespace {
 
 Walkthrough walk(const char* line, const std::string& method) {
   const Case one = read_case(line);
-  return view_of(one)->walk(one, method).value();
+  return recorded_walk(one, method).value();
 }
 
 constexpr const char* small_root = R"({"query":"quadratic","precision":"float32","a":1,"b":1000,"c":1})";
@@ -92,7 +92,7 @@ TEST(Explain, TheConclusionBlamesTheFormulaWhereNoPrecisionIsLost) {
   RayAnswer wrong{Contact::crossing};
   wrong.hits.push_back(4.0 / 24);
   wrong.hits.push_back(6.0 / 24);
-  const CaseReport report{one, exact, "sphere/printed_2ac", wrong, view_of(one)->walk(one, "printed_2ac")};
+  const CaseReport report{one, exact, "sphere/printed_2ac", wrong, recorded_walk(one, "printed_2ac")};
   EXPECT_NE(conclusion_of(report).find("the formula itself is at fault"), std::string::npos);
 }
 
@@ -122,7 +122,7 @@ TEST(Explain, AnAnswerWithoutStepsIsCalledWhatItsNumbersAre) {
 TEST(Explain, TheJsonHoldsStepsValuesAndTheDecisiveLoss) {
   const Case one = read_case(small_root);
   const CaseReport report{one, QuadraticAnswer<double>{}, "quadratic/textbook", QuadraticAnswer<double>{},
-                          view_of(one)->walk(one, "textbook")};
+                          recorded_walk(one, "textbook")};
   const auto json = nlohmann::json::parse(explain_json(report));
   EXPECT_EQ(json["decisive_loss"]["formula"], "−b + √D");
   EXPECT_EQ(json["steps"][0]["values"][0]["name"], "D");

@@ -1,8 +1,8 @@
-#include "viz/trace/name_parts.hpp"
+#include "viz/trace/expression.hpp"
 
 #include <gtest/gtest.h>
 
-#include "viz/picture/text_runs.hpp"
+#include "viz/picture/picture.hpp"
 
 namespace rayproof::viz {
 namespace {

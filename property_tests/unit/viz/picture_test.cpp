@@ -154,14 +154,14 @@ TEST(CaseFigure, HasASceneInNumbersOfEveryCase) {
 }
 
 TEST(Page, IsOneFileThatNeedsNothingFromElsewhere) {
-  for_every_family(
-      1, [](const Case& one, const Answer& exact, const Answer& claimed, const std::string& which) {
-        const CaseReport report{one, exact, "a/method", claimed, view_of(one)->walk(one, "textbook")};
-        std::string page = case_page(report, "data:,");
-        for (const std::string_view none : {"src=\"data:,\"", "href=\"data:,\""})
-          page.erase(page.find(none), none.size());
-        ASSERT_EQ(complaint_about_addresses(page), "") << which;
-      });
+  for_every_family(1,
+                   [](const Case& one, const Answer& exact, const Answer& claimed, const std::string& which) {
+                     const CaseReport report{one, exact, "a/method", claimed, recorded_walk(one, "textbook")};
+                     std::string page = case_page(report, "data:,");
+                     for (const std::string_view none : {"src=\"data:,\"", "href=\"data:,\""})
+                       page.erase(page.find(none), none.size());
+                     ASSERT_EQ(complaint_about_addresses(page), "") << which;
+                   });
 }
 
 TEST(Clip, ALineKeepsOnlyItsPartsInside) {

@@ -4,7 +4,7 @@
 
 #include "case/json/number_text.hpp"
 #include "unit/viz/player.hpp"
-#include "viz/player/player_help.hpp"
+#include "viz/player/player.hpp"
 #include "viz/trace/numbers.hpp"
 #include "viz/walkthrough/live_values.hpp"
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "viz/walkthrough/sentences.hpp"
+#include "viz/walkthrough/stage_values.hpp"
 
 namespace rayproof::viz {
 namespace {

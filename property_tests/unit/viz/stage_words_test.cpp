@@ -8,7 +8,7 @@
 #include "generators/generators.hpp"
 #include "unit/viz/every_shape.hpp"
 #include "unit/viz/stage_data.hpp"
-#include "viz/explain/answers.hpp"
+#include "viz/explain/case_report.hpp"
 #include "viz/walkthrough/compose.hpp"
 #include "viz/walkthrough/difference_gap.hpp"
 #include "viz/walkthrough/stage_of.hpp"

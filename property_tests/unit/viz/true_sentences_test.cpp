@@ -11,7 +11,7 @@
 #include "case/writer.hpp"
 #include "generators/generators.hpp"
 #include "unit/viz/stage_data.hpp"
-#include "viz/explain/answers.hpp"
+#include "viz/explain/case_report.hpp"
 #include "viz/trace/numbers.hpp"
 #include "viz/walkthrough/lesson.hpp"
 #include "viz/walkthrough/stage_of.hpp"

@@ -23,7 +23,7 @@ TEST(Stories, OfEveryRecordableMethodEndInTheKernelsOwnNumbersBitForBit) {
     Topics::for_each([&]<class Topic>(std::type_identity<Topic>) {
       if (topic_of(one) != Topic::name) return;
       Topic::Methods::for_each([&]<class Method>(std::type_identity<Method>) {
-        const auto walk = view_of(one)->walk(one, Method::name);
+        const auto walk = recorded_walk(one, Method::name);
         if constexpr (Recordable<Method, Recorded<float, Shadow>>) {
           ASSERT_TRUE(walk) << Topic::name << '/' << Method::name;
           const auto roots = solve_in<Topic, Method, float>(one);
@@ -43,7 +43,7 @@ TEST(Stories, OfEveryRecordableMethodEndInTheKernelsOwnNumbersBitForBit) {
 TEST(Stories, NameTheInputsByTheLettersOfTheFormat) {
   const auto names = [](const std::string& shape, const std::string& method) {
     const Case one = with_shape(shape);
-    const Walkthrough walkthrough = view_of(one)->walk(one, method).value();
+    const Walkthrough walkthrough = recorded_walk(one, method).value();
     std::string all;
     for (const WalkValue& value : walkthrough.inputs) all += value.name + ' ';
     return all;
@@ -69,8 +69,7 @@ TEST(Stories, AMethodThatCantBeRecordedSaysSoAndStillAnswers) {
 
 TEST(Stories, AComparisonBesideATieIsBlamedForAWrongVerdict) {
   const Case one = with_shape(shapes_of("triangle").front());
-  const CaseReport report{one, oracle::answer(one), "triangle/woop", RayAnswer{},
-                          view_of(one)->walk(one, "woop")};
+  const CaseReport report{one, oracle::answer(one), "triangle/woop", RayAnswer{}, recorded_walk(one, "woop")};
   EXPECT_NE(conclusion_of(report).find("a comparison is so near a tie"), std::string::npos)
       << conclusion_of(report);
 }

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "case/json/number_text.hpp"
-#include "viz/explain/answers.hpp"
+#include "viz/explain/case_report.hpp"
 #include "viz/vtk/offscreen_display.hpp"
 #include "viz/vtk/raster_png.hpp"
 #include "viz/vtk/render/heat_map.hpp"

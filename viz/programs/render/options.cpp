@@ -4,7 +4,7 @@
 #include <charconv>
 
 #include "case/reader/near_names.hpp"
-#include "viz/render/shadows.hpp"
+#include "viz/render/shading.hpp"
 
 namespace rayproof::render {
 namespace {

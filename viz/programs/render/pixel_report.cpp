@@ -4,7 +4,7 @@
 #include "viz/page/page.hpp"
 #include "viz/programs/files.hpp"
 #include "viz/programs/report_of.hpp"
-#include "viz/vtk/still.hpp"
+#include "viz/vtk/slide_canvas.hpp"
 #include "viz/walkthrough/stage_of.hpp"
 
 namespace rayproof::render {

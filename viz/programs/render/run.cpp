@@ -7,16 +7,14 @@
 #include "case/case.hpp"
 #include "case/writer.hpp"
 #include "command_line/progress_line.hpp"
-#include "viz/programs/partial_file.hpp"
+#include "viz/programs/files.hpp"
 #include "viz/programs/render/pixel_report.hpp"
-#include "viz/render/shadows.hpp"
+#include "viz/render/shading.hpp"
 #include "viz/vtk/offscreen_display.hpp"
 #include "viz/vtk/raster_png.hpp"
 #include "viz/vtk/render/error_figure.hpp"
 #include "viz/vtk/render/error_window.hpp"
 #include "viz/vtk/render/mesh_reader.hpp"
-#include "viz/vtk/render/shadow_figure.hpp"
-#include "viz/vtk/x_display.hpp"
 
 namespace rayproof::render {
 namespace {

@@ -16,10 +16,9 @@ namespace {
 CaseReport report_for(const CaseOptions& options) {
   const CaseReport report = report_case(options);
   if (!report.method.empty()) return report;
-  const TopicView* const view = view_of(report.one);
   for (const Subject& subject : subjects()) {
     if (subject.topic != topic_of(report.one) || subject.contract.standing != Standing::sound) continue;
-    if (view == nullptr || !view->walk(report.one, subject.name)) continue;
+    if (!recorded_walk(report.one, subject.name)) continue;
     fmt::print(stderr,
                "rayproof walk: {} (the first sound method whose steps can be recorded; --method chooses)\n",
                subject.full_name());

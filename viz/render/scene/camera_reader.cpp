@@ -22,8 +22,7 @@ bool has_axes(const Camera<double>& camera, Precision precision) {
   const auto are_units = [&](const auto& axes) {
     return is_unit(axes.u) && is_unit(axes.v) && is_unit(axes.w);
   };
-  return precision == Precision::float32 ? are_units(camera::axes(camera_in<float>(camera)))
-                                         : are_units(camera::axes(camera));
+  return in_precision(precision, [&]<class T>(T) { return are_units(camera::axes(camera_in<T>(camera))); });
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "viz/vtk/render/apart.hpp"
+#include "viz/vtk/render/mesh_reader.hpp"
 
 #include <fcntl.h>
 #include <sys/resource.h>

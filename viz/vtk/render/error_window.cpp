@@ -14,8 +14,8 @@
 #include <optional>
 
 #include "viz/vtk/image_of.hpp"
+#include "viz/vtk/offscreen_display.hpp"
 #include "viz/vtk/window/orbit_style.hpp"
-#include "viz/vtk/x_display.hpp"
 
 namespace rayproof::render {
 namespace {

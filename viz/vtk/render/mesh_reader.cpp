@@ -13,10 +13,8 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "viz/render/scene/mesh_file.hpp"
 #include "viz/render/scene/off_mesh.hpp"
 #include "viz/render/scene/scene_reader.hpp"
-#include "viz/vtk/render/apart.hpp"
 
 namespace rayproof::render {
 namespace {
@@ -58,6 +56,14 @@ std::vector<Triangle<double>> read_by(const std::filesystem::path& file) {
     all.push_back({vertex(0), vertex(1), vertex(2)});
   }
   return all;
+}
+
+/// "obj" of "Bunny.OBJ".
+std::string ending_of(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  if (ending.starts_with('.')) ending.erase(0, 1);
+  for (char& c : ending) c = static_cast<char>('A' <= c && c <= 'Z' ? c + ('a' - 'A') : c);
+  return ending;
 }
 
 /// VTK's reader of the format; null where it has none.

@@ -1,4 +1,4 @@
-#include "viz/vtk/render/shadow_figure.hpp"
+#include "viz/vtk/render/error_figure.hpp"
 
 #include <algorithm>
 

@@ -46,13 +46,11 @@ class ItemPainter {
   }
 
  private:
-  [[nodiscard]] float to_x(double x) const { return static_cast<float>(left_ + x * scale_); }
-  [[nodiscard]] float to_y(double y) const { return static_cast<float>(top_ - y * scale_); }
   [[nodiscard]] std::vector<float> flat(const std::vector<Point>& points) const {
     std::vector<float> xy;
     for (const Point& p : points) {
-      xy.push_back(to_x(p.x));
-      xy.push_back(to_y(p.y));
+      xy.push_back(static_cast<float>(left_ + p.x * scale_));
+      xy.push_back(static_cast<float>(top_ - p.y * scale_));
     }
     return xy;
   }
@@ -72,12 +70,7 @@ class ItemPainter {
     context_.DrawPolygon(xy.data(), static_cast<int>(points.size()));
   }
   void stroke(Role role, const std::vector<Point>& points, double width) {
-    const auto [red, green, blue] = rgb_of(colour_of(role).light);
-    context_.GetPen()->SetLineType(vtkPen::SOLID_LINE);
-    context_.GetPen()->SetColor(red, green, blue, 255);
-    context_.GetPen()->SetWidth(static_cast<float>(width * scale_));
-    auto xy = flat(points);
-    context_.DrawPoly(xy.data(), static_cast<int>(points.size()));
+    viz::stroke(context_, role, flat(points), width * scale_);
   }
 
   vtkContext2D& context_;

@@ -9,16 +9,17 @@
 
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 #include <numeric>
 #include <set>
+#include <string>
 #include <string_view>
 #include <tuple>
 
 #include "viz/picture/palette.hpp"
+#include "viz/picture/picture.hpp"
 #include "viz/picture/raster.hpp"
-#include "viz/picture/text_runs.hpp"
-#include "viz/vtk/sheet/legible_font.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -115,23 +116,12 @@ class TextPainter {
     const double middle = right - width_of(letter) / 2;
     const bool is_low = letter.find_first_of("acegmnopqrsuvwxyz") == 0;
     const double base = y + (is_low ? 0.7 : 0.94) * em_;
-    const double half = 0.21 * em_;
-    const double barb = 0.13 * em_;
-    stroke({{middle - half, base - barb}, {middle, base + barb}, {middle + half, base - barb}});
-  }
-
-  void stroke(const std::vector<Point>& points) {
-    const auto [red, green, blue] = rgb_of(colour_of(text_.role).light);
-    vtkPen& pen = *context_.GetPen();
-    pen.SetLineType(vtkPen::SOLID_LINE);
-    pen.SetColor(red, green, blue, 255);
-    pen.SetWidth(static_cast<float>((text_.bold ? 0.11 : 0.075) * em_));
     std::vector<float> xy;
-    for (const Point& p : points) {
-      xy.push_back(static_cast<float>(p.x));
-      xy.push_back(static_cast<float>(p.y));
+    for (const double along : {-1.0, 0.0, 1.0}) {
+      xy.push_back(static_cast<float>(middle + 0.21 * along * em_));
+      xy.push_back(static_cast<float>(base + (along == 0 ? 0.13 : -0.13) * em_));
     }
-    context_.DrawPoly(xy.data(), static_cast<int>(points.size()));
+    stroke(context_, text_.role, xy, (text_.bold ? 0.11 : 0.075) * em_);
   }
 
   vtkContext2D& context_;
@@ -141,6 +131,15 @@ class TextPainter {
 };
 
 }  // namespace
+
+void stroke(vtkContext2D& context, Role role, std::vector<float> xy, double width) {
+  const auto [red, green, blue] = rgb_of(colour_of(role).light);
+  vtkPen& pen = *context.GetPen();
+  pen.SetLineType(vtkPen::SOLID_LINE);
+  pen.SetColor(red, green, blue, 255);
+  pen.SetWidth(static_cast<float>(width));
+  context.DrawPoly(xy.data(), static_cast<int>(xy.size() / 2));
+}
 
 void paint_text(vtkContext2D& context, const Text& text, double x, double y, double scale) {
   const std::vector<TextRun> runs = runs_of(text.text);
@@ -166,6 +165,14 @@ void paint_text(vtkContext2D& context, const Text& text, double x, double y, dou
       at += widths[i];
     }
   }
+}
+
+void use_legible_font(vtkTextProperty& text, bool bold) {
+  const std::string file =
+      std::string(RAYPROOF_FONT_DIR) + (bold ? "/DejaVuSans-Bold.ttf" : "/DejaVuSans.ttf");
+  if (!std::filesystem::exists(file)) return;
+  text.SetFontFamily(VTK_FONT_FILE);
+  text.SetFontFile(file.c_str());
 }
 
 }  // namespace rayproof::viz

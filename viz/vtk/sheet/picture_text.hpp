@@ -5,6 +5,7 @@
 #include "viz/picture/picture.hpp"
 
 class vtkContext2D;
+class vtkTextProperty;
 
 namespace rayproof::viz {
 
@@ -12,5 +13,12 @@ namespace rayproof::viz {
 /// pixels stand for each of the picture's. Hats above letters ("d̂") are strokes: VTK knows no combining
 /// characters.
 void paint_text(vtkContext2D& context, const Text& text, double x, double y, double scale);
+
+/// Draws a line through points of the context, x and y in turn.
+void stroke(vtkContext2D& context, Role role, std::vector<float> xy, double width);
+
+/// Sets the DejaVu Sans font, which has the λ, √, subscripts, ∈ and ∞ that VTK's built-in font silently
+/// drops; the built-in font where DejaVu is not installed.
+void use_legible_font(vtkTextProperty& text, bool bold = false);
 
 }  // namespace rayproof::viz

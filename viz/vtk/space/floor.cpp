@@ -7,21 +7,13 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 
-#include "viz/picture/palette.hpp"
-#include "viz/picture/raster.hpp"
-#include "viz/vtk/space/geometry_parts.hpp"
+#include "viz/vtk/space/geometry.hpp"
 
 namespace rayproof::viz {
 namespace {
 
-vtkSmartPointer<vtkActor> plain_actor(vtkPolyData& data, const RoleColour& colour) {
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(&data);
-  mapper->ScalarVisibilityOff();
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  const auto [red, green, blue] = rgb_of(colour.light);
-  actor->GetProperty()->SetColor(red / 255.0, green / 255.0, blue / 255.0);
+vtkSmartPointer<vtkActor> plain_actor(const Geometry& geometry, const RoleColour& colour) {
+  auto actor = actor_of(geometry, colour);
   actor->GetProperty()->LightingOff();
   return actor;
 }
@@ -38,7 +30,7 @@ vtkSmartPointer<vtkActor> grid_of(const SpaceFloor& place) {
       lines.push_back({start, end});
     }
   }
-  auto actor = plain_actor(*lines_of(lines), floor_colours.grid);
+  auto actor = plain_actor(lines_of(lines), floor_colours.grid);
   actor->GetProperty()->SetLineWidth(1.2F);
   return actor;
 }
@@ -58,14 +50,14 @@ Floor floor_under(const std::vector<vtkActor*>& actors, const SpaceFloor& place)
   plane->SetPoint1(&one.x);
   plane->SetPoint2(&two.x);
   plane->Update();
-  floor.ground = plain_actor(*plane->GetOutput(), floor_colours.ground);
+  floor.ground = plain_actor(plane->GetOutput(), floor_colours.ground);
   floor.grid = grid_of(place);
   for (vtkActor* actor : actors) {
     vtkNew<vtkMatrix4x4> flatten;
     flatten->SetElement(place.axis, place.axis, 0);
     flatten->SetElement(place.axis, 3, place.shadows);
     auto shadow =
-        plain_actor(*static_cast<vtkPolyDataMapper*>(actor->GetMapper())->GetInput(), floor_colours.shadow);
+        plain_actor(static_cast<vtkPolyDataMapper*>(actor->GetMapper())->GetInput(), floor_colours.shadow);
     shadow->SetUserMatrix(flatten);
     floor.shadows.push_back(shadow);
   }

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "viz/scene/space_floor.hpp"
+#include "viz/scene/space.hpp"
 
 namespace rayproof::viz {
 

@@ -3,11 +3,17 @@
 /// The geometry of a stage's items, made by VTK's sources and filters. All coordinates are of the view:
 /// its centre is 0, its radius 1.
 
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
-#include "viz/picture/picture.hpp"
+#include "viz/picture/palette.hpp"
 #include "viz/scene/space.hpp"
+
+class vtkActor;
+class vtkAlgorithm;
+class vtkProperty;
+class vtkTransform;
 
 namespace rayproof::viz {
 
@@ -38,5 +44,16 @@ inline constexpr int fine_sides = 16, coarse_sides = 6;
 /// The line where the surface turns away from the eye, as a tube.
 [[nodiscard]] Geometry silhouette_of(const Geometry& surface, const glm::dvec3& eye, double radius,
                                      int sides = fine_sides);
+
+[[nodiscard]] vtkSmartPointer<vtkPoints> points_of(const SpacePoints& points);
+/// Each a polyline.
+[[nodiscard]] Geometry lines_of(const std::vector<SpacePoints>& lines);
+/// Tubes around all lines of the geometry.
+[[nodiscard]] Geometry tubes_of(const Geometry& lines, double radius, int sides);
+/// An actor of the geometry in a colour.
+[[nodiscard]] vtkSmartPointer<vtkActor> actor_of(const Geometry& geometry, const RoleColour& colour);
+void set_colour(vtkProperty& property, const RoleColour& colour);
+/// What the source makes, under the transform.
+[[nodiscard]] Geometry placed(vtkAlgorithm& source, vtkTransform& transform);
 
 }  // namespace rayproof::viz

@@ -5,7 +5,6 @@
 #include <vtkCamera.h>
 #include <vtkLightKit.h>
 #include <vtkNew.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 
@@ -14,9 +13,7 @@
 #include <glm/geometric.hpp>
 #include <tuple>
 
-#include "viz/flat/outline.hpp"
-#include "viz/picture/palette.hpp"
-#include "viz/picture/raster.hpp"
+#include "viz/flat/stage_picture.hpp"
 #include "viz/vtk/space/floor.hpp"
 #include "viz/vtk/space/geometry.hpp"
 
@@ -24,15 +21,9 @@ namespace rayproof::viz {
 namespace {
 
 /// Lit pixel by pixel, or at the corners of its facets alone.
-vtkSmartPointer<vtkActor> actor_of(const Geometry& geometry, Role role, bool is_fine) {
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(geometry);
-  mapper->ScalarVisibilityOff();
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  const auto [red, green, blue] = rgb_of(colour_of(role).light);
+vtkSmartPointer<vtkActor> lit_actor(const Geometry& geometry, Role role, bool is_fine) {
+  auto actor = actor_of(geometry, colour_of(role));
   vtkProperty& property = *actor->GetProperty();
-  property.SetColor(red / 255.0, green / 255.0, blue / 255.0);
   is_fine ? property.SetInterpolationToPhong() : property.SetInterpolationToGouraud();
   property.SetAmbient(0.25);
   property.SetDiffuse(0.75);
@@ -171,7 +162,7 @@ std::vector<SpaceScene::SpacePart> SpaceScene::merged(const std::vector<SpacePar
 }
 
 void SpaceScene::add_actor(const SpacePart& part) {
-  const auto actor = actor_of(part.geometry, part.role, is_fine());
+  const auto actor = lit_actor(part.geometry, part.role, is_fine());
   renderer_.AddActor(actor);
   if (space_.camera.is_flat) actor->GetProperty()->LightingOff();
   if (part.kind == SpacePart::Kind::line || part.kind == SpacePart::Kind::mark) return;

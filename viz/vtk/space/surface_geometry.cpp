@@ -7,7 +7,7 @@
 #include <vtkSphereSource.h>
 #include <vtkTransform.h>
 
-#include "viz/vtk/space/geometry_parts.hpp"
+#include "viz/vtk/space/geometry.hpp"
 
 namespace rayproof::viz {
 

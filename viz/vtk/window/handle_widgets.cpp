@@ -9,18 +9,12 @@
 #include <glm/geometric.hpp>
 #include <set>
 
-#include "viz/picture/palette.hpp"
-#include "viz/picture/raster.hpp"
+#include "viz/vtk/space/geometry.hpp"
 
 namespace rayproof::viz {
 namespace {
 
 constexpr double ball_size = 12;  ///< the diameter, in the slide's pixels
-
-void colour(vtkProperty& property, Role role) {
-  const auto [red, green, blue] = rgb_of(colour_of(role).light);
-  property.SetColor(red / 255.0, green / 255.0, blue / 255.0);
-}
 
 /// The place of the view that is seen `right` and `up` of another, as far from the eye.
 glm::dvec3 beside(vtkRenderer& renderer, const glm::dvec3& p, double right, double up) {
@@ -36,7 +30,7 @@ glm::dvec3 beside(vtkRenderer& renderer, const glm::dvec3& p, double right, doub
 HandleWidgets::Ball HandleWidgets::make_ball() {
   vtkNew<vtkSphereHandleRepresentation> face;
   face->GetSelectedProperty()->SetAmbient(0.3);
-  colour(*face->GetSelectedProperty(), Role::claimed);
+  set_colour(*face->GetSelectedProperty(), colour_of(Role::claimed));
   auto ball = Ball::New();
   ball->SetInteractor(view_.window().GetInteractor());
   ball->SetDefaultRenderer(&view_.front());
@@ -97,7 +91,7 @@ void HandleWidgets::show(const Stage& shown) {
     if (ball->GetEnabled() == 0) ball->On();
     auto& face = *vtkSphereHandleRepresentation::SafeDownCast(ball->GetRepresentation());
     const bool is_focused = handle.name == player_.focused_handle();
-    colour(*face.GetProperty(), is_focused ? Role::claimed : Role::frame);
+    set_colour(*face.GetProperty(), colour_of(is_focused ? Role::claimed : Role::frame));
     face.SetHandleSize(ball_size * view_.scale());
     if (is_focused && player_.is_held()) continue;
     glm::dvec3 at = in_view(shown_, handle.at);

@@ -17,12 +17,11 @@
 
 #include "case/writer.hpp"
 #include "viz/flat/stage_picture.hpp"
+#include "viz/vtk/offscreen_display.hpp"
 #include "viz/vtk/raster_png.hpp"
 #include "viz/vtk/window/buttons.hpp"
 #include "viz/vtk/window/handle_widgets.hpp"
 #include "viz/vtk/window/orbit_style.hpp"
-#include "viz/vtk/window/window_sheet.hpp"
-#include "viz/vtk/x_display.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "viz/picture/picture.hpp"
 #include "viz/player/player.hpp"
 
 class vtkRenderWindow;
@@ -52,5 +53,9 @@ class StageWindow {
   class Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+/// The slide's title, caption and numbers, what the arrow keys move or why a case was refused, t and what
+/// changes with it. The faces of widgets are not in it.
+[[nodiscard]] Picture window_sheet(const Player& player);
 
 }  // namespace rayproof::viz

@@ -1,12 +1,10 @@
-#include "viz/vtk/window/window_sheet.hpp"
+#include "viz/vtk/window/stage_window.hpp"
 
 #include <fmt/format.h>
 
-#include "viz/flat/slide_values.hpp"
 #include "viz/flat/stage_picture.hpp"
-#include "viz/player/player_help.hpp"
+#include "viz/player/player.hpp"
 #include "viz/trace/numbers.hpp"
-#include "viz/vtk/window/stage_window.hpp"
 #include "viz/walkthrough/live_values.hpp"
 
 namespace rayproof::viz {

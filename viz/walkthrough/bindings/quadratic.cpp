@@ -2,7 +2,7 @@
 #include <limits>
 
 #include "viz/walkthrough/bindings.hpp"
-#include "viz/walkthrough/flat_settings.hpp"
+#include "viz/walkthrough/setting.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -4,12 +4,11 @@
 #include <map>
 #include <rayproof/triangle/barycentric.hpp>
 
-#include "viz/scene/fit_view.hpp"
-#include "viz/trace/losses.hpp"
+#include "viz/scene/items.hpp"
 #include "viz/trace/numbers.hpp"
+#include "viz/trace/tape.hpp"
 #include "viz/walkthrough/compose.hpp"
-#include "viz/walkthrough/lessons.hpp"
-#include "viz/walkthrough/lessons/plot_setting.hpp"
+#include "viz/walkthrough/lesson.hpp"
 
 namespace rayproof::viz {
 
@@ -19,14 +18,9 @@ Stage barycentric_stage(const Case& one, const ReportCase& report_on) {
   const auto& question = std::get<RayQuestion>(one.question);
   const auto& triangle = std::get<Triangle<double>>(question.shape);
   Walkthrough walk = record(one.precision, [&]<class R>(std::type_identity<R>) {
-    const auto flat = [](const char* name, const glm::dvec3& p) {
-      const std::string text = name;
-      return Vec2<R>{named((text + ".x").c_str(), R(p.x)), named((text + ".y").c_str(), R(p.y))};
-    };
+    const auto flat = [](const char* name, const glm::dvec3& p) { return named_point<R>(name, {p.x, p.y}); };
     const auto q = flat("q", question.ray.origin);
-    const auto a = flat("a", triangle.a);
-    const auto b = flat("b", triangle.b);
-    const auto c = flat("c", triangle.c);
+    const auto a = flat("a", triangle.a), b = flat("b", triangle.b), c = flat("c", triangle.c);
     step<R>("Find the barycentric coordinates", "A step for each value follows.");
     (void)triangle::barycentric(q, a, b, c);
   });

@@ -1,6 +1,6 @@
-#include "viz/scene/fit_view.hpp"
+#include "viz/scene/items.hpp"
 #include "viz/walkthrough/compose.hpp"
-#include "viz/walkthrough/lessons.hpp"
+#include "viz/walkthrough/lesson.hpp"
 #include "viz/walkthrough/lessons/camera_image.hpp"
 
 namespace rayproof::viz {

@@ -6,11 +6,9 @@
 
 #include "viz/walkthrough/bindings.hpp"
 #include "viz/walkthrough/compose.hpp"
-#include "viz/walkthrough/lessons.hpp"
-#include "viz/walkthrough/lessons/surface_setting.hpp"
+#include "viz/walkthrough/lesson.hpp"
 
 namespace rayproof::viz {
-
 namespace {
 
 constexpr std::array<std::array<glm::dvec3, 2>, 2> patch_corners{
@@ -68,9 +66,7 @@ Stage patch_stage(const Case& one, const ReportCase& report_on) {
   const CaseReport report = report_on(one, "");
   const Ray<double>& ray = std::get<RayQuestion>(one.question).ray;
   const Walkthrough walk = record(one.precision, [&]<class R>(std::type_identity<R>) {
-    Ray<R> given = convert<R>(ray);
-    given.origin = named("o", given.origin);
-    given.direction = named("d", given.direction);
+    const Ray<R> given = named_ray<R>(ray);
     parametric::BilinearPatch<R> patch;
     for (std::size_t i = 0; i < 2; ++i)
       for (std::size_t j = 0; j < 2; ++j) patch.points[i][j] = convert<R>(patch_corners[i][j]);

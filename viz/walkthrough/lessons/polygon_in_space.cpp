@@ -3,12 +3,12 @@
 #include <rayproof/formulas/polygon_sides.hpp>
 #include <rayproof/plane/point_normal.hpp>
 
-#include "viz/scene/fit_view.hpp"
+#include "viz/scene/items.hpp"
 #include "viz/trace/numbers.hpp"
 #include "viz/walkthrough/bindings.hpp"
 #include "viz/walkthrough/compose.hpp"
-#include "viz/walkthrough/lessons.hpp"
-#include "viz/walkthrough/spaces.hpp"
+#include "viz/walkthrough/lesson.hpp"
+#include "viz/walkthrough/setting.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -36,9 +36,7 @@ void cross_projected(const LargestAxisLast<R>& turned, const vec3<R>& q,
 
 template <class R>
 void meet_polygon(const RayQuestion& question) {
-  Ray<R> ray = convert<R>(question.ray);
-  ray.origin = named("o", ray.origin);
-  ray.direction = named("d", ray.direction);
+  const Ray<R> ray = named_ray<R>(question.ray);
   std::vector<vec3<R>> vertices;
   for (const glm::dvec3& v : std::get<rayproof::Polygon<double>>(question.shape).vertices)
     vertices.push_back(named(("v" + subscript(vertices.size())).c_str(), convert<R>(v)));

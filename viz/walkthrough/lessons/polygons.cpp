@@ -6,7 +6,7 @@
 
 #include "viz/trace/numbers.hpp"
 #include "viz/walkthrough/compose.hpp"
-#include "viz/walkthrough/lessons.hpp"
+#include "viz/walkthrough/lesson.hpp"
 #include "viz/walkthrough/stage_values.hpp"
 
 namespace rayproof::viz {
@@ -20,13 +20,10 @@ std::string side_name(std::size_t i, std::size_t count) {
 /// `takes` says whether a side is looked at, given the exact numbers.
 template <class R, class Takes>
 void cross_sides(const PointAndPolygon<double>& question, Takes&& takes) {
-  const auto convert_point = [](const std::string& name, const Vec2<double>& p) {
-    return Vec2<R>{named((name + ".x").c_str(), R(p.x)), named((name + ".y").c_str(), R(p.y))};
-  };
-  const Vec2<R> p = convert_point("p", question.point);
+  const Vec2<R> p = named_point<R>("p", question.point);
   std::vector<Vec2<R>> vertices;
   for (std::size_t i = 0; i < question.vertices.size(); ++i) {
-    vertices.push_back(convert_point("v" + subscript(i), question.vertices[i]));
+    vertices.push_back(named_point<R>("v" + subscript(i), question.vertices[i]));
   }
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const std::size_t next = polygon::next(i, vertices.size());

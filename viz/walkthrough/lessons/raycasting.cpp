@@ -3,9 +3,9 @@
 #include <array>
 #include <rayproof/sphere/centred.hpp>
 
-#include "viz/scene/fit_view.hpp"
+#include "viz/scene/items.hpp"
 #include "viz/trace/numbers.hpp"
-#include "viz/walkthrough/lessons.hpp"
+#include "viz/walkthrough/lesson.hpp"
 #include "viz/walkthrough/lessons/camera_image.hpp"
 #include "viz/walkthrough/setting.hpp"
 #include "viz/walkthrough/stage_of.hpp"

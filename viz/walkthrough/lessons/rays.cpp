@@ -1,16 +1,14 @@
 #include <rayproof/ray.hpp>
 
 #include "viz/walkthrough/compose.hpp"
-#include "viz/walkthrough/lessons.hpp"
+#include "viz/walkthrough/lesson.hpp"
 
 namespace rayproof::viz {
 namespace {
 
 template <class R>
 void walk_along(const Ray<double>& given) {
-  Ray<R> ray = convert<R>(given);
-  ray.origin = named("o", ray.origin);
-  ray.direction = named("d", ray.direction);
+  const Ray<R> ray = named_ray<R>(given);
   step<R>("At t = 0 there is the origin", "p(0) = o + 0·d: the ray begins there.");
   (void)named("p(0)", point_at(ray, R(0)));
   step<R>("At t = 1 the ray has gone one direction", "p(1) is the tip of d, drawn from the origin.");

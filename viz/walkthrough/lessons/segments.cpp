@@ -3,11 +3,10 @@
 #include <array>
 #include <rayproof/formulas/polygon_sides.hpp>
 
-#include "viz/scene/fit_view.hpp"
+#include "viz/scene/items.hpp"
 #include "viz/trace/numbers.hpp"
 #include "viz/walkthrough/compose.hpp"
-#include "viz/walkthrough/lessons.hpp"
-#include "viz/walkthrough/lessons/plot_setting.hpp"
+#include "viz/walkthrough/lesson.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -35,14 +34,11 @@ constexpr std::array<Try, 3> tries{
 
 template <class R>
 void try_rays(const Vec2<double>& first, const Vec2<double>& second) {
-  const auto convert_point = [](const std::string& name, const Vec2<double>& p) {
-    return Vec2<R>{named((name + ".x").c_str(), R(p.x)), named((name + ".y").c_str(), R(p.y))};
-  };
-  const Vec2<R> v0 = convert_point("v₀", first);
-  const Vec2<R> v1 = convert_point("v₁", second);
+  const Vec2<R> v0 = named_point<R>("v₀", first);
+  const Vec2<R> v1 = named_point<R>("v₁", second);
   for (const Try& one : tries) {
     step<R>(Step(one.title, "s is the place on the segment, 0 at v₀ and 1 at v₁; t is that on the ray."));
-    const auto [s, t] = polygon::cross_side(convert_point("p", one.origin), v0, v1);
+    const auto [s, t] = polygon::cross_side(named_point<R>("p", one.origin), v0, v1);
     (void)named(one.s, s);
     (void)named(one.t, t);
   }

@@ -3,8 +3,7 @@
 #include <rayproof/box/slab.hpp>
 
 #include "viz/walkthrough/compose.hpp"
-#include "viz/walkthrough/lessons.hpp"
-#include "viz/walkthrough/lessons/plot_setting.hpp"
+#include "viz/walkthrough/lesson.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -7,8 +7,7 @@
 #include "viz/trace/numbers.hpp"
 #include "viz/walkthrough/bindings.hpp"
 #include "viz/walkthrough/compose.hpp"
-#include "viz/walkthrough/lessons.hpp"
-#include "viz/walkthrough/lessons/surface_setting.hpp"
+#include "viz/walkthrough/lesson.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -56,9 +55,7 @@ Items both_points(const NumbersByName& n) {
 
 template <class R>
 void close_in(const Ray<double>& given, double before, double behind) {
-  Ray<R> ray = convert<R>(given);
-  ray.origin = named("o", ray.origin);
-  ray.direction = named("d", ray.direction);
+  const Ray<R> ray = named_ray<R>(given);
   const implicit::Torus<double>& f = torus;
   const auto value = [&](const char* point, const char* name, double t) {
     step<R>(

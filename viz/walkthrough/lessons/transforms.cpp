@@ -2,11 +2,12 @@
 
 #include <rayproof/transform.hpp>
 
-#include "viz/scene/fit_view.hpp"
+#include "viz/scene/items.hpp"
+#include "viz/shapes/ray_walk.hpp"
 #include "viz/trace/numbers.hpp"
 #include "viz/walkthrough/bindings.hpp"
 #include "viz/walkthrough/compose.hpp"
-#include "viz/walkthrough/lessons.hpp"
+#include "viz/walkthrough/lesson.hpp"
 #include "viz/walkthrough/stage_of.hpp"
 
 namespace rayproof::viz {
@@ -54,13 +55,7 @@ namespace {
 
 template <class R>
 void carry_normal(const RayQuestion& question, double t) {
-  const auto column = [&](const char* name, int i) {
-    return named(name, convert<R>(glm::dvec3((*question.transform)[i])));
-  };
-  const vec3<R> a = column("A₁", 0);
-  const vec3<R> b = column("A₂", 1);
-  const vec3<R> c = column("A₃", 2);
-  const vec3<R> translation = column("T", 3);
+  const auto [a, b, c, translation] = named_columns<R>(*question.transform);
   const ObjectSpace<R> space = object_space<R>(a, b, c, translation);
 
   step<R>("Take the hit into the object's own space",

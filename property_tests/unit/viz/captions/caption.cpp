@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viz/explain/answers.hpp"
+#include "viz/explain/case_report.hpp"
 
 namespace rayproof::viz {
 namespace {

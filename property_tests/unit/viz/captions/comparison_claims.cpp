@@ -1,5 +1,5 @@
 #include "unit/viz/captions/lesson_caption.hpp"
-#include "viz/explain/answers.hpp"
+#include "viz/explain/case_report.hpp"
 #include "viz/programs/report_of.hpp"
 #include "viz/walkthrough/stage_values.hpp"
 

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "unit/viz/captions/caption.hpp"
-#include "viz/explain/answers.hpp"
+#include "viz/explain/case_report.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "oracle/oracle.hpp"
 #include "unit/viz/captions/lesson_caption.hpp"
-#include "viz/explain/answers.hpp"
+#include "viz/explain/case_report.hpp"
 
 namespace rayproof::viz {
 namespace {

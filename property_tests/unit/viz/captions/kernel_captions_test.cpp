@@ -14,7 +14,7 @@
 #include "properties/trial.hpp"
 #include "unit/viz/captions/caption.hpp"
 #include "viz/programs/report_of.hpp"
-#include "viz/walkthrough/sentences.hpp"
+#include "viz/walkthrough/stage_values.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <set>
 
-#include "viz/walkthrough/sentences.hpp"
+#include "viz/walkthrough/stage_values.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "oracle/oracle.hpp"
 #include "unit/viz/captions/lesson_caption.hpp"
-#include "viz/explain/answers.hpp"
+#include "viz/explain/case_report.hpp"
 #include "viz/programs/report_of.hpp"
 
 namespace rayproof::viz {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "unit/viz/captions/caption.hpp"
-#include "viz/explain/answers.hpp"
+#include "viz/explain/case_report.hpp"
 #include "viz/trace/shadow.hpp"
 
 namespace rayproof::viz {

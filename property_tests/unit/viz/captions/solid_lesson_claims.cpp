@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "unit/viz/captions/lesson_caption.hpp"
-#include "viz/explain/answers.hpp"
+#include "viz/explain/case_report.hpp"
 #include "viz/programs/report_of.hpp"
 
 namespace rayproof::viz {

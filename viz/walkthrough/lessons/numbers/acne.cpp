@@ -8,7 +8,7 @@
 
 #include "viz/trace/numbers.hpp"
 #include "viz/walkthrough/bindings.hpp"
-#include "viz/walkthrough/lessons.hpp"
+#include "viz/walkthrough/lesson.hpp"
 #include "viz/walkthrough/setting.hpp"
 #include "viz/walkthrough/stage_of.hpp"
 

@@ -5,8 +5,8 @@
 #include <rayproof/sphere/textbook.hpp>
 
 #include "viz/trace/numbers.hpp"
-#include "viz/walkthrough/lessons.hpp"
-#include "viz/walkthrough/lessons/plot_setting.hpp"
+#include "viz/walkthrough/compose.hpp"
+#include "viz/walkthrough/lesson.hpp"
 #include "viz/walkthrough/stage_of.hpp"
 
 namespace rayproof::viz {

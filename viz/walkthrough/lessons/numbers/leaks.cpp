@@ -7,14 +7,14 @@
 #include <rayproof/triangle/woop.hpp>
 #include <stdexcept>
 
-#include "viz/explain/answers.hpp"
-#include "viz/scene/fit_view.hpp"
+#include "viz/explain/case_report.hpp"
+#include "viz/scene/items.hpp"
 #include "viz/trace/numbers.hpp"
 #include "viz/walkthrough/compose.hpp"
 #include "viz/walkthrough/kernel_steps.hpp"
-#include "viz/walkthrough/lessons.hpp"
-#include "viz/walkthrough/sentences.hpp"
+#include "viz/walkthrough/lesson.hpp"
 #include "viz/walkthrough/stage_of.hpp"
+#include "viz/walkthrough/stage_values.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -8,7 +8,7 @@
 #include "viz/trace/shadow.hpp"
 #include "viz/walkthrough/bindings.hpp"
 #include "viz/walkthrough/compose.hpp"
-#include "viz/walkthrough/lessons.hpp"
+#include "viz/walkthrough/lesson.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -16,9 +16,7 @@ namespace {
 /// From the exact t, rounded, to the origin of the next ray.
 template <class R>
 void leave_sphere(const RayQuestion& question, double t) {
-  Ray<R> ray = convert<R>(question.ray);
-  ray.origin = named("o", ray.origin);
-  ray.direction = named("d", ray.direction);
+  const Ray<R> ray = named_ray<R>(question.ray);
   Sphere<R> sphere = convert<R>(std::get<Sphere<double>>(question.shape));
   sphere.center = named("C", sphere.center);
   sphere.radius = named("r", sphere.radius);

@@ -3,9 +3,9 @@
 #include <array>
 
 #include "case/reader.hpp"
-#include "viz/explain/answers.hpp"
+#include "viz/explain/case_report.hpp"
 #include "viz/trace/numbers.hpp"
-#include "viz/walkthrough/lessons.hpp"
+#include "viz/walkthrough/lesson.hpp"
 #include "viz/walkthrough/setting.hpp"
 #include "viz/walkthrough/stage_of.hpp"
 

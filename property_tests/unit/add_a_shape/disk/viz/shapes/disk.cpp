@@ -2,7 +2,6 @@
 #include <numbers>
 #include <rayproof/disk/methods.hpp>
 
-#include "viz/shapes/ray_walk.hpp"
 #include "viz/shapes/topics.hpp"
 
 namespace rayproof::viz {
@@ -22,9 +21,11 @@ Border rim_border(const Sight& sight, const Disk<Shadow>& disk, const Place& n) 
           {unit(sight.world.vector(Shadow(-1) * out))}};
 }
 
+}  // namespace
+
 /// The rim as a polygon with enough sides to look round.
-Figure disk_figure(const Sight& sight) {
-  const auto disk = convert<Shadow>(std::get<Disk<double>>(sight.question.shape));
+Figure figure_of(const Sight& sight, const Disk<double>& given) {
+  const auto disk = convert<Shadow>(given);
   const Place n = unit(disk.normal);
   const Place x = some_perpendicular(n);
   const Place y = cross(n, x);
@@ -40,9 +41,5 @@ Figure disk_figure(const Sight& sight) {
   figure.labels = {{"C", sight.world.point(disk.center)}};
   return figure;
 }
-
-}  // namespace
-
-TopicView disk_view() { return {disk::Topic::name, walk_ray<disk::Topic>, disk_figure}; }
 
 }  // namespace rayproof::viz

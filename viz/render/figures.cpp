@@ -1,13 +1,14 @@
-#pragma once
 /// \file
 /// What every shape's figures are made by: the method's kernel inlined in the loop over the rays.
-
-#include <rayproof/objects/bounds_of.hpp>
-
-#include "subjects/reading.hpp"
 #include "viz/render/figures.hpp"
 
+#include <rayproof/objects/bounds_of.hpp>
+#include <rayproof/topics.hpp>
+
+#include "subjects/reading.hpp"
+
 namespace rayproof::render {
+namespace {
 
 template <class Topic, class Method, class T>
 class MethodFigures final : public Figures<T> {
@@ -90,6 +91,20 @@ template <class Topic>
                               Reading<Topic>::template space<double>(question));
   };
   return kind;
+}
+
+}  // namespace
+
+const std::vector<FigureKind>& figure_kinds() {
+  static const std::vector<FigureKind> kinds = [] {
+    std::vector<FigureKind> all;
+    Topics::for_each([&]<class Topic>(std::type_identity<Topic>) {
+      if constexpr (requires(typename Topic::template Problem<float> problem) { problem.shape; })
+        all.push_back(figure_kind<Topic>());
+    });
+    return all;
+  }();
+  return kinds;
 }
 
 }  // namespace rayproof::render

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viz/scene/items.hpp"
 #include "viz/trace/numbers.hpp"
 #include "viz/walkthrough/compose.hpp"
 #include "viz/walkthrough/stage_values.hpp"
@@ -35,6 +36,25 @@ glm::dvec3 error_of(const StageValue& value, const Setting& setting) {
 
 }  // namespace
 
+void show_beside(Stage& stage, const std::string& title, const Items& items) {
+  const std::size_t number = place_of(stage.steps, title);
+  const auto seen_of = [&](const Items& some) {
+    return view_of(extent_of(some, stage.camera), stage.camera);
+  };
+  const StageView world = seen_of(stage.scene);
+  const StageView own = seen_of(items);
+  const double shift = view_aspect * (world.radius + own.radius);
+  StageStep& step = stage.steps.at(number);
+  step.items = items;
+  for (StageItem& item : step.items) {
+    for (glm::dvec3& p : item.points) p += world.centre - own.centre + shift * stage.camera.right;
+  }
+  Items all = stage.scene;
+  all.insert(all.end(), step.items.begin(), step.items.end());
+  step.view = seen_of(all);
+  stage.steps.at(number + 1).begins_anew = true;
+}
+
 StageStep difference_of_values(const Walkthrough& walk, const Setting& setting, Precision precision) {
   StageStep step;
   step.title = comparison_title;
@@ -58,6 +78,25 @@ StageStep difference_of_values(const Walkthrough& walk, const Setting& setting, 
                 point(Role::exact, {0, 0, 0}, worst->name + " exact"),
                 point(Role::claimed, tip, worst->name + " as computed")};
   return step;
+}
+
+Setting surface_setting(const CaseReport& report, Items surface, double t_end) {
+  Setting setting = setting_of(report);
+  const Ray<double>& ray = std::get<RayQuestion>(report.one.question).ray;
+  setting.scene = std::move(surface);
+  setting.scene.push_back(arrow(Role::ray, ray.origin, ray.origin + t_end * ray.direction, "p(t)"));
+  setting.scene.push_back(point(Role::ray, ray.origin, "o"));
+  setting.near = setting.wide = view_of(extent_of(setting.scene, setting.camera), setting.camera);
+  setting.spaces.clear();
+  setting.slider->from = 0;
+  setting.slider->to = t_end;
+  setting.slider->readouts.clear();
+  return setting;
+}
+
+void begin_anew(Stage& stage, std::string_view title) {
+  for (StageStep& step : stage.steps)
+    if (step.title.starts_with(title)) step.begins_anew = true;
 }
 
 }  // namespace rayproof::viz

@@ -1,4 +1,6 @@
+#include <vtkAlgorithm.h>
 #include <vtkAppendPolyData.h>
+#include <vtkCellArray.h>
 #include <vtkConeSource.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
@@ -7,11 +9,13 @@
 #include <vtkPlatonicSolidSource.h>
 #include <vtkSphereSource.h>
 #include <vtkTransform.h>
+#include <vtkTransformPolyDataFilter.h>
+#include <vtkTubeFilter.h>
 
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "viz/vtk/space/geometry_parts.hpp"
+#include "viz/vtk/space/geometry.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -34,6 +38,62 @@ vtkSmartPointer<vtkTransform> turned(const glm::dvec3& at, const SpaceCamera& ca
 }
 
 }  // namespace
+
+vtkSmartPointer<vtkPoints> points_of(const SpacePoints& points) {
+  vtkNew<vtkPoints> made;
+  made->SetDataTypeToDouble();
+  for (const glm::dvec3& p : points) made->InsertNextPoint(p.x, p.y, p.z);
+  return made;
+}
+
+Geometry lines_of(const std::vector<SpacePoints>& lines) {
+  vtkNew<vtkPolyData> data;
+  vtkNew<vtkCellArray> cells;
+  SpacePoints all;
+  for (const SpacePoints& line : lines) {
+    cells->InsertNextCell(static_cast<int>(line.size()));
+    for (const glm::dvec3& p : line) {
+      cells->InsertCellPoint(static_cast<vtkIdType>(all.size()));
+      all.push_back(p);
+    }
+  }
+  data->SetPoints(points_of(all));
+  data->SetLines(cells);
+  return data;
+}
+
+Geometry placed(vtkAlgorithm& source, vtkTransform& transform) {
+  vtkNew<vtkTransformPolyDataFilter> filter;
+  filter->SetInputConnection(source.GetOutputPort());
+  filter->SetTransform(&transform);
+  filter->Update();
+  return filter->GetOutput();
+}
+
+Geometry tubes_of(const Geometry& lines, double radius, int sides) {
+  vtkNew<vtkTubeFilter> tube;
+  tube->SetInputData(lines);
+  tube->SetRadius(radius);
+  tube->SetNumberOfSides(sides);
+  tube->CappingOn();
+  tube->Update();
+  return tube->GetOutput();
+}
+
+void set_colour(vtkProperty& property, const RoleColour& colour) {
+  const auto [red, green, blue] = rgb_of(colour.light);
+  property.SetColor(red / 255.0, green / 255.0, blue / 255.0);
+}
+
+vtkSmartPointer<vtkActor> actor_of(const Geometry& geometry, const RoleColour& colour) {
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(geometry);
+  mapper->ScalarVisibilityOff();
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  set_colour(*actor->GetProperty(), colour);
+  return actor;
+}
 
 Geometry line_geometry(const std::vector<SpacePoints>& pieces, const std::optional<ArrowHead>& head,
                        double radius, int sides) {
