@@ -45,7 +45,7 @@ glm::mat4 usual_matrix(Random& random) {
   return matrix;
 }
 
-constexpr std::size_t size = 67;
+constexpr std::size_t ray_count = 67;
 
 /// Rays at the place where an object is.
 struct UsualRays {
@@ -53,7 +53,7 @@ struct UsualRays {
   RayBatch<float> rays;
 
   UsualRays(Random& random, const glm::mat4& matrix) {
-    for (std::size_t i = 0; i < size; ++i) {
+    for (std::size_t i = 0; i < ray_count; ++i) {
       const vec3<float> o = 4.0F * usual_vector<float>(random);
       const vec3<float> d = vec3<float>(matrix * glm::vec4(usual_vector<float>(random), 1)) - o;
       const float numbers[8] = {o.x, o.y, o.z, d.x, d.y, d.z, 0.25F, random.one_in(2) ? 1.0F : 8.0F};
@@ -91,9 +91,9 @@ double expect_exact_answers(const RayTopic<Shape>* /*topic*/) {
     draw_usual(shape, random);
     const auto& space = *batch.rays.object_space;
     for (const InstructionSet set : available_instruction_sets()) {
-      std::vector<float> t(size);
+      std::vector<float> t(ray_count);
       nearest_hits<Method>(batch.rays, shape, t, set);
-      for (std::size_t i = 0; i < size; ++i) {
+      for (std::size_t i = 0; i < ray_count; ++i) {
         const Ray<float> ray = batch.at(i);
         const auto exact = met_exactly<Method>(space, ray, shape);
         EXPECT_TRUE(same_bits(t[i], nearest(ray, exact))) << t[i] << " on " << name_of(set);
@@ -104,7 +104,7 @@ double expect_exact_answers(const RayTopic<Shape>* /*topic*/) {
       }
     }
   }
-  return static_cast<double>(in_doubt) / (scenes * size);
+  return static_cast<double>(in_doubt) / (scenes * ray_count);
 }
 
 TEST(InWorld, BatchesAndSingleRaysAreMetAsWithNothingRounded) {
