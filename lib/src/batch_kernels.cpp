@@ -53,17 +53,33 @@ RAYPROOF_FLAT bool solve(const Lanes<Problem>& given, T* const (&out)[Columns], 
   return false;
 }
 
-/// The same by a method's quick phase, in packs of doubles or of double-doubles: `solve(ray, enclosed, to)`
-/// says where it is sure. What is not is NaN. Returns whether there is any.
-template <class Method, class Problem, class T, std::size_t Columns, class Solve>
-bool solve_quickly(const Lanes<Problem>& in, T* const (&out)[Columns], const Solve& solve) {
-  using N = Pack<double>;
+/// Rays that are in the shape's own space.
+struct OwnSpace {};
+
+/// What a method's quick phase knows of a ray: in packs of doubles or of double-doubles, or in the world in
+/// packs of doubles with bounds on their errors.
+template <class Method, class T, class N, class Shape>
+auto enclosed(const OwnSpace& /*space*/, const Ray<N>& ray, const Shape& shape) {
   using Wide = WiderThan<T, N>;
+  return Method::enclosed(convert<Wide>(ray), convert<Wide>(convert<N>(shape)));
+}
+template <class Method, class T, class N, class Shape>
+auto enclosed(const ObjectSpace<Bounded<double>>& space, const Ray<N>& ray, const Shape& shape) {
+  using B = Bounded<N>;
+  return Method::enclosed_in_space(to_object(convert<B>(space), convert<B>(ray)),
+                                   convert<B>(convert<N>(shape)));
+}
+
+/// The same by a method's quick phase: `solve(ray, enclosed, to)` says where it is sure. What is not is NaN.
+/// Returns whether there is any.
+template <class Method, class Problem, class T, class Space, std::size_t Columns, class Solve>
+bool solve_quickly(const Lanes<Problem>& in, const Space& space, T* const (&out)[Columns],
+                   const Solve& solve) {
+  using N = Pack<double>;
   Mask<N> is_sure(true);
   const auto fill = [&](const N(&columns)[8], N(&to)[Columns]) {
     const Ray<N> ray = ray_of<N>(columns);
-    const Mask<N> is_sure_now =
-        solve(ray, Method::enclosed(convert<Wide>(ray), convert<Wide>(convert<N>(in.shape))), to);
+    const Mask<N> is_sure_now = solve(ray, enclosed<Method, T>(space, ray, in.shape), to);
     is_sure = is_sure && is_sure_now;
     for (N& result : to) result = select(is_sure_now, result, N(not_a_number<N>));
   };
@@ -71,10 +87,12 @@ bool solve_quickly(const Lanes<Problem>& in, T* const (&out)[Columns], const Sol
   return !std::experimental::all_of(is_sure);
 }
 
-template <class Method, class Problem, class T, std::size_t Columns>
-RAYPROOF_FLAT bool solve_all_quickly(const Lanes<Problem>& given, T* const (&out)[Columns]) {
+template <class Method, class Problem, class T, class Space, std::size_t Columns>
+RAYPROOF_FLAT bool solve_all_quickly(const Lanes<Problem>& given, const Space& given_space,
+                                     T* const (&out)[Columns]) {
   const Lanes<Problem> in = given;
-  return solve_quickly<Method>(in, out, []<class N>(const Ray<N>& ray, const auto& wide, auto& to) {
+  const Space space = given_space;
+  return solve_quickly<Method>(in, space, out, []<class N>(const Ray<N>& ray, const auto& wide, auto& to) {
     const auto quick = rounded_roots(ray, wide);
     const struct { const Ray<N>& ray; } problem{ray};
     put_results<Lanes<Problem>>(problem, quick.answer, to);
@@ -82,10 +100,12 @@ RAYPROOF_FLAT bool solve_all_quickly(const Lanes<Problem>& given, T* const (&out
   });
 }
 
-template <class Method, class Problem, class T>
-RAYPROOF_FLAT bool solve_nearest_quickly(const Lanes<Problem>& given, T* const (&out)[1]) {
+template <class Method, class Problem, class T, class Space>
+RAYPROOF_FLAT bool solve_nearest_quickly(const Lanes<Problem>& given, const Space& given_space,
+                                         T* const (&out)[1]) {
   const Lanes<Problem> in = given;
-  return solve_quickly<Method>(in, out, [](const auto& ray, const auto& wide, auto& to) {
+  const Space space = given_space;
+  return solve_quickly<Method>(in, space, out, [](const auto& ray, const auto& wide, auto& to) {
     const auto quick = rounded_nearest(ray, wide);
     to[0] = quick.answer;
     return quick.is_sure;
@@ -93,10 +113,15 @@ RAYPROOF_FLAT bool solve_nearest_quickly(const Lanes<Problem>& given, T* const (
 }
 
 /// Two functions, since g++ 12 makes less of a loop that stands in one with another.
+template <class Method, class Problem, class Space, class T, std::size_t Columns>
+bool solve_quickly_in(const Lanes<Problem>& in, const Space& space, T* const (&out)[Columns], bool all) {
+  T* const nearest_out[1] = {out[0]};
+  return all ? solve_all_quickly<Method>(in, space, out)
+             : solve_nearest_quickly<Method>(in, space, nearest_out);
+}
 template <class Method, class Problem, class T, std::size_t Columns>
 bool solve_quickly(const Lanes<Problem>& in, T* const (&out)[Columns], bool all) {
-  T* const nearest_out[1] = {out[0]};
-  return all ? solve_all_quickly<Method>(in, out) : solve_nearest_quickly<Method>(in, nearest_out);
+  return solve_quickly_in<Method>(in, OwnSpace(), out, all);
 }
 
 template <class T>
@@ -115,7 +140,11 @@ RAYPROOF_FLAT void move(const T* const (&in)[6], std::size_t size, const ObjectS
 template <class Method, class Problem>
 constexpr void enter(BatchKernel<Method, Problem>& kernel) {
   if constexpr (has_quick_phase<Method>) {
-    kernel.solve = solve_quickly<Method, Problem, typename Lanes<Problem>::Number>;
+    using T = typename Lanes<Problem>::Number;
+    kernel.solve = solve_quickly<Method, Problem, T>;
+    if constexpr (has_quick_phase_in_world<Method, T>) {
+      kernel.solve_in_world = solve_quickly_in<Method, Problem, ObjectSpace<Bounded<double>>>;
+    }
   } else {
     kernel.solve = solve<Method, Problem>;
   }

@@ -82,8 +82,7 @@ void run(const T* const (&in)[In], T* const (&out)[Out], std::size_t size, const
     N from[In];
     N to[Out];
     for (std::size_t i = 0; i < end; i += lanes) {
-      for (std::size_t column = 0; column < always; ++column)
-        from[column] = Access::load(source[column] + i);
+      for (std::size_t column = 0; column < always; ++column) from[column] = Access::load(source[column] + i);
       for (std::size_t c = 0; c < Common; ++c)
         from[always + c] = Access::load(source[always + c] + (i & moving[c]));
       solve(from, to);

@@ -34,17 +34,26 @@ template <class T>
                  difference_of_products(a.x, b.y, a.y, b.x)};
 }
 
-/// The object space of the map with columns a, b, c and a translation. A singular map gives infinities or
-/// NaN, and with them a miss.
+/// The object space of the map with columns a, b, c and a translation, whose cofactors are bc = b × c, ca and
+/// ab. A singular map gives infinities or NaN, and with them a miss.
 template <class T>
-[[nodiscard]] constexpr ObjectSpace<T> object_space(const vec3<T>& a, const vec3<T>& b, const vec3<T>& c,
-                                                    const vec3<T>& translation) {
-  const vec3<T> bc = cross_compensated<T>(b, c);
+[[nodiscard]] constexpr ObjectSpace<T> object_space_of_cofactors(const vec3<T>& a, const vec3<T>& b,
+                                                                 const vec3<T>& c, const vec3<T>& translation,
+                                                                 const vec3<T>& bc, const vec3<T>& ca,
+                                                                 const vec3<T>& ab) {
   const T determinant = dot(a, bc);
   const auto row = [&](const vec3<T>& cofactors) {
     return vec3<T>{cofactors.x / determinant, cofactors.y / determinant, cofactors.z / determinant};
   };
-  return {row(bc), row(cross_compensated<T>(c, a)), row(cross_compensated<T>(a, b)), translation, a, b, c};
+  return {row(bc), row(ca), row(ab), translation, a, b, c};
+}
+
+/// The object space of the map with columns a, b, c and a translation.
+template <class T>
+[[nodiscard]] constexpr ObjectSpace<T> object_space(const vec3<T>& a, const vec3<T>& b, const vec3<T>& c,
+                                                    const vec3<T>& translation) {
+  return object_space_of_cofactors<T>(a, b, c, translation, cross_compensated<T>(b, c),
+                                      cross_compensated<T>(c, a), cross_compensated<T>(a, b));
 }
 
 /// The same for an affine object-to-world matrix (last row 0 0 0 1, which is not looked at).

@@ -10,73 +10,74 @@ namespace rayproof {
 
 /// The chosen number; where the choice is uncertain, its bound reaches over the other one too.
 template <class T>
-[[nodiscard]] Bounded<T> select(BoundedMask mask, const Bounded<T>& yes, const Bounded<T>& no) {
-  const Bounded<T>& chosen = mask.value ? yes : no;
-  if (mask.certain) return chosen;
-  return Bounded<T>::of(chosen.value, std::abs(yes.value - no.value) + std::max(yes.error, no.error));
+[[nodiscard]] constexpr Bounded<T> select(const BoundedMaskOf<Mask<T>>& mask, const Bounded<T>& yes,
+                                          const Bounded<T>& no) {
+  const T chosen = select(mask.value, yes.value, no.value);
+  const Bounded<T> either = Bounded<T>::of(chosen, abs(yes.value - no.value) + max(yes.error, no.error));
+  return {chosen, select(mask.certain, select(mask.value, yes.error, no.error), either.error)};
 }
 
 /// |√X - √x| is at most |X - x| / (√x + √(x - error)), and near 0, where that explodes, at most √|X - x|.
 template <class T>
 [[nodiscard]] Bounded<T> sqrt(const Bounded<T>& x) {
-  const T z = std::sqrt(x.value);
-  if (x.error == 0) return Bounded<T>::of(z, running_error::unit<T> * std::abs(z));
-  const T least = std::max(T(0), x.value - running_error::up(x.error)) * (1 - 8 * running_error::unit<T>);
-  const T smooth = x.error / (z + std::sqrt(least)) + running_error::tiny<T>;
-  const T spread = z > 0 ? std::min(smooth, std::sqrt(x.error)) : std::sqrt(x.error);
-  return Bounded<T>::of(z, spread + running_error::unit<T> * std::abs(z));
+  const T z = sqrt(x.value);
+  const T least = max(T(0), x.value - running_error::up(x.error)) * T(1 - 8 * running_error::unit<T>);
+  const T smooth = x.error / (z + sqrt(least)) + T(running_error::tiny<T>);
+  const T near_zero = sqrt(x.error);
+  const T spread = select(z > T(0), min(smooth, near_zero), near_zero);
+  return Bounded<T>::of(z, select(x.error == T(0), T(0), spread) + T(running_error::unit<T>) * abs(z));
 }
 
 template <class T>
 [[nodiscard]] Bounded<T> abs(const Bounded<T>& x) {
-  return {std::abs(x.value), x.error};
+  return {abs(x.value), x.error};
 }
 
 /// Where the sign is uncertain, the bound reaches over both signs.
 template <class T>
 [[nodiscard]] Bounded<T> copysign(const Bounded<T>& x, const Bounded<T>& sign) {
-  const T z = std::copysign(x.value, sign.value);
-  if (sign.error == 0 || !sign.may_be_zero()) return {z, x.error};
-  return Bounded<T>::of(z, 2 * std::abs(x.value) + x.error);
+  const T z = copysign(x.value, sign.value);
+  const Mask<T> is_sure = sign.error == T(0) || !sign.may_be_zero();
+  return {z, select(is_sure, x.error, Bounded<T>::of(z, T(2) * abs(x.value) + x.error).error)};
 }
 
 template <class T>
 [[nodiscard]] Bounded<T> fma(const Bounded<T>& x, const Bounded<T>& y, const Bounded<T>& z) {
-  const T w = std::fma(x.value, y.value, z.value);
+  const T w = fma(x.value, y.value, z.value);
   return Bounded<T>::of(w, Bounded<T>::spread_of_product(x, y) + z.error + running_error::of_product(w));
 }
 
 /// Continuous, hence off by no more than the worse of its operands whichever the exact one would be.
 template <class T>
-[[nodiscard]] Bounded<T> min(const Bounded<T>& x, const Bounded<T>& y) {
-  return {min(x.value, y.value), std::max(x.error, y.error)};
+[[nodiscard]] constexpr Bounded<T> min(const Bounded<T>& x, const Bounded<T>& y) {
+  return {min(x.value, y.value), max(x.error, y.error)};
 }
 template <class T>
-[[nodiscard]] Bounded<T> max(const Bounded<T>& x, const Bounded<T>& y) {
-  return {max(x.value, y.value), std::max(x.error, y.error)};
+[[nodiscard]] constexpr Bounded<T> max(const Bounded<T>& x, const Bounded<T>& y) {
+  return {max(x.value, y.value), max(x.error, y.error)};
 }
 
 /// Runs a step function at both ends of what the exact number may be.
-template <class T, class Step>
+template <std::floating_point T, class Step>
 [[nodiscard]] Bounded<T> step_function(const Bounded<T>& x, T lowest, T highest, Step&& value_at) {
   const T z = value_at(x.value);
   if (x.error == 0) return Bounded<T>(z);
   return Bounded<T>::of(z, std::max(value_at(highest) - z, z - value_at(lowest)));
 }
-template <class T>
+template <std::floating_point T>
 [[nodiscard]] Bounded<T> exponent(const Bounded<T>& x) {
   const T size = std::abs(x.value);
   const T reach = running_error::up(x.error);
   const T lowest = std::max(T(0), (size - reach) * (1 - 2 * running_error::unit<T>));
   return step_function(x, lowest, running_error::up(size + reach), [](T at) { return std::logb(at); });
 }
-template <class T>
+template <std::floating_point T>
 [[nodiscard]] Bounded<T> floor(const Bounded<T>& x) {
   const T reach = running_error::up(x.error + running_error::of_product(x.value));
   return step_function(x, x.value - reach, x.value + reach, [](T at) { return std::floor(at); });
 }
 /// Nothing can be said where the exponent itself is uncertain.
-template <class T>
+template <std::floating_point T>
 [[nodiscard]] Bounded<T> scale_exponent(const Bounded<T>& x, const Bounded<T>& e) {
   const T z = rayproof::scale_exponent(x.value, e.value);
   if (e.error != 0) return Bounded<T>::of(z, infinity<T>);

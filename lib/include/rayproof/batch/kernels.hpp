@@ -9,6 +9,7 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <rayproof/arithmetics/bounded.hpp>
 #include <rayproof/batch/instruction_set.hpp>
 #include <rayproof/topics.hpp>
 #include <rayproof/transform.hpp>
@@ -72,6 +73,11 @@ template <class Method>
 inline constexpr bool has_quick_phase = requires {
   &Method::template enclosed<AnyNumber>;
 };
+/// The same of rays in T that are in the world.
+template <class Method, class T>
+inline constexpr bool has_quick_phase_in_world = std::same_as<T, float>&& requires {
+  &Method::template enclosed_in_space<AnyNumber>;
+};
 /// Whether a method has kernels. What is wrong as printed has none: nobody wants it fast.
 template <class Method>
 inline constexpr bool has_kernels = (runs_in_packs<Method> || has_quick_phase<Method>)&&  //
@@ -86,6 +92,9 @@ struct BatchKernel {
   /// that a column nobody wants may share the memory of a later one. Returns whether a quick phase was in
   /// doubt somewhere: there all results are NaN.
   bool (*solve)(const Lanes<Problem>& in, T* const (&out)[Lanes<Problem>::results], bool all) = nullptr;
+  /// The same by a quick phase of rays in the world, where the method has one.
+  bool (*solve_in_world)(const Lanes<Problem>& in, const ObjectSpace<Bounded<double>>& space,
+                         T* const (&out)[Lanes<Problem>::results], bool all) = nullptr;
 };
 
 /// Takes rays, as columns of origin and direction, into an object's space.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <optional>
 #include <rayproof/batch/kernels.hpp>
+#include <rayproof/formulas/bounded_roots.hpp>
 
 namespace rayproof::batch {
 
@@ -41,26 +42,21 @@ void solve_one(const Lanes<Problem>& in, std::size_t i, T* const (&out)[Columns]
   put_results<Lanes<Problem>>(problem, solve(problem), results);
   for (std::size_t column = 0; column < (all ? Columns : 1); ++column) out[column][i] = results[column];
 }
-template <class Method, class Problem, class T, std::size_t Columns>
-void solve_one(const Lanes<Problem>& in, std::size_t i, T* const (&out)[Columns], bool all) {
-  solve_one(in, i, out, all,
-            [](const Problem& one) { return Lanes<Problem>::Topic::template solve<Method>(one); });
-}
-
-/// Runs a kernel with a quick phase, some hundred problems at a time, and answers those that it is in doubt
-/// of, which it left NaN, while they are in the processor's nearest cache.
-template <class Method, class Problem, class T, std::size_t Columns>
-void run_quick_kernel(const BatchKernel<Method, Problem>& kernel, const Lanes<Problem>& in,
-                      T* const (&out)[Columns], bool all) {
+/// Runs a kernel with a quick phase, `run(part, results)`, some hundred problems at a time, and answers those
+/// that it is in doubt of, which it left NaN, by `solve(problem)`, while they are in the processor's nearest
+/// cache.
+template <class Problem, class T, std::size_t Columns, class Run, class Solve>
+void run_quick_kernel(const Lanes<Problem>& in, T* const (&out)[Columns], bool all, const Run& run,
+                      const Solve& solve) {
   constexpr std::size_t block = 512;
   for (std::size_t from = 0; from < in.size; from += block) {
     const auto part = part_of(in, from, std::min(block, in.size - from));
     T* results[Columns] = {};
     for (std::size_t i = 0; i < (all ? Columns : 1); ++i) results[i] = out[i] + from;
-    if (!kernel.solve(part, results, all)) continue;
+    if (!run(part, results)) continue;
     const T* const marked = results[all ? Columns - 3 : 0];  // the discriminant, or the nearest hit
     for (std::size_t i = 0; i < part.size; ++i) {
-      if (marked[i] != marked[i]) solve_one<Method>(part, i, results, all);
+      if (marked[i] != marked[i]) solve_one(part, i, results, all, solve);
     }
   }
 }
@@ -68,24 +64,34 @@ void run_quick_kernel(const BatchKernel<Method, Problem>& kernel, const Lanes<Pr
 /// Runs the method's kernel, which fills these columns, or the first alone.
 template <class Method, class Problem, class T, std::size_t Columns>
 void run_kernel(InstructionSet set, const Lanes<Problem>& in, T* const (&out)[Columns], bool all) {
+  const auto solve = [](const Problem& one) { return Lanes<Problem>::Topic::template solve<Method>(one); };
   if constexpr (has_kernels<Method>) {
     const auto& kernel = std::get<BatchKernel<Method, Problem>>(kernel_table(set));
+    const auto run = [&](const auto& part, const auto& results) { return kernel.solve(part, results, all); };
     if constexpr (has_quick_phase<Method>) {
-      run_quick_kernel(kernel, in, out, all);
+      run_quick_kernel(in, out, all, run, solve);
     } else {
-      kernel.solve(in, out, all);
+      run(in, out);
     }
   } else {
-    for (std::size_t i = 0; i < in.size; ++i) solve_one<Method>(in, i, out, all);
+    for (std::size_t i = 0; i < in.size; ++i) solve_one(in, i, out, all, solve);
   }
 }
 
 /// The same for rays that are in the world, by a method that takes the transform itself.
 template <class Method, class Problem, class T>
-void solve_in_world(const Lanes<Problem>& in, const ObjectSpace<T>& space, T* const (&out)[6], bool all) {
-  for (std::size_t i = 0; i < in.size; ++i) {
-    solve_one(in, i, out, all,
-              [&](const Problem& one) { return Method::roots_in_world(space, one.ray, one.shape); });
+void solve_in_world([[maybe_unused]] InstructionSet set, const Lanes<Problem>& in,
+                    const ObjectSpace<T>& space, T* const (&out)[6], bool all) {
+  const auto solve = [&](const Problem& one) { return Method::roots_in_world(space, one.ray, one.shape); };
+  if constexpr (has_quick_phase_in_world<Method, T>) {
+    const auto& kernel = std::get<BatchKernel<Method, Problem>>(kernel_table(set));
+    const auto bounded = bounded_space(space);
+    const auto run = [&](const auto& part, const auto& results) {
+      return kernel.solve_in_world(part, bounded, results, all);
+    };
+    run_quick_kernel(in, out, all, run, solve);
+  } else {
+    for (std::size_t i = 0; i < in.size; ++i) solve_one(in, i, out, all, solve);
   }
 }
 
@@ -122,7 +128,7 @@ void solve(InstructionSet set, const Lanes<Problem>& in, T* const (&out)[Columns
     if constexpr (Columns == 6) {
       if (space) {
         if constexpr (takes_transforms<Method, T, decltype(in.shape)>)
-          return solve_in_world<Method>(in, *space, out, all);
+          return solve_in_world<Method>(set, in, *space, out, all);
         else
           return run_in_space<Method>(set, in, *space, out, all);
       }

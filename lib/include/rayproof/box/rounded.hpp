@@ -1,9 +1,9 @@
 #pragma once
 #include <rayproof/box.hpp>
 #include <rayproof/box/exact_slab.hpp>
+#include <rayproof/box/slabs.hpp>
 #include <rayproof/box/slabs_inverse.hpp>
-#include <rayproof/formulas/exact_map.hpp>
-#include <rayproof/formulas/rounding_test.hpp>
+#include <rayproof/formulas/bounded_roots.hpp>
 #include <rayproof/method/method.hpp>
 
 #include <rayproof/rounding/as_written.hpp>
@@ -14,7 +14,7 @@ namespace rayproof::box {
 ///
 /// SlabsInverse runs in double for a ray in float, in double-double for one in double, in packs too; its
 /// answer stands where the error bound below leaves no doubt of which comes first, entry or exit, and of the
-/// rounding of both, which is nearly everywhere. The rest, and every ray under a transform, goes to slabs
+/// rounding of both, which is nearly everywhere. The rest, and doubles under a transform, go to slabs
 /// with nothing rounded before the last step: two t are compared by their exact cross products, so that an
 /// edge that is touched counts once.
 ///
@@ -47,7 +47,14 @@ struct Rounded {
   template <std::floating_point T>
   [[nodiscard]] static Roots<T> roots_in_world(const ObjectSpace<T>& space, const Ray<T>& ray,
                                                const Box<T>& box) {
-    return met_exactly<Rounded>(space, ray, box);
+    return quick_or_exact_roots<Rounded>(space, ray, box);
+  }
+
+  /// Slabs of a ray in object space whose numbers have bounds on their errors.
+  template <class W>
+  [[nodiscard]] static constexpr Enclosed<W> enclosed_in_space(const Ray<Bounded<W>>& ray,
+                                                               const Box<Bounded<W>>& box) {
+    return enclosed_by_bounds(Slabs::roots(ray, box));
   }
 
   /// The chord of a ray from o along d, as met_exactly has them.

@@ -2,7 +2,7 @@
 #include <rayproof/box/bounded_slab.hpp>
 #include <rayproof/cylinder/exact_hits.hpp>
 #include <rayproof/cylinder/side.hpp>
-#include <rayproof/formulas/exact_map.hpp>
+#include <rayproof/formulas/bounded_roots.hpp>
 #include <rayproof/method/method.hpp>
 #include <rayproof/sphere/rounded.hpp>
 
@@ -15,14 +15,14 @@ namespace rayproof::cylinder {
 ///
 /// Side and heights are met in double for a ray in float, in double-double for one in double, in packs too;
 /// that answer stands where the error bounds below leave no doubt of hit or miss, of which comes first, root
-/// or height, and of the rounding, which is nearly everywhere but along the axis. The rest, and every ray
-/// under a transform, goes to expansions (ExactCylinderHits). An answer is never rounded across an end of the
+/// or height, and of the rounding, which is nearly everywhere but along the axis. The rest, and doubles
+/// under a transform, go to expansions (ExactCylinderHits). An answer is never rounded across an end of the
 /// ray's interval.
 ///
 /// Holds for all finite floats; for doubles while every number that is not 0 lies within 2^±100, beyond which
 /// the products, of degree six, or a root itself over- or underflow; under a transform, where they are of
-/// degree 16, within 2^±12. Radii of 0 and negative heights make no
-/// cylinder and are missed.
+/// degree 16, within 2^±12.
+/// Radii of 0 and negative heights make no cylinder and are missed.
 struct Rounded {
   static constexpr const char* name = "rounded";
   static constexpr const char* title = "correctly rounded: with more digits, exact where in doubt";
@@ -48,7 +48,20 @@ struct Rounded {
   template <std::floating_point T>
   [[nodiscard]] static Roots<T> roots_in_world(const ObjectSpace<T>& space, const Ray<T>& ray,
                                                const Cylinder<T>& cylinder) {
-    return met_exactly<Rounded>(space, ray, cylinder);
+    return quick_or_exact_roots<Rounded>(space, ray, cylinder);
+  }
+
+  /// Side and heights met by a ray in object space whose numbers have bounds on their errors.
+  template <class W>
+  [[nodiscard]] static constexpr Enclosed<W> enclosed_in_space(const Ray<Bounded<W>>& ray,
+                                                               const Cylinder<Bounded<W>>& cylinder) {
+    const auto side =
+        enclosed_by_bounds(sphere::Centred::roots(seen_along_axis(ray, cylinder), circle_of(cylinder)));
+    const auto [entry, exit] = between_heights(ray, cylinder);
+    const W entry_error = error_with_room(entry), exit_error = error_with_room(exit);
+    const box::BoundedSlab<W> heights{entry.value, exit.value, entry_error, exit_error,
+                                      entry_error + exit_error < W(infinity<W>)};
+    return cylinder.capped ? inside(side, heights) : between(side, heights);
   }
 
   /// The hits of a ray from o along d, as met_exactly has them.
@@ -73,23 +86,32 @@ struct Rounded {
   /// their size, and by two roundings more in the test. They are NaN where the ray's own z are.
   template <class W>
   [[nodiscard]] static constexpr Enclosed<W> enclosed(const Ray<W>& ray, const Cylinder<W>& cylinder) {
-    const auto& [rx, ry, height, is_capped] = cylinder;
-    const vec3<W>&o = ray.origin, &d = ray.direction;
-    const Ray<W> seen_along_axis{
-        {o.x * ry, o.y * rx, W(0)}, {d.x * ry, d.y * rx, W(0)}, ray.t_min, ray.t_max};
-    const Sphere<W> circle{{W(0), W(0), W(0)}, rx * ry};
-    const Enclosed<W> side = sphere::Rounded::enclosed(seen_along_axis, circle);
+    const Enclosed<W> side = sphere::Rounded::enclosed(seen_along_axis(ray, cylinder), circle_of(cylinder));
     const auto [entry, exit] = between_heights(ray, cylinder);
     using N = Leading<W>;
     const auto error_of = [](const W& t) {
       return N(5 * unit_roundoff<W>) * min(abs(leading(t)), N(0x1p1000));
     };
     const box::BoundedSlab<W> heights{entry, exit, error_of(entry), error_of(exit),
-                                      entry == entry && abs(leading(height)) < N(infinity<W>)};
-    return is_capped ? inside(side, heights) : between(side, heights);
+                                      entry == entry && abs(leading(cylinder.height)) < N(infinity<W>)};
+    return cylinder.capped ? inside(side, heights) : between(side, heights);
   }
 
  private:
+  /// The ray in the plane in which the side is a circle, times rx·ry.
+  template <class W>
+  static constexpr Ray<W> seen_along_axis(const Ray<W>& ray, const Cylinder<W>& cylinder) {
+    const vec3<W>&o = ray.origin, &d = ray.direction;
+    return {{o.x * cylinder.ry, o.y * cylinder.rx, W(0)},
+            {d.x * cylinder.ry, d.y * cylinder.rx, W(0)},
+            ray.t_min,
+            ray.t_max};
+  }
+  template <class W>
+  static constexpr Sphere<W> circle_of(const Cylinder<W>& cylinder) {
+    return {{W(0), W(0), W(0)}, cylinder.rx * cylinder.ry};
+  }
+
   /// The hits of a capped cylinder: the chord that side and heights have in common.
   template <class W>
   static constexpr Enclosed<W> inside(const Enclosed<W>& side, const box::BoundedSlab<W>& heights) {

@@ -2,9 +2,8 @@
 #include <array>
 #include <rayproof/box/bounded_slab.hpp>
 #include <rayproof/box/exact_slab.hpp>
-#include <rayproof/formulas/exact_map.hpp>
+#include <rayproof/formulas/bounded_roots.hpp>
 #include <rayproof/formulas/quotient_error.hpp>
-#include <rayproof/formulas/rounding_test.hpp>
 #include <rayproof/method/method.hpp>
 #include <rayproof/parallelepiped.hpp>
 #include <rayproof/parallelepiped/face_planes.hpp>
@@ -17,7 +16,7 @@ namespace rayproof::parallelepiped {
 ///
 /// The slabs of FacePlanes are met in double for a ray in float, in double-double for one in double, in packs
 /// too; that answer stands where the error bound below leaves no doubt of which comes first, entry or exit,
-/// and of the rounding of both, which is nearly everywhere. The rest, and every ray under a transform, goes
+/// and of the rounding of both, which is nearly everywhere. The rest, and doubles under a transform, go
 /// to normals, distances and comparisons of two t with nothing rounded before the last step, so that an edge
 /// or corner that is touched counts once.
 ///
@@ -53,7 +52,14 @@ struct Rounded {
   template <std::floating_point T>
   [[nodiscard]] static Roots<T> roots_in_world(const ObjectSpace<T>& space, const Ray<T>& ray,
                                                const Parallelepiped<T>& solid) {
-    return met_exactly<Rounded>(space, ray, solid);
+    return quick_or_exact_roots<Rounded>(space, ray, solid);
+  }
+
+  /// FacePlanes of a ray in object space whose numbers have bounds on their errors.
+  template <class W>
+  [[nodiscard]] static constexpr Enclosed<W> enclosed_in_space(const Ray<Bounded<W>>& ray,
+                                                               const Parallelepiped<Bounded<W>>& solid) {
+    return enclosed_by_bounds(FacePlanes::roots(ray, solid));
   }
 
   /// The chord of a ray from o along d, as met_exactly has them.

@@ -1,7 +1,6 @@
 #pragma once
-#include <rayproof/formulas/exact_map.hpp>
+#include <rayproof/formulas/bounded_roots.hpp>
 #include <rayproof/formulas/exact_rounding.hpp>
-#include <rayproof/formulas/rounding_test.hpp>
 #include <rayproof/method/method.hpp>
 #include <rayproof/plane.hpp>
 #include <rayproof/plane/estimated.hpp>
@@ -15,7 +14,7 @@ namespace rayproof::plane {
 ///
 /// The plane's own form is solved in double for a ray in float, in double-double for one in double, in packs
 /// too (`estimated`); that answer stands where its error bound leaves no doubt of a ray's being parallel and
-/// of the rounding, which is nearly everywhere. The rest, and every ray under a transform, goes to numerators
+/// of the rounding, which is nearly everywhere. The rest, and doubles under a transform, go to numerators
 /// and denominators without rounding. No answer is rounded across an end of the ray's interval.
 ///
 /// Holds for all finite floats; for doubles while every number that is not 0 lies within 2^±200, beyond which
@@ -56,7 +55,21 @@ struct Rounded {
   template <std::floating_point T>
   [[nodiscard]] static FlatHit<T> roots_in_world(const ObjectSpace<T>& space, const Ray<T>& ray,
                                                  const Plane<T>& plane) {
-    return met_exactly<Rounded>(space, ray, plane);
+    return quick_or_exact_roots<Rounded>(space, ray, plane);
+  }
+
+  /// The plane's own form met by a ray in object space whose numbers have bounds on their errors.
+  template <class W>
+  [[nodiscard]] static constexpr EnclosedHit<W> enclosed_in_space(const Ray<Bounded<W>>& ray,
+                                                                  const Plane<Bounded<W>>& plane) {
+    switch (plane.form) {
+      case PlaneForm::implicit:
+        return enclosed_by_bounds(ByEquation::roots(ray, plane));
+      case PlaneForm::point_normal:
+        return enclosed_by_bounds(ByPointAndNormal::roots(ray, plane));
+      default:
+        return enclosed_by_bounds(ByParameters::roots(ray, plane));
+    }
   }
 
   /// Where a ray from o along d meets the plane, as met_exactly has them.

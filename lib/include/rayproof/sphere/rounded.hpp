@@ -1,6 +1,6 @@
 #pragma once
+#include <rayproof/formulas/bounded_roots.hpp>
 #include <rayproof/formulas/exact_map.hpp>
-#include <rayproof/formulas/rounding_test.hpp>
 #include <rayproof/sphere/compensated.hpp>
 
 #include <rayproof/rounding/as_written.hpp>
@@ -11,7 +11,7 @@ namespace rayproof::sphere {
 ///
 /// Centred runs in double for a ray in float, in double-double for one in double, in packs too; its answer
 /// stands where the error bound below leaves no doubt of the discriminant's sign and of the rounding of t,
-/// which is nearly everywhere. The rest, and every ray under a transform, goes to Compensated's expansions.
+/// which is nearly everywhere. The rest, and doubles under a transform, go to Compensated's expansions.
 /// An answer is never rounded across an end of the ray's interval. Domain as Compensated's; under a transform
 /// every number lies within 2^±24, so that the discriminant, of degree 14, neither over- nor underflows.
 struct Rounded {
@@ -41,7 +41,14 @@ struct Rounded {
   template <std::floating_point T>
   [[nodiscard]] static Roots<T> roots_in_world(const ObjectSpace<T>& space, const Ray<T>& ray,
                                                const Sphere<T>& sphere) {
-    return met_exactly<Rounded>(space, ray, sphere);
+    return quick_or_exact_roots<Rounded>(space, ray, sphere);
+  }
+
+  /// Centred of a ray in object space whose numbers have bounds on their errors.
+  template <class W>
+  [[nodiscard]] static constexpr Enclosed<W> enclosed_in_space(const Ray<Bounded<W>>& ray,
+                                                               const Sphere<Bounded<W>>& sphere) {
+    return enclosed_by_bounds(Centred::roots(ray, sphere));
   }
 
   /// The roots of a ray from o along d, as met_exactly has them.

@@ -1,9 +1,10 @@
 #pragma once
-#include <rayproof/formulas/exact_map.hpp>
+#include <rayproof/formulas/bounded_roots.hpp>
 #include <rayproof/formulas/exact_rounding.hpp>
 #include <rayproof/method/method.hpp>
 #include <rayproof/triangle.hpp>
 #include <rayproof/triangle/clear_sides.hpp>
+#include <rayproof/triangle/plucker.hpp>
 
 #include <rayproof/rounding/as_written.hpp>
 
@@ -16,7 +17,7 @@ namespace rayproof::triangle {
 /// The three Plücker sides with a bound on their rounding (ClearSides) go first, in double for a ray in
 /// float, in double-double for one in double, in packs too. They decide what is clearly a miss, or a hit with
 /// a sure rounding, which is nearly everywhere; the rest goes to the same sides as exact expansions, and so
-/// does every ray under a transform. No answer is rounded across an end of the ray's interval.
+/// do doubles under a transform. No answer is rounded across an end of the ray's interval.
 ///
 /// Holds for all finite floats; for doubles while every number that is not 0 lies within 2^±200, beyond which
 /// terms of the expansions over- or underflow; under a transform within 2^±24.
@@ -57,7 +58,14 @@ struct Rounded {
   template <std::floating_point T>
   [[nodiscard]] static FlatHit<T> roots_in_world(const ObjectSpace<T>& space, const Ray<T>& ray,
                                                  const Triangle<T>& triangle) {
-    return met_exactly<Rounded>(space, ray, triangle);
+    return quick_or_exact_roots<Rounded>(space, ray, triangle);
+  }
+
+  /// Pluecker of a ray in object space whose numbers have bounds on their errors.
+  template <class W>
+  [[nodiscard]] static constexpr EnclosedHit<W> enclosed_in_space(const Ray<Bounded<W>>& ray,
+                                                                  const Triangle<Bounded<W>>& triangle) {
+    return enclosed_by_bounds(Pluecker::roots(ray, triangle));
   }
 
   /// Where a ray from o along d meets the triangle, as met_exactly has them.

@@ -1,0 +1,76 @@
+#pragma once
+/// \file
+/// The rounding test of rays that are taken into an object's space: their numbers are rounded there, and
+/// carry bounds on their own errors (Bounded).
+
+#include <rayproof/arithmetics/bounded.hpp>
+#include <rayproof/formulas/exact_map.hpp>
+#include <rayproof/formulas/rounding_test.hpp>
+
+#include <rayproof/rounding/as_written.hpp>
+
+namespace rayproof {
+
+/// A bound on the error of x, and two roundings: the rounding test's.
+template <class W>
+[[nodiscard]] constexpr W error_with_room(const Bounded<W>& x) {
+  return x.error * W(1 + 0x1p-50) + W(0x1p-51) * min(abs(x.value), W(0x1p1000));
+}
+
+/// Two roots, or none, of which all errors are known: sure where the discriminant is surely not 0.
+template <class W>
+[[nodiscard]] constexpr Enclosed<W> enclosed_by_bounds(const Roots<Bounded<W>>& roots) {
+  const auto& [D, lo, hi] = roots;
+  const Mask<W> is_miss = D.value < W(0);
+  return {{D.value, lo.value, hi.value},
+          error_with_room(lo),
+          error_with_room(hi),
+          !D.may_be_zero() && (is_miss || (lo.value == lo.value && hi.value == hi.value))};
+}
+
+/// The hit of a flat figure: sure where every comparison that led to its verdict is.
+template <class W>
+[[nodiscard]] constexpr EnclosedHit<W> enclosed_by_bounds(const FlatHit<Bounded<W>>& hit) {
+  const W t = hit.lo.value;
+  return {{{hit.discriminant.value, t, t}, hit.u.value, hit.v.value},
+          error_with_room(hit.lo),
+          error_with_room(hit.u),
+          error_with_room(hit.v),
+          hit.discriminant.error == W(0)};
+}
+
+/// a × b of floats in double: their products are exact, so each component is rounded once, and is 0 where the
+/// exact one is.
+[[nodiscard]] inline Vec3<Bounded<double>> bounded_cross(const glm::vec3& a, const glm::vec3& b) {
+  const auto rounded_once = [](double x) { return Bounded<double>(x, unit_roundoff<double> * abs(x)); };
+  const glm::dvec3 n = cross(convert<double>(a), convert<double>(b));
+  return {rounded_once(n.x), rounded_once(n.y), rounded_once(n.z)};
+}
+
+/// The space of an object whose map is given exactly, with bounds on what its inverse is off by.
+[[nodiscard]] inline ObjectSpace<Bounded<double>> bounded_space(const ObjectSpace<float>& space) {
+  using B = Bounded<double>;
+  const glm::vec3 &a = space.column_x, &b = space.column_y, &c = space.column_z;
+  return object_space_of_cofactors<B>(convert<B>(a), convert<B>(b), convert<B>(c),
+                                      convert<B>(space.translation), bounded_cross(b, c), bounded_cross(c, a),
+                                      bounded_cross(a, b));
+}
+
+/// A method's roots of a ray in the world: for floats by its `enclosed_in_space`, in double with running
+/// error bounds, where that is sure; else with the map composed exactly.
+template <class Method, std::floating_point T, template <class> class Shape>
+[[nodiscard]] auto quick_or_exact_roots(const ObjectSpace<T>& space, const Ray<T>& ray,
+                                        const Shape<T>& shape) {
+  if constexpr (sizeof(T) < sizeof(double)) {
+    using B = Bounded<double>;
+    const Ray<B> seen = to_object(bounded_space(space), convert<B>(ray));
+    const auto quick =
+        rounded_roots(convert<double>(ray), Method::enclosed_in_space(seen, convert<B>(shape)));
+    if (quick.is_sure) return convert<T>(quick.answer);
+  }
+  return met_exactly<Method>(space, ray, shape);
+}
+
+}  // namespace rayproof
+
+#include <rayproof/rounding/as_before.hpp>
