@@ -17,6 +17,7 @@ namespace rayproof::viz {
 struct Gap {
   double entry, exit;
   double computed_entry, computed_exit;
+  const char* computed_exit_name;  ///< an exit that is moved on has a name of its own
 };
 
 /// As the kernels call the ends, and an exit that is moved on.
