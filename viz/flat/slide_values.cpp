@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "viz/scene/label_places.hpp"
+#include "viz/scene/shown_items.hpp"
 #include "viz/trace/numbers.hpp"
 #include "viz/trace/tape.hpp"
 #include "viz/walkthrough/stage_values.hpp"

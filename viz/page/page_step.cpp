@@ -8,7 +8,7 @@
 #include "viz/flat/stage_picture.hpp"
 #include "viz/page/math_ml.hpp"
 #include "viz/picture/svg.hpp"
-#include "viz/scene/label_places.hpp"
+#include "viz/scene/shown_items.hpp"
 #include "viz/trace/numbers.hpp"
 #include "viz/walkthrough/stage_values.hpp"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "viz/player/player.hpp"
-#include "viz/walkthrough/live_values.hpp"
+#include "viz/walkthrough/stage_values.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -1,4 +1,4 @@
-#include "viz/scene/numbers_by_name.hpp"
+#include "viz/scene/items.hpp"
 
 #include <stdexcept>
 

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "viz/picture/clip.hpp"
-#include "viz/scene/label_places.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "viz/explain/case_report.hpp"
-#include "viz/walkthrough/kernel_steps.hpp"
 #include "viz/walkthrough/setting.hpp"
 
 namespace rayproof::viz {

@@ -1,4 +1,4 @@
-#include "viz/walkthrough/kernel_steps.hpp"
+#include "viz/walkthrough/stage_of.hpp"
 
 #include <fmt/format.h>
 

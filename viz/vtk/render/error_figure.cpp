@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "viz/render/colours.hpp"
+#include "viz/render/errors.hpp"
 #include "viz/vtk/picture_png.hpp"
 #include "viz/vtk/render/error_layout.hpp"
 

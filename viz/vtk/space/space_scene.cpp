@@ -14,7 +14,6 @@
 #include <tuple>
 
 #include "viz/flat/stage_picture.hpp"
-#include "viz/vtk/space/floor.hpp"
 #include "viz/vtk/space/geometry.hpp"
 
 namespace rayproof::viz {
