@@ -86,7 +86,7 @@ class Labeller {
 
   /// Whether the same stands there already, of a newer step.
   [[nodiscard]] bool is_written(const std::string& label, const Point& at) const {
-    return std::any_of(written_.begin(), written_.end(), [&](const auto& one) {
+    return std::ranges::any_of(written_, [&](const auto& one) {
       return one.first == label && std::hypot(one.second.x - at.x, one.second.y - at.y) < 2 * mark_radius;
     });
   }

@@ -11,8 +11,7 @@ namespace rayproof::viz {
 namespace {
 
 bool has_step(const Walkthrough& walk, const std::string& title) {
-  return std::any_of(walk.steps.begin(), walk.steps.end(),
-                     [&](const WalkStep& step) { return step.title == title; });
+  return std::ranges::any_of(walk.steps, [&](const WalkStep& step) { return step.title == title; });
 }
 
 /// The steps of one run that the other does not have; its last where it has all of them.

@@ -24,8 +24,8 @@ Rgb colour_of(const ErrorImage& errors, std::size_t i, int device_x, int device_
   const Verdict verdict = errors.verdicts[i];
   if (verdict == Verdict::miss) return background;
   if (verdict == Verdict::hit) return ulp_colours[step_of(errors.ulps[i])];
-  const auto* style = std::find_if(verdict_styles.begin(), verdict_styles.end(),
-                                   [&](const VerdictStyle& s) { return s.verdict == verdict; });
+  const auto* style =
+      std::ranges::find_if(verdict_styles, [&](const VerdictStyle& s) { return s.verdict == verdict; });
   return hatched(*style, device_x, device_y);
 }
 
