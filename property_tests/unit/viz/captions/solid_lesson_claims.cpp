@@ -109,7 +109,8 @@ std::vector<LessonClaim> solid_lesson_claims() {
        "to "
        "its tilt."},
       {"leaving-a-sphere", "A curved surface falls away from its tangent plane by the square of a distance."},
-      {"leaving-a-sphere", "Rounding has been paid for: nothing is rounded away.",
+      {"leaving-a-sphere",
+       "h is more than all roundings can take away, that of o′ among them: o′ lies on the side of n.",
        [](const LessonSaid& s) { EXPECT_GT(height_of(s, "o′"), 0); }},
       {"leaving-a-sphere", "Exactly, p is * the sphere, q is *, and o′ is *: the next ray starts outside.",
        [](const LessonSaid& s) {
