@@ -93,12 +93,14 @@ std::optional<StepSpace> padded_space(const CaseReport& report, const StageCamer
 }
 
 std::string in_words(const Gap& gap, Precision precision) {
-  const auto interval = [](double entry, double exit, Precision shown_in) {
-    return fmt::format("in at {}, out at {}", shown(entry, shown_in), shown(exit, shown_in));
+  const auto interval = [](double entry, const char* exit_name, double exit, Precision shown_in) {
+    return fmt::format("{} = {} and {} = {}", gap_names[0], shown(entry, shown_in), exit_name,
+                       shown(exit, shown_in));
   };
-  return fmt::format("Exactly the ray is {}; computed, {}. {}",
-                     interval(gap.entry, gap.exit, Precision::float64),
-                     interval(gap.computed_entry, gap.computed_exit, precision), dots_in_words(precision));
+  return fmt::format("Exactly, {}; computed, {}. {}",
+                     interval(gap.entry, gap_names[1], gap.exit, Precision::float64),
+                     interval(gap.computed_entry, gap.computed_exit_name, gap.computed_exit, precision),
+                     dots_in_words(precision));
 }
 
 Items dots_of(const Magnifier& magnifier, double around, Precision precision) {

@@ -69,7 +69,7 @@ std::vector<LessonClaim> solid_lesson_claims() {
          EXPECT_LT(s.n["t_exit"], s.n["t_entry"]);
          EXPECT_LT(s.n.rounded("t_exit"), s.n.rounded("t_entry"));
        }},
-      {"conservative", "Exactly the ray is in at #, out at #; computed, in at #, out at #.",
+      {"conservative", "Exactly, t_entry = # and t_exit = #; computed, t_entry = # and t_padded = #.",
        [](const LessonSaid& s) {
          const std::vector<double> said = numbers_in(s.sentence);
          EXPECT_TRUE(said.at(0) > said.at(1) && said.at(2) <= said.at(3));
