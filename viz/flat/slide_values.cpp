@@ -6,7 +6,7 @@
 
 #include "viz/scene/shown_items.hpp"
 #include "viz/trace/numbers.hpp"
-#include "viz/trace/tape.hpp"
+#include "viz/trace/record.hpp"
 #include "viz/walkthrough/stage_values.hpp"
 
 namespace rayproof::viz {

@@ -10,6 +10,7 @@
 
 #include "viz/explain/case_report.hpp"
 #include "viz/scene/stage.hpp"
+#include "viz/trace/expression.hpp"
 
 namespace rayproof::viz {
 
@@ -77,5 +78,8 @@ struct GalleryEntry {
 /// Of each step the camera, the bodies, the labels as HTML, the floor, and the slider's ray, all in the
 /// coordinates of the step's view, to 4 decimals (a hundredth of a pixel); see viz/scene/space.hpp.
 [[nodiscard]] std::string space_json(const Stage& stage);
+
+/// A `<math>` element: quotients are fractions, "t₀" and "S_x" get subscripts.
+[[nodiscard]] std::string math_ml(const Formula& formula);
 
 }  // namespace rayproof::viz

@@ -6,7 +6,6 @@
 
 #include "case/escape.hpp"
 #include "viz/flat/stage_picture.hpp"
-#include "viz/page/math_ml.hpp"
 #include "viz/picture/svg.hpp"
 #include "viz/scene/shown_items.hpp"
 #include "viz/trace/numbers.hpp"

@@ -6,7 +6,6 @@
 
 #include "case/escape.hpp"
 #include "case/json/ordered.hpp"
-#include "viz/page/math_ml.hpp"
 #include "viz/picture/palette.hpp"
 #include "viz/scene/space.hpp"
 

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "viz/trace/tape.hpp"
+#include "viz/trace/record.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 #include <vtkBase64Utilities.h>
+#include <vtkImageData.h>
 #include <vtkJPEGWriter.h>
 #include <vtkNew.h>
 #include <vtkOggTheoraWriter.h>
+#include <vtkSmartPointer.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <stdexcept>
@@ -12,7 +14,7 @@
 #include "case/escape.hpp"
 #include "viz/flat/stage_picture.hpp"
 #include "viz/picture/palette.hpp"
-#include "viz/vtk/image_of.hpp"
+#include "viz/vtk/raster_png.hpp"
 
 namespace rayproof::viz {
 

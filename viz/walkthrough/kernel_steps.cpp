@@ -7,7 +7,7 @@
 
 #include "viz/explain/case_report.hpp"
 #include "viz/trace/numbers.hpp"
-#include "viz/trace/tape.hpp"
+#include "viz/trace/record.hpp"
 #include "viz/walkthrough/stage_values.hpp"
 
 namespace rayproof::viz {

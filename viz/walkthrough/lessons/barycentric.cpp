@@ -6,7 +6,7 @@
 
 #include "viz/scene/items.hpp"
 #include "viz/trace/numbers.hpp"
-#include "viz/trace/tape.hpp"
+#include "viz/trace/record.hpp"
 #include "viz/walkthrough/compose.hpp"
 #include "viz/walkthrough/lesson.hpp"
 
