@@ -52,7 +52,7 @@ void paint_swatch(Raster& canvas, const Swatch& swatch) {
   }
 }
 
-constexpr std::size_t columns = 3;
+constexpr std::size_t most_in_row = 3;
 // In the picture's own pixels, png_scale device pixels each.
 constexpr double space = 16, title_height = 22;
 
@@ -105,13 +105,13 @@ Raster error_figure(const std::string& title, const std::vector<ErrorPanel>& pan
 viz::Raster shadow_figure(const std::vector<ShadowPanel>& panels) {
   const double width = static_cast<double>(panels.front().picture.width) / viz::png_scale;
   const double height = static_cast<double>(panels.front().picture.height) / viz::png_scale;
-  const auto in_row = static_cast<double>(std::min(columns, panels.size()));
-  const auto rows = static_cast<double>((panels.size() + columns - 1) / columns);
+  const auto in_row = static_cast<double>(std::min(most_in_row, panels.size()));
+  const auto rows = static_cast<double>((panels.size() + most_in_row - 1) / most_in_row);
   const auto left_of = [&](std::size_t i) {
-    return space + static_cast<double>(i % columns) * (width + space);
+    return space + static_cast<double>(i % most_in_row) * (width + space);
   };
   const auto top_of = [&](std::size_t i) {
-    return space + title_height + static_cast<double>(i / columns) * (height + title_height + space);
+    return space + title_height + static_cast<double>(i / most_in_row) * (height + title_height + space);
   };
   viz::Picture picture;
   picture.width = space + in_row * (width + space);
