@@ -9,7 +9,7 @@
 #include "command_line/progress_line.hpp"
 #include "dossier/collection.hpp"
 #include "programs/check/peers.hpp"
-#include "viz/page/case_figure.hpp"
+#include "viz/page/page.hpp"
 #include "viz/picture/svg.hpp"
 
 namespace {

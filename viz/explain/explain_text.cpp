@@ -11,8 +11,8 @@ namespace {
 /// Characters on a terminal; every one of ours is one column wide, but the arrow and the hat over a letter,
 /// which have no width.
 std::size_t width_of(const std::string& text) {
-  std::size_t count = static_cast<std::size_t>(std::count_if(
-      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+  std::size_t count = static_cast<std::size_t>(
+      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
   for (const std::string mark : {"\u20d7", "\u0302"}) {
     for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + 1)) --count;
   }

@@ -1,4 +1,4 @@
-#include "viz/flat/case_sheet.hpp"
+#include "viz/flat/stage_picture.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "viz/explain/case_report.hpp"
-#include "viz/flat/stage_picture.hpp"
 #include "viz/scene/space.hpp"
 #include "viz/trace/numbers.hpp"
 #include "viz/walkthrough/stage_of.hpp"

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "viz/flat/stage_picture.hpp"
-#include "viz/scene/label_places.hpp"
+#include "viz/scene/shown_items.hpp"
 #include "viz/trace/numbers.hpp"
 
 namespace rayproof::viz {

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "viz/scene/label_places.hpp"
+#include "viz/scene/shown_items.hpp"
 #include "viz/trace/numbers.hpp"
-#include "viz/trace/tape.hpp"
+#include "viz/trace/record.hpp"
 #include "viz/walkthrough/stage_values.hpp"
 
 namespace rayproof::viz {
@@ -67,8 +67,7 @@ std::vector<ValueLine> lines_of(const StageValue& value, const Stage& stage, Det
 
 /// How high they are in the closest rows.
 double height_of(const std::vector<ValueLine>& lines, double row) {
-  const auto names =
-      std::count_if(lines.begin(), lines.end(), [](const ValueLine& one) { return one.is_name; });
+  const auto names = std::ranges::count_if(lines, [](const ValueLine& one) { return one.is_name; });
   return static_cast<double>(lines.size()) * row + static_cast<double>(names) * above_name;
 }
 

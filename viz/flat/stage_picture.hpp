@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "viz/explain/case_report.hpp"
 #include "viz/picture/picture.hpp"
 #include "viz/scene/shown_items.hpp"
 #include "viz/scene/stage.hpp"
@@ -66,5 +67,17 @@ struct SurfaceOutline {
 /// Of a solid its edges and where it turns away from the camera, of an ellipsoid the latter. A polygon has no
 /// line around it but what other items draw.
 [[nodiscard]] SurfaceOutline surface_outline(const StageItem& surface, const StageCamera& camera);
+
+/// All but the scenes: a headline, a frame for each view, and a table of the answers below them.
+struct CaseSheet {
+  Stage stage{};                   ///< its steps are the views (viz/walkthrough/stage_of.hpp)
+  std::vector<PixelBox> frames{};  ///< where each is to be drawn
+  Picture picture{};
+};
+[[nodiscard]] CaseSheet case_sheet(const CaseReport& report);
+
+/// The same with the scenes drawn flat, each with a scale: what SVG shows. Never throws for a valid case,
+/// whatever the answers' numbers.
+[[nodiscard]] Picture case_picture(const CaseReport& report);
 
 }  // namespace rayproof::viz

@@ -1,12 +1,11 @@
-#include "viz/page/case_figure.hpp"
+#include "viz/page/page.hpp"
 
 #include <fmt/format.h>
 
 #include <cstring>
 
-#include "viz/flat/case_sheet.hpp"
+#include "viz/flat/stage_picture.hpp"
 #include "viz/page/script/embedded.hpp"
-#include "viz/page/stage_json.hpp"
 #include "viz/picture/palette.hpp"
 #include "viz/picture/svg.hpp"
 #include "viz/walkthrough/stage_of.hpp"

@@ -8,9 +8,7 @@
 #include "case/writer.hpp"
 #include "properties/report/page_style.hpp"
 #include "viz/flat/stage_picture.hpp"
-#include "viz/page/case_figure.hpp"
 #include "viz/page/script/embedded.hpp"
-#include "viz/page/stage_json.hpp"
 #include "viz/picture/svg.hpp"
 #include "viz/walkthrough/stage_of.hpp"
 

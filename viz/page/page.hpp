@@ -10,6 +10,7 @@
 
 #include "viz/explain/case_report.hpp"
 #include "viz/scene/stage.hpp"
+#include "viz/trace/expression.hpp"
 
 namespace rayproof::viz {
 
@@ -21,10 +22,9 @@ using Still = std::function<std::string(const Stage& stage, std::size_t step)>;
 
 /// What a page stands beside, and what stands above its steps; empty for nothing.
 struct PageSurroundings {
-  std::string gallery{};  ///< the gallery's address
-  std::string script{};  ///< the address of a file with shared_script() (case_figure.hpp), which is otherwise
-                         ///< in the page
-  std::string figure{};  ///< an element of HTML; the conclusion then stands above it
+  std::string gallery{};       ///< the gallery's address
+  std::string script{};        ///< the address of a file with shared_script(), which is otherwise in the page
+  std::string figure{};        ///< an element of HTML; the conclusion then stands above it
   std::size_t first_step = 0;  ///< at which it opens, unless its address says another
 };
 
@@ -33,7 +33,7 @@ struct PageSurroundings {
 [[nodiscard]] std::string stage_page(const Stage& stage, const Still& still = flat_still,
                                      const PageSurroundings& beside = {});
 
-/// The page of a case: its stage, and above that all views of it in one figure (case_figure.hpp).
+/// The page of a case: its stage, and above that all views of it in one figure.
 [[nodiscard]] std::string case_page(const CaseReport& report, const std::string& script = {});
 
 /// What a gallery shows of a stage.
@@ -49,5 +49,37 @@ struct GalleryEntry {
 
 /// Title, picture, words, typeset equations, what became of the digits, and a table of the numbers.
 [[nodiscard]] std::string step_section(const Stage& stage, std::size_t number, const Still& still);
+
+/// The case as an SVG for paper and for a page without script, and beside it the scene for shared_script(),
+/// which shows thumbnails as they come into view and opens one scene at a time. The SVG alone where the
+/// program has no three.js.
+[[nodiscard]] std::string figure_of(const CaseReport& report);
+
+/// The same of a finding, which may claim nothing; its exact answer must be given.
+[[nodiscard]] std::string case_figure(const Case& one, const Answer* exact, const Answer* claimed);
+
+/// The SVG of a finding, for a page or, behind xml_head, as a file.
+[[nodiscard]] std::string case_still(const Case& one, const Answer* exact, const Answer* claimed);
+
+/// What the scenes of a page need of its style.
+[[nodiscard]] std::string scene_style();
+
+/// The script of all pages.
+[[nodiscard]] std::string shared_script();
+
+/// Data for a script, with an id or without.
+[[nodiscard]] std::string json_element(const std::string& id, const std::string& json);
+
+/// One line. Numbers are JSON numbers that read back as the same double, or the case format's strings for
+/// what is not finite; each value also bears its `shown` decimal, the shortest that reads back in the
+/// precision.
+[[nodiscard]] std::string stage_json(const Stage& stage);
+
+/// Of each step the camera, the bodies, the labels as HTML, the floor, and the slider's ray, all in the
+/// coordinates of the step's view, to 4 decimals (a hundredth of a pixel); see viz/scene/space.hpp.
+[[nodiscard]] std::string space_json(const Stage& stage);
+
+/// A `<math>` element: quotients are fractions, "t₀" and "S_x" get subscripts.
+[[nodiscard]] std::string math_ml(const Formula& formula);
 
 }  // namespace rayproof::viz

@@ -6,9 +6,8 @@
 
 #include "case/escape.hpp"
 #include "viz/flat/stage_picture.hpp"
-#include "viz/page/math_ml.hpp"
 #include "viz/picture/svg.hpp"
-#include "viz/scene/label_places.hpp"
+#include "viz/scene/shown_items.hpp"
 #include "viz/trace/numbers.hpp"
 #include "viz/walkthrough/stage_values.hpp"
 
@@ -27,9 +26,8 @@ std::string in_terms(const Formula& formula) {
 std::string numbers_in_terms(const Formula& put_in) {
   constexpr double phone_width = 240;
   const auto terms = terms_of(put_in);
-  const bool fits = std::all_of(terms.begin(), terms.end(), [](const Formula& term) {
-    return text_width(text_of(term), 18) <= phone_width;
-  });
+  const bool fits = std::ranges::all_of(
+      terms, [](const Formula& term) { return text_width(text_of(term), 18) <= phone_width; });
   return fits ? in_terms(put_in) : escaped(text_of(put_in));
 }
 
@@ -58,9 +56,8 @@ std::string row(const WalkValue& v, Precision precision) {
 std::string table(const std::vector<StageValue>& values, Precision precision) {
   if (values.empty()) return "";
   // A given number is exact as it is stored.
-  const bool are_given = std::all_of(values.begin(), values.end(), [](const StageValue& value) {
-    return value.components.front().formula == nullptr;
-  });
+  const bool are_given = std::ranges::all_of(
+      values, [](const StageValue& value) { return value.components.front().formula == nullptr; });
   std::string html = fmt::format(
       "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Values\"><table><thead><tr><th "
       "scope=\"col\">name</th>"

@@ -1,4 +1,4 @@
-#include "viz/page/stage_json.hpp"
+#include "viz/page/page.hpp"
 
 #include <array>
 #include <cctype>
@@ -6,7 +6,6 @@
 
 #include "case/escape.hpp"
 #include "case/json/ordered.hpp"
-#include "viz/page/math_ml.hpp"
 #include "viz/picture/palette.hpp"
 #include "viz/scene/space.hpp"
 

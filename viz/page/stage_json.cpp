@@ -1,4 +1,4 @@
-#include "viz/page/stage_json.hpp"
+#include "viz/page/page.hpp"
 
 #include <array>
 #include <cmath>

@@ -122,8 +122,7 @@ std::vector<Strip> even_odd_strips(const std::vector<Point>& ring) {
     std::vector<const Slant*> across;
     for (const Slant& side : sides)
       if (side.low.y <= middle && middle < side.high.y) across.push_back(&side);
-    std::sort(across.begin(), across.end(),
-              [&](const Slant* a, const Slant* b) { return a->at(middle) < b->at(middle); });
+    std::ranges::sort(across, [&](const Slant* a, const Slant* b) { return a->at(middle) < b->at(middle); });
     for (std::size_t i = 0; i + 1 < across.size(); i += 2) {
       const Slant &left = *across[i], &right = *across[i + 1];
       strips.push_back(

@@ -76,7 +76,7 @@ std::vector<Handle> handles_of(const Stage& stage, std::size_t step) {
     const auto is_there = [&](const Handle& other) {
       return glm::length(other.at - handle.at) < 0.02 * view.radius;
     };
-    if (std::none_of(handles.begin(), handles.end(), is_there)) handles.push_back(std::move(handle));
+    if (std::ranges::none_of(handles, is_there)) handles.push_back(std::move(handle));
   }
   std::erase_if(handles, [&](const Handle& handle) {
     const glm::dvec3 off = (handle.at - view.centre) / (1.1 * view.radius);

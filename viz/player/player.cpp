@@ -32,7 +32,7 @@ void Player::go_to(std::size_t step) {
   release();
   const auto has_focus = [this](const Handle& handle) { return handle.name == focused_; };
   const std::vector<Handle> all = handles();
-  if (focus_ == Focus::handle && std::none_of(all.begin(), all.end(), has_focus)) put_focus(Focus::steps);
+  if (focus_ == Focus::handle && std::ranges::none_of(all, has_focus)) put_focus(Focus::steps);
 }
 
 void Player::set_t(double t) {

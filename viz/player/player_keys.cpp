@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "viz/player/player.hpp"
-#include "viz/walkthrough/live_values.hpp"
+#include "viz/walkthrough/stage_values.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -12,13 +12,13 @@ namespace {
 constexpr double slider_part = 0.02;
 
 bool is_one_of(const std::string& key, std::initializer_list<const char*> names) {
-  return std::any_of(names.begin(), names.end(), [&](const char* name) { return key == name; });
+  return std::ranges::any_of(names, [&](const char* name) { return key == name; });
 }
 
 /// The step that a key of digits names, from 0; -1 for any other key.
 int step_of(const std::string& key) {
-  const bool is_number = !key.empty() && key.size() < 4 &&
-                         std::all_of(key.begin(), key.end(), [](char c) { return c >= '0' && c <= '9'; });
+  const bool is_number =
+      !key.empty() && key.size() < 4 && std::ranges::all_of(key, [](char c) { return c >= '0' && c <= '9'; });
   return is_number ? std::stoi(key) - 1 : -1;
 }
 
@@ -29,7 +29,7 @@ void Player::move_focus(bool is_backward) {
   if (stage_.slider) order.emplace_back(Focus::slider, "");
   if (!stage_.camera.is_flat) order.emplace_back(Focus::view, "");
   for (const Handle& handle : handles()) order.emplace_back(Focus::handle, handle.name);
-  const auto at = std::find(order.begin(), order.end(), std::pair(focus_, focused_)) - order.begin();
+  const auto at = std::ranges::find(order, std::pair(focus_, focused_)) - order.begin();
   const std::size_t next = static_cast<std::size_t>(at) + (is_backward ? order.size() - 1 : 1);
   const auto& [focus, handle] = order[next % order.size()];
   put_focus(focus, handle);

@@ -1,7 +1,7 @@
 /// \file
 /// rayproof draw: draws a case as PNG, SVG or a page.
 
-#include "viz/flat/case_sheet.hpp"
+#include "viz/flat/stage_picture.hpp"
 #include "viz/page/page.hpp"
 #include "viz/picture/svg.hpp"
 #include "viz/programs/draw/heat.hpp"

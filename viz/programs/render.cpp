@@ -2,7 +2,7 @@
 /// rayproof render: draws a scene by float methods or exactly, and where the two differ.
 
 #include "command_line/interrupt.hpp"
-#include "viz/programs/render/run.hpp"
+#include "viz/programs/render/options.hpp"
 
 int main(int argc, char** argv) {
   rayproof::CommandLine app("Draws a scene: by float methods, exactly, or where the two differ.",

@@ -9,9 +9,7 @@
 
 #include "command_line/interrupt.hpp"
 #include "command_line/progress_line.hpp"
-#include "viz/page/case_figure.hpp"
 #include "viz/page/page.hpp"
-#include "viz/page/stage_json.hpp"
 #include "viz/programs/files.hpp"
 #include "viz/programs/walk/walks.hpp"
 #include "viz/walkthrough/lesson.hpp"

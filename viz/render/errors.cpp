@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "oracle/numbers/ulp.hpp"
-#include "viz/render/tiles.hpp"
+#include "viz/render/hits.hpp"
 
 namespace rayproof::render {
 namespace {

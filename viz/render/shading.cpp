@@ -5,9 +5,9 @@
 #include <rayproof/spawn.hpp>
 
 #include "subjects/reading.hpp"
-#include "viz/render/colours.hpp"
+#include "viz/render/errors.hpp"
 #include "viz/render/figures.hpp"
-#include "viz/render/tiles.hpp"
+#include "viz/render/hits.hpp"
 
 namespace rayproof::render {
 namespace {

@@ -1,4 +1,4 @@
-#include "viz/scene/label_places.hpp"
+#include "viz/scene/shown_items.hpp"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "viz/picture/clip.hpp"
-#include "viz/scene/label_places.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -39,6 +38,7 @@ class Labeller {
       const bool is_seen = item.form == Form::arrow || has_mark(item.role);
       if (is_seen && frame_.holds(points.back()))
         places_.take(points.back(), item.form == Form::arrow ? head_radius : mark_radius + 6);
+      if (item.form == Form::arrow) keep_head_clear(points.front(), points.back());
     }
     if (item.form == Form::polygon) points.push_back(points.front());
     avoid(points, cost);
@@ -66,6 +66,15 @@ class Labeller {
     for (const auto& part : clip_line(line, frame_)) places_.avoid(part, cost);
   }
 
+  /// Where an arrow's head begins, it is as wide as long.
+  void keep_head_clear(const Point& from, const Point& tip) {
+    const double length = std::hypot(tip.x - from.x, tip.y - from.y);
+    if (!(length > 4 * head_radius)) return;
+    const double back = 1.6 * head_radius / length;
+    const Point base{tip.x + back * (from.x - tip.x), tip.y + back * (from.y - tip.y)};
+    if (frame_.holds(base)) places_.take(base, head_radius);
+  }
+
   /// The outline of one face.
   [[nodiscard]] std::vector<Point> ring_of(const StageItem& solid,
                                            const std::vector<std::size_t>& corners) const {
@@ -77,7 +86,7 @@ class Labeller {
 
   /// Whether the same stands there already, of a newer step.
   [[nodiscard]] bool is_written(const std::string& label, const Point& at) const {
-    return std::any_of(written_.begin(), written_.end(), [&](const auto& one) {
+    return std::ranges::any_of(written_, [&](const auto& one) {
       return one.first == label && std::hypot(one.second.x - at.x, one.second.y - at.y) < 2 * mark_radius;
     });
   }

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "viz/picture/picture.hpp"
@@ -42,5 +43,49 @@ using Outline = std::function<std::vector<Point>(const StageItem& item)>;
 /// text that stands there, a mark or, where there is room, a line; nor what is taken already.
 void draw_labels(Picture& picture, const PixelBox& frame, const std::vector<ShownItem>& shown,
                  const Outline& outline, const std::optional<PixelBox>& taken = {});
+
+/// How much wider DejaVu Sans's bold letters are.
+inline constexpr double bold_width = 1.12;
+
+/// About how wide a line of DejaVu Sans is, rather more than less; combining marks have no width.
+[[nodiscard]] double text_width(const std::string& text, double size, bool bold = false);
+
+/// Where a text stands, from the top of its tallest letters to the bottom of its lowest.
+[[nodiscard]] PixelBox box_of(const Text& text);
+
+/// The text in lines of at most this many pixels, broken at spaces; a word too long for a line is broken in
+/// two.
+[[nodiscard]] std::vector<std::string> wrapped(const std::string& text, double width, double size);
+
+/// Keeps account of what of a frame is taken.
+class LabelPlaces {
+ public:
+  explicit LabelPlaces(const PixelBox& frame) : frame_(frame) {}
+
+  /// What no label may cover: a text, a mark.
+  void take(const PixelBox& box) { taken_.push_back(box); }
+  void take(const Point& at, double radius);
+  /// A line, which labels rather do not cover; `cost` for each place on it that one does.
+  void avoid(const std::vector<Point>& line, double cost);
+  /// Puts a label there and nowhere else; only within the frame's sides.
+  [[nodiscard]] Text put_at(const std::string& label, const Point& middle, double size);
+  /// A place for a label beside one of the anchors, of which the first are the best; it is then taken.
+  /// Nothing where what it would cover there costs more than `most`.
+  [[nodiscard]] std::optional<Text> put(const std::string& label, const std::vector<Point>& anchors,
+                                        double size, double most);
+
+ private:
+  [[nodiscard]] Text take(const PixelBox& box, const std::string& label, double size);
+  /// What a label there costs; at least `most` where that is clear early.
+  [[nodiscard]] double cost_of(const PixelBox& box, double most) const;
+
+  PixelBox frame_;
+  std::vector<PixelBox> taken_{};
+  struct Avoided {
+    Point at;
+    double cost;
+  };
+  std::vector<Avoided> avoided_{};
+};
 
 }  // namespace rayproof::viz

@@ -47,7 +47,7 @@ std::optional<SpaceBody> line_body(SpaceBody body, bool is_flat) {
   SpacePoints line = body.points;
   if (item.form == Form::polyline) {
     const auto is_near = [](const glm::dvec3& p) { return glm::length(p) < reach; };
-    if (!std::all_of(line.begin(), line.end(), is_near)) return std::nullopt;
+    if (!std::ranges::all_of(line, is_near)) return std::nullopt;
   } else {
     line = within_reach(body.points[0], body.points[1]);
     if (line.empty()) return std::nullopt;
@@ -85,7 +85,7 @@ std::vector<SpacePoints> strips_of(const SpacePoints& ring) {
 bool is_net(const std::vector<ShownItem>& shown) {
   constexpr std::ptrdiff_t many = 12;
   const auto is_polygon = [](const ShownItem& one) { return one.item->form == Form::polygon; };
-  return std::count_if(shown.begin(), shown.end(), is_polygon) > many;
+  return std::ranges::count_if(shown, is_polygon) > many;
 }
 
 /// How far a place is from the eye over how far the middle is: what is as much larger looks alike there.
@@ -112,8 +112,7 @@ std::optional<SpaceBody> body_of(const ShownItem& shown, const Space& space, boo
     case Form::polygon:
     case Form::solid:
     case Form::ellipsoid: {
-      if (!std::all_of(body.points.begin(), body.points.end(),
-                       [](const glm::dvec3& p) { return is_finite(p); }))
+      if (!std::ranges::all_of(body.points, [](const glm::dvec3& p) { return is_finite(p); }))
         return std::nullopt;
       const bool is_polygon = shown.item->form == Form::polygon;
       if (is_polygon && has_net) body.radius *= 0.5;

@@ -85,7 +85,7 @@ std::optional<NearestPass> nearest_of(const RayScene& scene) {
 
 StageCamera chosen_camera(const glm::dvec3& along_ray, const std::vector<glm::dvec3>& normals) {
   static const std::vector<glm::dvec3> candidates = all_around();
-  const auto best = std::max_element(candidates.begin(), candidates.end(), [&](const auto& a, const auto& b) {
+  const auto best = std::ranges::max_element(candidates, [&](const auto& a, const auto& b) {
     return score(a, along_ray, normals) < score(b, along_ray, normals);
   });
   const glm::dvec3 toward = glm::normalize(*best);

@@ -2,7 +2,7 @@
 
 #include "viz/trace/expression.hpp"
 #include "viz/trace/numbers.hpp"
-#include "viz/trace/tape.hpp"
+#include "viz/trace/record.hpp"
 
 namespace rayproof::viz {
 namespace {

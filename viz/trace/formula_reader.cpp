@@ -124,8 +124,7 @@ class FormulaReader {
     const bool is_exponent = at_ > 1 && text_[at_ - 1] == 'e' && is_digit(text_[at_ - 2]);
     if (is_next("-") && is_exponent) return false;
     const auto is_here = [&](std::string_view sign) { return is_next(sign); };
-    return std::any_of(other_signs.begin(), other_signs.end(), is_here) ||
-           std::any_of(term_signs.begin(), term_signs.end(), is_here);
+    return std::ranges::any_of(other_signs, is_here) || std::ranges::any_of(term_signs, is_here);
   }
 
   std::string_view text_;

@@ -1,4 +1,4 @@
-#include "viz/trace/tape.hpp"
+#include "viz/trace/record.hpp"
 
 #include <fmt/format.h>
 

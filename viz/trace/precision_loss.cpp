@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "viz/trace/tape.hpp"
+#include "viz/trace/record.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -67,22 +67,12 @@ bool cancels(const Tape& tape, const Operation<Shadow>& o) {
 }
 
 std::string kind_of(Operator op, bool is_cancelling) {
-  switch (op) {
-    case Operator::add:
-      return is_cancelling ? "subtraction" : "addition";
-    case Operator::subtract:
-      return "subtraction";
-    case Operator::multiply:
-      return "multiplication";
-    case Operator::divide:
-      return "division";
-    case Operator::square_root:
-      return "square root";
-    case Operator::fused_multiply_add:
-      return "fused multiply-add";
-    default:
-      return "operation";
-  }
+  if (op == Operator::add) return is_cancelling ? "subtraction" : "addition";
+  if (op == Operator::subtract) return "subtraction";
+  if (op == Operator::multiply) return "multiplication";
+  if (op == Operator::divide) return "division";
+  if (op == Operator::square_root) return "square root";
+  return op == Operator::fused_multiply_add ? "fused multiply-add" : "operation";
 }
 
 std::string effect_of(const Operation<Shadow>& o, bool is_cancelling) {

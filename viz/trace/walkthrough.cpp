@@ -7,7 +7,6 @@
 
 #include "viz/trace/numbers.hpp"
 #include "viz/trace/record.hpp"
-#include "viz/trace/tape.hpp"
 
 namespace rayproof::viz {
 namespace {

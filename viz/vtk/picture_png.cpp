@@ -1,20 +1,72 @@
 #include "viz/vtk/picture_png.hpp"
 
+#include <vtkAxesActor.h>
+#include <vtkCamera.h>
+#include <vtkCaptionActor2D.h>
 #include <vtkContextActor.h>
 #include <vtkContextScene.h>
 #include <vtkNew.h>
 #include <vtkRenderer.h>
 #include <vtkRenderWindow.h>
 #include <vtkSmartPointer.h>
+#include <vtkTextProperty.h>
 
 #include <cmath>
 
 #include "viz/vtk/raster_png.hpp"
 #include "viz/vtk/sheet/picture_item.hpp"
 #include "viz/vtk/space/space_scene.hpp"
-#include "viz/vtk/space/triad.hpp"
 
 namespace rayproof::viz {
+namespace {
+
+/// The place of the axes in a scene's frame: no label may stand there.
+PixelBox triad_place(const PixelBox& frame) {
+  const double size = 0.25 * frame.height;
+  return {frame.left, frame.bottom() - size, size, size};
+}
+
+}  // namespace
+
+/// VTK's own arrows x, y and z, seen as a renderer's camera sees its scene.
+class Triad {
+ public:
+  Triad() {
+    vtkNew<vtkAxesActor> axes;
+    axes->SetXAxisLabelText("x");
+    axes->SetYAxisLabelText("y");
+    axes->SetZAxisLabelText("z");
+    axes->SetNormalizedLabelPosition(1.3, 1.3, 1.3);
+    for (vtkCaptionActor2D* const caption :
+         {axes->GetXAxisCaptionActor2D(), axes->GetYAxisCaptionActor2D(), axes->GetZAxisCaptionActor2D()}) {
+      vtkTextProperty& text = *caption->GetCaptionTextProperty();
+      text.ItalicOff();
+      text.ShadowOff();
+      text.SetColor(0.1, 0.1, 0.1);
+      caption->SetWidth(0.3);
+      caption->SetHeight(0.2);
+    }
+    renderer_->AddActor(axes);
+    renderer_->SetInteractive(0);
+  }
+
+  [[nodiscard]] vtkRenderer& renderer() { return *renderer_; }
+
+  /// As they are seen in `space`, or not at all.
+  void show(vtkRenderer& space, bool is_shown) {
+    renderer_->SetDraw(is_shown ? 1 : 0);
+    vtkCamera& camera = *renderer_->GetActiveCamera();
+    camera.SetParallelProjection(1);
+    camera.SetParallelScale(1.55);
+    camera.SetFocalPoint(0, 0, 0);
+    camera.SetPosition(space.GetActiveCamera()->GetViewPlaneNormal());
+    camera.SetViewUp(space.GetActiveCamera()->GetViewUp());
+    camera.SetClippingRange(-3, 3);
+  }
+
+ private:
+  vtkNew<vtkRenderer> renderer_;
+};
 
 class PictureCanvas::Impl {
  public:

@@ -1,16 +1,16 @@
 #include "viz/vtk/raster_png.hpp"
 
 #include <vtkErrorCode.h>
+#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 #include <vtkRenderWindow.h>
+#include <vtkSmartPointer.h>
 #include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
 #include <fstream>
 #include <stdexcept>
-
-#include "viz/vtk/image_of.hpp"
 
 namespace rayproof::viz {
 

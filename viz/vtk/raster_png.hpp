@@ -6,9 +6,15 @@
 
 #include "viz/picture/raster.hpp"
 
+class vtkImageData;
 class vtkRenderWindow;
+template <class T>
+class vtkSmartPointer;
 
 namespace rayproof::viz {
+
+/// As VTK has pixels, of three bytes each; its first row is the lowest.
+[[nodiscard]] vtkSmartPointer<vtkImageData> image_of(const Raster& raster);
 
 /// Renders the window at its size. Needs a display (OffscreenDisplay, UserDisplay).
 [[nodiscard]] Raster pixels_of(vtkRenderWindow& window);

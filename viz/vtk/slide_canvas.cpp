@@ -2,16 +2,22 @@
 
 #include <fmt/format.h>
 #include <vtkBase64Utilities.h>
+#include <vtkImageData.h>
 #include <vtkJPEGWriter.h>
 #include <vtkNew.h>
+#include <vtkOggTheoraWriter.h>
+#include <vtkSmartPointer.h>
 #include <vtkUnsignedCharArray.h>
+
+#include <stdexcept>
 
 #include "case/escape.hpp"
 #include "viz/flat/stage_picture.hpp"
 #include "viz/picture/palette.hpp"
-#include "viz/vtk/image_of.hpp"
+#include "viz/vtk/raster_png.hpp"
 
 namespace rayproof::viz {
+
 namespace {
 
 /// The mean of the pixels at (x, y) and to its right and below.
@@ -75,6 +81,26 @@ std::string still_of(PictureCanvas& canvas, const Stage& stage, std::size_t step
   const Raster picture = canvas.draw(labels, {{&stage, step, still_frame}}, 1);
   return fmt::format("<img width=\"{}\" height=\"{}\" alt=\"{}\" src=\"data:image/jpeg;base64,{}\">",
                      picture.width, picture.height, escaped(stage.steps[step].caption), jpeg_of(picture));
+}
+
+Movie::Movie(const std::string& path, int rate) : path_(path), writer_(vtkOggTheoraWriter::New()) {
+  writer_->SetFileName(path.c_str());
+  writer_->SetRate(rate);
+  writer_->SetQuality(2);
+  writer_->SubsamplingOff();  // coloured letters stay sharp
+}
+
+Movie::~Movie() {
+  if (is_begun_) writer_->End();
+  writer_->Delete();
+}
+
+void Movie::add(const Raster& picture, int count) {
+  writer_->SetInputData(image_of(picture));
+  if (!is_begun_) writer_->Start();
+  is_begun_ = true;
+  for (int i = 0; i < count; ++i) writer_->Write();
+  if (writer_->GetError() != 0) throw std::runtime_error("the film " + path_ + " can't be written");
 }
 
 }  // namespace rayproof::viz

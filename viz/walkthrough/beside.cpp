@@ -5,15 +5,13 @@
 #include <algorithm>
 
 #include "viz/explain/case_report.hpp"
-#include "viz/walkthrough/kernel_steps.hpp"
 #include "viz/walkthrough/setting.hpp"
 
 namespace rayproof::viz {
 namespace {
 
 bool has_step(const Walkthrough& walk, const std::string& title) {
-  return std::any_of(walk.steps.begin(), walk.steps.end(),
-                     [&](const WalkStep& step) { return step.title == title; });
+  return std::ranges::any_of(walk.steps, [&](const WalkStep& step) { return step.title == title; });
 }
 
 /// The steps of one run that the other does not have; its last where it has all of them.

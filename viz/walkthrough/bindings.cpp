@@ -44,7 +44,7 @@ Items half_chords(const NumbersByName& n) {
 Items way_to_plane(const NumbersByName& n, const glm::dvec3& normal, const glm::dvec3& on_plane) {
   const glm::dvec3 along = resized(normal, 1);
   const glm::dvec3 foot = n.origin() - along * glm::dot(along, n.origin() - on_plane);
-  return {segment(Role::nearest, n.origin(), foot, "the distance to the plane"), point(Role::nearest, foot),
+  return {segment(Role::nearest, n.origin(), foot, "distance"), point(Role::nearest, foot),
           segment(Role::frame, foot, on_plane, {}, Pattern::dotted)};
 }
 

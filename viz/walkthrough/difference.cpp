@@ -7,8 +7,8 @@
 #include "viz/scene/items.hpp"
 #include "viz/trace/numbers.hpp"
 #include "viz/walkthrough/difference_gap.hpp"
-#include "viz/walkthrough/live_values.hpp"
 #include "viz/walkthrough/setting.hpp"
+#include "viz/walkthrough/stage_values.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "viz/scene/items.hpp"
 #include "viz/trace/numbers.hpp"
-#include "viz/walkthrough/live_values.hpp"
 #include "viz/walkthrough/setting.hpp"
+#include "viz/walkthrough/stage_values.hpp"
 
 namespace rayproof::viz {
 
@@ -17,7 +17,8 @@ std::optional<Gap> gap_of(const CaseReport& report) {
   const NumbersByName n(*report.walk, report.walk->steps.size() - 1);
   const auto& [entry, exit, padded] = gap_names;
   if (!n.has(exit)) return std::nullopt;
-  const Gap gap{n[entry], n[exit], n.rounded(entry), n.rounded(n.has(padded) ? padded : exit)};
+  const char* const computed_exit = n.has(padded) ? padded : exit;
+  const Gap gap{n[entry], n[exit], n.rounded(entry), n.rounded(computed_exit), computed_exit};
   const double size = std::abs(gap.exit - gap.entry);
   const bool is_narrow = size > 0 && size < 1e-3 * std::abs(gap.entry) && std::isfinite(gap.computed_exit);
   return is_narrow ? std::optional(gap) : std::nullopt;
@@ -29,20 +30,22 @@ void show_gap(StageStep& step, const Gap& gap, Precision precision, const Settin
   const double to = std::max({gap.entry, gap.exit, gap.computed_entry, gap.computed_exit});
   const Magnifier magnifier{from + (to - from) / 2, (to - from) / 4, setting.camera.right};
   const glm::dvec3 aside = 0.7 * setting.camera.up;
-  const auto interval = [&](Role role, const glm::dvec3& off, double a, double b, const std::string& word) {
+  const auto interval = [&](Role role, const glm::dvec3& off, double a, double b, const std::string& exit,
+                            const std::string& word) {
     const bool is_empty = b < a;
     step.items.push_back(segment(role, magnifier.at(a) + off, magnifier.at(b) + off,
                                  is_empty ? "nothing between" : "inside",
                                  is_empty ? Pattern::dotted : Pattern::solid));
-    step.items.push_back(point(role, magnifier.at(a) + off, "entry " + word));
-    step.items.push_back(point(role, magnifier.at(b) + off, "exit " + word));
+    step.items.push_back(point(role, magnifier.at(a) + off, gap_names[0] + (" " + word)));
+    step.items.push_back(point(role, magnifier.at(b) + off, exit + " " + word));
   };
   step.is_apart = true;
   step.magnification = 1 / (magnifier.unit * glm::length(direction));
   step.items = {arrow(Role::ray, -magnified_reach * magnifier.along, magnified_reach * magnifier.along)};
   for (StageItem& dot : dots_of(magnifier, gap.computed_entry, precision)) step.items.push_back(dot);
-  interval(Role::exact, aside, gap.entry, gap.exit, "exact");
-  interval(Role::claimed, -aside, gap.computed_entry, gap.computed_exit, "as computed");
+  interval(Role::exact, aside, gap.entry, gap.exit, gap_names[1], "exact");
+  interval(Role::claimed, -aside, gap.computed_entry, gap.computed_exit, gap.computed_exit_name,
+           "as computed");
   step.view = view_of(extent_of(step.items, setting.camera), setting.camera);
 }
 
@@ -90,12 +93,14 @@ std::optional<StepSpace> padded_space(const CaseReport& report, const StageCamer
 }
 
 std::string in_words(const Gap& gap, Precision precision) {
-  const auto interval = [](double entry, double exit, Precision shown_in) {
-    return fmt::format("in at {}, out at {}", shown(entry, shown_in), shown(exit, shown_in));
+  const auto interval = [](double entry, const char* exit_name, double exit, Precision shown_in) {
+    return fmt::format("{} = {} and {} = {}", gap_names[0], shown(entry, shown_in), exit_name,
+                       shown(exit, shown_in));
   };
-  return fmt::format("Exactly the ray is {}; computed, {}. {}",
-                     interval(gap.entry, gap.exit, Precision::float64),
-                     interval(gap.computed_entry, gap.computed_exit, precision), dots_in_words(precision));
+  return fmt::format("Exactly, {}; computed, {}. {}",
+                     interval(gap.entry, gap_names[1], gap.exit, Precision::float64),
+                     interval(gap.computed_entry, gap.computed_exit_name, gap.computed_exit, precision),
+                     dots_in_words(precision));
 }
 
 Items dots_of(const Magnifier& magnifier, double around, Precision precision) {

@@ -17,6 +17,7 @@ namespace rayproof::viz {
 struct Gap {
   double entry, exit;
   double computed_entry, computed_exit;
+  const char* computed_exit_name;  ///< an exit that is moved on has a name of its own
 };
 
 /// As the kernels call the ends, and an exit that is moved on.
@@ -32,7 +33,7 @@ void show_gap(StageStep& step, const Gap& gap, Precision precision, const Settin
 /// touches: that edge seen end-on, with the box as it is and as it counts.
 [[nodiscard]] std::optional<StepSpace> padded_space(const CaseReport& report, const StageCamera& camera);
 
-/// "Exactly the ray is in at 1, out at 0.999999886; …"
+/// "Exactly, t_entry = 1 and t_exit = 0.999999886; …"
 [[nodiscard]] std::string in_words(const Gap& gap, Precision precision);
 
 /// Where a number lies on the magnified line: the centre's is 0, and `unit` more is one length along.

@@ -1,4 +1,4 @@
-#include "viz/walkthrough/kernel_steps.hpp"
+#include "viz/walkthrough/stage_of.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 
 #include "viz/explain/case_report.hpp"
 #include "viz/trace/numbers.hpp"
-#include "viz/trace/tape.hpp"
+#include "viz/trace/record.hpp"
 #include "viz/walkthrough/stage_values.hpp"
 
 namespace rayproof::viz {
@@ -61,7 +61,7 @@ Items placed(const Items& items, const Setting& setting) {
   Items placed;
   for (StageItem item : items) {
     for (glm::dvec3& p : item.points) p = setting.to_world(p);
-    const bool is_placed = std::all_of(item.points.begin(), item.points.end(), [](const glm::dvec3& p) {
+    const bool is_placed = std::ranges::all_of(item.points, [](const glm::dvec3& p) {
       return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
     });
     const bool is_point =
@@ -81,8 +81,8 @@ Items items_of(const std::string& name, const NumbersByName& n, const Setting& s
 }
 
 bool begins_anew(const std::string& name, const Setting& setting) {
-  return std::any_of(setting.bindings.begin(), setting.bindings.end(),
-                     [&](const Binding& binding) { return binding.begins_anew && binding.name == name; });
+  return std::ranges::any_of(
+      setting.bindings, [&](const Binding& binding) { return binding.begins_anew && binding.name == name; });
 }
 
 void add_placed(StageStep& step, const Items& items, const Setting& setting) {
@@ -146,9 +146,9 @@ void caption(StageStep& step, const CaseReport& report, bool is_last) {
 
 /// What became of the digits; nothing to say where all are well.
 std::string digits_of(const std::vector<StageValue>& values, const std::optional<PrecisionLoss>& loss) {
-  const bool is_spoilt = std::any_of(values.begin(), values.end(), [](const StageValue& value) {
-    return std::any_of(value.components.begin(), value.components.end(),
-                       [](const WalkValue& component) { return component.bits_lost >= noteworthy; });
+  const bool is_spoilt = std::ranges::any_of(values, [](const StageValue& value) {
+    return std::ranges::any_of(value.components,
+                               [](const WalkValue& component) { return component.bits_lost >= noteworthy; });
   });
   return !loss && is_spoilt ? "Digits were lost in earlier steps, or in several small roundings."
                             : loss_sentence(loss);

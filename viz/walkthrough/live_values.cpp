@@ -1,4 +1,4 @@
-#include "viz/walkthrough/live_values.hpp"
+#include "viz/walkthrough/stage_values.hpp"
 
 #include <fmt/format.h>
 

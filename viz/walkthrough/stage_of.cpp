@@ -9,7 +9,6 @@
 #include "viz/scene/items.hpp"
 #include "viz/trace/numbers.hpp"
 #include "viz/walkthrough/compose.hpp"
-#include "viz/walkthrough/kernel_steps.hpp"
 #include "viz/walkthrough/setting.hpp"
 #include "viz/walkthrough/stage_values.hpp"
 

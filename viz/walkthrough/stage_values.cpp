@@ -25,7 +25,7 @@ bool is_part_of_name(const std::string& text, std::size_t i) {
   static constexpr std::array<std::string_view, 7> operator_signs{"·", "×", "−", "√", "⁺", "∞", "→"};
   const auto byte = static_cast<unsigned char>(text[i]);
   if (byte < 0x80) return (std::isalnum(byte) != 0) || text[i] == '_' || text[i] == '.';
-  return std::none_of(operator_signs.begin(), operator_signs.end(), [&](std::string_view sign) {
+  return std::ranges::none_of(operator_signs, [&](std::string_view sign) {
     for (std::size_t back = 0; back < sign.size() && back <= i; ++back) {
       if (text.compare(i - back, sign.size(), sign) == 0) return true;
     }
@@ -97,8 +97,8 @@ std::string exact_of(const StageValue& value) {
 }
 
 const WalkValue& worst_component(const StageValue& value) {
-  return *std::max_element(value.components.begin(), value.components.end(),
-                           [](const WalkValue& a, const WalkValue& b) { return a.bits_lost < b.bits_lost; });
+  return *std::ranges::max_element(
+      value.components, [](const WalkValue& a, const WalkValue& b) { return a.bits_lost < b.bits_lost; });
 }
 
 std::optional<PrecisionLoss> worst_loss_of(const std::vector<StageValue>& values) {
@@ -134,10 +134,9 @@ bool mentions(const std::string& sentence, const std::string& name) {
   if (name == "a") return false;
   const std::vector<std::string> words = split_words(sentence);
   const auto is_name = [&](const std::string& word) { return word == name || word == name + "."; };
-  if (std::any_of(words.begin(), words.end(), is_name)) return true;
-  const bool is_compound = std::any_of(name.begin(), name.end(), [](unsigned char c) {
-    return c >= 0x80 || c == '/' || c == ' ' || c == '(';
-  });
+  if (std::ranges::any_of(words, is_name)) return true;
+  const bool is_compound = std::ranges::any_of(
+      name, [](unsigned char c) { return c >= 0x80 || c == '/' || c == ' ' || c == '('; });
   return is_compound && sentence.find(name) != std::string::npos;
 }
 

@@ -3,7 +3,7 @@
 #include "case/files.hpp"
 #include "properties/report/guest.hpp"
 #include "properties/report/report.hpp"
-#include "viz/page/case_figure.hpp"
+#include "viz/page/page.hpp"
 
 namespace rayproof::check {
 

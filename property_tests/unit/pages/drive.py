@@ -19,6 +19,9 @@ import devtools
 
 VISIBLE = "[...document.querySelectorAll('.step')].map((s, i) => [s, i]).filter(([s]) => s.offsetHeight > 0).map(([, i]) => i)"
 # The picture itself, drawn anew so that its pixels are still there to be read.
+# Where the tips of the axes are drawn; nothing where they are not shown.
+AXES = """[...document.querySelectorAll('#scene .axes line')].filter(line => line.getClientRects().length)
+    .map(line => `${line.getAttribute('x2')},${line.getAttribute('y2')}`).join(' ')"""
 SCENE = "(walkthrough.scene.draw(), walkthrough.scene.renderer.domElement.toDataURL())"
 # Labels that reach out of the picture, or lie upon each other.
 MISPLACED = """(() => {
@@ -130,12 +133,14 @@ class Test:
         nearest = ("(() => { const {scene} = walkthrough, {step} = scene, t = new THREE.Vector3().fromArray(step.target);"
                    " return scene.seen(t.lerp(new THREE.Vector3().fromArray(step.eye), 0.2)); })()")
         page.run("document.getElementById('reset').click()")
-        before, (x0, y0) = page.run(SCENE), page.run(nearest)
+        before, (x0, y0), axes = page.run(SCENE), page.run(nearest), page.run(AXES)
         x, y = page.middle_of("#scene")
         page.mouse("mousePressed", x, y)
         page.mouse("mouseMoved", x + 60, y + 25)
         page.mouse("mouseReleased", x + 60, y + 25)
         self.expect((page.run(SCENE) == before) == is_flat, "dragging ought to turn what is not flat, and nothing else")
+        self.expect(is_flat or len(set(axes.split())) == 3, "each axis is to be seen in a direction of its own")
+        self.expect((page.run(AXES) == axes) == is_flat, "the axes ought to turn with the scene")
         x1, y1 = page.run(nearest)
         self.expect(is_flat or (x1 > x0 + 5 and y1 > y0 + 5), "what is nearest to the eye ought to follow the pointer, right and down")
         for fault in page.run(MISPLACED):

@@ -1,5 +1,5 @@
 #include "unit/render/scenes.hpp"
-#include "viz/render/scene/off_mesh.hpp"
+#include "viz/render/scene/scene_reader.hpp"
 #ifdef RAYPROOF_HAS_VTK
 #include "viz/vtk/render/mesh_reader.hpp"
 #endif

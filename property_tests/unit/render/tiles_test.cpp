@@ -1,4 +1,4 @@
-#include "viz/render/tiles.hpp"
+#include "viz/render/hits.hpp"
 
 #include <gtest/gtest.h>
 

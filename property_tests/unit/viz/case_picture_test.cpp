@@ -8,7 +8,6 @@
 #include "oracle/oracle.hpp"
 #include "subjects/subject.hpp"
 #include "unit/viz/every_shape.hpp"
-#include "viz/flat/case_sheet.hpp"
 #include "viz/flat/stage_picture.hpp"
 #include "viz/shapes/ray_scene.hpp"
 #include "viz/shapes/topics.hpp"

@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "unit/viz/player.hpp"
-#include "viz/page/stage_json.hpp"
+#include "viz/page/page.hpp"
 
 namespace rayproof::viz {
 namespace {

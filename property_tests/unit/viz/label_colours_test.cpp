@@ -8,7 +8,6 @@
 
 #include "viz/picture/palette.hpp"
 #include "viz/picture/raster.hpp"
-#include "viz/scene/label_places.hpp"
 #include "viz/scene/shown_items.hpp"
 
 namespace rayproof::viz {

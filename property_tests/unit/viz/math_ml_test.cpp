@@ -1,4 +1,4 @@
-#include "viz/page/math_ml.hpp"
+#include "viz/page/page.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 #ifdef RAYPROOF_HAS_VTK
-#include "viz/vtk/movie.hpp"
+#include "viz/vtk/slide_canvas.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include "unit/viz/player.hpp"
 #include "viz/player/player.hpp"
 #include "viz/trace/numbers.hpp"
-#include "viz/walkthrough/live_values.hpp"
+#include "viz/walkthrough/stage_values.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "unit/bits.hpp"
 #include "unit/viz/every_method.hpp"
-#include "viz/trace/tape.hpp"
+#include "viz/trace/record.hpp"
 
 namespace rayproof::viz {
 namespace {

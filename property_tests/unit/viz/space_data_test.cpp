@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "unit/viz/stage_data.hpp"
-#include "viz/page/stage_json.hpp"
+#include "viz/page/page.hpp"
 #include "viz/scene/items.hpp"
 #include "viz/scene/space.hpp"
 #include "viz/walkthrough/lesson.hpp"

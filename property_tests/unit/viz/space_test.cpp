@@ -18,7 +18,6 @@
 #include "viz/scene/items.hpp"
 #include "viz/vtk/offscreen_display.hpp"
 #include "viz/vtk/slide_canvas.hpp"
-#include "viz/vtk/space/floor.hpp"
 #include "viz/vtk/space/geometry.hpp"
 #include "viz/vtk/space/space_scene.hpp"
 #include "viz/walkthrough/lesson.hpp"

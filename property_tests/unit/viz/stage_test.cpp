@@ -7,7 +7,7 @@
 
 #include "case/reader.hpp"
 #include "unit/viz/stage_data.hpp"
-#include "viz/page/stage_json.hpp"
+#include "viz/page/page.hpp"
 #include "viz/walkthrough/lesson.hpp"
 #include "viz/walkthrough/stage_of.hpp"
 

@@ -10,7 +10,6 @@
 #include "viz/flat/stage_picture.hpp"
 #include "viz/picture/clip.hpp"
 #include "viz/scene/items.hpp"
-#include "viz/scene/label_places.hpp"
 #include "viz/scene/shown_items.hpp"
 #include "viz/walkthrough/lesson.hpp"
 

@@ -11,7 +11,7 @@
 #include "unit/viz/screenshot.hpp"
 #include "unit/viz/x_client.hpp"
 #include "viz/flat/stage_picture.hpp"
-#include "viz/page/stage_json.hpp"
+#include "viz/page/page.hpp"
 #include "viz/vtk/offscreen_display.hpp"
 #include "viz/vtk/window/buttons.hpp"
 

@@ -32,6 +32,29 @@ class Places {
   }
 }
 
+/** Which way the axes of a scene point, in its lower left corner; no label stands there. */
+class Axes {
+  constructor() {
+    this.element = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
+    this.element.setAttribute('class', 'axes');
+    this.element.setAttribute('viewBox', '-1.6 -1.6 3.2 3.2');
+    this.element.setAttribute('aria-hidden', 'true');
+    this.element.innerHTML = ['x', 'y', 'z'].map(name => `<g class="${name}"><line/><text>${name}</text></g>`).join('');
+  }
+  turn(camera, isShown, places) {
+    this.element.style.display = isShown ? '' : 'none';
+    if (!isShown) return;
+    const back = camera.quaternion.clone().conjugate();
+    [...this.element.children].forEach((part, i) => {
+      const tip = new THREE.Vector3().setComponent(i, 1).applyQuaternion(back), [line, text] = part.children;
+      Object.entries({x2: tip.x, y2: -tip.y}).forEach(([name, value]) => line.setAttribute(name, value.toFixed(3)));
+      Object.entries({x: 1.35 * tip.x, y: -1.35 * tip.y}).forEach(([name, value]) => text.setAttribute(name, value.toFixed(3)));
+    });
+    const [, , right, bottom] = places.frame, size = 0.22 * (bottom + 2);
+    places.taken.push([0, bottom + 2 - size, Math.min(size, right), bottom + 2]);
+  }
+}
+
 /** The labels of a step: HTML with formulas, at places of the scene, moved aside in pixels. */
 class Labels {
   constructor(scene) {

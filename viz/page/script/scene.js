@@ -13,7 +13,8 @@ class StageScene {
     lamp.position.set(0.5, 1, 1);  // above the eye and at its right
     this.eyes.space.add(lamp, lamp.target);
     this.scene.add(this.eyes.space, new THREE.AmbientLight(0xffffff, 0.45));
-    host.replaceChildren(this.renderer.domElement, this.labels.element);
+    this.axes = new Axes();
+    host.replaceChildren(this.renderer.domElement, this.labels.element, this.axes.element);
     this.watch = new ResizeObserver(() => this.resize());
     this.watch.observe(host);
     this.dark = matchMedia('(prefers-color-scheme: dark)');
@@ -137,6 +138,13 @@ class StageScene {
       const [x, y] = seen(mark.position), r = mark.scale.x * 2.2 * this.pixelsPerLength(mark.position);
       places.taken.push([x - r, y - r, x + r, y + r]);
     }
+    for (const body of step.bodies.filter(body => body.head)) {
+      for (const p of vectorsOf(body.head)) {
+        const [x, y] = seen(p), r = body.headRadius * this.pixelsPerLength(p);
+        if (isFinite(x)) places.taken.push([x - r, y - r, x + r, y + r]);
+      }
+    }
+    this.axes.turn(camera, !step.flat, places);
     if (now.runner) {
       const [origin, along] = vectorsOf(step.runner.ray);
       now.runner.position.copy(origin).addScaledVector(along, this.t);

@@ -33,7 +33,7 @@ std::vector<std::string> known_strategies() {
 
 void choose(Methods& methods, const std::string& full_name) {
   const std::vector<std::string> known = renderable_methods();
-  if (std::find(known.begin(), known.end(), full_name) == known.end()) {
+  if (std::ranges::find(known, full_name) == known.end()) {
     throw WrongCommand(fmt::format("there is no method {} to render with; did you mean {}?", full_name,
                                    fmt::join(near_names(full_name, known, 3), " or ")));
   }

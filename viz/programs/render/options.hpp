@@ -2,12 +2,14 @@
 /// \file
 /// The command line of rayproof render.
 
+#include <atomic>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "command_line/command_line.hpp"
 #include "viz/programs/wrong_command.hpp"
+#include "viz/render/pixel_case.hpp"
 #include "viz/render/scene/scene_reader.hpp"
 #include "viz/render/shading.hpp"
 
@@ -34,5 +36,23 @@ struct RenderOptions {
   /// The default methods, with --method's and then `more` in their places. Throws WrongCommand.
   [[nodiscard]] Methods chosen_methods(const std::vector<std::string>& more = {}) const;
 };
+
+/// The case of a pixel and the method that answered there, "sphere/textbook".
+struct PixelReport {
+  Case one{};
+  std::string method{};
+};
+
+/// Throws WrongCommand where the pixel is outside the image, or its ray meets nothing, so that there is no
+/// case.
+[[nodiscard]] PixelReport report_pixel(const RenderScene& scene, int x, int y, const Methods& methods);
+
+/// Writes the method's walkthrough of the case as a page. Needs a display (viz::OffscreenDisplay). Throws
+/// WrongCommand where the file can't be written.
+void write_page(const PixelReport& report, const std::string& path);
+
+/// Reads the scene and does what the options ask for. Throws Stopped once `stop` is true, a Refusal, or a
+/// std::runtime_error.
+void run(const RenderOptions& options, const std::atomic<bool>& stop);
 
 }  // namespace rayproof::render

@@ -1,4 +1,4 @@
-#include "viz/programs/render/pixel_report.hpp"
+#include "viz/programs/render/options.hpp"
 
 #include "case/shape_format.hpp"
 #include "viz/page/page.hpp"

@@ -1,4 +1,4 @@
-#include "viz/programs/render/run.hpp"
+#include "viz/programs/render/options.hpp"
 
 #include <chrono>
 #include <filesystem>
@@ -8,7 +8,6 @@
 #include "case/writer.hpp"
 #include "command_line/progress_line.hpp"
 #include "viz/programs/files.hpp"
-#include "viz/programs/render/pixel_report.hpp"
 #include "viz/render/shading.hpp"
 #include "viz/vtk/offscreen_display.hpp"
 #include "viz/vtk/raster_png.hpp"

@@ -7,7 +7,6 @@
 #include "viz/scene/film.hpp"
 
 #ifdef RAYPROOF_HAS_VTK
-#include "viz/vtk/movie.hpp"
 #include "viz/vtk/offscreen_display.hpp"
 #include "viz/vtk/raster_png.hpp"
 #include "viz/vtk/slide_canvas.hpp"

@@ -1,12 +1,10 @@
-#include "viz/render/scene/off_mesh.hpp"
+#include "viz/render/scene/scene_reader.hpp"
 
 #include <fmt/format.h>
 
 #include <charconv>
 #include <fstream>
 #include <string>
-
-#include "viz/render/scene/scene_reader.hpp"
 
 namespace rayproof::render {
 namespace {

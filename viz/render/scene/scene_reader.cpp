@@ -9,8 +9,7 @@
 #include "case/json/number_text.hpp"
 #include "case/reader.hpp"
 #include "case/reader/shape_reader.hpp"
-#include "viz/render/scene/camera_reader.hpp"
-#include "viz/render/scene/value_at.hpp"
+#include "viz/render/scene/scene_parts.hpp"
 
 namespace rayproof::render {
 namespace {

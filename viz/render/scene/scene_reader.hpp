@@ -4,7 +4,9 @@
 
 #include <filesystem>
 #include <functional>
+#include <rayproof/triangle.hpp>
 #include <stdexcept>
+#include <vector>
 
 #include "viz/render/scene/scene.hpp"
 
@@ -32,5 +34,10 @@ inline constexpr int largest_side = 16384;
 /// value.
 [[nodiscard]] RenderScene read_scene(const std::filesystem::path& file, const ReadMesh& read_mesh,
                                      const SceneOverrides& overrides = {});
+
+/// The triangles of an OFF file ("OFF", the numbers of vertices, faces and edges, the vertices, the faces; #
+/// begins a comment; what follows a vertex's or face's numbers on its line, a colour say, is passed over). A
+/// face with more than three corners becomes a fan. Throws UnreadableFile with file and line.
+[[nodiscard]] std::vector<Triangle<double>> read_off(const std::filesystem::path& file);
 
 }  // namespace rayproof::render

@@ -6,11 +6,12 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "viz/render/colours.hpp"
+#include "viz/render/errors.hpp"
 #include "viz/vtk/picture_png.hpp"
 #include "viz/vtk/render/error_layout.hpp"
 
 namespace rayproof::render {
+
 namespace {
 
 using viz::Picture;
@@ -24,8 +25,8 @@ Rgb colour_of(const ErrorImage& errors, std::size_t i, int device_x, int device_
   const Verdict verdict = errors.verdicts[i];
   if (verdict == Verdict::miss) return background;
   if (verdict == Verdict::hit) return ulp_colours[step_of(errors.ulps[i])];
-  const auto* style = std::find_if(verdict_styles.begin(), verdict_styles.end(),
-                                   [&](const VerdictStyle& s) { return s.verdict == verdict; });
+  const auto* style =
+      std::ranges::find_if(verdict_styles, [&](const VerdictStyle& s) { return s.verdict == verdict; });
   return hatched(*style, device_x, device_y);
 }
 
@@ -49,6 +50,16 @@ void paint_swatch(Raster& canvas, const Swatch& swatch) {
       canvas.at(left + x, top + y) = is_rim ? outline : swatch.colour(x, y);
     }
   }
+}
+
+constexpr std::size_t most_in_row = 3;
+// In the picture's own pixels, png_scale device pixels each.
+constexpr double space = 16, title_height = 22;
+
+void paint(viz::Raster& canvas, const viz::Raster& picture, int left, int top) {
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x)
+      if (left + x < canvas.width && top + y < canvas.height) canvas.at(left + x, top + y) = picture.at(x, y);
 }
 
 }  // namespace
@@ -88,6 +99,31 @@ Raster error_figure(const std::string& title, const std::vector<ErrorPanel>& pan
                 static_cast<int>(layout.panels_top * png_scale));
   }
   for (const Swatch& swatch : swatches) paint_swatch(canvas, swatch);
+  return canvas;
+}
+
+viz::Raster shadow_figure(const std::vector<ShadowPanel>& panels) {
+  const double width = static_cast<double>(panels.front().picture.width) / viz::png_scale;
+  const double height = static_cast<double>(panels.front().picture.height) / viz::png_scale;
+  const auto in_row = static_cast<double>(std::min(most_in_row, panels.size()));
+  const auto rows = static_cast<double>((panels.size() + most_in_row - 1) / most_in_row);
+  const auto left_of = [&](std::size_t i) {
+    return space + static_cast<double>(i % most_in_row) * (width + space);
+  };
+  const auto top_of = [&](std::size_t i) {
+    return space + title_height + static_cast<double>(i / most_in_row) * (height + title_height + space);
+  };
+  viz::Picture picture;
+  picture.width = space + in_row * (width + space);
+  picture.height = space + rows * (height + title_height + space) + title_height;
+  for (std::size_t i = 0; i < panels.size(); ++i)
+    add_text(picture, viz::Role::text, {left_of(i), top_of(i) - 8}, panels[i].title, 11, true);
+  add_text(picture, viz::Role::text, {space, picture.height - 12},
+           "red: acne, dark though the light is seen; yellow: a leak, lit through something", 11);
+  viz::Raster canvas = viz::PictureCanvas().draw(picture);
+  for (std::size_t i = 0; i < panels.size(); ++i)
+    paint(canvas, panels[i].picture, static_cast<int>(left_of(i) * viz::png_scale),
+          static_cast<int>(top_of(i) * viz::png_scale));
   return canvas;
 }
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "viz/render/colours.hpp"
-#include "viz/scene/label_places.hpp"
+#include "viz/render/errors.hpp"
+#include "viz/scene/shown_items.hpp"
 #include "viz/trace/numbers.hpp"
 #include "viz/vtk/render/error_layout.hpp"
 

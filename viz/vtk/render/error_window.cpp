@@ -2,19 +2,21 @@
 
 #include <vtkCamera.h>
 #include <vtkImageActor.h>
+#include <vtkImageData.h>
 #include <vtkInteractorObserver.h>
 #include <vtkNew.h>
 #include <vtkRenderer.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
+#include <vtkSmartPointer.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
 
-#include "viz/vtk/image_of.hpp"
 #include "viz/vtk/offscreen_display.hpp"
+#include "viz/vtk/raster_png.hpp"
 #include "viz/vtk/window/orbit_style.hpp"
 
 namespace rayproof::render {

@@ -13,7 +13,7 @@ class vtkRenderWindowInteractor;
 
 namespace rayproof::render {
 
-/// The window is made with the object and gone with it. A UserDisplay (viz/vtk/x_display.hpp) or an
+/// The window is made with the object and gone with it. A UserDisplay (viz/vtk/offscreen_display.hpp) or an
 /// OffscreenDisplay must be there before.
 ///
 /// A click on a pixel of a panel opens it, a drag shifts the figure, the wheel comes nearer and goes farther,

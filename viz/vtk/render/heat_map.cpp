@@ -21,7 +21,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "viz/render/colours.hpp"
+#include "viz/render/errors.hpp"
 #include "viz/vtk/raster_png.hpp"
 #include "viz/vtk/sheet/picture_text.hpp"
 #include "viz/vtk/space/geometry.hpp"

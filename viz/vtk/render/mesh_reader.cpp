@@ -13,7 +13,6 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "viz/render/scene/off_mesh.hpp"
 #include "viz/render/scene/scene_reader.hpp"
 
 namespace rayproof::render {

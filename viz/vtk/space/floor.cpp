@@ -1,4 +1,4 @@
-#include "viz/vtk/space/floor.hpp"
+#include "viz/vtk/space/geometry.hpp"
 
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
@@ -6,8 +6,6 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
-
-#include "viz/vtk/space/geometry.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -3,9 +3,12 @@
 /// The geometry of a stage's items, made by VTK's sources and filters. All coordinates are of the view:
 /// its centre is 0, its radius 1.
 
+#include <vtkActor.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+
+#include <vector>
 
 #include "viz/picture/palette.hpp"
 #include "viz/scene/space.hpp"
@@ -55,5 +58,14 @@ inline constexpr int fine_sides = 16, coarse_sides = 6;
 void set_colour(vtkProperty& property, const RoleColour& colour);
 /// What the source makes, under the transform.
 [[nodiscard]] Geometry placed(vtkAlgorithm& source, vtkTransform& transform);
+
+struct Floor {
+  vtkSmartPointer<vtkActor> ground;
+  vtkSmartPointer<vtkActor> grid;
+  std::vector<vtkSmartPointer<vtkActor>> shadows;
+};
+
+/// The floor with the shadows of the actors.
+[[nodiscard]] Floor floor_under(const std::vector<vtkActor*>& actors, const SpaceFloor& place);
 
 }  // namespace rayproof::viz

@@ -14,7 +14,6 @@
 #include <tuple>
 
 #include "viz/flat/stage_picture.hpp"
-#include "viz/vtk/space/floor.hpp"
 #include "viz/vtk/space/geometry.hpp"
 
 namespace rayproof::viz {
@@ -143,7 +142,7 @@ std::vector<SpaceScene::SpacePart> SpaceScene::merged(const std::vector<SpacePar
   std::vector<SpacePart> few;
   std::vector<vtkSmartPointer<vtkAppendPolyData>> together;
   for (const SpacePart& part : parts) {
-    const auto same = std::find_if(few.begin(), few.end(), [&](const SpacePart& other) {
+    const auto same = std::ranges::find_if(few, [&](const SpacePart& other) {
       return std::tie(part.kind, part.role, part.opacity, part.specular) ==
              std::tie(other.kind, other.role, other.opacity, other.specular);
     });

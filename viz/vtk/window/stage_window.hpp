@@ -19,7 +19,7 @@ namespace rayproof::viz {
 inline constexpr PixelBox window_scene{24, 60, 596, 290};
 inline constexpr PixelBox slider_track{250, 358, 640, 20};
 
-/// The window is made with the object and gone with it. A UserDisplay (viz/vtk/x_display.hpp)
+/// The window is made with the object and gone with it. A UserDisplay (viz/vtk/offscreen_display.hpp)
 /// or an OffscreenDisplay must be there before.
 ///
 /// It shows the storyboard's slide, the scene in true space with VTK's trackball camera, handle widgets on

@@ -5,7 +5,7 @@
 #include "viz/flat/stage_picture.hpp"
 #include "viz/player/player.hpp"
 #include "viz/trace/numbers.hpp"
-#include "viz/walkthrough/live_values.hpp"
+#include "viz/walkthrough/stage_values.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "viz/scene/items.hpp"
 #include "viz/trace/numbers.hpp"
-#include "viz/trace/tape.hpp"
+#include "viz/trace/record.hpp"
 #include "viz/walkthrough/compose.hpp"
 #include "viz/walkthrough/lesson.hpp"
 
@@ -71,8 +71,8 @@ Stage barycentric_stage(const Case& one, const ReportCase& report_on) {
   stage.steps.front().title = "Look at the triangle and the point";
   stage.method = "triangle::barycentric";
   stage.steps.push_back(difference_of_values(walk, setting, one.precision));
-  const bool is_inside = std::none_of(values.begin(), values.end(),
-                                      [](const WalkValue& v) { return v.name != "D" && v.value < 0; });
+  const bool is_inside =
+      std::ranges::none_of(values, [](const WalkValue& v) { return v.name != "D" && v.value < 0; });
   stage.conclusion =
       fmt::format("{}: q = α·a + β·b + γ·c.", is_inside ? "None is negative, so the point is in the triangle"
                                                         : "One is negative, so the point is outside");

@@ -24,11 +24,14 @@ struct LoopSphere {
 };
 constexpr std::array<LoopSphere, 2> balls{{{{0, 0, 0.2}, 0.75, "first"}, {{1.2, -0.4, 0.6}, 0.4, "second"}}};
 
+Ray<double> ray_of_pixel(int i, int j) {
+  return camera::PixelCentre::ray(eye(), camera::axes(eye()), ImageSize<double>{width, height},
+                                  static_cast<double>(i), static_cast<double>(j));
+}
+
 /// The nearer of two hits of a pixel's ray: 0 or 1, or -1 for none; by the library's own routine in double.
 int nearest_ball(int i, int j) {
-  const auto axes = camera::axes(eye());
-  const Ray<double> ray = camera::PixelCentre::ray(eye(), axes, ImageSize<double>{width, height},
-                                                   static_cast<double>(i), static_cast<double>(j));
+  const Ray<double> ray = ray_of_pixel(i, j);
   int best_ball = -1;
   double best = infinity<double>;
   for (std::size_t k = 0; k < balls.size(); ++k) {
@@ -107,9 +110,7 @@ void meet_balls(Stage& stage, const Case& one, const ReportCase& report_on, cons
 /// A pixel whose ray meets nothing.
 StageStep missing_step(const StageView& view) {
   constexpr int i = 1, j = 4;
-  const auto axes = camera::axes(eye());
-  const Ray<double> ray = camera::PixelCentre::ray(eye(), axes, ImageSize<double>{width, height},
-                                                   static_cast<double>(i), static_cast<double>(j));
+  const Ray<double> ray = ray_of_pixel(i, j);
   const bool is_missed = nearest_ball(i, j) < 0;
   StageStep step = loop_step(
       "Go on with the next pixels",

@@ -46,7 +46,7 @@ Stage transformed_stage(const Case& one, const ReportCase& report_on) {
               {{Role::surface, Form::ellipsoid, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
                arrow(Role::ray, n.origin(), n.at(n["t₁"] * 1.25), "o′ + t·d"),
                point(Role::ray, n.origin(), "o′"),
-               point(Role::text, -1.25 * stage.camera.up, "the object's own space")});
+               point(Role::text, -1.7 * stage.camera.up, "the object's own space")});
   stage.steps.insert(stage.steps.end() - 1, back_in_the_world(report, n, stage));
   return stage;
 }

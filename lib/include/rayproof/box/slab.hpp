@@ -54,8 +54,8 @@ template <class T>
 template <class T, class... More>
 [[nodiscard]] constexpr Slab<T> overlap(const Slab<T>& first, const More&... more) {
   step<T>("Keep the last entry and the first exit",
-          "The ray is inside while it is in every slab: from the largest entry to the smallest exit. Where "
-          "the exit comes first, it misses.");
+          "The ray is inside where all these intervals of t overlap: from the largest entry to the smallest "
+          "exit. Where the exit comes first, it misses.");
   T entry = first.entry;
   T exit = first.exit;
   Mask<T> is_hit = first.entry <= first.exit;

@@ -64,7 +64,8 @@ struct Proven {
     const Mask<T> is_along_normal =
         from.is_flat ? tilt <= T(0.25) : bend * beside <= T(0.0625) && tilt <= T(0.25);
 
-    step<T>("Leave the surface by that much", "Rounding has been paid for: nothing is rounded away.");
+    step<T>("Leave the surface by that much",
+            "h is more than all roundings can take away, that of o′ among them: o′ lies on the side of n.");
     const auto moved = [&](const T& length, const vec3<T>& way) {
       return named("o′", from.point + named("h", length + T(least_offset<T>)) * way);
     };

@@ -54,7 +54,8 @@ std::vector<CheckedClaim> box_claims() {
                }
              }
            }},
-          {"The ray is inside while it is in every slab: from the largest entry to the smallest exit.",
+          {"The ray is inside where all these intervals of t overlap: from the largest entry to the smallest "
+           "exit.",
            [](const Said& s) {
              expect_slabs(s);
              if (s.n.has("e₀") && std::isfinite(s.n["t_entry"])) {

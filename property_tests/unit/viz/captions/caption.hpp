@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "viz/explain/case_report.hpp"
-#include "viz/scene/numbers_by_name.hpp"
+#include "viz/scene/items.hpp"
 
 namespace rayproof::viz {
 

@@ -88,53 +88,60 @@ void expect_wrong_pixels(const LessonSaid& s) {
 }  // namespace
 
 std::vector<LessonClaim> number_lesson_claims() {
-  return {{"property-test",
-           "A generator draws the numbers; the oracle answers exactly, and the method must agree."},
-          {"property-test", "o = *, d = *, C = *, r = *."},
-          {"property-test", "Exact: *."},
-          {"property-test", "Computed: *."},
-          {"property-test", "They agree.", [](const LessonSaid& s) { expect_agreement(s, true); }},
-          {"property-test", "They differ.", [](const LessonSaid& s) { expect_agreement(s, false); }},
-          {"property-test", "A verdict that differs from the oracle's breaks the property."},
-          {"property-test", "Ten numbers, and none of them is round.",
-           [](const LessonSaid& s) { EXPECT_EQ(count_whole(s), 0U); }},
-          {"property-test",
-           "A simpler case is kept where it still breaks the property: here the direction has one component "
-           "that is not 0.",
-           [](const LessonSaid& s) {
-             const glm::dvec3 d = std::get<RayQuestion>(shown_case(s).question).ray.direction;
-             EXPECT_EQ((d.x == 0) + (d.y == 0) + (d.z == 0), 2);
-           }},
-          {"property-test",
-           "It still breaks: what matters is not where the sphere is, but how far from the ray's origin.",
-           [](const LessonSaid& s) {
-             const Case one = shown_case(s);
-             EXPECT_EQ(std::get<Sphere<double>>(std::get<RayQuestion>(one.question).shape).center,
-                       glm::dvec3(0));
-           }},
-          {"property-test", "Small whole numbers still break it: a case that can be computed by hand.",
-           [](const LessonSaid& s) {
-             EXPECT_EQ(count_whole(s), 10U);
-             const Case one = shown_case(s);
-             const auto& asked = std::get<RayQuestion>(one.question);
-             const glm::dvec3 way = std::get<Sphere<double>>(asked.shape).center - asked.ray.origin;
-             EXPECT_EQ(glm::cross(way, asked.ray.direction), glm::dvec3(0));
-           }},
-          {"error-map", "Filled pixels are hits, crossed ones wrong verdicts."},
-          {"error-map", "Wrong of 100 pixels: textbook, float #; centred, float #; textbook, double #.",
-           expect_wrong_pixels},
-          {"acne", "t₀ = # is the exact one, rounded; still p(t₀) is # below the surface.", expect_start},
-          {"acne", "The start o′ is # * the surface.", expect_start},
-          {"acne", "The exact next ray meets the sphere again at t = #: acne.",
-           [](const LessonSaid& s) {
-             const Answer again = oracle::answer(next_ray_of(s));
-             ASSERT_FALSE(values_of(&again).empty());
-             EXPECT_NEAR(values_of(&again)[0], numbers_in(s.sentence).at(0), 0.01 * values_of(&again)[0]);
-           }},
-          {"acne", "The exact next ray does not meet the sphere again.", [](const LessonSaid& s) {
-             const Answer again = oracle::answer(next_ray_of(s));
-             EXPECT_TRUE(values_of(&again).empty());
-           }}};
+  return {
+      {"property-test",
+       "A generator draws the numbers; the oracle answers exactly, and the method must agree."},
+      {"property-test", "o = *, d = *, C = *, r = *."},
+      {"property-test", "Exact: *."},
+      {"property-test", "Computed: *."},
+      {"property-test", "They agree.", [](const LessonSaid& s) { expect_agreement(s, true); }},
+      {"property-test", "They differ.", [](const LessonSaid& s) { expect_agreement(s, false); }},
+      {"property-test", "A verdict that differs from the oracle's breaks the property."},
+      {"property-test", "Ten numbers, and none of them is round.",
+       [](const LessonSaid& s) { EXPECT_EQ(count_whole(s), 0U); }},
+      {"property-test",
+       "A simpler case is kept where it still breaks the property: here the direction has one component "
+       "that is not 0.",
+       [](const LessonSaid& s) {
+         const glm::dvec3 d = std::get<RayQuestion>(shown_case(s).question).ray.direction;
+         EXPECT_EQ((d.x == 0) + (d.y == 0) + (d.z == 0), 2);
+       }},
+      {"property-test",
+       "It still breaks: what matters is not where the sphere is, but how far from the ray's origin.",
+       [](const LessonSaid& s) {
+         const Case one = shown_case(s);
+         EXPECT_EQ(std::get<Sphere<double>>(std::get<RayQuestion>(one.question).shape).center, glm::dvec3(0));
+       }},
+      {"property-test", "Small whole numbers still break it: a case that can be computed by hand.",
+       [](const LessonSaid& s) {
+         EXPECT_EQ(count_whole(s), 10U);
+         const Case one = shown_case(s);
+         const auto& asked = std::get<RayQuestion>(one.question);
+         const glm::dvec3 way = std::get<Sphere<double>>(asked.shape).center - asked.ray.origin;
+         EXPECT_EQ(glm::cross(way, asked.ray.direction), glm::dvec3(0));
+       }},
+      {"error-map", "Filled pixels are hits, crossed ones wrong verdicts."},
+      {"error-map", "Wrong of 100 pixels: textbook, float #; centred, float #; textbook, double #.",
+       expect_wrong_pixels},
+      {"acne", "t₀ = # is the exact one, rounded; still p(t₀) is # below the surface.", expect_start},
+      {"acne", "The offset is rounded away: o′ is p.",
+       [](const LessonSaid& s) {
+         const auto& asked = std::get<RayQuestion>(s.stage.one.question);
+         const Answer exact = oracle::answer(s.stage.one);
+         const auto hit = point_at(convert<float>(asked.ray), static_cast<float>(values_of(&exact).at(0)));
+         EXPECT_EQ(std::get<RayQuestion>(next_ray_of(s).question).ray.origin, glm::dvec3(hit));
+       }},
+      {"acne", "The start o′ is # * the surface.", expect_start},
+      {"acne", "The exact next ray meets the sphere again at t = #: acne.",
+       [](const LessonSaid& s) {
+         const Answer again = oracle::answer(next_ray_of(s));
+         ASSERT_FALSE(values_of(&again).empty());
+         EXPECT_NEAR(values_of(&again)[0], numbers_in(s.sentence).at(0), 0.01 * values_of(&again)[0]);
+       }},
+      {"acne", "The exact next ray does not meet the sphere again.", [](const LessonSaid& s) {
+         const Answer again = oracle::answer(next_ray_of(s));
+         EXPECT_TRUE(values_of(&again).empty());
+       }}};
 }
 
 }  // namespace rayproof::viz

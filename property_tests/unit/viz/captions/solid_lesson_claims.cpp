@@ -69,7 +69,7 @@ std::vector<LessonClaim> solid_lesson_claims() {
          EXPECT_LT(s.n["t_exit"], s.n["t_entry"]);
          EXPECT_LT(s.n.rounded("t_exit"), s.n.rounded("t_entry"));
        }},
-      {"conservative", "Exactly the ray is in at #, out at #; computed, in at #, out at #.",
+      {"conservative", "Exactly, t_entry = # and t_exit = #; computed, t_entry = # and t_padded = #.",
        [](const LessonSaid& s) {
          const std::vector<double> said = numbers_in(s.sentence);
          EXPECT_TRUE(said.at(0) > said.at(1) && said.at(2) <= said.at(3));
@@ -109,7 +109,8 @@ std::vector<LessonClaim> solid_lesson_claims() {
        "to "
        "its tilt."},
       {"leaving-a-sphere", "A curved surface falls away from its tangent plane by the square of a distance."},
-      {"leaving-a-sphere", "Rounding has been paid for: nothing is rounded away.",
+      {"leaving-a-sphere",
+       "h is more than all roundings can take away, that of o′ among them: o′ lies on the side of n.",
        [](const LessonSaid& s) { EXPECT_GT(height_of(s, "o′"), 0); }},
       {"leaving-a-sphere", "Exactly, p is * the sphere, q is *, and o′ is *: the next ray starts outside.",
        [](const LessonSaid& s) {

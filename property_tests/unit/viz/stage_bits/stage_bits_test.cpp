@@ -8,7 +8,7 @@
 #include "case/reader.hpp"
 #include "unit/bits.hpp"
 #include "unit/viz/stage_bits/plain_runs.hpp"
-#include "viz/page/stage_json.hpp"
+#include "viz/page/page.hpp"
 #include "viz/walkthrough/lesson.hpp"
 #include "viz/walkthrough/stage_of.hpp"
 

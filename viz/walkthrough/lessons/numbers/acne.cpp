@@ -58,6 +58,9 @@ StageStep start_step(const spawn::SurfacePoint<float>& from, const glm::vec3& di
                   rough(std::abs(start.height), 3), start.height < 0 ? "below" : "above",
                   is_acne ? fmt::format("meets the sphere again at t = {}: acne.", rough(start.next, 3))
                           : "does not meet the sphere again.");
+  const bool has_moved = start.height != hit;
+  if (!has_moved && !std::is_same_v<Strategy, spawn::Nothing>)
+    step.words.insert(0, "The offset is rounded away: o′ is p. ");
   step.caption = step.words;
   step.is_apart = true;
   step.magnification = 1 / size;
@@ -65,7 +68,6 @@ StageStep start_step(const spawn::SurfacePoint<float>& from, const glm::vec3& di
   const double rise = std::clamp(start.climb, 0.2, 0.8) * size;
   step.items = ground_of(camera);
   const glm::dvec3 from_p = at(-0.6, hit), from_o = at(-0.6, start.height);
-  const bool has_moved = start.height != hit;
   for (const StageItem& item :
        Items{point(Role::text, at(1.6, -0.15 * size), "the sphere"),
              point(Role::nearest, from_p, has_moved ? "p" : ""),

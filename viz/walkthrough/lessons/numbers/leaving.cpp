@@ -83,7 +83,7 @@ Items tangent_plane(const NumbersByName& n) {
   std::vector<glm::dvec3> corners;
   for (const auto& [x, y] : {std::pair{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}})
     corners.push_back(q + reach * (x * along + y * beside));
-  return {polygon(Role::nearest, corners, "touches it at q")};
+  return {polygon(Role::nearest, corners, "tangent plane")};
 }
 
 /// What the next origin may be off round q, so near that the sphere is a plane: the box of its coordinates,
@@ -100,11 +100,10 @@ void show_room(StageStep& step, const NumbersByName& n) {
                          glm::dvec3((i & 1U) != 0 ? 1 : -1, (i & 2U) != 0 ? 1 : -1, (i & 4U) != 0 ? 1 : -1));
   box.faces = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
   constexpr double wide = 1.4;
-  step.items = {polygon(Role::surface,
-                        {-wide * (along + beside), wide * (along - beside), wide * (along + beside),
-                         wide * (beside - along)},
-                        "the sphere"),
-                box, point(Role::nearest, {0, 0, 0}, "q")};
+  step.items = {polygon(Role::surface, {-wide * (along + beside), wide * (along - beside),
+                                        wide * (along + beside), wide * (beside - along)}),
+                point(Role::text, 0.72 * wide * (beside - along), "the sphere"), box,
+                point(Role::nearest, {0, 0, 0}, "q")};
   if (n.has("reach"))
     step.items.push_back(arrow(Role::normal, {0, 0, 0}, step.magnification * n["reach"] * normal, "reach"));
   step.view = {{}, 1.5};
