@@ -58,6 +58,8 @@ bool is_nearer_to(const Case& one, const Answer& got, const Answer& other, const
   for (std::size_t i = 0; i < a.size(); ++i) {
     from_other = std::max(from_other, std::abs(a[i] - b[i]));
     from_exact = std::max(from_exact, std::abs(a[i] - c[i]));
+    // A number is not near another one only because both are small.
+    if (clearly * std::abs(a[i] - b[i]) > std::abs(b[i]) + clearly * rounding) return false;
   }
   return clearly * from_other < from_exact;
 }

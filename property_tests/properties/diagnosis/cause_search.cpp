@@ -154,9 +154,11 @@ Diagnosis CauseSearch::best_model(const Indices& left) const {
   return best;
 }
 
-/// A model that fits single cases by chance must explain nearly all that fail, not only those that are left.
+/// A model that fits single cases by chance must explain nearly all that fail, not only those that are left;
+/// one that says more than another must be seen to.
 bool CauseSearch::is_by_chance(const Hypothesis& one, const Indices& cases) const {
   constexpr std::size_t few = 4;
+  if (!examination_.is_shown_whole(one, cases)) return true;
   return one.least_share > 0 &&
          (cases.size() < few || 100 * cases.size() < one.least_share * examination_.failing_count());
 }

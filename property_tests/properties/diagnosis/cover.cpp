@@ -15,10 +15,11 @@ double weight_of(const Hypothesis& cause) {
 }
 
 /// Of those that are nearly as good as the best the first in the table, which is the more specific one, is
-/// taken. A model is right digit by digit, and is rivalled by less; by none that differs in a size alone. But
+/// taken. A model that is not vague is right digit by digit, and is rivalled by less; by none that differs in
+/// a size alone. But
 /// digits of a shorter type prove that type where a ray that is missed shows only how much was lost.
 constexpr double nearly_as_good(const Hypothesis& cause) {
-  if (cause.change != nullptr) return 0.85;
+  if (cause.change != nullptr || cause.is_vague) return 0.85;
   if (cause.of_sizes == OfSizes::type) return 0.9;
   return cause.of_sizes == OfSizes::nothing ? 0.97 : 1;
 }
@@ -71,7 +72,8 @@ std::vector<Cover::Candidate> Cover::candidates() const {
     for (const Sheet& sheet : sheets_) {
       Indices cases = sheet.search->explained_of_all(cause);
       explained += cases.size();
-      const std::size_t against = cases.empty() ? 0 : sheet.examination->contradictions(cause, cases);
+      const bool is_refutable = !cases.empty() || (cause.speaks_of_all && cause.change == nullptr);
+      const std::size_t against = is_refutable ? sheet.examination->contradictions(cause, cases) : 0;
       contradictions += against;
       candidate.against += sheet.weight * static_cast<double>(against);
       candidate.explained.push_back(std::move(cases));

@@ -111,7 +111,7 @@ std::vector<std::size_t> Examination::explained_by(const Hypothesis& hypothesis,
 
 std::size_t Examination::best_mistake(const Hypothesis& hypothesis,
                                       std::span<const std::size_t> cases) const {
-  constexpr std::size_t most_mistakes = 12;
+  constexpr std::size_t most_mistakes = 16;
   std::size_t best = 0, most = 0;
   for (std::size_t mistake = 0; hypothesis.is_one_of_many && mistake < most_mistakes; ++mistake) {
     const std::size_t count = explained_by(hypothesis, cases, mistake).size();
@@ -131,12 +131,17 @@ bool Examination::is_confirmed(const Hypothesis& model, std::span<const std::siz
   return 2 * cured(*find_hypothesis(model.confirmed_by), some).size() > some.size();
 }
 
-/// Whether the answers that the model foresees are wrong by more than rounding: near a boundary a subject
-/// that has the fault may be right all the same.
+/// Whether a subject that has the fault may be right all the same: near a boundary, where the answers that
+/// the model foresees are wrong by no more than rounding; and of a fault on the boundary alone where it is
+/// rounded off that.
 bool Examination::is_excused(const Hypothesis& hypothesis, const Known& known) {
   constexpr double near_boundary = 1024;  // units of the topic's contract
-  if (hypothesis.predict == nullptr || hypothesis.kind == FindingKind::boundary) return false;
+  if (hypothesis.predict == nullptr) return false;
   const Case& one = known.asked.one;
+  if (hypothesis.kind == FindingKind::boundary) {
+    const std::vector<double> got = numbers_in(*known.got), exact = numbers_in(known.asked.exact);
+    return !got.empty() && !exact.empty() && got.front() != exact.front();
+  }
   return std::ranges::any_of(hypothesis.predict(one, known.asked.exact), [&](const Answer& predicted) {
     const oracle::Judgement judgement = oracle::judge(one, as_reported(predicted, *known.got));
     return judgement.wrong && judgement.margin <= near_boundary;
@@ -220,7 +225,8 @@ std::size_t Examination::contradictions(const Hypothesis& hypothesis,
     const bool is_found = finds_something(*known.got);
     found += is_found ? 1 : 0;
     if (!agree(known.asked.one, *known.got, known.asked.exact, hypothesis.aspect) ||
-        fits(hypothesis, known, mistake) != false || (finds_some && is_excused(hypothesis, known)))
+        fits(hypothesis, known, mistake) != false ||
+        ((finds_some || hypothesis.kind == FindingKind::boundary) && is_excused(hypothesis, known)))
       continue;
     ++against;
     against_found += is_found ? 1 : 0;
@@ -228,6 +234,13 @@ std::size_t Examination::contradictions(const Hypothesis& hypothesis,
   // Nor must it foresee misses of a good part of what is found.
   const bool misses_mostly = 4 * finds < static_cast<std::ptrdiff_t>(explained.size());
   return misses_mostly && against_found > 1 && 3 * against_found > found ? failing_.size() : against;
+}
+
+bool Examination::is_shown_whole(const Hypothesis& model, std::span<const std::size_t> explained) const {
+  if (model.shows_more == nullptr) return true;
+  return std::ranges::any_of(explained, [&](std::size_t i) {
+    return model.shows_more(failing_.at(i).asked.one, failing_.at(i).asked.exact);
+  });
 }
 
 bool Examination::finds_nothing(std::span<const std::size_t> cases) const {

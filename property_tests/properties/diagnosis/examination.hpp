@@ -21,6 +21,8 @@ class Examination {
   /// all that it makes right are misses, and of what is a hit it makes misses, too.
   [[nodiscard]] std::size_t contradictions(const Hypothesis& hypothesis,
                                            std::span<const std::size_t> explained) const;
+  /// Whether one of the failing cases that a model explains shows all that it says.
+  [[nodiscard]] bool is_shown_whole(const Hypothesis& model, std::span<const std::size_t> explained) const;
   /// Whether the subject finds nothing in any of these failing cases.
   [[nodiscard]] bool finds_nothing(std::span<const std::size_t> cases) const;
   /// Whether the cases are quadratic equations.

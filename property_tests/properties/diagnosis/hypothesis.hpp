@@ -61,11 +61,14 @@ struct Hypothesis {
   std::string_view confirmed_by{};
   std::string_view of_equation{};  ///< the sentence where the cases are quadratic equations, if it is another
   OfSizes of_sizes = OfSizes::nothing;
-  /// Of a cure: it only says where to look, and helps against many a fault that a model may name.
+  /// It only says where to look: a cure that helps against many a fault that a model may name, or a mark that
+  /// many bear.
   bool is_vague = false;
   /// Of a cure of digits: the sentence where most cases are wronger than rounding can make them. Where there
   /// is none the cure explains no such case.
   std::string_view beyond_rounding{};
+  /// Of a model that says more than another one: one case at least that it explains must show that.
+  bool (*shows_more)(const Case& one, const Answer& exact) = nullptr;
   /// Of a model that foresees many answers, always in the same order: one of these must explain all cases.
   bool is_one_of_many = false;
 };

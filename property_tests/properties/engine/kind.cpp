@@ -80,8 +80,10 @@ bool is_named_boundary(const Finding& finding) {
 bool is_part_of(const Finding& finding, const Finding& other) {
   if (finding.cause == nullptr || other.cause == nullptr) return false;
   const bool is_known_at_extremes_alone = finding.cause->of_sizes == OfSizes::extremes;
-  if (finding.cases > other.cases && !is_known_at_extremes_alone) return false;
-  const bool is_model = other.cause->change == nullptr && other.cause->kind == FindingKind::gross;
+  const std::uint64_t most = finding.cause->is_vague ? 2 * other.cases : other.cases;
+  if (finding.cases > most && !is_known_at_extremes_alone) return false;
+  const bool is_model =
+      other.cause->change == nullptr && !other.cause->is_vague && other.cause->kind == FindingKind::gross;
   return (finding.cause->is_vague && is_model) || is_part_of(*finding.cause, *other.cause);
 }
 

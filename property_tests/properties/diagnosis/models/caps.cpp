@@ -64,12 +64,12 @@ Answers with_caps_where(const Case& one, IsInCap is_in_cap) {
 
 }  // namespace
 
-Answers with_side_hits(const Case& one, std::vector<double> side) {
+Answers with_side_hits(const Case& one, std::vector<double> side, const SideEnds& ends) {
   const auto& cylinder = *shape_in<Cylinder<double>>(one);
   const Ray<double> ray = ray_in_object(*ray_question(one));
   std::erase_if(side, [&](double t) {
     const double z = ray.origin.z + t * ray.direction.z;
-    return !(0 <= z && z <= cylinder.height);
+    return !(-ends.below <= z && z <= cylinder.height + ends.above);
   });
   const std::vector<double> caps =
       cylinder.capped ? hits_of_caps(one, cylinder, is_in_ellipse) : std::vector<double>{};

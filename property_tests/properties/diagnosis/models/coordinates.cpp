@@ -52,9 +52,15 @@ std::vector<Case> place_ignored(const Case& one) {
   });
 }
 
-std::vector<Case> truncated_shape(const Case& one) {
-  return with_question(one, [](RayQuestion& asked) {
-    std::visit([](auto& shape) { each_number(shape, [](double& x) { x = std::trunc(x); }); }, asked.shape);
+std::vector<Case> with_numbers(const Case& one, double (*change)(double x)) {
+  if (std::holds_alternative<PointAndPolygon<double>>(one.question)) {
+    Case changed = one;
+    each_number(std::get<PointAndPolygon<double>>(changed.question), [change](double& x) { x = change(x); });
+    return {changed};
+  }
+  return with_question(one, [change](RayQuestion& asked) {
+    std::visit([change](auto& shape) { each_number(shape, [change](double& x) { x = change(x); }); },
+               asked.shape);
     return true;
   });
 }

@@ -2,6 +2,7 @@
 /// \file
 /// Readings of a case that mix up the coordinates of its points and directions.
 
+#include <algorithm>
 #include <cmath>
 #include <glm/vec3.hpp>
 
@@ -53,9 +54,25 @@ template <Vectors which>
   return with_vectors(one, which, [](glm::dvec3& v) { v = glm::trunc(v); });
 }
 
-/// @{ Every number of the shape is read as a whole one; the ray starts at the origin of coordinates; its
-/// direction is taken for a point that it goes through; x and y of the point in the plane are exchanged.
-[[nodiscard]] std::vector<Case> truncated_shape(const Case& one);
+/// Every number of the shape is changed; of a point and a polygon, those of both.
+[[nodiscard]] std::vector<Case> with_numbers(const Case& one, double (*change)(double x));
+/// @{ As whole numbers: cut off, rounded down, rounded. As those of the shorter type.
+[[nodiscard]] inline std::vector<Case> numbers_cut_off(const Case& one) {
+  return with_numbers(one, [](double x) { return std::trunc(x); });
+}
+[[nodiscard]] inline std::vector<Case> numbers_rounded_down(const Case& one) {
+  return with_numbers(one, [](double x) { return std::floor(x); });
+}
+[[nodiscard]] inline std::vector<Case> numbers_rounded(const Case& one) {
+  return with_numbers(one, [](double x) { return std::round(x); });
+}
+[[nodiscard]] inline std::vector<Case> numbers_in_float(const Case& one) {
+  return with_numbers(one, [](double x) { return double{static_cast<float>(x)}; });
+}
+/// @}
+
+/// @{ The ray starts at the origin of coordinates; its direction is taken for a point that it goes through; x
+/// and y of the point in the plane are exchanged.
 [[nodiscard]] std::vector<Case> without_origin(const Case& one);
 /// d for o; and where a component of d that is 0 is looked at apart, for the others alone.
 [[nodiscard]] std::vector<Case> direction_as_origin(const Case& one);
@@ -65,15 +82,15 @@ template <Vectors which>
 /// The case with x and y of the point in a polygon changed; none where it asks no such thing.
 [[nodiscard]] std::vector<Case> with_point(const Case& one, double (*change)(double x, double cells),
                                            double cells);
-/// What a subject answers that reads the case so; nothing where the changed point lies on the boundary, which
-/// it may call either.
+/// What a subject answers that reads the case so; anything where the changed point lies on the boundary.
 template <std::vector<Case> (*changes)(const Case&)>
 [[nodiscard]] Answers off_boundary_read_as(const Case& one, const Answer& exact) {
   Answers answers = read_as<changes>(one, exact);
-  std::erase_if(answers, [](const Answer& answer) {
+  const bool is_on_boundary = std::ranges::any_of(answers, [](const Answer& answer) {
     const auto* position = std::get_if<Position>(&answer);
     return position != nullptr && *position == Position::boundary;
   });
+  if (is_on_boundary) return {Position::outside, Position::boundary, Position::inside};
   return answers;
 }
 /// That point cut off to whole numbers.

@@ -7,6 +7,8 @@
 #include "properties/claims/answers.hpp"
 #include "properties/diagnosis/models/caps.hpp"
 #include "properties/diagnosis/models/root_formula.hpp"
+#include "properties/diagnosis/models/side.hpp"
+#include "properties/edges.hpp"
 
 namespace rayproof::diagnosis {
 namespace {
@@ -59,8 +61,10 @@ Answers lengthened(const Case& one, bool is_upwards) {
   if (longer.empty()) return {};
   const Ray<double> ray = ray_in_object(*ray_question(one));
   const auto all = std::get<RayAnswer>(oracle::answer(longer.front()));
-  return {
-      hits_where(all, [&](double t) { return std::abs(ray.origin.z + t * ray.direction.z) < length / 2; })};
+  Answers answers = side_goes_on(one, is_upwards);  // where the cap at that end is looked for, too
+  answers.push_back(
+      hits_where(all, [&](double t) { return std::abs(ray.origin.z + t * ray.direction.z) < length / 2; }));
+  return answers;
 }
 
 /// The side, and of the planes of both ends what `is_in_cap(x, y, cylinder)` takes for a cap: the first two
@@ -166,7 +170,8 @@ Answers missed_along_axis(const Case& one, const Answer& exact) {
   if (shape_in<Cylinder<double>>(one) == nullptr || !finds_something(exact)) return {};
   const glm::dvec3 d = glm::abs(ray_in_object(*ray_question(one)).direction);
   const double across = std::max(d.x, d.y);
-  if (across == 0) return {RayAnswer{}};
+  const bool is_rim = is_at_rim(one, std::get<RayAnswer>(exact).hits.t[0], share_of_rounding(one.precision));
+  if (across == 0 && !is_rim) return {RayAnswer{}};
   // Of a transform rounding decides.
   return across < 0x1p-20 * d.z ? Answers{RayAnswer{}, exact} : Answers{};
 }

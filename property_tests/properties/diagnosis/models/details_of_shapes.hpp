@@ -6,8 +6,6 @@
 
 namespace rayproof::diagnosis {
 
-/// The normal of a cylinder's side keeps the z of the point, which is seen from the base's centre.
-[[nodiscard]] Answers normal_keeps_z(const Case& one, const Answer& exact);
 /// The normal of a parallelepiped's face runs along the edge that leads to it, and not across the other two.
 [[nodiscard]] Answers normal_along_edge(const Case& one, const Answer& exact);
 /// A triangle's point is put together by its barycentric coordinates in another order.

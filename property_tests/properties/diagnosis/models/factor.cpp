@@ -40,8 +40,16 @@ Answers times(const Case& one, const Answer& exact, double factor) {
   return answers;
 }
 
-Answers absolute(const Case& one, const Answer& /*exact*/) {
+Answers absolute(const Case& one, const Answer& exact) {
   const RayQuestion* asked = ray_question(one);
+  if (const auto* roots = std::get_if<QuadraticAnswer<double>>(&exact); roots != nullptr) {
+    QuadraticAnswer<double> positive = *roots;
+    for (double& x : positive.roots) x = std::abs(x);
+    QuadraticAnswer<double> in_order = positive;
+    std::sort(in_order.roots.begin(), in_order.roots.begin() + static_cast<std::ptrdiff_t>(in_order.count));
+    if (roots->count == 1) return {positive, exact};  // it may look at two roots alone
+    return {in_order, positive};
+  }
   if (asked == nullptr) return {};
   RayAnswer line = hits_of_line(one);
   for (double& t : line.hits.t) t = std::abs(t);
@@ -61,7 +69,11 @@ Answers made_whole(const Case& one, const Answer& exact, double (*whole)(double)
   Answer changed = exact;
   if (auto* roots = std::get_if<QuadraticAnswer<double>>(&changed)) {
     for (double& x : roots->roots) x = whole(x);
-    return {changed};
+    Answer once = changed;  // equal ones may be given once
+    if (roots->count == 2 && roots->roots[0] == roots->roots[1])
+      std::get<QuadraticAnswer<double>>(once).count = 1;
+    if (roots->count == 1) once = exact;  // it may do so with two roots alone
+    return {changed, once};
   }
   for (double& t : std::get<RayAnswer>(changed).hits.t) t = whole(t);
   RayAnswer line = hits_of_line(one);  // where t is compared with the interval after that

@@ -19,7 +19,7 @@ using Quantity = std::optional<double> (*)(const Case&);
 /// The hits of the line times the factor, as far as the interval admits them then.
 [[nodiscard]] Answers line_times(const Case& one, double factor);
 
-/// Every t of the line without its sign, as far as the interval admits it then.
+/// Every t of the line without its sign, as far as the interval admits it then; every root without its sign.
 [[nodiscard]] Answers absolute(const Case& one, const Answer& exact);
 /// Every t of the line is 1 / t, as far as the interval admits it then.
 [[nodiscard]] Answers reciprocal(const Case& one, const Answer& exact);
@@ -28,6 +28,10 @@ using Quantity = std::optional<double> (*)(const Case&);
 /// By rounding down, as a division of integers does in Python.
 [[nodiscard]] inline Answers rounded_down(const Case& one, const Answer& exact) {
   return made_whole(one, exact, [](double x) { return std::floor(x); });
+}
+/// To the nearest whole number.
+[[nodiscard]] inline Answers rounded_to_whole(const Case& one, const Answer& exact) {
+  return made_whole(one, exact, [](double x) { return std::round(x); });
 }
 /// By cutting off what follows the point, as an integer does in C++.
 [[nodiscard]] inline Answers cut_off(const Case& one, const Answer& exact) {

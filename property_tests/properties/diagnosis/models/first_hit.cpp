@@ -4,21 +4,10 @@
 #include <cmath>
 
 #include "properties/diagnosis/agreement.hpp"
+#include "properties/diagnosis/models/surface_normals.hpp"
 
 namespace rayproof::diagnosis {
 namespace {
-
-/// The exact answer with another normal: `change(question, normal)`.
-template <class DoChange>
-Answers with_normal(const Case& one, const Answer& exact, DoChange&& change) {
-  const auto* answer = std::get_if<RayAnswer>(&exact);
-  if (answer == nullptr || !answer->normal) return {};
-  RayAnswer other = *answer;
-  const glm::dvec3 normal = change(*ray_question(one), *answer->normal);
-  if (normal == glm::dvec3(0)) return {};
-  other.normal = glm::normalize(normal);
-  return {other};
-}
 
 Answers with_point(const Answer& exact, const glm::dvec3& point) {
   RayAnswer other = std::get<RayAnswer>(exact);
@@ -31,13 +20,17 @@ const RayAnswer* hit_with_point(const Answer& exact) {
   return answer != nullptr && answer->point ? answer : nullptr;
 }
 
-glm::dmat3 linear(const RayQuestion& asked) { return glm::dmat3(asked.transform.value_or(glm::dmat4(1))); }
-
 }  // namespace
 
 Answers normal_faces_ray(const Case& one, const Answer& exact) {
   return with_normal(one, exact, [](const RayQuestion& asked, const glm::dvec3& normal) {
     return glm::dot(normal, asked.ray.direction) > 0 ? -normal : normal;
+  });
+}
+
+Answers normal_is_direction(const Case& one, const Answer& exact) {
+  return with_normal(one, exact, [](const RayQuestion& asked, const glm::dvec3& /*normal*/) {
+    return map_of_normals(asked) * -ray_in_object(asked).direction;
   });
 }
 
@@ -66,7 +59,7 @@ Answers normal_of_first_corner(const Case& one, const Answer& exact) {
   return with_normal(one, exact, [&](const RayQuestion& asked, const glm::dvec3& normal) {
     const auto& v = polygon->vertices;
     const glm::dvec3 corner = glm::cross(v[1] - v[0], v[2] - v[0]);
-    return glm::dot(corner, glm::transpose(linear(asked)) * normal) < 0 ? -normal : normal;
+    return glm::dot(corner, normal_in_object_space(asked, normal)) < 0 ? -normal : normal;
   });
 }
 
@@ -74,49 +67,26 @@ std::optional<bool> normal_of_other_face(const Case& one, const Answer& got, con
   if (shape_in<Box<double>>(one) == nullptr || agree(one, got, exact, Aspect::normal)) return std::nullopt;
   const auto* mine = std::get_if<RayAnswer>(&got);
   if (mine == nullptr || !mine->normal) return std::nullopt;
-  const glm::dvec3 normal = glm::transpose(linear(*ray_question(one))) * *mine->normal;
+  const glm::dvec3 normal = normal_in_object_space(*ray_question(one), *mine->normal);
   const double largest = std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
   for (int axis = 0; axis < 3; ++axis)  // -1, 0 or 1 along each axis
     if (const double x = std::abs(normal[axis]) / largest; !(x < 0x1p-10 || x > 1 - 0x1p-10)) return false;
   return true;
 }
 
-Answers normal_of_circle(const Case& one, const Answer& exact) {
-  const auto* cylinder = shape_in<Cylinder<double>>(one);
-  const RayAnswer* answer = hit_with_point(exact);
-  if (cylinder == nullptr || answer == nullptr) return {};
-  return with_normal(one, exact, [&](const RayQuestion& asked, const glm::dvec3& normal) {
-    const glm::dvec3 in_object = glm::transpose(linear(asked)) * normal;
-    if (std::abs(in_object.z) > 0x1p-10 * glm::length(in_object)) return normal;  // a cap's
-    const glm::dvec3 place = point_at(ray_in_object(asked), answer->hits.t[0]);
-    return glm::inverse(glm::transpose(linear(asked))) * glm::dvec3(place.x, place.y, 0);
-  });
-}
-
-Answers cap_normals_upward(const Case& one, const Answer& exact) {
-  if (shape_in<Cylinder<double>>(one) == nullptr) return {};
-  return with_normal(one, exact, [&](const RayQuestion& asked, const glm::dvec3& normal) {
-    const glm::dvec3 in_object = glm::transpose(linear(asked)) * normal;
-    const bool is_lower_cap = in_object.z < -(1 - 0x1p-10) * glm::length(in_object);
-    return is_lower_cap ? -normal : normal;
-  });
-}
-
 Answers normal_in_object(const Case& one, const Answer& exact) {
-  return with_normal(one, exact, [](const RayQuestion& asked, const glm::dvec3& normal) {
-    return glm::transpose(linear(asked)) * normal;
-  });
+  return with_normal(one, exact, normal_in_object_space);
 }
 
 Answers normal_by_matrix(const Case& one, const Answer& exact) {
   return with_normal(one, exact, [](const RayQuestion& asked, const glm::dvec3& normal) {
-    return linear(asked) * (glm::transpose(linear(asked)) * normal);
+    return linear(asked) * normal_in_object_space(asked, normal);
   });
 }
 
 Answers normal_by_inverse(const Case& one, const Answer& exact) {
   return with_normal(one, exact, [](const RayQuestion& asked, const glm::dvec3& normal) {
-    return glm::inverse(linear(asked)) * (glm::transpose(linear(asked)) * normal);
+    return glm::inverse(linear(asked)) * normal_in_object_space(asked, normal);
   });
 }
 
@@ -142,7 +112,7 @@ Answers normal_from_middle(const Case& one, const Answer& exact) {
     return {};
   const glm::dvec3 way = point_at(ray_in_object(*ray_question(one)), answer->hits.t[0]) - middle;
   return with_normal(one, exact, [&](const RayQuestion& asked, const glm::dvec3& /*normal*/) {
-    return glm::inverse(glm::transpose(linear(asked))) * way;
+    return map_of_normals(asked) * way;
   });
 }
 
@@ -150,7 +120,7 @@ Answers normal_without_signs(const Case& one, const Answer& exact) {
   Answers in_world = with_normal(
       one, exact, [](const RayQuestion& /*asked*/, const glm::dvec3& normal) { return glm::abs(normal); });
   const Answers in_object = with_normal(one, exact, [](const RayQuestion& asked, const glm::dvec3& normal) {
-    return glm::inverse(glm::transpose(linear(asked))) * glm::abs(glm::transpose(linear(asked)) * normal);
+    return map_of_normals(asked) * glm::abs(normal_in_object_space(asked, normal));
   });
   in_world.insert(in_world.end(), in_object.begin(), in_object.end());
   return in_world;

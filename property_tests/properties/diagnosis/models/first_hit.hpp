@@ -20,6 +20,8 @@ namespace rayproof::diagnosis {
 /// The normal is carried by the inverse that is not transposed.
 [[nodiscard]] Answers normal_by_inverse(const Case& one, const Answer& exact);
 [[nodiscard]] Answers normal_from_zero(const Case& one, const Answer& exact);
+/// The ray's direction, reversed.
+[[nodiscard]] Answers normal_is_direction(const Case& one, const Answer& exact);
 /// From the middle of a solid; with no component below 0.
 [[nodiscard]] Answers normal_from_middle(const Case& one, const Answer& exact);
 [[nodiscard]] Answers normal_without_signs(const Case& one, const Answer& exact);
@@ -28,9 +30,6 @@ namespace rayproof::diagnosis {
 /// A box's normal along another axis, or between axes.
 [[nodiscard]] std::optional<bool> normal_of_other_face(const Case& one, const Answer& got,
                                                        const Answer& exact);
-/// A circular cylinder's for that of an elliptic one; the upper cap's for the lower one's.
-[[nodiscard]] Answers normal_of_circle(const Case& one, const Answer& exact);
-[[nodiscard]] Answers cap_normals_upward(const Case& one, const Answer& exact);
 /// @}
 
 /// @{ Points: in the object's space; not from the ray's origin; at the farthest hit; right although t is

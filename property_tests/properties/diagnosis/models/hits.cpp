@@ -130,7 +130,8 @@ Answers double_hit_twice(const Case& /*one*/, const Answer& exact) {
   if (roots == nullptr || roots->kind != RootKind::twice) return {};
   const double x = roots->roots[0];
   return {QuadraticAnswer<double>{RootKind::two, 2, {x, x}},
-          QuadraticAnswer<double>{RootKind::twice, 2, {x, x}}};
+          QuadraticAnswer<double>{RootKind::twice, 2, {x, x}},
+          QuadraticAnswer<double>{RootKind::two, 1, {x}}};
 }
 
 Answers single_hit_twice(const Case& /*one*/, const Answer& exact) {
@@ -185,6 +186,13 @@ std::optional<bool> is_infinite(const Case& one, const Answer& got, const Answer
   const auto is_infinity = [](double x) { return std::isinf(x); };
   if (std::ranges::any_of(numbers_in(exact), is_infinity)) return std::nullopt;
   return std::ranges::any_of(numbers_in(got), is_infinity) ? std::optional(true) : std::nullopt;
+}
+
+std::optional<bool> is_all_zero(const Case& /*one*/, const Answer& got, const Answer& exact) {
+  const auto is_zero = [](double x) { return x == 0; };
+  const std::vector<double> numbers = numbers_in(got);
+  if (numbers.empty() || std::ranges::any_of(numbers_in(exact), is_zero)) return std::nullopt;
+  return std::ranges::all_of(numbers, is_zero);
 }
 
 std::optional<bool> is_nan(const Case& /*one*/, const Answer& got, const Answer& exact) {

@@ -50,6 +50,8 @@ template <Contact contact>
 [[nodiscard]] Answers no_reason(const Case& one, const Answer& exact);
 /// A number of the answer is infinite, in ordinary numbers, and none should be.
 [[nodiscard]] std::optional<bool> is_infinite(const Case& one, const Answer& got, const Answer& exact);
+/// Every t of the answer is 0, and none should be.
+[[nodiscard]] std::optional<bool> is_all_zero(const Case& one, const Answer& got, const Answer& exact);
 /// A number that is no number, or infinite.
 [[nodiscard]] std::optional<bool> is_nan(const Case& one, const Answer& got, const Answer& exact);
 

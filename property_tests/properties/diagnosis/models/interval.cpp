@@ -6,6 +6,7 @@
 
 #include "properties/boundary.hpp"
 #include "properties/diagnosis/agreement.hpp"
+#include "properties/edges.hpp"
 
 namespace rayproof::diagnosis {
 namespace {
@@ -33,11 +34,16 @@ Answers without_hits(const Case& one, const Answer& exact, Dropped&& is_dropped)
   return left.hits.count == all.hits.count ? Answers{} : Answers{left};
 }
 
-/// The same at the interval's ends, unless rounding decides whether t is an end.
+/// The same at the interval's ends, unless rounding decides whether t is an end, or whether the rim of a
+/// capped cylinder is met there.
 template <class AtEnd>
 Answers open_where(const Case& one, const Answer& exact, AtEnd&& is_at_end) {
   const Answers open = without_hits(one, exact, is_at_end);
-  return open.empty() || is_exact_for_some_method(one) ? open : Answers{};
+  if (open.empty() || !is_exact_for_some_method(one)) return {};
+  const bool is_rim = std::ranges::any_of(std::get<RayAnswer>(exact).hits.view(), [&](double t) {
+    return is_at_end(*ray_of(one), t) && is_at_rim(one, t, share_of_rounding(one.precision));
+  });
+  return is_rim ? Answers{} : open;
 }
 
 bool is_cut(const RayAnswer& line, const Ray<double>& ray) {
@@ -109,7 +115,7 @@ std::vector<Case> t_max_as_distance(const Case& one) {
 
 std::vector<Case> interval_as_object_distances(const Case& one) {
   const RayQuestion* asked = ray_question(one);
-  if (asked == nullptr || !asked->transform) return {};
+  if (asked == nullptr) return {};
   const double length = glm::length(ray_in_object(*asked).direction);
   return with_interval(one, asked->ray.t_min / length, asked->ray.t_max / length);
 }
@@ -123,6 +129,17 @@ Answers drops_below_epsilon(const Case& one, const Answer& exact) {
   return in_precision(one.precision, [&]<class T>(T) {
     return drops(one, exact, [](double t) { return t <= std::numeric_limits<T>::epsilon(); });
   });
+}
+
+bool has_first_hit_before_origin(const Case& one, const Answer& exact) {
+  const auto* hits = std::get_if<RayAnswer>(&exact);
+  return hits != nullptr && hits->hits.count > 0 && hits->hits.t[0] > 0 &&
+         hits->hits.t[0] != ray_of(one)->t_min;
+}
+
+bool has_first_hit_behind_origin(const Case& /*one*/, const Answer& exact) {
+  const auto* hits = std::get_if<RayAnswer>(&exact);
+  return hits != nullptr && hits->hits.count > 0 && hits->hits.t[0] < 0;
 }
 
 Answers open_at_t_min(const Case& one, const Answer& exact) {
@@ -171,6 +188,15 @@ Answers nearer_to_zero_decides(const Case& one, const Answer& exact) {
   const double nearer = std::abs(first) < std::abs(second) ? first : second;
   if (std::get<RayAnswer>(exact).hits.t[0] == nearer) return {};
   return {hits_where(line, [&](double t) { return t == nearer && in_interval(*ray, t); })};
+}
+
+Answers last_hit_alone(const Case& one, const Answer& exact) {
+  const Ray<double>* ray = ray_of(one);
+  if (ray == nullptr || std::get<RayAnswer>(exact).hits.count == 0) return {};
+  const RayAnswer line = hits_of_line(one);
+  if (line.hits.count < 2) return {};
+  const double last = line.hits.t.at(line.hits.count - 1);
+  return {hits_where(line, [&](double t) { return t == last && in_interval(*ray, t); })};
 }
 
 Answers behind_is_hit(const Case& one, const Answer& exact) {

@@ -38,10 +38,17 @@ namespace rayproof::diagnosis {
 /// A hit before t_min is reported, rightly computed or not.
 [[nodiscard]] std::optional<bool> hits_before_t_min(const Case& one, const Answer& got, const Answer& exact);
 
+/// Whether the first hit lies before the ray's origin, and not on t_min; or at t < 0.
+[[nodiscard]] bool has_first_hit_before_origin(const Case& one, const Answer& exact);
+[[nodiscard]] bool has_first_hit_behind_origin(const Case& one, const Answer& exact);
 /// Hits of t below 10^power, which the interval admits, are left out.
 template <int power>
 [[nodiscard]] Answers drops_below(const Case& one, const Answer& exact) {
   return drops(one, exact, [](double t) { return t < std::pow(10.0, power); });
+}
+/// Hits of t that is not positive are left out, wherever the interval begins.
+[[nodiscard]] inline Answers drops_not_positive(const Case& one, const Answer& exact) {
+  return drops(one, exact, [](double t) { return !(t > 0); });
 }
 /// Hits of t below the machine epsilon of the case's precision, which the interval admits, are left out.
 [[nodiscard]] Answers drops_below_epsilon(const Case& one, const Answer& exact);
@@ -53,6 +60,8 @@ template <int power>
 
 /// The nearest hit of the line lies outside the interval, and the farther one is not looked at.
 [[nodiscard]] Answers first_hit_decides(const Case& one, const Answer& exact);
+/// The last hit of the line is looked at alone.
+[[nodiscard]] Answers last_hit_alone(const Case& one, const Answer& exact);
 /// Of the hits of the line the one with the smaller |t| is looked at alone.
 [[nodiscard]] Answers nearer_to_zero_decides(const Case& one, const Answer& exact);
 /// What lies wholly before t_min is reported, in whole or by its first or last hit; other answers are right.

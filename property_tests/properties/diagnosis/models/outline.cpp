@@ -84,12 +84,21 @@ bool is_inside(InsideRule rule, const glm::dvec2& point, const Outline& outline)
       return is_inside_by(point, outline, [](const glm::dvec2& from, const glm::dvec2& to) {
         return std::max(from.x, to.x);
       });
+    case InsideRule::any_crossing:
+      return crossings(point, outline, all, half_open) > 0;
+    case InsideRule::upward:
+      return crossings(point, outline, all,
+                       [](double from, double to) { return half_open(from, to) && to > from; }) %
+                 2 ==
+             1;
     case InsideRule::one_side:
       return is_on_one_side(point, outline);
     case InsideRule::fan:
       for (std::size_t i = 1; i + 1 < all; ++i)
         if (is_on_one_side(point, {outline[0], outline[i], outline[i + 1]})) return true;
       return false;
+    case InsideRule::bounds_but_first:
+      return is_odd && is_in_bounds(point, Outline(outline.begin() + 1, outline.end()));
     case InsideRule::bounds:
       return is_in_bounds(point, outline);
   }
@@ -100,27 +109,6 @@ PlaneHit upside_down(PlaneHit seen) {
   seen.point.y = -seen.point.y;
   for (glm::dvec2& vertex : seen.vertices) vertex.y = -vertex.y;
   return seen;
-}
-
-/// What a subject answers that takes the point for inside, or for outside.
-Answers place_at(const Case& one, const PlaneHit& seen, bool is_inside) {
-  if (ray_question(one) != nullptr) return hit_at(one, seen.t, is_inside);
-  return {is_inside ? Position::inside : Position::outside};
-}
-
-/// The point and the outline turned so that the sweep goes along x.
-PlaneHit swept(Sweep sweep, PlaneHit hit) {
-  const bool is_in_order = sweep == Sweep::along_in_order || sweep == Sweep::against_in_order;
-  const bool is_across = sweep == Sweep::upward || sweep == Sweep::downward;
-  const bool is_against =
-      sweep == Sweep::against || sweep == Sweep::against_in_order || sweep == Sweep::downward;
-  const auto turned = [&](glm::dvec2 v) {
-    if (is_across || (is_in_order && hit.axis == 1)) std::swap(v.x, v.y);
-    return glm::dvec2(is_against ? -v.x : v.x, v.y);
-  };
-  hit.point = turned(hit.point);
-  for (glm::dvec2& vertex : hit.vertices) vertex = turned(vertex);
-  return hit;
 }
 
 }  // namespace
@@ -161,16 +149,32 @@ Answers plane_of_corner(const Case& one, const Answer& /*exact*/) {
   return hit_at(one, hit->t, is_inside_outline(*hit));
 }
 
-Answers endless_boundary(const Case& one, const Answer& exact) {
+namespace {
+
+/// The same where `counts(a, b)` is true of the ends of a side.
+template <class Counts>
+Answers endless_boundary_of(const Case& one, const Answer& exact, Counts&& counts) {
   const auto* position = std::get_if<Position>(&exact);
   if (position == nullptr || *position == Position::boundary) return {};
   const PlaneHit seen = *point_and_outline(one);
   const Outline& outline = seen.vertices;
   bool is_on_line = false;
-  for (std::size_t i = 0; i < outline.size(); ++i)
-    is_on_line = is_on_line || turn(outline[i], outline[(i + 1) % outline.size()], seen.point) == 0;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const glm::dvec2 &a = outline[i], &b = outline[(i + 1) % outline.size()];
+    is_on_line = is_on_line || (counts(a, b) && turn(a, b, seen.point) == 0);
+  }
   if (!is_on_line) return {};
   return is_in_bounds(seen.point, outline) ? Answers{Position::boundary} : Answers{Position::boundary, exact};
+}
+
+}  // namespace
+
+Answers endless_boundary(const Case& one, const Answer& exact) {
+  return endless_boundary_of(one, exact, [](const glm::dvec2&, const glm::dvec2&) { return true; });
+}
+Answers endless_upright_boundary(const Case& one, const Answer& exact) {
+  return endless_boundary_of(
+      one, exact, [](const glm::dvec2& a, const glm::dvec2& b) { return a.x == b.x && a.y != b.y; });
 }
 
 Answers near_sides_inside(const Case& one, const Answer& exact, double tolerance) {

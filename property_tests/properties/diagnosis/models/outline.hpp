@@ -6,35 +6,34 @@
 
 #include "properties/boundary.hpp"
 #include "properties/diagnosis/models/models.hpp"
-#include "properties/diagnosis/models/plane_hit.hpp"
+#include "properties/diagnosis/models/sweep.hpp"
 
 namespace rayproof::diagnosis {
 
 /// Rules that a subject may follow in place of the even-odd one.
 enum class InsideRule {
-  closed_sides,    ///< sides closed at both ends, or open at both: a level vertex counts twice or never
-  not_level,       ///< the point must not be level with a vertex: then it is outside
-  winding,         ///< what winds round the point any number of times but 0 is inside
-  endless_sides,   ///< a side goes on without end beyond its second vertex
-  both_ways,       ///< x is not compared: crossings on both sides of the point count, half of them
-  last_side,       ///< the side from the last vertex to the first is forgotten
-  first_triangle,  ///< only the first three vertices are looked at
-  first_four,      ///< only the first four
-  first_eight,     ///< only the first eight
-  upright_sides,   ///< an upright side counts on whichever side of the point it lies
-  unrepeated,      ///< a vertex that was there before is left out
-  unturned,        ///< an inequality is multiplied by a negative height, and not turned round
-  first_end,       ///< x is compared with that of a side's first vertex, not with the crossing's
-  second_end,      ///< with that of its second vertex
-  farther_end,     ///< with the larger of the two
-  one_side,        ///< inside is where all sides turn one way: right for convex polygons only
-  fan,             ///< the triangles of the fan from the first vertex, all together
-  bounds           ///< the bounding box
+  closed_sides,      ///< sides closed at both ends, or open at both: a level vertex counts twice or never
+  not_level,         ///< the point must not be level with a vertex: then it is outside
+  winding,           ///< what winds round the point any number of times but 0 is inside
+  endless_sides,     ///< a side goes on without end beyond its second vertex
+  both_ways,         ///< x is not compared: crossings on both sides of the point count, half of them
+  last_side,         ///< the side from the last vertex to the first is forgotten
+  first_triangle,    ///< only the first three vertices are looked at
+  first_four,        ///< only the first four
+  first_eight,       ///< only the first eight
+  upright_sides,     ///< an upright side counts on whichever side of the point it lies
+  unrepeated,        ///< a vertex that was there before is left out
+  unturned,          ///< an inequality is multiplied by a negative height, and not turned round
+  first_end,         ///< x is compared with that of a side's first vertex, not with the crossing's
+  second_end,        ///< with that of its second vertex
+  farther_end,       ///< with the larger of the two
+  any_crossing,      ///< one crossed side is enough, and none more changes it
+  upward,            ///< sides that run in one direction, upward or downward, count alone
+  one_side,          ///< inside is where all sides turn one way: right for convex polygons only
+  fan,               ///< the triangles of the fan from the first vertex, all together
+  bounds_but_first,  ///< what lies outside the bounding box of all vertices but the first is outside
+  bounds             ///< the bounding box
 };
-
-/// Where a subject's ray from the point goes that crosses the sides: along x, or against it; of a figure that
-/// is projected along y, x and z may stand for x and y in either order; along y, or against it.
-enum class Sweep { along, against, along_in_order, against_in_order, upward, downward };
 
 /// Whether the point is inside by the even-odd rule.
 [[nodiscard]] bool is_inside_outline(const PlaneHit& hit);
@@ -70,9 +69,19 @@ template <BoundaryPlace place>
   return {Position::outside, Position::inside};
 }
 
+/// A point of a side that is no vertex is said to be outside, or inside.
+[[nodiscard]] inline Answers lost_between_vertices(const Case& one, const Answer& exact) {
+  const auto* position = std::get_if<Position>(&exact);
+  if (position == nullptr || *position != Position::boundary) return {};
+  const bool is_vertex = boundary_places(one).test(static_cast<std::size_t>(BoundaryPlace::vertex));
+  return is_vertex ? Answers{} : Answers{Position::outside, Position::inside};
+}
+
 /// A point on the line of a side, beyond its ends, is said to be on the boundary, at least inside the
 /// bounding box.
 [[nodiscard]] Answers endless_boundary(const Case& one, const Answer& exact);
+/// The same of the line of an upright side alone.
+[[nodiscard]] Answers endless_upright_boundary(const Case& one, const Answer& exact);
 
 /// No point is ever said to be inside.
 [[nodiscard]] Answers never_inside(const Case& one, const Answer& exact);

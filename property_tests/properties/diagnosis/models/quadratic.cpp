@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "properties/diagnosis/agreement.hpp"
+#include "properties/diagnosis/models/root_formula.hpp"
 
 namespace rayproof::diagnosis {
 namespace {
@@ -71,8 +72,12 @@ Answers double_root_missed(const Case& /*one*/, const Answer& exact) {
 Answers discriminant_without_sign(const Case& one, const Answer& exact) {
   const auto* q = std::get_if<Quadratic<double>>(&one.question);
   const auto* roots = std::get_if<Roots2>(&exact);
-  const bool is_negative = roots != nullptr && roots->kind == RootKind::none;
-  return !is_negative ? Answers{} : with_discriminant(one, std::abs(q->b * q->b - 4 * q->a * q->c));
+  if (roots == nullptr || roots->kind != RootKind::none) return {};
+  Answers answers = with_discriminant(one, std::abs(q->b * q->b - 4 * q->a * q->c));
+  const ReducedEquation equation = *reduced_equation(one);
+  for (Answer& other : with_roots(one, without_cancelling(equation, -equation.discriminant())))
+    answers.push_back(std::move(other));
+  return answers;
 }
 
 Answers linear_root_negated(const Case& /*one*/, const Answer& exact) {
@@ -85,6 +90,14 @@ Answers linear_root_inverted(const Case& /*one*/, const Answer& exact) {
   const auto* roots = std::get_if<Roots2>(&exact);
   if (roots == nullptr || roots->kind != RootKind::linear || roots->roots[0] == 0) return {};
   return {Roots2{RootKind::linear, 1, {1 / roots->roots[0]}}};
+}
+
+std::vector<Case> with_coefficients(const Case& one, void (*change)(Quadratic<double>& equation)) {
+  Case changed = one;
+  auto* equation = std::get_if<Quadratic<double>>(&changed.question);
+  if (equation == nullptr) return {};
+  change(*equation);
+  return {changed};
 }
 
 Answers double_root_times(const Answer& exact, double factor) {
@@ -104,7 +117,9 @@ Answers double_root_undivided(const Case& one, const Answer& exact) {
 Answers positive_roots_alone(const Case& /*one*/, const Answer& exact) {
   const auto* roots = std::get_if<Roots2>(&exact);
   if (roots == nullptr || roots->count == 0 || (roots->count == 1 && roots->roots[0] >= 0)) return {};
-  if (roots->count == 1 || roots->roots[1] < 0) return {Roots2{RootKind::none, 0, {}}};
+  const Answer none = Roots2{RootKind::none, 0, {}};
+  if (roots->count == 1) return {none, exact};  // it may look at two roots alone
+  if (roots->roots[1] < 0) return {none};
   if (roots->roots[0] >= 0) return {};
   Answers answers;
   for (const RootKind kind : {RootKind::twice, RootKind::two, RootKind::linear})

@@ -30,6 +30,18 @@ namespace rayproof::diagnosis {
 [[nodiscard]] Answers linear_root_negated(const Case& one, const Answer& exact);
 [[nodiscard]] Answers linear_root_inverted(const Case& one, const Answer& exact);
 /// @}
+/// @{ Readings: b with the other sign (0), c with the other sign (1), a and c exchanged (2).
+[[nodiscard]] std::vector<Case> with_coefficients(const Case& one,
+                                                  void (*change)(Quadratic<double>& equation));
+template <int mistake>
+[[nodiscard]] std::vector<Case> coefficients_with(const Case& one) {
+  return with_coefficients(one, [](Quadratic<double>& equation) {
+    if (mistake == 0) equation.b = -equation.b;
+    if (mistake == 1) equation.c = -equation.c;
+    if (mistake == 2) std::swap(equation.a, equation.c);
+  });
+}
+/// @}
 /// A double root is the right one times a factor.
 [[nodiscard]] Answers double_root_times(const Answer& exact, double factor);
 [[nodiscard]] inline Answers double_root_halved(const Case& /*one*/, const Answer& exact) {

@@ -24,7 +24,8 @@ Answers of_equation(const FoundRoots& roots) {
   using Roots = QuadraticAnswer<double>;
   if (!roots) return {Roots{RootKind::none, 0, {}}};
   const auto [x, y] = *roots;
-  if (x == y) return {Roots{RootKind::twice, 1, {x}}, Roots{RootKind::two, 2, {x, x}}};
+  if (x == y)
+    return {Roots{RootKind::twice, 1, {x}}, Roots{RootKind::two, 2, {x, x}}, Roots{RootKind::two, 1, {x}}};
   Answers answers{Roots{RootKind::two, 2, {std::min(x, y), std::max(x, y)}}};
   if (x > y) answers.emplace_back(Roots{RootKind::two, 2, {x, y}});
   return answers;
@@ -36,7 +37,7 @@ struct TwoPairs {
   [[nodiscard]] double size() const { return std::max(std::abs(exact_x), std::abs(exact_y)); }
   /// Whether the difference is more than a loss of digits makes.
   [[nodiscard]] bool differ(double a, double b) const {
-    return std::abs(a - b) > 0x1p-10 * std::max(size(), std::abs(a));
+    return !std::isfinite(a) || std::abs(a - b) > 0x1p-10 * std::max(size(), std::abs(a));
   }
 };
 
@@ -65,10 +66,23 @@ Answers with_roots(const Case& one, const FoundRoots& roots) {
   std::vector<double> hits;
   if (roots) hits.assign(roots->begin(), roots->end());
   if (shape_in<Cylinder<double>>(one) != nullptr) return with_side_hits(one, std::move(hits));
+  const auto admitted = [&] {
+    RayAnswer line;
+    for (const double t : hits)
+      if (in_interval(ray_question(one)->ray, t)) line.hits.push_back(t);
+    return line;
+  };
+  Answers answers{admitted()};
+  if (std::ranges::is_sorted(hits)) return answers;
   std::ranges::sort(hits);
-  RayAnswer line;
-  for (const double t : hits) line.hits.push_back(t);
-  return {hits_where(line, [&](double t) { return in_interval(ray_question(one)->ray, t); })};
+  answers.emplace_back(admitted());
+  return answers;
+}
+
+Answers a_taken_for_one(const Case& one, const Answer& /*exact*/) {
+  const auto equation = reduced_equation(one);
+  if (!equation || shape_in<Sphere<double>>(one) != nullptr) return {};
+  return with_roots(one, roots_by(-equation->h, equation->h * equation->h - equation->c, 1));
 }
 
 std::optional<bool> one_root_wrong(const Case& one, const Answer& got, const Answer& exact) {

@@ -59,6 +59,36 @@ template <RootFormula... formulas>
   return roots_by(-e.h, e.h * e.h + e.a * e.c, e.a);
 }
 /// @}
+/// @{ The same discriminants in the formula that does not cancel: x = -(h ± √D) / a, the sign that of h, and
+/// c / (a x).
+[[nodiscard]] inline FoundRoots without_cancelling(const ReducedEquation& e, double D) {
+  if (!(D >= 0)) return std::nullopt;
+  const double q = -(e.h + std::copysign(std::sqrt(D), e.h));
+  return std::array{q / e.a, e.c / q};
+}
+[[nodiscard]] inline FoundRoots stable_four_with_half(const ReducedEquation& e) {
+  return without_cancelling(e, e.h * e.h - 4 * e.a * e.c);
+}
+[[nodiscard]] inline FoundRoots stable_no_four(const ReducedEquation& e) {
+  return without_cancelling(e, e.h * e.h - e.a * e.c / 4);
+}
+[[nodiscard]] inline FoundRoots stable_two_for_four(const ReducedEquation& e) {
+  return without_cancelling(e, e.h * e.h - e.a * e.c / 2);
+}
+[[nodiscard]] inline FoundRoots stable_plus_for_minus(const ReducedEquation& e) {
+  return without_cancelling(e, e.h * e.h + e.a * e.c);
+}
+/// @}
+/// @{ Of one root alone -b has the wrong sign.
+[[nodiscard]] inline FoundRoots second_with_b(const ReducedEquation& e) {
+  const FoundRoots right = roots_by(-e.h, e.discriminant(), e.a);
+  return right ? FoundRoots(std::array{(*right)[0], -(*right)[0]}) : std::nullopt;
+}
+[[nodiscard]] inline FoundRoots first_with_b(const ReducedEquation& e) {
+  const FoundRoots right = roots_by(-e.h, e.discriminant(), e.a);
+  return right ? FoundRoots(std::array{-(*right)[1], (*right)[1]}) : std::nullopt;
+}
+/// @}
 /// @{ b where its half belongs, and its half where b belongs.
 [[nodiscard]] inline FoundRoots whole_for_half(const ReducedEquation& e) {
   return roots_by(-2 * e.h, 4 * e.h * e.h - e.a * e.c, e.a);
@@ -107,6 +137,9 @@ template <RootFormula... formulas>
   return roots_by(-e.h, 4 * e.discriminant(), e.a);
 }
 /// @}
+
+/// a is taken for 1; not of a sphere, where it is 1 as soon as the direction is a unit vector.
+[[nodiscard]] Answers a_taken_for_one(const Case& one, const Answer& exact);
 
 /// @{ Of two roots, or hits of one solid: one is right and the other wrong; their distance is wrong, and not
 /// what lies half way between them; and the other way round.

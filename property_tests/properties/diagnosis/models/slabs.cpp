@@ -1,6 +1,7 @@
 #include "properties/diagnosis/models/slabs.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <optional>
 
@@ -31,18 +32,22 @@ std::optional<SlabEnds> slabs_of(const Cube& cube, bool tests_along = true, unsi
   return slabs;
 }
 
-/// The hits where the line is inside from `near(slabs)` to `far(slabs)`.
+/// The hits where the line is inside from `first` to `last`.
+Answers inside_from(const Case& one, double first, double last) {
+  RayAnswer line;
+  if (first <= last) line.hits.push_back(first);
+  if (first < last) line.hits.push_back(last);
+  return {hits_where(line, [&](double t) { return in_interval(ray_question(one)->ray, t); })};
+}
+
+/// The same from `near(slabs)` to `far(slabs)`.
 template <class Near, class Far>
 Answers inside_between(const Case& one, Near&& near, Far&& far, bool tests_along = true,
                        unsigned turned = 0) {
   const auto cube = cube_in(one);
   const auto slabs = cube ? slabs_of(*cube, tests_along, turned) : std::nullopt;
   if (!slabs) return {};
-  const double first = near(*slabs), last = far(*slabs);
-  RayAnswer line;
-  if (first <= last) line.hits.push_back(first);
-  if (first < last) line.hits.push_back(last);
-  return {hits_where(line, [&](double t) { return in_interval(cube->ray, t); })};
+  return inside_from(one, near(*slabs), far(*slabs));
 }
 
 }  // namespace
@@ -70,6 +75,18 @@ Answers slabs_turned(const Case& one, unsigned axes, bool is_always) {
   return inside_between(
       one, [](const SlabEnds& slabs) { return std::ranges::max(slabs.enters); },
       [](const SlabEnds& slabs) { return std::ranges::min(slabs.leaves); }, true, axes);
+}
+
+Answers slabs_without_signs(const Case& one, const Answer& /*exact*/) {
+  const auto cube = cube_in(one);
+  auto slabs = cube ? slabs_of(*cube) : std::nullopt;
+  if (!slabs) return {};
+  for (std::size_t i = 0; i < slabs->enters.size(); ++i) {
+    const double near = std::abs(slabs->enters[i]), far = std::abs(slabs->leaves[i]);
+    slabs->enters[i] = std::min(near, far);
+    slabs->leaves[i] = std::max(near, far);
+  }
+  return inside_from(one, std::ranges::max(slabs->enters), std::ranges::min(slabs->leaves));
 }
 
 Answers slab_along_not_tested(const Case& one, const Answer& /*exact*/) {

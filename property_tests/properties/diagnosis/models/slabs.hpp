@@ -35,6 +35,8 @@ template <unsigned axes>
   return slabs_turned(one, axes, false);
 }
 /// @}
+/// The t of each slab are taken without their signs.
+[[nodiscard]] Answers slabs_without_signs(const Case& one, const Answer& exact);
 /// Only the three faces at a box's min, or at a parallelepiped's corner, are hit.
 [[nodiscard]] Answers corner_faces_alone(const Case& one, const Answer& exact);
 

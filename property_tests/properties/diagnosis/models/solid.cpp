@@ -112,6 +112,13 @@ Answers radius_for_square(const Case& one, const Answer& /*exact*/) {
   return {hits(other >= 0, other), hits(own >= 0, other), hits(other >= 0, own)};
 }
 
+Answers radius_square_added(const Case& one, const Answer& /*exact*/) {
+  auto equation = sphere_equation(one);
+  if (!equation) return {};
+  equation->c += 2 * std::pow(shape_in<Sphere<double>>(one)->radius, 2);
+  return with_roots(one, roots_by(-equation->h, equation->discriminant(), equation->a));
+}
+
 Answers nearest_point_of_line(const Case& one, const Answer& exact) {
   const auto equation = sphere_equation(one);
   if (!equation || hits_of_line(one).hits.count == 0) return {};
@@ -120,6 +127,8 @@ Answers nearest_point_of_line(const Case& one, const Answer& exact) {
   const bool is_hit = std::get<RayAnswer>(exact).hits.count > 0;
   Answers answers{hits_where(nearest, [&](double t) { return in_interval(ray_question(one)->ray, t); })};
   if (is_hit) answers.push_back(nearest);
+  // From inside it may take the far hit.
+  if (is_hit && hits_of_line(one).hits.t[0] < ray_question(one)->ray.t_min) answers.push_back(exact);
   return answers;
 }
 

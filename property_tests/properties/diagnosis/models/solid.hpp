@@ -47,6 +47,8 @@ template <int edge>
 }
 /// r for r²: everywhere, in half the chord alone, or in the test whether the line passes near enough alone.
 [[nodiscard]] Answers radius_for_square(const Case& one, const Answer& exact);
+/// The sign of r² is wrong in the constant of the sphere's equation.
+[[nodiscard]] Answers radius_square_added(const Case& one, const Answer& exact);
 /// @{ Of a sphere: hits where the discriminant is negative; the line's nearest point to the centre for a hit.
 [[nodiscard]] Answers sphere_without_sign(const Case& one, const Answer& exact);
 [[nodiscard]] Answers nearest_point_of_line(const Case& one, const Answer& exact);

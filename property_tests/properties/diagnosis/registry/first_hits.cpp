@@ -1,6 +1,7 @@
 /// \file
 /// Faults in what is said of the first hit, and classes of cases that are not handled.
 
+#include "properties/diagnosis/models/cylinder_normals.hpp"
 #include "properties/diagnosis/models/details_of_shapes.hpp"
 #include "properties/diagnosis/models/first_hit.hpp"
 #include "properties/diagnosis/models/flat.hpp"
@@ -21,6 +22,8 @@ std::vector<Hypothesis> models_of_first_hits() {
             "the normal is turned to face the ray, whatever side the surface says", gross, Aspect::normal),
       gives("normal-follows-ray", normal_follows_ray,
             "the normal is turned away from the origin of the ray, whatever side the surface says", gross,
+            Aspect::normal),
+      gives("normal-is-direction", normal_is_direction, "the normal is the ray's direction, reversed", gross,
             Aspect::normal),
       gives("normal-flipped", normal_flipped, "the normal is right with the other sign", gross,
             Aspect::normal),
@@ -49,17 +52,24 @@ std::vector<Hypothesis> models_of_first_hits() {
             Aspect::normal),
       gives("cap-normals-upward", cap_normals_upward,
             "both caps' normals point upward: the lower one's must point downward", gross, Aspect::normal),
+      gives("cap-normals-inward", cap_normals_inward,
+            "the caps' normals point inward, and the side's outward: a sign is wrong", gross, Aspect::normal),
+      gives("side-normal-faces-ray", side_normal_faces_ray,
+            "the normal of the side is turned to face the ray, whatever side the surface says; those of caps "
+            "are right",
+            gross, Aspect::normal),
       gives("normal-keeps-z", normal_keeps_z,
             "the normal of the side keeps the z of the point, and must be level", gross, Aspect::normal),
       gives("normal-along-edge", normal_along_edge,
             "the normal runs along the edge that leads to the face, and must be across the other two", gross,
             Aspect::normal),
-      shows("normal-of-other-face", normal_of_other_face,
-            "the normal is another face's, or points between faces: the wrong face is taken for the one that "
-            "is "
-            "hit",
-            gross, Aspect::normal),
-      shows("point-right-t-wrong", point_right_t_wrong, "the point is right although t is wrong"),
+      vague(shows(
+          "normal-of-other-face", normal_of_other_face,
+          "the normal is another face's, or points between faces: the wrong face is taken for the one that "
+          "is "
+          "hit",
+          gross, Aspect::normal)),
+      vague(shows("point-right-t-wrong", point_right_t_wrong, "the point is right although t is wrong")),
       gives("point-in-object", point_in_object, "the point is the one in object space", gross, Aspect::point),
       gives("point-without-origin", point_without_origin, "the point is t·d: the origin is missing", gross,
             Aspect::point),
@@ -110,18 +120,24 @@ std::vector<Hypothesis> classes_of_cases() {
             "kept from"),
       shows("in-surface-hit", in_surface_is_hit, "a ray that runs inside the surface is reported as a hit",
             boundary),
-      shows(
+      vague(shows(
           "wrong-where-upright", wrong_where_upright,
           "right on polygons whose normal is 0 in no coordinate: leave out the one in which its magnitude is "
-          "largest"),
-      shows("wrong-where-concave", wrong_where_concave,
-            "right on convex polygons: concave ones are not handled"),
-      shows("hits-before-t-min", hits_before_t_min, "hits before t_min are reported: t_min is ignored"),
+          "largest")),
+      vague(shows("wrong-where-concave", wrong_where_concave,
+                  "right on convex polygons: concave ones are not handled")),
+      vague(
+          shows("hits-before-t-min", hits_before_t_min, "hits before t_min are reported: t_min is ignored")),
       shows("is-nan", is_nan, "a number of the answer is NaN"),
-      shows("is-infinite", is_infinite,
-            "a number of the answer is infinite: a division by 0 is not kept from"),
-      shows("always-hits", always_hits,
-            "it finds something on every case tried, even where there is nothing"),
+      shows("is-zero", is_all_zero,
+            "every number of the answer is 0: a product of vectors at right angles, or a variable that is "
+            "never "
+            "set"),
+      vague(shows("is-infinite", is_infinite,
+                  "a number of the answer is infinite: a division by 0 is not kept from")),
+      strictly(gives("never-hits", never_hits, "it finds nothing on any case tried")),
+      vague(shows("always-hits", always_hits,
+                  "it finds something on every case tried, even where there is nothing")),
   };
 }
 

@@ -7,6 +7,7 @@
 #include "properties/diagnosis/models/outline.hpp"
 #include "properties/diagnosis/models/plane_hit.hpp"
 #include "properties/diagnosis/models/starts.hpp"
+#include "properties/diagnosis/models/wrong_crossing.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
 
 namespace rayproof::diagnosis {
@@ -28,6 +29,11 @@ Hypothesis loose_sides() {
                                 "be inside: a tolerance",
                                 power)));
 }
+
+constexpr std::string_view wrong_crossing_in_words =
+    "x is compared with a wrong crossing: a side crosses the point's level at xi + (y - yi)·(xj - xi) / (yj "
+    "- "
+    "yi), and here a term, a sign or an index of that is another one";
 
 }  // namespace
 
@@ -147,6 +153,14 @@ std::vector<Hypothesis> models_of_flat_figures() {
             "only the first three vertices are looked at"),
       gives("endless-boundary", endless_boundary,
             "a point on the line of a side, beyond its ends, is said to be on the boundary"),
+      gives(
+          "endless-upright-boundary", endless_upright_boundary,
+          "a point on the line of an upright side, beyond its ends, is said to be on the boundary: y is not "
+          "compared"),
+      gives(
+          "bounds-but-first", inside_by<InsideRule::bounds_but_first>,
+          "what lies outside the bounding box of all vertices but the first is said to be outside: that box "
+          "is too small"),
       gives("first-four-vertices", inside_by<InsideRule::first_four>,
             "only the first four vertices are looked at"),
       gives("first-eight-vertices", inside_by<InsideRule::first_eight>,
@@ -164,6 +178,14 @@ std::vector<Hypothesis> models_of_flat_figures() {
                    "x is compared with a vertex of the side, and must be with the crossing"),
       gives_to_all("compares-farther-vertex", inside_by<InsideRule::farther_end>,
                    "x is compared with the larger x of a side's two vertices, and must be with the crossing"),
+      gives_one_of("crossing-wrong", wrong_crossing<Sweep::along>, wrong_crossing_in_words),
+      gives_one_of("crossing-wrong-against", wrong_crossing<Sweep::against>, wrong_crossing_in_words),
+      gives_one_of("crossing-wrong-in-order", wrong_crossing<Sweep::along_in_order>, wrong_crossing_in_words),
+      gives_one_of("crossing-wrong-upward", wrong_crossing<Sweep::upward>, wrong_crossing_in_words),
+      gives_to_all("any-crossing", inside_by<InsideRule::any_crossing>,
+                   "one crossed side is enough: crossings must be counted, even or odd"),
+      gives_to_all("one-way-sides", inside_by<InsideRule::upward>,
+                   "a side counts as crossed in one direction alone, upward or downward"),
       gives("never-inside", never_inside, "no point is ever said to be inside"),
       gives("taken-as-convex", inside_by<InsideRule::one_side>,
             "inside is where all sides turn one way: the polygon is taken for convex"),

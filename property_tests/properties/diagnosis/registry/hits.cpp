@@ -9,14 +9,23 @@
 #include "properties/diagnosis/registry/lines.hpp"
 
 namespace rayproof::diagnosis {
+namespace {
+
+/// That t = 0 is left out alone would be less.
+Hypothesis positive_alone() {
+  Hypothesis made =
+      of(OfSizes::small,
+         gives("positive-t-alone", drops_not_positive,
+               "hits with t <= 0 are left out though the interval admits them: t > 0 is asked, and "
+               "must be t >= t_min"));
+  made.shows_more = has_first_hit_behind_origin;
+  return made;
+}
+
+}  // namespace
 
 std::vector<Hypothesis> models_of_hits() {
   return {
-      {.name = "never-hits",
-       .kind = gross,
-       .sentence = "it finds nothing on any case tried",
-       .predict = never_hits,
-       .speaks_of_all = true},
       misses_zero("open-at-t-min", open_at_t_min,
                   "a hit exactly at t_min is left out: the interval is taken for open there"),
       misses_zero("open-at-t-max", open_at_t_max,
@@ -25,6 +34,7 @@ std::vector<Hypothesis> models_of_hits() {
                   "hits exactly at t_min and t_max are left out: the interval is taken for open"),
       misses_zero("open-at-zero", open_at_zero,
                   "a hit exactly at the ray's origin is left out: t > 0 is asked, and must be t >= 0"),
+      positive_alone(),
       gives("zero-as-no-end", zero_as_no_end,
             "the answer is right without t_max where t_max = 0: 0 is taken for no end"),
       gives("far-hit-beyond", far_hit_beyond,
@@ -76,6 +86,9 @@ std::vector<Hypothesis> models_of_hits() {
           "what lies behind the ray's beginning is reported as a hit at t_min: t is clamped to the interval"),
       gives("clipped-to-interval", clipped_to_interval,
             "where the interval ends inside the solid, its end is reported as a hit"),
+      gives(
+          "last-hit-alone", last_hit_alone,
+          "of the line's hits the farthest one alone is looked at, in place of the nearest in the interval"),
       gives("farthest-hit", farthest_alone, "the farthest hit is reported in place of the nearest"),
       gives("second-hit-missing", first_alone, "of two answers only the first is given"),
       gives("nearest-twice", nearest_twice, "of two answers the first is given twice"),
@@ -100,6 +113,8 @@ std::vector<Hypothesis> models_of_hits() {
             "a point on a level side is not said to be on the boundary", boundary),
       gives("upright-side-not-on-boundary", lost_at<BoundaryPlace::upright_side>,
             "a point on an upright side is not said to be on the boundary", boundary),
+      gives("side-not-on-boundary", lost_between_vertices,
+            "a point on a side, and not at a vertex, is not said to be on the boundary", boundary),
       gives("boundary-outside", boundary_is_outside, "the boundary is taken for outside: the set is open",
             boundary),
       gives("boundary-inside", boundary_is_inside, "the boundary is taken for inside", boundary),

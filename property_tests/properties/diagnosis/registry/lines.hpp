@@ -33,6 +33,14 @@ inline constexpr auto rounding = FindingKind::rounding;
   return made;
 }
 
+/// The same of one that fits large numbers, too, which few rounded digits leave as they are.
+[[nodiscard]] constexpr Hypothesis gives_to_most(std::string_view name, Predict predict,
+                                                 std::string_view sentence) {
+  Hypothesis made = gives(name, predict, sentence);
+  made.least_share = 60;
+  return made;
+}
+
 /// A model that stands for many mistakes, of which a subject makes one.
 [[nodiscard]] constexpr Hypothesis gives_one_of(std::string_view name, Predict predict,
                                                 std::string_view sentence) {
@@ -72,10 +80,10 @@ inline constexpr auto rounding = FindingKind::rounding;
   return {.name = name, .kind = kind, .sentence = sentence, .change = change, .keeps = keeps};
 }
 
-/// A cure that only says where to look.
-[[nodiscard]] constexpr Hypothesis vague(Hypothesis cure) {
-  cure.is_vague = true;
-  return cure;
+/// The same of what only says where to look.
+[[nodiscard]] constexpr Hypothesis vague(Hypothesis made) {
+  made.is_vague = true;
+  return made;
 }
 
 /// A cure of digits that helps in other faults, too, of which the second sentence speaks.

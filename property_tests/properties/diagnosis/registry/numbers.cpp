@@ -13,9 +13,11 @@ namespace rayproof::diagnosis {
 
 namespace {
 
-/// What is nearer than that is taken to be at 0.
+/// What is nearer than that is taken to be at 0; that t = 0 is left out alone would be less.
 Hypothesis epsilon(std::string_view name, Predict predict, std::string_view sentence) {
-  return of(OfSizes::small, gives(name, predict, sentence));
+  Hypothesis made = of(OfSizes::small, gives(name, predict, sentence));
+  made.shows_more = has_first_hit_before_origin;
+  return made;
 }
 
 template <int... power>
@@ -86,10 +88,12 @@ std::vector<Hypothesis> models_of_numbers() {
       gives_to_all("absolute", absolute,
                    "t is right without its sign: hits behind the origin are taken for hits before it"),
       gives_to_all("reciprocal", reciprocal, "every number is 1/t: numerator and denominator are exchanged"),
-      gives_to_all(
+      gives_to_most(
           "rounded-down", rounded_down,
           "every number is rounded down to a whole one: a division of integers, or an integer holds it"),
-      gives_to_all("cut-off", cut_off, "every number is cut off to a whole one: an integer holds it"),
+      gives_to_most("rounded-to-whole", rounded_to_whole,
+                    "every number is rounded to the nearest whole one: an integer holds it"),
+      gives_to_most("cut-off", cut_off, "every number is cut off to a whole one: an integer holds it"),
       gives("times-slope", scaled_by<slope>,
             "t is right divided by n·d: the division by the normal times the direction is missing"),
       gives("times-minus-slope", scaled_by<minus_slope>,

@@ -6,6 +6,7 @@
 #include "properties/diagnosis/models/products.hpp"
 #include "properties/diagnosis/models/quadratic.hpp"
 #include "properties/diagnosis/models/root_formula.hpp"
+#include "properties/diagnosis/models/small_discriminant.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
 
 namespace rayproof::diagnosis {
@@ -26,21 +27,40 @@ void add_terms(std::vector<Hypothesis>& all, std::string_view name, std::string_
   add('z', wrong_term<product, 2>);
 }
 
+/// An absolute epsilon on the discriminant, from either side of 0.
+template <int... power>
+void add_small_discriminants(std::vector<Hypothesis>& all) {
+  (all.push_back(
+       of(OfSizes::small,
+          gives(kept(fmt::format("discriminant-negative-1e{}", power)), negative_discriminant<power>,
+                kept(fmt::format("a discriminant D that is negative by less than about 1e{} is taken for 0: "
+                                 "an absolute epsilon on D",
+                                 power))))),
+   ...);
+  (all.push_back(
+       of(OfSizes::small,
+          gives(kept(fmt::format("discriminant-small-1e{}", power)), small_discriminant<power>,
+                kept(fmt::format("a discriminant D below about 1e{} is taken for 0, or for negative: an "
+                                 "absolute epsilon on D",
+                                 power))))),
+   ...);
+}
+
 }  // namespace
 
 std::vector<Hypothesis> models_of_roots() {
   std::vector<Hypothesis> all{
       of_equation(
           "the answer is right for D = (b/2)² - 4ac: where b is halved the discriminant is (b/2)² - ac",
-          gives("discriminant-with-four", by_formula<four_with_half>,
+          gives("discriminant-with-four", by_formula<four_with_half, stable_four_with_half>,
                 "the answer is right for D = b² - 4ac where b is l·d: with b = 2 (l·d) it is 4ac, with b = "
                 "l·d it "
                 "is ac")),
-      gives("discriminant-without-four", by_formula<no_four>,
+      gives("discriminant-without-four", by_formula<no_four, stable_no_four>,
             "the answer is right for D = b² - ac: a factor 4 is missing in the discriminant"),
-      gives("discriminant-with-two", by_formula<two_for_four>,
+      gives("discriminant-with-two", by_formula<two_for_four, stable_two_for_four>,
             "the answer is right for D = b² - 2ac: the factor in the discriminant must be 4"),
-      gives("discriminant-plus", by_formula<plus_for_minus>,
+      gives("discriminant-plus", by_formula<plus_for_minus, stable_plus_for_minus>,
             "the answer is right for D = b² + 4ac: a sign is wrong in the discriminant"),
       of_equation(
           "the answer is right for 2b: b stands where the reduced formula has b/2",
@@ -58,9 +78,19 @@ std::vector<Hypothesis> models_of_roots() {
             "of -b ± √D only √D is divided: parentheses are missing"),
       gives("b-alone-divided", by_formula<b_divided, b_divided_of_half>,
             "of -b ± √D only -b is divided: parentheses are missing"),
+      of_equation("the answer is right for a = 1: a is forgotten",
+                  gives("a-as-one", a_taken_for_one,
+                        "the answer is right where the coefficient a of t² is taken for 1: the direction is "
+                        "taken for a unit vector in the equation")),
       gives("undivided", by_formula<undivided>, "every number is -b ± √D: the division by 2a is missing"),
       gives("b-not-halved", by_formula<b_not_halved>, "√D is halved, and -b is not"),
       gives("root-not-halved", by_formula<root_not_halved>, "-b is halved, and √D is not"),
+      gives("b-of-one-root-negated", by_formula<second_with_b, first_with_b>,
+            "of one of the two roots -b has the wrong sign: it is the other one's opposite"),
+      gives("b-negated", read_as<coefficients_with<0>>, "the answer is right for -b: b has the wrong sign"),
+      gives("c-negated", read_as<coefficients_with<1>>, "the answer is right for -c: c has the wrong sign"),
+      gives("a-c-exchanged", read_as<coefficients_with<2>>,
+            "the answer is right with a and c exchanged: the roots are 1/x"),
       gives("double-root-halved", double_root_halved,
             "a double root is half the right one: it is -b/(2a), and -h/a with h = b/2"),
       gives("double-root-doubled", double_root_doubled,
@@ -70,6 +100,7 @@ std::vector<Hypothesis> models_of_roots() {
             "a double root is not divided by a, or by 2a: it is -b/(2a)"),
       gives("linear-root-inverted", linear_root_inverted, "where a = 0 the root is -b/c, and must be -c/b"),
   };
+  add_small_discriminants<-12, -10, -9, -8, -7, -6, -5, -4, -3, -2>(all);
   add_terms<Product::direction_squared>(all, "term-of-d-d", "d·d");
   add_terms<Product::way_and_direction>(all, "term-of-l-d", "l·d, l = o - center,");
   add_terms<Product::way_squared>(all, "term-of-l-l", "l·l, l = o - center,");
@@ -83,18 +114,21 @@ std::vector<Hypothesis> classes_of_roots() {
   return {
       of_equation(
           "what lies half way between the two roots is right, and their distance is not: √D is wrong",
-          shows("distance-of-roots-wrong", distance_of_roots_wrong,
-                "what lies half way between the two hits is right, and their distance is not: √D, or the "
-                "radius in it, is wrong")),
+          vague(
+              shows("distance-of-roots-wrong", distance_of_roots_wrong,
+                    "what lies half way between the two hits is right, and their distance is not: √D, or the "
+                    "radius in it, is wrong"))),
       of_equation(
           "the distance of the two roots is right, and what lies half way between is not: -b is wrong",
-          shows("middle-of-roots-wrong", middle_of_roots_wrong,
-                "the distance of the two hits is right, and what lies half way between is not: -b, or the "
-                "centre in it, is wrong")),
+          vague(shows(
+              "middle-of-roots-wrong", middle_of_roots_wrong,
+              "the distance of the two hits is right, and what lies half way between is not: -b, or the "
+              "centre in it, is wrong"))),
       of_equation(
           "of two roots one is right and one wrong: their two formulas differ in more than a sign",
-          shows("one-root-wrong", one_root_wrong,
-                "of two hits one is right and one wrong: their two formulas differ in more than a sign")),
+          vague(shows(
+              "one-root-wrong", one_root_wrong,
+              "of two hits one is right and one wrong: their two formulas differ in more than a sign"))),
       shows("double-root-wrong", wrong_where_double, "a double root is wrong: it is -b/(2a)"),
   };
 }

@@ -2,11 +2,13 @@
 /// Faults with transforms and with solids.
 
 #include "properties/diagnosis/cures/cures.hpp"
+#include "properties/diagnosis/models/box.hpp"
 #include "properties/diagnosis/models/caps.hpp"
 #include "properties/diagnosis/models/cylinder.hpp"
 #include "properties/diagnosis/models/edges.hpp"
 #include "properties/diagnosis/models/faces.hpp"
 #include "properties/diagnosis/models/placing.hpp"
+#include "properties/diagnosis/models/side.hpp"
 #include "properties/diagnosis/models/slabs.hpp"
 #include "properties/diagnosis/models/solid.hpp"
 #include "properties/diagnosis/models/transform.hpp"
@@ -66,6 +68,8 @@ std::vector<Hypothesis> models_of_solids() {
       gives("radius-squared", read_as<radius_squared>, "the answer is right for the radius squared"),
       gives("radius-rooted", radius_for_square,
             "the answer is right for the root of the radius: r is taken for r²"),
+      gives("radius-square-added", radius_square_added,
+            "the answer is right for c = |o - center|² + r²: the sign of r² is wrong in the equation"),
       gives("radius-doubled", read_as<radius_doubled>, "the answer is right for twice the radius"),
       gives("radius-halved", read_as<radius_halved>,
             "the answer is right for half the radius: it is taken for a diameter"),
@@ -89,6 +93,14 @@ std::vector<Hypothesis> models_of_solids() {
       misses_zero("flat-box-missed", flat_box_missed, "a box without thickness along an axis is missed"),
       gives("max-as-size", read_as<max_as_size>,
             "the answer is right for a box from min to min + max: max is taken for the size"),
+      gives(
+          "size-as-half", read_as<size_as_half>,
+          "the answer is right for a box twice as large about its middle: the size is taken for half of it"),
+      gives("sum-as-middle", read_as<sum_as_middle>,
+            "the answer is right for a box about min + max: the sum is taken for the middle, and must be "
+            "halved"),
+      gives("slabs-without-signs", slabs_without_signs,
+            "the t of the slabs are taken without their signs: |t| is compared"),
       gives("endless-box-x", read_as<endless_box<0>>,
             "the answer is right for a box without end along x: that slab is not tested"),
       gives("endless-box-y", read_as<endless_box<1>>,
@@ -189,6 +201,17 @@ std::vector<Hypothesis> models_of_cylinders() {
       gives("first-side-hit-decides", first_side_hit_decides,
             "it misses where the side's first hit lies beyond an end, although the other one is on the "
             "cylinder"),
+      gives(
+          "smaller-side-root", smaller_side_root_alone,
+          "of the side's two roots the smaller one alone is looked at: the inside of the wall is never hit"),
+      gives("larger-side-root", larger_side_root_alone,
+            "of the side's two roots the larger one alone is looked at: the side is never hit from outside"),
+      gives("first-side-root", first_side_root_alone,
+            "of the side's hits only the first in the interval is looked at, and no other is reported"),
+      gives("side-without-ends", side_without_ends,
+            "the side goes on beyond the caps: the height is tested there neither below nor above"),
+      gives("caps-where-side-missed", caps_where_side_missed,
+            "the caps are hit only where the side is not hit at all: a ray may pass through both"),
       misses_zero("low-rim-missed", without_low_rim, "hits on the rim at z = 0 are left out: z > 0 is asked"),
       misses_zero("high-rim-missed", without_high_rim,
                   "hits on the rim at z = height are left out: z < height is asked"),

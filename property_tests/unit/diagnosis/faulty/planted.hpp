@@ -100,7 +100,7 @@ inline const Planted planted[] = {
     {"parallelepiped", answer<as_box>, "verdict", "parallelepiped-as-box"},
     {"parallelepiped", answer<edge_missing>, "verdict", "endless-edge-2"},
     {"parallelepiped", answer<distance>, "residual", "t-as-distance"},
-    {"cylinder", answer<no_height>, "verdict", "endless-cylinder"},
+    {"cylinder", answer<no_height>, "verdict", "side-without-ends"},
     {"cylinder", answer<caps_always>, "verdict", "caps-added"},
     {"cylinder", answer<caps_never>, "verdict", "caps-missing"},
     {"cylinder", answer<circle>, "verdict", "circle-rx"},

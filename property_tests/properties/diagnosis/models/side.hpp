@@ -1,0 +1,24 @@
+#pragma once
+/// \file
+/// Models of faults with the two roots of a cylinder's side, and with the ends of that.
+
+#include "properties/diagnosis/models/models.hpp"
+
+namespace rayproof::diagnosis {
+
+/// @{ Of the side's two roots one alone is looked at: the smaller, the larger, the first that the interval
+/// admits. The caps are hit as they should be.
+[[nodiscard]] Answers smaller_side_root_alone(const Case& one, const Answer& exact);
+[[nodiscard]] Answers larger_side_root_alone(const Case& one, const Answer& exact);
+[[nodiscard]] Answers first_side_root_alone(const Case& one, const Answer& exact);
+/// @}
+/// @{ Of a capped cylinder: the side goes on without end, though the caps are where they should be; the caps
+/// are looked for where the side is not hit at all.
+[[nodiscard]] Answers side_without_ends(const Case& one, const Answer& exact);
+[[nodiscard]] Answers caps_where_side_missed(const Case& one, const Answer& exact);
+/// @}
+
+/// The side goes on without end upwards, or downwards, and the caps are where they should be.
+[[nodiscard]] Answers side_goes_on(const Case& one, bool is_upwards);
+
+}  // namespace rayproof::diagnosis

@@ -1,0 +1,26 @@
+#pragma once
+/// \file
+/// Models of an absolute epsilon on the discriminant: of a quadratic equation, a sphere, the side of a
+/// cylinder.
+
+#include <cmath>
+
+#include "properties/diagnosis/models/models.hpp"
+
+namespace rayproof::diagnosis {
+
+/// A discriminant below the limit, in one of the forms that textbooks have, is taken for negative, or for 0.
+[[nodiscard]] Answers small_discriminant(const Case& one, const Answer& exact, double limit);
+template <int power>
+[[nodiscard]] Answers small_discriminant(const Case& one, const Answer& exact) {
+  return small_discriminant(one, exact, std::pow(10.0, power));
+}
+
+/// One that is negative by less than the limit is taken for 0.
+[[nodiscard]] Answers negative_discriminant(const Case& one, const Answer& exact, double limit);
+template <int power>
+[[nodiscard]] Answers negative_discriminant(const Case& one, const Answer& exact) {
+  return negative_discriminant(one, exact, std::pow(10.0, power));
+}
+
+}  // namespace rayproof::diagnosis
