@@ -95,6 +95,7 @@ std::string root_name(const CaseReport& report, std::size_t rank) {
       if (rank < roots.size() && value.value == roots[rank]) equal.insert(equal.begin(), value.name);
     }
   }
+  if (std::ranges::find(equal, usual) != equal.end()) return usual;
   // Of equal roots the later rank has the later name.
   const auto next = roots.begin() + static_cast<std::ptrdiff_t>(std::min(rank + 1, roots.size()));
   const auto later = rank < roots.size() ? std::count(next, roots.end(), roots[rank]) : 0;
