@@ -158,7 +158,7 @@ TEST(programs, name_what_a_misspelt_name_may_be) {
            {"spawn --shape sfere", "sphere"},
            {"leak --method moller_trumbor", "moller_trumbore"},
            {"leak knott", "knot"},
-           {"walk spheers", "spheres"},
+           {"walk far-sphare", "far-sphere"},
            {"report --shape sfere", "sphere"}}) {
     const Ended answered = run(command);
     EXPECT_EQ(answered.status, 2) << command;
