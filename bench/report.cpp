@@ -15,6 +15,7 @@
 #include "bench/report/describe_options.hpp"
 #include "bench/scaling/scaling.hpp"
 #include "bench/vtk/plot_png.hpp"
+#include "case/files.hpp"
 #include "command_line/command_line.hpp"
 #include "command_line/progress_line.hpp"
 #ifdef RAYPROOF_LEAVING
@@ -24,13 +25,6 @@
 namespace {
 
 using namespace rayproof;
-
-void write_file(const std::filesystem::path& path, const std::string& text) {
-  std::ofstream out(path, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) throw std::runtime_error(path.string() + " can't be written");
-}
 
 report::Measurements read_file(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
@@ -74,7 +68,7 @@ report::Measurements measured_or_read(const report::BenchOptions& options, Progr
 int run(const report::BenchOptions& options) {
   const std::optional<report::Measurements> baseline =
       options.baseline.empty() ? std::nullopt : std::optional(read_file(options.baseline));
-  std::filesystem::create_directories(options.out);
+  make_folder(options.out);
   ProgressLine progress;
   report::Conclusions found{.figures = measured_or_read(options, progress)};
   const report::Measurements& figures = found.figures;
@@ -118,14 +112,8 @@ int main(int argc, char** argv) {
     if (options.is_quick && app.count("--time") == 0) options.seconds = 0.02;
     report::validate(options);
     return run(options);
-  } catch (const report::UnknownFilterName& unknown) {
-    fmt::print(stderr, "rayproof report: {}\n", unknown.what());
-    return 2;
-  } catch (const report::FiguresError& trouble) {
-    fmt::print(stderr, "rayproof report: {}\n", trouble.what());
-    return 2;
   } catch (const std::exception& trouble) {
     fmt::print(stderr, "rayproof report: {}\n", trouble.what());
-    return 1;
+    return 2;
   }
 }

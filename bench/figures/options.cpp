@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "bench/figures/row.hpp"
+#include "case/reader/near_names.hpp"
 #include "subjects/subject.hpp"
 
 namespace rayproof::report {
@@ -26,7 +27,7 @@ void demand(const char* option, const std::vector<std::string>& names,
   for (const std::string& name : names) {
     if (!contains(known, name))
       throw UnknownFilterName(
-          fmt::format("{}: there is no '{}'; there are {}", option, name, fmt::join(known, ", ")));
+          fmt::format("{}: there is no '{}'{}", option, name, names_instead(name, known)));
   }
 }
 

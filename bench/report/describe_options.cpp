@@ -15,8 +15,8 @@ constexpr const char* footer =
     "beside it. Times are medians; for figures to quote, let the machine do nothing else. "
     "RAYPROOF_ISA=baseline, avx2 or\n"
     "avx512 chooses the instruction set of the batches.\n"
-    "Exit status: 0 everything was measured and written; 1 something could not be written; 2 wrong command "
-    "line.";
+    "Exit status: 0 everything was measured and written; 2 wrong command line, or something could not be "
+    "read or written.";
 
 }  // namespace
 

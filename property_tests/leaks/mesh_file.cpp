@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "case/reader/near_names.hpp"
 #include "leaks/mesh.hpp"
 
 namespace rayproof::leaks {
@@ -34,7 +35,10 @@ class VertexNumbers {
 }  // namespace
 
 ClosedMesh read_mesh(const std::string& file) {
-  if (!std::filesystem::exists(file)) throw std::runtime_error(file + " does not exist");
+  if (!std::filesystem::exists(file)) {
+    const auto meant = likely_name(file, made_meshes());
+    throw std::runtime_error(file + " does not exist" + (meant ? "; did you mean " + *meant + "?" : ""));
+  }
   std::vector<FilePoint> points;
   std::vector<std::vector<std::size_t>> faces;
   if (!CGAL::IO::read_polygon_soup(file, points, faces) || faces.empty())

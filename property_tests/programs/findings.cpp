@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "case/files.hpp"
 #include "command_line/command_line.hpp"
 #include "command_line/progress_line.hpp"
 #include "dossier/collection.hpp"
@@ -25,11 +26,6 @@ struct FindingsOptions {
   std::string cases{}, shape{};
   bool write = false;
 };
-
-void write_file(const fs::path& path, const std::string& text) {
-  if (!(std::ofstream(path) << text << std::flush))
-    throw std::runtime_error(path.string() + " cannot be written");
-}
 
 /// Runs rayproof check; its folder.
 fs::path run_check(const FindingsOptions& options) {
@@ -55,7 +51,7 @@ std::string command_of(int argc, char** argv) {
 void write_docs(const std::vector<dossier::LibraryDossier>& libraries, const std::string& command) {
   if (!fs::is_directory("docs")) throw std::runtime_error("--write: there is no folder docs here");
   fs::remove_all("docs/images/findings");
-  fs::create_directories("docs/images/findings");
+  make_folder("docs/images/findings");
   write_file("docs/findings.md", findings_markdown(libraries, command));
   write_file("docs/findings.jsonl", findings_file(libraries));
   for (const dossier::LibraryDossier& library : libraries)
@@ -65,7 +61,7 @@ void write_docs(const std::vector<dossier::LibraryDossier>& libraries, const std
 }
 
 int run(const FindingsOptions& options, const std::string& command) {
-  fs::create_directories(options.out);
+  make_folder(options.out);
   std::vector<fs::path> folders(options.from.begin(), options.from.end());
   if (folders.empty()) folders.push_back(run_check(options));
   std::vector<std::pair<std::string, std::string>> commands;

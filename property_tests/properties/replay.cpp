@@ -100,7 +100,9 @@ int replay_file(const std::string& file) {
   std::ifstream in = opened_to_read(file);
   Replays replays;
   std::string line;
-  for (std::size_t number = 1; std::getline(in, line); ++number) replay_line(file, line, number, replays);
+  std::size_t count = 0;
+  while (std::getline(in, line)) replay_line(file, line, ++count, replays);
+  if (count == 0) throw std::runtime_error(file + " is empty: it holds no finding and no case to judge");
   return summed_up(replays);
 }
 

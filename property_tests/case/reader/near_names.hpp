@@ -83,4 +83,13 @@ namespace detail {
   return likely;
 }
 
+/// What a sentence on a name that there is not goes on with: "; did you mean sphere?", or "; there are box,
+/// sphere" where none is likely.
+[[nodiscard]] inline std::string names_instead(std::string_view name, const std::vector<std::string>& names) {
+  if (const auto meant = likely_name(name, names)) return "; did you mean " + *meant + "?";
+  std::string all;
+  for (const std::string& known : names) all += (all.empty() ? "; there are " : ", ") + known;
+  return all;
+}
+
 }  // namespace rayproof

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "case/reader/near_names.hpp"
 #include "properties/engine/plan.hpp"
 
 namespace rayproof::check {
@@ -53,9 +54,9 @@ UnknownName nobody_called(const std::string& name, const std::vector<Entry>& kno
   if (std::ranges::any_of(known, is_called))
     return UnknownName(fmt::format(
         "--subject {0}: it is not built; in a checkout, ./rayproof check --subject {0} builds it", name));
-  std::string names = all_peers;
-  for (const Entry& entry : known) names += ", " + entry.peer.name;
-  return UnknownName(fmt::format("there is no subject \"{}\"; there are {}", name, names));
+  std::vector<std::string> names{all_peers};
+  for (const Entry& entry : known) names.push_back(entry.peer.name);
+  return UnknownName(fmt::format("there is no subject \"{}\"{}", name, names_instead(name, names)));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "case/reader/near_names.hpp"
 #include "programs/check/peers.hpp"
 
 namespace rayproof::leaks {
@@ -16,6 +17,14 @@ std::unique_ptr<Subject> triangles_of(const std::string& name, const std::string
   throw std::logic_error("there is no topic of triangles");
 }
 
+/// Why a name is none of a method of triangles.
+std::runtime_error no_method(const std::string& name) {
+  std::vector<std::string> names;
+  for (const Subject& subject : subjects())
+    if (subject.topic == "triangle") names.push_back(subject.name);
+  return std::runtime_error("there is no method \"" + name + "\" of triangles" + names_instead(name, names));
+}
+
 }  // namespace
 
 SubjectPanel panel_of(const LeakOptions& options) {
@@ -26,7 +35,7 @@ SubjectPanel panel_of(const LeakOptions& options) {
       panel.all.push_back(&subject);
   for (const std::string& name : options.methods) {
     const Subject* subject = find_subject(name.starts_with("triangle/") ? name : "triangle/" + name);
-    if (subject == nullptr) throw std::runtime_error("there is no method \"" + name + "\" of triangles");
+    if (subject == nullptr) throw no_method(name);
     panel.all.push_back(subject);
   }
   const std::chrono::milliseconds case_time(static_cast<std::int64_t>(1000 * options.case_seconds));

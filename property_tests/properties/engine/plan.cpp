@@ -1,11 +1,11 @@
 #include "properties/engine/plan.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
 
+#include "case/reader/near_names.hpp"
 #include "subjects/subject.hpp"
 
 namespace rayproof {
@@ -17,8 +17,8 @@ void check_names(const char* what, const std::vector<std::string>& wanted,
                  const std::set<std::string>& known) {
   for (const std::string& name : wanted)
     if (!known.contains(name))
-      throw UnknownName(
-          fmt::format("there is no {} \"{}\"; there are {}", what, name, fmt::join(known, ", ")));
+      throw UnknownName(fmt::format("there is no {} \"{}\"{}", what, name,
+                                    names_instead(name, {known.begin(), known.end()})));
 }
 
 bool is_wanted(const std::vector<std::string>& wanted, std::initializer_list<std::string_view> names) {

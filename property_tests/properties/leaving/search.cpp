@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <map>
 
+#include "case/reader/near_names.hpp"
 #include "case/writer.hpp"
 #include "oracle/numbers/ulp.hpp"
 
@@ -166,10 +167,10 @@ std::string unknown_names(const SearchSettings& settings) {
   const std::vector<std::string> shapes = topics_with_rays();
   for (const std::string& one : settings.strategies)
     if (std::ranges::find(names, one) == names.end())
-      return fmt::format("there is no strategy \"{}\"; there are {}", one, fmt::join(names, ", "));
+      return fmt::format("there is no strategy \"{}\"{}", one, names_instead(one, names));
   for (const std::string& one : settings.shapes)
     if (std::ranges::find(shapes, one) == shapes.end())
-      return fmt::format("there is no shape \"{}\"; there are {}", one, fmt::join(shapes, ", "));
+      return fmt::format("there is no shape \"{}\"{}", one, names_instead(one, shapes));
   return "";
 }
 

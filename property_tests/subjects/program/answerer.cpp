@@ -12,6 +12,8 @@ using RoundEnd = Conversation::RoundEnd;
 constexpr const char* held_back =
     "answers only once its input is closed: each line must be flushed as soon as it is written";
 
+constexpr const char* too_loud = "wrote more than 1 GB to standard error, which nobody reads";
+
 /// How many failures of one call are looked into; the cases that are left are not asked.
 constexpr int most_failures = 2;
 
@@ -59,6 +61,10 @@ bool ProgramAnswerer::ask_rest(Round& all) {
       if (rest.has_answer[k]) all.put(places[k], rest.outcomes[k]);
   if (ending == RoundEnd::complete) {
     program_->note_complete_round();
+    if (conversation_->is_too_loud()) {
+      program_->give_up(std::string("it ") + too_loud);
+      all.put(places.front(), failure(RoundEnd::nonsense, too_loud));
+    }
     return true;
   }
   if (program_->is_stopped()) {

@@ -13,6 +13,7 @@
 #include <cstring>
 #include <system_error>
 #include <thread>
+#include <vector>
 
 namespace rayproof::program {
 namespace {
@@ -32,6 +33,11 @@ void close_once(int& file) {
   if (file >= 0) ::close(file);
   file = -1;
 }
+
+/// What the end of a program's standard error is kept of; and how much of it is read at once, so that one
+/// that writes much need not wait for whoever reads.
+constexpr std::size_t kept_of_errors = 4096;
+constexpr std::size_t block_of_errors = 1U << 20U;
 
 void never_block(int file) { ::fcntl(file, F_SETFL, ::fcntl(file, F_GETFL) | O_NONBLOCK); }
 
@@ -71,6 +77,7 @@ Child::Child(const std::string& command) {
   output_ = output[0];
   errors_ = errors[0];
   for (const int file : {input_, output_, errors_}) never_block(file);
+  (void)::fcntl(errors_, F_SETPIPE_SZ, static_cast<int>(block_of_errors));  // where the system has room
 }
 
 Child::~Child() {
@@ -87,10 +94,8 @@ void Child::exchange(std::string& unsent, std::string& received, milliseconds li
   if (::poll(files.data(), files.size(), static_cast<int>(limit.count())) < 0 && errno != EINTR)
     fail("the program cannot be waited for");
   if (files[0].revents != 0 && !read_some(output_, received)) close_once(output_);
-  if (files[1].revents != 0 && !read_some(errors_, error_text_)) close_once(errors_);
+  if (files[1].revents != 0 && !read_errors()) close_once(errors_);
   if (files[2].revents != 0) write_some(unsent);
-  constexpr std::size_t kept = 4096;
-  if (error_text_.size() > 2 * kept) error_text_.erase(0, error_text_.size() - kept);
 }
 
 void Child::write_some(std::string& unsent) {
@@ -107,6 +112,17 @@ bool Child::read_some(int file, std::string& into) {
   into.resize(before + block);
   const ssize_t count = ::read(file, into.data() + before, block);
   into.resize(before + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+  return count > 0 || (count < 0 && (errno == EAGAIN || errno == EINTR));
+}
+
+bool Child::read_errors() {
+  thread_local std::vector<char> block(block_of_errors);
+  const ssize_t count = ::read(errors_, block.data(), block.size());
+  const auto size = static_cast<std::size_t>(std::max<ssize_t>(count, 0));
+  error_bytes_ += size;
+  const std::size_t end = std::min(size, kept_of_errors);
+  error_text_.append(block.data() + (size - end), end);
+  if (error_text_.size() > 2 * kept_of_errors) error_text_.erase(0, error_text_.size() - kept_of_errors);
   return count > 0 || (count < 0 && (errno == EAGAIN || errno == EINTR));
 }
 
@@ -140,9 +156,9 @@ std::optional<int> Child::exit_status() const {
 
 std::string Child::last_words() {
   while (errors_ >= 0) {
-    const std::size_t before = error_text_.size();
-    if (!read_some(errors_, error_text_)) close_once(errors_);
-    if (error_text_.size() == before) break;
+    const std::uint64_t before = error_bytes_;
+    if (!read_errors()) close_once(errors_);
+    if (error_bytes_ == before) break;
   }
   constexpr std::size_t longest = 400;
   std::string text = error_text_.substr(error_text_.size() - std::min(error_text_.size(), longest));

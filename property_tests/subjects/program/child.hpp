@@ -5,6 +5,7 @@
 #include <sys/types.h>
 
 #include <chrono>
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -38,6 +39,9 @@ class Child {
   /// Its exit status; nothing while it runs, or where a signal ended it. After `how_it_ended`.
   [[nodiscard]] std::optional<int> exit_status() const;
 
+  /// How many bytes it has written to its standard error, as far as they have been read.
+  [[nodiscard]] std::uint64_t error_bytes() const { return error_bytes_; }
+
   /// The last lines of its standard error, as one line.
   [[nodiscard]] std::string last_words();
 
@@ -45,6 +49,8 @@ class Child {
   void write_some(std::string& unsent);
   /// Whether more may come.
   static bool read_some(int file, std::string& into);
+  /// The same of the standard error, of which the end alone is kept.
+  bool read_errors();
   bool has_ended(std::chrono::milliseconds patience);
 
   pid_t id_ = -1;
@@ -53,6 +59,7 @@ class Child {
   int errors_ = -1;
   std::optional<int> status_{};  ///< of waitpid
   std::string error_text_{};
+  std::uint64_t error_bytes_ = 0;
 };
 
 }  // namespace rayproof::program

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <utility>
 
 #include "case/shape_format.hpp"
 #include "case/writer.hpp"
@@ -161,6 +162,11 @@ bool Conversation::put_nonsense(Round& round, std::string_view line, const std::
   round.put(
       i, {.kind = OutcomeKind::nonsense, .sentence = fmt::format("{}; the line is {}", what, excerpt(line))});
   return true;
+}
+
+bool Conversation::is_too_loud() {
+  const std::uint64_t more = child_.error_bytes() - std::exchange(noted_errors_, child_.error_bytes());
+  return !program_->may_write_errors(more);
 }
 
 std::string Conversation::trouble(RoundEnd ending) {

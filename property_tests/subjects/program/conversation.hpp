@@ -47,6 +47,8 @@ class Conversation {
   /// Whether the shell found nothing to start.
   [[nodiscard]] bool was_never_started();
   [[nodiscard]] std::string last_words() { return child_.last_words(); }
+  /// Whether the program has written more to standard error than anybody reads.
+  [[nodiscard]] bool is_too_loud();
 
  private:
   using Clock = Program::Clock;
@@ -76,8 +78,9 @@ class Conversation {
   bool has_spoken_ = false;
   std::uint64_t first_id_ = 0;  ///< of the round
   std::string unsent_{}, received_{};
-  std::size_t searched_ = 0;  ///< the number of bytes received that hold no end of a line
-  std::string stray_{};       ///< what is wrong with the line that is no answer
+  std::size_t searched_ = 0;        ///< the number of bytes received that hold no end of a line
+  std::uint64_t noted_errors_ = 0;  ///< bytes of standard error that the program's account holds
+  std::string stray_{};             ///< what is wrong with the line that is no answer
 };
 
 }  // namespace rayproof::program

@@ -53,6 +53,11 @@ class Program {
   [[nodiscard]] bool may_hold_back() const { return !has_completed_; }
   /// Something went wrong, and this time was lost to it; `count` cases have no answer for that.
   void note_trouble(std::size_t count, Clock::duration lost);
+  /// It has written this many bytes more to standard error; false where it is too much to go on.
+  [[nodiscard]] bool may_write_errors(std::uint64_t bytes) {
+    constexpr std::uint64_t most = std::uint64_t{1} << 30U;
+    return (error_bytes_ += bytes) <= most;
+  }
   /// No more is to be asked of it, for this reason.
   void give_up(const std::string& why);
 
@@ -65,7 +70,7 @@ class Program {
   std::string command_;
   std::chrono::milliseconds case_time_;
   const std::atomic<bool>* stop_;
-  std::atomic<std::uint64_t> next_id_{1}, answers_{0}, troubles_{0}, silences_{0};
+  std::atomic<std::uint64_t> next_id_{1}, answers_{0}, troubles_{0}, silences_{0}, error_bytes_{0};
   std::atomic<std::int64_t> lost_{0}, slowest_start_{0};  ///< in milliseconds
   std::atomic<bool> is_given_up_{false}, has_repeated_{false}, has_completed_{false};
   std::mutex mutex_{};

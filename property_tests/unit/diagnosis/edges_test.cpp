@@ -76,6 +76,21 @@ TEST(DiagnosisOfDirections, TakesAwayWhatIsTinyBesideTheRest) {
   ASSERT_EQ(changed.size(), 1U);
   EXPECT_EQ(std::get<RayQuestion>(changed.front().question).ray.direction, glm::dvec3(0, -1, 1.5));
   EXPECT_TRUE(change(read_case(along_a_diagonal)).empty());
+  // In the object's space y of the direction is 2e-9.
+  const char* const tiny_in_object =
+      R"({"ray": {"origin": [0,0,1], "direction": [1,1,-1]}, "shape": {"type": "plane", "normal": [0,0,1], "d": 0}, "transform": [[1,0,0,0],[0.999999998,1,0,0],[0,0,1,0],[0,0,0,1]]})";
+  const std::vector<Case> in_object = change(read_case(tiny_in_object));
+  ASSERT_EQ(in_object.size(), 1U);
+  EXPECT_EQ(std::get<RayQuestion>(in_object.front().question).ray.direction, glm::dvec3(1, 0, -1));
+}
+
+TEST(DiagnosisOfIntervals, MovesAnEndAloneThatAHitLiesOn) {
+  const Change change = find_hypothesis("off-interval-ends")->change;
+  const char* const at_t_max =
+      R"({"ray": {"origin": [0,0,1], "direction": [0,0,-1], "t_min": 0, "t_max": 1}, "shape": {"type": "plane", "normal": [0,0,1], "d": 0}})";
+  ASSERT_EQ(change(read_case(at_t_max)).size(), 1U);
+  EXPECT_GT(std::get<RayQuestion>(change(read_case(at_t_max)).front().question).ray.t_max, 1);
+  EXPECT_TRUE(change(read_case(along_a_diagonal)).empty()) << "it hits at t = 2, far from both ends";
 }
 
 /// "range: ignores-t-min": what is found wrong with a sphere's verdicts, each cause once.

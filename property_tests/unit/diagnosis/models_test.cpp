@@ -282,6 +282,9 @@ const Foreseen foreseen_faults[] = {
     {"point_in_polygon", "endless-upright-boundary"},
     {"point_in_polygon", "side-not-on-boundary"},
     {"point_in_polygon", "shape-in-float"},
+    {"parallelepiped", "edges-halved"},
+    {"parallelepiped", "corner-negated"},
+    {"parallelepiped", "edge-1-negated"},
 };
 
 std::string name_of_model(const testing::TestParamInfo<Foreseen>& info) {

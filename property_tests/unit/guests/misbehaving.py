@@ -81,6 +81,14 @@ def unsupported():
         say(json.dumps({"id": case["id"], "unsupported": True}))
 
 
+def complains(size):
+    noise = ("x" * 199 + "\n") * (size // 200)
+    for case in cases():
+        sys.stderr.write(noise)
+        sys.stderr.flush()
+        say(reply(case))
+
+
 def verdict_only():
     for case in cases():
         full = answer(case)
@@ -115,6 +123,8 @@ FAULTS = {
     "close_output": closes_output,
     "never_flush": never_flushes,
     "endless_line": endless_line,
+    "complain": lambda: complains(200000),
+    "complain_endlessly": lambda: complains(8000000),
     "unsupported": unsupported,
     "verdict_only": verdict_only,
     "nearest_only": nearest_only,

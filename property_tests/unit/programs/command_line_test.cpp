@@ -148,6 +148,44 @@ TEST(programs, name_the_option_that_a_misspelt_one_may_be) {
   }
 }
 
+TEST(programs, name_what_a_misspelt_name_may_be) {
+  for (const auto& [command, meant] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"check --shape sfere", "sphere"},
+           {"check --method sphere/centered", "sphere/centred"},
+           {"check --property verdikt", "verdict"},
+           {"check --family bit_paterns", "bit_patterns"},
+           {"check --subject vtk-tre", "vtk-tree"},
+           {"spawn --shape sfere", "sphere"},
+           {"leak --method moller_trumbor", "moller_trumbore"},
+           {"leak knott", "knot"},
+           {"walk far-sphare", "far-sphere"},
+           {"report --shape sfere", "sphere"}}) {
+    const Ended answered = run(command);
+    EXPECT_EQ(answered.status, 2) << command;
+    EXPECT_NE(answered.output.find(std::string("did you mean ") + meant + "?"), std::string::npos)
+        << answered.output;
+    EXPECT_EQ(std::count(answered.output.begin(), answered.output.end(), '\n'), 1) << answered.output;
+  }
+}
+
+TEST(programs, say_of_a_folder_that_cannot_be_made_what_it_is) {
+  for (const std::string command : {"report --out /dev/full", "findings --from /tmp --out /dev/full"}) {
+    const Ended answered = run(command);
+    EXPECT_EQ(answered.status, 2) << command;
+    EXPECT_NE(answered.output.find("the folder /dev/full cannot be made: "), std::string::npos)
+        << answered.output;
+    EXPECT_EQ(std::count(answered.output.begin(), answered.output.end(), '\n'), 1) << answered.output;
+  }
+}
+
+TEST(replay_program, ends_with_2_where_there_is_nothing_to_judge) {
+  const TemporaryFile empty("");
+  const Ended answered = run("replay " + empty.path());
+  EXPECT_EQ(answered.status, 2);
+  EXPECT_EQ(answered.output,
+            "rayproof replay: " + empty.path() + " is empty: it holds no finding and no case to judge\n");
+}
+
 TEST(programs, end_with_2_where_their_output_is_lost) {
   const TemporaryFile file(sphere_case);
   for (const std::string& command :

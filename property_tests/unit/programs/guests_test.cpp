@@ -127,6 +127,11 @@ TEST_F(Guests, WhoNeverEndsALineIsOneFinding) {
 }
 TEST_F(Guests, WhoNeverFlushesLearnsThat) { expect_protocol("never_flush", "each line must be flushed"); }
 
+TEST_F(Guests, StandardErrorMayBeLongAndNotEndless) {
+  EXPECT_EQ(check_fault("complain").status, 0);
+  expect_protocol("complain_endlessly", "wrote more than 1 GB to standard error");
+}
+
 TEST_F(Guests, ACommandThatCannotBeStartedEndsWithTwoAndOneSentence) {
   const Ended outcome = check("no-such-program --fast", "--shape sphere");
   EXPECT_EQ(outcome.status, 2);

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 
+#include "case/reader/near_names.hpp"
 #include "viz/programs/report_of.hpp"
 #include "viz/walkthrough/lesson.hpp"
 #include "viz/walkthrough/stage_of.hpp"
@@ -31,15 +33,25 @@ CaseReport report_for(const CaseOptions& options) {
   return report;
 }
 
+/// Why a topic has no lessons.
+std::string no_topic(const std::string& topic) {
+  std::vector<std::string> names;
+  for (const Lesson& lesson : lessons()) {
+    names.push_back(lesson.name);
+    if (std::ranges::find(names, lesson.group) == names.end()) names.push_back(lesson.group);
+  }
+  const auto meant = likely_name(topic, names);
+  return fmt::format("there is no topic '{}'; {}", topic,
+                     meant ? fmt::format("did you mean {}?", *meant) : "rayproof walk --list names them");
+}
+
 }  // namespace
 
 std::vector<Walk> walks_for(const std::string& topic, const CaseOptions& one, ProgressLine& progress) {
   if (!one.text.empty()) return {{"Cases", stage_of(report_for(one))}};
   const auto found = lessons_of(topic);
   if (topic.empty()) throw WrongCommand("which walkthrough? Give a topic, --case or --list");
-  if (found.empty()) {
-    throw WrongCommand(fmt::format("there is no topic '{}'; rayproof walk --list names them", topic));
-  }
+  if (found.empty()) throw WrongCommand(no_topic(topic));
   std::vector<Walk> walks;
   for (const Lesson* lesson : found) {
     progress.show(share(walks.size(), found.size()), lesson->name + " is computed");

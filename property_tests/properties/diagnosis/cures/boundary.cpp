@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "properties/diagnosis/cures/cures.hpp"
@@ -59,7 +60,25 @@ Cases off_boundary(const Case& one) {
   return std::visit([&](const auto& asked) { return nudged(one, asked, step_of(one)); }, one.question);
 }
 
+namespace {
+
+/// Whether the line is met so near an end of the interval that rounding may put it there.
+bool has_hit_at_an_end(const Case& one) {
+  const RayQuestion* asked = ray_question(one);
+  if (asked == nullptr) return false;
+  const HitList line = hits_of_line(one).hits;
+  return std::ranges::any_of(line.view(), [&](double t) {
+    const auto is_near = [&](double end) {
+      return std::isfinite(end) && std::abs(t - end) <= step_of(one) * (std::abs(t) + std::abs(end));
+    };
+    return is_near(asked->ray.t_min) || is_near(asked->ray.t_max);
+  });
+}
+
+}  // namespace
+
 Cases off_interval_ends(const Case& one) {
+  if (!has_hit_at_an_end(one)) return {};
   return with_question(one, [&](RayQuestion& asked) {
     const double by = 1 + step_of(one);
     const auto lower = [&](double t) { return t == 0 ? -step_of(one) : t > 0 ? t / by : t * by; };

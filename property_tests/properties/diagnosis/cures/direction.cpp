@@ -70,17 +70,30 @@ Cases tilted(const Case& one) {
   return all;
 }
 
+namespace {
+
+/// Takes components away that are tiny beside the others; false where there are none.
+bool take_tiny_away(glm::dvec3& d) {
+  const double tiny = 0x1p-20 * std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+  bool has_tiny = false;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (d[axis] == 0 || std::abs(d[axis]) > tiny) continue;
+    d[axis] = 0;
+    has_tiny = true;
+  }
+  return has_tiny;
+}
+
+}  // namespace
+
 Cases without_tiny_component(const Case& one) {
-  return with_question(one, [](RayQuestion& asked) {
-    glm::dvec3& d = asked.ray.direction;
-    const double tiny = 0x1p-20 * std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
-    bool has_tiny = false;
-    for (int axis = 0; axis < 3; ++axis) {
-      if (d[axis] == 0 || std::abs(d[axis]) > tiny) continue;
-      d[axis] = 0;
-      has_tiny = true;
-    }
-    return has_tiny;
+  Cases changed = with_question(one, [](RayQuestion& asked) { return take_tiny_away(asked.ray.direction); });
+  if (!changed.empty()) return changed;
+  return with_question(one, [](RayQuestion& asked) {  // rounding may leave one in the object's space
+    if (!asked.transform) return false;
+    asked.ray = ray_in_object(asked);
+    asked.transform.reset();
+    return take_tiny_away(asked.ray.direction);
   });
 }
 

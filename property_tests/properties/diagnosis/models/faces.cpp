@@ -75,6 +75,20 @@ std::vector<Case> edges_doubled(const Case& one) {
   });
 }
 
+std::vector<Case> edges_halved(const Case& one) {
+  return with_solid(one, [](Solid& solid) {
+    for (glm::dvec3& edge : solid.edges) edge /= 2;
+  });
+}
+
+std::vector<Case> corner_negated(const Case& one) {
+  return with_solid(one, [](Solid& solid) { solid.corner = -solid.corner; });
+}
+
+std::vector<Case> edge_negated(const Case& one, std::size_t edge) {
+  return with_solid(one, [edge](Solid& solid) { solid.edges.at(edge) *= -1; });
+}
+
 std::vector<Case> edges_both_ways(const Case& one) {
   return with_solid(one, [](Solid& solid) {
     for (glm::dvec3& edge : solid.edges) {

@@ -44,10 +44,18 @@ template <bool (*is_inside)(const FacePoint& point)>
 
 /// The edges' triple product.
 [[nodiscard]] std::optional<double> volume(const Case& one);
-/// @{ Edges divided by their triple product; doubled; from -1 to 1.
+/// @{ Readings of a parallelepiped: edges divided by their triple product; doubled; halved; from -1 to 1; one
+/// edge turned round; the corner's opposite.
 [[nodiscard]] std::vector<Case> edges_over_volume(const Case& one);
 [[nodiscard]] std::vector<Case> edges_doubled(const Case& one);
+[[nodiscard]] std::vector<Case> edges_halved(const Case& one);
 [[nodiscard]] std::vector<Case> edges_both_ways(const Case& one);
+[[nodiscard]] std::vector<Case> corner_negated(const Case& one);
+[[nodiscard]] std::vector<Case> edge_negated(const Case& one, std::size_t edge);
+template <std::size_t edge>
+[[nodiscard]] std::vector<Case> edge_negated(const Case& one) {
+  return edge_negated(one, edge);
+}
 /// @}
 
 }  // namespace rayproof::diagnosis

@@ -35,6 +35,9 @@ Hypothesis tested_point(std::string_view name, Predict predict, std::string_view
       kept(fmt::format("t is right, and {} is compared with the sides: the point is o + t·d", point)));
 }
 
+constexpr std::string_view edge_negated_in_words =
+    "the answer is right with one edge turned round: the sign of a coordinate along it is wrong";
+
 }  // namespace
 
 std::vector<Hypothesis> models_of_weights() {
@@ -87,6 +90,15 @@ std::vector<Hypothesis> models_of_weights() {
       gives("edges-doubled", read_as<edges_doubled>,
             "the answer is right for edges of twice the length: coordinates are compared with 2, and must be "
             "with 1"),
+      gives(
+          "edges-halved", read_as<edges_halved>,
+          "the answer is right for edges of half the length: coordinates are compared with 1/2, and must be "
+          "with 1"),
+      gives("corner-negated", read_as<corner_negated>,
+            "the answer is right for the corner's opposite: a sign is wrong in o - corner"),
+      gives("edge-0-negated", read_as<edge_negated<0>>, edge_negated_in_words),
+      gives("edge-1-negated", read_as<edge_negated<1>>, edge_negated_in_words),
+      gives("edge-2-negated", read_as<edge_negated<2>>, edge_negated_in_words),
       gives("edges-both-ways", read_as<edges_both_ways>,
             "the answer is right for coordinates from -1 to 1: the corner is taken for the centre, and edges "
             "for "
