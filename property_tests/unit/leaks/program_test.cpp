@@ -83,7 +83,8 @@ TEST(LeakProgram, RefusesWhatItCannotUseWithOneSentence) {
   EXPECT_EQ(missing.output, "rayproof leak: /nowhere.off does not exist\n");
   const test::Ended unknown = leak("cube --method nobody");
   EXPECT_EQ(unknown.status, 2);
-  EXPECT_EQ(unknown.output, "rayproof leak: there is no method \"nobody\" of triangles\n");
+  EXPECT_TRUE(unknown.output.starts_with(
+      "rayproof leak: there is no method \"nobody\" of triangles; there are cramer, "));
   const test::Ended stranger = leak("cube --subject nobody");
   EXPECT_EQ(stranger.status, 2);
   EXPECT_NE(stranger.output.find("rayproof leak: there is no subject \"nobody\""), std::string::npos);

@@ -69,7 +69,8 @@ std::vector<Hypothesis> models_of_solids() {
       gives("radius-rooted", radius_for_square,
             "the answer is right for the root of the radius: r is taken for r²"),
       gives("radius-square-added", radius_square_added,
-            "the answer is right for c = |o - center|² + r²: the sign of r² is wrong in the equation"),
+            "it finds nothing on any case tried: no hit is looked for, or c = |o - center|² + r², the sign "
+            "of r² wrong"),
       gives("radius-doubled", read_as<radius_doubled>, "the answer is right for twice the radius"),
       gives("radius-halved", read_as<radius_halved>,
             "the answer is right for half the radius: it is taken for a diameter"),
