@@ -210,7 +210,7 @@ std::vector<Hypothesis> models_of_cylinders() {
       gives("first-side-root", first_side_root_alone,
             "of the side's hits only the first in the interval is looked at, and no other is reported"),
       gives("side-without-ends", side_without_ends,
-            "the side goes on beyond the caps: the height is tested there neither below nor above"),
+            "the side goes on beyond the caps: the height is not tested there, neither below nor above"),
       gives("caps-where-side-missed", caps_where_side_missed,
             "the caps are hit only where the side is not hit at all: a ray may pass through both"),
       misses_zero("low-rim-missed", without_low_rim, "hits on the rim at z = 0 are left out: z > 0 is asked"),
