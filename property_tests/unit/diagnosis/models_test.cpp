@@ -265,8 +265,6 @@ const Foreseen foreseen_faults[] = {
     {"box", "size-as-half"},
     {"box", "sum-as-middle"},
     {"box", "slabs-without-signs"},
-    {"box", "shape-rounded-down"},
-    {"point_in_polygon", "shape-rounded"},
     {"cylinder", "smaller-side-root"},
     {"cylinder", "larger-side-root"},
     {"cylinder", "first-side-root"},

@@ -105,14 +105,6 @@ std::vector<Hypothesis> models_of_readings() {
       gives_to_all(
           "whole-points", read_as<truncated<points>>,
           "the answer is right for the shape's points cut off to whole numbers: they are read as integers"),
-      gives_to_most(
-          "whole-shape", off_boundary_read_as<numbers_cut_off>,
-          "the answer is right for the shape's numbers, and a point's, cut off to whole ones: they are "
-          "read as integers"),
-      gives_to_most("shape-rounded-down", off_boundary_read_as<numbers_rounded_down>,
-                    "the answer is right for the shape's numbers, and a point's, rounded down to whole ones"),
-      gives_to_most("shape-rounded", off_boundary_read_as<numbers_rounded>,
-                    "the answer is right for the shape's numbers, and a point's, rounded to whole ones"),
       of(OfSizes::type,
          gives(
              "shape-in-float", off_boundary_read_as<numbers_in_float>,

@@ -27,22 +27,24 @@ void add_terms(std::vector<Hypothesis>& all, std::string_view name, std::string_
   add('z', wrong_term<product, 2>);
 }
 
-/// An absolute epsilon on the discriminant, from either side of 0.
+/// An absolute epsilon on the discriminant, from either side of 0; the many answers that it foresees of one
+/// case fit single ones by chance.
 template <int... power>
 void add_small_discriminants(std::vector<Hypothesis>& all) {
   (all.push_back(
        of(OfSizes::small,
-          gives(kept(fmt::format("discriminant-negative-1e{}", power)), negative_discriminant<power>,
-                kept(fmt::format("a discriminant D that is negative by less than about 1e{} is taken for 0: "
-                                 "an absolute epsilon on D",
-                                 power))))),
+          gives_to_all(
+              kept(fmt::format("discriminant-negative-1e{}", power)), negative_discriminant<power>,
+              kept(fmt::format("a discriminant D that is negative by less than about 1e{} is taken for 0: "
+                               "an absolute epsilon on D",
+                               power))))),
    ...);
-  (all.push_back(
-       of(OfSizes::small,
-          gives(kept(fmt::format("discriminant-small-1e{}", power)), small_discriminant<power>,
-                kept(fmt::format("a discriminant D below about 1e{} is taken for 0, or for negative: an "
-                                 "absolute epsilon on D",
-                                 power))))),
+  (all.push_back(of(
+       OfSizes::small,
+       gives_to_all(kept(fmt::format("discriminant-small-1e{}", power)), small_discriminant<power>,
+                    kept(fmt::format("a discriminant D below about 1e{} is taken for 0, or for negative: an "
+                                     "absolute epsilon on D",
+                                     power))))),
    ...);
 }
 
