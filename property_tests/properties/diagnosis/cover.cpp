@@ -16,8 +16,8 @@ double weight_of(const Hypothesis& cause) {
 
 /// Of those that are nearly as good as the best the first in the table, which is the more specific one, is
 /// taken. A model that is not vague is right digit by digit, and is rivalled by less; by none that differs in
-/// a size alone. But
-/// digits of a shorter type prove that type where a ray that is missed shows only how much was lost.
+/// a size alone. But digits of a shorter type prove that type where a ray that is missed shows only how much
+/// was lost.
 constexpr double nearly_as_good(const Hypothesis& cause) {
   if (cause.change != nullptr || cause.is_vague) return 0.85;
   if (cause.of_sizes == OfSizes::type) return 0.9;

@@ -66,8 +66,7 @@ std::vector<Hypothesis> models_of_first_hits() {
       vague(shows(
           "normal-of-other-face", normal_of_other_face,
           "the normal is another face's, or points between faces: the wrong face is taken for the one that "
-          "is "
-          "hit",
+          "is hit",
           gross, Aspect::normal)),
       vague(shows("point-right-t-wrong", point_right_t_wrong, "the point is right although t is wrong")),
       gives("point-in-object", point_in_object, "the point is the one in object space", gross, Aspect::point),
@@ -131,8 +130,7 @@ std::vector<Hypothesis> classes_of_cases() {
       shows("is-nan", is_nan, "a number of the answer is NaN"),
       shows("is-zero", is_all_zero,
             "every number of the answer is 0: a product of vectors at right angles, or a variable that is "
-            "never "
-            "set"),
+            "never set"),
       vague(shows("is-infinite", is_infinite,
                   "a number of the answer is infinite: a division by 0 is not kept from")),
       strictly(gives("never-hits", never_hits, "it finds nothing on any case tried")),
