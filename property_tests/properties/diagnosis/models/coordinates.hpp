@@ -56,10 +56,15 @@ template <Vectors which>
 
 /// Every number of the shape is changed; of a point and a polygon, those of both.
 [[nodiscard]] std::vector<Case> with_numbers(const Case& one, double (*change)(double x));
-/// As those of the shorter type.
+/// @{ Those of a shape as whole numbers, cut off towards 0; all as those of the shorter type.
+[[nodiscard]] inline std::vector<Case> shape_cut_off(const Case& one) {
+  if (ray_question(one) == nullptr) return {};
+  return with_numbers(one, [](double x) { return std::trunc(x); });
+}
 [[nodiscard]] inline std::vector<Case> numbers_in_float(const Case& one) {
   return with_numbers(one, [](double x) { return double{static_cast<float>(x)}; });
 }
+/// @}
 
 /// @{ The ray starts at the origin of coordinates; its direction is taken for a point that it goes through; x
 /// and y of the point in the plane are exchanged.

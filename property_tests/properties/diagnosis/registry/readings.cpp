@@ -105,6 +105,9 @@ std::vector<Hypothesis> models_of_readings() {
       gives_to_all(
           "whole-points", read_as<truncated<points>>,
           "the answer is right for the shape's points cut off to whole numbers: they are read as integers"),
+      gives_to_all(
+          "whole-shape", read_as<shape_cut_off>,
+          "the answer is right for the shape's numbers cut off to whole ones: they are read as integers"),
       of(OfSizes::type,
          gives(
              "shape-in-float", off_boundary_read_as<numbers_in_float>,
