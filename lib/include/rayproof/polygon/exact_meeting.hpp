@@ -21,7 +21,7 @@ class ExactMeeting {
  public:
   using Exact = ExactQuotient::Exact;
 
-  /// Valid as long as what it is made of.
+  /// Valid as long as the polygon and the unit.
   ExactMeeting(const Polygon<T>& polygon, const Vector& o, const Vector& d, const Unit& unit)
       : polygon_(polygon), o_(o), d_(d), unit_(unit) {
     const vec3<double> origin = approximate(o), direction = approximate(d);
@@ -146,7 +146,7 @@ class ExactMeeting {
   }
 
   const Polygon<T>& polygon_;
-  const Vector &o_, &d_;
+  const Vector o_, d_;
   const Unit& unit_;
   mutable std::optional<ExactQuotient> exact_;
   LargestAxisLast<double> turned_{vec3<double>{}};
