@@ -143,15 +143,33 @@ Diagnosis CauseSearch::best_model(const Indices& left) const {
   std::size_t most = 0;
   for (const Hypothesis& one : hypotheses()) {
     if (one.predict == nullptr || !may_be(one, false)) continue;
-    const Indices cases = screened(one, left);
-    if (cases.size() <= most || is_by_chance(one, cases) || is_contradicted(one, cases)) continue;
-    const std::size_t balance = cases.size() - examination_.contradictions(one, cases);
-    if (balance <= most) continue;
-    most = balance;
+    Indices cases = screened(one, left);
+    if (cases.size() <= most) continue;
+    const std::size_t worth = balance(one, cases);
+    if (worth <= most) continue;
+    most = worth;
     best.cause = &one;
-    best.cases = cases;
+    best.cases = std::move(cases);
   }
   return best;
+}
+
+/// How many more cases a model explains than contradict it; 0 where it is refuted or fits by chance.
+std::size_t CauseSearch::balance(const Hypothesis& model, const Indices& cases) const {
+  if (cases.empty() || is_by_chance(model, cases)) return 0;
+  const std::size_t against = examination_.contradictions(model, cases);
+  return is_refuted(model, cases.size(), against) ? 0 : cases.size() - against;
+}
+
+std::vector<const Hypothesis*> CauseSearch::likely_models() const {
+  std::vector<const Hypothesis*> likely;
+  const Indices all = all_of(examination_.failing_count());
+  for (const Hypothesis& one : hypotheses()) {
+    if (one.predict == nullptr || !may_be(one, false)) continue;
+    const Indices cases = screened(one, all);
+    if (is_share(cases, all, most_for_a_model) && balance(one, cases) > 0) likely.push_back(&one);
+  }
+  return likely;
 }
 
 /// A model that fits single cases by chance must explain nearly all that fail, not only those that are left;

@@ -27,6 +27,8 @@ class CauseSearch {
 
   /// Every failing case in a group with its cause; those of most cases first. Only cause and cases are given.
   [[nodiscard]] std::vector<Diagnosis> groups() const;
+  /// The models that explain most of all failing cases: which of them is right, other complaints may show.
+  [[nodiscard]] std::vector<const Hypothesis*> likely_models() const;
   /// Which of all failing cases it explains; none where it proves nothing here.
   [[nodiscard]] Indices explained_of_all(const Hypothesis& one) const;
 
@@ -42,6 +44,7 @@ class CauseSearch {
   [[nodiscard]] bool is_by_chance(const Hypothesis& one, const Indices& cases) const;
   [[nodiscard]] bool is_most(const Hypothesis& one, const Indices& cases, const Indices& left) const;
   [[nodiscard]] Diagnosis best_model(const Indices& left) const;
+  [[nodiscard]] std::size_t balance(const Hypothesis& model, const Indices& cases) const;
   [[nodiscard]] bool is_contradicted(const Hypothesis& one, const Indices& cases) const;
   [[nodiscard]] bool is_proven(const Hypothesis& one, const Indices& cases, const Indices& left) const;
 

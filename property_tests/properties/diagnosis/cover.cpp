@@ -44,7 +44,8 @@ Cover::Cover(std::span<const Complaint* const> complaints) {
     sheet.examination = std::make_unique<Examination>(one->patient, one->failing, one->passing);
     sheet.search =
         std::make_unique<CauseSearch>(one->patient, *sheet.examination, std::span<const Hypothesis* const>{});
-    sheet.own = sheet.search->groups();
+    sheet.named = sheet.search->likely_models();
+    for (const Diagnosis& group : sheet.search->groups()) sheet.named.push_back(group.cause);
     const auto count = static_cast<double>(one->failing.size());
     sheet.weight = one->broken > 0 ? one->broken / count : 1;
     sheets_.push_back(std::move(sheet));
@@ -58,15 +59,13 @@ std::vector<std::vector<Diagnosis>> Cover::groups() const {
   return all;
 }
 
-/// Every cause that is named for any complaint, in the order of the table; what the right answers to the
-/// cases of all complaints contradict is left out.
+/// Every cause that is named for any complaint, or may be, in the order of the table; what the right answers
+/// to the cases of all complaints contradict is left out.
 std::vector<Cover::Candidate> Cover::candidates() const {
   std::vector<Candidate> all;
   for (const Hypothesis& cause : hypotheses()) {
-    const auto names_it = [&](const Diagnosis& group) { return group.cause == &cause; };
-    if (std::ranges::none_of(sheets_,
-                             [&](const Sheet& one) { return std::ranges::any_of(one.own, names_it); }))
-      continue;
+    const auto names_it = [&](const Sheet& one) { return std::ranges::count(one.named, &cause) > 0; };
+    if (std::ranges::none_of(sheets_, names_it)) continue;
     Candidate candidate{&cause};
     std::size_t explained = 0, contradictions = 0;
     for (const Sheet& sheet : sheets_) {

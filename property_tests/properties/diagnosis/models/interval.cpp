@@ -126,8 +126,14 @@ Answers drops(const Case& one, const Answer& exact, bool (*is_dropped)(double t)
 }
 
 Answers drops_below_epsilon(const Case& one, const Answer& exact) {
-  return in_precision(one.precision, [&]<class T>(T) {
-    return drops(one, exact, [](double t) { return t <= std::numeric_limits<T>::epsilon(); });
+  return in_precision(one.precision, [&]<class T>(T) -> Answers {
+    constexpr double epsilon = std::numeric_limits<T>::epsilon();
+    const Answers by_t = drops(one, exact, [](double t) { return t <= epsilon; });
+    const Answers by_distance = without_hits(one, exact, [](const Ray<double>& ray, double t) {
+      return t * glm::length(ray.direction) <= epsilon;
+    });
+    if (by_t.empty() && by_distance.empty()) return {};
+    return {by_t.empty() ? exact : by_t.front(), by_distance.empty() ? exact : by_distance.front()};
   });
 }
 

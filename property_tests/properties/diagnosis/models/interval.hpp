@@ -50,7 +50,8 @@ template <int power>
 [[nodiscard]] inline Answers drops_not_positive(const Case& one, const Answer& exact) {
   return drops(one, exact, [](double t) { return !(t > 0); });
 }
-/// Hits of t below the machine epsilon of the case's precision, which the interval admits, are left out.
+/// Hits of t below the machine epsilon of the case's precision, which the interval admits, are left out; and
+/// those of a distance below it, as a program has it that makes the direction a unit vector.
 [[nodiscard]] Answers drops_below_epsilon(const Case& one, const Answer& exact);
 /// Hits of t beyond 10^power, which the interval admits, are left out.
 template <int power>

@@ -61,15 +61,14 @@ std::vector<Hypothesis> cures_of_values() {
           "always left out"),
       exact_cure(
           "tilted", tilted,
-          "right as soon as the direction is tilted off the axes: 0·∞ or a division by a component that is "
-          "0"),
+          "right as soon as the direction is tilted off the axes: 0·∞ or a division by a component that "
+          "is 0"),
       exact_cure("without-tiny-component", without_tiny_component,
                  "right as soon as a component of the direction is 0 that is tiny beside the others: what "
                  "decides is a coordinate in which the ray hardly moves"),
       cure("turned", turned,
            "right as soon as the scene is turned off the axes: a direction, a side or a plane along an axis "
-           "is "
-           "not handled"),
+           "is not handled"),
       cure("unit-direction", unit_direction,
            "right as soon as the direction has length 1: the code takes it for a unit vector"),
       cure("unit-normal", unit_normal,

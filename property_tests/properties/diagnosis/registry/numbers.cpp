@@ -65,6 +65,7 @@ std::vector<Hypothesis> models_of_limits() {
               "hits with t below the machine epsilon of the type, 1.2e-7 or 2.2e-16, are left out: it is no "
               "length"),
   };
+  all.front().is_one_of_many = true;  // it is t that is compared, or the distance
   add_epsilons<-15, -12, -10, -9, -8, -7, -6, -5, -4, -3, -2>(all);
   add_limits<30, 20, 16, 15, 12, 10, 9, 8, 7, 6, 5, 4, 3, 2>(all);
   return all;
