@@ -35,6 +35,18 @@ concept Bounding = requires(const X& x) {
   x.error;
 };
 
+/// Where a variable stands: what is called may keep a reference to it.
+template <class X>
+struct Place {
+  X* at;
+};
+template <class X>
+Place(X*) -> Place<X>;
+template <class X>
+inline constexpr bool is_place = false;
+template <class X>
+inline constexpr bool is_place<Place<X>> = true;
+
 /// Whether a mutant's value of type X can stand for one of type R.
 template <class R, class X>
 inline constexpr bool fits = [] {
@@ -76,6 +88,8 @@ bool is_same(const R& a, const R& b) {
   if constexpr (std::is_arithmetic_v<R> || std::is_enum_v<R> || std::is_pointer_v<R> ||
                 std::is_member_pointer_v<R>) {
     return std::memcmp(&a, &b, sizeof(R)) == 0;
+  } else if constexpr (is_place<R>) {
+    return is_same(*a.at, *b.at);
   } else if constexpr (Expanded<R>) {
     bool same = a.count == b.count;
     for (std::size_t i = 0; same && i < a.count; ++i) same = is_same(a.terms[i], b.terms[i]);

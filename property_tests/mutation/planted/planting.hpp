@@ -68,17 +68,46 @@ constexpr auto pick(const Original& original, const Mutants&... mutants) {
   return R(original());
 }
 
-/// The same of an argument that some mutants swap with its neighbour: only with one of its own type.
-template <int First, class Original, class... Mutants>
-constexpr auto swapped(const Original& original, const Mutants&... mutants) {
-  using R = std::decay_t<decltype(original())>;
-  const auto alike = []<class Mutant>(const Mutant& mutant) {
-    if constexpr (std::is_same_v<R, std::decay_t<decltype(mutant())>>)
-      return mutant;
+namespace detail {
+
+/// Only a mutant of this type, const or not.
+template <class R, class Mutant>
+constexpr auto alike(const Mutant& mutant) {
+  if constexpr (std::is_same_v<R, std::decay_t<decltype(mutant())>>)
+    return mutant;
+  else
+    return nothing;
+}
+
+/// Whether what the two give are variables of one type, or the second is no mutant for the first.
+template <class Own, class Other>
+inline constexpr bool are_variables =
+    std::is_same_v<Own, Other> || !std::is_same_v<std::decay_t<Own>, std::decay_t<Other>>;
+
+/// Where a variable stands.
+template <class Variable>
+constexpr auto place_of(const Variable& variable) {
+  return [&variable] {
+    if constexpr (std::is_reference_v<decltype(variable())>)
+      return Place{&variable()};
     else
-      return nothing;
+      return NoMutant{};
   };
-  return pick<First>(original, alike(mutants)...);
+}
+
+}  // namespace detail
+
+/// The same of an argument that some mutants swap with its neighbour: only with one of its own type. A
+/// variable stays the variable that it is, since what is called may keep a reference to it.
+template <int First, class Original, class... Mutants>
+constexpr decltype(auto) swapped(const Original& original, const Mutants&... mutants) {
+  using Own = decltype(original());
+  using R = std::decay_t<Own>;
+  if constexpr (std::is_class_v<R> && std::is_lvalue_reference_v<Own> &&
+                (detail::are_variables<Own, decltype(mutants())> && ...))
+    return *pick<First>(detail::place_of(original), detail::place_of(detail::alike<R>(mutants))...).at;
+  else
+    return pick<First>(original, detail::alike<R>(mutants)...);
 }
 
 /// A list of operations; the first is that of the kernel.
