@@ -27,8 +27,9 @@ class CauseSearch {
 
   /// Every failing case in a group with its cause; those of most cases first. Only cause and cases are given.
   [[nodiscard]] std::vector<Diagnosis> groups() const;
-  /// The models that explain most of all failing cases: which of them is right, other complaints may show.
-  [[nodiscard]] std::vector<const Hypothesis*> likely_models() const;
+  /// The models of sizes that explain most of all failing cases: which size it is, and of what, other
+  /// complaints may show.
+  [[nodiscard]] std::vector<const Hypothesis*> likely_sizes() const;
   /// Which of all failing cases it explains; none where it proves nothing here.
   [[nodiscard]] Indices explained_of_all(const Hypothesis& one) const;
 

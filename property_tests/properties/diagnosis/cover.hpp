@@ -23,7 +23,7 @@ class Cover {
     std::unique_ptr<Examination> examination;
     std::unique_ptr<CauseSearch> search;
     std::vector<const Hypothesis*> named;  ///< the causes of its groups where no other complaint is known,
-                                           ///< and the models that explain most of it
+                                           ///< and the sizes that explain most of it
     double weight;                         ///< how many cases of the run a case of the sample stands for
   };
   /// A cause with the cases that it explains of each complaint.
