@@ -48,6 +48,7 @@ Cover::Cover(std::span<const Complaint* const> complaints) {
     for (const Diagnosis& group : sheet.search->groups()) sheet.named.push_back(group.cause);
     const auto count = static_cast<double>(one->failing.size());
     sheet.weight = one->broken > 0 ? one->broken / count : 1;
+    sheet.is_of_digits = one->is_of_digits;
     sheets_.push_back(std::move(sheet));
   }
 }
@@ -64,12 +65,13 @@ std::vector<std::vector<Diagnosis>> Cover::groups() const {
 std::vector<Cover::Candidate> Cover::candidates() const {
   std::vector<Candidate> all;
   for (const Hypothesis& cause : hypotheses()) {
-    const auto names_it = [&](const Sheet& one) { return std::ranges::count(one.named, &cause) > 0; };
-    if (std::ranges::none_of(sheets_, names_it)) continue;
+    if (!is_named(cause)) continue;
     Candidate candidate{&cause};
     std::size_t explained = 0, contradictions = 0;
     for (const Sheet& sheet : sheets_) {
-      Indices cases = sheet.search->explained_of_all(cause);
+      // A cure that only says where to look says nothing of lost digits.
+      const bool is_of_more = sheet.is_of_digits && cause.is_vague && cause.change != nullptr;
+      Indices cases = is_of_more ? Indices{} : sheet.search->explained_of_all(cause);
       explained += cases.size();
       const bool is_refutable = !cases.empty() || (cause.speaks_of_all && cause.change == nullptr);
       const std::size_t against = is_refutable ? sheet.examination->contradictions(cause, cases) : 0;
@@ -81,6 +83,16 @@ std::vector<Cover::Candidate> Cover::candidates() const {
   }
   name_by_models(all);
   return all;
+}
+
+/// Whether it is named for some complaint. That digits are lost alone shows no fault that is
+/// worse: it would break more.
+bool Cover::is_named(const Hypothesis& cause) const {
+  const bool is_mark = cause.recognise != nullptr && !cause.is_vague;
+  const bool is_worse = cause.kind == FindingKind::gross && cause.of_sizes == OfSizes::nothing && !is_mark;
+  return std::ranges::any_of(sheets_, [&](const Sheet& sheet) {
+    return !(sheet.is_of_digits && is_worse) && std::ranges::count(sheet.named, &cause) > 0;
+  });
 }
 
 /// How many cases of the run are explained by the candidate and are among the others.

@@ -25,6 +25,7 @@ class Cover {
     std::vector<const Hypothesis*> named;  ///< the causes of its groups where no other complaint is known,
                                            ///< and the sizes that explain most of it
     double weight;                         ///< how many cases of the run a case of the sample stands for
+    bool is_of_digits;                     ///< digits are lost, and no more
   };
   /// A cause with the cases that it explains of each complaint.
   struct Candidate {
@@ -34,6 +35,7 @@ class Cover {
   };
 
   [[nodiscard]] std::vector<Candidate> candidates() const;
+  [[nodiscard]] bool is_named(const Hypothesis& cause) const;
   [[nodiscard]] double weight_of_common(const Candidate& one, const std::vector<Indices>& others) const;
   [[nodiscard]] Candidate* model_of(const Candidate& cure, std::vector<Candidate>& candidates) const;
   void name_by_models(std::vector<Candidate>& candidates) const;

@@ -29,19 +29,21 @@ Consultation::Consultation(const RunResult& result, const Samples& samples, Find
                            const std::atomic<bool>& stop)
     : finding_(finding),
       stop_(stop),
+      sample_(samples.find(*finding.subject, finding.one.precision, *finding.property)),
       complaint_{.patient = patient_of(*finding.subject, *finding.property)},
       broken_(broken_cases(result, finding)) {
   const bool is_declared = finding.is_declared;
   complaint_.broken = static_cast<double>(broken_);
-  const Samples::PropertySample* sample =
-      samples.find(*finding.subject, finding.one.precision, *finding.property);
-  if (sample != nullptr) {
-    complaint_.failing = in_turn(sample->broken, is_declared ? most_declared : most_failing);
-    complaint_.passing = in_turn(sample->held, is_declared ? most_declared : most_passing);
+  complaint_.is_of_digits = finding.property->name == "digits";
+  if (sample_ != nullptr) {
+    complaint_.failing = in_turn(sample_->broken, is_declared ? most_declared : most_failing);
+    complaint_.passing = in_turn(sample_->held, is_declared ? most_declared : most_passing);
   }
   add_right_answers(samples);
   if (complaint_.failing.empty()) complaint_.failing.push_back(finding.one);
-  if (!is_declared && !finding.subject->has_own_contract) add_neighbours();
+  if (is_declared || finding.subject->has_own_contract) return;
+  add_neighbours();
+  add_simple_twins();
 }
 
 std::vector<Finding> Consultation::findings(const std::vector<Diagnosis>& groups) {
@@ -78,6 +80,20 @@ void Consultation::add_neighbours() {
   for (std::size_t k = 0; k < near.size() && complaint_.failing.size() < few; ++k)
     if (answers[k] && complaint_.patient.rule(near[k], *answers[k]) == Ruling::broken)
       complaint_.failing.push_back(std::move(near[k]));
+}
+
+/// What fails, with fewer digits, as far as it is right then: a model of more than rounding must not
+/// contradict that.
+void Consultation::add_simple_twins() {
+  constexpr std::size_t few = 24;
+  const Change simplify = find_hypothesis("few-digits")->change;
+  std::vector<Case> twins;
+  for (std::size_t k = 0; k < std::min(few, complaint_.failing.size()); ++k)
+    std::ranges::move(simplify(complaint_.failing[k]), std::back_inserter(twins));
+  const std::vector<std::optional<Answer>> answers = complaint_.patient.ask(twins);
+  for (std::size_t k = 0; k < twins.size(); ++k)
+    if (answers[k] && complaint_.patient.rule(twins[k], *answers[k]) != Ruling::broken)
+      complaint_.passing.push_back(std::move(twins[k]));
 }
 
 /// Whether the subject promises anything of the case: beyond that models may overflow as it does.

@@ -23,10 +23,19 @@ class Consultation {
   [[nodiscard]] const Complaint& complaint() const { return complaint_; }
   /// Completes the finding by the groups of its sample; the others that its property deserves.
   [[nodiscard]] std::vector<Finding> findings(const std::vector<Diagnosis>& groups);
+  /// Turns to those cases of the run that none of the causes explains, where there are enough of them: a
+  /// fault that many cases show hides another that few do.
+  [[nodiscard]] bool turn_to_rest(std::span<const Hypothesis* const> causes);
+  /// The findings that the rest deserves beside the causes that are known.
+  [[nodiscard]] std::vector<Finding> findings_of_rest(const std::vector<Diagnosis>& groups,
+                                                      std::span<const Hypothesis* const> known) const;
 
  private:
   void add_right_answers(const Samples& samples);
   void add_neighbours();
+  void add_simple_twins();
+  [[nodiscard]] std::vector<Case> unexplained(std::vector<Case> left,
+                                              std::span<const Hypothesis* const> causes) const;
   [[nodiscard]] bool is_ordinary(const Case& one) const;
   [[nodiscard]] const Diagnosis& own_group(const std::vector<Diagnosis>& groups) const;
   void describe(Finding& finding, const Diagnosis& group) const;
@@ -37,7 +46,9 @@ class Consultation {
 
   Finding& finding_;
   const std::atomic<bool>& stop_;
+  const Samples::PropertySample* sample_;
   Complaint complaint_;
+  std::vector<Case> hiding_{};  ///< the sample before the rest was turned to
   std::uint64_t broken_;
 };
 

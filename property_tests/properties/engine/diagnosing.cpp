@@ -44,6 +44,34 @@ std::vector<std::vector<Diagnosis>> groups_of(const Subject& subject,
   return all;
 }
 
+/// Every cause that the groups name, once.
+std::vector<const Hypothesis*> causes_in(const std::vector<std::vector<Diagnosis>>& groups) {
+  std::vector<const Hypothesis*> causes;
+  for (const std::vector<Diagnosis>& some : groups)
+    for (const Diagnosis& group : some)
+      if (group.cause != nullptr && std::ranges::find(causes, group.cause) == causes.end())
+        causes.push_back(group.cause);
+  return causes;
+}
+
+/// The faults of a program that those known hide.
+std::vector<Finding> hidden(std::deque<diagnosis::Consultation>& consultations,
+                            const std::vector<const Hypothesis*>& known) {
+  std::vector<diagnosis::Consultation*> asked;
+  std::vector<const Complaint*> complaints;
+  for (diagnosis::Consultation& one : consultations)
+    if (one.turn_to_rest(known)) {
+      asked.push_back(&one);
+      complaints.push_back(&one.complaint());
+    }
+  std::vector<Finding> found;
+  if (complaints.empty()) return found;
+  const auto groups = diagnose_together(complaints);
+  for (std::size_t k = 0; k < asked.size(); ++k)
+    std::ranges::move(asked[k]->findings_of_rest(groups[k], known), std::back_inserter(found));
+  return found;
+}
+
 /// Diagnoses these findings of one subject, and returns the others that it deserves.
 std::vector<Finding> diagnosed(const RunResult& result, const std::vector<Finding*>& findings,
                                const Samples& samples, const std::atomic<bool>& stop) {
@@ -58,6 +86,8 @@ std::vector<Finding> diagnosed(const RunResult& result, const std::vector<Findin
   std::vector<Finding> others;
   for (std::size_t k = 0; k < findings.size(); ++k)
     std::ranges::move(consultations[k].findings(groups[k]), std::back_inserter(others));
+  if (!findings.front()->subject->has_own_contract)
+    std::ranges::move(hidden(consultations, causes_in(groups)), std::back_inserter(others));
   return others;
 }
 

@@ -84,7 +84,8 @@ bool is_part_of(const Finding& finding, const Finding& other) {
   if (finding.cases > most && !is_known_at_extremes_alone) return false;
   const bool is_model =
       other.cause->change == nullptr && !other.cause->is_vague && other.cause->kind == FindingKind::gross;
-  return (finding.cause->is_vague && is_model) || is_part_of(*finding.cause, *other.cause);
+  const bool is_alike = finding.cause->aspect == other.cause->aspect;
+  return (finding.cause->is_vague && is_alike && is_model) || is_part_of(*finding.cause, *other.cause);
 }
 
 bool is_avoided(const Finding& finding) {

@@ -33,6 +33,8 @@ struct Share {
     of += more.of;
   }
   [[nodiscard]] bool is_never() const { return of >= enough && count == 0; }
+  /// The same from fewer, where what is seen once is enough: a program that is asked few cases of a shape.
+  [[nodiscard]] bool is_unseen() const { return of >= 3 && count == 0; }
   [[nodiscard]] bool is_always() const { return of >= enough && count == of; }
   /// Once in ten, or less: what another boundary is to blame for.
   [[nodiscard]] bool is_rarely() const { return of >= enough && 10 * count <= of; }
@@ -69,7 +71,7 @@ struct Learnt {
   }
 
   void put_into(const std::string& topic, Abilities& abilities) const {
-    abilities.all_hits = !two.is_never();
+    abilities.all_hits = !two.is_unseen();
     abilities.numbers = !numbers.is_never();
     abilities.contact = !contact.is_never();
     abilities.point = !point.is_never();

@@ -40,6 +40,55 @@ bool goes_on_inside(const Case& one) {
   return is_inside(share.x) && is_inside(share.y) && is_inside(share.z);
 }
 
+/// What a program may make of a box by rounding: middle and half lengths, these of the sizes or of the
+/// middle, with faces that are rounded or not; the middle as it is seen from the ray's origin; min and size.
+std::vector<Case> rounded_boxes(const Case& one) {
+  Case in_doubles = one;  // which hold the sum of a rounded middle and a rounded half
+  in_doubles.precision = Precision::float64;
+  const auto rounded = [&](double x) { return round_to(one.precision, x); };
+  std::vector<Case> all;
+  for (int form = 0; form < 5; ++form) {
+    const auto made = with_shape<Box<double>>(in_doubles, [&](const RayQuestion& asked, auto& box) {
+      const Box<double> given = box;
+      for (int axis = 0; axis < 3; ++axis) {
+        const double low = given.min[axis], high = given.max[axis], size = rounded(high - low);
+        const double origin = asked.ray.origin[axis], middle = rounded(rounded(low + high) / 2);
+        const double half = form == 1 ? rounded(high - middle) : rounded(size / 2);
+        const double seen = form == 3 ? origin + rounded(middle - origin) : middle;
+        box.min[axis] = form == 4 ? low : seen - half;
+        box.max[axis] = form == 4 ? rounded(low + size) : seen + half;
+        if (form == 1 || form == 2) {
+          box.min[axis] = rounded(box.min[axis]);
+          box.max[axis] = rounded(box.max[axis]);
+        }
+      }
+      return (form != 3 || !asked.transform) && (box.min != given.min || box.max != given.max);
+    });
+    all.insert(all.end(), made.begin(), made.end());
+  }
+  return all;
+}
+
+/// By how much the worst of some numbers is off.
+double farthest(const std::vector<double>& numbers, const std::vector<double>& others) {
+  double worst = 0;
+  for (std::size_t i = 0; i < numbers.size(); ++i) worst = std::max(worst, std::abs(numbers[i] - others[i]));
+  return worst;
+}
+
+/// Whether the hits are off by about the last digit of the box's coordinates, and none is missing.
+bool is_off_by_few_units(const Case& one, const std::vector<double>& numbers,
+                         const std::vector<double>& right) {
+  constexpr double few = 8;
+  const auto* box = shape_in<Box<double>>(one);
+  const RayQuestion& asked = *ray_question(one);
+  if (box == nullptr || asked.transform || numbers.empty() || numbers.size() > right.size()) return false;
+  const glm::dvec3 largest = glm::max(glm::abs(box->min), glm::abs(box->max));
+  const double unit = one.precision == Precision::float32 ? 0x1p-24 : 0x1p-53;
+  const double off = farthest(numbers, right) * glm::length(asked.ray.direction);
+  return off > 0 && off <= few * unit * std::max({largest.x, largest.y, largest.z});
+}
+
 }  // namespace
 
 std::optional<bool> missed_through_edge(const Case& one, const Answer& got, const Answer& exact) {
@@ -53,6 +102,7 @@ std::optional<bool> missed_through_edge(const Case& one, const Answer& got, cons
 std::optional<bool> has_rounded_edges(const Case& one, const Answer& got, const Answer& exact) {
   const auto* box = shape_in<Box<double>>(one);
   if (box == nullptr || !finds_something(exact) || std::get<RayAnswer>(got).verdict_only) return std::nullopt;
+  if (is_of_rounded_centre(one, got, exact)) return std::nullopt;
   const Ray<double> ray = ray_in_object(*ray_question(one));
   const glm::dvec3 sides = box->max - box->min;
   const double margin = std::min({sides.x, sides.y, sides.z}) / 8;
@@ -71,32 +121,21 @@ std::optional<bool> has_rounded_edges(const Case& one, const Answer& got, const 
 }
 
 std::optional<bool> is_of_rounded_centre(const Case& one, const Answer& got, const Answer& exact) {
-  Case in_doubles = one;  // which hold the sum of a rounded centre and a rounded half
-  in_doubles.precision = Precision::float64;
-  const auto rounded = with_shape<Box<double>>(in_doubles, [&](RayQuestion& /*asked*/, auto& box) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const double centre =
-          round_to(one.precision, round_to(one.precision, box.min[axis] + box.max[axis]) / 2);
-      const double half = round_to(one.precision, round_to(one.precision, box.max[axis] - box.min[axis]) / 2);
-      box.min[axis] = centre - half;
-      box.max[axis] = centre + half;
-    }
-    return true;
-  });
-  if (rounded.empty()) return std::nullopt;
-  const Answer foreseen = oracle::answer(rounded.front());
   const bool finds = finds_something(got);
-  if (finds_something(foreseen) != finds_something(exact))
-    return finds == finds_something(foreseen) ? std::optional(true) : std::nullopt;
-  const std::vector<double> numbers = numbers_in(got), other = numbers_in(foreseen),
-                            right = numbers_in(exact);
-  if (numbers.empty() || numbers.size() > other.size() || numbers.size() > right.size()) return std::nullopt;
-  double from_other = 0, from_right = 0;
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    from_other = std::max(from_other, std::abs(numbers[i] - other[i]));
-    from_right = std::max(from_right, std::abs(numbers[i] - right[i]));
+  const std::vector<double> numbers = numbers_in(got), right = numbers_in(exact);
+  const std::vector<Case> boxes = rounded_boxes(one);
+  if (!boxes.empty() && is_off_by_few_units(one, numbers, right)) return true;
+  for (const Case& rounded : boxes) {
+    const Answer foreseen = oracle::answer(rounded);
+    if (finds_something(foreseen) != finds_something(exact)) {
+      if (finds == finds_something(foreseen)) return true;
+      continue;
+    }
+    const std::vector<double> other = numbers_in(foreseen);
+    if (numbers.empty() || numbers.size() > other.size() || numbers.size() > right.size()) continue;
+    if (2 * farthest(numbers, other) < farthest(numbers, right)) return true;
   }
-  return 2 * from_other < from_right ? std::optional(true) : std::nullopt;
+  return std::nullopt;
 }
 
 }  // namespace rayproof::diagnosis

@@ -15,7 +15,7 @@ namespace rayproof::diagnosis {
 /// The first hit of a box whose edges and corners are rounded off by up to an eighth of its smallest side: of
 /// a smaller box with a margin around it.
 [[nodiscard]] std::optional<bool> has_rounded_edges(const Case& one, const Answer& got, const Answer& exact);
-/// The answer of the box that a rounded centre and rounded half lengths make.
+/// The answer of the box that a rounded centre and rounded half lengths make, or min and a rounded size.
 [[nodiscard]] std::optional<bool> is_of_rounded_centre(const Case& one, const Answer& got,
                                                        const Answer& exact);
 

@@ -156,6 +156,15 @@ Answers point_of_far_hit(const Case& one, const Answer& exact) {
   return with_point(exact, point_at(ray_question(one)->ray, answer->hits.t[1]));
 }
 
+std::optional<bool> point_beside_ray(const Case& one, const Answer& got, const Answer& exact) {
+  const auto* mine = std::get_if<RayAnswer>(&got);
+  if (mine == nullptr || !mine->point || !finds_something(exact)) return std::nullopt;
+  const Ray<double>& ray = ray_question(one)->ray;
+  const glm::dvec3 way = *mine->point - ray.origin, along = glm::normalize(ray.direction);
+  const double apart = glm::length(way - glm::dot(way, along) * along);
+  return apart > 0x1p-10 * std::max(size_of_scene(one), glm::length(*mine->point));
+}
+
 std::optional<bool> point_right_t_wrong(const Case& one, const Answer& got, const Answer& exact) {
   const auto* mine = std::get_if<RayAnswer>(&got);
   const RayAnswer* answer = hit_with_point(exact);

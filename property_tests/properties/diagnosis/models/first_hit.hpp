@@ -39,6 +39,8 @@ namespace rayproof::diagnosis {
 /// o - t·d; and in coordinates from the shape's own point, its centre or corner.
 [[nodiscard]] Answers point_against_direction(const Case& one, const Answer& exact);
 [[nodiscard]] Answers point_from_shape(const Case& one, const Answer& exact);
+/// Whether the point lies beside the ray's line.
+[[nodiscard]] std::optional<bool> point_beside_ray(const Case& one, const Answer& got, const Answer& exact);
 [[nodiscard]] Answers point_of_far_hit(const Case& one, const Answer& exact);
 [[nodiscard]] std::optional<bool> point_right_t_wrong(const Case& one, const Answer& got,
                                                       const Answer& exact);

@@ -53,6 +53,13 @@ glm::dvec3 point_of_plane(const Case& one) {
   return p == nullptr ? glm::dvec3(0) : p->point;
 }
 
+Answers misses_grazing(const Case& one, const Answer& exact, double sine) {
+  const auto* answer = std::get_if<RayAnswer>(&exact);
+  if (answer == nullptr || !answer->normal || !lies_in_a_plane(one)) return {};
+  const double along = glm::dot(*answer->normal, glm::normalize(ray_question(one)->ray.direction));
+  return std::abs(along) < sine ? Answers{RayAnswer{}} : Answers{};
+}
+
 Answers culls_back(const Case& one, const Answer& exact) {
   return lies_in_a_plane(one) ? misses_side(one, exact, 1) : Answers{};
 }

@@ -11,6 +11,13 @@
 
 namespace rayproof::diagnosis {
 
+/// A miss of a ray whose angle with a plane, or a figure in one, is below about `sine`.
+[[nodiscard]] Answers misses_grazing(const Case& one, const Answer& exact, double sine);
+template <int power>
+[[nodiscard]] Answers grazing_missed(const Case& one, const Answer& exact) {
+  return misses_grazing(one, exact, std::pow(10.0, power));
+}
+
 /// @{ Only faces seen from the front are hit, or only those from the back; front is where the normal points.
 /// Of a solid: no ray that starts inside hits.
 [[nodiscard]] Answers culls_back(const Case& one, const Answer& exact);

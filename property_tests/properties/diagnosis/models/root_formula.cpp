@@ -85,6 +85,20 @@ Answers a_taken_for_one(const Case& one, const Answer& /*exact*/) {
   return with_roots(one, roots_by(-equation->h, equation->h * equation->h - equation->c, 1));
 }
 
+std::optional<bool> divides_by_what_cancels(const Case& one, const Answer& got, const Answer& exact) {
+  constexpr double few = 64, clearly = 4;
+  const auto pairs = two_pairs(one, got, exact);
+  const auto equation = reduced_equation(one);
+  if (!pairs || !(std::abs(equation->a) > 0)) return std::nullopt;
+  const auto [x, y, p, q] = *pairs;
+  const double size = pairs->size(), unit = one.precision == Precision::float32 ? 0x1p-24 : 0x1p-53;
+  const double off_in_sum = std::abs((x + y) - (p + q)), off_in_product = std::abs(x * y - p * q);
+  if (!(off_in_sum > few * unit * size)) return std::nullopt;
+  // c is a difference of squares, whose rounding the product bears.
+  const double squares = size * size + std::abs(equation->h * equation->h / (equation->a * equation->a));
+  return off_in_product <= few * unit * squares && clearly * off_in_product < off_in_sum * size;
+}
+
 std::optional<bool> one_root_wrong(const Case& one, const Answer& got, const Answer& exact) {
   const auto pairs = two_pairs(one, got, exact);
   if (!pairs) return std::nullopt;

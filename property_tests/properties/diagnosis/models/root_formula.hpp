@@ -141,6 +141,11 @@ template <RootFormula... formulas>
 /// a is taken for 1; not of a sphere, where it is 1 as soon as the direction is a unit vector.
 [[nodiscard]] Answers a_taken_for_one(const Case& one, const Answer& exact);
 
+/// Of two roots of a sphere, or of an equation, whether their product is right and their sum is not: that of
+/// -b ± √D which cancels was divided by a, and c by it; nothing where the sum is right.
+[[nodiscard]] std::optional<bool> divides_by_what_cancels(const Case& one, const Answer& got,
+                                                          const Answer& exact);
+
 /// @{ Of two roots, or hits of one solid: one is right and the other wrong; their distance is wrong, and not
 /// what lies half way between them; and the other way round.
 [[nodiscard]] std::optional<bool> one_root_wrong(const Case& one, const Answer& got, const Answer& exact);

@@ -81,6 +81,8 @@ std::vector<Hypothesis> models_of_first_hits() {
             "the point is given from the shape's centre, corner or first vertex, which is not added", gross,
             Aspect::point),
       gives("point-of-far-hit", point_of_far_hit, "the point is the far hit's", gross, Aspect::point),
+      shows("point-beside-ray", point_beside_ray,
+            "the point does not lie on the ray's line: it is no o + t·d", gross, Aspect::point),
       gives("barycentric-acb", in_order<0, 2, 1>, "the barycentric coordinates stand in the order of a, c, b",
             gross, Aspect::coordinates),
       gives("barycentric-bac", in_order<1, 0, 2>, "the barycentric coordinates stand in the order of b, a, c",

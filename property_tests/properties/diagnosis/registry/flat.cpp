@@ -30,6 +30,17 @@ Hypothesis loose_sides() {
                                 power)));
 }
 
+template <int... power>
+void add_grazing(std::vector<Hypothesis>& all) {
+  (all.push_back(
+       of(OfSizes::small,
+          gives(kept(fmt::format("grazing-missed-1e{}", power)), grazing_missed<power>,
+                kept(fmt::format("a surface is missed at an angle below about 1e{}: a grazing ray is "
+                                 "taken for parallel",
+                                 power))))),
+   ...);
+}
+
 constexpr std::string_view wrong_crossing_in_words =
     "x is compared with a wrong crossing: a side crosses the point's level at xi + (y - yi)·(xj - xi) / (yj "
     "- "
@@ -55,7 +66,7 @@ std::vector<Hypothesis> models_of_projections() {
 }
 
 std::vector<Hypothesis> models_of_flat_figures() {
-  return {
+  std::vector<Hypothesis> all{
       gives("culls-back-faces", culls_back, "a surface seen from behind is missed: back faces are culled"),
       gives("culls-front-faces", culls_front,
             "a surface seen from the front is missed: front faces are culled"),
@@ -199,6 +210,8 @@ std::vector<Hypothesis> models_of_flat_figures() {
       loose_sides<-2>(),
       gives("bounding-box", inside_by<InsideRule::bounds>, "the whole bounding box of the polygon is hit"),
   };
+  add_grazing<-2, -3, -4, -5, -6, -8, -12>(all);
+  return all;
 }
 
 }  // namespace rayproof::diagnosis

@@ -126,6 +126,9 @@ std::vector<Hypothesis> classes_of_roots() {
               "middle-of-roots-wrong", middle_of_roots_wrong,
               "the distance of the two hits is right, and what lies half way between is not: -b, or the "
               "centre in it, is wrong"))),
+      shows("divides-by-what-cancels", divides_by_what_cancels,
+            "both roots lose the same share of their digits: of -b ± √D the one that cancels is divided by "
+            "2a, and 2c by it; q must be the sum of two numbers of one sign"),
       of_equation(
           "of two roots one is right and one wrong: their two formulas differ in more than a sign",
           vague(shows(

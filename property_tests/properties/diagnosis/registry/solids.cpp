@@ -255,11 +255,10 @@ std::vector<Hypothesis> models_of_edges() {
   return {
       shows("rounded-edges", has_rounded_edges,
             "the edges and corners of a box are rounded off: a smaller box is met, with a margin around it"),
-      shows(
-          "rounded-centre", is_of_rounded_centre,
-          "right for the box whose centre and half lengths are rounded: far from the origin of coordinates, "
-          "or beside a long side, these lose the digits of min and max",
-          rounding),
+      shows("rounded-centre", is_of_rounded_centre,
+            "right for the box whose centre and half lengths, or sizes, are rounded: far from the origin of "
+            "coordinates, or beside a long side, these lose the digits of min and max",
+            rounding),
       shows(
           "missed-through-edge", missed_through_edge,
           "a ray that enters the solid through an edge, or a rim, is missed: rounding puts the point beside "
