@@ -56,10 +56,12 @@ bool Consultation::turn_to_rest(std::span<const Hypothesis* const> causes) {
 
 std::vector<Finding> Consultation::findings_of_rest(const std::vector<Diagnosis>& groups,
                                                     std::span<const Hypothesis* const> known) const {
+  constexpr std::size_t nearly_all = 85;  // in percent: of what lies near boundaries parts fit by chance
   std::vector<Finding> all;
   for (const Diagnosis& group : groups) {
     const Hypothesis* cause = group.cause;
     if (cause == nullptr || cause->is_vague || stop_ || std::ranges::count(known, cause) > 0) continue;
+    if (100 * group.cases.size() < nearly_all * complaint_.failing.size()) continue;
     if (cause->change == nullptr ? says_no_more_than_whether(finding_) : !is_of_small_numbers(*cause, known))
       continue;
     // What explains most of the other cases, too, is the same fault in other words.
