@@ -147,7 +147,8 @@ void put_together(std::vector<Finding>& findings, KindOf gravity, const CauseSay
   }
   const std::vector<Finding> all = kept;
   std::erase_if(kept, [&](const Finding& one) {
-    return is_of_guest(one) &&
+    // That there is no answer is shown, whatever else is wrong.
+    return is_of_guest(one) && one.property->claim != Claim::answers &&
            (is_overshadowed(one, all, gravity) || is_boundary_of_more(one, all, gravity, says) ||
             is_fringe_of_more(one, all, gravity, says) || is_part_of_other(one, all, says) ||
             is_lost_in_more(one, all, says));
