@@ -178,7 +178,8 @@ class AnsweringFunction final : public Answering {
     }
     if (!problem_.object_space) return;
     if (reply.point) reply.point = glm::dvec3(*problem_.asked->transform * glm::dvec4(*reply.point, 1));
-    if (reply.normal) reply.normal = normal_to_world<double>(*problem_.object_space, *reply.normal);
+    if (reply.normal && *reply.normal != glm::dvec3(0))
+      reply.normal = normal_to_world<double>(*problem_.object_space, *reply.normal);
   }
 
   /// t in lengths of the case's direction. The ends of the interval stay its ends: that the scaling rounds is

@@ -46,7 +46,7 @@ class Run {
     put_families();
     leave_out_twins(result_.findings);
     diagnose_findings(result_, samples_, listener_, stop_);
-    put_together(result_.findings, kind_of, {is_named_boundary, is_avoided, is_part_of});
+    put_together(result_.findings, kind_of, {is_named_boundary, is_avoided, is_part_of, is_extreme});
     result_.was_interrupted = stop_;
     return std::move(result_);
   }

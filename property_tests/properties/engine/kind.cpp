@@ -88,6 +88,8 @@ bool is_part_of(const Finding& finding, const Finding& other) {
   return (finding.cause->is_vague && is_alike && is_model) || is_part_of(*finding.cause, *other.cause);
 }
 
+bool is_extreme(const Finding& finding) { return has_extreme_numbers(finding.one); }
+
 bool is_avoided(const Finding& finding) {
   const Hypothesis* cause = finding.cause;
   return cause != nullptr && cause->change != nullptr && cause->keeps == Keeps::verdict && !cause->perturbs;

@@ -17,6 +17,9 @@ namespace rayproof {
 /// Whether its cause says no more than a part of what the other's says.
 [[nodiscard]] bool is_part_of(const Finding& finding, const Finding& other);
 
+/// Whether the case has very large or very small numbers.
+[[nodiscard]] bool is_extreme(const Finding& finding);
+
 /// Whether the cause says no more than that a small change avoids what is wrong.
 [[nodiscard]] bool is_avoided(const Finding& finding);
 

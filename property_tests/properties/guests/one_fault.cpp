@@ -104,6 +104,15 @@ bool is_lost_in_more(const Finding& finding, const std::vector<Finding>& all, co
          });
 }
 
+/// Whether there is no answer, as a NaN, only where numbers are so large or small that the subject is known
+/// to be wrong there. That there is none elsewhere is shown, whatever else is wrong.
+bool is_overflow_of_more(const Finding& finding, const std::vector<Finding>& all, KindOf gravity,
+                         const CauseSays& says) {
+  return says.is_extreme(finding) && std::ranges::any_of(all, [&](const Finding& one) {
+           return one.subject == finding.subject && gravity(one) == FindingKind::range;
+         });
+}
+
 /// Whether a known cause of the same subject does as much harm: what is left without a cause is mostly its
 /// work.
 bool is_overshadowed(const Finding& finding, const std::vector<Finding>& all, KindOf gravity) {
@@ -147,6 +156,7 @@ void put_together(std::vector<Finding>& findings, KindOf gravity, const CauseSay
   }
   const std::vector<Finding> all = kept;
   std::erase_if(kept, [&](const Finding& one) {
+    if (one.property->claim == Claim::answers) return is_overflow_of_more(one, all, gravity, says);
     return is_of_guest(one) &&
            (is_overshadowed(one, all, gravity) || is_boundary_of_more(one, all, gravity, says) ||
             is_fringe_of_more(one, all, gravity, says) || is_part_of_other(one, all, says) ||

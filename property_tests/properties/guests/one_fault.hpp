@@ -19,6 +19,7 @@ struct CauseSays {
   bool (*is_named)(const Finding&) = nullptr;    ///< a model names what is wrong on a boundary
   bool (*is_avoided)(const Finding&) = nullptr;  ///< no more than that a small change avoids it
   bool (*is_part)(const Finding&, const Finding& of) = nullptr;  ///< of what the other's cause says
+  bool (*is_extreme)(const Finding&) = nullptr;                  ///< its case has very large or small numbers
 };
 
 /// Makes one of the findings of a program that have one cause: the simplest case of the gravest kind, with
