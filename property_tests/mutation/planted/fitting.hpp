@@ -37,15 +37,15 @@ concept Bounding = requires(const X& x) {
 
 /// Where a variable stands: what is called may keep a reference to it.
 template <class X>
-struct Place {
+struct VariableAddress {
   X* at;
 };
 template <class X>
-Place(X*) -> Place<X>;
+VariableAddress(X*) -> VariableAddress<X>;
 template <class X>
-inline constexpr bool is_place = false;
+inline constexpr bool is_variable_address = false;
 template <class X>
-inline constexpr bool is_place<Place<X>> = true;
+inline constexpr bool is_variable_address<VariableAddress<X>> = true;
 
 /// Whether a mutant's value of type X can stand for one of type R.
 template <class R, class X>
@@ -88,7 +88,7 @@ bool is_same(const R& a, const R& b) {
   if constexpr (std::is_arithmetic_v<R> || std::is_enum_v<R> || std::is_pointer_v<R> ||
                 std::is_member_pointer_v<R>) {
     return std::memcmp(&a, &b, sizeof(R)) == 0;
-  } else if constexpr (is_place<R>) {
+  } else if constexpr (is_variable_address<R>) {
     return is_same(*a.at, *b.at);
   } else if constexpr (Expanded<R>) {
     bool same = a.count == b.count;

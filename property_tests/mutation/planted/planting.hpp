@@ -86,10 +86,10 @@ inline constexpr bool are_variables =
 
 /// Where a variable stands.
 template <class Variable>
-constexpr auto place_of(const Variable& variable) {
+constexpr auto address_of(const Variable& variable) {
   return [&variable] {
     if constexpr (std::is_reference_v<decltype(variable())>)
-      return Place{&variable()};
+      return VariableAddress{&variable()};
     else
       return NoMutant{};
   };
@@ -105,7 +105,7 @@ constexpr decltype(auto) swapped(const Original& original, const Mutants&... mut
   using R = std::decay_t<Own>;
   if constexpr (std::is_class_v<R> && std::is_lvalue_reference_v<Own> &&
                 (detail::are_variables<Own, decltype(mutants())> && ...))
-    return *pick<First>(detail::place_of(original), detail::place_of(detail::alike<R>(mutants))...).at;
+    return *pick<First>(detail::address_of(original), detail::address_of(detail::alike<R>(mutants))...).at;
   else
     return pick<First>(original, detail::alike<R>(mutants)...);
 }

@@ -161,13 +161,11 @@ std::size_t CauseSearch::balance(const Hypothesis& model, const Indices& cases) 
   return is_refuted(model, cases.size(), against) ? 0 : cases.size() - against;
 }
 
-std::vector<const Hypothesis*> CauseSearch::likely_sizes() const {
+std::vector<const Hypothesis*> CauseSearch::likely_by_precision() const {
   std::vector<const Hypothesis*> likely;
   const Indices all = all_of(examination_.failing_count());
   for (const Hypothesis& one : hypotheses()) {
-    const bool is_of_size =
-        one.of_sizes == OfSizes::small || one.of_sizes == OfSizes::limit || one.of_sizes == OfSizes::type;
-    if (one.predict == nullptr || !is_of_size || !may_be(one, false)) continue;
+    if (!one.differs_by_precision || !may_be(one, false)) continue;
     const Indices cases = screened(one, all);
     if (is_share(cases, all, most_for_a_model) && balance(one, cases) > 0) likely.push_back(&one);
   }

@@ -27,9 +27,8 @@ class CauseSearch {
 
   /// Every failing case in a group with its cause; those of most cases first. Only cause and cases are given.
   [[nodiscard]] std::vector<Diagnosis> groups() const;
-  /// The models of sizes that explain most of all failing cases: which size it is, and of what, other
-  /// complaints may show.
-  [[nodiscard]] std::vector<const Hypothesis*> likely_sizes() const;
+  /// The models of what differs by precision that explain most of all failing cases.
+  [[nodiscard]] std::vector<const Hypothesis*> likely_by_precision() const;
   /// Which of all failing cases it explains; none where it proves nothing here.
   [[nodiscard]] Indices explained_of_all(const Hypothesis& one) const;
 

@@ -44,7 +44,7 @@ Cover::Cover(std::span<const Complaint* const> complaints) {
     sheet.examination = std::make_unique<Examination>(one->patient, one->failing, one->passing);
     sheet.search =
         std::make_unique<CauseSearch>(one->patient, *sheet.examination, std::span<const Hypothesis* const>{});
-    sheet.named = sheet.search->likely_sizes();
+    sheet.named = sheet.search->likely_by_precision();
     for (const Diagnosis& group : sheet.search->groups()) sheet.named.push_back(group.cause);
     const auto count = static_cast<double>(one->failing.size());
     sheet.weight = one->broken > 0 ? one->broken / count : 1;

@@ -23,7 +23,7 @@ class Cover {
     std::unique_ptr<Examination> examination;
     std::unique_ptr<CauseSearch> search;
     std::vector<const Hypothesis*> named;  ///< the causes of its groups where no other complaint is known,
-                                           ///< and the sizes that explain most of it
+                                           ///< and what one precision may not show
     double weight;                         ///< how many cases of the run a case of the sample stands for
     bool is_of_digits;                     ///< digits are lost, and no more
   };

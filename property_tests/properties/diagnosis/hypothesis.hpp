@@ -69,6 +69,8 @@ struct Hypothesis {
   std::string_view beyond_rounding{};
   /// Of a model that says more than another one: one case at least that it explains must show that.
   bool (*shows_more)(const Case& one, const Answer& exact) = nullptr;
+  /// Of a model whose numbers differ by precision: complaints of one precision take them for another size.
+  bool differs_by_precision = false;
   /// Of a model that foresees many answers, always in the same order: one of these must explain all cases.
   bool is_one_of_many = false;
 };

@@ -64,12 +64,12 @@ INSTANTIATE_TEST_SUITE_P(Diagnosis, Model, testing::ValuesIn(foreseen_faults), n
 const Hypothesis* planted = nullptr;
 
 TEST(Diagnosis, NamesWhatIsWronglySaidOfTheFirstHit) {
-  struct Detail {
+  struct WrongDetail {
     const char* topic;
     const char* property;
     const char* model;
   };
-  for (const auto& [topic, property, model] : {Detail{"cylinder", "normal", "normal-keeps-z"},
+  for (const auto& [topic, property, model] : {WrongDetail{"cylinder", "normal", "normal-keeps-z"},
                                                {"cylinder", "normal", "cap-normals-inward"},
                                                {"cylinder", "normal", "side-normal-faces-ray"},
                                                {"sphere", "normal", "normal-is-direction"},

@@ -5,17 +5,17 @@
 namespace rayproof::mutation {
 namespace {
 
-struct Point {
+struct Corner {
   double x, y, z;
 };
 
 /// What a kernel is that keeps references to its arguments.
 struct Kept {
-  const Point& a;
-  const Point& b;
+  const Corner& a;
+  const Corner& b;
 };
 
-Kept kept(const Point& a, const Point& b) {
+Kept kept(const Corner& a, const Corner& b) {
   return {rpm::swapped<40>([&]() -> decltype(auto) { return (a); }, [&]() -> decltype(auto) { return (b); }),
           rpm::swapped<40>([&]() -> decltype(auto) { return (b); }, [&]() -> decltype(auto) { return (a); })};
 }
@@ -34,7 +34,7 @@ TEST_F(Planting, ChoosesTheMutantInForce) {
 }
 
 TEST_F(Planting, LeavesAVariableThatIsKeptByReferenceTheVariable) {
-  const Point p{1, 2, 3}, q{4, 5, 6};
+  const Corner p{1, 2, 3}, q{4, 5, 6};
   const Kept own = kept(p, q);
   EXPECT_EQ(&own.a, &p);
   EXPECT_EQ(&own.b, &q);
@@ -45,7 +45,7 @@ TEST_F(Planting, LeavesAVariableThatIsKeptByReferenceTheVariable) {
 }
 
 TEST_F(Planting, SwapsNoArgumentsOfTwoTypes) {
-  const Point p{1, 2, 3};
+  const Corner p{1, 2, 3};
   const double t = 4;
   state.chosen = 50;
   const auto& first =
