@@ -57,7 +57,7 @@ Text LabelPlaces::take(const PixelBox& box, const std::string& label, double siz
 }
 
 std::optional<Text> LabelPlaces::put(const std::string& label, const std::vector<Point>& anchors, double size,
-                                     double most, bool is_text) {
+                                     double most, bool stands_there) {
   const PixelBox own = box_around({0, 0}, label, size);
   PixelBox best{};
   double least = std::numeric_limits<double>::infinity(), covered = 0;
@@ -71,11 +71,11 @@ std::optional<Text> LabelPlaces::put(const std::string& label, const std::vector
     covered = cost + 3 * far;
     best = box;
   };
-  if (is_text) {
+  for (std::size_t k = 0; stands_there && k < anchors.size(); ++k) {
     // A text too long for its place moves into the frame as far as it can.
     const double first = frame_.left + own.width / 2;
     const double last = std::max(first, frame_.right() - own.width / 2);
-    consider({std::clamp(anchors[0].x, first, last), anchors[0].y}, 0, 0);
+    consider({std::clamp(anchors[k].x, first, last), anchors[k].y}, 0, static_cast<double>(k) * 5);
   }
   for (std::size_t k = 0; k < anchors.size(); ++k) {
     for (const double away : {13.0, 22.0, 34.0, 48.0, 64.0}) {

@@ -62,7 +62,7 @@ class Labeller {
     const double most = is_bright || stands_first(shown)     ? must
                         : shown.emphasis == Emphasis::dimmed ? few
                                                              : several;
-    auto text = places_.put(item.label, anchors, size, most, is_text(item));
+    auto text = places_.put(item.label, anchors, size, most, is_text(item) || item.form == Form::polygon);
     if (!text) return;
     text->role = label_role(shown);
     text->bold = is_bright;
@@ -112,10 +112,15 @@ class Labeller {
         middle.y += p.y / static_cast<double>(points.size());
       }
       std::vector<Point> anchors = where_shown(middle);
-      // The middles of a polygon's sides, for a label that its inside has no room for.
-      for (std::size_t i = 0; item.form == Form::polygon && !item.is_open && i < points.size(); ++i) {
-        const Point &p = points[i], &q = points[(i + 1) % points.size()];
-        for (const Point& at : where_shown({(p.x + q.x) / 2, (p.y + q.y) / 2})) anchors.push_back(at);
+      // From a polygon's middle toward those of its sides, and there, for what its inside has no room for.
+      for (const double part : {1.0 / 3, 1.0}) {
+        for (std::size_t i = 0; item.form == Form::polygon && !item.is_open && i < points.size(); ++i) {
+          const Point &p = points[i], &q = points[(i + 1) % points.size()];
+          const Point side{(p.x + q.x) / 2, (p.y + q.y) / 2};
+          for (const Point& at :
+               where_shown({middle.x + part * (side.x - middle.x), middle.y + part * (side.y - middle.y)}))
+            anchors.push_back(at);
+        }
       }
       return anchors;
     }
