@@ -47,6 +47,9 @@ struct CaseReport {
 /// What the method's run calls its hit or root of this rank, "t_entry"; "t₀" where it has no name for it.
 [[nodiscard]] std::string root_name(const CaseReport& report, std::size_t rank);
 
+/// "hit, t₀ = 1, t₁ = 2": what the method says.
+[[nodiscard]] std::string answer_in_words(const CaseReport& report);
+
 /// One plain sentence, sometimes two: how far off the answer is, or where its digits were lost; and where an
 /// answer is wrong though none were, why.
 [[nodiscard]] std::string conclusion_of(const CaseReport& report);

@@ -106,6 +106,14 @@ std::string root_name(const CaseReport& report, std::size_t rank) {
   return usual;
 }
 
+std::string answer_in_words(const CaseReport& report) {
+  std::string words = verdict_of(report.claim());
+  const std::vector<double> values = values_of(report.claim());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    words += fmt::format(", {} = {}", root_name(report, i), shown(values[i], report.one.precision));
+  return words;
+}
+
 std::string conclusion_of(const CaseReport& report) {
   if (report.method.empty()) return "No method was asked, so there is nothing to compare.";
   if (!report.walk) return without_steps(report);

@@ -21,7 +21,7 @@ std::string subject_of(const Case& one) {
   const std::string what = ray == nullptr   ? topic_of(one) == "quadratic" ? "Quadratic" : "Point and polygon"
                            : ray->transform ? "Ray and transformed " + topic_of(one)
                                             : "Ray and " + topic_of(one);
-  return fmt::format("{} in {}.{}{}", what, name_of(one.precision), one.note.empty() ? "" : " ", one.note);
+  return fmt::format("{} in {}{}{}.", what, name_of(one.precision), one.note.empty() ? "" : ": ", one.note);
 }
 
 /// Side by side, in the proportions of a view but for a single one.
@@ -89,7 +89,7 @@ double draw_answer_table(Picture& picture, double top, const CaseReport& report)
       if (i < list.size()) return add_text(picture, role, {x, y}, shown(list[i], precision), 15);
       if (i == 0 && answer != nullptr) add_text(picture, role, {x, y}, verdict_of(answer), 15);
     };
-    if (has_names) add_text(picture, Role::text, {56, y}, symbol_of(report.one) + subscript(i), 15, true);
+    if (has_names) add_text(picture, Role::text, {56, y}, root_name(report, i), 15, true);
     cell(Role::exact, exact_column, truth, &report.exact);
     cell(Role::claimed, claimed_column, claim, report.claim());
     if (i < truth.size() && i < claim.size())

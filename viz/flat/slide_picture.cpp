@@ -9,26 +9,45 @@
 namespace rayproof::viz {
 namespace {
 
+/// A caption in the paragraphs in which it is best read: each equation in one of its own, or all of them in
+/// one below the words, or all in one.
+std::vector<std::string> paragraphs_of(const StageStep& step, int closeness) {
+  const bool has_both = !step.words.empty() && step.caption.starts_with(step.words + " ");
+  if (closeness == 2) return {step.caption};
+  std::vector<std::string> paragraphs{step.caption};
+  if (has_both) paragraphs = {step.words, step.caption.substr(step.words.size() + 1)};
+  const bool is_split = closeness == 0 && !step.values.empty();
+  for (std::size_t end = 0; is_split && (end = paragraphs.back().find("; ")) != std::string::npos;) {
+    std::string rest = paragraphs.back().substr(end + 2);
+    paragraphs.back().resize(end + 1);
+    paragraphs.push_back(std::move(rest));
+  }
+  return paragraphs;
+}
+
 /// Below the scene, in letters of 24 pixels of a slide at least; what has no room there is left out.
 void draw_caption(Picture& picture, const StageStep& step) {
   constexpr double width = slide_width - 2 * slide_margin;
-  constexpr double smallest = 14.4, leading = 1.3;
+  constexpr double leading = 1.3;
   const double top = slide_scene.bottom() + 22;
-  const auto room = [&](double size) {
-    return static_cast<std::size_t>((slide_height - 32 - top) / (size * leading)) + 1;
-  };
-  const auto lines_in = [&](double size) {
-    std::vector<std::pair<Role, std::string>> lines;
-    for (const std::string& line : wrapped(step.caption, width, size)) lines.emplace_back(Role::text, line);
-    if (step.digits.empty()) return lines;
-    for (const std::string& line : wrapped(step.digits, width, size)) lines.emplace_back(Role::muted, line);
-    return lines;
-  };
   double size = 16;
-  if (lines_in(size).size() > room(size)) size = smallest;
-  auto lines = lines_in(size);
-  if (lines.size() > room(size)) {
-    lines.resize(room(size));
+  std::vector<std::pair<Role, std::string>> lines;
+  const auto fits = [&](double letters, int closeness) {
+    size = letters;
+    lines.clear();
+    for (const std::string& paragraph : paragraphs_of(step, closeness))
+      for (std::string& line : wrapped(paragraph, width, size))
+        lines.emplace_back(Role::text, std::move(line));
+    for (std::string& line : wrapped(step.digits, width, size)) {
+      if (!line.empty()) lines.emplace_back(Role::muted, std::move(line));
+    }
+    return lines.size() <= static_cast<std::size_t>((slide_height - 32 - top) / (size * leading)) + 1;
+  };
+  constexpr double large = 16, small = 14.4;
+  const bool is_whole = fits(large, 0) || fits(small, 0) || fits(large, 1) || fits(small, 1) ||
+                        fits(large, 2) || fits(small, 2);
+  if (!is_whole) {
+    lines.resize(static_cast<std::size_t>((slide_height - 32 - top) / (size * leading)) + 1);
     lines.back().second += " …";
   }
   double y = top;
@@ -64,26 +83,27 @@ std::vector<LegendEntry> legend_of(const Stage& stage, const std::vector<ShownIt
   struct Sign {
     Role role;
     const char* mark;  ///< the word on a point; of the others, the mark names itself by its label
-    const char* line;
+    const char* line;  ///< on a line or surface; of the others, each names itself
   };
   const std::array<Sign, 8> signs{{{Role::ray, nullptr, is_equation ? "x axis" : "ray"},
                                    {Role::surface, nullptr, is_equation ? "the curve" : "surface"},
                                    {Role::edge, nullptr, "construction"},
                                    {Role::normal, nullptr, "normal"},
-                                   {Role::nearest, "nearest, key point", "key point"},
-                                   {Role::exact, "exact", "exact"},
-                                   {Role::claimed, "as computed", "as computed"},
+                                   {Role::nearest, "key point", nullptr},
+                                   {Role::exact, "exact", nullptr},
+                                   {Role::claimed, "as computed", nullptr},
                                    {Role::muted, nullptr, "earlier step"}}};
   std::vector<LegendEntry> legend;
   for (const Sign& sign : signs) {
     bool has_mark = false, has_line = false;
     for (const ShownItem& one : shown) {
-      const bool is_point = one.item->form == Form::point;
-      if (shown_role(one) == sign.role) (is_point ? has_mark : has_line) = true;
+      const bool is_named_area = one.item->form == Form::polygon && !one.item->label.empty();
+      if (shown_role(one) == sign.role && !is_named_area)
+        (one.item->form == Form::point ? has_mark : has_line) = true;
     }
     if (has_mark && sign.mark != nullptr) {
       legend.push_back({sign.role, true, sign.mark});
-    } else if (has_line) {
+    } else if (has_line && sign.line != nullptr) {
       legend.push_back({sign.role, false, sign.line});
     }
   }

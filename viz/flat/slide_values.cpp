@@ -25,8 +25,8 @@ struct ValueLine {
 };
 
 /// How much of a value is written: all of it; the exact number and the bits lost only where they are worth a
-/// word; the name and the rounded number in one line.
-enum class Detail { full, noteworthy, terse };
+/// word; no more of the formula than has room in a line; the name and the rounded number in one line.
+enum class Detail { full, noteworthy, brief, terse };
 
 constexpr double name_size = 14, number_size = 13, word_size = 12;
 constexpr double number_left = value_column + 62;
@@ -52,14 +52,14 @@ std::vector<ValueLine> lines_of(const StageValue& value, const Stage& stage, Det
   const std::string formula = formula_beside_name(value);
   const std::string head = value.name + (formula.empty() ? "" : " = " + formula);
   const auto heads = wrapped(head, value_width, name_size * bold_width);
-  const bool is_whole = detail == Detail::full && heads.size() < 4;
+  const bool is_whole = detail < Detail::brief && heads.size() < 4;
   lines.push_back(
       {Role::text, true, "", is_whole ? heads[0] : cut(head, value_width, name_size * bold_width)});
   for (std::size_t i = 1; is_whole && i < heads.size(); ++i)
     lines.push_back({Role::text, false, "", heads[i]});
   add(Role::claimed, is_float ? "float" : "double", rounded, width);
   const WalkValue& worst = worst_component(value);
-  if (worst.bits_lost < (detail == Detail::noteworthy ? noteworthy : 0.05)) return lines;
+  if (worst.bits_lost < (detail == Detail::full ? 0.05 : noteworthy)) return lines;
   add(Role::exact, "exact", exact_of(value), width);
   add(Role::muted, "lost", fmt::format("{:.1f} of {} bits", worst.bits_lost, worst.digits), width);
   return lines;
@@ -74,7 +74,7 @@ double height_of(const std::vector<ValueLine>& lines, double row) {
 /// All lines, in as much detail as there is room for; what has no room in the least is counted.
 std::vector<ValueLine> lines_in(double room, const Stage& stage, const StageStep& step) {
   std::vector<ValueLine> lines;
-  for (const Detail detail : {Detail::full, Detail::noteworthy, Detail::terse}) {
+  for (const Detail detail : {Detail::full, Detail::noteworthy, Detail::brief, Detail::terse}) {
     lines.clear();
     for (const StageValue& value : step.values)
       for (ValueLine& line : lines_of(value, stage, detail)) lines.push_back(std::move(line));

@@ -9,8 +9,13 @@
 namespace rayproof::viz {
 namespace {
 
-/// A text that stands at its point.
+/// A text that names its point's surroundings and stands there.
 bool is_text(const StageItem& item) { return item.form == Form::point && item.role == Role::text; }
+
+/// What has but one place; of an earlier step it is left out where that is taken.
+bool stands_first(const ShownItem& shown) {
+  return is_text(*shown.item) && shown.emphasis != Emphasis::dimmed;
+}
 
 class Labeller {
  public:
@@ -24,7 +29,10 @@ class Labeller {
   void keep_clear(const PixelBox& box) { places_.take(box); }
   void keep_clear(const ShownItem& shown) {
     const StageItem& item = *shown.item;
-    const double cost = shown.emphasis == Emphasis::dimmed || item.role == Role::frame ? faint : plain;
+    const bool is_frame = item.role == Role::frame;
+    const double cost = is_frame && shown.emphasis == Emphasis::scene    ? hair
+                        : is_frame || shown.emphasis == Emphasis::dimmed ? faint
+                                                                         : plain;
     if (item.form == Form::solid) {
       // The edges of round sides are not drawn.
       for (const auto& corners : item.faces) {
@@ -51,9 +59,10 @@ class Labeller {
     if (anchors.empty() || is_written(item.label, anchors[0])) return;
     const bool is_bright = shown.emphasis == Emphasis::bright;
     const double size = is_bright ? 16 : 14.4;  // 24 pixels of a slide: large letters
-    const double most = is_bright ? must : shown.emphasis == Emphasis::dimmed ? few : several;
-    auto text = is_text(item) ? places_.put_at(item.label, anchors[0], size)
-                              : places_.put(item.label, anchors, size, most);
+    const double most = is_bright || stands_first(shown)     ? must
+                        : shown.emphasis == Emphasis::dimmed ? few
+                                                             : several;
+    auto text = places_.put(item.label, anchors, size, most, is_text(item) || item.form == Form::polygon);
     if (!text) return;
     text->role = label_role(shown);
     text->bold = is_bright;
@@ -102,7 +111,18 @@ class Labeller {
         middle.x += p.x / static_cast<double>(points.size());
         middle.y += p.y / static_cast<double>(points.size());
       }
-      return where_shown(middle);
+      std::vector<Point> anchors = where_shown(middle);
+      // From a polygon's middle toward those of its sides, and there, for what its inside has no room for.
+      for (const double part : {1.0 / 3, 1.0}) {
+        for (std::size_t i = 0; item.form == Form::polygon && !item.is_open && i < points.size(); ++i) {
+          const Point &p = points[i], &q = points[(i + 1) % points.size()];
+          const Point side{(p.x + q.x) / 2, (p.y + q.y) / 2};
+          for (const Point& at :
+               where_shown({middle.x + part * (side.x - middle.x), middle.y + part * (side.y - middle.y)}))
+            anchors.push_back(at);
+        }
+      }
+      return anchors;
     }
     const auto parts = clip_line(points, frame_);
     if (parts.empty()) return {};
@@ -121,8 +141,7 @@ class Labeller {
   }
 
   /// What it costs a label to cover a place on a line.
-  static constexpr double plain = 12;
-  static constexpr double faint = 8;
+  static constexpr double plain = 12, faint = 8, hair = 3;
   /// What a label may cost: of an earlier step it is rather left out than to cover a line.
   static constexpr double few = 4 * faint, several = 12 * plain,
                           must = std::numeric_limits<double>::infinity();
@@ -159,9 +178,9 @@ void draw_labels(Picture& picture, const PixelBox& frame, const std::vector<Show
   if (taken) labeller.keep_clear(*taken);
   for (const ShownItem& one : shown) labeller.keep_clear(one);
   // What has but one place takes it first, then what is newest.
-  for (const bool is_mere_text : {true, false}) {
+  for (const bool is_first : {true, false}) {
     for (auto it = shown.rbegin(); it != shown.rend(); ++it) {
-      if (is_text(*it->item) == is_mere_text) labeller.label(*it);
+      if (stands_first(*it) == is_first) labeller.label(*it);
     }
   }
 }

@@ -67,12 +67,11 @@ class LabelPlaces {
   void take(const Point& at, double radius);
   /// A line, which labels rather do not cover; `cost` for each place on it that one does.
   void avoid(const std::vector<Point>& line, double cost);
-  /// Puts a label there and nowhere else; only within the frame's sides.
-  [[nodiscard]] Text put_at(const std::string& label, const Point& middle, double size);
-  /// A place for a label beside one of the anchors, of which the first are the best; it is then taken.
-  /// Nothing where what it would cover there costs more than `most`.
+  /// A place for a label beside one of the anchors, of which the first are the best; it is then taken. What
+  /// `stands_there` stands at one where it covers nothing. Nothing where what it would cover costs more
+  /// than `most`.
   [[nodiscard]] std::optional<Text> put(const std::string& label, const std::vector<Point>& anchors,
-                                        double size, double most);
+                                        double size, double most, bool stands_there);
 
  private:
   [[nodiscard]] Text take(const PixelBox& box, const std::string& label, double size);

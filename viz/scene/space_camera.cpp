@@ -67,7 +67,7 @@ glm::dvec3 middle_of(const std::vector<glm::dvec3>& points, const StageCamera& c
 /// The points that the stage's own view shows; of round things the outline as it is seen from the eye.
 std::vector<glm::dvec3> points_in_view(const StageCamera& chosen, const StageView& view,
                                        const StageCamera& eye, const std::vector<ShownItem>& shown) {
-  constexpr double a_little_more = 1.05;
+  constexpr double a_little_more = 1.15;  // with the ray's head
   std::vector<glm::dvec3> points;
   for (const ShownItem& one : shown) {
     for (const glm::dvec3& p : extent_of(*one.item, eye)) {

@@ -11,8 +11,12 @@
 #include <vtkSmartPointer.h>
 #include <vtkTextProperty.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "viz/picture/clip.hpp"
+#include "viz/scene/shown_items.hpp"
 #include "viz/vtk/raster_png.hpp"
 #include "viz/vtk/sheet/picture_item.hpp"
 #include "viz/vtk/space/space_scene.hpp"
@@ -20,10 +24,23 @@
 namespace rayproof::viz {
 namespace {
 
-/// The place of the axes in a scene's frame: no label may stand there.
-PixelBox triad_place(const PixelBox& frame) {
-  const double size = 0.25 * frame.height;
-  return {frame.left, frame.bottom() - size, size, size};
+/// The place of the axes in a scene's frame, where no label may stand: the first corner that nothing of the
+/// scene crosses, or else the lower left one.
+PixelBox triad_place(const PixelBox& frame, const std::vector<ShownItem>& shown, const Outline& outline) {
+  const double size = 0.25 * frame.height, right = frame.right() - size, low = frame.bottom() - size;
+  const std::array<PixelBox, 4> corners{{{frame.left, low, size, size},
+                                         {right, low, size, size},
+                                         {frame.left, frame.top, size, size},
+                                         {right, frame.top, size, size}}};
+  const auto is_free = [&](const PixelBox& corner) {
+    return std::ranges::none_of(shown, [&](const ShownItem& one) {
+      std::vector<Point> line = outline(*one.item);
+      if (!line.empty()) line.push_back(line.front());
+      return !clip_line(line, corner).empty();
+    });
+  };
+  const auto found = std::ranges::find_if(corners, is_free);
+  return found != corners.end() ? *found : corners[0];
 }
 
 }  // namespace
@@ -92,14 +109,15 @@ class PictureCanvas::Impl {
       const auto& frame = frame_of_inlay;  // clang++ 14 captures no structured binding
       const auto& [space, triad] = views_[i];
       put(*space, frame, picture);
-      put(triad->renderer(), triad_place(frame), picture);
       set_fine(*space, is_fine);
       const SpaceScene scene(*space, *stage, step);
       triad->show(*space, !scene.is_flat());
-      draw_labels(
-          picture, frame, shown_in(*stage, step),
-          [&](const StageItem& item) { return scene.seen(item, frame); },
-          scene.is_flat() ? std::optional<PixelBox>() : triad_place(frame));
+      const std::vector<ShownItem> shown = shown_in(*stage, step);
+      const Outline outline = [&](const StageItem& item) { return scene.seen(item, frame); };
+      const PixelBox corner = triad_place(frame, shown, outline);
+      put(triad->renderer(), corner, picture);
+      draw_labels(picture, frame, shown, outline,
+                  scene.is_flat() ? std::optional<PixelBox>() : std::optional<PixelBox>(corner));
     }
     item_->picture = &picture;
     item_->scale = scale;

@@ -49,7 +49,7 @@ Stage stage_beside(const Case& one, const ReportCase& report_on, const std::stri
   widen_views(stage, setting_of(printed));
   StageStep& end = stage.steps.emplace_back(last);
   end.begins_anew = true;
-  end.caption += fmt::format(" {} says: {}.", right, verdict_of(mended.claim()));
+  end.caption += fmt::format(" {} says: {}.", right, answer_in_words(mended));
   return stage;
 }
 

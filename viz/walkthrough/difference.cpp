@@ -109,7 +109,8 @@ void magnify(StageStep& step, const CaseReport& report, const ValuePair& pair, c
 /// bits), computed 4.8799777 (float32)."
 std::string pair_in_words(const CaseReport& report, const ValuePair& pair) {
   const char* const format = name_of(report.one.precision);
-  const bool is_counted = pair.ulps > 0 && std::isfinite(pair.ulps);
+  constexpr double many = 100;  // it is no matter then
+  const bool is_counted = pair.ulps > 0 && pair.ulps < many;
   return fmt::format(
       "The computed {} is {}{}: exact {} (to 53 bits), computed {} ({}).", root_name(report, pair.rank),
       accuracy_in_words(pair.ulps), is_counted ? ", counted from the exact one correctly rounded" : "",
@@ -147,6 +148,14 @@ std::string verdict_in_words(const CaseReport& report) {
              : fmt::format("Float result and exact result are the same: {}.", exact);
 }
 
+/// What the conclusion says beside how near the answer is, which the step says itself.
+std::string why_in_words(const CaseReport& report) {
+  const std::string all = conclusion_of(report);
+  if (!all.starts_with("The answer is ")) return all;
+  const std::size_t end = all.find(". ");
+  return end == std::string::npos ? "" : all.substr(end + 2);
+}
+
 }  // namespace
 
 Items hits_of(const StageSlider& slider, const CaseReport& report) {
@@ -167,7 +176,7 @@ StageStep difference_step(const CaseReport& report, const Setting& setting) {
   StageStep step;
   step.title = report.claim() == nullptr ? "The exact answer" : comparison_title;
   step.view = setting.near;
-  step.digits = conclusion_of(report);
+  step.digits = why_in_words(report);
   const auto show_all = [&] {
     if (setting.slider) step.items = hits_of(*setting.slider, report);
   };

@@ -84,7 +84,7 @@ std::optional<StepSpace> padded_space(const CaseReport& report, const StageCamer
                  point(Role::claimed, at(gap.computed_exit), "t_padded")};
   };
   return StepSpace{report.walk->steps.back().title,
-                   "In the plane across the edge that the ray nearly touches:",
+                   "Drawn in the plane across the edge that the ray nearly touches.",
                    scene,
                    flat_on(camera),
                    {{"t_padded", padding}},

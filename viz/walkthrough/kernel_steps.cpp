@@ -45,17 +45,6 @@ std::string equations_of(const std::vector<StageValue>& values, Precision precis
   return text;
 }
 
-/// Of a step that names nothing: what it came to.
-std::string decision_of(const CaseReport& report) {
-  std::string text = fmt::format("So the verdict is: {}", verdict_of(report.claim()));
-  const std::vector<double> values = values_of(report.claim());
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    text += fmt::format("{} {} = {}", i == 0 ? "" : ",", root_name(report, i),
-                        shown(values[i], report.one.precision));
-  }
-  return text + ".";
-}
-
 /// The items in the world; without those that overflowed, or that shrank to a point.
 Items placed(const Items& items, const Setting& setting) {
   Items placed;
@@ -118,15 +107,19 @@ std::vector<std::vector<StageValue>> parts_of(const std::vector<StageValue>& val
   return parts;
 }
 
-/// A step's sentences, each with the part that gives the last number that it speaks of.
+/// A step's sentences, each with the part that gives the number that it begins with, or else the last number
+/// that it speaks of.
 std::vector<std::string> words_of(const std::string& meaning,
                                   const std::vector<std::vector<StageValue>>& parts) {
   std::vector<std::string> words(parts.size());
   std::size_t part = 0;
   for (const std::string& sentence : sentences_of(meaning)) {
-    for (std::size_t i = part; i < parts.size(); ++i) {
-      for (const StageValue& value : parts[i])
-        if (mentions(sentence, value.name)) part = i;
+    bool has_subject = false;
+    for (std::size_t i = part; i < parts.size() && !has_subject; ++i) {
+      for (const StageValue& value : parts[i]) {
+        has_subject = has_subject || sentence.starts_with(value.name + " ");
+        if (has_subject || mentions(sentence, value.name)) part = i;
+      }
     }
     words[part] += (words[part].empty() ? "" : " ") + sentence;
   }
@@ -137,7 +130,7 @@ void caption(StageStep& step, const CaseReport& report, bool is_last) {
   const std::size_t words = std::min(most_letters, letters_of(step.words));
   const std::string numbers = !step.values.empty()
                                   ? equations_of(step.values, report.one.precision, most_letters - words)
-                              : is_last ? decision_of(report)
+                              : is_last ? fmt::format("So the verdict is: {}.", answer_in_words(report))
                                         : "";
   const bool is_both = !step.words.empty() && !numbers.empty();
   step.caption = step.words + (is_both ? " " : "") + numbers;

@@ -103,12 +103,11 @@ StageSlider slider_of(const RayScene& scene, const StageView& near, const CaseRe
 }
 
 /// How far off the ray's start is, where the ray comes into the view.
-StageItem far_start(const StageSlider& slider, const StageView& view, const StageCamera& camera) {
+StageItem far_start(const StageSlider& slider, const StageView& view) {
   const double speed = glm::length(slider.direction);
   const double t = glm::dot(view.centre - slider.origin, slider.direction) / (speed * speed);
   const double back = 1.3 * view.radius / speed;
-  const glm::dvec3 at =
-      slider.origin + (t > 0 ? t - back : t + back) * slider.direction + 0.4 * view.radius * camera.up;
+  const glm::dvec3 at = slider.origin + (t > 0 ? t - back : t + back) * slider.direction;
   const double off = glm::length(view.centre - slider.origin);
   return point(Role::text, at, (t > 0 ? "← o, " : "o → ") + rough(off, 4) + " off");
 }
@@ -133,8 +132,8 @@ StepSpace object_space_of(const CaseReport& report, const Setting& setting, cons
   const RayScene scene = scene_of(one, &report.exact, report.claim());
   Items items = items_of(scene.figure);
   add_ray(items, question.ray, *setting.slider, "o′");
-  return {first_step, "In the object's own space:", [items](const NumbersByName& /*n*/) { return items; },
-          [](const glm::dvec3& p) { return p; }};
+  return {first_step, "Drawn in the object's own space.",
+          [items](const NumbersByName& /*n*/) { return items; }, [](const glm::dvec3& p) { return p; }};
 }
 
 /// The spaces in which a run computes.
@@ -163,7 +162,7 @@ Setting ray_setting(const CaseReport& report) {
   setting.scene = items_of(scene.figure);
   setting.slider = slider_of(scene, setting.near, report);
   if (setting.wide.radius > 2.4 * setting.near.radius)
-    setting.far_start = far_start(*setting.slider, setting.near, setting.camera);
+    setting.far_start = far_start(*setting.slider, setting.near);
   add_ray(setting.scene, scene.sight.question.ray, *setting.slider);
   const World world = scene.sight.world;
   setting.to_world = [world](const glm::dvec3& p) { return rounded(world.point(p)); };

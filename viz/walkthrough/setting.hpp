@@ -15,7 +15,7 @@ namespace rayproof::viz {
 /// Another space than the world, in which a run computes from a step on until another space begins.
 struct StepSpace {
   std::string first_step;  ///< how the title of its first step begins
-  std::string words{};     ///< "In the sheared space, looking back along the ray toward o:"
+  std::string words{};     ///< "Drawn in the sheared space, looking back along the ray toward o."
   /// What is there, as the kernel has it; none for the world.
   std::function<Items(const NumbersByName& n)> scene{};
   std::function<glm::dvec3(const glm::dvec3&)> place{};  ///< from the kernel's space to where it is drawn

@@ -36,7 +36,7 @@ Items depths(const NumbersByName& n) {
   Items items{point(Role::nearest, {0, 0, 0}, "z = " + rough(n["z"], 4))};
   for (const char* corner : {"a", "b", "c"}) {
     const glm::dvec3 p = n.vector(corner);
-    items.push_back(point(Role::nearest, p, std::string(corner) + ": z = " + rough(p.z, 4)));
+    items.push_back(point(Role::nearest, p, "z = " + rough(p.z, 4)));
   }
   return items;
 }
@@ -46,6 +46,8 @@ Items weights(const NumbersByName& n, const glm::dvec3& normal) {
   const auto flat = [&](const char* name) { return dropped(normal, n.input(name)); };
   const glm::dvec3 a = flat("a"), b = flat("b"), c = flat("c"), q = flat("q");
   const auto part = [&](Role role, const glm::dvec3& u, const glm::dvec3& v, const char* name) {
+    const bool is_printed = name == std::string_view("β") && n.has("λ₂");
+    if (is_printed) return polygon(role, {q, u, v}, "λ₂ = " + rough(n["λ₂"], 3));
     return polygon(role, {q, u, v}, n.has(name) ? name + (" = " + rough(n[name], 3)) : std::string(name));
   };
   Items items{part(Role::edge, b, c, "α"), part(Role::nearest, c, a, "β"), part(Role::normal, a, b, "γ")};
@@ -85,7 +87,7 @@ std::vector<StepSpace> triangle_spaces(const Walkthrough& walk, const StageCamer
   for (const WalkStep& step : walk.steps) {
     if (step.title.starts_with("Shear the vertices"))
       spaces.push_back({step.title,
-                        "In the sheared space, looking back along the ray toward o:",
+                        "Drawn in the sheared space, looking back along the ray toward o.",
                         sheared_scene,
                         flat_on(camera),
                         {side("U", "b", "c"), side("V", "c", "a"), side("W", "a", "b"), {"z", depths}},
@@ -102,7 +104,7 @@ std::vector<StepSpace> triangle_spaces(const Walkthrough& walk, const StageCamer
       return items;
     };
     const Binding areas{"D", [=](const NumbersByName& n) { return weights(n, normal_of(n)); }};
-    spaces.push_back({step.title, "In the projection:", scene, flat_on(camera), {areas}, true});
+    spaces.push_back({step.title, "Drawn in the projection.", scene, flat_on(camera), {areas}, true});
   }
   return spaces;
 }

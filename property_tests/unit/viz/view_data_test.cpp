@@ -241,7 +241,7 @@ TEST(ViewData, TheLegendNamesWhatTheSlideShowsAndNothingElse) {
   };
   EXPECT_EQ(words(0), "ray;surface;");
   EXPECT_EQ(words(1), "ray;surface;construction;");
-  EXPECT_EQ(words(stage.steps.size() - 1), "ray;surface;key point;exact;as computed;");
+  EXPECT_EQ(words(stage.steps.size() - 1), "ray;surface;exact;as computed;");
 }
 
 TEST(ViewData, ALabelHasAHalo) {

@@ -89,6 +89,7 @@ function markMesh(body, sizes, material) {
     ? new Tubes([[corner(-1, -1), corner(1, 1)], [corner(-1, 1), corner(1, -1)]], sizes.wire, material(true))
     : new THREE.Mesh(shapes[body.mark](), material(false));
   mesh.position.fromArray(body.points);
+  mesh.place = mesh.position.clone();
   mesh.scale.setScalar(body.radius);
   return mesh;
 }

@@ -1,7 +1,7 @@
 'use strict';
 /* Labels beside what they name, so that none covers another, a mark or, where there is room, a line. */
 
-const labelOffsets = [13, 22, 34, 48].flatMap(away => Array.from({length: 16}, (_, i) => ({away, angle: Math.PI * (0.25 + i / 8), cost: away * 1.5 + i * 0.4})));
+const labelOffsets = [13, 22, 34, 48].flatMap(away => Array.from({length: 16}, (_, i) => ({away, angle: Math.PI * (0.25 + i / 8), cost: 1.5 * (away + Math.max(0, away - 34)) + i * 0.4})));
 const sharedArea = (a, b) => Math.max(0, Math.min(a[2], b[2]) - Math.max(a[0], b[0])) * Math.max(0, Math.min(a[3], b[3]) - Math.max(a[1], b[1]));
 const boxAround = (x, y, w, h) => [x - w / 2, y - h / 2, x + w / 2, y + h / 2];
 
@@ -95,9 +95,11 @@ class Labels {
       object.element.style.display = '';
       const w = (label.width = label.width || inner.offsetWidth) + 2, h = (label.height = label.height || inner.offsetHeight);
       const spots = anchors.map(seen);
-      let best = {x: Math.max(Math.min(spots[0][0], places.frame[2] - w / 2), places.frame[0] + w / 2), y: spots[0][1], anchor: 0, cost: 0};
-      if (data.isText) best.box = boxAround(best.x, best.y, w, h);
-      else best = places.best(spots, w, h, label.before);
+      let best = places.best(spots, w, h, label.before);
+      if (data.isText) {  // it stands at its point where it covers nothing there
+        const x = Math.max(Math.min(spots[0][0], places.frame[2] - w / 2), places.frame[0] + w / 2), y = spots[0][1], box = boxAround(x, y, w, h);
+        if (places.cost(box, best.cost) < best.cost) best = {x, y, box, anchor: 0};
+      }
       object.visible = data.isText || data.how === 'bright' || best.cost < 150;
       if (!object.visible) continue;
       places.taken.push(best.box);

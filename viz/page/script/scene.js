@@ -135,6 +135,8 @@ class StageScene {
     const eye = camera.position, seen = p => this.seen(p), toward = step.flat ? new THREE.Vector3(0, 0, 1).transformDirection(camera.matrixWorld) : null;
     for (const mark of now.marks) {
       mark.quaternion.copy(camera.quaternion);
+      // So far toward the eye that what it lies on does not cut it.
+      if (!step.flat) mark.position.copy(eye).sub(mark.place).setLength(2 * mark.scale.x).add(mark.place);
       const [x, y] = seen(mark.position), r = mark.scale.x * 2.2 * this.pixelsPerLength(mark.position);
       places.taken.push([x - r, y - r, x + r, y + r]);
     }
@@ -158,7 +160,7 @@ class StageScene {
       if (!step.flat) surface.sides.forEach((side, i) => { side.renderOrder = i - 10 * surface.centre.distanceTo(eye); });
     }
     for (const body of step.bodies.filter(body => body.pieces))
-      for (const piece of body.pieces) for (const [a, b] of pairsOf(vectorsOf(piece))) places.avoid(seen(a), seen(b), body.how === 'dimmed' ? 8 : 12);
+      for (const piece of body.pieces) for (const [a, b] of pairsOf(vectorsOf(piece))) places.avoid(seen(a), seen(b), body.role === 'frame' && body.how === 'scene' ? 3 : body.role === 'frame' || body.how === 'dimmed' ? 8 : 12);
     if (now.floor) now.floor.visible = new THREE.Vector3().fromArray(step.up).dot(eye) > step.floor.ground * step.up[step.floor.axis];
     this.renderer.render(this.scene, camera);
     this.labels.place(seen, places);

@@ -117,11 +117,15 @@ void SpaceScene::place_camera(Look look) {
 
 void SpaceScene::add_mark(const SpaceBody& body) {
   // In a drawing what comes later stands before what was there, and marks before lines.
-  const double height = space_.camera.is_flat ? 0.1 + 0.01 * static_cast<double>(parts_.size()) : 0;
-  const glm::dvec3 place = body.points.at(0) + height * space_.camera.toward;
+  const glm::dvec3& at = body.points.at(0);
+  const bool is_flat = space_.camera.is_flat;
+  const double height = is_flat ? 0.1 + 0.01 * static_cast<double>(parts_.size()) : 0;
+  const glm::dvec3 place = at + height * space_.camera.toward;
   const Geometry mark =
       mark_geometry(mark_of(body.shown.item->role), place, body.radius, space_.camera, sides_);
   parts_.push_back({SpacePart::Kind::mark, shown_role(body.shown), mark});
+  // So far toward the eye that the line or surface on which it lies does not cut it.
+  if (!is_flat) parts_.back().shift = 2 * body.radius * glm::normalize(space_.camera.eye() - at);
 }
 
 void SpaceScene::add_surface(const SpaceBody& body) {
@@ -149,6 +153,7 @@ std::vector<SpaceScene::SpacePart> SpaceScene::merged(const std::vector<SpacePar
     const auto place = static_cast<std::size_t>(same - few.begin());
     if (same == few.end()) {
       few.push_back(part);
+      few.back().shift = {};
       together.push_back(vtkSmartPointer<vtkAppendPolyData>::New());
     }
     together[place]->AddInputData(part.geometry);
@@ -162,6 +167,7 @@ std::vector<SpaceScene::SpacePart> SpaceScene::merged(const std::vector<SpacePar
 
 void SpaceScene::add_actor(const SpacePart& part) {
   const auto actor = lit_actor(part.geometry, part.role, is_fine());
+  actor->SetPosition(part.shift.x, part.shift.y, part.shift.z);
   renderer_.AddActor(actor);
   if (space_.camera.is_flat) actor->GetProperty()->LightingOff();
   if (part.kind == SpacePart::Kind::line || part.kind == SpacePart::Kind::mark) return;

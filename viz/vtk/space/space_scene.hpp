@@ -59,6 +59,7 @@ class SpaceScene {
     Geometry geometry;
     double opacity = 1;
     double specular = 0;
+    glm::dvec3 shift{0, 0, 0};  ///< of what is seen, not of its shadow
   };
   /// As one those that look alike.
   [[nodiscard]] static std::vector<SpacePart> merged(const std::vector<SpacePart>& parts);

@@ -40,6 +40,7 @@ Items half_distance(const NumbersByName& n) {
   const ParabolaFrame frame = frame_of(n);
   const double x = -b / (2 * a);
   const double s = std::sqrt(b * b - 4 * a * c) / (2 * a);
+  if (!(std::abs(s) > 0)) return {};
   return {
       segment(Role::edge, frame.at(x, 0) + under_the_axis, frame.at(x + s, 0) + under_the_axis, "√D/(2a)"),
       segment(Role::edge, frame.at(x, 0) + under_the_axis, frame.at(x - s, 0) + under_the_axis),

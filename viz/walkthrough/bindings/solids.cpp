@@ -67,7 +67,7 @@ Binding slab_of_faces(const char* name, const char* edge, const char* u, const c
 /// The stretch that all have in common, where there is one.
 Items overlap(const NumbersByName& n) {
   if (!(n["t_entry"] < n["t_exit"])) return {};
-  return {segment(Role::nearest, n.at(n["t_entry"]), n.at(n["t_exit"]), "inside all three slabs")};
+  return {segment(Role::nearest, n.at(n["t_entry"]), n.at(n["t_exit"]), "inside")};
 }
 
 StageItem to_corner(const NumbersByName& n, const char* name) {

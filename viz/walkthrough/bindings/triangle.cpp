@@ -57,7 +57,9 @@ Items both_parameters(const NumbersByName& n) {
 Items other_half(const NumbersByName& n) {
   const Corners tri = corners_of(n);
   const glm::dvec3 far = tri.b + tri.c - tri.a;
-  return {polyline(Role::edge, {tri.b, far, tri.c}, "sum > 1", Pattern::dashed)};
+  StageItem half = open_polygon(Role::edge, {tri.b, far, tri.c});
+  half.label = "sum > 1";
+  return {half, polyline(Role::edge, {tri.b, far, tri.c}, {}, Pattern::dashed)};
 }
 
 Items height_above_triangle(const NumbersByName& n) {

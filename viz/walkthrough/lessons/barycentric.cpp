@@ -70,6 +70,7 @@ Stage barycentric_stage(const Case& one, const ReportCase& report_on) {
   Stage stage = composed_stage(report, walk, setting);
   stage.steps.front().title = "Look at the triangle and the point";
   stage.method = "triangle::barycentric";
+  begin_anew(stage, "α is");  // the whole is no share
   stage.steps.push_back(difference_of_values(walk, setting, one.precision));
   const bool is_inside =
       std::ranges::none_of(values, [](const WalkValue& v) { return v.name != "D" && v.value < 0; });

@@ -30,7 +30,7 @@ Items placed_pixel(const NumbersByName& n) {
 /// Where the printed formula, without the half pixel, puts the pixel.
 Items printed_corner(const NumbersByName& /*n*/) {
   const double x = 2.0 * pixel_i / width - 1, y = 1 - 2.0 * pixel_j / height;
-  return {point(Role::claimed, on_image(x, y), "as printed: the corner")};
+  return {point(Role::edge, on_image(x, y), "corner (4, 2)")};
 }
 
 Items parts_of_direction(const NumbersByName& n) {

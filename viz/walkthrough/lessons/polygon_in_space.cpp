@@ -91,7 +91,7 @@ Stage polygon_stage(const Case& one, const ReportCase& report_on) {
       answer("t"),
       marked("q", Role::nearest)};
   setting.spaces = {{"Project along",
-                     "In the projection:",
+                     "Drawn in the projection.",
                      [=](const NumbersByName& n) { return projected_scene(n, count); },
                      flat_on(setting.camera),
                      {},

@@ -57,13 +57,21 @@ struct Counting {
 };
 
 /// Of a side that a half-open rule does not look at.
-std::string why_not(const PolygonSide& side, const std::string& top, double y) {
-  if (side.a.y == side.b.y && side.a.y == y)
-    return "it lies along the ray and has no lower end: no crossing.";
+std::string why_not(const PolygonSide& side, const std::string& top, double y, Precision precision) {
+  const auto at = [&](double height) { return shown(height, precision); };
+  const bool is_level = side.a.y == side.b.y;
+  if (is_level && side.a.y == y)
+    return fmt::format("{} lies along the ray at y = {} and has no lower end: no crossing.", side.name,
+                       at(y));
+  const std::string where =
+      is_level ? fmt::format("{} lies at y = {}", side.name, at(side.a.y))
+               : fmt::format("{} runs from y = {} to {}", side.name, at(side.a.y), at(side.b.y));
   if (std::max(side.a.y, side.b.y) == y)
     return fmt::format(
-        "{} is its upper end and lies on the ray: excluded, for a side contains only its lower end.", top);
-  return fmt::format("both ends are {} the ray: no crossing.", side.a.y < y ? "below" : "above");
+        "{}. Its upper end {} lies on the ray and is excluded: a side contains only its lower end.", where,
+        top);
+  return fmt::format("{}, {} the ray at y = {}: no crossing.", where, side.a.y < y ? "below" : "above",
+                     at(y));
 }
 
 /// A side of the polygon that the ray's line meets, as a lesson speaks of it.
@@ -110,15 +118,11 @@ Stage counted_stage(const CaseReport& report, const Counting& counting) {
     StageStep& step = stage.steps[i + 1];
     const PolygonSide side = polygon_side(question, i);
     const std::size_t after = polygon::next(i, question.vertices.size());
-    step.items.push_back(segment(Role::edge, side.a, side.b, side.name));
+    step.items.push_back(segment(Role::edge, side.a, side.b));
     if (step.values.empty()) {
-      const auto y = [&](double height) { return shown(height, report.one.precision); };
       const std::size_t top = side.a.y > side.b.y ? i : after;
-      const std::string where = side.a.y == side.b.y
-                                    ? fmt::format("at y = {}", y(side.a.y))
-                                    : fmt::format("from y = {} to {}", y(side.a.y), y(side.b.y));
-      step.caption = fmt::format("{} {}, the ray at y = {}: {} Crossings so far: {}.", side.name, where,
-                                 y(p.y), why_not(side, "v" + subscript(top), p.y), count);
+      step.caption = fmt::format("{} Crossings so far: {}.",
+                                 why_not(side, "v" + subscript(top), p.y, report.one.precision), count);
       if (side.a.y != side.b.y && std::max(side.a.y, side.b.y) == p.y)
         step.items.push_back(point(Role::muted, side.a.y > side.b.y ? side.a : side.b, "excluded"));
       continue;

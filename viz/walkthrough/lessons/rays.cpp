@@ -11,14 +11,14 @@ void walk_along(const Ray<double>& given) {
   const Ray<R> ray = named_ray<R>(given);
   step<R>("At t = 0 there is the origin", "p(0) = o + 0·d: the ray begins there.");
   (void)named("p(0)", point_at(ray, R(0)));
-  step<R>("At t = 1 the ray has gone one direction", "p(1) is the tip of d, drawn from the origin.");
+  step<R>("At t = 1 the ray is at the tip of d", "p(1) is the tip of d, drawn from the origin.");
   (void)named("p(1)", point_at(ray, R(1)));
-  step<R>("At t = 2.5 it has gone two and a half", "t is any number, not only a whole one.");
+  step<R>("At t = 2.5 it has gone two and a half times d", "t is any number, not only a whole one.");
   (void)named("p(2.5)", point_at(ray, R(2.5)));
   step<R>("At t = -0.5 the line has not reached the origin",
           "A ray has no t below t_min = 0: p(-0.5) is a point of the line, not of the ray.");
   (void)named("p(-0.5)", point_at(ray, R(-0.5)));
-  step<R>("t counts directions; times the direction's length it is a distance",
+  step<R>("t counts lengths of d: the distance is t·|d|",
           "Only for a direction of length 1 are t and the distance the same number.");
   const R length = named("|d|", sqrt(dot(ray.direction, ray.direction)));
   (void)named("distance", R(2.5) * length);

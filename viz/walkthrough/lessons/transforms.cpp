@@ -65,7 +65,8 @@ void carry_normal(const RayQuestion& question, double t) {
 
   step<R>("There the normal of the unit sphere is the point itself",
           "The sphere's radius ends at q and is perpendicular to the surface.");
-  const vec3<R> normal = named("n", R(1) * q);
+  const R r = named("r", R(std::get<Sphere<double>>(question.shape).radius));
+  const vec3<R> normal = named("n", vec3<R>(q.x / r, q.y / r, q.z / r));
 
   step<R>("Carried like a direction, by A, it is not perpendicular: wrong",
           "A maps tangents to tangents, but does not preserve the right angle between them and the normal.");
@@ -103,7 +104,7 @@ Stage normal_stage(const Case& one, const ReportCase& report_on) {
        }}};
   const Items unit_sphere{{Role::surface, Form::ellipsoid, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}};
   setting.spaces = {
-      {walk.steps.at(0).title, "In the object's own space:",
+      {walk.steps.at(0).title, "Drawn in the object's own space.",
        [=](const NumbersByName& /*n*/) { return Items(unit_sphere); }, as_it_is, on_unit_sphere},
       {walk.steps.at(2).title}};
   Stage stage = composed_stage(report, walk, setting);

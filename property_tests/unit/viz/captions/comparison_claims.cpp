@@ -12,8 +12,11 @@ std::string behind(const std::string& sentence, const std::string& mark) {
 
 void expect_verdict(const LessonSaid& s, const std::string& method) {
   const CaseReport report = report_of(s.stage.one, method);
-  const std::string said = behind(s.sentence, ": ");
-  EXPECT_EQ(said.substr(0, said.size() - 1), verdict_of(method.empty() ? &report.exact : report.claim()));
+  EXPECT_EQ(behind(s.sentence, ": "), verdict_of(method.empty() ? &report.exact : report.claim()) + ".");
+}
+
+void expect_answer(const LessonSaid& s, const std::string& method) {
+  EXPECT_EQ(behind(s.sentence, ": "), answer_in_words(report_of(s.stage.one, method)) + ".");
 }
 
 /// Of all values of the stage the named one has lost most.
@@ -49,8 +52,10 @@ std::vector<LessonClaim> comparison_claims() {
       {"", "Exact: *.", [](const LessonSaid& s) { expect_verdict(s, ""); }},
       {"", "Computed: *.", [](const LessonSaid& s) { expect_verdict(s, s.stage.method); }},
       {"", "*/* says: *.",
-       [](const LessonSaid& s) { expect_verdict(s, s.sentence.substr(0, s.sentence.find(' '))); }},
-      {"", "So the verdict is: *."}};
+       [](const LessonSaid& s) { expect_answer(s, s.sentence.substr(0, s.sentence.find(' '))); }},
+      {"", "So the verdict is: *."},
+      // It names the space whose items the step shows.
+      {"", "Drawn in the *.", [](const LessonSaid& s) { EXPECT_TRUE(s.stage.steps[s.step].is_apart); }}};
 }
 
 }  // namespace rayproof::viz

@@ -10,13 +10,6 @@
 namespace rayproof::viz {
 namespace {
 
-/// Without "In the object's own space: ", which names the space that is drawn.
-std::string without_space(const std::string& words) {
-  const std::size_t colon = words.find(':');
-  const bool names_space = words.starts_with("In the ") && colon != std::string::npos;
-  return names_space ? words.substr(std::min(colon + 2, words.size())) : words;
-}
-
 /// "q = o + t·d = … = (1, 2, 3)": a value's own numbers, which stage_bits_test holds to the plain run.
 bool is_equation(const StageStep& step, const std::string& sentence) {
   return std::any_of(step.values.begin(), step.values.end(),
@@ -55,7 +48,7 @@ void expect_true_sentences(const Stage& stage, const std::vector<CheckedClaim>& 
     const NumbersByName n = numbers_up_to(stage, i);
     std::set<std::string> sentences;
     for (const std::string& text : {step.words, step.caption})
-      for (const std::string& sentence : sentences_of(without_space(text))) sentences.insert(sentence);
+      for (const std::string& sentence : sentences_of(text)) sentences.insert(sentence);
     for (const std::string& sentence : sentences) {
       if (find_claim(of_kernels, sentence) != nullptr || is_equation(step, sentence)) continue;
       const auto claim = std::find_if(of_lessons.begin(), of_lessons.end(), [&](const LessonClaim& one) {

@@ -80,28 +80,27 @@ std::vector<LessonClaim> polygon_lesson_claims() {
       {"", "Crossings so far: #.", expect_count},
       {"",
        "The ray meets the line through the side at t; s is the place on the line, 0 to 1 from end to end."},
-      {"", "v* at y = #, the ray at y = #: both ends are * the ray: no crossing.",
+      {"", "v* lies at y = #, * the ray at y = #: no crossing.",
        [](const LessonSaid& said) {
          const auto [a, b] = side_of(said);
          EXPECT_TRUE(a.y == b.y && a.y != asked(said).point.y);
        }},
-      {"", "v* from y = # to #, the ray at y = #: both ends are * the ray: no crossing.",
+      {"", "v* runs from y = # to #, * the ray at y = #: no crossing.",
        [](const LessonSaid& said) {
          const auto [a, b] = side_of(said);
          const double y = asked(said).point.y;
-         const bool is_below = said.sentence.find("are below") != std::string::npos;
+         const bool is_below = said.sentence.find("below the ray") != std::string::npos;
          EXPECT_TRUE(is_below ? std::max(a.y, b.y) < y : std::min(a.y, b.y) > y || std::min(a.y, b.y) == y);
          EXPECT_FALSE(passes_height(said));
        }},
-      {"",
-       "v* from y = # to #, the ray at y = #: v* is its upper end and lies on the ray: excluded, for a side "
-       "contains only its lower end.",
+      {"", "v* runs from y = # to #."},
+      {"", "Its upper end v* lies on the ray and is excluded: a side contains only its lower end.",
        [](const LessonSaid& said) {
          const auto [a, b] = side_of(said);
          EXPECT_EQ(std::max(a.y, b.y), asked(said).point.y);
          EXPECT_NE(a.y, b.y);
        }},
-      {"", "v* at y = #, the ray at y = #: it lies along the ray and has no lower end: no crossing.",
+      {"", "v* lies along the ray at y = # and has no lower end: no crossing.",
        [](const LessonSaid& said) {
          const auto [a, b] = side_of(said);
          EXPECT_TRUE(a.y == b.y && a.y == asked(said).point.y);
@@ -117,7 +116,7 @@ std::vector<LessonClaim> polygon_lesson_claims() {
        "v₂ is an end of two closed sides, and both count it: the rule is at fault, not rounding.",
        [](const LessonSaid& said) { EXPECT_EQ(asked(said).vertices.at(2).y, asked(said).point.y); }},
       {"polygon-horizontal-trap",
-       "NaN fails every comparison: v₂v₃ counts 0; the closed sides v₁v₂ and v₃v₄ count its ends: 2.",
+       "NaN fails every ordered comparison: v₂v₃ counts 0; the closed sides v₁v₂ and v₃v₄ count an end each.",
        [](const LessonSaid& said) {
          EXPECT_EQ(asked(said).vertices.at(2).y, asked(said).vertices.at(3).y);
          EXPECT_EQ(counted_up_to(said), 2);

@@ -113,6 +113,7 @@ class PlainRuns {
     const auto space = object_space<H>(column(0), column(1), column(2), column(3));
     const double t = std::get<RayAnswer>(oracle::answer(one_)).hits.t[0];
     const vec3<H> q = named("q", point_at(to_object(space, convert<H>(asked().ray)), H(t)));
+    (void)named("r", H(std::get<Sphere<double>>(asked().shape).radius));
     (void)named("n", q);
     (void)named("A·n", vec3<H>(q.x * column(0) + q.y * column(1) + q.z * column(2)));
     (void)named("m", vec3<H>(q.x * space.row_x + q.y * space.row_y + q.z * space.row_z));

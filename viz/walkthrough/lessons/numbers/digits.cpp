@@ -30,7 +30,8 @@ Stage digits_stage(const Case& one, const ReportCase& report_on) {
       const double kept = std::max(0.0, digits - value.bits_lost);
       step.items.push_back(segment(Role::exact, {x(0), y, 0}, {x(kept), y, 0}));
       if (value.bits_lost >= 0.5)
-        step.items.push_back(segment(Role::claimed, {x(kept), y, 0}, {x(digits), y, 0}, {}, Pattern::dotted));
+        step.items.push_back(segment(Role::claimed, {x(kept), y, 0}, {x(digits), y, 0},
+                                     value.bits_lost >= noteworthy ? "lost" : "", Pattern::dotted));
       step.items.push_back(point(Role::text, {x(0) - 0.1, y, 0}, value.name));
     }
     return row;

@@ -38,15 +38,12 @@ void add_step(Stage& stage, const CaseReport& report, const Setting& setting, co
   step.begins_anew = !stage.steps.back().title.starts_with(who);
   step.title = who + ": " + step.title;
   if (wanted.title != triangle::MollerTrumbore::find_u.title) {
+    const std::size_t first = sentences_of(step.words).front().size() + 1;  // it leaves the answer no room
     const std::string verdict = fmt::format(" {} says: {}.", who, verdict_of(report.claim()));
-    step.words += verdict;
-    step.caption += (step.caption.ends_with(".") ? "" : ".") + verdict;
-  }
-  if (wanted.title ==
-      triangle::Woop::find_sides.title) {  // its first sentence leaves no room for the numbers
-    const std::size_t first = sentences_of(step.words).front().size() + 1;
     step.words.erase(0, first);
     step.caption.erase(0, first);
+    step.words += verdict;
+    step.caption += (step.caption.ends_with(".") ? "" : ".") + verdict;
   }
   stage.steps.push_back(std::move(step));
 }
