@@ -156,6 +156,12 @@ std::string budget_in_words(const std::vector<LibraryDossier>& libraries) {
   return fmt::format("{}", fmt::join(texts, "; "));
 }
 
+std::string where_seen(const Finding& finding) {
+  const auto precision = name_of(finding.one.precision);
+  if (finding.cases == 0) return std::string(precision);
+  return fmt::format("{}, about {} of the cases", precision, finding.cases);
+}
+
 std::string also_in_words(const FiledFinding& filed) {
   std::vector<std::string> texts;
   for (const auto& [shape, name] : filed.also_in)

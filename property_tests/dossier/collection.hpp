@@ -85,6 +85,9 @@ using DrawCase = std::function<std::string(const Case& one, const Answer* exact,
 /// "seed 2022, 2000 cases for each shape, family and precision".
 [[nodiscard]] std::string budget_in_words(const std::vector<LibraryDossier>& libraries);
 
+/// In what precision, and in how many of the run's cases, where those were counted: what ends a program is
+/// not.
+[[nodiscard]] std::string where_seen(const Finding& finding);
 /// "box, sphere/bullet-gjk": where else the fault shows; subjects are named where they are others.
 [[nodiscard]] std::string also_in_words(const FiledFinding& filed);
 

@@ -47,8 +47,7 @@ std::string finding_in_markdown(const FiledFinding& filed) {
       finding.number,
       is_confirmed ? dossier.title() : recorded.shape + "/" + recorded.name + " " + recorded.says,
       recorded.name, finding.number, finding.number);
-  text += row("kind", fmt::format("{}, {}, about {} of the cases", recorded.kind,
-                                  name_of(finding.one.precision), finding.cases)) +
+  text += row("kind", fmt::format("{}, {}", recorded.kind, where_seen(finding))) +
           row("found", recorded.says) + row("also in", also_in_words(filed));
   if (filed.trouble.empty())
     text += row("asked", "`" + numbers_in_words(dossier.reproduction.inputs) + "`") +

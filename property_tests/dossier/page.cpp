@@ -64,8 +64,7 @@ std::string article(const FiledFinding& filed, const DrawCase& draw) {
       "<article id=\"finding-{0}\"><h3>{0}. {1} <span "
       "class=\"soft\">{9}</span></h3><figure>{2}</figure><dl>{3}{4}{5}{6}{7}{8}</dl>",
       finding.number, escaped(about), picture_of(filed, draw),
-      entry("Kind", kind_label(recorded.kind) + fmt::format(" {}; about {} of the cases",
-                                                            name_of(finding.one.precision), finding.cases)),
+      entry("Kind", kind_label(recorded.kind) + " " + where_seen(finding)),
       entry("Found", escaped(recorded.says)) + entry("Also in", escaped(also_in_words(filed))),
       confirmed(filed),
       entry("Diagnosis", escaped(finding.diagnosis.empty() ? "none: there is no answer" : finding.diagnosis)),
