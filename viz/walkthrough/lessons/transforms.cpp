@@ -66,7 +66,7 @@ void carry_normal(const RayQuestion& question, double t) {
   step<R>("There the normal of the unit sphere is the point itself",
           "The sphere's radius ends at q and is perpendicular to the surface.");
   const R r = named("r", R(std::get<Sphere<double>>(question.shape).radius));
-  const vec3<R> normal = named("n", vec3<R>(q.x / r, q.y / r, q.z / r));
+  const vec3<R> normal = named("n", vec3<R>{q.x / r, q.y / r, q.z / r});
 
   step<R>("Carried like a direction, by A, it is not perpendicular: wrong",
           "A maps tangents to tangents, but does not preserve the right angle between them and the normal.");
