@@ -33,9 +33,6 @@ bool is_share(const Indices& part, const Indices& whole, std::size_t percent) {
   return 100 * part.size() >= percent * whole.size() && !part.empty();
 }
 
-/// "unit-direction+plain-interval"
-bool is_pair(const Hypothesis& cure) { return cure.name.find('+') != std::string_view::npos; }
-
 /// A part of the cases makes a group of its own where it is no matter of luck.
 bool is_part(const Indices& cases, const Indices& left) {
   return cases.size() >= 3 && is_share(cases, left, 25);
@@ -96,7 +93,7 @@ Diagnosis CauseSearch::next(const Indices& left) const {
     const bool is_enough = is_share(cases, left, most_for_a_cure);
     if (!is_enough && (cases.size() <= best.cases.size() || !is_proven(one, cases, left))) continue;
     // Two cures at once must do clearly more than one of them.
-    if (is_pair(one) && 10 * best.cases.size() >= 9 * cases.size()) continue;
+    if (one.is_pair && 10 * best.cases.size() >= 9 * cases.size()) continue;
     if (is_contradicted(one, cases)) continue;
     best.cause = &one;
     best.cases = cases;

@@ -54,6 +54,7 @@ struct Hypothesis {
   bool perturbs = true;
   /// The changed case is asked of a program that has been asked nothing before.
   bool is_asked_alone = false;
+  bool is_pair = false;        ///< of two cures at once
   bool speaks_of_all = false;  ///< of every form of a shape, whatever forms the failing cases have
   /// Of what fits single cases by chance: the percentage of a sample that it must explain; else 0.
   std::size_t least_share = 0;

@@ -1,25 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <optional>
 
-#include "case/reader.hpp"
-#include "oracle/oracle.hpp"
-#include "properties/diagnosis/hypothesis.hpp"
+#include "unit/diagnosis/marks.hpp"
 
 namespace rayproof {
 namespace {
-
-RayAnswer with_hits(std::initializer_list<double> hits) {
-  RayAnswer answer;
-  for (const double t : hits) answer.hits.push_back(t);
-  return answer;
-}
-
-std::optional<bool> bears(const char* model, const char* text, const Answer& got) {
-  const Case one = read_case(text);
-  return find_hypothesis(model)->recognise(one, got, oracle::answer(one));
-}
 
 constexpr const char* far_sphere =
     R"({"ray": {"origin": [-100,0,0], "direction": [1,0,0]}, "shape": {"type": "sphere", "center": [0,0,0], "radius": 1}})";

@@ -19,28 +19,24 @@ Cases both(const Case& one) {
 }  // namespace
 
 std::vector<Hypothesis> pairs_of_cures() {
-  return {
+  std::vector<Hypothesis> all{
       cure("unit-direction+plain-interval", both<unit_direction, plain_interval>,
            "right as soon as the direction has length 1 and the interval is [0, inf], and not by one of "
-           "these: "
-           "two faults",
+           "these: two faults",
            gross, Keeps::verdict),
       cure("unit-direction+start-behind", both<unit_direction, start_behind>,
            "right as soon as the direction has length 1 and the ray starts before the shape, and not by one "
-           "of "
-           "these: two faults",
+           "of these: two faults",
            gross, Keeps::verdict),
       cure("in-object-space+unit-direction", both<in_object_space, unit_direction>,
            "right as soon as there is no transform and the direction has length 1, and not by one of these: "
-           "two "
-           "faults",
+           "two faults",
            gross, Keeps::verdict),
       cure("unit-normal+unit-direction", both<unit_normal, unit_direction>,
            "right as soon as normal and direction both have length 1: the code takes both for unit vectors"),
       cure("tilted+plain-interval", both<tilted, plain_interval>,
            "right as soon as the direction is tilted off the axes and the interval is [0, inf], and not by "
-           "one "
-           "of these: two faults",
+           "one of these: two faults",
            gross, Keeps::verdict),
       cure("reversed-winding+start-behind", both<reversed_winding, start_behind>,
            "right as soon as the winding is reversed and the ray starts before the shape, and not by one of "
@@ -55,6 +51,8 @@ std::vector<Hypothesis> pairs_of_cures() {
            "faults",
            gross, Keeps::verdict),
   };
+  for (Hypothesis& one : all) one.is_pair = true;
+  return all;
 }
 
 }  // namespace rayproof::diagnosis
