@@ -58,7 +58,7 @@ class Runner:
                               input="\n".join(map(str, self.living(stage))), capture_output=True, text=True, check=False)
         lines = [json.loads(line) for line in done.stdout.splitlines()]
         if done.returncode != 0 or (lines and "unmutated" in lines[0]):
-            raise Broken(f"{method} fails unmutated: {done.stdout[:500]} {done.stderr[-300:]}")
+            raise Broken(f"{method} fails unmutated, status {done.returncode}: {done.stdout[:500]} {done.stderr[-300:]}")
         return lines, time.monotonic() - start
 
     def run_all(self, methods, jobs, log):

@@ -48,9 +48,9 @@ def swapped(header, opening, function):
             return own
         others = [texts[2 * pair + 1 - k] if k in (pair, pair + 1) else None for pair in pairs]
         lambdas = "".join(
-            f", [&]() -> decltype(auto) {{ return ({other}); }}" if other is not None and number is not None else
+            f", [&]() -> decltype(auto) {{ return rpm::lasting({other}); }}" if other is not None and number is not None else
             ", rpm::itself" if number is not None else ", rpm::nothing" for other, number in zip(others, numbers))
-        return f"rpm::swapped<{first}>([&]() -> decltype(auto) {{ return ({own}); }}{lambdas})"
+        return f"rpm::swapped<{first}>([&]() -> decltype(auto) {{ return rpm::lasting({own}); }}{lambdas})"
 
     def write(first, numbers, render):
         return ", ".join(item(k, first, numbers, render) for k in range(len(items)))
