@@ -70,58 +70,47 @@ auto enclosed(const ObjectSpace<Bounded<double>>& space, const Ray<N>& ray, cons
                                    convert<B>(convert<N>(shape)));
 }
 
-/// The same by a method's quick phase: `solve(ray, enclosed, to)` says where it is sure. What is not is NaN.
-/// Returns whether there is any.
-template <class Method, class Problem, class T, class Space, std::size_t Columns, class Solve>
-bool solve_quickly(const Lanes<Problem>& in, const Space& space, T* const (&out)[Columns],
-                   const Solve& solve) {
+/// The same by a method's quick phase, all hits or the nearest alone. What it is not sure of is NaN. Returns
+/// whether there is any.
+template <class Method, class Problem, class Space, class T, class All, std::size_t Columns>
+RAYPROOF_FLAT bool solve_quickly(const Lanes<Problem>& given, const Space& given_space,
+                                 T* const (&out)[Columns], All all) {
+  const Lanes<Problem> in = given;
+  const Space space = given_space;
   using N = Pack<double>;
   Mask<N> is_sure(true);
   const auto fill = [&](const N(&columns)[8], N(&to)[Columns]) {
     const Ray<N> ray = ray_of<N>(columns);
-    const Mask<N> is_sure_now = solve(ray, enclosed<Method, T>(space, ray, in.shape), to);
-    is_sure = is_sure && is_sure_now;
-    for (N& result : to) result = select(is_sure_now, result, N(not_a_number<N>));
+    const auto known = enclosed<Method, T>(space, ray, in.shape);
+    const auto keep = [&](const Mask<N>& is_sure_now, std::size_t wanted) {
+      is_sure = is_sure && is_sure_now;
+      for (std::size_t i = 0; i < wanted; ++i) to[i] = select(is_sure_now, to[i], N(not_a_number<N>));
+    };
+    if (all) {
+      const auto quick = rounded_roots(ray, known);
+      const struct { const Ray<N>& ray; } problem{ray};
+      put_results<Lanes<Problem>>(problem, quick.answer, to);
+      keep(quick.is_sure, Columns);
+    } else {
+      const auto quick = rounded_nearest(ray, known);
+      to[0] = quick.answer;
+      keep(quick.is_sure, 1);
+    }
   };
-  run<N>(in.columns, out, in.size, fill, Columns, interval_of(in));
+  run<N>(in.columns, out, in.size, fill, all ? Columns : 1, interval_of(in));
   return !std::experimental::all_of(is_sure);
 }
-
-template <class Method, class Problem, class T, class Space, std::size_t Columns>
-RAYPROOF_FLAT bool solve_all_quickly(const Lanes<Problem>& given, const Space& given_space,
-                                     T* const (&out)[Columns]) {
-  const Lanes<Problem> in = given;
-  const Space space = given_space;
-  return solve_quickly<Method>(in, space, out, []<class N>(const Ray<N>& ray, const auto& wide, auto& to) {
-    const auto quick = rounded_roots(ray, wide);
-    const struct { const Ray<N>& ray; } problem{ray};
-    put_results<Lanes<Problem>>(problem, quick.answer, to);
-    return quick.is_sure;
-  });
-}
-
-template <class Method, class Problem, class T, class Space>
-RAYPROOF_FLAT bool solve_nearest_quickly(const Lanes<Problem>& given, const Space& given_space,
-                                         T* const (&out)[1]) {
-  const Lanes<Problem> in = given;
-  const Space space = given_space;
-  return solve_quickly<Method>(in, space, out, [](const auto& ray, const auto& wide, auto& to) {
-    const auto quick = rounded_nearest(ray, wide);
-    to[0] = quick.answer;
-    return quick.is_sure;
-  });
-}
-
-/// Two functions, since g++ 12 makes less of a loop that stands in one with another.
-template <class Method, class Problem, class Space, class T, std::size_t Columns>
-bool solve_quickly_in(const Lanes<Problem>& in, const Space& space, T* const (&out)[Columns], bool all) {
-  T* const nearest_out[1] = {out[0]};
-  return all ? solve_all_quickly<Method>(in, space, out)
-             : solve_nearest_quickly<Method>(in, space, nearest_out);
-}
+/// A loop for each: the nearest hit needs less of the phase.
 template <class Method, class Problem, class T, std::size_t Columns>
-bool solve_quickly(const Lanes<Problem>& in, T* const (&out)[Columns], bool all) {
-  return solve_quickly_in<Method>(in, OwnSpace(), out, all);
+bool solve_in_own_space(const Lanes<Problem>& in, T* const (&out)[Columns], bool all) {
+  return all ? solve_quickly<Method>(in, OwnSpace(), out, std::true_type())
+             : solve_quickly<Method>(in, OwnSpace(), out, std::false_type());
+}
+/// One loop for both, which compiles in half the time: hardly any of this phase could be left out.
+template <class Method, class Problem, class T, std::size_t Columns>
+bool solve_in_world(const Lanes<Problem>& in, const ObjectSpace<Bounded<double>>& space,
+                    T* const (&out)[Columns], bool all) {
+  return solve_quickly<Method>(in, space, out, all);
 }
 
 template <class T>
@@ -141,9 +130,9 @@ template <class Method, class Problem>
 constexpr void enter(BatchKernel<Method, Problem>& kernel) {
   if constexpr (has_quick_phase<Method>) {
     using T = typename Lanes<Problem>::Number;
-    kernel.solve = solve_quickly<Method, Problem, T>;
+    kernel.solve = solve_in_own_space<Method, Problem, T>;
     if constexpr (has_quick_phase_in_world<Method, T>) {
-      kernel.solve_in_world = solve_quickly_in<Method, Problem, ObjectSpace<Bounded<double>>>;
+      kernel.solve_in_world = solve_in_world<Method, Problem, T>;
     }
   } else {
     kernel.solve = solve<Method, Problem>;
