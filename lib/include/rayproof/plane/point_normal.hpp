@@ -11,9 +11,10 @@ namespace rayproof::plane {
 template <class T>
 [[nodiscard]] constexpr FlatHit<T> meet(const Ray<T>& ray, const vec3<T>& point, const vec3<T>& n) {
   step<T>("Divide the distance by the ray's progress",
-          "p is a point of the plane: of a triangle a, of a polygon v₀. n·(p - o) is the signed distance "
-          "from o to the plane, times |n|. n·d is what the ray gains along n in each unit of t, times |n| "
-          "too. t is the quotient of the two; where the ray gains nothing, there is no single t.");
+          "p is a point of the plane: the vertex a of a triangle, v₀ of a polygon. n·(p - o) is the "
+          "signed distance from o to the plane, times |n|. n·d is what the ray gains along n in each "
+          "unit of t, times |n| too. t is the quotient of the two; where the ray gains nothing, there is "
+          "no single t.");
   const T distance = named("n·(p - o)", dot(n, point - ray.origin));
   const T along = named("n·d", dot(n, ray.direction));
   return flat_hit(along != T(0), named("t", distance / along), T(0), T(0));

@@ -31,7 +31,8 @@ struct PlaneProjection {
     const auto [t, q, a, b, c] = meet_and_project(ray, triangle);
 
     step<T>("Find the barycentric coordinates in the projection",
-            "Each is the area opposite a vertex over the whole area; q is inside where none is negative.");
+            "Each is the area of the triangle that q makes with the side opposite its vertex, over the whole "
+            "area; q is inside where none is negative.");
     return hit_inside(t, barycentric(q, a, b, c));
   }
 };

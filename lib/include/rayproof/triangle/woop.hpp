@@ -33,8 +33,8 @@ struct Woop {
   static constexpr Step find_sides{
       "Find the side on which the ray passes each edge",
       "The sign of U, V and W is exact where no product underflows: it says on "
-      "which side of an edge (0, 0) lies. The ray hits where no two are opposite "
-      "and D is not 0."};
+      "which side of an edge (0, 0) lies. The ray hits where no two of them have "
+      "opposite signs and D is not 0."};
 
   template <class T>
   [[nodiscard]] static constexpr FlatHit<T> roots(const Ray<T>& ray, const Triangle<T>& triangle) {

@@ -78,7 +78,7 @@ std::vector<CheckedClaim> plane_claims() {
            EXPECT_TRUE(are_equal(glm::dot(n, p), -s.n["D"], size));
          }
        }},
-      {"p is a point of the plane: of a triangle a, of a polygon v₀."},
+      {"p is a point of the plane: the vertex a of a triangle, v₀ of a polygon."},
       {"n·(p - o) is the signed distance from o to the plane, times |n|.",
        [](const Said& s) {
          const glm::dvec3 n = s.n.vector("n"), way = point_of_plane(s.n) - s.n.origin();

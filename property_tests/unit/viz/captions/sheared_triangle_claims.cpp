@@ -71,7 +71,7 @@ std::vector<CheckedClaim> sheared_triangle_claims() {
          expect_sign(s, "V", "a", "c");
          expect_sign(s, "W", "b", "a");
        }},
-      {"The ray hits where no two are opposite and D is not 0.",
+      {"The ray hits where no two of them have opposite signs and D is not 0.",
        [](const Said& s) {
          const std::array<double, 3> sides{s.n["U"], s.n["V"], s.n["W"]};
          const auto [least, most] = std::minmax_element(sides.begin(), sides.end());

@@ -42,7 +42,8 @@ std::vector<CheckedClaim> triangle_claims() {
          EXPECT_TRUE(are_equal(glm::length(n), glm::length(normal_of_edges(s.n)), size * size));
        }},
       {"The coordinate in which n = # is largest is left out: this projection keeps the most area."},
-      {"Each is the area opposite a vertex over the whole area; q is inside where none is negative.",
+      {"Each is the area of the triangle that q makes with the side opposite its vertex, over the whole "
+       "area; q is inside where none is negative.",
        [](const Said& s) {
          const glm::dvec3 n = s.n.vector("n");
          const double most = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
