@@ -52,7 +52,7 @@ std::vector<Case> place_ignored(const Case& one) {
   });
 }
 
-std::vector<Case> with_numbers(const Case& one, double (*change)(double x)) {
+std::vector<Case> with_numbers_of_shape(const Case& one, double (*change)(double x)) {
   if (std::holds_alternative<PointAndPolygon<double>>(one.question)) {
     Case changed = one;
     each_number(std::get<PointAndPolygon<double>>(changed.question), [change](double& x) { x = change(x); });

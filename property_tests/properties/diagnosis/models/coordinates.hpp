@@ -55,14 +55,14 @@ template <Vectors which>
 }
 
 /// Every number of the shape is changed; of a point and a polygon, those of both.
-[[nodiscard]] std::vector<Case> with_numbers(const Case& one, double (*change)(double x));
+[[nodiscard]] std::vector<Case> with_numbers_of_shape(const Case& one, double (*change)(double x));
 /// @{ Those of a shape as whole numbers, cut off towards 0; all as those of the shorter type.
 [[nodiscard]] inline std::vector<Case> shape_cut_off(const Case& one) {
   if (ray_question(one) == nullptr) return {};
-  return with_numbers(one, [](double x) { return std::trunc(x); });
+  return with_numbers_of_shape(one, [](double x) { return std::trunc(x); });
 }
 [[nodiscard]] inline std::vector<Case> numbers_in_float(const Case& one) {
-  return with_numbers(one, [](double x) { return double{static_cast<float>(x)}; });
+  return with_numbers_of_shape(one, [](double x) { return double{static_cast<float>(x)}; });
 }
 /// @}
 
@@ -77,16 +77,18 @@ template <Vectors which>
 /// The case with x and y of the point in a polygon changed; none where it asks no such thing.
 [[nodiscard]] std::vector<Case> with_point(const Case& one, double (*change)(double x, double cells),
                                            double cells);
-/// What a subject answers that reads the case so; anything where the changed point lies on the boundary.
+/// What a subject answers that reads the case so; anything where the changed point lies on the boundary, and
+/// nothing where the given one does, too: such an answer is another fault's.
 template <std::vector<Case> (*changes)(const Case&)>
 [[nodiscard]] Answers off_boundary_read_as(const Case& one, const Answer& exact) {
   Answers answers = read_as<changes>(one, exact);
-  const bool is_on_boundary = std::ranges::any_of(answers, [](const Answer& answer) {
+  const auto is_boundary = [](const Answer& answer) {
     const auto* position = std::get_if<Position>(&answer);
     return position != nullptr && *position == Position::boundary;
-  });
-  if (is_on_boundary) return {Position::outside, Position::boundary, Position::inside};
-  return answers;
+  };
+  if (!std::ranges::any_of(answers, is_boundary)) return answers;
+  if (is_boundary(exact)) return {};
+  return {Position::outside, Position::boundary, Position::inside};
 }
 /// That point cut off to whole numbers.
 [[nodiscard]] std::vector<Case> point_cut_off(const Case& one);

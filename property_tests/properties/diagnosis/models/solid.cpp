@@ -114,7 +114,7 @@ Answers radius_for_square(const Case& one, const Answer& /*exact*/) {
 
 Answers radius_square_added(const Case& one, const Answer& /*exact*/) {
   auto equation = sphere_equation(one);
-  if (!equation) return {};
+  if (!equation || shape_in<Sphere<double>>(one)->radius == 0) return {};
   equation->c += 2 * std::pow(shape_in<Sphere<double>>(one)->radius, 2);
   return with_roots(one, roots_by(-equation->h, equation->discriminant(), equation->a));
 }
