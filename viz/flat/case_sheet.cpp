@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "viz/explain/case_report.hpp"
+#include "viz/scene/shown_items.hpp"
 #include "viz/scene/space.hpp"
 #include "viz/trace/numbers.hpp"
 #include "viz/walkthrough/stage_of.hpp"
@@ -98,6 +99,18 @@ double draw_answer_table(Picture& picture, double top, const CaseReport& report)
   return y + table_row / 2 - top;
 }
 
+/// What the case is and what is wrong, and below it where the ray passes; both in two lines where the first
+/// needs more than one.
+void draw_subject(Picture& picture, const std::string& subject, const std::string& caption) {
+  constexpr double size = 13;
+  const double room = picture.width - 2 * sheet_margin;
+  std::vector<std::string> lines{subject, caption};
+  if (wrapped(subject, room, size).size() > 1) lines = wrapped(subject + " " + caption, room, size);
+  if (lines.size() > 2) lines[1] += "…";
+  for (std::size_t i = 0; i < 2; ++i)
+    add_text(picture, Role::muted, {sheet_margin, i == 0 ? 54.0 : 73.0}, lines[i], size);
+}
+
 }  // namespace
 
 CaseSheet case_sheet(const CaseReport& report) {
@@ -109,8 +122,7 @@ CaseSheet case_sheet(const CaseReport& report) {
   const std::string subject = subject_of(report.one);
   picture.description = subject + " " + sheet.stage.steps.front().caption;
   add_text(picture, Role::text, {sheet_margin, 30}, picture.title, picture.title.size() > 62 ? 17 : 20, true);
-  add_text(picture, Role::muted, {sheet_margin, 54}, cut(subject, picture.width - 2 * sheet_margin, 13), 13);
-  add_text(picture, Role::muted, {sheet_margin, 73}, sheet.stage.steps.front().caption, 13);
+  draw_subject(picture, subject, sheet.stage.steps.front().caption);
   for (std::size_t i = 0; i < sheet.frames.size(); ++i) draw_frame(sheet, i);
   const double bottom = sheet.frames.front().bottom() + 6;
   picture.height = bottom + draw_answer_table(picture, bottom, report);
