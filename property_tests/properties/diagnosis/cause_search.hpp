@@ -3,7 +3,7 @@
 /// The search for the hypothesis that explains most of some failing cases.
 
 #include "properties/diagnosis/diagnose.hpp"
-#include "properties/diagnosis/examination.hpp"
+#include "properties/diagnosis/examination/examination.hpp"
 
 namespace rayproof::diagnosis {
 

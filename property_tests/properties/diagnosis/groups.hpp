@@ -3,7 +3,7 @@
 /// Groups of failing cases, each with its cause, made ready to be read.
 
 #include "properties/diagnosis/diagnose.hpp"
-#include "properties/diagnosis/examination.hpp"
+#include "properties/diagnosis/examination/examination.hpp"
 
 namespace rayproof::diagnosis {
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "properties/diagnosis/cause_search.hpp"
-#include "properties/diagnosis/examination.hpp"
+#include "properties/diagnosis/examination/examination.hpp"
 #include "properties/engine/consultation.hpp"
 
 namespace rayproof::diagnosis {

@@ -52,6 +52,40 @@ TEST_P(Model, IsNamedWhereASubjectAnswersAsItForesees) {
   EXPECT_TRUE(in_words(groups).starts_with(std::string(model->name) + " ")) << in_words(groups);
 }
 
+/// What that model foresees of the case.
+std::vector<Answer> foreseen_by(const char* model, const Case& one) {
+  return find_hypothesis(model)->predict(one, oracle::answer(one));
+}
+
+// For a day that sources of one library were compiled together a function of another file was called here.
+TEST(ModelOfNumbersOfAShape, SaysNothingOfAnEquation) {
+  const Case one{.precision = Precision::float64, .question = Quadratic<double>{1e-46, 1e-50, 0}};
+  EXPECT_TRUE(foreseen_by("shape-in-float", one).empty());
+  EXPECT_TRUE(foreseen_by("whole-shape", one).empty());
+}
+
+TEST(ModelOfAMovedPoint, SaysNothingOfABoundaryThatThePointStaysOn) {
+  const auto at = [](double x) {
+    return Case{.precision = Precision::float64,
+                .question = PointAndPolygon<double>{{x, 0}, {{9, 0}, {0, 1}, {0, 0}}}};
+  };
+  for (const char* model : {"shape-in-float", "grid-10"}) {
+    EXPECT_TRUE(foreseen_by(model, at(1)).empty()) << model;
+    EXPECT_EQ(foreseen_by(model, at(-1)).size(), 1U) << model;
+    EXPECT_EQ(foreseen_by(model, at(-1e-60)).size(), 3U) << model << ": it is moved to the boundary";
+  }
+}
+
+TEST(ModelOfASignOfTheRadius, SaysNothingOfASphereWithoutOne) {
+  const auto of_radius = [](double radius) {
+    return Case{.precision = Precision::float64,
+                .question = RayQuestion{.ray = {{0, 0, -2}, {0, 0, 1}, 0, 9},
+                                        .shape = Sphere<double>{{0, 0, 0}, radius}}};
+  };
+  EXPECT_TRUE(foreseen_by("radius-square-added", of_radius(0)).empty());
+  EXPECT_EQ(foreseen_by("radius-square-added", of_radius(1)).size(), 1U);
+}
+
 std::string name_of_model(const testing::TestParamInfo<Foreseen>& info) {
   std::string name = std::string(info.param.topic) + "_" + info.param.model;
   std::ranges::replace(name, '-', '_');

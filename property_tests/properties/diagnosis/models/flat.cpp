@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "properties/diagnosis/agreement.hpp"
+#include "properties/diagnosis/examination/agreement.hpp"
 #include "properties/diagnosis/models/factor.hpp"
 #include "properties/diagnosis/models/outline.hpp"
 #include "properties/diagnosis/models/plane_hit.hpp"

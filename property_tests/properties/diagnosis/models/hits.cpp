@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "properties/claims/answers.hpp"
-#include "properties/diagnosis/agreement.hpp"
+#include "properties/diagnosis/examination/agreement.hpp"
 
 namespace rayproof::diagnosis {
 namespace {

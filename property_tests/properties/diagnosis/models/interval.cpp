@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "properties/boundary.hpp"
-#include "properties/diagnosis/agreement.hpp"
+#include "properties/diagnosis/examination/agreement.hpp"
 #include "properties/edges.hpp"
 
 namespace rayproof::diagnosis {

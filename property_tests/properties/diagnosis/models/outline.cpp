@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "properties/claims/answers.hpp"
-#include "properties/diagnosis/agreement.hpp"
+#include "properties/diagnosis/examination/agreement.hpp"
 #include "properties/diagnosis/models/outline_geometry.hpp"
 
 namespace rayproof::diagnosis {

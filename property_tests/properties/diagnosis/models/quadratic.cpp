@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "properties/diagnosis/agreement.hpp"
+#include "properties/diagnosis/examination/agreement.hpp"
 #include "properties/diagnosis/models/root_formula.hpp"
 
 namespace rayproof::diagnosis {

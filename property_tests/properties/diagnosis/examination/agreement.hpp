@@ -18,4 +18,7 @@ namespace rayproof::diagnosis {
 /// Whether two numbers are the same to about three digits, in a problem where lengths of `scale` are rounded.
 [[nodiscard]] bool are_close(Precision precision, double x, double y, double scale);
 
+/// An answer as a subject gives it that reports the nearest hit alone, or only whether there is one.
+[[nodiscard]] Answer as_reported(const Answer& predicted, const Answer& got);
+
 }  // namespace rayproof::diagnosis

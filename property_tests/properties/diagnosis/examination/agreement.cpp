@@ -1,4 +1,4 @@
-#include "properties/diagnosis/agreement.hpp"
+#include "properties/diagnosis/examination/agreement.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -40,6 +40,16 @@ bool agree_in_numbers(const Case& one, const Answer& got, const Answer& other) {
 }
 
 }  // namespace
+
+Answer as_reported(const Answer& predicted, const Answer& got) {
+  Answer reported = predicted;
+  const auto* mine = std::get_if<RayAnswer>(&got);
+  auto* ray = std::get_if<RayAnswer>(&reported);
+  if (ray == nullptr || mine == nullptr) return reported;
+  ray->verdict_only = mine->verdict_only;
+  if (mine->nearest_only) ray->hits.count = std::min<std::size_t>(ray->hits.count, 1);
+  return reported;
+}
 
 bool are_close(Precision precision, double x, double y, double scale) {
   if (x == y) return true;

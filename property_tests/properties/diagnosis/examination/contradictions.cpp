@@ -1,0 +1,96 @@
+/// \file
+/// What the subject's right answers say against a hypothesis.
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+#include "properties/claims/answers.hpp"
+#include "properties/diagnosis/changes.hpp"
+#include "properties/diagnosis/examination/agreement.hpp"
+#include "properties/diagnosis/examination/examination.hpp"
+
+namespace rayproof::diagnosis {
+namespace {
+
+/// What a fault may be confined to: the kind of shape, whether it is capped, whether there is a transform.
+using Form = std::tuple<std::size_t, bool, bool>;
+
+Form form_of(const Case& one) {
+  const RayQuestion* asked = ray_question(one);
+  if (asked == nullptr) return {};
+  const auto* cylinder = std::get_if<Cylinder<double>>(&asked->shape);
+  return {asked->shape.index(), cylinder != nullptr && cylinder->capped, asked->transform.has_value()};
+}
+
+}  // namespace
+
+/// Whether a subject that has the fault may be right all the same: near a boundary, where the answers that
+/// the model foresees are wrong by no more than rounding; and of a fault on the boundary alone where it is
+/// rounded off that.
+bool Examination::is_excused(const Hypothesis& hypothesis, const Known& known) {
+  constexpr double near_boundary = 1024;  // units of the topic's contract
+  if (hypothesis.predict == nullptr) return false;
+  const Case& one = known.asked.one;
+  if (hypothesis.kind == FindingKind::boundary) {
+    const std::vector<double> got = numbers_in(*known.got), exact = numbers_in(known.asked.exact);
+    return !got.empty() && !exact.empty() && got.front() != exact.front();
+  }
+  return std::ranges::any_of(hypothesis.predict(one, known.asked.exact), [&](const Answer& predicted) {
+    const oracle::Judgement judgement = oracle::judge(one, as_reported(predicted, *known.got));
+    return judgement.wrong && judgement.margin <= near_boundary;
+  });
+}
+
+/// How many hits that the subject finds are lost by the change that cures the misses.
+std::size_t Examination::hits_lost(const Hypothesis& cure, std::span<const std::size_t> explained) const {
+  constexpr std::size_t few = 8, enough = 24;
+  const auto is_miss = [&](std::size_t i) { return !finds_something(failing_.at(i).asked.exact); };
+  if (cure.is_asked_alone || !std::ranges::all_of(explained, is_miss)) return 0;
+  std::vector<std::size_t> changes;
+  for (const Cured& one : cured(cure, explained.first(std::min(few, explained.size()))))
+    changes.push_back(one.change);
+  if (changes.empty()) return 0;
+  std::ranges::sort(changes);
+  const std::size_t usual = changes[changes.size() / 2];
+  std::vector<Case> asked;
+  for (const Known& known : passing_) {
+    if (asked.size() >= enough || !known.got || !finds_something(*known.got)) continue;
+    std::vector<Case> changed = cure.change(known.asked.one);
+    if (usual < changed.size() && finds_something(oracle::answer(changed[usual])))
+      asked.push_back(std::move(changed[usual]));
+  }
+  const std::vector<std::optional<Answer>> answers = patient_.ask(asked);
+  const auto lost = static_cast<std::size_t>(
+      std::ranges::count_if(answers, [](const auto& answer) { return answer && !finds_something(*answer); }));
+  return 2 * lost > asked.size() ? failing_.size() : 0;
+}
+
+std::size_t Examination::contradictions(const Hypothesis& hypothesis,
+                                        std::span<const std::size_t> explained) const {
+  if (hypothesis.change != nullptr) return hits_lost(hypothesis, explained);
+  std::set<Form> forms;
+  for (const std::size_t i : explained) forms.insert(form_of(failing_.at(i).asked.one));
+  // Misses alone are foreseen by many a model: then nothing is excused.
+  const auto finds = std::ranges::count_if(
+      explained, [&](std::size_t i) { return finds_something(failing_.at(i).got.value_or(Answer{})); });
+  const bool finds_some = finds > 0;
+  const std::size_t mistake = best_mistake(hypothesis, explained);
+  std::size_t found = 0, against_found = 0, against = 0;
+  for (const Known& known : passing_) {
+    if (!known.got || !(hypothesis.speaks_of_all || forms.contains(form_of(known.asked.one)))) continue;
+    const bool is_found = finds_something(*known.got);
+    found += is_found ? 1 : 0;
+    if (!agree(known.asked.one, *known.got, known.asked.exact, hypothesis.aspect) ||
+        fits(hypothesis, known, mistake) != false ||
+        ((finds_some || hypothesis.kind == FindingKind::boundary) && is_excused(hypothesis, known)))
+      continue;
+    ++against;
+    against_found += is_found ? 1 : 0;
+  }
+  // Nor must it foresee misses of a good part of what is found.
+  const bool misses_mostly = 4 * finds < static_cast<std::ptrdiff_t>(explained.size());
+  return misses_mostly && against_found > 1 && 3 * against_found > found ? failing_.size() : against;
+}
+
+}  // namespace rayproof::diagnosis

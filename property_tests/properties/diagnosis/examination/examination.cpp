@@ -1,0 +1,146 @@
+#include "properties/diagnosis/examination/examination.hpp"
+
+#include <algorithm>
+
+#include "properties/claims/answers.hpp"
+#include "properties/diagnosis/examination/agreement.hpp"
+
+namespace rayproof::diagnosis {
+Examination::Examination(const Patient& patient, std::span<const Case> failing, std::span<const Case> passing)
+    : patient_(patient), failing_(ask(failing)), passing_(ask(passing)) {
+  // A miss does not show whether its subject would have given t.
+  const auto is_without_t = [](const Known& known) { return known.got && !gives_numbers(*known.got); };
+  if (std::ranges::none_of(failing_, is_without_t) && std::ranges::none_of(passing_, is_without_t)) return;
+  for (auto* const all : {&failing_, &passing_})
+    for (Known& known : *all)
+      if (auto* ray = known.got ? std::get_if<RayAnswer>(&*known.got) : nullptr) ray->verdict_only = true;
+}
+
+std::vector<Examination::Known> Examination::ask(std::span<const Case> cases) const {
+  const std::vector<std::optional<Answer>> answers = patient_.ask(cases);
+  std::vector<Known> known;
+  for (std::size_t i = 0; i < cases.size(); ++i) known.push_back({AnsweredCase(cases[i]), answers[i]});
+  return known;
+}
+
+std::optional<bool> Examination::fits(const Hypothesis& hypothesis, const Known& known, std::size_t mistake) {
+  if (!known.got) return std::nullopt;
+  const auto& [one, exact] = known.asked;
+  const Answer& got = *known.got;
+  if (hypothesis.recognise != nullptr) return hypothesis.recognise(one, got, exact);
+  const bool is_right = agree(one, got, exact, hypothesis.aspect);
+  bool has_said = false, may_be_right = false, may_be_this = false;
+  std::vector<Answer> foreseen = hypothesis.predict(one, exact);
+  if (hypothesis.is_one_of_many && !foreseen.empty())
+    foreseen = mistake < foreseen.size() ? std::vector{foreseen[mistake]} : std::vector<Answer>{};
+  for (const Answer& predicted : foreseen) {
+    const Answer reported = as_reported(predicted, got);
+    if (hypothesis.aspect == Aspect::hits && is_nearer_to(one, got, reported, as_reported(exact, got)))
+      return true;
+    if (agree(one, as_reported(exact, got), reported, hypothesis.aspect)) {
+      may_be_right = true;
+      continue;
+    }
+    may_be_this |= !is_right && agree(one, got, reported, hypothesis.aspect);
+    has_said = true;
+  }
+  // Of a subject that gives no t a model that foresees the right verdict, too, may say anything.
+  if (may_be_this) return may_be_right && !gives_numbers(got) ? std::nullopt : std::optional(true);
+  return has_said && !may_be_right ? std::optional(false) : std::nullopt;
+}
+
+std::vector<std::size_t> Examination::explained(const Hypothesis& hypothesis,
+                                                std::span<const std::size_t> cases) const {
+  if (hypothesis.is_asked_alone) return cured_alone(cases);
+  std::vector<std::size_t> all;
+  if (hypothesis.change != nullptr) {
+    const bool is_of_digits = hypothesis.kind == FindingKind::rounding && hypothesis.beyond_rounding.empty();
+    for (const Cured& one : cured(hypothesis, cases))
+      if (!is_of_digits || !is_beyond_rounding(one.index)) all.push_back(one.index);
+    return all;
+  }
+  all = explained_by(hypothesis, cases, best_mistake(hypothesis, cases));
+  return is_confirmed(hypothesis, all) ? all : std::vector<std::size_t>{};
+}
+
+std::vector<std::size_t> Examination::explained_by(const Hypothesis& hypothesis,
+                                                   std::span<const std::size_t> cases,
+                                                   std::size_t mistake) const {
+  std::vector<std::size_t> all;
+  for (const std::size_t i : cases)
+    if (fits(hypothesis, failing_.at(i), mistake) == true) all.push_back(i);
+  return all;
+}
+
+std::size_t Examination::best_mistake(const Hypothesis& hypothesis,
+                                      std::span<const std::size_t> cases) const {
+  constexpr std::size_t most_mistakes = 16;
+  std::size_t best = 0, most = 0;
+  for (std::size_t mistake = 0; hypothesis.is_one_of_many && mistake < most_mistakes; ++mistake) {
+    const std::size_t count = explained_by(hypothesis, cases, mistake).size();
+    if (count > most) {
+      best = mistake;
+      most = count;
+    }
+  }
+  return best;
+}
+
+/// Whether the cure that the model asks for helps in most of a few of the cases.
+bool Examination::is_confirmed(const Hypothesis& model, std::span<const std::size_t> explained) const {
+  constexpr std::size_t few = 8;
+  if (model.confirmed_by.empty() || explained.empty()) return true;
+  const auto some = explained.first(std::min(few, explained.size()));
+  return 2 * cured(*find_hypothesis(model.confirmed_by), some).size() > some.size();
+}
+
+bool Examination::is_equation() const {
+  return !failing_.empty() && std::holds_alternative<Quadratic<double>>(failing_.front().asked.one.question);
+}
+
+std::vector<std::size_t> Examination::cured_alone(std::span<const std::size_t> cases) const {
+  std::vector<std::size_t> all;
+  if (!patient_.ask_alone) return all;
+  for (const std::size_t i : cases) {
+    const Case& one = failing_.at(i).asked.one;
+    const auto answer = patient_.ask_alone(one);
+    if (!answer || patient_.rule(one, *answer) != Ruling::held) break;  // each costs a process
+    all.push_back(i);
+  }
+  return all;
+}
+
+std::vector<Examination::Cured> Examination::cured(const Hypothesis& hypothesis,
+                                                   std::span<const std::size_t> cases) const {
+  std::vector<Case> asked;
+  std::vector<Cured> made_by;
+  for (const std::size_t i : cases) {
+    std::vector<Case> changes = hypothesis.change(failing_.at(i).asked.one);
+    for (std::size_t k = 0; k < changes.size(); ++k) {
+      if (!is_same_question(failing_.at(i).asked, AnsweredCase(changes[k]), hypothesis.keeps)) continue;
+      asked.push_back(std::move(changes[k]));
+      made_by.push_back({i, k});
+    }
+  }
+  const std::vector<std::optional<Answer>> answers = patient_.ask(asked);
+  std::vector<Cured> all;
+  for (std::size_t k = 0; k < asked.size(); ++k) {
+    if (!all.empty() && all.back().index == made_by[k].index) continue;
+    if (answers[k] && patient_.rule(asked[k], *answers[k]) == Ruling::held) all.push_back(made_by[k]);
+  }
+  return all;
+}
+
+bool Examination::is_shown_whole(const Hypothesis& model, std::span<const std::size_t> explained) const {
+  if (model.shows_more == nullptr) return true;
+  return std::ranges::any_of(explained, [&](std::size_t i) {
+    return model.shows_more(failing_.at(i).asked.one, failing_.at(i).asked.exact);
+  });
+}
+
+bool Examination::finds_nothing(std::span<const std::size_t> cases) const {
+  return std::ranges::none_of(
+      cases, [&](std::size_t i) { return finds_something(failing_.at(i).got.value_or(Answer{})); });
+}
+
+}  // namespace rayproof::diagnosis

@@ -1,0 +1,62 @@
+/// \file
+/// How wrong the answers to failing cases are, and how large their numbers.
+
+#include <cmath>
+
+#include "properties/claims/answers.hpp"
+#include "properties/diagnosis/changes.hpp"
+#include "properties/diagnosis/examination/agreement.hpp"
+#include "properties/diagnosis/examination/examination.hpp"
+
+namespace rayproof::diagnosis {
+namespace {
+
+/// What a claim speaks of beside verdict and t.
+std::optional<Aspect> aspect_of(Claim claim) {
+  if (claim == Claim::point) return Aspect::point;
+  if (claim == Claim::normal) return Aspect::normal;
+  if (claim == Claim::coordinates) return Aspect::coordinates;
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool Examination::is_beyond_rounding(std::size_t i) const {
+  constexpr double generous = 1024;  // times what plain methods lose, and a share of the scene
+  const Known& known = failing_.at(i);
+  if (!known.got) return false;
+  const auto& [one, exact] = known.asked;
+  const double unit = one.precision == Precision::float32 ? 0x1p-24 : 0x1p-53;
+  const oracle::Judgement judgement = oracle::judge(one, *known.got);
+  const double lost = generous * judgement.far * judgement.far;
+  const double error = judgement.wrong ? judgement.margin : judgement.residual;
+  if (error > lost && error * unit * generous > 1) return true;
+  const std::optional<Aspect> beside = aspect_of(patient_.claim);
+  return beside && lost * unit * generous < 1 && !agree(one, *known.got, exact, *beside);
+}
+
+bool Examination::is_of_ordinary_size(std::size_t i) const {
+  const auto& [one, exact] = failing_.at(i).asked;
+  const auto is_ordinary = [](double x) {
+    return x == 0 || !std::isfinite(x) || (0x1p-10 <= std::abs(x) && std::abs(x) <= 0x1p10);
+  };
+  bool are_all = true;
+  each_number_of(one, [&](double x) { are_all = are_all && is_ordinary(x); });
+  const RayQuestion* asked = ray_question(one);
+  const double length = asked == nullptr ? 1 : glm::length(asked->ray.direction);
+  for (const double t : numbers_in(exact)) are_all = are_all && is_ordinary(t) && is_ordinary(t * length);
+  return are_all;
+}
+
+double Examination::error_of(std::size_t i) const {
+  const Known& known = failing_.at(i);
+  if (!known.got || std::holds_alternative<Position>(*known.got)) return HUGE_VAL;
+  const std::vector<double> got = numbers_in(*known.got), exact = numbers_in(known.asked.exact);
+  if (got.size() > exact.size() || got.empty() != exact.empty()) return HUGE_VAL;
+  double worst = 0;
+  for (std::size_t k = 0; k < got.size(); ++k)
+    if (got[k] != exact[k]) worst = std::max(worst, std::abs(got[k] - exact[k]) / std::abs(exact[k]));
+  return worst;
+}
+
+}  // namespace rayproof::diagnosis
