@@ -1,5 +1,7 @@
 """Errors in calls and conditions: two arguments swapped, min for max, a call dropped, a condition always the same."""
 
+import re
+
 from operations import COMPARISONS
 from sites import Site, put_lambdas, put_operations
 
@@ -29,6 +31,14 @@ def callee(header, opening):
     return tokens[i].text
 
 
+def put_argument(text):
+    """A lambda that gives what stands there: a variable itself, as who is called may keep a reference to it, all else by
+    value, as a reference to a part of a temporary would outlive it."""
+    if re.fullmatch(r"[A-Za-z_]\w*(\.\w+)*", text):
+        return f"[&]() -> decltype(auto) {{ return ({text}); }}"
+    return f"[&] {{ return {text}; }}"
+
+
 def swapped(header, opening, function):
     """Two neighbours among the items of the bracket at `opening`, where there are two that may be alike."""
     e = header.expressions
@@ -48,9 +58,9 @@ def swapped(header, opening, function):
             return own
         others = [texts[2 * pair + 1 - k] if k in (pair, pair + 1) else None for pair in pairs]
         lambdas = "".join(
-            f", [&]() -> decltype(auto) {{ return rpm::lasting({other}); }}" if other is not None and number is not None else
+            f", {put_argument(other)}" if other is not None and number is not None else
             ", rpm::itself" if number is not None else ", rpm::nothing" for other, number in zip(others, numbers))
-        return f"rpm::swapped<{first}>([&]() -> decltype(auto) {{ return rpm::lasting({own}); }}{lambdas})"
+        return f"rpm::swapped<{first}>({put_argument(own)}{lambdas})"
 
     def write(first, numbers, render):
         return ", ".join(item(k, first, numbers, render) for k in range(len(items)))

@@ -6,7 +6,6 @@
 /// an expression. Which mutant is in force is chosen at run time, so that one shared object holds them all.
 
 #include <type_traits>
-#include <utility>
 
 #include "mutation/planted/fitting.hpp"
 #include "mutation/planted/state.hpp"
@@ -97,16 +96,6 @@ constexpr auto address_of(const Variable& variable) {
 }
 
 }  // namespace detail
-
-/// A variable as itself, all else by value: a reference to a part of what was picked would outlive it.
-template <class X>
-constexpr X& lasting(X& variable) {
-  return variable;
-}
-template <class X>
-requires(!std::is_lvalue_reference_v<X>) constexpr std::remove_cv_t<X> lasting(X&& value) {
-  return std::forward<X>(value);
-}
 
 /// As pick, of an argument that some mutants swap with its neighbour: only with one of its own type. A
 /// variable stays the variable that it is, since what is called may keep a reference to it.

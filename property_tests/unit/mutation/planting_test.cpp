@@ -16,10 +16,8 @@ struct Kept {
 };
 
 Kept kept(const Corner& a, const Corner& b) {
-  return {rpm::swapped<40>([&]() -> decltype(auto) { return rpm::lasting(a); },
-                           [&]() -> decltype(auto) { return rpm::lasting(b); }),
-          rpm::swapped<40>([&]() -> decltype(auto) { return rpm::lasting(b); },
-                           [&]() -> decltype(auto) { return rpm::lasting(a); })};
+  return {rpm::swapped<40>([&]() -> decltype(auto) { return (a); }, [&]() -> decltype(auto) { return (b); }),
+          rpm::swapped<40>([&]() -> decltype(auto) { return (b); }, [&]() -> decltype(auto) { return (a); })};
 }
 
 class Planting : public testing::Test {
@@ -46,23 +44,24 @@ TEST_F(Planting, LeavesAVariableThatIsKeptByReferenceTheVariable) {
   EXPECT_EQ(&exchanged.b, &p);
 }
 
-TEST_F(Planting, APartOfWhatIsPickedLastsAsAValue) {
+TEST_F(Planting, HandsOnAPartOfATemporaryByValue) {
   const Corner p{1, 2, 3}, q{4, 5, 6};
-  const auto part = [&]() -> decltype(auto) {
-    return rpm::lasting(rpm::pick<60>([&] { return p; }, [&] { return q; }).x);
+  const auto swapped = [&] {
+    return rpm::swapped<70>([&] { return rpm::pick<60>([&] { return p; }, [&] { return q; }).x; },
+                            [&]() -> decltype(auto) { return (p.y); });
   };
-  static_assert(std::is_same_v<decltype(part()), double>);
-  EXPECT_EQ(rpm::swapped<70>(part, [&]() -> decltype(auto) { return rpm::lasting(p.y); }), 1);
-  state.chosen = 60;
-  EXPECT_EQ(rpm::swapped<70>(part, [&]() -> decltype(auto) { return rpm::lasting(p.y); }), 4);
+  for (const auto& [chosen, expected] : {std::pair{-1, 1}, {60, 4}, {70, 2}}) {
+    state.chosen = chosen;
+    EXPECT_EQ(swapped(), expected) << chosen;
+  }
 }
 
 TEST_F(Planting, SwapsNoArgumentsOfTwoTypes) {
   const Corner p{1, 2, 3};
   const double t = 4;
   state.chosen = 50;
-  const auto& first = rpm::swapped<50>([&]() -> decltype(auto) { return rpm::lasting(p); },
-                                       [&]() -> decltype(auto) { return rpm::lasting(t); });
+  const auto& first =
+      rpm::swapped<50>([&]() -> decltype(auto) { return (p); }, [&]() -> decltype(auto) { return (t); });
   EXPECT_EQ(&first, &p);
 }
 
