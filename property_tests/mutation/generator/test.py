@@ -3,6 +3,7 @@
 import sys
 import unittest
 
+from calls import put_argument
 from generate import Planted
 from sites import nested
 
@@ -86,6 +87,12 @@ class Generator(unittest.TestCase):
         for site in planted.sites:
             site.dead = set(range(len(site.puts)))
         self.assertEqual(planted.written().replace('#include "mutation/planted/planting.hpp"\n', ""), HEADER)
+
+    def test_hands_on_a_variable_as_itself_and_all_else_by_value(self):
+        for variable in ["ray", "ray.origin", "wide.roots.lo"]:
+            self.assertIn("decltype(auto)", put_argument(variable))
+        for other in ["leading(x - y)", "sum(v).x", "1", "-x", "a[0]"]:
+            self.assertNotIn("decltype(auto)", put_argument(other))
 
     def test_nests_the_sites(self):
         self.assertLess(len(nested([])), 1)
