@@ -4,7 +4,7 @@ namespace rayproof {
 
 /// What the words of the table mean; docs/reading-a-check.md says it with examples.
 inline constexpr const char* page_legend =
-    R"html(<details open><summary>What the words mean</summary><dl class="words">
+    R"html(<details><summary>What the words mean</summary><dl class="words">
 <dt>verdict</dt><dd>Hit or miss, and how many hits (of a quadratic: the kind of its roots; of a point: inside, outside or
 boundary). It is right or wrong; it has no size.</dd>
 <dt>residual</dt><dd>How far the answer misses its own equation: for a ray, how far the point p(t) lies from the surface.</dd>

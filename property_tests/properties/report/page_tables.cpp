@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "case/escape.hpp"
@@ -67,17 +68,24 @@ std::string method_table(const std::string& head, const Summary& summary, const 
 }  // namespace
 
 std::string claims_table(const Summary& summary) {
+  // A property of which no method says anything has no column.
+  const auto is_claimed = [&](std::size_t p) {
+    return std::ranges::any_of(summary.rows,
+                               [p](const Row& row) { return row.cells[p].status != ClaimStatus::unclaimed; });
+  };
   std::string head = heads({"cases"});
-  for (const Property& property : properties())
-    head += fmt::format(R"(<th class="claim" title="{}"><span>{}</span></th>)", escaped(property.statement),
-                        escaped(property.name));
+  for (std::size_t p = 0; p < properties().size(); ++p)
+    if (is_claimed(p))
+      head += fmt::format(R"(<th class="claim" title="{}"><span>{}</span></th>)",
+                          escaped(properties()[p].statement), escaped(properties()[p].name));
   std::string legend;
   for (const ClaimStatus status : statuses_in_legend)
-    legend += fmt::format("<span class=\"{}\">{}</span> {} &emsp; ", text_of(status).style,
+    legend += fmt::format("<span><span class=\"{}\">{}</span> {}</span> ", text_of(status).style,
                           text_of(status).sign, escaped(text_of(status).words));
-  const auto cells = [](const Row& row) {
+  const auto cells = [&](const Row& row) {
     std::string all = cell(std::to_string(row.cases));
-    for (const Cell& one : row.cells) all += status_cell(one);
+    for (std::size_t p = 0; p < row.cells.size(); ++p)
+      if (is_claimed(p)) all += status_cell(row.cells[p]);
     return all;
   };
   return fmt::format("<p class=\"legend\">{}</p>{}\n", legend, method_table(head, summary, cells));

@@ -164,6 +164,24 @@ TEST(Report, ThePageSaysTheDiagnosisAndTheExactAnswerInTheirPlaces) {
   EXPECT_NE(page.find("\nexact {&quot;verdict&quot;"), std::string::npos);
 }
 
+TEST(Report, ThePageShowsWhatIsBrokenBeforeWhatWasAsked) {
+  const ShortRun run;
+  const std::string page = html_page(run.plan, run.result, run.summary, {"out/check", no_picture});
+  const std::size_t finding = page.find("<article"), table = page.find("<th class=\"claim\"");
+  ASSERT_NE(table, std::string::npos);
+  EXPECT_LT(finding, table);
+}
+
+TEST(Report, ThePageHasNoColumnForAPropertyThatNoMethodSpeaksOf) {
+  const ShortRun run;
+  const std::string page = html_page(run.plan, run.result, run.summary, {"out/check", no_picture});
+  const auto has_column = [&](const char* name) {
+    return page.find(fmt::format("<span>{}</span></th>", name)) != std::string::npos;
+  };
+  EXPECT_TRUE(has_column("residual"));
+  EXPECT_FALSE(has_column("coordinates")) << "a sphere has none";
+}
+
 TEST(Report, ThePageSaysWhatItsWordsMean) {
   const ShortRun run;
   const std::string page = html_page(run.plan, run.result, run.summary, {"out/check", no_picture});
