@@ -44,10 +44,12 @@ std::string words_of(const Case& one, const Setting& setting) {
 
 /// By how much the whole may be larger than the shape so that one view shows both. A view of the shape where
 /// the ray doesn't come shows less than it takes room.
-double largest_in_one_view(const StageView& near, const std::optional<StageSlider>& ray) {
-  if (!ray) return 2.4;
+double largest_in_one_view(const CaseReport& report, const StageView& near,
+                           const std::optional<StageSlider>& ray) {
+  constexpr double usual = 2.4;
+  if (!ray || !values_of(&report.exact).empty()) return usual;
   const glm::dvec3 way = near.centre - ray->origin, along = glm::normalize(ray->direction);
-  return glm::length(way - glm::dot(way, along) * along) > near.radius ? 8 : 2.4;
+  return glm::length(way - glm::dot(way, along) * along) > near.radius ? 8 : usual;
 }
 
 }  // namespace
@@ -69,7 +71,7 @@ Stage case_views(const CaseReport& report) {
   near.title = "From any side";
   whole.view.radius = radius_for(whole.view, whole.items, stage.camera);
   const bool is_much_larger =
-      whole.view.radius > largest_in_one_view(setting.near, stage.slider) * setting.near.radius;
+      whole.view.radius > largest_in_one_view(report, setting.near, stage.slider) * setting.near.radius;
   if (is_much_larger) {
     near.view = setting.near;
     if (setting.far_start) {
