@@ -95,6 +95,15 @@ def site_of_error(text, line, column):
     return (*around[-1], place) if around else None
 
 
+def own_text(text):
+    """The text of a site up to some place, without the sites in it."""
+    own, depth, at = b"", 0, 0
+    for mark in MARK.finditer(text):
+        own += text[at:mark.start()] if depth == 0 else b""
+        depth, at = depth + (1 if mark[1] else -1), mark.end()
+    return own + text[at:]
+
+
 class Objects:
     """The shared objects in a folder of the build tree; compiled again where a header has changed."""
 
@@ -171,8 +180,8 @@ class Objects:
             return ()
         number, begin, place = found
         site = next(site for site in self.planting.sites if site.first == number)
-        which = text[begin:place].count(b"[&] { return ") + text[begin:place].count(b"rpm::nothing") - 1
-        is_list = text[begin:begin + 9] == b"rpm::pick" and not site.inner
-        if is_list and which >= 1:
+        own = own_text(text[begin:place])
+        which = own.count(b"[&] { return ") + own.count(b"rpm::nothing") - 1
+        if own.startswith(b"rpm::pick") and which >= 1:
             return (number + which - 1,)
         return range(number, number + len(site.puts))

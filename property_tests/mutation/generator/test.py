@@ -1,11 +1,15 @@
 """Plants errors in a small header of its own and sees that each kind is made, and nothing where nothing may change."""
 
+from pathlib import Path
 import sys
 import unittest
 
 from calls import put_argument
 from generate import Planted
 from sites import nested
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from objects import own_text  # noqa: E402
 
 HEADER = '''#pragma once
 #include <rayproof/arithmetic.hpp>
@@ -93,6 +97,10 @@ class Generator(unittest.TestCase):
             self.assertIn("decltype(auto)", put_argument(variable))
         for other in ["leading(x - y)", "sum(v).x", "1", "-x", "a[0]"]:
             self.assertNotIn("decltype(auto)", put_argument(other))
+
+    def test_leaves_out_of_a_sites_text_the_sites_in_it(self):
+        text = b"pick([&] { return /*<7*/pick([&] { return b; }, [&] { return a; })/*7>*/.y; }, [&] { return b.z"
+        self.assertEqual(own_text(text).count(b"[&] { return "), 2)
 
     def test_nests_the_sites(self):
         self.assertLess(len(nested([])), 1)
