@@ -11,13 +11,22 @@ constexpr const char* far_sphere =
     R"({"ray": {"origin": [-100,0,0], "direction": [1,0,0]}, "shape": {"type": "sphere", "center": [0,0,0], "radius": 1}})";
 
 TEST(DiagnosisOfRoots, KnowsThatTheRootThatCancelsDividesC) {
-  // 99 and 101: the nearer root is off by a share of 1e-6, and 9999 / 99.000099 by the same.
-  const double off = 99 * (1 + 1e-6);
-  EXPECT_EQ(bears("divides-by-what-cancels", far_sphere, with_hits({off, 9999 / off})), true);
-  EXPECT_EQ(bears("divides-by-what-cancels", far_sphere, with_hits({off, 101})), false);
-  EXPECT_EQ(bears("divides-by-what-cancels", far_sphere, with_hits({99 - 1e-4, 101 + 1e-4})), std::nullopt)
+  constexpr const char* from_just_inside =
+      R"({"ray": {"origin": [-999.999,0,0], "direction": [1,0,0], "t_min": "-inf"}, "shape": {"type": "sphere", "center": [0,0,0], "radius": 1000}})";
+  const double near = -0.001, far = 1999.999, product = near * far;
+  const auto bears_mark = [&](double x, double y) {
+    return bears("divides-by-what-cancels", from_just_inside, with_hits({x, y}));
+  };
+  const double off = near * (1 + 1e-9);
+  EXPECT_EQ(bears_mark(off, product / off), true) << "both are off by the same share";
+  EXPECT_EQ(bears_mark(off, far + 1e-3), false);
+  const double worse = near * (1 + 1e-6);
+  EXPECT_EQ(bears_mark(worse, product / worse), false)
+      << "no cancellation loses as much: a wrong number divides";
+  EXPECT_EQ(bears_mark(-off, -product / off), false) << "a sign is wrong";
+  EXPECT_EQ(bears_mark(near - 1e-4, far + 1e-4), std::nullopt)
       << "the sum is right: -b ± √D with a rounded D";
-  EXPECT_EQ(bears("divides-by-what-cancels", far_sphere, with_hits({99, 101})), std::nullopt);
+  EXPECT_EQ(bears_mark(near, far), std::nullopt);
 }
 
 TEST(DiagnosisOfPoints, KnowsAPointThatIsNotOnTheRay) {

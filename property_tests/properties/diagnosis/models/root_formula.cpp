@@ -96,6 +96,9 @@ std::optional<bool> divides_by_what_cancels(const Case& one, const Answer& got, 
   if (!(off_in_sum > few * unit * size)) return std::nullopt;
   // c is a difference of squares, whose rounding the product bears.
   const double squares = size * size + std::abs(equation->h * equation->h / (equation->a * equation->a));
+  // Cancellation loses no more: else a wrong number divides, or a sign is wrong.
+  const double most_lost = few * unit * squares / std::min(std::abs(p), std::abs(q));
+  if (off_in_sum > most_lost || !(x * p > 0)) return false;
   return off_in_product <= few * unit * squares && clearly * off_in_product < off_in_sum * size;
 }
 
