@@ -2,6 +2,8 @@
 /// \file
 /// Transformed objects: the ray goes into the object's own space, the answer comes back out.
 
+#include <rayproof/arithmetics/expansion.hpp>
+#include <rayproof/arithmetics/sized.hpp>
 #include <rayproof/formulas/difference_of_products.hpp>
 #include <rayproof/ray.hpp>
 
@@ -14,7 +16,7 @@ namespace rayproof {
 /// But for one factor common to all, the entries of A⁻¹ are good to a few ulps each even where A is badly
 /// conditioned: cofactors are formed without cancelling their rounding errors. That factor, the determinant's
 /// error, is within a few ε of A's condition, as is what a transformed ray loses to the conditioning of A
-/// itself.
+/// itself; it never turns the determinant's sign, and with it a normal.
 template <class T>
 struct ObjectSpace {
   vec3<T> row_x, row_y, row_z;           ///< the rows of A⁻¹
@@ -34,6 +36,23 @@ template <class T>
                  difference_of_products(a.x, b.y, a.y, b.x)};
 }
 
+/// a·(b × c), with bc = b × c at hand. In the machine's arithmetics a sum that cancels until its sign is in
+/// doubt, with six roundings to each term, is formed again with nothing rounded: 0 is that of a singular map.
+template <class T>
+[[nodiscard]] constexpr T determinant_of(const vec3<T>& a, const vec3<T>& b, const vec3<T>& c,
+                                         const vec3<T>& bc) {
+  if constexpr (std::floating_point<T>) {
+    const Sized<T> sum = dot(sized<T>(a), sized<T>(bc));
+    if (!(abs(sum.value) > T(8) * unit_roundoff<T> * sum.size)) {
+      const auto normal = cross(exact_vector<double>(b), exact_vector<double>(c));
+      return static_cast<T>(estimate(dot(exact_vector<double>(a), normal)));
+    }
+    return sum.value;
+  } else {
+    return dot(a, bc);
+  }
+}
+
 /// The object space of the map with columns a, b, c and a translation, whose cofactors are bc = b × c, ca and
 /// ab. A singular map gives infinities or NaN, and with them a miss.
 template <class T>
@@ -41,7 +60,7 @@ template <class T>
                                                                  const vec3<T>& c, const vec3<T>& translation,
                                                                  const vec3<T>& bc, const vec3<T>& ca,
                                                                  const vec3<T>& ab) {
-  const T determinant = dot(a, bc);
+  const T determinant = determinant_of<T>(a, b, c, bc);
   const auto row = [&](const vec3<T>& cofactors) {
     return vec3<T>{cofactors.x / determinant, cofactors.y / determinant, cofactors.z / determinant};
   };

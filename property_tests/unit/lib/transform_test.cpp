@@ -49,6 +49,34 @@ TEST(Transform, InvertsANearlySingularMatrixToFewUlps) {
   EXPECT_EQ(space.row_y.y, 0x1p+60);
 }
 
+/// A map of whole numbers whose determinant is exactly `sign`, while the products that sum to it grow with n.
+template <class T>
+glm::mat<4, 4, T> map_of_determinant(int sign, T n) {
+  const glm::mat<3, 3, T> lower{{T(sign), n, -n}, {0, 1, n - 1}, {0, 0, 1}};
+  const glm::mat<3, 3, T> upper{{1, 0, 0}, {n + 1, 1, 0}, {n, -n, 1}};
+  return glm::mat<4, 4, T>(lower * upper);
+}
+
+template <class T>
+class TransformIn : public testing::Test {};
+using Floats = testing::Types<float, double>;
+TYPED_TEST_SUITE(TransformIn, Floats);
+
+TYPED_TEST(TransformIn, NormalsKeepTheirSideHoweverNearTheMapIsToASingularOne) {
+  using T = TypeParam;
+  for (const int sign : {1, -1}) {
+    for (T n = 1; n * n * n < T(1) / unit_roundoff<T>; n += 1 + std::floor(n / 8)) {
+      const auto map = map_of_determinant<T>(sign, n);
+      const auto space = object_space(map);
+      const vec3<T> a{map[0]}, bc = cross_compensated<T>(vec3<T>{map[1]}, vec3<T>{map[2]});
+      // By the inverse transpose, (1, 0, 0) becomes b × c over the determinant.
+      const vec3<T> normal = normal_to_world<T>(space, {1, 0, 0});
+      EXPECT_GT(T(sign) * dot(normal, bc), 0) << "sign " << sign << ", n " << n;
+      EXPECT_EQ(determinant_of<T>(a, vec3<T>{map[1]}, vec3<T>{map[2]}, bc), T(sign)) << "n " << n;
+    }
+  }
+}
+
 TEST(Transform, ASingularMatrixGivesAMiss) {
   const auto space = object_space(glm::dmat4(0));
   const Ray<double> world{{0, 0, -5}, {0, 0, 1}};

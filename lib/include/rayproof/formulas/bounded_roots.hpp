@@ -14,18 +14,15 @@ namespace rayproof {
 /// A bound on the error of x, and two roundings: the rounding test's.
 template <class W>
 [[nodiscard]] constexpr W error_with_room(const Bounded<W>& x) {
-  return x.error * W(1 + 0x1p-50) + W(0x1p-51) * min(abs(x.value), W(0x1p1000));
+  return x.error + W(0x1p-51) * min(abs(x.value), W(0x1p1000));
 }
 
-/// Two roots, or none, of which all errors are known: sure where the discriminant is surely not 0.
+/// Two roots, or none, of which all errors are known: sure where the discriminant is surely not 0. Roots that
+/// are NaN beside one above 0 are left to the rounding test, which is never sure of them.
 template <class W>
 [[nodiscard]] constexpr Enclosed<W> enclosed_by_bounds(const Roots<Bounded<W>>& roots) {
   const auto& [D, lo, hi] = roots;
-  const Mask<W> is_miss = D.value < W(0);
-  return {{D.value, lo.value, hi.value},
-          error_with_room(lo),
-          error_with_room(hi),
-          !D.may_be_zero() && (is_miss || (lo.value == lo.value && hi.value == hi.value))};
+  return {{D.value, lo.value, hi.value}, error_with_room(lo), error_with_room(hi), !D.may_be_zero()};
 }
 
 /// The hit of a flat figure: sure where every comparison that led to its verdict is.
