@@ -94,13 +94,14 @@ class Labels {
     return shares.map(share => along[Math.round(share * (along.length - 1))]);
   }
   place(seen, places) {
+    const written = [];
     for (const label of [...this.all].sort((a, b) => b.data.isText - a.data.isText)) {
-      const anchors = this.anchorsOf(label, seen, places), {object, inner, data} = label;
-      object.visible = anchors.length > 0;
+      const anchors = this.anchorsOf(label, seen, places), {object, inner, data} = label, spots = anchors.map(seen);
+      // The same may stand there already, of a newer step.
+      object.visible = anchors.length > 0 && !written.some(([html, [x, y]]) => html === data.html && Math.hypot(x - spots[0][0], y - spots[0][1]) < 12);
       if (!object.visible) continue;
       object.element.style.display = '';
       const w = (label.width = label.width || inner.offsetWidth) + 2, h = (label.height = label.height || inner.offsetHeight);
-      const spots = anchors.map(seen);
       let best = places.best(spots, w, h, label.before);
       if (data.isText) {  // it stands at its point where it covers nothing there
         const x = Math.max(Math.min(spots[0][0], places.frame[2] - w / 2), places.frame[0] + w / 2), y = spots[0][1], box = boxAround(x, y, w, h);
@@ -109,6 +110,7 @@ class Labels {
       object.visible = data.isText || data.how === 'bright' || best.cost < 150;
       if (!object.visible) continue;
       places.taken.push(best.box);
+      written.push([data.html, spots[0]]);
       label.before = best.offset;
       object.position.copy(anchors[best.anchor]);
       inner.style.transform = `translate(${(best.x - spots[best.anchor][0]).toFixed(1)}px, ${(best.y - spots[best.anchor][1]).toFixed(1)}px)`;
