@@ -129,8 +129,8 @@ std::string conclusion_of(const CaseReport& report) {
       report.walk->decider.empty())
     return blame_of(*report.walk);
   const std::string why = report.walk->is_printed ? ": " + report.walk->known_fault + "." : ".";
-  return sentence + " The answer is wrong all the same: the formula itself is at fault, not its rounding" +
-         why;
+  return sentence +
+         " The answer is wrong all the same, for the formula itself is at fault, not its rounding" + why;
 }
 
 }  // namespace rayproof::viz

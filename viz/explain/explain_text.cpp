@@ -71,13 +71,12 @@ std::string steps_of(const Walkthrough& walk) {
   return text;
 }
 
-std::string answer_line(const std::string& who, const std::string& symbol, Precision precision,
-                        const Answer* answer) {
+std::string answer_line(const std::string& who, const CaseReport& report, const Answer* answer) {
   std::string text = "   " + padded(who, 24) + "  " + verdict_of(answer);
   const std::vector<double> values = values_of(answer);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    text +=
-        fmt::format("{} {}{} = {}", i == 0 ? ":" : ",", symbol, subscript(i), shown(values[i], precision));
+    text += fmt::format("{} {} = {}", i == 0 ? ":" : ",", root_name(report, i),
+                        shown(values[i], report.one.precision));
   }
   return text + "\n";
 }
@@ -85,20 +84,18 @@ std::string answer_line(const std::string& who, const std::string& symbol, Preci
 }  // namespace
 
 std::string explain_text(const CaseReport& report) {
-  const Precision precision = report.one.precision;
-  const std::string symbol = symbol_of(report.one);
   std::string text;
   if (report.walk) {
     text += fmt::format("{}\n({})\n\n{}", report.walk->title, report.walk->source, steps_of(*report.walk));
   }
-  text += "Answer\n" + answer_line("exact", symbol, precision, &report.exact);
+  text += "Answer\n" + answer_line("exact", report, &report.exact);
   if (report.claimed) {
-    text += answer_line(report.method, symbol, precision, report.claim());
+    text += answer_line(report.method, report, report.claim());
     const auto truth = values_of(&report.exact);
     const auto claim = values_of(report.claim());
     for (std::size_t i = 0; i < std::min(truth.size(), claim.size()); ++i) {
-      const double ulps = count_ulps(truth[i], claim[i], precision);
-      text += fmt::format("   {}{} is {}\n", symbol, subscript(i), accuracy_in_words(ulps));
+      const double ulps = count_ulps(truth[i], claim[i], report.one.precision);
+      text += fmt::format("   {} is {}\n", root_name(report, i), accuracy_in_words(ulps));
     }
   }
   if (report.measured) text += "   " + in_words(*report.measured) + "\n";

@@ -120,11 +120,7 @@ void draw_scene(Picture& picture, const PixelBox& frame, const Stage& stage, std
 }
 
 Picture scene_picture(const Stage& stage, std::size_t step, double width, double height) {
-  Picture picture;
-  picture.width = width;
-  picture.height = height;
-  picture.title = stage.steps[step].title;
-  picture.description = stage.steps[step].caption;
+  Picture picture{width, height, stage.steps[step].title, stage.steps[step].caption};
   draw_scene(picture, {0, 0, width, height}, stage, step);
   return picture;
 }

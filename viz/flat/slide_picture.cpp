@@ -128,11 +128,7 @@ void draw_legend(Picture& picture, const Stage& stage, std::size_t step) {
 Picture slide_frame(const Stage& stage, std::size_t number, const std::string& second_line,
                     const PixelBox& scene) {
   const StageStep& step = stage.steps.at(number);
-  Picture picture;
-  picture.width = slide_width;
-  picture.height = slide_height;
-  picture.title = fmt::format("{}: {}", stage.title, step.title);
-  picture.description = step.caption;
+  Picture picture{slide_width, slide_height, fmt::format("{}: {}", stage.title, step.title), step.caption};
   const std::string place = fmt::format("{} of {}", number + 1, stage.steps.size());
   const std::string title = fmt::format("{}. {}", number + 1, step.title);
   draw_title(picture, title, second_line);

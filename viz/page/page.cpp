@@ -48,7 +48,7 @@ std::string buttons(const Stage& stage) {
   std::string all;
   for (std::size_t i = 1; i <= stage.steps.size(); ++i) {
     all += fmt::format("<button type=\"button\" title=\"{1}\" aria-label=\"Step {0}: {1}\">{0}</button>", i,
-                       escaped(stage.steps[i - 1].title));
+                       html_text(stage.steps[i - 1].title));
   }
   return all;
 }
@@ -72,7 +72,7 @@ std::string head(const std::string& title) {
 }  // namespace
 
 std::string stage_page(const Stage& stage, const Still& still, const PageSurroundings& beside) {
-  const std::string conclusion = fmt::format("<p class=\"conclusion\">{}</p>\n", escaped(stage.conclusion));
+  const std::string conclusion = fmt::format("<p class=\"conclusion\">{}</p>\n", html_text(stage.conclusion));
   const bool has_figure = !beside.figure.empty();
   std::string steps;
   for (std::size_t i = 0; i < stage.steps.size(); ++i) steps += step_section(stage, i, still);
@@ -85,8 +85,8 @@ std::string stage_page(const Stage& stage, const Still& still, const PageSurroun
   return head(stage.title) +
          fmt::format(
              fmt::runtime(page_html), arg("flat", stage.camera.is_flat ? " class=\"flat\"" : ""),
-             arg("gallery", beside.gallery.empty() ? "" : gallery), arg("title", escaped(stage.title)),
-             arg("sentence", escaped(stage.sentence)), arg("method", method_line(stage)),
+             arg("gallery", beside.gallery.empty() ? "" : gallery), arg("title", html_text(stage.title)),
+             arg("sentence", html_text(stage.sentence)), arg("method", method_line(stage)),
              arg("above", has_figure ? conclusion + "<figure>\n" + beside.figure + "</figure>\n" : ""),
              arg("first", beside.first_step), arg("buttons", buttons(stage)), arg("slider", slider(stage)),
              arg("legend", legend(stage)), arg("steps", steps), arg("below", has_figure ? "" : conclusion),
@@ -115,8 +115,8 @@ std::string gallery_page(const std::vector<GalleryEntry>& entries, const Still& 
     }
     const std::size_t middle = entry.stage->steps.size() / 2;
     html += fmt::format("<li><a href=\"{}\">{}<b>{}</b><br><span class=\"soft\">{}</span></a></li>\n",
-                        escaped(entry.file), still(*entry.stage, middle), escaped(entry.stage->title),
-                        escaped(entry.stage->sentence));
+                        escaped(entry.file), still(*entry.stage, middle), html_text(entry.stage->title),
+                        html_text(entry.stage->sentence));
   }
   return html + (group.empty() ? "" : "</ul>\n") + "</main>\n</body>\n</html>\n";
 }

@@ -79,6 +79,9 @@ struct GalleryEntry {
 /// coordinates of the step's view, to 4 decimals (a hundredth of a pixel); see viz/scene/space.hpp.
 [[nodiscard]] std::string space_json(const Stage& stage);
 
+/// A text for a reader: typeset, its markup escaped.
+[[nodiscard]] std::string html_text(const std::string& text);
+
 /// A `<math>` element: quotients are fractions, "t₀" and "S_x" get subscripts.
 [[nodiscard]] std::string math_ml(const Formula& formula);
 

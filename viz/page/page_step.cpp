@@ -28,7 +28,7 @@ std::string numbers_in_terms(const Formula& put_in) {
   const auto terms = terms_of(put_in);
   const bool fits = std::ranges::all_of(
       terms, [](const Formula& term) { return text_width(text_of(term), 18) <= phone_width; });
-  return fits ? in_terms(put_in) : escaped(text_of(put_in));
+  return fits ? in_terms(put_in) : html_text(text_of(put_in));
 }
 
 /// Name, formula, numbers put in, and result, typeset.
@@ -41,7 +41,7 @@ std::string equation(const StageValue& value, Precision precision) {
       html += part(numbers_in_terms(value.put_in));
   }
   return fmt::format("<div class=\"equation\">{}= <b class=\"claimed\">{}</b></div>\n", html,
-                     escaped(shown(value, precision)));
+                     html_text(shown(value, precision)));
 }
 
 std::string row(const WalkValue& v, Precision precision) {
@@ -72,6 +72,8 @@ std::string table(const std::vector<StageValue>& values, Precision precision) {
 
 }  // namespace
 
+std::string html_text(const std::string& text) { return escaped(typeset(text)); }
+
 std::string flat_still(const Stage& stage, std::size_t step) {
   return to_svg(scene_picture(stage, step, 640, 640 / view_aspect));
 }
@@ -80,15 +82,15 @@ std::string step_section(const Stage& stage, std::size_t number, const Still& st
   const StageStep& step = stage.steps[number];
   std::string html = fmt::format(
       "<section class=\"step\" aria-labelledby=\"title-{0}\">\n<h2 id=\"title-{0}\">{0}. {1}</h2>\n",
-      number + 1, escaped(step.title));
+      number + 1, html_text(step.title));
   html += "<figure>" + still(stage, number) + "</figure>\n";
   std::string equations;
   for (const StageValue& value : step.values) equations += equation(value, stage.precision);
   const bool is_typeset = number > 0 && !equations.empty();
   const std::string& words = is_typeset ? step.words : step.caption;
-  if (!words.empty()) html += fmt::format("<p>{}</p>\n", escaped(words));
+  if (!words.empty()) html += fmt::format("<p>{}</p>\n", html_text(words));
   if (is_typeset) html += equations;
-  if (!step.digits.empty()) html += fmt::format("<p class=\"soft\">{}</p>\n", escaped(step.digits));
+  if (!step.digits.empty()) html += fmt::format("<p class=\"soft\">{}</p>\n", html_text(step.digits));
   return html + table(step.values, stage.precision) + "</section>\n";
 }
 

@@ -62,7 +62,7 @@ std::string label_html(const std::string& label) {
   for (const char c : label) {
     // An index may be a word.
     letters = c == '_' ? -20 : std::isalpha(static_cast<unsigned char>(c)) != 0 ? letters + 1 : 0;
-    if (letters > 2) return escaped(label);
+    if (letters > 2) return html_text(label);
   }
   return math_ml(read_formula(label));
 }
@@ -91,9 +91,12 @@ Json floor_json(const SpaceFloor& floor) {
 Json step_json(const Stage& stage, std::size_t number) {
   const Space space = space_of(stage, number);
   const SpaceCamera& camera = space.camera;
-  Json json{{"title", stage.steps[number].title}, {"eye", flat(camera.eye())},
-            {"target", flat(camera.middle)},      {"up", flat(camera.up)},
-            {"near", camera.nearest()},           {"far", camera.farthest()}};
+  Json json{{"title", typeset(stage.steps[number].title)},
+            {"eye", flat(camera.eye())},
+            {"target", flat(camera.middle)},
+            {"up", flat(camera.up)},
+            {"near", camera.nearest()},
+            {"far", camera.farthest()}};
   if (camera.is_flat) json["flat"] = true;
   if (camera.is_flat) json["half"] = camera.half;
   json["bodies"] = json_list(space.bodies, body_json);

@@ -45,8 +45,10 @@ Json values(const std::vector<StageValue>& list, Precision precision) {
 
 Json steps(const Stage& stage) {
   return json_list(stage.steps, [&](const StageStep& step) {
-    Json one{
-        {"title", step.title}, {"words", step.words}, {"caption", step.caption}, {"digits", step.digits}};
+    Json one{{"title", typeset(step.title)},
+             {"words", step.words},
+             {"caption", step.caption},
+             {"digits", step.digits}};
     one["values"] = values(step.values, stage.precision);
     one["items"] = items(step.items);
     one["view"] = {{"centre", vector_json(step.view.centre)}, {"radius", json_number(step.view.radius)}};

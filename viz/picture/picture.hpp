@@ -75,10 +75,13 @@ struct Picture {
   std::vector<Element> elements{};
 };
 
+/// With minus signs where a hyphen stands for one: "n·(p - o) = -3.5", but not in "half-open" nor "1e-4".
+[[nodiscard]] std::string typeset(const std::string& text);
+
 /// Writes a line of text into a picture.
 inline void add_text(Picture& picture, Role role, const Point& at, const std::string& text, double size,
                      bool is_bold = false, Anchor anchor = Anchor::start) {
-  picture.elements.emplace_back(Text{role, at, text, anchor, size, is_bold});
+  picture.elements.emplace_back(Text{role, at, typeset(text), anchor, size, is_bold});
 }
 /// Draws a line around a box.
 inline void add_frame(Picture& picture, Role role, const PixelBox& b, double width) {

@@ -33,11 +33,7 @@ constexpr std::array help{
 
 Picture help_picture(const Stage& stage) {
   constexpr double column = 260;
-  Picture picture;
-  picture.width = slide_width;
-  picture.height = slide_height;
-  picture.title = stage.title;
-  picture.description = "What the keys and the mouse do.";
+  Picture picture{slide_width, slide_height, stage.title, "What the keys and the mouse do."};
   add_text(picture, Role::text, {slide_margin, 44}, "What the keys and the mouse do", 22, true);
   double y = 80;
   for (const Help& one : help) {

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numbers>
 #include <rayproof/formulas/finite.hpp>
 #include <stdexcept>
 
@@ -64,6 +65,16 @@ glm::dvec3 NumbersByName::origin() const { return first_vector(has_vector("o′"
 glm::dvec3 NumbersByName::direction() const { return first_vector("d"); }
 
 /// Of centre + Σ cᵢ·aᵢ with |c| = 1.
+StageItem level_ring(Role role, double rx, double ry, double z, std::string label) {
+  std::vector<glm::dvec3> points;
+  constexpr int pieces = 48;
+  for (int i = 0; i <= pieces; ++i) {
+    const double angle = 2 * std::numbers::pi * i / pieces;
+    points.emplace_back(rx * std::cos(angle), ry * std::sin(angle), z);
+  }
+  return polyline(role, std::move(points), std::move(label));
+}
+
 glm::dvec3 farthest_of(const StageItem& ellipsoid, const glm::dvec3& direction) {
   const glm::dvec3& centre = ellipsoid.points.at(0);
   glm::dvec3 farthest(0);

@@ -17,6 +17,12 @@ namespace rayproof::viz {
 
 using Items = std::vector<StageItem>;
 
+/// Puts more of them behind the others.
+template <class T>
+void append(std::vector<T>& list, const std::vector<T>& more) {
+  list.insert(list.end(), more.begin(), more.end());
+}
+
 [[nodiscard]] inline StageItem point(Role role, const glm::dvec3& at, std::string label = {}) {
   return {role, Form::point, {at}, std::move(label)};
 }
@@ -36,6 +42,12 @@ using Items = std::vector<StageItem>;
   StageItem item = polygon(role, std::move(corners));
   item.is_open = true;
   return item;
+}
+/// An ellipse level to x and y, as a line.
+[[nodiscard]] StageItem level_ring(Role role, double rx, double ry, double z, std::string label = {});
+[[nodiscard]] inline StageItem ball(const glm::dvec3& centre, double r) {
+  const glm::dvec3 x(r, 0, 0), y(0, r, 0), z(0, 0, r);
+  return {Role::surface, Form::ellipsoid, {centre, centre + x, centre + y, centre + z}};
 }
 /// A body seen in profile, so near that its surface is level: all that lies below 0.
 [[nodiscard]] inline Items ground_of(const StageCamera& camera) {

@@ -40,10 +40,9 @@ void LabelPlaces::avoid(const std::vector<Point>& line, double cost) {
   }
 }
 
-double LabelPlaces::cost_of(const PixelBox& box, double most) const {
-  constexpr double half_line = 2;  // the lines that are avoided have a width
-  const PixelBox wide{box.left - half_line, box.top - half_line, box.width + 2 * half_line,
-                      box.height + 2 * half_line};
+double LabelPlaces::cost_of(const PixelBox& box, double distance, double most) const {
+  const PixelBox wide{box.left - distance, box.top - distance, box.width + 2 * distance,
+                      box.height + 2 * distance};
   double cost = 20 * (box.width * box.height - shared_area(box, frame_));  // outside of the frame
   for (const PixelBox& other : taken_) cost += 10 * shared_area(box, other);
   for (auto one = avoided_.begin(); one != avoided_.end() && cost < most; ++one)
@@ -65,7 +64,8 @@ std::optional<Text> LabelPlaces::put(const std::string& label, const std::vector
     const double far = std::max(0.0, away - 34);  // so far off it is read as another thing's name
     const double penalty = 1.5 * (away + far) + rank;
     const PixelBox box = box_around(middle, label, size);
-    const double cost = cost_of(box, least - penalty);
+    constexpr double half_line = 2, clear = 4;  // what has but one place stands there if it can
+    const double cost = cost_of(box, away > 0 ? clear : half_line, least - penalty);
     if (penalty + cost >= least) return;
     least = penalty + cost;
     covered = cost + 3 * far;
@@ -83,7 +83,7 @@ std::optional<Text> LabelPlaces::put(const std::string& label, const std::vector
         // Beginning above at the right, where a reader looks for it first.
         const double angle = std::numbers::pi * (0.25 + i / 8.0);
         consider({anchors[k].x + (away + own.width / 2) * std::cos(angle),
-                  anchors[k].y - (away + own.height / 4) * std::sin(angle)},
+                  anchors[k].y - (away + own.height / 2) * std::sin(angle)},
                  away, i * 0.4 + static_cast<double>(k) * 5);
       }
     }

@@ -54,20 +54,21 @@ class Labeller {
 
   void label(const ShownItem& shown) {
     const StageItem& item = *shown.item;
-    if (item.label.empty()) return;
+    const std::string label = typeset(item.label);
+    if (label.empty()) return;
     const std::vector<Point> anchors = anchors_of(item);
-    if (anchors.empty() || is_written(item.label, anchors[0])) return;
+    if (anchors.empty() || is_written(label, anchors[0])) return;
     const bool is_bright = shown.emphasis == Emphasis::bright;
     const double size = is_bright ? 16 : 14.4;  // 24 pixels of a slide: large letters
     const double most = is_bright || stands_first(shown)     ? must
                         : shown.emphasis == Emphasis::dimmed ? few
                                                              : several;
-    auto text = places_.put(item.label, anchors, size, most, is_text(item) || item.form == Form::polygon);
+    auto text = places_.put(label, anchors, size, most, is_text(item) || item.form == Form::polygon);
     if (!text) return;
     text->role = label_role(shown);
     text->bold = is_bright;
     picture_.elements.emplace_back(*text);
-    written_.emplace_back(item.label, anchors[0]);
+    written_.emplace_back(label, anchors[0]);
   }
 
  private:

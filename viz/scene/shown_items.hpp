@@ -75,8 +75,8 @@ class LabelPlaces {
 
  private:
   [[nodiscard]] Text take(const PixelBox& box, const std::string& label, double size);
-  /// What a label there costs; at least `most` where that is clear early.
-  [[nodiscard]] double cost_of(const PixelBox& box, double most) const;
+  /// What a label there costs, which keeps so far from lines; at least `most` where that is clear early.
+  [[nodiscard]] double cost_of(const PixelBox& box, double distance, double most) const;
 
   PixelBox frame_;
   std::vector<PixelBox> taken_{};

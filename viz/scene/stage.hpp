@@ -83,10 +83,10 @@ struct StageView {
 /// One step. Its items are the new ones; those of the steps before are to be shown dimmed, unless
 /// `is_apart`, and back to the last step that `begins_anew`.
 struct StageStep {
-  std::string title;    ///< the kernel's own
-  std::string words;    ///< what the step means, the kernel's own sentence; may be empty
-  std::string caption;  ///< the same and the numbers put in: "… D = b·b − 4·a·c = 3·3 − 4·1·2 = 1"
-  std::string digits;   ///< what the step did to the digits, in one sentence; may be empty
+  std::string title{};  ///< the kernel's own
+  std::string words{};  ///< what the step means, the kernel's own sentence; may be empty
+  std::string caption{};  ///< the same and the numbers put in: "… D = b·b − 4·a·c = 3·3 − 4·1·2 = 1"
+  std::string digits{};  ///< what the step did to the digits, in one sentence; may be empty
   std::vector<StageValue> values{};
   std::vector<StageItem> items{};
   StageView view{};

@@ -38,7 +38,7 @@ double width_of(char32_t point) {
 /// Whether a line may end at a space: not before a sign, nor behind one that compares; within a vector only
 /// where that is wider than a line.
 bool may_end_at(const std::string& text, std::size_t space, double width, double size) {
-  static constexpr std::array<std::string_view, 10> signs{"<", ">", "≤", "≥", "=", "+", "−", "-", "/", "×"};
+  static constexpr std::array<std::string_view, 9> signs{"<", ">", "≤", "≥", "=", "+", "−", "/", "×"};
   const std::string_view before = std::string_view(text).substr(0, space);
   const std::string_view behind = std::string_view(text).substr(space + 1);
   const auto is_next = [&](std::string_view sign) {
@@ -51,7 +51,7 @@ bool may_end_at(const std::string& text, std::size_t space, double width, double
   if (open == std::string::npos || text[open] == ')' || close == std::string::npos || text[close] == '(')
     return true;
   const std::string inside = text.substr(open, close + 1 - open);
-  return inside.find_first_not_of("(0123456789.,-+e )") != std::string::npos ||
+  return inside.find_first_not_of("(0123456789.,−-+e )") != std::string::npos ||
          text_width(inside, size) > width;
 }
 
@@ -75,7 +75,8 @@ PixelBox box_of(const Text& text) {
   return {text.at.x - part * width, text.at.y - 0.75 * text.size, width, 0.95 * text.size};
 }
 
-std::vector<std::string> wrapped(const std::string& text, double width, double size) {
+std::vector<std::string> wrapped(const std::string& plain, double width, double size) {
+  const std::string text = typeset(plain);
   std::vector<std::string> lines{""};
   std::string word;
   const auto finish_word = [&] {

@@ -50,6 +50,10 @@ std::string shown(double value, Precision precision) {
                                                          : fmt::format("{}", value));
 }
 
+std::string shown(const glm::dvec3& v, Precision precision) {
+  return fmt::format("({}, {}, {})", shown(v.x, precision), shown(v.y, precision), shown(v.z, precision));
+}
+
 std::string rough(double value, int digits) {
   if (!std::isfinite(value)) return special(value);
   return without_padding(fmt::format("{:.{}g}", value, digits));

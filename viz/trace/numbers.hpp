@@ -11,6 +11,8 @@ namespace rayproof::viz {
 
 /// The shortest decimal that reads back as the same number of the precision; "∞", "−∞", "NaN".
 [[nodiscard]] std::string shown(double value, Precision precision);
+/// The same of each component.
+[[nodiscard]] std::string shown(const glm::dvec3& v, Precision precision);
 /// A number in real arithmetic, beside `value`, which is it rounded to a format of `bits` bits: float or
 /// double. Where the two are equal, the shortest decimal that reads back as the same double. Else 12 digits
 /// beside a float and 17 beside a double, or as many more as set them apart; final zeros stay, since 0.25

@@ -25,6 +25,11 @@ Binding marked(const char* name, Role role) {
   return {name, [=](const NumbersByName& n) { return Items{point(role, n.vector(name), name)}; }};
 }
 
+std::string with_sign(const char* name, const NumbersByName& n) {
+  const double number = n.rounded(name);
+  return std::string(name) + (number > 0 ? " > 0" : number < 0 ? " < 0" : " = 0");
+}
+
 glm::dvec3 resized(const glm::dvec3& v, double length) {
   const double size = glm::length(v);
   return size > 0 ? v * (length / size) : v;
@@ -35,10 +40,20 @@ glm::dvec3 across(const glm::dvec3& v) {
   return resized(glm::cross(v, other), glm::length(v));
 }
 
+Items direction_arrow(const NumbersByName& n) {
+  return {arrow(Role::edge, n.origin(), n.origin() + n.direction(), "d")};
+}
+
 Items half_chords(const NumbersByName& n) {
   const glm::dvec3 middle = n.at(n["t_c"]);
   return {segment(Role::edge, middle, n.at(n["t_c"] - n["h"]), "h"),
           segment(Role::edge, middle, n.at(n["t_c"] + n["h"]), "h")};
+}
+
+Items parameters_from(const NumbersByName& n, const glm::dvec3& corner) {
+  const glm::dvec3 beyond = corner + n["α"] * n.vector("u");
+  return {segment(Role::edge, corner, beyond, "α·u"),
+          segment(Role::edge, beyond, beyond + n["β"] * n.vector("v"), "β·v")};
 }
 
 Items way_to_plane(const NumbersByName& n, const glm::dvec3& normal, const glm::dvec3& on_plane) {

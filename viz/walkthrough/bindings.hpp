@@ -21,6 +21,9 @@ namespace rayproof::viz {
 /// A vector that is a place: its point, with its name.
 [[nodiscard]] Binding marked(const char* name, Role role);
 
+/// "W > 0": the sign of a number as the kernel has it.
+[[nodiscard]] std::string with_sign(const char* name, const NumbersByName& n);
+
 /// A topic's name and its table.
 struct TopicBindings {
   const char* topic;
@@ -42,8 +45,14 @@ inline constexpr TopicBindings topic_bindings[] = {
 /// A vector at right angles to `v`, of the same length.
 [[nodiscard]] glm::dvec3 across(const glm::dvec3& v);
 
+/// The ray's direction, drawn from its origin.
+[[nodiscard]] Items direction_arrow(const NumbersByName& n);
+
 /// The chord of a round shape, as the centred methods have it: t_c in its middle, h to either side.
 [[nodiscard]] Items half_chords(const NumbersByName& n);
+
+/// From a corner along u and v to the point of the plane with these parameters.
+[[nodiscard]] Items parameters_from(const NumbersByName& n, const glm::dvec3& corner);
 
 /// From the ray's origin straight to the plane through `on_plane`, and on in the plane to that point.
 [[nodiscard]] Items way_to_plane(const NumbersByName& n, const glm::dvec3& normal,

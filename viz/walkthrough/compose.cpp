@@ -36,6 +36,15 @@ glm::dvec3 error_of(const StageValue& value, const Setting& setting) {
 
 }  // namespace
 
+const WalkValue& value_named(std::string_view name, const Walkthrough& walk) {
+  for (auto step = walk.steps.rbegin(); step != walk.steps.rend(); ++step) {
+    const auto found = std::find_if(step->values.rbegin(), step->values.rend(),
+                                    [&](const WalkValue& value) { return value.name == name; });
+    if (found != step->values.rend()) return *found;
+  }
+  throw std::logic_error("no value " + std::string(name) + " in this run");
+}
+
 void show_beside(Stage& stage, const std::string& title, const Items& items) {
   const std::size_t number = place_of(stage.steps, title);
   const auto seen_of = [&](const Items& some) {
@@ -50,15 +59,13 @@ void show_beside(Stage& stage, const std::string& title, const Items& items) {
     for (glm::dvec3& p : item.points) p += world.centre - own.centre + shift * stage.camera.right;
   }
   Items all = stage.scene;
-  all.insert(all.end(), step.items.begin(), step.items.end());
+  append(all, step.items);
   step.view = seen_of(all);
   stage.steps.at(number + 1).begins_anew = true;
 }
 
 StageStep difference_of_values(const Walkthrough& walk, const Setting& setting, Precision precision) {
-  StageStep step;
-  step.title = comparison_title;
-  step.view = setting.near;
+  StageStep step{.title = comparison_title, .view = setting.near};
   const auto worst = worst_of(walk);
   if (!worst || lost_by(*worst) == 0) {
     step.caption = "Float result and exact result are the same: no value of this run is rounded.";

@@ -53,6 +53,9 @@ template <class Steps>
   return static_cast<std::size_t>(found - steps.begin());
 }
 
+/// The latest value of that name in a run: std::logic_error where there is none.
+[[nodiscard]] const WalkValue& value_named(std::string_view name, const Walkthrough& walk);
+
 /// Lets the step whose title begins so show items of another space at the right of all that is in the world;
 /// the next step begins anew.
 void show_beside(Stage& stage, const std::string& title, const Items& items);

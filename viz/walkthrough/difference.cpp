@@ -90,7 +90,7 @@ void magnify(StageStep& step, const CaseReport& report, const ValuePair& pair, c
     step.items = curve_at_root(*q, pair.exact, setting);
   step.items.push_back(arrow(Role::ray, -3.3 * magnifier.along, 3.3 * magnifier.along));
   if (ulp > unit / 6) {
-    for (StageItem& dot : dots_of(magnifier, pair.claimed, report.one.precision)) step.items.push_back(dot);
+    append(step.items, dots_of(magnifier, pair.claimed, report.one.precision));
     step.caption += " " + dots_in_words(report.one.precision);
   }
   if (gap > unit / 2) {
@@ -173,10 +173,9 @@ Items hits_of(const StageSlider& slider, const CaseReport& report) {
 }
 
 StageStep difference_step(const CaseReport& report, const Setting& setting) {
-  StageStep step;
-  step.title = report.claim() == nullptr ? "The exact answer" : comparison_title;
-  step.view = setting.near;
-  step.digits = why_in_words(report);
+  StageStep step{.title = report.claim() == nullptr ? "The exact answer" : comparison_title,
+                 .digits = why_in_words(report),
+                 .view = setting.near};
   const auto show_all = [&] {
     if (setting.slider) step.items = hits_of(*setting.slider, report);
   };

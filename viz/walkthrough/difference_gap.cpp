@@ -42,7 +42,7 @@ void show_gap(StageStep& step, const Gap& gap, Precision precision, const Settin
   step.is_apart = true;
   step.magnification = 1 / (magnifier.unit * glm::length(direction));
   step.items = {arrow(Role::ray, -magnified_reach * magnifier.along, magnified_reach * magnifier.along)};
-  for (StageItem& dot : dots_of(magnifier, gap.computed_entry, precision)) step.items.push_back(dot);
+  append(step.items, dots_of(magnifier, gap.computed_entry, precision));
   interval(Role::exact, aside, gap.entry, gap.exit, gap_names[1], "exact");
   interval(Role::claimed, -aside, gap.computed_entry, gap.computed_exit, gap.computed_exit_name,
            "as computed");

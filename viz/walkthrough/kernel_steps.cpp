@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <rayproof/formulas/finite.hpp>
 
 #include "viz/explain/case_report.hpp"
 #include "viz/trace/numbers.hpp"
@@ -45,37 +45,24 @@ std::string equations_of(const std::vector<StageValue>& values, Precision precis
   return text;
 }
 
-/// The items in the world; without those that overflowed, or that shrank to a point.
-Items placed(const Items& items, const Setting& setting) {
-  Items placed;
-  for (StageItem item : items) {
-    for (glm::dvec3& p : item.points) p = setting.to_world(p);
-    const bool is_placed = std::ranges::all_of(item.points, [](const glm::dvec3& p) {
-      return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-    });
-    const bool is_point =
-        item.form != Form::point && item.points.size() == 2 && item.points[0] == item.points[1];
-    if (is_placed && !is_point) placed.push_back(std::move(item));
-  }
-  return placed;
-}
-
+/// What hangs on a name, in the world; without items that overflowed, or that shrank to a point.
 Items items_of(const std::string& name, const NumbersByName& n, const Setting& setting) {
   Items items;
   for (const Binding& binding : setting.bindings) {
-    if (binding.name != name) continue;
-    for (StageItem& item : binding.draw(n)) items.push_back(std::move(item));
+    if (binding.name == name) append(items, binding.draw(n));
   }
+  std::erase_if(items, [&](StageItem& item) {
+    for (glm::dvec3& p : item.points) p = setting.to_world(p);
+    const bool is_placed = std::ranges::all_of(item.points, [](const glm::dvec3& p) { return is_finite(p); });
+    return !is_placed ||
+           (item.form != Form::point && item.points.size() == 2 && item.points[0] == item.points[1]);
+  });
   return items;
 }
 
 bool begins_anew(const std::string& name, const Setting& setting) {
   return std::ranges::any_of(
       setting.bindings, [&](const Binding& binding) { return binding.begins_anew && binding.name == name; });
-}
-
-void add_placed(StageStep& step, const Items& items, const Setting& setting) {
-  for (StageItem& item : placed(items, setting)) step.items.push_back(std::move(item));
 }
 
 /// The wide view for a step that shows something far from the shape.
@@ -94,12 +81,9 @@ StageView view_of(const StageStep& step, const Setting& setting) {
 std::vector<std::vector<StageValue>> parts_of(const std::vector<StageValue>& values, const NumbersByName& n,
                                               const Setting& setting) {
   std::vector<std::vector<StageValue>> parts{{}};
-  const auto is_placed = [&](const StageValue& value) {
-    return !placed(items_of(value.name, n, setting), setting).empty();
-  };
   bool is_drawn = false;
   for (const StageValue& value : values) {
-    const bool draws = is_placed(value);
+    const bool draws = !items_of(value.name, n, setting).empty();
     if (is_drawn && draws) parts.emplace_back();
     is_drawn = is_drawn || draws;
     parts.back().push_back(value);
@@ -176,9 +160,9 @@ std::vector<StageStep> kernel_steps(const CaseReport& report, const Walkthrough&
         parts.size() == 1 ? title : fmt::format("{} ({}\u00a0of\u00a0{})", title, i + 1, parts.size());
     step.values = parts[i];
     step.words = words[i];
-    if (i == 0) add_placed(step, items_of(title, n, setting), setting);
+    if (i == 0) append(step.items, items_of(title, n, setting));
     for (const StageValue& value : step.values) {
-      add_placed(step, items_of(value.name, n, setting), setting);
+      append(step.items, items_of(value.name, n, setting));
       step.begins_anew = step.begins_anew || begins_anew(value.name, setting);
     }
     step.digits =

@@ -43,12 +43,11 @@ std::vector<LiveValue> live_values(const StageSlider& slider, double t, Precisio
   std::vector<LiveValue> values;
   if (slider.shows_point) {
     const glm::dvec3 p = point_on(slider, t, precision);
-    const auto coordinate = [&](int axis) { return shown(p[axis], precision); };
     const auto exact = [&](int axis) {
       const Shadow real = Shadow(slider.origin[axis]) + Shadow(t) * Shadow(slider.direction[axis]);
       return exact_beside(real, p[axis], float_bits);
     };
-    values.push_back({"p(t)", fmt::format("({}, {}, {})", coordinate(0), coordinate(1), coordinate(2)),
+    values.push_back({"p(t)", shown(p, precision),
                       is_float ? fmt::format("({}, {}, {})", exact(0), exact(1), exact(2)) : ""});
   }
   for (const StageReadout& readout : slider.readouts) {

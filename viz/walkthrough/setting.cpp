@@ -102,11 +102,12 @@ StageSlider slider_of(const RayScene& scene, const StageView& near, const CaseRe
   return slider;
 }
 
-/// How far off the ray's start is, where the ray comes into the view.
-StageItem far_start(const StageSlider& slider, const StageView& view) {
+/// How far off the ray's start is, where the ray comes into the view, clear of the shape.
+StageItem far_start(const StageSlider& slider, const StageView& view, const StageCamera& camera) {
   const double speed = glm::length(slider.direction);
   const double t = glm::dot(view.centre - slider.origin, slider.direction) / (speed * speed);
-  const double back = 1.3 * view.radius / speed;
+  const double seen = glm::length(glm::cross(slider.direction, camera.toward));  // of a unit of t
+  const double back = 1.5 * view.radius / std::max(seen, 0.3 * speed);
   const glm::dvec3 at = slider.origin + (t > 0 ? t - back : t + back) * slider.direction;
   const double off = glm::length(view.centre - slider.origin);
   return point(Role::text, at, (t > 0 ? "← o, " : "o → ") + rough(off, 4) + " off");
@@ -162,7 +163,7 @@ Setting ray_setting(const CaseReport& report) {
   setting.scene = items_of(scene.figure);
   setting.slider = slider_of(scene, setting.near, report);
   if (setting.wide.radius > 2.4 * setting.near.radius)
-    setting.far_start = far_start(*setting.slider, setting.near);
+    setting.far_start = far_start(*setting.slider, setting.near, setting.camera);
   add_ray(setting.scene, scene.sight.question.ray, *setting.slider);
   const World world = scene.sight.world;
   setting.to_world = [world](const glm::dvec3& p) { return rounded(world.point(p)); };

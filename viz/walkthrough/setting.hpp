@@ -99,6 +99,9 @@ struct ParabolaFrame {
 void show_in_space(StageStep& step, const StepSpace& space, const NumbersByName& n, const StageCamera& camera,
                    Items& earlier);
 
+/// A triangle in a plane, and the names of its corners.
+[[nodiscard]] Items triangle_items(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
+
 /// What is shown of it, in gaps from the outline: surfaces run out of the view.
 inline constexpr StageView close_up_view{{0, 0, 0}, 2.3};
 

@@ -1,19 +1,14 @@
-#include "viz/walkthrough/setting.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <rayproof/formulas/largest_axis.hpp>
 
 #include "viz/scene/items.hpp"
 #include "viz/trace/numbers.hpp"
+#include "viz/walkthrough/bindings.hpp"
+#include "viz/walkthrough/setting.hpp"
 
 namespace rayproof::viz {
 namespace {
-
-Items triangle_items(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-  return {polygon(Role::surface, {a, b, c}), polyline(Role::surface, {a, b, c, a}),
-          point(Role::surface, a, "a"), point(Role::surface, b, "b"), point(Role::surface, c, "c")};
-}
 
 /// As the ray sees it: it is the z axis, and its own point is (0, 0).
 Items sheared_scene(const NumbersByName& n) {
@@ -25,10 +20,8 @@ Items sheared_scene(const NumbersByName& n) {
 /// The side of an edge on which the ray passes, as the kernel has its sign.
 Binding side(const char* name, const char* first, const char* second) {
   return {name, [=](const NumbersByName& n) {
-            const double sign = n.rounded(name);
-            const std::string label = std::string(name) + (sign > 0 ? " > 0" : sign < 0 ? " < 0" : " = 0");
-            return Items{
-                segment(sign < 0 ? Role::claimed : Role::edge, n.vector(first), n.vector(second), label)};
+            const Role role = n.rounded(name) < 0 ? Role::claimed : Role::edge;
+            return Items{segment(role, n.vector(first), n.vector(second), with_sign(name, n))};
           }};
 }
 
@@ -56,6 +49,11 @@ Items weights(const NumbersByName& n, const glm::dvec3& normal) {
 }
 
 }  // namespace
+
+Items triangle_items(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  return {polygon(Role::surface, {a, b, c}), polyline(Role::surface, {a, b, c, a}),
+          point(Role::surface, a, "a"), point(Role::surface, b, "b"), point(Role::surface, c, "c")};
+}
 
 std::function<glm::dvec3(const glm::dvec3&)> flat_on(const StageCamera& camera) {
   return [=](const glm::dvec3& p) { return p.x * camera.right + p.y * camera.up; };
@@ -117,8 +115,8 @@ void show_in_space(StageStep& step, const StepSpace& space, const NumbersByName&
     for (glm::dvec3& p : item.points) p = space.place(p);
     step.items.push_back(std::move(item));
   }
-  step.items.insert(step.items.end(), earlier.begin(), earlier.end());
-  step.items.insert(step.items.end(), own.begin(), own.end());
+  append(step.items, earlier);
+  append(step.items, own);
   for (StageItem& item : own) {
     item.role = Role::muted;
     earlier.push_back(std::move(item));

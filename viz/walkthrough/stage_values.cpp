@@ -21,6 +21,14 @@ std::string joined(const StageValue& value, Text as_text) {
   return value.components.size() > 1 ? "(" + text + ")" : text;
 }
 
+/// What each was computed from, and the number.
+std::vector<std::pair<std::string, double>> components_of(const StageValue& value) {
+  std::vector<std::pair<std::string, double>> components;
+  for (const WalkValue& component : value.components)
+    components.emplace_back(text_of(component.formula), component.value);
+  return components;
+}
+
 bool is_part_of_name(const std::string& text, std::size_t i) {
   static constexpr std::array<std::string_view, 7> operator_signs{"·", "×", "−", "√", "⁺", "∞", "→"};
   const auto byte = static_cast<unsigned char>(text[i]);
@@ -85,7 +93,15 @@ std::vector<StageValue> grouped(const std::vector<WalkValue>& values) {
     group.components = {value};
     groups.push_back(std::move(group));
   }
-  return groups;
+  // A kernel may compute, and name, the same twice.
+  std::vector<StageValue> different;
+  for (StageValue& group : groups) {
+    const auto is_same = [&](const StageValue& other) {
+      return other.name == group.name && components_of(other) == components_of(group);
+    };
+    if (std::ranges::none_of(different, is_same)) different.push_back(std::move(group));
+  }
+  return different;
 }
 
 std::string shown(const StageValue& value, Precision precision) {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "viz/picture/picture.hpp"
 #include "viz/walkthrough/stage_values.hpp"
 
 namespace rayproof::viz {
@@ -19,6 +20,13 @@ TEST(Sentences, SpeakOfWholeNamesAlone) {
   EXPECT_TRUE(mentions("√D is half the chord.", "√D"));
   EXPECT_TRUE(mentions("n·(p - o) is a distance.", "n·(p - o)"));
   EXPECT_FALSE(mentions("half a chord", "a"));
+}
+
+TEST(Sentences, AreTypesetWithMinusSigns) {
+  EXPECT_EQ(typeset("n·(p - o) = -3.5"), "n·(p − o) = −3.5");
+  EXPECT_EQ(typeset("-b/a and 4·-c, |-∞| at (-1, -2)"), "−b/a and 4·−c, |−∞| at (−1, −2)");
+  for (const char* const word : {"half-open", "1e-4 along n", "--html", "a- b", "-"})
+    EXPECT_EQ(typeset(word), word);
 }
 
 TEST(Sentences, CountLettersAndNotBytes) {

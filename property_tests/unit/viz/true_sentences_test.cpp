@@ -143,6 +143,16 @@ TEST(TrueSentences, InputsAreShownAsTheyAreStored) {
   EXPECT_TRUE(says(text, "-3.700000047683716")) << text;
 }
 
+TEST(TrueSentences, AnAnswerHasTheNameThatTheStepsGiveIt) {
+  const Case one = read_case(R"({"ray":{"origin":[-3,0.1,0.2],"direction":[1,0,0]},)"
+                             R"("shape":{"type":"box","min":[-1,-1,-1],"max":[1,1,1]}})");
+  const std::string text = explain_text(report_of(one, "box/slabs"));
+  for (const char* const who : {"exact      ", "box/slabs  "})
+    EXPECT_TRUE(says(text, std::string(who) + std::string(15, ' ') + "hit: t_entry = 2, t_exit = 4\n"))
+        << text;
+  EXPECT_TRUE(says(text, "t_exit is the exact one")) << text;
+}
+
 TEST(TrueSentences, AStepThatLosesNothingOfNoteSaysNothingOfDigits) {
   for (const Lesson& lesson : lessons()) {
     const Stage stage = stage_of(lesson, report_lesson);

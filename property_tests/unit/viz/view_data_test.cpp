@@ -182,8 +182,8 @@ void expect_legible(const Stage& stage, std::size_t step, const std::vector<Text
     if (is_of_caption(text)) caption += (caption.empty() ? "" : " ") + text.text;
   }
   const StageStep& shown = stage.steps[step];
-  EXPECT_EQ(title, std::to_string(step + 1) + ". " + shown.title);
-  EXPECT_EQ(caption, shown.caption + (shown.digits.empty() ? "" : " " + shown.digits));
+  EXPECT_EQ(title, typeset(std::to_string(step + 1) + ". " + shown.title));
+  EXPECT_EQ(caption, typeset(shown.caption + (shown.digits.empty() ? "" : " " + shown.digits)));
   expect_apart(texts);
 }
 

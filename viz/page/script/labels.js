@@ -20,11 +20,12 @@ class Places {
     for (const [x, y, extra] of this.avoided) if (x >= box[0] && x <= box[2] && y >= box[1] && y <= box[3]) cost += extra;
     return cost;
   }
+  isFree(box) { return this.cost(box, Infinity) <= 20 * ((box[2] - box[0]) * (box[3] - box[1]) - sharedArea(box, this.frame)); }
   /** The best place for a label of this size at one of the anchors, the first of which is the best. */
   best(anchors, w, h, before) {
     let best = null, least = Infinity;
     anchors.forEach((at, k) => labelOffsets.forEach((offset, i) => {
-      const x = at[0] + (offset.away + w / 2) * Math.cos(offset.angle), y = at[1] - (offset.away + h / 4) * Math.sin(offset.angle);
+      const x = at[0] + (offset.away + w / 2) * Math.cos(offset.angle), y = at[1] - (offset.away + h / 2) * Math.sin(offset.angle);
       const box = boxAround(x, y, w, h), penalty = offset.cost + k * 5 - (before === i ? 12 : 0), cost = penalty + this.cost(box, least - penalty);
       if (cost < least) { least = cost; best = {box, x, y, anchor: k, offset: i}; }
     }));
@@ -32,9 +33,10 @@ class Places {
   }
 }
 
-/** Which way the axes of a scene point, in its lower left corner; no label stands there. */
+/** Which way the axes of a scene point, in the first corner that nothing of it crosses, else the lower left one; no label stands there. */
 class Axes {
   constructor() {
+    this.at = 0;
     this.element = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
     this.element.setAttribute('class', 'axes');
     this.element.setAttribute('viewBox', '-1.6 -1.6 3.2 3.2');
@@ -50,8 +52,12 @@ class Axes {
       Object.entries({x2: tip.x, y2: -tip.y}).forEach(([name, value]) => line.setAttribute(name, value.toFixed(3)));
       Object.entries({x: 1.35 * tip.x, y: -1.35 * tip.y}).forEach(([name, value]) => text.setAttribute(name, value.toFixed(3)));
     });
-    const [, , right, bottom] = places.frame, size = 0.22 * (bottom + 2);
-    places.taken.push([0, bottom + 2 - size, Math.min(size, right), bottom + 2]);
+    const [, , right, bottom] = places.frame.map(x => x + 2), size = 0.22 * bottom, low = bottom - size;
+    const corners = [[0, low], [right - size, low], [0, 0], [right - size, 0]].map(([x, y]) => [x, y, x + size, y + size]);
+    this.at = [this.at, 0, 1, 2, 3].find(i => places.isFree(corners[i])) || 0;
+    const corner = corners[this.at];
+    Object.assign(this.element.style, {left: `${corner[0]}px`, top: `${corner[1]}px`, width: `${size}px`, height: `${size}px`});
+    places.taken.push(corner);
   }
 }
 
@@ -88,13 +94,14 @@ class Labels {
     return shares.map(share => along[Math.round(share * (along.length - 1))]);
   }
   place(seen, places) {
+    const written = [];
     for (const label of [...this.all].sort((a, b) => b.data.isText - a.data.isText)) {
-      const anchors = this.anchorsOf(label, seen, places), {object, inner, data} = label;
-      object.visible = anchors.length > 0;
+      const anchors = this.anchorsOf(label, seen, places), {object, inner, data} = label, spots = anchors.map(seen);
+      // The same may stand there already, of a newer step.
+      object.visible = anchors.length > 0 && !written.some(([html, [x, y]]) => html === data.html && Math.hypot(x - spots[0][0], y - spots[0][1]) < 12);
       if (!object.visible) continue;
       object.element.style.display = '';
       const w = (label.width = label.width || inner.offsetWidth) + 2, h = (label.height = label.height || inner.offsetHeight);
-      const spots = anchors.map(seen);
       let best = places.best(spots, w, h, label.before);
       if (data.isText) {  // it stands at its point where it covers nothing there
         const x = Math.max(Math.min(spots[0][0], places.frame[2] - w / 2), places.frame[0] + w / 2), y = spots[0][1], box = boxAround(x, y, w, h);
@@ -103,6 +110,7 @@ class Labels {
       object.visible = data.isText || data.how === 'bright' || best.cost < 150;
       if (!object.visible) continue;
       places.taken.push(best.box);
+      written.push([data.html, spots[0]]);
       label.before = best.offset;
       object.position.copy(anchors[best.anchor]);
       inner.style.transform = `translate(${(best.x - spots[best.anchor][0]).toFixed(1)}px, ${(best.y - spots[best.anchor][1]).toFixed(1)}px)`;

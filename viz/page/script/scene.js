@@ -146,7 +146,6 @@ class StageScene {
         if (isFinite(x)) places.taken.push([x - r, y - r, x + r, y + r]);
       }
     }
-    this.axes.turn(camera, !step.flat, places);
     if (now.runner) {
       const [origin, along] = vectorsOf(step.runner.ray);
       now.runner.position.copy(origin).addScaledVector(along, this.t);
@@ -161,6 +160,7 @@ class StageScene {
     }
     for (const body of step.bodies.filter(body => body.pieces))
       for (const piece of body.pieces) for (const [a, b] of pairsOf(vectorsOf(piece))) places.avoid(seen(a), seen(b), body.role === 'frame' && body.how === 'scene' ? 3 : body.role === 'frame' || body.how === 'dimmed' ? 8 : 12);
+    this.axes.turn(camera, !step.flat, places);
     if (now.floor) now.floor.visible = new THREE.Vector3().fromArray(step.up).dot(eye) > step.floor.ground * step.up[step.floor.axis];
     this.renderer.render(this.scene, camera);
     this.labels.place(seen, places);

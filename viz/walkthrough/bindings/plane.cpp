@@ -42,12 +42,7 @@ Items spanning(const NumbersByName& n) {
           arrow(Role::edge, p, p + n.vector("v"), "v"), arrow(Role::nearest, p, n.origin(), "w")};
 }
 
-Items parameters(const NumbersByName& n) {
-  const glm::dvec3 p = point_of(n);
-  const glm::dvec3 corner = p + n["α"] * n.vector("u");
-  return {segment(Role::edge, p, corner, "α·u"),
-          segment(Role::edge, corner, corner + n["β"] * n.vector("v"), "β·v")};
-}
+Items parameters(const NumbersByName& n) { return parameters_from(n, point_of(n)); }
 
 }  // namespace
 

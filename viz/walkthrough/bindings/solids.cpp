@@ -35,7 +35,7 @@ Items slab(const NumbersByName& n, const std::array<glm::dvec3, 2>& corners, con
         polygon(Role::edge, {at(u_from, v_from), at(u_to, v_from), at(u_to, v_to), at(u_from, v_to)}));
   }
   if (marks.size() == 2) planes.push_back(segment(Role::nearest, marks[0].points[0], marks[1].points[0]));
-  planes.insert(planes.end(), marks.begin(), marks.end());
+  append(planes, marks);
   return planes;
 }
 
@@ -87,19 +87,9 @@ Items face_normals(const NumbersByName& n) {
   return items;
 }
 
-Items ring(double rx, double ry, double z, const char* label) {
-  std::vector<glm::dvec3> points;
-  for (int i = 0; i <= 48; ++i) {
-    const double angle = i * 0.13089969389957472;
-    points.emplace_back(rx * std::cos(angle), ry * std::sin(angle), z);
-  }
-  return {polyline(Role::edge, points, label)};
-}
-
 Items ends(const NumbersByName& n) {
-  Items items = ring(n["rx"], n["ry"], 0, "");  // the scene names it
-  for (StageItem& item : ring(n["rx"], n["ry"], n["height"], "z = height")) items.push_back(std::move(item));
-  return items;
+  return {level_ring(Role::edge, n["rx"], n["ry"], 0),  // the scene names it
+          level_ring(Role::edge, n["rx"], n["ry"], n["height"], "z = height")};
 }
 
 /// The stretch of the ray between both ends, where it has one.

@@ -26,10 +26,7 @@ Items radius_and_distance(const NumbersByName& n) {
 std::vector<Binding> sphere_bindings() {
   return {
       {"f", [](const NumbersByName& n) { return Items{arrow(Role::edge, n.vector("C"), n.origin(), "f")}; }},
-      {"a",
-       [](const NumbersByName& n) {
-         return Items{arrow(Role::edge, n.origin(), n.origin() + n.direction(), "d")};
-       }},
+      {"a", direction_arrow},
       {"t_c", [](const NumbersByName& n) { return Items{point(Role::nearest, n.at(n["t_c"]), "t_c")}; }},
       {"l",
        [](const NumbersByName& n) {

@@ -46,11 +46,7 @@ Items second_weight(const NumbersByName& n) {
 
 /// Cramer's α and β are lengths along the edges; elsewhere they are areas.
 Items both_parameters(const NumbersByName& n) {
-  if (!n.has_vector("u")) return {};
-  const Corners tri = corners_of(n);
-  const glm::dvec3 corner = tri.a + n["α"] * n.vector("u");
-  return {segment(Role::edge, tri.a, corner, "α·u"),
-          segment(Role::edge, corner, corner + n["β"] * n.vector("v"), "β·v")};
+  return n.has_vector("u") ? parameters_from(n, corners_of(n).a) : Items{};
 }
 
 /// The other half of the parallelogram, where the sum of both parameters is more than 1.
@@ -100,9 +96,7 @@ Binding side(const char* name, int first, int second) {
   return {name, [=](const NumbersByName& n) {
             const Corners tri = corners_of(n);
             const glm::dvec3 all[] = {tri.a, tri.b, tri.c};
-            const double volume = n.rounded(name);
-            const std::string sign = volume > 0 ? " > 0" : volume < 0 ? " < 0" : " = 0";
-            return Items{segment(Role::edge, all[first], all[second], name + sign)};
+            return Items{segment(Role::edge, all[first], all[second], with_sign(name, n))};
           }};
 }
 
@@ -125,8 +119,7 @@ std::vector<Binding> triangle_bindings() {
       {"Ask whether α and β lie in [0, 1], as printed", other_half},
       {"n·(p - o)", height_above_triangle},
       {"Project along the normal's largest axis", projection},
-      {"Call z the axis along which the ray is longest",
-       [](const NumbersByName& n) { return Items{arrow(Role::edge, n.at(0), n.at(1), "d")}; }},
+      {"Call z the axis along which the ray is longest", direction_arrow},
       side("U", 1, 2),
       side("V", 2, 0),
       side("W", 0, 1),

@@ -48,10 +48,7 @@ Stage barycentric_stage(const Case& one, const ReportCase& report_on) {
         {std::string(title), std::string(meaning), loss_sentence(value.loss), {value}, value.loss});
   }
   Setting setting = plot_setting(report);
-  setting.scene = {polygon(Role::surface, {triangle.a, triangle.b, triangle.c}),
-                   polyline(Role::surface, {triangle.a, triangle.b, triangle.c, triangle.a}),
-                   point(Role::surface, triangle.a, "a"), point(Role::surface, triangle.b, "b"),
-                   point(Role::surface, triangle.c, "c")};
+  setting.scene = triangle_items(triangle.a, triangle.b, triangle.c);
   setting.near = setting.wide = view_of({triangle.a, triangle.b, triangle.c}, setting.camera);
   setting.slider.reset();
   const glm::dvec3 q{question.ray.origin.x, question.ray.origin.y, 0};

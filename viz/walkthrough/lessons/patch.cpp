@@ -36,10 +36,6 @@ Items patch_items() {
   return items;
 }
 
-}  // namespace
-
-namespace {
-
 /// From the ray's origin to the corner r(0, 0), on along both its edges, and what the second gains along the
 /// first.
 Items edges_of_patch(const NumbersByName& n) {

@@ -142,9 +142,7 @@ Stage counted_stage(const CaseReport& report, const Counting& counting) {
     step.caption = fmt::format("{} {}, {}.", step.words, equation_of(step.values[0], report.one.precision),
                                equation_of(step.values[1], report.one.precision));
   }
-  StageStep last;
-  last.title = comparison_title;
-  last.view = setting.near;
+  StageStep last{.title = comparison_title, .view = setting.near};
   last.caption = fmt::format(
       "{} {} {}: the point is {}. In exact arithmetic it is {}.", count,
       count == 1 ? "crossing is" : "crossings are", count % 2 == 1 ? "an odd number" : "an even number",

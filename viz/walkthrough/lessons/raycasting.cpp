@@ -5,6 +5,7 @@
 
 #include "viz/scene/items.hpp"
 #include "viz/trace/numbers.hpp"
+#include "viz/walkthrough/compose.hpp"
 #include "viz/walkthrough/lesson.hpp"
 #include "viz/walkthrough/lessons/camera_image.hpp"
 #include "viz/walkthrough/setting.hpp"
@@ -45,14 +46,6 @@ int nearest_ball(int i, int j) {
   return best_ball;
 }
 
-StageItem ball_item(const LoopSphere& ball) {
-  const double r = ball.radius;
-  return {Role::surface,
-          Form::ellipsoid,
-          {ball.center, ball.center + glm::dvec3(r, 0, 0), ball.center + glm::dvec3(0, r, 0),
-           ball.center + glm::dvec3(0, 0, r)}};
-}
-
 /// The case's ray against another sphere.
 Case with_ball(const Case& one, const LoopSphere& ball) {
   Case other = one;
@@ -62,24 +55,12 @@ Case with_ball(const Case& one, const LoopSphere& ball) {
 
 /// The object's own t₀, as its run names it.
 StageValue first_root(const CaseReport& report) {
-  StageValue root;
-  if (!report.walk) return root;
-  for (const WalkStep& step : report.walk->steps) {
-    for (const WalkValue& value : step.values) {
-      if (value.name == "t₀")
-        root = {"t₀", value.formula, with_numbers(value.formula, report.one.precision), {value}};
-    }
-  }
-  return root;
+  const WalkValue& value = value_named("t₀", *report.walk);
+  return {"t₀", value.formula, with_numbers(value.formula, report.one.precision), {value}};
 }
 
 StageStep loop_step(const char* title, std::string caption, const StageView& view, Items items) {
-  StageStep step;
-  step.title = title;
-  step.caption = std::move(caption);
-  step.view = view;
-  step.items = std::move(items);
-  return step;
+  return {.title = title, .caption = std::move(caption), .items = std::move(items), .view = view};
 }
 
 /// The loop's inside: the ray meets one object after the other, and the nearest stays.
@@ -130,7 +111,7 @@ Stage loop_stage(const Case& one, const ReportCase& report_on) {
   Setting setting = setting_of(report);
   const Ray<double>& ray = std::get<RayQuestion>(one.question).ray;
   setting.scene = grid();
-  for (const LoopSphere& ball : balls) setting.scene.push_back(ball_item(ball));
+  for (const LoopSphere& each : balls) setting.scene.push_back(ball(each.center, each.radius));
   setting.scene.push_back(point(Role::ray, eye().eye, "eye"));
   setting.camera = behind_the_eye(20);
   const StageView view = view_of(extent_of(setting.scene, setting.camera), setting.camera);
@@ -140,16 +121,14 @@ Stage loop_stage(const Case& one, const ReportCase& report_on) {
   stage.camera = setting.camera;
   stage.slider->from = 0;
   stage.slider->readouts.clear();
-  stage.steps = {
-      loop_step("Look at the eye, the image and the objects", "8 × 6 pixels, and two spheres behind them.",
-                view, {}),
-      loop_step("For each pixel shoot a ray",
-                fmt::format("Through the centre of pixel ({}, {}): d = ({}, {}, {})", pixel_i, pixel_j,
-                            shown(ray.direction.x, one.precision), shown(ray.direction.y, one.precision),
-                            shown(ray.direction.z, one.precision)),
-                view,
-                {arrow(Role::ray, ray.origin, ray.origin + 4.6 * ray.direction, "the ray"),
-                 pixel(Role::nearest, pixel_i, pixel_j)})};
+  stage.steps = {loop_step("Look at the eye, the image and the objects",
+                           "8 × 6 pixels, and two spheres behind them.", view, {}),
+                 loop_step("For each pixel shoot a ray",
+                           fmt::format("Through the centre of pixel ({}, {}): d = {}", pixel_i, pixel_j,
+                                       shown(ray.direction, one.precision)),
+                           view,
+                           {arrow(Role::ray, ray.origin, ray.origin + 4.6 * ray.direction, "the ray"),
+                            pixel(Role::nearest, pixel_i, pixel_j)})};
   meet_balls(stage, one, report_on, view);
   stage.steps.push_back(missing_step(view));
   Items image;

@@ -1,5 +1,6 @@
 #include <rayproof/ray.hpp>
 
+#include "viz/walkthrough/bindings.hpp"
 #include "viz/walkthrough/compose.hpp"
 #include "viz/walkthrough/lesson.hpp"
 
@@ -24,10 +25,6 @@ void walk_along(const Ray<double>& given) {
   (void)named("distance", R(2.5) * length);
 }
 
-Binding stop(const char* name) {
-  return {name, [=](const NumbersByName& n) { return Items{point(Role::nearest, n.vector(name), name)}; }};
-}
-
 }  // namespace
 
 Stage ray_stage(const Case& one, const ReportCase& report_on) {
@@ -40,9 +37,9 @@ Stage ray_stage(const Case& one, const ReportCase& report_on) {
   setting.near = setting.wide;
   setting.slider->from = setting.slider->start = ray.t_min;  // where the first step begins
   setting.bindings = {
-      stop("p(0)"),
-      stop("p(1)"),
-      stop("p(2.5)"),
+      marked("p(0)", Role::nearest),
+      marked("p(1)", Role::nearest),
+      marked("p(2.5)", Role::nearest),
       {"p(-0.5)",
        [](const NumbersByName& n) {
          return Items{point(Role::nearest, n.vector("p(-0.5)"), "p(-0.5)"),

@@ -32,14 +32,9 @@ Items torus_items() {
 
 /// The point where f is taken, from the centre; and the circle of radius R round which the torus lies.
 Items from_centre(const NumbersByName& n) {
-  constexpr int pieces = 48;
-  constexpr double turn = 6.283185307179586;
-  std::vector<glm::dvec3> circle;
-  for (int i = 0; i <= pieces; ++i)
-    circle.emplace_back(torus.major * std::cos(turn * i / pieces), torus.major * std::sin(turn * i / pieces),
-                        0);
   const std::string p = n.has_vector("p_b") ? "p_b" : "p_a";
-  return {polyline(Role::edge, circle), segment(Role::edge, {0, 0, 0}, circle[pieces / 2], "R"),
+  return {level_ring(Role::edge, torus.major, torus.major, 0),
+          segment(Role::edge, {0, 0, 0}, {-torus.major, 0, 0}, "R"),
           arrow(Role::nearest, {0, 0, 0}, n.vector(p))};
 }
 
@@ -96,10 +91,7 @@ Stage torus_stage(const Case& one, const ReportCase& report_on) {
   for (const char* const title : {"Take a point inside", "Guess"}) begin_anew(stage, title);
   const implicit::Torus<float> rounded{static_cast<float>(torus.major), static_cast<float>(torus.minor)};
   const auto roots = implicit::roots(convert<float>(ray), rounded);
-  StageStep step;
-  step.title = "Enclose all roots by intervals";
-  step.begins_anew = true;
-  step.view = setting.near;
+  StageStep step{.title = "Enclose all roots by intervals", .view = setting.near, .begins_anew = true};
   step.caption =
       fmt::format("Interval arithmetic says where f cannot be 0, and Newton steps shrink the rest: {} roots.",
                   roots.size());

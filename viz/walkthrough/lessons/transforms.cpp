@@ -22,16 +22,14 @@ StageStep back_in_the_world(const CaseReport& report, const NumbersByName& n, co
   const auto vector = [](const glm::dvec3& v) {
     return fmt::format("({}, {}, {})", rough(v.x, 5), rough(v.y, 5), rough(v.z, 5));
   };
-  StageStep step;
-  step.title = "Take the hit back into the world";
-  step.caption = fmt::format(
+  StageStep step{.title = "Take the hit back into the world",
+                 .items = {point(Role::claimed, p, "M·q = p(t₀)")},
+                 .view = stage.steps.front().view,
+                 .begins_anew = true};
+  step.words = step.caption = fmt::format(
       "M·q = A·q + T takes q = o′ + t₀·d = {} to {}, which is p(t₀). Had d been normalised, t would be "
       "|d|·t₀ = {} there, which is not the t of this ray.",
       vector(q), vector(p), rough(t * glm::length(n.direction()), 5));
-  step.words = step.caption;
-  step.view = stage.steps.front().view;
-  step.begins_anew = true;
-  step.items = {point(Role::claimed, p, "M·q = p(t₀)")};
   return step;
 }
 
@@ -43,8 +41,7 @@ Stage transformed_stage(const Case& one, const ReportCase& report_on) {
   Stage stage = stage_of(report);
   const NumbersByName n(*report.walk, report.walk->steps.size() - 1);
   show_beside(stage, "Take the ray into",
-              {{Role::surface, Form::ellipsoid, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
-               arrow(Role::ray, n.origin(), n.at(n["t₁"] * 1.25), "o′ + t·d"),
+              {ball({0, 0, 0}, 1), arrow(Role::ray, n.origin(), n.at(n["t₁"] * 1.25), "o′ + t·d"),
                point(Role::ray, n.origin(), "o′"),
                point(Role::text, -1.7 * stage.camera.up, "the object's own space")});
   stage.steps.insert(stage.steps.end() - 1, back_in_the_world(report, n, stage));
@@ -102,22 +99,21 @@ Stage normal_stage(const Case& one, const ReportCase& report_on) {
       {"n", [](const NumbersByName& n) {
          return Items{arrow(Role::normal, n.vector("q"), n.vector("q") + 0.9 * n.vector("n"), "n = q")};
        }}};
-  const Items unit_sphere{{Role::surface, Form::ellipsoid, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}};
-  setting.spaces = {
-      {walk.steps.at(0).title, "Drawn in the object's own space.",
-       [=](const NumbersByName& /*n*/) { return Items(unit_sphere); }, as_it_is, on_unit_sphere},
-      {walk.steps.at(2).title}};
+  setting.spaces = {{walk.steps.at(0).title, "Drawn in the object's own space.",
+                     [=](const NumbersByName& /*n*/) {
+                       return Items{ball({0, 0, 0}, 1)};
+                     },
+                     as_it_is, on_unit_sphere},
+                    {walk.steps.at(2).title}};
   Stage stage = composed_stage(report, walk, setting);
   stage.method = "normal_to_world";
   // The tangent plane makes it plain which of the two is perpendicular.
   const glm::dvec3 normal = *std::get<RayAnswer>(report.exact).normal;
   const glm::dvec3 u = 0.7 * across(normal);
   const glm::dvec3 v = glm::cross(normal, u);
-  for (const StageItem& item :
-       {polygon(Role::edge, {hit + u + v, hit + u - v, hit - u - v, hit - u + v}),
-        polyline(Role::edge, {hit + u + v, hit + u - v, hit - u - v, hit - u + v, hit + u + v})}) {
-    stage.steps.at(3).items.push_back(item);
-  }
+  append(stage.steps.at(3).items,
+         {polygon(Role::edge, {hit + u + v, hit + u - v, hit - u - v, hit - u + v}),
+          polyline(Role::edge, {hit + u + v, hit + u - v, hit - u - v, hit - u + v, hit + u + v})});
   stage.steps.push_back(difference_of_values(walk, setting, one.precision));
   stage.conclusion = "Only the inverse transpose keeps what is at right angles at right angles.";
   return stage;

@@ -53,14 +53,19 @@ TEST(StageBits, AMethodsStepsShowTheNumbersOfThePlainKernel) {
         const NamedNumbers more = shown_in(data["steps"][i]);
         shown.insert(shown.end(), more.begin(), more.end());
       }
-      ASSERT_EQ(plain.size(), shown.size()) << lesson.name;
-      for (std::size_t i = 0; i < plain.size(); ++i) {
-        EXPECT_EQ(plain[i].first, shown[i].first) << lesson.name;
-        EXPECT_TRUE(same_bits(plain[i].second, shown[i].second))
-            << lesson.name << ": " << plain[i].first << " is " << plain[i].second << ", shown as "
+      NamedNumbers before;
+      for (const auto& number : plain) {
+        const std::size_t i = before.size();
+        const bool is_next = i < shown.size() && shown[i].first == number.first;
+        if (!is_next && is_among(before, number)) continue;  // named twice in a step, and shown once
+        ASSERT_TRUE(is_next) << lesson.name << ": " << number.first;
+        EXPECT_TRUE(same_bits(number.second, shown[i].second))
+            << lesson.name << ": " << number.first << " is " << number.second << ", shown as "
             << shown[i].second;
+        before.push_back(number);
         ++compared;
       }
+      EXPECT_EQ(before.size(), shown.size()) << lesson.name;
     }
   }
   EXPECT_GT(compared, 200);

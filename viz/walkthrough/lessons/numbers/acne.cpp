@@ -52,7 +52,7 @@ StageStep start_step(const spawn::SurfacePoint<float>& from, const glm::vec3& di
   };
   const bool is_acne = std::isfinite(start.next);
   StageStep step;
-  step.title = fmt::format("Start by '{}': {}", Strategy::name, Strategy::title);
+  step.title = fmt::format("Start by '{}', {}", Strategy::name, Strategy::title);
   step.words =
       fmt::format("The start o′ is {} {} the surface. The exact next ray {}",
                   rough(std::abs(start.height), 3), start.height < 0 ? "below" : "above",
@@ -64,16 +64,16 @@ StageStep start_step(const spawn::SurfacePoint<float>& from, const glm::vec3& di
   step.caption = step.words;
   step.is_apart = true;
   step.magnification = 1 / size;
-  step.view = {0.3 * camera.up, 1.5};
   const double rise = std::clamp(start.climb, 0.2, 0.8) * size;
+  const double low = std::min({hit, start.height, -0.3 * size}) / size;
+  const double high = std::max(start.height + 0.9 * rise, 0.3 * size) / size;
+  step.view = {0.5 * (low + high) * camera.up, 0.5 * (high - low) + 0.5};
   step.items = ground_of(camera);
   const glm::dvec3 from_p = at(-0.6, hit), from_o = at(-0.6, start.height);
-  for (const StageItem& item :
-       Items{point(Role::text, at(1.6, -0.15 * size), "the sphere"),
-             point(Role::nearest, from_p, has_moved ? "p" : ""),
-             point(Role::claimed, from_o, has_moved ? "o′" : "o′ = p"),
-             arrow(Role::ray, from_o, at(0.3, start.height + 0.9 * rise), "the next ray")})
-    step.items.push_back(item);
+  append(step.items, {point(Role::text, at(1.6, -0.15 * size), "the sphere"),
+                      point(Role::nearest, from_p, has_moved ? "p" : ""),
+                      point(Role::claimed, from_o, has_moved ? "o′" : "o′ = p"),
+                      arrow(Role::ray, from_o, at(0.3, start.height + 0.9 * rise), "the next ray")});
   if (has_moved) step.items.push_back(segment(Role::normal, from_p, from_o, "the offset"));
   if (is_acne)
     step.items.push_back(point(Role::claimed, at(-0.6 - start.height / rise, 0), "its own surface again"));

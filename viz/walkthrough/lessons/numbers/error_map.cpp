@@ -82,17 +82,16 @@ std::size_t add_panel(Items& items, const MapPanel& panel, double left, double d
 }
 
 StageStep map_step(double distance) {
-  StageStep step;
-  step.title = fmt::format("From {} radii away", distance);
+  StageStep step{.title = fmt::format("From {} radii away", distance),
+                 .words = "Filled pixels are hits, crossed ones wrong verdicts.",
+                 .view = {{0, 0, 0}, 0.82},
+                 .begins_anew = true};
   std::string counts;
   for (std::size_t k = 0; k < panels.size(); ++k) {
     const std::size_t wrong = add_panel(step.items, panels.at(k), left_of(k), distance);
     counts += fmt::format("{}{} {}", counts.empty() ? "" : "; ", panels.at(k).name, wrong);
   }
-  step.words = "Filled pixels are hits, crossed ones wrong verdicts.";
   step.caption = fmt::format("{} Wrong of {} pixels: {}.", step.words, columns * rows, counts);
-  step.view = {{0, 0, 0}, 0.82};
-  step.begins_anew = true;
   return step;
 }
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <rayproof/triangle/moller_trumbore.hpp>
 #include <rayproof/triangle/woop.hpp>
-#include <stdexcept>
 
 #include "viz/explain/case_report.hpp"
 #include "viz/scene/items.hpp"
@@ -55,14 +54,7 @@ struct Judge {
   const Triangle<double>& triangle;
 
   /// v is the share of the height over the edge at which the ray passes: negative beyond it.
-  [[nodiscard]] const WalkValue& v() const {
-    for (const WalkStep& step : report.walk->steps) {
-      for (const WalkValue& value : step.values) {
-        if (value.name == "v") return value;
-      }
-    }
-    throw std::logic_error("the kernel of the leak names no v");
-  }
+  [[nodiscard]] const WalkValue& v() const { return value_named("v", *report.walk); }
   [[nodiscard]] double height() const {
     const glm::dvec3 edge = triangle.b - triangle.a;
     return glm::length(glm::cross(edge, triangle.c - triangle.a)) / glm::length(edge);
@@ -79,11 +71,8 @@ StageStep edge_step(const std::array<Judge, 2>& sides, const Setting& setting) {
            up * setting.camera.up;
   };
   const auto corner = [&](double x, double y) { return x * setting.camera.right + y * setting.camera.up; };
-  StageStep step;
-  step.title = comparison_title;
-  step.is_apart = true;
+  StageStep step{.title = comparison_title, .view = {{0, 0, 0}, 1.9}, .is_apart = true};
   step.magnification = 2 / farthest;
-  step.view = {{0, 0, 0}, 1.9};
   step.items = {open_polygon(Role::surface, {corner(-9, -5), corner(0, -5), corner(0, 5), corner(-9, 5)}),
                 open_polygon(Role::surface, {corner(9, -5), corner(0, -5), corner(0, 5), corner(9, 5)}),
                 segment(Role::surface, corner(0, -5), corner(0, 5), "the shared edge"),
@@ -109,13 +98,9 @@ StageStep edge_step(const std::array<Judge, 2>& sides, const Setting& setting) {
   return step;
 }
 
-double edge_number(const CaseReport& report) {
-  return NumbersByName(*report.walk, report.walk->steps.size() - 1).rounded("W");
-}
-
 /// What Woop's two numbers of the shared edge have to do with each other.
 std::string same_side_number(const CaseReport& first, const CaseReport& second) {
-  const bool is_one = edge_number(first) == -edge_number(second);
+  const bool is_one = value_named("W", *first.walk).value == -value_named("W", *second.walk).value;
   return is_one
              ? " Both triangles have the same number W for it, with opposite signs: never do both miss there."
              : "";

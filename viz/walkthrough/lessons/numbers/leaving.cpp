@@ -54,24 +54,19 @@ std::string beside(double height) {
 StageStep heights_step(const NumbersByName& n, const Sphere<double>& sphere, const Setting& setting) {
   const double hit = height_of(n, "p", sphere), moved = height_of(n, "q", sphere),
                origin = height_of(n, "o′", sphere);
-  StageStep step;
-  step.title = comparison_title;
+  StageStep step{.title = comparison_title, .view = {{}, 1.3}, .is_apart = true};
   step.caption =
       fmt::format("Exactly, p is {} the sphere, q is {}, and o′ is {}: the next ray starts outside.",
                   beside(hit), beside(moved), beside(origin));
-  step.is_apart = true;
   step.magnification = 1 / std::max({std::abs(hit), std::abs(moved), std::abs(origin)});
   const auto at = [&](double sideways, double height) {
     return sideways * setting.camera.right + step.magnification * height * setting.camera.up;
   };
   step.items = ground_of(setting.camera);
-  for (const StageItem& item :
-       Items{point(Role::text, at(0.8, -0.15 / step.magnification), "the sphere"),
-             point(Role::claimed, at(0, hit), "p"), point(Role::nearest, at(0, moved), "q"),
-             arrow(Role::normal, at(0, moved), at(0, origin), "along n"),
-             point(Role::claimed, at(0, origin), "o′")})
-    step.items.push_back(item);
-  step.view = {{}, 1.3};
+  append(step.items, {point(Role::text, at(0.8, -0.15 / step.magnification), "the sphere"),
+                      point(Role::claimed, at(0, hit), "p"), point(Role::nearest, at(0, moved), "q"),
+                      arrow(Role::normal, at(0, moved), at(0, origin), "along n"),
+                      point(Role::claimed, at(0, origin), "o′")});
   return step;
 }
 

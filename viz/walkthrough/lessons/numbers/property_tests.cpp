@@ -40,34 +40,27 @@ constexpr std::array<ShrunkCase, 5> trials{
      {"Shrink: try small whole numbers",
       "Small whole numbers still break it: a case that can be computed by hand.", nullptr}}};
 
-std::string vector(const glm::dvec3& v, Precision precision) {
-  return fmt::format("({}, {}, {})", shown(v.x, precision), shown(v.y, precision), shown(v.z, precision));
-}
-
 StageStep trial_step(const ShrunkCase& trial, const Case& last, const ReportCase& report_on) {
   const CaseReport report =
       report_on(trial.case_text != nullptr ? read_case(trial.case_text) : last, "sphere/textbook");
   Stage stage = stage_of(report);
-  StageStep step;
-  step.title = trial.title;
-  step.words = trial.words;
+  StageStep step{.title = trial.title, .words = trial.words, .view = setting_of(report).near};
+  step.is_apart = step.is_other_space = true;
   const auto& [ray, shape, transform] = std::get<RayQuestion>(report.one.question);
   const auto& sphere = std::get<Sphere<double>>(shape);
   const Precision precision = report.one.precision;
   const bool differ = verdicts_differ(&report.exact, report.claim());
-  step.caption = fmt::format("{} o = {}, d = {}, C = {}, r = {}. Exact: {}. Computed: {}. {}", trial.words,
-                             vector(ray.origin, precision), vector(ray.direction, precision),
-                             vector(sphere.center, precision), shown(sphere.radius, precision),
-                             verdict_of(&report.exact), verdict_of(report.claim()),
-                             differ ? "They differ." : "They agree.");
+  step.caption =
+      fmt::format("{} o = {}, d = {}, C = {}, r = {}. Exact: {}. Computed: {}. {}", trial.words,
+                  shown(ray.origin, precision), shown(ray.direction, precision),
+                  shown(sphere.center, precision), shown(sphere.radius, precision), verdict_of(&report.exact),
+                  verdict_of(report.claim()), differ ? "They differ." : "They agree.");
   step.items = stage.scene;
   for (const double t : values_of(&report.exact)) {
     const bool is_first = t == values_of(&report.exact).front();
     step.items.push_back(
         point(differ ? Role::exact : Role::claimed, ray.origin + t * ray.direction, is_first ? "t₀" : "t₁"));
   }
-  step.is_apart = step.is_other_space = true;
-  step.view = setting_of(report).near;
   return step;
 }
 

@@ -1,0 +1,92 @@
+/// \file
+/// Faults with cylinders.
+
+#include "properties/diagnosis/models/caps.hpp"
+#include "properties/diagnosis/models/cylinder.hpp"
+#include "properties/diagnosis/models/side.hpp"
+#include "properties/diagnosis/models/solid.hpp"
+#include "properties/diagnosis/registry/lines.hpp"
+
+namespace rayproof::diagnosis {
+
+std::vector<Hypothesis> models_of_cylinders() {
+  return {
+      gives("caps-added", read_as<with_caps>,
+            "the answer is right for a capped cylinder: an open one has no caps"),
+      gives("caps-missing", read_as<without_caps>,
+            "the answer is right for an open cylinder: the caps are missing"),
+      gives("caps-without-rim", caps_without_rim,
+            "the whole plane of a cap is hit: (x/rx)² + (y/ry)² <= 1 is not tested there"),
+      gives("caps-as-rectangles", caps_as_rectangles,
+            "the caps are taken for rectangles: (x/rx)² + (y/ry)² <= 1 is not tested there"),
+      gives("lower-cap-missing", no_lower_cap, "hits on the cap at z = 0 are missing"),
+      gives("upper-cap-missing", no_upper_cap, "hits on the cap at z = height are missing"),
+      gives("caps-of-radius-rx", caps_of_radius_rx,
+            "the caps are circles of radius rx, and must be ellipses as the side is"),
+      gives("caps-of-radius-ry", caps_of_radius_ry,
+            "the caps are circles of radius ry, and must be ellipses as the side is"),
+      gives("caps-of-rooted-radius", caps_of_rooted_radius,
+            "a cap is hit where x² + y² <= r, and must be where x² + y² <= r²"),
+      gives("caps-from-outside-alone", caps_from_outside_alone,
+            "a cap is hit from outside alone: a ray that leaves through it does not hit it"),
+      gives("side-before-caps", side_before_caps,
+            "a hit on the side is reported even where one on a cap is nearer"),
+      gives("endless-cylinder", read_as<endless_cylinder>,
+            "the answer is right for a cylinder without end: the height is not tested"),
+      gives("upper-end-not-tested", upper_end_not_tested,
+            "the upper end of the cylinder is not tested: z <= height is missing"),
+      gives("lower-end-not-tested", lower_end_not_tested,
+            "the lower end of the cylinder is not tested: z >= 0 is missing"),
+      gives("first-side-hit-decides", first_side_hit_decides,
+            "it misses where the side's first hit lies beyond an end, although the other one is on the "
+            "cylinder"),
+      gives(
+          "smaller-side-root", smaller_side_root_alone,
+          "of the side's two roots the smaller one alone is looked at: the inside of the wall is never hit"),
+      gives("larger-side-root", larger_side_root_alone,
+            "of the side's two roots the larger one alone is looked at: the side is never hit from outside"),
+      gives("first-side-root", first_side_root_alone,
+            "of the side's hits only the first in the interval is looked at, and no other is reported"),
+      gives("side-without-ends", side_without_ends,
+            "the side goes on beyond the caps: the height is not tested there, neither below nor above"),
+      gives("caps-where-side-missed", caps_where_side_missed,
+            "the caps are hit only where the side is not hit at all: a ray may pass through both"),
+      misses_zero("low-rim-missed", without_low_rim, "hits on the rim at z = 0 are left out: z > 0 is asked"),
+      misses_zero("high-rim-missed", without_high_rim,
+                  "hits on the rim at z = height are left out: z < height is asked"),
+      misses_zero("rims-missed", without_rims,
+                  "hits on both rims are left out: the height is taken for open"),
+      gives("cylinder-as-box", read_as<cylinder_as_box>,
+            "the answer is right for the box round the cylinder: the caps are rectangles"),
+      gives("circle-rx", read_as<circular_rx>,
+            "the answer is right for ry = rx: the ellipse is taken for a circle of radius rx"),
+      gives("circle-ry", read_as<circular_ry>,
+            "the answer is right for rx = ry: the ellipse is taken for a circle of radius ry"),
+      gives("radii-exchanged", read_as<radii_exchanged>, "the answer is right with rx and ry exchanged"),
+      gives("radii-squared", read_as<radii_squared>,
+            "the answer is right for rx² and ry²: the radii are squared once too often"),
+      gives("radii-rooted", read_as<radii_rooted>,
+            "the answer is right for the roots of the radii: r is taken for r²"),
+      gives("missed-along-axis", missed_along_axis,
+            "every ray along the axis is missed, also where it hits a cap"),
+      gives("radii-doubled", read_as<radii_doubled>, "the answer is right for twice the radii"),
+      gives("radii-halved", read_as<radii_halved>,
+            "the answer is right for half the radii: they are taken for diameters"),
+      gives("radii-mean", read_as<radii_mean>,
+            "the answer is right for a circle of the mean of rx and ry: the ellipse is taken for a circle"),
+      gives("height-doubled", read_as<height_doubled>, "the answer is right for twice the height"),
+      gives("height-halved", read_as<height_halved>, "the answer is right for half the height"),
+      gives("radii-one", read_as<radii_one>, "the answer is right for radii of 1: they are ignored"),
+      gives("height-one", read_as<height_one>, "the answer is right for a height of 1: it is ignored"),
+      gives("axis-is-x", read_as<cylinder_along<0>>, "the answer is right for a cylinder along x"),
+      gives("axis-is-y", read_as<cylinder_along<1>>, "the answer is right for a cylinder along y"),
+      gives("axis-turned-to-x", read_as<cylinder_turned_to<0>>,
+            "the answer is right for a cylinder along x, its radii along y and z"),
+      gives("axis-turned-to-y", read_as<cylinder_turned_to<1>>,
+            "the answer is right for a cylinder along y, its radii along z and x"),
+      gives("middle-at-zero", read_as<middle_at_zero>,
+            "the answer is right for a cylinder from -height/2 to height/2"),
+  };
+}
+
+}  // namespace rayproof::diagnosis
