@@ -238,6 +238,22 @@ inline constexpr Foreseen foreseen_faults[] = {
     {"parallelepiped", "edges-halved"},
     {"parallelepiped", "corner-negated"},
     {"parallelepiped", "edge-1-negated"},
+    {"sphere", "inside-decides"},
+    {"box", "solid-from-origin"},
+    {"quadratic", "root-negated"},
+    {"quadratic", "discriminant-wrong"},
+    {"cylinder", "undivided"},
+    {"cylinder", "a-as-one"},
+    {"point_in_polygon", "whole-shape"},
+    {"parallelepiped", "face-missing"},
+    {"parallelepiped", "face-u-not-tested"},
+    {"parallelepiped", "face-v-not-tested"},
+    {"parallelepiped", "faces-open"},
+    {"triangle", "way-from-other-vertex"},
+    {"polygon", "figure-through-zero"},
+    {"polygon", "bounding-circle"},
+    {"plane", "normal-no-cross-product"},
+    {"triangle", "t-is-zero"},
 };
 
 }  // namespace rayproof::faulty
