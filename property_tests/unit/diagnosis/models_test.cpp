@@ -88,7 +88,7 @@ TEST(ModelOfASignOfTheRadius, SaysNothingOfASphereWithoutOne) {
   EXPECT_EQ(foreseen_by("radius-square-added", of_radius(1)).size(), 1U);
 }
 
-// Their places tell the mistakes apart.
+// Their places distinguish the mistakes.
 TEST(ModelOfManyMistakes, ForeseesOneAnswerOfEach) {
   for (const Hypothesis& model : hypotheses()) {
     if (!model.is_one_of_many) continue;

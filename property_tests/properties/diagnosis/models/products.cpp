@@ -35,7 +35,7 @@ Answers of_sphere(const Case& one, Product product, int axis) {
     if (!has_way) e.a = value;
     if (!is_square) e.h = value;
     if (is_square && has_way) e.c = value - sphere->radius * sphere->radius;
-    // One answer of each mistake: their places tell them apart.
+    // One answer of each mistake: their places distinguish them.
     answers.push_back(with_roots(one, roots_by(-e.h, e.discriminant(), e.a)).front());
   }
   return answers;
