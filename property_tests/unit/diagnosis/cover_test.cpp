@@ -64,8 +64,21 @@ Answer beyond_epsilon(const Case& one) {
 }
 
 TEST(Cover, NamesAnEpsilonThoughTheBoundaryShowsNoMoreThanZero) {
-  EXPECT_EQ(causes_of(subject_of("triangle", beyond_epsilon), {"verdict", "boundary"}),
-            Causes{"epsilon-1e-2"});
+  const Subject subject = subject_of("plane", beyond_epsilon);
+  const auto complaint_of = [&](const char* property, double step) {
+    Complaint made{.patient = patient_of(subject, *find_property(property))};
+    for (int k = 1; k < 10; ++k)
+      made.failing.push_back(
+          {.precision = Precision::float64,
+           .question = RayQuestion{.ray = {{k, 0, k * step}, {0, 0, -1}, 0, infinity<double>},
+                                   .shape = ImplicitPlane{{0, 0, 1}, 0}}});
+    return made;
+  };
+  const Complaint before = complaint_of("verdict", 0x1p-10), at_zero = complaint_of("boundary", 0);
+  for (const auto& groups : diagnose_together(std::vector{&before, &at_zero})) {
+    ASSERT_EQ(groups.size(), 1U) << in_words(groups);
+    EXPECT_EQ(groups[0].cause, find_hypothesis("epsilon-1e-2")) << in_words(groups);
+  }
 }
 
 /// Whether the line hits, and no more.
