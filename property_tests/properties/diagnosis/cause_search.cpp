@@ -4,6 +4,8 @@
 #include <iterator>
 #include <numeric>
 
+#include "properties/diagnosis/examination/agreement.hpp"
+
 namespace rayproof::diagnosis {
 namespace {
 
@@ -72,8 +74,11 @@ Indices CauseSearch::explained_of_all(const Hypothesis& one) const {
   const Indices all = all_of(examination_.failing_count());
   if (one.is_asked_alone) return depends_on_others(all) ? all : Indices{};
   const bool is_isolated = one.perturbs && is_share(explained_by("isolated", all), all, 50);
-  Indices cases = may_be(one, is_isolated) ? examination_.explained(one, all) : Indices{};
-  return is_by_chance(one, cases) ? Indices{} : cases;
+  const bool speaks_of_detail =
+      one.predict != nullptr && one.aspect == Aspect::hits && detail_of(patient_.claim).has_value();
+  const bool is_asked = may_be(one, is_isolated) || speaks_of_detail;
+  Indices cases = is_asked ? examination_.explained(one, all) : Indices{};
+  return is_too_small_a_share(one, cases) ? Indices{} : cases;
 }
 
 Diagnosis CauseSearch::next(const Indices& left) const {
@@ -174,11 +179,14 @@ std::vector<const Hypothesis*> CauseSearch::likely_by_precision() const {
   return likely;
 }
 
-/// A model that fits single cases by chance must explain nearly all that fail, not only those that are left;
-/// one that says more than another must be seen to.
+/// One that says more than another must be seen to.
 bool CauseSearch::is_by_chance(const Hypothesis& one, const Indices& cases) const {
+  return !examination_.is_shown_whole(one, cases) || is_too_small_a_share(one, cases);
+}
+
+/// A model that fits single cases by chance must explain nearly all that fail, not only those that are left.
+bool CauseSearch::is_too_small_a_share(const Hypothesis& one, const Indices& cases) const {
   constexpr std::size_t few = 4;
-  if (!examination_.is_shown_whole(one, cases)) return true;
   return one.least_share > 0 &&
          (cases.size() < few || 100 * cases.size() < one.least_share * examination_.failing_count());
 }

@@ -29,7 +29,8 @@ class CauseSearch {
   [[nodiscard]] std::vector<Diagnosis> groups() const;
   /// The models of what differs by precision that explain most of all failing cases.
   [[nodiscard]] std::vector<const Hypothesis*> likely_by_precision() const;
-  /// Which of all failing cases it explains; none where it proves nothing here.
+  /// Which of all failing cases it explains, though they may not show all that it says; none where it proves
+  /// nothing here.
   [[nodiscard]] Indices explained_of_all(const Hypothesis& one) const;
 
  private:
@@ -42,6 +43,7 @@ class CauseSearch {
   [[nodiscard]] Indices explained_by(std::string_view name, const Indices& left) const;
   [[nodiscard]] Indices screened(const Hypothesis& one, const Indices& left) const;
   [[nodiscard]] bool is_by_chance(const Hypothesis& one, const Indices& cases) const;
+  [[nodiscard]] bool is_too_small_a_share(const Hypothesis& one, const Indices& cases) const;
   [[nodiscard]] bool is_most(const Hypothesis& one, const Indices& cases, const Indices& left) const;
   [[nodiscard]] Diagnosis best_model(const Indices& left) const;
   [[nodiscard]] std::size_t balance(const Hypothesis& model, const Indices& cases) const;

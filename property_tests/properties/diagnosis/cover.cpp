@@ -68,18 +68,20 @@ std::vector<Cover::Candidate> Cover::candidates() const {
     if (!is_named(cause)) continue;
     Candidate candidate{&cause};
     std::size_t explained = 0, contradictions = 0;
+    bool is_shown_whole = false;
     for (const Sheet& sheet : sheets_) {
       // A cure that only says where to look says nothing of lost digits.
       const bool is_of_more = sheet.is_of_digits && cause.is_vague && cause.change != nullptr;
       Indices cases = is_of_more ? Indices{} : sheet.search->explained_of_all(cause);
       explained += cases.size();
+      is_shown_whole = is_shown_whole || sheet.examination->is_shown_whole(cause, cases);
       const bool is_refutable = !cases.empty() || (cause.speaks_of_all && cause.change == nullptr);
       const std::size_t against = is_refutable ? sheet.examination->contradictions(cause, cases) : 0;
       contradictions += against;
       candidate.against += sheet.weight * static_cast<double>(against);
       candidate.explained.push_back(std::move(cases));
     }
-    if (!is_refuted(cause, explained, contradictions)) all.push_back(std::move(candidate));
+    if (is_shown_whole && !is_refuted(cause, explained, contradictions)) all.push_back(std::move(candidate));
   }
   name_by_models(all);
   return all;
@@ -182,7 +184,8 @@ bool Cover::is_group(const Candidate& one, std::size_t complaint, const Indices&
   const std::size_t all = sheets_[complaint].examination->failing_count();
   if (cases.empty()) return false;
   if (cases.size() == all) return true;
-  const bool is_proof = one.cause->change == nullptr && 5 * cases.size() >= 3 * explained.size();
+  const bool is_proof =
+      one.cause->change == nullptr && !one.cause->is_vague && 5 * cases.size() >= 3 * explained.size();
   return cases.size() >= 3 && (4 * cases.size() >= all || is_proof);
 }
 

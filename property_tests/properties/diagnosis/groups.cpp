@@ -7,10 +7,10 @@
 namespace rayproof::diagnosis {
 namespace {
 
-/// Whether a group after the first is no fault of its own: rounding, or two faults at once. A model that
-/// foresees answers is proof enough.
+/// Whether a group after the first is no fault of its own: rounding, or two faults at once. A model that is
+/// not vague is proof enough.
 bool is_rest(const Diagnosis& group, std::size_t all) {
-  const bool is_model = group.cause != nullptr && group.cause->change == nullptr;
+  const bool is_model = group.cause != nullptr && group.cause->change == nullptr && !group.cause->is_vague;
   return !is_model && 4 * group.cases.size() < all;
 }
 

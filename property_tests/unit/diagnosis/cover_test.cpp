@@ -12,11 +12,12 @@ namespace {
 
 using Causes = std::set<std::string_view>;
 
-/// The causes that are named where verdicts, numbers and intervals are looked at in both precisions.
-Causes causes_of(const Subject& subject) {
+/// The causes that are named where these properties are looked at in both precisions.
+Causes causes_of(const Subject& subject,
+                 std::initializer_list<const char*> properties = {"verdict", "residual", "ascending"}) {
   std::vector<Complaint> complaints;
   for (const Precision precision : {Precision::float32, Precision::float64})
-    for (const char* const name : {"verdict", "residual", "ascending"}) {
+    for (const char* const name : properties) {
       Complaint found = complaint(subject, *find_property(name), precision, 200);
       if (!found.failing.empty()) complaints.push_back(std::move(found));
     }
@@ -39,6 +40,45 @@ TEST(Cover, NamesOneCauseOfOneFaultInAllPropertiesAndPrecisions) {
 
 TEST(Cover, NamesTwoCausesOfTwoFaults) {
   EXPECT_EQ(causes_of("triangle", two_faults), (Causes{"culls-back-faces", "edge-b-not-tested"}));
+}
+
+/// The exact answer for the solid whose corner has the other sign.
+Answer of_negated_corner(const Case& one) {
+  Case other = one;
+  auto& corner = std::get<Parallelepiped<double>>(std::get<RayQuestion>(other.question).shape).corner;
+  corner = -corner;
+  return oracle::answer(other);
+}
+
+TEST(Cover, ExplainsAWrongNormalByTheReadingThatExplainsTheHits) {
+  EXPECT_EQ(causes_of(subject_of("parallelepiped", of_negated_corner), {"verdict", "normal", "point"}),
+            Causes{"corner-negated"});
+}
+
+/// It finds no hit with t below 1e-2, and none at 0.
+Answer beyond_epsilon(const Case& one) {
+  Answer answer = oracle::answer(one);
+  auto& hits = std::get<RayAnswer>(answer).hits;
+  if (hits.count > 0 && hits.t[0] < 1e-2) answer = RayAnswer{};
+  return answer;
+}
+
+TEST(Cover, NamesAnEpsilonThoughTheBoundaryShowsNoMoreThanZero) {
+  const Subject subject = subject_of("plane", beyond_epsilon);
+  const auto complaint_of = [&](const char* property, double step) {
+    Complaint made{.patient = patient_of(subject, *find_property(property))};
+    for (int k = 1; k < 10; ++k)
+      made.failing.push_back(
+          {.precision = Precision::float64,
+           .question = RayQuestion{.ray = {{k, 0, k * step}, {0, 0, -1}, 0, infinity<double>},
+                                   .shape = ImplicitPlane{{0, 0, 1}, 0}}});
+    return made;
+  };
+  const Complaint before = complaint_of("verdict", 0x1p-10), at_zero = complaint_of("boundary", 0);
+  for (const auto& groups : diagnose_together(std::vector{&before, &at_zero})) {
+    ASSERT_EQ(groups.size(), 1U) << in_words(groups);
+    EXPECT_EQ(groups[0].cause, find_hypothesis("epsilon-1e-2")) << in_words(groups);
+  }
 }
 
 /// Whether the line hits, and no more.

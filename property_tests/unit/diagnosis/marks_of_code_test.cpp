@@ -29,6 +29,42 @@ TEST(DiagnosisOfRoots, KnowsThatTheRootThatCancelsDividesC) {
   EXPECT_EQ(bears_mark(near, far), std::nullopt);
 }
 
+TEST(DiagnosisOfIntervals, KnowsATThatLiesBeyondTheEndByItsRoundingAlone) {
+  constexpr const char* until_99 =
+      R"({"ray": {"origin": [-100,0,0], "direction": [1,0,0], "t_max": 99}, "shape": {"type": "sphere", "center": [0,0,0], "radius": 1}})";
+  const double next = std::nextafter(99.0, 100.0);
+  EXPECT_EQ(bears("beyond-end-by-rounding", until_99, with_hits({next})), true);
+  EXPECT_EQ(bears("beyond-end-by-rounding", until_99, with_hits({99})), std::nullopt);
+  EXPECT_EQ(bears("beyond-end-by-rounding", until_99, with_hits({101})), std::nullopt)
+      << "no rounding moves it so far";
+}
+
+TEST(DiagnosisOfHits, KnowsThatAFartherOneIsGivenInPlaceOfTheNearest) {
+  const auto bears_mark = [](double t) {
+    RayAnswer only = with_hits({t});
+    only.nearest_only = true;
+    return bears("not-nearest", far_sphere, only);
+  };
+  EXPECT_EQ(bears_mark(101), true);
+  EXPECT_EQ(bears_mark(100), false) << "no surface is there";
+  EXPECT_EQ(bears_mark(99), std::nullopt);
+  EXPECT_EQ(bears("not-nearest", far_sphere, with_hits({101})), std::nullopt) << "all hits are asked for";
+}
+
+TEST(DiagnosisOfTriangles, ForeseesMissesNearEdgesOfAToleranceOfTheWrongSign) {
+  const Case near_ab = read_case(
+      R"({"precision": "float64", "ray": {"origin": [0.25,0.0005,1], "direction": [0,0,-1]}, "shape": {"type": "triangle", "a": [0,0,0], "b": [1,0,0], "c": [0,1,0]}})");
+  const auto are_missed = [&](const char* model) {
+    std::vector<bool> missed;
+    for (const Answer& answer : find_hypothesis(model)->predict(near_ab, oracle::answer(near_ab)))
+      missed.push_back(std::get<RayAnswer>(answer).hits.count == 0);
+    return missed;
+  };
+  EXPECT_EQ(are_missed("edges-tight-1e-3"), (std::vector<bool>{false, false, true, true}))
+      << "by alpha, by beta, by gamma alone, by all three";
+  EXPECT_EQ(are_missed("edges-tight-1e-4"), (std::vector<bool>{false, false, false, false}));
+}
+
 TEST(DiagnosisOfPoints, KnowsAPointThatIsNotOnTheRay) {
   RayAnswer got = with_hits({99});
   got.point = glm::dvec3(99, 101, 0);

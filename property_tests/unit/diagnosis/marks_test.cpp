@@ -54,6 +54,16 @@ Answer plus_root_first(const Case& one) {
   return answer;
 }
 
+/// q times a number, and c / q for the other root.
+Answer q_scaled(const Case& one) {
+  Answer answer = oracle::answer(one);
+  auto& [kind, count, x] = std::get<Roots>(answer);
+  if (count != 2) return answer;
+  x = {1.7 * x[0], x[1] / 1.7};
+  std::ranges::sort(x);
+  return answer;
+}
+
 /// Wrong on polygons whose normal is 0 in a coordinate: hits are halved.
 Answer halved_where_upright(const Case& one) {
   Answer answer = oracle::answer(one);
@@ -82,6 +92,7 @@ TEST(DiagnosisByMarks, NamesWhatNoModelForesees) {
            {"quadratic", "residual", "middle-of-roots-wrong", roots_moved},
            {"quadratic", "residual", "one-root-wrong", one_root_moved},
            {"quadratic", "residual", "double-root-wrong", double_root_moved},
+           {"quadratic", "residual", "q-wrong", q_scaled},
            {"quadratic", "ascending", "plus-root-first", plus_root_first},
            {"polygon", "residual", "wrong-where-upright", halved_where_upright}}) {
     const std::string found =

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "oracle/oracle.hpp"
 #include "subjects/default_contract.hpp"
 #include "unit/diagnosis/clinic.hpp"
@@ -53,7 +55,7 @@ TEST_P(Model, IsNamedWhereASubjectAnswersAsItForesees) {
 }
 
 /// What that model foresees of the case.
-std::vector<Answer> foreseen_by(const char* model, const Case& one) {
+std::vector<Answer> foreseen_by(std::string_view model, const Case& one) {
   return find_hypothesis(model)->predict(one, oracle::answer(one));
 }
 
@@ -84,6 +86,21 @@ TEST(ModelOfASignOfTheRadius, SaysNothingOfASphereWithoutOne) {
   };
   EXPECT_TRUE(foreseen_by("radius-square-added", of_radius(0)).empty());
   EXPECT_EQ(foreseen_by("radius-square-added", of_radius(1)).size(), 1U);
+}
+
+// Their places distinguish the mistakes.
+TEST(ModelOfManyMistakes, ForeseesOneAnswerOfEach) {
+  for (const Hypothesis& model : hypotheses()) {
+    if (!model.is_one_of_many) continue;
+    for (const std::string& topic : topics()) {
+      std::set<std::size_t> counts;
+      for (const Family& family : families())
+        for (unsigned k = 0; k < 6 && family.topic == topic; ++k)
+          counts.insert(foreseen_by(model.name, family.generate(k, Precision::float64)).size());
+      counts.erase(0);
+      EXPECT_LE(counts.size(), 1U) << model.name << " " << topic << ": " << testing::PrintToString(counts);
+    }
+  }
 }
 
 std::string name_of_model(const testing::TestParamInfo<Foreseen>& info) {

@@ -74,6 +74,21 @@ bool is_nearer_to(const Case& one, const Answer& got, const Answer& other, const
   return clearly * from_other < from_exact;
 }
 
+std::optional<Aspect> detail_of(Claim claim) {
+  if (claim == Claim::point) return Aspect::point;
+  if (claim == Claim::normal) return Aspect::normal;
+  if (claim == Claim::coordinates) return Aspect::coordinates;
+  return std::nullopt;
+}
+
+bool says_detail(const Case& one, Answer& answer, Aspect detail) {
+  auto* ray = std::get_if<RayAnswer>(&answer);
+  if (ray == nullptr || ray->hits.count == 0) return false;
+  if (detail == Aspect::point && !ray->point) ray->point = point_at(ray_question(one)->ray, ray->hits.t[0]);
+  if (detail == Aspect::point) return ray->point.has_value();
+  return detail == Aspect::normal ? ray->normal.has_value() : ray->barycentric.has_value();
+}
+
 bool agree(const Case& one, const Answer& got, const Answer& other, Aspect aspect) {
   const auto* a = std::get_if<RayAnswer>(&got);
   const auto* b = std::get_if<RayAnswer>(&other);

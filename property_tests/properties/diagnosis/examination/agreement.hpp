@@ -2,6 +2,8 @@
 /// \file
 /// Whether two answers are the same but for rounding.
 
+#include <rayproof/method/contract.hpp>
+
 #include "properties/diagnosis/hypothesis.hpp"
 
 namespace rayproof::diagnosis {
@@ -10,6 +12,11 @@ namespace rayproof::diagnosis {
 /// a subject, but the subject may round. Where `got` says less than `other` (the nearest hit only, no point),
 /// what it leaves out agrees.
 [[nodiscard]] bool agree(const Case& one, const Answer& got, const Answer& other, Aspect aspect);
+
+/// The detail of the first hit that a claim speaks of; none where it speaks of verdict and t.
+[[nodiscard]] std::optional<Aspect> detail_of(Claim claim);
+/// Whether the answer says something of that detail; a point that it leaves out is that of its first t.
+[[nodiscard]] bool says_detail(const Case& one, Answer& answer, Aspect detail);
 
 /// Whether the hits of `got`, though nearly right, are those of `other`, and not the exact ones: from afar a
 /// wrong answer differs little from the right one.

@@ -81,7 +81,7 @@ std::size_t Examination::contradictions(const Hypothesis& hypothesis,
     if (!known.got || !(hypothesis.speaks_of_all || forms.contains(form_of(known.asked.one)))) continue;
     const bool is_found = finds_something(*known.got);
     found += is_found ? 1 : 0;
-    if (!agree(known.asked.one, *known.got, known.asked.exact, hypothesis.aspect) ||
+    if (!agree(known.asked.one, *known.got, known.asked.exact, aspect_of(hypothesis)) ||
         fits(hypothesis, known, mistake) != false ||
         ((finds_some || hypothesis.kind == FindingKind::boundary) && is_excused(hypothesis, known)))
       continue;

@@ -23,25 +23,36 @@ std::vector<Examination::Known> Examination::ask(std::span<const Case> cases) co
   return known;
 }
 
-std::optional<bool> Examination::fits(const Hypothesis& hypothesis, const Known& known, std::size_t mistake) {
+Aspect Examination::aspect_of(const Hypothesis& hypothesis) const {
+  const bool is_of_hits = hypothesis.aspect == Aspect::hits && hypothesis.predict != nullptr;
+  return is_of_hits ? detail_of(patient_.claim).value_or(Aspect::hits) : hypothesis.aspect;
+}
+
+std::optional<bool> Examination::fits(const Hypothesis& hypothesis, const Known& known,
+                                      std::size_t mistake) const {
   if (!known.got) return std::nullopt;
   const auto& [one, exact] = known.asked;
   const Answer& got = *known.got;
   if (hypothesis.recognise != nullptr) return hypothesis.recognise(one, got, exact);
-  const bool is_right = agree(one, got, exact, hypothesis.aspect);
+  const Aspect aspect = aspect_of(hypothesis);
+  // A detail is foreseen with the hit that it belongs to.
+  const auto agrees = [&](const Answer& some, const Answer& other) {
+    return agree(one, some, other, aspect) && agree(one, some, other, hypothesis.aspect);
+  };
+  const bool is_right = agrees(got, exact);
   bool has_said = false, may_be_right = false, may_be_this = false;
   std::vector<Answer> foreseen = hypothesis.predict(one, exact);
   if (hypothesis.is_one_of_many && !foreseen.empty())
     foreseen = mistake < foreseen.size() ? std::vector{foreseen[mistake]} : std::vector<Answer>{};
   for (const Answer& predicted : foreseen) {
-    const Answer reported = as_reported(predicted, got);
-    if (hypothesis.aspect == Aspect::hits && is_nearer_to(one, got, reported, as_reported(exact, got)))
-      return true;
-    if (agree(one, as_reported(exact, got), reported, hypothesis.aspect)) {
+    Answer reported = as_reported(predicted, got);
+    if (aspect != hypothesis.aspect && !says_detail(one, reported, aspect)) continue;
+    if (aspect == Aspect::hits && is_nearer_to(one, got, reported, as_reported(exact, got))) return true;
+    if (agrees(as_reported(exact, got), reported)) {
       may_be_right = true;
       continue;
     }
-    may_be_this |= !is_right && agree(one, got, reported, hypothesis.aspect);
+    may_be_this |= !is_right && agrees(got, reported);
     has_said = true;
   }
   // Of a subject that gives no t a model that foresees the right verdict, too, may say anything.
@@ -74,9 +85,13 @@ std::vector<std::size_t> Examination::explained_by(const Hypothesis& hypothesis,
 
 std::size_t Examination::best_mistake(const Hypothesis& hypothesis,
                                       std::span<const std::size_t> cases) const {
-  constexpr std::size_t most_mistakes = 16;
-  std::size_t best = 0, most = 0;
-  for (std::size_t mistake = 0; hypothesis.is_one_of_many && mistake < most_mistakes; ++mistake) {
+  if (!hypothesis.is_one_of_many) return 0;
+  std::size_t best = 0, most = 0, mistakes = 0;
+  for (const std::size_t i : cases) {
+    const auto& [one, exact] = failing_.at(i).asked;
+    mistakes = std::max(mistakes, hypothesis.predict(one, exact).size());
+  }
+  for (std::size_t mistake = 0; mistake < mistakes; ++mistake) {
     const std::size_t count = explained_by(hypothesis, cases, mistake).size();
     if (count > most) {
       best = mistake;

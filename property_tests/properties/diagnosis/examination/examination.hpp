@@ -60,8 +60,11 @@ class Examination {
   [[nodiscard]] std::vector<std::size_t> cured_alone(std::span<const std::size_t> cases) const;
   /// Whether a model's hypothesis fits an answer; nothing where it has nothing to say. Of a model that stands
   /// for many mistakes only the answer of that number is looked at.
-  [[nodiscard]] static std::optional<bool> fits(const Hypothesis& hypothesis, const Known& known,
-                                                std::size_t mistake);
+  [[nodiscard]] std::optional<bool> fits(const Hypothesis& hypothesis, const Known& known,
+                                         std::size_t mistake) const;
+  /// What is looked at of a hypothesis' answers: where a detail of the first hit is claimed, that of a model
+  /// which foresees whole answers.
+  [[nodiscard]] Aspect aspect_of(const Hypothesis& hypothesis) const;
   [[nodiscard]] std::vector<std::size_t> explained_by(const Hypothesis& hypothesis,
                                                       std::span<const std::size_t> cases,
                                                       std::size_t mistake) const;

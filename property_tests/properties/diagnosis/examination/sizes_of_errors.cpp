@@ -9,18 +9,6 @@
 #include "properties/diagnosis/examination/examination.hpp"
 
 namespace rayproof::diagnosis {
-namespace {
-
-/// What a claim speaks of beside verdict and t.
-std::optional<Aspect> aspect_of(Claim claim) {
-  if (claim == Claim::point) return Aspect::point;
-  if (claim == Claim::normal) return Aspect::normal;
-  if (claim == Claim::coordinates) return Aspect::coordinates;
-  return std::nullopt;
-}
-
-}  // namespace
-
 bool Examination::is_beyond_rounding(std::size_t i) const {
   constexpr double generous = 1024;  // times what plain methods lose, and a share of the scene
   const Known& known = failing_.at(i);
@@ -31,7 +19,7 @@ bool Examination::is_beyond_rounding(std::size_t i) const {
   const double lost = generous * judgement.far * judgement.far;
   const double error = judgement.wrong ? judgement.margin : judgement.residual;
   if (error > lost && error * unit * generous > 1) return true;
-  const std::optional<Aspect> beside = aspect_of(patient_.claim);
+  const std::optional<Aspect> beside = detail_of(patient_.claim);
   return beside && lost * unit * generous < 1 && !agree(one, *known.got, exact, *beside);
 }
 

@@ -65,6 +65,23 @@ std::vector<Case> with_numbers_of_shape(const Case& one, double (*change)(double
   });
 }
 
+bool has_area_cut_off(const Case& one, const Answer& /*exact*/) {
+  const auto* place = std::get_if<PointAndPolygon<double>>(&one.question);
+  if (place == nullptr) return true;
+  const Vec2<double> first = place->vertices.front();
+  bool is_wide = false, is_high = false;
+  for (const Vec2<double>& vertex : place->vertices) {
+    is_wide = is_wide || std::trunc(vertex.x) != std::trunc(first.x);
+    is_high = is_high || std::trunc(vertex.y) != std::trunc(first.y);
+  }
+  return is_wide && is_high;
+}
+
+Answers with_shape_cut_off(const Case& one, const Answer& exact) {
+  if (!has_area_cut_off(one, exact)) return {Position::outside, Position::boundary};
+  return off_boundary_read_as<shape_cut_off>(one, exact);
+}
+
 std::vector<Case> without_origin(const Case& one) {
   return with_vectors(one, Vectors::origin, [](glm::dvec3& origin) { origin = glm::dvec3(0); });
 }

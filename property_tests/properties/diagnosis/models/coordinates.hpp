@@ -56,9 +56,8 @@ template <Vectors which>
 
 /// Every number of the shape is changed; of a point and a polygon, those of both.
 [[nodiscard]] std::vector<Case> with_numbers_of_shape(const Case& one, double (*change)(double x));
-/// @{ Those of a shape as whole numbers, cut off towards 0; all as those of the shorter type.
+/// @{ As whole numbers, cut off towards 0; as those of the shorter type.
 [[nodiscard]] inline std::vector<Case> shape_cut_off(const Case& one) {
-  if (ray_question(one) == nullptr) return {};
   return with_numbers_of_shape(one, [](double x) { return std::trunc(x); });
 }
 [[nodiscard]] inline std::vector<Case> numbers_in_float(const Case& one) {
@@ -90,6 +89,11 @@ template <std::vector<Case> (*changes)(const Case&)>
   if (is_boundary(exact)) return {};
   return {Position::outside, Position::boundary, Position::inside};
 }
+/// What a subject answers that reads the shape's numbers, and a point's, as integers. A polygon that has no
+/// area then holds no point.
+[[nodiscard]] Answers with_shape_cut_off(const Case& one, const Answer& exact);
+/// Whether a polygon in the plane keeps some area so; of other shapes always.
+[[nodiscard]] bool has_area_cut_off(const Case& one, const Answer& exact);
 /// That point cut off to whole numbers.
 [[nodiscard]] std::vector<Case> point_cut_off(const Case& one);
 /// That point moved to a grid with that number of cells for each unit of length.

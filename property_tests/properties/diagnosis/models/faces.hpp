@@ -3,6 +3,8 @@
 /// Models of faults in a parallelepiped's six faces, each a point and two edges, and in the frame of its
 /// edges.
 
+#include <algorithm>
+
 #include "properties/diagnosis/models/factor.hpp"
 #include "properties/diagnosis/models/models.hpp"
 
@@ -36,6 +38,13 @@ template <bool (*is_inside)(const FacePoint& point)>
 [[nodiscard]] inline bool unit_projections(const FacePoint& p) { return are_in_square(p.along, p.across); }
 [[nodiscard]] inline bool triangular_face(const FacePoint& p) {
   return are_in_square(p.u, p.v) && p.u + p.v <= 1;
+}
+/// One of the two is not looked at; both are, and what lies on an edge is left out.
+[[nodiscard]] inline bool endless_along_e(const FacePoint& p) { return 0 <= p.v && p.v <= 1; }
+[[nodiscard]] inline bool endless_along_f(const FacePoint& p) { return 0 <= p.u && p.u <= 1; }
+[[nodiscard]] inline bool open_face(const FacePoint& p) {
+  constexpr double rounded = 0x1p-40;
+  return are_in_square(p.u, p.v) && std::min(p.u, p.v) > rounded && std::max(p.u, p.v) < 1 - rounded;
 }
 [[nodiscard]] inline bool rectangular_face(const FacePoint& p) {
   return are_in_square(p.along / (p.e * p.e), p.across / (p.f * p.f));

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "properties/claims/answers.hpp"
+#include "properties/diagnosis/examination/agreement.hpp"
 #include "properties/diagnosis/models/plane_hit.hpp"
 
 namespace rayproof::diagnosis {
@@ -54,7 +55,14 @@ Answers absolute(const Case& one, const Answer& exact) {
   RayAnswer line = hits_of_line(one);
   for (double& t : line.hits.t) t = std::abs(t);
   std::sort(line.hits.t.begin(), line.hits.t.begin() + static_cast<std::ptrdiff_t>(line.hits.count));
-  return {hits_where(line, [&](double t) { return in_interval(asked->ray, t); })};
+  const auto admitted = [&] {
+    return Answer{hits_where(line, [&](double t) { return in_interval(asked->ray, t); })};
+  };
+  Answers answers{admitted()};
+  if (line.hits.count < 2 || !are_close(one.precision, line.hits.t[0], line.hits.t[1], 0)) return answers;
+  line.hits.count = 1;  // equal ones may be given once
+  answers.push_back(admitted());
+  return answers;
 }
 
 Answers reciprocal(const Case& one, const Answer& /*exact*/) {

@@ -135,7 +135,7 @@ Answers numerator_without_coefficients(const Case& one, const Answer& /*exact*/)
   return slope == 0 ? Answers{} : hit_at(one, t, true);
 }
 
-Answers within_weights(const Case& one, const Answer& /*exact*/, double least) {
+Answers within_weights(const Case& one, double least) {
   const auto* triangle = shape_in<Triangle<double>>(one);
   const auto hit = plane_hit(one);
   if (triangle == nullptr || !hit) return {};
@@ -143,7 +143,17 @@ Answers within_weights(const Case& one, const Answer& /*exact*/, double least) {
   const auto cross = [](const glm::dvec2& u, const glm::dvec2& v) { return u.x * v.y - u.y * v.x; };
   const double area = cross(b - a, c - a);
   const double beta = cross(hit->point - a, c - a) / area, gamma = cross(b - a, hit->point - a) / area;
-  return hit_at(one, hit->t, beta >= least && gamma >= least && 1 - beta - gamma >= least);
+  const glm::dvec3 weights(1 - beta - gamma, beta, gamma);
+  const glm::dvec3 sizes = glm::abs(weights);
+  Answers answers;  // the least change first
+  for (int vertex = 0; vertex < 3; ++vertex) {
+    glm::dvec3 least_of_each(0);
+    least_of_each[vertex] = least;
+    answers.push_back(hit_at(one, hit->t, glm::all(glm::greaterThanEqual(weights, least_of_each))).front());
+  }
+  if (least < 0) answers.push_back(hit_at(one, hit->t, sizes.x + sizes.y + sizes.z <= 1 - least).front());
+  answers.push_back(hit_at(one, hit->t, glm::all(glm::greaterThanEqual(weights, glm::dvec3(least)))).front());
+  return answers;
 }
 
 Answers triangle_bounds(const Case& one, const Answer& /*exact*/) {

@@ -55,6 +55,16 @@ std::optional<bool> not_sorted(const Case& one, const Answer& got, const Answer&
                             [&](double x, double y) { return are_close(one.precision, x, y, 0); });
 }
 
+std::optional<bool> not_nearest(const Case& one, const Answer& got, const Answer& exact) {
+  const auto* ray = std::get_if<RayAnswer>(&got);
+  const std::vector<double> hits = numbers_in(exact);
+  if (ray == nullptr || !ray->nearest_only || ray->hits.count != 1 || hits.size() < 2) return std::nullopt;
+  if (are_close(one.precision, hits[0], hits[1], 0)) return std::nullopt;
+  const double t = ray->hits.t[0];
+  if (are_close(one.precision, t, hits[0], 0)) return std::nullopt;
+  return are_close(one.precision, t, hits[1], 0);
+}
+
 Answers descending(const Case& /*one*/, const Answer& exact) {
   if (numbers_in(exact).size() < 2) return {};
   Answer turned = exact;
@@ -186,6 +196,20 @@ std::optional<bool> is_infinite(const Case& one, const Answer& got, const Answer
   const auto is_infinity = [](double x) { return std::isinf(x); };
   if (std::ranges::any_of(numbers_in(exact), is_infinity)) return std::nullopt;
   return std::ranges::any_of(numbers_in(got), is_infinity) ? std::optional(true) : std::nullopt;
+}
+
+Answers all_at_zero(const Case& one, const Answer& /*exact*/) {
+  const RayQuestion* asked = ray_question(one);
+  RayAnswer line;
+  if (asked == nullptr || (line = hits_of_line(one)).hits.count == 0) return {};
+  line.hits.t.fill(0);
+  const auto admits = [&](double t) { return in_interval(asked->ray, t); };
+  Answers answers{hits_where(line, admits)};
+  line.hits.count = 1;  // equal ones may be given once
+  answers.emplace_back(hits_where(line, admits));
+  // A product that is 0 but for its rounding may lie on either side of an end.
+  if (asked->ray.t_min == 0 || asked->ray.t_max == 0) answers.emplace_back(RayAnswer{});
+  return answers;
 }
 
 std::optional<bool> is_all_zero(const Case& /*one*/, const Answer& got, const Answer& exact) {

@@ -12,6 +12,8 @@ namespace rayproof::diagnosis {
 [[nodiscard]] std::optional<bool> always_hits(const Case& one, const Answer& got, const Answer& exact);
 /// The right hits, and not in ascending order.
 [[nodiscard]] std::optional<bool> not_sorted(const Case& one, const Answer& got, const Answer& exact);
+/// A hit is given, and it is a farther one than the nearest.
+[[nodiscard]] std::optional<bool> not_nearest(const Case& one, const Answer& got, const Answer& exact);
 /// Hits or roots in descending order.
 [[nodiscard]] Answers descending(const Case& one, const Answer& exact);
 /// Those of (-b + √D)/2a and (-b - √D)/2a in this order: descending where a > 0.
@@ -50,6 +52,8 @@ template <Contact contact>
 [[nodiscard]] Answers no_reason(const Case& one, const Answer& exact);
 /// A number of the answer is infinite, in ordinary numbers, and none should be.
 [[nodiscard]] std::optional<bool> is_infinite(const Case& one, const Answer& got, const Answer& exact);
+/// The line's hits are all given at t = 0, if the interval admits that.
+[[nodiscard]] Answers all_at_zero(const Case& one, const Answer& exact);
 /// Every t of the answer is 0, and none should be.
 [[nodiscard]] std::optional<bool> is_all_zero(const Case& one, const Answer& got, const Answer& exact);
 /// A number that is no number, or infinite.

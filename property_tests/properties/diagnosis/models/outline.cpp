@@ -5,6 +5,7 @@
 #include "properties/claims/answers.hpp"
 #include "properties/diagnosis/examination/agreement.hpp"
 #include "properties/diagnosis/models/outline_geometry.hpp"
+#include "properties/diagnosis/models/surface_normals.hpp"
 
 namespace rayproof::diagnosis {
 namespace {
@@ -140,13 +141,16 @@ bool is_on_third_side(const Case& one) {
 }
 
 Answers plane_of_corner(const Case& one, const Answer& /*exact*/) {
-  auto figure = flat_figure(one);
-  if (!figure || shape_in<Polygon<double>>(one) == nullptr) return {};
-  figure->normal = normal_of_corner(figure->vertices);
+  const auto figure = figure_of_corner(one);
+  if (!figure) return {};
   const auto hit = plane_hit(one, *figure);
   if (!hit) return {RayAnswer{}};
   if (is_at_side(one.precision, hit->point, hit->vertices)) return {};
-  return hit_at(one, hit->t, is_inside_outline(*hit));
+  Answers answers = hit_at(one, hit->t, is_inside_outline(*hit));
+  auto& found = std::get<RayAnswer>(answers.front());
+  if (found.hits.count > 0)
+    found.normal = glm::normalize(map_of_normals(*ray_question(one)) * figure->normal);
+  return answers;
 }
 
 namespace {

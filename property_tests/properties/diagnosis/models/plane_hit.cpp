@@ -18,7 +18,10 @@ glm::dvec2 projected(const glm::dvec3& point, int axis) {
   return {point[(axis + 1) % 3], point[(axis + 2) % 3]};
 }
 
-std::optional<FlatFigure> flat_figure(const Case& one) {
+namespace {
+
+/// The figure with any normal, 0 where it has no area.
+std::optional<FlatFigure> some_figure(const Case& one) {
   FlatFigure figure{};
   if (const auto* triangle = shape_in<Triangle<double>>(one))
     figure.vertices = {triangle->a, triangle->b, triangle->c};
@@ -30,7 +33,19 @@ std::optional<FlatFigure> flat_figure(const Case& one) {
   const glm::dvec3 first = figure.vertices.front();
   for (std::size_t i = 0; i < count; ++i)
     figure.normal += glm::cross(figure.vertices[i] - first, figure.vertices[(i + 1) % count] - first);
-  if (figure.normal == glm::dvec3(0)) return std::nullopt;
+  return figure;
+}
+
+}  // namespace
+
+std::optional<FlatFigure> flat_figure(const Case& one) {
+  auto figure = some_figure(one);
+  return figure && figure->normal != glm::dvec3(0) ? figure : std::nullopt;
+}
+
+std::optional<FlatFigure> figure_of_corner(const Case& one) {
+  auto figure = shape_in<Polygon<double>>(one) == nullptr ? std::nullopt : some_figure(one);
+  if (figure) figure->normal = normal_of_corner(figure->vertices);
   return figure;
 }
 

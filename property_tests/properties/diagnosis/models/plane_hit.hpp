@@ -20,6 +20,9 @@ struct FlatFigure {
 /// The triangle or polygon of a case; nothing where it has none, or one without area.
 [[nodiscard]] std::optional<FlatFigure> flat_figure(const Case& one);
 
+/// The polygon of a case, be it one without area, with the normal that its first three vertices give.
+[[nodiscard]] std::optional<FlatFigure> figure_of_corner(const Case& one);
+
 /// Whether the shape is a plane, or a triangle or polygon with an area.
 [[nodiscard]] bool lies_in_a_plane(const Case& one);
 

@@ -35,8 +35,8 @@ Answers of_sphere(const Case& one, Product product, int axis) {
     if (!has_way) e.a = value;
     if (!is_square) e.h = value;
     if (is_square && has_way) e.c = value - sphere->radius * sphere->radius;
-    for (const Answer& answer : with_roots(one, roots_by(-e.h, e.discriminant(), e.a)))
-      answers.push_back(answer);
+    // One answer of each mistake: their places distinguish them.
+    answers.push_back(with_roots(one, roots_by(-e.h, e.discriminant(), e.a)).front());
   }
   return answers;
 }

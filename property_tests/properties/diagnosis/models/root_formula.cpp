@@ -20,6 +20,17 @@ ReducedEquation of_side(const Ray<double>& ray, const Cylinder<double>& cylinder
   return {glm::dot(d, d), glm::dot(o, d), glm::dot(o, o) - 1};
 }
 
+/// The equation of the case, a 0 or not; nothing where it has none.
+std::optional<ReducedEquation> equation_of(const Case& one) {
+  if (const auto* q = std::get_if<Quadratic<double>>(&one.question))
+    return ReducedEquation{q->a, q->b / 2, q->c};
+  if (const auto* sphere = shape_in<Sphere<double>>(one))
+    return of_sphere(ray_in_object(*ray_question(one)), *sphere);
+  if (const auto* cylinder = shape_in<Cylinder<double>>(one))
+    return of_side(ray_in_object(*ray_question(one)), *cylinder);
+  return std::nullopt;
+}
+
 Answers of_equation(const FoundRoots& roots) {
   using Roots = QuadraticAnswer<double>;
   if (!roots) return {Roots{RootKind::none, 0, {}}};
@@ -51,14 +62,8 @@ std::optional<TwoPairs> two_pairs(const Case& one, const Answer& got, const Answ
 }  // namespace
 
 std::optional<ReducedEquation> reduced_equation(const Case& one) {
-  ReducedEquation equation;
-  if (const auto* q = std::get_if<Quadratic<double>>(&one.question))
-    equation = {q->a, q->b / 2, q->c};
-  else if (const auto* sphere = shape_in<Sphere<double>>(one))
-    equation = of_sphere(ray_in_object(*ray_question(one)), *sphere);
-  else if (const auto* cylinder = shape_in<Cylinder<double>>(one))
-    equation = of_side(ray_in_object(*ray_question(one)), *cylinder);
-  return equation.a == 0 ? std::nullopt : std::optional(equation);
+  const std::optional<ReducedEquation> equation = equation_of(one);
+  return equation && equation->a != 0 ? equation : std::nullopt;
 }
 
 Answers with_roots(const Case& one, const FoundRoots& roots) {
@@ -79,10 +84,14 @@ Answers with_roots(const Case& one, const FoundRoots& roots) {
   return answers;
 }
 
-Answers a_taken_for_one(const Case& one, const Answer& /*exact*/) {
-  const auto equation = reduced_equation(one);
+Answers a_taken_for_one(const Case& one, const Answer& exact) {
+  const auto equation = equation_of(one);
+  const bool is_ray_along_axis = equation && equation->a == 0 && ray_question(one) != nullptr;
   if (!equation || shape_in<Sphere<double>>(one) != nullptr) return {};
-  return with_roots(one, roots_by(-equation->h, equation->h * equation->h - equation->c, 1));
+  if (equation->a == 0 && !is_ray_along_axis) return {};
+  Answers answers = with_roots(one, roots_by(-equation->h, equation->h * equation->h - equation->c, 1));
+  if (is_ray_along_axis) answers.push_back(exact);  // which may be handled before
+  return answers;
 }
 
 std::optional<bool> divides_by_what_cancels(const Case& one, const Answer& got, const Answer& exact) {

@@ -128,6 +128,9 @@ template <RootFormula... formulas>
 [[nodiscard]] inline FoundRoots undivided(const ReducedEquation& e) {
   return roots_by(-2 * e.h, 4 * e.discriminant(), 1);
 }
+[[nodiscard]] inline FoundRoots undivided_half(const ReducedEquation& e) {
+  return roots_by(-e.h, e.discriminant(), 1);
+}
 /// @}
 /// @{ -b is halved and √D is not, or the other way round.
 [[nodiscard]] inline FoundRoots b_not_halved(const ReducedEquation& e) {

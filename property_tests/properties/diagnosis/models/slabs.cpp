@@ -50,6 +50,37 @@ Answers inside_between(const Case& one, Near&& near, Far&& far, bool tests_along
   return inside_from(one, near(*slabs), far(*slabs));
 }
 
+/// One of the six faces.
+struct SlabEnd {
+  int axis;
+  bool is_high;
+};
+
+/// The face that the line meets at t, or nearest to it: far from the origin rounding moves a hit beside its
+/// face.
+SlabEnd face_at(const Cube& cube, double t) {
+  SlabEnd nearest{0, false};
+  double least = infinity<double>;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const bool is_high : {false, true}) {
+      const double end = is_high ? cube.high[axis] : cube.low[axis];
+      const double apart = std::abs((end - cube.ray.origin[axis]) / cube.ray.direction[axis] - t);
+      if (!(apart < least)) continue;
+      least = apart;
+      nearest = {axis, is_high};
+    }
+  return nearest;
+}
+
+/// The hits on faces that are not missing.
+template <class IsMissing>
+Answers without_faces(const Case& one, IsMissing&& is_missing) {
+  const auto cube = cube_in(one);
+  if (!cube) return {};
+  return {hits_where(hits_of_line(one),
+                     [&](double t) { return !is_missing(face_at(*cube, t)) && in_interval(cube->ray, t); })};
+}
+
 }  // namespace
 
 Answers leaves_at_last_end(const Case& one, const Answer& /*exact*/) {
@@ -130,15 +161,17 @@ Answers missed_in_face(const Case& one, const Answer& exact, bool at_low, bool a
 }
 
 Answers corner_faces_alone(const Case& one, const Answer& /*exact*/) {
-  const auto cube = cube_in(one);
-  if (!cube) return {};
-  const RayAnswer line = hits_of_line(one);
-  return {hits_where(line, [&](double t) {
-    const glm::dvec3 beside = glm::abs(point_at(cube->ray, t) - cube->low);
-    const glm::dvec3 near = 0x1p-20 * (cube->high - cube->low);
-    const bool is_on_face = beside.x <= near.x || beside.y <= near.y || beside.z <= near.z;
-    return is_on_face && in_interval(cube->ray, t);
-  })};
+  return without_faces(one, [](const SlabEnd& face) { return face.is_high; });
+}
+
+Answers face_missing(const Case& one, const Answer& /*exact*/) {
+  Answers answers;
+  for (const bool is_high : {false, true})
+    for (int axis = 0; axis < 3; ++axis)
+      for (Answer& answer : without_faces(
+               one, [&](const SlabEnd& face) { return face.axis == axis && face.is_high == is_high; }))
+        answers.push_back(std::move(answer));
+  return answers;
 }
 
 }  // namespace rayproof::diagnosis

@@ -39,5 +39,7 @@ template <unsigned axes>
 [[nodiscard]] Answers slabs_without_signs(const Case& one, const Answer& exact);
 /// Only the three faces at a box's min, or at a parallelepiped's corner, are hit.
 [[nodiscard]] Answers corner_faces_alone(const Case& one, const Answer& exact);
+/// One of the six faces is missing.
+[[nodiscard]] Answers face_missing(const Case& one, const Answer& exact);
 
 }  // namespace rayproof::diagnosis

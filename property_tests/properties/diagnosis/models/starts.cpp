@@ -1,5 +1,8 @@
 #include "properties/diagnosis/models/starts.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "properties/diagnosis/models/plane_hit.hpp"
 
 namespace rayproof::diagnosis {
@@ -28,6 +31,42 @@ Answers behind_origin_missed(const Case& one, const Answer& exact) {
   if (ray_question(one) == nullptr || std::get<RayAnswer>(exact).hits.count == 0) return {};
   const HitList hits = hits_of_line(one).hits;
   return hits.t.at(hits.count - 1) < 0 ? Answers{RayAnswer{}} : Answers{};
+}
+
+Answers inside_decides(const Case& one, const Answer& /*exact*/) {
+  const RayQuestion* asked = ray_question(one);
+  if (asked == nullptr) return {};
+  const RayAnswer line = hits_of_line(one);
+  const auto& hits = line.hits;
+  if (hits.count < 2) return {};
+  const double decided = hits.t[0] < 0 && 0 < hits.t[1] ? hits.t[1] : hits.t[0];
+  return {hits_where(line, [&](double t) { return t == decided && t <= asked->ray.t_max; })};
+}
+
+Answers solid_from_origin(const Case& one, const Answer& /*exact*/) {
+  const RayQuestion* asked = ray_question(one);
+  if (asked == nullptr) return {};
+  const RayAnswer line = hits_of_line(one);
+  const auto& hits = line.hits;
+  if (hits.count < 2) return {};
+  if (hits.t[1] < 0) return {RayAnswer{}};
+  RayAnswer first;
+  first.hits.push_back(std::max(hits.t[0], 0.0));
+  if (in_interval(asked->ray, first.hits.t[0])) return {first};
+  return hits.t[0] > 0 ? Answers{RayAnswer{}} : Answers{first, RayAnswer{}};
+}
+
+std::optional<bool> beyond_end_by_rounding(const Case& one, const Answer& got, const Answer& /*exact*/) {
+  constexpr double few = 8;
+  const RayQuestion* asked = ray_question(one);
+  if (asked == nullptr) return std::nullopt;
+  const double unit = one.precision == Precision::float32 ? 0x1p-24 : 0x1p-53;
+  const auto is_beyond = [&](double t) {
+    const double end = t < asked->ray.t_min ? asked->ray.t_min : asked->ray.t_max;
+    return !in_interval(asked->ray, t) && std::abs(t - end) <= few * unit * std::abs(end);
+  };
+  const HitList& hits = std::get<RayAnswer>(got).hits;
+  return std::ranges::any_of(hits.view(), is_beyond) ? std::optional(true) : std::nullopt;
 }
 
 Answers missed_from_front(const Case& one, const Answer& exact) { return missed_from(one, exact, 1); }

@@ -8,6 +8,18 @@
 namespace rayproof::diagnosis {
 namespace {
 
+/// What the formula finds whose ray's way is taken from that point.
+std::optional<TriangleHit> triangle_hit_from(const Case& one, const Triangle<double>& triangle,
+                                             const glm::dvec3& start) {
+  const Ray<double> ray = ray_in_object(*ray_question(one));
+  const glm::dvec3 b = triangle.b - triangle.a, c = triangle.c - triangle.a, way = ray.origin - start;
+  const glm::dvec3 p = glm::cross(ray.direction, c), q = glm::cross(way, b), normal = glm::cross(b, c);
+  const double size = glm::dot(b, p);
+  if (size == 0) return std::nullopt;
+  return TriangleHit{glm::dot(way, p) / size, glm::dot(ray.direction, q) / size, glm::dot(c, q) / size, size,
+                     glm::dot(normal, normal)};
+}
+
 /// What may stand for u_i v_j - u_j v_i, i and j the two coordinates that follow the axis.
 std::array<double, 6> wrong_coordinates(const glm::dvec3& u, const glm::dvec3& v, int axis) {
   const int i = (axis + 1) % 3, j = (axis + 2) % 3;
@@ -78,19 +90,24 @@ bool is_inside_along_normal(const FlatFigure& figure, const glm::dvec3& point) {
 
 std::optional<TriangleHit> triangle_hit(const Case& one) {
   const auto* triangle = shape_in<Triangle<double>>(one);
-  if (triangle == nullptr) return std::nullopt;
-  const Ray<double> ray = ray_in_object(*ray_question(one));
-  const glm::dvec3 b = triangle->b - triangle->a, c = triangle->c - triangle->a,
-                   way = ray.origin - triangle->a;
-  const glm::dvec3 p = glm::cross(ray.direction, c), q = glm::cross(way, b), normal = glm::cross(b, c);
-  const double size = glm::dot(b, p);
-  if (size == 0) return std::nullopt;
-  return TriangleHit{glm::dot(way, p) / size, glm::dot(ray.direction, q) / size, glm::dot(c, q) / size, size,
-                     glm::dot(normal, normal)};
+  return triangle == nullptr ? std::nullopt : triangle_hit_from(one, *triangle, triangle->a);
+}
+
+Answers way_from_other_vertex(const Case& one, const Answer& /*exact*/) {
+  const auto* triangle = shape_in<Triangle<double>>(one);
+  Answers answers;
+  if (triangle == nullptr) return answers;
+  for (const glm::dvec3& start : {triangle->b, triangle->c})
+    if (const auto hit = triangle_hit_from(one, *triangle, start))
+      answers.push_back(by_weights(one, *hit).front());
+  return answers;
 }
 
 Answers by_weights(const Case& one, const TriangleHit& hit) {
-  return hit_at(one, hit.t, hit.beta >= 0 && hit.gamma >= 0 && hit.beta + hit.gamma <= 1);
+  Answers answers = hit_at(one, hit.t, hit.beta >= 0 && hit.gamma >= 0 && hit.beta + hit.gamma <= 1);
+  auto& found = std::get<RayAnswer>(answers.front());
+  if (found.hits.count > 0) found.barycentric = glm::dvec3(1 - hit.beta - hit.gamma, hit.beta, hit.gamma);
+  return answers;
 }
 
 Answers beyond_edge(const Case& one, int vertex) {
@@ -119,7 +136,8 @@ Answers where_inside(const Case& one, TestedPoint point) {
   const glm::dvec3 tested = point(ray_in_object(*ray_question(one)), hit->t, figure->normal);
   hit->point = projected(tested, hit->axis);
   Answers answers;
-  if (figure->vertices.size() == 3) answers = hit_at(one, hit->t, is_inside_along_normal(*figure, tested));
+  if (shape_in<Triangle<double>>(one) != nullptr)
+    answers = hit_at(one, hit->t, is_inside_along_normal(*figure, tested));
   answers.push_back(hit_at(one, hit->t, is_inside_outline(*hit)).front());
   return answers;
 }

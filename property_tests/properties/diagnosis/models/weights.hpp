@@ -45,6 +45,9 @@ inline void exchanged_factors(TriangleHit& hit) {
   hit.t = -hit.t;
 }
 
+/// The ray's way to the triangle is taken from b, or from c, where a belongs.
+[[nodiscard]] Answers way_from_other_vertex(const Case& one, const Answer& exact);
+
 /// A triangle that is hit where the weight of one vertex is negative and the others are not: one of its edges
 /// is looked at from the wrong side.
 [[nodiscard]] Answers beyond_edge(const Case& one, int vertex);

@@ -12,6 +12,12 @@
 #include "properties/diagnosis/registry/lines.hpp"
 
 namespace rayproof::diagnosis {
+namespace {
+
+constexpr std::string_view zero_in_words =
+    "every number of the answer is 0: a product of vectors at right angles, or a variable that is never set";
+
+}  // namespace
 
 std::vector<Hypothesis> models_of_first_hits() {
   return {
@@ -130,9 +136,8 @@ std::vector<Hypothesis> classes_of_cases() {
       vague(
           shows("hits-before-t-min", hits_before_t_min, "hits before t_min are reported: t_min is ignored")),
       shows("is-nan", is_nan, "a number of the answer is NaN"),
-      shows("is-zero", is_all_zero,
-            "every number of the answer is 0: a product of vectors at right angles, or a variable that is "
-            "never set"),
+      gives("t-is-zero", all_at_zero, zero_in_words),
+      shows("is-zero", is_all_zero, zero_in_words),
       vague(shows("is-infinite", is_infinite,
                   "a number of the answer is infinite: a division by 0 is not kept from")),
       strictly(gives("never-hits", never_hits, "it finds nothing on any case tried")),

@@ -8,6 +8,7 @@
 #include "properties/diagnosis/models/plane_hit.hpp"
 #include "properties/diagnosis/models/starts.hpp"
 #include "properties/diagnosis/models/wrong_crossing.hpp"
+#include "properties/diagnosis/models/wrong_plane.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
 
 namespace rayproof::diagnosis {
@@ -15,11 +16,24 @@ namespace {
 
 template <int power>
 Hypothesis loose_edges(FindingKind kind = gross) {
-  return gives(
+  Hypothesis made = gives_one_of(
       kept(fmt::format("edges-loose-1e{}", power)), edges_with_tolerance<power>,
       kept(fmt::format("hits beside the triangle by barycentric coordinates of -1e{} count, too: a tolerance",
-                       power)),
-      kind);
+                       power)));
+  made.kind = kind;
+  return made;
+}
+
+template <int power>
+Hypothesis tight_edges(FindingKind kind = gross) {
+  Hypothesis made = gives_one_of(
+      kept(fmt::format("edges-tight-1e{}", power)), edges_tight<power>,
+      kept(fmt::format("hits of barycentric coordinates below about 1e{} are left out: a tolerance of the "
+                       "wrong sign",
+                       power)));
+  made.kind = kind;
+  made.shows_more = is_hit_inside;  // that hits on edges are left out alone would be less
+  return of(OfSizes::small, made);
 }
 
 template <int power>
@@ -98,8 +112,17 @@ std::vector<Hypothesis> models_of_flat_figures() {
                   "hits on the edge ca are left out: beta > 0 is asked, and must be beta >= 0"),
       misses_zero("edge-c-open", open_at_edge<2>,
                   "hits on the edge ab are left out: gamma > 0 is asked, and must be gamma >= 0"),
+      tight_edges<-6>(boundary),
+      tight_edges<-5>(),
+      tight_edges<-4>(),
+      tight_edges<-3>(),
+      tight_edges<-2>(),
       gives("triangle-bounds", triangle_bounds,
             "the whole bounding box of the triangle is hit, as far as its plane goes"),
+      gives("bounding-circle", bounding_circle,
+            "a circle round the figure is hit: what is nearer to the middle than the farthest vertex is "
+            "taken for "
+            "inside"),
       gives("whole-plane", read_as<as_plane>,
             "the whole plane of the figure is hit: nothing tests whether the point is inside"),
       gives("lambda1-first-sign", wrong_sign<0>,
@@ -112,9 +135,10 @@ std::vector<Hypothesis> models_of_flat_figures() {
             "the sign of the second term of λ2 is wrong, a barycentric coordinate's in the projection"),
       gives("first-corner-culls", culls_by_first_corner,
             "it misses by the normal of the first corner alone, which a concave corner turns round"),
-      gives("collinear-corner", plane_of_corner,
-            "right where the first three vertices do not lie on a line: the normal is computed from these "
-            "alone"),
+      gives(
+          "collinear-corner", plane_of_corner,
+          "the plane is that of the first three vertices alone, which may lie on a line, or turn its normal "
+          "round"),
       gives("edge-c-from-b", read_as<edge_from_other<2>>,
             "the answer is right for c - b in the place of the edge c - a"),
       gives("edge-b-from-c", read_as<edge_from_other<1>>,
@@ -135,6 +159,10 @@ std::vector<Hypothesis> models_of_flat_figures() {
             "vector"),
       gives("plane-parallelogram", read_as<plane_as_parallelogram>,
             "only the parallelogram of u and v is hit, and not the whole plane"),
+      gives("figure-through-zero", plane_through_zero,
+            "t is -(n·o) / (n·d): the constant n·a of the figure's plane is missing"),
+      gives_one_of("normal-no-cross-product", normal_is_no_cross_product,
+                   "the answer is right for a normal that is a sum of u and v, or one of them: it is u × v"),
       gives("coefficients-missing", numerator_without_coefficients,
             "t is -(x + y + z + D) / (n·d): the plane's coefficients are missing in the numerator"),
       gives("level-vertex", inside_by<InsideRule::closed_sides>,

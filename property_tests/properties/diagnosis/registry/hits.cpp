@@ -75,6 +75,9 @@ std::vector<Hypothesis> models_of_hits() {
       gives("near-hit-behind", near_hit_behind,
             "a ray that starts inside is said to hit behind its beginning: the near hit is not compared with "
             "t_min"),
+      gives("inside-decides", inside_decides,
+            "from inside the farther of the two hits is given, from outside the nearer one: where the origin "
+            "lies decides, and t is not compared with t_min"),
       gives("behind-origin-missed", behind_origin_missed,
             "what lies wholly behind the ray's origin is missed, though t_min is less than 0"),
       gives("all-hits-or-none", all_hits_or_none,
@@ -86,16 +89,27 @@ std::vector<Hypothesis> models_of_hits() {
           "what lies behind the ray's beginning is reported as a hit at t_min: t is clamped to the interval"),
       gives("clipped-to-interval", clipped_to_interval,
             "where the interval ends inside the solid, its end is reported as a hit"),
+      gives("solid-from-origin", solid_from_origin,
+            "a ray whose origin is inside is said to hit at t = 0, where there is no surface, and what lies "
+            "behind the origin is missed"),
       gives(
           "last-hit-alone", last_hit_alone,
           "of the line's hits the farthest one alone is looked at, in place of the nearest in the interval"),
       gives("farthest-hit", farthest_alone, "the farthest hit is reported in place of the nearest"),
+      shows("not-nearest", not_nearest,
+            "a farther hit is reported in place of the nearest: that is kept which is found first, or last, "
+            "and must be the one of the smallest t"),
       gives("second-hit-missing", first_alone, "of two answers only the first is given"),
       gives("nearest-twice", nearest_twice, "of two answers the first is given twice"),
       gives("farthest-twice", farthest_twice, "of two answers the second is given twice"),
       gives("descending", descending, "the answers stand in descending order"),
       gives("plus-root-first", plus_root_first,
             "(-b + √D)/2a is given before (-b - √D)/2a: for a > 0 that is the descending order"),
+      vague(shows(
+          "beyond-end-by-rounding", beyond_end_by_rounding,
+          "t lies beyond the end of the interval by its rounding alone: other numbers are compared with "
+          "the ends, t·|d| say, than are given",
+          boundary)),
       shows("not-sorted", not_sorted,
             "the hits are right, and do not always stand in ascending order: they are not sorted"),
       gives("root-alone", root_alone, "of two roots only one is given"),

@@ -87,8 +87,8 @@ std::vector<Hypothesis> models_of_numbers() {
       gives("t-over-square", scaled_by<square_of_direction, -1>,
             "t is right times d·d: it was divided by d·d once too often"),
       gives_to_all("negated", scaled_by<minus_one>, "every number is right with the other sign"),
-      gives_to_all("absolute", absolute,
-                   "t is right without its sign: hits behind the origin are taken for hits before it"),
+      gives_to_most("absolute", absolute,
+                    "t is right without its sign: hits behind the origin are taken for hits before it"),
       gives_to_all("reciprocal", reciprocal, "every number is 1/t: numerator and denominator are exchanged"),
       gives_to_most(
           "rounded-down", rounded_down,

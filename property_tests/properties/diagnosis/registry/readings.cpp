@@ -5,6 +5,19 @@
 #include "properties/diagnosis/registry/lines.hpp"
 
 namespace rayproof::diagnosis {
+namespace {
+
+/// That all is 0 alone would be small lengths taken for 0.
+Hypothesis whole_shape() {
+  Hypothesis made =
+      gives_to_all("whole-shape", with_shape_cut_off,
+                   "the answer is right for the shape's numbers, and a point's, cut off to whole "
+                   "ones: they are read as integers");
+  made.shows_more = has_area_cut_off;
+  return made;
+}
+
+}  // namespace
 
 std::vector<Hypothesis> models_of_readings() {
   using enum Vectors;
@@ -105,9 +118,7 @@ std::vector<Hypothesis> models_of_readings() {
       gives_to_all(
           "whole-points", read_as<truncated<points>>,
           "the answer is right for the shape's points cut off to whole numbers: they are read as integers"),
-      gives_to_all(
-          "whole-shape", read_as<shape_cut_off>,
-          "the answer is right for the shape's numbers cut off to whole ones: they are read as integers"),
+      whole_shape(),
       of(OfSizes::type,
          gives(
              "shape-in-float", off_boundary_read_as<numbers_in_float>,

@@ -7,6 +7,7 @@
 #include "properties/diagnosis/models/quadratic.hpp"
 #include "properties/diagnosis/models/root_formula.hpp"
 #include "properties/diagnosis/models/small_discriminant.hpp"
+#include "properties/diagnosis/models/wrong_roots.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
 
 namespace rayproof::diagnosis {
@@ -84,15 +85,21 @@ std::vector<Hypothesis> models_of_roots() {
                   gives("a-as-one", a_taken_for_one,
                         "the answer is right where the coefficient a of t² is taken for 1: the direction is "
                         "taken for a unit vector in the equation")),
-      gives("undivided", by_formula<undivided>, "every number is -b ± √D: the division by 2a is missing"),
+      gives("undivided", by_formula<undivided, undivided_half>,
+            "every number is -b ± √D: the division by 2a is missing"),
       gives("b-not-halved", by_formula<b_not_halved>, "√D is halved, and -b is not"),
       gives("root-not-halved", by_formula<root_not_halved>, "-b is halved, and √D is not"),
       gives("b-of-one-root-negated", by_formula<second_with_b, first_with_b>,
             "of one of the two roots -b has the wrong sign: it is the other one's opposite"),
+      gives("root-negated", by_formula<second_root_negated, first_root_negated>,
+            "of the two roots q / a and c / q one has the wrong sign"),
       gives("b-negated", read_as<coefficients_with<0>>, "the answer is right for -b: b has the wrong sign"),
       gives("c-negated", read_as<coefficients_with<1>>, "the answer is right for -c: c has the wrong sign"),
       gives("a-c-exchanged", read_as<coefficients_with<2>>,
             "the answer is right with a and c exchanged: the roots are 1/x"),
+      gives_one_of(
+          "discriminant-wrong", wrong_discriminant,
+          "D is not b² - 4ac: a power, a factor, a coefficient or the sign of a term in it is wrong"),
       gives("double-root-halved", double_root_halved,
             "a double root is half the right one: it is -b/(2a), and -h/a with h = b/2"),
       gives("double-root-doubled", double_root_doubled,
@@ -129,6 +136,9 @@ std::vector<Hypothesis> classes_of_roots() {
       shows("divides-by-what-cancels", divides_by_what_cancels,
             "both roots lose the same share of their digits: of -b ± √D the one that cancels is divided by "
             "2a, and 2c by it; q must be the sum of two numbers of one sign"),
+      vague(shows("q-wrong", number_q_wrong,
+                  "the product of the two roots is right, and their sum is not: q = -(b ± √D)/2 is wrong, of "
+                  "which the roots are q / a and c / q")),
       of_equation(
           "of two roots one is right and one wrong: their two formulas differ in more than a sign",
           vague(shows(

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "properties/diagnosis/models/faces.hpp"
+#include "properties/diagnosis/models/slabs.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
 
 namespace rayproof::diagnosis {
@@ -53,6 +54,10 @@ std::vector<Hypothesis> models_of_weights() {
             "t is right, and the weights are not divided by n·n, the square of twice the area"),
       gives_to_all("factors-exchanged", with_weights<exchanged_factors>,
                    "v and t have the wrong sign: the factors of a cross product are exchanged"),
+      gives_one_of(
+          "way-from-other-vertex", way_from_other_vertex,
+          "the ray's way is taken from another vertex than the edges: it is o - a where these are b - a "
+          "and c - a"),
       turned_edge<0>('a', "bc"),
       turned_edge<1>('b', "ca"),
       turned_edge<2>('c', "ab"),
@@ -74,6 +79,14 @@ std::vector<Hypothesis> models_of_weights() {
       gives("faces-by-unit-projections", by_faces<unit_projections>,
             "a face's u and v are dot products with its edges: these are taken for unit vectors at right "
             "angles"),
+      gives("face-v-not-tested", by_faces<endless_along_f>,
+            "of a face's u and v one is not compared with 0 and 1: the faces are endless stripes"),
+      gives("face-u-not-tested", by_faces<endless_along_e>,
+            "of a face's u and v one is not compared with 0 and 1: the faces are endless stripes"),
+      gives("faces-open", by_faces<open_face>,
+            "hits on the edges of a face are left out: u and v must be compared by <= with 0 and 1",
+            boundary),
+      gives_one_of("face-missing", face_missing, "one of the six faces is missing"),
       gives("faces-as-triangles", by_faces<triangular_face>,
             "of each face one half alone is hit: u + v <= 1 is asked, and must not be"),
       gives("coordinates-undivided", read_as<edges_over_volume>,
