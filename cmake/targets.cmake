@@ -47,8 +47,19 @@ function(rayproof_unit_tests folder)
   target_compile_definitions(unit-${folder} PRIVATE RAYPROOF_BIN_DIR="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}"
                                                     RAYPROOF_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   target_link_libraries(unit-${folder} PRIVATE ${ARGN} GTest::gtest_main rayproof_flags)
-  # Tests compile sooner so; what they link keeps its own -O3. Those that compute much themselves are optimised a little.
-  set(level $<IF:$<IN_LIST:${folder},batch;oracle;properties;generators;viz>,-O1,-O0>)
+  # Tests compile sooner so; what they link keeps its own level. Those that compute much themselves are optimised a little.
+  set(level -O0)
+  if(folder MATCHES "^(batch|oracle|properties|generators|viz)$")
+    set(level -O1)
+  endif()
   target_compile_options(unit-${folder} PRIVATE $<$<CONFIG:Release>:${level}>)
+  # What nearly all tests include is read once for all of a level, since g++ takes a header of the same level only.
+  get_property(owner GLOBAL PROPERTY rayproof_test_headers${level})
+  if(owner)
+    target_precompile_headers(unit-${folder} REUSE_FROM ${owner})
+  else()
+    target_precompile_headers(unit-${folder} PRIVATE <gtest/gtest.h> <nlohmann/json.hpp> <fmt/format.h> <glm/glm.hpp>)
+    set_property(GLOBAL PROPERTY rayproof_test_headers${level} unit-${folder})
+  endif()
   gtest_discover_tests(unit-${folder} TEST_PREFIX ${folder}/ DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60)
 endfunction()
