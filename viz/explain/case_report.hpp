@@ -47,6 +47,10 @@ struct CaseReport {
 /// What the method's run calls its hit or root of this rank, "t_entry"; "t₀" where it has no name for it.
 [[nodiscard]] std::string root_name(const CaseReport& report, std::size_t rank);
 
+/// What an exact hit or root of this rank is called beside it: as the steps call it, but by no name that is
+/// the method's alone ("t_padded").
+[[nodiscard]] std::string exact_root_name(const CaseReport& report, std::size_t rank);
+
 /// "hit, t₀ = 1, t₁ = 2": what the method says.
 [[nodiscard]] std::string answer_in_words(const CaseReport& report);
 

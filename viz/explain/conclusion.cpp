@@ -83,27 +83,29 @@ std::string symbol_of(const Case& one) {
   return std::holds_alternative<RayQuestion>(one.question) ? "t" : "x";
 }
 
-std::string root_name(const CaseReport& report, std::size_t rank) {
+std::string exact_root_name(const CaseReport& report, std::size_t rank) {
   const std::string symbol = symbol_of(report.one), usual = symbol + subscript(rank);
   if (!report.walk) return usual;
+  for (const std::string& name : {usual, std::string(rank == 0 ? "t_entry" : "t_exit"), symbol})
+    for (const WalkStep& step : report.walk->steps)
+      if (std::ranges::find(step.values, name, &WalkValue::name) != step.values.end()) return name;
+  return usual;
+}
+
+std::string root_name(const CaseReport& report, std::size_t rank) {
+  const std::string usual = exact_root_name(report, rank);
   const std::vector<double> roots = values_of(report.claim());
-  std::vector<std::string> all, equal;  // the last first
-  for (const WalkStep& step : report.walk->steps) {
-    for (const WalkValue& value : step.values) {
-      if (!value.name.starts_with(symbol)) continue;
-      all.insert(all.begin(), value.name);
-      if (rank < roots.size() && value.value == roots[rank]) equal.insert(equal.begin(), value.name);
-    }
-  }
+  if (!report.walk || rank >= roots.size()) return usual;  // what it did not find has a name for all the same
+  std::vector<std::string> equal;                          // the last first
+  for (const WalkStep& step : report.walk->steps)
+    for (const WalkValue& value : step.values)
+      if (value.name.starts_with(symbol_of(report.one)) && value.value == roots[rank])
+        equal.insert(equal.begin(), value.name);
   if (std::ranges::find(equal, usual) != equal.end()) return usual;
   // Of equal roots the later rank has the later name.
-  const auto next = roots.begin() + static_cast<std::ptrdiff_t>(std::min(rank + 1, roots.size()));
-  const auto later = rank < roots.size() ? std::count(next, roots.end(), roots[rank]) : 0;
-  if (static_cast<std::size_t>(later) < equal.size()) return equal[static_cast<std::size_t>(later)];
-  // What it did not find it has a name for all the same.
-  for (const std::string& name : {usual, std::string(rank == 0 ? "t_entry" : "t_exit"), symbol})
-    if (std::ranges::find(all, name) != all.end()) return name;
-  return usual;
+  const auto next = roots.begin() + static_cast<std::ptrdiff_t>(rank + 1);
+  const auto later = static_cast<std::size_t>(std::count(next, roots.end(), roots[rank]));
+  return later < equal.size() ? equal[later] : usual;
 }
 
 std::string answer_in_words(const CaseReport& report) {

@@ -75,8 +75,8 @@ std::string answer_line(const std::string& who, const CaseReport& report, const 
   std::string text = "   " + padded(who, 24) + "  " + verdict_of(answer);
   const std::vector<double> values = values_of(answer);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    text += fmt::format("{} {} = {}", i == 0 ? ":" : ",", root_name(report, i),
-                        shown(values[i], report.one.precision));
+    const std::string name = answer == &report.exact ? exact_root_name(report, i) : root_name(report, i);
+    text += fmt::format("{} {} = {}", i == 0 ? ":" : ",", name, shown(values[i], report.one.precision));
   }
   return text + "\n";
 }

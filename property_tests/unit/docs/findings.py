@@ -32,7 +32,7 @@ COLUMNS = 120
 ARTICLE = re.compile(r'<article id="finding-(\d+)".*?</article>', re.DOTALL)
 GROUP = re.compile(r"^ *(\d+)(?:-(\d+))?  (\S.*?) (float32|float64)  (.*)$", re.MULTILINE)
 LOOK_INTO = re.compile(r"^\./rayproof (explain N, walk N, draw N, replay N)(.*): look into finding N$", re.MULTILINE)
-NUMBER = re.compile(r"[tx][₀-₉]+ = ([^,\s]+)")
+NUMBER = re.compile(r"\b[tx](?:[₀-₉]+|_\w+)? = ([^,\s]+)")
 NUMERAL = re.compile(r"(?<![\w.])-?(?:\d+(?:\.\d+)?(?:e[-+]?\d+)?|inf)\b")
 STAGE = re.compile(r'<script type="application/json" id="stage">(.*?)</script>', re.DOTALL)
 # How a finding's note and its explanation give the same figure.
@@ -109,13 +109,13 @@ def check_drawing(faults, finding, page, numbers):
     text = html.unescape(page.read_text())
     faults.expect(finding.subject in text, f"{finding.name}: {page.name} does not name the method")
     for number in numbers:
-        plain = re.escape(number.replace("inf", "∞"))
+        plain = re.escape(number.replace("inf", "∞")).replace(r"\-", "[-−]")
         faults.expect(bool(re.search(rf"(?<![\d.]){plain}(?![\d.])", text)), f"{finding.name}: {page.name} does not show {number}")
 
 
 def numerals(text, precision):
     """The numbers that stand anywhere in a text, in the case's precision."""
-    return {rounded(float(number), precision) for number in NUMERAL.findall(text.replace("∞", "inf"))}
+    return {rounded(float(number), precision) for number in NUMERAL.findall(text.replace("∞", "inf").replace("−", "-"))}
 
 
 def is_marked(finding, points, rank, number):
