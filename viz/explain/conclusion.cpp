@@ -83,7 +83,10 @@ std::string symbol_of(const Case& one) {
   return std::holds_alternative<RayQuestion>(one.question) ? "t" : "x";
 }
 
-std::string exact_root_name(const CaseReport& report, std::size_t rank) {
+namespace {
+
+/// A name that the steps have for the hit or root of this rank, whatever its value.
+std::string usual_root_name(const CaseReport& report, std::size_t rank) {
   const std::string symbol = symbol_of(report.one), usual = symbol + subscript(rank);
   if (!report.walk) return usual;
   for (const std::string& name : {usual, std::string(rank == 0 ? "t_entry" : "t_exit"), symbol})
@@ -92,8 +95,10 @@ std::string exact_root_name(const CaseReport& report, std::size_t rank) {
   return usual;
 }
 
+}  // namespace
+
 std::string root_name(const CaseReport& report, std::size_t rank) {
-  const std::string usual = exact_root_name(report, rank);
+  const std::string usual = usual_root_name(report, rank);
   const std::vector<double> roots = values_of(report.claim());
   if (!report.walk || rank >= roots.size()) return usual;  // what it did not find has a name for all the same
   std::vector<std::string> equal;                          // the last first
@@ -106,6 +111,13 @@ std::string root_name(const CaseReport& report, std::size_t rank) {
   const auto next = roots.begin() + static_cast<std::ptrdiff_t>(rank + 1);
   const auto later = static_cast<std::size_t>(std::count(next, roots.end(), roots[rank]));
   return later < equal.size() ? equal[later] : usual;
+}
+
+std::string exact_root_name(const CaseReport& report, std::size_t rank) {
+  const std::string name = root_name(report, rank), symbol = symbol_of(report.one);
+  const bool is_common = name == symbol || name == symbol + subscript(0) || name == symbol + subscript(1) ||
+                         name == "t_entry" || name == "t_exit";
+  return is_common ? name : usual_root_name(report, rank);
 }
 
 std::string answer_in_words(const CaseReport& report) {

@@ -30,10 +30,14 @@ Answers wrong_discriminant(const Case& one, const Answer& /*exact*/) {
   if (!equation) return {};
   const double a = equation->a, b = 2 * equation->h, c = equation->c;
   Answers all;
+  const auto add = [&](const FoundRoots& roots) { all.push_back(with_roots_in_order(one, roots)); };
   for (const double D : {b * b * b - 4 * a * c, b - 4 * a * c, 2 * b - 4 * a * c, b * b - 4 * a,
-                         b * b - 4 * c, b * b - 8 * a * c, 4 * a * c - b * b, b * b})
-    for (const FoundRoots& roots : {roots_by(-b, D, 2 * a), without_cancelling(*equation, D / 4)})
-      all.push_back(with_roots_in_order(one, roots));
+                         b * b - 8 * a * c, 4 * a * c - b * b, b * b}) {
+    add(roots_by(-b, D, 2 * a));
+    add(without_cancelling(*equation, D / 4));
+  }
+  // In the other formula c / q is then what a direction taken for a unit vector gives.
+  add(roots_by(-b, b * b - 4 * c, 2 * a));
   return all;
 }
 
