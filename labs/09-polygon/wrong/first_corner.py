@@ -1,4 +1,4 @@
-# Diagnosis: the first three vertices do not lie on a line
+# Diagnosis: the plane is that of the first three vertices alone
 def dot(u, v):
     return sum(x * y for x, y in zip(u, v))
 

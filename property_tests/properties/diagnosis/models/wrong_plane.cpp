@@ -1,7 +1,5 @@
 #include "properties/diagnosis/models/wrong_plane.hpp"
 
-#include <algorithm>
-
 #include "properties/diagnosis/models/outline.hpp"
 #include "properties/diagnosis/models/plane_hit.hpp"
 
@@ -28,19 +26,6 @@ Answers normal_is_no_cross_product(const Case& one, const Answer& /*exact*/) {
     answers.push_back(hit_at(one, t, slope != 0).front());
   }
   return answers;
-}
-
-Answers bounding_circle(const Case& one, const Answer& /*exact*/) {
-  const auto figure = flat_figure(one);
-  const auto hit = figure ? plane_hit(one, *figure) : std::nullopt;
-  if (!hit) return {};
-  glm::dvec3 middle(0);
-  for (const glm::dvec3& vertex : figure->vertices)
-    middle += vertex / static_cast<double>(figure->vertices.size());
-  double radius = 0;
-  for (const glm::dvec3& vertex : figure->vertices) radius = std::max(radius, glm::distance(vertex, middle));
-  const glm::dvec3 point = point_at(ray_in_object(*ray_question(one)), hit->t);
-  return hit_at(one, hit->t, glm::distance(point, middle) <= radius);
 }
 
 }  // namespace rayproof::diagnosis

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Models of faults in the plane of a flat shape, and of a circle that stands for its outline.
+/// Models of faults in the plane of a flat shape.
 
 #include "properties/diagnosis/models/models.hpp"
 
@@ -10,7 +10,5 @@ namespace rayproof::diagnosis {
 [[nodiscard]] Answers plane_through_zero(const Case& one, const Answer& exact);
 /// Another vector than u × v stands for the normal of a parametric plane: u + v, u - v, u or v.
 [[nodiscard]] Answers normal_is_no_cross_product(const Case& one, const Answer& exact);
-/// What lies in the circle round the mean of the vertices that reaches the farthest one is hit.
-[[nodiscard]] Answers bounding_circle(const Case& one, const Answer& exact);
 
 }  // namespace rayproof::diagnosis

@@ -119,10 +119,6 @@ std::vector<Hypothesis> models_of_flat_figures() {
       tight_edges<-2>(),
       gives("triangle-bounds", triangle_bounds,
             "the whole bounding box of the triangle is hit, as far as its plane goes"),
-      gives("bounding-circle", bounding_circle,
-            "a circle round the figure is hit: what is nearer to the middle than the farthest vertex is "
-            "taken for "
-            "inside"),
       gives("whole-plane", read_as<as_plane>,
             "the whole plane of the figure is hit: nothing tests whether the point is inside"),
       gives("lambda1-first-sign", wrong_sign<0>,

@@ -250,7 +250,6 @@ inline constexpr Foreseen foreseen_faults[] = {
     {"parallelepiped", "faces-open"},
     {"triangle", "way-from-other-vertex"},
     {"polygon", "figure-through-zero"},
-    {"polygon", "bounding-circle"},
     {"plane", "normal-no-cross-product"},
     {"triangle", "t-is-zero"},
 };
