@@ -31,7 +31,8 @@ Aspect Examination::aspect_of(const Hypothesis& hypothesis) const {
 std::optional<bool> Examination::fits(const Hypothesis& hypothesis, const Known& known,
                                       std::size_t mistake) const {
   if (!known.got) return std::nullopt;
-  const auto& [one, exact] = known.asked;
+  const Case& one = known.asked.one;
+  const Answer& exact = known.asked.exact;
   const Answer& got = *known.got;
   if (hypothesis.recognise != nullptr) return hypothesis.recognise(one, got, exact);
   const Aspect aspect = aspect_of(hypothesis);
