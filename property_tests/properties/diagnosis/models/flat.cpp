@@ -145,14 +145,18 @@ Answers within_weights(const Case& one, double least) {
   const double beta = cross(hit->point - a, c - a) / area, gamma = cross(b - a, hit->point - a) / area;
   const glm::dvec3 weights(1 - beta - gamma, beta, gamma);
   const glm::dvec3 sizes = glm::abs(weights);
-  Answers answers;  // the least change first
+  const Answer by_all =
+      hit_at(one, hit->t, glm::all(glm::greaterThanEqual(weights, glm::dvec3(least)))).front();
+  // The least change first where hits are lost; where they are gained, the tolerance that is met most.
+  Answers answers;
+  if (least < 0) answers.push_back(by_all);
   for (int vertex = 0; vertex < 3; ++vertex) {
     glm::dvec3 least_of_each(0);
     least_of_each[vertex] = least;
     answers.push_back(hit_at(one, hit->t, glm::all(glm::greaterThanEqual(weights, least_of_each))).front());
   }
-  if (least < 0) answers.push_back(hit_at(one, hit->t, sizes.x + sizes.y + sizes.z <= 1 - least).front());
-  answers.push_back(hit_at(one, hit->t, glm::all(glm::greaterThanEqual(weights, glm::dvec3(least)))).front());
+  answers.push_back(least < 0 ? hit_at(one, hit->t, sizes.x + sizes.y + sizes.z <= 1 - least).front()
+                              : by_all);
   return answers;
 }
 

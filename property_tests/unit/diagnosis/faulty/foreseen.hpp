@@ -140,6 +140,7 @@ inline constexpr Foreseen foreseen_faults[] = {
     {"parallelepiped", "missed-in-low-face"},
     {"sphere", "nearer-to-zero-decides"},
     {"parallelepiped", "faces-as-rectangles"},
+    {"triangle", "edges-loose-1e-5"},
     {"plane", "epsilon-1e-12"},
     {"sphere", "type-epsilon"},
     {"point_in_polygon", "sides-loose-1e-3"},
