@@ -1,10 +1,10 @@
 /// \file
 /// Faults with cylinders.
 
-#include "properties/diagnosis/models/caps.hpp"
-#include "properties/diagnosis/models/cylinder.hpp"
-#include "properties/diagnosis/models/side.hpp"
-#include "properties/diagnosis/models/solid.hpp"
+#include "properties/diagnosis/models/curved/caps.hpp"
+#include "properties/diagnosis/models/curved/cylinder.hpp"
+#include "properties/diagnosis/models/curved/side.hpp"
+#include "properties/diagnosis/models/solids/solid.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
 
 namespace rayproof::diagnosis {

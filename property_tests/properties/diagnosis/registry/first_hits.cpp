@@ -1,14 +1,14 @@
 /// \file
 /// Faults in what is said of the first hit, and classes of cases that are not handled.
 
-#include "properties/diagnosis/models/cylinder_normals.hpp"
-#include "properties/diagnosis/models/details_of_shapes.hpp"
-#include "properties/diagnosis/models/first_hit.hpp"
-#include "properties/diagnosis/models/flat.hpp"
-#include "properties/diagnosis/models/hits.hpp"
-#include "properties/diagnosis/models/interval.hpp"
-#include "properties/diagnosis/models/outline.hpp"
-#include "properties/diagnosis/models/quadratic.hpp"
+#include "properties/diagnosis/models/curved/cylinder_normals.hpp"
+#include "properties/diagnosis/models/curved/quadratic.hpp"
+#include "properties/diagnosis/models/flat/flat.hpp"
+#include "properties/diagnosis/models/flat/outline.hpp"
+#include "properties/diagnosis/models/hits/first_hit.hpp"
+#include "properties/diagnosis/models/hits/hits.hpp"
+#include "properties/diagnosis/models/hits/interval.hpp"
+#include "properties/diagnosis/models/space/details_of_shapes.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
 
 namespace rayproof::diagnosis {

@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include "properties/diagnosis/models/flat.hpp"
-#include "properties/diagnosis/models/outline.hpp"
+#include "properties/diagnosis/models/flat/flat.hpp"
+#include "properties/diagnosis/models/flat/outline.hpp"
+#include "properties/diagnosis/models/flat/wrong_crossing.hpp"
+#include "properties/diagnosis/models/flat/wrong_plane.hpp"
+#include "properties/diagnosis/models/hits/starts.hpp"
 #include "properties/diagnosis/models/plane_hit.hpp"
-#include "properties/diagnosis/models/starts.hpp"
-#include "properties/diagnosis/models/wrong_crossing.hpp"
-#include "properties/diagnosis/models/wrong_plane.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
 
 namespace rayproof::diagnosis {

@@ -1,11 +1,12 @@
 /// \file
 /// Faults in the interval and in the list of hits.
 
-#include "properties/diagnosis/models/hits.hpp"
-#include "properties/diagnosis/models/flat.hpp"
-#include "properties/diagnosis/models/interval.hpp"
-#include "properties/diagnosis/models/outline.hpp"
-#include "properties/diagnosis/models/starts.hpp"
+#include "properties/diagnosis/models/hits/hits.hpp"
+#include "properties/diagnosis/models/flat/flat.hpp"
+#include "properties/diagnosis/models/flat/outline.hpp"
+#include "properties/diagnosis/models/hits/interval.hpp"
+#include "properties/diagnosis/models/hits/line.hpp"
+#include "properties/diagnosis/models/hits/starts.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
 
 namespace rayproof::diagnosis {

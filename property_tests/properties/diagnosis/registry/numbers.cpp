@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include "properties/diagnosis/models/digits.hpp"
-#include "properties/diagnosis/models/factor.hpp"
-#include "properties/diagnosis/models/interval.hpp"
-#include "properties/diagnosis/models/quadratic.hpp"
+#include "properties/diagnosis/models/curved/quadratic.hpp"
+#include "properties/diagnosis/models/hits/digits.hpp"
+#include "properties/diagnosis/models/hits/factor.hpp"
+#include "properties/diagnosis/models/hits/interval.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
 
 namespace rayproof::diagnosis {

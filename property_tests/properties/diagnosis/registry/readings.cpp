@@ -1,7 +1,7 @@
 /// \file
 /// Faults in how the numbers of a case are read.
 
-#include "properties/diagnosis/models/coordinates.hpp"
+#include "properties/diagnosis/models/space/coordinates.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
 
 namespace rayproof::diagnosis {

@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include "properties/diagnosis/models/products.hpp"
-#include "properties/diagnosis/models/quadratic.hpp"
-#include "properties/diagnosis/models/root_formula.hpp"
-#include "properties/diagnosis/models/small_discriminant.hpp"
-#include "properties/diagnosis/models/wrong_roots.hpp"
+#include "properties/diagnosis/models/curved/products.hpp"
+#include "properties/diagnosis/models/curved/quadratic.hpp"
+#include "properties/diagnosis/models/curved/root_formula.hpp"
+#include "properties/diagnosis/models/curved/small_discriminant.hpp"
+#include "properties/diagnosis/models/curved/wrong_roots.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
 
 namespace rayproof::diagnosis {

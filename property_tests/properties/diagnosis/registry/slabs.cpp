@@ -1,12 +1,12 @@
 /// \file
 /// Faults with the slabs of solids, with their widths, and with rays along a cylinder's axis.
 
-#include "properties/diagnosis/models/slabs.hpp"
+#include "properties/diagnosis/models/solids/slabs.hpp"
 
 #include <fmt/format.h>
 
-#include "properties/diagnosis/models/cylinder.hpp"
-#include "properties/diagnosis/models/loose.hpp"
+#include "properties/diagnosis/models/curved/cylinder.hpp"
+#include "properties/diagnosis/models/solids/loose.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
 
 namespace rayproof::diagnosis {

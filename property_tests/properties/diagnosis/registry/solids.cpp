@@ -2,11 +2,11 @@
 /// Faults with spheres, boxes and parallelepipeds, and with edges.
 
 #include "properties/diagnosis/cures/cures.hpp"
-#include "properties/diagnosis/models/box.hpp"
-#include "properties/diagnosis/models/edges.hpp"
-#include "properties/diagnosis/models/faces.hpp"
-#include "properties/diagnosis/models/slabs.hpp"
-#include "properties/diagnosis/models/solid.hpp"
+#include "properties/diagnosis/models/solids/box.hpp"
+#include "properties/diagnosis/models/solids/edges.hpp"
+#include "properties/diagnosis/models/solids/faces.hpp"
+#include "properties/diagnosis/models/solids/slabs.hpp"
+#include "properties/diagnosis/models/solids/solid.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
 
 namespace rayproof::diagnosis {

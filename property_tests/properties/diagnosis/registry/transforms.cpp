@@ -1,8 +1,8 @@
 /// \file
 /// Faults with transforms.
 
-#include "properties/diagnosis/models/placing.hpp"
-#include "properties/diagnosis/models/transform.hpp"
+#include "properties/diagnosis/models/space/placing.hpp"
+#include "properties/diagnosis/models/space/transform.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
 
 namespace rayproof::diagnosis {

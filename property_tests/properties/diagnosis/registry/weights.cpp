@@ -1,12 +1,12 @@
 /// \file
 /// Faults in how a subject finds whether a point lies in a triangle, in a polygon or in a face.
 
-#include "properties/diagnosis/models/weights.hpp"
+#include "properties/diagnosis/models/flat/weights.hpp"
 
 #include <fmt/format.h>
 
-#include "properties/diagnosis/models/faces.hpp"
-#include "properties/diagnosis/models/slabs.hpp"
+#include "properties/diagnosis/models/solids/faces.hpp"
+#include "properties/diagnosis/models/solids/slabs.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
 
 namespace rayproof::diagnosis {

@@ -1,0 +1,114 @@
+#include "properties/diagnosis/models/curved/caps.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rayproof::diagnosis {
+namespace {
+
+/// The hits on the side and those on the caps, both ascending, of the whole line through a capped cylinder.
+struct Parts {
+  std::vector<double> side, caps;
+};
+
+using IsInCap = bool (*)(double x, double y, const Cylinder<double>& cylinder);
+
+bool is_in_ellipse(double x, double y, const Cylinder<double>& c) {
+  return std::pow(x / c.rx, 2) + std::pow(y / c.ry, 2) <= 1;
+}
+
+std::vector<double> hits_of_caps(const Case& one, const Cylinder<double>& cylinder, IsInCap is_in_cap) {
+  const Ray<double> ray = ray_in_object(*ray_question(one));
+  std::vector<double> caps;
+  if (ray.direction.z == 0) return caps;
+  for (const double z : {0.0, cylinder.height}) {
+    const double t = (z - ray.origin.z) / ray.direction.z;
+    const glm::dvec3 place = point_at(ray, t);
+    if (is_in_cap(place.x, place.y, cylinder)) caps.push_back(t);
+  }
+  std::ranges::sort(caps);
+  return caps;
+}
+
+std::optional<Parts> parts_of(const Case& one, IsInCap is_in_cap) {
+  const auto* cylinder = shape_in<Cylinder<double>>(one);
+  if (cylinder == nullptr || !cylinder->capped) return std::nullopt;
+  const auto open = with_shape<Cylinder<double>>(one, [](RayQuestion& /*asked*/, Cylinder<double>& changed) {
+    changed.capped = false;
+    return true;
+  });
+  if (open.empty()) return std::nullopt;
+  Parts parts;
+  for (const double t : hits_of_line(open.front()).hits.view()) parts.side.push_back(t);
+  parts.caps = hits_of_caps(one, *cylinder, is_in_cap);
+  return parts;
+}
+
+/// The hits in the ray's interval, ascending, as many as an answer holds.
+RayAnswer in_order(const Case& one, std::vector<double> hits) {
+  std::ranges::sort(hits);
+  RayAnswer line;
+  for (const double t : hits)
+    if (line.hits.count < line.hits.t.size() && in_interval(ray_question(one)->ray, t))
+      line.hits.push_back(t);
+  return line;
+}
+
+Answers with_caps_where(const Case& one, IsInCap is_in_cap) {
+  const auto parts = parts_of(one, is_in_cap);
+  if (!parts) return {};
+  std::vector<double> all = parts->side;
+  all.insert(all.end(), parts->caps.begin(), parts->caps.end());
+  return {in_order(one, all)};
+}
+
+}  // namespace
+
+Answers with_side_hits(const Case& one, std::vector<double> side, const SideEnds& ends) {
+  const auto& cylinder = *shape_in<Cylinder<double>>(one);
+  const Ray<double> ray = ray_in_object(*ray_question(one));
+  std::erase_if(side, [&](double t) {
+    const double z = ray.origin.z + t * ray.direction.z;
+    return !(-ends.below <= z && z <= cylinder.height + ends.above);
+  });
+  const std::vector<double> caps =
+      cylinder.capped ? hits_of_caps(one, cylinder, is_in_ellipse) : std::vector<double>{};
+  side.insert(side.end(), caps.begin(), caps.end());
+  return {in_order(one, std::move(side))};
+}
+
+Answers caps_of_radius_rx(const Case& one, const Answer& /*exact*/) {
+  return with_caps_where(
+      one, [](double x, double y, const Cylinder<double>& c) { return std::hypot(x, y) <= c.rx; });
+}
+
+Answers caps_of_radius_ry(const Case& one, const Answer& /*exact*/) {
+  return with_caps_where(
+      one, [](double x, double y, const Cylinder<double>& c) { return std::hypot(x, y) <= c.ry; });
+}
+
+Answers caps_of_rooted_radius(const Case& one, const Answer& /*exact*/) {
+  return with_caps_where(one,
+                         [](double x, double y, const Cylinder<double>& c) { return x * x + y * y <= c.rx; });
+}
+
+Answers caps_from_outside_alone(const Case& one, const Answer& /*exact*/) {
+  const auto parts = parts_of(one, is_in_ellipse);
+  if (!parts) return {};
+  std::vector<double> all = parts->side;
+  const bool enters_through_cap =
+      !parts->caps.empty() && (parts->caps.size() == 2 || all.empty() || parts->caps.front() < all.front());
+  if (enters_through_cap) all.push_back(parts->caps.front());
+  return {in_order(one, all)};
+}
+
+Answers side_before_caps(const Case& one, const Answer& /*exact*/) {
+  const auto parts = parts_of(one, is_in_ellipse);
+  if (!parts) return {};
+  const RayAnswer side = in_order(one, parts->side);
+  RayAnswer nearest = side.hits.count > 0 ? side : in_order(one, parts->caps);
+  nearest.hits.count = std::min<std::size_t>(nearest.hits.count, 1);
+  return {nearest};
+}
+
+}  // namespace rayproof::diagnosis

@@ -1,0 +1,57 @@
+#include "properties/diagnosis/models/curved/wrong_roots.hpp"
+
+#include <algorithm>
+
+#include "properties/claims/answers.hpp"
+
+namespace rayproof::diagnosis {
+namespace {
+
+Answer with_roots_in_order(const Case& one, FoundRoots roots) {
+  if (roots) std::ranges::sort(*roots);
+  return with_roots(one, roots).front();
+}
+
+/// q / a and c / q, each times its sign.
+FoundRoots stable_with_signs(const ReducedEquation& e, double first, double second) {
+  FoundRoots roots = without_cancelling(e, e.discriminant());
+  if (roots) *roots = {first * (*roots)[0], second * (*roots)[1]};
+  return roots;
+}
+
+bool differ_clearly(double x, double y, double size) {
+  return !(std::abs(x - y) <= 0x1p-10 * std::max(size, std::abs(y)));
+}
+
+}  // namespace
+
+Answers wrong_discriminant(const Case& one, const Answer& /*exact*/) {
+  const std::optional<ReducedEquation> equation = reduced_equation(one);
+  if (!equation) return {};
+  const double a = equation->a, b = 2 * equation->h, c = equation->c;
+  Answers all;
+  const auto add = [&](const FoundRoots& roots) { all.push_back(with_roots_in_order(one, roots)); };
+  for (const double D : {b * b * b - 4 * a * c, b - 4 * a * c, 2 * b - 4 * a * c, b * b - 4 * a,
+                         b * b - 8 * a * c, 4 * a * c - b * b, b * b}) {
+    add(roots_by(-b, D, 2 * a));
+    add(without_cancelling(*equation, D / 4));
+  }
+  // In the other formula c / q is then what a direction taken for a unit vector gives.
+  add(roots_by(-b, b * b - 4 * c, 2 * a));
+  return all;
+}
+
+FoundRoots first_root_negated(const ReducedEquation& e) { return stable_with_signs(e, -1, 1); }
+FoundRoots second_root_negated(const ReducedEquation& e) { return stable_with_signs(e, 1, -1); }
+
+std::optional<bool> number_q_wrong(const Case& one, const Answer& got, const Answer& exact) {
+  const auto* q = std::get_if<Quadratic<double>>(&one.question);
+  const std::vector<double> found = numbers_in(got);
+  if (q == nullptr || q->a == 0 || found.size() != 2) return std::nullopt;
+  const double x = found[0], y = found[1], larger = std::max(std::abs(x), std::abs(y));
+  if (!differ_clearly(x + y, -q->b / q->a, larger)) return std::nullopt;
+  if (divides_by_what_cancels(one, got, exact) == true) return std::nullopt;
+  return !differ_clearly(x * y, q->c / q->a, 0);
+}
+
+}  // namespace rayproof::diagnosis

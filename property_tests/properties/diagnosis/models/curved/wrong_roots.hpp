@@ -1,0 +1,22 @@
+#pragma once
+/// \file
+/// Models of faults in the discriminant, and in the formula for two roots that does not cancel.
+
+#include "properties/diagnosis/models/curved/root_formula.hpp"
+
+namespace rayproof::diagnosis {
+
+/// A term of D = b² - 4ac is another one: a power, a factor, a coefficient or the sign; in the textbook's
+/// formula and in the one that does not cancel.
+[[nodiscard]] Answers wrong_discriminant(const Case& one, const Answer& exact);
+
+/// @{ In the formula that does not cancel, x = q / a and y = c / q, one root has the wrong sign.
+[[nodiscard]] FoundRoots first_root_negated(const ReducedEquation& e);
+[[nodiscard]] FoundRoots second_root_negated(const ReducedEquation& e);
+/// @}
+
+/// Whether the product of two roots is c/a and their sum is not -b/a, and not by a loss of digits: so it is
+/// where in x = q / a and y = c / q the number q is wrong.
+[[nodiscard]] std::optional<bool> number_q_wrong(const Case& one, const Answer& got, const Answer& exact);
+
+}  // namespace rayproof::diagnosis

@@ -1,0 +1,145 @@
+#include "properties/diagnosis/models/flat/weights.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "properties/diagnosis/models/flat/outline.hpp"
+
+namespace rayproof::diagnosis {
+namespace {
+
+/// What the formula finds whose ray's way is taken from that point.
+std::optional<TriangleHit> triangle_hit_from(const Case& one, const Triangle<double>& triangle,
+                                             const glm::dvec3& start) {
+  const Ray<double> ray = ray_in_object(*ray_question(one));
+  const glm::dvec3 b = triangle.b - triangle.a, c = triangle.c - triangle.a, way = ray.origin - start;
+  const glm::dvec3 p = glm::cross(ray.direction, c), q = glm::cross(way, b), normal = glm::cross(b, c);
+  const double size = glm::dot(b, p);
+  if (size == 0) return std::nullopt;
+  return TriangleHit{glm::dot(way, p) / size, glm::dot(ray.direction, q) / size, glm::dot(c, q) / size, size,
+                     glm::dot(normal, normal)};
+}
+
+/// What may stand for u_i v_j - u_j v_i, i and j the two coordinates that follow the axis.
+std::array<double, 6> wrong_coordinates(const glm::dvec3& u, const glm::dvec3& v, int axis) {
+  const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+  return {u[i] * v[j] + u[j] * v[i],    u[j] * v[i] - u[i] * v[j],    u[axis] * v[j] - u[j] * v[i],
+          u[i] * v[axis] - u[j] * v[i], u[i] * v[j] - u[axis] * v[i], u[i] * v[j] - u[j] * v[axis]};
+}
+
+/// The cross product with its mistake of that number.
+struct WrongCross {
+  int axis;
+  std::size_t mistake;
+  [[nodiscard]] glm::dvec3 operator()(const glm::dvec3& u, const glm::dvec3& v) const {
+    glm::dvec3 product = glm::cross(u, v);
+    product[axis] = wrong_coordinates(u, v, axis).at(mistake);
+    return product;
+  }
+};
+
+/// Möller and Trumbore's formula with such a cross product.
+Answers by_moeller(const Case& one, const Triangle<double>& triangle, const WrongCross& cross) {
+  const Ray<double> ray = ray_in_object(*ray_question(one));
+  const glm::dvec3 b = triangle.b - triangle.a, c = triangle.c - triangle.a, way = ray.origin - triangle.a;
+  const glm::dvec3 p = cross(ray.direction, c), q = cross(way, b);
+  const double size = glm::dot(b, p);
+  if (size == 0) return {RayAnswer{}};
+  return by_weights(
+      one, {glm::dot(way, p) / size, glm::dot(ray.direction, q) / size, glm::dot(c, q) / size, size, 0});
+}
+
+/// The plane's hit, and the sides looked at one after the other, with such a cross product.
+Answers by_plane_and_sides(const Case& one, const Triangle<double>& triangle, const WrongCross& cross) {
+  const Ray<double> ray = ray_in_object(*ray_question(one));
+  const std::array vertices{triangle.a, triangle.b, triangle.c};
+  const glm::dvec3 normal = cross(triangle.b - triangle.a, triangle.c - triangle.a);
+  const double slope = glm::dot(normal, ray.direction);
+  if (slope == 0) return {RayAnswer{}};
+  const double t = glm::dot(normal, triangle.a - ray.origin) / slope;
+  const glm::dvec3 point = point_at(ray, t);
+  bool is_inside = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const glm::dvec3 side = vertices.at((i + 1) % 3) - vertices.at(i);
+    is_inside = is_inside && glm::dot(normal, cross(side, point - vertices.at(i))) >= 0;
+  }
+  return hit_at(one, t, is_inside);
+}
+
+Answers planes_of_wrong_cross(const Case& one, const ParametricPlane& plane, int axis) {
+  const Ray<double> ray = ray_in_object(*ray_question(one));
+  Answers answers;
+  for (std::size_t mistake = 0; mistake < 6; ++mistake) {
+    const glm::dvec3 normal = WrongCross{axis, mistake}(plane.u, plane.v);
+    const double slope = glm::dot(normal, ray.direction);
+    const double t = glm::dot(normal, plane.point - ray.origin) / slope;
+    answers.push_back(hit_at(one, t, slope != 0).front());
+  }
+  return answers;
+}
+
+bool is_inside_along_normal(const FlatFigure& figure, const glm::dvec3& point) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const glm::dvec3 &from = figure.vertices.at(i), &to = figure.vertices.at((i + 1) % 3);
+    if (glm::dot(figure.normal, glm::cross(to - from, point - from)) < 0) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<TriangleHit> triangle_hit(const Case& one) {
+  const auto* triangle = shape_in<Triangle<double>>(one);
+  return triangle == nullptr ? std::nullopt : triangle_hit_from(one, *triangle, triangle->a);
+}
+
+Answers way_from_other_vertex(const Case& one, const Answer& /*exact*/) {
+  const auto* triangle = shape_in<Triangle<double>>(one);
+  Answers answers;
+  if (triangle == nullptr) return answers;
+  for (const glm::dvec3& start : {triangle->b, triangle->c})
+    if (const auto hit = triangle_hit_from(one, *triangle, start))
+      answers.push_back(by_weights(one, *hit).front());
+  return answers;
+}
+
+Answers by_weights(const Case& one, const TriangleHit& hit) {
+  Answers answers = hit_at(one, hit.t, hit.beta >= 0 && hit.gamma >= 0 && hit.beta + hit.gamma <= 1);
+  auto& found = std::get<RayAnswer>(answers.front());
+  if (found.hits.count > 0) found.barycentric = glm::dvec3(1 - hit.beta - hit.gamma, hit.beta, hit.gamma);
+  return answers;
+}
+
+Answers beyond_edge(const Case& one, int vertex) {
+  const auto hit = triangle_hit(one);
+  if (!hit) return {};
+  std::array<double, 3> weights{1 - hit->beta - hit->gamma, hit->beta, hit->gamma};
+  weights.at(static_cast<std::size_t>(vertex)) *= -1;
+  return hit_at(one, hit->t, std::ranges::min(weights) >= 0);
+}
+
+Answers by_wrong_cross(const Case& one, int axis) {
+  if (const auto* plane = shape_in<ParametricPlane>(one)) return planes_of_wrong_cross(one, *plane, axis);
+  const auto* triangle = shape_in<Triangle<double>>(one);
+  if (triangle == nullptr) return {};
+  Answers answers;
+  for (std::size_t mistake = 0; mistake < 6; ++mistake)
+    for (const auto code : {by_moeller, by_plane_and_sides})
+      answers.push_back(code(one, *triangle, {axis, mistake}).front());
+  return answers;
+}
+
+Answers where_inside(const Case& one, TestedPoint point) {
+  const auto figure = flat_figure(one);
+  auto hit = figure ? plane_hit(one, *figure) : std::nullopt;
+  if (!hit) return {};
+  const glm::dvec3 tested = point(ray_in_object(*ray_question(one)), hit->t, figure->normal);
+  hit->point = projected(tested, hit->axis);
+  Answers answers;
+  if (shape_in<Triangle<double>>(one) != nullptr)
+    answers = hit_at(one, hit->t, is_inside_along_normal(*figure, tested));
+  answers.push_back(hit_at(one, hit->t, is_inside_outline(*hit)).front());
+  return answers;
+}
+
+}  // namespace rayproof::diagnosis

@@ -1,0 +1,185 @@
+#include "properties/diagnosis/models/hits/first_hit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "properties/diagnosis/examination/agreement.hpp"
+#include "properties/diagnosis/models/surface_normals.hpp"
+
+namespace rayproof::diagnosis {
+namespace {
+
+Answers with_point(const Answer& exact, const glm::dvec3& point) {
+  RayAnswer other = std::get<RayAnswer>(exact);
+  other.point = point;
+  return {other};
+}
+
+const RayAnswer* hit_with_point(const Answer& exact) {
+  const auto* answer = std::get_if<RayAnswer>(&exact);
+  return answer != nullptr && answer->point ? answer : nullptr;
+}
+
+}  // namespace
+
+Answers normal_faces_ray(const Case& one, const Answer& exact) {
+  return with_normal(one, exact, [](const RayQuestion& asked, const glm::dvec3& normal) {
+    return glm::dot(normal, asked.ray.direction) > 0 ? -normal : normal;
+  });
+}
+
+Answers normal_is_direction(const Case& one, const Answer& exact) {
+  return with_normal(one, exact, [](const RayQuestion& asked, const glm::dvec3& /*normal*/) {
+    return map_of_normals(asked) * -ray_in_object(asked).direction;
+  });
+}
+
+Answers normal_follows_ray(const Case& one, const Answer& exact) {
+  return with_normal(one, exact, [](const RayQuestion& asked, const glm::dvec3& normal) {
+    return glm::dot(normal, asked.ray.direction) < 0 ? -normal : normal;
+  });
+}
+
+Answers normal_flipped(const Case& one, const Answer& exact) {
+  return with_normal(one, exact,
+                     [](const RayQuestion& /*asked*/, const glm::dvec3& normal) { return -normal; });
+}
+
+std::optional<bool> normal_not_unit(const Case& one, const Answer& got, const Answer& exact) {
+  const auto *mine = std::get_if<RayAnswer>(&got), *answer = std::get_if<RayAnswer>(&exact);
+  if (mine == nullptr || answer == nullptr || !mine->normal || !answer->normal) return std::nullopt;
+  const double length = glm::length(*mine->normal);
+  if (are_close(one.precision, length, 1, 0)) return std::nullopt;
+  return glm::length(*mine->normal / length - *answer->normal) < 0x1p-8;
+}
+
+Answers normal_of_first_corner(const Case& one, const Answer& exact) {
+  const auto* polygon = shape_in<Polygon<double>>(one);
+  if (polygon == nullptr) return {};
+  return with_normal(one, exact, [&](const RayQuestion& asked, const glm::dvec3& normal) {
+    const auto& v = polygon->vertices;
+    const glm::dvec3 corner = glm::cross(v[1] - v[0], v[2] - v[0]);
+    return glm::dot(corner, normal_in_object_space(asked, normal)) < 0 ? -normal : normal;
+  });
+}
+
+std::optional<bool> normal_of_other_face(const Case& one, const Answer& got, const Answer& exact) {
+  if (shape_in<Box<double>>(one) == nullptr || agree(one, got, exact, Aspect::normal)) return std::nullopt;
+  const auto* mine = std::get_if<RayAnswer>(&got);
+  if (mine == nullptr || !mine->normal) return std::nullopt;
+  const glm::dvec3 normal = normal_in_object_space(*ray_question(one), *mine->normal);
+  const double largest = std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
+  for (int axis = 0; axis < 3; ++axis)  // -1, 0 or 1 along each axis
+    if (const double x = std::abs(normal[axis]) / largest; !(x < 0x1p-10 || x > 1 - 0x1p-10)) return false;
+  return true;
+}
+
+Answers normal_in_object(const Case& one, const Answer& exact) {
+  return with_normal(one, exact, normal_in_object_space);
+}
+
+Answers normal_by_matrix(const Case& one, const Answer& exact) {
+  return with_normal(one, exact, [](const RayQuestion& asked, const glm::dvec3& normal) {
+    return linear(asked) * normal_in_object_space(asked, normal);
+  });
+}
+
+Answers normal_by_inverse(const Case& one, const Answer& exact) {
+  return with_normal(one, exact, [](const RayQuestion& asked, const glm::dvec3& normal) {
+    return glm::inverse(linear(asked)) * normal_in_object_space(asked, normal);
+  });
+}
+
+Answers normal_from_zero(const Case& one, const Answer& exact) {
+  const RayAnswer* answer = hit_with_point(exact);
+  if (answer == nullptr) return {};
+  return with_normal(
+      one, exact, [&](const RayQuestion& /*asked*/, const glm::dvec3& /*normal*/) { return *answer->point; });
+}
+
+Answers normal_from_middle(const Case& one, const Answer& exact) {
+  const RayAnswer* answer = hit_with_point(exact);
+  if (answer == nullptr) return {};
+  const Shape& shape = ray_question(one)->shape;
+  glm::dvec3 middle;
+  if (const auto* box = std::get_if<Box<double>>(&shape))
+    middle = 0.5 * (box->min + box->max);
+  else if (const auto* solid = std::get_if<Parallelepiped<double>>(&shape))
+    middle = solid->corner + 0.5 * (solid->edges[0] + solid->edges[1] + solid->edges[2]);
+  else if (const auto* cylinder = std::get_if<Cylinder<double>>(&shape))
+    middle = {0, 0, cylinder->height / 2};
+  else
+    return {};
+  const glm::dvec3 way = point_at(ray_in_object(*ray_question(one)), answer->hits.t[0]) - middle;
+  return with_normal(one, exact, [&](const RayQuestion& asked, const glm::dvec3& /*normal*/) {
+    return map_of_normals(asked) * way;
+  });
+}
+
+Answers normal_without_signs(const Case& one, const Answer& exact) {
+  Answers in_world = with_normal(
+      one, exact, [](const RayQuestion& /*asked*/, const glm::dvec3& normal) { return glm::abs(normal); });
+  const Answers in_object = with_normal(one, exact, [](const RayQuestion& asked, const glm::dvec3& normal) {
+    return map_of_normals(asked) * glm::abs(normal_in_object_space(asked, normal));
+  });
+  in_world.insert(in_world.end(), in_object.begin(), in_object.end());
+  return in_world;
+}
+
+Answers point_in_object(const Case& one, const Answer& exact) {
+  const RayAnswer* answer = hit_with_point(exact);
+  if (answer == nullptr || !ray_question(one)->transform) return {};
+  return with_point(exact, point_at(ray_in_object(*ray_question(one)), answer->hits.t[0]));
+}
+
+Answers point_without_origin(const Case& one, const Answer& exact) {
+  const RayAnswer* answer = hit_with_point(exact);
+  return answer == nullptr ? Answers{}
+                           : with_point(exact, answer->hits.t[0] * ray_question(one)->ray.direction);
+}
+
+Answers point_against_direction(const Case& one, const Answer& exact) {
+  const RayAnswer* answer = hit_with_point(exact);
+  return answer == nullptr ? Answers{}
+                           : with_point(exact, point_at(ray_question(one)->ray, -answer->hits.t[0]));
+}
+
+Answers point_from_shape(const Case& one, const Answer& exact) {
+  const RayAnswer* answer = hit_with_point(exact);
+  const auto place = answer == nullptr ? std::nullopt : some_point(ray_question(one)->shape);
+  return place ? with_point(exact, *answer->point - *place) : Answers{};
+}
+
+Answers point_of_far_hit(const Case& one, const Answer& exact) {
+  const RayAnswer* answer = hit_with_point(exact);
+  if (answer == nullptr || answer->hits.count < 2) return {};
+  return with_point(exact, point_at(ray_question(one)->ray, answer->hits.t[1]));
+}
+
+std::optional<bool> point_beside_ray(const Case& one, const Answer& got, const Answer& exact) {
+  const auto* mine = std::get_if<RayAnswer>(&got);
+  if (mine == nullptr || !mine->point || !finds_something(exact)) return std::nullopt;
+  const Ray<double>& ray = ray_question(one)->ray;
+  const glm::dvec3 way = *mine->point - ray.origin, along = glm::normalize(ray.direction);
+  const double apart = glm::length(way - glm::dot(way, along) * along);
+  return apart > 0x1p-10 * std::max(size_of_scene(one), glm::length(*mine->point));
+}
+
+std::optional<bool> point_right_t_wrong(const Case& one, const Answer& got, const Answer& exact) {
+  const auto* mine = std::get_if<RayAnswer>(&got);
+  const RayAnswer* answer = hit_with_point(exact);
+  if (mine == nullptr || answer == nullptr || !mine->point) return std::nullopt;
+  if (mine->hits.count == 0 || are_close(one.precision, mine->hits.t[0], answer->hits.t[0], 0))
+    return std::nullopt;
+  return agree(one, got, exact, Aspect::point);
+}
+
+Answers weights_and_t(const Case& /*one*/, const Answer& exact) {
+  const auto* answer = std::get_if<RayAnswer>(&exact);
+  if (answer == nullptr || !answer->barycentric) return {};
+  RayAnswer shifted = *answer;
+  shifted.barycentric = {answer->barycentric->y, answer->barycentric->z, answer->hits.t[0]};
+  return {shifted};
+}
+
+}  // namespace rayproof::diagnosis

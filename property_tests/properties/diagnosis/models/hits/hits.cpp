@@ -1,0 +1,228 @@
+#include "properties/diagnosis/models/hits/hits.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "properties/claims/answers.hpp"
+#include "properties/diagnosis/examination/agreement.hpp"
+
+namespace rayproof::diagnosis {
+namespace {
+
+const RayAnswer* hit_of(const Answer& exact) {
+  const auto* answer = std::get_if<RayAnswer>(&exact);
+  return answer != nullptr && answer->hits.count > 0 ? answer : nullptr;
+}
+
+bool is_contact(const Answer& exact, Contact contact) {
+  const auto* answer = std::get_if<RayAnswer>(&exact);
+  return answer != nullptr && answer->contact == contact;
+}
+
+/// Whether the normal of a plane is along an axis, so that nothing of it is rounded; of other shapes always.
+bool has_normal_along_axis(const Case& one) {
+  const auto is_along = [](const glm::dvec3& n) { return (n.x != 0) + (n.y != 0) + (n.z != 0) == 1; };
+  if (const auto* plane = shape_in<ImplicitPlane>(one)) return is_along(plane->normal);
+  if (const auto* plane = shape_in<PointNormalPlane>(one)) return is_along(plane->normal);
+  return true;
+}
+
+Answers if_position(const Answer& exact, Position from, Position to) {
+  const auto* position = std::get_if<Position>(&exact);
+  return position != nullptr && *position == from ? Answers{to} : Answers{};
+}
+
+}  // namespace
+
+Answers never_hits(const Case& /*one*/, const Answer& exact) {
+  if (!finds_something(exact)) return {};
+  if (std::holds_alternative<Position>(exact)) return {Position::outside};
+  if (std::holds_alternative<RayAnswer>(exact)) return {RayAnswer{}};
+  return {QuadraticAnswer<double>{RootKind::none, 0, {}}};
+}
+
+std::optional<bool> always_hits(const Case& /*one*/, const Answer& got, const Answer& exact) {
+  if (finds_something(exact)) return std::nullopt;
+  return finds_something(got);
+}
+
+std::optional<bool> not_sorted(const Case& one, const Answer& got, const Answer& exact) {
+  std::vector<double> numbers = numbers_in(got);
+  if (ray_question(one) == nullptr || std::ranges::is_sorted(numbers)) return std::nullopt;
+  std::ranges::sort(numbers);
+  const std::vector<double> exactly = numbers_in(exact);
+  return std::ranges::equal(numbers, exactly,
+                            [&](double x, double y) { return are_close(one.precision, x, y, 0); });
+}
+
+std::optional<bool> not_nearest(const Case& one, const Answer& got, const Answer& exact) {
+  const auto* ray = std::get_if<RayAnswer>(&got);
+  const std::vector<double> hits = numbers_in(exact);
+  if (ray == nullptr || !ray->nearest_only || ray->hits.count != 1 || hits.size() < 2) return std::nullopt;
+  if (are_close(one.precision, hits[0], hits[1], 0)) return std::nullopt;
+  const double t = ray->hits.t[0];
+  if (are_close(one.precision, t, hits[0], 0)) return std::nullopt;
+  return are_close(one.precision, t, hits[1], 0);
+}
+
+Answers descending(const Case& /*one*/, const Answer& exact) {
+  if (numbers_in(exact).size() < 2) return {};
+  Answer turned = exact;
+  if (auto* ray = std::get_if<RayAnswer>(&turned))
+    std::swap(ray->hits.t[0], ray->hits.t[1]);
+  else
+    std::ranges::reverse(std::get<QuadraticAnswer<double>>(turned).roots);
+  return {turned};
+}
+
+Answers plus_root_first(const Case& one, const Answer& exact) {
+  const auto* equation = std::get_if<Quadratic<double>>(&one.question);
+  return equation != nullptr && equation->a > 0 ? descending(one, exact) : Answers{};
+}
+
+Answers farthest_alone(const Case& /*one*/, const Answer& exact) {
+  const RayAnswer* answer = hit_of(exact);
+  if (answer == nullptr || answer->hits.count < 2) return {};
+  RayAnswer last;
+  last.hits.push_back(answer->hits.t.at(answer->hits.count - 1));
+  return {last};
+}
+
+Answers first_alone(const Case& /*one*/, const Answer& exact) {
+  if (numbers_in(exact).size() < 2) return {};
+  Answer first = exact;
+  if (auto* ray = std::get_if<RayAnswer>(&first))
+    ray->hits.count = 1;
+  else
+    std::get<QuadraticAnswer<double>>(first).count = 1;
+  return {first};
+}
+
+namespace {
+
+/// Both numbers of the answer are one of them; hits that are made so before the interval is looked at.
+Answers both_are(std::size_t which, const Case& one, const Answer& exact) {
+  const RayQuestion* asked = ray_question(one);
+  RayAnswer line;
+  if (asked != nullptr && (line = hits_of_line(one)).hits.count == 2) {
+    line.hits.t.fill(line.hits.t.at(which));
+    return {hits_where(line, [&](double t) { return in_interval(asked->ray, t); })};
+  }
+  const auto* roots = std::get_if<QuadraticAnswer<double>>(&exact);
+  if (roots == nullptr || roots->count != 2) return {};
+  QuadraticAnswer<double> twice = *roots;
+  twice.roots.fill(roots->roots.at(which));
+  return {twice};
+}
+
+}  // namespace
+
+Answers nearest_twice(const Case& one, const Answer& exact) { return both_are(0, one, exact); }
+Answers farthest_twice(const Case& one, const Answer& exact) { return both_are(1, one, exact); }
+
+Answers root_alone(const Case& /*one*/, const Answer& exact) {
+  const auto* roots = std::get_if<QuadraticAnswer<double>>(&exact);
+  if (roots == nullptr || roots->kind != RootKind::two) return {};
+  Answers answers;
+  for (const RootKind kind : {RootKind::twice, RootKind::two, RootKind::linear})
+    for (const double x : roots->roots) answers.emplace_back(QuadraticAnswer<double>{kind, 1, {x}});
+  return answers;
+}
+
+Answers double_hit_twice(const Case& /*one*/, const Answer& exact) {
+  Answer twice = exact;
+  if (auto* ray = std::get_if<RayAnswer>(&twice)) {
+    if (ray->hits.count != 1 || ray->contact != Contact::tangent) return {};
+    ray->hits.push_back(ray->hits.t[0]);
+    return {twice};
+  }
+  auto* roots = std::get_if<QuadraticAnswer<double>>(&twice);
+  if (roots == nullptr || roots->kind != RootKind::twice) return {};
+  const double x = roots->roots[0];
+  return {QuadraticAnswer<double>{RootKind::two, 2, {x, x}},
+          QuadraticAnswer<double>{RootKind::twice, 2, {x, x}},
+          QuadraticAnswer<double>{RootKind::two, 1, {x}}};
+}
+
+Answers single_hit_twice(const Case& /*one*/, const Answer& exact) {
+  const RayAnswer* answer = hit_of(exact);
+  if (answer == nullptr || answer->hits.count != 1 || answer->contact != Contact::crossing) return {};
+  RayAnswer twice = *answer;
+  twice.hits.push_back(answer->hits.t[0]);
+  return {twice};
+}
+
+Answers boundary_is_outside(const Case& /*one*/, const Answer& exact) {
+  if (std::holds_alternative<Position>(exact))
+    return if_position(exact, Position::boundary, Position::outside);
+  const RayAnswer* answer = hit_of(exact);
+  const bool is_on_it =
+      answer != nullptr && (answer->contact == Contact::edge || answer->contact == Contact::vertex);
+  return is_on_it ? Answers{RayAnswer{}} : Answers{};
+}
+
+Answers boundary_is_inside(const Case& /*one*/, const Answer& exact) {
+  return if_position(exact, Position::boundary, Position::inside);
+}
+
+std::optional<bool> in_surface_is_hit(const Case& one, const Answer& got, const Answer& exact) {
+  if (!is_contact(exact, Contact::in_surface)) return std::nullopt;
+  if (finds_something(got)) return true;
+  // It may say so at t = 0 alone, and where a normal that is made a unit vector keeps n·d = 0.
+  const bool may_miss = !in_interval(ray_question(one)->ray, 0.0) || !has_normal_along_axis(one);
+  return may_miss ? std::nullopt : std::optional(false);
+}
+
+Answers in_surface_is_parallel(const Case& /*one*/, const Answer& exact) {
+  if (!is_contact(exact, Contact::in_surface)) return {};
+  RayAnswer parallel;
+  parallel.contact = Contact::parallel;
+  return {parallel};
+}
+
+Answers no_reason(const Case& /*one*/, const Answer& exact) {
+  const auto* answer = std::get_if<RayAnswer>(&exact);
+  if (answer == nullptr || answer->hits.count > 0 || answer->contact == Contact::none) return {};
+  return {RayAnswer{}};
+}
+
+std::optional<bool> is_infinite(const Case& one, const Answer& got, const Answer& exact) {
+  constexpr double large = 0x1p40;  // beyond that something may overflow
+  Case sizes = one;
+  for (const CaseNumber& number : numbers_of(sizes)) {
+    const double size = std::abs(*number.value);
+    if (std::isfinite(size) && size != 0 && (size > large || size < 1 / large)) return std::nullopt;
+  }
+  const auto is_infinity = [](double x) { return std::isinf(x); };
+  if (std::ranges::any_of(numbers_in(exact), is_infinity)) return std::nullopt;
+  return std::ranges::any_of(numbers_in(got), is_infinity) ? std::optional(true) : std::nullopt;
+}
+
+Answers all_at_zero(const Case& one, const Answer& /*exact*/) {
+  const RayQuestion* asked = ray_question(one);
+  RayAnswer line;
+  if (asked == nullptr || (line = hits_of_line(one)).hits.count == 0) return {};
+  line.hits.t.fill(0);
+  const auto admits = [&](double t) { return in_interval(asked->ray, t); };
+  Answers answers{hits_where(line, admits)};
+  line.hits.count = 1;  // equal ones may be given once
+  answers.emplace_back(hits_where(line, admits));
+  // A product that is 0 but for its rounding may lie on either side of an end.
+  if (asked->ray.t_min == 0 || asked->ray.t_max == 0) answers.emplace_back(RayAnswer{});
+  return answers;
+}
+
+std::optional<bool> is_all_zero(const Case& /*one*/, const Answer& got, const Answer& exact) {
+  const auto is_zero = [](double x) { return x == 0; };
+  const std::vector<double> numbers = numbers_in(got);
+  if (numbers.empty() || std::ranges::any_of(numbers_in(exact), is_zero)) return std::nullopt;
+  return std::ranges::all_of(numbers, is_zero);
+}
+
+std::optional<bool> is_nan(const Case& /*one*/, const Answer& got, const Answer& exact) {
+  const auto is_number = [](double x) { return std::isfinite(x); };
+  if (!std::ranges::all_of(numbers_in(exact), is_number)) return std::nullopt;
+  return std::ranges::any_of(numbers_in(got), [](double x) { return std::isnan(x); });
+}
+
+}  // namespace rayproof::diagnosis

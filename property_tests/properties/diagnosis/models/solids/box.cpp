@@ -1,0 +1,19 @@
+#include "properties/diagnosis/models/solids/box.hpp"
+
+namespace rayproof::diagnosis {
+namespace {
+
+std::vector<Case> box_about(const Case& one, double middles, double halves) {
+  return with_shape<Box<double>>(one, [=](RayQuestion& /*asked*/, Box<double>& box) {
+    const glm::dvec3 middle = middles * (box.min + box.max), half = halves * (box.max - box.min);
+    box = {middle - half, middle + half};
+    return true;
+  });
+}
+
+}  // namespace
+
+std::vector<Case> size_as_half(const Case& one) { return box_about(one, 0.5, 1); }
+std::vector<Case> sum_as_middle(const Case& one) { return box_about(one, 1, 0.5); }
+
+}  // namespace rayproof::diagnosis

@@ -1,0 +1,221 @@
+#include "properties/diagnosis/models/solids/solid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "properties/claims/answers.hpp"
+#include "properties/diagnosis/models/curved/cylinder.hpp"
+#include "properties/diagnosis/models/curved/root_formula.hpp"
+#include "properties/diagnosis/models/plane_hit.hpp"
+
+namespace rayproof::diagnosis {
+namespace {
+
+template <class DoChange>
+std::vector<Case> with_sphere(const Case& one, DoChange&& change) {
+  return with_shape<Sphere<double>>(one, [&](RayQuestion& /*asked*/, Sphere<double>& sphere) {
+    change(sphere);
+    return true;
+  });
+}
+
+template <class DoChange>
+std::vector<Case> with_cylinder(const Case& one, DoChange&& change) {
+  return with_shape<Cylinder<double>>(one, [&](RayQuestion& /*asked*/, Cylinder<double>& cylinder) {
+    change(cylinder);
+    return true;
+  });
+}
+
+/// The same of a sphere alone.
+std::optional<ReducedEquation> sphere_equation(const Case& one) {
+  return shape_in<Sphere<double>>(one) == nullptr ? std::nullopt : reduced_equation(one);
+}
+
+}  // namespace
+
+std::vector<Case> radius_squared(const Case& one) {
+  return with_sphere(one, [](Sphere<double>& sphere) { sphere.radius *= sphere.radius; });
+}
+std::vector<Case> radius_doubled(const Case& one) {
+  return with_sphere(one, [](Sphere<double>& sphere) { sphere.radius *= 2; });
+}
+std::vector<Case> radius_halved(const Case& one) {
+  return with_sphere(one, [](Sphere<double>& sphere) { sphere.radius /= 2; });
+}
+std::vector<Case> radius_one(const Case& one) {
+  return with_sphere(one, [](Sphere<double>& sphere) { sphere.radius = 1; });
+}
+std::vector<Case> sphere_at_zero(const Case& one) {
+  return with_sphere(one, [](Sphere<double>& sphere) { sphere.center = glm::dvec3(0); });
+}
+std::vector<Case> sphere_mirrored(const Case& one) {
+  return with_sphere(one, [](Sphere<double>& sphere) { sphere.center = -sphere.center; });
+}
+
+std::vector<Case> parallelepiped_as_box(const Case& one) {
+  return with_question(one, [](RayQuestion& asked) {
+    const auto* solid = std::get_if<Parallelepiped<double>>(&asked.shape);
+    if (solid == nullptr) return false;
+    const glm::dvec3 a = solid->corner;
+    const glm::dvec3 b = a + solid->edges[0] + solid->edges[1] + solid->edges[2];
+    asked.shape = Box<double>{glm::min(a, b), glm::max(a, b)};
+    return true;
+  });
+}
+
+std::vector<Case> with_caps(const Case& one) {
+  return with_cylinder(one, [](Cylinder<double>& cylinder) { cylinder.capped = true; });
+}
+std::vector<Case> without_caps(const Case& one) {
+  return with_cylinder(one, [](Cylinder<double>& cylinder) { cylinder.capped = false; });
+}
+std::vector<Case> circular_rx(const Case& one) {
+  return with_cylinder(one, [](Cylinder<double>& cylinder) { cylinder.ry = cylinder.rx; });
+}
+std::vector<Case> circular_ry(const Case& one) {
+  return with_cylinder(one, [](Cylinder<double>& cylinder) { cylinder.rx = cylinder.ry; });
+}
+std::vector<Case> radii_exchanged(const Case& one) {
+  return with_cylinder(one, [](Cylinder<double>& cylinder) { std::swap(cylinder.rx, cylinder.ry); });
+}
+std::vector<Case> radii_squared(const Case& one) {
+  return with_cylinder(one, [](Cylinder<double>& cylinder) {
+    cylinder.rx *= cylinder.rx;
+    cylinder.ry *= cylinder.ry;
+  });
+}
+std::vector<Case> middle_at_zero(const Case& one) {
+  return with_shape<Cylinder<double>>(one, [](RayQuestion& asked, const Cylinder<double>& cylinder) {
+    lift(asked, -cylinder.height / 2);
+    return true;
+  });
+}
+
+Answers sphere_without_sign(const Case& one, const Answer& /*exact*/) {
+  const auto equation = sphere_equation(one);
+  if (!equation || equation->discriminant() >= 0) return {};
+  return with_roots(one, roots_by(-equation->h, -equation->discriminant(), equation->a));
+}
+
+Answers radius_for_square(const Case& one, const Answer& /*exact*/) {
+  const auto equation = sphere_equation(one);
+  if (!equation) return {};
+  const double radius = shape_in<Sphere<double>>(one)->radius;
+  ReducedEquation rooted = *equation;
+  rooted.c += radius * radius - radius;
+  const auto hits = [&](bool is_near, double D) {
+    return with_roots(one, is_near ? roots_by(-rooted.h, std::max(D, 0.0), rooted.a) : std::nullopt).front();
+  };
+  const double own = equation->discriminant(), other = rooted.discriminant();
+  return {hits(other >= 0, other), hits(own >= 0, other), hits(other >= 0, own)};
+}
+
+Answers radius_square_added(const Case& one, const Answer& /*exact*/) {
+  auto equation = sphere_equation(one);
+  if (!equation || shape_in<Sphere<double>>(one)->radius == 0) return {};
+  equation->c += 2 * std::pow(shape_in<Sphere<double>>(one)->radius, 2);
+  return with_roots(one, roots_by(-equation->h, equation->discriminant(), equation->a));
+}
+
+Answers nearest_point_of_line(const Case& one, const Answer& exact) {
+  const auto equation = sphere_equation(one);
+  if (!equation || hits_of_line(one).hits.count == 0) return {};
+  RayAnswer nearest;
+  nearest.hits.push_back(-equation->h / equation->a);
+  const bool is_hit = std::get<RayAnswer>(exact).hits.count > 0;
+  Answers answers{hits_where(nearest, [&](double t) { return in_interval(ray_question(one)->ray, t); })};
+  if (is_hit) answers.push_back(nearest);
+  // From inside it may take the far hit.
+  if (is_hit && hits_of_line(one).hits.t[0] < ray_question(one)->ray.t_min) answers.push_back(exact);
+  return answers;
+}
+
+Answers half_chord(const Case& one, const Answer& exact) {
+  if (shape_in<Sphere<double>>(one) == nullptr || std::get<RayAnswer>(exact).hits.count == 0) return {};
+  const RayAnswer line = hits_of_line(one);
+  if (line.hits.count < 2) return {};
+  return hit_at(one, (line.hits.t[1] - line.hits.t[0]) / 2, true);
+}
+
+Answers flat_box_missed(const Case& one, const Answer& exact) {
+  const auto* box = shape_in<Box<double>>(one);
+  if (box == nullptr || std::get<RayAnswer>(exact).hits.count == 0) return {};
+  const bool is_flat = box->min.x == box->max.x || box->min.y == box->max.y || box->min.z == box->max.z;
+  return is_flat ? Answers{RayAnswer{}} : Answers{};
+}
+
+Answers sphere_of_no_radius_missed(const Case& one, const Answer& exact) {
+  const auto* sphere = shape_in<Sphere<double>>(one);
+  return sphere != nullptr && sphere->radius == 0 && finds_something(exact) ? Answers{RayAnswer{}}
+                                                                            : Answers{};
+}
+
+Answers centre_behind_missed(const Case& one, const Answer& exact) {
+  const auto* sphere = shape_in<Sphere<double>>(one);
+  if (sphere == nullptr || !finds_something(exact)) return {};
+  const Ray<double> ray = ray_in_object(*ray_question(one));
+  const bool is_behind = glm::dot(sphere->center - ray.origin, ray.direction) < 0;
+  return is_behind ? Answers{RayAnswer{}} : Answers{};
+}
+
+std::vector<Case> max_as_size(const Case& one) {
+  return with_shape<Box<double>>(one, [](RayQuestion& /*asked*/, Box<double>& box) {
+    const glm::dvec3 low = box.min, other = box.min + box.max;  // on either side of min
+    box.min = glm::min(low, other);
+    box.max = glm::max(low, other);
+    return true;
+  });
+}
+
+std::vector<Case> parallelepiped_as_bounds(const Case& one) {
+  return with_question(one, [](RayQuestion& asked) {
+    const auto* solid = std::get_if<Parallelepiped<double>>(&asked.shape);
+    if (solid == nullptr) return false;
+    glm::dvec3 low = solid->corner, high = low;
+    for (const glm::dvec3& edge : solid->edges) {
+      low += glm::min(edge, glm::dvec3(0));
+      high += glm::max(edge, glm::dvec3(0));
+    }
+    asked.shape = Box<double>{low, high};
+    return true;
+  });
+}
+
+std::vector<Case> edges_times_length(const Case& one) {
+  return with_shape<Parallelepiped<double>>(one, [](RayQuestion& /*asked*/, Parallelepiped<double>& solid) {
+    for (glm::dvec3& edge : solid.edges) edge *= glm::length(edge);
+    return true;
+  });
+}
+
+std::vector<Case> edges_as_orthogonal(const Case& one) {
+  return with_shape<Parallelepiped<double>>(one, [](RayQuestion& /*asked*/, Parallelepiped<double>& solid) {
+    const auto& e = solid.edges;
+    const glm::dmat3 dual = glm::transpose(glm::inverse(glm::dmat3(e[0], e[1], e[2])));
+    for (int i = 0; i < 3; ++i) {
+      glm::dvec3& edge = solid.edges.at(static_cast<std::size_t>(i));
+      edge = glm::dot(edge, edge) * dual[i];
+    }
+    return true;
+  });
+}
+
+std::vector<Case> corner_as_centre(const Case& one) {
+  return with_shape<Parallelepiped<double>>(one, [](RayQuestion& /*asked*/, Parallelepiped<double>& solid) {
+    solid.corner -= 0.5 * (solid.edges[0] + solid.edges[1] + solid.edges[2]);
+    return true;
+  });
+}
+
+std::vector<Case> edges_transposed(const Case& one) {
+  return with_shape<Parallelepiped<double>>(one, [](RayQuestion& /*asked*/, Parallelepiped<double>& solid) {
+    auto& e = solid.edges;
+    const glm::dmat3 other = glm::transpose(glm::dmat3(e[0], e[1], e[2]));
+    e = {other[0], other[1], other[2]};
+    return true;
+  });
+}
+
+}  // namespace rayproof::diagnosis

@@ -1,0 +1,132 @@
+#include "properties/diagnosis/models/space/coordinates.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "case/each_number.hpp"
+
+namespace rayproof::diagnosis {
+namespace {
+
+bool names_directions(std::string_view field) {
+  return field == "normal" || field == "u" || field == "v" || field == "edges";
+}
+
+/// Calls `act` for each vector among the shape's points, or directions.
+template <class Act>
+void for_each_vector(Shape& shape, bool are_directions, Act&& act) {
+  const auto visit_field = [&](std::string_view name, auto& value) {
+    using Value = std::remove_reference_t<decltype(value)>;
+    if (names_directions(name) != are_directions) return;
+    if constexpr (std::is_same_v<Value, glm::dvec3>)
+      act(value);
+    else if constexpr (requires { std::ranges::for_each(value, act); })
+      std::ranges::for_each(value, act);
+  };
+  std::visit([&]<class S>(S& some) { ShapeFormat<S>::fields(some, visit_field); }, shape);
+}
+
+}  // namespace
+
+std::vector<Case> with_vectors(const Case& one, Vectors which, void (*change)(glm::dvec3&)) {
+  return with_question(one, [&](RayQuestion& asked) {
+    if (which == Vectors::origin)
+      change(asked.ray.origin);
+    else if (which == Vectors::direction)
+      change(asked.ray.direction);
+    else
+      for_each_vector(asked.shape, which == Vectors::directions, change);
+    return true;
+  });
+}
+
+std::vector<Case> place_ignored(const Case& one) {
+  return with_question(one, [](RayQuestion& asked) {
+    std::optional<glm::dvec3> place;
+    for_each_vector(asked.shape, false, [&](glm::dvec3& point) {
+      if (!place) place = point;
+      point -= *place;
+    });
+    return place && *place != glm::dvec3(0);
+  });
+}
+
+std::vector<Case> with_numbers_of_shape(const Case& one, double (*change)(double x)) {
+  if (std::holds_alternative<PointAndPolygon<double>>(one.question)) {
+    Case changed = one;
+    each_number(std::get<PointAndPolygon<double>>(changed.question), [change](double& x) { x = change(x); });
+    return {changed};
+  }
+  return with_question(one, [change](RayQuestion& asked) {
+    std::visit([change](auto& shape) { each_number(shape, [change](double& x) { x = change(x); }); },
+               asked.shape);
+    return true;
+  });
+}
+
+bool has_area_cut_off(const Case& one, const Answer& /*exact*/) {
+  const auto* place = std::get_if<PointAndPolygon<double>>(&one.question);
+  if (place == nullptr) return true;
+  const Vec2<double> first = place->vertices.front();
+  bool is_wide = false, is_high = false;
+  for (const Vec2<double>& vertex : place->vertices) {
+    is_wide = is_wide || std::trunc(vertex.x) != std::trunc(first.x);
+    is_high = is_high || std::trunc(vertex.y) != std::trunc(first.y);
+  }
+  return is_wide && is_high;
+}
+
+Answers with_shape_cut_off(const Case& one, const Answer& exact) {
+  if (!has_area_cut_off(one, exact)) return {Position::outside, Position::boundary};
+  return off_boundary_read_as<shape_cut_off>(one, exact);
+}
+
+std::vector<Case> without_origin(const Case& one) {
+  return with_vectors(one, Vectors::origin, [](glm::dvec3& origin) { origin = glm::dvec3(0); });
+}
+
+std::vector<Case> direction_as_origin(const Case& one) {
+  std::vector<Case> readings;
+  for (const bool is_apart_along_axes : {false, true}) {
+    const auto read = with_question(one, [&](RayQuestion& asked) {
+      auto& [origin, direction, t_min, t_max] = asked.ray;
+      for (int axis = 0; axis < 3; ++axis)
+        if (direction[axis] != 0 || !is_apart_along_axes) origin[axis] = direction[axis];
+      return true;
+    });
+    readings.insert(readings.end(), read.begin(), read.end());
+  }
+  return readings;
+}
+
+std::vector<Case> direction_as_target(const Case& one) {
+  return with_question(one, [](RayQuestion& asked) {
+    asked.ray.direction -= asked.ray.origin;
+    return asked.ray.origin != glm::dvec3(0);
+  });
+}
+
+std::vector<Case> with_point(const Case& one, double (*change)(double x, double cells), double cells) {
+  Case changed = one;
+  auto* place = std::get_if<PointAndPolygon<double>>(&changed.question);
+  if (place == nullptr) return {};
+  place->point.x = change(place->point.x, cells);
+  place->point.y = change(place->point.y, cells);
+  return {changed};
+}
+
+std::vector<Case> point_cut_off(const Case& one) {
+  return with_point(
+      one, [](double x, double) { return std::trunc(x); }, 1);
+}
+
+std::vector<Case> point_exchanged(const Case& one) {
+  Case changed = one;
+  auto* place = std::get_if<PointAndPolygon<double>>(&changed.question);
+  if (place == nullptr) return {};
+  std::swap(place->point.x, place->point.y);
+  return {changed};
+}
+
+}  // namespace rayproof::diagnosis

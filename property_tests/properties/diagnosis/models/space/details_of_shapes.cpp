@@ -1,0 +1,39 @@
+#include "properties/diagnosis/models/space/details_of_shapes.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "properties/diagnosis/models/surface_normals.hpp"
+
+namespace rayproof::diagnosis {
+Answers normal_along_edge(const Case& one, const Answer& exact) {
+  const auto* solid = shape_in<Parallelepiped<double>>(one);
+  if (solid == nullptr) return {};
+  return with_normal(one, exact, [&](const RayQuestion& asked, const glm::dvec3& normal) {
+    const glm::dvec3 own = normal_in_object_space(asked, normal);
+    for (const glm::dvec3& edge : solid->edges) {
+      const double along = glm::dot(edge, own) / (glm::length(edge) * glm::length(own));
+      // The two other edges lie in the face.
+      if (std::abs(along) > 0x1p-20) return map_of_normals(asked) * (std::copysign(1, along) * edge);
+    }
+    return glm::dvec3(0);
+  });
+}
+
+Answers point_by_other_weights(const Case& one, const Answer& exact) {
+  const auto* triangle = shape_in<Triangle<double>>(one);
+  const auto* hit = std::get_if<RayAnswer>(&exact);
+  if (triangle == nullptr || hit == nullptr || !hit->barycentric) return {};
+  const glm::dmat4 matrix = ray_question(one)->transform.value_or(glm::dmat4(1));
+  const glm::dvec3& w = *hit->barycentric;
+  Answers answers;
+  for (const auto& [a, b, c] : {std::array{0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}) {
+    RayAnswer other = *hit;
+    other.point =
+        glm::dvec3(matrix * glm::dvec4(w[a] * triangle->a + w[b] * triangle->b + w[c] * triangle->c, 1));
+    answers.emplace_back(other);
+  }
+  return answers;
+}
+
+}  // namespace rayproof::diagnosis
