@@ -48,6 +48,9 @@ class Filtering {
   static inline constinit thread_local bool is_on = false;
 };
 
+/// Whether all that is made from here on will be done again exactly.
+[[nodiscard]] inline bool is_in_vain() { return Filtering::is_on && Doubt::is_noted(); }
+
 /// An exact number, or an estimate of it.
 class Ring {
  public:
