@@ -13,16 +13,27 @@ namespace rayproof {
 
 namespace {
 
-std::vector<std::string> labels_of(const Case& one, const RayAnswer& exact) {
-  const auto line = std::get<RayAnswer>(oracle::answer(on_whole_line(one)));
-  const auto t = line.hits.view();
+/// How many of the line's hits the ray's interval holds. Rounding keeps the order of numbers, so that a t can
+/// lie on the wrong side of an end only where it rounds to that.
+std::size_t count_in_interval(const Case& one, const RayAnswer& line) {
+  const Ray<double>& ray = std::get<RayQuestion>(one.question).ray;
+  const auto is_end = [&](double t) { return t == ray.t_min || t == ray.t_max; };
+  if (std::ranges::any_of(line.hits.view(), is_end))
+    return std::get<RayAnswer>(oracle::answer(one)).hits.count;
+  const auto is_held = [&](double t) { return in_interval(ray, t); };
+  return static_cast<std::size_t>(std::ranges::count_if(line.hits.view(), is_held));
+}
 
-  std::vector<std::string> labels{exact.hits.count > 0 ? "hit" : "miss"};
+std::vector<std::string> labels_of(const Case& one, const RayAnswer& line) {
+  const auto t = line.hits.view();
+  const std::size_t hits = count_in_interval(one, line);
+
+  std::vector<std::string> labels{hits > 0 ? "hit" : "miss"};
   if (line.contact != Contact::crossing && line.contact != Contact::none)
     std::ranges::replace(labels.emplace_back(name_of(line.contact)), '_', ' ');
   if (line.hits.count > 0 && !line.normal) labels.emplace_back("sharp");
-  if (exact.hits.count == 0 && line.hits.count > 0) labels.emplace_back("behind");
-  if (exact.hits.count > 0 && exact.hits.count < line.hits.count) labels.emplace_back("cut");
+  if (hits == 0 && line.hits.count > 0) labels.emplace_back("behind");
+  if (hits > 0 && hits < line.hits.count) labels.emplace_back("cut");
   if (line.hits.count > 1 && t.front() < 0 && t.back() > 0) labels.emplace_back("from inside");
   return labels;
 }
@@ -40,10 +51,11 @@ double by_chance(double share, unsigned cases) { return 4 * std::sqrt(share * (1
 }  // namespace
 
 std::vector<std::string> labels_of(const Case& one) {
-  const Answer exact = oracle::answer(one);
+  const Case line = on_whole_line(one);
+  const Answer exact = oracle::answer(line);
   std::vector<std::string> labels =
       std::visit([&](const auto& answer) { return labels_of(one, answer); }, exact);
-  const oracle::Judgement judgement = oracle::judge(one, exact);
+  const oracle::Judgement judgement = oracle::judge(line, exact);
   const int reach = reach_of(Domain{}, one.precision);
   if (judgement.smallest >= -reach && judgement.largest <= reach) labels.emplace_back("in reach");
   return labels;
