@@ -14,6 +14,7 @@ namespace rayproof::diagnosis {
 [[nodiscard]] std::vector<Hypothesis> classes_of_roots();
 [[nodiscard]] std::vector<Hypothesis> models_of_transforms();
 [[nodiscard]] std::vector<Hypothesis> models_of_solids();
+[[nodiscard]] std::vector<Hypothesis> models_of_corners();
 [[nodiscard]] std::vector<Hypothesis> models_of_axis_rays();
 [[nodiscard]] std::vector<Hypothesis> models_of_slab_orders();
 [[nodiscard]] std::vector<Hypothesis> models_of_weights();

@@ -1,9 +1,8 @@
 /// \file
-/// Faults with spheres, boxes and parallelepipeds, and with edges.
+/// Faults with spheres, boxes and parallelepipeds.
 
 #include "properties/diagnosis/cures/cures.hpp"
 #include "properties/diagnosis/models/solids/box.hpp"
-#include "properties/diagnosis/models/solids/edges.hpp"
 #include "properties/diagnosis/models/solids/faces.hpp"
 #include "properties/diagnosis/models/solids/slabs.hpp"
 #include "properties/diagnosis/models/solids/solid.hpp"
@@ -116,22 +115,6 @@ std::vector<Hypothesis> models_of_solids() {
             "the answer is right for the transposed matrix of the edges: rows are taken for columns"),
       gives("unit-edges", read_as<unit_edges>,
             "the answer is right for edges of length 1: the edges are taken for unit vectors"),
-  };
-}
-
-std::vector<Hypothesis> models_of_edges() {
-  return {
-      shows("rounded-edges", has_rounded_edges,
-            "the edges and corners of a box are rounded off: a smaller box is met, with a margin around it"),
-      shows("rounded-centre", is_of_rounded_centre,
-            "right for the box whose centre and half lengths, or sizes, are rounded: far from the origin of "
-            "coordinates, or beside a long side, these lose the digits of min and max",
-            rounding),
-      shows(
-          "missed-through-edge", missed_through_edge,
-          "a ray that enters the solid through an edge, or a rim, is missed: rounding puts the point beside "
-          "either face",
-          boundary),
   };
 }
 

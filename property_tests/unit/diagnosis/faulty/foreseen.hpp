@@ -41,6 +41,8 @@ inline constexpr Foreseen foreseen_faults[] = {
     {"plane", "behind-at-t-min"},
     {"box", "flat-box-missed"},
     {"box", "max-as-size"},
+    {"box", "max-y-for-z"},
+    {"box", "min-x-for-y"},
     {"parallelepiped", "parallelepiped-as-bounds"},
     {"parallelepiped", "edges-times-length"},
     {"parallelepiped", "edges-as-orthogonal"},

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Readings of a box whose middle or half size is taken wrongly.
+/// Models of a box whose middle, half size or corner is taken wrongly.
 
 #include "properties/diagnosis/models/models.hpp"
 
@@ -10,4 +10,13 @@ namespace rayproof::diagnosis {
 [[nodiscard]] std::vector<Case> size_as_half(const Case& one);
 [[nodiscard]] std::vector<Case> sum_as_middle(const Case& one);
 /// @}
+
+/// The box with another coordinate of that corner in the place of its coordinate on axis `to`; where the
+/// corners then lie the wrong way round, the box between them or none.
+[[nodiscard]] Answers with_corner_copied(const Case& one, glm::dvec3 Box<double>::*corner, int from, int to);
+template <glm::dvec3 Box<double>::*corner, int from, int to>
+[[nodiscard]] Answers corner_copied(const Case& one, const Answer& /*exact*/) {
+  return with_corner_copied(one, corner, from, to);
+}
+
 }  // namespace rayproof::diagnosis

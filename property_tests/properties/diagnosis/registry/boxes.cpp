@@ -1,0 +1,55 @@
+/// \file
+/// The faults of boxes: their corners, and rays through edges.
+
+#include "properties/diagnosis/models/solids/box.hpp"
+#include "properties/diagnosis/models/solids/edges.hpp"
+#include "properties/diagnosis/registry/lines.hpp"
+
+namespace rayproof::diagnosis {
+
+std::vector<Hypothesis> models_of_corners() {
+  return {
+      gives("max-y-for-x", corner_copied<&Box<double>::max, 1, 0>,
+            "the answer is right with y of max in the place of its x"),
+      gives("max-z-for-x", corner_copied<&Box<double>::max, 2, 0>,
+            "the answer is right with z of max in the place of its x"),
+      gives("max-x-for-y", corner_copied<&Box<double>::max, 0, 1>,
+            "the answer is right with x of max in the place of its y"),
+      gives("max-z-for-y", corner_copied<&Box<double>::max, 2, 1>,
+            "the answer is right with z of max in the place of its y"),
+      gives("max-x-for-z", corner_copied<&Box<double>::max, 0, 2>,
+            "the answer is right with x of max in the place of its z"),
+      gives("max-y-for-z", corner_copied<&Box<double>::max, 1, 2>,
+            "the answer is right with y of max in the place of its z"),
+      gives("min-y-for-x", corner_copied<&Box<double>::min, 1, 0>,
+            "the answer is right with y of min in the place of its x"),
+      gives("min-z-for-x", corner_copied<&Box<double>::min, 2, 0>,
+            "the answer is right with z of min in the place of its x"),
+      gives("min-x-for-y", corner_copied<&Box<double>::min, 0, 1>,
+            "the answer is right with x of min in the place of its y"),
+      gives("min-z-for-y", corner_copied<&Box<double>::min, 2, 1>,
+            "the answer is right with z of min in the place of its y"),
+      gives("min-x-for-z", corner_copied<&Box<double>::min, 0, 2>,
+            "the answer is right with x of min in the place of its z"),
+      gives("min-y-for-z", corner_copied<&Box<double>::min, 1, 2>,
+            "the answer is right with y of min in the place of its z"),
+  };
+}
+
+std::vector<Hypothesis> models_of_edges() {
+  return {
+      shows("rounded-edges", has_rounded_edges,
+            "the edges and corners of a box are rounded off: a smaller box is met, with a margin around it"),
+      shows("rounded-centre", is_of_rounded_centre,
+            "right for the box whose centre and half lengths, or sizes, are rounded: far from the origin of "
+            "coordinates, or beside a long side, these lose the digits of min and max",
+            rounding),
+      shows(
+          "missed-through-edge", missed_through_edge,
+          "a ray that enters the solid through an edge, or a rim, is missed: rounding puts the point beside "
+          "either face",
+          boundary),
+  };
+}
+
+}  // namespace rayproof::diagnosis
