@@ -9,6 +9,8 @@ namespace rayproof::diagnosis {
 
 std::vector<Hypothesis> models_of_corners() {
   return {
+      gives("max-as-half-size", read_as<max_as_half_size>,
+            "the answer is right for a box from -max to max: max is taken for half the size"),
       gives("max-y-for-x", corner_copied<&Box<double>::max, 1, 0>,
             "the answer is right with y of max in the place of its x"),
       gives("max-z-for-x", corner_copied<&Box<double>::max, 2, 0>,

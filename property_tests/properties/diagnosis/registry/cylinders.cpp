@@ -86,6 +86,7 @@ std::vector<Hypothesis> models_of_cylinders() {
             "the answer is right for a cylinder along y, its radii along z and x"),
       gives("middle-at-zero", read_as<middle_at_zero>,
             "the answer is right for a cylinder from -height/2 to height/2"),
+      gives("top-at-zero", read_as<top_at_zero>, "the answer is right for a cylinder from -height to 0"),
   };
 }
 

@@ -63,6 +63,12 @@ std::vector<Hypothesis> models_of_readings() {
       gives("place-ignored", read_as<place_ignored>,
             "the answer is right for a shape with its first point, or corner, at the origin of coordinates: "
             "that point is not subtracted from the ray's origin"),
+      strictly(gives("points-x-ignored", read_as<without<points, 0>>,
+                     "the answer is right with x = 0 for the shape's points: their x is ignored")),
+      strictly(gives("points-y-ignored", read_as<without<points, 1>>,
+                     "the answer is right with y = 0 for the shape's points: their y is ignored")),
+      strictly(gives("points-z-ignored", read_as<without<points, 2>>,
+                     "the answer is right with z = 0 for the shape's points: their z is ignored")),
       gives("points-x-for-y", read_as<copied<points, 0, 1>>,
             "the answer is right with x of the shape's points in the place of y"),
       gives("points-x-for-z", read_as<copied<points, 0, 2>>,

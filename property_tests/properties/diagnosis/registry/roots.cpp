@@ -97,6 +97,8 @@ std::vector<Hypothesis> models_of_roots() {
       gives("c-negated", read_as<coefficients_with<1>>, "the answer is right for -c: c has the wrong sign"),
       gives("a-c-exchanged", read_as<coefficients_with<2>>,
             "the answer is right with a and c exchanged: the roots are 1/x"),
+      gives("b-c-exchanged", read_as<coefficients_with<3>>, "the answer is right with b and c exchanged"),
+      gives("a-b-exchanged", read_as<coefficients_with<4>>, "the answer is right with a and b exchanged"),
       gives_one_of(
           "discriminant-wrong", wrong_discriminant,
           "D is not b² - 4ac: a power, a factor, a coefficient or the sign of a term in it is wrong"),

@@ -30,7 +30,8 @@ namespace rayproof::diagnosis {
 [[nodiscard]] Answers linear_root_negated(const Case& one, const Answer& exact);
 [[nodiscard]] Answers linear_root_inverted(const Case& one, const Answer& exact);
 /// @}
-/// @{ Readings: b with the other sign (0), c with the other sign (1), a and c exchanged (2).
+/// @{ Readings: b with the other sign (0), c with the other sign (1), a and c exchanged (2), b and c (3), a
+/// and b (4).
 [[nodiscard]] std::vector<Case> with_coefficients(const Case& one,
                                                   void (*change)(Quadratic<double>& equation));
 template <int mistake>
@@ -39,6 +40,8 @@ template <int mistake>
     if (mistake == 0) equation.b = -equation.b;
     if (mistake == 1) equation.c = -equation.c;
     if (mistake == 2) std::swap(equation.a, equation.c);
+    if (mistake == 3) std::swap(equation.b, equation.c);
+    if (mistake == 4) std::swap(equation.a, equation.b);
   });
 }
 /// @}

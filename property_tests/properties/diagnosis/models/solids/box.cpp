@@ -16,6 +16,14 @@ std::vector<Case> box_about(const Case& one, double middles, double halves) {
 std::vector<Case> size_as_half(const Case& one) { return box_about(one, 0.5, 1); }
 std::vector<Case> sum_as_middle(const Case& one) { return box_about(one, 1, 0.5); }
 
+std::vector<Case> max_as_half_size(const Case& one) {
+  return with_shape<Box<double>>(one, [](RayQuestion& /*asked*/, Box<double>& box) {
+    const glm::dvec3 half = glm::abs(box.max);
+    box = {-half, half};
+    return true;
+  });
+}
+
 Answers with_corner_copied(const Case& one, glm::dvec3 Box<double>::*corner, int from, int to) {
   bool is_turned = false;
   const auto changed = with_shape<Box<double>>(one, [&](RayQuestion& /*asked*/, Box<double>& box) {

@@ -6,9 +6,11 @@
 
 namespace rayproof::diagnosis {
 
-/// @{ The whole size stands for half of it; min + max for the middle.
+/// @{ The whole size stands for half of it; min + max for the middle; max for half the size of a box about
+/// the origin of coordinates.
 [[nodiscard]] std::vector<Case> size_as_half(const Case& one);
 [[nodiscard]] std::vector<Case> sum_as_middle(const Case& one);
+[[nodiscard]] std::vector<Case> max_as_half_size(const Case& one);
 /// @}
 
 /// The box with another coordinate of that corner in the place of its coordinate on axis `to`; where the

@@ -86,12 +86,20 @@ std::vector<Case> radii_squared(const Case& one) {
     cylinder.ry *= cylinder.ry;
   });
 }
-std::vector<Case> middle_at_zero(const Case& one) {
-  return with_shape<Cylinder<double>>(one, [](RayQuestion& asked, const Cylinder<double>& cylinder) {
-    lift(asked, -cylinder.height / 2);
+namespace {
+
+/// The cylinder lower by that share of its height.
+std::vector<Case> lowered(const Case& one, double share) {
+  return with_shape<Cylinder<double>>(one, [share](RayQuestion& asked, const Cylinder<double>& cylinder) {
+    lift(asked, -share * cylinder.height);
     return true;
   });
 }
+
+}  // namespace
+
+std::vector<Case> middle_at_zero(const Case& one) { return lowered(one, 0.5); }
+std::vector<Case> top_at_zero(const Case& one) { return lowered(one, 1); }
 
 Answers sphere_without_sign(const Case& one, const Answer& /*exact*/) {
   const auto equation = sphere_equation(one);

@@ -79,7 +79,7 @@ template <int edge>
 /// @}
 
 /// @{ Readings of a cylinder: with caps, without them; a circular one of radius rx, of ry; with
-/// rx and ry exchanged; squared radii; from -height/2 to height/2.
+/// rx and ry exchanged; squared radii; from -height/2 to height/2; from -height to 0.
 [[nodiscard]] std::vector<Case> with_caps(const Case& one);
 [[nodiscard]] std::vector<Case> without_caps(const Case& one);
 [[nodiscard]] std::vector<Case> circular_rx(const Case& one);
@@ -87,6 +87,7 @@ template <int edge>
 [[nodiscard]] std::vector<Case> radii_exchanged(const Case& one);
 [[nodiscard]] std::vector<Case> radii_squared(const Case& one);
 [[nodiscard]] std::vector<Case> middle_at_zero(const Case& one);
+[[nodiscard]] std::vector<Case> top_at_zero(const Case& one);
 /// @}
 
 }  // namespace rayproof::diagnosis

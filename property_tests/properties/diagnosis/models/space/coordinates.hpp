@@ -31,6 +31,11 @@ template <Vectors which, int from, int to>
 [[nodiscard]] std::vector<Case> copied(const Case& one) {
   return with_vectors(one, which, [](glm::dvec3& v) { v[to] = v[from]; });
 }
+/// One coordinate of each of these vectors is read as 0.
+template <Vectors which, int i>
+[[nodiscard]] std::vector<Case> without(const Case& one) {
+  return with_vectors(one, which, [](glm::dvec3& v) { v[i] = 0; });
+}
 /// One coordinate of the ray's origin in the object's space is read as 0.
 template <int i>
 [[nodiscard]] std::vector<Case> without_coordinate(const Case& one) {
