@@ -34,7 +34,8 @@ bool is_cut(const RayAnswer& line, const Ray<double>& ray) {
   return std::ranges::any_of(line.hits.view(), [&](double t) { return !in_interval(ray, t); });
 }
 
-/// The two ends of what the ray, that may go on to t_max, has of the line inside a solid.
+/// The ends of what the ray has of the line inside a solid: cut off at t_min, and at t_max or not. An end
+/// beyond t_max is then left out.
 Answers clipped(const Case& one, const Answer& exact, bool at_t_max) {
   return from_line(one, 2, [&](const Ray<double>& ray, const RayAnswer& line) -> Answers {
     const auto& t = line.hits.t;
