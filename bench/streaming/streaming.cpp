@@ -4,13 +4,17 @@ namespace rayproof {
 
 namespace {
 
+template <InstructionSet... sets>
+struct Sets {};
+
+template <class T, std::size_t In, std::size_t Out, InstructionSet... sets>
+void run(const Columns<T, In, Out>& columns, InstructionSet set, Sets<sets...> /*built*/) {
+  ((set == sets ? Streaming<sets>::run(columns) : void()), ...);
+}
+
 template <class T, std::size_t In, std::size_t Out>
-void dispatch(const Columns<T, In, Out>& columns, [[maybe_unused]] InstructionSet set) {
-#ifdef RAYPROOF_X86
-  if (set == InstructionSet::avx2) return Streaming<InstructionSet::avx2>::run(columns);
-  if (set == InstructionSet::avx512) return Streaming<InstructionSet::avx512>::run(columns);
-#endif
-  Streaming<InstructionSet::baseline>::run(columns);
+void dispatch(const Columns<T, In, Out>& columns, InstructionSet set) {
+  run(columns, set, Sets<RAYPROOF_BUILT_FOR>());
 }
 
 }  // namespace

@@ -9,10 +9,15 @@ namespace rayproof {
 
 namespace {
 
-bool is_available(InstructionSet set) {
-#ifdef RAYPROOF_X86
+/// Those that the kernels were built for, in ascending order (cmake/instruction_sets.cmake).
+template <InstructionSet... sets>
+struct Sets {};
+using Built = Sets<RAYPROOF_BUILT_FOR>;
+
+bool has_machine(InstructionSet set) {
+#ifdef __x86_64__
   __builtin_cpu_init();
-  // The flags of lib/CMakeLists.txt: the x86-64-v3 and x86-64-v4 levels.
+  // The x86-64-v3 and x86-64-v4 levels.
   const bool has_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
                         __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
   const bool has_avx512 = has_avx2 && __builtin_cpu_supports("avx512f") &&
@@ -24,11 +29,14 @@ bool is_available(InstructionSet set) {
   return set == InstructionSet::baseline;
 }
 
-std::vector<InstructionSet> find_available() {
+template <InstructionSet... sets>
+std::vector<InstructionSet> find_available(Sets<sets...> /*built*/) {
   std::vector<InstructionSet> found;
-  for (const InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
-    if (is_available(set)) found.push_back(set);
+  for (const InstructionSet set : {sets...}) {
+    if (has_machine(set)) found.push_back(set);
   }
+  if (found.empty())
+    throw std::runtime_error("the batch kernels were built for another machine (RAYPROOF_INSTRUCTION_SETS)");
   return found;
 }
 
@@ -44,14 +52,12 @@ InstructionSet choose() {
                            choices);
 }
 
-/// What `table` gives for a set that is available.
-template <class Table>
-decltype(auto) of_set([[maybe_unused]] InstructionSet set, const Table& table) {
-#ifdef RAYPROOF_X86
-  if (set == InstructionSet::avx2) return table.template operator()<InstructionSet::avx2>();
-  if (set == InstructionSet::avx512) return table.template operator()<InstructionSet::avx512>();
-#endif
-  return table.template operator()<InstructionSet::baseline>();
+/// The table of a set that is available.
+template <class Table, class TableOf, InstructionSet... sets>
+const Table& of_set(InstructionSet set, const TableOf& table_of, Sets<sets...> /*built*/) {
+  const Table* found = nullptr;
+  ((set == sets ? found = &table_of.template operator()<sets>() : nullptr), ...);
+  return *found;
 }
 
 }  // namespace
@@ -62,7 +68,7 @@ std::string_view name_of(InstructionSet set) {
 }
 
 const std::vector<InstructionSet>& available_instruction_sets() {
-  static const std::vector<InstructionSet> available = find_available();
+  static const std::vector<InstructionSet> available = find_available(Built());
   return available;
 }
 
@@ -72,13 +78,16 @@ InstructionSet preferred_instruction_set() {
 }
 
 const batch::KernelTable& batch::kernel_table(InstructionSet set) {
-  return of_set(set, []<InstructionSet built>() -> const KernelTable& { return built_table<built>(); });
+  const auto table_of = []<InstructionSet built>() -> const KernelTable& { return built_table<built>(); };
+  return of_set<KernelTable>(set, table_of, Built());
 }
 const spawn::KernelTable& spawn::kernel_table(InstructionSet set) {
-  return of_set(set, []<InstructionSet built>() -> const KernelTable& { return built_table<built>(); });
+  const auto table_of = []<InstructionSet built>() -> const KernelTable& { return built_table<built>(); };
+  return of_set<KernelTable>(set, table_of, Built());
 }
 const objects::KernelTable& objects::kernel_table(InstructionSet set) {
-  return of_set(set, []<InstructionSet built>() -> const KernelTable& { return built_table<built>(); });
+  const auto table_of = []<InstructionSet built>() -> const KernelTable& { return built_table<built>(); };
+  return of_set<KernelTable>(set, table_of, Built());
 }
 
 }  // namespace rayproof

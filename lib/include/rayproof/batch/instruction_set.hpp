@@ -14,7 +14,7 @@ enum class InstructionSet { baseline, avx2, avx512 };
 /// "baseline", "avx2" or "avx512".
 [[nodiscard]] std::string_view name_of(InstructionSet set);
 
-/// The instruction sets that were built and that this machine has, in ascending order; never empty.
+/// The sets that are built and that this machine has, ascending. Throws std::runtime_error if there are none.
 [[nodiscard]] const std::vector<InstructionSet>& available_instruction_sets();
 
 /// The widest available one, or the one that the environment variable RAYPROOF_ISA names. Throws

@@ -16,8 +16,9 @@ from examples import batch_example, googletest_example
 from laboratory import absent, laboratory
 from place import Place
 from refusals import fast_math, kernels, reach
+from sets import sets
 
-ALL = [installation, project, comments, flags, kernels, fast_math, reach, absent, laboratory,
+ALL = [installation, project, comments, flags, kernels, sets, fast_math, reach, absent, laboratory,
        batch_example, googletest_example]
 CLAIMS = {claim.__name__: claim for claim in ALL}
 

@@ -1,0 +1,52 @@
+# What is compiled once for each instruction set: the batch kernels (lib) and the floor under them (bench).
+set(RAYPROOF_INSTRUCTION_SETS all CACHE STRING
+    "What the batch kernels are built for: all, native (the widest set of this machine), or a list of baseline, avx2 and avx512")
+
+set(RAYPROOF_FLAGS_baseline)
+set(RAYPROOF_FLAGS_avx2 -march=x86-64-v3)
+set(RAYPROOF_FLAGS_avx512 -march=x86-64-v4)
+set(known baseline)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  list(APPEND known avx2 avx512)
+endif()
+
+# rayproof_native_set(VARIABLE): the widest set that this machine has, as the compiler sees it.
+function(rayproof_native_set result)
+  set(widest baseline)
+  execute_process(COMMAND ${CMAKE_CXX_COMPILER} -march=native -dM -E -x c++ /dev/null
+                  OUTPUT_VARIABLE macros ERROR_QUIET)
+  if("avx2" IN_LIST known AND macros MATCHES "__AVX2__" AND macros MATCHES "__FMA__" AND macros MATCHES "__BMI2__")
+    set(widest avx2)
+    if(macros MATCHES "__AVX512VL__" AND macros MATCHES "__AVX512BW__" AND macros MATCHES "__AVX512DQ__")
+      set(widest avx512)
+    endif()
+  endif()
+  set(${result} ${widest} PARENT_SCOPE)
+endfunction()
+
+# rayproof_built_sets: in ascending order of width.
+set(rayproof_built_sets)
+if(RAYPROOF_INSTRUCTION_SETS STREQUAL "all")
+  set(rayproof_built_sets ${known})
+elseif(RAYPROOF_INSTRUCTION_SETS STREQUAL "native")
+  rayproof_native_set(rayproof_built_sets)
+else()
+  foreach(instruction_set IN LISTS RAYPROOF_INSTRUCTION_SETS)
+    if(NOT instruction_set IN_LIST known)
+      list(JOIN known ", " choices)
+      message(FATAL_ERROR "RAYPROOF_INSTRUCTION_SETS: there is no '${instruction_set}'; it is all, native, or a list of ${choices}")
+    endif()
+  endforeach()
+  foreach(instruction_set IN LISTS known)
+    if(instruction_set IN_LIST RAYPROOF_INSTRUCTION_SETS)
+      list(APPEND rayproof_built_sets ${instruction_set})
+    endif()
+  endforeach()
+endif()
+
+# rayproof_built_for(TARGET): tells the target's sources which sets there are, as arguments of a template.
+function(rayproof_built_for target)
+  list(TRANSFORM rayproof_built_sets PREPEND "InstructionSet::" OUTPUT_VARIABLE sets)
+  list(JOIN sets "," sets)
+  target_compile_definitions(${target} PRIVATE "RAYPROOF_BUILT_FOR=${sets}")
+endfunction()
