@@ -44,7 +44,7 @@ else()
   endforeach()
 endif()
 
-# rayproof_built_for(TARGET): tells the target's sources which sets there are, as arguments of a template.
+# rayproof_built_for(TARGET): gives the target's sources the list of sets, for templates.
 function(rayproof_built_for target)
   list(TRANSFORM rayproof_built_sets PREPEND "InstructionSet::" OUTPUT_VARIABLE sets)
   list(JOIN sets "," sets)

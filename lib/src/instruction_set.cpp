@@ -9,11 +9,6 @@ namespace rayproof {
 
 namespace {
 
-/// Those that the kernels were built for, in ascending order (cmake/instruction_sets.cmake).
-template <InstructionSet... sets>
-struct Sets {};
-using Built = Sets<RAYPROOF_BUILT_FOR>;
-
 bool has_machine(InstructionSet set) {
 #ifdef __x86_64__
   __builtin_cpu_init();
@@ -29,10 +24,12 @@ bool has_machine(InstructionSet set) {
   return set == InstructionSet::baseline;
 }
 
-template <InstructionSet... sets>
-std::vector<InstructionSet> find_available(Sets<sets...> /*built*/) {
+// RAYPROOF_BUILT_FOR: the sets that the kernels were built for, in ascending order
+// (cmake/instruction_sets.cmake).
+template <InstructionSet... built>
+std::vector<InstructionSet> find_available() {
   std::vector<InstructionSet> found;
-  for (const InstructionSet set : {sets...}) {
+  for (const InstructionSet set : {built...}) {
     if (has_machine(set)) found.push_back(set);
   }
   if (found.empty())
@@ -53,10 +50,10 @@ InstructionSet choose() {
 }
 
 /// The table of a set that is available.
-template <class Table, class TableOf, InstructionSet... sets>
-const Table& of_set(InstructionSet set, const TableOf& table_of, Sets<sets...> /*built*/) {
+template <class Table, InstructionSet... built, class TableOf>
+const Table& of_set(InstructionSet set, const TableOf& table_of) {
   const Table* found = nullptr;
-  ((set == sets ? found = &table_of.template operator()<sets>() : nullptr), ...);
+  ((set == built ? found = &table_of.template operator()<built>() : nullptr), ...);
   return *found;
 }
 
@@ -68,7 +65,7 @@ std::string_view name_of(InstructionSet set) {
 }
 
 const std::vector<InstructionSet>& available_instruction_sets() {
-  static const std::vector<InstructionSet> available = find_available(Built());
+  static const std::vector<InstructionSet> available = find_available<RAYPROOF_BUILT_FOR>();
   return available;
 }
 
@@ -79,15 +76,15 @@ InstructionSet preferred_instruction_set() {
 
 const batch::KernelTable& batch::kernel_table(InstructionSet set) {
   const auto table_of = []<InstructionSet built>() -> const KernelTable& { return built_table<built>(); };
-  return of_set<KernelTable>(set, table_of, Built());
+  return of_set<KernelTable, RAYPROOF_BUILT_FOR>(set, table_of);
 }
 const spawn::KernelTable& spawn::kernel_table(InstructionSet set) {
   const auto table_of = []<InstructionSet built>() -> const KernelTable& { return built_table<built>(); };
-  return of_set<KernelTable>(set, table_of, Built());
+  return of_set<KernelTable, RAYPROOF_BUILT_FOR>(set, table_of);
 }
 const objects::KernelTable& objects::kernel_table(InstructionSet set) {
   const auto table_of = []<InstructionSet built>() -> const KernelTable& { return built_table<built>(); };
-  return of_set<KernelTable>(set, table_of, Built());
+  return of_set<KernelTable, RAYPROOF_BUILT_FOR>(set, table_of);
 }
 
 }  // namespace rayproof
