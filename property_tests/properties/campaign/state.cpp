@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "properties/engine/units.hpp"
+
 namespace rayproof::campaign {
 
 namespace {

@@ -120,6 +120,8 @@ BlockResult run_block(const Unit& unit, std::uint64_t block_seed, unsigned cases
   using Range = tbb::blocked_range<unsigned>;
   constexpr unsigned cases_at_a_time = 256;
   const bool is_function = unit.subject->function != nullptr;
+  const std::span<JudgedAnswers> judged =
+      unit.judged != nullptr ? unit.judged->block(block_seed, cases) : std::span<JudgedAnswers>();
   std::atomic<unsigned> failures = 0;
   BlockResult none;
   none.tally.properties.resize(properties().size());
@@ -138,7 +140,7 @@ BlockResult run_block(const Unit& unit, std::uint64_t block_seed, unsigned cases
         }
         for (unsigned k = range.begin(); k != range.end(); ++k) {
           const Case one = case_of(unit, block_seed, k);
-          Trial trial(*unit.subject, one);
+          Trial trial(*unit.subject, one, judged.empty() ? nullptr : &judged[k]);
           result.put(unit, trial, k);
         }
         return result;

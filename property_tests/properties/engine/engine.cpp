@@ -7,29 +7,18 @@
 
 #include <algorithm>
 #include <map>
+#include <span>
+#include <utility>
 
 #include "properties/engine/diagnosing.hpp"
 #include "properties/engine/found.hpp"
 #include "properties/engine/kind.hpp"
+#include "properties/engine/units.hpp"
 #include "properties/guests/one_fault.hpp"
 
 namespace rayproof {
 
 namespace {
-
-/// The subject on the family, with the properties of the plan that it claims or is declared to break. The
-/// worst errors are measured where one of these measures an error, so that they cost nothing more.
-Unit unit_of(const Plan& plan, const Subject& subject, const Family& family, Precision precision) {
-  Unit unit{&subject, &family, precision, {}, plan.settings.measure_all};
-  for (std::size_t p = 0; p < plan.is_wanted.size(); ++p) {
-    const Property& property = properties()[p];
-    if (!plan.is_wanted[p] || !(claims(subject, property) || is_declared_refuted(subject, property)))
-      continue;
-    unit.tested.push_back(p);
-    unit.measure = unit.measure || property.excess != nullptr;
-  }
-  return unit;
-}
 
 /// One run: the plan, who hears of it, and what has been found.
 class Run {
@@ -43,7 +32,9 @@ class Run {
     for (const Failure& failure : plan_.failures) put_failure(failure);
     for (const Case& one : corpus) put_corpus_case(one);
     if (plan_.settings.count_labels) count_all_labels();
+    const std::size_t of_families = result_.findings.size();
     put_families();
+    sort_by_subjects(std::span(result_.findings).subspan(of_families));
     leave_out_twins(result_.findings);
     diagnose_findings(result_, samples_, listener_, stop_);
     put_together(result_.findings, kind_of, {is_named_boundary, is_avoided, is_part_of, is_extreme});
@@ -110,10 +101,11 @@ class Run {
     const auto hunts = static_cast<double>(rounds * result_.units.size());
     double done = 0;
     for (std::uint64_t round = 0; round < rounds; ++round)
-      for (Unit& unit : result_.units) {
+      for (Unit& unit : by_families(result_.units)) {
         if (stop_ || (round > 0 && share_of_time() > 1)) return;
         if (unit.subject->is_given_up()) continue;
         unit.others_failed = &others_failed_[unit.subject];
+        unit.judged = &judged_;
         Hunt hunt{unit, broken_[{unit.subject, unit.precision}], stop_, combine(plan_.settings.seed, round),
                   std::min(in_round, all - round * in_round)};
         hunt.progress = [&](double of_unit) {
@@ -131,6 +123,14 @@ class Run {
         hunt.run();
         ++done;
       }
+  }
+
+  /// By subject, then by precision, whatever was done first.
+  void sort_by_subjects(std::span<Finding> findings) const {
+    std::ranges::stable_sort(findings, {}, [&](const Finding& finding) {
+      return std::pair(std::ranges::find(plan_.subjects, finding.subject),
+                       std::ranges::find(plan_.precisions, finding.one.precision));
+    });
   }
 
   /// How much of the time is over; 0 without a limit.
@@ -153,18 +153,10 @@ class Run {
   Samples samples_{};
   std::map<std::pair<const Subject*, Precision>, std::set<std::size_t>> broken_{};
   std::map<const Subject*, std::atomic<unsigned>> others_failed_{};
+  JudgedBlocks judged_{};
 };
 
 }  // namespace
-
-std::vector<Unit> units_of(const Plan& plan) {
-  std::vector<Unit> units;
-  for (const Subject* subject : plan.subjects)
-    for (const Precision precision : plan.precisions)
-      for (const Family* family : plan.families)
-        if (family->topic == subject->topic) units.push_back(unit_of(plan, *subject, *family, precision));
-  return units;
-}
 
 RunResult run_plan(const Plan& plan, const std::vector<Case>& corpus, const Listener& listener,
                    const std::atomic<bool>& stop) {

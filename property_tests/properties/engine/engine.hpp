@@ -28,9 +28,6 @@ struct Listener {
   std::function<void(const Finding&)> finding = [](const Finding&) {};
 };
 
-/// Which subject the plan gives which cases, in the order in which it is done.
-[[nodiscard]] std::vector<Unit> units_of(const Plan& plan);
-
 /// Runs the plan: the corpus first, then the labels, then the families. Stops early, with what it has, once
 /// `stop` is true. The result is the same for every number of jobs.
 [[nodiscard]] RunResult run_plan(const Plan& plan, const std::vector<Case>& corpus, const Listener& listener,

@@ -22,6 +22,8 @@ struct Unit {
   Tally tally{};
   /// On how many of the other cases that properties ask a guest has failed: after some, it is asked none.
   std::atomic<unsigned>* others_failed = nullptr;
+  /// What has been judged of other subjects' answers to the same cases; null where nothing is kept.
+  JudgedBlocks* judged = nullptr;
 };
 
 /// rapidcheck draws a seed for this many cases at a time: its own cost for each draw would outweigh a cheap
