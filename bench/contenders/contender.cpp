@@ -30,7 +30,7 @@ double seconds_of(const Contender& contender, std::size_t count, double (*now)()
 
 /// As many problems as take a few milliseconds; a first, smaller pass warms up and measures the speed.
 std::size_t affordable(const Contender& contender, std::size_t rays, double longest_pass, double (*now)()) {
-  const std::size_t sample = std::min<std::size_t>(rays, 2048);
+  const std::size_t sample = std::min(rays, std::max<std::size_t>(512, rays / 32));
   seconds_of(contender, sample, now);
   const double each = seconds_of(contender, sample, now) / static_cast<double>(sample);
   return std::min(rays, std::max(sample, static_cast<std::size_t>(longest_pass / each)));

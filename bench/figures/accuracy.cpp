@@ -8,7 +8,7 @@
 #include <optional>
 #include <span>
 
-#include "oracle/oracle.hpp"
+#include "oracle/judged_answers.hpp"
 #include "properties/trial.hpp"
 
 namespace rayproof::report {
@@ -52,11 +52,18 @@ double floats_between(double x, double y, Precision precision) {
   return std::abs(static_cast<double>(place(x)) - static_cast<double>(place(y)));
 }
 
+/// An answer of a subject, and what the oracle says of it.
+struct JudgedAnswer {
+  Answer claimed{};
+  oracle::Judgement judgement{};
+  std::optional<oracle::Details> details{};
+};
+
 /// Adds up the judgements of one subject in one arrangement.
 class AccuracySum {
  public:
-  void add(const Answer& claimed, const Answer& exact, const oracle::Judgement& judgement,
-           const std::optional<oracle::Details>& details, Precision precision) {
+  void add(const JudgedAnswer& judged, const Answer& exact, Precision precision) {
+    const auto& [claimed, judgement, details] = judged;
     ++sum_.cases;
     const auto claims = numbers_of(claimed);
     const auto truths = numbers_of(exact);
@@ -115,6 +122,33 @@ bool is_fair(const Answer& claimed, const Case& one) {
   return ray.t_min == 0 && std::isinf(ray.t_max);
 }
 
+/// One case: nothing where the subject is not judged on it, or has no batch.
+struct JudgedCase {
+  std::optional<JudgedAnswer> scalar{}, batch{};
+};
+
+JudgedCase judge(const Subject& subject, const Case& one, std::size_t index, oracle::JudgedAnswers& known) {
+  JudgedCase judged;
+  const Answer claimed = subject.answer(one);
+  if (!is_fair(claimed, one)) return judged;
+  const oracle::Judgement judgement = known.judge(one, claimed);
+  judged.scalar = {claimed, judgement, details_of(one, claimed, judgement, index)};
+  if (subject.answer_in_batch == nullptr) return judged;
+  judged.batch = judged.scalar;
+  if (Answer in_batch = subject.answer_in_batch(one); !same_numbers(claimed, in_batch))
+    judged.batch = {in_batch, known.judge(one, in_batch), std::nullopt};
+  return judged;
+}
+
+struct AccuracySums {
+  AccuracySum scalar{}, batch{};
+
+  void add(const JudgedCase& judged, const Answer& exact, Precision precision) {
+    if (judged.scalar) scalar.add(*judged.scalar, exact, precision);
+    if (judged.batch) batch.add(*judged.batch, exact, precision);
+  }
+};
+
 }  // namespace
 
 JudgedFamily judged_family(const Family& family, Precision precision, std::size_t count) {
@@ -126,25 +160,25 @@ JudgedFamily judged_family(const Family& family, Precision precision, std::size_
   return judged;
 }
 
-Accuracies measure(const Subject& subject, const JudgedFamily& family) {
-  AccuracySum scalar;
-  AccuracySum batch;
-  for (std::size_t i = 0; i < family.cases.size(); ++i) {
-    const Case& one = family.cases[i];
-    const Answer claimed = subject.answer(one);
-    if (!is_fair(claimed, one)) continue;
-    const oracle::Judgement judgement = oracle::judge(one, claimed);
-    const auto details = details_of(one, claimed, judgement, i);
-    scalar.add(claimed, family.exact[i], judgement, details, one.precision);
-    if (subject.answer_in_batch == nullptr) continue;
-    const Answer in_batch = subject.answer_in_batch(one);
-    const bool is_same = same_numbers(claimed, in_batch);
-    if (is_same)
-      batch.add(in_batch, family.exact[i], judgement, details, one.precision);
-    else
-      batch.add(in_batch, family.exact[i], oracle::judge(one, in_batch), std::nullopt, one.precision);
+std::vector<Accuracies> measure(std::span<const Subject* const> subjects, const JudgedFamily& family) {
+  constexpr std::size_t cases_at_a_time = 4096;
+  std::vector<AccuracySums> sums(subjects.size());
+  std::vector<JudgedCase> judged(cases_at_a_time * subjects.size());
+  for (std::size_t first = 0; first < family.cases.size(); first += cases_at_a_time) {
+    const std::size_t count = std::min(cases_at_a_time, family.cases.size() - first);
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+      oracle::JudgedAnswers known;
+      for (std::size_t s = 0; s < subjects.size(); ++s)
+        judged[s * cases_at_a_time + i] = judge(*subjects[s], family.cases[first + i], first + i, known);
+    });
+    for (std::size_t s = 0; s < subjects.size(); ++s)
+      for (std::size_t i = 0; i < count; ++i)
+        sums[s].add(judged[s * cases_at_a_time + i], family.exact[first + i],
+                    family.cases[first + i].precision);
   }
-  return {scalar.result(), batch.result()};
+  std::vector<Accuracies> results;
+  for (AccuracySums& sum : sums) results.push_back({sum.scalar.result(), sum.batch.result()});
+  return results;
 }
 
 }  // namespace rayproof::report

@@ -2,6 +2,7 @@
 /// \file
 /// A method's errors over many cases, judged by the oracle.
 
+#include <span>
 #include <vector>
 
 #include "bench/figures/row.hpp"
@@ -26,8 +27,9 @@ struct Accuracies {
   Accuracy batch;
 };
 
-/// Judges a subject on a family. A subject that knows of no interval (GLM reports the nearest hit beyond 0)
-/// is judged only on rays whose interval is [0, inf].
-[[nodiscard]] Accuracies measure(const Subject& subject, const JudgedFamily& family);
+/// Judges subjects on a family, on all threads. A subject that knows of no interval (GLM reports the nearest
+/// hit beyond 0) is judged only on rays whose interval is [0, inf].
+[[nodiscard]] std::vector<Accuracies> measure(std::span<const Subject* const> subjects,
+                                              const JudgedFamily& family);
 
 }  // namespace rayproof::report

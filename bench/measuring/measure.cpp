@@ -1,6 +1,7 @@
 #include "bench/measuring/measure.hpp"
 
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <iterator>
@@ -24,9 +25,7 @@ std::map<std::string, Accuracies> judge_all(const BenchOptions& options, const F
     if (subject.topic == family.topic && options.wants_method(subject.topic, subject.name))
       wanted.push_back(&subject);
   }
-  std::vector<Accuracies> results(wanted.size());
-  tbb::parallel_for(std::size_t{0}, wanted.size(),
-                    [&](std::size_t i) { results[i] = measure(*wanted[i], judged); });
+  const std::vector<Accuracies> results = measure(wanted, judged);
 
   std::map<std::string, Accuracies> named;
   for (std::size_t i = 0; i < wanted.size(); ++i) named[wanted[i]->name] = results[i];
@@ -55,7 +54,11 @@ void judge_peers(const BenchOptions& options, const Family& family, Precision pr
   });
   std::vector<Accuracies> results(wanted.size());
   tbb::parallel_for(std::size_t{0}, wanted.size(), [&](std::size_t i) {
-    results[i] = measure(wanted[i].subject, taken_by(wanted[i], judged));
+    // By this thread alone: a library's routine may keep something between two calls.
+    tbb::task_arena(1).execute([&] {
+      const Subject* subject = &wanted[i].subject;
+      results[i] = measure({&subject, 1}, taken_by(wanted[i], judged)).front();
+    });
   });
   for (std::size_t i = 0; i < wanted.size(); ++i)
     if (results[i].scalar.cases > 0) named[wanted[i].subject.name] = results[i];

@@ -76,6 +76,17 @@ std::string ticks(const CostAxis& axis, double bottom) {
                         "class=\"soft\"");
 }
 
+/// The exact method's name: to the right of its mark; where the oracle's would lie on it, above.
+std::string label_of_exact(const Choice& one, const CostAxis& axis, double y, const std::string& label) {
+  constexpr double letter = 8, half_mark = 7, gap = 12;
+  const double exact = axis.x(one.exact->ns_per_ray);
+  const double oracle = one.oracle_ns ? axis.x(*one.oracle_ns) : -infinity<double>;
+  const double end = exact + gap + letter * static_cast<double>(label.size());
+  if (oracle + half_mark < exact || oracle - half_mark > end)
+    return svg_text(exact + gap, y + 5, "start", label);
+  return svg_text(exact + half_mark, y - 9, "end", label);
+}
+
 /// A hollow circle for the fastest, its name to the left; a solid square for the exact one, to the right.
 std::string costs_of(const Choice& one, const CostAxis& axis, double y) {
   const double fast = axis.x(one.fastest.ns_per_ray);
@@ -95,7 +106,7 @@ std::string costs_of(const Choice& one, const CostAxis& axis, double y) {
         exact - 6, y - 6, escaped(in_text(*one.exact)));
     const std::string multiple =
         is_one ? "" : " ×" + rounded_ratio(one.exact->ns_per_ray / one.fastest.ns_per_ray);
-    svg += svg_text(exact + 12, y + 5, "start", one.exact->method + multiple);
+    svg += label_of_exact(one, axis, y, one.exact->method + multiple);
   }
   if (is_one) return svg;
   return svg +

@@ -8,8 +8,8 @@
 #include <glm/matrix.hpp>
 #include <optional>
 
+#include "oracle/judged_answers.hpp"
 #include "oracle/oracle.hpp"
-#include "properties/engine/judged.hpp"
 #include "properties/guests/guest.hpp"
 #include "properties/numbers.hpp"
 #include "subjects/subject.hpp"
@@ -67,7 +67,7 @@ inline constexpr double far_for_details = 1024;
 class Trial {
  public:
   /// With what is known of answers to the case, if anything; the judgement is added to it.
-  Trial(const Subject& subject, const Case& one, JudgedAnswers* known_judgements = nullptr)
+  Trial(const Subject& subject, const Case& one, oracle::JudgedAnswers* known_judgements = nullptr)
       : subject_(&subject), case_(&one), known_judgements_(known_judgements) {}
 
   [[nodiscard]] const Subject& subject() const { return *subject_; }
@@ -103,7 +103,10 @@ class Trial {
     judgement_ = judgement;
   }
   [[nodiscard]] const oracle::Judgement& judgement() {
-    if (!judgement_) judgement_ = subject_->has_own_contract ? judge_once() : judged(*case_, claimed());
+    if (!judgement_)
+      judgement_ = !subject_->has_own_contract    ? judged(*case_, claimed())
+                   : known_judgements_ == nullptr ? oracle::judge(*case_, claimed())
+                                                  : known_judgements_->judge(*case_, claimed());
     return *judgement_;
   }
 
@@ -165,14 +168,6 @@ class Trial {
   }
 
  private:
-  [[nodiscard]] oracle::Judgement judge_once() {
-    if (known_judgements_ == nullptr) return oracle::judge(*case_, claimed());
-    if (const oracle::Judgement* known = known_judgements_->find(claimed())) return *known;
-    const oracle::Judgement judgement = oracle::judge(*case_, claimed());
-    known_judgements_->add(claimed(), judgement);
-    return judgement;
-  }
-
   /// Whether every number of the case that is not 0 (or an infinite end of the interval) lies within
   /// 2^±limit.
   [[nodiscard]] bool all_numbers_within(int limit) const {
@@ -194,7 +189,7 @@ class Trial {
 
   const Subject* subject_;
   const Case* case_;
-  JudgedAnswers* known_judgements_;
+  oracle::JudgedAnswers* known_judgements_;
   std::optional<NumbersWithin> numbers_{};
   std::optional<Outcome> outcome_{};
   std::vector<std::pair<const Case*, const Outcome*>> known_{};

@@ -120,8 +120,8 @@ BlockResult run_block(const Unit& unit, std::uint64_t block_seed, unsigned cases
   using Range = tbb::blocked_range<unsigned>;
   constexpr unsigned cases_at_a_time = 256;
   const bool is_function = unit.subject->function != nullptr;
-  const std::span<JudgedAnswers> judged =
-      unit.judged != nullptr ? unit.judged->block(block_seed, cases) : std::span<JudgedAnswers>();
+  const std::span<oracle::JudgedAnswers> judged =
+      unit.judged != nullptr ? unit.judged->block(block_seed, cases) : std::span<oracle::JudgedAnswers>();
   std::atomic<unsigned> failures = 0;
   BlockResult none;
   none.tally.properties.resize(properties().size());

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "generators/generators.hpp"
+#include "properties/engine/judged.hpp"
 #include "properties/engine/samples.hpp"
 #include "properties/engine/tally.hpp"
 

@@ -65,6 +65,20 @@ TEST(Choice, HasTheOraclesPriceBesideTheMethods) {
   EXPECT_THAT(choices_in_svg(found), HasSubstr("oracle 140 ns"));
 }
 
+TEST(Choice, ANameStandsAboveItsMarkWhereTheOraclesMarkWouldLieOnIt) {
+  std::vector<BenchRow> rows = rows_on("random");
+  const auto name_of_exact = [&] {
+    const std::string svg = choices_in_svg(choose(rows));
+    const std::size_t end = svg.find("rounded ×4");
+    return svg.substr(svg.rfind("<text", end), end - svg.rfind("<text", end));
+  };
+  EXPECT_THAT(name_of_exact(), HasSubstr("\"start\""));
+  rows.push_back(sphere_row(oracle_name, Arrangement::scalar, "random", 6, 0, 0));
+  EXPECT_THAT(name_of_exact(), HasSubstr("\"end\""));
+  rows.back().ns_per_ray = 1e6;
+  EXPECT_THAT(name_of_exact(), HasSubstr("\"start\""));
+}
+
 TEST(Choice, DistinguishesWhatIsProvenFromWhatWasFound) {
   const std::vector<Choice> found = choose(rows_on("random"));
   EXPECT_EQ(guarantee_of(*found[0].exact), "verdict exact, t rounded once: proven");

@@ -7,6 +7,7 @@
 #include "bench/page/plot_svg.hpp"
 #include "bench/peers/peer.hpp"
 #include "generators/generators.hpp"
+#include "oracle/oracle.hpp"
 #include "unit/bench/rows.hpp"
 
 namespace rayproof::report {
@@ -37,10 +38,15 @@ Answer always(const Case& /*one*/) {
   return answer;
 }
 
+Accuracies measured(const Subject& subject) {
+  const Subject* one = &subject;
+  return measure({&one, 1}, two_cases()).at(0);
+}
+
 TEST(Accuracy, CountsAHitTooManyAndAveragesOnlyTheHitsThatAreAgreedOn) {
   Subject subject;
   subject.answer_by(always<6>);
-  const Accuracy found = measure(subject, two_cases()).scalar;
+  const Accuracy found = measured(subject).scalar;
   EXPECT_EQ(found.cases, 2U);
   EXPECT_EQ(found.wrong_hits, 1U);
   EXPECT_EQ(found.wrong_misses, 0U);
@@ -49,10 +55,23 @@ TEST(Accuracy, CountsAHitTooManyAndAveragesOnlyTheHitsThatAreAgreedOn) {
   EXPECT_DOUBLE_EQ(found.mean_bits, 0.5);  // one hit is right to the last bit, the other is the next float
 }
 
+TEST(Accuracy, IsThatOfEachSubjectHoweverManyAreJudgedTogether) {
+  Subject wrong, right;
+  wrong.answer_by(always<6>);
+  right.answer_by([](const Case& one) { return oracle::answer(one); });
+  const Subject* all[] = {&wrong, &right, &wrong};
+  const std::vector<Accuracies> found = measure(all, two_cases());
+  ASSERT_EQ(found.size(), 3U);
+  EXPECT_EQ(found[0].scalar.wrong_hits, 1U);
+  EXPECT_EQ(found[1].scalar.wrong_hits, 0U);
+  EXPECT_EQ(found[1].scalar.max_ulp, 0);
+  EXPECT_EQ(found[2].scalar.wrong_hits, 1U);
+}
+
 TEST(Accuracy, CountsAHitTooFew) {
   Subject subject;
   subject.answer_by([](const Case&) { return Answer(RayAnswer{}); });
-  const Accuracy found = measure(subject, two_cases()).scalar;
+  const Accuracy found = measured(subject).scalar;
   EXPECT_EQ(found.wrong_misses, 1U);
   EXPECT_EQ(found.wrong_hits, 0U);
   EXPECT_TRUE(std::isnan(found.mean_bits));

@@ -80,6 +80,8 @@ NOT_RUN = [
     (r"^doxygen docs/Doxyfile", "takes long; .ci/run runs it", ".ci/run", "Doxyfile"),
     (r"rayproof docs\b", "takes a minute and packages of its own; .ci/run runs it", ".ci/run", "./rayproof docs"),
     (r"^python3 \S+/add_a_shape/prove\.py", "takes minutes; .ci/run runs it", ".ci/run", "add_a_shape/prove.py"),
+    (r"^python3 docs/figures\.py", "needs half an hour of measuring; a test has it write made-up figures",
+     "property_tests/unit/CMakeLists.txt", "tables_of_speed_are_written_from_what_was_measured"),
     (r"^python3 docs/errata\.py", "takes minutes; its page is compared case by case instead", "docs/errata.py", "in_words")]
 
 # Blocks that are no command and no output of one, and the file that compares them.

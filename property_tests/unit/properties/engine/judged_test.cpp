@@ -2,63 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "properties/engine/engine.hpp"
 
 namespace rayproof {
 namespace {
 
 const oracle::Judgement some{.residual = 3};
-
-RayAnswer hit_at(double t) {
-  RayAnswer answer{.contact = Contact::crossing};
-  answer.hits.push_back(t);
-  return answer;
-}
-
-TEST(JudgedAnswers, NothingIsKnownBeforeItIsAdded) { EXPECT_EQ(JudgedAnswers().find(hit_at(1)), nullptr); }
-
-TEST(JudgedAnswers, TheSameHitsHaveTheSameJudgementWhateverIsSaidOfTheFirstBesideT) {
-  JudgedAnswers known;
-  known.add(hit_at(1), some);
-  RayAnswer same = hit_at(1);
-  same.contact = Contact::edge;
-  same.normal = {0, 0, 1};
-  ASSERT_NE(known.find(same), nullptr);
-  EXPECT_EQ(known.find(same)->residual, some.residual);
-}
-
-TEST(JudgedAnswers, AnotherTAnotherCountAndAnotherReachOfTheAnswerAreJudgedAnew) {
-  JudgedAnswers known;
-  known.add(hit_at(0), some);
-  EXPECT_EQ(known.find(hit_at(-0.0)), nullptr);
-  EXPECT_EQ(known.find(hit_at(std::nextafter(0.0, 1.0))), nullptr);
-  EXPECT_EQ(known.find(RayAnswer{}), nullptr);
-  RayAnswer other = hit_at(0);
-  other.nearest_only = true;
-  EXPECT_EQ(known.find(other), nullptr);
-  other = hit_at(0);
-  other.verdict_only = true;
-  EXPECT_EQ(known.find(other), nullptr);
-}
-
-TEST(JudgedAnswers, NanIsTheSameAsItself) {
-  JudgedAnswers known;
-  known.add(hit_at(std::nan("")), some);
-  EXPECT_NE(known.find(hit_at(std::nan(""))), nullptr);
-}
-
-TEST(JudgedAnswers, RootsAndPositionsAreNotMixedUp) {
-  JudgedAnswers known;
-  known.add(QuadraticAnswer<double>{RootKind::two, 2, {1, 2}}, some);
-  known.add(Position::inside, some);
-  EXPECT_NE(known.find(QuadraticAnswer<double>{RootKind::two, 2, {1, 2}}), nullptr);
-  EXPECT_EQ(known.find(QuadraticAnswer<double>{RootKind::two, 2, {1, 3}}), nullptr);
-  EXPECT_EQ(known.find(QuadraticAnswer<double>{RootKind::twice, 1, {1}}), nullptr);
-  EXPECT_NE(known.find(Position::inside), nullptr);
-  EXPECT_EQ(known.find(Position::boundary), nullptr);
-}
 
 TEST(JudgedBlocks, ABlockIsKnownAsLongAsItIsOneOfTheLastFour) {
   JudgedBlocks blocks;
