@@ -157,6 +157,14 @@ class Labeller {
 
 }  // namespace
 
+/// Whether the step has a named point of the same role just there, which says all that is to be said.
+static bool is_named_anew(const StageItem& item, const StageStep& step) {
+  return item.form == Form::point && std::ranges::any_of(step.items, [&](const StageItem& other) {
+           return other.form == Form::point && other.role == item.role && other.points == item.points &&
+                  !other.label.empty();
+         });
+}
+
 std::vector<ShownItem> shown_in(const Stage& stage, std::size_t step) {
   std::vector<ShownItem> shown;
   const bool is_apart = stage.steps[step].is_apart;
@@ -166,7 +174,8 @@ std::vector<ShownItem> shown_in(const Stage& stage, std::size_t step) {
     while (first > 0 && !stage.steps[first].begins_anew) --first;
     for (std::size_t before = first; before < step; ++before) {
       if (stage.steps[before].is_apart) continue;
-      for (const StageItem& item : stage.steps[before].items) shown.push_back({&item, Emphasis::dimmed});
+      for (const StageItem& item : stage.steps[before].items)
+        if (!is_named_anew(item, stage.steps[step])) shown.push_back({&item, Emphasis::dimmed});
     }
   }
   for (const StageItem& item : stage.steps[step].items) shown.push_back({&item, Emphasis::bright});

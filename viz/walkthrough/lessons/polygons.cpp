@@ -104,6 +104,12 @@ std::string what_of(const CrossedSide& met, const Counting& counting, double y) 
   return fmt::format("One end lies below the ray and one above, and {} > 0: it counts.", t);
 }
 
+/// The last `many` of `count` crossings, which lie at one place.
+std::string names_of(int many, int count) {
+  return many == 1 ? fmt::format("crossing {}", count)
+                   : fmt::format("crossings {} {} {}", count + 1 - many, many == 2 ? "and" : "to", count);
+}
+
 Stage counted_stage(const CaseReport& report, const Counting& counting) {
   const auto& question = std::get<PointAndPolygon<double>>(report.one.question);
   const Walkthrough walk = record(report.one.precision, [&]<class R>(std::type_identity<R>) {
@@ -113,6 +119,8 @@ Stage counted_stage(const CaseReport& report, const Counting& counting) {
   const Setting setting = setting_of(report);
   Stage stage = composed_stage(report, walk, setting);
   int count = 0;
+  int at_one_place = 0;  // of the crossings counted last
+  double place = 0;
   const glm::dvec3 p(question.point.x, question.point.y, 0);
   for (std::size_t i = 0; i < question.vertices.size(); ++i) {
     StageStep& step = stage.steps[i + 1];
@@ -132,8 +140,12 @@ Stage counted_stage(const CaseReport& report, const Counting& counting) {
     const bool is_counted = counting.counts(s.value, t.value);
     count += is_counted ? 1 : 0;
     if (std::isfinite(t.value)) {
+      if (is_counted) {
+        at_one_place = t.value == place ? at_one_place + 1 : 1;
+        place = t.value;
+      }
       step.items.push_back(point(is_counted ? Role::claimed : Role::muted, p + glm::dvec3(t.value, 0, 0),
-                                 is_counted ? fmt::format("crossing {}", count) : "not counted"));
+                                 is_counted ? names_of(at_one_place, count) : "not counted"));
     }
     const CrossedSide met{
         side,   "v" + subscript(i), "v" + subscript(after), step.values[0].name, step.values[1].name, s.value,
