@@ -157,12 +157,11 @@ class Labeller {
 
 }  // namespace
 
-/// Whether the step has a named point of the same role just there, which says all that is to be said.
-static bool is_named_anew(const StageItem& item, const StageStep& step) {
-  return item.form == Form::point && std::ranges::any_of(step.items, [&](const StageItem& other) {
-           return other.form == Form::point && other.role == item.role && other.points == item.points &&
-                  !other.label.empty();
-         });
+/// Whether the step has a point that stands for this one, of an earlier step.
+static bool is_replaced(const StageItem& item, const StageStep& step) {
+  return std::ranges::any_of(step.items, [&](const StageItem& other) {
+    return other.stands_for_earlier && other.role == item.role && other.points == item.points;
+  });
 }
 
 std::vector<ShownItem> shown_in(const Stage& stage, std::size_t step) {
@@ -175,7 +174,7 @@ std::vector<ShownItem> shown_in(const Stage& stage, std::size_t step) {
     for (std::size_t before = first; before < step; ++before) {
       if (stage.steps[before].is_apart) continue;
       for (const StageItem& item : stage.steps[before].items)
-        if (!is_named_anew(item, stage.steps[step])) shown.push_back({&item, Emphasis::dimmed});
+        if (!is_replaced(item, stage.steps[step])) shown.push_back({&item, Emphasis::dimmed});
     }
   }
   for (const StageItem& item : stage.steps[step].items) shown.push_back({&item, Emphasis::bright});

@@ -48,7 +48,8 @@ struct StageItem {
   std::string label{};  ///< "t₀"; empty for none
   Pattern pattern = Pattern::solid;
   std::vector<std::vector<std::size_t>> faces{};  ///< of a solid, the corners around each in either direction
-  bool is_open = false;  ///< a polygon that goes on beyond the view: without a line around it
+  bool is_open = false;             ///< a polygon that goes on beyond the view: without a line around it
+  bool stands_for_earlier = false;  ///< a point in place of those of its role that earlier steps have there
 };
 
 /// The mark of a point of the role: no two roles that can meet in a picture share one.

@@ -8,6 +8,7 @@
 #include "case/reader.hpp"
 #include "unit/viz/stage_data.hpp"
 #include "viz/page/page.hpp"
+#include "viz/scene/shown_items.hpp"
 #include "viz/walkthrough/lesson.hpp"
 #include "viz/walkthrough/stage_of.hpp"
 
@@ -110,6 +111,21 @@ TEST(Stage, ASphereThatIsFarFromTheRaysStartIsLargeInEveryStep) {
     for (const StageStep& step : stage.steps) EXPECT_LT(step.view.radius, 3) << lesson << ": " << step.title;
     EXPECT_EQ(stage.steps.front().items.back().label, "← o, 4500 off") << lesson;
   }
+}
+
+TEST(Stage, CrossingsAtOnePlaceAreNamedTogetherAndOnce) {
+  const Stage stage = stage_of(*lessons_of("polygon-vertex-trap").front(), report_lesson);
+  std::vector<std::string> names;
+  for (const ShownItem& shown : shown_in(stage, 3))
+    if (shown.item->label.starts_with("crossing")) names.push_back(shown.item->label);
+  EXPECT_EQ(names, std::vector<std::string>{"crossings 1 and 2"});
+}
+
+TEST(Stage, TheRootsOfADoubleRootAreBothNamed) {
+  const Stage stage = stage_of(*lessons_of("quadratic-double").front(), report_lesson);
+  std::set<std::string> names;
+  for (const ShownItem& shown : shown_in(stage, 3)) names.insert(shown.item->label);
+  EXPECT_TRUE(names.contains("x₀") && names.contains("x₁"));
 }
 
 TEST(Stage, TheDecisiveStepIsTheOneWithTheNumberThatWasSpoilt) {

@@ -146,6 +146,7 @@ Stage counted_stage(const CaseReport& report, const Counting& counting) {
       }
       step.items.push_back(point(is_counted ? Role::claimed : Role::muted, p + glm::dvec3(t.value, 0, 0),
                                  is_counted ? names_of(at_one_place, count) : "not counted"));
+      step.items.back().stands_for_earlier = is_counted;
     }
     const CrossedSide met{
         side,   "v" + subscript(i), "v" + subscript(after), step.values[0].name, step.values[1].name, s.value,
