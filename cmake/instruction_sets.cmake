@@ -10,17 +10,24 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   list(APPEND rayproof_known_sets avx2 avx512)
 endif()
 
-# rayproof_native_set(VARIABLE): the widest set that this machine has, as the compiler sees it.
+# rayproof_native_set(VARIABLE): the widest set that this machine has, as the compiler sees it; what lib/src/instruction_set.cpp
+# asks the machine for where a program runs must be there.
 function(rayproof_native_set result)
-  set(widest baseline)
+  set(asked_by_avx2 __AVX2__ __FMA__ __BMI__ __BMI2__)
+  set(asked_by_avx512 ${asked_by_avx2} __AVX512F__ __AVX512BW__ __AVX512CD__ __AVX512DQ__ __AVX512VL__)
   execute_process(COMMAND ${CMAKE_CXX_COMPILER} -march=native -dM -E -x c++ /dev/null
                   OUTPUT_VARIABLE macros ERROR_QUIET)
-  if("avx2" IN_LIST rayproof_known_sets AND macros MATCHES "__AVX2__" AND macros MATCHES "__FMA__" AND macros MATCHES "__BMI2__")
-    set(widest avx2)
-    if(macros MATCHES "__AVX512VL__" AND macros MATCHES "__AVX512BW__" AND macros MATCHES "__AVX512DQ__")
-      set(widest avx512)
+  foreach(instruction_set IN LISTS rayproof_known_sets)
+    set(missing ${asked_by_${instruction_set}})
+    foreach(macro IN LISTS asked_by_${instruction_set})
+      if(macros MATCHES "#define ${macro} 1")
+        list(REMOVE_ITEM missing ${macro})
+      endif()
+    endforeach()
+    if(NOT missing)
+      set(widest ${instruction_set})
     endif()
-  endif()
+  endforeach()
   set(${result} ${widest} PARENT_SCOPE)
 endfunction()
 
