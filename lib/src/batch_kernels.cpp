@@ -131,7 +131,7 @@ constexpr void enter(BatchKernel<Method, Problem>& kernel) {
   if constexpr (has_quick_phase<Method>) {
     using T = typename Lanes<Problem>::Number;
     kernel.solve = solve_in_own_space<Method, Problem, T>;
-    if constexpr (has_quick_phase_in_world<Method, T>) {
+    if constexpr (has_kernel_in_world<Method, T>) {
       kernel.solve_in_world = solve_in_world<Method, Problem, T>;
     }
   } else {

@@ -17,46 +17,58 @@ vec3<T> usual_vector(Random& random) {
 }
 
 /// A shape of about the size 1 about the origin.
-void draw_usual(Sphere<float>& sphere, Random& random) { sphere = {usual_vector<float>(random), 1.5F}; }
-void draw_usual(Plane<float>& plane, Random& random) { draw_hard(plane, random); }
-void draw_usual(Triangle<float>& triangle, Random& random) {
-  triangle = {usual_vector<float>(random), usual_vector<float>(random), usual_vector<float>(random)};
+template <class T>
+void draw_usual(Sphere<T>& sphere, Random& random) {
+  sphere = {usual_vector<T>(random), T(1.5)};
 }
-void draw_usual(Box<float>& box, Random& random) {
-  box = {{-1, -1, -1}, vec3<float>(1) + 0.5F * usual_vector<float>(random)};
+template <class T>
+void draw_usual(Plane<T>& plane, Random& random) {
+  draw_hard(plane, random);
 }
-void draw_usual(Parallelepiped<float>& shape, Random& random) {
-  shape.corner = usual_vector<float>(random);
-  for (auto& edge : shape.edges) edge = usual_vector<float>(random);
+template <class T>
+void draw_usual(Triangle<T>& triangle, Random& random) {
+  triangle = {usual_vector<T>(random), usual_vector<T>(random), usual_vector<T>(random)};
 }
-void draw_usual(Cylinder<float>& cylinder, Random& random) {
-  cylinder = {0.5F + std::abs(draw::symmetric<float>(random)), 1, 1.25F, random.one_in(2)};
+template <class T>
+void draw_usual(Box<T>& box, Random& random) {
+  box = {{-1, -1, -1}, vec3<T>(1) + T(0.5) * usual_vector<T>(random)};
+}
+template <class T>
+void draw_usual(Parallelepiped<T>& shape, Random& random) {
+  shape.corner = usual_vector<T>(random);
+  for (auto& edge : shape.edges) edge = usual_vector<T>(random);
+}
+template <class T>
+void draw_usual(Cylinder<T>& cylinder, Random& random) {
+  cylinder = {T(0.5) + std::abs(draw::symmetric<T>(random)), 1, T(1.25), random.one_in(2)};
 }
 
 /// Any regular matrix, or one that scales along the axes.
-glm::mat4 usual_matrix(Random& random) {
-  glm::mat4 matrix(1);
-  for (int i = 0; i < 3; ++i) matrix[i] = glm::vec4(usual_vector<float>(random), 0);
+template <class T>
+glm::mat<4, 4, T> usual_matrix(Random& random) {
+  glm::mat<4, 4, T> matrix(1);
+  for (int i = 0; i < 3; ++i) matrix[i] = glm::vec<4, T>(usual_vector<T>(random), 0);
   if (random.one_in(4)) {
     for (int i = 0; i < 3; ++i)
-      for (int row = 0; row < 3; ++row) matrix[i][row] = i == row ? static_cast<float>(i + 2) : 0;
+      for (int row = 0; row < 3; ++row) matrix[i][row] = i == row ? static_cast<T>(i + 2) : 0;
   }
-  matrix[3] = glm::vec4(usual_vector<float>(random), 1);
+  matrix[3] = glm::vec<4, T>(usual_vector<T>(random), 1);
   return matrix;
 }
 
 constexpr std::size_t ray_count = 67;
 
 /// Rays at the place where an object is.
+template <class T>
 struct UsualRays {
-  std::vector<float> column[8];
-  RayBatch<float> rays;
+  std::vector<T> column[8];
+  RayBatch<T> rays;
 
-  UsualRays(Random& random, const glm::mat4& matrix) {
+  UsualRays(Random& random, const glm::mat<4, 4, T>& matrix) {
     for (std::size_t i = 0; i < ray_count; ++i) {
-      const vec3<float> o = 4.0F * usual_vector<float>(random);
-      const vec3<float> d = vec3<float>(matrix * glm::vec4(usual_vector<float>(random), 1)) - o;
-      const float numbers[8] = {o.x, o.y, o.z, d.x, d.y, d.z, 0.25F, random.one_in(2) ? 1.0F : 8.0F};
+      const vec3<T> o = T(4) * usual_vector<T>(random);
+      const vec3<T> d = vec3<T>(matrix * glm::vec<4, T>(usual_vector<T>(random), 1)) - o;
+      const T numbers[8] = {o.x, o.y, o.z, d.x, d.y, d.z, T(0.25), random.one_in(2) ? T(1) : T(8)};
       for (int c = 0; c < 8; ++c) column[c].push_back(numbers[c]);
     }
     rays = {{column[0], column[1], column[2]}, {column[3], column[4], column[5]}};
@@ -64,37 +76,37 @@ struct UsualRays {
     rays.each_t_max = column[7];
     rays.object_space = object_space(matrix);
   }
-  [[nodiscard]] Ray<float> at(std::size_t i) const {
+  [[nodiscard]] Ray<T> at(std::size_t i) const {
     const auto& c = column;
     return {{c[0][i], c[1][i], c[2][i]}, {c[3][i], c[4][i], c[5][i]}, c[6][i], c[7][i]};
   }
 };
 
-template <class Method, template <class> class Shape>
-bool is_sure(const ObjectSpace<float>& space, const Ray<float>& ray, const Shape<float>& shape) {
-  using B = Bounded<double>;
+template <class Method, class T, template <class> class Shape>
+bool is_sure(const ObjectSpace<T>& space, const Ray<T>& ray, const Shape<T>& shape) {
+  using B = Bounded<WiderThan<T>>;
   const Ray<B> seen = to_object(bounded_space(space), convert<B>(ray));
   const auto wide = Method::enclosed_in_space(seen, convert<B>(shape));
   return rounded_roots(convert<double>(ray), wide).is_sure;
 }
 
 /// The share of rays whose quick phase is in doubt.
-template <class Method, template <class> class Shape>
+template <class Method, class T, template <class> class Shape>
 double expect_exact_answers(const RayTopic<Shape>* /*topic*/) {
   Random random(11);
   int in_doubt = 0;
   constexpr int scenes = 60;
   for (int scene = 0; scene < scenes; ++scene) {
-    const glm::mat4 matrix = usual_matrix(random);
-    const UsualRays batch(random, matrix);
-    Shape<float> shape;
+    const auto matrix = usual_matrix<T>(random);
+    const UsualRays<T> batch(random, matrix);
+    Shape<T> shape;
     draw_usual(shape, random);
     const auto& space = *batch.rays.object_space;
     for (const InstructionSet set : available_instruction_sets()) {
-      std::vector<float> t(ray_count);
+      std::vector<T> t(ray_count);
       nearest_hits<Method>(batch.rays, shape, t, set);
       for (std::size_t i = 0; i < ray_count; ++i) {
-        const Ray<float> ray = batch.at(i);
+        const Ray<T> ray = batch.at(i);
         const auto exact = met_exactly<Method>(space, ray, shape);
         EXPECT_TRUE(same_bits(t[i], nearest(ray, exact))) << t[i] << " on " << name_of(set);
         const auto alone = roots_in_world<Method>(space, ray, shape);
@@ -115,7 +127,8 @@ TEST(InWorld, BatchesAndSingleRaysAreMetAsWithNothingRounded) {
       SCOPED_TRACE(Topic::name);
       const Topic* const topic = nullptr;
       const double most = std::is_same_v<Topic, plane::Topic> ? 0.6 : 0.02;  // planes of hard numbers
-      EXPECT_LT(expect_exact_answers<typename Topic::Exact>(topic), most);
+      EXPECT_LT((expect_exact_answers<typename Topic::Exact, float>(topic)), most);
+      EXPECT_LT((expect_exact_answers<typename Topic::Exact, double>(topic)), most);
     }
   });
   EXPECT_EQ(shapes, 6U);

@@ -13,19 +13,23 @@ template <class T>
 [[nodiscard]] constexpr Bounded<T> select(const BoundedMaskOf<Mask<T>>& mask, const Bounded<T>& yes,
                                           const Bounded<T>& no) {
   const T chosen = select(mask.value, yes.value, no.value);
-  const Bounded<T> either = Bounded<T>::of(chosen, abs(yes.value - no.value) + max(yes.error, no.error));
+  const Bounded<T> either =
+      Bounded<T>::of(chosen, running_error::distance(yes.value, no.value) + max(yes.error, no.error));
   return {chosen, select(mask.certain, select(mask.value, yes.error, no.error), either.error)};
 }
 
 /// |√X - √x| is at most |X - x| / (√x + √(x - error)), and near 0, where that explodes, at most √|X - x|.
 template <class T>
 [[nodiscard]] Bounded<T> sqrt(const Bounded<T>& x) {
-  const T z = sqrt(x.value);
-  const T least = max(T(0), x.value - running_error::up(x.error)) * T(1 - 8 * running_error::unit<T>);
-  const T smooth = x.error / (z + sqrt(least)) + T(running_error::tiny<T>);
-  const T near_zero = sqrt(x.error);
-  const T spread = select(z > T(0), min(smooth, near_zero), near_zero);
-  return Bounded<T>::of(z, select(x.error == T(0), T(0), spread) + T(running_error::unit<T>) * abs(z));
+  using E = Leading<T>;
+  const T root = sqrt(x.value);
+  const E z = leading(root), error = x.error + E(running_error::lost_of_operand<T>);
+  const E above_zero = E(running_error::sure_part<T>) * leading(x.value) - running_error::up(error);
+  const E least = max(E(0), above_zero) * E(1 - 8 * unit_roundoff<E>);
+  const E smooth = error / (z + sqrt(least)) + E(running_error::tiny<T>);
+  const E near_zero = sqrt(error);
+  const E spread = select(z > E(0), min(smooth, near_zero), near_zero);
+  return Bounded<T>::of(root, select(error == E(0), E(0), spread) + E(unit_roundoff<T>) * abs(z));
 }
 
 template <class T>
@@ -36,9 +40,11 @@ template <class T>
 /// Where the sign is uncertain, the bound reaches over both signs.
 template <class T>
 [[nodiscard]] Bounded<T> copysign(const Bounded<T>& x, const Bounded<T>& sign) {
+  using E = Leading<T>;
   const T z = copysign(x.value, sign.value);
-  const Mask<T> is_sure = sign.error == T(0) || !sign.may_be_zero();
-  return {z, select(is_sure, x.error, Bounded<T>::of(z, T(2) * abs(x.value) + x.error).error)};
+  const Mask<T> is_sure = sign.error == E(0) || !sign.may_be_zero();
+  const Bounded<T> either = Bounded<T>::of(z, E(2) * running_error::size(x.value) + x.error);
+  return {z, select(is_sure, x.error, either.error)};
 }
 
 template <class T>
@@ -68,7 +74,7 @@ template <std::floating_point T>
 [[nodiscard]] Bounded<T> exponent(const Bounded<T>& x) {
   const T size = std::abs(x.value);
   const T reach = running_error::up(x.error);
-  const T lowest = std::max(T(0), (size - reach) * (1 - 2 * running_error::unit<T>));
+  const T lowest = std::max(T(0), (size - reach) * (1 - 2 * unit_roundoff<T>));
   return step_function(x, lowest, running_error::up(size + reach), [](T at) { return std::logb(at); });
 }
 template <std::floating_point T>

@@ -73,11 +73,14 @@ template <class Method>
 inline constexpr bool has_quick_phase = requires {
   &Method::template enclosed<AnyNumber>;
 };
-/// The same of rays in T that are in the world.
-template <class Method, class T>
-inline constexpr bool has_quick_phase_in_world = std::same_as<T, float>&& requires {
+/// The same of rays that are in the world. In packs it runs for rays in float alone: with the digits that
+/// doubles take, these kernels would nearly double the time to compile.
+template <class Method>
+inline constexpr bool has_quick_phase_in_world = requires {
   &Method::template enclosed_in_space<AnyNumber>;
 };
+template <class Method, class T>
+inline constexpr bool has_kernel_in_world = has_quick_phase_in_world<Method>&& std::same_as<T, float>;
 /// Whether a method has kernels. What is wrong as printed has none: nobody wants it fast.
 template <class Method>
 inline constexpr bool has_kernels = (runs_in_packs<Method> || has_quick_phase<Method>)&&  //

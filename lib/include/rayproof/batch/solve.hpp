@@ -82,16 +82,25 @@ void run_kernel(InstructionSet set, const Lanes<Problem>& in, T* const (&out)[Co
 template <class Method, class Problem, class T>
 void solve_in_world([[maybe_unused]] InstructionSet set, const Lanes<Problem>& in,
                     const ObjectSpace<T>& space, T* const (&out)[6], bool all) {
-  const auto solve = [&](const Problem& one) { return Method::roots_in_world(space, one.ray, one.shape); };
-  if constexpr (has_quick_phase_in_world<Method, T>) {
-    const auto& kernel = std::get<BatchKernel<Method, Problem>>(kernel_table(set));
-    const auto bounded = bounded_space(space);
-    const auto run = [&](const auto& part, const auto& results) {
-      return kernel.solve_in_world(part, bounded, results, all);
-    };
-    run_quick_kernel(in, out, all, run, solve);
-  } else {
+  const auto one_by_one = [&](const auto& solve) {
     for (std::size_t i = 0; i < in.size; ++i) solve_one(in, i, out, all, solve);
+  };
+  if constexpr (has_quick_phase_in_world<Method>) {
+    const auto bounded = bounded_space(space);
+    const auto solve = [&](const Problem& one) {
+      return quick_or_exact_roots<Method>(space, bounded, one.ray, one.shape);
+    };
+    if constexpr (has_kernel_in_world<Method, T>) {
+      const auto& kernel = std::get<BatchKernel<Method, Problem>>(kernel_table(set));
+      const auto run = [&](const auto& part, const auto& results) {
+        return kernel.solve_in_world(part, bounded, results, all);
+      };
+      run_quick_kernel(in, out, all, run, solve);
+    } else {
+      one_by_one(solve);
+    }
+  } else {
+    one_by_one([&](const Problem& one) { return Method::roots_in_world(space, one.ray, one.shape); });
   }
 }
 

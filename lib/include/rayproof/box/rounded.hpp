@@ -14,9 +14,8 @@ namespace rayproof::box {
 ///
 /// SlabsInverse runs in double for a ray in float, in double-double for one in double, in packs too; its
 /// answer stands where the error bound below leaves no doubt of which comes first, entry or exit, and of the
-/// rounding of both, which is nearly everywhere. The rest, and doubles under a transform, go to slabs
-/// with nothing rounded before the last step: two t are compared by their exact cross products, so that an
-/// edge that is touched counts once.
+/// rounding of both, which is nearly everywhere. The rest goes to slabs with nothing rounded before the last
+/// step: two t are compared by their exact cross products, so that an edge that is touched counts once.
 ///
 /// An answer is never rounded across an end of the ray's interval; entry and exit may round to one number and
 /// are still two, with a discriminant of 1. Holds for all finite floats; for doubles while every number that

@@ -15,9 +15,8 @@ namespace rayproof::cylinder {
 ///
 /// Side and heights are met in double for a ray in float, in double-double for one in double, in packs too;
 /// that answer stands where the error bounds below leave no doubt of hit or miss, of which comes first, root
-/// or height, and of the rounding, which is nearly everywhere but along the axis. The rest, and doubles
-/// under a transform, go to expansions (ExactCylinderHits). An answer is never rounded across an end of the
-/// ray's interval.
+/// or height, and of the rounding, which is nearly everywhere but along the axis. The rest goes to
+/// expansions (ExactCylinderHits). An answer is never rounded across an end of the ray's interval.
 ///
 /// Holds for all finite floats; for doubles while every number that is not 0 lies within 2^±100, beyond which
 /// the products, of degree six, or a root itself over- or underflow; under a transform, where they are of
@@ -58,9 +57,10 @@ struct Rounded {
     const auto side =
         enclosed_by_bounds(sphere::Centred::roots(seen_along_axis(ray, cylinder), circle_of(cylinder)));
     const auto [entry, exit] = between_heights(ray, cylinder);
-    const W entry_error = error_with_room(entry), exit_error = error_with_room(exit);
+    using N = Leading<W>;
+    const N entry_error = error_with_room(entry), exit_error = error_with_room(exit);
     const box::BoundedSlab<W> heights{entry.value, exit.value, entry_error, exit_error,
-                                      entry_error + exit_error < W(infinity<W>)};
+                                      entry_error + exit_error < N(infinity<W>)};
     return cylinder.capped ? inside(side, heights) : between(side, heights);
   }
 

@@ -13,8 +13,9 @@ namespace rayproof {
 
 /// A bound on the error of x, and two roundings: the rounding test's.
 template <class W>
-[[nodiscard]] constexpr W error_with_room(const Bounded<W>& x) {
-  return x.error + W(0x1p-51) * min(abs(x.value), W(0x1p1000));
+[[nodiscard]] constexpr Leading<W> error_with_room(const Bounded<W>& x) {
+  using N = Leading<W>;
+  return x.error + N(4 * unit_roundoff<W>) * min(abs(leading(x.value)), N(0x1p1000));
 }
 
 /// Two roots, or none, of which all errors are known: sure where the discriminant is surely not 0. Roots that
@@ -33,39 +34,46 @@ template <class W>
           error_with_room(hit.lo),
           error_with_room(hit.u),
           error_with_room(hit.v),
-          hit.discriminant.error == W(0)};
+          hit.discriminant.error == Leading<W>(0)};
 }
 
-/// a × b of floats in double: their products are exact, so each component is rounded once, and is 0 where the
-/// exact one is.
-[[nodiscard]] inline Vec3<Bounded<double>> bounded_cross(const glm::vec3& a, const glm::vec3& b) {
-  const auto rounded_once = [](double x) { return Bounded<double>(x, unit_roundoff<double> * abs(x)); };
-  const glm::dvec3 n = cross(convert<double>(a), convert<double>(b));
+/// a × b with more digits: the products of given numbers are exact there, so each component is rounded once,
+/// and is 0 where the exact one is.
+template <std::floating_point T>
+[[nodiscard]] Vec3<Bounded<WiderThan<T>>> bounded_cross(const glm::vec<3, T>& a, const glm::vec<3, T>& b) {
+  using W = WiderThan<T>;
+  const auto rounded_once = [](const W& x) {
+    return Bounded<W>(x, unit_roundoff<W> * running_error::size(x));
+  };
+  const vec3<W> n = cross(convert<W>(a), convert<W>(b));
   return {rounded_once(n.x), rounded_once(n.y), rounded_once(n.z)};
 }
 
 /// The space of an object whose map is given exactly, with bounds on what its inverse is off by.
-[[nodiscard]] inline ObjectSpace<Bounded<double>> bounded_space(const ObjectSpace<float>& space) {
-  using B = Bounded<double>;
-  const glm::vec3 &a = space.column_x, &b = space.column_y, &c = space.column_z;
+template <std::floating_point T>
+[[nodiscard]] ObjectSpace<Bounded<WiderThan<T>>> bounded_space(const ObjectSpace<T>& space) {
+  using B = Bounded<WiderThan<T>>;
+  const vec3<T>&a = space.column_x, &b = space.column_y, &c = space.column_z;
   return object_space_of_cofactors<B>(convert<B>(a), convert<B>(b), convert<B>(c),
                                       convert<B>(space.translation), bounded_cross(b, c), bounded_cross(c, a),
                                       bounded_cross(a, b));
 }
 
-/// A method's roots of a ray in the world: for floats by its `enclosed_in_space`, in double with running
-/// error bounds, where that is sure; else with the map composed exactly.
+/// A method's roots of a ray in the world by its `enclosed_in_space`, with more digits and running error
+/// bounds, where that is sure; else with the map composed exactly. `bounded` is the space's bounded_space.
+template <class Method, std::floating_point T, template <class> class Shape>
+[[nodiscard]] auto quick_or_exact_roots(const ObjectSpace<T>& space,
+                                        const ObjectSpace<Bounded<WiderThan<T>>>& bounded, const Ray<T>& ray,
+                                        const Shape<T>& shape) {
+  using B = Bounded<WiderThan<T>>;
+  const Ray<B> seen = to_object(bounded, convert<B>(ray));
+  const auto quick = rounded_roots(convert<double>(ray), Method::enclosed_in_space(seen, convert<B>(shape)));
+  return quick.is_sure ? convert<T>(quick.answer) : met_exactly<Method>(space, ray, shape);
+}
 template <class Method, std::floating_point T, template <class> class Shape>
 [[nodiscard]] auto quick_or_exact_roots(const ObjectSpace<T>& space, const Ray<T>& ray,
                                         const Shape<T>& shape) {
-  if constexpr (sizeof(T) < sizeof(double)) {
-    using B = Bounded<double>;
-    const Ray<B> seen = to_object(bounded_space(space), convert<B>(ray));
-    const auto quick =
-        rounded_roots(convert<double>(ray), Method::enclosed_in_space(seen, convert<B>(shape)));
-    if (quick.is_sure) return convert<T>(quick.answer);
-  }
-  return met_exactly<Method>(space, ray, shape);
+  return quick_or_exact_roots<Method>(space, bounded_space(space), ray, shape);
 }
 
 }  // namespace rayproof

@@ -16,9 +16,9 @@ namespace rayproof::parallelepiped {
 ///
 /// The slabs of FacePlanes are met in double for a ray in float, in double-double for one in double, in packs
 /// too; that answer stands where the error bound below leaves no doubt of which comes first, entry or exit,
-/// and of the rounding of both, which is nearly everywhere. The rest, and doubles under a transform, go
-/// to normals, distances and comparisons of two t with nothing rounded before the last step, so that an edge
-/// or corner that is touched counts once.
+/// and of the rounding of both, which is nearly everywhere. The rest goes to normals, distances and
+/// comparisons of two t with nothing rounded before the last step, so that an edge or corner that is touched
+/// counts once.
 ///
 /// An answer is never rounded across an end of the ray's interval; entry and exit may round to one number and
 /// are still two, with a discriminant of 1. Holds for all finite floats; for doubles while every number that

@@ -14,8 +14,8 @@ namespace rayproof::plane {
 ///
 /// The plane's own form is solved in double for a ray in float, in double-double for one in double, in packs
 /// too (`estimated`); that answer stands where its error bound leaves no doubt of a ray's being parallel and
-/// of the rounding, which is nearly everywhere. The rest, and doubles under a transform, go to numerators
-/// and denominators without rounding. No answer is rounded across an end of the ray's interval.
+/// of the rounding, which is nearly everywhere. The rest goes to numerators and denominators without
+/// rounding. No answer is rounded across an end of the ray's interval.
 ///
 /// Holds for all finite floats; for doubles while every number that is not 0 lies within 2^±200, beyond which
 /// terms of the expansions over- or underflow; under a transform within 2^±24.

@@ -11,7 +11,7 @@ namespace rayproof::sphere {
 ///
 /// Centred runs in double for a ray in float, in double-double for one in double, in packs too; its answer
 /// stands where the error bound below leaves no doubt of the discriminant's sign and of the rounding of t,
-/// which is nearly everywhere. The rest, and doubles under a transform, go to Compensated's expansions.
+/// which is nearly everywhere. The rest goes to Compensated's expansions.
 /// An answer is never rounded across an end of the ray's interval. Domain as Compensated's; under a transform
 /// every number lies within 2^±24, so that the discriminant, of degree 14, neither over- nor underflows.
 struct Rounded {

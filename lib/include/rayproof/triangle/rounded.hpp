@@ -16,8 +16,8 @@ namespace rayproof::triangle {
 ///
 /// The three Plücker sides with a bound on their rounding (ClearSides) go first, in double for a ray in
 /// float, in double-double for one in double, in packs too. They decide what is clearly a miss, or a hit with
-/// a sure rounding, which is nearly everywhere; the rest goes to the same sides as exact expansions, and so
-/// do doubles under a transform. No answer is rounded across an end of the ray's interval.
+/// a sure rounding, which is nearly everywhere; the rest goes to the same sides as exact expansions. No
+/// answer is rounded across an end of the ray's interval.
 ///
 /// Holds for all finite floats; for doubles while every number that is not 0 lies within 2^±200, beyond which
 /// terms of the expansions over- or underflow; under a transform within 2^±24.

@@ -6,9 +6,10 @@
 #include <cmath>
 #include <random>
 #include <rayproof/arithmetics/double_double.hpp>
-#include <rayproof/arithmetics/expansion.hpp>
 #include <rayproof/arithmetics/pack.hpp>
 #include <rayproof/vec3.hpp>
+
+#include "unit/lib/arithmetics/exact_parts.hpp"
 
 namespace rayproof {
 namespace {
@@ -16,13 +17,6 @@ namespace {
 using D = DoubleDouble<double>;
 
 constexpr double u = unit_roundoff<D>;
-
-Expansion<double, 2> exact_of(const D& x) { return exact(x.low()) + exact(x.high()); }
-
-template <std::size_t N>
-Expansion<double, N> magnitude(const Expansion<double, N>& x) {
-  return sign(x) < 0 ? -x : x;
-}
 
 /// |result - wanted| <= bound·|wanted|.
 template <std::size_t N, std::size_t M>
