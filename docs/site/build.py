@@ -90,7 +90,8 @@ def build(programs, work):
     shutil.copytree(KATEX / "fonts", work / "static/katex/fonts")
     for name in ["katex.min.js", "katex.min.css", "contrib/auto-render.js"]:
         shutil.copy(KATEX / name, work / "static/katex")
-    shutil.copy(SOURCE / "docs/site/formulas.js", work / "static")
+    for name in ["formulas.js", "site.css"]:
+        shutil.copy(SOURCE / "docs/site" / name, work / "static")
     (work / "extra/index.html").write_text(FIRST + "\n")
     describe_library(work)
     gather(work / "source", Parts(programs, work / "extra/walk", work / "xml"))

@@ -14,6 +14,8 @@ extensions = ["myst_parser", "sphinx.ext.mathjax", "sphinx_copybutton", "breathe
 myst_enable_extensions = ["dollarmath"]
 myst_heading_anchors = 4
 myst_update_mathjax = False
+# What a program prints is no Python.
+highlight_language = "text"
 # A block of JSON or C++ with … for what is left out is no JSON and no C++; it is shown without colours.
 suppress_warnings = ["misc.highlighting_failure"]
 
@@ -21,7 +23,7 @@ suppress_warnings = ["misc.highlighting_failure"]
 # tenth of the files.
 mathjax_path = "katex/katex.min.js"
 mathjax_options = {"defer": "defer"}
-html_css_files = ["katex/katex.min.css"]
+html_css_files = ["katex/katex.min.css", "site.css"]
 html_js_files = [("katex/auto-render.js", {"defer": "defer"}), ("formulas.js", {"defer": "defer"})]
 
 html_theme = "furo"
