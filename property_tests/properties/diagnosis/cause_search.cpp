@@ -42,6 +42,11 @@ bool is_part(const Indices& cases, const Indices& left) {
 
 }  // namespace
 
+bool breaks_more_than_digits(const Hypothesis& one) {
+  const bool is_mark = one.recognise != nullptr && !one.is_vague;
+  return one.kind == FindingKind::gross && one.of_sizes == OfSizes::nothing && !is_mark;
+}
+
 bool is_refuted(const Hypothesis& one, std::size_t explained, std::size_t contradictions) {
   const std::size_t admitted = one.speaks_of_all ? 1 : explained / 8;
   return contradictions > std::max<std::size_t>(admitted, 1);
@@ -73,7 +78,7 @@ std::vector<Diagnosis> CauseSearch::groups() const {
 Indices CauseSearch::explained_of_all(const Hypothesis& one) const {
   const Indices all = all_of(examination_.failing_count());
   if (one.is_asked_alone) return depends_on_others(all) ? all : Indices{};
-  const bool is_isolated = one.perturbs && is_share(explained_by("isolated", all), all, 50);
+  const bool is_isolated = one.perturbs && are_isolated(all, 50);
   const bool speaks_of_detail =
       one.predict != nullptr && one.aspect == Aspect::hits && detail_of(patient_.claim).has_value();
   const bool is_asked = may_be(one, is_isolated) || speaks_of_detail;
@@ -91,7 +96,7 @@ Diagnosis CauseSearch::next(const Indices& left) const {
   const bool is_of_misses = examination_.finds_nothing(best.cases);
   if (is_share(best.cases, left, is_of_misses ? most_for_a_cure : most_for_a_model)) return best;
   if (!is_part(best.cases, left)) best = {};
-  const bool is_isolated = is_share(explained_by("isolated", left), left, 50);
+  const bool is_isolated = are_isolated(left, 50);
   for (const Hypothesis& one : hypotheses()) {
     if (one.predict != nullptr || one.is_asked_alone || !may_be(one, is_isolated)) continue;
     const Indices cases = screened(one, left);
@@ -124,8 +129,9 @@ bool CauseSearch::may_be(const Hypothesis& one, bool is_isolated) const {
   return may_show(one);
 }
 
-Indices CauseSearch::explained_by(std::string_view name, const Indices& left) const {
-  return examination_.explained(*find_hypothesis(name), left);
+/// Whether small changes alone cure that share of the cases.
+bool CauseSearch::are_isolated(const Indices& cases, std::size_t percent) const {
+  return is_share(examination_.explained(*find_hypothesis("isolated"), cases), cases, percent);
 }
 
 /// A few cases first: most hypotheses explain none of them.
@@ -150,6 +156,7 @@ Diagnosis CauseSearch::best_model(const Indices& left) const {
   std::size_t most = 0;
   for (const Hypothesis& one : hypotheses()) {
     if (one.predict == nullptr || !may_be(one, false)) continue;
+    if (patient_.counts_digits && breaks_more_than_digits(one)) continue;
     Indices cases = screened(one, left);
     if (cases.size() <= most) continue;
     const std::size_t worth = balance(one, cases);
@@ -197,7 +204,7 @@ bool CauseSearch::is_contradicted(const Hypothesis& one, const Indices& cases) c
 
 /// And small changes alone must not do as much as a cure that rounds the case anew.
 bool CauseSearch::is_proven(const Hypothesis& one, const Indices& cases, const Indices& left) const {
-  return is_part(cases, left) && !(one.perturbs && is_share(explained_by("isolated", cases), cases, 33));
+  return is_part(cases, left) && !(one.perturbs && are_isolated(cases, 33));
 }
 
 }  // namespace rayproof::diagnosis

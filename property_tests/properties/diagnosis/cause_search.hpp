@@ -15,6 +15,9 @@ using Indices = std::vector<std::size_t>;
 /// Those of `some` that are not among `others`; both ascend.
 [[nodiscard]] Indices without(const Indices& some, const Indices& others);
 
+/// Whether it is a fault that would break more than count digits from afar.
+[[nodiscard]] bool breaks_more_than_digits(const Hypothesis& one);
+
 /// Whether there are more contradictions than another fault, or rounding, may make.
 [[nodiscard]] bool is_refuted(const Hypothesis& one, std::size_t explained, std::size_t contradictions);
 
@@ -40,7 +43,7 @@ class CauseSearch {
   [[nodiscard]] bool depends_on_others(const Indices& left) const;
   [[nodiscard]] bool may_show(const Hypothesis& one) const;
   [[nodiscard]] bool may_be(const Hypothesis& one, bool is_isolated) const;
-  [[nodiscard]] Indices explained_by(std::string_view name, const Indices& left) const;
+  [[nodiscard]] bool are_isolated(const Indices& cases, std::size_t percent) const;
   [[nodiscard]] Indices screened(const Hypothesis& one, const Indices& left) const;
   [[nodiscard]] bool is_by_chance(const Hypothesis& one, const Indices& cases) const;
   [[nodiscard]] bool is_too_small_a_share(const Hypothesis& one, const Indices& cases) const;

@@ -48,7 +48,7 @@ Cover::Cover(std::span<const Complaint* const> complaints) {
     for (const Diagnosis& group : sheet.search->groups()) sheet.named.push_back(group.cause);
     const auto count = static_cast<double>(one->failing.size());
     sheet.weight = one->broken > 0 ? one->broken / count : 1;
-    sheet.is_of_digits = one->is_of_digits;
+    sheet.counts_digits = one->patient.counts_digits;
     sheets_.push_back(std::move(sheet));
   }
 }
@@ -71,7 +71,7 @@ std::vector<Cover::Candidate> Cover::candidates() const {
     bool is_shown_whole = false;
     for (const Sheet& sheet : sheets_) {
       // A cure that only says where to look says nothing of lost digits.
-      const bool is_of_more = sheet.is_of_digits && cause.is_vague && cause.change != nullptr;
+      const bool is_of_more = sheet.counts_digits && cause.is_vague && cause.change != nullptr;
       Indices cases = is_of_more ? Indices{} : sheet.search->explained_of_all(cause);
       explained += cases.size();
       is_shown_whole = is_shown_whole || sheet.examination->is_shown_whole(cause, cases);
@@ -87,13 +87,11 @@ std::vector<Cover::Candidate> Cover::candidates() const {
   return all;
 }
 
-/// Whether it is named for some complaint. That digits are lost alone shows no fault that is
-/// worse: it would break more.
+/// Whether it is named for some complaint.
 bool Cover::is_named(const Hypothesis& cause) const {
-  const bool is_mark = cause.recognise != nullptr && !cause.is_vague;
-  const bool is_worse = cause.kind == FindingKind::gross && cause.of_sizes == OfSizes::nothing && !is_mark;
   return std::ranges::any_of(sheets_, [&](const Sheet& sheet) {
-    return !(sheet.is_of_digits && is_worse) && std::ranges::count(sheet.named, &cause) > 0;
+    return !(sheet.counts_digits && breaks_more_than_digits(cause)) &&
+           std::ranges::count(sheet.named, &cause) > 0;
   });
 }
 

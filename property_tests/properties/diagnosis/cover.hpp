@@ -25,7 +25,7 @@ class Cover {
     std::vector<const Hypothesis*> named;  ///< the causes of its groups where no other complaint is known,
                                            ///< and what one precision may not show
     double weight;                         ///< how many cases of the run a case of the sample stands for
-    bool is_of_digits;                     ///< digits are lost, and no more
+    bool counts_digits;                    ///< digits are lost, and no more
   };
   /// A cause with the cases that it explains of each complaint.
   struct Candidate {

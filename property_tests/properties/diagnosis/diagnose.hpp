@@ -38,8 +38,7 @@ struct Diagnosis {
 struct Complaint {
   Patient patient{};
   std::vector<Case> failing{}, passing{};
-  double broken = 0;          ///< how many cases of the run it stands for; 0 for those of the sample alone
-  bool is_of_digits = false;  ///< it says no more than that digits are lost
+  double broken = 0;  ///< how many cases of the run it stands for; 0 for those of the sample alone
 };
 
 /// The faults behind all complaints of one subject, for each complaint its groups. As few causes are named as

@@ -68,6 +68,7 @@ Patient patient_of(const Subject& subject, const Property& property) {
     return ruling_on(subject, property, one, answer);
   };
   patient.claim = property.claim;
+  patient.counts_digits = property.name == "digits";
   return patient;
 }
 

@@ -22,6 +22,8 @@ struct Patient {
   std::function<Ruling(const Case&, const Answer&)> rule{};
   /// What the property judges.
   Claim claim = Claim::verdict;
+  /// It counts lost digits, which are more or fewer by luck.
+  bool counts_digits = false;
 };
 
 /// A subject under one of the properties.

@@ -34,7 +34,6 @@ Consultation::Consultation(const RunResult& result, const Samples& samples, Find
       broken_(broken_cases(result, finding)) {
   const bool is_declared = finding.is_declared;
   complaint_.broken = static_cast<double>(broken_);
-  complaint_.is_of_digits = finding.property->name == "digits";
   if (sample_ != nullptr) {
     complaint_.failing = in_turn(sample_->broken, is_declared ? most_declared : most_failing);
     complaint_.passing = in_turn(sample_->held, is_declared ? most_declared : most_passing);

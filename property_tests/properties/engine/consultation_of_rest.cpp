@@ -41,7 +41,7 @@ std::vector<Case> Consultation::unexplained(std::vector<Case> left,
 
 bool Consultation::turn_to_rest(std::span<const Hypothesis* const> causes) {
   constexpr std::size_t enough = 3, most = 64;
-  if (sample_ == nullptr || complaint_.is_of_digits) return false;
+  if (sample_ == nullptr || complaint_.patient.counts_digits) return false;
   const std::vector<Case> all = in_turn(sample_->broken, sample_->broken.size());
   std::vector<Case> left = unexplained(all, causes);
   if (left.size() < enough) return false;

@@ -86,7 +86,23 @@ def small_discriminant(case):
     return with_hits([]) if b * b - a * c < 1e-3 else answer(case)
 
 
+def nearest_by_textbook(case):
+    """The nearest hit alone, by the textbook's quadratic: from afar its digits cancel."""
+    if "transform" in case:
+        return {"unsupported": True}
+    origin, direction, *_ = ray_of(case)
+    apart = minus(origin, case["shape"]["center"])
+    a, h, c = dot(direction, direction), dot(apart, direction), dot(apart, apart) - case["shape"]["radius"] ** 2
+    discriminant = h * h - a * c
+    if not discriminant >= 0 or a == 0:
+        return with_hits([])
+    t_min, t_max = ends_of(case)
+    both = [(-h - math.sqrt(discriminant)) / a, (-h + math.sqrt(discriminant)) / a]
+    return with_hits([t for t in both if t_min <= t <= t_max][:1])
+
+
 FAULTS = {
+    "nearest_by_textbook": nearest_by_textbook,
     "open_at_t_min": open_at_t_min,
     "open_at_t_max": open_at_t_max,
     "rounded": rounded,

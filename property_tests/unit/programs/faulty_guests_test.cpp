@@ -81,6 +81,16 @@ TEST_F(GuestsWithOneFault, GetOneFindingThoughAnEpsilonMissesTangentsToo) {
       << outcome.output;
 }
 
+TEST_F(GuestsWithOneFault, GiveTheNearestHitAloneAndLearnThatFromAfarItsDigitsCancel) {
+  const Ended outcome = in_folder("rayproof-check --subject-command 'python3 " + guests +
+                                  "faulty.py nearest_by_textbook' --shape sphere --case-seconds 10 --jobs 2 "
+                                  "--cases 400 --family far,random");
+  EXPECT_EQ(outcome.status, 0) << "lost digits alone spoil no bill";
+  ASSERT_EQ(findings().size(), 1U) << outcome.output;
+  EXPECT_NE(findings()[0].value("diagnosis", "").find("starts near the shape"), std::string::npos)
+      << outcome.output;
+}
+
 class HangingGuests : public FaultyGuests {
  protected:
   [[nodiscard]] Ended check_hanging(const std::string& more) const {

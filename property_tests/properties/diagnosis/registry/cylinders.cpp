@@ -27,6 +27,9 @@ std::vector<Hypothesis> models_of_cylinders() {
             "the caps are circles of radius ry, and must be ellipses as the side is"),
       gives("caps-of-rooted-radius", caps_of_rooted_radius,
             "a cap is hit where x² + y² <= r, and must be where x² + y² <= r²"),
+      gives("caps-by-origin", caps_by_origin,
+            "a cap is hit where the ray's origin lies within its outline, and must be where the point on the "
+            "cap does"),
       gives("caps-from-outside-alone", caps_from_outside_alone,
             "a cap is hit from outside alone: a ray that leaves through it does not hit it"),
       gives("side-before-caps", side_before_caps,

@@ -4,6 +4,7 @@
 #include "properties/diagnosis/cures/cures.hpp"
 #include "properties/diagnosis/models/solids/box.hpp"
 #include "properties/diagnosis/models/solids/faces.hpp"
+#include "properties/diagnosis/models/solids/parallelepiped.hpp"
 #include "properties/diagnosis/models/solids/slabs.hpp"
 #include "properties/diagnosis/models/solids/solid.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
@@ -111,6 +112,18 @@ std::vector<Hypothesis> models_of_solids() {
             "taken for rectangles"),
       gives("corner-as-centre", read_as<corner_as_centre>,
             "the answer is right for a solid centred at the corner: the corner is taken for the centre"),
+      gives("diagonal-0-1", read_as<diagonal_for_edge<0, 1>>,
+            "the answer is right with edge 1 added to edge 0: a face's diagonal is taken for an edge"),
+      gives("diagonal-0-2", read_as<diagonal_for_edge<0, 2>>,
+            "the answer is right with edge 2 added to edge 0: a face's diagonal is taken for an edge"),
+      gives("diagonal-1-0", read_as<diagonal_for_edge<1, 0>>,
+            "the answer is right with edge 0 added to edge 1: a face's diagonal is taken for an edge"),
+      gives("diagonal-1-2", read_as<diagonal_for_edge<1, 2>>,
+            "the answer is right with edge 2 added to edge 1: a face's diagonal is taken for an edge"),
+      gives("diagonal-2-0", read_as<diagonal_for_edge<2, 0>>,
+            "the answer is right with edge 0 added to edge 2: a face's diagonal is taken for an edge"),
+      gives("diagonal-2-1", read_as<diagonal_for_edge<2, 1>>,
+            "the answer is right with edge 1 added to edge 2: a face's diagonal is taken for an edge"),
       gives("edges-transposed", read_as<edges_transposed>,
             "the answer is right for the transposed matrix of the edges: rows are taken for columns"),
       gives("unit-edges", read_as<unit_edges>,

@@ -92,6 +92,18 @@ Answers caps_of_rooted_radius(const Case& one, const Answer& /*exact*/) {
                          [](double x, double y, const Cylinder<double>& c) { return x * x + y * y <= c.rx; });
 }
 
+Answers caps_by_origin(const Case& one, const Answer& /*exact*/) {
+  const auto parts = parts_of(one, [](double, double, const Cylinder<double>&) { return true; });
+  if (!parts) return {};
+  const glm::dvec3 origin = ray_in_object(*ray_question(one)).origin;
+  std::vector<double> all = parts->side;
+  if (is_in_ellipse(origin.x, origin.y, *shape_in<Cylinder<double>>(one)))
+    all.insert(all.end(), parts->caps.begin(), parts->caps.end());
+  std::ranges::sort(all);
+  // There may be three or four; the first and the last of the line are taken then, or of the interval.
+  return {in_order(one, all.size() > 2 ? std::vector{all.front(), all.back()} : all), in_order(one, all)};
+}
+
 Answers caps_from_outside_alone(const Case& one, const Answer& /*exact*/) {
   const auto parts = parts_of(one, is_in_ellipse);
   if (!parts) return {};

@@ -1,5 +1,7 @@
 #include "properties/diagnosis/models/solids/box.hpp"
 
+#include <algorithm>
+
 namespace rayproof::diagnosis {
 namespace {
 
@@ -24,12 +26,23 @@ std::vector<Case> max_as_half_size(const Case& one) {
   });
 }
 
-Answers with_corner_copied(const Case& one, glm::dvec3 Box<double>::*corner, int from, int to) {
+std::vector<Case> with_sides(const Case& one, double (*length)(const glm::dvec3& sides)) {
+  return with_shape<Box<double>>(one, [length](RayQuestion& /*asked*/, Box<double>& box) {
+    box.max = box.min + length(box.max - box.min);
+    return true;
+  });
+}
+std::vector<Case> sides_as_longest(const Case& one) {
+  return with_sides(one, [](const glm::dvec3& sides) { return std::max({sides.x, sides.y, sides.z}); });
+}
+
+Answers with_corner(const Case& one, Corner corner, void (*change)(glm::dvec3&)) {
   bool is_turned = false;
   const auto changed = with_shape<Box<double>>(one, [&](RayQuestion& /*asked*/, Box<double>& box) {
-    (box.*corner)[to] = (box.*corner)[from];
-    is_turned = box.min[to] > box.max[to];
-    if (is_turned) std::swap(box.min[to], box.max[to]);
+    change(box.*corner);
+    const glm::dvec3 low = glm::min(box.min, box.max), high = glm::max(box.min, box.max);
+    is_turned = low != box.min;
+    box = {low, high};
     return true;
   });
   Answers answers = exact_of(changed);

@@ -2,6 +2,8 @@
 /// \file
 /// Models of a box whose middle, half size or corner is taken wrongly.
 
+#include <utility>
+
 #include "properties/diagnosis/models/models.hpp"
 
 namespace rayproof::diagnosis {
@@ -13,12 +15,27 @@ namespace rayproof::diagnosis {
 [[nodiscard]] std::vector<Case> max_as_half_size(const Case& one);
 /// @}
 
-/// The box with another coordinate of that corner in the place of its coordinate on axis `to`; where the
-/// corners then lie the wrong way round, the box between them or none.
-[[nodiscard]] Answers with_corner_copied(const Case& one, glm::dvec3 Box<double>::*corner, int from, int to);
-template <glm::dvec3 Box<double>::*corner, int from, int to>
-[[nodiscard]] Answers corner_copied(const Case& one, const Answer& /*exact*/) {
-  return with_corner_copied(one, corner, from, to);
+/// @{ The box from min with all sides as long as that one, or as the longest.
+[[nodiscard]] std::vector<Case> with_sides(const Case& one, double (*length)(const glm::dvec3& sides));
+template <int side>
+[[nodiscard]] std::vector<Case> sides_alike(const Case& one) {
+  return with_sides(one, [](const glm::dvec3& sides) { return sides[side]; });
 }
+[[nodiscard]] std::vector<Case> sides_as_longest(const Case& one);
+/// @}
+
+/// @{ The box with a corner read otherwise; where the corners then lie the wrong way round, the box between
+/// them or none. A coordinate stands in the place of that on axis `to`, or the two are exchanged.
+using Corner = glm::dvec3 Box<double>::*;
+[[nodiscard]] Answers with_corner(const Case& one, Corner corner, void (*change)(glm::dvec3&));
+template <Corner corner, int from, int to>
+[[nodiscard]] Answers corner_copied(const Case& one, const Answer& /*exact*/) {
+  return with_corner(one, corner, [](glm::dvec3& v) { v[to] = v[from]; });
+}
+template <Corner corner, int i, int j>
+[[nodiscard]] Answers corner_exchanged(const Case& one, const Answer& /*exact*/) {
+  return with_corner(one, corner, [](glm::dvec3& v) { std::swap(v[i], v[j]); });
+}
+/// @}
 
 }  // namespace rayproof::diagnosis

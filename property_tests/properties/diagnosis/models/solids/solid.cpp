@@ -54,17 +54,6 @@ std::vector<Case> sphere_mirrored(const Case& one) {
   return with_sphere(one, [](Sphere<double>& sphere) { sphere.center = -sphere.center; });
 }
 
-std::vector<Case> parallelepiped_as_box(const Case& one) {
-  return with_question(one, [](RayQuestion& asked) {
-    const auto* solid = std::get_if<Parallelepiped<double>>(&asked.shape);
-    if (solid == nullptr) return false;
-    const glm::dvec3 a = solid->corner;
-    const glm::dvec3 b = a + solid->edges[0] + solid->edges[1] + solid->edges[2];
-    asked.shape = Box<double>{glm::min(a, b), glm::max(a, b)};
-    return true;
-  });
-}
-
 std::vector<Case> with_caps(const Case& one) {
   return with_cylinder(one, [](Cylinder<double>& cylinder) { cylinder.capped = true; });
 }
@@ -173,55 +162,6 @@ std::vector<Case> max_as_size(const Case& one) {
     const glm::dvec3 low = box.min, other = box.min + box.max;  // on either side of min
     box.min = glm::min(low, other);
     box.max = glm::max(low, other);
-    return true;
-  });
-}
-
-std::vector<Case> parallelepiped_as_bounds(const Case& one) {
-  return with_question(one, [](RayQuestion& asked) {
-    const auto* solid = std::get_if<Parallelepiped<double>>(&asked.shape);
-    if (solid == nullptr) return false;
-    glm::dvec3 low = solid->corner, high = low;
-    for (const glm::dvec3& edge : solid->edges) {
-      low += glm::min(edge, glm::dvec3(0));
-      high += glm::max(edge, glm::dvec3(0));
-    }
-    asked.shape = Box<double>{low, high};
-    return true;
-  });
-}
-
-std::vector<Case> edges_times_length(const Case& one) {
-  return with_shape<Parallelepiped<double>>(one, [](RayQuestion& /*asked*/, Parallelepiped<double>& solid) {
-    for (glm::dvec3& edge : solid.edges) edge *= glm::length(edge);
-    return true;
-  });
-}
-
-std::vector<Case> edges_as_orthogonal(const Case& one) {
-  return with_shape<Parallelepiped<double>>(one, [](RayQuestion& /*asked*/, Parallelepiped<double>& solid) {
-    const auto& e = solid.edges;
-    const glm::dmat3 dual = glm::transpose(glm::inverse(glm::dmat3(e[0], e[1], e[2])));
-    for (int i = 0; i < 3; ++i) {
-      glm::dvec3& edge = solid.edges.at(static_cast<std::size_t>(i));
-      edge = glm::dot(edge, edge) * dual[i];
-    }
-    return true;
-  });
-}
-
-std::vector<Case> corner_as_centre(const Case& one) {
-  return with_shape<Parallelepiped<double>>(one, [](RayQuestion& /*asked*/, Parallelepiped<double>& solid) {
-    solid.corner -= 0.5 * (solid.edges[0] + solid.edges[1] + solid.edges[2]);
-    return true;
-  });
-}
-
-std::vector<Case> edges_transposed(const Case& one) {
-  return with_shape<Parallelepiped<double>>(one, [](RayQuestion& /*asked*/, Parallelepiped<double>& solid) {
-    auto& e = solid.edges;
-    const glm::dmat3 other = glm::transpose(glm::dmat3(e[0], e[1], e[2]));
-    e = {other[0], other[1], other[2]};
     return true;
   });
 }

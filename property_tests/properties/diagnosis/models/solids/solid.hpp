@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Models of faults with spheres, boxes, parallelepipeds and cylinders.
+/// Models of faults with spheres, boxes and cylinders.
 
 #include "properties/diagnosis/models/models.hpp"
 
@@ -25,26 +25,7 @@ template <int axis>
     return true;
   });
 }
-/// A parallelepiped without end along an edge: in doubles, since a corner so far away is rounded.
-template <int edge>
-[[nodiscard]] std::vector<Case> endless_parallelepiped(const Case& one) {
-  Case in_doubles = one;
-  in_doubles.precision = Precision::float64;
-  return with_shape<Parallelepiped<double>>(in_doubles, [](RayQuestion& /*asked*/, auto& solid) {
-    const glm::dvec3 along = 0x1p20 * solid.edges[edge];
-    solid.corner -= along;
-    solid.edges[edge] = 2.0 * along;
-    return true;
-  });
-}
-/// The same beyond the corner alone: the edge is taken for an endless half line.
-template <int edge>
-[[nodiscard]] std::vector<Case> half_endless_parallelepiped(const Case& one) {
-  return with_shape<Parallelepiped<double>>(one, [](RayQuestion& /*asked*/, Parallelepiped<double>& solid) {
-    solid.edges[edge] *= 0x1p30;
-    return true;
-  });
-}
+
 /// r for r²: everywhere, in half the chord alone, or in the test whether the line passes near enough alone.
 [[nodiscard]] Answers radius_for_square(const Case& one, const Answer& exact);
 /// The sign of r² is wrong in the constant of the sphere's equation.
@@ -65,17 +46,6 @@ template <int edge>
 /// @{ A box of size 0 along an axis is missed; a box whose max is its size.
 [[nodiscard]] Answers flat_box_missed(const Case& one, const Answer& exact);
 [[nodiscard]] std::vector<Case> max_as_size(const Case& one);
-/// @}
-
-/// @{ Readings of a parallelepiped: the box with two of its opposite corners; its bounding box; with each
-/// edge as long as its square; its edges taken for orthogonal, so that projections on them are coordinates;
-/// its corner taken for the centre; the matrix of its edges transposed.
-[[nodiscard]] std::vector<Case> parallelepiped_as_box(const Case& one);
-[[nodiscard]] std::vector<Case> parallelepiped_as_bounds(const Case& one);
-[[nodiscard]] std::vector<Case> edges_times_length(const Case& one);
-[[nodiscard]] std::vector<Case> edges_as_orthogonal(const Case& one);
-[[nodiscard]] std::vector<Case> corner_as_centre(const Case& one);
-[[nodiscard]] std::vector<Case> edges_transposed(const Case& one);
 /// @}
 
 /// @{ Readings of a cylinder: with caps, without them; a circular one of radius rx, of ry; with

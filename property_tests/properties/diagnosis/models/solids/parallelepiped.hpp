@@ -1,0 +1,49 @@
+#pragma once
+/// \file
+/// Readings of a parallelepiped that are not what is given.
+
+#include "properties/diagnosis/models/models.hpp"
+
+namespace rayproof::diagnosis {
+
+/// A parallelepiped without end along an edge: in doubles, since a corner so far away is rounded.
+template <int edge>
+[[nodiscard]] std::vector<Case> endless_parallelepiped(const Case& one) {
+  Case in_doubles = one;
+  in_doubles.precision = Precision::float64;
+  return with_shape<Parallelepiped<double>>(in_doubles, [](RayQuestion& /*asked*/, auto& solid) {
+    const glm::dvec3 along = 0x1p20 * solid.edges[edge];
+    solid.corner -= along;
+    solid.edges[edge] = 2.0 * along;
+    return true;
+  });
+}
+/// The same beyond the corner alone: the edge is taken for an endless half line.
+template <int edge>
+[[nodiscard]] std::vector<Case> half_endless_parallelepiped(const Case& one) {
+  return with_shape<Parallelepiped<double>>(one, [](RayQuestion& /*asked*/, Parallelepiped<double>& solid) {
+    solid.edges[edge] *= 0x1p30;
+    return true;
+  });
+}
+/// An edge with another one added to it: the diagonal of their face is taken for the edge.
+template <int edge, int other>
+[[nodiscard]] std::vector<Case> diagonal_for_edge(const Case& one) {
+  return with_shape<Parallelepiped<double>>(one, [](RayQuestion& /*asked*/, Parallelepiped<double>& solid) {
+    solid.edges[edge] += solid.edges[other];
+    return true;
+  });
+}
+
+/// @{ Readings of a parallelepiped: the box with two of its opposite corners; its bounding box; with each
+/// edge as long as its square; its edges taken for orthogonal, so that projections on them are coordinates;
+/// its corner taken for the centre; the matrix of its edges transposed.
+[[nodiscard]] std::vector<Case> parallelepiped_as_box(const Case& one);
+[[nodiscard]] std::vector<Case> parallelepiped_as_bounds(const Case& one);
+[[nodiscard]] std::vector<Case> edges_times_length(const Case& one);
+[[nodiscard]] std::vector<Case> edges_as_orthogonal(const Case& one);
+[[nodiscard]] std::vector<Case> corner_as_centre(const Case& one);
+[[nodiscard]] std::vector<Case> edges_transposed(const Case& one);
+/// @}
+
+}  // namespace rayproof::diagnosis
