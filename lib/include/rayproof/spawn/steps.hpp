@@ -15,9 +15,10 @@ namespace rayproof::spawn {
 /// whole number below 2^20. A number that steps over 0 goes wrong, as the published code does.
 template <std::floating_point T>
 [[nodiscard]] constexpr T moved_by_steps(T x, T k) {
-  using Word = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
-  const auto steps = static_cast<Word>(x < T(0) ? -k : k);
-  return std::bit_cast<T>(static_cast<Word>(std::bit_cast<Word>(x) + steps));
+  using Steps = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
+  using Word = std::make_unsigned_t<Steps>;  // one step down from -0 leaves the numbers, and must be defined
+  const auto steps = static_cast<Steps>(x < T(0) ? -k : k);
+  return std::bit_cast<T>(std::bit_cast<Word>(x) + static_cast<Word>(steps));
 }
 template <class T, class Abi>
 [[nodiscard]] Pack<T, Abi> moved_by_steps(const Pack<T, Abi>& x, const Pack<T, Abi>& k) {

@@ -132,6 +132,9 @@ TEST(TheRelativeOffset, IsMitsubas) {
 TEST(TheIntegerOffset, IsTheSourcesOwn) {
   EXPECT_EQ(moved_by_steps(1.0F, 256.0F), 1 + 256 * 0x1p-23F);
   EXPECT_EQ(moved_by_steps(-1.0F, 256.0F), -1 + 256 * 0x1p-24F);
+  // Below -0 no number follows; as a constant, what is not defined would not compile.
+  static_assert(moved_by_steps(-0.0F, -1.0F) != moved_by_steps(-0.0F, -1.0F));
+  static_assert(moved_by_steps(-0.0, -1.0) != moved_by_steps(-0.0, -1.0));
   EXPECT_EQ((origin_at<IntegerOffset, float>(unit_box<float>(), {0.5F, 0.5F, 1}).z), 1 + 256 * 0x1p-23F);
   EXPECT_EQ((origin_at<IntegerOffset, float>(unit_box<float>(), {0.5F, 0.5F, 0}).z), -0x1p-16F);
 }
