@@ -46,7 +46,7 @@ RAYPROOF_FLAT bool solve(const Lanes<Problem>& given, T* const (&out)[Columns], 
   const Lanes<Problem> in = given;  // its own copy: nothing that is written can change it
   using N = Pack<T>;
   const auto fill = [&](const auto& columns, N(&to)[Columns]) {
-    const auto problem = problem_of<N>(in, columns);
+    auto problem = problem_of<N>(in, columns);
     put_results<Lanes<Problem>>(problem, Lanes<Problem>::Topic::template solve<Method>(problem), to);
   };
   run<N>(in.columns, out, in.size, fill, all ? Columns : 1, interval_of(in));
@@ -71,7 +71,8 @@ auto enclosed(const ObjectSpace<Bounded<double>>& space, const Ray<N>& ray, cons
 }
 
 /// The same by a method's quick phase, all hits or the nearest alone. What it is not sure of is NaN. Returns
-/// whether there is any.
+/// whether there is any. Nothing made of packs is const: g++ 12 leaves const structs in memory, and computes
+/// what nobody asks for, such as a plane's u and v for the nearest hit.
 template <class Method, class Problem, class Space, class T, class All, std::size_t Columns>
 RAYPROOF_FLAT bool solve_quickly(const Lanes<Problem>& given, const Space& given_space,
                                  T* const (&out)[Columns], All all) {
@@ -80,19 +81,19 @@ RAYPROOF_FLAT bool solve_quickly(const Lanes<Problem>& given, const Space& given
   using N = Pack<double>;
   Mask<N> is_sure(true);
   const auto fill = [&](const N(&columns)[8], N(&to)[Columns]) {
-    const Ray<N> ray = ray_of<N>(columns);
-    const auto known = enclosed<Method, T>(space, ray, in.shape);
+    Ray<N> ray = ray_of<N>(columns);
+    auto known = enclosed<Method, T>(space, ray, in.shape);
     const auto keep = [&](const Mask<N>& is_sure_now, std::size_t wanted) {
       is_sure = is_sure && is_sure_now;
       for (std::size_t i = 0; i < wanted; ++i) to[i] = select(is_sure_now, to[i], N(not_a_number<N>));
     };
     if (all) {
-      const auto quick = rounded_roots(ray, known);
+      auto quick = rounded_roots(ray, known);
       const struct { const Ray<N>& ray; } problem{ray};
       put_results<Lanes<Problem>>(problem, quick.answer, to);
       keep(quick.is_sure, Columns);
     } else {
-      const auto quick = rounded_nearest(ray, known);
+      auto quick = rounded_nearest(ray, known);
       to[0] = quick.answer;
       keep(quick.is_sure, 1);
     }
@@ -119,7 +120,7 @@ RAYPROOF_FLAT void move(const T* const (&in)[6], std::size_t size, const ObjectS
   const ObjectSpace<T> space = given;
   using N = Pack<T>;
   run<N>(in, out, size, [&](const N(&c)[6], N(&to)[6]) {
-    const Ray<N> ray = to_object(convert<N>(space), Ray<N>{{c[0], c[1], c[2]}, {c[3], c[4], c[5]}});
+    Ray<N> ray = to_object(convert<N>(space), Ray<N>{{c[0], c[1], c[2]}, {c[3], c[4], c[5]}});
     const auto& [o, d, t_min, t_max] = ray;
     const N numbers[6] = {o.x, o.y, o.z, d.x, d.y, d.z};
     for (std::size_t i = 0; i < 6; ++i) to[i] = numbers[i];

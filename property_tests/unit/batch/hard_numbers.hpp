@@ -42,45 +42,52 @@ template <class T>
   return column;
 }
 
+/// A vector of three numbers from `number()`.
 template <class T>
-[[nodiscard]] vec3<T> hard_vector(Random& random) {
-  return {hard_number<T>(random), hard_number<T>(random), hard_number<T>(random)};
+[[nodiscard]] vec3<T> vector_of(const auto& number) {
+  const T x = number(), y = number(), z = number();
+  return {x, y, z};
 }
 
-/// A shape of hard numbers.
+/// A shape of numbers from `number()`.
 template <class T>
-void draw_hard(Sphere<T>& sphere, Random& random) {
-  sphere = {hard_vector<T>(random), std::abs(hard_number<T>(random))};
+void draw_of(Sphere<T>& sphere, Random& /*random*/, const auto& number) {
+  sphere = {vector_of<T>(number), std::abs(number())};
 }
 template <class T>
-void draw_hard(Plane<T>& plane, Random& random) {
+void draw_of(Plane<T>& plane, Random& random, const auto& number) {
   const auto form = static_cast<PlaneForm>(random.between(0, 2));
-  plane = {form,
-           hard_vector<T>(random),
-           hard_vector<T>(random),
-           hard_number<T>(random),
-           hard_vector<T>(random),
-           hard_vector<T>(random)};
+  plane = {form,     vector_of<T>(number), vector_of<T>(number),
+           number(), vector_of<T>(number), vector_of<T>(number)};
 }
 template <class T>
-void draw_hard(Triangle<T>& triangle, Random& random) {
-  triangle = {hard_vector<T>(random), hard_vector<T>(random), hard_vector<T>(random)};
+void draw_of(Triangle<T>& triangle, Random& /*random*/, const auto& number) {
+  triangle = {vector_of<T>(number), vector_of<T>(number), vector_of<T>(number)};
 }
 template <class T>
-void draw_hard(Box<T>& box, Random& random) {
-  box = {hard_vector<T>(random), hard_vector<T>(random)};
+void draw_of(Box<T>& box, Random& /*random*/, const auto& number) {
+  box = {vector_of<T>(number), vector_of<T>(number)};
   for (int axis = 0; axis < 3; ++axis)
     if (box.max[axis] < box.min[axis]) std::swap(box.min[axis], box.max[axis]);
 }
 template <class T>
-void draw_hard(Parallelepiped<T>& shape, Random& random) {
-  shape.corner = hard_vector<T>(random);
-  for (auto& edge : shape.edges) edge = hard_vector<T>(random);
+void draw_of(Parallelepiped<T>& shape, Random& /*random*/, const auto& number) {
+  shape.corner = vector_of<T>(number);
+  for (auto& edge : shape.edges) edge = vector_of<T>(number);
 }
 template <class T>
-void draw_hard(Cylinder<T>& cylinder, Random& random) {
-  cylinder = {std::abs(hard_number<T>(random)), std::abs(hard_number<T>(random)),
-              std::abs(hard_number<T>(random)), random.one_in(2)};
+void draw_of(Cylinder<T>& cylinder, Random& random, const auto& number) {
+  cylinder = {std::abs(number()), std::abs(number()), std::abs(number()), random.one_in(2)};
+}
+
+/// A vector, or a shape, of hard numbers.
+template <class T>
+[[nodiscard]] vec3<T> hard_vector(Random& random) {
+  return vector_of<T>([&] { return hard_number<T>(random); });
+}
+template <template <class> class Shape, class T>
+void draw_hard(Shape<T>& shape, Random& random) {
+  draw_of(shape, random, [&] { return hard_number<T>(random); });
 }
 
 /// Calls `check(method, T{}, set)` for every method of a topic, in both precisions, on every instruction set

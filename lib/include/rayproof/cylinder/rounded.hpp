@@ -83,7 +83,9 @@ struct Rounded {
   /// 2^-298.
   ///
   /// Of the heights' t the numerator is rounded once and the quotient once, so that they are off by 2.01u of
-  /// their size, and by two roundings more in the test. They are NaN where the ray's own z are.
+  /// their size, and by two roundings more in the test. They are NaN where the ray's own z are; a ray level
+  /// with the ends, which has no such t, has its z looked at: a double beyond the reach of double-doubles is
+  /// NaN.
   template <class W>
   [[nodiscard]] static constexpr Enclosed<W> enclosed(const Ray<W>& ray, const Cylinder<W>& cylinder) {
     const Enclosed<W> side = sphere::Rounded::enclosed(seen_along_axis(ray, cylinder), circle_of(cylinder));
@@ -92,8 +94,9 @@ struct Rounded {
     const auto error_of = [](const W& t) {
       return N(5 * unit_roundoff<W>) * min(abs(leading(t)), N(0x1p1000));
     };
-    const box::BoundedSlab<W> heights{entry, exit, error_of(entry), error_of(exit),
-                                      entry == entry && abs(leading(cylinder.height)) < N(infinity<W>)};
+    const box::BoundedSlab<W> heights{
+        entry, exit, error_of(entry), error_of(exit),
+        entry == entry && ray.origin.z == ray.origin.z && abs(leading(cylinder.height)) < N(infinity<W>)};
     return cylinder.capped ? inside(side, heights) : between(side, heights);
   }
 
