@@ -25,11 +25,12 @@ void finish_output() {
 }
 
 /// The first file that a program opens would take the number of a stream that was closed before it began, and
-/// what is printed would go there. In its place stands what can't be read or written.
+/// what is printed would go there. In its place stands what can't be read, or written; but complaints that
+/// nobody reads are lost without a complaint.
 void occupy_closed_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (::fcntl(stream, F_GETFD) < 0)
-      (void)!::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+      (void)!::open("/dev/null", stream == STDOUT_FILENO ? O_RDONLY : O_WRONLY);
 }
 
 std::vector<std::string> option_names(const CLI::App& app) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <new>
 #include <stdexcept>
 #include <tuple>
 
@@ -41,7 +42,13 @@ ClosedMesh read_mesh(const std::string& file) {
   }
   std::vector<FilePoint> points;
   std::vector<std::vector<std::size_t>> faces;
-  if (!CGAL::IO::read_polygon_soup(file, points, faces) || faces.empty())
+  bool is_read = false;
+  try {
+    is_read = CGAL::IO::read_polygon_soup(file, points, faces);
+  } catch (const std::bad_alloc&) {  // the file's own counts are believed
+    throw std::runtime_error(file + " asks for more memory than there is: are its counts right?");
+  }
+  if (!is_read || faces.empty())
     throw std::runtime_error(file + " is no mesh in OFF, OBJ, STL or PLY that can be read");
   for (const std::vector<std::size_t>& face : faces)
     for (const std::size_t corner : face)
@@ -56,6 +63,7 @@ ClosedMesh read_mesh(const std::string& file) {
       const auto& [a, b, c] = corners;
       if (a != b && b != c && c != a) mesh.triangles.push_back(corners);
     }
+  if (mesh.triangles.empty()) throw std::runtime_error(file + ": no face has three corners that differ");
   for (const glm::dvec3& v : mesh.vertices)
     if (!std::isfinite(v.x + v.y + v.z)) throw std::runtime_error(file + ": a vertex is not finite");
   return turned_outward(std::move(mesh));

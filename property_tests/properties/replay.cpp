@@ -27,6 +27,13 @@ void judge(const Subject& subject, const Property& property, const Case& one, st
   Trial trial(subject, one);
   const bool breaks = ruling_of(property, trial) == Ruling::broken;
   const bool declared = is_declared_refuted(subject, property);
+  if (!breaks && !trial.outcome().is_answered()) {
+    const Outcome& outcome = trial.outcome();
+    ++replays.otherwise;
+    fmt::print("{}  {} {}  gives no answer: {}\n", number, subject.full_name(), name_of(one.precision),
+               outcome.sentence.empty() ? name_of(outcome.kind) : std::string_view(outcome.sentence));
+    return;
+  }
   ++(breaks == declared ? replays.as_declared : replays.otherwise);
   if (!breaks) {
     fmt::print("{}  {} {}  does not break '{}'\n", number, subject.full_name(), name_of(one.precision),

@@ -1,16 +1,19 @@
 #include "viz/vtk/raster_png.hpp"
 
-#include <vtkErrorCode.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 #include <vtkRenderWindow.h>
 #include <vtkSmartPointer.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
+
+#include "case/files.hpp"
 
 namespace rayproof::viz {
 
@@ -44,14 +47,22 @@ Raster pixels_of(vtkRenderWindow& window) {
 }
 
 void write_png(const Raster& raster, const std::string& path) {
-  const auto fail = [&path] { throw std::runtime_error("the file " + path + " can't be written"); };
-  // VTK's writer only logs a failure: find out beforehand whether the file can be written.
-  if (!std::ofstream(path, std::ios::binary)) fail();
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetFileName(path.c_str());
+  vtkNew<vtkPNGWriter> writer;  // to memory: it would delete a file that it fails to write
+  writer->WriteToMemoryOn();
   writer->SetInputData(image_of(raster));
   writer->Write();
-  if (writer->GetErrorCode() != vtkErrorCode::NoError) fail();
+  vtkUnsignedCharArray& png = *writer->GetResult();
+
+  std::error_code error;
+  const bool is_in_place =
+      std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error);
+  const std::string beside = is_in_place ? path : path + ".part";
+  std::ofstream file(beside, std::ios::binary);
+  file.write(reinterpret_cast<const char*>(png.GetPointer(0)), png.GetNumberOfValues());
+  file.close();
+  if (file && (is_in_place || put_in_place(beside, path))) return;
+  if (!is_in_place) std::filesystem::remove(beside, error);
+  throw std::runtime_error("the file " + path + " can't be written");
 }
 
 }  // namespace rayproof::viz

@@ -121,6 +121,7 @@ TEST(Diagnosis, NamesWhatIsWronglySaidOfTheFirstHit) {
     const char* model;
   };
   for (const auto& [topic, property, model] : {WrongDetail{"cylinder", "normal", "normal-keeps-z"},
+                                               {"cylinder", "normal", "normal-by-radii"},
                                                {"cylinder", "normal", "cap-normals-inward"},
                                                {"cylinder", "normal", "side-normal-faces-ray"},
                                                {"sphere", "normal", "normal-is-direction"},

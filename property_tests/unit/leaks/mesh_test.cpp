@@ -83,6 +83,11 @@ TEST(Mesh, MayHaveWindowsLineEndsAndIndicesFromTheEnd) {
   }
 }
 
+TEST(Mesh, IsRefusedWhereNoFaceHasAnArea) {
+  const std::string file = file_with("flat.off", "OFF\n3 1 0\n0 0 0\n0 0 0\n0 0 1\n3 0 1 2\n");
+  EXPECT_EQ(trouble_with([&] { (void)read_mesh(file); }), file + ": no face has three corners that differ");
+}
+
 TEST(Mesh, ThatIsMadeIsClosed) {
   for (const std::string& name : made_meshes())
     for (const Precision precision : {Precision::float32, Precision::float64}) {

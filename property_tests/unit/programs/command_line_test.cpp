@@ -187,6 +187,21 @@ TEST(replay_program, says_where_there_is_nothing_to_judge) {
       << answered.output;
 }
 
+TEST(replay_program, takes_no_silence_of_a_program_for_a_right_answer) {
+  const TemporaryFile finding(
+      R"({"subject": "sphere/command", "command": "cat", "case_seconds": 2, "property": "verdict", "case": )" +
+      std::string(sphere_case) + "}\n");
+  const Ended answered = run("replay " + finding.path());
+  EXPECT_EQ(answered.status, 1) << answered.output;
+  EXPECT_NE(answered.output.find("gives no answer: "), std::string::npos) << answered.output;
+  EXPECT_NE(answered.output.find("0 as declared, 1 otherwise"), std::string::npos) << answered.output;
+}
+
+TEST(programs, complain_to_nobody_where_standard_error_is_closed) {
+  for (const std::string command : {"oracle /no/such/file", "check --no-such-option", "replay 1 --from /"})
+    EXPECT_EQ(run(command + " 2>&-").status, 2) << command;
+}
+
 TEST(programs, end_with_2_where_their_output_is_lost) {
   const TemporaryFile file(sphere_case);
   for (const std::string& command :

@@ -68,8 +68,9 @@ using Cases = std::vector<Case>;
 /// No cure: every number changed by up to an eighth, another way for each seed.
 [[nodiscard]] Cases varied(const Case& one, std::uint64_t seed);
 
-/// @{ The shape: wound the other way round; with its axes renamed; with a normal, edges, of unit length; with
-/// orthogonal edges.
+/// @{ The shape: with another of its vertices as the first; wound the other way round; with its axes renamed;
+/// with a normal, edges, of unit length; with orthogonal edges.
+[[nodiscard]] Cases other_first_vertex(const Case& one);
 [[nodiscard]] Cases reversed_winding(const Case& one);
 [[nodiscard]] Cases renamed_axes(const Case& one);
 [[nodiscard]] Cases unit_normal(const Case& one);

@@ -59,6 +59,26 @@ bool rename_axes(RayQuestion& asked) { return move_vectors(asked, rename); }
 
 }  // namespace
 
+Cases other_first_vertex(const Case& one) {
+  Cases all;
+  const auto changed_by = [&](std::size_t by) {
+    const auto turn = [by](auto& vertices) {
+      if (by >= vertices.size()) return false;
+      std::rotate(vertices.begin(), vertices.begin() + static_cast<std::ptrdiff_t>(by), vertices.end());
+      return true;
+    };
+    if (auto changed = one; auto* place = std::get_if<PointAndPolygon<double>>(&changed.question))
+      return turn(place->vertices) ? if_valid(std::move(changed)) : Cases{};
+    return with_shape<Polygon<double>>(
+        one, [&](RayQuestion& /*asked*/, Polygon<double>& polygon) { return turn(polygon.vertices); });
+  };
+  for (std::size_t by = 1;; ++by) {
+    const Cases some = changed_by(by);
+    if (some.empty()) return all;
+    all.insert(all.end(), some.begin(), some.end());
+  }
+}
+
 Cases reversed_winding(const Case& one) {
   if (auto changed = one; auto* place = std::get_if<PointAndPolygon<double>>(&changed.question)) {
     std::reverse(place->vertices.begin() + 1, place->vertices.end());

@@ -53,6 +53,9 @@ std::vector<Hypothesis> cures_of_values() {
       exact_cure(
           "positive-direction", positive_direction,
           "right as soon as no component of the direction is negative: near and far slab are not exchanged"),
+      exact_cure("other-first-vertex", other_first_vertex,
+                 "right as soon as the list of vertices begins with another one: a side or a vertex is left "
+                 "out, or treated otherwise than the others"),
       exact_cure("reversed-winding", reversed_winding,
                  "right as soon as the winding is reversed: only one orientation is handled"),
       exact_cure(

@@ -52,6 +52,9 @@ std::vector<Hypothesis> models_of_cylinders() {
             "of the side's hits only the first in the interval is looked at, and no other is reported"),
       gives("side-without-ends", side_without_ends,
             "the side goes on beyond the caps: the height is not tested there, neither below nor above"),
+      gives("direction-not-divided-by-radii", direction_not_divided_by_radii,
+            "the side is right for a direction that is not divided by the radii: origin and direction both "
+            "must be"),
       gives("caps-where-side-missed", caps_where_side_missed,
             "the caps are hit only where the side is not hit at all: a ray may pass through both"),
       misses_zero("low-rim-missed", without_low_rim, "hits on the rim at z = 0 are left out: z > 0 is asked"),

@@ -57,6 +57,11 @@ std::vector<Hypothesis> models_of_hits() {
             "with t"),
       gives("t-max-as-distance", read_as<t_max_as_distance>,
             "the answer is right where t_max is a length: it is compared with a distance, not with t"),
+      gives(
+          "t-max-as-object-distance", read_as<t_max_as_object_distance>,
+          "the answer is right where t_max is a length in object space: it is compared with a distance, not "
+          "with t"),
+      gives("t-from-t-min", t_from_t_min, "t + t_min is right: t is counted from the interval's beginning"),
       gives("interval-as-object-distances", read_as<interval_as_object_distances>,
             "the answer is right where t_min and t_max are lengths in object space: they are compared with "
             "distances along the transformed ray, whose direction was made a unit vector"),

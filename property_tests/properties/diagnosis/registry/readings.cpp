@@ -34,6 +34,8 @@ std::vector<Hypothesis> models_of_readings() {
                      "the answer is right for a ray from z = 0: z of the ray's origin is ignored")),
       gives("origin-negated", read_as<negated<origin>>,
             "the answer is right for the opposite origin: a sign is wrong at the ray's origin"),
+      gives("direction-from-shape", read_as<direction_from_shape>,
+            "the shape's place is subtracted from the direction, too, as if it were a point"),
       gives("direction-as-target", read_as<direction_as_target>,
             "the answer is right where the direction is a point of the ray: d - o is taken for d"),
       gives("points-x-y", read_as<exchanged<points, 0, 1>>,

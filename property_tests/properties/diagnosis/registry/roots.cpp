@@ -93,6 +93,8 @@ std::vector<Hypothesis> models_of_roots() {
             "of one of the two roots -b has the wrong sign: it is the other one's opposite"),
       gives("root-negated", by_formula<second_root_negated, first_root_negated>,
             "of the two roots q / a and c / q one has the wrong sign"),
+      gives("c-over-a", by_formula<both_divided_by_a>,
+            "of the two roots q / a and c / q the second is c / a, which is their product"),
       gives("b-negated", read_as<coefficients_with<0>>, "the answer is right for -b: b has the wrong sign"),
       gives("c-negated", read_as<coefficients_with<1>>, "the answer is right for -c: c has the wrong sign"),
       gives("a-c-exchanged", read_as<coefficients_with<2>>,

@@ -29,6 +29,9 @@ std::vector<Hypothesis> models_of_transforms() {
             "the origin is not taken into object space"),
       gives("transposed-transform", read_as<with_transposed_transform>,
             "the answer is right for the transposed matrix: rows are taken for columns"),
+      gives("translation-undone-last", read_as<translation_undone_last>,
+            "the origin is taken into object space by the inverse matrix first, and the translation is "
+            "subtracted then: it must be subtracted first"),
       gives("direction-translated", read_as<direction_as_point>,
             "the direction is translated like a point: it is transformed with w = 1 and must be with w = 0"),
       gives("direction-not-transformed", read_as<direction_not_transformed>,

@@ -34,6 +34,14 @@ Answers normal_of_circle(const Case& one, const Answer& exact) {
   return with_normal_of(one, exact, of_side, as_it_is);
 }
 
+Answers normal_by_radii(const Case& one, const Answer& exact) {
+  const auto of_side = [](const RayQuestion& asked, const glm::dvec3& p, const glm::dvec3& /*normal*/) {
+    const auto& cylinder = std::get<Cylinder<double>>(asked.shape);
+    return glm::dvec3(p.x / cylinder.rx, p.y / cylinder.ry, 0);
+  };
+  return with_normal_of(one, exact, of_side, as_it_is);
+}
+
 Answers normal_keeps_z(const Case& one, const Answer& exact) {
   const auto plain = [](const RayQuestion& /*asked*/, const glm::dvec3& p, const glm::dvec3& /*normal*/) {
     return p;

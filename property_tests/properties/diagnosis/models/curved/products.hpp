@@ -6,7 +6,8 @@
 
 namespace rayproof::diagnosis {
 
-/// Of a sphere, l = origin - centre; of a plane, n its normal.
+/// Of a sphere, l = origin - centre; of a cylinder, in the plane in which its side is the unit circle about
+/// 0; of a plane, n its normal.
 enum class Product {
   direction_squared,
   way_and_direction,

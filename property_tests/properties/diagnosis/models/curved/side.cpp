@@ -50,6 +50,17 @@ Answers side_goes_on(const Case& one, bool is_upwards) {
   return with_side_ends(one, is_upwards ? SideEnds{0, infinity<double>} : SideEnds{infinity<double>, 0});
 }
 
+Answers direction_not_divided_by_radii(const Case& one, const Answer& /*exact*/) {
+  const auto* cylinder = shape_in<Cylinder<double>>(one);
+  if (cylinder == nullptr) return {};
+  const Ray<double> ray = ray_in_object(*ray_question(one));
+  const glm::dvec2 o = glm::dvec2(ray.origin) / glm::dvec2(cylinder->rx, cylinder->ry), d(ray.direction);
+  const ReducedEquation wrong{glm::dot(d, d), glm::dot(o, d), glm::dot(o, o) - 1};
+  const FoundRoots roots = roots_by(-wrong.h, wrong.discriminant(), wrong.a);
+  return with_side_hits(one,
+                        roots ? std::vector<double>(roots->begin(), roots->end()) : std::vector<double>{});
+}
+
 Answers caps_where_side_missed(const Case& one, const Answer& exact) {
   if (!finds_something(exact)) return {};
   const std::vector<Case> open =

@@ -21,4 +21,7 @@ namespace rayproof::diagnosis {
 /// The side goes on without end upwards, or downwards, and the caps are where they should be.
 [[nodiscard]] Answers side_goes_on(const Case& one, bool is_upwards);
 
+/// The origin is divided by the radii, and the direction is not.
+[[nodiscard]] Answers direction_not_divided_by_radii(const Case& one, const Answer& exact);
+
 }  // namespace rayproof::diagnosis

@@ -41,6 +41,12 @@ Answers wrong_discriminant(const Case& one, const Answer& /*exact*/) {
   return all;
 }
 
+FoundRoots both_divided_by_a(const ReducedEquation& e) {
+  FoundRoots roots = without_cancelling(e, e.discriminant());
+  if (roots) (*roots)[1] = e.c / e.a;
+  return roots;
+}
+
 FoundRoots first_root_negated(const ReducedEquation& e) { return stable_with_signs(e, -1, 1); }
 FoundRoots second_root_negated(const ReducedEquation& e) { return stable_with_signs(e, 1, -1); }
 

@@ -10,9 +10,11 @@ namespace rayproof::diagnosis {
 /// formula and in the one that does not cancel.
 [[nodiscard]] Answers wrong_discriminant(const Case& one, const Answer& exact);
 
-/// @{ In the formula that does not cancel, x = q / a and y = c / q, one root has the wrong sign.
+/// @{ In the formula that does not cancel, x = q / a and y = c / q, one root has the wrong sign; or y = c /
+/// a.
 [[nodiscard]] FoundRoots first_root_negated(const ReducedEquation& e);
 [[nodiscard]] FoundRoots second_root_negated(const ReducedEquation& e);
+[[nodiscard]] FoundRoots both_divided_by_a(const ReducedEquation& e);
 /// @}
 
 /// Whether the product of two roots is c/a and their sum is not -b/a, and not by a loss of digits: so it is

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "properties/boundary.hpp"
+#include "properties/claims/answers.hpp"
 #include "properties/diagnosis/examination/agreement.hpp"
 #include "properties/edges.hpp"
 
@@ -101,6 +102,21 @@ std::vector<Case> interval_as_object_distances(const Case& one) {
   if (asked == nullptr) return {};
   const double length = glm::length(ray_in_object(*asked).direction);
   return with_interval(one, asked->ray.t_min / length, asked->ray.t_max / length);
+}
+
+std::vector<Case> t_max_as_object_distance(const Case& one) {
+  const RayQuestion* asked = ray_question(one);
+  if (asked == nullptr) return {};
+  return with_interval(one, asked->ray.t_min,
+                       asked->ray.t_max / glm::length(ray_in_object(*asked).direction));
+}
+
+Answers t_from_t_min(const Case& one, const Answer& exact) {
+  const Ray<double>* ray = ray_of(one);
+  if (ray == nullptr || ray->t_min == 0 || !finds_something(exact)) return {};
+  auto counted = std::get<RayAnswer>(exact);
+  for (double& t : counted.hits.t) t -= ray->t_min;
+  return {std::isfinite(ray->t_min) ? counted : RayAnswer{}};
 }
 
 Answers drops(const Case& one, const Answer& exact, bool (*is_dropped)(double t)) {

@@ -9,7 +9,7 @@
 namespace rayproof::diagnosis {
 
 /// @{ Readings of the case: the interval has no upper end, no lower one, neither; begins at 0; is [0, inf];
-/// is a segment's; is meant in units of length, in the world or in the object's space.
+/// is a segment's; is meant in units of length, in the world or in the object's space, or its upper end is.
 [[nodiscard]] std::vector<Case> without_t_max(const Case& one);
 [[nodiscard]] std::vector<Case> without_t_min(const Case& one);
 [[nodiscard]] std::vector<Case> without_interval(const Case& one);
@@ -18,10 +18,13 @@ namespace rayproof::diagnosis {
 [[nodiscard]] std::vector<Case> interval_as_distances(const Case& one);
 [[nodiscard]] std::vector<Case> t_max_as_distance(const Case& one);
 [[nodiscard]] std::vector<Case> interval_as_object_distances(const Case& one);
+[[nodiscard]] std::vector<Case> t_max_as_object_distance(const Case& one);
 /// @}
 
 /// The interval begins at 0.
 [[nodiscard]] Answers t_min_is_zero(const Case& one, const Answer& exact);
+/// t is counted from t_min.
+[[nodiscard]] Answers t_from_t_min(const Case& one, const Answer& exact);
 /// Of an interval that ends at 0 the end is not looked at.
 [[nodiscard]] Answers zero_as_no_end(const Case& one, const Answer& exact);
 

@@ -100,6 +100,14 @@ std::vector<Case> direction_as_origin(const Case& one) {
   return readings;
 }
 
+std::vector<Case> direction_from_shape(const Case& one) {
+  return with_question(one, [](RayQuestion& asked) {
+    const std::optional<glm::dvec3> place = some_point(asked.shape);
+    if (place) asked.ray.direction -= glm::dmat3(asked.transform.value_or(glm::dmat4(1))) * *place;
+    return place.has_value();
+  });
+}
+
 std::vector<Case> direction_as_target(const Case& one) {
   return with_question(one, [](RayQuestion& asked) {
     asked.ray.direction -= asked.ray.origin;

@@ -76,6 +76,8 @@ template <Vectors which>
 /// d for o; and where a component of d that is 0 is looked at apart, for the others alone.
 [[nodiscard]] std::vector<Case> direction_as_origin(const Case& one);
 [[nodiscard]] std::vector<Case> direction_as_target(const Case& one);
+/// The shape's place, its first point, is subtracted from the direction as it is from the origin.
+[[nodiscard]] std::vector<Case> direction_from_shape(const Case& one);
 [[nodiscard]] std::vector<Case> point_exchanged(const Case& one);
 
 /// The case with x and y of the point in a polygon changed; none where it asks no such thing.

@@ -34,8 +34,21 @@ std::vector<Case> with_inverse_transform(const Case& one) {
 }
 
 std::vector<Case> with_transposed_transform(const Case& one) {
+  std::vector<Case> all;
+  for (const double kept : {0.0, 1.0}) {
+    for (const Case& some : with_map(one, [&](RayQuestion& /*asked*/, glm::dmat4& map) {
+           const glm::dvec3 translation = kept * glm::dvec3(map[3]);
+           map = glm::dmat4(glm::transpose(glm::dmat3(map)));
+           map[3] = glm::dvec4(translation, 1);
+         }))
+      all.push_back(some);
+  }
+  return all;
+}
+
+std::vector<Case> translation_undone_last(const Case& one) {
   return with_map(one, [](RayQuestion& /*asked*/, glm::dmat4& map) {
-    map = glm::dmat4(glm::transpose(glm::dmat3(map)));
+    map[3] = glm::dvec4(glm::dmat3(map) * glm::dvec3(map[3]), 1);
   });
 }
 
