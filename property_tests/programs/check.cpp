@@ -52,10 +52,11 @@ int run(const check::Options& options) {
   progress.clear();
 
   const Summary summary = summarise(plan, result);
-  outputs.write(plan, result, summary);
   const bool is_kept = !left || check::report_leaving(options, *left);
   fmt::print("{}", guests.empty() ? check::text_outcome(options, plan, result, summary)
                                   : check::text_of_guests(options, plan, result));
+  std::fflush(stdout);  // what was found is shown even where the disk has no room for the page
+  outputs.write(plan, result, summary);
   if (summary.was_interrupted || is_interrupted) return 130;
   if (!guests.empty()) return verdict_on_guests(plan, result).is_clean ? 0 : 1;
   return summary.is_success() && is_kept ? 0 : 1;
@@ -80,6 +81,8 @@ int main(int argc, char** argv) {
           "--replay asks whoever a finding names, and of a bare case the library's own methods: leave "
           "--subject and "
           "--subject-command out, or give the cases as --corpus FILE");
+    if (!options.json.empty() || !options.junit.empty() || !options.findings.empty())
+      throw std::runtime_error("--replay prints what comes of it: leave --json, --junit and --findings out");
     return replay_file(options.replay);
   } catch (const std::runtime_error& trouble) {
     fmt::print(stderr, "rayproof check: {}\n", trouble.what());

@@ -107,7 +107,26 @@ std::vector<Point> clip_area(std::vector<Point> area, const PixelBox& box) {
   return area;
 }
 
+namespace {
+
+/// Not many more strips than this, nor sides that are compared each with each: of a tangle that would take
+/// gigabytes nobody sees the inside.
+constexpr std::size_t most_strips = 40'000, most_sides = 4'096;
+
+/// The first, the last, and as many in between as come to `most` in all.
+std::set<double> thinned_out(const std::set<double>& levels, std::size_t most) {
+  const std::size_t step = levels.size() / most + 1;
+  std::set<double> kept{*levels.rbegin()};
+  std::size_t number = 0;
+  for (const double level : levels)
+    if (number++ % step == 0) kept.insert(level);
+  return kept;
+}
+
+}  // namespace
+
 std::vector<Strip> even_odd_strips(const std::vector<Point>& ring) {
+  if (ring.size() > most_sides) return {};
   std::set<double> levels = crossings_of(ring);
   if (levels.empty()) return {};
   std::vector<Slant> sides;
@@ -116,6 +135,7 @@ std::vector<Strip> even_odd_strips(const std::vector<Point>& ring) {
     levels.insert(a.y);
     if (a.y != b.y) sides.push_back(a.y < b.y ? Slant{a, b} : Slant{b, a});
   }
+  levels = thinned_out(levels, std::max<std::size_t>(16, most_strips / ring.size()));
   std::vector<Strip> strips;
   for (auto level = levels.begin(); std::next(level) != levels.end(); ++level) {
     const double low = *level, high = *std::next(level), middle = (low + high) / 2;

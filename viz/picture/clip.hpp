@@ -19,7 +19,8 @@ namespace rayproof::viz {
 /// Four corners in turn; two of them may be one.
 using Strip = std::array<Point, 4>;
 
-/// The inside in level strips; none of a ring no two of whose sides cross.
+/// The inside in level strips; none of a ring no two of whose sides cross, and of one of thousands of sides.
+/// Of one that crosses itself thousands of times the strips are fewer, and about the inside.
 [[nodiscard]] std::vector<Strip> even_odd_strips(const std::vector<Point>& ring);
 
 }  // namespace rayproof::viz

@@ -140,13 +140,21 @@ std::optional<std::uint64_t> ReplyLine::id() const {
   return id;
 }
 
+/// Without what a terminal would take for a command.
+static std::string harmless(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < ' ' || c == 0x7f) c = '?';
+  return text;
+}
+
 Outcome ReplyLine::outcome(const Case& one) const {
   try {
     if (is_true(member(document_, "unsupported"))) return {.kind = OutcomeKind::unsupported};
     if (const auto error = member(document_, "error"))
-      return {.kind = OutcomeKind::refused,
-              .sentence = "gave up: " +
-                          (error->node().kind == json::Kind::string ? read_string(*error) : excerpt(line_))};
+      return {
+          .kind = OutcomeKind::refused,
+          .sentence = "gave up: " + (error->node().kind == json::Kind::string ? harmless(read_string(*error))
+                                                                              : excerpt(line_))};
     return {.answer = read_answer(document_, one)};
   } catch (const Refusal& why) {
     return {.kind = OutcomeKind::nonsense,

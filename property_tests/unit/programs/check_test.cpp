@@ -165,9 +165,11 @@ TEST_F(CheckProgram, InterruptsEndItCleanlyWithWhatWasFound) {
 }
 
 TEST_F(CheckProgram, BothSignalsOfTimeoutLoseNothing) {
-  const Ended outcome = check("--cases 1000000000 --method printed_2ac", "timeout -s INT 3");
-  EXPECT_NE(outcome.output.find("interrupted"), std::string::npos) << outcome.output;
-  EXPECT_NE(text_of("out/check/index.html").find("</html>"), std::string::npos);
+  for (const std::string signal : {"INT", "TERM"}) {
+    const Ended outcome = check("--cases 1000000000 --method printed_2ac", "timeout -s " + signal + " 3");
+    EXPECT_NE(outcome.output.find("interrupted"), std::string::npos) << outcome.output;
+    EXPECT_NE(text_of("out/check/index.html").find("</html>"), std::string::npos);
+  }
 }
 
 TEST_F(CheckProgram, ATimeLimitIsKept) {

@@ -197,6 +197,27 @@ TEST(replay_program, takes_no_silence_of_a_program_for_a_right_answer) {
   EXPECT_NE(answered.output.find("0 as declared, 1 otherwise"), std::string::npos) << answered.output;
 }
 
+TEST(check_program, refuses_one_file_for_two_outputs) {
+  const std::string out = testing::TempDir() + "rayproof_one_file",
+                    few = "check --method plane/implicit --cases 10 --out " + out;
+  for (const std::string& more :
+       {" --json " + out + "/f --junit " + out + "/f", " --json " + out + "/index.html",
+        " --findings " + out + "/as-found.jsonl", " --junit " + out + "/./findings.jsonl"}) {
+    const Ended answered = run(few + more);
+    EXPECT_EQ(answered.status, 2) << more;
+    EXPECT_NE(answered.output.find(" would write one file, "), std::string::npos) << answered.output;
+  }
+  EXPECT_EQ(run(few + " --json /dev/null --junit /dev/null --findings " + out + "/findings.jsonl").status, 0);
+}
+
+TEST(check_program, replays_and_writes_no_report) {
+  const TemporaryFile file(sphere_case);
+  const Ended answered = run("check --replay " + file.path() + " --json never.json");
+  EXPECT_EQ(answered.status, 2);
+  EXPECT_NE(answered.output.find("leave --json, --junit and --findings out"), std::string::npos)
+      << answered.output;
+}
+
 TEST(programs, complain_to_nobody_where_standard_error_is_closed) {
   for (const std::string command : {"oracle /no/such/file", "check --no-such-option", "replay 1 --from /"})
     EXPECT_EQ(run(command + " 2>&-").status, 2) << command;

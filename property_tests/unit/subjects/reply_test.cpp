@@ -78,6 +78,8 @@ TEST(Reply, MayDeclineOrGiveUp) {
   const Outcome refused = outcome_of(R"({"id": 7, "error": "too far"})");
   EXPECT_EQ(refused.kind, OutcomeKind::refused);
   EXPECT_EQ(refused.sentence, "gave up: too far");
+  EXPECT_EQ(outcome_of(R"({"id": 7, "error": "\u001b[31mtrop loin, é"})").sentence,
+            "gave up: ?[31mtrop loin, é");
 }
 
 TEST(Reply, RootsMayBeGivenInPart) {

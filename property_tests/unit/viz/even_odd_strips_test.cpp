@@ -47,6 +47,15 @@ TEST(EvenOddStrips, AStarsMiddleIsOutside) {
   EXPECT_FALSE(holds({0.01, -0.6})) << "between two points of the star";
 }
 
+TEST(EvenOddStrips, ATangleHasNotManyMoreThanAPictureShows) {
+  std::vector<Point> ring;
+  for (int i = 0; i < 1000; ++i)
+    ring.push_back({(i % 2 == 0 ? 1 : -1) * static_cast<double>(i % 317), static_cast<double>(i * i % 1009)});
+  const auto strips = even_odd_strips(ring);
+  EXPECT_LE(strips.size(), 40'000U);
+  EXPECT_GT(strips.size(), 1'000U);
+}
+
 TEST(EvenOddStrips, ARingThatDoesNotCrossItselfNeedsNone) {
   EXPECT_TRUE(even_odd_strips({{0, 0}, {2, 0}, {2, 2}, {1, 0.5}, {0, 2}}).empty());
 }

@@ -72,11 +72,12 @@ Cases other_first_vertex(const Case& one) {
     return with_shape<Polygon<double>>(
         one, [&](RayQuestion& /*asked*/, Polygon<double>& polygon) { return turn(polygon.vertices); });
   };
-  for (std::size_t by = 1;; ++by) {
+  constexpr std::size_t most = 8;  // of a large polygon some are enough
+  for (std::size_t by = 1; by <= most; ++by) {
     const Cases some = changed_by(by);
-    if (some.empty()) return all;
     all.insert(all.end(), some.begin(), some.end());
   }
+  return all;
 }
 
 Cases reversed_winding(const Case& one) {

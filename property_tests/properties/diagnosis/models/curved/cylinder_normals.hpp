@@ -7,8 +7,8 @@
 namespace rayproof::diagnosis {
 
 /// @{ The side's normal: a circular cylinder's for that of an elliptic one; the point divided by the radii
-/// once, and not twice; with the z of the point, which is
-/// seen from the base's centre; turned to face the ray.
+/// once, and not twice; with the z of the point, which is seen from the base's centre; turned to face the
+/// ray.
 [[nodiscard]] Answers normal_of_circle(const Case& one, const Answer& exact);
 [[nodiscard]] Answers normal_by_radii(const Case& one, const Answer& exact);
 [[nodiscard]] Answers normal_keeps_z(const Case& one, const Answer& exact);
