@@ -1,3 +1,5 @@
+#ifdef RAYPROOF_HAS_VTK
+
 /// \file
 /// Pictures are written whole or not at all.
 
@@ -41,3 +43,5 @@ TEST(RasterPng, NeverRemovesWhatIsNoFile) {
 
 }  // namespace
 }  // namespace rayproof::viz
+
+#endif
