@@ -104,4 +104,18 @@ void for_each_kernel(Check&& check) {
   });
 }
 
+/// Calls `check(topic)`, a null pointer to each topic of rays that has batches. Returns how many there are.
+template <class Check>
+std::size_t for_each_ray_topic(Check&& check) {
+  std::size_t shapes = 0;
+  Topics::for_each([&]<class Topic>(std::type_identity<Topic>) {
+    if constexpr (is_batched<Topic> && !std::is_same_v<Topic, quadratic::Topic>) {
+      ++shapes;
+      SCOPED_TRACE(Topic::name);
+      check(static_cast<const Topic*>(nullptr));
+    }
+  });
+  return shapes;
+}
+
 }  // namespace rayproof

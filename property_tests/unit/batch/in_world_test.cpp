@@ -120,16 +120,10 @@ double expect_exact_answers(const RayTopic<Shape>* /*topic*/) {
 }
 
 TEST(InWorld, BatchesAndSingleRaysAreMetAsWithNothingRounded) {
-  std::size_t shapes = 0;
-  Topics::for_each([&]<class Topic>(std::type_identity<Topic>) {
-    if constexpr (is_batched<Topic> && !std::is_same_v<Topic, quadratic::Topic>) {
-      ++shapes;
-      SCOPED_TRACE(Topic::name);
-      const Topic* const topic = nullptr;
-      const double most = std::is_same_v<Topic, plane::Topic> ? 0.6 : 0.02;  // planes of hard numbers
-      EXPECT_LT((expect_exact_answers<typename Topic::Exact, float>(topic)), most);
-      EXPECT_LT((expect_exact_answers<typename Topic::Exact, double>(topic)), most);
-    }
+  const std::size_t shapes = for_each_ray_topic([]<class Topic>(const Topic* topic) {
+    const double most = std::is_same_v<Topic, plane::Topic> ? 0.6 : 0.02;  // planes of hard numbers
+    EXPECT_LT((expect_exact_answers<typename Topic::Exact, float>(topic)), most);
+    EXPECT_LT((expect_exact_answers<typename Topic::Exact, double>(topic)), most);
   });
   EXPECT_EQ(shapes, 6U);
 }
