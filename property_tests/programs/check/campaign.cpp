@@ -79,7 +79,7 @@ int run_campaign(const Options& options) {
   campaign::CampaignState state = state_of(options, fresh);
   campaign::save(state, state_file(options));  // a folder that cannot be written is known before the work
   keep_on_interrupt();
-  ProgressLine progress;
+  ProgressLine progress(state.share_done());
   auto saved = std::chrono::steady_clock::now();
   const auto save = [&](const campaign::CampaignState& now) {
     if (std::chrono::steady_clock::now() - saved < between_saves) return;

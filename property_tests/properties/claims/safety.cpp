@@ -5,14 +5,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "properties/claims/answers.hpp"
+#include "properties/claims/promise.hpp"
 #include "properties/numbers.hpp"
 #include "properties/property.hpp"
 
 namespace rayproof {
 
 namespace {
+
+/// Whether the middle between two hits, or roots, is one, too, as far as the promised residual can say: a ray
+/// that runs almost along a face meets it anywhere there.
+bool is_met_between(Trial& trial, Answer exact) {
+  const auto to_the_middle = [](double& first, double second) { first = std::midpoint(first, second); };
+  if (auto* of_ray = std::get_if<RayAnswer>(&exact)) to_the_middle(of_ray->hits.t[0], of_ray->hits.t[1]);
+  if (auto* of_equation = std::get_if<QuadraticAnswer<double>>(&exact))
+    to_the_middle(of_equation->roots[0], of_equation->roots[1]);
+  return oracle::judge(trial.question(), exact).residual <= promise_for(trial).residual;
+}
 
 /// Whether one of two hits, or roots, is given for both, though they are so far apart that no plain method's
 /// discriminant merges them. An ill-conditioned transform may, so that a case with one is not looked at.
@@ -24,12 +36,13 @@ bool gives_one_twice(Trial& trial) {
   if (given.size() != 2 || !trial.in_domain()) return false;
   const double size = std::max(std::abs(given[0]), std::abs(given[1]));
   if (!std::isfinite(size) || std::abs(given[1] - given[0]) > alike * size) return false;
-  const std::vector<double> exact = numbers_in(oracle::answer(trial.question()));
+  const Answer answer = oracle::answer(trial.question());
+  const std::vector<double> exact = numbers_in(answer);
   if (exact.size() != 2) return false;
   const double apart = (exact[1] - exact[0]) / std::max(std::abs(exact[0]), std::abs(exact[1]));
   const double unit = trial.question().precision == Precision::float32 ? 0x1p-24 : 0x1p-53;
   const double far = trial.judgement().far;
-  return apart > 4 * alike && apart * apart > merging * unit * far * far;
+  return apart > 4 * alike && apart * apart > merging * unit * far * far && !is_met_between(trial, answer);
 }
 
 Ruling ascending(Trial& trial) {

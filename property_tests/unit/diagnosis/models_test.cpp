@@ -122,6 +122,7 @@ TEST(Diagnosis, NamesWhatIsWronglySaidOfTheFirstHit) {
   };
   for (const auto& [topic, property, model] : {WrongDetail{"cylinder", "normal", "normal-keeps-z"},
                                                {"cylinder", "normal", "normal-by-radii"},
+                                               {"box", "normal", "normal-moved"},
                                                {"cylinder", "normal", "cap-normals-inward"},
                                                {"cylinder", "normal", "side-normal-faces-ray"},
                                                {"sphere", "normal", "normal-is-direction"},

@@ -24,6 +24,8 @@ std::vector<Family> cylinder_families() {
       laid_out<axis_parallel>("axis_parallel",
                               "the ray runs along the axis: inside, outside, in the side, or almost along it",
                               {in_reach, {"hit", 0.23}, {"miss", 0.61}, {"rim", 0.16}, {"in surface", 0.16}}),
+      laid_out<near_parallel>("near_parallel", "the ray comes in at 2^-4 to an ulp off the side",
+                              {in_reach, {"hit", 0.9}}),
       laid_out<cap_planes>("cap_planes", "the ray runs exactly in the plane of an end",
                            {in_reach, {"hit", 0.81}, {"miss", 0.02}, {"rim", 0.82}}),
       laid_out<flat_ellipses>("flat_ellipses", "one radius is up to 1e4 times the other",

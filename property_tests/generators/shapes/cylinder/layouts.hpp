@@ -88,6 +88,16 @@ namespace rayproof::cylinder_family {
   return {origin, direction, tube};
 }
 
+/// Aimed at the side, from without or within; most are tall, so that the ray gets through.
+[[nodiscard]] inline Scene near_parallel(Random& random, Precision precision) {
+  Tube tube = in_a_room(random);
+  tube.height *= std::exp2(random.uniform(0, 4));
+  const Turn turn = any_turn(random), way = any_turn(random);
+  const double slope = draw::magnitude<double>(random, -draw::digits_of(precision), -4);
+  const glm::dvec3 sight{slope * way.cosine, slope * way.sine, random.one_in(2) ? 1 : -1};
+  return looked_along(random, tube, at(tube, turn, 1, tube.height * random.unit()), sight);
+}
+
 [[nodiscard]] inline Scene cap_planes(Random& random) {
   const bool exactly = random.one_in(2);
   const Tube tube = exactly ? whole(random) : in_a_room(random);

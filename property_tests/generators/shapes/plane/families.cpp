@@ -112,10 +112,25 @@ Scene met(Random& random) {
                               : looked_at(random, sheet, somewhere(random, sheet)));
 }
 
+/// Almost along an upright plane, at a slope of a power of two.
+Scene exactly_near_parallel(Random& random) {
+  const int across = random.between(0, 2);
+  Sheet sheet{whole_point(random, 4), glm::dvec3(0), glm::dvec3(0)};
+  sheet.u[(across + 1) % 3] = 1;
+  sheet.v[(across + 2) % 3] = 1;
+  glm::dvec3 sight = double{1} * random.between(-2, 2) * sheet.u + sheet.v,
+             origin = exactly_somewhere(random, sheet);
+  const double height = random.between(1, 4), slope = std::exp2(random.between(-23, -4));
+  origin[across] += random.one_in(2) ? height : -height;
+  sight[across] = random.one_in(2) ? slope : -slope;
+  return in_some_form(random, sheet, {origin, sight});
+}
+
 /// Numbers so short that little of what is made of them is rounded: an axis or a small whole vector for a
 /// normal, and a ray that meets the plane or runs in it or beside it.
 Scene whole_numbers(Random& random) {
   if (random.one_in(3)) return in_plane(random);
+  if (random.one_in(5)) return exactly_near_parallel(random);
   Sheet sheet{whole_point(random, 4), short_vector(random), short_vector(random)};
   while (normal_of(sheet) == glm::dvec3(0)) sheet.v = short_vector(random);
   const glm::dvec3 target = at(sheet, {quarters(random, -2, 2), quarters(random, -2, 2)});
@@ -142,7 +157,7 @@ std::vector<Family> plane_families() {
       transformed<everyday, in_plane>(
           {in_reach, {"hit", 0.41}, {"miss", 0.43}, {"in surface", 0.21}, {"parallel", 0.06}}),
       in_whole_numbers<whole_numbers>(
-          "so short that little is rounded: met at whole t, parallel, or run in",
+          "so short that little is rounded: met at whole t, parallel, almost so, or run in",
           {in_reach, {"hit", 0.44}, {"miss", 0.39}, {"in surface", 0.28}, {"parallel", 0.06}}),
       in_any_size<everyday>({{"hit", 0.61}, {"miss", 0.23}, {"behind", 0.23}}),
       special<ImplicitPlane, PointNormalPlane, ParametricPlane>({{"hit", 0.35}, {"miss", 0.49}}),

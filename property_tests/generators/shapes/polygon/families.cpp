@@ -33,6 +33,8 @@ std::vector<Family> polygon_families() {
       laid_out<coplanar>("coplanar",
                          "in whole numbers: the ray runs in the polygon's plane, or parallel to it",
                          {in_reach, {"miss", 0.95}, {"in surface", 0.62}, {"parallel", 0.21}}),
+      laid_out<near_coplanar>("near_coplanar", "the ray comes in at 2^-4 to an ulp off the polygon's plane",
+                              {in_reach, {"hit", 0.3}, {"miss", 0.3}}),
       laid_out<far>("far", "the ray comes from 1e2 to 1e6 away, half the time near the boundary",
                     {in_reach, {"hit", 0.42}, {"miss", 0.42}}),
       cut_short<met>(

@@ -86,6 +86,15 @@ template <const outline_layout::Layout& layout>
   return scene;
 }
 
+/// The ray comes in almost along the plane.
+[[nodiscard]] inline Scene near_coplanar(Random& random, Precision precision) {
+  const PolygonCase plan = outline_layout::either_plan(random);
+  const Sheet sheet = any_sheet(random);
+  const double slope = draw::magnitude<double>(random, -draw::digits_of(precision), -4);
+  const glm::dvec3 normal = cross(sheet.u, sheet.v), along = draw::perpendicular(random, normal);
+  return looked_along(random, lifted(sheet, plan.vertices), at(sheet, plan.point), along + slope * normal);
+}
+
 /// For the interval: a point inside, exact a third of the time.
 [[nodiscard]] inline Scene met(Random& random) {
   return random.one_in(3) ? in_space<outline_layout::boundary>(random)

@@ -80,6 +80,17 @@ struct SolidLayouts {
     return looked_along(random, Kind::shape(frame), target, sight);
   }
 
+  /// Aimed at a face, from without or within.
+  static Scene near_parallel(Random& random, Precision precision) {
+    const Frame frame = Kind::in_a_room(random);
+    const int across = random.between(0, 2);
+    glm::dvec3 target = draw::vector([&] { return random.unit(); }), sight = draw::unit_vector(random);
+    target[across] = random.between(0, 1);
+    for (int k = 0; k < (random.one_in(3) ? 2 : 1); ++k)
+      sight[(across + k) % 3] = draw::magnitude<double>(random, -draw::digits_of(precision), -4);
+    return looked_along(random, Kind::shape(frame), at(frame, target), normalize(along(frame, sight)));
+  }
+
   static Scene flat(Random& random, Precision precision) {
     const Frame frame = Kind::flat(random, precision);
     const glm::dvec3 target = at(frame, draw::vector([&] { return random.uniform(-0.2, 1.2); }));
@@ -118,6 +129,8 @@ std::vector<Family> solid_families(const std::vector<MinimumShare>& flat_shares)
       laid_out<Layout::surface>(
           "surface", "the origin lies on a face, an edge or a corner, or an ulp off, as secondary rays' do",
           {in_reach, {"hit", 0.67}, {"tangent", 0.21}, {"sharp", 0.3}, {"cut", 0.24}, {"from inside", 0.03}}),
+      laid_out<Layout::near_parallel>("near_parallel", "the ray comes in at 2^-4 to an ulp off a face",
+                                      {in_reach, {"hit", 0.9}}),
       laid_out<Layout::flat>("flat", "the solid is nearly flat, or exactly where it may be", flat_shares),
       laid_out<Layout::inside>("inside", "the origin lies inside",
                                {in_reach, {"hit", 0.95}, {"cut", 0.95}, {"from inside", 0.95}}),

@@ -36,6 +36,8 @@ std::optional<bool> Examination::fits(const Hypothesis& hypothesis, const Known&
   const Answer& got = *known.got;
   if (hypothesis.recognise != nullptr) return hypothesis.recognise(one, got, exact);
   const Aspect aspect = aspect_of(hypothesis);
+  const bool is_of_detail = aspect != Aspect::hits && aspect != Aspect::contact;
+  if (Answer said = got; is_of_detail && !says_detail(one, said, aspect)) return std::nullopt;
   // A detail is foreseen with the hit that it belongs to.
   const auto agrees = [&](const Answer& some, const Answer& other) {
     return agree(one, some, other, aspect) && agree(one, some, other, hypothesis.aspect);

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "properties/claims/answers.hpp"
 #include "properties/diagnosis/models/curved/quadratic.hpp"
 #include "properties/diagnosis/models/hits/digits.hpp"
 #include "properties/diagnosis/models/hits/factor.hpp"
@@ -17,6 +20,16 @@ namespace {
 Hypothesis epsilon(std::string_view name, Predict predict, std::string_view sentence) {
   Hypothesis made = of(OfSizes::small, gives(name, predict, sentence));
   made.shows_more = has_first_hit_before_origin;
+  return made;
+}
+
+/// That a ray is missed is foreseen by culling, too: a t of the wrong sign must be given once.
+template <Quantity sign>
+Hypothesis wrong_sign(std::string_view name, std::string_view sentence) {
+  Hypothesis made = gives(name, line_scaled_by<sign>, sentence);
+  made.shows_more = [](const Case& one, const Answer& exact) {
+    return std::ranges::any_of(line_scaled_by<sign>(one, exact), finds_something);
+  };
   return made;
 }
 
@@ -100,10 +113,12 @@ std::vector<Hypothesis> models_of_numbers() {
             "t is right divided by n·d: the division by the normal times the direction is missing"),
       gives("times-minus-slope", scaled_by<minus_slope>,
             "t is right divided by -n·d: the division by the determinant is missing"),
-      gives("sign-of-slope", line_scaled_by<sign_of_slope>,
-            "t has the wrong sign where the surface is seen from the front: |n·d| is in the denominator"),
-      gives("minus-sign-of-slope", line_scaled_by<minus_sign_of_slope>,
-            "t has the wrong sign where the surface is seen from behind: |n·d| is in the denominator"),
+      wrong_sign<sign_of_slope>(
+          "sign-of-slope",
+          "t has the wrong sign where the surface is seen from the front: |n·d| is in the denominator"),
+      wrong_sign<minus_sign_of_slope>(
+          "minus-sign-of-slope",
+          "t has the wrong sign where the surface is seen from behind: |n·d| is in the denominator"),
       gives("distance-to-plane", scaled_by<distance_per_t>,
             "t is the origin's distance from the plane: it was measured along the normal, and must be along "
             "the "

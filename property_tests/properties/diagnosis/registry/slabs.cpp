@@ -43,6 +43,18 @@ void add_along_axis(std::vector<Hypothesis>& all) {
    ...);
 }
 
+template <int... power>
+void add_small_components(std::vector<Hypothesis>& all) {
+  (all.push_back(
+       of(OfSizes::small,
+          gives(kept(fmt::format("small-component-1e{}", power)), small_components_as_zero<power>,
+                kept(fmt::format(
+                    "a component of the direction below about 1e{} is taken for 0: a ray nearly along a face "
+                    "is taken for one along it, by an absolute epsilon",
+                    power))))),
+   ...);
+}
+
 template <unsigned axis>
 void add_slab_order(std::vector<Hypothesis>& all, char coordinate) {
   all.push_back(
@@ -71,6 +83,7 @@ std::vector<Hypothesis> models_of_slab_orders() {
   add_slab_order<0>(all, 'x');
   add_slab_order<1>(all, 'y');
   add_slab_order<2>(all, 'z');
+  add_small_components<-8, -7, -6, -5, -4, -3, -2>(all);
   add_loose<-8, -7, -6, -5, -4, -3, -2>(all);
   return all;
 }

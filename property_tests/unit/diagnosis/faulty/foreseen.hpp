@@ -240,6 +240,8 @@ inline constexpr Foreseen foreseen_faults[] = {
     {"box", "size-as-half"},
     {"box", "sum-as-middle"},
     {"box", "slabs-without-signs"},
+    {"box", "small-component-1e-4"},
+    {"parallelepiped", "small-component-1e-3"},
     {"cylinder", "smaller-side-root"},
     {"cylinder", "larger-side-root"},
     {"cylinder", "first-side-root"},

@@ -8,10 +8,10 @@
 namespace rayproof::diagnosis {
 namespace {
 
-/// A side from a to b, and the level of the point.
+/// A side from a to b, and the point, whose y is the level.
 struct SideAtLevel {
   glm::dvec2 a, b;
-  double y;
+  double x, y;
   [[nodiscard]] double width() const { return b.x - a.x; }
   [[nodiscard]] double height() const { return b.y - a.y; }
 };
@@ -28,6 +28,17 @@ constexpr CrossingX mistakes_of_ends[] = {
     [](const SideAtLevel& s) { return s.a.x + (s.y - s.a.y) * s.height() / s.width(); },
     [](const SideAtLevel& s) { return s.a.x + (s.y - s.a.y) * s.width(); },
     [](const SideAtLevel& s) { return s.a.x + (s.y - s.a.y) * s.width() / std::abs(s.height()); },
+    // Another coordinate stands where one belongs, or + where - does.
+    [](const SideAtLevel& s) { return s.a.y + (s.y - s.a.y) * s.width() / s.height(); },
+    [](const SideAtLevel& s) { return s.a.x + (s.x - s.a.y) * s.width() / s.height(); },
+    [](const SideAtLevel& s) { return s.a.x + (s.y - s.a.x) * s.width() / s.height(); },
+    [](const SideAtLevel& s) { return s.a.x + (s.y - s.a.y) * (s.b.y - s.a.x) / s.height(); },
+    [](const SideAtLevel& s) { return s.a.x + (s.y - s.a.y) * (s.b.x - s.a.y) / s.height(); },
+    [](const SideAtLevel& s) { return s.a.x + (s.y - s.a.y) * s.width() / (s.b.x - s.a.y); },
+    [](const SideAtLevel& s) { return s.a.x + (s.y - s.a.y) * s.width() / (s.b.y - s.a.x); },
+    [](const SideAtLevel& s) { return s.a.x + (s.y + s.a.y) * s.width() / s.height(); },
+    [](const SideAtLevel& s) { return s.a.x + (s.y - s.a.y) * (s.b.x + s.a.x) / s.height(); },
+    [](const SideAtLevel& s) { return s.a.x + (s.y - s.a.y) * s.width() / (s.b.y + s.a.y); },
 };
 /// And those in which the order is nothing.
 constexpr CrossingX mistakes_of_sides[] = {
@@ -40,7 +51,7 @@ bool is_inside_by(CrossingX x_of, bool is_turned, const PlaneHit& seen) {
   const Outline& outline = seen.vertices;
   bool is_inside = false;
   for (std::size_t i = 0; i < outline.size(); ++i) {
-    SideAtLevel side{outline[i], outline[(i + 1) % outline.size()], seen.point.y};
+    SideAtLevel side{outline[i], outline[(i + 1) % outline.size()], seen.point.x, seen.point.y};
     if (is_turned) std::swap(side.a, side.b);
     if (half_open(side.a.y - side.y, side.b.y - side.y) && seen.point.x < x_of(side)) is_inside = !is_inside;
   }

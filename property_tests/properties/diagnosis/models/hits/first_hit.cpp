@@ -90,6 +90,19 @@ Answers normal_by_inverse(const Case& one, const Answer& exact) {
   });
 }
 
+Answers normal_moved(const Case& one, const Answer& exact) {
+  if (ray_question(one) == nullptr || !ray_question(one)->transform) return {};
+  Answers answers;
+  for (const bool is_by_matrix : {false, true})
+    for (Answer& answer : with_normal(one, exact, [&](const RayQuestion&asked, const glm::dvec3&normal) {
+           const glm::dvec3 own = glm::normalize(normal_in_object_space(asked, normal));
+           const glm::dmat3 carried = is_by_matrix ? linear(asked) : map_of_normals(asked);
+           return carried * own + glm::dvec3((*asked.transform)[3]);
+         }))
+      answers.push_back(std::move(answer));
+  return answers;
+}
+
 Answers normal_from_zero(const Case& one, const Answer& exact) {
   const RayAnswer* answer = hit_with_point(exact);
   if (answer == nullptr) return {};

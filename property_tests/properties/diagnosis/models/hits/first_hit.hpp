@@ -19,6 +19,8 @@ namespace rayproof::diagnosis {
 [[nodiscard]] Answers normal_by_matrix(const Case& one, const Answer& exact);
 /// The normal is carried by the inverse that is not transposed.
 [[nodiscard]] Answers normal_by_inverse(const Case& one, const Answer& exact);
+/// The normal, of length 1, is carried as a point: the translation is added to it.
+[[nodiscard]] Answers normal_moved(const Case& one, const Answer& exact);
 [[nodiscard]] Answers normal_from_zero(const Case& one, const Answer& exact);
 /// The ray's direction, reversed.
 [[nodiscard]] Answers normal_is_direction(const Case& one, const Answer& exact);

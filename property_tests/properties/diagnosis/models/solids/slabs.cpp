@@ -126,6 +126,26 @@ Answers slab_along_not_tested(const Case& one, const Answer& /*exact*/) {
       [](const SlabEnds& slabs) { return std::ranges::min(slabs.leaves); }, false);
 }
 
+Answers small_components_as_zero(const Case& one, double least) {
+  const auto cube = cube_in(one);
+  if (!cube) return {};
+  Answers answers;
+  for (const double length : {1.0, glm::length(ray_question(one)->ray.direction)}) {
+    Cube other = *cube;
+    for (int axis = 0; axis < 3; ++axis)
+      if (std::abs(other.ray.direction[axis]) < least * length) other.ray.direction[axis] = 0;
+    if (other.ray.direction == cube->ray.direction) continue;
+    const auto slabs = slabs_of(other);
+    if (!slabs || slabs->enters.empty())
+      answers.emplace_back(RayAnswer{});
+    else
+      for (Answer& answer :
+           inside_from(one, std::ranges::max(slabs->enters), std::ranges::min(slabs->leaves)))
+        answers.push_back(std::move(answer));
+  }
+  return answers;
+}
+
 Answers leaves_before_it_enters(const Case& one, const Answer& exact) {
   const auto cube = cube_in(one);
   const auto slabs = cube && !finds_something(exact) ? slabs_of(*cube) : std::nullopt;

@@ -2,6 +2,8 @@
 /// \file
 /// Models of faults in how the three slabs of a box or a parallelepiped are put together.
 
+#include <cmath>
+
 #include "properties/diagnosis/models/models.hpp"
 
 namespace rayproof::diagnosis {
@@ -23,6 +25,12 @@ template <bool at_low, bool at_high>
   return missed_in_face(one, exact, at_low, at_high);
 }
 /// @}
+/// Components of the direction that are smaller than this, or than this share of its length, are taken for 0.
+[[nodiscard]] Answers small_components_as_zero(const Case& one, double least);
+template <int power>
+[[nodiscard]] Answers small_components_as_zero(const Case& one, const Answer& /*exact*/) {
+  return small_components_as_zero(one, std::pow(10.0, power));
+}
 /// @{ In the slabs of some axes, each a bit, near and far are exchanged: always, or where the direction's
 /// component is negative.
 [[nodiscard]] Answers slabs_turned(const Case& one, unsigned axes, bool is_always);

@@ -1,5 +1,6 @@
 #include "properties/diagnosis/models/space/details_of_shapes.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -11,12 +12,11 @@ Answers normal_along_edge(const Case& one, const Answer& exact) {
   if (solid == nullptr) return {};
   return with_normal(one, exact, [&](const RayQuestion& asked, const glm::dvec3& normal) {
     const glm::dvec3 own = normal_in_object_space(asked, normal);
-    for (const glm::dvec3& edge : solid->edges) {
-      const double along = glm::dot(edge, own) / (glm::length(edge) * glm::length(own));
-      // The two other edges lie in the face.
-      if (std::abs(along) > 0x1p-20) return map_of_normals(asked) * (std::copysign(1, along) * edge);
-    }
-    return glm::dvec3(0);
+    const auto along = [&](const glm::dvec3& edge) { return glm::dot(edge, own) / glm::length(edge); };
+    // The two other edges lie in the face.
+    const glm::dvec3 edge =
+        *std::ranges::max_element(solid->edges, {}, [&](const auto& e) { return std::abs(along(e)); });
+    return map_of_normals(asked) * (std::copysign(1, along(edge)) * edge);
   });
 }
 
