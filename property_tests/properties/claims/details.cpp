@@ -68,8 +68,7 @@ bool is_flat_box_of_guest(const Trial& trial) {
   return box != nullptr && glm::any(glm::equal(box->min, box->max));
 }
 
-/// A guest's hit that lies beside the surface is a finding by itself: what it says of the surface there is
-/// none.
+/// A guest's hit that lies beside the surface is a finding by itself: the normal that it gives there is none.
 bool is_wrong_hit_of_guest(Trial& trial) {
   if (trial.subject().has_own_contract) return false;
   const oracle::Judgement& judgement = trial.judgement();
@@ -80,9 +79,8 @@ bool is_wrong_hit_of_guest(Trial& trial) {
 template <Measure measure, auto member>
 Ruling is_within(Trial& trial) {
   if (!is_judged<member>(trial) || !trial.in_domain_of_details()) return Ruling::outside;
-  if (measure == of_normal && is_flat_box_of_guest(trial)) return Ruling::outside;
-  const bool is_of_surface = measure == of_normal || measure == of_coordinates;
-  if (is_of_surface && is_wrong_hit_of_guest(trial)) return Ruling::outside;
+  if (measure == of_normal && (is_flat_box_of_guest(trial) || is_wrong_hit_of_guest(trial)))
+    return Ruling::outside;
   const auto found = measure(trial);
   if (!found) return Ruling::outside;
   return found->error <= found->bound ? Ruling::held : Ruling::broken;

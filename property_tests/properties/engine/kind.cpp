@@ -40,6 +40,17 @@ bool is_rounding_of_hit(Claim claim, const Evidence& evidence) {
          (claim == Claim::coordinates && is_near(got->barycentric, exact->barycentric));
 }
 
+/// Whether a normal is wrong in fewer cases than a gross fault of the hits, in far fewer where a model of
+/// normals foresees it: what else is wrong with the shape that is taken.
+bool is_normal_of_wrong_shape(const Finding& finding, const Finding& other) {
+  const bool is_foreseen = finding.cause->change == nullptr && !finding.cause->is_vague;
+  const std::uint64_t times = finding.property->every * (is_foreseen ? 8 : 1);
+  const bool is_of_hits = other.cause->aspect == Aspect::hits && other.cause->kind == FindingKind::gross &&
+                          other.property->claim != Claim::normal;
+  return finding.property->claim == Claim::normal && is_of_hits && !other.cause->is_vague &&
+         times * finding.cases <= other.cases;
+}
+
 FindingKind kind_of_case(const Finding& finding) {
   const Evidence& evidence = finding.evidence;
   const Claim claim = finding.property->claim;
@@ -79,6 +90,7 @@ bool is_named_boundary(const Finding& finding) {
 
 bool is_part_of(const Finding& finding, const Finding& other) {
   if (finding.cause == nullptr || other.cause == nullptr) return false;
+  if (is_normal_of_wrong_shape(finding, other)) return true;
   const bool is_known_at_extremes_alone = finding.cause->of_sizes == OfSizes::extremes;
   const std::uint64_t most = finding.cause->is_vague ? 2 * other.cases : other.cases;
   if (finding.cases > most && !is_known_at_extremes_alone) return false;

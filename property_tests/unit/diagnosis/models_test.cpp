@@ -127,6 +127,7 @@ TEST(Diagnosis, NamesWhatIsWronglySaidOfTheFirstHit) {
                                                {"cylinder", "normal", "side-normal-faces-ray"},
                                                {"sphere", "normal", "normal-is-direction"},
                                                {"parallelepiped", "normal", "normal-along-edge"},
+                                               {"parallelepiped", "normal", "normals-0-2"},
                                                {"sphere", "point", "point-against-direction"},
                                                {"sphere", "point", "point-from-shape"},
                                                {"box", "normal", "normal-from-middle"},

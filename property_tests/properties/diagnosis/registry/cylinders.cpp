@@ -52,6 +52,10 @@ std::vector<Hypothesis> models_of_cylinders() {
             "of the side's hits only the first in the interval is looked at, and no other is reported"),
       gives("side-without-ends", side_without_ends,
             "the side goes on beyond the caps: the height is not tested there, neither below nor above"),
+      gives_one_of(
+          "side-constant-wrong", side_constant_wrong,
+          "the constant of the side's equation is (x/rx)² + (y/ry)² - 1: a radius, or its square, or "
+          "nothing, is subtracted in place of 1"),
       gives("direction-not-divided-by-radii", direction_not_divided_by_radii,
             "the side is right for a direction that is not divided by the radii: origin and direction both "
             "must be"),

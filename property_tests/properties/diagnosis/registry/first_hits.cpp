@@ -17,6 +17,9 @@ namespace {
 constexpr std::string_view zero_in_words =
     "every number of the answer is 0: a product of vectors at right angles, or a variable that is never set";
 
+constexpr std::string_view exchanged_in_words =
+    "the normals of two of the three pairs of faces are exchanged";
+
 }  // namespace
 
 std::vector<Hypothesis> models_of_first_hits() {
@@ -72,6 +75,9 @@ std::vector<Hypothesis> models_of_first_hits() {
             gross, Aspect::normal),
       gives("normal-keeps-z", normal_keeps_z,
             "the normal of the side keeps the z of the point, and must be level", gross, Aspect::normal),
+      gives("normals-0-1", normals_exchanged<0, 1>, exchanged_in_words, gross, Aspect::normal),
+      gives("normals-0-2", normals_exchanged<0, 2>, exchanged_in_words, gross, Aspect::normal),
+      gives("normals-1-2", normals_exchanged<1, 2>, exchanged_in_words, gross, Aspect::normal),
       gives("normal-along-edge", normal_along_edge,
             "the normal runs along the edge that leads to the face, and must be across the other two", gross,
             Aspect::normal),

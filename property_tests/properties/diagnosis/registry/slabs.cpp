@@ -83,6 +83,8 @@ std::vector<Hypothesis> models_of_slab_orders() {
   add_slab_order<0>(all, 'x');
   add_slab_order<1>(all, 'y');
   add_slab_order<2>(all, 'z');
+  all.push_back(gives_one_of("slab-divided-by-other", slab_divided_by_other,
+                             "the t of a slab are divided by the direction's component along another axis"));
   add_small_components<-8, -7, -6, -5, -4, -3, -2>(all);
   add_loose<-8, -7, -6, -5, -4, -3, -2>(all);
   return all;

@@ -55,6 +55,10 @@ std::vector<Hypothesis> models_of_weights() {
       gives_to_all("factors-exchanged", with_weights<exchanged_factors>,
                    "v and t have the wrong sign: the factors of a cross product are exchanged"),
       gives_one_of(
+          "another-product", another_product,
+          "u, v or t is what another of them is, or 0: they are (o - a)·p, d·q and (c - a)·q, each over the "
+          "determinant, and in one of them another vector stands"),
+      gives_one_of(
           "way-from-other-vertex", way_from_other_vertex,
           "the ray's way is taken from another vertex than the edges: it is o - a where these are b - a "
           "and c - a"),

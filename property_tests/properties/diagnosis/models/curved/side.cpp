@@ -11,12 +11,21 @@
 namespace rayproof::diagnosis {
 namespace {
 
-/// The roots of the side without end, ascending; none where the line passes it by, or of another shape.
+/// The roots of the equation, ascending; none where it has none.
+std::vector<double> roots_of(const ReducedEquation& equation) {
+  const FoundRoots roots = roots_by(-equation.h, equation.discriminant(), equation.a);
+  return roots ? std::vector<double>(roots->begin(), roots->end()) : std::vector<double>{};
+}
+
+/// Those of the side without end; none where the line passes it by, or of another shape.
 std::vector<double> roots_of_side(const Case& one) {
   const auto equation = shape_in<Cylinder<double>>(one) == nullptr ? std::nullopt : reduced_equation(one);
-  const FoundRoots roots =
-      equation ? roots_by(-equation->h, equation->discriminant(), equation->a) : std::nullopt;
-  return roots ? std::vector<double>(roots->begin(), roots->end()) : std::vector<double>{};
+  return equation ? roots_of(*equation) : std::vector<double>{};
+}
+
+/// What a subject answers that takes that equation for the side's.
+Answers with_side_of(const Case& one, const ReducedEquation& equation) {
+  return with_side_hits(one, roots_of(equation));
 }
 
 Answers with_root(const Case& one, std::size_t which) {
@@ -50,15 +59,23 @@ Answers side_goes_on(const Case& one, bool is_upwards) {
   return with_side_ends(one, is_upwards ? SideEnds{0, infinity<double>} : SideEnds{infinity<double>, 0});
 }
 
+Answers side_constant_wrong(const Case& one, const Answer& /*exact*/) {
+  const auto* cylinder = shape_in<Cylinder<double>>(one);
+  const auto equation = cylinder == nullptr ? std::nullopt : reduced_equation(one);
+  Answers answers;
+  if (!equation) return answers;
+  const auto& [rx, ry, height, capped] = *cylinder;
+  for (const double constant : {rx, ry, rx * rx, ry * ry, rx * ry, 0.0})
+    answers.push_back(with_side_of(one, {equation->a, equation->h, equation->c + 1 - constant}).front());
+  return answers;
+}
+
 Answers direction_not_divided_by_radii(const Case& one, const Answer& /*exact*/) {
   const auto* cylinder = shape_in<Cylinder<double>>(one);
   if (cylinder == nullptr) return {};
   const Ray<double> ray = ray_in_object(*ray_question(one));
   const glm::dvec2 o = glm::dvec2(ray.origin) / glm::dvec2(cylinder->rx, cylinder->ry), d(ray.direction);
-  const ReducedEquation wrong{glm::dot(d, d), glm::dot(o, d), glm::dot(o, o) - 1};
-  const FoundRoots roots = roots_by(-wrong.h, wrong.discriminant(), wrong.a);
-  return with_side_hits(one,
-                        roots ? std::vector<double>(roots->begin(), roots->end()) : std::vector<double>{});
+  return with_side_of(one, {glm::dot(d, d), glm::dot(o, d), glm::dot(o, o) - 1});
 }
 
 Answers caps_where_side_missed(const Case& one, const Answer& exact) {

@@ -21,6 +21,10 @@ namespace rayproof::diagnosis {
 /// The side goes on without end upwards, or downwards, and the caps are where they should be.
 [[nodiscard]] Answers side_goes_on(const Case& one, bool is_upwards);
 
+/// In the constant of the side's equation a radius, or its square, or nothing, stands for the 1 that is
+/// subtracted. An answer for each such mistake, always in the same order.
+[[nodiscard]] Answers side_constant_wrong(const Case& one, const Answer& exact);
+
 /// The origin is divided by the radii, and the direction is not.
 [[nodiscard]] Answers direction_not_divided_by_radii(const Case& one, const Answer& exact);
 

@@ -103,6 +103,25 @@ Answers way_from_other_vertex(const Case& one, const Answer& /*exact*/) {
   return answers;
 }
 
+Answers another_product(const Case& one, const Answer& /*exact*/) {
+  using Number = double TriangleHit::*;
+  static constexpr Number numbers[] = {&TriangleHit::beta, &TriangleHit::gamma, &TriangleHit::t};
+  const auto hit = triangle_hit(one);
+  Answers answers;
+  if (!hit) return answers;
+  for (const Number wrong : numbers) {
+    TriangleHit mistaken = *hit;
+    mistaken.*wrong = 0;
+    answers.push_back(by_weights(one, mistaken).front());
+    for (const Number other : numbers) {
+      if (other == wrong) continue;
+      mistaken.*wrong = (*hit).*other;
+      answers.push_back(by_weights(one, mistaken).front());
+    }
+  }
+  return answers;
+}
+
 Answers by_weights(const Case& one, const TriangleHit& hit) {
   Answers answers = hit_at(one, hit.t, hit.beta >= 0 && hit.gamma >= 0 && hit.beta + hit.gamma <= 1);
   auto& found = std::get<RayAnswer>(answers.front());

@@ -45,6 +45,10 @@ inline void exchanged_factors(TriangleHit& hit) {
   hit.t = -hit.t;
 }
 
+/// One of u, v and t is what another one is, or 0: another product of vectors stands in its place. An answer
+/// for each such mistake, always in the same order.
+[[nodiscard]] Answers another_product(const Case& one, const Answer& exact);
+
 /// The ray's way to the triangle is taken from b, or from c, where a belongs.
 [[nodiscard]] Answers way_from_other_vertex(const Case& one, const Answer& exact);
 

@@ -16,6 +16,7 @@ std::vector<Case> box_about(const Case& one, double middles, double halves) {
 }  // namespace
 
 std::vector<Case> size_as_half(const Case& one) { return box_about(one, 0.5, 1); }
+std::vector<Case> half_as_size(const Case& one) { return box_about(one, 0.5, 0.25); }
 std::vector<Case> sum_as_middle(const Case& one) { return box_about(one, 1, 0.5); }
 
 std::vector<Case> max_as_half_size(const Case& one) {

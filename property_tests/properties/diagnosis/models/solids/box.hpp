@@ -8,9 +8,10 @@
 
 namespace rayproof::diagnosis {
 
-/// @{ The whole size stands for half of it; min + max for the middle; max for half the size of a box about
-/// the origin of coordinates.
+/// @{ The whole size stands for half of it; half of it for the whole; min + max for the middle; max for half
+/// the size of a box about the origin of coordinates.
 [[nodiscard]] std::vector<Case> size_as_half(const Case& one);
+[[nodiscard]] std::vector<Case> half_as_size(const Case& one);
 [[nodiscard]] std::vector<Case> sum_as_middle(const Case& one);
 [[nodiscard]] std::vector<Case> max_as_half_size(const Case& one);
 /// @}

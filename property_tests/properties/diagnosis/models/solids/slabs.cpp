@@ -50,6 +50,28 @@ Answers inside_between(const Case& one, Near&& near, Far&& far, bool tests_along
   return inside_from(one, near(*slabs), far(*slabs));
 }
 
+/// The same, and what is found where a slab that the line runs along inside counts, too: as one that it
+/// enters and leaves at infinity, which is no hit.
+template <class Near, class Far>
+Answers with_endless_slabs(const Case& one, Near&& near, Far&& far) {
+  Answers answers = inside_between(one, near, far);
+  const auto cube = cube_in(one);
+  auto slabs = cube ? slabs_of(*cube) : std::nullopt;
+  if (!slabs || slabs->enters.size() == 3) return answers;
+  slabs->enters.push_back(-infinity<double>);
+  slabs->leaves.push_back(infinity<double>);
+  for (const Answer& answer : inside_from(one, near(*slabs), far(*slabs)))
+    answers.emplace_back(hits_where(std::get<RayAnswer>(answer), [](double t) { return std::isfinite(t); }));
+  return answers;
+}
+
+/// What is found by the slabs of another cube, which the line may run along all of.
+Answers through_slabs(const Case& one, const Cube& cube) {
+  const auto slabs = slabs_of(cube);
+  if (!slabs || slabs->enters.empty()) return {RayAnswer{}};
+  return inside_from(one, std::ranges::max(slabs->enters), std::ranges::min(slabs->leaves));
+}
+
 /// One of the six faces.
 struct SlabEnd {
   int axis;
@@ -84,13 +106,13 @@ Answers without_faces(const Case& one, IsMissing&& is_missing) {
 }  // namespace
 
 Answers leaves_at_last_end(const Case& one, const Answer& /*exact*/) {
-  return inside_between(
+  return with_endless_slabs(
       one, [](const SlabEnds& slabs) { return std::ranges::max(slabs.enters); },
       [](const SlabEnds& slabs) { return std::ranges::max(slabs.leaves); });
 }
 
 Answers enters_at_first_beginning(const Case& one, const Answer& /*exact*/) {
-  return inside_between(
+  return with_endless_slabs(
       one, [](const SlabEnds& slabs) { return std::ranges::min(slabs.enters); },
       [](const SlabEnds& slabs) { return std::ranges::min(slabs.leaves); });
 }
@@ -126,6 +148,19 @@ Answers slab_along_not_tested(const Case& one, const Answer& /*exact*/) {
       [](const SlabEnds& slabs) { return std::ranges::min(slabs.leaves); }, false);
 }
 
+Answers slab_divided_by_other(const Case& one, const Answer& /*exact*/) {
+  const auto cube = cube_in(one);
+  Answers answers;
+  if (!cube) return answers;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const int step : {1, 2}) {
+      Cube other = *cube;
+      other.ray.direction[axis] = cube->ray.direction[(axis + step) % 3];
+      answers.push_back(through_slabs(one, other).front());
+    }
+  return answers;
+}
+
 Answers small_components_as_zero(const Case& one, double least) {
   const auto cube = cube_in(one);
   if (!cube) return {};
@@ -135,13 +170,7 @@ Answers small_components_as_zero(const Case& one, double least) {
     for (int axis = 0; axis < 3; ++axis)
       if (std::abs(other.ray.direction[axis]) < least * length) other.ray.direction[axis] = 0;
     if (other.ray.direction == cube->ray.direction) continue;
-    const auto slabs = slabs_of(other);
-    if (!slabs || slabs->enters.empty())
-      answers.emplace_back(RayAnswer{});
-    else
-      for (Answer& answer :
-           inside_from(one, std::ranges::max(slabs->enters), std::ranges::min(slabs->leaves)))
-        answers.push_back(std::move(answer));
+    answers.push_back(through_slabs(one, other).front());
   }
   return answers;
 }

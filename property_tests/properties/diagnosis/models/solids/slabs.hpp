@@ -25,6 +25,9 @@ template <bool at_low, bool at_high>
   return missed_in_face(one, exact, at_low, at_high);
 }
 /// @}
+/// A slab is divided by the direction's component along another axis. An answer for each such mistake, always
+/// in the same order.
+[[nodiscard]] Answers slab_divided_by_other(const Case& one, const Answer& exact);
 /// Components of the direction that are smaller than this, or than this share of its length, are taken for 0.
 [[nodiscard]] Answers small_components_as_zero(const Case& one, double least);
 template <int power>

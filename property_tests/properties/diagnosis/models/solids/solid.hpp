@@ -26,6 +26,17 @@ template <int axis>
   });
 }
 
+/// What a subject answers that does not look at that slab of a box: along it a ray has no end, so that it may
+/// find nothing.
+template <int axis>
+[[nodiscard]] Answers without_slab(const Case& one, const Answer& exact) {
+  Answers answers = read_as<endless_box<axis>>(one, exact);
+  if (answers.empty()) return answers;
+  const glm::dvec3 d = ray_in_object(*ray_question(one)).direction;
+  if (d[(axis + 1) % 3] == 0 && d[(axis + 2) % 3] == 0) answers.emplace_back(RayAnswer{});
+  return answers;
+}
+
 /// r for r²: everywhere, in half the chord alone, or in the test whether the line passes near enough alone.
 [[nodiscard]] Answers radius_for_square(const Case& one, const Answer& exact);
 /// The sign of r² is wrong in the constant of the sphere's equation.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "properties/diagnosis/models/surface_normals.hpp"
 
@@ -17,6 +18,22 @@ Answers normal_along_edge(const Case& one, const Answer& exact) {
     const glm::dvec3 edge =
         *std::ranges::max_element(solid->edges, {}, [&](const auto& e) { return std::abs(along(e)); });
     return map_of_normals(asked) * (std::copysign(1, along(edge)) * edge);
+  });
+}
+
+Answers normals_exchanged(const Case& one, const Answer& exact, int first, int second) {
+  const auto* solid = shape_in<Parallelepiped<double>>(one);
+  if (solid == nullptr) return {};
+  const auto& e = solid->edges;
+  const glm::dmat3 normals = glm::transpose(glm::inverse(glm::dmat3(e[0], e[1], e[2])));
+  return with_normal(one, exact, [&](const RayQuestion& asked, const glm::dvec3& normal) {
+    const glm::dvec3 own = normal_in_object_space(asked, normal);
+    for (const auto& [from, to] : {std::pair(first, second), {second, first}}) {
+      const double cosine = glm::dot(glm::normalize(normals[from]), glm::normalize(own));
+      if (std::abs(cosine) > 1 - 0x1p-20)
+        return map_of_normals(asked) * (std::copysign(1, cosine) * normals[to]);
+    }
+    return normal;
   });
 }
 

@@ -8,6 +8,12 @@ namespace rayproof::diagnosis {
 
 /// The normal of a parallelepiped's face runs along the edge that leads to it, and not across the other two.
 [[nodiscard]] Answers normal_along_edge(const Case& one, const Answer& exact);
+/// The normals of two of its pairs of faces are exchanged.
+[[nodiscard]] Answers normals_exchanged(const Case& one, const Answer& exact, int first, int second);
+template <int first, int second>
+[[nodiscard]] Answers normals_exchanged(const Case& one, const Answer& exact) {
+  return normals_exchanged(one, exact, first, second);
+}
 /// A triangle's point is put together by its barycentric coordinates in another order.
 [[nodiscard]] Answers point_by_other_weights(const Case& one, const Answer& exact);
 
