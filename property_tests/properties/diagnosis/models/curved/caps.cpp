@@ -39,7 +39,8 @@ std::optional<Parts> parts_of(const Case& one, IsInCap is_in_cap) {
   });
   if (open.empty()) return std::nullopt;
   Parts parts;
-  for (const double t : hits_of_line(open.front()).hits.view()) parts.side.push_back(t);
+  const RayAnswer of_side = hits_of_line(open.front());
+  parts.side.assign(of_side.hits.view().begin(), of_side.hits.view().end());
   parts.caps = hits_of_caps(one, *cylinder, is_in_cap);
   return parts;
 }

@@ -80,8 +80,8 @@ Answers with_ends(const Case& one, InCap&& is_in_cap) {
         return true;
       });
   if (open.empty() || ray.direction.z == 0) return {};
-  std::vector<double> all;
-  for (const double t : hits_of_line(open.front()).hits.view()) all.push_back(t);
+  const RayAnswer of_side = hits_of_line(open.front());
+  std::vector<double> all(of_side.hits.view().begin(), of_side.hits.view().end());
   for (const double z : {0.0, cylinder->height}) {
     const double t = (z - ray.origin.z) / ray.direction.z;
     const glm::dvec3 point = point_at(ray, t);

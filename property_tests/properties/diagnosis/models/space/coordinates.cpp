@@ -56,7 +56,7 @@ std::vector<Case> with_numbers_of_shape(const Case& one, double (*change)(double
   if (std::holds_alternative<PointAndPolygon<double>>(one.question)) {
     Case changed = one;
     each_number(std::get<PointAndPolygon<double>>(changed.question), [change](double& x) { x = change(x); });
-    return {changed};
+    return if_valid(std::move(changed));
   }
   return with_question(one, [change](RayQuestion& asked) {
     std::visit([change](auto& shape) { each_number(shape, [change](double& x) { x = change(x); }); },
