@@ -34,6 +34,15 @@ template <class S>
   return {std::move(one)};
 }
 
+/// A list of the case as it is; an empty one where a number is not finite, of which the oracle can say
+/// nothing.
+[[nodiscard]] inline std::vector<Case> if_finite(Case one) {
+  bool are_all = true;
+  each_number_of(one, [&](double x) { are_all = are_all && std::isfinite(x); });
+  if (!are_all) return {};
+  return {std::move(one)};
+}
+
 /// A copy whose ray question `change(asked)` has changed, if the format takes it; empty where there is no ray
 /// question or `change` returns false.
 template <class DoChange>

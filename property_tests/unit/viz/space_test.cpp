@@ -61,7 +61,8 @@ TEST(SpaceGeometry, AnEllipsoidReachesTheTipsOfItsAxes) {
 
 TEST(SpaceGeometry, AnArrowEndsWhereItPoints) {
   const ArrowHead head{{0, 0, 0.9}, {0, 0, 1}, 0.03};
-  const double* const bounds = line_geometry({{{0, 0, 0}, {0, 0, 0.91}}}, head, 0.01)->GetBounds();
+  const Geometry arrow = line_geometry({{{0, 0, 0}, {0, 0, 0.91}}}, head, 0.01);
+  const double* const bounds = arrow->GetBounds();
   EXPECT_NEAR(bounds[5], 1, 1e-6);
   EXPECT_NEAR(bounds[4], 0, 1e-6);
 }

@@ -30,12 +30,17 @@ template <class T>
   return {s, (a.x - point.x) + s * (b.x - a.x)};
 }
 
-/// Whether the side from a to b leads from the line y = height, or below it, to above it, or back: a side
-/// holds its lower end and not its upper one, so a chain of sides through the line counts once, one that
-/// touches it twice or not at all, and a horizontal side never.
+/// Whether a side whose ends are at the heights a and b leads from the line y = level, or below it, to above
+/// it, or back: a side holds its lower end and not its upper one, so a chain of sides through the line counts
+/// once, one that touches it twice or not at all, and a horizontal side never.
 template <class T>
-[[nodiscard]] constexpr bool passes(const T& height, const Vec2<T>& a, const Vec2<T>& b) {
-  return (a.y <= height) != (b.y <= height);
+[[nodiscard]] constexpr bool passes(const T& level, const T& a, const T& b) {
+  return (a <= level) != (b <= level);
+}
+/// The same of the side from vertex a to vertex b.
+template <class T>
+[[nodiscard]] constexpr bool passes(const T& level, const Vec2<T>& a, const Vec2<T>& b) {
+  return passes(level, a.y, b.y);
 }
 
 /// Whether a point on the line through a and b lies between them, ends included.

@@ -22,9 +22,8 @@ struct Compensated {
   template <std::floating_point T>
   [[nodiscard]] static Position locate(const PointAndPolygon<T>& question) {
     if (!polygon::is_finite(question)) return Position::outside;
-    return locate_by_winding(question.point, question.vertices, [&](std::size_t i, std::size_t j) {
-      return orientation_sign(question.point, question.vertices[i], question.vertices[j]);
-    });
+    return locate_by_winding(
+        question, [](const auto& p, const auto& a, const auto& b) { return orientation_sign(p, a, b); });
   }
 };
 

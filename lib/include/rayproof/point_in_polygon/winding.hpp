@@ -3,41 +3,54 @@
 #include <rayproof/method/method.hpp>
 #include <rayproof/point_in_polygon/orientation.hpp>
 #include <utility>
+#include <vector>
 
 #include <rayproof/rounding/as_written.hpp>
 
 namespace rayproof::point_in_polygon {
 
-/// How often the polygon winds about a point, from the sides that pass its height with it on their left
-/// (upward: +1) or on their right (downward: -1); nothing is divided. `side(i, j)` is the orientation of the
-/// point and the side from vertex i to vertex j, or its sign.
+/// How often a polygon winds about a point, from the sides that pass its level with it on their left
+/// (upward: +1) or on their right (downward: -1); nothing is divided. `height(i)` is vertex i's,
+/// `side(i, j)` the orientation of the point and the side from vertex i to vertex j, or its sign; where that
+/// is 0, `is_between(i, j)` is whether the point lies between the two.
 ///
 /// Inside is where the winding number is odd: the even-odd rule. Where a polygon runs twice about a point,
-/// the point is wound about and yet outside. `vertices` may be made in turn.
-template <Branching T, class Vertices, class Side>
-[[nodiscard]] Position locate_by_winding(const Vec2<T>& p, const Vertices& vertices, Side&& side) {
+/// the point is wound about and yet outside.
+template <Branching T, class Height, class Side, class IsBetween>
+[[nodiscard]] Position locate_by_winding(const T& level, std::size_t count, Height&& height, Side&& side,
+                                         IsBetween&& is_between) {
   step<T>("Add up the turns of the sides about the point",
           "At the point's height, a rising side with the point on its left counts +1 and a falling side with "
           "it on its right −1; an odd sum means inside.");
   int winding = 0;
   bool is_on_side = false;
-  const std::size_t count = vertices.size();
   if (count == 0) return Position::outside;
-  Vec2<T> b = vertices[0];
+  T b = height(0);
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t j = polygon::next(i, count);
-    const Vec2<T> a = std::exchange(b, vertices[j]);
-    const bool is_beside = min(a.y, b.y) <= p.y && p.y <= max(a.y, b.y);
+    const T a = std::exchange(b, height(j));
+    const bool is_beside = min(a, b) <= level && level <= max(a, b);
     if (!is_beside) continue;
     const auto orientation = side(i, j);
-    if (orientation == 0) is_on_side = is_on_side || polygon::is_between(p, a, b);
-    if (!polygon::passes(p.y, a, b)) continue;
-    const bool is_upward = a.y < b.y;
+    if (orientation == 0) is_on_side = is_on_side || is_between(i, j);
+    if (!polygon::passes(level, a, b)) continue;
+    const bool is_upward = a < b;
     if (is_upward && orientation > 0) ++winding;
     if (!is_upward && orientation < 0) --winding;
   }
   if (is_on_side) return Position::boundary;
   return winding % 2 != 0 ? Position::inside : Position::outside;
+}
+
+/// The same of a point and vertices that are given; `side(p, a, b)` is the orientation of a point and a side.
+template <Branching T, class Side>
+[[nodiscard]] Position locate_by_winding(const PointAndPolygon<T>& question, Side&& side) {
+  const Vec2<T>& p = question.point;
+  const std::vector<Vec2<T>>& v = question.vertices;
+  return locate_by_winding(
+      p.y, v.size(), [&](std::size_t i) { return v[i].y; },
+      [&](std::size_t i, std::size_t j) { return side(p, v[i], v[j]); },
+      [&](std::size_t i, std::size_t j) { return polygon::is_between(p, v[i], v[j]); });
 }
 
 /// The winding number in rounded numbers, inside where it is odd.
@@ -56,9 +69,8 @@ struct Winding {
   template <Branching T>
   [[nodiscard]] static Position locate(const PointAndPolygon<T>& question) {
     if (!polygon::is_finite(question)) return Position::outside;
-    return locate_by_winding(question.point, question.vertices, [&](std::size_t i, std::size_t j) {
-      return orientation(question.point, question.vertices[i], question.vertices[j]);
-    });
+    return locate_by_winding(
+        question, [](const auto& p, const auto& a, const auto& b) { return orientation(p, a, b); });
   }
 };
 

@@ -6,6 +6,7 @@
 #include <rayproof/formulas/largest_axis.hpp>
 #include <rayproof/formulas/rounding_test.hpp>
 #include <rayproof/point_in_polygon/winding.hpp>
+#include <rayproof/polygon/by_projection.hpp>
 #include <rayproof/polygon/quotient.hpp>
 #include <utility>
 
@@ -31,17 +32,26 @@ class ExactMeeting {
       t_ = quick.t();
       t_error_ = quick.error_of_t();
     } else {
+      has_plane_ = is_finite(polygon);  // never sure where it is not: a size is infinite or NaN
+      if (!has_plane_) return;
       turned_ = LargestAxisLast<double>(exact().normal);
       if (is_parallel()) return;
       t_ = ratio().approximate;
       t_error_ = 0x1.4p-51 * abs(t_);  // three roundings, and two
     }
+    const Vec2<double> along = turned_.dropped(direction);
     origin_ = turned_.dropped(origin);
-    direction_ = turned_.dropped(direction);
+    moved_ = {t_ * along.x, t_ * along.y};
+    const auto doubt = [&](double from, double by, double slope) {
+      return t_error_ * abs(slope) + rounding * (abs(from) + abs(by)) + 0x1p-960;
+    };
+    doubt_ = {doubt(origin_.x, moved_.x, along.x), doubt(origin_.y, moved_.y, along.y)};
   }
 
   /// The ray runs along the plane, or the polygon has no plane.
-  [[nodiscard]] bool is_parallel() const { return exact_.has_value() && sign(exact_->D) == 0; }
+  [[nodiscard]] bool is_parallel() const {
+    return !has_plane_ || (exact_.has_value() && sign(exact_->D) == 0);
+  }
 
   /// t with more digits than T, and a bound on its error less two roundings; of `ray` itself, where it is
   /// given, in double-double for a T of double.
@@ -60,13 +70,18 @@ class ExactMeeting {
   /// The place of the meeting point in the polygon. Vertices are distinguished from it by the signs of their
   /// coordinates alone: for the winding number, the point may be at 0 and they at -1, 0 and 1.
   [[nodiscard]] Position locate() const {
+    const auto sign_of = [&](std::size_t i, double Vec2<double>::*axis) {
+      return double(compare(dropped(i), axis));
+    };
     const auto signs = [&](std::size_t i) {
-      const Vec2<double> v = dropped(i);
-      return Vec2<double>{double(compare(v, &Vec2<double>::x)), double(compare(v, &Vec2<double>::y))};
+      return Vec2<double>{sign_of(i, &Vec2<double>::x), sign_of(i, &Vec2<double>::y)};
     };
     return point_in_polygon::locate_by_winding(
-        Vec2<double>{0, 0}, MadeInTurn{polygon_.vertices.size(), signs},
-        [&](std::size_t i, std::size_t j) { return side(dropped(i), dropped(j)); });
+        0.0, polygon_.vertices.size(), [&](std::size_t i) { return sign_of(i, &Vec2<double>::y); },
+        [&](std::size_t i, std::size_t j) { return side(dropped(i), dropped(j)); },
+        [&](std::size_t i, std::size_t j) {
+          return is_between(Vec2<double>{0, 0}, signs(i), signs(j));
+        });
   }
 
  private:
@@ -93,10 +108,7 @@ class ExactMeeting {
     [[nodiscard]] bool is_clear() const { return abs(value) > error; }
   };
   [[nodiscard]] ValueAndError rounded_offset(const Vec2<double>& vertex, double Vec2<double>::*axis) const {
-    const double moved = t_ * direction_.*axis;
-    const double size = abs(origin_.*axis) + abs(moved) + abs(vertex.*axis);
-    return {(vertex.*axis - origin_.*axis) - moved,
-            t_error_ * abs(direction_.*axis) + rounding * size + 0x1p-960};
+    return {(vertex.*axis - origin_.*axis) - moved_.*axis, doubt_.*axis + rounding * abs(vertex.*axis)};
   }
 
   /// The same, exactly, times the denominator and the unit.
@@ -149,8 +161,9 @@ class ExactMeeting {
   const Vector o_, d_;
   const Unit& unit_;
   mutable std::optional<ExactQuotient> exact_;
+  bool has_plane_ = true;
   LargestAxisLast<double> turned_{vec3<double>{}};
-  Vec2<double> origin_{}, direction_{};
+  Vec2<double> origin_{}, moved_{}, doubt_{};
   double t_ = 0, t_error_ = 0;
 };
 

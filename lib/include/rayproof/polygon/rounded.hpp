@@ -1,6 +1,5 @@
 #pragma once
 #include <rayproof/method/method.hpp>
-#include <rayproof/polygon/by_projection.hpp>
 #include <rayproof/polygon/exact_meeting.hpp>
 
 #include <rayproof/rounding/as_written.hpp>
@@ -45,7 +44,7 @@ struct Rounded {
   template <std::floating_point T, class Number, class Unit>
   [[nodiscard]] static FlatHit<T> meet(const Ray<T>& ray, const Polygon<T>& polygon, const Vec3<Number>& o,
                                        const Vec3<Number>& d, const Unit& unit) {
-    if (!is_finite(polygon)) return no_hit<T>;
+    if (polygon.vertices.empty()) return no_hit<T>;
     step<T>(
         "Meet the plane of the Newell normal",
         "The Newell normal is the sum of the cross products of neighbouring vertices, formed exactly where "

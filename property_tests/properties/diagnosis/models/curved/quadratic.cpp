@@ -97,7 +97,7 @@ std::vector<Case> with_coefficients(const Case& one, void (*change)(Quadratic<do
   auto* equation = std::get_if<Quadratic<double>>(&changed.question);
   if (equation == nullptr) return {};
   change(*equation);
-  return {changed};
+  return if_finite(std::move(changed));
 }
 
 Answers double_root_times(const Answer& exact, double factor) {

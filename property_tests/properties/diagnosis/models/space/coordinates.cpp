@@ -121,7 +121,7 @@ std::vector<Case> with_point(const Case& one, double (*change)(double x, double 
   if (place == nullptr) return {};
   place->point.x = change(place->point.x, cells);
   place->point.y = change(place->point.y, cells);
-  return {changed};
+  return if_finite(std::move(changed));
 }
 
 std::vector<Case> point_cut_off(const Case& one) {
