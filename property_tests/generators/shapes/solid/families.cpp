@@ -83,10 +83,10 @@ struct SolidLayouts {
   /// Aimed at a face, from without or within.
   static Scene near_parallel(Random& random, Precision precision) {
     const Frame frame = Kind::in_a_room(random);
-    const int across = random.between(0, 2);
+    const int across = random.between(0, 2), tiny = random.one_in(3) ? 2 : 1;
     glm::dvec3 target = draw::vector([&] { return random.unit(); }), sight = draw::unit_vector(random);
     target[across] = random.between(0, 1);
-    for (int k = 0; k < (random.one_in(3) ? 2 : 1); ++k)
+    for (int k = 0; k < tiny; ++k)
       sight[(across + k) % 3] = draw::magnitude<double>(random, -draw::digits_of(precision), -4);
     return looked_along(random, Kind::shape(frame), at(frame, target), normalize(along(frame, sight)));
   }
