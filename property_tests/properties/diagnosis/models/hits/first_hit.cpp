@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
+#include "properties/claims/answers.hpp"
 #include "properties/diagnosis/examination/agreement.hpp"
 #include "properties/diagnosis/models/surface_normals.hpp"
 
@@ -95,13 +97,14 @@ Answers normal_by_inverse(const Case& one, const Answer& exact) {
 Answers normal_moved(const Case& one, const Answer& exact) {
   if (ray_question(one) == nullptr || !ray_question(one)->transform) return {};
   Answers answers;
-  for (const bool is_by_matrix : {false, true})
-    for (Answer& answer : with_normal(one, exact, [&](const RayQuestion&asked, const glm::dvec3&normal) {
-           const glm::dvec3 own = glm::normalize(normal_in_object_space(asked, normal));
-           const glm::dmat3 carried = is_by_matrix ? linear(asked) : map_of_normals(asked);
-           return carried * own + glm::dvec3((*asked.transform)[3]);
-         }))
-      answers.push_back(std::move(answer));
+  for (const bool is_by_matrix : {false, true}) {
+    const auto move = [is_by_matrix](const RayQuestion& asked, const glm::dvec3& normal) {
+      const glm::dvec3 own = glm::normalize(normal_in_object_space(asked, normal));
+      const glm::dmat3 carried = is_by_matrix ? linear(asked) : map_of_normals(asked);
+      return carried * own + glm::dvec3((*asked.transform)[3]);
+    };
+    std::ranges::move(with_normal(one, exact, move), std::back_inserter(answers));
+  }
   return answers;
 }
 
