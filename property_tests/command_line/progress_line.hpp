@@ -76,7 +76,7 @@ class ProgressLine {
   [[nodiscard]] static std::string cut_to_width(const std::string& line) {
     winsize size{};
     const bool is_known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
-    return line.substr(0, is_known ? std::min(100, size.ws_col - 1) : 100);
+    return line.substr(0, is_known ? std::min<std::size_t>(100, size.ws_col - 1U) : 100);
   }
 
   bool is_terminal_ = is_terminal();
