@@ -29,6 +29,10 @@ std::vector<Hypothesis> models_of_transforms() {
             "the origin is not taken into object space"),
       gives("transposed-transform", read_as<with_transposed_transform>,
             "the answer is right for the transposed matrix: rows are taken for columns"),
+      gives("translation-negated", read_as<translation_negated>,
+            "the answer is right for the opposite translation: it is added to the origin on the way into "
+            "object "
+            "space, and must be subtracted"),
       gives("translation-undone-last", read_as<translation_undone_last>,
             "the origin is taken into object space by the inverse matrix first, and the translation is "
             "subtracted then: it must be subtracted first"),

@@ -53,6 +53,7 @@ inline constexpr Foreseen foreseen_faults[] = {
     {"quadratic", "b-c-exchanged"},
     {"quadratic", "a-b-exchanged"},
     {"triangle", "translation-undone-last"},
+    {"box", "translation-negated"},
     {"sphere", "t-max-as-object-distance"},
     {"plane", "t-from-t-min"},
     {"parallelepiped", "direction-from-shape"},

@@ -46,6 +46,11 @@ std::vector<Case> with_transposed_transform(const Case& one) {
   return all;
 }
 
+std::vector<Case> translation_negated(const Case& one) {
+  return with_map(
+      one, [](RayQuestion& /*asked*/, glm::dmat4& map) { map[3] = glm::dvec4(-glm::dvec3(map[3]), 1); });
+}
+
 std::vector<Case> translation_undone_last(const Case& one) {
   return with_map(one, [](RayQuestion& /*asked*/, glm::dmat4& map) {
     map[3] = glm::dvec4(glm::dmat3(map) * glm::dvec3(map[3]), 1);

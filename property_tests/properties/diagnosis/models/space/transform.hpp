@@ -11,11 +11,13 @@
 namespace rayproof::diagnosis {
 
 /// @{ The transform is ignored; used as its own inverse; with rows and columns exchanged, without its
-/// translation or beside it; without its translation; with that undone after the matrix, not before.
+/// translation or beside it; without its translation; with its opposite; with that undone after the matrix,
+/// not before.
 [[nodiscard]] std::vector<Case> without_transform(const Case& one);
 [[nodiscard]] std::vector<Case> with_inverse_transform(const Case& one);
 [[nodiscard]] std::vector<Case> with_transposed_transform(const Case& one);
 [[nodiscard]] std::vector<Case> without_translation(const Case& one);
+[[nodiscard]] std::vector<Case> translation_negated(const Case& one);
 [[nodiscard]] std::vector<Case> translation_undone_last(const Case& one);
 /// @}
 
