@@ -48,16 +48,18 @@ struct Promise {
   return {std::max(promise.verdict, robust), std::max(promise.residual, robust), infinity<double>};
 }
 
-/// How far the point of a hit may be from the surface: as far as p(t), whose residual is promised, or, where
-/// the contract promises none, the robust bound, and as far from p(t) as is promised. A promise that grows
-/// with the ratio `far` is none for a shape without size.
-[[nodiscard]] inline double promised_surface(Trial& trial) {
-  const Contract& contract = trial.subject().contract;
+/// How far p(t) may be from the surface: by the residual that is promised, or, where the contract promises
+/// none, by the robust bound.
+[[nodiscard]] inline double residual_or_robust(Trial& trial) {
   const double residual = promise_for(trial).residual;
-  const double of_t = std::isfinite(contract.residual.promised)
-                          ? residual
-                          : robust_bound(trial.subject().topic).value_or(residual);
-  return of_t + contract.hit.point.promised;
+  if (std::isfinite(trial.subject().contract.residual.promised)) return residual;
+  return robust_bound(trial.subject().topic).value_or(residual);
+}
+
+/// How far the point of a hit may be from the surface: as far as p(t), and as far from p(t) as is promised. A
+/// promise that grows with the ratio `far` is none for a shape without size.
+[[nodiscard]] inline double promised_surface(Trial& trial) {
+  return residual_or_robust(trial) + trial.subject().contract.hit.point.promised;
 }
 
 }  // namespace rayproof

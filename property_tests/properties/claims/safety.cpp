@@ -23,7 +23,7 @@ bool is_met_between(Trial& trial, Answer exact) {
   if (auto* of_ray = std::get_if<RayAnswer>(&exact)) to_the_middle(of_ray->hits.t[0], of_ray->hits.t[1]);
   if (auto* of_equation = std::get_if<QuadraticAnswer<double>>(&exact))
     to_the_middle(of_equation->roots[0], of_equation->roots[1]);
-  return oracle::judge(trial.question(), exact).residual <= promise_for(trial).residual;
+  return oracle::judge(trial.question(), exact).residual <= residual_or_robust(trial);
 }
 
 /// Whether one of two hits, or roots, is given for both, though they are so far apart that no plain method's
