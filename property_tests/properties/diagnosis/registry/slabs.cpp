@@ -12,46 +12,41 @@
 namespace rayproof::diagnosis {
 namespace {
 
+/// A model of an absolute epsilon of 10^power; "1e-4" follows the name, and stands for {} in the sentence.
+Hypothesis of_epsilon(std::string_view name, int power, Predict predict, std::string_view sentence) {
+  const std::string epsilon = fmt::format("1e{}", power);
+  return of(OfSizes::small, gives(kept(fmt::format("{}-{}", name, epsilon)), predict,
+                                  kept(fmt::format(fmt::runtime(sentence), epsilon))));
+}
+
 /// A solid that is larger, or smaller, by a fixed length: in a larger scene that is next to nothing.
 template <int... power>
 void add_loose(std::vector<Hypothesis>& all) {
-  (all.push_back(of(
-       OfSizes::small,
-       gives(kept(fmt::format("solid-wider-1e{}", power)), read_as<widened_by<power>>,
-             kept(fmt::format(
-                 "the answer is right for a solid that is wider by 1e{} at each end: a tolerance", power))))),
+  (all.push_back(of_epsilon("solid-wider", power, read_as<widened_by<power>>,
+                            "the answer is right for a solid that is wider by {} at each end: a tolerance")),
    ...);
-  (all.push_back(
-       of(OfSizes::small,
-          gives(kept(fmt::format("solid-narrower-1e{}", power)), narrowed_by<power>,
-                kept(fmt::format(
-                    "the answer is right for a solid that is narrower by 1e{} at each end: an absolute "
-                    "epsilon keeps its ends out",
-                    power))))),
+  (all.push_back(of_epsilon(
+       "solid-narrower", power, narrowed_by<power>,
+       "the answer is right for a solid that is narrower by {} at each end: an absolute epsilon keeps its "
+       "ends out")),
    ...);
 }
 
 template <int... power>
 void add_along_axis(std::vector<Hypothesis>& all) {
-  (all.push_back(
-       of(OfSizes::small,
-          gives(kept(fmt::format("side-missed-along-1e{}", power)), side_missed_along<power>,
-                kept(fmt::format(
-                    "the side is missed where dx² + dy² is below about 1e{}: a ray nearly along the axis "
-                    "is taken for one along it, by an absolute epsilon",
-                    power))))),
+  (all.push_back(of_epsilon(
+       "side-missed-along", power, side_missed_along<power>,
+       "the side is missed where dx² + dy² is below about {}: a ray nearly along the axis is taken for one "
+       "along it, by an absolute epsilon")),
    ...);
 }
 
 template <int... power>
 void add_small_components(std::vector<Hypothesis>& all) {
-  (all.push_back(
-       of(OfSizes::small,
-          gives(kept(fmt::format("small-component-1e{}", power)), small_components_as_zero<power>,
-                kept(fmt::format(
-                    "a component of the direction below about 1e{} is taken for 0: a ray nearly along a face "
-                    "is taken for one along it, by an absolute epsilon",
-                    power))))),
+  (all.push_back(of_epsilon(
+       "small-component", power, small_components_as_zero<power>,
+       "a component of the direction below about {} is taken for 0: a ray nearly along a face is taken for "
+       "one along it, by an absolute epsilon")),
    ...);
 }
 
