@@ -49,7 +49,7 @@ function(rayproof_unit_tests folder)
   target_link_libraries(unit-${folder} PRIVATE ${ARGN} GTest::gtest_main rayproof_flags)
   # Tests compile sooner so; what they link keeps its own level. Those that compute much themselves are optimised a little.
   set(level -O0)
-  if(folder MATCHES "^(batch|oracle|properties|generators|viz)$")
+  if(folder MATCHES "^(batch|oracle|properties|generators|viz|vtk)$")
     set(level -O1)
   endif()
   target_compile_options(unit-${folder} PRIVATE $<$<CONFIG:Release>:${level}>)

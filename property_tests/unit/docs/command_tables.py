@@ -71,7 +71,7 @@ NOT_RUN = [
      "registry.txt"),
     (r"property_tests/builds --bin", "takes an hour; a test compares two builds", "property_tests/unit/CMakeLists.txt",
      "a_target_with_flags_of_its_own_gets_the_same_bits"),
-    (r"rayproof walk \S+ --movie", "takes half a minute; a test writes and reads a short film", "property_tests/unit/viz/movie_test.cpp",
+    (r"rayproof walk \S+ --movie", "takes half a minute; a test writes and reads a short film", "property_tests/unit/vtk/movie_test.cpp",
      "IsAnOggFileWithATheoraHeader"),
     (r"rayproof leak (MESH\.off|\[MESH\])", "needs a mesh; a test reads one in each format",
      "property_tests/unit/leaks/mesh_test.cpp", "IsTheSameInEveryFormat"),

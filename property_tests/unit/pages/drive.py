@@ -74,7 +74,7 @@ def cross(a, b):
 
 def pinhole(camera, point):
     """The pixel in which the point is seen; None where it is not before the eye. VTK is held to the same formula in
-    property_tests/unit/viz/space_test.cpp."""
+    property_tests/unit/vtk/space_test.cpp."""
     toward = unit(plus(camera["eye"], camera["target"], -1))
     right = unit(cross(camera["up"], toward))
     off = plus(point, camera["eye"], -1)

@@ -6,7 +6,7 @@
 #include <rayproof/arithmetics/checked.hpp>
 
 #include "unit/bits.hpp"
-#include "unit/viz/every_method.hpp"
+#include "unit/viz/trace/every_method.hpp"
 
 namespace rayproof {
 namespace {
