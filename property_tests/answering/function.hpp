@@ -165,6 +165,9 @@ class AnsweringFunction final : public Answering {
     for (double& t : reply.hits) t = scaled_back(t);
     finish_hits(reply, [&](double t) {
       if (said.verdict && (knows || std::isnan(t))) return true;
+      // The one number of a function that is given the interval: what is no word for a miss is its hit.
+      if (!said.verdict && !said.all_hits && knows)
+        return std::isfinite(t) && (t >= 0 || options_.sees_whole_line);
       // The one hit of a ray is not behind its origin; a function that says so is not helped.
       if (said.verdict && !said.all_hits && !options_.sees_whole_line && t < 0) return true;
       return ray.t_min <= t && t <= ray.t_max && std::isfinite(t);

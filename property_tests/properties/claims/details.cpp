@@ -8,6 +8,7 @@
 #include <cmath>
 #include <glm/vector_relational.hpp>
 
+#include "properties/boundary.hpp"
 #include "properties/claims/place_of_point.hpp"
 #include "properties/claims/promise.hpp"
 #include "properties/property.hpp"
@@ -102,7 +103,8 @@ oracle::Judgement of_line(Trial& trial, bool is_tangent) {
 }
 
 /// A method need not say more of a hit than that there is one; what it says more than that must be so. One
-/// hit or two on the line is a verdict, for which the same band holds.
+/// hit or two on the line is a verdict, for which the same band holds. Which of a figure's places a guest's
+/// rounding takes a hit for is judged where a plain method rounds nothing.
 Ruling touch(Trial& trial) {
   const auto* claimed = std::get_if<RayAnswer>(&trial.claimed());
   if (claimed == nullptr || claimed->hits.count == 0 || !trial.in_domain()) return Ruling::outside;
@@ -112,7 +114,8 @@ Ruling touch(Trial& trial) {
   const Contact exact = *trial.details().contact;
   if (claimed->contact == exact) return Ruling::held;
   const bool is_touch = claimed->contact == Contact::tangent || exact == Contact::tangent;
-  if (!is_touch) return claimed->contact == Contact::crossing ? Ruling::held : Ruling::broken;
+  const bool may_round = !trial.subject().has_own_contract && !is_exact_for_some_method(trial.question());
+  if (!is_touch) return claimed->contact == Contact::crossing || may_round ? Ruling::held : Ruling::broken;
   if (exact == Contact::rim) return Ruling::held;  // where a line touches the side it is both
   const oracle::Judgement of_count = of_line(trial, claimed->contact == Contact::tangent);
   const bool is_excused = band > 0 && of_count.margin <= band;

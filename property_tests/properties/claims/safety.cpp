@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "properties/boundary.hpp"
 #include "properties/claims/answers.hpp"
 #include "properties/claims/promise.hpp"
 #include "properties/numbers.hpp"
@@ -96,13 +97,16 @@ Evidence show_batch(Trial& trial) {
                      "got is the batch's answer; one ray at a time the method answers otherwise");
 }
 
-/// Of misses alone: where a hit is claimed or missed, that is the verdict's property.
+/// Of misses alone: where a hit is claimed or missed, that is the verdict's property. What a guest rounds may
+/// turn a ray along the plane by an ulp: its reasons are judged where a plain method rounds nothing.
 Ruling contact(Trial& trial) {
   if (trial.judgement().wrong || trial.judgement().hit) return Ruling::outside;
   const auto* claimed = std::get_if<RayAnswer>(&trial.claimed());
   if (claimed == nullptr || !claimed->says_contact) return Ruling::outside;
   const Answer exact = oracle::answer(trial.question());
-  return claimed->contact == std::get<RayAnswer>(exact).contact ? Ruling::held : Ruling::broken;
+  if (claimed->contact == std::get<RayAnswer>(exact).contact) return Ruling::held;
+  const bool may_round = !trial.subject().has_own_contract && !is_exact_for_some_method(trial.question());
+  return may_round ? Ruling::outside : Ruling::broken;
 }
 
 }  // namespace

@@ -142,9 +142,13 @@ std::optional<Case> Consultation::most_striking(const Diagnosis& group) const {
 /// A finding of its own for a group, its simplest case made simpler.
 std::optional<Finding> Consultation::of_group(const Diagnosis& group) const {
   Finding other = finding_;
-  const auto simplest =
-      std::ranges::min(group.cases, {}, [&](std::size_t i) { return complexity(complaint_.failing[i]); });
-  const auto first = [&](std::span<const Case> cases) { return first_of(group, cases); };
+  const auto is_plain = [&](std::size_t i) { return shows_plainly(*other.property, complaint_.failing[i]); };
+  const auto simplest = std::ranges::min(group.cases, {}, [&](std::size_t i) {
+    return std::pair(!is_plain(i), complexity(complaint_.failing[i]));
+  });
+  const auto first = [&, is_plain = is_plain(simplest)](std::span<const Case> cases) {
+    return first_of(group, cases, is_plain);
+  };
   other.one = shrink(complaint_.failing[simplest], {.first = first, .at_once = asked_at_once(*other.subject)},
                      {.tries = 3000, .time = std::chrono::milliseconds(1500), .stop = &stop_});
   Trial shrunk(*other.subject, other.one);
@@ -154,11 +158,13 @@ std::optional<Finding> Consultation::of_group(const Diagnosis& group) const {
   return other;
 }
 
-std::optional<std::size_t> Consultation::first_of(const Diagnosis& group, std::span<const Case> cases) const {
+std::optional<std::size_t> Consultation::first_of(const Diagnosis& group, std::span<const Case> cases,
+                                                  bool is_plain) const {
   if (group.cause != nullptr && group.cause->is_asked_alone) return std::nullopt;  // nor is a simpler one
   const std::vector<std::optional<Answer>> answers = complaint_.patient.ask(cases);
   for (std::size_t i = 0; i < cases.size(); ++i) {
     if (!answers[i] || complaint_.patient.rule(cases[i], *answers[i]) != Ruling::broken) continue;
+    if (is_plain && !shows_plainly(*finding_.property, cases[i])) continue;
     if (group.cause == nullptr || explains(complaint_.patient, *group.cause, cases[i])) return i;
   }
   return std::nullopt;

@@ -41,8 +41,8 @@ class Consultation {
   void describe(Finding& finding, const Diagnosis& group) const;
   [[nodiscard]] std::optional<Case> most_striking(const Diagnosis& group) const;
   [[nodiscard]] std::optional<Finding> of_group(const Diagnosis& group) const;
-  [[nodiscard]] std::optional<std::size_t> first_of(const Diagnosis& group,
-                                                    std::span<const Case> cases) const;
+  [[nodiscard]] std::optional<std::size_t> first_of(const Diagnosis& group, std::span<const Case> cases,
+                                                    bool is_plain) const;
 
   Finding& finding_;
   const std::atomic<bool>& stop_;

@@ -155,7 +155,8 @@ std::string in_words(const Finding& finding) {
   const Claim claim = finding.property->claim;
   const std::string things =
       std::visit([](const auto& asked) { return things_in(asked); }, finding.one.question);
-  if (claim == Claim::contact || (claim == Claim::exact && differ_in_contact_alone(got, exact)))
+  const bool is_of_contact = claim == Claim::contact || finding.property->name == std::string_view("touch");
+  if (is_of_contact || (claim == Claim::exact && differ_in_contact_alone(got, exact)))
     return fmt::format("calls the {} of {} '{}' (exact '{}')", finds_something(got) ? "hit" : "miss", things,
                        name_of(std::get<RayAnswer>(got).contact),
                        name_of(std::get<RayAnswer>(exact).contact));

@@ -63,6 +63,10 @@ struct Breaking {
 /// transform.
 [[nodiscard]] bool is_valid(const Case& one);
 
+/// Whether the case shows plainly what breaks the property: of a normal where the exact answer has one, off
+/// the edges, on which several are right.
+[[nodiscard]] bool shows_plainly(const Property& property, const Case& one);
+
 /// What a shrunk case must still do: break the property, and do so strikingly, at least a hundred times over
 /// the bound or as badly as the trial that was found. A case only just over a bound shows nothing to a
 /// reader.

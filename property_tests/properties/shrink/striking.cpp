@@ -39,18 +39,26 @@ class TogetherAsked {
 
 }  // namespace
 
+bool shows_plainly(const Property& property, const Case& one) {
+  if (property.claim != Claim::normal) return true;
+  const Answer exact = oracle::answer(one);
+  return std::get<RayAnswer>(exact).normal.has_value();
+}
+
 Breaking striking_break(const Subject& subject, const Property& property, Trial& as_found) {
   constexpr double striking = 100;
   const double wanted = property.excess != nullptr ? std::min(property.excess(as_found), striking) : 0;
-  const auto first = [&subject, &property,
-                      wanted](std::span<const Case> cases) -> std::optional<std::size_t> {
+  const bool is_plain = shows_plainly(property, as_found.question());
+  const auto first = [&subject, &property, wanted,
+                      is_plain](std::span<const Case> cases) -> std::optional<std::size_t> {
     const TogetherAsked answers =
         cases.size() > 1 ? TogetherAsked(subject, property, cases) : TogetherAsked();
     for (std::size_t i = 0; i < cases.size(); ++i) {
       Trial trial(subject, cases[i]);
       answers.pass_to(trial, i);
       if (ruling_of(property, trial) == Ruling::broken &&
-          (property.excess == nullptr || property.excess(trial) >= wanted))
+          (property.excess == nullptr || property.excess(trial) >= wanted) &&
+          (!is_plain || shows_plainly(property, cases[i])))
         return i;
     }
     return std::nullopt;

@@ -46,6 +46,16 @@ TEST(option, no_interval_means_that_hits_outside_are_dropped_and_what_lies_befor
   EXPECT_EQ(answer_of(asked, plane), hit_at("2")) << "a plane has no farther hit";
 }
 
+TEST(option, a_number_outside_an_interval_that_the_function_is_given_is_a_wrong_hit) {
+  const auto f = [](const Ray<float>& ray, const Sphere<float>& s) {
+    return unit_sphere_distance(ray.origin, ray.direction, s.center, s.radius)
+        .value_or(std::numeric_limits<float>::quiet_NaN());
+  };
+  EXPECT_EQ(answer_of(sphere_case("-5", R"(, "t_max": 1)"), f, unit_direction), hit_at("2"));
+  EXPECT_EQ(answer_of(sphere_case("-5", R"(, "t_min": 2.5)"), f, unit_direction), hit_at("2"));
+  EXPECT_EQ(answer_of(sphere_case("5"), f, unit_direction), miss) << "NaN is a word for a miss";
+}
+
 TEST(option, no_interval_does_not_hide_a_hit_behind_the_origin) {
   const auto f = [](F3 o, F3 d, F3, float r, float& t) {
     t = (-o.z - r) / d.z;

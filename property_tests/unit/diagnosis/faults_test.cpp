@@ -213,7 +213,7 @@ TEST(Diagnosis, NamesTheCauseOfEachMisprint) {
            {"plane/printed_parallel", "contact", "contact-parallel"},
            {"triangle/printed_parallelogram", "robust-verdict", "parallelogram"},
            {"triangle/printed_lambda2", "robust-verdict", "lambda2-second-sign"},
-           {"triangle/printed_xy", "exact", "renamed-axes"},
+           {"triangle/printed_xy", "exact", "upright-z"},
            {"polygon/printed_parity", "robust-verdict", "level-vertex"},
            {"sphere/printed_2ac", "robust-residual", "over-constant"},
            {"sphere/printed_half_b", "robust-residual", "unit-direction"},

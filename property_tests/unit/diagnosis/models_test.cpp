@@ -132,6 +132,8 @@ TEST(Diagnosis, NamesWhatIsWronglySaidOfTheFirstHit) {
                                                {"sphere", "point", "point-from-shape"},
                                                {"box", "normal", "normal-from-middle"},
                                                {"box", "normal", "normal-without-signs"},
+                                               {"box", "point", "point-by-unit-direction"},
+                                               {"box", "normal", "normal-of-near-hit"},
                                                {"triangle", "point", "point-by-other-weights"}}) {
     planted = find_hypothesis(model);
     const Subject subject = subject_of(topic, [](const Case& one) { return foreseen(*planted, one); });

@@ -30,6 +30,10 @@ std::vector<Hypothesis> models_of_cylinders() {
       gives("caps-by-origin", caps_by_origin,
             "a cap is hit where the ray's origin lies within its outline, and must be where the point on the "
             "cap does"),
+      gives(
+          "upper-cap-by-lower-point", upper_cap_by_lower_point,
+          "the cap at z = height is hit where the ray's point at z = 0 lies within the outline, and must be "
+          "where the point on the cap does"),
       gives("caps-from-outside-alone", caps_from_outside_alone,
             "a cap is hit from outside alone: a ray that leaves through it does not hit it"),
       gives("side-before-caps", side_before_caps,

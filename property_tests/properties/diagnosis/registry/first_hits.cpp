@@ -36,6 +36,11 @@ std::vector<Hypothesis> models_of_first_hits() {
             Aspect::normal),
       gives("normal-flipped", normal_flipped, "the normal is right with the other sign", gross,
             Aspect::normal),
+      gives(
+          "normal-of-near-hit", normal_of_near_hit,
+          "where the ray starts inside the normal is that of the hit behind its beginning, and must be that "
+          "of the hit given",
+          gross, Aspect::normal),
       shows("normal-not-unit", normal_not_unit, "the normal's direction is right, and its length is not 1",
             gross, Aspect::normal),
       gives("normal-by-matrix", normal_by_matrix,
@@ -93,6 +98,9 @@ std::vector<Hypothesis> models_of_first_hits() {
       gives("point-by-other-weights", point_by_other_weights,
             "the point is put together by the barycentric coordinates in another order", gross,
             Aspect::point),
+      gives("point-by-unit-direction", point_by_unit_direction,
+            "the point is o + t·d/|d|: the direction is made a unit vector for the point, and t is not of it",
+            gross, Aspect::point),
       gives("point-against-direction", point_against_direction, "the point is o - t·d: a sign is wrong",
             gross, Aspect::point),
       gives("point-from-shape", point_from_shape,

@@ -55,6 +55,10 @@ void add_grazing(std::vector<Hypothesis>& all) {
    ...);
 }
 
+constexpr std::string_view angles_in_words =
+    "the angles at which the sides are seen are added without their signs: a side that turns back must be "
+    "subtracted";
+
 constexpr std::string_view wrong_crossing_in_words =
     "x is compared with a wrong crossing: a side crosses the point's level at xi + (y - yi)·(xj - xi) / (yj "
     "- "
@@ -65,16 +69,16 @@ constexpr std::string_view wrong_crossing_in_words =
 std::vector<Hypothesis> models_of_projections() {
   return {
       gives("upright-x", upright_missed<0>,
-            "a polygon whose normal's x is 0 is missed: x must not be left out there, but the coordinate in "
+            "a figure whose normal's x is 0 is missed: x must not be left out there, but the coordinate in "
             "which the normal is largest"),
       gives("upright-y", upright_missed<1>,
-            "a polygon whose normal's y is 0 is missed: y must not be left out there, but the coordinate in "
+            "a figure whose normal's y is 0 is missed: y must not be left out there, but the coordinate in "
             "which the normal is largest"),
       gives("upright-z", upright_missed<2>,
-            "a polygon whose normal's z is 0 is missed: z must not be left out there, but the coordinate in "
+            "a figure whose normal's z is 0 is missed: z must not be left out there, but the coordinate in "
             "which the normal is largest"),
       gives("upright", upright_missed<-1>,
-            "a polygon whose normal is 0 in a coordinate is missed: leave out the one in which the normal is "
+            "a figure whose normal is 0 in a coordinate is missed: leave out the one in which the normal is "
             "largest"),
   };
 }
@@ -192,6 +196,14 @@ std::vector<Hypothesis> models_of_flat_figures() {
           "endless-upright-boundary", endless_upright_boundary,
           "a point on the line of an upright side, beyond its ends, is said to be on the boundary: y is not "
           "compared"),
+      gives("flat-bounds-missed", flat_bounds_missed,
+            "a figure in a plane along an axis is missed: its bounding box has no thickness there"),
+      gives("angles-without-sign", inside_by<InsideRule::angles>, angles_in_words),
+      gives("angles-without-sign-or-more", inside_by<InsideRule::angles_or_more>, angles_in_words),
+      gives(
+          "bounds-of-three", inside_by<InsideRule::bounds_of_three>,
+          "what lies outside the bounding box of the first three vertices is said to be outside: that box is "
+          "too small"),
       gives(
           "bounds-but-first", inside_by<InsideRule::bounds_but_first>,
           "what lies outside the bounding box of all vertices but the first is said to be outside: that box "

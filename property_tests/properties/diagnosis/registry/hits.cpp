@@ -41,6 +41,8 @@ std::vector<Hypothesis> models_of_hits() {
       gives("far-hit-beyond", far_hit_beyond,
             "a ray that starts inside and ends there is said to hit beyond its end: the far hit is not "
             "compared with t_max"),
+      gives("far-hit-not-compared", far_hit_not_compared,
+            "t_max is compared with the near hit alone: a far one beyond it is reported, too"),
       gives("ignores-t-max", read_as<without_t_max>,
             "the answer is right for a ray without end: t_max is ignored"),
       gives("t-min-is-zero", t_min_is_zero, "the answer is right for t_min = 0: t_min is ignored"),

@@ -7,6 +7,7 @@
 
 #include "properties/diagnosis/models/curved/cylinder.hpp"
 #include "properties/diagnosis/models/solids/loose.hpp"
+#include "properties/diagnosis/models/solids/parallelepiped.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
 
 namespace rayproof::diagnosis {
@@ -50,6 +51,15 @@ void add_small_components(std::vector<Hypothesis>& all) {
    ...);
 }
 
+template <int... power>
+void add_small_volumes(std::vector<Hypothesis>& all) {
+  (all.push_back(of_epsilon(
+       "small-volume", power, small_volume_missed<power>,
+       "missed where the volume of the edges, a determinant, is below about {}: it is taken for 0, by "
+       "an absolute epsilon")),
+   ...);
+}
+
 template <unsigned axis>
 void add_slab_order(std::vector<Hypothesis>& all, char coordinate) {
   all.push_back(
@@ -81,6 +91,7 @@ std::vector<Hypothesis> models_of_slab_orders() {
   all.push_back(gives_one_of("slab-divided-by-other", slab_divided_by_other,
                              "the t of a slab are divided by the direction's component along another axis"));
   add_small_components<-8, -7, -6, -5, -4, -3, -2>(all);
+  add_small_volumes<-12, -10, -9, -8, -7, -6, -5, -4, -3, -2>(all);
   add_loose<-8, -7, -6, -5, -4, -3, -2>(all);
   return all;
 }

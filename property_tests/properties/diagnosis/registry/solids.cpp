@@ -77,11 +77,11 @@ std::vector<Hypothesis> models_of_solids() {
       misses_zero(
           "missed-in-low-face", missed_in_face<true, false>,
           "a ray in the plane of a face at min, or at the corner, is missed: > is asked there, and must "
-          "be >="),
+          "be >=, or 0·∞ is no number there"),
       misses_zero(
           "missed-in-high-face", missed_in_face<false, true>,
           "a ray in the plane of a face at max, or opposite to the corner, is missed: < is asked there, "
-          "and must be <="),
+          "and must be <=, or 0·∞ is no number there"),
       gives("missed-in-face", missed_in_face<true, true>,
             "a ray in the plane of a face is missed: 0·∞ is no number, or an inequality is strict there"),
       gives("missed-along-slab", missed_along_slab,
@@ -114,6 +114,8 @@ std::vector<Hypothesis> models_of_solids() {
             "taken for rectangles"),
       gives("corner-as-centre", read_as<corner_as_centre>,
             "the answer is right for a solid centred at the corner: the corner is taken for the centre"),
+      gives("edges-as-vertices", read_as<edges_as_vertices>,
+            "the answer is right where the edges are vertices: the corner is subtracted from each of them"),
       gives("diagonal-0-1", read_as<diagonal_for_edge<0, 1>>,
             "the answer is right with edge 1 added to edge 0: a face's diagonal is taken for an edge"),
       gives("diagonal-0-2", read_as<diagonal_for_edge<0, 2>>,

@@ -280,6 +280,15 @@ inline constexpr Foreseen foreseen_faults[] = {
     {"polygon", "figure-through-zero"},
     {"plane", "normal-no-cross-product"},
     {"triangle", "t-is-zero"},
+    {"box", "far-hit-not-compared"},
+    {"parallelepiped", "edges-as-vertices"},
+    {"parallelepiped", "small-volume-1e-3"},
+    {"cylinder", "upper-cap-by-lower-point"},
+    {"point_in_polygon", "angles-without-sign"},
+    {"polygon", "angles-without-sign-or-more"},
+    {"point_in_polygon", "bounds-of-three"},
+    {"polygon", "cross-product-y"},
+    {"triangle", "flat-bounds-missed"},
 };
 
 }  // namespace rayproof::faulty

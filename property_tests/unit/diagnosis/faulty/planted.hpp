@@ -70,7 +70,7 @@ inline const Planted planted[] = {
     {"triangle", answer<edges_open>, "boundary", "boundary-outside"},
     {"triangle", answer<one_edge_open>, "boundary", "edge-a-open"},
     {"triangle", answer<lambda_sign>, "verdict", "lambda2-second-sign"},
-    {"triangle", answer<drops_z>, "verdict", "renamed-axes"},
+    {"triangle", answer<drops_z>, "verdict", "upright-z"},
     {"plane", answer<constant_sign>, "residual", "constant-negated"},
     {"plane", answer<constant_ignored>, "residual", "constant-ignored"},
     {"plane", answer<unit_normal>, "residual", "constant-as-distance"},

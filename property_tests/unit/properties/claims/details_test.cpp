@@ -83,5 +83,26 @@ TEST(DetailsProperties, ATouchMayGoUnsaidButNotBeInvented) {
             Ruling::broken);
 }
 
+TEST(DetailsProperties, WhichOfItsPlacesAGuestRoundsAHitToIsJudgedWhereNothingIsRounded) {
+  const auto rule_of_guest = [](const char* text) {
+    Subject guest = broken::subject("triangle", [](const Case& asked) -> Answer {
+      auto answer = std::get<RayAnswer>(broken::exactly(asked));
+      answer.contact = answer.contact == Contact::edge ? Contact::vertex : Contact::edge;
+      return answer;
+    });
+    guest.has_own_contract = false;
+    const Case one = read_case(text);
+    Trial trial(guest, one);
+    return find_property("touch")->rule(trial);
+  };
+  // The vertex b, at 1/0.1 lengths of the direction, which no float holds.
+  EXPECT_EQ(rule_of_guest(R"({"precision": "float64", "ray": {"origin": [0, 0, 1], "direction": [1, 0, -0.1]},
+    "shape": {"type": "triangle", "a": [0, 0, 0], "b": [10, 0, 0], "c": [0, 1, 0]}})"),
+            Ruling::held);
+  EXPECT_EQ(rule_of_guest(R"({"precision": "float64", "ray": {"origin": [2, 0, 1], "direction": [0, 0, -1]},
+    "shape": {"type": "triangle", "a": [0, 0, 0], "b": [4, 0, 0], "c": [0, 4, 0]}})"),
+            Ruling::broken);
+}
+
 }  // namespace
 }  // namespace rayproof

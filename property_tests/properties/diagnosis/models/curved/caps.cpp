@@ -105,6 +105,19 @@ Answers caps_by_origin(const Case& one, const Answer& /*exact*/) {
   return {in_order(one, all.size() > 2 ? std::vector{all.front(), all.back()} : all), in_order(one, all)};
 }
 
+Answers upper_cap_by_lower_point(const Case& one, const Answer& /*exact*/) {
+  const auto parts = parts_of(one, [](double, double, const Cylinder<double>&) { return true; });
+  const Ray<double> ray = parts ? ray_in_object(*ray_question(one)) : Ray<double>{};
+  if (!parts || ray.direction.z == 0) return {};
+  const glm::dvec3 below = point_at(ray, -ray.origin.z / ray.direction.z);
+  std::vector<double> all = parts->side;
+  if (is_in_ellipse(below.x, below.y, *shape_in<Cylinder<double>>(one)))
+    all.insert(all.end(), parts->caps.begin(), parts->caps.end());
+  std::ranges::sort(all);
+  // There may be three, of which the first and the last may be taken.
+  return {in_order(one, all), in_order(one, all.size() > 2 ? std::vector{all.front(), all.back()} : all)};
+}
+
 Answers caps_from_outside_alone(const Case& one, const Answer& /*exact*/) {
   const auto parts = parts_of(one, is_in_ellipse);
   if (!parts) return {};

@@ -1,6 +1,8 @@
 #include "properties/diagnosis/models/flat/flat.hpp"
 
 #include <array>
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "properties/diagnosis/examination/agreement.hpp"
 #include "properties/diagnosis/models/flat/outline.hpp"
@@ -172,10 +174,20 @@ Answers triangle_bounds(const Case& one, const Answer& /*exact*/) {
   return hit_at(one, hit->t, is_in(0) && is_in(1) && is_in(2));
 }
 
+Answers flat_bounds_missed(const Case& one, const Answer& exact) {
+  const auto figure = flat_figure(one);
+  if (!figure || !finds_something(exact)) return {};
+  glm::dvec3 low = figure->vertices.front(), high = low;
+  for (const glm::dvec3& vertex : figure->vertices) {
+    low = glm::min(low, vertex);
+    high = glm::max(high, vertex);
+  }
+  return glm::any(glm::equal(low, high)) ? Answers{RayAnswer{}} : Answers{};
+}
+
 Answers upright_is_missed(const Case& one, const Answer& exact, int axis) {
   const auto figure = flat_figure(one);
-  if (!figure || shape_in<Polygon<double>>(one) == nullptr) return {};
-  if (std::get<RayAnswer>(exact).hits.count == 0) return {};
+  if (!figure || !finds_something(exact)) return {};
   const glm::dvec3& n = figure->normal;
   const bool is_upright = axis < 0 ? n.x * n.y * n.z == 0 : n[axis] == 0;
   return is_upright ? Answers{RayAnswer{}} : Answers{};

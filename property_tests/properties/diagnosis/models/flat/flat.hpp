@@ -104,9 +104,11 @@ template <int vertex>
 }
 /// The part of the triangle's plane in its bounding box.
 [[nodiscard]] Answers triangle_bounds(const Case& one, const Answer& exact);
-/// A polygon whose normal is 0 along the axis, or along any where it is -1, is missed: its projection is a
-/// line.
+/// A polygon or triangle whose normal is 0 along the axis, or along any where it is -1, is missed: its
+/// projection is a line.
 [[nodiscard]] Answers upright_is_missed(const Case& one, const Answer& exact, int axis);
+/// What lies in a plane along an axis is missed.
+[[nodiscard]] Answers flat_bounds_missed(const Case& one, const Answer& exact);
 template <int axis>
 [[nodiscard]] Answers upright_missed(const Case& one, const Answer& exact) {
   return upright_is_missed(one, exact, axis);

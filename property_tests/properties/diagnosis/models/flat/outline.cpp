@@ -1,6 +1,8 @@
 #include "properties/diagnosis/models/flat/outline.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
 
 #include "properties/claims/answers.hpp"
 #include "properties/diagnosis/examination/agreement.hpp"
@@ -25,6 +27,17 @@ bool is_inside_by(const glm::dvec2& point, const Outline& outline,
   }
   return count % 2 == 1;
 }
+
+/// The angles at which the sides are seen from the point, each without its sign, beyond a whole turn.
+double angles_beyond_turn(const glm::dvec2& point, const Outline& outline) {
+  double sum = -2 * glm::pi<double>();
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const glm::dvec2 a = outline[i] - point, b = outline[(i + 1) % outline.size()] - point;
+    sum += std::abs(std::atan2(a.x * b.y - a.y * b.x, glm::dot(a, b)));
+  }
+  return sum;
+}
+constexpr double small_angle = 1e-3;
 
 bool is_inside(InsideRule rule, const glm::dvec2& point, const Outline& outline) {
   const std::size_t all = outline.size();
@@ -98,6 +111,12 @@ bool is_inside(InsideRule rule, const glm::dvec2& point, const Outline& outline)
       for (std::size_t i = 1; i + 1 < all; ++i)
         if (is_on_one_side(point, {outline[0], outline[i], outline[i + 1]})) return true;
       return false;
+    case InsideRule::angles:
+      return std::abs(angles_beyond_turn(point, outline)) < small_angle;
+    case InsideRule::angles_or_more:
+      return angles_beyond_turn(point, outline) > -small_angle;
+    case InsideRule::bounds_of_three:
+      return is_odd && is_in_bounds(point, {outline[0], outline[1], outline[2]});
     case InsideRule::bounds_but_first:
       return is_odd && is_in_bounds(point, Outline(outline.begin() + 1, outline.end()));
     case InsideRule::bounds:

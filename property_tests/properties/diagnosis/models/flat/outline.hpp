@@ -31,6 +31,9 @@ enum class InsideRule {
   upward,            ///< sides that run in one direction, upward or downward, count alone
   one_side,          ///< inside is where all sides turn one way: right for convex polygons only
   fan,               ///< the triangles of the fan from the first vertex, all together
+  angles,            ///< the angles at which the sides are seen, without a sign, add up to a whole turn
+  angles_or_more,    ///< to a whole turn or more
+  bounds_of_three,   ///< what lies outside the bounding box of the first three vertices is outside
   bounds_but_first,  ///< what lies outside the bounding box of all vertices but the first is outside
   bounds             ///< the bounding box
 };

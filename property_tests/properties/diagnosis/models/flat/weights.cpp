@@ -38,11 +38,13 @@ struct WrongCross {
   }
 };
 
-/// Möller and Trumbore's formula with such a cross product.
+/// Möller and Trumbore's formula with such a cross product in the place of both its own, or of one.
+template <bool is_p_wrong, bool is_q_wrong>
 Answers by_moeller(const Case& one, const Triangle<double>& triangle, const WrongCross& cross) {
   const Ray<double> ray = ray_in_object(*ray_question(one));
   const glm::dvec3 b = triangle.b - triangle.a, c = triangle.c - triangle.a, way = ray.origin - triangle.a;
-  const glm::dvec3 p = cross(ray.direction, c), q = cross(way, b);
+  const glm::dvec3 p = is_p_wrong ? cross(ray.direction, c) : glm::cross(ray.direction, c);
+  const glm::dvec3 q = is_q_wrong ? cross(way, b) : glm::cross(way, b);
   const double size = glm::dot(b, p);
   if (size == 0) return {RayAnswer{}};
   return by_weights(
@@ -75,6 +77,30 @@ Answers planes_of_wrong_cross(const Case& one, const ParametricPlane& plane, int
     const double t = glm::dot(normal, plane.point - ray.origin) / slope;
     answers.push_back(hit_at(one, t, slope != 0).front());
   }
+  return answers;
+}
+
+/// A polygon's normal is a sum of cross products. Where one coordinate is that of wrong ones; and where it is
+/// another one, as a wrong index makes it in the sum of (z_i - z_j)(x_i + x_j).
+Answers polygons_of_wrong_sum(const Case& one, int axis) {
+  const auto figure = flat_figure(one);
+  Answers answers;
+  if (!figure) return answers;
+  const auto add = [&](double wrong) {
+    FlatFigure mistaken = *figure;
+    mistaken.normal[axis] = wrong;
+    const auto hit = plane_hit(one, mistaken);
+    answers.push_back(hit ? hit_at(one, hit->t, is_inside_outline(*hit)).front() : RayAnswer{});
+  };
+  const std::vector<glm::dvec3>& v = figure->vertices;
+  for (std::size_t mistake = 0; mistake < 6; ++mistake) {
+    double sum = 0;
+    for (std::size_t i = 0; i < v.size(); ++i)
+      sum += WrongCross{axis, mistake}(v[i], v[(i + 1) % v.size()])[axis];
+    if (mistake != 1) add(sum);  // the opposite, a fault of its own
+  }
+  for (const int other : {(axis + 1) % 3, (axis + 2) % 3})
+    for (const double sign : {1, -1}) add(sign * figure->normal[other]);
   return answers;
 }
 
@@ -139,11 +165,13 @@ Answers beyond_edge(const Case& one, int vertex) {
 
 Answers by_wrong_cross(const Case& one, int axis) {
   if (const auto* plane = shape_in<ParametricPlane>(one)) return planes_of_wrong_cross(one, *plane, axis);
+  if (shape_in<Polygon<double>>(one) != nullptr) return polygons_of_wrong_sum(one, axis);
   const auto* triangle = shape_in<Triangle<double>>(one);
   if (triangle == nullptr) return {};
   Answers answers;
   for (std::size_t mistake = 0; mistake < 6; ++mistake)
-    for (const auto code : {by_moeller, by_plane_and_sides})
+    for (const auto code :
+         {by_moeller<true, true>, by_plane_and_sides, by_moeller<true, false>, by_moeller<false, true>})
       answers.push_back(code(one, *triangle, {axis, mistake}).front());
   return answers;
 }

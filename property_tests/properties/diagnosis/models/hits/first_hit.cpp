@@ -47,6 +47,19 @@ Answers normal_flipped(const Case& one, const Answer& exact) {
                      [](const RayQuestion& /*asked*/, const glm::dvec3& normal) { return -normal; });
 }
 
+Answers normal_of_near_hit(const Case& one, const Answer& exact) {
+  if (ray_question(one) == nullptr || !finds_something(exact)) return {};
+  const RayAnswer line = hits_of_line(one);
+  if (line.hits.count < 2 || std::get<RayAnswer>(exact).hits.t[0] == line.hits.t[0]) return {};
+  Answers answers;
+  for (const glm::dvec3& normal : normals_of_first_hit(on_whole_line(one), line)) {
+    RayAnswer other = std::get<RayAnswer>(exact);
+    other.normal = normal;
+    answers.emplace_back(other);
+  }
+  return answers;
+}
+
 std::optional<bool> normal_not_unit(const Case& one, const Answer& got, const Answer& exact) {
   const auto *mine = std::get_if<RayAnswer>(&got), *answer = std::get_if<RayAnswer>(&exact);
   if (mine == nullptr || answer == nullptr || !mine->normal) return std::nullopt;
@@ -160,6 +173,13 @@ Answers point_against_direction(const Case& one, const Answer& exact) {
   const RayAnswer* answer = hit_with_point(exact);
   return answer == nullptr ? Answers{}
                            : with_point(exact, point_at(ray_question(one)->ray, -answer->hits.t[0]));
+}
+
+Answers point_by_unit_direction(const Case& one, const Answer& exact) {
+  const RayAnswer* answer = hit_with_point(exact);
+  if (answer == nullptr) return {};
+  const Ray<double>& ray = ray_question(one)->ray;
+  return with_point(exact, point_at(ray, answer->hits.t[0] / glm::length(ray.direction)));
 }
 
 Answers point_from_shape(const Case& one, const Answer& exact) {

@@ -14,6 +14,8 @@ namespace rayproof::diagnosis {
 [[nodiscard]] Answers normal_faces_ray(const Case& one, const Answer& exact);
 [[nodiscard]] Answers normal_follows_ray(const Case& one, const Answer& exact);
 [[nodiscard]] Answers normal_flipped(const Case& one, const Answer& exact);
+/// At the hit that lies behind the ray's beginning, where the ray starts inside.
+[[nodiscard]] Answers normal_of_near_hit(const Case& one, const Answer& exact);
 [[nodiscard]] std::optional<bool> normal_not_unit(const Case& one, const Answer& got, const Answer& exact);
 [[nodiscard]] Answers normal_in_object(const Case& one, const Answer& exact);
 [[nodiscard]] Answers normal_by_matrix(const Case& one, const Answer& exact);
@@ -38,7 +40,8 @@ namespace rayproof::diagnosis {
 /// wrong.
 [[nodiscard]] Answers point_in_object(const Case& one, const Answer& exact);
 [[nodiscard]] Answers point_without_origin(const Case& one, const Answer& exact);
-/// o - t·d; and in coordinates from the shape's own point, its centre or corner.
+/// o + t·d/|d|; o - t·d; and in coordinates from the shape's own point, its centre or corner.
+[[nodiscard]] Answers point_by_unit_direction(const Case& one, const Answer& exact);
 [[nodiscard]] Answers point_against_direction(const Case& one, const Answer& exact);
 [[nodiscard]] Answers point_from_shape(const Case& one, const Answer& exact);
 /// Whether the point lies beside the ray's line.

@@ -74,6 +74,7 @@ Answers nearer_to_zero_decides(const Case& one, const Answer& exact) {
 Answers behind_is_hit(const Case& one, const Answer& exact) {
   return from_line(one, 1, [&](const Ray<double>& ray, const RayAnswer& line) -> Answers {
     if (std::get<RayAnswer>(exact).hits.count != 0 || !(last_of(line) < ray.t_min)) return {};
+    if (line.contact != Contact::crossing) return {};  // what is only touched may be missed for itself
     const auto alone = [&](double t) { return hits_where(line, [t](double other) { return other == t; }); };
     return {line, alone(line.hits.t[0]), alone(last_of(line))};
   });
@@ -117,6 +118,14 @@ Answers far_hit_beyond(const Case& one, const Answer& /*exact*/) {
     const auto& t = line.hits.t;
     if (!(t[0] < ray.t_min) || !(ray.t_max < t[1])) return {};
     return {hits_where(line, [&](double hit) { return hit == t[1]; })};
+  });
+}
+
+Answers far_hit_not_compared(const Case& one, const Answer& /*exact*/) {
+  return from_line(one, 2, [](const Ray<double>& ray, const RayAnswer& line) -> Answers {
+    const auto& t = line.hits.t;
+    if (!(t[0] <= ray.t_max) || !(ray.t_max < t[1])) return {};
+    return {hits_where(line, [&](double hit) { return hit >= ray.t_min; })};
   });
 }
 

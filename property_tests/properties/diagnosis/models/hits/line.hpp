@@ -28,6 +28,8 @@ namespace rayproof::diagnosis {
 [[nodiscard]] Answers behind_at_t_min(const Case& one, const Answer& exact);
 /// A ray that starts inside and ends there is said to hit beyond its end.
 [[nodiscard]] Answers far_hit_beyond(const Case& one, const Answer& exact);
+/// The far hit is reported beyond t_max wherever the near one lies before it.
+[[nodiscard]] Answers far_hit_not_compared(const Case& one, const Answer& exact);
 /// What lies wholly behind the origin is missed, however far back the interval begins.
 [[nodiscard]] Answers behind_origin_missed(const Case& one, const Answer& exact);
 /// Where the origin lies decides: from inside the farther hit is given, from outside the nearer one, be it

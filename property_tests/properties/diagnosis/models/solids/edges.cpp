@@ -40,29 +40,47 @@ bool goes_on_inside(const Case& one) {
   return is_inside(share.x) && is_inside(share.y) && is_inside(share.z);
 }
 
+/// One axis of a box whose middle is compared with the ray's origin: how far `seen` apart they are, twice or
+/// once, and `half`, the size or half of it. Whether the origin lies in between is then as these two say,
+/// however their sum is rounded.
+void put_around(double origin, double seen, double half, double& low, double& high) {
+  low = origin - seen - half;
+  high = origin - seen + half;
+  if (seen > half) high = std::min(high, std::nextafter(origin, -infinity<double>));
+  if (-seen > half) low = std::max(low, std::nextafter(origin, infinity<double>));
+  if (std::abs(seen) > half) return;
+  low = std::min(low, origin);
+  high = std::max(high, origin);
+}
+
 /// What a program may make of a box by rounding: middle and half lengths, these of the sizes or of the
-/// middle, with faces that are rounded or not; the middle as it is seen from the ray's origin; min and size.
+/// middle, with faces that are rounded or not; the middle as it is seen from the ray's origin, by itself or
+/// from min and max; min and size.
 std::vector<Case> rounded_boxes(const Case& one) {
   Case in_doubles = one;  // which hold the sum of a rounded middle and a rounded half
   in_doubles.precision = Precision::float64;
   const auto rounded = [&](double x) { return round_to(one.precision, x); };
   std::vector<Case> all;
-  for (int form = 0; form < 5; ++form) {
+  for (int form = 0; form < 6; ++form) {
+    const bool is_seen = form == 3 || form == 5;
     const auto made = with_shape<Box<double>>(in_doubles, [&](const RayQuestion& asked, auto& box) {
       const Box<double> given = box;
       for (int axis = 0; axis < 3; ++axis) {
         const double low = given.min[axis], high = given.max[axis], size = rounded(high - low);
         const double origin = asked.ray.origin[axis], middle = rounded(rounded(low + high) / 2);
         const double half = form == 1 ? rounded(high - middle) : rounded(size / 2);
-        const double seen = form == 3 ? origin + rounded(middle - origin) : middle;
-        box.min[axis] = form == 4 ? low : seen - half;
-        box.max[axis] = form == 4 ? rounded(low + size) : seen + half;
+        box.min[axis] = form == 4 ? low : middle - half;
+        box.max[axis] = form == 4 ? rounded(low + size) : middle + half;
+        if (form == 3) put_around(origin, rounded(origin - middle), half, box.min[axis], box.max[axis]);
+        if (form == 5)
+          put_around(origin, rounded(rounded(2 * origin - low) - high) / 2, size / 2, box.min[axis],
+                     box.max[axis]);
         if (form == 1 || form == 2) {
           box.min[axis] = rounded(box.min[axis]);
           box.max[axis] = rounded(box.max[axis]);
         }
       }
-      return (form != 3 || !asked.transform) && (box.min != given.min || box.max != given.max);
+      return !(is_seen && asked.transform) && (box.min != given.min || box.max != given.max);
     });
     all.insert(all.end(), made.begin(), made.end());
   }

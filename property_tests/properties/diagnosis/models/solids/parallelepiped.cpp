@@ -1,5 +1,7 @@
 #include "properties/diagnosis/models/solids/parallelepiped.hpp"
 
+#include "properties/claims/answers.hpp"
+
 namespace rayproof::diagnosis {
 
 std::vector<Case> parallelepiped_as_box(const Case& one) {
@@ -51,6 +53,20 @@ std::vector<Case> corner_as_centre(const Case& one) {
     solid.corner -= 0.5 * (solid.edges[0] + solid.edges[1] + solid.edges[2]);
     return true;
   });
+}
+
+std::vector<Case> edges_as_vertices(const Case& one) {
+  return with_shape<Parallelepiped<double>>(one, [](RayQuestion& /*asked*/, Parallelepiped<double>& solid) {
+    for (glm::dvec3& edge : solid.edges) edge -= solid.corner;
+    return true;
+  });
+}
+
+Answers small_volume_missed(const Case& one, const Answer& exact, double least) {
+  const auto* solid = shape_in<Parallelepiped<double>>(one);
+  if (solid == nullptr || !finds_something(exact)) return {};
+  const auto& e = solid->edges;
+  return std::abs(glm::determinant(glm::dmat3(e[0], e[1], e[2]))) < least ? Answers{RayAnswer{}} : Answers{};
 }
 
 std::vector<Case> edges_transposed(const Case& one) {

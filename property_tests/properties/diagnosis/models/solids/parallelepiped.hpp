@@ -2,6 +2,8 @@
 /// \file
 /// Readings of a parallelepiped that are not what is given.
 
+#include <cmath>
+
 #include "properties/diagnosis/models/models.hpp"
 
 namespace rayproof::diagnosis {
@@ -37,13 +39,22 @@ template <int edge, int other>
 
 /// @{ Readings of a parallelepiped: the box with two of its opposite corners; its bounding box; with each
 /// edge as long as its square; its edges taken for orthogonal, so that projections on them are coordinates;
-/// its corner taken for the centre; the matrix of its edges transposed.
+/// its corner taken for the centre; its edges for the vertices next to the corner; the matrix of its edges
+/// transposed.
 [[nodiscard]] std::vector<Case> parallelepiped_as_box(const Case& one);
 [[nodiscard]] std::vector<Case> parallelepiped_as_bounds(const Case& one);
 [[nodiscard]] std::vector<Case> edges_times_length(const Case& one);
 [[nodiscard]] std::vector<Case> edges_as_orthogonal(const Case& one);
 [[nodiscard]] std::vector<Case> corner_as_centre(const Case& one);
+[[nodiscard]] std::vector<Case> edges_as_vertices(const Case& one);
 [[nodiscard]] std::vector<Case> edges_transposed(const Case& one);
 /// @}
+
+/// What has a volume below 10^power is missed.
+[[nodiscard]] Answers small_volume_missed(const Case& one, const Answer& exact, double least);
+template <int power>
+[[nodiscard]] Answers small_volume_missed(const Case& one, const Answer& exact) {
+  return small_volume_missed(one, exact, std::pow(10.0, power));
+}
 
 }  // namespace rayproof::diagnosis
