@@ -113,7 +113,7 @@ int main(int argc, char** argv) {
     report::validate(options);
     return run(options);
   } catch (const std::exception& trouble) {
-    fmt::print(stderr, "rayproof report: {}\n", trouble.what());
+    print_trouble("rayproof report", trouble);
     return 2;
   }
 }

@@ -20,7 +20,7 @@ void finish_output() {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
   const std::string why = errno == 0 ? "is the disk full?" : std::generic_category().message(errno);
   // A reader who has seen enough (`| head`) is no failure to speak of.
-  if (errno != EPIPE) fmt::print(stderr, "rayproof: the output cannot be written: {}\n", why);
+  if (errno != EPIPE) print_to_stderr("rayproof: the output cannot be written: {}\n", why);
   std::_Exit(2);
 }
 
@@ -59,6 +59,10 @@ CommandLine::CommandLine(std::string description, std::string program)
 
 CommandLine::~CommandLine() = default;
 
+void print_trouble(const std::string& program, const std::exception& trouble) {
+  if (std::ferror(stdout) == 0) print_to_stderr("{}: {}\n", program, trouble.what());
+}
+
 std::optional<int> parse_command_line(CommandLine& app, int argc, const char* const* argv) {
   occupy_closed_streams();
   std::atexit(finish_output);
@@ -68,7 +72,7 @@ std::optional<int> parse_command_line(CommandLine& app, int argc, const char* co
   } catch (const CLI::Success& request) {  // --help
     return app.exit(request);
   } catch (const CLI::ParseError& mistake) {
-    fmt::print(stderr, "{}: {} (--help says more)\n", app.get_name(), sentence_of(app, mistake));
+    print_to_stderr("{}: {} (--help says more)\n", app.get_name(), sentence_of(app, mistake));
     return 2;
   }
 }

@@ -20,11 +20,11 @@ int run(const std::string& number, std::string from) {
   const std::vector<check::Peer> peers = check::peers_called({recorded.name});
   const dossier::Dossier opened = dossier::open_dossier(std::move(recorded), peers.front().command);
   if (!opened.objection.empty()) {
-    fmt::print(stderr, "rayproof bugreport: nothing to file: {}\n", opened.objection);
+    print_to_stderr("rayproof bugreport: nothing to file: {}\n", opened.objection);
     return 1;
   }
   fmt::print("{}", dossier::bug_report(opened));
-  fmt::print(stderr, "to be filed at {}\n", opened.library.tracker);
+  print_to_stderr("to be filed at {}\n", opened.library.tracker);
   return 0;
 }
 
@@ -48,7 +48,7 @@ int main(int argc, char** argv) {
   try {
     return run(number, from);
   } catch (const std::runtime_error& trouble) {
-    fmt::print(stderr, "rayproof bugreport: {}\n", trouble.what());
+    print_trouble("rayproof bugreport", trouble);
     return 2;
   }
 }

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <system_error>
+#include <stdexcept>
 
 #include "case/writer.hpp"
 #include "command_line/command_line.hpp"
@@ -74,7 +74,7 @@ int run(const CasesOptions& options) {
     for (const Precision precision : {Precision::float32, Precision::float64})
       if (!options.list && is_wanted(options.precisions, precision)) print_cases(family, precision, options);
   }
-  if (!has_any) fmt::print(stderr, "rayproof cases: no such family has cases about such a shape\n");
+  if (!has_any) print_to_stderr("rayproof cases: no such family has cases about such a shape\n");
   return has_any ? 0 : 2;
 }
 
@@ -88,7 +88,8 @@ int main(int argc, char** argv) {
   if (const auto status = parse_command_line(app, argc, argv)) return *status;
   try {
     return run(options);
-  } catch (const std::system_error&) {  // of the output, which says so at the end of every program
+  } catch (const std::runtime_error& trouble) {
+    print_trouble("rayproof cases", trouble);
   }
   return 2;
 }

@@ -85,7 +85,7 @@ int main(int argc, char** argv) {
       throw std::runtime_error("--replay prints what comes of it: leave --json, --junit and --findings out");
     return replay_file(options.replay);
   } catch (const std::runtime_error& trouble) {
-    fmt::print(stderr, "rayproof check: {}\n", trouble.what());
+    print_trouble("rayproof check", trouble);
   }
   return 2;
 }

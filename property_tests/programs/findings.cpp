@@ -115,7 +115,7 @@ int main(int argc, char** argv) {
   try {
     return run(options, command_of(argc, argv));
   } catch (const std::exception& trouble) {
-    fmt::print(stderr, "rayproof findings: {}\n", trouble.what());
+    print_trouble("rayproof findings", trouble);
     return 2;
   }
 }

@@ -73,7 +73,7 @@ int main(int argc, char** argv) {
   try {
     return run(options);
   } catch (const std::runtime_error& trouble) {
-    fmt::print(stderr, "rayproof leak: {}\n", trouble.what());
+    print_trouble("rayproof leak", trouble);
   }
   return 2;
 }

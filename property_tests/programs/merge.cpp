@@ -53,7 +53,7 @@ int main(int argc, char** argv) {
   try {
     return run(files, options);
   } catch (const std::runtime_error& trouble) {
-    fmt::print(stderr, "rayproof merge: {}\n", trouble.what());
+    print_trouble("rayproof merge", trouble);
   }
   return 2;
 }

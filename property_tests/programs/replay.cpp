@@ -21,7 +21,7 @@ int main(int argc, char** argv) {
     const auto number = rayproof::finding_number(what);
     return number ? rayproof::replay_finding(findings, *number) : rayproof::replay_file(what);
   } catch (const std::runtime_error& trouble) {
-    fmt::print(stderr, "rayproof replay: {}\n", trouble.what());
+    rayproof::print_trouble("rayproof replay", trouble);
     return 2;
   }
 }

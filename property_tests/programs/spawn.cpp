@@ -78,7 +78,7 @@ int main(int argc, char** argv) {
   try {
     return run(options);
   } catch (const std::runtime_error& trouble) {
-    fmt::print(stderr, "rayproof spawn: {}\n", trouble.what());
+    print_trouble("rayproof spawn", trouble);
   }
   return 2;
 }

@@ -95,7 +95,7 @@ int main(int argc, char** argv) {
   try {
     return run(options);
   } catch (const std::runtime_error& trouble) {
-    fmt::print(stderr, "rayproof worst: {}\n", trouble.what());
+    print_trouble("rayproof worst", trouble);
   }
   return 2;
 }

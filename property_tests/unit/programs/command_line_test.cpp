@@ -227,7 +227,8 @@ TEST(programs, end_with_2_where_their_output_is_lost) {
   const TemporaryFile file(sphere_case);
   for (const std::string& command :
        {"oracle " + file.path(), std::string("methods"), std::string("methods --json"),
-        std::string("cases --count 1"), "replay " + file.path(), std::string("check --help")})
+        std::string("cases --count 1"), std::string("cases --count 100"), "replay " + file.path(),
+        std::string("check --help")})
     for (const std::string where : {" > /dev/full", " >&-"}) {
       const Ended answered = run(command + where);
       EXPECT_EQ(answered.status, 2) << command << where;
