@@ -8,6 +8,7 @@
 #include "case/writer.hpp"
 #include "command_line/command_line.hpp"
 #include "command_line/count_option.hpp"
+#include "command_line/idle_options.hpp"
 #include "command_line/precision_option.hpp"
 #include "command_line/run_options.hpp"
 #include "properties/engine/hunt.hpp"
@@ -87,6 +88,7 @@ int main(int argc, char** argv) {
   describe(app, options);
   if (const auto status = parse_command_line(app, argc, argv)) return *status;
   try {
+    if (options.list) refuse_options(app, {"--count", "--seed", "--precision"}, "--list prints no cases");
     return run(options);
   } catch (const std::runtime_error& trouble) {
     print_trouble("rayproof cases", trouble);

@@ -74,16 +74,9 @@ int main(int argc, char** argv) {
       options.cases.value_or(options.has_guests() ? check::usual_cases_of_command : check::usual_cases);
   options.settings.count_labels = !options.has_guests();
   try {
+    check::refuse_idle_options(app, options);
     if (options.campaign) return check::run_campaign(options);
-    if (options.replay.empty()) return run(options);
-    if (options.has_guests())
-      throw std::runtime_error(
-          "--replay asks whoever a finding names, and of a bare case the library's own methods: leave "
-          "--subject and "
-          "--subject-command out, or give the cases as --corpus FILE");
-    if (!options.json.empty() || !options.junit.empty() || !options.findings.empty())
-      throw std::runtime_error("--replay prints what comes of it: leave --json, --junit and --findings out");
-    return replay_file(options.replay);
+    return options.replay.empty() ? run(options) : replay_file(options.replay);
   } catch (const std::runtime_error& trouble) {
     print_trouble("rayproof check", trouble);
   }

@@ -5,6 +5,7 @@
 
 #include "case/files.hpp"
 #include "command_line/command_line.hpp"
+#include "command_line/idle_options.hpp"
 #include "command_line/interrupt.hpp"
 #include "command_line/progress_line.hpp"
 #include "leaks/text.hpp"
@@ -71,6 +72,8 @@ int main(int argc, char** argv) {
   leaks::describe(app, options);
   if (const auto status = parse_command_line(app, argc, argv)) return *status;
   try {
+    if (!options.has_guests())
+      refuse_options(app, {"--case-seconds"}, "no --subject-command and no --subject is to be waited for");
     return run(options);
   } catch (const std::runtime_error& trouble) {
     print_trouble("rayproof leak", trouble);

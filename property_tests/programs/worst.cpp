@@ -4,6 +4,7 @@
 #include "case/files.hpp"
 #include "command_line/command_line.hpp"
 #include "command_line/count_option.hpp"
+#include "command_line/idle_options.hpp"
 #include "command_line/interrupt.hpp"
 #include "command_line/precision_option.hpp"
 #include "command_line/progress_line.hpp"
@@ -93,6 +94,7 @@ int main(int argc, char** argv) {
   describe(app, options);
   if (const auto status = parse_command_line(app, argc, argv)) return *status;
   try {
+    if (options.what.time) refuse_options(app, {"--cases"}, "--time stands in place of --cases");
     return run(options);
   } catch (const std::runtime_error& trouble) {
     print_trouble("rayproof worst", trouble);

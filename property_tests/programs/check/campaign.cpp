@@ -70,9 +70,6 @@ std::string state_file(const Options& options) {
 }
 
 int run_campaign(const Options& options) {
-  if (options.has_guests() || !options.replay.empty())
-    throw std::runtime_error(
-        "--campaign is about the library's own methods: leave --subject, --subject-command and --replay out");
   const campaign::CampaignState fresh = campaign::begin(options.settings, options.shard);
   make_folder(options.out);
   const FolderLock lock(options.out);
