@@ -1,11 +1,13 @@
 /// \file
 /// rayproof check: puts every method on trial before the exact oracle.
 
+#include "case/files.hpp"
 #include "command_line/command_line.hpp"
 #include "command_line/interrupt.hpp"
 #include "command_line/progress_line.hpp"
 #include "programs/check/campaign.hpp"
 #include "programs/check/corpus.hpp"
+#include "programs/check/folder_lock.hpp"
 #include "programs/check/guests.hpp"
 #include "programs/check/leaving.hpp"
 #include "programs/check/options.hpp"
@@ -33,6 +35,8 @@ int run(const check::Options& options) {
   Plan plan = guests.empty() ? make_plan(options.settings) : make_plan(options.settings, guests);
   plan.failures = std::move(failures);
   const std::vector<Case> corpus = check::read_corpus(options.corpus);
+  make_folder(options.out);
+  const check::FolderLock lock(options.out);
   check::Outputs outputs(options);
   std::size_t findings = 0;
 
