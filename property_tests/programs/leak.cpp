@@ -21,6 +21,13 @@ leaks::ClosedMesh mesh_called(const std::string& name) {
   return is_made ? leaks::make_mesh(name) : leaks::read_mesh(name);
 }
 
+const char* verdict_on(const leaks::SubjectPanel& panel, bool is_tight, bool was_interrupted) {
+  if (!is_tight)
+    return panel.guests.empty() ? "NOT every sound method is tight" : "NOT everybody on trial is tight";
+  if (was_interrupted) return "nobody who should be tight leaks or hits twice in what was judged";
+  return panel.guests.empty() ? "no sound method leaks or hits twice" : "nobody on trial leaks or hits twice";
+}
+
 int run(const leaks::LeakOptions& options) {
   const leaks::ClosedMesh mesh = mesh_called(options.mesh);
   const leaks::SubjectPanel panel = leaks::panel_of(options);
@@ -42,23 +49,16 @@ int run(const leaks::LeakOptions& options) {
   const std::vector<std::string> broken = leaks::broken_promises(result);
   for (const std::string& sentence : broken) fmt::print("{}\n", sentence);
   fmt::print("page: {}\n", (out / "index.html").string());
-  if (result.was_interrupted) {
-    fmt::print("interrupted: only what is shown was judged\n");
-    return 130;
-  }
+  if (result.was_interrupted) fmt::print("interrupted: only what is shown was judged\n");
   const auto was_asked = [](const leaks::Outcomes& one) {
     return one.total(one.rays) + one.failed + one.unsupported > 0;
   };
-  if (std::ranges::none_of(result.outcomes, was_asked))
+  if (!result.was_interrupted && std::ranges::none_of(result.outcomes, was_asked))
     throw std::runtime_error(
         "no ray was judged: the surface turns away from each of them near its target; "
         "more --rays may find some");
-  const char* const tight =
-      panel.guests.empty() ? "no sound method leaks or hits twice" : "nobody on trial leaks or hits twice";
-  const char* const loose =
-      panel.guests.empty() ? "NOT every sound method is tight" : "NOT everybody on trial is tight";
-  fmt::print("{}\n", broken.empty() ? tight : loose);
-  return broken.empty() ? 0 : 1;
+  fmt::print("{}\n", verdict_on(panel, broken.empty(), result.was_interrupted));
+  return result.was_interrupted ? 130 : broken.empty() ? 0 : 1;
 }
 
 }  // namespace

@@ -64,7 +64,9 @@ int run(const SpawnOptions& options) {
   const std::vector<std::string> broken = leaving::broken_promises(result);
   for (const std::string& sentence : broken) fmt::print("{}\n", sentence);
   if (result.was_interrupted) fmt::print("interrupted: only what is shown was judged\n");
-  fmt::print("{}\n", broken.empty() ? "what is proven holds" : "NOT all that is proven holds");
+  fmt::print("{}\n", !broken.empty()          ? "NOT all that is proven holds"
+                     : result.was_interrupted ? "nothing that is proven is broken by what was judged"
+                                              : "what is proven holds");
   return result.was_interrupted ? 130 : broken.empty() ? 0 : 1;
 }
 
