@@ -79,11 +79,21 @@ inline const Subject& subject_for(const Case& one, const std::string& method) {
   throw WrongCommand(fmt::format("there is no method {}; did you mean {}?", method, likely));
 }
 
-/// The same of a finding whose subject is a program, which is started and asked. Throws std::runtime_error
-/// where it gives no answer.
+/// The same of a finding whose subject is a program, which is started and asked. Where it gives no answer and
+/// that is the finding, the exact answer alone, and why; else throws std::runtime_error.
 [[nodiscard]] inline CaseReport report_on_program(const CaseArgument& argument) {
-  for (const Subject& one : subjects_of_command(command_name, argument.command, argument.case_time))
-    if (one.full_name() == argument.method) return report_of(argument.one, &one);
+  for (const Subject& one : subjects_of_command(command_name, argument.command, argument.case_time)) {
+    if (one.full_name() != argument.method) continue;
+    try {
+      return report_of(argument.one, &one);
+    } catch (const std::runtime_error& silence) {
+      if (argument.is_answered) throw;
+      print_to_stderr("{}: the exact answer alone\n", silence.what());
+      CaseReport report = report_of(argument.one, nullptr);
+      report.method = argument.method;
+      return report;
+    }
+  }
   throw WrongCommand("there is no method " + argument.method);
 }
 

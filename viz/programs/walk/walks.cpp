@@ -13,11 +13,11 @@
 namespace rayproof::viz {
 namespace {
 
-/// The report on the case with its method; without one, by the first sound one of its topic whose steps can
-/// be recorded.
+/// The report on the case with its method; without one, or its answer, by the first sound one of its topic
+/// whose steps can be recorded.
 CaseReport report_for(const CaseOptions& options) {
   const CaseReport report = report_case(options);
-  if (!report.method.empty()) return report;
+  if (report.claimed) return report;
   for (const Subject& subject : subjects()) {
     if (subject.topic != topic_of(report.one) || subject.contract.standing != Standing::sound) continue;
     if (!recorded_walk(report.one, subject.name)) continue;
