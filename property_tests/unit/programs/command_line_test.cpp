@@ -257,6 +257,23 @@ TEST(programs, take_no_number_for_another_one) {
   }
 }
 
+TEST(programs, name_what_is_given_an_empty_value) {
+  for (const auto& [command, name] :
+       std::initializer_list<std::pair<const char*, const char*>>{{"check --json ''", "--json"},
+                                                                  {"check --replay ''", "--replay"},
+                                                                  {"check --out ''", "--out"},
+                                                                  {"spawn --findings ''", "--findings"},
+                                                                  {"leak ''", "MESH"},
+                                                                  {"oracle ''", "FILE"},
+                                                                  {"intersect --method ''", "--method"}}) {
+    const Ended answered = run(command);
+    EXPECT_EQ(answered.status, 2) << command;
+    EXPECT_NE(answered.output.find(std::string(": ") + name + " is empty"), std::string::npos)
+        << command << answered.output;
+    EXPECT_EQ(std::count(answered.output.begin(), answered.output.end(), '\n'), 1) << answered.output;
+  }
+}
+
 TEST(programs, list_their_options) {
   for (const std::string program : {"oracle", "intersect", "methods"}) {
     const Ended help = run(program + " --help");
