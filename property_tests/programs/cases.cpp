@@ -58,12 +58,19 @@ void describe(CLI::App& app, CasesOptions& options) {
 void print_cases(const Family& family, Precision precision, const CasesOptions& options) {
   const std::uint64_t blocks = (options.count + cases_in_block - 1) / cases_in_block;
   std::uint64_t k = 0;
-  for (const std::uint64_t block_seed : seeds_of_blocks(family, precision, options.seed, blocks))
+  const auto print_block = [&](std::uint64_t block_seed) {
     for (std::uint64_t i = 0; i < cases_in_block && k < options.count; ++i, ++k) {
       Case one = family.generate(combine(block_seed, i), precision);
       one.id = fmt::format("\"{}/{}/{}/{}\"", family.topic, family.name, name_of(precision), k);
       fmt::print("{}\n", write_case(one));
     }
+  };
+  // A few seeds at first: a reader of the first cases need not wait for the seeds of all.
+  for (std::uint64_t done = 0, known = 0; done < blocks; done = known) {
+    known = std::min(blocks, std::max<std::uint64_t>(256, 16 * done));
+    const auto seeds = seeds_of_blocks(family, precision, options.seed, known);
+    std::for_each(seeds.begin() + static_cast<std::ptrdiff_t>(done), seeds.end(), print_block);
+  }
 }
 
 int run(const CasesOptions& options) {

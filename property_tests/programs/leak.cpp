@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "case/files.hpp"
+#include "case/one_file.hpp"
 #include "command_line/command_line.hpp"
 #include "command_line/idle_options.hpp"
 #include "command_line/interrupt.hpp"
@@ -31,7 +32,10 @@ const char* verdict_on(const leaks::SubjectPanel& panel, bool is_tight, bool was
 int run(const leaks::LeakOptions& options) {
   const leaks::ClosedMesh mesh = mesh_called(options.mesh);
   const leaks::SubjectPanel panel = leaks::panel_of(options);
-  make_folder(options.out);
+  const std::filesystem::path out(options.out);
+  for (const char* const own : {"index.html", "cases.jsonl"})
+    refuse_one_file("--json", options.json, "--out", out / own);
+  make_folder(out);
   std::ofstream json;
   if (!options.json.empty()) json = opened(options.json);
   keep_on_interrupt();
@@ -40,7 +44,6 @@ int run(const leaks::LeakOptions& options) {
       leaks::search(mesh, panel.all, options.settings, is_interrupted,
                     [&](double done, const std::string& what) { progress.show(done, what); });
   progress.clear();
-  const std::filesystem::path out(options.out);
   write_file(out / "index.html", leaks::html_page(mesh, options.settings, result));
   write_file(out / "cases.jsonl", leaks::case_lines(result));
   if (json.is_open()) finish(json << leaks::json_text(mesh, options.settings, result), options.json);

@@ -2,6 +2,7 @@
 /// rayproof spawn: leaves surfaces by every strategy, and judges the rays exactly.
 
 #include "case/files.hpp"
+#include "case/one_file.hpp"
 #include "case/writer.hpp"
 #include "command_line/command_line.hpp"
 #include "command_line/count_option.hpp"
@@ -45,6 +46,7 @@ void describe(CLI::App& app, SpawnOptions& options) {
 int run(const SpawnOptions& options) {
   if (const std::string sentence = leaving::unknown_names(options.settings); !sentence.empty())
     throw std::runtime_error(sentence);
+  refuse_one_file("--json", options.json, "--findings", options.findings);
   std::ofstream json, findings;
   if (!options.json.empty()) json = opened(options.json);
   if (!options.findings.empty()) findings = opened(options.findings);

@@ -2,6 +2,7 @@
 /// rayproof worst: looks for each method's worst cases by varying the worst that it knows.
 
 #include "case/files.hpp"
+#include "case/one_file.hpp"
 #include "command_line/command_line.hpp"
 #include "command_line/count_option.hpp"
 #include "command_line/idle_options.hpp"
@@ -65,8 +66,9 @@ std::size_t write_findings(const worst::WorstResult& result, std::ofstream& file
 
 int run(const WorstOptions& options) {
   (void)make_plan(options.what.plan);  // refuses unknown names before anything is written
-  make_folder(options.out);
   const std::filesystem::path name = std::filesystem::path(options.out) / "findings.jsonl";
+  refuse_one_file("--json", options.json, "--out", name);
+  make_folder(options.out);
   std::ofstream findings = opened(name), json;
   if (!options.json.empty()) json = opened(options.json);
   keep_on_interrupt();

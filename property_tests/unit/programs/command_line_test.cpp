@@ -210,6 +210,23 @@ TEST(check_program, refuses_one_file_for_two_outputs) {
   EXPECT_EQ(run(few + " --json /dev/null --junit /dev/null --findings " + out + "/findings.jsonl").status, 0);
 }
 
+TEST(programs, refuse_one_file_for_two_outputs) {
+  const std::string out = testing::TempDir() + "rayproof_two_outputs";
+  for (const std::string& command :
+       {"spawn --cases 1 --json " + out + ".json --findings " + out + ".json",
+        "leak cube --rays 1 --out " + out + " --json " + out + "/index.html",
+        "worst --cases 1 --method plane/implicit --out " + out + " --json " + out + "/findings.jsonl"}) {
+    const Ended answered = run(command);
+    EXPECT_EQ(answered.status, 2) << command;
+    EXPECT_NE(answered.output.find(" would write one file, "), std::string::npos) << answered.output;
+  }
+}
+
+TEST(cases_program, begins_at_once_however_many_are_asked_for) {
+  const Ended answered = run("cases --count 1e12 --shape plane | head -n 300 | tail -n 1");
+  EXPECT_EQ(answered.output, run("cases --count 300 --shape plane | head -n 300 | tail -n 1").output);
+}
+
 TEST(check_program, replays_and_writes_no_report) {
   const TemporaryFile file(sphere_case);
   const Ended answered = run("check --replay " + file.path() + " --json never.json");
