@@ -17,6 +17,7 @@
 #include "bench/vtk/plot_png.hpp"
 #include "case/files.hpp"
 #include "command_line/command_line.hpp"
+#include "command_line/idle_options.hpp"
 #include "command_line/progress_line.hpp"
 #ifdef RAYPROOF_LEAVING
 #include "bench/leaving/leaving.hpp"
@@ -110,10 +111,13 @@ int main(int argc, char** argv) {
   try {
     if (options.is_quick && app.count("--rays") == 0) options.rays = 4096;
     if (options.is_quick && app.count("--time") == 0) options.seconds = 0.02;
+    if (!options.figures.empty())
+      refuse_all_options_but(app, {"--figures", "--baseline", "--out", "--json"},
+                             "--figures measures nothing");
     report::validate(options);
     return run(options);
   } catch (const std::exception& trouble) {
-    fmt::print(stderr, "rayproof report: {}\n", trouble.what());
+    print_trouble("rayproof report", trouble);
     return 2;
   }
 }

@@ -19,7 +19,7 @@ case ${1-} in
 esac
 name=$1 && shift
 if [[ $name == */* || ! -x $programs/rayproof-$name ]]; then
-  printf "rayproof: there is no subcommand '%s'; rayproof --help lists them\n" "$name" >&2
+  printf "rayproof: there is no subcommand '%s'; rayproof --help lists them\n" "$name" >&2 || true
   exit 2
 fi
 exec "$programs/rayproof-$name" "$@"

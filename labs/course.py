@@ -15,6 +15,15 @@ class LabError(Exception):
     """What a student can mend: one sentence."""
 
 
+def read_text(file):
+    """The text of a file; where it is none, a sentence on the byte and the line."""
+    try:
+        return file.read_text(encoding="utf-8")
+    except UnicodeDecodeError as problem:
+        line = problem.object.count(b"\n", 0, problem.start) + 1
+        raise LabError(f"{file}, line {line}: the byte 0x{problem.object[problem.start]:02x} is no UTF-8; save the file as UTF-8") from problem
+
+
 class Lab:
     """A folder NN-name: lab.json, page.md, the stub name.cpp with its name.hpp, judge.cpp, solution/, wrong/."""
 
@@ -22,7 +31,7 @@ class Lab:
         self.folder, self.name = folder, folder.name
         self.number, self.stem = int(folder.name[:2]), folder.name[3:].replace("-", "_")
         try:
-            described = json.loads((folder / "lab.json").read_text(encoding="utf-8"))
+            described = json.loads(read_text(folder / "lab.json"))
             self.has_questions = (folder / "questions.py").exists()
             self.title, self.shape = described["title"], None if self.has_questions else described["shape"]
             self.stages, self.hints = described["stages"], described["hints"]
@@ -30,7 +39,7 @@ class Lab:
             self.wanted_claims = described.get("claims", [])  # which the answer must say enough for
             self.wants_all_hits = described.get("all_hits", False)
             self.libraries = [f"-l{name}" for name in described.get("libraries", [])]
-        except (OSError, ValueError, KeyError) as problem:
+        except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError) as problem:
             raise LabError(f"{folder}/lab.json: {problem}") from problem
 
     def file(self, language):
@@ -79,12 +88,18 @@ class Progress:
         self.folder, self.kept = folder, {}
         if (folder / self.FILE).exists():
             try:
-                self.kept = json.loads((folder / self.FILE).read_text(encoding="utf-8"))
-            except ValueError as problem:
+                self.kept = json.loads(read_text(folder / self.FILE))
+            except (ValueError, RecursionError) as problem:
                 raise LabError(f"{folder / self.FILE}: {problem}") from problem
-            labs = self.kept.get("labs", {}) if isinstance(self.kept, dict) else None
-            if not isinstance(labs, dict) or not all(isinstance(lab, dict) for lab in labs.values()):
+            if not self.is_own():
                 raise LabError(f"{folder / self.FILE} is not what {PROGRAM} has written; without it, you begin again")
+
+    def is_own(self):
+        """Whether what was read has the form of what `update` writes."""
+        labs = self.kept.get("labs", {}) if isinstance(self.kept, dict) else None
+        return (isinstance(labs, dict) and isinstance(self.kept.get("current"), (str, type(None))) and
+                all(isinstance(lab, dict) and lab.get("language") in (["cpp", "py"] if lab else [None]) and
+                    all(isinstance(lab.get(count, 0), int) for count in ("checks", "hints")) for lab in labs.values()))
 
     @classmethod
     def find(cls):

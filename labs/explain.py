@@ -63,7 +63,7 @@ def traced(lab, file, case, work):
         raise courses.LabError("the failing case has a transform, and explain has no matrices: it explains shapes that stay where they are")
     work.mkdir(parents=True, exist_ok=True)
     for source in (lab.folder / f"{lab.stem}.hpp", *file.parent.glob("*.h*"), file):
-        (work / source.name).write_text(over_numbers(source.read_text(encoding="utf-8")), encoding="utf-8")
+        (work / source.name).write_text(over_numbers(courses.read_text(source)), encoding="utf-8")
     (work / "explain.cpp").write_text(MAIN.format(answer=file.name, function=lab.stem, arguments=", ".join(map(literal, arguments))),
                                       encoding="utf-8")
     said = compile_over_numbers(["explain.cpp", "-o", "explain"], work)
@@ -71,7 +71,7 @@ def traced(lab, file, case, work):
         error = next((line for line in said.splitlines() if line.startswith(f"{file.name}:") and "error" in line), said.splitlines()[0])
         raise courses.LabError(f"explain runs your code with its own numbers in place of double; this line does not take them: {error}\n"
                                "It knows + - * /, comparisons, sqrt, abs, copysign, fma, min and max, and vectors with dot, cross and length.")
-    ended = trial.subprocess.run([work / "explain"], capture_output=True, text=True, timeout=60, check=False)
+    ended = trial.subprocess.run([work / "explain"], capture_output=True, text=True, errors="replace", timeout=60, check=False)
     rows = [line.split() for line in ended.stdout.splitlines()]
     return [(int(line), float(value), exact, float(bits)) for line, value, exact, bits, _ in sorted(rows, key=lambda row: int(row[4]))]
 
@@ -83,7 +83,7 @@ def short(exact):
 
 def print_explained(lab, file, case, work, asked):
     rows = traced(lab, file, case, work)
-    source = file.read_text(encoding="utf-8").splitlines()
+    source = courses.read_text(file).splitlines()
     print(f"{lab.name}: your code on the case that it fails\n  asked        {asked}\n\n"
           f"{'line':>5}  {'yours':22} {'in exact numbers':22} {'bits lost':9}")
     for line, value, exact, bits in rows:

@@ -129,17 +129,29 @@ def read_arguments(arguments):
     return parser.parse_args(arguments)
 
 
+def complain(words):
+    """Prints on standard error; where that is closed or its disk is full, the words are lost, and nothing else is."""
+    try:
+        if sys.stderr:
+            print(words, file=sys.stderr, flush=True)
+    except OSError:
+        sys.stderr = None  # what is left in it would be tried again at the end, and change the exit status
+
+
 def main():
     signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # whoever reads us may stop, as `head` does
+    for stream in (sys.stdout, sys.stderr):
+        if stream:
+            stream.reconfigure(errors="backslashreplace")  # for names that are no UTF-8, and terminals that know no ∞
     options = read_arguments(sys.argv[1:])
     try:
         course = courses.Course(options.labs)
         return grade.grade(course, options) if options.act is grade.grade else options.act(course, courses.Progress.find(), options)
     except courses.LabError as problem:
-        print(f"{PROGRAM}: {problem}", file=sys.stderr)
+        complain(f"{PROGRAM}: {problem}")
         return 2
     except trial.NotCompiled as problem:
-        print(f"{problem}\nIt does not compile, so nothing was judged.", file=sys.stderr)
+        complain(f"{problem}\nIt does not compile, so nothing was judged.")
         return 1
 
 
@@ -151,5 +163,5 @@ if __name__ == "__main__":
     except KeyboardInterrupt:
         sys.exit(130)
     except OSError as problem:
-        print(f"{PROGRAM}: {problem}", file=sys.stderr)
+        complain(f"{PROGRAM}: {problem}")
         os._exit(2)  # what is left in the output would be tried again, and fail again

@@ -43,7 +43,7 @@ def judge_stage(lab, described, command, work, *more, **how):
         return judge_mesh(described, command, out, *more, **how)
     figures, said = ask("check", command, out, ["--shape", lab.shape, "--cases", str(CASES), "--family",
                                                 ",".join(described["families"]), *more], how)
-    lines = (out / "findings.jsonl").read_text(encoding="utf-8").splitlines()
+    lines = (out / "findings.jsonl").read_text(encoding="utf-8", errors="replace").split("\n")[:-1]
     findings = [json.loads(line) | {"page": f"{out}/index.html#finding-{i}"} for i, line in enumerate(lines, 1)]
     claims = {one["property"]: one["mark"] != "BROKEN" for method in figures["methods"]
               for one in method["properties"] if one["held"] + one["broken"]}
@@ -84,7 +84,7 @@ def ask(program, command, out, options, how):
     if not (programs() / f"rayproof-{program}").exists():
         raise LabError(f"rayproof-{program} is missing beside rayproof-check: build or install it")
     ended = subprocess.run([programs() / f"rayproof-{program}", "--subject-command", command, "--precision", "float64", "--out", out,
-                            "--json", figures, *options], capture_output=True, text=True, check=False, **how)
+                            "--json", figures, *options], capture_output=True, text=True, errors="replace", check=False, **how)
     if ended.returncode not in (0, 1) or not figures.exists():
         raise LabError(f"rayproof {program} ended with {ended.returncode}: {ended.stderr}")
     return json.loads(figures.read_text(encoding="utf-8")), ended.stdout

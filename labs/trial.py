@@ -8,7 +8,7 @@ import subprocess
 import sys
 import time
 
-from course import OWN_LABS, LabError
+from course import OWN_LABS, LabError, read_text
 import stages
 
 COMPILER = shlex.split(os.environ.get("CXX", "c++"))
@@ -32,14 +32,16 @@ def without_store():
 
 
 def run_compiler(arguments, folder):
-    ended = subprocess.run([*COMPILER, *FLAGS, *map(str, arguments)], cwd=folder, capture_output=True, text=True, check=False)
+    ended = subprocess.run([*COMPILER, *FLAGS, *map(str, arguments)], cwd=folder, capture_output=True, text=True, errors="replace",
+                           check=False)
     return ended.stderr if ended.returncode else ""
 
 
 def compile_answer(lab, file, work):
     """What the compiler says where it fails; what it warns of is kept beside the object."""
     words = [*COMPILER, *FLAGS, *WARNINGS, "-fmax-errors=3", "-I", lab.folder, "-c", file.name, "-o", work / "answer.o"]
-    ended = subprocess.run(list(map(str, words)), cwd=file.parent, capture_output=True, text=True, check=False)
+    # It quotes the student's lines, whatever their bytes are.
+    ended = subprocess.run(list(map(str, words)), cwd=file.parent, capture_output=True, text=True, errors="replace", check=False)
     (work / "warnings.txt").write_text(ended.stderr, encoding="utf-8")
     return ended.stderr if ended.returncode else ""
 
@@ -96,9 +98,13 @@ def command_of(lab, file, work, judge_work=None):
     if file.suffix == ".cpp":
         return shlex.quote(str(build(lab, file, work, judge_work).resolve()))
     try:
-        compile(file.read_text(encoding="utf-8"), file.name, "exec")
+        compile(read_text(file), file.name, "exec")
     except SyntaxError as problem:
+        if problem.lineno is None:  # of a zero byte
+            raise NotCompiled(f"{file.name}: {problem.msg}") from problem
         raise NotCompiled(f"{file.name}:{problem.lineno}: {problem.msg}\n    {(problem.text or '').strip()}") from problem
+    except (ValueError, RecursionError, MemoryError) as problem:  # older Pythons of a zero byte; brackets without end
+        raise NotCompiled(f"{file.name}: {problem or 'brackets are nested too deeply'}") from problem
     return shlex.join([sys.executable, str(OWN_LABS / "judge.py"), str(file.resolve()), lab.stem, *lab.fields])
 
 

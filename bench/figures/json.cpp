@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
+#include "bench/figures/json_fields.hpp"
 #include "case/json/ordered.hpp"
 
 namespace rayproof::report {
@@ -67,67 +67,32 @@ Json scaling_of(const BenchRow& row) {
           {"passes_ns", passes_of(row.passes_ns)}};
 }
 
-/// A member of an object, as what it is to be; FiguresError where it is not there or something else.
-template <class Value>
-Value member(const Json& json, const std::string& place, const char* name) {
-  if (!json.is_object() || !json.contains(name))
-    throw FiguresError(fmt::format("{}: there is no \"{}\"", place, name));
-  try {
-    return json[name].get<Value>();
-  } catch (const Json::exception&) {
-    throw FiguresError(fmt::format("{}: \"{}\" is something else than it should be", place, name));
-  }
-}
-
-double number_in(const Json& json, const std::string& place, const char* name) {
-  const Json value = member<Json>(json, place, name);
-  if (value.is_null()) return std::numeric_limits<double>::quiet_NaN();
-  return value == "inf" ? std::numeric_limits<double>::infinity() : member<double>(json, place, name);
-}
-
-/// The one of some values that has this name.
-template <class Value>
-Value named(const Json& json, const std::string& place, const char* name,
-            std::initializer_list<Value> values) {
-  const auto wanted = member<std::string>(json, place, name);
-  const auto found = std::ranges::find_if(values, [&](Value value) { return name_of(value) == wanted; });
-  if (found == values.end()) throw FiguresError(fmt::format("{}: \"{}\" can't be '{}'", place, name, wanted));
-  return *found;
-}
-
-/// A number above 0.
-double positive(const Json& json, const std::string& place, const char* name) {
-  const auto value = member<double>(json, place, name);
-  if (!(value > 0)) throw FiguresError(fmt::format("{}: \"{}\" can't be {:g}", place, name, value));
-  return value;
-}
-
 /// What a row and a curve's have in common; the key `family_name` has the family.
 BenchRow read_timed(const Json& json, const std::string& place, const char* family_name) {
   BenchRow row{member<std::string>(json, place, "shape"),
                member<std::string>(json, place, "method"),
-               named(json, place, "precision", {Precision::float32, Precision::float64}),
-               named(json, place, "arrangement", {Arrangement::scalar, Arrangement::batch}),
+               named_in(json, place, "precision", {Precision::float32, Precision::float64}),
+               named_in(json, place, "arrangement", {Arrangement::scalar, Arrangement::batch}),
                member<std::string>(json, place, family_name),
-               positive(json, place, "ns_per_ray")};
-  row.passes_ns = member<std::vector<double>>(json, place, "passes_ns");
+               time_in(json, place, "ns_per_ray")};
+  row.passes_ns = times_in(json, place, "passes_ns");
   return row;
 }
 
 BenchRow read_row(const Json& json, const std::string& place) {
   BenchRow row = read_timed(json, place, "family");
   if (!row.has_errors()) return row;
-  row.accuracy.cases = member<std::size_t>(json, place, "rays");
-  row.accuracy.wrong_hits = member<std::size_t>(json, place, "wrong_hits");
-  row.accuracy.wrong_misses = member<std::size_t>(json, place, "wrong_misses");
-  row.accuracy.agreed_hits = member<std::size_t>(json, place, "agreed_hits");
-  for (const auto& [name, error] : errors_by_name) row.accuracy.*error = number_in(json, place, name);
+  row.accuracy.cases = count_in(json, place, "rays");
+  row.accuracy.wrong_hits = count_in(json, place, "wrong_hits");
+  row.accuracy.wrong_misses = count_in(json, place, "wrong_misses");
+  row.accuracy.agreed_hits = count_in(json, place, "agreed_hits");
+  for (const auto& [name, error] : errors_by_name) row.accuracy.*error = error_in(json, place, name);
   return row;
 }
 
 BenchRow read_scaling(const Json& json, const std::string& place) {
   BenchRow row = read_timed(json, place, "curve");
-  row.size = static_cast<std::size_t>(std::ceil(positive(json, place, "size")));
+  row.size = count_in(json, place, "size", 1e-6);
   return row;
 }
 
@@ -161,8 +126,11 @@ Measurements from_json(const std::string& text) {
   Measurements figures{member<std::string>(json, "the report", "machine"),
                        member<std::string>(json, "the report", "compiler"), 0,
                        rows_in(json, "rows", read_row)};
-  for (const Json& row : json["rows"])
-    figures.rays = std::max(figures.rays, row.value("rays", std::size_t{0}));
+  for (std::size_t i = 0; i < json["rows"].size(); ++i) {
+    const Json& row = json["rows"][i];
+    if (row.contains("rays"))
+      figures.rays = std::max(figures.rays, count_in(row, fmt::format("rows[{}]", i), "rays"));
+  }
   // Older reports have no curves.
   if (json.contains("scaling")) figures.scaling = rows_in(json, "scaling", read_scaling);
   return figures;

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <system_error>
@@ -20,7 +21,7 @@ void finish_output() {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
   const std::string why = errno == 0 ? "is the disk full?" : std::generic_category().message(errno);
   // A reader who has seen enough (`| head`) is no failure to speak of.
-  if (errno != EPIPE) fmt::print(stderr, "rayproof: the output cannot be written: {}\n", why);
+  if (errno != EPIPE) print_to_stderr("rayproof: the output cannot be written: {}\n", why);
   std::_Exit(2);
 }
 
@@ -52,6 +53,15 @@ std::string sentence_of(const CLI::App& app, const CLI::ParseError& mistake) {
   return mistake.what();
 }
 
+/// What was given no value, as by `--json ""`: it would go for one that was not given. Where a value may be
+/// left out, CLI11 makes it an empty one.
+std::optional<std::string> name_of_empty(const CLI::App& app) {
+  for (const CLI::Option* option : app.get_options())
+    if (option->get_expected_min() > 0 && std::ranges::count(option->results(), "") > 0)
+      return option->get_name();
+  return std::nullopt;
+}
+
 }  // namespace
 
 CommandLine::CommandLine(std::string description, std::string program)
@@ -59,16 +69,22 @@ CommandLine::CommandLine(std::string description, std::string program)
 
 CommandLine::~CommandLine() = default;
 
+void print_trouble(const std::string& program, const std::exception& trouble) {
+  if (std::ferror(stdout) == 0) print_to_stderr("{}: {}\n", program, trouble.what());
+}
+
 std::optional<int> parse_command_line(CommandLine& app, int argc, const char* const* argv) {
   occupy_closed_streams();
   std::atexit(finish_output);
   try {
     app.parse(argc, argv);
-    return std::nullopt;
+    const auto empty = name_of_empty(app);
+    if (empty) print_to_stderr("{}: {} is empty (--help says more)\n", app.get_name(), *empty);
+    return empty ? std::optional(2) : std::nullopt;
   } catch (const CLI::Success& request) {  // --help
     return app.exit(request);
   } catch (const CLI::ParseError& mistake) {
-    fmt::print(stderr, "{}: {} (--help says more)\n", app.get_name(), sentence_of(app, mistake));
+    print_to_stderr("{}: {} (--help says more)\n", app.get_name(), sentence_of(app, mistake));
     return 2;
   }
 }

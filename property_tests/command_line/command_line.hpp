@@ -7,8 +7,11 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <exception>
 #include <optional>
 #include <string>
+
+#include "case/print_to_stderr.hpp"
 
 namespace rayproof {
 
@@ -25,5 +28,9 @@ class CommandLine : public CLI::App {
 /// Parses the command line, and sees to it that a program whose output was lost ends with 2. Gives the exit
 /// status where the program is to end here.
 [[nodiscard]] std::optional<int> parse_command_line(CommandLine& app, int argc, const char* const* argv);
+
+/// One sentence on standard error about what ended the program. What its end will say of an output that was
+/// lost is not said twice.
+void print_trouble(const std::string& program, const std::exception& trouble);
 
 }  // namespace rayproof

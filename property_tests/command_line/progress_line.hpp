@@ -14,6 +14,8 @@
 #include <string>
 #include <string_view>
 
+#include "case/print_to_stderr.hpp"
+
 namespace rayproof {
 
 /// How long the rest takes, "1:05 to go" in minutes and seconds, where the work went from the share `begun`
@@ -50,17 +52,17 @@ class ProgressLine {
     const std::string line =
         fmt::format("{:3.0f} %  {}  {}", 100 * done, time_to_go(begun_, done, seconds), what);
     if (is_terminal_) {
-      fmt::print(stderr, "\r\x1b[K{}", cut_to_width(line));
+      print_to_stderr("\r\x1b[K{}", cut_to_width(line));
       is_shown_ = true;
     } else {
-      fmt::print(stderr, "{}\n", line);
+      print_to_stderr("{}\n", line);
     }
     std::fflush(stderr);
   }
 
   /// Takes the line away, so that other text can be printed.
   void clear() {
-    if (is_shown_) fmt::print(stderr, "\r\x1b[K");
+    if (is_shown_) print_to_stderr("\r\x1b[K");
     is_shown_ = false;
   }
 

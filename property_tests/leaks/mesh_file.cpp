@@ -1,13 +1,18 @@
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <new>
+#include <sstream>
 #include <stdexcept>
 #include <tuple>
 
+#include "case/memory_bound.hpp"
 #include "case/reader/near_names.hpp"
 #include "leaks/mesh.hpp"
 
@@ -33,23 +38,58 @@ class VertexNumbers {
   std::map<std::tuple<double, double, double>, std::size_t> numbers_{};
 };
 
-}  // namespace
+struct PolygonSoup {
+  std::vector<FilePoint> points{};
+  std::vector<std::vector<std::size_t>> faces{};
+};
 
-ClosedMesh read_mesh(const std::string& file) {
+/// Elements without a property take no room in a PLY file: CGAL would count through as many as the header
+/// says.
+void check_announced(const std::string& file, std::uintmax_t size) {
+  std::ifstream in(file, std::ios::binary);
+  std::string line, word, name;
+  std::getline(in, line);
+  if (!line.starts_with("ply")) return;
+  while (std::getline(in, line) && !line.starts_with("end_header")) {
+    double count = 0;
+    if (!(std::istringstream(line) >> word >> name >> count) || word != "element") continue;
+    if (count > static_cast<double>(size))
+      throw std::runtime_error(fmt::format(
+          "{} announces {:g} elements \"{}\", for which its {} bytes have no room", file, count, name, size));
+  }
+}
+
+/// The file's own counts are believed.
+std::runtime_error too_large(const std::string& file) {
+  return std::runtime_error(file + " asks for more memory than its size allows: are its counts right?");
+}
+
+PolygonSoup read_soup(const std::string& file) {
   if (!std::filesystem::exists(file)) {
     const auto meant = likely_name(file, made_meshes());
     throw std::runtime_error(file + " does not exist" + (meant ? "; did you mean " + *meant + "?" : ""));
   }
-  std::vector<FilePoint> points;
-  std::vector<std::vector<std::size_t>> faces;
-  bool is_read = false;
+  // A pipe or a device may never end.
+  if (!std::filesystem::is_regular_file(file))
+    throw std::runtime_error(file + " is no file that holds a mesh");
+  const std::uintmax_t size = std::filesystem::file_size(file);
+  check_announced(file, size);
+  PolygonSoup soup;
   try {
-    is_read = CGAL::IO::read_polygon_soup(file, points, faces);
-  } catch (const std::bad_alloc&) {  // the file's own counts are believed
-    throw std::runtime_error(file + " asks for more memory than there is: are its counts right?");
+    const MemoryBound bound(memory_for_mesh(size));
+    if (CGAL::IO::read_polygon_soup(file, soup.points, soup.faces) && !soup.faces.empty()) return soup;
+  } catch (const std::bad_alloc&) {
+    throw too_large(file);
+  } catch (const std::length_error&) {
+    throw too_large(file);
   }
-  if (!is_read || faces.empty())
-    throw std::runtime_error(file + " is no mesh in OFF, OBJ, STL or PLY that can be read");
+  throw std::runtime_error(file + " is no mesh in OFF, OBJ, STL or PLY that can be read");
+}
+
+}  // namespace
+
+ClosedMesh read_mesh(const std::string& file) {
+  const auto [points, faces] = read_soup(file);
   for (const std::vector<std::size_t>& face : faces)
     for (const std::size_t corner : face)
       if (corner >= points.size())

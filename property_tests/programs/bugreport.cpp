@@ -5,6 +5,7 @@
 #include "command_line/command_line.hpp"
 #include "dossier/bug_report.hpp"
 #include "programs/check/peers.hpp"
+#include "subjects/command.hpp"
 
 #include <filesystem>
 
@@ -17,14 +18,21 @@ int run(const std::string& number, std::string from) {
   if (!wanted) throw std::runtime_error(number + " is not the number of a finding");
   if (std::filesystem::is_directory(from)) from += "/findings.jsonl";
   dossier::RecordedFinding recorded = dossier::read_recorded(finding_line(from, *wanted), *wanted);
+  if (recorded.name == command_name) {
+    print_to_stderr(
+        "rayproof bugreport: nothing to file: finding {} is of a --subject-command, whose makers you know; "
+        "rayproof explain and draw show it\n",
+        *wanted);
+    return 1;
+  }
   const std::vector<check::Peer> peers = check::peers_called({recorded.name});
   const dossier::Dossier opened = dossier::open_dossier(std::move(recorded), peers.front().command);
   if (!opened.objection.empty()) {
-    fmt::print(stderr, "rayproof bugreport: nothing to file: {}\n", opened.objection);
+    print_to_stderr("rayproof bugreport: nothing to file: {}\n", opened.objection);
     return 1;
   }
   fmt::print("{}", dossier::bug_report(opened));
-  fmt::print(stderr, "to be filed at {}\n", opened.library.tracker);
+  print_to_stderr("to be filed at {}\n", opened.library.tracker);
   return 0;
 }
 
@@ -48,7 +56,7 @@ int main(int argc, char** argv) {
   try {
     return run(number, from);
   } catch (const std::runtime_error& trouble) {
-    fmt::print(stderr, "rayproof bugreport: {}\n", trouble.what());
+    print_trouble("rayproof bugreport", trouble);
     return 2;
   }
 }

@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <system_error>
+#include <stdexcept>
 
 #include "case/writer.hpp"
 #include "command_line/command_line.hpp"
 #include "command_line/count_option.hpp"
+#include "command_line/idle_options.hpp"
 #include "command_line/precision_option.hpp"
 #include "command_line/run_options.hpp"
 #include "properties/engine/hunt.hpp"
@@ -57,12 +58,19 @@ void describe(CLI::App& app, CasesOptions& options) {
 void print_cases(const Family& family, Precision precision, const CasesOptions& options) {
   const std::uint64_t blocks = (options.count + cases_in_block - 1) / cases_in_block;
   std::uint64_t k = 0;
-  for (const std::uint64_t block_seed : seeds_of_blocks(family, precision, options.seed, blocks))
+  const auto print_block = [&](std::uint64_t block_seed) {
     for (std::uint64_t i = 0; i < cases_in_block && k < options.count; ++i, ++k) {
       Case one = family.generate(combine(block_seed, i), precision);
       one.id = fmt::format("\"{}/{}/{}/{}\"", family.topic, family.name, name_of(precision), k);
       fmt::print("{}\n", write_case(one));
     }
+  };
+  // A few seeds at first: a reader of the first cases need not wait for the seeds of all.
+  for (std::uint64_t done = 0, known = 0; done < blocks; done = known) {
+    known = std::min(blocks, std::max<std::uint64_t>(256, 16 * done));
+    const auto seeds = seeds_of_blocks(family, precision, options.seed, known);
+    std::for_each(seeds.begin() + static_cast<std::ptrdiff_t>(done), seeds.end(), print_block);
+  }
 }
 
 int run(const CasesOptions& options) {
@@ -74,7 +82,7 @@ int run(const CasesOptions& options) {
     for (const Precision precision : {Precision::float32, Precision::float64})
       if (!options.list && is_wanted(options.precisions, precision)) print_cases(family, precision, options);
   }
-  if (!has_any) fmt::print(stderr, "rayproof cases: no such family has cases about such a shape\n");
+  if (!has_any) print_to_stderr("rayproof cases: no such family has cases about such a shape\n");
   return has_any ? 0 : 2;
 }
 
@@ -87,8 +95,10 @@ int main(int argc, char** argv) {
   describe(app, options);
   if (const auto status = parse_command_line(app, argc, argv)) return *status;
   try {
+    if (options.list) refuse_options(app, {"--count", "--seed", "--precision"}, "--list prints no cases");
     return run(options);
-  } catch (const std::system_error&) {  // of the output, which says so at the end of every program
+  } catch (const std::runtime_error& trouble) {
+    print_trouble("rayproof cases", trouble);
   }
   return 2;
 }

@@ -1,11 +1,13 @@
 /// \file
 /// rayproof check: puts every method on trial before the exact oracle.
 
+#include "case/files.hpp"
 #include "command_line/command_line.hpp"
 #include "command_line/interrupt.hpp"
 #include "command_line/progress_line.hpp"
 #include "programs/check/campaign.hpp"
 #include "programs/check/corpus.hpp"
+#include "programs/check/folder_lock.hpp"
 #include "programs/check/guests.hpp"
 #include "programs/check/leaving.hpp"
 #include "programs/check/options.hpp"
@@ -33,6 +35,8 @@ int run(const check::Options& options) {
   Plan plan = guests.empty() ? make_plan(options.settings) : make_plan(options.settings, guests);
   plan.failures = std::move(failures);
   const std::vector<Case> corpus = check::read_corpus(options.corpus);
+  make_folder(options.out);
+  const check::FolderLock lock(options.out);
   check::Outputs outputs(options);
   std::size_t findings = 0;
 
@@ -74,18 +78,11 @@ int main(int argc, char** argv) {
       options.cases.value_or(options.has_guests() ? check::usual_cases_of_command : check::usual_cases);
   options.settings.count_labels = !options.has_guests();
   try {
+    check::refuse_idle_options(app, options);
     if (options.campaign) return check::run_campaign(options);
-    if (options.replay.empty()) return run(options);
-    if (options.has_guests())
-      throw std::runtime_error(
-          "--replay asks whoever a finding names, and of a bare case the library's own methods: leave "
-          "--subject and "
-          "--subject-command out, or give the cases as --corpus FILE");
-    if (!options.json.empty() || !options.junit.empty() || !options.findings.empty())
-      throw std::runtime_error("--replay prints what comes of it: leave --json, --junit and --findings out");
-    return replay_file(options.replay);
+    return options.replay.empty() ? run(options) : replay_file(options.replay);
   } catch (const std::runtime_error& trouble) {
-    fmt::print(stderr, "rayproof check: {}\n", trouble.what());
+    print_trouble("rayproof check", trouble);
   }
   return 2;
 }

@@ -7,6 +7,7 @@
 
 #include "case/files.hpp"
 #include "command_line/command_line.hpp"
+#include "command_line/idle_options.hpp"
 #include "command_line/progress_line.hpp"
 #include "dossier/collection.hpp"
 #include "programs/check/peers.hpp"
@@ -113,9 +114,10 @@ int main(int argc, char** argv) {
   app.footer("Exit status: 0 the page is written, 2 it is not.");
   if (const auto status = parse_command_line(app, argc, argv)) return *status;
   try {
+    if (!options.from.empty()) refuse_options(app, {"--cases", "--shape"}, "--from runs no check");
     return run(options, command_of(argc, argv));
   } catch (const std::exception& trouble) {
-    fmt::print(stderr, "rayproof findings: {}\n", trouble.what());
+    print_trouble("rayproof findings", trouble);
     return 2;
   }
 }

@@ -47,7 +47,7 @@ int main(int argc, char** argv) {
 
   const Subject* const subject = find_subject(method);
   if (subject == nullptr) {
-    fmt::print(stderr, "{}\n", unknown_method(method));
+    print_to_stderr("{}\n", unknown_method(method));
     return 2;
   }
   return run_stream_program(file, [subject](const Case& one) { return answer_with(*subject, one); });

@@ -6,6 +6,7 @@
 #include "case/files.hpp"
 #include "command_line/command_line.hpp"
 #include "programs/check/campaign.hpp"
+#include "programs/check/folder_lock.hpp"
 
 namespace {
 
@@ -22,10 +23,11 @@ int run(const std::vector<std::string>& files, const check::Options& options) {
   for (const std::string& file : files)
     shards.push_back(campaign::load(std::filesystem::is_directory(file) ? file + "/campaign.json" : file));
   const campaign::CampaignState whole = campaign::merged(shards);
+  make_folder(options.out);
+  const check::FolderLock lock(options.out);
   const std::string out = check::state_file(options);
   if (std::filesystem::exists(out) && text_of(out) != campaign::write_state(whole))
     throw std::runtime_error(out + " holds another campaign, or a shard: --out names another folder");
-  make_folder(options.out);
   campaign::save(whole, out);
   return check::report_campaign(whole, options);
 }
@@ -53,7 +55,7 @@ int main(int argc, char** argv) {
   try {
     return run(files, options);
   } catch (const std::runtime_error& trouble) {
-    fmt::print(stderr, "rayproof merge: {}\n", trouble.what());
+    print_trouble("rayproof merge", trouble);
   }
   return 2;
 }

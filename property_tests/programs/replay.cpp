@@ -5,6 +5,7 @@
 
 #include "case/findings_file.hpp"
 #include "command_line/command_line.hpp"
+#include "command_line/idle_options.hpp"
 
 int main(int argc, char** argv) {
   rayproof::CommandLine app("Judges a finding of rayproof check again, or all findings and cases of a file.",
@@ -19,9 +20,10 @@ int main(int argc, char** argv) {
   if (const auto status = rayproof::parse_command_line(app, argc, argv)) return *status;
   try {
     const auto number = rayproof::finding_number(what);
+    if (!number) rayproof::refuse_options(app, {"--from"}, what + " is not the number of a finding");
     return number ? rayproof::replay_finding(findings, *number) : rayproof::replay_file(what);
   } catch (const std::runtime_error& trouble) {
-    fmt::print(stderr, "rayproof replay: {}\n", trouble.what());
+    rayproof::print_trouble("rayproof replay", trouble);
     return 2;
   }
 }

@@ -2,6 +2,7 @@
 /// rayproof spawn: leaves surfaces by every strategy, and judges the rays exactly.
 
 #include "case/files.hpp"
+#include "case/one_file.hpp"
 #include "case/writer.hpp"
 #include "command_line/command_line.hpp"
 #include "command_line/count_option.hpp"
@@ -45,6 +46,7 @@ void describe(CLI::App& app, SpawnOptions& options) {
 int run(const SpawnOptions& options) {
   if (const std::string sentence = leaving::unknown_names(options.settings); !sentence.empty())
     throw std::runtime_error(sentence);
+  refuse_one_file("--json", options.json, "--findings", options.findings);
   std::ofstream json, findings;
   if (!options.json.empty()) json = opened(options.json);
   if (!options.findings.empty()) findings = opened(options.findings);
@@ -64,7 +66,9 @@ int run(const SpawnOptions& options) {
   const std::vector<std::string> broken = leaving::broken_promises(result);
   for (const std::string& sentence : broken) fmt::print("{}\n", sentence);
   if (result.was_interrupted) fmt::print("interrupted: only what is shown was judged\n");
-  fmt::print("{}\n", broken.empty() ? "what is proven holds" : "NOT all that is proven holds");
+  fmt::print("{}\n", !broken.empty()          ? "NOT all that is proven holds"
+                     : result.was_interrupted ? "nothing that is proven is broken by what was judged"
+                                              : "what is proven holds");
   return result.was_interrupted ? 130 : broken.empty() ? 0 : 1;
 }
 
@@ -78,7 +82,7 @@ int main(int argc, char** argv) {
   try {
     return run(options);
   } catch (const std::runtime_error& trouble) {
-    fmt::print(stderr, "rayproof spawn: {}\n", trouble.what());
+    print_trouble("rayproof spawn", trouble);
   }
   return 2;
 }

@@ -2,8 +2,10 @@
 /// rayproof worst: looks for each method's worst cases by varying the worst that it knows.
 
 #include "case/files.hpp"
+#include "case/one_file.hpp"
 #include "command_line/command_line.hpp"
 #include "command_line/count_option.hpp"
+#include "command_line/idle_options.hpp"
 #include "command_line/interrupt.hpp"
 #include "command_line/precision_option.hpp"
 #include "command_line/progress_line.hpp"
@@ -64,8 +66,9 @@ std::size_t write_findings(const worst::WorstResult& result, std::ofstream& file
 
 int run(const WorstOptions& options) {
   (void)make_plan(options.what.plan);  // refuses unknown names before anything is written
-  make_folder(options.out);
   const std::filesystem::path name = std::filesystem::path(options.out) / "findings.jsonl";
+  refuse_one_file("--json", options.json, "--out", name);
+  make_folder(options.out);
   std::ofstream findings = opened(name), json;
   if (!options.json.empty()) json = opened(options.json);
   keep_on_interrupt();
@@ -93,9 +96,10 @@ int main(int argc, char** argv) {
   describe(app, options);
   if (const auto status = parse_command_line(app, argc, argv)) return *status;
   try {
+    if (options.what.time) refuse_options(app, {"--cases"}, "--time stands in place of --cases");
     return run(options);
   } catch (const std::runtime_error& trouble) {
-    fmt::print(stderr, "rayproof worst: {}\n", trouble.what());
+    print_trouble("rayproof worst", trouble);
   }
   return 2;
 }

@@ -4,6 +4,7 @@
 
 #include "case/files.hpp"
 #include "case/findings_file.hpp"
+#include "case/print_to_stderr.hpp"
 #include "case/shape_format.hpp"
 #include "case/writer.hpp"
 #include "properties/engine/plan.hpp"
@@ -89,7 +90,7 @@ void replay_line(const std::string& file, const std::string& line, std::size_t n
       throw Refusal("case", "case is not one of the subject's topic");
     judge(*subject, *property, replayed.one, number, replays);
   } catch (const Refusal& refusal) {
-    fmt::print(stderr, "{}:{}: {}\n", file, number, refusal.what());
+    print_to_stderr("{}:{}: {}\n", file, number, refusal.what());
     ++replays.refused;
   }
 }
@@ -110,7 +111,7 @@ int replay_file(const std::string& file) {
   std::size_t count = 0;
   while (std::getline(in, line)) replay_line(file, line, ++count, replays);
   // A run that found nothing leaves such a file, so that this is no error; said it must be.
-  if (count == 0) fmt::print(stderr, "{} is empty: it holds no finding and no case to judge\n", file);
+  if (count == 0) print_to_stderr("{} is empty: it holds no finding and no case to judge\n", file);
   return summed_up(replays);
 }
 

@@ -61,6 +61,8 @@ CaseArgument read_case_argument(std::string_view text, std::optional<Precision> 
     if (const auto seconds = members.find("case_seconds"))
       result.case_time =
           std::chrono::milliseconds(std::llround(1000 * read_number(*seconds, Precision::float64)));
+    if (const auto got = members.find("got"); got && got->node().kind == json::Kind::object)
+      result.is_answered = !ObjectReader(*got).find("error");
     text = finding->node().text;
   }
   result.one = read_case(text, precision);

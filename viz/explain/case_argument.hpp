@@ -15,8 +15,9 @@ namespace rayproof::viz {
 
 struct CaseArgument {
   Case one;
-  std::string method{};   ///< "sphere/textbook" where the case came in a finding; else empty
-  std::string command{};  ///< the shell line where the finding's subject is a program
+  std::string method{};     ///< "sphere/textbook" where the case came in a finding; else empty
+  std::string command{};    ///< the shell line where the finding's subject is a program
+  bool is_answered = true;  ///< false of a finding that the program gave no answer
   /// How long that may be silent.
   std::chrono::milliseconds case_time{usual_case_time};
 };

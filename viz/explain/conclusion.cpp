@@ -130,6 +130,7 @@ std::string answer_in_words(const CaseReport& report) {
 
 std::string conclusion_of(const CaseReport& report) {
   if (report.method.empty()) return "No method was asked, so there is nothing to compare.";
+  if (!report.claimed) return report.method + " gives no answer, so there is nothing to compare.";
   if (!report.walk) return without_steps(report);
   if (!verdicts_differ(&report.exact, report.claim()) && ulps_of(report) <= a_few_ulps)
     return right_answer_in_words(report);

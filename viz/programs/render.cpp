@@ -16,7 +16,7 @@ int main(int argc, char** argv) {
   } catch (const rayproof::render::Stopped&) {
     return 130;
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "rayproof render: {} is too large for this machine's memory\n", options.scene);
+    rayproof::print_to_stderr("rayproof render: {} is too large for this machine's memory\n", options.scene);
     return 2;
   }
 }

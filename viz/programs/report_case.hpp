@@ -12,6 +12,7 @@
 #include "case/reader/near_names.hpp"
 #include "command_line/command_line.hpp"
 #include "command_line/count_option.hpp"
+#include "command_line/idle_options.hpp"
 #include "subjects/command.hpp"
 #include "viz/explain/case_argument.hpp"
 #include "viz/programs/report_of.hpp"
@@ -28,6 +29,7 @@ struct CaseOptions {
 
   /// --from, and the options that are given back, for a case alone.
   std::array<CLI::Option*, 3> add_choices_to(CLI::App& app, const std::string& which_method) {
+    app_ = &app;
     app.add_option("--from", findings, "The findings of the run whose number is given")
         ->capture_default_str()
         ->type_name("FILE");
@@ -45,6 +47,16 @@ struct CaseOptions {
     add_choices_to(app, "The method, as in sphere/textbook; a finding brings its own");
     app.footer("Exit status: 0 done, 1 the case is refused, 2 wrong command line.");
   }
+
+  /// Throws std::runtime_error where an option was given that changes nothing for this CASE.
+  void refuse_idle() const {
+    const bool is_number = finding_number(text).has_value();
+    if (!is_number) refuse_options(*app_, {"--from"}, "no number of a finding is given");
+    if (is_number || text.starts_with('{')) refuse_options(*app_, {"--line"}, "no file of cases is given");
+  }
+
+ private:
+  const CLI::App* app_ = nullptr;
 };
 
 /// The subject to ask, or a WrongCommand that names likely ones: where the topic has any, only such as have
@@ -67,16 +79,27 @@ inline const Subject& subject_for(const Case& one, const std::string& method) {
   throw WrongCommand(fmt::format("there is no method {}; did you mean {}?", method, likely));
 }
 
-/// The same of a finding whose subject is a program, which is started and asked. Throws std::runtime_error
-/// where it gives no answer.
+/// The same of a finding whose subject is a program, which is started and asked. Where it gives no answer and
+/// that is the finding, the exact answer alone, and why; else throws std::runtime_error.
 [[nodiscard]] inline CaseReport report_on_program(const CaseArgument& argument) {
-  for (const Subject& one : subjects_of_command(command_name, argument.command, argument.case_time))
-    if (one.full_name() == argument.method) return report_of(argument.one, &one);
+  for (const Subject& one : subjects_of_command(command_name, argument.command, argument.case_time)) {
+    if (one.full_name() != argument.method) continue;
+    try {
+      return report_of(argument.one, &one);
+    } catch (const std::runtime_error& silence) {
+      if (argument.is_answered) throw;
+      print_to_stderr("{}: the exact answer alone\n", silence.what());
+      CaseReport report = report_of(argument.one, nullptr);
+      report.method = argument.method;
+      return report;
+    }
+  }
   throw WrongCommand("there is no method " + argument.method);
 }
 
 /// Reads the case, asks the oracle and the method. Throws WrongCommand, UnreadableCase or a Refusal.
 [[nodiscard]] inline CaseReport report_case(const CaseOptions& options) {
+  options.refuse_idle();
   std::optional<Precision> precision;
   if (!options.precision.empty()) precision = precision_named(options.precision);
   const auto argument =

@@ -126,10 +126,14 @@ int main(int argc, char** argv) {
   if (const auto status = parse_command_line(app, argc, argv)) return *status;
 
   const int status = viz::run_and_report("rayproof walk", [&] {
-    if (options.is_list) return print_topics();
+    if (options.is_list) {
+      refuse_all_options_but(app, {"--list"}, "--list prints the topics alone");
+      return print_topics();
+    }
     if (!options.topic.empty() && !options.one.text.empty())
       throw viz::WrongCommand("give a topic or --case, not both");
     if (finding_number(options.topic)) options.one.text = std::exchange(options.topic, "");
+    options.one.refuse_idle();
     const bool has_output =
         options.is_json || options.is_window || !(options.html + options.png + options.movie).empty();
     if (!has_output) options.html = viz::page_beside_findings(options.one, "walk");

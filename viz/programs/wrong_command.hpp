@@ -2,12 +2,10 @@
 /// \file
 /// What ends a program: a mistake in the command line that CLI11 can't see, with status 2, or a Refusal.
 
-#include <fmt/format.h>
-
-#include <cstdio>
 #include <stdexcept>
 
 #include "case/shape_format.hpp"
+#include "command_line/command_line.hpp"
 
 namespace rayproof::viz {
 
@@ -19,7 +17,7 @@ class WrongCommand : public std::runtime_error {
 template <class Body>
 [[nodiscard]] int run_and_report(const char* program, Body&& body) {
   const auto report = [program](const std::exception& why, int status) {
-    fmt::print(stderr, "{}: {}\n", program, why.what());
+    print_trouble(program, why);
     return status;
   };
   try {

@@ -36,18 +36,20 @@ Result read_one_shape(const Field& object, Precision precision) {
   return shape;
 }
 
-/// Two for each field that the shape needs and the object lacks; where `guesses`, one for each that only
-/// seems to be misspelt.
+/// How far the object is from the shape: 16 for each field that the shape needs and the object lacks; where
+/// `guesses`, 8 for each that only seems to be misspelt. One less for each that is there decides between
+/// shapes that lack as many.
 template <class Shape>
-std::size_t count_missing(const Field& object, bool guesses) {
+int distance_from(const Field& object, bool guesses) {
   ObjectReader reader(object);
-  std::size_t missing = 0;
+  int distance = 0;
   Shape shape{};
   ShapeFormat<Shape>::fields(shape, [&]<class T>(const char* name, T&) {
-    if (std::is_same_v<T, bool> || reader.find(name)) return;
-    missing += guesses && reader.has_misspelt(name) ? 1 : 2;
+    if (std::is_same_v<T, bool>) return;
+    const bool is_there = reader.find(name).has_value();
+    distance += is_there ? -1 : guesses && reader.has_misspelt(name) ? 8 : 16;
   });
-  return missing;
+  return distance;
 }
 
 /// The types of the shapes, each once.
@@ -64,25 +66,26 @@ std::vector<std::string> list_of_types() {
 }  // namespace detail
 
 /// Reads the shape that `object` describes into `shape`. Where several shapes share a type (the forms of a
-/// plane), it is the one that lacks the fewest fields, of which one that is there misspelt counts half.
+/// plane), it is the one that lacks the fewest fields, of which one that is there misspelt counts half; of
+/// those, the one of which the most are there.
 template <class... Shapes>
 void read_shape(const Field& object, Precision precision, std::variant<Shapes...>& shape) {
   using Result = std::variant<Shapes...>;
   Result (*read)(const Field&, Precision) = nullptr;
-  std::size_t fewest_missing = std::numeric_limits<std::size_t>::max();
+  int nearest = std::numeric_limits<int>::max();
 
   ObjectReader reader(object);
   static const std::vector<std::string> types = detail::list_of_types<Shapes...>();
   const std::string& type = types[read_name(reader.need("type"), "shape type", types)];
   const auto consider = [&]<class Candidate>(std::type_identity<Candidate>, bool guesses) {
     if (type != ShapeFormat<Candidate>::type) return;
-    const std::size_t missing = detail::count_missing<Candidate>(object, guesses);
-    if (missing >= fewest_missing) return;
-    fewest_missing = missing;
+    const int distance = detail::distance_from<Candidate>(object, guesses);
+    if (distance >= nearest) return;
+    nearest = distance;
     read = &detail::read_one_shape<Result, Candidate>;
   };
   (consider(std::type_identity<Shapes>{}, false), ...);
-  if (fewest_missing > 0) (consider(std::type_identity<Shapes>{}, true), ...);
+  if (nearest > 0) (consider(std::type_identity<Shapes>{}, true), ...);
 
   shape = read(object, precision);
 }

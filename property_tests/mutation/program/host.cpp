@@ -12,6 +12,7 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "case/print_to_stderr.hpp"
 #include "case/writer.hpp"
 #include "mutation/program/mutant_run.hpp"
 #include "mutation/program/notes.hpp"
@@ -73,11 +74,11 @@ unsigned number_in(const std::string& text) { return static_cast<unsigned>(std::
 
 int main(int argc, char** argv) {
   if (argc != 2 && argc != 4 && argc != 5) {
-    fmt::print(stderr,
-               "rayproof-check-mutants OBJECT: the methods in it, a line each\n"
-               "rayproof-check-mutants OBJECT METHOD FIRST LAST < NUMBERS: the mutants of these numbers on "
-               "cases FIRST to LAST - 1\n"
-               "rayproof-check-mutants OBJECT METHOD FILE < NUMBERS: on the cases of a file\n");
+    print_to_stderr(
+        "rayproof-check-mutants OBJECT: the methods in it, a line each\n"
+        "rayproof-check-mutants OBJECT METHOD FIRST LAST < NUMBERS: the mutants of these numbers on "
+        "cases FIRST to LAST - 1\n"
+        "rayproof-check-mutants OBJECT METHOD FILE < NUMBERS: on the cases of a file\n");
     return 2;
   }
   try {
@@ -90,7 +91,7 @@ int main(int argc, char** argv) {
     return run(target, argc == 4 ? inputs_of(target.subject, argv[3])
                                  : inputs_of(target.subject, number_in(argv[3]), number_in(argv[4])));
   } catch (const std::exception& trouble) {
-    fmt::print(stderr, "rayproof-check-mutants: {}\n", trouble.what());
+    print_to_stderr("rayproof-check-mutants: {}\n", trouble.what());
     return 2;
   }
 }

@@ -1,15 +1,13 @@
 #include "programs/check/campaign.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 #include <filesystem>
 
 #include "case/files.hpp"
 #include "command_line/interrupt.hpp"
 #include "command_line/progress_line.hpp"
+#include "programs/check/folder_lock.hpp"
 #include "programs/check/outputs.hpp"
 #include "programs/check/text.hpp"
 #include "properties/campaign/run.hpp"
@@ -21,23 +19,6 @@ namespace {
 
 /// How long a campaign that is killed loses at most, beside the block that it was in.
 constexpr std::chrono::seconds between_saves{2};
-
-/// As long as one lives, no other program's can be had of the same folder. A file system without locks has
-/// none.
-class FolderLock {
- public:
-  explicit FolderLock(const std::string& folder) : folder_(::open(folder.c_str(), O_RDONLY | O_CLOEXEC)) {
-    if (::flock(folder_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
-    ::close(folder_);
-    throw std::runtime_error("another campaign is running in " + folder);
-  }
-  ~FolderLock() { ::close(folder_); }
-  FolderLock(const FolderLock&) = delete;
-  FolderLock& operator=(const FolderLock&) = delete;
-
- private:
-  int folder_;
-};
 
 /// What is in the folder, or else the campaign that has not begun.
 campaign::CampaignState state_of(const Options& options, const campaign::CampaignState& fresh) {
@@ -70,9 +51,6 @@ std::string state_file(const Options& options) {
 }
 
 int run_campaign(const Options& options) {
-  if (options.has_guests() || !options.replay.empty())
-    throw std::runtime_error(
-        "--campaign is about the library's own methods: leave --subject, --subject-command and --replay out");
   const campaign::CampaignState fresh = campaign::begin(options.settings, options.shard);
   make_folder(options.out);
   const FolderLock lock(options.out);

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "command_line/count_option.hpp"
+#include "command_line/idle_options.hpp"
 #include "command_line/precision_option.hpp"
 #include "command_line/run_options.hpp"
 #include "command_line/time_option.hpp"
@@ -114,6 +115,30 @@ void describe(CLI::App& app, Options& options) {
   describe_filters(app, options);
   describe_outputs(app, options);
   app.footer(footer);
+}
+
+void refuse_idle_options(const CLI::App& app, const Options& options) {
+  if (options.campaign) {
+    if (options.has_guests() || !options.replay.empty())
+      throw std::runtime_error(
+          "--campaign is about the library's own methods: leave --subject, --subject-command and --replay "
+          "out");
+    refuse_options(app, {"--corpus", "--labels"}, "--campaign draws new cases alone");
+  }
+  if (!options.replay.empty()) {
+    if (options.has_guests())
+      throw std::runtime_error(
+          "--replay asks whoever a finding names, and of a bare case the library's own methods: leave "
+          "--subject and "
+          "--subject-command out, or give the cases as --corpus FILE");
+    if (!options.json.empty() || !options.junit.empty() || !options.findings.empty())
+      throw std::runtime_error("--replay prints what comes of it: leave --json, --junit and --findings out");
+    refuse_all_options_but(app, {"--replay"}, "--replay judges every line of its file");
+  }
+  if (options.has_guests())
+    refuse_options(app, {"--labels", "--measure"}, "a program's answers are judged without a contract");
+  else
+    refuse_options(app, {"--case-seconds"}, "no --subject-command and no --subject is to be waited for");
 }
 
 }  // namespace rayproof::check

@@ -36,4 +36,7 @@ inline constexpr std::uint64_t usual_cases = 10'000, usual_cases_of_command = 2'
 /// Describes the options to `app`, which fills `options`.
 void describe(CLI::App& app, Options& options);
 
+/// Throws std::runtime_error with one sentence where an option was given that would change nothing.
+void refuse_idle_options(const CLI::App& app, const Options& options);
+
 }  // namespace rayproof::check

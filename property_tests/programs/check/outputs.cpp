@@ -1,11 +1,9 @@
 #include "programs/check/outputs.hpp"
 
-#include <fmt/format.h>
-
-#include <stdexcept>
 #include <string_view>
 
 #include "case/files.hpp"
+#include "case/one_file.hpp"
 #include "properties/report/guest.hpp"
 #include "properties/report/report.hpp"
 #include "viz/page/page.hpp"
@@ -16,25 +14,16 @@ static void open(std::ofstream& file, const std::filesystem::path& path) {
   if (!path.empty()) file = opened(path);
 }
 
-/// Two outputs in one file would leave the later one alone. Findings may be asked for where they go anyway.
+/// Findings may be asked for where they go anyway.
 static void refuse_one_file_for_two(const Options& options, const std::filesystem::path& folder) {
-  const auto refuse = [](const char* one, const std::filesystem::path& file, const char* other,
-                         const std::filesystem::path& same) {
-    std::error_code error;
-    if (file.empty() ||
-        std::filesystem::weakly_canonical(file, error) != std::filesystem::weakly_canonical(same, error))
-      return;
-    if (std::filesystem::exists(file, error) && !std::filesystem::is_regular_file(file, error)) return;
-    throw std::runtime_error(fmt::format("{} and {} would write one file, {}", one, other, file.string()));
-  };
-  refuse("--json", options.json, "--junit", options.junit);
-  refuse("--json", options.json, "--findings", options.findings);
-  refuse("--junit", options.junit, "--findings", options.findings);
+  refuse_one_file("--json", options.json, "--junit", options.junit);
+  refuse_one_file("--json", options.json, "--findings", options.findings);
+  refuse_one_file("--junit", options.junit, "--findings", options.findings);
   for (const char* const own : {"index.html", "scene.js", "as-found.jsonl", "findings.jsonl"}) {
-    refuse("--json", options.json, "--out", folder / own);
-    refuse("--junit", options.junit, "--out", folder / own);
+    refuse_one_file("--json", options.json, "--out", folder / own);
+    refuse_one_file("--junit", options.junit, "--out", folder / own);
     if (own != std::string_view("findings.jsonl"))
-      refuse("--findings", options.findings, "--out", folder / own);
+      refuse_one_file("--findings", options.findings, "--out", folder / own);
   }
 }
 

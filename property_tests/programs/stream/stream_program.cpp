@@ -1,13 +1,13 @@
 #include "programs/stream/answer_stream.hpp"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdio>
 #include <filesystem>
 #include <system_error>
+
+#include "case/print_to_stderr.hpp"
 
 namespace rayproof {
 
@@ -28,7 +28,7 @@ int run_stream_program(const std::string& file, const AnswerFunction& answer) {
     return answer_stream(input, STDOUT_FILENO, answer) > 0 ? 1 : 0;
   } catch (const std::system_error& error) {
     // A reader who has seen enough (`| head`) is no failure to speak of.
-    if (error.code() != std::errc::broken_pipe) fmt::print(stderr, "rayproof: {}\n", error.what());
+    if (error.code() != std::errc::broken_pipe) print_to_stderr("rayproof: {}\n", error.what());
     return 2;
   }
 }

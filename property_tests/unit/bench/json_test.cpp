@@ -103,11 +103,39 @@ TEST(Json, ThatIsNoReportIsRefusedByAWordOnThePlace) {
   EXPECT_EQ(complaint(one.dump()), "rows[0]: \"ns_per_ray\" can't be 0");
 }
 
+TEST(Json, WithANumberThatNoReportHasIsRefusedByTheFieldsName) {
+  const auto report = nlohmann::json::parse(
+      to_json({"m", "c", 1, {sphere_row("centred", Arrangement::batch, "far", 1, 0, 0)}}));
+  for (const auto& [field, value] :
+       std::initializer_list<std::pair<const char*, nlohmann::json>>{{"mean_bits", 1e300},
+                                                                     {"mean_bits", "inf"},
+                                                                     {"mean_bits", true},
+                                                                     {"max_ulp", -1},
+                                                                     {"p99_ulp", "-inf"},
+                                                                     {"max_point", nlohmann::json::array()},
+                                                                     {"wrong_hits", -1},
+                                                                     {"wrong_misses", 1e300},
+                                                                     {"agreed_hits", nullptr},
+                                                                     {"rays", 1e300},
+                                                                     {"ns_per_ray", 1e300},
+                                                                     {"ns_per_ray", 1e-300},
+                                                                     {"passes_ns", {1, 0}},
+                                                                     {"passes_ns", {"one"}},
+                                                                     {"passes_ns", 3}}) {
+    auto one = report;
+    one["rows"][0][field] = value;
+    EXPECT_TRUE(complaint(one.dump()).starts_with("rows[0]: \"" + std::string(field) + "\" "))
+        << field << " " << value << ": " << complaint(one.dump());
+  }
+}
+
 TEST(Json, OfACurveThatIsNoneIsRefusedByAWordOnThePlace) {
   auto one =
       nlohmann::json::parse(to_json({"m", "c", 1, {}, {curve_row("scenes", "spheres", "list", 3, 50)}}));
   one["scaling"][0]["size"] = -3;
   EXPECT_EQ(complaint(one.dump()), "scaling[0]: \"size\" can't be -3");
+  one["scaling"][0]["size"] = 1e300;
+  EXPECT_EQ(complaint(one.dump()), "scaling[0]: \"size\" can't be 1e+300");
   one["scaling"][0].erase("size");
   EXPECT_EQ(complaint(one.dump()), "scaling[0]: there is no \"size\"");
   one["scaling"] = "none";

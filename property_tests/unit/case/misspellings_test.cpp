@@ -27,6 +27,9 @@ TEST(reader, names_the_field_that_a_misspelt_one_stands_for) {
   };
   expect_refused(plane(R"("type": "plane", "normal": [0,0,1], "pont": [0,0,0])"), "shape",
                  R"(shape has an unknown field "pont"; did you mean "point"?)");
+  // Of forms that lack as many fields, the one that has more of those that are there.
+  expect_refused(plane(R"("type": "plane", "u": [0,0,1])"), "shape.point", "shape.point is missing");
+  expect_refused(plane(R"("type": "plane")"), "shape.normal", "shape.normal is missing");
   expect_refused(plane(R"("type": "plane", "normal": [0,0,1], "D": 1)"), "shape",
                  R"(shape has an unknown field "D"; did you mean "d"?)");
 }

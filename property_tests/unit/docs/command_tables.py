@@ -12,14 +12,14 @@ PLACEHOLDERS = [
 UNKNOWN = re.compile(r"(?<![\w=$'\"-])(?:[A-Z]{2,}|[A-Z])(?![\w=])")  # in capitals still: no value of ours
 
 # Numbers that are set in a command whatever it has, and options that are added where it has none of a kind.
-SMALLER = [(r"rayproof check\b", "--cases", "200"), (r"rayproof worst\b", "--cases", "500"), (r"rayproof spawn\b", "--cases", "32"), (r"--cases 400000", "--cases", "20"), (r"rayproof report\b", "--rays", "256"), (r"rayproof report\b", "--time", "0.02"),
+SMALLER = [(r"rayproof check\b(?!.*--replay\b)", "--cases", "200"), (r"rayproof worst\b", "--cases", "500"), (r"rayproof spawn\b", "--cases", "32"), (r"--cases 400000", "--cases", "20"), (r"rayproof report\b(?!.*--figures\b)", "--rays", "256"), (r"rayproof report\b(?!.*--figures\b)", "--time", "0.02"),
            (r"rayproof bench\b", "--benchmark_min_time", "0.001"),
            (r"rayproof render\b(?!.*--case\b)", "--size", "240x135"), (r"rayproof leak\b", "--rays", "5000")]
 ADDED = [(r"rayproof check\b(?!.*--(shape|topic|method|replay)\b)", "--topic quadratic"),
          (r"rayproof spawn\b(?!.*--strategy\b)", "--strategy proven"),  # the others' smallest cases take seconds to find
-         (r"rayproof report\b(?!.*--(shape|topic)\b)", "--shape quadratic"),
-         (r"rayproof report\b(?!.*--family\b)", "--family random"),
-         (r"rayproof report\b(?!.*--precision\b)", "--precision float32")]
+         (r"rayproof report\b(?!.*--(figures|shape|topic)\b)", "--shape quadratic"),
+         (r"rayproof report\b(?!.*--(figures|family)\b)", "--family random"),
+         (r"rayproof report\b(?!.*--(figures|precision)\b)", "--precision float32")]
 # A check of all methods; a test of the whole check runs one.
 ANY_CHECK = re.compile(r"(?:\./)?rayproof check")
 # What does the same on every page, so that no later command of the page needs it: run for the first page that has it.

@@ -27,7 +27,7 @@ def main():
 
         def lab(arguments, status, *wanted, cwd=folder):
             ended = subprocess.run([sys.executable, program, *arguments.split()], cwd=cwd, capture_output=True, text=True, check=False)
-            said = ended.stdout + ended.stderr
+            said = lab.said = ended.stdout + ended.stderr
             if ended.returncode != status or any(words not in said for words in wanted):
                 faults.append(f"lab {arguments}: {ended.returncode}, not {status} with {wanted}:\n{said}")
             return ended.stdout
@@ -49,6 +49,8 @@ def main():
         lab("check", 1, "no function as sphere.hpp declares it")
         answer.write_text("#include <cstdlib>\n" + solution.replace("std::vector<double> hits;", "std::abort();\nstd::vector<double> hits;"))
         lab("check", 1, "WRONG")
+        answer.write_bytes(solution.replace("return hits;", "return hit; // \u00e9\u00e8", 1).encode("latin-1", errors="replace"))
+        lab("check", 1, "sphere.cpp:", "return hit;", "does not compile")
         answer.write_text(solution, encoding="utf-8")
         lab("check 4", 0, "passed")
         lab("list", 0, "passed")
@@ -69,6 +71,10 @@ def main():
         lab("check", 1, "sphere.py, line 2: IndexError", cwd=python)
         written.write_text(lab("show 4 --give-up", 0, cwd=python), encoding="utf-8")
         lab("check", 0, "passed", cwd=python)
+        written.write_bytes("# für\ndef sphere(*given):\n    return 'à'\n".encode("latin-1"))
+        lab("check", 2, f"{written}, line 1: the byte 0xfc is no UTF-8", cwd=python)
+        written.write_text("def sphere(*given):\n    return 'a\0'\n")
+        lab("check", 1, "sphere.py: ", "null bytes", "does not compile", cwd=python)
         lab("start ray --python", 0, "ray.py", cwd=python)
         written = python / "00-ray/ray.py"
         for line, words in (("return 'one'", "which is no answer to this question"), ("return given[9]", "ray.py, line 2: IndexError"),
@@ -77,6 +83,13 @@ def main():
             lab("check ray", 1, "WRONG  easy: there is an answer", words, cwd=python)
         written.write_text(lab("show ray --give-up", 0, cwd=python), encoding="utf-8")
         lab("check ray", 0, "passed", cwd=python)
+        state = python / "rayproof-lab.json"
+        for damage in (b"\xff[[[", b"[" * 10**5, b'{"labs": {"04-sphere": {"language": "rust"}}}', b'{"current": ["x"]}',
+                       b'{"labs": {"04-sphere": {"language": "py", "hints": "two"}}}'):
+            state.write_bytes(damage)
+            lab("hint sphere", 2, f"{state}", cwd=python)
+            if lab.said.count("\n") != 1:
+                faults.append(f"not one sentence: {lab.said}")
     print("\n".join(faults))
     sys.exit(bool(faults))
 

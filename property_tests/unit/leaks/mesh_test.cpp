@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -111,6 +112,40 @@ TEST(Mesh, IsTurnedOutwardHoweverItWinds) {
 TEST(Mesh, OfSquaresHasADiagonalInEach) {
   const ClosedMesh cube = make_mesh("cube");
   EXPECT_EQ(targets_of(cube).diagonals.size(), 6U);
+}
+
+TEST(Mesh, ThatAnnouncesMoreThanItHoldsIsRefusedAtOnce) {
+  const std::string off = tetrahedron_off, ply = tetrahedron_ply;
+  const auto with = [](std::string text, const std::string& old, const std::string& now) {
+    return text.replace(text.find(old), old.size(), now);
+  };
+  const std::string header = "ply\nformat ascii 1.0\n";
+  for (const auto& [name, text, words] : std::initializer_list<std::array<std::string, 3>>{
+           {"vertices.off", with(off, "4 4 0", "2000000000 4 0"),
+            "asks for more memory than its size allows"},
+           {"faces.off", with(off, "4 4 0", "4 2000000000 0"), "asks for more memory than its size allows"},
+           {"many.off", with(off, "4 4 0", "4 1000000000000000 0"), "is no mesh"},
+           {"corners.off", with(off, "3 0 3 2", "2000000000 0 3 2"), "asks for more memory than its size"},
+           {"negative.off", with(off, "3 0 3 2", "-3 0 3 2"), "asks for more memory than its size allows"},
+           {"vertices.ply", with(ply, "vertex 4", "vertex 1000000000000000"),
+            "announces 1e+15 elements \"vertex\""},
+           {"faces.ply", with(ply, "face 4", "face 1000000000000000"), "announces 1e+15 elements \"face\""},
+           {"bare.ply", header + "element vertex 1000000000000000\nend_header\n", "announces 1e+15 elements"},
+           {"other.ply", header + "element other 1e300\nend_header\n", "announces 1e+300 elements \"other\""},
+           {"corners.ply", with(with(ply, "uchar int", "uint int"), "3 0 3 2", "2000000000 0 3 2"), ""},
+           {"endless.ply", header + "element face 10\n", "is no mesh"}}) {
+    const std::string file = file_with(name, text);
+    const std::string trouble = trouble_with([&file = file] { (void)read_mesh(file); });
+    EXPECT_TRUE(trouble.starts_with(file)) << trouble;
+    EXPECT_NE(trouble.find(words), std::string::npos) << trouble;
+  }
+}
+
+TEST(Mesh, ThatIsAPipeOrADeviceIsRefused) {
+  const std::string device = (std::filesystem::path(testing::TempDir()) / "zero.ply").string();
+  std::filesystem::remove(device);
+  std::filesystem::create_symlink("/dev/zero", device);
+  EXPECT_EQ(trouble_with([&] { (void)read_mesh(device); }), device + " is no file that holds a mesh");
 }
 
 TEST(Mesh, ThatCannotBeUsedIsRefusedWithOneSentence) {

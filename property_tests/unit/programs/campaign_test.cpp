@@ -149,7 +149,8 @@ TEST_F(CampaignProgram, HasItsFolderForItself) {
                           "1)) -lt 300; do sleep 0.1; done; " +
                           endless +
                           " --resume > second.txt 2>&1; echo $? >> second.txt; kill -INT $!; wait; }");
-  EXPECT_EQ(text_of("one/second.txt"), "rayproof check: another campaign is running in out/check\n2\n");
+  EXPECT_EQ(text_of("one/second.txt"),
+            "rayproof check: another check or campaign is running in out/check\n2\n");
 }
 
 TEST_F(CampaignProgram, ShardsRunSideBySideUnderGnuParallel) {

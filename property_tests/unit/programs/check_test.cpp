@@ -137,6 +137,14 @@ TEST_F(CheckProgram, ALineThatCannotBeReplayedIsNamed) {
   EXPECT_NE(replayed.output.find("f.jsonl:1: "), std::string::npos) << replayed.output;
 }
 
+TEST_F(CheckProgram, HasItsFolderForItself) {
+  (void)check(
+      "--method plane/implicit --cases 10 > first.txt 2>&1; exec 8< out/check; flock 8; " RAYPROOF_BIN_DIR
+      "/rayproof-check --method plane/implicit --cases 10 > second.txt 2>&1; echo $? >> second.txt");
+  EXPECT_EQ(text_of("second.txt"), "rayproof check: another check or campaign is running in out/check\n2\n");
+  EXPECT_GT(text_of("out/check/index.html").size(), 1000U) << "what the first wrote stands";
+}
+
 TEST_F(CheckProgram, TheFindingsAreTheSameForEveryNumberOfJobs) {
   ASSERT_EQ(check(short_refutation + " --jobs 1 --findings one.jsonl").status, 0);
   ASSERT_EQ(check(short_refutation + " --jobs 2 --findings two.jsonl").status, 0);

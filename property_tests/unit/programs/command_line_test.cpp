@@ -210,6 +210,23 @@ TEST(check_program, refuses_one_file_for_two_outputs) {
   EXPECT_EQ(run(few + " --json /dev/null --junit /dev/null --findings " + out + "/findings.jsonl").status, 0);
 }
 
+TEST(programs, refuse_one_file_for_two_outputs) {
+  const std::string out = testing::TempDir() + "rayproof_two_outputs";
+  for (const std::string& command :
+       {"spawn --cases 1 --json " + out + ".json --findings " + out + ".json",
+        "leak cube --rays 1 --out " + out + " --json " + out + "/index.html",
+        "worst --cases 1 --method plane/implicit --out " + out + " --json " + out + "/findings.jsonl"}) {
+    const Ended answered = run(command);
+    EXPECT_EQ(answered.status, 2) << command;
+    EXPECT_NE(answered.output.find(" would write one file, "), std::string::npos) << answered.output;
+  }
+}
+
+TEST(cases_program, begins_at_once_however_many_are_asked_for) {
+  const Ended answered = run("cases --count 1e12 --shape plane | head -n 300 | tail -n 1");
+  EXPECT_EQ(answered.output, run("cases --count 300 --shape plane | head -n 300 | tail -n 1").output);
+}
+
 TEST(check_program, replays_and_writes_no_report) {
   const TemporaryFile file(sphere_case);
   const Ended answered = run("check --replay " + file.path() + " --json never.json");
@@ -227,7 +244,8 @@ TEST(programs, end_with_2_where_their_output_is_lost) {
   const TemporaryFile file(sphere_case);
   for (const std::string& command :
        {"oracle " + file.path(), std::string("methods"), std::string("methods --json"),
-        std::string("cases --count 1"), "replay " + file.path(), std::string("check --help")})
+        std::string("cases --count 1"), std::string("cases --count 100"), "replay " + file.path(),
+        std::string("check --help")})
     for (const std::string where : {" > /dev/full", " >&-"}) {
       const Ended answered = run(command + where);
       EXPECT_EQ(answered.status, 2) << command << where;
@@ -252,6 +270,23 @@ TEST(programs, take_no_number_for_another_one) {
         "check --case-seconds nan --subject-command cat", "check --subject-command ''"}) {
     const Ended answered = run(command);
     EXPECT_EQ(answered.status, 2) << command;
+    EXPECT_EQ(std::count(answered.output.begin(), answered.output.end(), '\n'), 1) << answered.output;
+  }
+}
+
+TEST(programs, name_what_is_given_an_empty_value) {
+  for (const auto& [command, name] :
+       std::initializer_list<std::pair<const char*, const char*>>{{"check --json ''", "--json"},
+                                                                  {"check --replay ''", "--replay"},
+                                                                  {"check --out ''", "--out"},
+                                                                  {"spawn --findings ''", "--findings"},
+                                                                  {"leak ''", "MESH"},
+                                                                  {"oracle ''", "FILE"},
+                                                                  {"intersect --method ''", "--method"}}) {
+    const Ended answered = run(command);
+    EXPECT_EQ(answered.status, 2) << command;
+    EXPECT_NE(answered.output.find(std::string(": ") + name + " is empty"), std::string::npos)
+        << command << answered.output;
     EXPECT_EQ(std::count(answered.output.begin(), answered.output.end(), '\n'), 1) << answered.output;
   }
 }

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "case/case.hpp"
+#include "case/print_to_stderr.hpp"
 #include "case/writer.hpp"
 #include "command_line/progress_line.hpp"
 #include "viz/programs/files.hpp"
@@ -121,10 +122,10 @@ class Render {
       const std::string page =
           fmt::format("{}-{}-{}.html", std::filesystem::path(scene_.file).stem().string(), pixel.x, pixel.y);
       write_page(report, page);
-      fmt::print(stderr, "saved {}\n", page);
+      print_to_stderr("saved {}\n", page);
       return fmt::format("pixel {} {} by {}: {}", pixel.x, pixel.y, report.method, page);
     } catch (const std::runtime_error& failure) {
-      fmt::print(stderr, "rayproof render: {}\n", failure.what());
+      print_to_stderr("rayproof render: {}\n", failure.what());
       return failure.what();
     }
   }
@@ -174,9 +175,9 @@ class Render {
     if (!near_) {
       near_ = embree_tree(scene_, method_margin);
       if (!near_) {
-        fmt::print(stderr,
-                   "rayproof render: without Embree in this build, {} objects are searched more slowly\n",
-                   scene_.objects.size());
+        print_to_stderr(
+            "rayproof render: without Embree in this build, {} objects are searched more slowly\n",
+            scene_.objects.size());
         near_ = bounds_tree(scene_, method_margin);
       }
     }

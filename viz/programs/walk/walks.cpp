@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 
+#include "case/print_to_stderr.hpp"
 #include "case/reader/near_names.hpp"
 #include "viz/programs/report_of.hpp"
 #include "viz/walkthrough/lesson.hpp"
@@ -13,21 +13,20 @@
 namespace rayproof::viz {
 namespace {
 
-/// The report on the case with its method; without one, by the first sound one of its topic whose steps can
-/// be recorded.
+/// The report on the case with its method; without one, or its answer, by the first sound one of its topic
+/// whose steps can be recorded.
 CaseReport report_for(const CaseOptions& options) {
   const CaseReport report = report_case(options);
-  if (!report.method.empty()) return report;
+  if (report.claimed) return report;
   for (const Subject& subject : subjects()) {
     if (subject.topic != topic_of(report.one) || subject.contract.standing != Standing::sound) continue;
     if (!recorded_walk(report.one, subject.name)) continue;
-    fmt::print(stderr,
-               "rayproof walk: {} (the first sound method whose steps can be recorded; --method chooses)\n",
-               subject.full_name());
+    print_to_stderr(
+        "rayproof walk: {} (the first sound method whose steps can be recorded; --method chooses)\n",
+        subject.full_name());
     return report_of(report.one, &subject);
   }
-  fmt::print(
-      stderr,
+  print_to_stderr(
       "rayproof walk: the exact answer alone (no {} method's steps can be recorded; --method chooses)\n",
       topic_of(report.one));
   return report;

@@ -13,6 +13,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "case/memory_bound.hpp"
 #include "viz/render/scene/scene_reader.hpp"
 
 namespace rayproof::render {
@@ -81,7 +82,10 @@ std::vector<Triangle<double>> read_by_name(const std::filesystem::path& file) {
         "{} is no mesh that can be read: its name must end in .obj, .stl, .ply or .off", file.string()));
   }
   // Some files that are not well-formed crash VTK 9.1's readers: let that be another process's end.
-  const auto triangles = made_apart([&] { return read(file); });
+  const auto triangles = made_apart([&] {
+    const MemoryBound bound(memory_for_mesh(std::filesystem::file_size(file)));
+    return read(file);
+  });
   if (!triangles) throw UnreadableFile(fmt::format("{} is no well-formed {} file", file.string(), ending));
   return *triangles;
 }
@@ -89,7 +93,8 @@ std::vector<Triangle<double>> read_by_name(const std::filesystem::path& file) {
 }  // namespace
 
 std::vector<Triangle<double>> read_mesh(const std::filesystem::path& file) {
-  if (std::filesystem::is_directory(file) || !std::ifstream(file))
+  // A pipe or a device may never end.
+  if (!std::filesystem::is_regular_file(file) || !std::ifstream(file))
     throw UnreadableFile(fmt::format("the file {} can't be read", file.string()));
   std::vector<Triangle<double>> triangles = read_by_name(file);
   if (triangles.empty()) throw UnreadableFile(fmt::format("{} holds no triangle", file.string()));

@@ -15,6 +15,7 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "case/print_to_stderr.hpp"
 #include "case/writer.hpp"
 #include "viz/flat/stage_picture.hpp"
 #include "viz/vtk/offscreen_display.hpp"
@@ -117,9 +118,9 @@ class StageWindow::Impl {
     try {
       repaint(true);
       write_png(pixels_of(view.window()), path);
-      fmt::print(stderr, "saved {}\n", path);
+      print_to_stderr("saved {}\n", path);
     } catch (const std::runtime_error& failure) {
-      fmt::print(stderr, "rayproof walk: {}\n", failure.what());
+      print_to_stderr("rayproof walk: {}\n", failure.what());
     }
   }
 

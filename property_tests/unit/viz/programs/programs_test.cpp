@@ -117,6 +117,37 @@ bool says(const Ended& ended, const std::string& words) {
   return ended.output.find(words) != std::string::npos;
 }
 
+TEST_F(Programs, AnOutputThatIsLostEndsWith2AndOneSentence) {
+  for (const std::string& command :
+       {explain + sphere + "--method sphere/textbook", walk_program + "--list", walk_program + "ray --json"})
+    for (const std::string where : {" > /dev/full", " >&-"}) {
+      const Ended ended = run(command + where);
+      EXPECT_EQ(ended.status, 2) << command << where;
+      EXPECT_EQ(std::count(ended.output.begin(), ended.output.end(), '\n'), 1) << ended.output;
+    }
+}
+
+TEST_F(Programs, ExplainDrawAndWalkShowTheCaseThatAProgramDidNotAnswer) {
+  std::ofstream(file("f.jsonl"))
+      << R"({"subject": "sphere/command", "shape": "sphere", "method": "command", "property": "answers", )"
+      << R"("kind": "protocol", "case": {"ray": {"origin": [0,0,-5], "direction": [0,0,1]}, )"
+      << R"("shape": {"type": "sphere", "center": [0,0,0], "radius": 1}}, "got": {"error": "was silent"}, )"
+      << R"("command": "false", "case_seconds": 1})"
+      << "\n";
+  const Ended explained = run(explain + "1 --from " + file("f.jsonl"));
+  EXPECT_EQ(explained.status, 0) << explained.output;
+  EXPECT_TRUE(says(explained, "exact                     hit: t₀ = 4, t₁ = 6\n")) << explained.output;
+  EXPECT_TRUE(says(explained, ": the exact answer alone\n")) << explained.output;
+  EXPECT_TRUE(says(explained, "sphere/command gives no answer")) << explained.output;
+  const Ended drawn = run(draw + "1 --from " + file("f.jsonl"));
+  EXPECT_EQ(drawn.status, 0) << drawn.output;
+  EXPECT_TRUE(says(drawn, ": the exact answer alone\n")) << drawn.output;
+  EXPECT_TRUE(std::filesystem::exists(file("draw-1.html")));
+  const Ended walked = run(walk_program + "1 --from " + file("f.jsonl"));
+  EXPECT_EQ(walked.status, 0) << walked.output;
+  EXPECT_TRUE(std::filesystem::exists(file("walk-1.html")));
+}
+
 TEST_F(Programs, OnlyMethodsWithStepsToShowAreRecommended) {
   for (const std::string& program : {explain + a_sphere, walk_program + "--json --case " + a_sphere}) {
     const Ended ended = run(program + "--method sphere/gln");
