@@ -47,11 +47,13 @@ TEST_F(GuestPictures, ShowWhatTheProgramClaimsBesideWhatIsExact) {
     EXPECT_NE(page.find(word), std::string::npos) << word;
 }
 
-TEST_F(GuestPictures, AreRefusedWithTheReasonWhereTheProgramGivesNoAnswer) {
+TEST_F(GuestPictures, ShowTheExactAnswerAloneWithTheReasonWhereTheProgramGivesNone) {
   EXPECT_EQ(check("misbehaving.py nonsense").status, 1);
   const Ended drawn = in_folder("draw 1");
-  EXPECT_EQ(drawn.status, 2);
+  EXPECT_EQ(drawn.status, 0);
   EXPECT_NE(drawn.output.find("wrote a line that is no answer"), std::string::npos) << drawn.output;
+  const std::string page = text_of("out/check/draw-1.html");
+  EXPECT_NE(page.find("exact, correctly rounded"), std::string::npos);
 }
 
 }  // namespace

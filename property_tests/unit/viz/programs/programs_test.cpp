@@ -118,8 +118,8 @@ bool says(const Ended& ended, const std::string& words) {
 }
 
 TEST_F(Programs, AnOutputThatIsLostEndsWith2AndOneSentence) {
-  for (const std::string& command :
-       {explain + sphere + "--method sphere/textbook", walk_program + "--list", walk_program + "ray --json"})
+  for (const std::string& command : {explain + a_sphere + "--method sphere/textbook", walk_program + "--list",
+                                     walk_program + "ray --json"})
     for (const std::string where : {" > /dev/full", " >&-"}) {
       const Ended ended = run(command + where);
       EXPECT_EQ(ended.status, 2) << command << where;
