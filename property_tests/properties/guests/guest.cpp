@@ -114,6 +114,35 @@ QuadraticAnswer<double> completed_roots(const Case& one, QuadraticAnswer<double>
   return answer;
 }
 
+/// A box as the parallelepiped that it is; nothing for other shapes, for a box under a transform, which is
+/// measured as any solid is, for one without thickness, and for a ray that runs in a face: comparing its
+/// origin rounds nothing.
+std::optional<Case> as_parallelepiped(const Case& one) {
+  const auto* asked = std::get_if<RayQuestion>(&one.question);
+  const auto* box = asked == nullptr ? nullptr : std::get_if<Box<double>>(&asked->shape);
+  if (box == nullptr || asked->transform) return std::nullopt;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double o = asked->ray.origin[axis];
+    if (asked->ray.direction[axis] == 0 && (o == box->min[axis] || o == box->max[axis])) return std::nullopt;
+    if (box->min[axis] == box->max[axis]) return std::nullopt;
+  }
+  Case solid = one;
+  const glm::dvec3 size = box->max - box->min;
+  std::get<RayQuestion>(solid.question).shape =
+      Parallelepiped<double>{box->min, {{{size.x, 0, 0}, {0, size.y, 0}, {0, 0, size.z}}}};
+  return solid;
+}
+
+/// A guest may look whether a point of the ray lies on a face of the box, which rounds more than the t of its
+/// slabs: how near the verdict is to another one is measured as of any solid.
+oracle::Judgement measured_as_solid(const Case& one, const Answer& claimed, oracle::Judgement judgement) {
+  const auto solid = judgement.wrong ? as_parallelepiped(one) : std::nullopt;
+  if (!solid) return judgement;
+  const oracle::Judgement of_solid = oracle::judge(*solid, claimed);
+  judgement.margin = of_solid.wrong ? std::min(judgement.margin, of_solid.margin) : 0;
+  return judgement;
+}
+
 }  // namespace
 
 Answer completed(const Subject& subject, const Case& one, const Answer& given) {
@@ -131,9 +160,11 @@ Answer completed(const Subject& subject, const Case& one, const Answer& given) {
 oracle::Judgement judged(const Case& one, const Answer& claimed) {
   const oracle::Judgement as_nearest = oracle::judge(one, claimed);
   if (as_nearest.ulp <= 2) return as_nearest;  // what follows takes as long as all else
-  if (const std::optional<Case> cut = cut_before_next_hit(one, claimed))
-    return oracle::judge(*cut, RayAnswer{.nearest_only = true});
-  return as_nearest;
+  if (const std::optional<Case> cut = cut_before_next_hit(one, claimed)) {
+    const RayAnswer miss{.nearest_only = true};
+    return measured_as_solid(*cut, miss, oracle::judge(*cut, miss));
+  }
+  return measured_as_solid(one, claimed, as_nearest);
 }
 
 bool is_for_guest(const Subject& guest, const Case& one) {
