@@ -75,14 +75,14 @@ std::vector<Diagnosis> CauseSearch::groups() const {
   return groups;
 }
 
-Indices CauseSearch::explained_of_all(const Hypothesis& one) const {
+Indices CauseSearch::explained_of_all(const Hypothesis& one, Examination::Mistake mistake) const {
   const Indices all = all_of(examination_.failing_count());
   if (one.is_asked_alone) return depends_on_others(all) ? all : Indices{};
   const bool is_isolated = one.perturbs && are_isolated(all, 50);
   const bool speaks_of_detail =
       one.predict != nullptr && one.aspect == Aspect::hits && detail_of(patient_.claim).has_value();
   const bool is_asked = may_be(one, is_isolated) || speaks_of_detail;
-  Indices cases = is_asked ? examination_.explained(one, all) : Indices{};
+  Indices cases = is_asked ? examination_.explained(one, all, mistake) : Indices{};
   return is_too_small_a_share(one, cases) ? Indices{} : cases;
 }
 

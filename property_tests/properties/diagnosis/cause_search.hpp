@@ -34,7 +34,7 @@ class CauseSearch {
   [[nodiscard]] std::vector<const Hypothesis*> likely_by_precision() const;
   /// Which of all failing cases it explains, though they may not show all that it says; none where it proves
   /// nothing here.
-  [[nodiscard]] Indices explained_of_all(const Hypothesis& one) const;
+  [[nodiscard]] Indices explained_of_all(const Hypothesis& one, Examination::Mistake mistake = {}) const;
 
  private:
   /// What explains most of the cases, or else the largest part of them; no cause where nothing explains

@@ -67,16 +67,17 @@ std::vector<Cover::Candidate> Cover::candidates() const {
   for (const Hypothesis& cause : hypotheses()) {
     if (!is_named(cause)) continue;
     Candidate candidate{&cause};
+    const Examination::Mistake mistake = common_mistake(cause);
     std::size_t explained = 0, contradictions = 0;
     bool is_shown_whole = false;
     for (const Sheet& sheet : sheets_) {
       // A cure that only says where to look says nothing of lost digits.
       const bool is_of_more = sheet.counts_digits && cause.is_vague && cause.change != nullptr;
-      Indices cases = is_of_more ? Indices{} : sheet.search->explained_of_all(cause);
+      Indices cases = is_of_more ? Indices{} : sheet.search->explained_of_all(cause, mistake);
       explained += cases.size();
       is_shown_whole = is_shown_whole || sheet.examination->is_shown_whole(cause, cases);
       const bool is_refutable = !cases.empty() || (cause.speaks_of_all && cause.change == nullptr);
-      const std::size_t against = is_refutable ? sheet.examination->contradictions(cause, cases) : 0;
+      const std::size_t against = is_refutable ? sheet.examination->contradictions(cause, cases, mistake) : 0;
       contradictions += against;
       candidate.against += sheet.weight * static_cast<double>(against);
       candidate.explained.push_back(std::move(cases));
@@ -85,6 +86,24 @@ std::vector<Cover::Candidate> Cover::candidates() const {
   }
   name_by_models(all);
   return all;
+}
+
+/// A subject makes one mistake, whatever it is complained of: of few cases others would do as well.
+Examination::Mistake Cover::common_mistake(const Hypothesis& cause) const {
+  if (!cause.is_one_of_many) return std::nullopt;
+  std::size_t mistakes = 0, best = 0, most = 0;
+  for (const Sheet& sheet : sheets_) mistakes = std::max(mistakes, sheet.examination->mistake_count(cause));
+  for (std::size_t mistake = 0; mistake < mistakes; ++mistake) {
+    std::size_t count = 0;
+    for (const Sheet& sheet : sheets_) {
+      const Examination& examination = *sheet.examination;
+      count += examination.explained(cause, all_of(examination.failing_count()), mistake).size();
+    }
+    if (count <= most) continue;
+    most = count;
+    best = mistake;
+  }
+  return best;
 }
 
 /// Whether it is named for some complaint.

@@ -35,6 +35,7 @@ class Cover {
   };
 
   [[nodiscard]] std::vector<Candidate> candidates() const;
+  [[nodiscard]] Examination::Mistake common_mistake(const Hypothesis& cause) const;
   [[nodiscard]] bool is_named(const Hypothesis& cause) const;
   [[nodiscard]] double weight_of_common(const Candidate& one, const std::vector<Indices>& others) const;
   [[nodiscard]] Candidate* model_of(const Candidate& cure, std::vector<Candidate>& candidates) const;

@@ -42,10 +42,12 @@ std::string trouble_in(const Finding& finding) {
   return text;
 }
 
-/// The one that is shown: the gravest, and of these the simplest.
+/// The one that is shown: the gravest; of these what speaks of hits, from which wrong details follow, and the
+/// simplest.
 bool is_better(const Finding& one, const Finding& other, KindOf gravity) {
   const auto rank = [&](const Finding& some) {
-    return std::tuple(gravity(some), some.property->name == "digits", complexity(some.one));
+    return std::tuple(gravity(some), some.property->name == "digits", !is_of_hits(some),
+                      complexity(some.one));
   };
   return rank(one) < rank(other);
 }

@@ -66,8 +66,8 @@ std::size_t Examination::hits_lost(const Hypothesis& cure, std::span<const std::
   return 2 * lost > asked.size() ? failing_.size() : 0;
 }
 
-std::size_t Examination::contradictions(const Hypothesis& hypothesis,
-                                        std::span<const std::size_t> explained) const {
+std::size_t Examination::contradictions(const Hypothesis& hypothesis, std::span<const std::size_t> explained,
+                                        Mistake mistake) const {
   if (hypothesis.change != nullptr) return hits_lost(hypothesis, explained);
   std::set<Form> forms;
   for (const std::size_t i : explained) forms.insert(form_of(failing_.at(i).asked.one));
@@ -75,14 +75,14 @@ std::size_t Examination::contradictions(const Hypothesis& hypothesis,
   const auto finds = std::ranges::count_if(
       explained, [&](std::size_t i) { return finds_something(failing_.at(i).got.value_or(Answer{})); });
   const bool finds_some = finds > 0;
-  const std::size_t mistake = best_mistake(hypothesis, explained);
+  const std::size_t made = mistake ? *mistake : best_mistake(hypothesis, explained);
   std::size_t found = 0, against_found = 0, against = 0;
   for (const Known& known : passing_) {
     if (!known.got || !(hypothesis.speaks_of_all || forms.contains(form_of(known.asked.one)))) continue;
     const bool is_found = finds_something(*known.got);
     found += is_found ? 1 : 0;
     if (!agree(known.asked.one, *known.got, known.asked.exact, aspect_of(hypothesis)) ||
-        fits(hypothesis, known, mistake) != false ||
+        fits(hypothesis, known, made) != false ||
         ((finds_some || hypothesis.kind == FindingKind::boundary) && is_excused(hypothesis, known)))
       continue;
     ++against;

@@ -64,7 +64,7 @@ std::optional<bool> Examination::fits(const Hypothesis& hypothesis, const Known&
 }
 
 std::vector<std::size_t> Examination::explained(const Hypothesis& hypothesis,
-                                                std::span<const std::size_t> cases) const {
+                                                std::span<const std::size_t> cases, Mistake mistake) const {
   if (hypothesis.is_asked_alone) return cured_alone(cases);
   std::vector<std::size_t> all;
   if (hypothesis.change != nullptr) {
@@ -73,7 +73,7 @@ std::vector<std::size_t> Examination::explained(const Hypothesis& hypothesis,
       if (!is_of_digits || !is_beyond_rounding(one.index)) all.push_back(one.index);
     return all;
   }
-  all = explained_by(hypothesis, cases, best_mistake(hypothesis, cases));
+  all = explained_by(hypothesis, cases, mistake ? *mistake : best_mistake(hypothesis, cases));
   return is_confirmed(hypothesis, all) ? all : std::vector<std::size_t>{};
 }
 
@@ -86,14 +86,18 @@ std::vector<std::size_t> Examination::explained_by(const Hypothesis& hypothesis,
   return all;
 }
 
+std::size_t Examination::mistake_count(const Hypothesis& model) const {
+  std::size_t count = 0;
+  for (const Known& known : failing_)
+    count = std::max(count, model.predict(known.asked.one, known.asked.exact).size());
+  return count;
+}
+
 std::size_t Examination::best_mistake(const Hypothesis& hypothesis,
                                       std::span<const std::size_t> cases) const {
   if (!hypothesis.is_one_of_many) return 0;
-  std::size_t best = 0, most = 0, mistakes = 0;
-  for (const std::size_t i : cases) {
-    const auto& [one, exact] = failing_.at(i).asked;
-    mistakes = std::max(mistakes, hypothesis.predict(one, exact).size());
-  }
+  const std::size_t mistakes = mistake_count(hypothesis);
+  std::size_t best = 0, most = 0;
   for (std::size_t mistake = 0; mistake < mistakes; ++mistake) {
     const std::size_t count = explained_by(hypothesis, cases, mistake).size();
     if (count > most) {

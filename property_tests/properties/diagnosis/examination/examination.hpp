@@ -12,15 +12,22 @@ class Examination {
  public:
   Examination(const Patient& patient, std::span<const Case> failing, std::span<const Case> passing);
 
+  /// Of a model that stands for many mistakes the number of one; nothing for that which explains most.
+  using Mistake = std::optional<std::size_t>;
+
+  /// How many mistakes a model stands for in the failing cases.
+  [[nodiscard]] std::size_t mistake_count(const Hypothesis& model) const;
   /// Which of these failing cases (by index) the hypothesis explains.
   [[nodiscard]] std::vector<std::size_t> explained(const Hypothesis& hypothesis,
-                                                   std::span<const std::size_t> cases) const;
+                                                   std::span<const std::size_t> cases,
+                                                   Mistake mistake = {}) const;
   /// On how many of the passing cases the hypothesis expects wrong answers where the subject's are right.
   /// Only cases of the same forms count as those of the failing cases that it explains: one form of a plane,
   /// say, or capped cylinders, may be all that is wrong. A cure is contradicted where it cures by silence:
   /// all that it makes right are misses, and of what is a hit it makes misses, too.
   [[nodiscard]] std::size_t contradictions(const Hypothesis& hypothesis,
-                                           std::span<const std::size_t> explained) const;
+                                           std::span<const std::size_t> explained,
+                                           Mistake mistake = {}) const;
   /// Whether one of the failing cases that a model explains shows all that it says.
   [[nodiscard]] bool is_shown_whole(const Hypothesis& model, std::span<const std::size_t> explained) const;
   /// Whether the subject finds nothing in any of these failing cases.

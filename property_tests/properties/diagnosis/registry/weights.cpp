@@ -2,6 +2,7 @@
 /// Faults in how a subject finds whether a point lies in a triangle, in a polygon or in a face.
 
 #include "properties/diagnosis/models/flat/weights.hpp"
+#include "properties/diagnosis/models/flat/wrong_cross.hpp"
 
 #include <fmt/format.h>
 

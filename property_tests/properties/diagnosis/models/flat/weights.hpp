@@ -60,13 +60,6 @@ template <int vertex>
   return beyond_edge(one, vertex);
 }
 
-/// One coordinate of every cross product is wrong: a sign, the order, or another coordinate in it.
-[[nodiscard]] Answers by_wrong_cross(const Case& one, int axis);
-template <int axis>
-[[nodiscard]] Answers wrong_cross(const Case& one, const Answer& /*exact*/) {
-  return by_wrong_cross(one, axis);
-}
-
 /// The point that is compared with a figure's sides.
 using TestedPoint = glm::dvec3 (*)(const Ray<double>& ray, double t, const glm::dvec3& normal);
 /// What a subject answers that finds the right t, and looks whether another point is inside.
