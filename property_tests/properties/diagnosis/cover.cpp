@@ -92,7 +92,10 @@ std::vector<Cover::Candidate> Cover::candidates() const {
 Examination::Mistake Cover::common_mistake(const Hypothesis& cause) const {
   if (!cause.is_one_of_many) return std::nullopt;
   std::size_t mistakes = 0, best = 0, most = 0;
-  for (const Sheet& sheet : sheets_) mistakes = std::max(mistakes, sheet.examination->mistake_count(cause));
+  for (const Sheet& sheet : sheets_) {
+    const Examination& examination = *sheet.examination;
+    mistakes = std::max(mistakes, examination.mistake_count(cause, all_of(examination.failing_count())));
+  }
   for (std::size_t mistake = 0; mistake < mistakes; ++mistake) {
     std::size_t count = 0;
     for (const Sheet& sheet : sheets_) {

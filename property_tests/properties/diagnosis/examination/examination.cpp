@@ -86,17 +86,19 @@ std::vector<std::size_t> Examination::explained_by(const Hypothesis& hypothesis,
   return all;
 }
 
-std::size_t Examination::mistake_count(const Hypothesis& model) const {
+std::size_t Examination::mistake_count(const Hypothesis& model, std::span<const std::size_t> cases) const {
   std::size_t count = 0;
-  for (const Known& known : failing_)
-    count = std::max(count, model.predict(known.asked.one, known.asked.exact).size());
+  for (const std::size_t i : cases) {
+    const auto& [one, exact] = failing_.at(i).asked;
+    count = std::max(count, model.predict(one, exact).size());
+  }
   return count;
 }
 
 std::size_t Examination::best_mistake(const Hypothesis& hypothesis,
                                       std::span<const std::size_t> cases) const {
   if (!hypothesis.is_one_of_many) return 0;
-  const std::size_t mistakes = mistake_count(hypothesis);
+  const std::size_t mistakes = mistake_count(hypothesis, cases);
   std::size_t best = 0, most = 0;
   for (std::size_t mistake = 0; mistake < mistakes; ++mistake) {
     const std::size_t count = explained_by(hypothesis, cases, mistake).size();

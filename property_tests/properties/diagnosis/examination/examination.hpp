@@ -15,8 +15,8 @@ class Examination {
   /// Of a model that stands for many mistakes the number of one; nothing for that which explains most.
   using Mistake = std::optional<std::size_t>;
 
-  /// How many mistakes a model stands for in the failing cases.
-  [[nodiscard]] std::size_t mistake_count(const Hypothesis& model) const;
+  /// How many mistakes a model stands for in these failing cases.
+  [[nodiscard]] std::size_t mistake_count(const Hypothesis& model, std::span<const std::size_t> cases) const;
   /// Which of these failing cases (by index) the hypothesis explains.
   [[nodiscard]] std::vector<std::size_t> explained(const Hypothesis& hypothesis,
                                                    std::span<const std::size_t> cases,
