@@ -29,7 +29,7 @@ using namespace rayproof;
 
 report::Measurements read_file(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
-  const std::string text(std::istreambuf_iterator<char>(in), {});
+  const std::string text = whole_text(in, path);
   try {
     return report::from_json(text);
   } catch (const report::FiguresError& trouble) {

@@ -2,6 +2,7 @@
 /// \file
 /// Folders and files that a program reads and writes: each trouble is one sentence that names the file.
 
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -28,6 +29,32 @@ inline void make_folder(const std::filesystem::path& folder) {
   std::ifstream file(path, std::ios::binary);
   if (!is_readable(file, path)) throw std::runtime_error(path.string() + " cannot be read");
   return file;
+}
+
+/// As much as is taken into memory as one text or line: what never ends, as /dev/zero, is refused.
+inline constexpr std::size_t longest_text = std::size_t{1} << 30;
+
+/// The next line as std::getline gives it, and whether there was one. Throws std::runtime_error, which names the
+/// file, for a line beyond the bound.
+inline bool read_line(std::istream& in, std::string& line, const std::string& name) {
+  constexpr auto end_of_file = std::char_traits<char>::eof();
+  line.clear();
+  for (int next = in.get(); next != end_of_file; next = in.get()) {
+    if (next == '\n') return true;
+    if (line.size() == longest_text) throw std::runtime_error(name + " has a line of more than 1 GiB");
+    line += static_cast<char>(next);
+  }
+  return !line.empty();
+}
+
+/// All that is left in the stream. Throws std::runtime_error, which names the file, for more than the bound.
+[[nodiscard]] inline std::string whole_text(std::istream& in, const std::string& name) {
+  std::string text;
+  for (std::array<char, 65536> part{}; in.read(part.data(), part.size()) || in.gcount() > 0;) {
+    if (text.size() + part.size() > longest_text) throw std::runtime_error(name + " holds more than 1 GiB");
+    text.append(part.data(), static_cast<std::size_t>(in.gcount()));
+  }
+  return text;
 }
 
 /// A file opened to be written anew. Throws std::runtime_error.

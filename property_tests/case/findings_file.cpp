@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <iterator>
 #include <sstream>
 
 #include "case/files.hpp"
@@ -33,8 +32,7 @@ std::string finding_line(const std::string& file, std::size_t number) {
         "there is no finding {}: {} can't be read; rayproof check writes it, --from names another run's file",
         number, file));
   }
-  const std::string text(std::istreambuf_iterator<char>(in), {});
-  std::vector<std::string> lines = lines_in(text);
+  std::vector<std::string> lines = lines_in(whole_text(in, file));
   if (number <= lines.size()) return std::move(lines[number - 1]);
   throw UnreadableCase(fmt::format("there is no finding {}: {} holds {}", number, file, lines.size()));
 }

@@ -1,8 +1,6 @@
 /// \file
 /// rayproof merge: what one campaign would have written, from its shards.
 
-#include <sstream>
-
 #include "case/files.hpp"
 #include "command_line/command_line.hpp"
 #include "programs/check/campaign.hpp"
@@ -12,12 +10,6 @@ namespace {
 
 using namespace rayproof;
 
-std::string text_of(const std::string& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
-
 int run(const std::vector<std::string>& files, const check::Options& options) {
   std::vector<campaign::CampaignState> shards;
   for (const std::string& file : files)
@@ -26,8 +18,11 @@ int run(const std::vector<std::string>& files, const check::Options& options) {
   make_folder(options.out);
   const check::FolderLock lock(options.out);
   const std::string out = check::state_file(options);
-  if (std::filesystem::exists(out) && text_of(out) != campaign::write_state(whole))
-    throw std::runtime_error(out + " holds another campaign, or a shard: --out names another folder");
+  if (std::filesystem::exists(out)) {
+    std::ifstream before = opened_to_read(out);
+    if (whole_text(before, out) != campaign::write_state(whole))
+      throw std::runtime_error(out + " holds another campaign, or a shard: --out names another folder");
+  }
   campaign::save(whole, out);
   return check::report_campaign(whole, options);
 }

@@ -109,7 +109,7 @@ int replay_file(const std::string& file) {
   Replays replays;
   std::string line;
   std::size_t count = 0;
-  while (std::getline(in, line)) replay_line(file, line, ++count, replays);
+  while (read_line(in, line, file)) replay_line(file, line, ++count, replays);
   // A run that found nothing leaves such a file, so that this is no error; said it must be.
   if (count == 0) print_to_stderr("{} is empty: it holds no finding and no case to judge\n", file);
   return summed_up(replays);

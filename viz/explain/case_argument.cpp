@@ -4,7 +4,6 @@
 
 #include <fstream>
 #include <iostream>
-#include <iterator>
 
 #include "case/files.hpp"
 #include "case/json/text.hpp"
@@ -25,11 +24,10 @@ bool is_one_json_text(const std::string& text) {
 }
 
 std::string read_all(const std::string& file) {
-  const auto drain = [](std::istream& in) { return std::string(std::istreambuf_iterator<char>(in), {}); };
-  if (file == "-") return drain(std::cin);
+  if (file == "-") return whole_text(std::cin, "standard input");
   std::ifstream in(file, std::ios::binary);
   if (!is_readable(in, file)) throw UnreadableCase(fmt::format("the file {} can't be read", file));
-  return drain(in);
+  return whole_text(in, file);
 }
 
 }  // namespace

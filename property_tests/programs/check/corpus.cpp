@@ -13,7 +13,7 @@ namespace {
 
 void append_cases(std::vector<Case>& cases, std::istream& in, const std::string& name) {
   std::string line;
-  for (std::size_t number = 1; std::getline(in, line); ++number) {
+  for (std::size_t number = 1; read_line(in, line, name); ++number) {
     try {
       cases.push_back(read_case(line));
     } catch (const Refusal& refusal) {

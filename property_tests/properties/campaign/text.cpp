@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <fstream>
-#include <sstream>
 
 #include "case/files.hpp"
 #include "case/json/ordered.hpp"
@@ -181,10 +180,10 @@ CampaignState read_state(const std::string& text) {
 void save(const CampaignState& state, const std::string& file) { replace_file(file, write_state(state)); }
 
 CampaignState load(const std::string& file) {
-  std::ostringstream text;
-  text << opened_to_read(file).rdbuf();
+  std::ifstream in = opened_to_read(file);
+  const std::string text = whole_text(in, file);
   try {
-    return read_state(text.str());
+    return read_state(text);
   } catch (const std::runtime_error& trouble) {
     throw std::runtime_error(file + ": " + trouble.what());
   }

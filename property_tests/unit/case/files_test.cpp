@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <iterator>
+#include <sstream>
 
 namespace rayproof {
 namespace {
@@ -22,7 +23,7 @@ struct Folder {
 
 std::string text_of(const fs::path& path) {
   std::ifstream in = opened_to_read(path);
-  return {std::istreambuf_iterator<char>(in), {}};
+  return whole_text(in, path.string());
 }
 
 TEST(replace_file, leaves_a_link_a_link_to_the_new_text) {
@@ -57,6 +58,23 @@ TEST(opened_to_read, refuses_a_folder_and_what_is_not_there) {
   const Folder folder;
   EXPECT_THROW((void)opened_to_read(folder.path), std::runtime_error);
   EXPECT_THROW((void)opened_to_read(folder.path / "file"), std::runtime_error);
+}
+
+TEST(read_line, gives_the_lines_that_getline_gives) {
+  for (const char* text : {"", "a", "a\n", "a\nb", "\n\na\n\n"}) {
+    std::istringstream ours(text), plain(text);
+    std::string line, expected;
+    while (std::getline(plain, expected)) {
+      ASSERT_TRUE(read_line(ours, line, "text")) << text;
+      EXPECT_EQ(line, expected);
+    }
+    EXPECT_FALSE(read_line(ours, line, "text")) << text;
+  }
+}
+
+TEST(whole_text, refuses_a_file_that_never_ends) {
+  std::ifstream zeros = opened_to_read("/dev/zero");
+  EXPECT_THROW((void)whole_text(zeros, "/dev/zero"), std::runtime_error);
 }
 
 }  // namespace

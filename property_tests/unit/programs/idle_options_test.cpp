@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "unit/command.hpp"
+#include "unit/programs/program_run.hpp"
 
 namespace rayproof {
 namespace {
@@ -20,7 +20,7 @@ constexpr auto one_case =
 void expect_idle(const std::string& command, const std::string& option) {
   const std::string program = RAYPROOF_BIN_DIR "/rayproof-" + command.substr(0, command.find(' '));
   if (!std::filesystem::exists(program)) return;
-  const test::Ended ended = test::run(RAYPROOF_BIN_DIR "/rayproof-" + command);
+  const test::Ended ended = test::run_program(command);
   EXPECT_EQ(ended.status, 2) << command;
   EXPECT_NE(ended.output.find("leave " + option + " out"), std::string::npos) << command << ended.output;
   EXPECT_EQ(std::count(ended.output.begin(), ended.output.end(), '\n'), 1) << ended.output;
@@ -68,7 +68,7 @@ TEST(IdleOptions, AreNoneWhereTheyChangeSomething) {
   std::ofstream(file) << one_case << "\n" << one_case << "\n";
   for (const std::string& command : {"explain " + file + " --method sphere/textbook --line 2",
                                      std::string("cases --list --shape plane"), "check --replay " + file})
-    EXPECT_EQ(test::run(RAYPROOF_BIN_DIR "/rayproof-" + command).status, 0) << command;
+    EXPECT_EQ(test::run_program(command).status, 0) << command;
   std::filesystem::remove(file);
 }
 

@@ -2,19 +2,15 @@
 /// Where standard error cannot be written, its words are lost and nothing else is.
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
 
-#include "unit/command.hpp"
+#include "unit/programs/program_run.hpp"
 
 namespace rayproof {
 namespace {
 
-test::Ended run_program(const std::string& command) {
-  return test::run(std::string(RAYPROOF_BIN_DIR) + "/rayproof-" + command);
-}
+using test::run_program, test::TemporaryFile;
 
 TEST(StandardErrorOnAFullDisk, ChangesNoExitStatusOfACommandThatIsWrong) {
   for (const std::string command :
@@ -31,12 +27,10 @@ TEST(StandardErrorOnAFullDisk, ChangesNoExitStatusOfACommandThatIsWrong) {
 }
 
 TEST(StandardErrorOnAFullDisk, LeavesWhatIsPrintedOnStandardOutputAsItIs) {
-  const std::string file = testing::TempDir() + "rayproof_standard_error_" + std::to_string(::getpid());
-  std::ofstream(file) << "nonsense\n";
-  const test::Ended lost = run_program("replay " + file + " 2>/dev/full");
+  const TemporaryFile file("nonsense\n");
+  const test::Ended lost = run_program("replay " + file.path() + " 2>/dev/full");
   EXPECT_EQ(lost.status, 1);
   EXPECT_EQ(lost.output, "0 as declared, 0 otherwise, 1 lines refused\n");
-  std::filesystem::remove(file);
 }
 
 TEST(StandardErrorOnAFullDisk, LeavesTheFrontDoorsExitStatusAsItIs) {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 #include <fstream>
-#include <iterator>
 
+#include "case/files.hpp"
 #include "case/json/number_text.hpp"
 #include "case/reader.hpp"
 #include "case/reader/shape_reader.hpp"
@@ -16,10 +16,9 @@ namespace {
 
 std::string read_text(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
-  // A folder opens, too, and only then can't be read.
-  if (!in || std::filesystem::is_directory(file))
+  if (!is_readable(in, file))
     throw UnreadableFile(fmt::format("the file {} can't be read", file.string()));
-  return {std::istreambuf_iterator<char>(in), {}};
+  return whole_text(in, file.string());
 }
 
 int read_side(const Field& field) {
