@@ -34,8 +34,8 @@ inline void make_folder(const std::filesystem::path& folder) {
 /// As much as is taken into memory as one text or line: what never ends, as /dev/zero, is refused.
 inline constexpr std::size_t longest_text = std::size_t{1} << 30;
 
-/// The next line as std::getline gives it, and whether there was one. Throws std::runtime_error, which names the
-/// file, for a line beyond the bound.
+/// The next line as std::getline gives it, and whether there was one. Throws std::runtime_error, which names
+/// the file, for a line beyond the bound.
 inline bool read_line(std::istream& in, std::string& line, const std::string& name) {
   constexpr auto end_of_file = std::char_traits<char>::eof();
   line.clear();

@@ -12,8 +12,8 @@
 namespace rayproof {
 namespace {
 
-using test::quadratic_answer, test::quadratic_case, test::sphere_answer, test::sphere_case;
 using test::Ended, test::run_program, test::TemporaryFile;
+using test::quadratic_answer, test::quadratic_case, test::sphere_answer, test::sphere_case;
 
 TEST(oracle_program, answers_a_file_or_standard_input) {
   const TemporaryFile file(std::string(sphere_case) + "\n" + quadratic_case + "\n");

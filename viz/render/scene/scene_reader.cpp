@@ -16,8 +16,7 @@ namespace {
 
 std::string read_text(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
-  if (!is_readable(in, file))
-    throw UnreadableFile(fmt::format("the file {} can't be read", file.string()));
+  if (!is_readable(in, file)) throw UnreadableFile(fmt::format("the file {} can't be read", file.string()));
   return whole_text(in, file.string());
 }
 
