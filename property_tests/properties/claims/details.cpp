@@ -46,7 +46,9 @@ std::optional<ErrorOfHit> of_surface(Trial& trial) {
 }
 std::optional<ErrorOfHit> of_normal(Trial& trial) {
   const double allowed =
-      trial.subject().has_own_contract ? 1 : allowed_of_normal(trial.question(), trial.judgement().far);
+      trial.subject().has_own_contract
+          ? 1
+          : allowed_of_normal(trial.question(), trial.judgement().far, trial.judgement().residual);
   return measured(trial.details().normal, allowed * trial.subject().contract.hit.normal.promised);
 }
 std::optional<ErrorOfHit> of_coordinates(Trial& trial) {

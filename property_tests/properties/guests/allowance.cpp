@@ -51,10 +51,12 @@ double allowed_of_hits(const Case& one) {
   return in_units > 0 ? std::max(1.0, plain / in_units) : 1;
 }
 
-double allowed_of_normal(const Case& one, double far) {
+double allowed_of_normal(const Case& one, double far, double residual) {
   const auto* asked = std::get_if<RayQuestion>(&one.question);
   const bool has_map = asked != nullptr && asked->transform.has_value();
-  const double of_round = loses_digits_from_afar(topic_of(one)) ? std::max(1.0, far) + radii_away(*asked) : 1;
+  const double of_round = loses_digits_from_afar(topic_of(one))
+                              ? std::max(1.0, far) * std::max(1.0, residual) + radii_away(*asked)
+                              : 1;
   return allowed_of_hits(one) * of_round * (has_map ? std::max(1.0, condition_of(*asked->transform)) : 1);
 }
 

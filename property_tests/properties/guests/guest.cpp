@@ -143,6 +143,17 @@ oracle::Judgement measured_as_solid(const Case& one, const Answer& claimed, orac
   return judgement;
 }
 
+/// Whether plain arithmetic may find no volume between a solid's edges.
+bool is_flat_but_for_rounding(const Case& one) {
+  const auto* asked = std::get_if<RayQuestion>(&one.question);
+  const auto* solid = asked == nullptr ? nullptr : std::get_if<Parallelepiped<double>>(&asked->shape);
+  if (solid == nullptr) return false;
+  const auto& [a, b, c] = solid->edges;
+  const double ulp = one.precision == Precision::float32 ? 0x1p-23 : 0x1p-52;
+  return std::abs(glm::dot(a, glm::cross(b, c))) <=
+         8 * ulp * glm::length(a) * glm::length(b) * glm::length(c);
+}
+
 }  // namespace
 
 Answer completed(const Subject& subject, const Case& one, const Answer& given) {
@@ -176,7 +187,7 @@ bool is_for_guest(const Subject& guest, const Case& one) {
     const double size = std::abs(x);
     is_inside = is_inside && (size == 0 || std::isinf(size) || (smallest <= size && size <= largest));
   });
-  return is_inside;
+  return is_inside && !is_flat_but_for_rounding(one);
 }
 
 bool is_same_question(const Case& a, const Case& b) {

@@ -17,7 +17,8 @@ namespace rayproof {
 [[nodiscard]] oracle::Judgement judged(const Case& one, const Answer& claimed);
 
 /// Whether the case may be given to a guest: every number of it that is not 0 lies in the domain of its
-/// contract. Beyond that nothing is judged, and honest arithmetic overflows.
+/// contract, and a solid's edges do not lie in one plane but for rounding. Beyond that nothing is judged, and
+/// honest arithmetic overflows, or divides by a determinant that rounds to 0.
 [[nodiscard]] bool is_for_guest(const Subject& guest, const Case& one);
 
 /// Whether two cases ask the same of the same numbers, bit for bit; their ids and notes don't count.

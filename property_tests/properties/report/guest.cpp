@@ -101,9 +101,9 @@ std::string not_judged(const Plan& plan, const Subject& guest, const Tally& tall
 
 constexpr const char* never_judged =
     "never judged of a program: nan (every case sent is valid); batch, bounded, exact, robust, ulp (promises "
-    "of our "
-    "own methods)\nleft out for their sizes: cases with numbers beyond what a textbook's arithmetic can "
-    "hold\n";
+    "of our own methods)\n"
+    "left out for their sizes: cases with numbers, or a volume between edges, beyond what a textbook's "
+    "arithmetic can hold\n";
 
 std::string judged(const Plan& plan, const Subject& guest, const Tally& tally) {
   std::vector<std::string_view> names;

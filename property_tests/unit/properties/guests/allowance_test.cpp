@@ -34,14 +34,16 @@ TEST(Allowance, OfNormalsGrowsWithTheConditionOfTheMap) {
 }
 
 TEST(Allowance, OfTheNormalOfWhatIsRoundGrowsWithTheDistance) {
-  const auto allowed = [](const char* shape) {
+  const auto allowed = [](const char* shape, double residual) {
     return allowed_of_normal(
         read_case(std::string(R"({"ray": {"origin": [0,0,-5], "direction": [0,0,1]}, "shape": )") + shape +
                   "}"),
-        100);
+        100, residual);
   };
-  EXPECT_EQ(allowed(R"({"type": "sphere", "center": [0,0,0], "radius": 1})"), 100);
-  EXPECT_EQ(allowed(R"({"type": "box", "min": [0,0,0], "max": [1,1,1]})"), 1);
+  constexpr auto sphere = R"({"type": "sphere", "center": [0,0,0], "radius": 1})";
+  EXPECT_EQ(allowed(sphere, 0.5), 100);
+  EXPECT_EQ(allowed(sphere, 30), 3000);  // p of a t that lost digits is no point of the sphere
+  EXPECT_EQ(allowed(R"({"type": "box", "min": [0,0,0], "max": [1,1,1]})", 30), 1);
 }
 
 TEST(Allowance, OfPointsGrowsWithTheShapeTheConditionOfItsCoordinatesAndOfTheMap) {

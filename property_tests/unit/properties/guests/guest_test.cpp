@@ -251,6 +251,18 @@ TEST(Guest, IsAskedNothingBeyondItsDomain) {
   EXPECT_FALSE(is_for_guest(one, huge));
 }
 
+TEST(Guest, IsAskedNoSolidWhoseVolumeIsRounding) {
+  const Subject one = guest("parallelepiped", nullptr);
+  const auto with_height = [](const char* height) {
+    return read_case(
+        std::string(
+            R"({"ray": {"origin": [0,0,-5], "direction": [0,0,1]}, "shape": {"type": "parallelepiped", "corner": [0,0,0], "edges": [[3,0,0],[0,1,0],[1,1,)") +
+        height + "]]}}");
+  };
+  EXPECT_TRUE(is_for_guest(one, with_height("1e-12")));
+  EXPECT_FALSE(is_for_guest(one, with_height("1e-15")));
+}
+
 FindingKind kind_with(const char* property, const Case& one, const Answer& got) {
   static const Subject somebody = guest("sphere", nullptr);
   Finding finding{.subject = &somebody, .property = find_property(property), .one = one};
