@@ -36,6 +36,9 @@ std::vector<Hypothesis> models_of_cylinders() {
           "where the point on the cap does"),
       gives("caps-from-outside-alone", caps_from_outside_alone,
             "a cap is hit from outside alone: a ray that leaves through it does not hit it"),
+      gives(
+          "first-cap-alone", first_cap_alone,
+          "a ray that goes through both caps hits the lower one alone: the upper one is not looked at then"),
       gives("side-before-caps", side_before_caps,
             "a hit on the side is reported even where one on a cap is nearer"),
       gives("endless-cylinder", read_as<endless_cylinder>,

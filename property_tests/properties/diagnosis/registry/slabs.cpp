@@ -8,6 +8,7 @@
 #include "properties/diagnosis/models/curved/cylinder.hpp"
 #include "properties/diagnosis/models/solids/loose.hpp"
 #include "properties/diagnosis/models/solids/parallelepiped.hpp"
+#include "properties/diagnosis/models/solids/solid_mistakes.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
 
 namespace rayproof::diagnosis {
@@ -90,6 +91,16 @@ std::vector<Hypothesis> models_of_slab_orders() {
   add_slab_order<2>(all, 'z');
   all.push_back(gives_one_of("slab-divided-by-other", slab_divided_by_other,
                              "the t of a slab are divided by the direction's component along another axis"));
+  all.push_back(gives("slab-ends-in-else", slab_ends_in_else,
+                      "a slab's end is compared only where its beginning was not taken, or the other way "
+                      "round: an else stands between the two, and both must be asked"));
+  all.push_back(
+      gives("sum-of-coordinates-tested", sum_of_coordinates_tested,
+            "the answer is right for the tetrahedron of corner and edges: u + v + w <= 1 is asked, and "
+            "must not be"));
+  all.push_back(gives_one_of("one-by-transposed", one_by_transposed,
+                             "of origin and direction one goes into the edges' frame by the transposed "
+                             "matrix: rows are taken for columns"));
   add_small_components<-8, -7, -6, -5, -4, -3, -2>(all);
   add_small_volumes<-12, -10, -9, -8, -7, -6, -5, -4, -3, -2>(all);
   add_loose<-8, -7, -6, -5, -4, -3, -2>(all);

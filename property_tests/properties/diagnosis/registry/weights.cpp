@@ -3,6 +3,7 @@
 
 #include "properties/diagnosis/models/flat/weights.hpp"
 #include "properties/diagnosis/models/flat/wrong_cross.hpp"
+#include "properties/diagnosis/models/flat/wrong_dots.hpp"
 
 #include <fmt/format.h>
 
@@ -63,6 +64,10 @@ std::vector<Hypothesis> models_of_weights() {
           "way-from-other-vertex", way_from_other_vertex,
           "the ray's way is taken from another vertex than the edges: it is o - a where these are b - a "
           "and c - a"),
+      gives_one_of(
+          "wrong-dots", wrong_dots,
+          "one dot product, or one sign, is wrong in the weights of b and c, which are (f·f w·e - e·f w·f) "
+          "/ D and (e·e w·f - e·f w·e) / D with e = b - a, f = c - a, w = p - a"),
       turned_edge<0>('a', "bc"),
       turned_edge<1>('b', "ca"),
       turned_edge<2>('c', "ab"),

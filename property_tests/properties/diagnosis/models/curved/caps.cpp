@@ -128,6 +128,16 @@ Answers caps_from_outside_alone(const Case& one, const Answer& /*exact*/) {
   return {in_order(one, all)};
 }
 
+Answers first_cap_alone(const Case& one, const Answer& /*exact*/) {
+  const auto parts = parts_of(one, is_in_ellipse);
+  if (!parts || parts->caps.size() < 2) return {};
+  // Ascending: of a ray that runs upward the lower cap is the first.
+  const bool is_upward = ray_in_object(*ray_question(one)).direction.z > 0;
+  std::vector<double> all = parts->side;
+  all.push_back(is_upward ? parts->caps.front() : parts->caps.back());
+  return {in_order(one, all)};
+}
+
 Answers side_before_caps(const Case& one, const Answer& /*exact*/) {
   const auto parts = parts_of(one, is_in_ellipse);
   if (!parts) return {};

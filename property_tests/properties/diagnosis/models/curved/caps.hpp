@@ -17,6 +17,8 @@ namespace rayproof::diagnosis {
 [[nodiscard]] Answers upper_cap_by_lower_point(const Case& one, const Answer& exact);
 /// A ray that leaves through a cap does not hit it.
 [[nodiscard]] Answers caps_from_outside_alone(const Case& one, const Answer& exact);
+/// The upper cap is not looked at where the lower one is hit.
+[[nodiscard]] Answers first_cap_alone(const Case& one, const Answer& exact);
 /// A hit on the side is reported before one on a cap, even where that is nearer.
 [[nodiscard]] Answers side_before_caps(const Case& one, const Answer& exact);
 

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "properties/claims/answers.hpp"
-#include "properties/edges.hpp"
 
 namespace rayproof::diagnosis {
 
@@ -32,15 +31,7 @@ std::optional<SlabEnds> slabs_of(const Cube& cube, bool tests_along = true, unsi
   return slabs;
 }
 
-/// The hits where the line is inside from `first` to `last`.
-Answers inside_from(const Case& one, double first, double last) {
-  RayAnswer line;
-  if (first <= last) line.hits.push_back(first);
-  if (first < last) line.hits.push_back(last);
-  return {hits_where(line, [&](double t) { return in_interval(ray_question(one)->ray, t); })};
-}
-
-/// The same from `near(slabs)` to `far(slabs)`.
+/// The hits where the line is inside from `near(slabs)` to `far(slabs)`.
 template <class Near, class Far>
 Answers inside_between(const Case& one, Near&& near, Far&& far, bool tests_along = true,
                        unsigned turned = 0) {
@@ -63,13 +54,6 @@ Answers with_endless_slabs(const Case& one, Near&& near, Far&& far) {
   for (const Answer& answer : inside_from(one, near(*slabs), far(*slabs)))
     answers.emplace_back(hits_where(std::get<RayAnswer>(answer), [](double t) { return std::isfinite(t); }));
   return answers;
-}
-
-/// What is found by the slabs of another cube, which the line may run along all of.
-Answers through_slabs(const Case& one, const Cube& cube) {
-  const auto slabs = slabs_of(cube);
-  if (!slabs || slabs->enters.empty()) return {RayAnswer{}};
-  return inside_from(one, std::ranges::max(slabs->enters), std::ranges::min(slabs->leaves));
 }
 
 /// One of the six faces.
@@ -104,6 +88,19 @@ Answers without_faces(const Case& one, IsMissing&& is_missing) {
 }
 
 }  // namespace
+
+Answers inside_from(const Case& one, double first, double last) {
+  RayAnswer line;
+  if (first <= last) line.hits.push_back(first);
+  if (first < last) line.hits.push_back(last);
+  return {hits_where(line, [&](double t) { return in_interval(ray_question(one)->ray, t); })};
+}
+
+Answers through_slabs(const Case& one, const Cube& cube) {
+  const auto slabs = slabs_of(cube);
+  if (!slabs || slabs->enters.empty()) return {RayAnswer{}};
+  return inside_from(one, std::ranges::max(slabs->enters), std::ranges::min(slabs->leaves));
+}
 
 Answers leaves_at_last_end(const Case& one, const Answer& /*exact*/) {
   return with_endless_slabs(

@@ -5,8 +5,14 @@
 #include <cmath>
 
 #include "properties/diagnosis/models/models.hpp"
+#include "properties/edges.hpp"
 
 namespace rayproof::diagnosis {
+
+/// The hits in the ray's interval where the line is inside from `first` to `last`.
+[[nodiscard]] Answers inside_from(const Case& one, double first, double last);
+/// What is found by the slabs of another cube, which the line may run along all of.
+[[nodiscard]] Answers through_slabs(const Case& one, const Cube& cube);
 
 /// @{ The line leaves at the last of the slabs' ends, or enters at the first of their beginnings: a minimum
 /// and a maximum are exchanged.

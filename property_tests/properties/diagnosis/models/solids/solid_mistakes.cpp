@@ -1,0 +1,81 @@
+#include "properties/diagnosis/models/solids/solid_mistakes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "properties/diagnosis/models/solids/slabs.hpp"
+
+namespace rayproof::diagnosis {
+namespace {
+
+/// The span of t in which the line is inside; empty where first > last.
+struct Span {
+  double first = -infinity<double>, last = infinity<double>;
+};
+
+/// Takes in that a + b·t lies from low to high.
+void cut(Span& span, double a, double b, double low, double high) {
+  if (b == 0) {
+    if (a < low || a > high) span.last = -infinity<double>;
+    return;
+  }
+  const auto [near, far] = std::minmax({(low - a) / b, (high - a) / b});
+  span.first = std::max(span.first, near);
+  span.last = std::min(span.last, far);
+}
+
+/// The same by "if the beginning is later, else if the end is earlier", or the other way round.
+void cut_in_else(Span& span, double near, double far, bool ends_first) {
+  const bool is_later = near > span.first, is_earlier = far < span.last;
+  if (is_later && !(ends_first && is_earlier)) span.first = near;
+  if (is_earlier && (ends_first || !is_later)) span.last = far;
+}
+
+}  // namespace
+
+Answers slab_ends_in_else(const Case& one, const Answer& /*exact*/) {
+  const auto cube = cube_in(one);
+  Answers answers;
+  if (!cube) return answers;
+  for (const bool ends_first : {false, true}) {
+    Span span;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double o = cube->ray.origin[axis], d = cube->ray.direction[axis];
+      if (d == 0 && (o < cube->low[axis] || o > cube->high[axis])) return {RayAnswer{}};
+      if (d == 0) continue;
+      const auto [near, far] = std::minmax({(cube->low[axis] - o) / d, (cube->high[axis] - o) / d});
+      cut_in_else(span, near, far, ends_first);
+    }
+    const Answers found = inside_from(one, span.first, span.last);
+    answers.push_back(found.front());
+    // What is infinite may be left out.
+    answers.emplace_back(
+        hits_where(std::get<RayAnswer>(found.front()), [](double t) { return std::isfinite(t); }));
+  }
+  return answers;
+}
+
+Answers sum_of_coordinates_tested(const Case& one, const Answer& /*exact*/) {
+  const auto cube = shape_in<Parallelepiped<double>>(one) == nullptr ? std::nullopt : cube_in(one);
+  if (!cube) return {};
+  const glm::dvec3 &o = cube->ray.origin, &d = cube->ray.direction;
+  Span span;
+  cut(span, o.x + o.y + o.z, d.x + d.y + d.z, -infinity<double>, 1);
+  for (int axis = 0; axis < 3; ++axis) cut(span, o[axis], d[axis], 0, 1);
+  return inside_from(one, span.first, span.last);
+}
+
+Answers one_by_transposed(const Case& one, const Answer& /*exact*/) {
+  const auto* solid = shape_in<Parallelepiped<double>>(one);
+  const auto cube = cube_in(one);
+  if (solid == nullptr || !cube) return {};
+  const glm::dmat3 to_frame =
+      glm::transpose(glm::inverse(glm::dmat3(solid->edges[0], solid->edges[1], solid->edges[2])));
+  const Ray<double> ray = ray_in_object(*ray_question(one));
+  Cube by_direction = *cube, by_origin = *cube;
+  by_direction.ray.direction = to_frame * ray.direction;
+  by_origin.ray.origin = to_frame * (ray.origin - solid->corner);
+  return {through_slabs(one, by_direction).front(), through_slabs(one, by_origin).front()};
+}
+
+}  // namespace rayproof::diagnosis
