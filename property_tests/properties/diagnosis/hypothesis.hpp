@@ -60,6 +60,8 @@ struct Hypothesis {
   std::size_t least_share = 0;
   /// A cure that must help, too, in most of what a model explains; empty where none need be.
   std::string_view confirmed_by{};
+  /// The name of a model from which this one follows: where that is found, too, it alone is shown.
+  std::string_view follows_from{};
   std::string_view of_equation{};  ///< the sentence where the cases are quadratic equations, if it is another
   OfSizes of_sizes = OfSizes::nothing;
   /// It only says where to look: a cure that helps against many a fault that a model may name, or a mark that
@@ -80,6 +82,8 @@ struct Hypothesis {
 [[nodiscard]] constexpr bool is_part_of(const Hypothesis& part, const Hypothesis& whole) {
   const OfSizes own = part.of_sizes, other = whole.of_sizes;
   if (own == OfSizes::zero) return other == OfSizes::small;
+  // A cure says only that something small is taken for 0, a model says what.
+  if (own == OfSizes::small && other == own) return part.change != nullptr && whole.predict != nullptr;
   if (own == OfSizes::extremes)
     return other == OfSizes::small || other == OfSizes::limit || other == OfSizes::type;
   return (own == OfSizes::small || own == OfSizes::limit) && other == OfSizes::type;

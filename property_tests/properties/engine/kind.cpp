@@ -91,6 +91,7 @@ bool is_named_boundary(const Finding& finding) {
 bool is_part_of(const Finding& finding, const Finding& other) {
   if (finding.cause == nullptr || other.cause == nullptr) return false;
   if (is_normal_of_wrong_shape(finding, other)) return true;
+  if (!other.cause->name.empty() && finding.cause->follows_from == other.cause->name) return true;
   const bool is_known_at_extremes_alone = finding.cause->of_sizes == OfSizes::extremes;
   const std::uint64_t most = finding.cause->is_vague ? 2 * other.cases : other.cases;
   if (finding.cases > most && !is_known_at_extremes_alone) return false;

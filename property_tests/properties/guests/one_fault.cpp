@@ -96,6 +96,7 @@ bool is_part_of_other(const Finding& finding, const std::vector<Finding>& all, c
 /// not say why, and another finding does.
 bool is_lost_in_more(const Finding& finding, const std::vector<Finding>& all, const CauseSays& says) {
   const auto says_more = [&](const Finding& one) {
+    if (one.property == finding.property && finding.cause == nullptr) return one.cause != nullptr;
     if (one.property == finding.property)
       return says.is_avoided(finding) && !says.is_avoided(one) && one.cause != nullptr &&
              one.cases >= finding.cases;

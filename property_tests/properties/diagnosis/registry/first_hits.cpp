@@ -36,6 +36,11 @@ std::vector<Hypothesis> models_of_first_hits() {
             Aspect::normal),
       gives("normal-flipped", normal_flipped, "the normal is right with the other sign", gross,
             Aspect::normal),
+      gives("normal-flipped-by-mirror", normal_flipped_by_mirror,
+            "the normal has the wrong sign where the transform mirrors, its determinant negative: it is that "
+            "of "
+            "the transformed edges, or the matrix's cofactors carry it",
+            gross, Aspect::normal),
       gives(
           "normal-of-near-hit", normal_of_near_hit,
           "where the ray starts inside the normal is that of the hit behind its beginning, and must be that "
@@ -61,9 +66,10 @@ std::vector<Hypothesis> models_of_first_hits() {
             "the normal points from the middle of the solid, as a sphere's", gross, Aspect::normal),
       gives("normal-without-signs", normal_without_signs,
             "the normal is right but for signs: none of its components is negative", gross, Aspect::normal),
-      gives("normal-of-first-corner", normal_of_first_corner,
-            "the normal is that of the first three vertices, which a concave corner turns round", gross,
-            Aspect::normal),
+      following("collinear-corner",
+                gives("normal-of-first-corner", normal_of_first_corner,
+                      "the normal is that of the first three vertices, which a concave corner turns round",
+                      gross, Aspect::normal)),
       gives("normal-of-circle", normal_of_circle,
             "the normal of an elliptic cylinder is (x, y, 0), and must be (x/rx², y/ry², 0)", gross,
             Aspect::normal),

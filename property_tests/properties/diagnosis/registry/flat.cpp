@@ -196,10 +196,16 @@ std::vector<Hypothesis> models_of_flat_figures() {
           "endless-upright-boundary", endless_upright_boundary,
           "a point on the line of an upright side, beyond its ends, is said to be on the boundary: y is not "
           "compared"),
+      gives("lost-on-bounds", lost_on_bounds,
+            "a point of the boundary on the border of the bounding box is said to be outside: the box is "
+            "compared "
+            "by <= and >= where < and > belong",
+            boundary),
       gives("flat-bounds-missed", flat_bounds_missed,
             "a figure in a plane along an axis is missed: its bounding box has no thickness there"),
       gives("angles-without-sign", inside_by<InsideRule::angles>, angles_in_words),
       gives("angles-without-sign-or-more", inside_by<InsideRule::angles_or_more>, angles_in_words),
+      gives("angles-without-sign-rounded", inside_by<InsideRule::angles_rounded>, angles_in_words),
       gives(
           "bounds-of-three", inside_by<InsideRule::bounds_of_three>,
           "what lies outside the bounding box of the first three vertices is said to be outside: that box is "

@@ -92,6 +92,12 @@ inline constexpr auto rounding = FindingKind::rounding;
   return cure;
 }
 
+/// A model that follows from the one of that name.
+[[nodiscard]] constexpr Hypothesis following(std::string_view other, Hypothesis made) {
+  made.follows_from = other;
+  return made;
+}
+
 /// The same with other words where the cases are quadratic equations.
 [[nodiscard]] constexpr Hypothesis of_equation(std::string_view words, Hypothesis made) {
   made.of_equation = words;

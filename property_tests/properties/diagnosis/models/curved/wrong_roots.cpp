@@ -50,6 +50,28 @@ FoundRoots both_divided_by_a(const ReducedEquation& e) {
 FoundRoots first_root_negated(const ReducedEquation& e) { return stable_with_signs(e, -1, 1); }
 FoundRoots second_root_negated(const ReducedEquation& e) { return stable_with_signs(e, 1, -1); }
 
+FoundRoots first_upside_down(const ReducedEquation& e) {
+  FoundRoots roots = without_cancelling(e, e.discriminant());
+  if (roots) (*roots)[0] = 1 / (*roots)[0];
+  return roots;
+}
+FoundRoots second_upside_down(const ReducedEquation& e) {
+  FoundRoots roots = without_cancelling(e, e.discriminant());
+  if (roots) (*roots)[1] = 1 / (*roots)[1];
+  return roots;
+}
+
+FoundRoots first_undivided(const ReducedEquation& e) {
+  FoundRoots roots = roots_by(-e.h, e.discriminant(), e.a);
+  if (roots) (*roots)[0] *= e.a;
+  return roots;
+}
+FoundRoots second_undivided(const ReducedEquation& e) {
+  FoundRoots roots = roots_by(-e.h, e.discriminant(), e.a);
+  if (roots) (*roots)[1] *= e.a;
+  return roots;
+}
+
 std::optional<bool> number_q_wrong(const Case& one, const Answer& got, const Answer& exact) {
   const auto* q = std::get_if<Quadratic<double>>(&one.question);
   const std::vector<double> found = numbers_in(got);

@@ -11,10 +11,16 @@ namespace rayproof::diagnosis {
 [[nodiscard]] Answers wrong_discriminant(const Case& one, const Answer& exact);
 
 /// @{ In the formula that does not cancel, x = q / a and y = c / q, one root has the wrong sign; or y = c /
-/// a.
+/// a, or one of the two fractions upside down.
 [[nodiscard]] FoundRoots first_root_negated(const ReducedEquation& e);
 [[nodiscard]] FoundRoots second_root_negated(const ReducedEquation& e);
 [[nodiscard]] FoundRoots both_divided_by_a(const ReducedEquation& e);
+[[nodiscard]] FoundRoots first_upside_down(const ReducedEquation& e);
+[[nodiscard]] FoundRoots second_upside_down(const ReducedEquation& e);
+/// @}
+/// @{ In (-h ± √D) / a, h = b/2, one root alone is not divided.
+[[nodiscard]] FoundRoots first_undivided(const ReducedEquation& e);
+[[nodiscard]] FoundRoots second_undivided(const ReducedEquation& e);
 /// @}
 
 /// Whether the product of two roots is c/a and their sum is not -b/a, and not by a loss of digits: so it is

@@ -28,16 +28,16 @@ bool is_inside_by(const glm::dvec2& point, const Outline& outline,
   return count % 2 == 1;
 }
 
-/// The angles at which the sides are seen from the point, each without its sign, beyond a whole turn.
-double angles_beyond_turn(const glm::dvec2& point, const Outline& outline) {
-  double sum = -2 * glm::pi<double>();
+/// The sum of the angles at which the sides are seen from the point, each without its sign, in turns.
+double turns_without_sign(const glm::dvec2& point, const Outline& outline) {
+  double sum = 0;
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const glm::dvec2 a = outline[i] - point, b = outline[(i + 1) % outline.size()] - point;
     sum += std::abs(std::atan2(a.x * b.y - a.y * b.x, glm::dot(a, b)));
   }
-  return sum;
+  return sum / (2 * glm::pi<double>());
 }
-constexpr double small_angle = 1e-3;
+constexpr double small_turn = 1e-4;
 
 bool is_inside(InsideRule rule, const glm::dvec2& point, const Outline& outline) {
   const std::size_t all = outline.size();
@@ -112,9 +112,11 @@ bool is_inside(InsideRule rule, const glm::dvec2& point, const Outline& outline)
         if (is_on_one_side(point, {outline[0], outline[i], outline[i + 1]})) return true;
       return false;
     case InsideRule::angles:
-      return std::abs(angles_beyond_turn(point, outline)) < small_angle;
+      return std::abs(turns_without_sign(point, outline) - 1) < small_turn;
     case InsideRule::angles_or_more:
-      return angles_beyond_turn(point, outline) > -small_angle;
+      return turns_without_sign(point, outline) > 1 - small_turn;
+    case InsideRule::angles_rounded:
+      return std::lround(turns_without_sign(point, outline)) % 2 == 1;
     case InsideRule::bounds_of_three:
       return is_odd && is_in_bounds(point, {outline[0], outline[1], outline[2]});
     case InsideRule::bounds_but_first:
@@ -174,7 +176,7 @@ Answers plane_of_corner(const Case& one, const Answer& /*exact*/) {
 
 namespace {
 
-/// The same where `counts(a, b)` is true of the ends of a side.
+/// The same where `counts(a, b, point)` is true of the ends of a side.
 template <class Counts>
 Answers endless_boundary_of(const Case& one, const Answer& exact, Counts&& counts) {
   const auto* position = std::get_if<Position>(&exact);
@@ -184,7 +186,7 @@ Answers endless_boundary_of(const Case& one, const Answer& exact, Counts&& count
   bool is_on_line = false;
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const glm::dvec2 &a = outline[i], &b = outline[(i + 1) % outline.size()];
-    is_on_line = is_on_line || (counts(a, b) && turn(a, b, seen.point) == 0);
+    is_on_line = is_on_line || (counts(a, b, seen.point) && turn(a, b, seen.point) == 0);
   }
   if (!is_on_line) return {};
   return is_in_bounds(seen.point, outline) ? Answers{Position::boundary} : Answers{Position::boundary, exact};
@@ -193,11 +195,23 @@ Answers endless_boundary_of(const Case& one, const Answer& exact, Counts&& count
 }  // namespace
 
 Answers endless_boundary(const Case& one, const Answer& exact) {
-  return endless_boundary_of(one, exact, [](const glm::dvec2&, const glm::dvec2&) { return true; });
+  return endless_boundary_of(one, exact,
+                             [](const glm::dvec2&, const glm::dvec2&, const glm::dvec2&) { return true; });
 }
 Answers endless_upright_boundary(const Case& one, const Answer& exact) {
-  return endless_boundary_of(
-      one, exact, [](const glm::dvec2& a, const glm::dvec2& b) { return a.x == b.x && a.y != b.y; });
+  return endless_boundary_of(one, exact, [](const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& p) {
+    return a.x == b.x && p.x == a.x;
+  });
+}
+
+Answers lost_on_bounds(const Case& one, const Answer& exact) {
+  const auto* position = std::get_if<Position>(&exact);
+  if (position == nullptr || *position != Position::boundary) return {};
+  const PlaneHit seen = *point_and_outline(one);
+  const auto [low, high] = bounds_of(seen.vertices);
+  const glm::dvec2& p = seen.point;
+  const bool is_on_border = p.x == low.x || p.x == high.x || p.y == low.y || p.y == high.y;
+  return is_on_border ? Answers{Position::outside} : Answers{};
 }
 
 Answers near_sides_inside(const Case& one, const Answer& exact, double tolerance) {

@@ -33,6 +33,7 @@ enum class InsideRule {
   fan,               ///< the triangles of the fan from the first vertex, all together
   angles,            ///< the angles at which the sides are seen, without a sign, add up to a whole turn
   angles_or_more,    ///< to a whole turn or more
+  angles_rounded,    ///< to an odd number of turns, rounded
   bounds_of_three,   ///< what lies outside the bounding box of the first three vertices is outside
   bounds_but_first,  ///< what lies outside the bounding box of all vertices but the first is outside
   bounds             ///< the bounding box
@@ -83,8 +84,11 @@ template <BoundaryPlace place>
 /// A point on the line of a side, beyond its ends, is said to be on the boundary, at least inside the
 /// bounding box.
 [[nodiscard]] Answers endless_boundary(const Case& one, const Answer& exact);
-/// The same of the line of an upright side alone.
+/// The same of the line of an upright side alone, or of one without length.
 [[nodiscard]] Answers endless_upright_boundary(const Case& one, const Answer& exact);
+
+/// A point of the boundary that lies on the border of the bounding box is said to be outside.
+[[nodiscard]] Answers lost_on_bounds(const Case& one, const Answer& exact);
 
 /// No point is ever said to be inside.
 [[nodiscard]] Answers never_inside(const Case& one, const Answer& exact);

@@ -47,6 +47,12 @@ Answers normal_flipped(const Case& one, const Answer& exact) {
                      [](const RayQuestion& /*asked*/, const glm::dvec3& normal) { return -normal; });
 }
 
+Answers normal_flipped_by_mirror(const Case& one, const Answer& exact) {
+  const auto* asked = ray_question(one);
+  const bool is_mirrored = asked != nullptr && asked->transform && glm::determinant(linear(*asked)) < 0;
+  return is_mirrored ? normal_flipped(one, exact) : Answers{};
+}
+
 Answers normal_of_near_hit(const Case& one, const Answer& exact) {
   if (ray_question(one) == nullptr || !finds_something(exact)) return {};
   const RayAnswer line = hits_of_line(one);

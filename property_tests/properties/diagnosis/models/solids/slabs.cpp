@@ -119,6 +119,8 @@ Answers slabs_turned(const Case& one, unsigned axes, bool is_always) {
   if (!cube) return {};
   for (unsigned axis = 0; axis < 3; ++axis) {
     const double along = cube->ray.direction[static_cast<int>(axis)];
+    const bool is_turned = (axes >> axis & 1U) != 0;
+    if (is_turned && along == 0 && std::signbit(along)) return {RayAnswer{}};  // from ∞ to -∞
     if (along == 0 || (!is_always && along > 0)) axes &= ~(1U << axis);
   }
   if (axes == 0) return {};
