@@ -33,13 +33,15 @@ std::vector<Hypothesis> cures_of_values() {
              "so small beside the shape that it is taken for 0",
              gross, "right as soon as the roots are smaller: a fixed largest number, or an overflow")),
       of(OfSizes::small,
-         exact_cure(
-             "longer-direction", longer_direction,
-             "right as soon as the direction is longer: the code takes small products with it for 0, an "
-             "absolute epsilon",
-             gross,
-             "right as soon as a, b and c are larger: the code takes a small coefficient, or a small "
-             "discriminant, for 0, an absolute epsilon")),
+         following(
+             "unit-direction",
+             exact_cure(
+                 "longer-direction", longer_direction,
+                 "right as soon as the direction is longer: the code takes small products with it for 0, an "
+                 "absolute epsilon",
+                 gross,
+                 "right as soon as a, b and c are larger: the code takes a small coefficient, or a small "
+                 "discriminant, for 0, an absolute epsilon"))),
       of(OfSizes::limit,
          exact_cure("shorter-direction", shorter_direction,
                     "right as soon as the direction is shorter: something overflows, or has a fixed limit",
