@@ -120,7 +120,9 @@ Answers slabs_turned(const Case& one, unsigned axes, bool is_always) {
   for (unsigned axis = 0; axis < 3; ++axis) {
     const double along = cube->ray.direction[static_cast<int>(axis)];
     const bool is_turned = (axes >> axis & 1U) != 0;
-    if (is_turned && along == 0 && std::signbit(along)) return {RayAnswer{}};  // from ∞ to -∞
+    // From ∞ to -∞. Of other solids the sign of a 0 is their frame's.
+    const bool has_sign = !is_always && shape_in<Box<double>>(one) != nullptr;
+    if (is_turned && has_sign && along == 0 && std::signbit(along)) return {RayAnswer{}};
     if (along == 0 || (!is_always && along > 0)) axes &= ~(1U << axis);
   }
   if (axes == 0) return {};
