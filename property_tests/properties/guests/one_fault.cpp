@@ -117,11 +117,12 @@ bool is_overflow_of_more(const Finding& finding, const std::vector<Finding>& all
 }
 
 /// Whether a known cause of the same subject does as much harm: what is left without a cause is mostly its
-/// work.
+/// work. What loses digits does so in cases of which the cause that is known is not found.
 bool is_overshadowed(const Finding& finding, const std::vector<Finding>& all, KindOf gravity) {
   return finding.cause == nullptr && std::ranges::any_of(all, [&](const Finding& one) {
            return one.subject == finding.subject && one.cause != nullptr &&
-                  gravity(one) <= gravity(finding) && one.cases >= finding.cases;
+                  gravity(one) <= gravity(finding) &&
+                  (one.cases >= finding.cases || gravity(one) == FindingKind::rounding);
          });
 }
 

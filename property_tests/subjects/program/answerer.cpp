@@ -85,7 +85,7 @@ bool ProgramAnswerer::ask_rest(Round& all) {
     search(all, ending, trouble);
   // One case alone that breaks is being shrunk; silence is too long to be overlooked even then.
   if (all.cases.size() > 1 || ending == RoundEnd::silence || !program_->has_answered())
-    program_->note_trouble(1, Program::Clock::now() - begin);
+    program_->note_trouble(1, Program::Clock::now() - begin, ending == RoundEnd::silence);
   return ending == RoundEnd::silence;  // the next would take as long
 }
 

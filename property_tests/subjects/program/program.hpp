@@ -52,7 +52,7 @@ class Program {
   void note_complete_round() { has_completed_ = true; }
   [[nodiscard]] bool may_hold_back() const { return !has_completed_; }
   /// Something went wrong, and this time was lost to it; `count` cases have no answer for that.
-  void note_trouble(std::size_t count, Clock::duration lost);
+  void note_trouble(std::size_t count, Clock::duration lost, bool is_silence);
   /// It has written this many bytes more to standard error; false where it is too much to go on.
   [[nodiscard]] bool may_write_errors(std::uint64_t bytes) {
     constexpr std::uint64_t most = std::uint64_t{1} << 30U;

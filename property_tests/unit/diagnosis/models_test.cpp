@@ -6,7 +6,7 @@
 #include "subjects/default_contract.hpp"
 #include "unit/diagnosis/clinic.hpp"
 #include "unit/diagnosis/faulty/faulty.hpp"
-#include "unit/diagnosis/faulty/foreseen.hpp"
+#include "unit/diagnosis/faulty/foreseen_flat.hpp"
 
 namespace rayproof::faulty {
 namespace {
@@ -110,6 +110,7 @@ std::string name_of_model(const testing::TestParamInfo<Foreseen>& info) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Diagnosis, Model, testing::ValuesIn(foreseen_faults), name_of_model);
+INSTANTIATE_TEST_SUITE_P(DiagnosisOfFlat, Model, testing::ValuesIn(foreseen_faults_of_flat), name_of_model);
 
 /// The model whose fault the subject has.
 const Hypothesis* planted = nullptr;

@@ -36,9 +36,13 @@ std::vector<Hypothesis> models_of_cylinders() {
           "where the point on the cap does"),
       gives("caps-from-outside-alone", caps_from_outside_alone,
             "a cap is hit from outside alone: a ray that leaves through it does not hit it"),
-      gives(
-          "first-cap-alone", first_cap_alone,
-          "a ray that goes through both caps hits the lower one alone: the upper one is not looked at then"),
+      gives("caps-as-diamonds", caps_as_diamonds,
+            "a cap is hit where |x|/rx + |y|/ry <= 1, and must be where the squares add up to 1 at most"),
+      following(
+          "upper-cap-missing",
+          gives("first-cap-alone", first_cap_alone,
+                "a ray that goes through both caps hits the lower one alone: the upper one is not looked at "
+                "then")),
       gives("side-before-caps", side_before_caps,
             "a hit on the side is reported even where one on a cap is nearer"),
       gives("endless-cylinder", read_as<endless_cylinder>,
@@ -57,6 +61,8 @@ std::vector<Hypothesis> models_of_cylinders() {
             "of the side's two roots the larger one alone is looked at: the side is never hit from outside"),
       gives("first-side-root", first_side_root_alone,
             "of the side's hits only the first in the interval is looked at, and no other is reported"),
+      gives("side-about-zero", side_about_zero,
+            "the side runs from -height/2 to height/2, and must from 0 to height"),
       gives("side-without-ends", side_without_ends,
             "the side goes on beyond the caps: the height is not tested there, neither below nor above"),
       gives_one_of(

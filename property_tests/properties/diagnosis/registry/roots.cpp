@@ -49,6 +49,16 @@ void add_small_discriminants(std::vector<Hypothesis>& all) {
    ...);
 }
 
+template <int... power>
+void add_small_a(std::vector<Hypothesis>& all) {
+  (all.push_back(
+       of(OfSizes::small, gives(kept(fmt::format("small-a-1e{}", power)), read_as<small_a_as_zero<power>>,
+                                kept(fmt::format("an a below about 1e{} is taken for 0, and the equation "
+                                                 "for a linear one: an absolute epsilon",
+                                                 power))))),
+   ...);
+}
+
 }  // namespace
 
 std::vector<Hypothesis> models_of_roots() {
@@ -117,6 +127,7 @@ std::vector<Hypothesis> models_of_roots() {
             "a double root is not divided by a, or by 2a: it is -b/(2a)"),
       gives("linear-root-inverted", linear_root_inverted, "where a = 0 the root is -b/c, and must be -c/b"),
   };
+  add_small_a<-12, -10, -9, -8, -7, -6, -5, -4, -3, -2>(all);
   add_small_discriminants<-12, -10, -9, -8, -7, -6, -5, -4, -3, -2>(all);
   add_terms<Product::direction_squared>(all, "term-of-d-d", "d·d");
   add_terms<Product::way_and_direction>(all, "term-of-l-d", "l·d, l = o - center,");

@@ -93,6 +93,12 @@ Answers caps_of_rooted_radius(const Case& one, const Answer& /*exact*/) {
                          [](double x, double y, const Cylinder<double>& c) { return x * x + y * y <= c.rx; });
 }
 
+Answers caps_as_diamonds(const Case& one, const Answer& /*exact*/) {
+  return with_caps_where(one, [](double x, double y, const Cylinder<double>& c) {
+    return std::abs(x) / c.rx + std::abs(y) / c.ry <= 1;
+  });
+}
+
 Answers caps_by_origin(const Case& one, const Answer& /*exact*/) {
   const auto parts = parts_of(one, [](double, double, const Cylinder<double>&) { return true; });
   if (!parts) return {};

@@ -10,6 +10,8 @@ namespace rayproof::diagnosis {
 [[nodiscard]] Answers caps_of_radius_rx(const Case& one, const Answer& exact);
 [[nodiscard]] Answers caps_of_radius_ry(const Case& one, const Answer& exact);
 [[nodiscard]] Answers caps_of_rooted_radius(const Case& one, const Answer& exact);
+/// A diamond between the ends of the ellipse's axes.
+[[nodiscard]] Answers caps_as_diamonds(const Case& one, const Answer& exact);
 /// @}
 /// Whether a cap is hit is asked of the ray's origin in the place of its point on the cap.
 [[nodiscard]] Answers caps_by_origin(const Case& one, const Answer& exact);

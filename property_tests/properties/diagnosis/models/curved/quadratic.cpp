@@ -92,6 +92,12 @@ Answers linear_root_inverted(const Case& /*one*/, const Answer& exact) {
   return {Roots2{RootKind::linear, 1, {1 / roots->roots[0]}}};
 }
 
+std::vector<Case> with_small_a_as_zero(const Case& one, double least) {
+  const auto* equation = std::get_if<Quadratic<double>>(&one.question);
+  if (equation == nullptr || !(std::abs(equation->a) < least)) return {};
+  return with_coefficients(one, [](Quadratic<double>& changed) { changed.a = 0; });
+}
+
 std::vector<Case> with_coefficients(const Case& one, void (*change)(Quadratic<double>& equation)) {
   Case changed = one;
   auto* equation = std::get_if<Quadratic<double>>(&changed.question);

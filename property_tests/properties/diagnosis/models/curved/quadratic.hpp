@@ -45,6 +45,12 @@ template <int mistake>
   });
 }
 /// @}
+/// The reading of an equation whose a is smaller than 10^power: a = 0.
+[[nodiscard]] std::vector<Case> with_small_a_as_zero(const Case& one, double least);
+template <int power>
+[[nodiscard]] std::vector<Case> small_a_as_zero(const Case& one) {
+  return with_small_a_as_zero(one, std::pow(10.0, power));
+}
 /// A double root is the right one times a factor.
 [[nodiscard]] Answers double_root_times(const Answer& exact, double factor);
 [[nodiscard]] inline Answers double_root_halved(const Case& /*one*/, const Answer& exact) {

@@ -55,6 +55,11 @@ Answers side_without_ends(const Case& one, const Answer& /*exact*/) {
   return with_side_ends(one, {infinity<double>, infinity<double>});
 }
 
+Answers side_about_zero(const Case& one, const Answer& /*exact*/) {
+  const auto* cylinder = shape_in<Cylinder<double>>(one);
+  return cylinder == nullptr ? Answers{} : with_side_ends(one, {cylinder->height / 2, -cylinder->height / 2});
+}
+
 Answers side_goes_on(const Case& one, bool is_upwards) {
   return with_side_ends(one, is_upwards ? SideEnds{0, infinity<double>} : SideEnds{infinity<double>, 0});
 }

@@ -14,6 +14,7 @@ namespace rayproof::diagnosis {
 /// @}
 /// @{ Of a capped cylinder: the side goes on without end, though the caps are where they should be; the caps
 /// are looked for where the side is not hit at all.
+[[nodiscard]] Answers side_about_zero(const Case& one, const Answer& exact);
 [[nodiscard]] Answers side_without_ends(const Case& one, const Answer& exact);
 [[nodiscard]] Answers caps_where_side_missed(const Case& one, const Answer& exact);
 /// @}

@@ -32,11 +32,20 @@ double triple_product(const Solid& solid) {
   return glm::dot(solid.edges[0], glm::cross(solid.edges[1], solid.edges[2]));
 }
 
+/// The parallelepiped of the case, or its box as one.
+std::optional<Solid> solid_of(const Case& one) {
+  if (const auto* solid = shape_in<Solid>(one)) return *solid;
+  const auto* box = shape_in<Box<double>>(one);
+  if (box == nullptr) return std::nullopt;
+  const glm::dvec3 size = box->max - box->min;
+  return Solid{box->min, {{{size.x, 0, 0}, {0, size.y, 0}, {0, 0, size.z}}}};
+}
+
 }  // namespace
 
 Answers hits_of_faces(const Case& one, bool (*is_inside)(const FacePoint& point)) {
-  const auto* solid = shape_in<Solid>(one);
-  if (solid == nullptr) return {};
+  const auto solid = solid_of(one);
+  if (!solid) return {};
   const Ray<double> ray = ray_in_object(*ray_question(one));
   std::vector<double> all;
   const glm::dvec3* const e = solid->edges.data();

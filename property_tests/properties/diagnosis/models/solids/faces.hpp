@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Models of faults in a parallelepiped's six faces, each a point and two edges, and in the frame of its
-/// edges.
+/// Models of faults in the six faces of a parallelepiped, or of a box, each a point and two edges, and in the
+/// frame of its edges.
 
 #include <algorithm>
 

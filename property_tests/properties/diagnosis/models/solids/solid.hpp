@@ -27,13 +27,18 @@ template <int axis>
 }
 
 /// What a subject answers that does not look at that slab of a box: along it a ray has no end, so that it may
-/// find nothing.
+/// find nothing, or what is infinite.
 template <int axis>
 [[nodiscard]] Answers without_slab(const Case& one, const Answer& exact) {
   Answers answers = read_as<endless_box<axis>>(one, exact);
   if (answers.empty()) return answers;
   const glm::dvec3 d = ray_in_object(*ray_question(one)).direction;
-  if (d[(axis + 1) % 3] == 0 && d[(axis + 2) % 3] == 0) answers.emplace_back(RayAnswer{});
+  if (d[(axis + 1) % 3] != 0 || d[(axis + 2) % 3] != 0) return answers;
+  RayAnswer endless;
+  for (const double t : {-infinity<double>, infinity<double>})
+    if (in_interval(ray_question(one)->ray, t)) endless.hits.push_back(t);
+  answers.emplace_back(endless);
+  if (endless.hits.count > 0) answers.emplace_back(RayAnswer{});
   return answers;
 }
 
