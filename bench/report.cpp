@@ -110,6 +110,7 @@ int main(int argc, char** argv) {
   if (const auto status = parse_command_line(app, argc, argv)) return *status;
   try {
     if (options.is_quick && app.count("--rays") == 0) options.rays = 4096;
+    if (app.count("--rays") != 0) options.judged = options.rays;
     if (options.is_quick && app.count("--time") == 0) options.seconds = 0.02;
     if (!options.figures.empty())
       refuse_all_options_but(app, {"--figures", "--baseline", "--out", "--json"},

@@ -151,11 +151,12 @@ struct AccuracySums {
 
 }  // namespace
 
-JudgedFamily judged_family(const Family& family, Precision precision, std::size_t count) {
-  JudgedFamily judged{std::vector<Case>(count), std::vector<Answer>(count)};
+JudgedFamily judged_family(const Family& family, Precision precision, std::size_t count,
+                           std::size_t judged_count) {
+  JudgedFamily judged{std::vector<Case>(count), std::vector<Answer>(std::min(count, judged_count))};
   tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
     judged.cases[i] = family.generate(i, precision);
-    judged.exact[i] = oracle::answer(judged.cases[i]);
+    if (i < judged.exact.size()) judged.exact[i] = oracle::answer(judged.cases[i]);
   });
   return judged;
 }
@@ -164,8 +165,8 @@ std::vector<Accuracies> measure(std::span<const Subject* const> subjects, const 
   constexpr std::size_t cases_at_a_time = 4096;
   std::vector<AccuracySums> sums(subjects.size());
   std::vector<JudgedCase> judged(cases_at_a_time * subjects.size());
-  for (std::size_t first = 0; first < family.cases.size(); first += cases_at_a_time) {
-    const std::size_t count = std::min(cases_at_a_time, family.cases.size() - first);
+  for (std::size_t first = 0; first < family.exact.size(); first += cases_at_a_time) {
+    const std::size_t count = std::min(cases_at_a_time, family.exact.size() - first);
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
       oracle::JudgedAnswers known;
       for (std::size_t s = 0; s < subjects.size(); ++s)

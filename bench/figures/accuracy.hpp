@@ -12,14 +12,15 @@
 
 namespace rayproof::report {
 
-/// The cases of one family in one precision with their exact answers.
+/// The cases of one family in one precision, and the exact answers to the first of them, which are judged.
 struct JudgedFamily {
   std::vector<Case> cases;
   std::vector<Answer> exact;
 };
 
-/// Generates `count` cases of a family and answers them exactly.
-[[nodiscard]] JudgedFamily judged_family(const Family& family, Precision precision, std::size_t count);
+/// Generates `count` cases of a family and answers the first `judged_count` of them exactly.
+[[nodiscard]] JudgedFamily judged_family(const Family& family, Precision precision, std::size_t count,
+                                         std::size_t judged_count);
 
 /// A subject's errors in both arrangements; without cases where the subject has no batch.
 struct Accuracies {

@@ -35,7 +35,7 @@ std::map<std::string, Accuracies> judge_all(const BenchOptions& options, const F
 /// The cases of a family that a peer can be asked, as many as are to be judged.
 JudgedFamily taken_by(const PeerRoutine& peer, const JudgedFamily& family) {
   JudgedFamily taken;
-  for (std::size_t i = 0; i < family.cases.size() && taken.cases.size() < peer.most_cases; ++i) {
+  for (std::size_t i = 0; i < family.exact.size() && taken.cases.size() < peer.most_cases; ++i) {
     if (!peer.takes(family.cases[i])) continue;
     taken.cases.push_back(family.cases[i]);
     taken.exact.push_back(family.exact[i]);
@@ -67,7 +67,7 @@ void judge_peers(const BenchOptions& options, const Family& family, Precision pr
 /// One family in one precision: judged first, then timed with nothing else running.
 void measure_family(const BenchOptions& options, const Family& family, Precision precision,
                     std::vector<BenchRow>& rows) {
-  const JudgedFamily judged = judged_family(family, precision, options.rays);
+  const JudgedFamily judged = judged_family(family, precision, options.rays, options.judged);
   auto accuracies = judge_all(options, family, judged);
   judge_peers(options, family, precision, judged, accuracies);
 

@@ -32,7 +32,9 @@ void describe(CLI::App& app, BenchOptions& options) {
          "--scaling", options.scaling,
          fmt::format("Only these curves, and of the methods nothing: {}", fmt::join(scaling_names, ", ")))
       ->delimiter(',');
-  app.add_option("--rays", options.rays, "Rays (or equations) of each family, judged and timed")
+  app.add_option(
+         "--rays", options.rays,
+         "Rays (or equations) of each family, timed and judged; where left out half of them are judged")
       ->capture_default_str()
       ->check(CLI::Range(std::size_t{64}, std::size_t{100'000'000}));
   app.add_option("--time", options.seconds, "Seconds of timing for each family and precision")
