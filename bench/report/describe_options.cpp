@@ -34,7 +34,7 @@ void describe(CLI::App& app, BenchOptions& options) {
       ->delimiter(',');
   app.add_option(
          "--rays", options.rays,
-         "Rays (or equations) of each family, timed and judged; where left out half of them are judged")
+         "Rays (or equations) of each family, timed and judged; where left out 32768 at most are judged")
       ->capture_default_str()
       ->check(CLI::Range(std::size_t{64}, std::size_t{100'000'000}));
   app.add_option("--time", options.seconds, "Seconds of timing for each family and precision")
