@@ -167,6 +167,8 @@ std::vector<Hypothesis> classes_of_cases() {
       vague(shows("is-infinite", is_infinite,
                   "a number of the answer is infinite: a division by 0 is not kept from")),
       strictly(gives("never-hits", never_hits, "it finds nothing on any case tried")),
+      shows("roots-not-sorted", not_sorted<Quadratic<double>>,
+            "the roots are right, and do not always stand in ascending order: they are not sorted"),
       vague(shows("always-hits", always_hits,
                   "it finds something on every case tried, even where there is nothing")),
   };

@@ -118,7 +118,7 @@ std::vector<Hypothesis> models_of_hits() {
           "t lies beyond the end of the interval by its rounding alone: other numbers are compared with "
           "the ends, t·|d| say, than are given",
           boundary)),
-      shows("not-sorted", not_sorted,
+      shows("not-sorted", not_sorted<RayQuestion>,
             "the hits are right, and do not always stand in ascending order: they are not sorted"),
       gives("root-alone", root_alone, "of two roots only one is given"),
       gives("double-hit-twice", double_hit_twice, "a double root is reported twice", boundary),

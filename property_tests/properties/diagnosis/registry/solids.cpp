@@ -34,6 +34,8 @@ std::vector<Hypothesis> models_of_solids() {
             "t is the line's nearest point to the centre: ±√D is left out"),
       gives("half-chord", half_chord,
             "t is half the chord: the line's nearest point to the centre is left out"),
+      gives("half-chord-by-difference", half_chord_by_difference,
+            "half of the chord is r - d, d the distance of the centre from the line, and must be √(r² - d²)"),
       gives(
           "centre-behind-missed", centre_behind_missed,
           "a sphere whose centre lies behind the ray's beginning is missed, although the ray starts inside"),

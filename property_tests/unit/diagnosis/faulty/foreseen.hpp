@@ -26,6 +26,7 @@ inline constexpr Foreseen foreseen_faults[] = {
     {"sphere", "discriminant-of-sphere"},
     {"sphere", "nearest-point"},
     {"sphere", "half-chord"},
+    {"sphere", "half-chord-by-difference"},
     {"box", "direction-as-origin"},
     {"sphere", "negated"},
     {"sphere", "origin-not-transformed"},

@@ -11,7 +11,11 @@ namespace rayproof::diagnosis {
 /// What is missed is hit somewhere, what is outside is inside.
 [[nodiscard]] std::optional<bool> always_hits(const Case& one, const Answer& got, const Answer& exact);
 /// The right hits, and not in ascending order.
-[[nodiscard]] std::optional<bool> not_sorted(const Case& one, const Answer& got, const Answer& exact);
+[[nodiscard]] std::optional<bool> are_unsorted(const Case& one, const Answer& got, const Answer& exact);
+template <class Question>
+[[nodiscard]] std::optional<bool> not_sorted(const Case& one, const Answer& got, const Answer& exact) {
+  return std::holds_alternative<Question>(one.question) ? are_unsorted(one, got, exact) : std::nullopt;
+}
 /// A hit is given, and it is a farther one than the nearest.
 [[nodiscard]] std::optional<bool> not_nearest(const Case& one, const Answer& got, const Answer& exact);
 /// Hits or roots in descending order.

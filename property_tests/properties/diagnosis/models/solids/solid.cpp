@@ -1,6 +1,7 @@
 #include "properties/diagnosis/models/solids/solid.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -134,6 +135,16 @@ Answers half_chord(const Case& one, const Answer& exact) {
   const RayAnswer line = hits_of_line(one);
   if (line.hits.count < 2) return {};
   return hit_at(one, (line.hits.t[1] - line.hits.t[0]) / 2, true);
+}
+
+Answers half_chord_by_difference(const Case& one, const Answer& /*exact*/) {
+  const auto equation = sphere_equation(one);
+  if (!equation) return {};
+  const double radius = shape_in<Sphere<double>>(one)->radius;
+  const double distance = std::sqrt(std::max(0.0, radius * radius - equation->discriminant() / equation->a));
+  if (distance > radius) return {};
+  const double middle = -equation->h / equation->a, half = (radius - distance) / std::sqrt(equation->a);
+  return with_roots(one, std::array{middle - half, middle + half});
 }
 
 Answers flat_box_missed(const Case& one, const Answer& exact) {

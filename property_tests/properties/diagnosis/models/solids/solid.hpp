@@ -51,6 +51,8 @@ template <int axis>
 [[nodiscard]] Answers nearest_point_of_line(const Case& one, const Answer& exact);
 /// Half of the chord that a sphere cuts from the line: √D / a, without the line's nearest point.
 [[nodiscard]] Answers half_chord(const Case& one, const Answer& exact);
+/// Half of the chord is r - d, d the distance of the centre from the line, and must be √(r² - d²).
+[[nodiscard]] Answers half_chord_by_difference(const Case& one, const Answer& exact);
 /// @}
 
 /// A sphere that is a point is missed.
