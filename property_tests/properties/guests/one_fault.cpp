@@ -64,13 +64,13 @@ std::uint64_t cases_of(const std::vector<const Finding*>& alike) {
   return sum;
 }
 
-/// Whether it says of boundaries only what a gross fault of more cases does there, too.
+/// Whether it says of boundaries only what a gross fault of more cases does there, too, or one of sizes.
 bool is_boundary_of_more(const Finding& finding, const std::vector<Finding>& all, KindOf gravity,
                          const CauseSays& says) {
   return finding.property->name == "boundary" && !says.is_named(finding) &&
          std::ranges::any_of(all, [&](const Finding& one) {
            return one.subject == finding.subject && one.cause != nullptr && one.cases >= finding.cases &&
-                  gravity(one) == FindingKind::gross;
+                  (gravity(one) == FindingKind::gross || gravity(one) == FindingKind::range);
          });
 }
 

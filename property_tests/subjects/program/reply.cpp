@@ -64,7 +64,13 @@ bool read_verdict(const json::Document& document, bool has_hits) {
   return is_hit;
 }
 
-RayAnswer read_ray_answer(const json::Document& document) {
+/// Whether what is hit has no normal anywhere: that which is made of 0/0 there is not looked at.
+bool has_no_normal(const RayQuestion& asked) {
+  const auto* sphere = std::get_if<Sphere<double>>(&asked.shape);
+  return sphere != nullptr && sphere->radius == 0;
+}
+
+RayAnswer read_ray_answer(const json::Document& document, const RayQuestion& asked) {
   RayAnswer answer;
   std::vector<double> hits;
   const auto given = member(document, "hits");
@@ -80,7 +86,8 @@ RayAnswer read_ray_answer(const json::Document& document) {
   answer.contact = is_hit ? Contact::crossing : Contact::none;
   if (contact) answer.contact = name_in<Contact, 9>(*contact, "contact");
   if (const auto point = member(document, "point")) answer.point = vector_in(*point);
-  if (const auto normal = member(document, "normal")) answer.normal = vector_in(*normal);
+  if (const auto normal = member(document, "normal"); normal && !has_no_normal(asked))
+    answer.normal = vector_in(*normal);
   if (const auto weights = member(document, "barycentric")) answer.barycentric = vector_in(*weights);
   return answer;
 }
@@ -116,7 +123,7 @@ QuadraticAnswer<double> read_equation(const json::Document& document, const Quad
 Answer read_answer(const json::Document& document, const Case& one) {
   if (const auto* equation = std::get_if<Quadratic<double>>(&one.question))
     return read_equation(document, *equation);
-  if (std::holds_alternative<RayQuestion>(one.question)) return read_ray_answer(document);
+  if (const auto* asked = std::get_if<RayQuestion>(&one.question)) return read_ray_answer(document, *asked);
   const auto position = member(document, "position");
   if (!position) throw Refusal("position", "position is missing");
   return name_in<Position, 3>(*position, "position");

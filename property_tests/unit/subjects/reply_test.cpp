@@ -95,6 +95,19 @@ TEST(Reply, RootsMayBeGivenInPart) {
   EXPECT_TRUE(std::isnan(bare.roots[0]));
 }
 
+TEST(Reply, ANormalThatIsNoNumberIsLookedAtWhereThereIsOneAlone) {
+  const auto answered = [](const char* radius) {
+    const Case one = read_case(
+        std::string(
+            R"({"ray": {"origin": [0,0,-5], "direction": [0,0,1]}, "shape": {"type": "sphere", "center": [0,0,0], "radius": )") +
+        radius + "}}");
+    return outcome_of(R"({"id": 1, "verdict": "hit", "hits": [{"t": 5}], "normal": ["nan", "nan", "nan"]})",
+                      one);
+  };
+  EXPECT_TRUE(answered("0").is_answered());
+  EXPECT_EQ(answered("1").kind, OutcomeKind::nonsense);
+}
+
 TEST(Reply, APositionIsOneOfThree) {
   EXPECT_EQ(std::get<Position>(outcome_of(R"({"id": 1, "position": "boundary"})", a_point()).answer),
             Position::boundary);

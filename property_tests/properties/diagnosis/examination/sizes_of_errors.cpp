@@ -1,6 +1,7 @@
 /// \file
 /// How wrong the answers to failing cases are, and how large their numbers.
 
+#include <algorithm>
 #include <cmath>
 
 #include "properties/claims/answers.hpp"
@@ -9,6 +10,17 @@
 #include "properties/diagnosis/examination/examination.hpp"
 
 namespace rayproof::diagnosis {
+namespace {
+
+/// The length of the difference of two normals; 0 where one of them is not there.
+double error_of_normal(const Answer& got, const Answer& exact) {
+  const auto *ours = std::get_if<RayAnswer>(&got), *right = std::get_if<RayAnswer>(&exact);
+  const bool are_both = ours != nullptr && right != nullptr && ours->normal && right->normal;
+  return are_both ? glm::length(*ours->normal - *right->normal) : 0;
+}
+
+}  // namespace
+
 bool Examination::is_beyond_rounding(std::size_t i) const {
   constexpr double generous = 1024;  // times what plain methods lose, and a share of the scene
   const Known& known = failing_.at(i);
@@ -20,6 +32,8 @@ bool Examination::is_beyond_rounding(std::size_t i) const {
   const double error = judgement.wrong ? judgement.margin : judgement.residual;
   if (error > lost && error * unit * generous > 1) return true;
   const std::optional<Aspect> beside = detail_of(patient_.claim);
+  if (beside == Aspect::normal)
+    return error_of_normal(*known.got, exact) > std::max(lost * unit, 1 / generous);
   return beside && lost * unit * generous < 1 && !agree(one, *known.got, exact, *beside);
 }
 

@@ -159,8 +159,8 @@ std::vector<Hypothesis> classes_of_cases() {
           "largest")),
       vague(shows("wrong-where-concave", wrong_where_concave,
                   "right on convex polygons: concave ones are not handled")),
-      vague(
-          shows("hits-before-t-min", hits_before_t_min, "hits before t_min are reported: t_min is ignored")),
+      following("whole-line", vague(shows("hits-before-t-min", hits_before_t_min,
+                                          "hits before t_min are reported: t_min is ignored"))),
       shows("is-nan", is_nan, "a number of the answer is NaN"),
       gives("t-is-zero", all_at_zero, zero_in_words),
       shows("is-zero", is_all_zero, zero_in_words),

@@ -93,13 +93,18 @@ std::vector<Hypothesis> models_of_numbers() {
       gives("t-as-object-distance", scaled_by<length_in_object>,
             "t is right divided by the length of the direction in object space: that direction was made a "
             "unit vector"),
+      gives(
+          "t-times-stretch", scaled_by<stretch_of_direction>,
+          "t is right divided by how much longer the direction is in object space: it was made a unit vector "
+          "there, and t is not of the given one"),
       gives("t-over-length", scaled_by<length_of_direction, -1>,
             "t is right times the direction's length: it was divided by |d| once too often"),
       gives("t-times-square", scaled_by<square_of_direction>,
             "t is right divided by d·d: the division by d·d is missing"),
       gives("t-over-square", scaled_by<square_of_direction, -1>,
             "t is right times d·d: it was divided by d·d once too often"),
-      gives_to_all("negated", scaled_by<minus_one>, "every number is right with the other sign"),
+      following("inverse-transform",
+                gives_to_all("negated", scaled_by<minus_one>, "every number is right with the other sign")),
       gives_to_most("absolute", absolute,
                     "t is right without its sign: hits behind the origin are taken for hits before it"),
       gives_to_all("reciprocal", reciprocal, "every number is 1/t: numerator and denominator are exchanged"),

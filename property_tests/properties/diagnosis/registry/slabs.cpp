@@ -91,6 +91,9 @@ std::vector<Hypothesis> models_of_slab_orders() {
   add_slab_order<2>(all, 'z');
   all.push_back(gives_one_of("slab-divided-by-other", slab_divided_by_other,
                              "the t of a slab are divided by the direction's component along another axis"));
+  all.push_back(
+      gives("exit-beyond-end-missed", exit_beyond_end_missed,
+            "a ray is said to miss where it leaves the solid beyond t_max, though it enters before"));
   all.push_back(gives("slab-ends-in-else", slab_ends_in_else,
                       "a slab's end is compared only where its beginning was not taken, or the other way "
                       "round: an else stands between the two, and both must be asked"));

@@ -104,6 +104,11 @@ std::optional<double> length_in_object(const Case& one) {
   return of_ray(one, [](const RayQuestion& asked) { return glm::length(ray_in_object(asked).direction); });
 }
 
+std::optional<double> stretch_of_direction(const Case& one) {
+  const auto in_object = length_in_object(one), in_world = length_of_direction(one);
+  return in_object && in_world ? std::optional(*in_object / *in_world) : std::nullopt;
+}
+
 std::optional<double> constant_of_sphere(const Case& one) {
   const auto* sphere = shape_in<Sphere<double>>(one);
   if (sphere == nullptr) return std::nullopt;

@@ -62,6 +62,8 @@ template <Quantity quantity, int power = 1>
 [[nodiscard]] std::optional<double> length_of_direction(const Case& one);
 [[nodiscard]] std::optional<double> square_of_direction(const Case& one);
 [[nodiscard]] std::optional<double> length_in_object(const Case& one);
+/// How much longer it is in the object's space.
+[[nodiscard]] std::optional<double> stretch_of_direction(const Case& one);
 /// @}
 /// @{ Of a sphere and a ray, in the object's space: the constant |origin - center|² - r² of its equation, its
 /// radius.

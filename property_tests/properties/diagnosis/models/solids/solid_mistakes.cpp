@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "properties/claims/answers.hpp"
 #include "properties/diagnosis/models/solids/slabs.hpp"
 
 namespace rayproof::diagnosis {
@@ -32,6 +33,13 @@ void cut_in_else(Span& span, double near, double far, bool ends_first) {
 }
 
 }  // namespace
+
+Answers exit_beyond_end_missed(const Case& one, const Answer& exact) {
+  if (!cube_in(one) || !finds_something(exact)) return {};
+  const RayAnswer line = hits_of_line(one);
+  const double last = line.hits.t.at(line.hits.count - 1);
+  return last > ray_question(one)->ray.t_max ? Answers{RayAnswer{}} : Answers{};
+}
 
 Answers slab_ends_in_else(const Case& one, const Answer& /*exact*/) {
   const auto cube = cube_in(one);

@@ -6,6 +6,8 @@
 
 namespace rayproof::diagnosis {
 
+/// A line that leaves the solid beyond t_max is missed, though it enters before.
+[[nodiscard]] Answers exit_beyond_end_missed(const Case& one, const Answer& exact);
 /// The nearer end of a slab is compared with the last one so far, and the farther end only where that was not
 /// larger ("else if"): the beginnings first, or the ends first.
 [[nodiscard]] Answers slab_ends_in_else(const Case& one, const Answer& exact);
