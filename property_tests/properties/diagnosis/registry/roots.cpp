@@ -103,7 +103,7 @@ std::vector<Hypothesis> models_of_roots() {
             "of one of the two roots -b has the wrong sign: it is the other one's opposite"),
       gives("root-negated", by_formula<second_root_negated, first_root_negated>,
             "of the two roots q / a and c / q one has the wrong sign"),
-      gives("discriminant-clamped", by_formula<clamped_discriminant>,
+      gives("discriminant-clamped", clamped_discriminant,
             "a negative discriminant is taken for 0: every line that passes by is said to touch"),
       gives("root-upside-down", by_formula<second_upside_down, first_upside_down>,
             "of the two roots q / a and c / q one is upside down: a / q, or q / c"),

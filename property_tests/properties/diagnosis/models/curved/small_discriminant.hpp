@@ -18,6 +18,10 @@ template <int power>
 
 /// One that is negative by less than the limit is taken for 0.
 [[nodiscard]] Answers negative_discriminant(const Case& one, const Answer& exact, double limit);
+/// Every negative one is.
+[[nodiscard]] inline Answers clamped_discriminant(const Case& one, const Answer& exact) {
+  return negative_discriminant(one, exact, HUGE_VAL);
+}
 template <int power>
 [[nodiscard]] Answers negative_discriminant(const Case& one, const Answer& exact) {
   return negative_discriminant(one, exact, std::pow(10.0, power));

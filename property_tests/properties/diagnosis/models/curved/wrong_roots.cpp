@@ -61,11 +61,6 @@ FoundRoots second_upside_down(const ReducedEquation& e) {
   return roots;
 }
 
-FoundRoots clamped_discriminant(const ReducedEquation& e) {
-  if (e.discriminant() >= 0) return roots_by(-e.h, e.discriminant(), e.a);
-  return std::array{-e.h / e.a, -e.h / e.a};
-}
-
 FoundRoots first_undivided(const ReducedEquation& e) {
   FoundRoots roots = roots_by(-e.h, e.discriminant(), e.a);
   if (roots) (*roots)[0] *= e.a;

@@ -18,8 +18,6 @@ namespace rayproof::diagnosis {
 [[nodiscard]] FoundRoots first_upside_down(const ReducedEquation& e);
 [[nodiscard]] FoundRoots second_upside_down(const ReducedEquation& e);
 /// @}
-/// A negative discriminant is taken for 0: what is missed is touched.
-[[nodiscard]] FoundRoots clamped_discriminant(const ReducedEquation& e);
 /// @{ In (-h ± √D) / a, h = b/2, one root alone is not divided.
 [[nodiscard]] FoundRoots first_undivided(const ReducedEquation& e);
 [[nodiscard]] FoundRoots second_undivided(const ReducedEquation& e);
