@@ -119,7 +119,7 @@ bool is_overflow_of_more(const Finding& finding, const std::vector<Finding>& all
 /// Whether a known cause of the same subject does as much harm: what is left without a cause is mostly its
 /// work. What loses digits does so in cases of which the cause that is known is not found.
 bool is_overshadowed(const Finding& finding, const std::vector<Finding>& all, KindOf gravity) {
-  // An epsilon that tells at small sizes tells on boundaries, too.
+  // An epsilon that shows at small sizes shows on boundaries, too.
   const auto is_size_of_boundary = [&](const Finding& one) {
     return gravity(finding) == FindingKind::boundary && gravity(one) == FindingKind::range;
   };
