@@ -119,8 +119,9 @@ class Runner:
             return f"rayproof-{name} is not in this build"
         if unit and (self.source / "property_tests/unit" / unit[2]).exists() and not (self.programs / unit[1]).exists():
             return f"{unit[1]} is not in this build"
-        if "RAYPROOF_ISA=avx" in text and "avx" not in Path("/proc/cpuinfo").read_text():
-            return "this processor has no AVX"
+        wanted = re.search(r"RAYPROOF_ISA=(avx\w+)", text)
+        if wanted and wanted[1] not in Path("/proc/cpuinfo").read_text():
+            return f"this processor has no {wanted[1]}"
         return None
 
     def has_run_elsewhere(self, text):

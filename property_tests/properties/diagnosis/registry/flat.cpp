@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "properties/claims/answers.hpp"
 #include "properties/diagnosis/models/flat/flat.hpp"
 #include "properties/diagnosis/models/flat/outline.hpp"
 #include "properties/diagnosis/models/flat/wrong_crossing.hpp"
@@ -58,6 +59,14 @@ void add_grazing(std::vector<Hypothesis>& all) {
 constexpr std::string_view angles_in_words =
     "the angles at which the sides are seen are added without their signs: a side that turns back must be "
     "subtracted";
+
+/// What is right inside and wrong outside may look at no side at all.
+Hypothesis angles_rounded() {
+  Hypothesis made =
+      gives("angles-without-sign-rounded", inside_by<InsideRule::angles_rounded>, angles_in_words);
+  made.shows_more = [](const Case& /*one*/, const Answer& exact) { return finds_something(exact); };
+  return made;
+}
 
 constexpr std::string_view wrong_crossing_in_words =
     "x is compared with a wrong crossing: a side crosses the point's level at xi + (y - yi)·(xj - xi) / (yj "
@@ -205,7 +214,7 @@ std::vector<Hypothesis> models_of_flat_figures() {
             "a figure in a plane along an axis is missed: its bounding box has no thickness there"),
       gives("angles-without-sign", inside_by<InsideRule::angles>, angles_in_words),
       gives("angles-without-sign-or-more", inside_by<InsideRule::angles_or_more>, angles_in_words),
-      gives("angles-without-sign-rounded", inside_by<InsideRule::angles_rounded>, angles_in_words),
+      angles_rounded(),
       gives(
           "bounds-of-three", inside_by<InsideRule::bounds_of_three>,
           "what lies outside the bounding box of the first three vertices is said to be outside: that box is "
