@@ -17,6 +17,12 @@ struct Cube {
 /// Those of the case; nothing where its shape is another.
 [[nodiscard]] std::optional<Cube> cube_in(const Case& one);
 
+/// A box as the parallelepiped that it is.
+[[nodiscard]] inline Parallelepiped<double> as_parallelepiped(const Box<double>& box) {
+  const glm::dvec3 size = box.max - box.min;
+  return {box.min, {{{size.x, 0, 0}, {0, size.y, 0}, {0, 0, size.z}}}};
+}
+
 /// What rounding may make of a place, as a share of the lengths that it is made of.
 [[nodiscard]] constexpr double share_of_rounding(Precision precision) {
   return precision == Precision::float32 ? 0x1p-18 : 0x1p-40;

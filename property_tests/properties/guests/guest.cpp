@@ -127,9 +127,7 @@ std::optional<Case> as_parallelepiped(const Case& one) {
     if (box->min[axis] == box->max[axis]) return std::nullopt;
   }
   Case solid = one;
-  const glm::dvec3 size = box->max - box->min;
-  std::get<RayQuestion>(solid.question).shape =
-      Parallelepiped<double>{box->min, {{{size.x, 0, 0}, {0, size.y, 0}, {0, 0, size.z}}}};
+  std::get<RayQuestion>(solid.question).shape = as_parallelepiped(*box);
   return solid;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "properties/edges.hpp"
+
 namespace rayproof::diagnosis {
 namespace {
 
@@ -36,9 +38,7 @@ double triple_product(const Solid& solid) {
 std::optional<Solid> solid_of(const Case& one) {
   if (const auto* solid = shape_in<Solid>(one)) return *solid;
   const auto* box = shape_in<Box<double>>(one);
-  if (box == nullptr) return std::nullopt;
-  const glm::dvec3 size = box->max - box->min;
-  return Solid{box->min, {{{size.x, 0, 0}, {0, size.y, 0}, {0, 0, size.z}}}};
+  return box == nullptr ? std::nullopt : std::optional(as_parallelepiped(*box));
 }
 
 }  // namespace

@@ -11,26 +11,6 @@ namespace rayproof::diagnosis {
 
 namespace {
 
-/// The t at which the line enters and leaves each slab that it is not parallel to; nothing where it runs
-/// beside one.
-struct SlabEnds {
-  std::vector<double> enters, leaves;
-};
-
-std::optional<SlabEnds> slabs_of(const Cube& cube, bool tests_along = true, unsigned turned = 0) {
-  SlabEnds slabs;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double o = cube.ray.origin[axis], d = cube.ray.direction[axis];
-    if (tests_along && d == 0 && (o < cube.low[axis] || o > cube.high[axis])) return std::nullopt;
-    if (d == 0) continue;
-    const auto [near, far] = std::minmax({(cube.low[axis] - o) / d, (cube.high[axis] - o) / d});
-    const bool is_turned = (turned >> static_cast<unsigned>(axis) & 1U) != 0;
-    slabs.enters.push_back(is_turned ? far : near);
-    slabs.leaves.push_back(is_turned ? near : far);
-  }
-  return slabs;
-}
-
 /// The hits where the line is inside from `near(slabs)` to `far(slabs)`.
 template <class Near, class Far>
 Answers inside_between(const Case& one, Near&& near, Far&& far, bool tests_along = true,
@@ -88,6 +68,20 @@ Answers without_faces(const Case& one, IsMissing&& is_missing) {
 }
 
 }  // namespace
+
+std::optional<SlabEnds> slabs_of(const Cube& cube, bool tests_along, unsigned turned) {
+  SlabEnds slabs;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double o = cube.ray.origin[axis], d = cube.ray.direction[axis];
+    if (tests_along && d == 0 && (o < cube.low[axis] || o > cube.high[axis])) return std::nullopt;
+    if (d == 0) continue;
+    const auto [near, far] = std::minmax({(cube.low[axis] - o) / d, (cube.high[axis] - o) / d});
+    const bool is_turned = (turned >> static_cast<unsigned>(axis) & 1U) != 0;
+    slabs.enters.push_back(is_turned ? far : near);
+    slabs.leaves.push_back(is_turned ? near : far);
+  }
+  return slabs;
+}
 
 Answers inside_from(const Case& one, double first, double last) {
   RayAnswer line;

@@ -9,6 +9,14 @@
 
 namespace rayproof::diagnosis {
 
+/// The t at which the line enters and leaves each slab that it is not parallel to.
+struct SlabEnds {
+  std::vector<double> enters, leaves;
+};
+/// Those of the cube; nothing where the line runs beside a slab, if that is tested. In the slabs of the axes
+/// in `turned`, each a bit, near and far are exchanged.
+[[nodiscard]] std::optional<SlabEnds> slabs_of(const Cube& cube, bool tests_along = true,
+                                               unsigned turned = 0);
 /// The hits in the ray's interval where the line is inside from `first` to `last`.
 [[nodiscard]] Answers inside_from(const Case& one, double first, double last);
 /// What is found by the slabs of another cube, which the line may run along all of.

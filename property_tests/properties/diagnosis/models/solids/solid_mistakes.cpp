@@ -14,18 +14,7 @@ struct Span {
   double first = -infinity<double>, last = infinity<double>;
 };
 
-/// Takes in that a + b·t lies from low to high.
-void cut(Span& span, double a, double b, double low, double high) {
-  if (b == 0) {
-    if (a < low || a > high) span.last = -infinity<double>;
-    return;
-  }
-  const auto [near, far] = std::minmax({(low - a) / b, (high - a) / b});
-  span.first = std::max(span.first, near);
-  span.last = std::min(span.last, far);
-}
-
-/// The same by "if the beginning is later, else if the end is earlier", or the other way round.
+/// Takes in a slab by "if the beginning is later, else if the end is earlier", or the other way round.
 void cut_in_else(Span& span, double near, double far, bool ends_first) {
   const bool is_later = near > span.first, is_earlier = far < span.last;
   if (is_later && !(ends_first && is_earlier)) span.first = near;
@@ -43,17 +32,14 @@ Answers exit_beyond_end_missed(const Case& one, const Answer& exact) {
 
 Answers slab_ends_in_else(const Case& one, const Answer& /*exact*/) {
   const auto cube = cube_in(one);
+  if (!cube) return {};
+  const auto slabs = slabs_of(*cube);
+  if (!slabs) return {RayAnswer{}};
   Answers answers;
-  if (!cube) return answers;
   for (const bool ends_first : {false, true}) {
     Span span;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double o = cube->ray.origin[axis], d = cube->ray.direction[axis];
-      if (d == 0 && (o < cube->low[axis] || o > cube->high[axis])) return {RayAnswer{}};
-      if (d == 0) continue;
-      const auto [near, far] = std::minmax({(cube->low[axis] - o) / d, (cube->high[axis] - o) / d});
-      cut_in_else(span, near, far, ends_first);
-    }
+    for (std::size_t i = 0; i < slabs->enters.size(); ++i)
+      cut_in_else(span, slabs->enters[i], slabs->leaves[i], ends_first);
     const Answers found = inside_from(one, span.first, span.last);
     answers.push_back(found.front());
     // What is infinite may be left out.
@@ -66,10 +52,13 @@ Answers slab_ends_in_else(const Case& one, const Answer& /*exact*/) {
 Answers sum_of_coordinates_tested(const Case& one, const Answer& /*exact*/) {
   const auto cube = shape_in<Parallelepiped<double>>(one) == nullptr ? std::nullopt : cube_in(one);
   if (!cube) return {};
-  const glm::dvec3 &o = cube->ray.origin, &d = cube->ray.direction;
-  Span span;
-  cut(span, o.x + o.y + o.z, d.x + d.y + d.z, -infinity<double>, 1);
-  for (int axis = 0; axis < 3; ++axis) cut(span, o[axis], d[axis], 0, 1);
+  const auto slabs = slabs_of(*cube);
+  const auto& [o, d, t_min, t_max] = cube->ray;
+  const double sum = o.x + o.y + o.z, slope = d.x + d.y + d.z;
+  if (!slabs || (slope == 0 && sum > 1)) return {RayAnswer{}};
+  Span span{std::ranges::max(slabs->enters), std::ranges::min(slabs->leaves)};
+  if (slope > 0) span.last = std::min(span.last, (1 - sum) / slope);
+  if (slope < 0) span.first = std::max(span.first, (1 - sum) / slope);
   return inside_from(one, span.first, span.last);
 }
 
