@@ -22,6 +22,7 @@ namespace rayproof::diagnosis {
 [[nodiscard]] std::vector<Hypothesis> models_of_cylinders();
 [[nodiscard]] std::vector<Hypothesis> models_of_edges();
 [[nodiscard]] std::vector<Hypothesis> models_of_flat_figures();
+[[nodiscard]] std::vector<Hypothesis> models_of_outlines();
 [[nodiscard]] std::vector<Hypothesis> models_of_readings();
 [[nodiscard]] std::vector<Hypothesis> models_of_first_hits();
 [[nodiscard]] std::vector<Hypothesis> models_of_digits();

@@ -4,11 +4,7 @@
 #include <vtkCamera.h>
 #include <vtkCameraOrientationRepresentation.h>
 #include <vtkCameraOrientationWidget.h>
-#include <vtkCoordinate.h>
-#include <vtkProperty2D.h>
 #include <vtkRenderWindowInteractor.h>
-#include <vtkSliderRepresentation2D.h>
-#include <vtkSliderWidget.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,6 +19,7 @@
 #include "viz/vtk/window/buttons.hpp"
 #include "viz/vtk/window/handle_widgets.hpp"
 #include "viz/vtk/window/orbit_style.hpp"
+#include "viz/vtk/window/time_slider.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -53,7 +50,6 @@ class StageWindow::Impl {
                                       vtkCommand::ConfigureEvent, vtkCommand::RenderEvent})
       interactor->AddObserver(event, this, &Impl::hear);
     interactor->Initialize();
-    make_slider();
     make_compass();
     repaint(true);
   }
@@ -66,7 +62,6 @@ class StageWindow::Impl {
       const bool has_modifier = interactor->GetControlKey() != 0 || interactor->GetAltKey() != 0;
       if (key != nullptr && !has_modifier) press_key(key);
     }
-    if (source == slider && event == vtkCommand::InteractionEvent) player.set_t(slider_face->GetValue());
     // The compass shows all there is, the floor too.
     if (source == compass && event == vtkCommand::EndInteractionEvent) fits_again = true;
   }
@@ -124,24 +119,6 @@ class StageWindow::Impl {
     }
   }
 
-  void make_slider() {
-    slider_face->ShowSliderLabelOff();
-    slider_face->SetSliderLength(0.008);
-    slider_face->SetSliderWidth(0.03);
-    slider_face->SetTubeWidth(0.005);
-    slider_face->SetEndCapLength(0);
-    for (vtkProperty2D* const part : {slider_face->GetSliderProperty(), slider_face->GetSelectedProperty(),
-                                      slider_face->GetTubeProperty(), slider_face->GetCapProperty()})
-      part->SetColor(0.72, 0.745, 0.776);
-    slider_face->GetSliderProperty()->SetColor(0.086, 0.094, 0.11);
-    slider_face->GetSelectedProperty()->SetColor(0.72, 0.29, 0);
-    slider->SetInteractor(interactor);
-    slider->SetDefaultRenderer(&view.sheet());
-    slider->SetRepresentation(slider_face);
-    slider->SetAnimationModeToJump();
-    slider->AddObserver(vtkCommand::InteractionEvent, this, &Impl::hear);
-  }
-
   void make_compass() {
     compass->SetParentRenderer(&view.space());
     compass->SetAnimate(false);
@@ -153,14 +130,8 @@ class StageWindow::Impl {
   /// The layers and widgets where the window's size has them.
   void fit() {
     view.fit();
+    slider.fit();
     const int* const size = view.window().GetSize();
-    const auto put = [&](vtkCoordinate& end, double x) {
-      const Point p = view.to_window({x, slider_track.centre().y});
-      end.SetCoordinateSystemToNormalizedDisplay();
-      end.SetValue(p.x / size[0], p.y / size[1]);
-    };
-    put(*slider_face->GetPoint1Coordinate(), slider_track.left);
-    put(*slider_face->GetPoint2Coordinate(), slider_track.right());
     auto& axes = *vtkCameraOrientationRepresentation::SafeDownCast(compass->GetRepresentation());
     const Point corner = view.to_window({window_scene.right(), window_scene.top});
     axes.SetPadding(static_cast<int>(size[0] - corner.x), static_cast<int>(size[1] - corner.y));
@@ -193,11 +164,7 @@ class StageWindow::Impl {
     placed_at = view.space().GetActiveCamera()->GetMTime();
     handles.show(shown);
     compass->SetEnabled(style->is_flat ? 0 : 1);
-    slider->SetEnabled(shown.slider ? 1 : 0);
-    if (!shown.slider) return;
-    slider_face->SetMinimumValue(shown.slider->from);
-    slider_face->SetMaximumValue(shown.slider->to);
-    slider_face->SetValue(player.t());
+    slider.show(shown, player.t());
   }
 
   void repaint(bool is_fine) {
@@ -215,7 +182,7 @@ class StageWindow::Impl {
       view.show(sheet);
       handles.hide();
       compass->Off();
-      slider->Off();
+      slider.hide();
     } else {
       show_scene(sheet);
     }
@@ -234,10 +201,12 @@ class StageWindow::Impl {
   SlideView view{window_scene};
   vtkNew<vtkRenderWindowInteractor> interactor;
   vtkNew<OrbitStyle> style;
-  vtkNew<vtkSliderRepresentation2D> slider_face;
-  vtkNew<vtkSliderWidget> slider;
   vtkNew<vtkCameraOrientationWidget> compass;
   HandleWidgets handles{view, player};
+  TimeSlider slider{view, [this](double t) {
+                      player.set_t(t);
+                      is_stale = true;
+                    }};
   Buttons buttons{view, [this](const std::string& key) { press_key(key); }};
 };
 

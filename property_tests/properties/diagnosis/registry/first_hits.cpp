@@ -4,10 +4,10 @@
 #include "properties/diagnosis/models/curved/cylinder_normals.hpp"
 #include "properties/diagnosis/models/curved/quadratic.hpp"
 #include "properties/diagnosis/models/flat/flat.hpp"
-#include "properties/diagnosis/models/flat/outline.hpp"
 #include "properties/diagnosis/models/hits/first_hit.hpp"
 #include "properties/diagnosis/models/hits/hits.hpp"
 #include "properties/diagnosis/models/hits/interval.hpp"
+#include "properties/diagnosis/models/outlines/outline.hpp"
 #include "properties/diagnosis/models/space/details_of_shapes.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
 

@@ -5,10 +5,9 @@
 
 #include "properties/claims/answers.hpp"
 #include "properties/diagnosis/models/flat/flat.hpp"
-#include "properties/diagnosis/models/flat/outline.hpp"
-#include "properties/diagnosis/models/flat/wrong_crossing.hpp"
 #include "properties/diagnosis/models/flat/wrong_plane.hpp"
 #include "properties/diagnosis/models/hits/starts.hpp"
+#include "properties/diagnosis/models/outlines/outline.hpp"
 #include "properties/diagnosis/models/plane_hit.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
 
@@ -37,14 +36,6 @@ Hypothesis tight_edges(FindingKind kind = gross) {
   return of(OfSizes::small, made);
 }
 
-template <int power>
-Hypothesis loose_sides() {
-  return gives(kept(fmt::format("sides-loose-1e{}", power)), near_sides_inside<power>,
-               kept(fmt::format("what lies nearer to a side than about 1e{} of the polygon's size is said to "
-                                "be inside: a tolerance",
-                                power)));
-}
-
 template <int... power>
 void add_grazing(std::vector<Hypothesis>& all) {
   (all.push_back(
@@ -55,23 +46,6 @@ void add_grazing(std::vector<Hypothesis>& all) {
                                  power))))),
    ...);
 }
-
-constexpr std::string_view angles_in_words =
-    "the angles at which the sides are seen are added without their signs: a side that turns back must be "
-    "subtracted";
-
-/// What is right inside and wrong outside may look at no side at all.
-Hypothesis angles_rounded() {
-  Hypothesis made =
-      gives("angles-without-sign-rounded", inside_by<InsideRule::angles_rounded>, angles_in_words);
-  made.shows_more = [](const Case& /*one*/, const Answer& exact) { return finds_something(exact); };
-  return made;
-}
-
-constexpr std::string_view wrong_crossing_in_words =
-    "x is compared with a wrong crossing: a side crosses the point's level at xi + (y - yi)·(xj - xi) / (yj "
-    "- "
-    "yi), and here a term, a sign or an index of that is another one";
 
 }  // namespace
 
@@ -174,92 +148,8 @@ std::vector<Hypothesis> models_of_flat_figures() {
                    "the answer is right for a normal that is a sum of u and v, or one of them: it is u × v"),
       gives("coefficients-missing", numerator_without_coefficients,
             "t is -(x + y + z + D) / (n·d): the plane's coefficients are missing in the numerator"),
-      gives("level-vertex", inside_by<InsideRule::closed_sides>,
-            "a vertex level with the point counts for both its sides, or for neither: it must count for one"),
-      gives("level-outside", inside_by<InsideRule::not_level>,
-            "a point level with a vertex is taken for outside"),
-      gives("winding-rule", inside_by<InsideRule::winding>,
-            "the answer is right for the non-zero winding rule, and not for the even-odd one"),
-      gives("endless-sides", inside_by<InsideRule::endless_sides>,
-            "a side counts as crossed beyond its second vertex, too: it is taken for an endless half line"),
-      gives("both-ways", inside_by<InsideRule::both_ways>,
-            "crossings on both sides of the point are counted: x is not compared"),
-      gives_to_all("last-side-missing", inside_by<InsideRule::last_side>,
-                   "the side from the last vertex to the first is forgotten, or counts twice"),
-      gives_to_all("last-side-missing-against", inside_by<InsideRule::last_side, Sweep::against>,
-                   "the side from the last vertex to the first is forgotten, or counts twice"),
-      gives_to_all("last-side-missing-in-order", inside_by<InsideRule::last_side, Sweep::along_in_order>,
-                   "the side from the last vertex to the first is forgotten, or counts twice"),
-      gives_to_all("last-side-missing-against-in-order",
-                   inside_by<InsideRule::last_side, Sweep::against_in_order>,
-                   "the side from the last vertex to the first is forgotten, or counts twice"),
-      gives_to_all("last-side-missing-upward", inside_by<InsideRule::last_side, Sweep::upward>,
-                   "the side from the last vertex to the first is forgotten, or counts twice"),
-      gives_to_all("last-side-missing-downward", inside_by<InsideRule::last_side, Sweep::downward>,
-                   "the side from the last vertex to the first is forgotten, or counts twice"),
-      gives("first-triangle", inside_by<InsideRule::first_triangle>,
-            "only the first three vertices are looked at"),
-      gives("endless-boundary", endless_boundary,
-            "a point on the line of a side, beyond its ends, is said to be on the boundary"),
-      gives(
-          "endless-upright-boundary", endless_upright_boundary,
-          "a point on the line of an upright side, beyond its ends, is said to be on the boundary: y is not "
-          "compared"),
-      gives("lost-on-bounds", lost_on_bounds,
-            "a point of the boundary on the border of the bounding box is said to be outside: the box is "
-            "compared "
-            "by <= and >= where < and > belong",
-            boundary),
       gives("flat-bounds-missed", flat_bounds_missed,
             "a figure in a plane along an axis is missed: its bounding box has no thickness there"),
-      gives("angles-without-sign", inside_by<InsideRule::angles>, angles_in_words),
-      gives("angles-without-sign-or-more", inside_by<InsideRule::angles_or_more>, angles_in_words),
-      angles_rounded(),
-      gives(
-          "bounds-of-three", inside_by<InsideRule::bounds_of_three>,
-          "what lies outside the bounding box of the first three vertices is said to be outside: that box is "
-          "too small"),
-      gives(
-          "bounds-but-first", inside_by<InsideRule::bounds_but_first>,
-          "what lies outside the bounding box of all vertices but the first is said to be outside: that box "
-          "is too small"),
-      gives("first-four-vertices", inside_by<InsideRule::first_four>,
-            "only the first four vertices are looked at"),
-      gives("first-eight-vertices", inside_by<InsideRule::first_eight>,
-            "only the first eight vertices are looked at"),
-      gives("upright-sides", inside_by<InsideRule::upright_sides>,
-            "an upright side counts as crossed on whichever side of the point it lies: x is not compared "
-            "there"),
-      gives("repeated-vertices", inside_by<InsideRule::unrepeated>,
-            "a vertex that has been there before is left out, and a side goes past it"),
-      gives("inequality-unturned", inside_by<InsideRule::unturned>,
-            "an inequality is multiplied by a side's height, which may be negative, and not turned round"),
-      gives_to_all("compares-first-vertex", inside_by<InsideRule::first_end>,
-                   "x is compared with a vertex of the side, and must be with the crossing"),
-      gives_to_all("compares-second-vertex", inside_by<InsideRule::second_end>,
-                   "x is compared with a vertex of the side, and must be with the crossing"),
-      gives_to_all("compares-farther-vertex", inside_by<InsideRule::farther_end>,
-                   "x is compared with the larger x of a side's two vertices, and must be with the crossing"),
-      gives_one_of("crossing-wrong", wrong_crossing<Sweep::along>, wrong_crossing_in_words),
-      gives_one_of("crossing-wrong-against", wrong_crossing<Sweep::against>, wrong_crossing_in_words),
-      gives_one_of("crossing-wrong-in-order", wrong_crossing<Sweep::along_in_order>, wrong_crossing_in_words),
-      gives_one_of("crossing-wrong-upward", wrong_crossing<Sweep::upward>, wrong_crossing_in_words),
-      gives_to_all("any-crossing", inside_by<InsideRule::any_crossing>,
-                   "one crossed side is enough: crossings must be counted, even or odd"),
-      gives_to_all("one-way-sides", inside_by<InsideRule::upward>,
-                   "a side counts as crossed in one direction alone, upward or downward"),
-      gives("never-inside", never_inside, "no point is ever said to be inside"),
-      gives("taken-as-convex", inside_by<InsideRule::one_side>,
-            "inside is where all sides turn one way: the polygon is taken for convex"),
-      gives("fan", inside_by<InsideRule::fan>,
-            "inside is what lies in a triangle of the fan from the first vertex: the polygon is taken for "
-            "convex"),
-      gives("inside-out", inside_out, "inside is called outside, and outside inside"),
-      loose_sides<-5>(),
-      loose_sides<-4>(),
-      loose_sides<-3>(),
-      loose_sides<-2>(),
-      gives("bounding-box", inside_by<InsideRule::bounds>, "the whole bounding box of the polygon is hit"),
   };
   add_grazing<-2, -3, -4, -5, -6, -8, -12>(all);
   return all;

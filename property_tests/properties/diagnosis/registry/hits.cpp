@@ -3,10 +3,10 @@
 
 #include "properties/diagnosis/models/hits/hits.hpp"
 #include "properties/diagnosis/models/flat/flat.hpp"
-#include "properties/diagnosis/models/flat/outline.hpp"
 #include "properties/diagnosis/models/hits/interval.hpp"
 #include "properties/diagnosis/models/hits/line.hpp"
 #include "properties/diagnosis/models/hits/starts.hpp"
+#include "properties/diagnosis/models/outlines/outline.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
 
 namespace rayproof::diagnosis {

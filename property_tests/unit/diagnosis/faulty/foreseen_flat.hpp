@@ -20,6 +20,7 @@ inline constexpr Foreseen foreseen_faults_of_flat[] = {
     {"triangle", "triangle-bounds"},
     {"triangle", "edge-b-open"},
     {"polygon", "first-corner-culls"},
+    {"polygon", "hit-exchanged"},
     {"polygon", "fan"},
     {"polygon", "collinear-corner"},
     {"polygon", "last-side-missing-against"},

@@ -5,8 +5,8 @@
 #include <glm/vector_relational.hpp>
 
 #include "properties/diagnosis/examination/agreement.hpp"
-#include "properties/diagnosis/models/flat/outline.hpp"
 #include "properties/diagnosis/models/hits/factor.hpp"
+#include "properties/diagnosis/models/outlines/outline.hpp"
 #include "properties/diagnosis/models/plane_hit.hpp"
 
 namespace rayproof::diagnosis {

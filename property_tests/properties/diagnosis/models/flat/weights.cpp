@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "properties/diagnosis/models/flat/outline.hpp"
+#include "properties/diagnosis/models/outlines/outline.hpp"
 
 namespace rayproof::diagnosis {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "properties/diagnosis/models/flat/outline.hpp"
 #include "properties/diagnosis/models/flat/weights.hpp"
+#include "properties/diagnosis/models/outlines/outline.hpp"
 
 namespace rayproof::diagnosis {
 namespace {

@@ -1,6 +1,6 @@
 #include "properties/diagnosis/models/flat/wrong_plane.hpp"
 
-#include "properties/diagnosis/models/flat/outline.hpp"
+#include "properties/diagnosis/models/outlines/outline.hpp"
 #include "properties/diagnosis/models/plane_hit.hpp"
 
 namespace rayproof::diagnosis {

@@ -1,4 +1,4 @@
-#include "properties/diagnosis/models/flat/sweep.hpp"
+#include "properties/diagnosis/models/outlines/sweep.hpp"
 
 #include <utility>
 

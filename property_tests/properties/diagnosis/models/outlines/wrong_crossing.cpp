@@ -1,9 +1,9 @@
-#include "properties/diagnosis/models/flat/wrong_crossing.hpp"
+#include "properties/diagnosis/models/outlines/wrong_crossing.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "properties/diagnosis/models/flat/outline_geometry.hpp"
+#include "properties/diagnosis/models/outlines/outline_geometry.hpp"
 
 namespace rayproof::diagnosis {
 namespace {

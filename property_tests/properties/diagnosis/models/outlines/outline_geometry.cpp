@@ -1,4 +1,4 @@
-#include "properties/diagnosis/models/flat/outline_geometry.hpp"
+#include "properties/diagnosis/models/outlines/outline_geometry.hpp"
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 /// \file
 /// Models of faults in where a side of a polygon crosses the level of the point.
 
-#include "properties/diagnosis/models/flat/sweep.hpp"
 #include "properties/diagnosis/models/models.hpp"
+#include "properties/diagnosis/models/outlines/sweep.hpp"
 
 namespace rayproof::diagnosis {
 
