@@ -159,6 +159,7 @@ std::string budget_in_words(const std::vector<LibraryDossier>& libraries) {
 std::string where_seen(const Finding& finding) {
   const auto precision = name_of(finding.one.precision);
   if (finding.cases == 0) return std::string(precision);
+  if (finding.cases == 1) return fmt::format("{}, in one case", precision);
   return fmt::format("{}, about {} of the cases", precision, finding.cases);
 }
 

@@ -24,6 +24,11 @@ void read_got(const Json& line, Finding& finding) {
   Outcome outcome = program::ReplyLine(text).outcome(finding.one);
   if (!outcome.is_answered()) throw std::runtime_error(outcome.sentence);
   finding.evidence.got = std::move(outcome.answer);
+  // An error is counted of a right verdict alone: who gives fewer hits then gives the nearest.
+  auto* hits = std::get_if<RayAnswer>(&finding.evidence.got);
+  const bool is_verdict_right = line.contains("error_ulp") && line.at("error_ulp").is_number();
+  if (hits != nullptr && is_verdict_right)
+    hits->nearest_only = hits->hits.count < std::get<RayAnswer>(finding.evidence.exact).hits.count;
 }
 
 RecordedFinding recorded(const Json& line, std::size_t number) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "viz/trace/numbers.hpp"
 
@@ -61,6 +62,12 @@ std::vector<double> list_of(const QuadraticAnswer<double>& answer) {
   return {answer.roots.begin(), answer.roots.begin() + static_cast<std::ptrdiff_t>(answer.count)};
 }
 
+/// One hit where there are two, and it is the second.
+bool is_farther_alone(const std::vector<double>& truth, const std::vector<double>& claim) {
+  return truth.size() == 2 && claim.size() == 1 &&
+         std::abs(claim[0] - truth[1]) < std::abs(claim[0] - truth[0]);
+}
+
 }  // namespace
 
 std::vector<double> values_of(const Answer* answer) {
@@ -85,11 +92,17 @@ bool verdicts_differ(const Answer* exact, const Answer* claimed) {
 }
 
 double worst_ulps(const Answer* exact, const Answer* claimed, Precision precision) {
+  const std::optional<ValuePair> pair = worst_pair(exact, claimed, precision);
+  return pair ? pair->ulps : 0;
+}
+
+std::optional<ValuePair> worst_pair(const Answer* exact, const Answer* claimed, Precision precision) {
   const std::vector<double> truth = values_of(exact);
   const std::vector<double> claim = values_of(claimed);
-  double worst = 0;
+  std::optional<ValuePair> worst;
   for (std::size_t i = 0; i < std::min(truth.size(), claim.size()); ++i) {
-    worst = std::max(worst, count_ulps(truth[i], claim[i], precision));
+    const double ulps = count_ulps(truth[i], claim[i], precision);
+    if (!worst || ulps > worst->ulps) worst = {i, truth[i], claim[i], ulps};
   }
   return worst;
 }
@@ -97,14 +110,17 @@ double worst_ulps(const Answer* exact, const Answer* claimed, Precision precisio
 std::string headline_of(const Case& one, const Answer* exact, const Answer* claimed) {
   if (claimed == nullptr) return fmt::format("Exact answer: {}", verdict_of(exact));
   if (exact == nullptr) return fmt::format("Claimed answer: {}", verdict_of(claimed));
+  const bool is_farther = is_farther_alone(values_of(exact), values_of(claimed));
+  const std::optional<ValuePair> worst = worst_pair(exact, claimed, one.precision);
   std::string remark;
-  const double ulps = worst_ulps(exact, claimed, one.precision);
-  if (verdicts_differ(exact, claimed)) {
+  if (is_farther || verdicts_differ(exact, claimed)) {
     remark = ", which is wrong";
-  } else if (ulps > 0) {
-    remark = fmt::format(", {}", accuracy_in_words(ulps));
+  } else if (worst && worst->ulps > 0) {
+    const std::string apart = apart_in_words(worst->exact, worst->claimed, one.precision);
+    remark = std::isinf(worst->ulps) ? ", " + apart + " off" : ", off by " + apart;
   }
-  return fmt::format("Exact: {}. Claimed: {}{}.", verdict_of(exact), verdict_of(claimed), remark);
+  const std::string claim = is_farther ? "the farther hit alone" : verdict_of(claimed);
+  return fmt::format("Exact: {}. Claimed: {}{}.", verdict_of(exact), claim, remark);
 }
 
 }  // namespace rayproof::viz

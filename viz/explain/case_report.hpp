@@ -74,7 +74,18 @@ struct CaseReport {
 /// none.
 [[nodiscard]] bool verdicts_differ(const Answer* exact, const Answer* claimed);
 
-/// The worst distance of a claimed value from the exact one of the same rank, as count_ulps counts.
+/// An exact value and the claimed one of the same rank.
+struct ValuePair {
+  std::size_t rank = 0;
+  double exact = 0;
+  double claimed = 0;
+  double ulps = 0;  ///< between them, as count_ulps counts
+};
+
+/// The pair that lies farthest apart, infinite ones included; nothing where there is none to compare.
+[[nodiscard]] std::optional<ValuePair> worst_pair(const Answer* exact, const Answer* claimed,
+                                                  Precision precision);
+/// Its distance in ulps; 0 where there is none.
 [[nodiscard]] double worst_ulps(const Answer* exact, const Answer* claimed, Precision precision);
 
 /// "Exact: hit. Claimed: miss, which is wrong." in one line.

@@ -43,8 +43,14 @@ Place nearest_spoke(const Sight& sight, const Cylinder<Shadow>& cylinder, const 
   const Place f{ray.origin.x / cylinder.rx, ray.origin.y / cylinder.ry, 0};
   const Place d{ray.direction.x / cylinder.rx, ray.direction.y / cylinder.ry, 0};
   const Shadow a = dot(d, d);
-  const Place q = unit(a == 0 ? f : f - dot(f, d) / a * d);
-  return dot(q, q) == 0 ? tube.x : tube.spoke({q.x, q.y});
+  const Place offset = a == 0 ? f : f - dot(f, d) / a * d;
+  if (length(offset) > ldexp(length(f), -200)) {
+    const Place q = unit(offset);
+    return tube.spoke({q.x, q.y});
+  }
+  // Through the axis: across the ray, or anywhere where it runs along the axis.
+  const Place across = unit(Place{-d.y, d.x, 0});
+  return a == 0 ? tube.x : tube.spoke({across.x, across.y});
 }
 
 /// A short line on a rim at its point nearest the ray's line.

@@ -26,7 +26,9 @@ Border border_of(const Sight& sight, const Sphere<Shadow>& sphere) {
   const Place along = unit(ray.direction);
   const Place from_centre = ray.origin - sphere.center;
   const Place offset = from_centre - dot(from_centre, along) * along;
-  const Place out = length(offset) == 0 ? some_perpendicular(along) : unit(offset);
+  // Of a ray through the centre only the rounding of these numbers is left.
+  const bool is_central = length(offset) <= ldexp(length(from_centre), -200);
+  const Place out = is_central ? some_perpendicular(along) : unit(offset);
   const Place top = sphere.center + sphere.radius * out;
   const Place across = sphere.radius / 8 * cross(along, out);
   return {{sight.world.point(top - across), sight.world.point(top + across)}};

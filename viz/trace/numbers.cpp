@@ -107,7 +107,11 @@ std::string accuracy_in_words(double ulps) {
 
 std::string apart_in_words(double a, double b, Precision precision) {
   const double ulps = count_ulps(a, b, precision);
-  return ulps == 0 ? "equal" : std::isinf(ulps) ? "infinitely far" : in_ulps(ulps);
+  if (ulps == 0) return "equal";
+  if (std::isinf(ulps)) return "infinitely far";
+  // Of what is wrong in the first digits, or near 0, a number of ulps says nothing.
+  constexpr double many = 100, grossly = 0.01;
+  return ulps > many && std::abs(b - a) > grossly * std::abs(a) ? rough(std::abs(b - a), 2) : in_ulps(ulps);
 }
 
 }  // namespace rayproof::viz

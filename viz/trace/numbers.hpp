@@ -34,7 +34,8 @@ namespace rayproof::viz {
 /// Of an answer this many ulps from the correctly rounded one: "the exact one, correctly rounded", "off by
 /// 639 ulps", "infinitely far off".
 [[nodiscard]] std::string accuracy_in_words(double ulps);
-/// The distance of two numbers: "equal", "639 ulps", "infinitely far".
+/// The distance of a number from the exact one, `a`: "equal", "639 ulps", "infinitely far"; the difference
+/// itself, "0.037", beyond a hundredth of `a`.
 [[nodiscard]] std::string apart_in_words(double a, double b, Precision precision);
 
 }  // namespace rayproof::viz

@@ -74,9 +74,15 @@ std::optional<CloseUp> close_up_of(const RayScene& scene, const CaseReport& repo
   const Shadow size =
       length(nearest->on_outline) + length(nearest->border->line[1] - nearest->border->line[0]);
   const bool is_met = nearest->gap <= ldexp(size, -200);
-  CloseUp shown{is_met ? 0 : static_cast<double>(nearest->gap),
-                is_met ? "The ray passes through the outline."
-                       : fmt::format("The ray passes {} from the outline.", rough(nearest->gap, 3))};
+  const Ray<double>& ray = scene.sight.question.ray;
+  const bool is_point = ray.t_min == ray.t_max;
+  CloseUp shown{is_met ? 0 : static_cast<double>(nearest->gap)};
+  if (is_met) {
+    shown.words = is_point ? "The ray is one point of the outline." : "The ray passes through the outline.";
+  } else {
+    shown.words = fmt::format("The ray {} {} from the outline.", is_point ? "is one point," : "passes",
+                              rough(nearest->gap, 3));
+  }
   if (!can_be_drawn(shown.gap)) return shown;
   const Profile profile = profile_of(scene, *nearest);
   shown.items = surface_of(*nearest, profile);
@@ -109,6 +115,9 @@ CloseUp close_up_of(const std::vector<glm::dvec3>& ring, const glm::dvec3& p) {
   if (!can_be_drawn(shown.gap)) return shown;
   const glm::dvec3 middle = 0.5 * (nearest + p);
   const auto placed = [&](const glm::dvec3& q) { return (q - middle) / shown.gap; };
+  std::vector<glm::dvec3> filled;
+  for (const glm::dvec3& vertex : ring) filled.push_back(placed(vertex));
+  shown.items.push_back(open_polygon(Role::surface, filled));
   for (std::size_t i = 0; i < ring.size(); ++i) {
     if (glm::length(nearest_on(i) - middle) < profile_reach * shown.gap)
       shown.items.push_back(segment(Role::surface, placed(ring[i]), placed(ring[(i + 1) % ring.size()])));

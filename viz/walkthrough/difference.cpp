@@ -13,29 +13,17 @@
 namespace rayproof::viz {
 namespace {
 
-/// An exact value and the method's of the same rank.
-struct ValuePair {
-  std::size_t rank = 0;
-  double exact = 0;  ///< rounded to float64
-  double claimed = 0;
-  double ulps = 0;
-};
-
 /// A gap narrower than this, in the view's radii, can't be seen.
 constexpr double visible_gap = 0.05;
 
 const Answer& finest(const CaseReport& report) { return report.finer ? *report.finer : report.exact; }
 
-/// The pair that lies farthest apart, infinite ones included; nothing where there is none to compare.
+/// The values that lie farthest apart, the exact one rounded to float64.
 std::optional<ValuePair> worst_pair_of(const CaseReport& report) {
-  const std::vector<double> correct = values_of(&report.exact);
+  std::optional<ValuePair> worst = worst_pair(&report.exact, report.claim(), report.one.precision);
   const std::vector<double> fine = values_of(&finest(report));
-  const std::vector<double> claimed = values_of(report.claim());
-  std::optional<ValuePair> worst;
-  for (std::size_t i = 0; i < std::min({correct.size(), claimed.size(), fine.size()}); ++i) {
-    const double ulps = count_ulps(correct[i], claimed[i], report.one.precision);
-    if (!worst || ulps > worst->ulps) worst = {i, fine[i], claimed[i], ulps};
-  }
+  if (!worst || worst->rank >= fine.size()) return std::nullopt;
+  worst->exact = fine[worst->rank];
   return worst;
 }
 
@@ -84,7 +72,9 @@ void magnify(StageStep& step, const CaseReport& report, const ValuePair& pair, c
   const auto* answer = std::get_if<RayAnswer>(&report.exact);
   // From farther off a surface is not level.
   const bool is_level = unit * speed < 0.02 * setting.near.radius;
-  if (answer != nullptr && answer->normal && pair.rank == 0 && is_level)
+  const bool is_inside_face =
+      answer != nullptr && (answer->contact == Contact::crossing || answer->contact == Contact::tangent);
+  if (is_inside_face && answer->normal && pair.rank == 0 && is_level)
     step.items = surface_at_hit(*answer->normal, setting);
   if (const auto* q = std::get_if<Quadratic<double>>(&report.one.question))
     step.items = curve_at_root(*q, pair.exact, setting);

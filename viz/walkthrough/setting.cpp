@@ -7,6 +7,7 @@
 #include "viz/scene/items.hpp"
 #include "viz/shapes/ray_scene.hpp"
 #include "viz/shapes/topics.hpp"
+#include "viz/trace/numbers.hpp"
 #include "viz/walkthrough/difference_gap.hpp"
 
 namespace rayproof::viz {
@@ -116,8 +117,15 @@ StageItem far_start(const StageSlider& slider, const StageView& view, const Stag
 void add_ray(Items& scene, const Ray<double>& ray, const StageSlider& slider, const char* origin = "o") {
   const bool starts = std::isfinite(ray.t_min);
   const glm::dvec3 start = ray.origin + (starts ? ray.t_min : slider.from) * ray.direction;
+  if (ray.t_min == ray.t_max) {  // no more than a point of its line
+    scene.push_back(segment(Role::ray, ray.origin + slider.from * ray.direction,
+                            ray.origin + slider.to * ray.direction, {}, Pattern::dotted));
+    scene.push_back(point(Role::ray, start, ray.t_min == 0 ? std::string(origin) + " = p(t)" : "p(t)"));
+    if (ray.t_min != 0) scene.push_back(point(Role::ray, ray.origin, origin));
+    return;
+  }
   const glm::dvec3 end = ray.origin + std::max(slider.to, starts ? ray.t_min : slider.to) * ray.direction;
-  if (starts && ray.t_min != 0) scene.push_back(segment(Role::ray, ray.origin, start, {}, Pattern::dotted));
+  if (starts && ray.t_min > 0) scene.push_back(segment(Role::ray, ray.origin, start, {}, Pattern::dotted));
   scene.push_back(arrow(Role::ray, start, end, "p(t)"));
   if (starts) scene.push_back(point(Role::ray, ray.origin, origin));
 }
