@@ -71,9 +71,13 @@ std::string findings_markdown(const std::vector<LibraryDossier>& libraries, cons
       "is a smallest case, asked again of the\n"
       "library, with what is right computed by hand's formula in exact fractions. What has the same "
       "diagnosis in\n"
-      "other shapes is the same fault, and stands under *also in*. `rayproof bugreport N "
-      "--from docs/findings.jsonl` makes a report of\n"
-      "finding N. Kinds and claims: [reading-a-check.md](reading-a-check.md), "
+      "other shapes is the same fault, and stands under *also in*. *found* and the picture count t in "
+      "lengths "
+      "of the case's own direction;\n"
+      "*asked*, *it said*, *right is* and *by hand* in what the library counts: lengths of a unit direction, "
+      "shares of a segment, or a depth.\n"
+      "`rayproof bugreport N --from docs/findings.jsonl` makes a report of finding N. Kinds and claims: "
+      "[reading-a-check.md](reading-a-check.md), "
       "[your-own-code.md](your-own-code.md#how-to-read-the-result).\n\n",
       budget_in_words(libraries), command);
   for (const LibraryDossier& library : libraries) {

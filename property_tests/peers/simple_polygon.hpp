@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -58,7 +59,20 @@ namespace rayproof::peers {
   return distance;
 }
 
-/// The same in space, where all vertices also lie in one plane, but for a rounding in double.
+/// How far a point is from the nearest side.
+[[nodiscard]] inline double distance_from_sides(std::span<const glm::dvec3> vertices,
+                                                const glm::dvec3& point) {
+  double distance = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const glm::dvec3& from = vertices[i];
+    const glm::dvec3 side = vertices[(i + 1) % vertices.size()] - from;
+    const double share = std::clamp(dot(point - from, side) / dot(side, side), 0.0, 1.0);
+    distance = std::min(distance, glm::length(point - from - share * side));
+  }
+  return distance;
+}
+
+/// Whether a polygon in space is one, where all vertices also lie in one plane, but for a rounding in double.
 [[nodiscard]] inline bool is_simple(std::span<const glm::dvec3> vertices) {
   const glm::dvec3 normal = newell_normal(vertices);
   double size = 0;

@@ -82,6 +82,12 @@ Hit polygon(const Ray<double>& ray, const std::vector<dvec3>& vertices) {
   vtkPolygon::ComputeNormal(cell->GetPoints(), &normal.x);
   double size = glm::length(ray.origin);
   for (const dvec3& vertex : vertices) size = std::max(size, glm::length(vertex));
+  const double tolerance = 1e-14 * size + 2 * distance_from_plane(vertices, normal);
+  // As near to a side as that, either answer is what was asked for.
+  const double t_plane = dot(vertices[0] - ray.origin, normal) / dot(ray.direction, normal);
+  constexpr double clear_of_it = 10;
+  if (distance_from_sides(vertices, ray.origin + t_plane * ray.direction) < clear_of_it * tolerance)
+    throw Unsupported();
   LibraryCall call("vtkPolygon::IntersectWithLine", R"(#include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
@@ -90,8 +96,7 @@ vtkNew<vtkPolygon> cell;
 double corners[][3] = {$vertices};
 for (auto& p : corners) cell->GetPointIds()->InsertNextId(cell->GetPoints()->InsertNextPoint(p));)",
                    given("vertices", vertices));
-  return meet(std::move(call), *cell, vertices, ray,
-              1e-14 * size + 2 * distance_from_plane(vertices, normal));
+  return meet(std::move(call), *cell, vertices, ray, tolerance);
 }
 
 }  // namespace rayproof::peers::vtk
