@@ -66,7 +66,7 @@ class Parts:
         if not file.exists():
             self.ask("walk", topic, "--html", str(file))
         link = os.path.relpath(f"walk/{file.name}", os.path.dirname(page))
-        frame = f'<iframe src="{link}" title="Walkthrough {topic}" loading="lazy" style="width: 100%; height: 44rem; border: 1px solid #888"></iframe>'
+        frame = f'<iframe src="{link}" title="Walkthrough {topic}" loading="lazy" style="width: 100%; height: 70rem; border: 1px solid #888"></iframe>'
         return f"```{{raw}} html\n{frame}\n<p><a href=\"{link}\">The walkthrough on a page of its own</a></p>\n```"
 
     @staticmethod

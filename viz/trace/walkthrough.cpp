@@ -149,6 +149,7 @@ Walkthrough walkthrough_of(const Tape& tape, const Ending& ending, Precision pre
   walk.lo = tape.at(ending.lo).value;
   walk.hi = tape.at(ending.hi).value;
   walk.decider = decider_of(tape, ending.discriminant);
+  walk.is_decider_zero = tape.at(ending.discriminant).value == 0;
   judge(walk, tape, ending);
   return walk;
 }
@@ -160,7 +161,8 @@ std::string verdict_sentence(const Walkthrough& walk) {
   }
   const std::string consequence =
       walk.outcome == Faithfulness::flipped
-          ? walk.decider + " is left with the wrong sign, and the verdict is wrong"
+          ? walk.decider + (walk.is_decider_zero ? " is left 0" : " is left with the wrong sign") +
+                ", and the verdict is wrong"
           : fmt::format("the answer keeps {:.0f} of its {} bits",
                         std::max(0.0, walk.digits - walk.answer_bits_lost), walk.digits);
   if (!walk.decisive_loss)

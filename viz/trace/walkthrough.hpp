@@ -78,6 +78,7 @@ struct Walkthrough {
   double hi = 0;
   Faithfulness outcome = Faithfulness::faithful;
   std::string decider = "the discriminant";  ///< the number whose sign decides; empty where comparisons do
+  bool is_decider_zero = false;              ///< as it was computed
   std::string known_fault{};                 ///< why the method is known to go wrong; empty for a sound one
   bool is_printed = false;                   ///< copied from a source together with the source's error
   double answer_bits_lost = 0;  ///< of the worst answer, or of the flipped discriminant; 0 where faithful

@@ -89,7 +89,15 @@ struct Hypothesis {
   return (own == OfSizes::small || own == OfSizes::limit) && other == OfSizes::type;
 }
 
-/// Every hypothesis, the most specific first: of two that explain as much, the first is taken.
+/// Hypotheses on one matter: models, or cures.
+struct HypothesisTable {
+  std::string_view title{};
+  std::vector<Hypothesis> lines{};
+};
+
+/// The registry. Of two hypotheses that explain as much the first is taken.
+[[nodiscard]] const std::vector<HypothesisTable>& hypothesis_tables();
+/// All of them, in that order.
 [[nodiscard]] const std::vector<Hypothesis>& hypotheses();
 
 /// The hypothesis of that name, or null.

@@ -2,18 +2,40 @@
 
 namespace rayproof {
 
-const std::vector<Hypothesis>& hypotheses() {
+const std::vector<HypothesisTable>& hypothesis_tables() {
   using namespace diagnosis;
+  static const std::vector<HypothesisTable> all{
+      {"Projections of flat figures", models_of_projections()},
+      {"Rays along the axis of a cylinder", models_of_axis_rays()},
+      {"Interval and list of hits", models_of_hits()},
+      {"Limits", models_of_limits()},
+      {"Units and digits of t", models_of_numbers()},
+      {"Cylinders", models_of_cylinders()},
+      {"The formula for two roots", models_of_roots()},
+      {"Transforms", models_of_transforms()},
+      {"Spheres, boxes and parallelepipeds", models_of_solids()},
+      {"Corners of boxes", models_of_corners()},
+      {"Slabs", models_of_slab_orders()},
+      {"Edges of boxes", models_of_edges()},
+      {"Planes and triangles", models_of_flat_figures()},
+      {"Points in polygons", models_of_outlines()},
+      {"Points in triangles and faces", models_of_weights()},
+      {"Numbers of a case that are read otherwise", models_of_readings()},
+      {"What is said of the first hit", models_of_first_hits()},
+      {"Digits", models_of_digits()},
+      {"Roots", classes_of_roots()},
+      {"One cure", cures_of_values()},
+      {"Cases that are not handled", classes_of_cases()},
+      {"Boundaries and rounding", cures_of_boundaries()},
+      {"Two cures at once", pairs_of_cures()}};
+  return all;
+}
+
+const std::vector<Hypothesis>& hypotheses() {
   static const std::vector<Hypothesis> all = [] {
     std::vector<Hypothesis> gathered;
-    for (const auto table :
-         {models_of_projections,  models_of_axis_rays, models_of_hits,        models_of_limits,
-          models_of_numbers,      models_of_cylinders, models_of_roots,       models_of_transforms,
-          models_of_solids,       models_of_corners,   models_of_slab_orders, models_of_edges,
-          models_of_flat_figures, models_of_outlines,  models_of_weights,     models_of_readings,
-          models_of_first_hits,   models_of_digits,    classes_of_roots,      cures_of_values,
-          classes_of_cases,       cures_of_boundaries, pairs_of_cures})
-      for (const Hypothesis& one : table()) gathered.push_back(one);
+    for (const HypothesisTable& table : hypothesis_tables())
+      gathered.insert(gathered.end(), table.lines.begin(), table.lines.end());
     return gathered;
   }();
   return all;
