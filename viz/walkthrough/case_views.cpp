@@ -62,7 +62,8 @@ Stage case_views(const CaseReport& report) {
   whole.caption = words_of(report.one, setting);
   whole.view = setting.wide;
   if (const auto* question = std::get_if<PointAndPolygon<double>>(&report.one.question)) {
-    whole.items = crossings_of(*question);
+    // On the boundary nothing depends on how many there are.
+    if (std::get<Position>(report.exact) != Position::boundary) whole.items = crossings_of(*question);
   } else if (stage.slider) {
     whole.items = hits_of(*stage.slider, report);
     if (stage.slider->symbol == "x") whole.magnification = glm::length(stage.slider->direction);
