@@ -86,8 +86,9 @@ struct EdgeOf {
     BoundaryPlaces places;
     for (const double t : exact.hits.view()) {
       const double z = ray.origin.z + t * ray.direction.z;
-      if (is_same(z + cylinder.height, cylinder.height)) places |= only(low_rim);
-      if (is_same(z, cylinder.height)) places |= only(high_rim);
+      const bool is_level = is_same(ray.direction.z / glm::length(ray.direction) + 1, 1);
+      if (is_same(z + cylinder.height, cylinder.height)) places |= only(is_level ? level_rim : low_rim);
+      if (is_same(z, cylinder.height)) places |= only(is_level ? level_rim : high_rim);
     }
     return places;
   }

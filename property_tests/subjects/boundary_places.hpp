@@ -20,13 +20,14 @@ enum class BoundaryPlace {
   vertex,     ///< a vertex of a triangle, or of a polygon in the plane
   low_face,   ///< a line in a face of a box at its min, or of a parallelepiped at its corner
   high_face,  ///< the same of the opposite faces
-  low_rim,    ///< an open cylinder's rim at z = 0
+  low_rim,    ///< an open cylinder's rim at z = 0, crossed by the ray
   high_rim,   ///< an open cylinder's rim at z = height
   edge,       ///< any other edge, or the boundary of a polygon
   // Of shapes without faces; a place is one of its shape.
   in_surface = low_face,     ///< a line that runs inside a plane, a figure's plane or an open side: a miss
   level_side = low_face,     ///< a level side of a polygon in the plane
   upright_side = high_face,  ///< an upright one
+  level_rim = high_face,     ///< an open cylinder's rim, in whose plane the ray runs
   no_radius = low_face       ///< a sphere that is a point
 };
 inline constexpr std::size_t boundary_place_count = 13;

@@ -70,6 +70,21 @@ std::optional<PlaneHit> plane_hit(const Case& one) {
   return figure ? plane_hit(one, *figure) : std::nullopt;
 }
 
+Answers projected_wrongly(const Case& one, WrongAxis wrong, bool is_hit) {
+  const auto figure = flat_figure(one);
+  const auto hit = plane_hit(one);
+  if (!figure || !hit) return {};
+  const glm::dvec3& n = figure->normal;
+  const auto is_preferred = [&](int a, int b) {
+    return wrong == WrongAxis::smallest ? std::abs(n[a]) < std::abs(n[b]) : n[a] > n[b];
+  };
+  int axis = 0;
+  for (const int other : {1, 2})
+    if (is_preferred(other, axis)) axis = other;
+  if (std::abs(n[axis]) > 0x1p-20 * glm::length(n)) return {};
+  return hit_at(one, hit->t, is_hit);
+}
+
 Answers triangle_of_wrong_constant(const Case& one, const Answer& /*exact*/) {
   const auto figure = flat_figure(one);
   if (!figure || figure->vertices.size() != 3 || shape_in<Triangle<double>>(one) == nullptr) return {};

@@ -43,6 +43,15 @@ struct PlaneHit {
 /// The same with the figure given.
 [[nodiscard]] std::optional<PlaneHit> plane_hit(const Case& one, const FlatFigure& figure);
 
+/// A figure is projected along the axis where its normal is smallest, or where it is largest with its sign.
+/// Where it is 0 there nothing but a line is seen: what its plane is hit at counts, or is missed.
+enum class WrongAxis { smallest, largest_signed };
+[[nodiscard]] Answers projected_wrongly(const Case& one, WrongAxis wrong, bool is_hit);
+template <WrongAxis wrong, bool is_hit>
+[[nodiscard]] Answers projected_wrongly(const Case& one, const Answer& /*exact*/) {
+  return projected_wrongly(one, wrong, is_hit);
+}
+
 /// A triangle whose plane's constant, or n·o, has the wrong sign: t is (n·a + n·o) / (n·d), and what lies
 /// there is seen along the normal.
 [[nodiscard]] Answers triangle_of_wrong_constant(const Case& one, const Answer& exact);

@@ -47,6 +47,9 @@ void add_grazing(std::vector<Hypothesis>& all) {
    ...);
 }
 
+constexpr std::string_view signed_in_words =
+    "the coordinate is left out in which the normal is largest with its sign: magnitudes must be compared";
+
 }  // namespace
 
 std::vector<Hypothesis> models_of_projections() {
@@ -63,6 +66,12 @@ std::vector<Hypothesis> models_of_projections() {
       gives("upright", upright_missed<-1>,
             "a figure whose normal is 0 in a coordinate is missed: leave out the one in which the normal is "
             "largest"),
+      gives("projected-along-smallest", projected_wrongly<WrongAxis::smallest, true>,
+            "the coordinate is left out in which the normal is smallest, and must be the one in which it is "
+            "largest"),
+      gives("projected-along-signed", projected_wrongly<WrongAxis::largest_signed, true>, signed_in_words),
+      gives("projected-along-signed-missed", projected_wrongly<WrongAxis::largest_signed, false>,
+            signed_in_words),
   };
 }
 

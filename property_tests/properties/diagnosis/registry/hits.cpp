@@ -45,6 +45,8 @@ std::vector<Hypothesis> models_of_hits() {
             "t_max is compared with the near hit alone: a far one beyond it is reported, too"),
       gives("ignores-t-max", read_as<without_t_max>,
             "the answer is right for a ray without end: t_max is ignored"),
+      gives("t-min-cut-to-zero", t_min_cut_to_zero,
+            "the answer is right for t_min = 0 where t_min is negative: t >= 0 is asked beside it"),
       gives("t-min-is-zero", t_min_is_zero, "the answer is right for t_min = 0: t_min is ignored"),
       gives("ignores-t-min", read_as<without_t_min>,
             "the answer is right without t_min: hits behind the ray's beginning are reported"),

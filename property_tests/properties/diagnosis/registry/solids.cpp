@@ -14,7 +14,8 @@ namespace rayproof::diagnosis {
 std::vector<Hypothesis> models_of_solids() {
   return {
       gives("radius-squared", read_as<radius_squared>, "the answer is right for the radius squared"),
-      gives("radius-rooted", radius_for_square,
+      gives("radius-doubled-for-square", radius_for_square<2>, "2r is taken for r²"),
+      gives("radius-rooted", radius_for_square<1>,
             "the answer is right for the root of the radius: r is taken for r²"),
       gives("radius-square-added", radius_square_added,
             "it finds nothing on any case tried: no hit is looked for, or c = |o - center|² + r², the sign "

@@ -15,6 +15,8 @@ inline void PrintTo(const Foreseen& one, std::ostream* out) { *out << one.topic 
 
 inline constexpr Foreseen foreseen_faults[] = {
     {"sphere", "zero-as-no-end"},
+    {"box", "t-min-cut-to-zero"},
+    {"sphere", "radius-doubled-for-square"},
     {"sphere", "origin-ignored"},
     {"sphere", "origin-negated"},
     {"sphere", "direction-as-target"},

@@ -70,6 +70,11 @@ Answers t_min_is_zero(const Case& one, const Answer& /*exact*/) {
   return exact_of(with_interval(one, 0, ray->t_max));
 }
 
+Answers t_min_cut_to_zero(const Case& one, const Answer& exact) {
+  const auto* ray = ray_of(one);
+  return ray == nullptr || ray->t_min >= 0 ? Answers{} : t_min_is_zero(one, exact);
+}
+
 Answers zero_as_no_end(const Case& one, const Answer& /*exact*/) {
   const auto* ray = ray_of(one);
   if (ray == nullptr || ray->t_max != 0) return {};

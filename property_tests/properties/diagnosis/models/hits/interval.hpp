@@ -23,6 +23,8 @@ namespace rayproof::diagnosis {
 
 /// The interval begins at 0.
 [[nodiscard]] Answers t_min_is_zero(const Case& one, const Answer& exact);
+/// The same where t_min is negative alone.
+[[nodiscard]] Answers t_min_cut_to_zero(const Case& one, const Answer& exact);
 /// t is counted from t_min.
 [[nodiscard]] Answers t_from_t_min(const Case& one, const Answer& exact);
 /// Of an interval that ends at 0 the end is not looked at.

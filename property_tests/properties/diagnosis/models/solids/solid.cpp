@@ -97,12 +97,12 @@ Answers sphere_without_sign(const Case& one, const Answer& /*exact*/) {
   return with_roots(one, roots_by(-equation->h, -equation->discriminant(), equation->a));
 }
 
-Answers radius_for_square(const Case& one, const Answer& /*exact*/) {
+Answers radius_for_square(const Case& one, double times) {
   const auto equation = sphere_equation(one);
   if (!equation) return {};
   const double radius = shape_in<Sphere<double>>(one)->radius;
   ReducedEquation rooted = *equation;
-  rooted.c += radius * radius - radius;
+  rooted.c += radius * radius - times * radius;
   const auto hits = [&](bool is_near, double D) {
     return with_roots(one, is_near ? roots_by(-rooted.h, std::max(D, 0.0), rooted.a) : std::nullopt).front();
   };

@@ -42,8 +42,13 @@ template <int axis>
   return answers;
 }
 
-/// r for r²: everywhere, in half the chord alone, or in the test whether the line passes near enough alone.
-[[nodiscard]] Answers radius_for_square(const Case& one, const Answer& exact);
+/// A multiple of r for r²: everywhere, in half the chord alone, or in the test whether the line passes near
+/// enough alone.
+[[nodiscard]] Answers radius_for_square(const Case& one, double times);
+template <int times>
+[[nodiscard]] Answers radius_for_square(const Case& one, const Answer& /*exact*/) {
+  return radius_for_square(one, times);
+}
 /// The sign of r² is wrong in the constant of the sphere's equation.
 [[nodiscard]] Answers radius_square_added(const Case& one, const Answer& exact);
 /// @{ Of a sphere: hits where the discriminant is negative; the line's nearest point to the centre for a hit.
