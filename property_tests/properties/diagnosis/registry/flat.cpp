@@ -66,12 +66,10 @@ std::vector<Hypothesis> models_of_projections() {
       gives("upright", upright_missed<-1>,
             "a figure whose normal is 0 in a coordinate is missed: leave out the one in which the normal is "
             "largest"),
+      gives("projected-along-signed", projected_wrongly<WrongAxis::largest_signed, true>, signed_in_words),
       gives("projected-along-smallest", projected_wrongly<WrongAxis::smallest, true>,
             "the coordinate is left out in which the normal is smallest, and must be the one in which it is "
             "largest"),
-      gives("projected-along-signed", projected_wrongly<WrongAxis::largest_signed, true>, signed_in_words),
-      gives("projected-along-signed-missed", projected_wrongly<WrongAxis::largest_signed, false>,
-            signed_in_words),
   };
 }
 
@@ -159,6 +157,8 @@ std::vector<Hypothesis> models_of_flat_figures() {
             "t is -(x + y + z + D) / (n·d): the plane's coefficients are missing in the numerator"),
       gives("flat-bounds-missed", flat_bounds_missed,
             "a figure in a plane along an axis is missed: its bounding box has no thickness there"),
+      gives("projected-along-signed-missed", projected_wrongly<WrongAxis::largest_signed, false>,
+            signed_in_words),
   };
   add_grazing<-2, -3, -4, -5, -6, -8, -12>(all);
   return all;

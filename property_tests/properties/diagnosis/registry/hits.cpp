@@ -45,6 +45,8 @@ std::vector<Hypothesis> models_of_hits() {
             "t_max is compared with the near hit alone: a far one beyond it is reported, too"),
       gives("ignores-t-max", read_as<without_t_max>,
             "the answer is right for a ray without end: t_max is ignored"),
+      gives("behind-origin-missed", behind_origin_missed,
+            "what lies wholly behind the ray's origin is missed, though t_min is less than 0"),
       gives("t-min-cut-to-zero", t_min_cut_to_zero,
             "the answer is right for t_min = 0 where t_min is negative: t >= 0 is asked beside it"),
       gives("t-min-is-zero", t_min_is_zero, "the answer is right for t_min = 0: t_min is ignored"),
@@ -88,8 +90,6 @@ std::vector<Hypothesis> models_of_hits() {
       gives("inside-decides", inside_decides,
             "from inside the farther of the two hits is given, from outside the nearer one: where the origin "
             "lies decides, and t is not compared with t_min"),
-      gives("behind-origin-missed", behind_origin_missed,
-            "what lies wholly behind the ray's origin is missed, though t_min is less than 0"),
       gives("all-hits-or-none", all_hits_or_none,
             "it misses where one of the line's hits lies outside the interval, although another lies inside"),
       gives("starts-at-t-min", clipped_at_t_min,
