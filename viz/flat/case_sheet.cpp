@@ -66,13 +66,13 @@ void draw_scale_bar(Picture& picture, const PixelBox& frame, double scale) {
 
 constexpr double table_row = 24, exact_column = 130, claimed_column = 400, apart_column = 660;
 
-void draw_table_head(Picture& picture, double y, bool has_claim) {
+void draw_table_head(Picture& picture, double y, bool has_claim, bool has_pair) {
   picture.elements.emplace_back(Mark{Role::exact, MarkShape::ring, {exact_column + 8, y - 5}});
   add_text(picture, Role::exact, {exact_column + 22, y}, "exact, correctly rounded", 15, true);
   if (!has_claim) return;
   picture.elements.emplace_back(Mark{Role::claimed, MarkShape::cross, {claimed_column + 8, y - 5}});
   add_text(picture, Role::claimed, {claimed_column + 22, y}, "claimed", 15, true);
-  add_text(picture, Role::muted, {apart_column, y}, "apart", 15, true);
+  if (has_pair) add_text(picture, Role::muted, {apart_column, y}, "apart", 15, true);
 }
 
 /// The answers' values under each other: name, exact, claimed, distance; a verdict where there are none.
@@ -82,7 +82,7 @@ double draw_answer_table(Picture& picture, double top, const CaseReport& report)
   const Precision precision = report.one.precision;
   const bool has_names = !std::holds_alternative<PointAndPolygon<double>>(report.one.question);
   double y = top + table_row;
-  draw_table_head(picture, y, report.claimed.has_value());
+  draw_table_head(picture, y, report.claimed.has_value(), !truth.empty() && !claim.empty());
   const std::size_t count = std::max<std::size_t>({truth.size(), claim.size(), 1});
   for (std::size_t i = 0; i < count; ++i) {
     y += table_row;
