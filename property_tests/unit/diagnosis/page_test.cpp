@@ -23,7 +23,7 @@ std::string cell_of(std::string_view sentence) {
 constexpr std::string_view power_of_ten = R"(1e-?[0-9]+)";
 
 /// One row for hypotheses that follow one another and differ in a power of ten alone, or in nothing.
-struct Row {
+struct RowOfFamily {
   std::string_view first, last, sentence, last_sentence;
   FindingKind kind{};
 
@@ -50,7 +50,7 @@ struct Row {
 };
 
 std::string table_of(const HypothesisTable& table) {
-  std::vector<Row> rows;
+  std::vector<RowOfFamily> rows;
   for (const Hypothesis& one : table.lines) {
     if (!rows.empty() && rows.back().takes(one)) {
       rows.back().last = one.name;
@@ -60,7 +60,7 @@ std::string table_of(const HypothesisTable& table) {
     }
   }
   std::string text = fmt::format("### {}\n\n| name | kind | in words |\n| --- | --- | --- |\n", table.title);
-  for (const Row& row : rows)
+  for (const RowOfFamily& row : rows)
     text += fmt::format("| {} | {} | {} |\n", row.names(), name_of(row.kind), row.words());
   return text;
 }

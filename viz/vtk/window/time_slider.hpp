@@ -13,7 +13,7 @@
 
 namespace rayproof::viz {
 
-/// Tells by `move` each t that the user chooses.
+/// Calls `move` with each t that the user chooses.
 class TimeSlider {
  public:
   using Move = std::function<void(double t)>;
