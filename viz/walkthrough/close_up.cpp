@@ -117,7 +117,8 @@ CloseUp close_up_of(const std::vector<glm::dvec3>& ring, const glm::dvec3& p) {
   const auto placed = [&](const glm::dvec3& q) { return (q - middle) / shown.gap; };
   std::vector<glm::dvec3> filled;
   for (const glm::dvec3& vertex : ring) filled.push_back(placed(vertex));
-  const auto is_drawable = [](const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y); };
+  constexpr double most = 1e100;  // in gaps: its squares must not overflow
+  const auto is_drawable = [](const glm::dvec3& v) { return std::abs(v.x) < most && std::abs(v.y) < most; };
   if (std::ranges::all_of(filled, is_drawable)) shown.items.push_back(open_polygon(Role::surface, filled));
   for (std::size_t i = 0; i < ring.size(); ++i) {
     if (glm::length(nearest_on(i) - middle) < profile_reach * shown.gap)
