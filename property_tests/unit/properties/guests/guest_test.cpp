@@ -6,147 +6,17 @@
 #include <cmath>
 
 #include "case/reader.hpp"
-#include "properties/boundary.hpp"
 #include "properties/engine/kind.hpp"
 #include "properties/guests/probe.hpp"
-#include "subjects/default_contract.hpp"
-#include "unit/properties/broken_subjects.hpp"
+#include "unit/properties/guests/stranger.hpp"
 
 namespace rayproof {
 namespace {
-
-const std::atomic<bool> never_stopped{false};
-
-/// A subject without a contract of its own; a function, so that no process is needed.
-Subject guest(const std::string& topic, Answer (*answer)(const Case&)) {
-  Subject made;
-  made.topic = topic;
-  made.name = "stranger";
-  made.title = "somebody else's";
-  made.contract = default_contract(topic);
-  made.has_own_contract = false;
-  made.start = [answer] { return std::make_unique<FunctionAnswerer>(answer); };
-  return made;
-}
-
-Abilities learnt(const std::string& topic, Answer (*answer)(const Case&)) {
-  Subject one = guest(topic, answer);
-  EXPECT_TRUE(learn_abilities(one, 1, {Precision::float64}, never_stopped).empty());
-  return one.abilities;
-}
 
 const Case& from_five_away() {
   static const Case one = read_case(
       R"({"ray": {"origin": [0.25,0,-5], "direction": [0,0,1]}, "shape": {"type": "sphere", "center": [0,0,0], "radius": 1}})");
   return one;
-}
-
-Answer nearest_alone(const Case& one) {
-  auto answer = std::get<RayAnswer>(oracle::answer(one));
-  answer.hits.count = std::min<std::size_t>(answer.hits.count, 1);
-  answer.says_contact = false;
-  answer.point.reset();
-  answer.normal.reset();
-  return answer;
-}
-
-Answer verdict_alone(const Case& one) {
-  RayAnswer answer;
-  answer.verdict_only = std::get<RayAnswer>(oracle::answer(one)).hits.count > 0;
-  if (answer.verdict_only) answer.hits.push_back(std::nan(""));
-  return answer;
-}
-
-Answer without_boundary(const Case& one) {
-  const Answer exact = oracle::answer(one);
-  return std::get<Position>(exact) == Position::boundary ? Answer(Position::inside) : exact;
-}
-
-Answer without_tangents(const Case& one) {
-  const auto exact = std::get<RayAnswer>(oracle::answer(one));
-  return exact.contact == Contact::tangent ? RayAnswer{} : exact;
-}
-
-Answer without_vertices(const Case& one) {
-  const bool is_vertex = boundary_places(one).test(static_cast<std::size_t>(BoundaryPlace::vertex));
-  return is_vertex ? Answer(Position::outside) : oracle::answer(one);
-}
-
-/// Without all of the boundary; without what is seen of it from one side.
-template <bool all>
-Answer without_boundary_hits(const Case& one) {
-  const auto exact = std::get<RayAnswer>(oracle::answer(one));
-  const bool is_left_out = all || (exact.normal && exact.normal->x + exact.normal->y > 0);
-  const bool is_on_boundary = exact.contact == Contact::edge || exact.contact == Contact::vertex;
-  return is_on_boundary && is_left_out ? RayAnswer{} : exact;
-}
-
-Answer with_rays_in_planes(const Case& one) {
-  auto answer = std::get<RayAnswer>(oracle::answer(one));
-  if (answer.contact == Contact::in_surface)
-    answer.hits.push_back(std::max(0.0, std::get<RayQuestion>(one.question).ray.t_min));
-  return answer;
-}
-
-/// t > 0 is asked: other ends of the interval count.
-Answer without_hits_at_origin(const Case& one) {
-  const auto exact = std::get<RayAnswer>(oracle::answer(one));
-  return exact.hits.count > 0 && exact.hits.t[0] == 0 ? RayAnswer{} : exact;
-}
-
-/// t < t_max is asked.
-Answer without_hits_at_the_end(const Case& one) {
-  const auto exact = std::get<RayAnswer>(oracle::answer(one));
-  const double end = std::get<RayQuestion>(one.question).ray.t_max;
-  RayAnswer left = exact;
-  left.hits.count = 0;
-  for (const double t : exact.hits.view())
-    if (t < end) left.hits.push_back(t);
-  return left.hits.count == exact.hits.count ? exact : left.hits.count == 0 ? RayAnswer{} : left;
-}
-
-TEST(Probe, FindsOutWhatAnswersHold) {
-  const Abilities all = learnt("sphere", oracle::answer);
-  EXPECT_TRUE(all.all_hits && all.numbers && all.contact && all.point && all.normal);
-  EXPECT_FALSE(all.barycentric);
-  const Abilities first = learnt("sphere", nearest_alone);
-  EXPECT_TRUE(first.numbers);
-  EXPECT_FALSE(first.all_hits || first.contact || first.point || first.normal);
-  EXPECT_FALSE(learnt("sphere", verdict_alone).numbers);
-  EXPECT_TRUE(learnt("point_in_polygon", oracle::answer).boundary);
-  EXPECT_FALSE(learnt("point_in_polygon", without_boundary).boundary);
-}
-
-TEST(Probe, TakesForARuleOnlyWhatIsWrongOnMostBoundaries) {
-  EXPECT_TRUE(learnt("sphere", oracle::answer).rules.none());
-  const auto only = [](BoundaryPlace one) { return BoundaryPlaces(1U << static_cast<unsigned>(one)); };
-  EXPECT_EQ(learnt("sphere", without_tangents).rules,
-            only(BoundaryPlace::tangent) | only(BoundaryPlace::no_radius));
-  EXPECT_EQ(learnt("point_in_polygon", without_vertices).rules, only(BoundaryPlace::vertex));
-  EXPECT_TRUE(learnt("point_in_polygon", without_boundary).rules.none());
-  EXPECT_EQ(learnt("polygon", without_boundary_hits<true>).rules, only(BoundaryPlace::edge));
-  EXPECT_TRUE(learnt("polygon", without_boundary_hits<false>).rules.none());
-  EXPECT_EQ(learnt("plane", with_rays_in_planes).rules, only(BoundaryPlace::in_surface));
-  EXPECT_EQ(learnt("plane", without_hits_at_origin).rules, only(BoundaryPlace::at_origin));
-  // In short numbers a triangle is hardly ever met but at its edges and vertices.
-  for (const char* topic : {"triangle", "polygon", "cylinder"}) {
-    SCOPED_TRACE(topic);
-    EXPECT_EQ(learnt(topic, without_hits_at_the_end).rules, only(BoundaryPlace::t_max));
-    EXPECT_EQ(learnt(topic, without_hits_at_origin).rules, only(BoundaryPlace::at_origin));
-  }
-}
-
-TEST(Probe, GivesTheCasesThatAreNotAnswered) {
-  struct Silent final : Answerer {
-    void answer(std::span<const Case> /*cases*/, std::span<Outcome> outcomes) override {
-      for (Outcome& outcome : outcomes) outcome = {.kind = OutcomeKind::timed_out, .sentence = "is silent"};
-    }
-  };
-  Subject silent = guest("sphere", nullptr);
-  silent.start = [] { return std::make_unique<Silent>(); };
-  const auto failures = learn_abilities(silent, 1, {Precision::float32}, never_stopped);
-  ASSERT_FALSE(failures.empty());
-  EXPECT_EQ(failures.front().outcome.sentence, "is silent");
 }
 
 TEST(Guest, IsJudgedByWhatItSaysAlone) {

@@ -1,0 +1,132 @@
+#include "properties/guests/probe.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "properties/boundary.hpp"
+#include "properties/guests/guest.hpp"
+#include "unit/properties/guests/stranger.hpp"
+
+namespace rayproof {
+namespace {
+
+Abilities learnt(const std::string& topic, Answer (*answer)(const Case&)) {
+  Subject one = guest(topic, answer);
+  EXPECT_TRUE(learn_abilities(one, 1, {Precision::float64}, never_stopped).empty());
+  return one.abilities;
+}
+
+Answer without_boundary(const Case& one) {
+  const Answer exact = oracle::answer(one);
+  return std::get<Position>(exact) == Position::boundary ? Answer(Position::inside) : exact;
+}
+
+Answer without_tangents(const Case& one) {
+  const auto exact = std::get<RayAnswer>(oracle::answer(one));
+  return exact.contact == Contact::tangent ? RayAnswer{} : exact;
+}
+
+Answer without_vertices(const Case& one) {
+  const bool is_vertex = boundary_places(one).test(static_cast<std::size_t>(BoundaryPlace::vertex));
+  return is_vertex ? Answer(Position::outside) : oracle::answer(one);
+}
+
+/// Without all of the boundary; without what is seen of it from one side.
+template <bool all>
+Answer without_boundary_hits(const Case& one) {
+  const auto exact = std::get<RayAnswer>(oracle::answer(one));
+  const bool is_left_out = all || (exact.normal && exact.normal->x + exact.normal->y > 0);
+  const bool is_on_boundary = exact.contact == Contact::edge || exact.contact == Contact::vertex;
+  return is_on_boundary && is_left_out ? RayAnswer{} : exact;
+}
+
+Answer with_rays_in_planes(const Case& one) {
+  auto answer = std::get<RayAnswer>(oracle::answer(one));
+  if (answer.contact == Contact::in_surface)
+    answer.hits.push_back(std::max(0.0, std::get<RayQuestion>(one.question).ray.t_min));
+  return answer;
+}
+
+/// An open cylinder without its rims, but for a ray that runs in a rim's plane; closed caps.
+Answer without_crossed_rims(const Case& one) {
+  const auto exact = std::get<RayAnswer>(oracle::answer(one));
+  const auto& asked = std::get<RayQuestion>(one.question);
+  const auto& cylinder = std::get<Cylinder<double>>(asked.shape);
+  const Ray<double> ray = ray_in_object(asked);
+  if (cylinder.capped || ray.direction.z == 0) return exact;
+  RayAnswer left;
+  for (const double t : exact.hits.view()) {
+    const double z = ray.origin.z + t * ray.direction.z;
+    if (0 < z && z < cylinder.height) left.hits.push_back(t);
+  }
+  return left.hits.count == exact.hits.count ? exact : left;
+}
+
+/// t > 0 is asked: other ends of the interval count.
+Answer without_hits_at_origin(const Case& one) {
+  const auto exact = std::get<RayAnswer>(oracle::answer(one));
+  return exact.hits.count > 0 && exact.hits.t[0] == 0 ? RayAnswer{} : exact;
+}
+
+/// t < t_max is asked.
+Answer without_hits_at_the_end(const Case& one) {
+  const auto exact = std::get<RayAnswer>(oracle::answer(one));
+  const double end = std::get<RayQuestion>(one.question).ray.t_max;
+  RayAnswer left = exact;
+  left.hits.count = 0;
+  for (const double t : exact.hits.view())
+    if (t < end) left.hits.push_back(t);
+  return left.hits.count == exact.hits.count ? exact : left.hits.count == 0 ? RayAnswer{} : left;
+}
+
+TEST(Probe, FindsOutWhatAnswersHold) {
+  const Abilities all = learnt("sphere", oracle::answer);
+  EXPECT_TRUE(all.all_hits && all.numbers && all.contact && all.point && all.normal);
+  EXPECT_FALSE(all.barycentric);
+  const Abilities first = learnt("sphere", nearest_alone);
+  EXPECT_TRUE(first.numbers);
+  EXPECT_FALSE(first.all_hits || first.contact || first.point || first.normal);
+  EXPECT_FALSE(learnt("sphere", verdict_alone).numbers);
+  EXPECT_TRUE(learnt("point_in_polygon", oracle::answer).boundary);
+  EXPECT_FALSE(learnt("point_in_polygon", without_boundary).boundary);
+}
+
+TEST(Probe, TakesForARuleOnlyWhatIsWrongOnMostBoundaries) {
+  EXPECT_TRUE(learnt("sphere", oracle::answer).rules.none());
+  const auto only = [](BoundaryPlace one) { return BoundaryPlaces(1U << static_cast<unsigned>(one)); };
+  EXPECT_EQ(learnt("sphere", without_tangents).rules,
+            only(BoundaryPlace::tangent) | only(BoundaryPlace::no_radius));
+  EXPECT_EQ(learnt("point_in_polygon", without_vertices).rules, only(BoundaryPlace::vertex));
+  EXPECT_TRUE(learnt("point_in_polygon", without_boundary).rules.none());
+  EXPECT_EQ(learnt("polygon", without_boundary_hits<true>).rules, only(BoundaryPlace::edge));
+  EXPECT_TRUE(learnt("polygon", without_boundary_hits<false>).rules.none());
+  EXPECT_EQ(learnt("plane", with_rays_in_planes).rules, only(BoundaryPlace::in_surface));
+  // From a program that no finding was made of: it is right in the planes of the rims, and at closed caps.
+  EXPECT_EQ(learnt("cylinder", without_crossed_rims).rules,
+            only(BoundaryPlace::low_rim) | only(BoundaryPlace::high_rim));
+  EXPECT_EQ(learnt("plane", without_hits_at_origin).rules, only(BoundaryPlace::at_origin));
+  // In short numbers a triangle is hardly ever met but at its edges and vertices.
+  for (const char* topic : {"triangle", "polygon", "cylinder"}) {
+    SCOPED_TRACE(topic);
+    EXPECT_EQ(learnt(topic, without_hits_at_the_end).rules, only(BoundaryPlace::t_max));
+    EXPECT_EQ(learnt(topic, without_hits_at_origin).rules, only(BoundaryPlace::at_origin));
+  }
+}
+
+TEST(Probe, GivesTheCasesThatAreNotAnswered) {
+  struct Silent final : Answerer {
+    void answer(std::span<const Case> /*cases*/, std::span<Outcome> outcomes) override {
+      for (Outcome& outcome : outcomes) outcome = {.kind = OutcomeKind::timed_out, .sentence = "is silent"};
+    }
+  };
+  Subject silent = guest("sphere", nullptr);
+  silent.start = [] { return std::make_unique<Silent>(); };
+  const auto failures = learn_abilities(silent, 1, {Precision::float32}, never_stopped);
+  ASSERT_FALSE(failures.empty());
+  EXPECT_EQ(failures.front().outcome.sentence, "is silent");
+}
+
+}  // namespace
+}  // namespace rayproof
