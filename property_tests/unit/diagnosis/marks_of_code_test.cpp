@@ -74,6 +74,20 @@ TEST(DiagnosisOfPoints, KnowsAPointThatIsNotOnTheRay) {
   EXPECT_EQ(bears("point-beside-ray", far_sphere, with_hits({99})), std::nullopt);
 }
 
+TEST(DiagnosisOfPoints, KnowsAPointThatIsMovedOffTheSurface) {
+  const char* const level =
+      R"({"precision": "float64", "ray": {"origin": [0,0,1], "direction": [3,0,-1]}, "shape": {"type": "plane", "normal": [0,0,7], "d": 0}})";
+  RayAnswer got = with_hits({1});
+  got.point = glm::dvec3(3, 0, 1e-3);
+  EXPECT_EQ(bears("point-moved", level, got), true);
+  got.point = glm::dvec3(3, 0, -1e-6);
+  EXPECT_EQ(bears("point-moved", level, got), true) << "inward";
+  got.point = glm::dvec3(3.003, 0, -1e-3);
+  EXPECT_EQ(bears("point-moved", level, got), false) << "along the ray";
+  got.point = glm::dvec3(3, 0, 0);
+  EXPECT_EQ(bears("point-moved", level, got), std::nullopt);
+}
+
 TEST(DiagnosisOfPlanes, ForeseesMissesOfGrazingRays) {
   const Case grazing = read_case(
       R"({"ray": {"origin": [0,0,1], "direction": [1000,0,-0.5]}, "shape": {"type": "plane", "normal": [0,0,7], "d": 0}})");

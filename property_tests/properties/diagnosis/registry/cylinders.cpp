@@ -63,6 +63,8 @@ std::vector<Hypothesis> models_of_cylinders() {
             "of the side's hits only the first in the interval is looked at, and no other is reported"),
       gives("side-about-zero", side_about_zero,
             "the side runs from -height/2 to height/2, and must from 0 to height"),
+      gives("side-by-height-in-world", side_by_height_in_world,
+            "the height of a hit on the side is measured in the world, and must be in object space"),
       gives("side-without-ends", side_without_ends,
             "the side goes on beyond the caps: the height is not tested there, neither below nor above"),
       gives_one_of(

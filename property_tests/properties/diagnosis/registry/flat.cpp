@@ -5,6 +5,7 @@
 
 #include "properties/claims/answers.hpp"
 #include "properties/diagnosis/models/flat/flat.hpp"
+#include "properties/diagnosis/models/flat/small_bounds.hpp"
 #include "properties/diagnosis/models/flat/wrong_plane.hpp"
 #include "properties/diagnosis/models/hits/starts.hpp"
 #include "properties/diagnosis/models/outlines/outline.hpp"
@@ -139,6 +140,13 @@ std::vector<Hypothesis> models_of_flat_figures() {
             "the answer is right for a normal whose y has the other sign: one is wrong in the cross product"),
       gives("normal-z-sign", wrong_sign_in_normal<2>,
             "the answer is right for a normal whose z has the other sign: one is wrong in the cross product"),
+      gives_one_of(
+          "small-bounding-sphere", beyond_small_sphere,
+          "what its bounding sphere does not hold is missed: that is too small, as where one vertex is "
+          "forgotten"),
+      gives_one_of("newell-wrong", newell_wrong,
+                   "a sign is wrong in a component of Newell's normal, the sum of (y_i - y_j)·(z_i + z_j) "
+                   "and so on"),
       gives("constant-negated", read_as<constant_negated>,
             "the answer is right for -d: the plane's constant has the wrong sign"),
       gives("constant-ignored", read_as<without_constant>,

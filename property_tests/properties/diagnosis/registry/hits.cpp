@@ -97,6 +97,8 @@ std::vector<Hypothesis> models_of_hits() {
       gives(
           "behind-at-t-min", behind_at_t_min,
           "what lies behind the ray's beginning is reported as a hit at t_min: t is clamped to the interval"),
+      gives("beyond-at-t-max", beyond_at_t_max,
+            "what lies beyond the ray's end is reported as a hit at t_max: t is clamped to the interval"),
       gives("clipped-to-interval", clipped_to_interval,
             "where the interval ends inside the solid, its end is reported as a hit"),
       gives("solid-from-origin", solid_from_origin,

@@ -79,6 +79,8 @@ inline constexpr Foreseen foreseen_faults[] = {
     {"parallelepiped", "place-ignored"},
     {"box", "place-ignored"},
     {"sphere", "centre-behind-missed"},
+    {"sphere", "centre-beyond-missed"},
+    {"cylinder", "side-by-height-in-world"},
     {"box", "slab-along-not-tested"},
     {"parallelepiped", "missed-along-slab"},
     {"parallelepiped", "endless-edge-2"},

@@ -60,6 +60,17 @@ Answers side_about_zero(const Case& one, const Answer& /*exact*/) {
   return cylinder == nullptr ? Answers{} : with_side_ends(one, {cylinder->height / 2, -cylinder->height / 2});
 }
 
+Answers side_by_height_in_world(const Case& one, const Answer& /*exact*/) {
+  const auto* cylinder = shape_in<Cylinder<double>>(one);
+  if (cylinder == nullptr || !ray_question(one)->transform) return {};
+  std::vector<double> roots = roots_of_side(one);
+  std::erase_if(roots, [&](double t) {
+    const double z = point_at(ray_question(one)->ray, t).z;
+    return !(0 <= z && z <= cylinder->height);
+  });
+  return with_side_hits(one, std::move(roots), {infinity<double>, infinity<double>});
+}
+
 Answers side_goes_on(const Case& one, bool is_upwards) {
   return with_side_ends(one, is_upwards ? SideEnds{0, infinity<double>} : SideEnds{infinity<double>, 0});
 }

@@ -22,6 +22,9 @@ namespace rayproof::diagnosis {
 /// The side goes on without end upwards, or downwards, and the caps are where they should be.
 [[nodiscard]] Answers side_goes_on(const Case& one, bool is_upwards);
 
+/// The height of a hit on the side is that of the point in the world, and must be the one in object space.
+[[nodiscard]] Answers side_by_height_in_world(const Case& one, const Answer& exact);
+
 /// In the constant of the side's equation a radius, or its square, or nothing, stands for the 1 that is
 /// subtracted. An answer for each such mistake, always in the same order.
 [[nodiscard]] Answers side_constant_wrong(const Case& one, const Answer& exact);

@@ -28,4 +28,25 @@ Answers normal_is_no_cross_product(const Case& one, const Answer& /*exact*/) {
   return answers;
 }
 
+Answers newell_wrong(const Case& one, const Answer& /*exact*/) {
+  const auto figure = shape_in<Polygon<double>>(one) == nullptr ? std::nullopt : flat_figure(one);
+  Answers answers;
+  if (!figure) return answers;
+  const auto& all = figure->vertices;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int b = (axis + 1) % 3, c = (axis + 2) % 3;
+    for (const double sign : {1, -1}) {
+      FlatFigure other = *figure;
+      other.normal[axis] = 0;
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        const glm::dvec3 &from = all[i], &to = all[(i + 1) % all.size()];
+        other.normal[axis] += (from[b] + sign * to[b]) * (from[c] + sign * to[c]);
+      }
+      const auto hit = plane_hit(one, other);
+      answers.push_back(hit ? hit_at(one, hit->t, is_inside_outline(*hit)).front() : RayAnswer{});
+    }
+  }
+  return answers;
+}
+
 }  // namespace rayproof::diagnosis

@@ -7,6 +7,7 @@
 #include "properties/claims/answers.hpp"
 #include "properties/diagnosis/examination/agreement.hpp"
 #include "properties/diagnosis/models/surface_normals.hpp"
+#include "properties/edges.hpp"
 
 namespace rayproof::diagnosis {
 namespace {
@@ -198,6 +199,16 @@ Answers point_of_far_hit(const Case& one, const Answer& exact) {
   const RayAnswer* answer = hit_with_point(exact);
   if (answer == nullptr || answer->hits.count < 2) return {};
   return with_point(exact, point_at(ray_question(one)->ray, answer->hits.t[1]));
+}
+
+std::optional<bool> point_moved_along_normal(const Case& one, const Answer& got, const Answer& exact) {
+  const auto* mine = std::get_if<RayAnswer>(&got);
+  const RayAnswer* answer = hit_with_point(exact);
+  if (mine == nullptr || answer == nullptr || !mine->point || !answer->normal) return std::nullopt;
+  const glm::dvec3 way = *mine->point - *answer->point;
+  const double along = glm::dot(way, *answer->normal), far = size_of_scene(one);
+  if (std::abs(along) <= 64 * share_of_rounding(one.precision) * far) return std::nullopt;
+  return glm::length(way - along * *answer->normal) <= 0x1p-6 * std::abs(along);
 }
 
 std::optional<bool> point_beside_ray(const Case& one, const Answer& got, const Answer& exact) {

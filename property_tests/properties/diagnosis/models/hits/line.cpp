@@ -30,6 +30,12 @@ RayAnswer alone_in_interval(const Ray<double>& ray, const RayAnswer& line, doubl
   return hits_where(line, [&](double other) { return other == t && in_interval(ray, t); });
 }
 
+RayAnswer hit_at_t(double t) {
+  RayAnswer answer;
+  answer.hits.push_back(t);
+  return answer;
+}
+
 bool is_cut(const RayAnswer& line, const Ray<double>& ray) {
   return std::ranges::any_of(line.hits.view(), [&](double t) { return !in_interval(ray, t); });
 }
@@ -104,12 +110,15 @@ Answers all_hits_or_none(const Case& one, const Answer& exact) {
 Answers clipped_to_interval(const Case& one, const Answer& exact) { return clipped(one, exact, true); }
 Answers clipped_at_t_min(const Case& one, const Answer& exact) { return clipped(one, exact, false); }
 
-Answers behind_at_t_min(const Case& one, const Answer& exact) {
-  return from_line(one, 1, [&](const Ray<double>& ray, const RayAnswer& line) -> Answers {
-    if (std::get<RayAnswer>(exact).hits.count > 0 || !(last_of(line) < ray.t_min)) return {};
-    RayAnswer clamped;
-    clamped.hits.push_back(ray.t_min);
-    return {clamped};
+Answers behind_at_t_min(const Case& one, const Answer& /*exact*/) {
+  return from_line(one, 1, [](const Ray<double>& ray, const RayAnswer& line) -> Answers {
+    return last_of(line) < ray.t_min ? Answers{hit_at_t(ray.t_min)} : Answers{};
+  });
+}
+
+Answers beyond_at_t_max(const Case& one, const Answer& /*exact*/) {
+  return from_line(one, 1, [](const Ray<double>& ray, const RayAnswer& line) -> Answers {
+    return ray.t_max < line.hits.t[0] ? Answers{hit_at_t(ray.t_max)} : Answers{};
   });
 }
 

@@ -24,8 +24,10 @@ namespace rayproof::diagnosis {
 [[nodiscard]] Answers clipped_to_interval(const Case& one, const Answer& exact);
 /// The same of its beginning alone.
 [[nodiscard]] Answers clipped_at_t_min(const Case& one, const Answer& exact);
-/// What lies wholly before t_min is a hit at t_min.
+/// @{ What lies wholly before t_min is a hit at t_min; what lies wholly beyond t_max is one at t_max.
 [[nodiscard]] Answers behind_at_t_min(const Case& one, const Answer& exact);
+[[nodiscard]] Answers beyond_at_t_max(const Case& one, const Answer& exact);
+/// @}
 /// A ray that starts inside and ends there is said to hit beyond its end.
 [[nodiscard]] Answers far_hit_beyond(const Case& one, const Answer& exact);
 /// The far hit is reported beyond t_max wherever the near one lies before it.

@@ -168,6 +168,14 @@ Answers centre_behind_missed(const Case& one, const Answer& exact) {
   return is_behind ? Answers{RayAnswer{}} : Answers{};
 }
 
+Answers centre_beyond_missed(const Case& one, const Answer& exact) {
+  const auto* sphere = shape_in<Sphere<double>>(one);
+  if (sphere == nullptr || !finds_something(exact)) return {};
+  const Ray<double> ray = ray_in_object(*ray_question(one));
+  const bool is_beyond = glm::length(sphere->center - ray.origin) > ray.t_max;
+  return is_beyond ? Answers{RayAnswer{}} : Answers{};
+}
+
 std::vector<Case> max_as_size(const Case& one) {
   return with_shape<Box<double>>(one, [](RayQuestion& /*asked*/, Box<double>& box) {
     const glm::dvec3 low = box.min, other = box.min + box.max;  // on either side of min

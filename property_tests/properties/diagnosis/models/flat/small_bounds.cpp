@@ -1,0 +1,37 @@
+#include "properties/diagnosis/models/flat/small_bounds.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "properties/claims/answers.hpp"
+
+namespace rayproof::diagnosis {
+namespace {
+
+double distance_from_line(const Ray<double>& ray, const glm::dvec3& point) {
+  return glm::length(glm::cross(point - ray.origin, glm::normalize(ray.direction)));
+}
+
+}  // namespace
+
+Answers beyond_small_sphere(const Case& one, const Answer& exact) {
+  const auto* triangle = shape_in<Triangle<double>>(one);
+  if (triangle == nullptr || !finds_something(exact)) return {};
+  const Ray<double> ray = ray_in_object(*ray_question(one));
+  const std::array all{triangle->a, triangle->b, triangle->c};
+  const glm::dvec3 middle = (all[0] + all[1] + all[2]) / 3.0;
+  Answers answers;
+  const auto try_sphere = [&](const glm::dvec3& centre, double radius) {
+    answers.push_back(distance_from_line(ray, centre) > radius ? Answer{RayAnswer{}} : exact);
+  };
+  for (std::size_t left_out = 0; left_out < all.size(); ++left_out) {
+    const glm::dvec3 &p = all[(left_out + 1) % 3], &q = all[(left_out + 2) % 3];
+    const double to_p = glm::distance(middle, p), to_q = glm::distance(middle, q);
+    try_sphere(0.5 * (p + q), glm::distance(p, q) / 2);
+    try_sphere(middle, std::max(to_p, to_q));
+    try_sphere(middle, to_p);
+  }
+  return answers;
+}
+
+}  // namespace rayproof::diagnosis
