@@ -5,6 +5,7 @@
 
 #include "properties/claims/answers.hpp"
 #include "properties/diagnosis/models/outlines/outline.hpp"
+#include "properties/diagnosis/models/outlines/small_box.hpp"
 #include "properties/diagnosis/models/outlines/wrong_crossing.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
 
@@ -31,6 +32,9 @@ Hypothesis angles_rounded() {
   return made;
 }
 
+constexpr std::string_view level_vertex_in_words =
+    "a vertex level with the point counts for both its sides, or for neither: it must count for one";
+
 constexpr std::string_view last_side_in_words =
     "the side from the last vertex to the first is forgotten, or counts twice";
 
@@ -42,8 +46,9 @@ constexpr std::string_view wrong_crossing_in_words =
 
 std::vector<Hypothesis> models_of_outlines() {
   return {
-      gives("level-vertex", inside_by<InsideRule::closed_sides>,
-            "a vertex level with the point counts for both its sides, or for neither: it must count for one"),
+      gives("level-vertex", inside_by<InsideRule::closed_sides>, level_vertex_in_words),
+      gives("level-vertex-in-order", inside_by<InsideRule::closed_sides, Sweep::along_in_order>,
+            level_vertex_in_words),
       gives("level-outside", inside_by<InsideRule::not_level>,
             "a point level with a vertex is taken for outside"),
       gives_to_all("hit-exchanged", exchanged_in_projection,
@@ -85,10 +90,10 @@ std::vector<Hypothesis> models_of_outlines() {
           "bounds-of-three", inside_by<InsideRule::bounds_of_three>,
           "what lies outside the bounding box of the first three vertices is said to be outside: that box is "
           "too small"),
-      gives(
-          "bounds-but-first", inside_by<InsideRule::bounds_but_first>,
-          "what lies outside the bounding box of all vertices but the first is said to be outside: that box "
-          "is too small"),
+      gives_one_of(
+          "bounds-but-one", outside_small_box,
+          "what lies outside the bounding box of all vertices but the first, or the last, is said to "
+          "be outside: that box is too small"),
       gives("first-four-vertices", inside_by<InsideRule::first_four>,
             "only the first four vertices are looked at"),
       gives("first-eight-vertices", inside_by<InsideRule::first_eight>,

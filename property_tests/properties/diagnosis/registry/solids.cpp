@@ -40,8 +40,9 @@ std::vector<Hypothesis> models_of_solids() {
       gives(
           "centre-behind-missed", centre_behind_missed,
           "a sphere whose centre lies behind the ray's beginning is missed, although the ray starts inside"),
-      gives("centre-beyond-missed", centre_beyond_missed,
-            "a sphere whose centre is farther away than t_max is missed, although its surface is nearer"),
+      gives_one_of(
+          "centre-beyond-missed", centre_beyond_missed,
+          "a sphere whose centre is farther away than t_max is missed, although its surface is nearer"),
       misses_zero("point-missed", sphere_of_no_radius_missed,
                   "a sphere of radius 0 is missed: it is a point, and a ray may meet it"),
       misses_zero("flat-box-missed", flat_box_missed, "a box without thickness along an axis is missed"),

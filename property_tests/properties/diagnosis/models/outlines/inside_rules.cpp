@@ -118,8 +118,6 @@ bool is_inside(InsideRule rule, const glm::dvec2& point, const Outline& outline)
       return std::lround(turns_without_sign(point, outline)) % 2 == 1;
     case InsideRule::bounds_of_three:
       return is_odd && is_in_bounds(point, {outline[0], outline[1], outline[2]});
-    case InsideRule::bounds_but_first:
-      return is_odd && is_in_bounds(point, Outline(outline.begin() + 1, outline.end()));
     case InsideRule::bounds:
       return is_in_bounds(point, outline);
   }

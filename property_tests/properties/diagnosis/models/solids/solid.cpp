@@ -172,8 +172,11 @@ Answers centre_beyond_missed(const Case& one, const Answer& exact) {
   const auto* sphere = shape_in<Sphere<double>>(one);
   if (sphere == nullptr || !finds_something(exact)) return {};
   const Ray<double> ray = ray_in_object(*ray_question(one));
-  const bool is_beyond = glm::length(sphere->center - ray.origin) > ray.t_max;
-  return is_beyond ? Answers{RayAnswer{}} : Answers{};
+  const double length = glm::distance(sphere->center, ray.origin);
+  Answers answers;
+  for (const double far : {length / glm::length(ray.direction), length})
+    answers.push_back(far > ray.t_max ? Answer{RayAnswer{}} : exact);
+  return answers;
 }
 
 std::vector<Case> max_as_size(const Case& one) {

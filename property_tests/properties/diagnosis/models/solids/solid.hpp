@@ -65,7 +65,8 @@ template <int times>
 
 /// A sphere whose centre lies behind the ray's beginning is missed, although the ray starts inside.
 [[nodiscard]] Answers centre_behind_missed(const Case& one, const Answer& exact);
-/// A sphere whose centre is farther from the origin than t_max is missed, although its surface is not.
+/// A sphere whose centre is farther from the origin than t_max, as t or as a length, is missed, although its
+/// surface is nearer.
 [[nodiscard]] Answers centre_beyond_missed(const Case& one, const Answer& exact);
 
 /// @{ A box of size 0 along an axis is missed; a box whose max is its size.
