@@ -88,6 +88,19 @@ def rounded(report, precision):
     return table(head, rows)
 
 
+def transforms(report):
+    """What a correctly rounded answer costs under a transform, in packs, nanoseconds a ray."""
+    families, kinds = ("transformed", "placed", "corners"), ("float32", "float64")
+
+    def cell(shape, family, precision):
+        time = report.times.get((shape, "rounded", precision, "batch", family))
+        return "" if time is None else digits(time, 2)
+
+    rows = [[shape, *(cell(shape, family, precision) for family in families for precision in kinds)]
+            for shape in PLAIN if shape != "polygon"]
+    return table(["shape", *(name for family in families for name in (f"`{family}`, float", "double"))], rows)
+
+
 class Bench:
     """The medians of Google Benchmark's processor times, in nanoseconds."""
 
@@ -133,7 +146,7 @@ def main():
         report, bench = Report(folder / "figures.json"), Bench(folder / "bench.json")
         sets = {name: Report(folder / f"figures-{name.replace('-', '').lower()}.json") for name in ("AVX-512", "AVX2", "baseline")}
         tables = {"streaming": streaming(sets), "rounded float": rounded(report, "float32"), "rounded double": rounded(report, "float64"),
-                  "judgements": judgements(bench), "objects": objects(bench)}
+                  "transforms": transforms(report), "judgements": judgements(bench), "objects": objects(bench)}
     except (OSError, KeyError) as missing:
         sys.exit(f"docs/figures.py: missing: {missing}")
     for page in (DOCS / "report.md", DOCS / "library.md"):
