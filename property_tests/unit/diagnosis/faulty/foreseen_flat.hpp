@@ -24,7 +24,6 @@ inline constexpr Foreseen foreseen_faults_of_flat[] = {
     {"triangle", "edge-b-open"},
     {"polygon", "first-corner-culls"},
     {"polygon", "hit-exchanged"},
-    {"polygon", "level-vertex-in-order"},
     {"polygon", "bounds-but-one"},
     {"triangle", "projected-along-smallest"},
     {"polygon", "projected-along-signed"},
