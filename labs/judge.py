@@ -63,6 +63,14 @@ def mistake(problem, file):
     return f"{file.name}, line {lines[-1] if lines else '?'}: {type(problem).__name__}: {problem}"
 
 
+def line_of(answer, file):
+    """The answer as a line, or why it can be none: a set, say, or a number of another library."""
+    try:
+        return json.dumps(answer)
+    except (TypeError, ValueError) as problem:
+        return json.dumps({key: answer[key] for key in ("id",) if key in answer} | {"error": mistake(problem, file)})
+
+
 def main():
     file, name = Path(sys.argv[1]).resolve(), sys.argv[2]
     spec = importlib.util.spec_from_file_location("answer", file)
@@ -86,7 +94,7 @@ def main():
             answer["error"] = str(problem)
         except Exception as problem:  # pylint: disable=broad-except: whatever a student's code throws
             answer["error"] = mistake(problem, file)
-        print(json.dumps(answer), file=answers, flush=True)
+        print(line_of(answer, file), file=answers, flush=True)
 
 
 if __name__ == "__main__":

@@ -30,7 +30,7 @@ struct MethodSummary {
 /// Over the families of scenes, in the order of the rows; over all families where only others were measured.
 [[nodiscard]] std::vector<MethodSummary> summarise(const std::vector<BenchRow>& rows);
 
-/// The headline of issue and docs: how the batch kernel of `sphere/centred` in float compares on the random
+/// The headline of the docs: how the batch kernel of `sphere/centred` in float compares on the random
 /// family.
 struct Headline {
   double batch_ns = 0;

@@ -9,7 +9,7 @@ namespace rayproof::report {
 
 namespace {
 
-/// As bench/figures/plot.cpp has them: safe for colour-blind readers.
+/// As bench/page/plot.cpp has them: safe for colour-blind readers.
 constexpr std::array colours{"#555555", "#b84a00", "#9c4a7f", "#00734f", "#c79a00", "#0072b2"};
 constexpr double width = 400, height = 260, left = 96, top = 44, gap_x = 110, gap_y = 88;
 constexpr int first_decade = -6, last_decade = 6;

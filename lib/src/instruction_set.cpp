@@ -49,11 +49,14 @@ InstructionSet choose() {
                            choices);
 }
 
-/// The table of a set that is available.
+/// The table of a set. One that was not built is refused; one that the machine lacks is the caller's to
+/// avoid.
 template <class Table, InstructionSet... built, class TableOf>
 const Table& of_set(InstructionSet set, const TableOf& table_of) {
   const Table* found = nullptr;
   ((set == built ? found = &table_of.template operator()<built>() : nullptr), ...);
+  if (found == nullptr)
+    throw std::invalid_argument("no kernels are built for instruction set " + std::string(name_of(set)));
   return *found;
 }
 

@@ -39,12 +39,13 @@ class AnsweringFunction final : public Answering {
   using Parameters = typename Signature<std::decay_t<F>>::Parameters;
   using Result = std::remove_cvref_t<typename Signature<std::decay_t<F>>::Result>;
   using Number = decltype(first_number(std::type_identity<Parameters>{}));
+  static constexpr bool is_t_returned = std::floating_point<Result>;
   static constexpr Says said = []<class... P>(std::type_identity<std::tuple<P...>>) {
     Says all = says<Result>();
     std::size_t numbers = 0;
     ((numbers += is_output<P> && std::floating_point<std::decay_t<P>>), ...);
     ((all = is_output<P> ? all | says_output<std::decay_t<P>>() : all), ...);
-    all.all_hits = all.all_hits || numbers == 2;
+    all.all_hits = all.all_hits || (numbers == 2 && !is_t_returned);
     return all;
   }(std::type_identity<Parameters>{});
   static_assert(said.verdict || said.t,
@@ -150,7 +151,7 @@ class AnsweringFunction final : public Answering {
           if constexpr (is_output<One>) taker.take_output(output);
         };
         (take(std::type_identity<P>{}, std::get<I>(held)), ...);
-        taker.end_outputs();
+        taker.end_outputs(is_t_returned);
       }
       (std::index_sequence_for<P...>{});
     }(std::type_identity<Parameters>{});

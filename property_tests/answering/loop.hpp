@@ -26,20 +26,23 @@ inline void write_all(int file, std::string_view text) {
 /// at a time and whoever sends thousands ahead are both served; neither waits for the other.
 void answer_lines(int input, int output, auto&& answer) {
   std::string pending, out, chunk(std::size_t{1} << 16, '\0');
+  const auto answer_if_written = [&](std::string_view line) {
+    if (line.find_first_not_of(" \t\r") != std::string_view::npos) answer(line, out);
+  };
   for (;;) {
     const ssize_t got = ::read(input, chunk.data(), chunk.size());
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) throw std::system_error(errno, std::generic_category(), "read");
+    const std::size_t seen = pending.size();  // no newline is in it
     pending.append(chunk.data(), static_cast<std::size_t>(got));
     std::size_t start = 0;
-    for (std::size_t end = pending.find('\n'); end != std::string::npos; end = pending.find('\n', start)) {
-      const std::string_view line(pending.data() + start, end - start);
-      if (line.find_first_not_of(" \t\r") != std::string_view::npos) answer(line, out);
+    for (std::size_t end = pending.find('\n', seen); end != std::string::npos;
+         end = pending.find('\n', start)) {
+      answer_if_written(std::string_view(pending).substr(start, end - start));
       start = end + 1;
     }
     pending.erase(0, start);
-    if (got == 0 && !pending.empty())
-      answer(std::string_view(pending), out);  // a last line without its newline
+    if (got == 0) answer_if_written(pending);  // a last line without its newline
     write_all(output, out);
     out.clear();
     if (got == 0) return;

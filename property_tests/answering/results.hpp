@@ -67,9 +67,9 @@ struct ResultTaker {
     }
   }
 
-  /// Three numbers among the outputs are t, u and v.
-  void end_outputs() {
-    if (numbers != 3) return;
+  /// Three numbers among the outputs are t, u and v; two beside a result that is t are u and v.
+  void end_outputs(bool is_t_returned) {
+    if (numbers != (is_t_returned ? 2 : 3) || reply.hits.size() < 3) return;
     take_coordinates(reply.hits[1], reply.hits[2]);
     reply.hits.resize(1);
   }

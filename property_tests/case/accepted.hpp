@@ -2,6 +2,8 @@
 /// \file
 /// What the case format would refuse, asked of a question that nobody has read: a generated or a shrunk one.
 
+#include <utility>
+
 #include "case/case.hpp"
 #include "case/independent.hpp"
 
@@ -19,7 +21,9 @@ template <class S>
 }
 /// The same of a ray and its shape.
 [[nodiscard]] inline bool is_accepted(const RayQuestion& asked) {
-  if (asked.ray.direction == glm::dvec3(0) || !(asked.ray.t_min <= asked.ray.t_max)) return false;
+  const auto [t_min, t_max] = std::pair(asked.ray.t_min, asked.ray.t_max);
+  if (asked.ray.direction == glm::dvec3(0) || !(t_min <= t_max)) return false;
+  if (t_min == infinity<double> || t_max == -infinity<double>) return false;
   if (asked.transform && !is_regular(*asked.transform)) return false;
   return std::visit([](const auto& shape) { return is_accepted(shape); }, asked.shape);
 }

@@ -93,7 +93,11 @@ inline void write_file(const std::filesystem::path& path, const std::string& tex
 
 /// Writes the file anew; whatever ends the program meanwhile, either the old or the new text stands there.
 inline void replace_file(const std::filesystem::path& path, const std::string& text) {
-  const std::filesystem::path beside = path.string() + ".new";
+  // Beside the file itself where the path is a link: it cannot be moved from one disk to another.
+  std::error_code unresolved;
+  const std::filesystem::path place = std::filesystem::weakly_canonical(path, unresolved);
+  const bool is_there = !unresolved && std::filesystem::is_regular_file(place, unresolved);
+  const std::filesystem::path beside = (is_there ? place : path).string() + ".new";
   bool is_written = false;
   {
     std::ofstream file(beside);

@@ -10,6 +10,8 @@
 #include <cstdlib>
 #include <string>
 
+#include "subjects/command.hpp"
+
 namespace rayproof {
 
 /// CLI11's own conversion takes -1 for 2^64 - 1, and whatever is larger than that for it, too.
@@ -43,7 +45,7 @@ inline void add_jobs_option(CLI::App& app, int& into) {
 inline void add_case_seconds_option(CLI::App& app, double& into) {
   app.add_option("--case-seconds", into, "How long a program may be silent while a case waits for its answer")
       ->capture_default_str()
-      ->check(seconds_between(0.01, 3600));
+      ->check(seconds_between(least_case_seconds, most_case_seconds));
 }
 
 /// Of --subject-command: without one, other subjects would be put on trial in its place.

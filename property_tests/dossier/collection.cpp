@@ -43,10 +43,9 @@ JudgedShape judged_in(const std::string& line) {
 
 /// The worst kind first; of one kind what broke on most cases.
 bool is_worse(const FiledFinding& a, const FiledFinding& b) {
-  static const std::map<std::string, int> ranks{
-      {"gross", 0}, {"protocol", 1}, {"boundary", 2}, {"range", 3}, {"rounding", 4}};
   const auto rank = [](const FiledFinding& one) {
-    return std::pair(ranks.at(one.recorded().kind), -static_cast<double>(one.recorded().finding.cases));
+    return std::pair(std::ranges::find(kind_names, one.recorded().kind) - kind_names.begin(),
+                     -static_cast<double>(one.recorded().finding.cases));
   };
   return rank(a) < rank(b);
 }

@@ -26,7 +26,7 @@ section { margin: 0 0 2.5rem; } nav ul { padding-left: 1.2rem; } nav li { margin
 )css";
 
 /// "✗ gross".
-std::string kind_label(const std::string& kind) {
+std::string kind_label(std::string_view kind) {
   const char* const sign = kind == "gross"      ? "✗"
                            : kind == "protocol" ? "⚠"
                            : kind == "boundary" ? "◐"
@@ -112,7 +112,7 @@ std::string contents(const std::vector<LibraryDossier>& libraries) {
   std::string lines;
   for (const LibraryDossier& library : libraries) {
     std::vector<std::string> kinds;
-    for (const char* const kind : {"gross", "protocol", "boundary", "range", "rounding"}) {
+    for (const std::string_view kind : kind_names) {
       const auto count = std::ranges::count_if(
           library.findings, [&](const FiledFinding& one) { return one.recorded().kind == kind; });
       if (count > 0) kinds.push_back(fmt::format("{} {}", count, kind_label(kind)));

@@ -41,7 +41,9 @@ RecordedFinding recorded(const Json& line, std::size_t number) {
   finding.property = find_property(line.at("property").get<std::string>());
   if (finding.property == nullptr) throw std::runtime_error("its property is unknown");
   finding.diagnosis = line.value("diagnosis", "");
-  finding.cases = static_cast<std::uint64_t>(line.value("cases", 0.0));
+  const double cases = line.value("cases", 0.0);
+  if (!(0 <= cases && cases < 0x1p63)) throw std::runtime_error("cases must be a number of cases");
+  finding.cases = static_cast<std::uint64_t>(cases);
   finding.one = read_case(write_json(line.at("case")));
   finding.evidence.note = finding.one.note;
   finding.evidence.exact = oracle::answer(finding.one);

@@ -20,7 +20,8 @@ inline constexpr int lowest_exponent = std::numeric_limits<T>::min_exponent - 1;
 template <class T>
 inline constexpr int highest_exponent = std::numeric_limits<T>::max_exponent - 1;
 
-/// Any finite number, every bit pattern as likely as every other: -0 and subnormals included.
+/// Any finite number, every bit pattern as likely as every other, -0 and subnormals included; but the
+/// patterns of infinities and NaN stand for those of 1 <= |x| < 2, which therefore come twice as often.
 template <class T>
 [[nodiscard]] T bit_pattern(Random& random) {
   using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;

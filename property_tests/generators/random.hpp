@@ -32,7 +32,7 @@ class Random {
 
   [[nodiscard]] constexpr std::uint64_t bits() { return scramble(counter_ += 0x9e3779b97f4a7c15U); }
 
-  /// A whole number from `low` to `high`, both included; their distance must be below 2^32.
+  /// A whole number from `low` to `high`, both included; their distance must be below 2^31.
   [[nodiscard]] constexpr int between(int low, int high) {
     const auto count = static_cast<std::uint64_t>(static_cast<std::int64_t>(high) - low) + 1U;
     return low + static_cast<int>(((bits() >> 32U) * count) >> 32U);
@@ -44,7 +44,7 @@ class Random {
   /// Uniform in [0, 1), 53 bits.
   [[nodiscard]] constexpr double unit() { return static_cast<double>(bits() >> 11U) * 0x1p-53; }
 
-  /// Uniform in [low, high).
+  /// Uniform from `low` to `high`, which rounding may give.
   [[nodiscard]] constexpr double uniform(double low, double high) { return low + (high - low) * unit(); }
 
  private:

@@ -43,9 +43,10 @@ All none_of(const std::vector<const Subject*>& subjects, Precision precision) {
 }
 
 All run_block(const Targets& targets, const All& none, tbb::enumerable_thread_specific<Answerers>& answerers,
-              std::uint64_t seed, std::uint64_t begin, std::uint64_t end) {
+              std::uint64_t seed, std::uint64_t begin, std::uint64_t end, const std::atomic<bool>& stop) {
   using Range = tbb::blocked_range<std::uint64_t>;
   const auto run = [&](const Range& range, All all) {
+    if (stop) return all;
     std::vector<PatchCrossing> crossings;
     for (std::uint64_t number = range.begin(); number != range.end(); ++number)
       if (auto one = crossing_of(targets, number, seed, none.front().precision))
@@ -78,7 +79,7 @@ Result search_all(const ClosedMesh& mesh, const std::vector<const Subject*>& sub
     All outcomes = none;
     for (std::uint64_t begin = 0; begin < settings.rays && !stop; begin += rays_in_block) {
       const std::uint64_t end = std::min(settings.rays, begin + rays_in_block);
-      const All more = run_block(targets, none, answerers, seed, begin, end);
+      const All more = run_block(targets, none, answerers, seed, begin, end, stop);
       for (std::size_t i = 0; i < outcomes.size(); ++i) outcomes[i] += more[i];
       done += static_cast<double>(end - begin);
       progress(done / all, fmt::format("{} {}", mesh.name, name_of(precision)));

@@ -55,7 +55,7 @@ int main(int argc, char** argv) {
   if (const auto status = rayproof::parse_command_line(app, argc, argv)) return *status;
   try {
     return run(number, from);
-  } catch (const std::runtime_error& trouble) {
+  } catch (const std::exception& trouble) {
     print_trouble("rayproof bugreport", trouble);
     return 2;
   }

@@ -97,7 +97,7 @@ int main(int argc, char** argv) {
   try {
     if (options.list) refuse_options(app, {"--count", "--seed", "--precision"}, "--list prints no cases");
     return run(options);
-  } catch (const std::runtime_error& trouble) {
+  } catch (const std::exception& trouble) {
     print_trouble("rayproof cases", trouble);
   }
   return 2;

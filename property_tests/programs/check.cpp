@@ -81,7 +81,7 @@ int main(int argc, char** argv) {
     check::refuse_idle_options(app, options);
     if (options.campaign) return check::run_campaign(options);
     return options.replay.empty() ? run(options) : replay_file(options.replay);
-  } catch (const std::runtime_error& trouble) {
+  } catch (const std::exception& trouble) {
     print_trouble("rayproof check", trouble);
   }
   return 2;

@@ -32,10 +32,10 @@ struct FindingsOptions {
 fs::path run_check(const FindingsOptions& options) {
   const fs::path folder = fs::path(options.out) / "check";
   const fs::path program = fs::read_symlink("/proc/self/exe").parent_path() / "rayproof-check";
-  std::string command = fmt::format("'{}' --out '{}' --subject {}", program.string(), folder.string(),
-                                    fmt::join(options.subjects, ","));
-  if (!options.cases.empty()) command += " --cases " + options.cases;
-  if (!options.shape.empty()) command += " --shape " + options.shape;
+  std::string command = check::quoted(program.string()) + " --out " + check::quoted(folder.string()) +
+                        " --subject " + check::quoted(fmt::format("{}", fmt::join(options.subjects, ",")));
+  if (!options.cases.empty()) command += " --cases " + check::quoted(options.cases);
+  if (!options.shape.empty()) command += " --shape " + check::quoted(options.shape);
   const int status = std::system((command + " >/dev/null").c_str());  // NOLINT(concurrency-mt-unsafe)
   if (!WIFEXITED(status) || WEXITSTATUS(status) > 1)
     throw std::runtime_error("the check did not come to its end: " + command);
@@ -50,7 +50,8 @@ std::string command_of(int argc, char** argv) {
 
 /// The Markdown, its pictures and the findings themselves, in ./docs.
 void write_docs(const std::vector<dossier::LibraryDossier>& libraries, const std::string& command) {
-  if (!fs::is_directory("docs")) throw std::runtime_error("--write: there is no folder docs here");
+  if (!fs::exists("docs/findings.jsonl"))
+    throw std::runtime_error("--write: there is no docs/findings.jsonl here: it writes into a checkout");
   fs::remove_all("docs/images/findings");
   make_folder("docs/images/findings");
   write_file("docs/findings.md", findings_markdown(libraries, command));

@@ -78,7 +78,7 @@ int main(int argc, char** argv) {
     if (!options.has_guests())
       refuse_options(app, {"--case-seconds"}, "no --subject-command and no --subject is to be waited for");
     return run(options);
-  } catch (const std::runtime_error& trouble) {
+  } catch (const std::exception& trouble) {
     print_trouble("rayproof leak", trouble);
   }
   return 2;

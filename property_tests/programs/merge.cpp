@@ -49,7 +49,7 @@ int main(int argc, char** argv) {
   if (const auto status = parse_command_line(app, argc, argv)) return *status;
   try {
     return run(files, options);
-  } catch (const std::runtime_error& trouble) {
+  } catch (const std::exception& trouble) {
     print_trouble("rayproof merge", trouble);
   }
   return 2;

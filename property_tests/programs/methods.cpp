@@ -42,6 +42,7 @@ Json to_json(const Contract& contract) {
           {"domain",
            {{"float32", contract.domain.reach_float},
             {"float64", contract.domain.reach_double},
+            {"transformed", contract.domain.reach_transformed},
             {"every_number", contract.domain.every_number}}},
           {"holds", holds},
           {"refuted", refuted}};
@@ -179,7 +180,8 @@ the domain, are defined above each struct in
 where polygon.hpp has those of point_in_polygon, too.
 
 In the listing of --json, null is no promise, every_number means that the domain
-is asked of all numbers of a case but 0, and holds are the properties that the
+is asked of all numbers of a case but 0, transformed is its N under a transform,
+for methods that take the transform themselves, and holds are the properties that the
 method is held to.
 
 Exit status: 0, or 2 for a wrong command line.)";
@@ -190,7 +192,7 @@ int main(int argc, char** argv) {
   CommandLine app("Lists every method: what it does, where it comes from, what it promises.",
                   "rayproof methods");
   bool as_json = false;
-  app.add_flag("--json", as_json, "One JSON array with every figure of each method");
+  app.add_flag("--json", as_json, "One JSON array with the contract of each method");
   app.footer(fmt::format(footer, headers()));
   if (const auto status = parse_command_line(app, argc, argv)) return *status;
 

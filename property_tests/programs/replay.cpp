@@ -22,7 +22,7 @@ int main(int argc, char** argv) {
     const auto number = rayproof::finding_number(what);
     if (!number) rayproof::refuse_options(app, {"--from"}, what + " is not the number of a finding");
     return number ? rayproof::replay_finding(findings, *number) : rayproof::replay_file(what);
-  } catch (const std::runtime_error& trouble) {
+  } catch (const std::exception& trouble) {
     rayproof::print_trouble("rayproof replay", trouble);
     return 2;
   }

@@ -98,7 +98,7 @@ int main(int argc, char** argv) {
   try {
     if (options.what.time) refuse_options(app, {"--cases"}, "--time stands in place of --cases");
     return run(options);
-  } catch (const std::runtime_error& trouble) {
+  } catch (const std::exception& trouble) {
     print_trouble("rayproof worst", trouble);
   }
   return 2;

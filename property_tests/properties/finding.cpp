@@ -1,5 +1,7 @@
 #include "properties/finding.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "case/json/writer.hpp"
@@ -44,6 +46,19 @@ std::string write_finding(const Finding& finding) {
   return json.take();
 }
 
+namespace {
+
+/// As --case-seconds has it.
+std::chrono::milliseconds read_case_time(const Field& field) {
+  const double seconds = read_number(field, Precision::float64);
+  if (!(least_case_seconds <= seconds && seconds <= most_case_seconds))
+    field.refuse(
+        fmt::format("must be a number of seconds from {} to {}", least_case_seconds, most_case_seconds));
+  return std::chrono::milliseconds(std::llround(1000 * seconds));
+}
+
+}  // namespace
+
 Replayed read_replayed(std::string_view line) {
   const json::Document document = json::parse(line);
   const Field whole{.document = &document};
@@ -54,9 +69,7 @@ Replayed read_replayed(std::string_view line) {
   result.subject = read_string(reader.need("subject"));
   result.property = read_string(reader.need("property"));
   if (const auto command = reader.find("command")) result.command = read_string(*command);
-  if (const auto seconds = reader.find("case_seconds"))
-    result.case_time =
-        std::chrono::milliseconds(std::llround(1000 * read_number(*seconds, Precision::float64)));
+  if (const auto seconds = reader.find("case_seconds")) result.case_time = read_case_time(*seconds);
   result.one = read_case(nested->node().text);
   return result;
 }

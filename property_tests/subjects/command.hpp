@@ -11,6 +11,9 @@
 
 namespace rayproof {
 
+/// How long a program may be silent while a case waits, in seconds, at least and at most.
+inline constexpr double least_case_seconds = 0.01, most_case_seconds = 3600;
+
 /// The name of a subject made of a command that the user gave: "sphere/command".
 inline constexpr const char* command_name = "command";
 

@@ -1,6 +1,7 @@
 /// \file
 /// rayproof draw: draws a case as PNG, SVG or a page.
 
+#include "case/one_file.hpp"
 #include "viz/flat/stage_picture.hpp"
 #include "viz/page/page.hpp"
 #include "viz/picture/svg.hpp"
@@ -18,6 +19,14 @@ using namespace rayproof;
 
 struct Files {
   std::string png{}, svg{}, html{}, heat{};
+
+  void refuse_one_for_two() const {
+    const std::pair<const char*, const std::string&> all[] = {
+        {"--png", png}, {"--svg", svg}, {"--html", html}, {"--heat", heat}};
+    for (const auto* one = std::begin(all); one != std::end(all); ++one)
+      for (const auto* other = one + 1; other != std::end(all); ++other)
+        refuse_one_file(one->first, one->second, other->first, other->second);
+  }
 };
 
 void write_picture(const viz::CaseReport& report, const std::string& path) {
@@ -66,6 +75,7 @@ int main(int argc, char** argv) {
     if (!is_named) files.html = viz::page_beside_findings(options, "draw");
     if (!is_named && files.html.empty())
       throw viz::WrongCommand("nothing to write: give --png, --svg, --html or --heat and a file");
+    files.refuse_one_for_two();
     const viz::CaseReport report = viz::report_case(options);
     if (!files.heat.empty()) viz::write_heat_map(report, files.heat);
     if (!(files.png + files.svg + files.html).empty()) draw(report, files);

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Formulas as trees. They come from the tape (tape.hpp) or from a name (read_formula), and are printed as
-/// text here and as MathML by viz/page/math_ml.hpp.
+/// Formulas as trees. They come from what a run has recorded (record.hpp) or from a name (read_formula),
+/// and are printed as text here and as MathML by viz/page.
 
 #include <array>
 #include <memory>

@@ -22,6 +22,11 @@
 
 namespace rayproof {
 
+/// A type of plain numbers all of which a double holds, so that what rounding takes from one is found there.
+template <class U>
+concept HeldByDouble =
+    std::is_arithmetic_v<U> && std::numeric_limits<U>::digits <= std::numeric_limits<double>::digits;
+
 /// What a comparison of two `T` gives: `bool`, or one bool per lane of a SIMD pack.
 template <class T>
 using Mask = decltype(T() < T());

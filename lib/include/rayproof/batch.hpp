@@ -90,7 +90,8 @@ template <class T, template <class> class Shape>
 }  // namespace batch
 
 /// The nearest hit of each ray: the smallest root in [t_min, t_max], or infinity for a miss. `t` is as long
-/// as the batch.
+/// as the batch. `set` is one of available_instruction_sets(); one that is not built is refused by a
+/// std::invalid_argument.
 template <class Method, class T, template <class> class Shape>
 void nearest_hits(const RayBatch<T>& rays, const Shape<T>& shape, std::type_identity_t<std::span<T>> t,
                   InstructionSet set = preferred_instruction_set()) {

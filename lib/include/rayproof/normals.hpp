@@ -65,8 +65,8 @@ requires requires(const Shape& shape, const vec3<T>& point) { normal_at(shape, p
   return normal_at(shape, point_at(ray, t));
 }
 
-/// Outward, of the face whose own t is nearest to the hit's; of two that are as near, the one that the ray
-/// enters by.
+/// Outward, of the face whose own t is nearest to the hit's. Of two that are as near, as on an edge, the one
+/// of the earlier axis; of one axis, the one that the ray enters by.
 ///
 /// By t and not by the point: each t is off by the rounding of its own axis alone, while the point's
 /// rounding, far from (0, 0, 0), is large beside a thin box.

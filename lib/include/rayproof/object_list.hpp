@@ -24,8 +24,7 @@ struct PlainMethods {
   template <class Topic>
   using method = typename Topic::Plain;
 };
-/// No verdict is wrong, and each t is the exact one rounded once; but of polygons and cylinders under a
-/// matrix, whose ray is rounded on its way into the object's space.
+/// No verdict is wrong, and each t is the exact one rounded once, under a matrix too.
 struct ExactMethods {
   template <class Topic>
   using method = typename Topic::Exact;

@@ -29,8 +29,8 @@ template <class To, class From>
 
 /// The bound, in the units above, that a robust ray/triangle method keeps (Claim::robust).
 inline constexpr double triangle_robust_bound = 4;
-/// That of the verdict, with `far_power` 1, of methods that divide by a volume or an area. Random cases come
-/// to no more than 0.6, guided search to nearly 4.
+/// That of the verdict, with `far_power` 1, of methods that divide by a volume or an area. Guided search
+/// comes nearer to it than random cases do (docs/worst-cases.md).
 inline constexpr double triangle_divided_bound = 8;
 
 /// Why the methods that divide by a volume or an area do not keep it.

@@ -86,10 +86,10 @@ void polygon_by_hand(HandCalculation& calculation, const HandLine& line, const N
       "The polygon's normal (the sum of its triangles') is n = {}, p its first corner.", shown(n)));
   const auto t = t_on_plane(calculation, line, n, corners.front());
   if (!t) return;
-  // Seen along the normal's largest component.
+  // Seen along the normal's largest component, the last of several, as the case format has it.
   int axis = 0;
   for (const int other : {1, 2})
-    if (abs(n[other]) > abs(n[axis])) axis = other;
+    if (abs(n[other]) >= abs(n[axis])) axis = other;
   const auto flat = [&](const FractionVector& v) { return FlatPoint{v[(axis + 1) % 3], v[(axis + 2) % 3]}; };
   std::vector<FlatPoint> outline;
   for (const FractionVector& corner : corners) outline.push_back(flat(corner));

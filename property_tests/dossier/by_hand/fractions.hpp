@@ -35,7 +35,7 @@ struct FractionVector {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// A t with its text: a root of a quadratic is no fraction, and is then given to double and 40 digits.
+/// A t with its text: a root of a quadratic may be no fraction, and is then one within 10^-40 of it.
 struct HandNumber {
   Fraction value{};  ///< within 10^-40 of what is meant
   bool is_rational = true;

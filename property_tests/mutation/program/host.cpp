@@ -2,7 +2,7 @@
 /// rayproof-check-mutants: runs the mutants of one method through the cases of `rayproof check`, one process
 /// each.
 ///
-/// The method comes from a shared object with all mutants in it (planted_topic.cpp). All else in the program,
+/// The method comes from a shared object with all mutants in it (target.hpp). All else in the program,
 /// the oracle above all, is rayproof-check's own, compiled from the library as it is: the mutated templates
 /// are hidden in their shared object, so that a mutant changes the accused and never the judge.
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 
+#include "case/files.hpp"
 #include "case/writer.hpp"
 #include "command_line/interrupt.hpp"
 
@@ -34,8 +34,9 @@ std::optional<leaving::SearchResult> leave_surfaces(
 
 bool report_leaving(const Options& options, const leaving::SearchResult& result) {
   const std::filesystem::path file = std::filesystem::path(options.out) / "leaving.jsonl";
-  std::ofstream cases(file);
+  std::ofstream cases = opened(file);
   for (const leaving::FalseHit& failure : result.failures) cases << write_case(failure.left) << '\n';
+  finish(cases, file);
   fmt::print("{}", leaving::text_brief(result));
   const std::vector<std::string> broken = leaving::broken_promises(result);
   for (const std::string& sentence : broken) fmt::print("FAILED: {}\n", sentence);

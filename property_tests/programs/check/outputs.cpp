@@ -19,7 +19,8 @@ static void refuse_one_file_for_two(const Options& options, const std::filesyste
   refuse_one_file("--json", options.json, "--junit", options.junit);
   refuse_one_file("--json", options.json, "--findings", options.findings);
   refuse_one_file("--junit", options.junit, "--findings", options.findings);
-  for (const char* const own : {"index.html", "scene.js", "as-found.jsonl", "findings.jsonl"}) {
+  for (const char* const own : {"index.html", "scene.js", "as-found.jsonl", "findings.jsonl", "leaving.jsonl",
+                                "judged.jsonl", "campaign.json"}) {
     refuse_one_file("--json", options.json, "--out", folder / own);
     refuse_one_file("--junit", options.junit, "--out", folder / own);
     if (own != std::string_view("findings.jsonl"))

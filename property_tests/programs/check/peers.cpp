@@ -10,6 +10,13 @@
 #include "properties/engine/plan.hpp"
 
 namespace rayproof::check {
+
+std::string quoted(const std::string& text) {
+  std::string safe = "'";
+  for (const char c : text) safe += c == '\'' ? "'\\''" : std::string(1, c);
+  return safe + "'";
+}
+
 namespace {
 
 constexpr const char* all_peers = "peers";
@@ -17,13 +24,6 @@ constexpr const char* all_peers = "peers";
 /// Where this program and its like lie.
 std::filesystem::path programs_folder() {
   return std::filesystem::read_symlink("/proc/self/exe").parent_path();
-}
-
-/// A word that a shell takes as it stands.
-std::string quoted(const std::string& text) {
-  std::string safe = "'";
-  for (const char c : text) safe += c == '\'' ? "'\\''" : std::string(1, c);
-  return safe + "'";
 }
 
 /// A line of the registry: the peer, and whether its program is there.

@@ -13,6 +13,9 @@ struct Peer {
   std::string command;
 };
 
+/// A text as one word of a shell line.
+[[nodiscard]] std::string quoted(const std::string& text);
+
 /// The text of the registry, a line for each peer: its name, its program, the program's arguments.
 [[nodiscard]] std::string peer_registry();
 

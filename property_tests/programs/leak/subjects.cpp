@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "case/reader/near_names.hpp"
+#include "command_line/interrupt.hpp"
 #include "programs/check/peers.hpp"
 
 namespace rayproof::leaks {
@@ -12,7 +13,7 @@ namespace {
 /// The one subject of triangles that a command makes.
 std::unique_ptr<Subject> triangles_of(const std::string& name, const std::string& command,
                                       std::chrono::milliseconds case_time) {
-  for (Subject& subject : subjects_of_command(name, command, case_time))
+  for (Subject& subject : subjects_of_command(name, command, case_time, &is_interrupted))
     if (subject.topic == "triangle") return std::make_unique<Subject>(std::move(subject));
   throw std::logic_error("there is no topic of triangles");
 }

@@ -67,6 +67,19 @@ TEST(result_of_a_function, may_be_all_hits) {
   EXPECT_EQ(answer_of(sphere_case("9"), outputs), miss);
 }
 
+TEST(result_of_a_function, may_be_t_with_u_and_v_behind_references) {
+  const std::string triangle =
+      R"({"id": 7, "precision": "float32", "ray": {"origin": [0.25,0.5,2], "direction": [0,0,-1]}, "shape": {"type": "triangle", "a": [0,0,0], "b": [1,0,0], "c": [0,1,0]}})";
+  const auto f = [](F3 o, F3, F3, F3, F3, float& u, float& v) {
+    u = o.x;
+    v = o.y;
+    return o.z;
+  };
+  EXPECT_EQ(
+      answer_of(triangle, f),
+      "{\"id\": 7, \"verdict\": \"hit\", \"hits\": [{\"t\": 2}], \"barycentric\": [0.25, 0.25, 0.5]}\n");
+}
+
 TEST(result_of_a_function, may_have_a_point_and_a_normal) {
   const std::string whole =
       R"({"id": 7, "verdict": "hit", "hits": [{"t": 2}], "point": [0, 0, -1], "normal": [0, 0, -1]})"

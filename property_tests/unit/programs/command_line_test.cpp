@@ -88,6 +88,7 @@ TEST(programs, refuse_one_file_for_two_outputs) {
   const std::string out = testing::TempDir() + "rayproof_two_outputs";
   for (const std::string& command :
        {"spawn --cases 1 --json " + out + ".json --findings " + out + ".json",
+        "draw 3 --png " + out + " --html " + out,
         "leak cube --rays 1 --out " + out + " --json " + out + "/index.html",
         "worst --cases 1 --method plane/implicit --out " + out + " --json " + out + "/findings.jsonl"}) {
     const Ended answered = run_program(command);

@@ -1,5 +1,6 @@
 #include "viz/programs/render/options.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <set>
@@ -136,7 +137,7 @@ class Render {
     const viz::OffscreenDisplay display;
     const Methods methods = options_.chosen_methods();
     const HitImage hits = by_methods(methods, "by the methods");
-    const bool is_all = options_.strategies.front() == "all";
+    const bool is_all = std::ranges::find(options_.strategies, "all") != options_.strategies.end();
     std::vector<ShadowPanel> panels;
     for (const std::string& strategy : is_all ? strategy_names() : options_.strategies) {
       const LightImage light = light_up(scene_, strategy, methods, work(strategy));

@@ -31,8 +31,7 @@ struct Bounded : Comparable<Bounded<T>> {
   constexpr Bounded() = default;
   constexpr Bounded(const T& rounded, const Error& bound) : value(rounded), error(bound) {}
   /// An exact number, or the nearest `T` to one with the error of that.
-  template <class U>
-  requires std::is_arithmetic_v<U>
+  template <HeldByDouble U>
   // NOLINTNEXTLINE(google-explicit-constructor): kernels mix plain numbers in, as formulas do
   constexpr Bounded(U exact) : value(static_cast<Plain>(exact)), error(Plain(0)) {
     const auto rounded = static_cast<Plain>(exact);

@@ -137,8 +137,7 @@ struct Checked : Comparable<Checked<T>> {
   constexpr Checked() = default;
   constexpr Checked(T rounded, bool exactly) : value(rounded), is_exact(exactly) {}
   /// An exact number, or the nearest `T` to one.
-  template <class U>
-  requires std::is_arithmetic_v<U>
+  template <HeldByDouble U>
   // NOLINTNEXTLINE(google-explicit-constructor): kernels mix plain numbers in, as formulas do
   constexpr Checked(U given)
       : value(static_cast<T>(given)),

@@ -53,8 +53,7 @@ struct Interval : Comparable<Interval<T>> {
   constexpr Interval() = default;
   /// The one number, or the two neighbours between which it lies; infinity as all that overflowed, NaN as
   /// nothing.
-  template <class U>
-  requires std::is_arithmetic_v<U>
+  template <HeldByDouble U>
   // NOLINTNEXTLINE(google-explicit-constructor): kernels mix plain numbers in, as formulas do
   constexpr Interval(U exact) : lo(static_cast<T>(exact)), hi(lo) {
     const auto back = static_cast<double>(lo);

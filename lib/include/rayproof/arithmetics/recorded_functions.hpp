@@ -2,6 +2,7 @@
 /// \file
 /// The functions of arithmetic.hpp for recorded numbers; included by recorded.hpp.
 
+#include <algorithm>
 #include <rayproof/arithmetics/recorded.hpp>
 
 #include <rayproof/rounding/as_written.hpp>
@@ -66,7 +67,8 @@ template <class T, class S>
 [[nodiscard]] Recorded<T, S> scale_exponent(const Recorded<T, S>& x, const Recorded<T, S>& e) {
   const Bounded<T> rounded = scale_exponent(x.bounded, e.bounded);
   const bool scales = std::isfinite(e.value());
-  const S scaled = scales ? S(ldexp(x.exact, static_cast<int>(e.value()))) : S(rounded.value);
+  const double power = std::clamp(static_cast<double>(e.value()), -1e5, 1e5);  // beyond all, and an int
+  const S scaled = scales ? S(ldexp(x.exact, static_cast<int>(power))) : S(rounded.value);
   return {Operator::scale_exponent, rounded, scaled, x.id, e.id};
 }
 

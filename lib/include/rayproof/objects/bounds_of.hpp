@@ -69,6 +69,7 @@ inline void enclose(objects::Hull& hull, const Polygon<objects::Enclosed>& polyg
   const auto plain = [](const objects::EnclosedPoint& p) {
     return glm::dvec3(p.x.value, p.y.value, p.z.value);
   };
+  if (polygon.vertices.empty()) return hull.forgo();
   const glm::dvec3 first = plain(polygon.vertices.front());
   objects::Bounds box{first, first};
   for (const auto& vertex : polygon.vertices) box = box.around({plain(vertex), plain(vertex)});

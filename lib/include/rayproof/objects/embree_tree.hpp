@@ -13,6 +13,7 @@
 #include <memory>
 #include <rayproof/objects/bounds_tree.hpp>
 #include <rayproof/objects/embree_ray.hpp>
+#include <stdexcept>
 
 #include <rayproof/rounding/as_written.hpp>
 
@@ -30,6 +31,7 @@ class EmbreeTree {
     reach_ = reach_of(tree_.bounds());
     for (Bounds& box : boxes) box = box.grown(margin * reach_);
     RTCDevice device = rtcNewDevice(nullptr);
+    if (device == nullptr) throw std::runtime_error("Embree makes no device on this machine");
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
     scene_ = {rtcNewScene(device), rtcReleaseScene};
     rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(boxes.size()));

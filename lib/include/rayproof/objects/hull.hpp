@@ -67,6 +67,9 @@ class Hull {
     }
   }
 
+  /// No box is to be found: of a shape without points.
+  void forgo() { is_sound_ = false; }
+
   /// Nothing where a number is too large to reason about, or NaN.
   [[nodiscard]] std::optional<Bounds> bounds() const {
     if (is_sound_) return bounds_;

@@ -21,9 +21,9 @@ template <class T, std::size_t Count>
   return b[0];
 }
 
-/// (Degree + 1)² control points; points[i][j] belongs to the i-th power of u and the j-th of v, so that
-/// points[0][0], points[Degree][0], points[0][Degree] and points[Degree][Degree] are the corners r(0, 0),
-/// r(1, 0), r(0, 1) and r(1, 1).
+/// (Degree + 1)² control points; points[i][j] belongs to the i-th Bernstein polynomial of u and the j-th
+/// of v, so that points[0][0], points[Degree][0], points[0][Degree] and points[Degree][Degree] are the
+/// corners r(0, 0), r(1, 0), r(0, 1) and r(1, 1).
 template <class P, std::size_t Degree>
 struct BezierPatch {
   std::array<std::array<vec3<P>, Degree + 1>, Degree + 1> points;

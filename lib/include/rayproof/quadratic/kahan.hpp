@@ -17,8 +17,8 @@ struct Kahan {
       "W. Kahan", "On the Cost of Floating-Point Computation Without Extra-Precise Arithmetic", 2004};
   static constexpr Contract contract{
       .verdict = {.measured = 0, .promised = 0, .is_proven = true},
-      .residual = {.measured = 3.96, .promised = 8},
-      .ulp = {.measured = 3.45, .promised = 4},
+      .residual = {.measured = 3.98, .promised = 8},
+      .ulp = {.measured = 3.49, .promised = 4},
       .holds = always_claimed | Claims{Claim::verdict, Claim::residual, Claim::ulp, Claim::robust,
                                        Claim::scaled, Claim::reversed, Claim::bounded, Claim::exact}};
 

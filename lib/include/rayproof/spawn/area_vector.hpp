@@ -71,8 +71,8 @@ struct LongNormal {
   }
 };
 
-/// Twice the vector area of closed polygons: by sums in twice the digits, or, where the vertices are so
-/// nearly in a line that these do not suffice, exactly.
+/// Twice the vector area of a closed polygon of one vertex or more: by sums in twice the digits. Where the
+/// vertices are so nearly in a line that these do not suffice, its direction, of length 1, by exact sums.
 template <std::floating_point T>
 [[nodiscard]] vec3<T> area_vector(const std::vector<vec3<T>>& vertices) {
   const vec3<T>& v0 = vertices.front();

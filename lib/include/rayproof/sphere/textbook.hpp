@@ -36,8 +36,8 @@ struct Textbook {
   static constexpr Source source = sources::ban;
   static constexpr Contract contract{
       .standing = Standing::naive,
-      .verdict = {.measured = 8.94, .promised = 16, .far_power = 1},
-      .residual = {.measured = 8.94, .promised = 16, .far_power = 1},
+      .verdict = {.measured = 10.6, .promised = 16, .far_power = 1},
+      .residual = {.measured = 10.6, .promised = 16, .far_power = 1},
       .hit = sphere_hit_bounds,
       .holds = always_claimed | hit_claims |
                Claims{Claim::verdict, Claim::residual, Claim::moved, Claim::scaled, Claim::reversed,

@@ -11,8 +11,8 @@ namespace rayproof::triangle {
 
 /// ab - cd with its exact sign, 0 included.
 ///
-/// In an arithmetic of floats by exact products in double, whatever the size of the floats; in one of doubles
-/// by fused multiply-adds, as long as nothing underflows.
+/// In an arithmetic of floats by exact products in double, in one of doubles by fused multiply-adds, as long
+/// as nothing underflows: in floats a result below 2^-150 in magnitude is rounded to 0.
 template <class T>
 [[nodiscard]] constexpr T edge_function(const T& a, const T& b, const T& c, const T& d) {
   if constexpr (digits<T> == digits<float>) {

@@ -9,8 +9,8 @@
 namespace rayproof::diagnosis {
 
 /// Whether the aspect of `got` is that of `other`, to about three digits: a model must hit the very answer of
-/// a subject, but the subject may round. Where `got` says less than `other` (the nearest hit only, no point),
-/// what it leaves out agrees.
+/// a subject, but the subject may round. Where `got` gives fewer hits than `other` by its nature (the
+/// nearest alone, the verdict alone), what it leaves out agrees; a vector agrees with a vector alone.
 [[nodiscard]] bool agree(const Case& one, const Answer& got, const Answer& other, Aspect aspect);
 
 /// The detail of the first hit that a claim speaks of; none where it speaks of verdict and t.

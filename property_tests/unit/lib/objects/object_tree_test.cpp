@@ -126,6 +126,13 @@ TEST(ObjectTree, MissesWithNaNInTheRayAndUnderASingularMatrix) {
   EXPECT_FALSE(ObjectTree(flat).nearest({{0, 0, 0}, {0, 0, 1}}));
 }
 
+TEST(ObjectTree, MissesAPolygonWithoutVerticesAmongOthers) {
+  ObjectList<float> list;
+  list.add(Polygon<float>{});
+  for (int i = 0; i < 9; ++i) list.add(Sphere<float>{{0, 0, 5}, 1});
+  EXPECT_EQ(ObjectTree(list).nearest({{0, 0, 0}, {0, 0, 1}})->index, 1U);
+}
+
 TEST(ObjectTree, TakesTheFirstOfManyThatAreHitAtOneT) {
   ObjectList<float> list;
   for (int i = 0; i < 100; ++i) list.add(Sphere<float>{{0, 0, 9 - static_cast<float>(i % 2)}, 1});
