@@ -131,6 +131,7 @@ TEST(Diagnosis, NamesWhatIsWronglySaidOfTheFirstHit) {
                                                {"parallelepiped", "normal", "normals-0-2"},
                                                {"sphere", "point", "point-against-direction"},
                                                {"sphere", "point", "point-from-shape"},
+                                               {"box", "normal", "normal-of-farthest-axis"},
                                                {"box", "normal", "normal-from-middle"},
                                                {"box", "normal", "normal-without-signs"},
                                                {"box", "point", "point-by-unit-direction"},

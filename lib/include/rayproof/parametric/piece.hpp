@@ -110,7 +110,7 @@ struct Piece<BezierPatch<P, Degree>, P> {
       for (std::size_t i = 0; i < Degree; ++i) all = hull(all, b(i + 1) - b(i));
     }
     const I& side = in_u ? u : v;
-    return I(Degree) * all / I(side.hi - side.lo);
+    return I(static_cast<int>(Degree)) * all / I(side.hi - side.lo);
   }
 };
 

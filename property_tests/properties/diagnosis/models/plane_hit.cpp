@@ -78,9 +78,9 @@ Answers projected_wrongly(const Case& one, WrongAxis wrong, bool is_hit) {
   const auto is_preferred = [&](int a, int b) {
     return wrong == WrongAxis::smallest ? std::abs(n[a]) < std::abs(n[b]) : n[a] > n[b];
   };
-  int axis = 0;
-  for (const int other : {1, 2})
-    if (is_preferred(other, axis)) axis = other;
+  int axis = static_cast<int>(wrong);
+  if (wrong > WrongAxis::z) axis = is_preferred(1, 0) ? 1 : 0;
+  if (wrong > WrongAxis::z && is_preferred(2, axis)) axis = 2;
   if (std::abs(n[axis]) > 0x1p-20 * glm::length(n)) return {};
   return hit_at(one, hit->t, is_hit);
 }

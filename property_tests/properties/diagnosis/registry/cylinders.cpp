@@ -34,6 +34,10 @@ std::vector<Hypothesis> models_of_cylinders() {
           "upper-cap-by-lower-point", upper_cap_by_lower_point,
           "the cap at z = height is hit where the ray's point at z = 0 lies within the outline, and must be "
           "where the point on the cap does"),
+      gives(
+          "lower-cap-by-upper-point", lower_cap_by_upper_point,
+          "the cap at z = 0 is hit where the ray's point at z = height lies within the outline, and must be "
+          "where the point on the cap does"),
       gives("caps-from-outside-alone", caps_from_outside_alone,
             "a cap is hit from outside alone: a ray that leaves through it does not hit it"),
       gives("caps-as-diamonds", caps_as_diamonds,

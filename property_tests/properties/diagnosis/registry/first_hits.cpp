@@ -8,6 +8,7 @@
 #include "properties/diagnosis/models/hits/hits.hpp"
 #include "properties/diagnosis/models/hits/interval.hpp"
 #include "properties/diagnosis/models/outlines/outline.hpp"
+#include "properties/diagnosis/models/solids/box.hpp"
 #include "properties/diagnosis/models/space/details_of_shapes.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
 
@@ -62,6 +63,11 @@ std::vector<Hypothesis> models_of_first_hits() {
       gives("normal-from-zero", normal_from_zero,
             "the normal points from the origin of coordinates, and must from the centre", gross,
             Aspect::normal),
+      gives(
+          "normal-of-farthest-axis", normal_of_farthest_axis,
+          "the normal is that of the face along the axis in which the point is farthest from the middle: the "
+          "distance must be divided by half the box's size along that axis",
+          gross, Aspect::normal),
       gives("normal-from-middle", normal_from_middle,
             "the normal points from the middle of the solid, as a sphere's", gross, Aspect::normal),
       gives("normal-without-signs", normal_without_signs,

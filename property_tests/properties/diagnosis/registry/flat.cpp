@@ -6,6 +6,7 @@
 #include "properties/claims/answers.hpp"
 #include "properties/diagnosis/models/flat/flat.hpp"
 #include "properties/diagnosis/models/flat/small_bounds.hpp"
+#include "properties/diagnosis/models/flat/tolerances.hpp"
 #include "properties/diagnosis/models/flat/wrong_plane.hpp"
 #include "properties/diagnosis/models/hits/starts.hpp"
 #include "properties/diagnosis/models/outlines/outline.hpp"
@@ -35,6 +36,16 @@ Hypothesis tight_edges(FindingKind kind = gross) {
   made.kind = kind;
   made.shows_more = is_hit_inside;  // that hits on edges are left out alone would be less
   return of(OfSizes::small, made);
+}
+
+template <int power>
+Hypothesis loose_areas() {
+  return of(
+      OfSizes::small,
+      gives(kept(fmt::format("areas-loose-1e{}", power)), areas_with_tolerance<power>,
+            kept(fmt::format("hits beside the triangle count where the three areas at the point add up to "
+                             "1e{} more than the whole: an absolute tolerance",
+                             power))));
 }
 
 template <int... power>
@@ -67,6 +78,18 @@ std::vector<Hypothesis> models_of_projections() {
       gives("upright", upright_missed<-1>,
             "a figure whose normal is 0 in a coordinate is missed: leave out the one in which the normal is "
             "largest"),
+      gives(
+          "projected-along-x", projected_wrongly<WrongAxis::x, true>,
+          "x is left out whatever the normal, also where it is 0 along x: leave out the coordinate in which "
+          "it is largest"),
+      gives(
+          "projected-along-y", projected_wrongly<WrongAxis::y, true>,
+          "y is left out whatever the normal, also where it is 0 along y: leave out the coordinate in which "
+          "it is largest"),
+      gives(
+          "projected-along-z", projected_wrongly<WrongAxis::z, true>,
+          "z is left out whatever the normal, also where it is 0 along z: leave out the coordinate in which "
+          "it is largest"),
       gives("projected-along-signed", projected_wrongly<WrongAxis::largest_signed, true>, signed_in_words),
       gives("projected-along-smallest", projected_wrongly<WrongAxis::smallest, true>,
             "the coordinate is left out in which the normal is smallest, and must be the one in which it is "
@@ -101,6 +124,11 @@ std::vector<Hypothesis> models_of_flat_figures() {
       loose_edges<-4>(),
       loose_edges<-3>(),
       loose_edges<-2>(),
+      loose_areas<-6>(),
+      loose_areas<-5>(),
+      loose_areas<-4>(),
+      loose_areas<-3>(),
+      loose_areas<-2>(),
       misses_zero("edge-a-open", open_at_edge<0>,
                   "hits on the edge bc are left out: alpha > 0 is asked, and must be alpha >= 0"),
       misses_zero("edge-b-open", open_at_edge<1>,

@@ -106,6 +106,8 @@ std::vector<Hypothesis> models_of_solids() {
             "only the three faces at min, or at the corner, are hit: the opposite ones are missing"),
       gives("parallelepiped-as-box", read_as<parallelepiped_as_box>,
             "the answer is right for the upright box between opposite corners"),
+      gives("left-handed-missed", left_handed_missed,
+            "a solid whose edges are left-handed, their determinant negative, is missed"),
       gives("parallelepiped-as-bounds", read_as<parallelepiped_as_bounds>,
             "the answer is right for the upright bounding box"),
       gives("edges-times-length", read_as<edges_times_length>,

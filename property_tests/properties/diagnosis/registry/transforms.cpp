@@ -50,6 +50,8 @@ std::vector<Hypothesis> models_of_transforms() {
       gives("two-corners-in-world", read_as<between_two_corners>,
             "the answer is right for the upright box between min and max in the world: no other corner is "
             "transformed"),
+      gives("plane-normal-by-matrix", read_as<plane_normal_by_matrix>,
+            "the plane's normal is carried to the world by the matrix, and must be by its inverse transpose"),
       gives("corner-not-moved", read_as<corner_not_moved>,
             "the edges are taken to the world, and the corner is not"),
       gives("edges-translated", read_as<edges_translated>,

@@ -111,17 +111,31 @@ Answers caps_by_origin(const Case& one, const Answer& /*exact*/) {
   return {in_order(one, all.size() > 2 ? std::vector{all.front(), all.back()} : all), in_order(one, all)};
 }
 
-Answers upper_cap_by_lower_point(const Case& one, const Answer& /*exact*/) {
+namespace {
+
+/// Both caps are hit where the ray's point at that share of the height is within the outline.
+Answers caps_by_point_at(const Case& one, double share_of_height) {
   const auto parts = parts_of(one, [](double, double, const Cylinder<double>&) { return true; });
   const Ray<double> ray = parts ? ray_in_object(*ray_question(one)) : Ray<double>{};
   if (!parts || ray.direction.z == 0) return {};
-  const glm::dvec3 below = point_at(ray, -ray.origin.z / ray.direction.z);
+  const auto& cylinder = *shape_in<Cylinder<double>>(one);
+  const glm::dvec3 point =
+      point_at(ray, (share_of_height * cylinder.height - ray.origin.z) / ray.direction.z);
   std::vector<double> all = parts->side;
-  if (is_in_ellipse(below.x, below.y, *shape_in<Cylinder<double>>(one)))
+  if (is_in_ellipse(point.x, point.y, cylinder))
     all.insert(all.end(), parts->caps.begin(), parts->caps.end());
   std::ranges::sort(all);
   // There may be three, of which the first and the last may be taken.
   return {in_order(one, all), in_order(one, all.size() > 2 ? std::vector{all.front(), all.back()} : all)};
+}
+
+}  // namespace
+
+Answers upper_cap_by_lower_point(const Case& one, const Answer& /*exact*/) {
+  return caps_by_point_at(one, 0);
+}
+Answers lower_cap_by_upper_point(const Case& one, const Answer& /*exact*/) {
+  return caps_by_point_at(one, 1);
 }
 
 Answers caps_from_outside_alone(const Case& one, const Answer& /*exact*/) {

@@ -72,6 +72,15 @@ FoundRoots second_undivided(const ReducedEquation& e) {
   return roots;
 }
 
+Answers sign_of_zero(const Case& one, const Answer& /*exact*/) {
+  const std::optional<ReducedEquation> equation = reduced_equation(one);
+  if (!equation || equation->h != 0 || !(equation->discriminant() > 0)) return {};
+  Answers all;
+  for (const double other : {0.0, infinity<double>, -infinity<double>})
+    all.push_back(with_roots_in_order(one, std::array{0.0, other}));
+  return all;
+}
+
 std::optional<bool> number_q_wrong(const Case& one, const Answer& got, const Answer& exact) {
   const auto* q = std::get_if<Quadratic<double>>(&one.question);
   const std::vector<double> found = numbers_in(got);

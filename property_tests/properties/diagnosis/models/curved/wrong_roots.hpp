@@ -23,6 +23,10 @@ namespace rayproof::diagnosis {
 [[nodiscard]] FoundRoots second_undivided(const ReducedEquation& e);
 /// @}
 
+/// In the formula that does not cancel the sign of b = 0 is 0, and so is q: its roots are 0 and what c / 0 is
+/// taken for.
+[[nodiscard]] Answers sign_of_zero(const Case& one, const Answer& exact);
+
 /// Whether the product of two roots is c/a and their sum is not -b/a, and not by a loss of digits: so it is
 /// where in x = q / a and y = c / q the number q is wrong.
 [[nodiscard]] std::optional<bool> number_q_wrong(const Case& one, const Answer& got, const Answer& exact);

@@ -2,8 +2,8 @@
 
 #include <array>
 #include <glm/common.hpp>
-#include <glm/vector_relational.hpp>
 
+#include "properties/claims/answers.hpp"
 #include "properties/diagnosis/examination/agreement.hpp"
 #include "properties/diagnosis/models/hits/factor.hpp"
 #include "properties/diagnosis/models/outlines/outline.hpp"
@@ -135,31 +135,6 @@ Answers numerator_without_coefficients(const Case& one, const Answer& /*exact*/)
   const double slope = glm::dot(plane->first, ray.direction);
   const double t = -(ray.origin.x + ray.origin.y + ray.origin.z + plane->second) / slope;
   return slope == 0 ? Answers{} : hit_at(one, t, true);
-}
-
-Answers within_weights(const Case& one, double least) {
-  const auto* triangle = shape_in<Triangle<double>>(one);
-  const auto hit = plane_hit(one);
-  if (triangle == nullptr || !hit) return {};
-  const glm::dvec2 a = hit->vertices[0], b = hit->vertices[1], c = hit->vertices[2];
-  const auto cross = [](const glm::dvec2& u, const glm::dvec2& v) { return u.x * v.y - u.y * v.x; };
-  const double area = cross(b - a, c - a);
-  const double beta = cross(hit->point - a, c - a) / area, gamma = cross(b - a, hit->point - a) / area;
-  const glm::dvec3 weights(1 - beta - gamma, beta, gamma);
-  const glm::dvec3 sizes = glm::abs(weights);
-  const Answer by_all =
-      hit_at(one, hit->t, glm::all(glm::greaterThanEqual(weights, glm::dvec3(least)))).front();
-  // The least change first where hits are lost; where they are gained, the tolerance that is met most.
-  Answers answers;
-  if (least < 0) answers.push_back(by_all);
-  for (int vertex = 0; vertex < 3; ++vertex) {
-    glm::dvec3 least_of_each(0);
-    least_of_each[vertex] = least;
-    answers.push_back(hit_at(one, hit->t, glm::all(glm::greaterThanEqual(weights, least_of_each))).front());
-  }
-  answers.push_back(least < 0 ? hit_at(one, hit->t, sizes.x + sizes.y + sizes.z <= 1 - least).front()
-                              : by_all);
-  return answers;
 }
 
 Answers triangle_bounds(const Case& one, const Answer& /*exact*/) {

@@ -74,20 +74,6 @@ template <int axis>
 /// The origin's coordinates are added up without the plane's coefficients: t = -(x + y + z + D) / (n·d).
 [[nodiscard]] Answers numerator_without_coefficients(const Case& one, const Answer& exact);
 
-/// The hits of the triangle's plane whose barycentric coordinates are at least so much: all three, or that of
-/// a, of b, of c, and the others at least 0; and those whose areas add up to so much more than the whole.
-[[nodiscard]] Answers within_weights(const Case& one, double least);
-/// Hits beside the triangle count where no barycentric coordinate is below -10^power; hits inside are left
-/// out where one is below 10^power.
-template <int power>
-[[nodiscard]] Answers edges_with_tolerance(const Case& one, const Answer& /*exact*/) {
-  return within_weights(one, -std::pow(10.0, power));
-}
-template <int power>
-[[nodiscard]] Answers edges_tight(const Case& one, const Answer& /*exact*/) {
-  return within_weights(one, std::pow(10.0, power));
-}
-
 /// Whether a triangle is hit, and not on an edge.
 [[nodiscard]] inline bool is_hit_inside(const Case& /*one*/, const Answer& exact) {
   const auto* answer = std::get_if<RayAnswer>(&exact);

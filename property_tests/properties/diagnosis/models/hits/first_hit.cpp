@@ -185,8 +185,13 @@ Answers point_against_direction(const Case& one, const Answer& exact) {
 Answers point_by_unit_direction(const Case& one, const Answer& exact) {
   const RayAnswer* answer = hit_with_point(exact);
   if (answer == nullptr) return {};
-  const Ray<double>& ray = ray_question(one)->ray;
-  return with_point(exact, point_at(ray, answer->hits.t[0] / glm::length(ray.direction)));
+  Answers answers;
+  for (const Ray<double>& ray : {ray_question(one)->ray, ray_in_object(*ray_question(one))}) {
+    const double length = glm::length(ray.direction);  // in the world, or in object space
+    answers.push_back(
+        with_point(exact, point_at(ray_question(one)->ray, answer->hits.t[0] / length)).front());
+  }
+  return answers;
 }
 
 Answers point_from_shape(const Case& one, const Answer& exact) {

@@ -1,6 +1,9 @@
 #include "properties/diagnosis/models/solids/box.hpp"
 
 #include <algorithm>
+#include <cmath>
+
+#include "properties/diagnosis/models/surface_normals.hpp"
 
 namespace rayproof::diagnosis {
 namespace {
@@ -49,6 +52,22 @@ Answers with_corner(const Case& one, Corner corner, void (*change)(glm::dvec3&))
   Answers answers = exact_of(changed);
   if (is_turned) answers.emplace_back(RayAnswer{});
   return answers;
+}
+
+Answers normal_of_farthest_axis(const Case& one, const Answer& exact) {
+  const auto* box = shape_in<Box<double>>(one);
+  const auto* answer = std::get_if<RayAnswer>(&exact);
+  if (box == nullptr || answer == nullptr || answer->hits.count == 0) return {};
+  const glm::dvec3 point = point_at(ray_in_object(*ray_question(one)), answer->hits.t[0]);
+  const glm::dvec3 way = point - 0.5 * (box->min + box->max);
+  int axis = 0;
+  for (const int other : {1, 2})
+    if (std::abs(way[other]) > std::abs(way[axis])) axis = other;
+  glm::dvec3 normal(0);
+  normal[axis] = std::copysign(1, way[axis]);
+  RayAnswer wrong = *answer;
+  wrong.normal = glm::normalize(map_of_normals(*ray_question(one)) * normal);
+  return {wrong};
 }
 
 }  // namespace rayproof::diagnosis

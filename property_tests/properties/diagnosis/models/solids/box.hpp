@@ -39,4 +39,8 @@ template <Corner corner, int i, int j>
 }
 /// @}
 
+/// The normal is that of the face along the axis in which the point is farthest from the middle, the size of
+/// the box not looked at.
+[[nodiscard]] Answers normal_of_farthest_axis(const Case& one, const Answer& exact);
+
 }  // namespace rayproof::diagnosis

@@ -78,4 +78,11 @@ std::vector<Case> edges_transposed(const Case& one) {
   });
 }
 
+Answers left_handed_missed(const Case& one, const Answer& exact) {
+  const auto* solid = shape_in<Parallelepiped<double>>(one);
+  if (solid == nullptr || !finds_something(exact)) return {};
+  const auto& [e, f, g] = solid->edges;
+  return glm::dot(e, glm::cross(f, g)) < 0 ? Answers{RayAnswer{}} : Answers{};
+}
+
 }  // namespace rayproof::diagnosis

@@ -57,4 +57,7 @@ template <int power>
   return small_volume_missed(one, exact, std::pow(10.0, power));
 }
 
+/// A parallelepiped whose edges are left-handed, their determinant negative, is missed.
+[[nodiscard]] Answers left_handed_missed(const Case& one, const Answer& exact);
+
 }  // namespace rayproof::diagnosis

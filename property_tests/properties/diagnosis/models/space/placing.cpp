@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 
 #include "properties/claims/answers.hpp"
+#include "properties/diagnosis/models/flat/flat.hpp"
 #include "properties/diagnosis/models/plane_hit.hpp"
 
 namespace rayproof::diagnosis {
@@ -40,6 +41,19 @@ Box<double> bounds_of(const glm::dmat4& matrix, const glm::dvec3& from,
 }
 
 }  // namespace
+
+std::vector<Case> plane_normal_by_matrix(const Case& one) {
+  const auto plane = implicit_form(one);
+  if (!plane) return {};
+  return with_question(one, [&](RayQuestion& asked) {
+    if (!asked.transform) return false;
+    const auto& [normal, d] = *plane;
+    const glm::dvec3 point = -d / glm::dot(normal, normal) * normal;
+    asked.shape = PointNormalPlane{point_in(*asked.transform, point), glm::dmat3(*asked.transform) * normal};
+    asked.transform.reset();
+    return true;
+  });
+}
 
 std::vector<Case> with_transpose_for_inverse(const Case& one) {
   return with_question(one, [](RayQuestion& asked) {

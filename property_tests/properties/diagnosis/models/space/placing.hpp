@@ -15,6 +15,8 @@ namespace rayproof::diagnosis {
 [[nodiscard]] std::vector<Case> bounds_in_world(const Case& one);
 /// The upright box between a box's min and max in the world.
 [[nodiscard]] std::vector<Case> between_two_corners(const Case& one);
+/// A plane's normal is carried to the world by the matrix, and must be by its inverse transpose.
+[[nodiscard]] std::vector<Case> plane_normal_by_matrix(const Case& one);
 /// @{ A parallelepiped's corner stays where it is; its edges are moved like points.
 [[nodiscard]] std::vector<Case> corner_not_moved(const Case& one);
 [[nodiscard]] std::vector<Case> edges_translated(const Case& one);
