@@ -123,13 +123,15 @@ std::vector<Hypothesis> cures_of_boundaries() {
       avoids("off-interval-ends", off_interval_ends,
              "right as soon as no hit lies on an end of the interval"),
       of_digits_or(
-          "right as soon as the ray passes a little aside: numbers that are 0, or equal, are not handled",
+          "right as soon as the ray or point lies a little aside: numbers that are 0, or equal, are not "
+          "handled",
           of_equation(
               "right as soon as a coefficient changes a little: only double roots, or coefficients that "
               "are 0, are wrong",
-              avoids("off-boundary", off_boundary,
-                     "right as soon as the ray passes a little aside: only edges, vertices and tangents "
-                     "are wrong"))),
+              avoids(
+                  "off-boundary", off_boundary,
+                  "right as soon as the ray or point lies a little aside: only edges, vertices and tangents "
+                  "are wrong"))),
       avoids("few-digits", few_digits,
              "right as soon as the numbers have few digits: what is wrong is rounding", rounding),
       of_digits_or(

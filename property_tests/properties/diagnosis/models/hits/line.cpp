@@ -79,7 +79,8 @@ Answers nearer_to_zero_decides(const Case& one, const Answer& exact) {
 
 Answers behind_is_hit(const Case& one, const Answer& exact) {
   return from_line(one, 1, [&](const Ray<double>& ray, const RayAnswer& line) -> Answers {
-    if (std::get<RayAnswer>(exact).hits.count != 0 || !(last_of(line) < ray.t_min)) return {};
+    // A hit a little before t_min may be rounded to it.
+    if (std::get<RayAnswer>(exact).hits.count != 0 || !(last_of(line) <= ray.t_min)) return {};
     if (line.contact != Contact::crossing) return {};  // what is only touched may be missed for itself
     const auto alone = [&](double t) { return hits_where(line, [t](double other) { return other == t; }); };
     return {line, alone(line.hits.t[0]), alone(last_of(line))};

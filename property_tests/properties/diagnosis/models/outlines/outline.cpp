@@ -68,13 +68,17 @@ Answers endless_boundary_of(const Case& one, const Answer& exact, Counts&& count
   if (position == nullptr || *position == Position::boundary) return {};
   const PlaneHit seen = *point_and_outline(one);
   const Outline& outline = seen.vertices;
-  bool is_on_line = false;
+  bool is_on_line = false, is_on_longer = false;
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const glm::dvec2 &a = outline[i], &b = outline[(i + 1) % outline.size()];
-    is_on_line = is_on_line || (counts(a, b, seen.point) && turn(a, b, seen.point) == 0);
+    const bool is_on_this = counts(a, b, seen.point) && turn(a, b, seen.point) == 0;
+    is_on_line = is_on_line || is_on_this;
+    is_on_longer = is_on_longer || (is_on_this && a != b);
   }
   if (!is_on_line) return {};
-  return is_in_bounds(seen.point, outline) ? Answers{Position::boundary} : Answers{Position::boundary, exact};
+  // Bounds may be asked first, and sides without length be left out.
+  const bool is_sure = is_on_longer && is_in_bounds(seen.point, outline);
+  return is_sure ? Answers{Position::boundary} : Answers{Position::boundary, exact};
 }
 
 }  // namespace
