@@ -68,7 +68,7 @@ TEST(result_of_a_function, may_be_all_hits) {
 }
 
 TEST(result_of_a_function, may_be_t_with_u_and_v_behind_references) {
-  const std::string triangle =
+  const std::string triangle_line =
       R"({"id": 7, "precision": "float32", "ray": {"origin": [0.25,0.5,2], "direction": [0,0,-1]}, "shape": {"type": "triangle", "a": [0,0,0], "b": [1,0,0], "c": [0,1,0]}})";
   const auto f = [](F3 o, F3, F3, F3, F3, float& u, float& v) {
     u = o.x;
@@ -76,7 +76,7 @@ TEST(result_of_a_function, may_be_t_with_u_and_v_behind_references) {
     return o.z;
   };
   EXPECT_EQ(
-      answer_of(triangle, f),
+      answer_of(triangle_line, f),
       "{\"id\": 7, \"verdict\": \"hit\", \"hits\": [{\"t\": 2}], \"barycentric\": [0.25, 0.25, 0.5]}\n");
 }
 
