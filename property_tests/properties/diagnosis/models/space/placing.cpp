@@ -48,7 +48,8 @@ std::vector<Case> plane_normal_by_matrix(const Case& one) {
   return with_question(one, [&](RayQuestion& asked) {
     if (!asked.transform) return false;
     const auto& [normal, d] = *plane;
-    const glm::dvec3 point = -d / glm::dot(normal, normal) * normal;
+    const glm::dvec3 foot = -d / glm::dot(normal, normal) * normal;
+    const glm::dvec3 point = shape_in<ImplicitPlane>(one) != nullptr ? foot : point_of_plane(one);
     asked.shape = PointNormalPlane{point_in(*asked.transform, point), glm::dmat3(*asked.transform) * normal};
     asked.transform.reset();
     return true;
