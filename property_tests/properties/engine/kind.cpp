@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "properties/diagnosis/hypothesis.hpp"
+#include "properties/diagnosis/examination/agreement.hpp"
 #include "properties/guests/guest.hpp"
 
 namespace rayproof {
@@ -38,6 +38,20 @@ bool is_rounding_of_hit(Claim claim, const Evidence& evidence) {
   return (claim == Claim::point && is_near(got->point, exact->point)) ||
          (claim == Claim::normal && is_near(got->normal, exact->normal)) ||
          (claim == Claim::coordinates && is_near(got->barycentric, exact->barycentric));
+}
+
+/// Whether what is answered to the case of a finding that no model foresees is foreseen by the other's model:
+/// of the cases that it does not foresee there is none that is as simple.
+bool is_foreseen_by(const Finding& finding, const Finding& other) {
+  const Hypothesis& model = *other.cause;
+  if (finding.cause->predict != nullptr || model.predict == nullptr || model.is_one_of_many) return false;
+  const Answer &got = finding.evidence.got, &exact = finding.evidence.exact;
+  if (!finding.evidence.no_answer.empty() || breaks_symmetry(finding)) return false;
+  return std::ranges::any_of(model.predict(finding.one, exact), [&](const Answer& foreseen) {
+    const Answer reported = diagnosis::as_reported(foreseen, got);
+    return diagnosis::agree(finding.one, got, reported, model.aspect) &&
+           !diagnosis::agree(finding.one, exact, reported, model.aspect);
+  });
 }
 
 /// Whether a normal is wrong in fewer cases than a gross fault of the hits, in far fewer where a model of
@@ -91,6 +105,7 @@ bool is_named_boundary(const Finding& finding) {
 bool is_part_of(const Finding& finding, const Finding& other) {
   if (finding.cause == nullptr || other.cause == nullptr) return false;
   if (is_normal_of_wrong_shape(finding, other)) return true;
+  if (!other.cause->is_vague && other.cases >= finding.cases && is_foreseen_by(finding, other)) return true;
   if (!other.cause->name.empty() && finding.cause->follows_from == other.cause->name) return true;
   const bool is_known_at_extremes_alone = finding.cause->of_sizes == OfSizes::extremes;
   const std::uint64_t most = finding.cause->is_vague ? 2 * other.cases : other.cases;
