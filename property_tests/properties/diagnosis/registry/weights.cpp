@@ -48,9 +48,9 @@ std::vector<Hypothesis> models_of_weights() {
       gives(
           "weights-undivided", with_weights<undivided_weights>,
           "t is right, and u and v are not divided by the determinant before they are compared with 0 and 1"),
-      gives("beta-undivided", with_weights<undivided_beta>,
+      gives("beta-undivided", undivided<&TriangleHit::beta>,
             "t is right, and u is not divided by the determinant before it is compared with 0 and 1"),
-      gives("gamma-undivided", with_weights<undivided_gamma>,
+      gives("gamma-undivided", undivided<&TriangleHit::gamma>,
             "t is right, and v is not divided by the determinant before it is compared with 0 and 1"),
       gives("weights-times-area", with_weights<undivided_by_area>,
             "t is right, and the weights are not divided by n·n, the square of twice the area"),

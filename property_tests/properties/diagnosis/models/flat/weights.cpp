@@ -71,6 +71,16 @@ Answers by_weights(const Case& one, const TriangleHit& hit) {
   return answers;
 }
 
+Answers undivided(const Case& one, double TriangleHit::*weight) {
+  const auto hit = triangle_hit(one);
+  if (!hit) return {};
+  TriangleHit changed = *hit;
+  const double whole = changed.*weight *= hit->size;
+  Answers answers = by_weights(one, changed);
+  answers.push_back(0 <= whole && whole <= 1 ? by_weights(one, *hit).front() : RayAnswer{});
+  return answers;
+}
+
 Answers beyond_edge(const Case& one, int vertex) {
   const auto hit = triangle_hit(one);
   if (!hit) return {};

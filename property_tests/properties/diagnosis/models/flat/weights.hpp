@@ -27,18 +27,22 @@ template <void (*change)(TriangleHit&)>
   return by_weights(one, *hit);
 }
 
-/// @{ Not divided: by the determinant, both weights or one; by the square of the normal.
+/// @{ Not divided: by the determinant, both weights; by the square of the normal.
 inline void undivided_weights(TriangleHit& hit) {
   hit.beta *= hit.size;
   hit.gamma *= hit.size;
 }
-inline void undivided_beta(TriangleHit& hit) { hit.beta *= hit.size; }
-inline void undivided_gamma(TriangleHit& hit) { hit.gamma *= hit.size; }
 inline void undivided_by_area(TriangleHit& hit) {
   hit.beta *= hit.area_squared;
   hit.gamma *= hit.area_squared;
 }
 /// @}
+/// One weight is not divided by the determinant, at all or before it is compared with 0 and 1 itself.
+[[nodiscard]] Answers undivided(const Case& one, double TriangleHit::*weight);
+template <double TriangleHit::*weight>
+[[nodiscard]] Answers undivided(const Case& one, const Answer& /*exact*/) {
+  return undivided(one, weight);
+}
 /// The factors of one of the cross products are exchanged.
 inline void exchanged_factors(TriangleHit& hit) {
   hit.gamma = -hit.gamma;
