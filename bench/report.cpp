@@ -70,6 +70,7 @@ int run(const report::BenchOptions& options) {
   const std::optional<report::Measurements> baseline =
       options.baseline.empty() ? std::nullopt : std::optional(read_file(options.baseline));
   make_folder(options.out);
+  expect_writable(options.json);
   ProgressLine progress;
   report::Conclusions found{.figures = measured_or_read(options, progress)};
   const report::Measurements& figures = found.figures;

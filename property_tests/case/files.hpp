@@ -64,6 +64,18 @@ inline bool read_line(std::istream& in, std::string& line, const std::string& na
   return file;
 }
 
+/// Throws std::runtime_error where a file could not be written, which long work would learn at its end; an
+/// empty path is none.
+inline void expect_writable(const std::filesystem::path& path) {
+  std::error_code error;
+  if (path.empty() ||
+      (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error)))
+    return;
+  const bool was_there = std::filesystem::exists(path, error);
+  if (!std::ofstream(path, std::ios::app)) throw std::runtime_error(path.string() + " cannot be written");
+  if (!was_there) std::filesystem::remove(path, error);
+}
+
 /// Ends a file; on a full disk what was written before may not have reached it. Throws std::runtime_error.
 inline void finish(std::ostream& file, const std::filesystem::path& path) {
   if (!(file << std::flush))

@@ -21,6 +21,7 @@ glm::dvec3 unit_normal(const ObjectRay<Ring>& ray, ExactNormal& normal, const Nu
   const Scaled length = norm(n);
   glm::dvec3 unit{};
   for (int axis = 0; axis < 3; ++axis) {
+    if (n[axis].sign() == 0) continue;  // 0, and never -0
     const long double component = (n[axis] / length).value();
     unit[axis] = precision == Precision::float32 ? static_cast<double>(static_cast<float>(component))
                                                  : static_cast<double>(component);

@@ -76,13 +76,14 @@ bool ProgramAnswerer::ask_rest(Round& all) {
     throw CannotStart(
         fmt::format("{} cannot be started: {}", program_->command(), conversation_->last_words()));
   const bool is_held_back = ending == RoundEnd::silence && program_->may_hold_back() && holds_back(rest);
+  const bool is_machines = ending == RoundEnd::silence && !conversation_->is_silent_itself();
   conversation_.reset();
   if (ending == RoundEnd::silence && !program_->has_answered())
     program_->give_up("it answered nothing at all");
   if (program_->was_given_up())
     all.put(places.front(), failure(ending, is_held_back ? held_back : trouble));
   else
-    search(all, ending, trouble);
+    search(all, ending, trouble, is_machines);
   // One case alone that breaks is being shrunk; silence is too long to be overlooked even then.
   if (all.cases.size() > 1 || ending == RoundEnd::silence || !program_->has_answered())
     program_->note_trouble(1, Program::Clock::now() - begin, ending == RoundEnd::silence);
@@ -119,7 +120,7 @@ bool ProgramAnswerer::ask_alone(Round& all, std::size_t i) {
   return ending == RoundEnd::complete && all.outcomes[i].kind != OutcomeKind::nonsense;
 }
 
-void ProgramAnswerer::search(Round& all, RoundEnd ending, const std::string& trouble) {
+void ProgramAnswerer::search(Round& all, RoundEnd ending, const std::string& trouble, bool is_machines) {
   // That silence is the next case's was seen once: to see it each time would take as long again.
   if (ending == RoundEnd::silence && program_->is_known_for_silence())
     return all.put(waiting_in(all).front(), failure(ending, trouble));
@@ -129,8 +130,8 @@ void ProgramAnswerer::search(Round& all, RoundEnd ending, const std::string& tro
   const std::vector<std::size_t> suspects = waiting_in(all);
   for (const std::size_t i : suspects)
     if (program_->was_given_up() || !ask_alone(all, i)) return;
-  // Alone, each is answered. Silence may have been the machine's; all else needs what was asked before.
-  if (ending != RoundEnd::silence)
+  // Alone, each is answered: what went wrong needs what was asked before.
+  if (!is_machines)
     all.put(suspects.front(), failure(ending, trouble + "; asked alone, it answers the case"));
 }
 

@@ -23,8 +23,9 @@ class ProgramAnswerer final : public Answerer {
   [[nodiscard]] Conversation& conversation();
   /// Asks what has no answer, all at once. Whether every case then has one, or no more is to be asked now.
   bool ask_rest(Round& all);
-  /// Finds whom to blame for such an end, and puts that down as its outcome.
-  void search(Round& all, Conversation::RoundEnd ending, const std::string& trouble);
+  /// Finds whom to blame for such an end, and puts that down as its outcome; nobody where each case alone is
+  /// answered and the silence may have been the machine's.
+  void search(Round& all, Conversation::RoundEnd ending, const std::string& trouble, bool is_machines);
   /// Whether silence means that answers are held back until the input is closed; then it is given up.
   bool holds_back(Round& rest);
   [[nodiscard]] bool ask_alone(Round& all, std::size_t i);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <utility>
 
@@ -52,13 +53,13 @@ void Conversation::write(const Round& round) {
 
 Conversation::RoundEnd Conversation::ask(Round& round) {
   write(round);
-  Silence silence{.since = Clock::now(), .starvation = Starvation(child_.group())};
+  Silence silence{.last = Clock::now(), .starvation = Starvation(child_.group())};
   while (round.waiting > 0) {
     if (program_->is_stopped() || is_too_long(silence)) return RoundEnd::silence;
     const std::size_t waiting = round.waiting;
     child_.exchange(unsent_, received_, a_while);
     if (!take_lines(round)) return RoundEnd::nonsense;
-    if (round.waiting < waiting) silence.since = Clock::now();
+    if (round.waiting < waiting) silence.lasted = {};
     if (round.waiting > 0 && child_.is_output_closed())
       return take_line(round, received_) && round.waiting == 0 ? RoundEnd::complete : RoundEnd::closed;
   }
@@ -66,17 +67,19 @@ Conversation::RoundEnd Conversation::ask(Round& round) {
 }
 
 /// A program that loads much before its first answer has its time; one that only sleeps has no more than any.
-bool Conversation::is_too_long(Silence& silence) const {
-  const Clock::duration silent = Clock::now() - silence.since;
-  if (silent <= program_->patience_of_case()) return false;
-  if (!has_spoken_ && silent <= program_->first_case_time()) {
-    if (Clock::now() - silence.looked < milliseconds(500)) return false;
-    silence.looked = Clock::now();
+bool Conversation::is_too_long(Silence& silence) {
+  const Clock::time_point now = Clock::now();
+  silence.lasted += std::min<Clock::duration>(now - std::exchange(silence.last, now), 2 * a_while);
+  if (silence.lasted <= program_->patience_of_case()) return false;
+  if (!has_spoken_ && silence.lasted <= program_->first_case_time()) {
+    if (now - silence.looked < milliseconds(500)) return false;
+    silence.looked = now;
     silence.idle = silence.starvation.is_idle() ? silence.idle + 1 : 0;
     return silence.idle > 2;
   }
-  if (silence.patience-- == 0 || !silence.starvation.goes_on()) return true;
-  silence.since = Clock::now();
+  is_silent_itself_ = !silence.starvation.goes_on();
+  if (is_silent_itself_ || silence.patience-- == 0) return true;
+  silence.lasted = {};
   return false;
 }
 

@@ -41,6 +41,9 @@ class Conversation {
   /// Closes the input, and whether every answer that was missing comes then.
   [[nodiscard]] bool answers_at_the_end(Round& round);
 
+  /// Whether the silence that ended a round was the program's own, and not for want of the processor.
+  [[nodiscard]] bool is_silent_itself() const { return is_silent_itself_; }
+
   /// What went wrong, in one sentence, with what the program said of it on standard error.
   [[nodiscard]] std::string trouble(RoundEnd ending);
 
@@ -55,7 +58,8 @@ class Conversation {
 
   /// How long the program has been silent, and why.
   struct Silence {
-    Clock::time_point since{};
+    Clock::time_point last{};  ///< when it was last noted
+    Clock::duration lasted{};  ///< without what this process slept, too
     Starvation starvation;
     int patience = 5;            ///< how often one that does not get the processor has its time once more
     Clock::time_point looked{};  ///< when it was last looked at
@@ -63,7 +67,7 @@ class Conversation {
   };
 
   void write(const Round& round);
-  [[nodiscard]] bool is_too_long(Silence& silence) const;
+  [[nodiscard]] bool is_too_long(Silence& silence);
   /// Takes the whole lines that have come. False after one that is no answer.
   [[nodiscard]] bool take_lines(Round& round);
   [[nodiscard]] bool take_line(Round& round, std::string_view line);
@@ -75,7 +79,7 @@ class Conversation {
   Program* program_;
   Child child_;
   Clock::time_point start_ = Clock::now();
-  bool has_spoken_ = false;
+  bool has_spoken_ = false, is_silent_itself_ = false;
   std::uint64_t first_id_ = 0;  ///< of the round
   std::string unsent_{}, received_{};
   std::size_t searched_ = 0;        ///< the number of bytes received that hold no end of a line

@@ -47,6 +47,22 @@ def late(case):
     return reply(case)
 
 
+def leave_out():
+    """Every hundredth case has no answer, whatever it asks."""
+    for count, case in enumerate(cases()):
+        if count % 100 != 99:
+            say(reply(case))
+
+
+def hang_once():
+    """A long silence, once in all."""
+    for count, case in enumerate(cases()):
+        if count == 99 and not os.path.exists("has_slept"):
+            open("has_slept", "w", encoding="utf-8").close()
+            time.sleep(1000)
+        say(reply(case))
+
+
 def out_of_order():
     waiting = []
     for case in cases():
@@ -119,6 +135,8 @@ FAULTS = {
     "without_id": lambda: on_chosen(lambda case: json.dumps(answer(case))),
     "give_up": lambda: on_chosen(lambda case: json.dumps({"id": case["id"], "error": "I cannot do this"})),
     "late": lambda: on_chosen(late),
+    "leave_out": leave_out,
+    "hang_once": hang_once,
     "out_of_order": out_of_order,
     "close_output": closes_output,
     "never_flush": never_flushes,

@@ -32,7 +32,8 @@ class Guests : public testing::Test {
   /// The same of misbehaving.py with that fault. Where silence is to be found it is short; else the machine
   /// may be busy.
   [[nodiscard]] Ended check_fault(const std::string& fault) const {
-    const bool is_silent = fault == "hang" || fault == "late";
+    const bool is_silent =
+        fault == "hang" || fault == "late" || fault == "leave_out" || fault == "hang_once";
     return check(
         "python3 " + programs + "misbehaving.py " + fault,
         std::string("--shape sphere --precision float64 --family random,transformed --case-seconds ") +
@@ -104,6 +105,10 @@ TEST_F(Guests, ACrashIsFoundWithItsCaseAndItsLastWords) {
 }
 TEST_F(Guests, AHangIsFoundWithItsCase) { expect_chosen("hang", "no answer within 0.7 s"); }
 TEST_F(Guests, ALateAnswerIsFoundWithItsCase) { expect_chosen("late", "no answer within 0.7 s"); }
+TEST_F(Guests, SilenceThatIsNoCasesOwnIsFound) {
+  for (const char* const fault : {"leave_out", "hang_once"})
+    expect_protocol(fault, "no answer within 0.7 s; asked alone, it answers the case");
+}
 TEST_F(Guests, NonsenseIsFoundWithItsCase) { expect_chosen("nonsense_once", "What a nice ray!"); }
 TEST_F(Guests, NaNIsFoundWithItsCase) { expect_chosen("not_a_number", "NaN"); }
 TEST_F(Guests, NaNInQuotesIsFoundWithItsCase) {
