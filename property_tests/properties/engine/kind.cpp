@@ -40,11 +40,24 @@ bool is_rounding_of_hit(Claim claim, const Evidence& evidence) {
          (claim == Claim::coordinates && is_near(got->barycentric, exact->barycentric));
 }
 
+/// Whether a point is off the surface only because t is rounded too coarsely, which the other finding says.
+bool is_point_of_coarse_t(const Finding& finding, const Finding& other) {
+  const auto loses_digits = [](const Finding& one) {
+    return one.cause != nullptr && one.cause->kind == FindingKind::rounding;
+  };
+  return finding.property->name == "point-on-surface" && other.property->claim == Claim::residual &&
+         loses_digits(finding) && loses_digits(other);
+}
+
 /// Whether what is answered to the case of a finding that no model foresees is foreseen by the other's model:
 /// of the cases that it does not foresee there is none that is as simple.
 bool is_foreseen_by(const Finding& finding, const Finding& other) {
   const Hypothesis& model = *other.cause;
-  if (finding.cause->predict != nullptr || model.predict == nullptr || model.is_one_of_many) return false;
+  const OfSizes sizes = finding.cause->of_sizes;
+  const bool may_follow =
+      finding.cause->predict == nullptr || sizes == OfSizes::small || sizes == OfSizes::limit;
+  if (!may_follow || model.predict == nullptr || model.is_one_of_many || sizes == model.of_sizes)
+    return false;
   const Answer &got = finding.evidence.got, &exact = finding.evidence.exact;
   if (!finding.evidence.no_answer.empty() || breaks_symmetry(finding)) return false;
   return std::ranges::any_of(model.predict(finding.one, exact), [&](const Answer& foreseen) {
@@ -104,7 +117,7 @@ bool is_named_boundary(const Finding& finding) {
 
 bool is_part_of(const Finding& finding, const Finding& other) {
   if (finding.cause == nullptr || other.cause == nullptr) return false;
-  if (is_normal_of_wrong_shape(finding, other)) return true;
+  if (is_normal_of_wrong_shape(finding, other) || is_point_of_coarse_t(finding, other)) return true;
   if (!other.cause->is_vague && other.cases >= finding.cases && is_foreseen_by(finding, other)) return true;
   if (!other.cause->name.empty() && finding.cause->follows_from == other.cause->name) return true;
   const bool is_known_at_extremes_alone = finding.cause->of_sizes == OfSizes::extremes;

@@ -59,6 +59,17 @@ void add_grazing(std::vector<Hypothesis>& all) {
    ...);
 }
 
+template <int... power>
+void add_small_slopes(std::vector<Hypothesis>& all) {
+  (all.push_back(of(
+       OfSizes::small,
+       gives(kept(fmt::format("slope-small-1e{}", power)), small_slope_missed<power>,
+             kept(fmt::format("a surface is missed where |n·d|, the determinant of a triangle's formula, is "
+                              "below about 1e{}: an absolute epsilon",
+                              power))))),
+   ...);
+}
+
 constexpr std::string_view signed_in_words =
     "the coordinate is left out in which the normal is largest with its sign: magnitudes must be compared";
 
@@ -197,6 +208,7 @@ std::vector<Hypothesis> models_of_flat_figures() {
             signed_in_words),
   };
   add_grazing<-2, -3, -4, -5, -6, -8, -12>(all);
+  add_small_slopes<-2, -3, -4, -5, -6, -7, -8, -9, -10, -12>(all);
   return all;
 }
 

@@ -24,6 +24,16 @@ constexpr std::string_view angles_in_words =
     "the angles at which the sides are seen are added without their signs: a side that turns back must be "
     "subtracted";
 
+template <int power>
+Hypothesis loose_boundary() {
+  return of(
+      OfSizes::small,
+      gives(kept(fmt::format("boundary-loose-1e{}", power)), near_sides_boundary<power>,
+            kept(fmt::format("what lies beside a side is said to be on the boundary where the cross product "
+                             "is below about 1e{}: an absolute epsilon",
+                             power))));
+}
+
 /// What is right inside and wrong outside may look at no side at all.
 Hypothesis angles_rounded() {
   Hypothesis made =
@@ -126,6 +136,13 @@ std::vector<Hypothesis> models_of_outlines() {
             "inside is what lies in a triangle of the fan from the first vertex: the polygon is taken for "
             "convex"),
       gives("inside-out", inside_out, "inside is called outside, and outside inside"),
+      loose_boundary<-9>(),
+      loose_boundary<-8>(),
+      loose_boundary<-6>(),
+      loose_boundary<-5>(),
+      loose_boundary<-4>(),
+      loose_boundary<-3>(),
+      loose_boundary<-2>(),
       loose_sides<-5>(),
       loose_sides<-4>(),
       loose_sides<-3>(),

@@ -7,6 +7,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "properties/claims/answers.hpp"
 #include "properties/diagnosis/models/solids/faces.hpp"
 #include "properties/diagnosis/models/solids/slabs.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
@@ -41,6 +44,19 @@ Hypothesis tested_point(std::string_view name, Predict predict, std::string_view
 constexpr std::string_view edge_negated_in_words =
     "the answer is right with one edge turned round: the sign of a coordinate along it is wrong";
 
+/// That a face is missed is foreseen by culling, too: a wrong hit must be given once.
+Hypothesis signless_determinant() {
+  Hypothesis made = gives_one_of(
+      "determinant-without-sign", determinant_without_sign,
+      "u, v and t have the wrong sign where the determinant is negative: its magnitude is taken");
+  made.shows_more = [](const Case& one, const Answer& exact) {
+    return std::ranges::any_of(determinant_without_sign(one, exact), [&](const Answer& foreseen) {
+      return finds_something(foreseen) && !finds_something(exact);
+    });
+  };
+  return made;
+}
+
 }  // namespace
 
 std::vector<Hypothesis> models_of_weights() {
@@ -60,6 +76,10 @@ std::vector<Hypothesis> models_of_weights() {
           "another-product", another_product,
           "u, v or t is what another of them is, or 0: they are (o - a)·p, d·q and (c - a)·q, each over the "
           "determinant, and in one of them another vector stands"),
+      signless_determinant(),
+      gives_one_of("edge-by-opposite-vertex", edge_by_opposite_vertex,
+                   "of one edge the point's way is taken from the vertex opposite to it: it is (q - p) × "
+                   "(point - p) with one p"),
       gives_one_of(
           "way-from-other-vertex", way_from_other_vertex,
           "the ray's way is taken from another vertex than the edges: it is o - a where these are b - a "

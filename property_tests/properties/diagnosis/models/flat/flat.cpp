@@ -55,6 +55,16 @@ glm::dvec3 point_of_plane(const Case& one) {
   return p == nullptr ? glm::dvec3(0) : p->point;
 }
 
+Answers misses_small_slope(const Case& one, const Answer& exact, double least) {
+  if (!finds_something(exact)) return {};
+  const auto plane = implicit_form(one);
+  const auto figure = flat_figure(one);
+  if (!plane && !figure) return {};
+  const glm::dvec3 normal = plane ? plane->first : figure->normal;
+  const double slope = glm::dot(normal, ray_in_object(*ray_question(one)).direction);
+  return std::abs(slope) < least ? Answers{RayAnswer{}} : Answers{};
+}
+
 Answers misses_grazing(const Case& one, const Answer& exact, double sine) {
   const auto* answer = std::get_if<RayAnswer>(&exact);
   if (answer == nullptr || !answer->normal || !lies_in_a_plane(one)) return {};

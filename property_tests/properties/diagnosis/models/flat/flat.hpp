@@ -19,6 +19,14 @@ template <int power>
   return misses_grazing(one, exact, std::pow(10.0, power));
 }
 
+/// A miss of a plane, or a figure in one, where |n·d| is below a limit: n as it is given, b - a times c - a,
+/// or Newell's sum.
+[[nodiscard]] Answers misses_small_slope(const Case& one, const Answer& exact, double least);
+template <int power>
+[[nodiscard]] Answers small_slope_missed(const Case& one, const Answer& exact) {
+  return misses_small_slope(one, exact, std::pow(10.0, power));
+}
+
 /// @{ Only faces seen from the front are hit, or only those from the back; front is where the normal points.
 /// Of a solid: no ray that starts inside hits.
 [[nodiscard]] Answers culls_back(const Case& one, const Answer& exact);

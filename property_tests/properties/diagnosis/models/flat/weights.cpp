@@ -71,6 +71,34 @@ Answers by_weights(const Case& one, const TriangleHit& hit) {
   return answers;
 }
 
+Answers determinant_without_sign(const Case& one, const Answer& /*exact*/) {
+  const auto hit = triangle_hit(one);
+  Answers answers;
+  if (!hit) return answers;
+  const TriangleHit turned{-hit->beta, -hit->gamma, -hit->t, hit->size, hit->area_squared};
+  for (const bool is_turned : {hit->size<0, hit->size> 0})
+    answers.push_back(by_weights(one, is_turned ? turned : *hit).front());
+  return answers;
+}
+
+Answers edge_by_opposite_vertex(const Case& one, const Answer& /*exact*/) {
+  const auto figure = shape_in<Triangle<double>>(one) == nullptr ? std::nullopt : flat_figure(one);
+  const auto hit = figure ? plane_hit(one, *figure) : std::nullopt;
+  Answers answers;
+  if (!hit) return answers;
+  const glm::dvec3 point = point_at(ray_in_object(*ray_question(one)), hit->t);
+  for (std::size_t wrong = 0; wrong < 3; ++wrong) {
+    bool is_inside = true;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const glm::dvec3 &from = figure->vertices[i], &to = figure->vertices[(i + 1) % 3];
+      const glm::dvec3& start = i == wrong ? figure->vertices[(i + 2) % 3] : from;
+      is_inside = is_inside && glm::dot(figure->normal, glm::cross(to - from, point - start)) >= 0;
+    }
+    answers.push_back(hit_at(one, hit->t, is_inside).front());
+  }
+  return answers;
+}
+
 Answers undivided(const Case& one, double TriangleHit::*weight) {
   const auto hit = triangle_hit(one);
   if (!hit) return {};

@@ -37,6 +37,11 @@ inline void undivided_by_area(TriangleHit& hit) {
   hit.gamma *= hit.area_squared;
 }
 /// @}
+/// The determinant is taken without its sign, of either order of its factors.
+[[nodiscard]] Answers determinant_without_sign(const Case& one, const Answer& exact);
+/// Of one edge the point's way is taken from the vertex opposite to it. An answer for each edge.
+[[nodiscard]] Answers edge_by_opposite_vertex(const Case& one, const Answer& exact);
+
 /// One weight is not divided by the determinant, at all or before it is compared with 0 and 1 itself.
 [[nodiscard]] Answers undivided(const Case& one, double TriangleHit::*weight);
 template <double TriangleHit::*weight>

@@ -23,6 +23,10 @@ const RayAnswer* hit_with_point(const Answer& exact) {
   return answer != nullptr && answer->point ? answer : nullptr;
 }
 
+bool has_transform(const Case& one) {
+  return ray_question(one) != nullptr && ray_question(one)->transform.has_value();
+}
+
 }  // namespace
 
 Answers normal_faces_ray(const Case& one, const Answer& exact) {
@@ -99,23 +103,26 @@ std::optional<bool> normal_of_other_face(const Case& one, const Answer& got, con
 }
 
 Answers normal_in_object(const Case& one, const Answer& exact) {
+  if (!has_transform(one)) return {};
   return with_normal(one, exact, normal_in_object_space);
 }
 
 Answers normal_by_matrix(const Case& one, const Answer& exact) {
+  if (!has_transform(one)) return {};
   return with_normal(one, exact, [](const RayQuestion& asked, const glm::dvec3& normal) {
     return linear(asked) * normal_in_object_space(asked, normal);
   });
 }
 
 Answers normal_by_inverse(const Case& one, const Answer& exact) {
+  if (!has_transform(one)) return {};
   return with_normal(one, exact, [](const RayQuestion& asked, const glm::dvec3& normal) {
     return glm::inverse(linear(asked)) * normal_in_object_space(asked, normal);
   });
 }
 
 Answers normal_moved(const Case& one, const Answer& exact) {
-  if (ray_question(one) == nullptr || !ray_question(one)->transform) return {};
+  if (!has_transform(one)) return {};
   Answers answers;
   for (const bool is_by_matrix : {false, true}) {
     const auto move = [is_by_matrix](const RayQuestion& asked, const glm::dvec3& normal) {

@@ -93,6 +93,19 @@ Answers endless_upright_boundary(const Case& one, const Answer& exact) {
   });
 }
 
+Answers near_sides_boundary(const Case& one, const Answer& exact, double limit) {
+  const auto* position = std::get_if<Position>(&exact);
+  if (position == nullptr || *position == Position::boundary) return {};
+  const auto seen = point_and_outline(one);
+  const Outline& outline = seen->vertices;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const glm::dvec2 &a = outline[i], &b = outline[(i + 1) % outline.size()];
+    if (std::abs(turn(a, b, seen->point)) < limit && is_in_bounds(seen->point, {a, b}))
+      return {Position::boundary};
+  }
+  return {};
+}
+
 Answers lost_on_bounds(const Case& one, const Answer& exact) {
   const auto* position = std::get_if<Position>(&exact);
   if (position == nullptr || *position != Position::boundary) return {};

@@ -62,6 +62,14 @@ template <BoundaryPlace place>
 /// The same of the line of an upright side alone, or of one without length.
 [[nodiscard]] Answers endless_upright_boundary(const Case& one, const Answer& exact);
 
+/// A point within a side's bounding box is said to be on the boundary where the cross product of the side and
+/// its way to the point is below a limit.
+[[nodiscard]] Answers near_sides_boundary(const Case& one, const Answer& exact, double limit);
+template <int power>
+[[nodiscard]] Answers near_sides_boundary(const Case& one, const Answer& exact) {
+  return near_sides_boundary(one, exact, std::pow(10.0, power));
+}
+
 /// A point of the boundary that lies on the border of the bounding box is said to be outside.
 [[nodiscard]] Answers lost_on_bounds(const Case& one, const Answer& exact);
 
