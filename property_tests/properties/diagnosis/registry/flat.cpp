@@ -208,7 +208,7 @@ std::vector<Hypothesis> models_of_flat_figures() {
             signed_in_words),
   };
   add_grazing<-2, -3, -4, -5, -6, -8, -12>(all);
-  add_small_slopes<-2, -3, -4, -5, -6, -7, -8, -9, -10, -12>(all);
+  add_small_slopes<-12, -10, -9, -8, -7, -6, -5, -4, -3, -2>(all);
   return all;
 }
 
