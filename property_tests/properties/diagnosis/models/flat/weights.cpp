@@ -65,7 +65,11 @@ Answers another_product(const Case& one, const Answer& /*exact*/) {
 }
 
 Answers by_weights(const Case& one, const TriangleHit& hit) {
-  Answers answers = hit_at(one, hit.t, hit.beta >= 0 && hit.gamma >= 0 && hit.beta + hit.gamma <= 1);
+  return given_weights(one, hit, hit.beta >= 0 && hit.gamma >= 0 && hit.beta + hit.gamma <= 1);
+}
+
+Answers given_weights(const Case& one, const TriangleHit& hit, bool is_hit) {
+  Answers answers = hit_at(one, hit.t, is_hit);
   auto& found = std::get<RayAnswer>(answers.front());
   if (found.hits.count > 0) found.barycentric = glm::dvec3(1 - hit.beta - hit.gamma, hit.beta, hit.gamma);
   return answers;
@@ -105,7 +109,9 @@ Answers undivided(const Case& one, double TriangleHit::*weight) {
   TriangleHit changed = *hit;
   const double whole = changed.*weight *= hit->size;
   Answers answers = by_weights(one, changed);
-  answers.push_back(0 <= whole && whole <= 1 ? by_weights(one, *hit).front() : RayAnswer{});
+  const double other = weight == &TriangleHit::beta ? hit->gamma : hit->beta;
+  const bool is_hit = 0 <= whole && whole <= 1 && other >= 0 && hit->beta + hit->gamma <= 1;
+  answers.push_back(given_weights(one, *hit, is_hit).front());
   return answers;
 }
 

@@ -15,8 +15,9 @@ struct TriangleHit {
 
 /// The weights and t of the case; nothing where it has no triangle, or the ray runs along it.
 [[nodiscard]] std::optional<TriangleHit> triangle_hit(const Case& one);
-/// What a subject answers whose weights and t these are.
+/// What a subject answers whose weights and t these are, and who compares them rightly, or otherwise.
 [[nodiscard]] Answers by_weights(const Case& one, const TriangleHit& hit);
+[[nodiscard]] Answers given_weights(const Case& one, const TriangleHit& hit, bool is_hit);
 
 /// What a subject answers that finds `change(hit)`.
 template <void (*change)(TriangleHit&)>
