@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "properties/claims/answers.hpp"
+#include "properties/diagnosis/models/flat/weights.hpp"
 #include "properties/diagnosis/models/outlines/outline.hpp"
 #include "properties/diagnosis/models/outlines/small_box.hpp"
 #include "properties/diagnosis/models/outlines/wrong_crossing.hpp"
@@ -132,6 +133,9 @@ std::vector<Hypothesis> models_of_outlines() {
       gives("never-inside", never_inside, "no point is ever said to be inside"),
       gives("taken-as-convex", inside_by<InsideRule::one_side>,
             "inside is where all sides turn one way: the polygon is taken for convex"),
+      gives("fan-of-triangles", fan_of_triangles,
+            "the polygon is cut into a fan of triangles from its first vertex, each in its own plane: it is "
+            "taken for convex, and for flat"),
       gives("fan", inside_by<InsideRule::fan>,
             "inside is what lies in a triangle of the fan from the first vertex: the polygon is taken for "
             "convex"),

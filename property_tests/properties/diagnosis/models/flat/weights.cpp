@@ -45,6 +45,25 @@ Answers way_from_other_vertex(const Case& one, const Answer& /*exact*/) {
   return answers;
 }
 
+Answers fan_of_triangles(const Case& one, const Answer& /*exact*/) {
+  const auto* polygon = shape_in<Polygon<double>>(one);
+  if (polygon == nullptr) return {};
+  const auto& v = polygon->vertices;
+  std::optional<double> first, nearest;
+  for (std::size_t i = 1; i + 1 < v.size(); ++i) {
+    const auto cut = with_question(one, [&](RayQuestion& asked) {
+      asked.shape = Triangle<double>{v[0], v[i], v[i + 1]};
+      return true;
+    });
+    const auto hit = cut.empty() ? std::nullopt : triangle_hit(cut.front());
+    if (!hit || std::get<RayAnswer>(by_weights(cut.front(), *hit).front()).hits.count == 0) continue;
+    if (!first) first = hit->t;
+    nearest = std::min(hit->t, nearest.value_or(hit->t));
+  }
+  return first ? Answers{hit_at(one, *first, true).front(), hit_at(one, *nearest, true).front()}
+               : Answers{RayAnswer{}};
+}
+
 Answers another_product(const Case& one, const Answer& /*exact*/) {
   using Number = double TriangleHit::*;
   static constexpr Number numbers[] = {&TriangleHit::beta, &TriangleHit::gamma, &TriangleHit::t};

@@ -59,6 +59,10 @@ inline void exchanged_factors(TriangleHit& hit) {
 /// for each such mistake, always in the same order.
 [[nodiscard]] Answers another_product(const Case& one, const Answer& exact);
 
+/// A polygon is cut into the fan of triangles from its first vertex, each in its own plane: the first of them
+/// that is hit counts, or the nearest.
+[[nodiscard]] Answers fan_of_triangles(const Case& one, const Answer& exact);
+
 /// The ray's way to the triangle is taken from b, or from c, where a belongs.
 [[nodiscard]] Answers way_from_other_vertex(const Case& one, const Answer& exact);
 
