@@ -23,7 +23,7 @@ Evidence show_outcome(Trial& trial) {
 }  // namespace
 
 std::vector<Property> protocol_properties() {
-  return {{Claim::answers, "answers", "every valid case gets an answer in time", 1, answers, show_outcome}};
+  return {{Claim::answers, "answers", "every valid case gets one answer, in time", 1, answers, show_outcome}};
 }
 
 }  // namespace rayproof

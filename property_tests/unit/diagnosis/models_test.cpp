@@ -132,6 +132,8 @@ TEST(Diagnosis, NamesWhatIsWronglySaidOfTheFirstHit) {
                                                {"sphere", "point", "point-against-direction"},
                                                {"sphere", "point", "point-from-shape"},
                                                {"box", "normal", "normal-of-farthest-axis"},
+                                               {"parallelepiped", "normal", "normal-flipped-by-edges"},
+                                               {"triangle", "coordinates", "given-undivided"},
                                                {"box", "normal", "normal-from-middle"},
                                                {"box", "normal", "normal-without-signs"},
                                                {"box", "point", "point-by-unit-direction"},

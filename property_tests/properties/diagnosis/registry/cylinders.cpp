@@ -38,6 +38,10 @@ std::vector<Hypothesis> models_of_cylinders() {
           "lower-cap-by-upper-point", lower_cap_by_upper_point,
           "the cap at z = 0 is hit where the ray's point at z = height lies within the outline, and must be "
           "where the point on the cap does"),
+      gives("caps-outside-outline", caps_outside_outline,
+            "a cap is hit outside of its outline: (x/rx)² + (y/ry)² >= 1 is asked, and must be <= 1"),
+      gives("caps-at-opposite-t", caps_at_opposite_t,
+            "t of a cap's plane has the wrong sign: it is (height - z) / d.z, and -z / d.z of the lower one"),
       gives("caps-from-outside-alone", caps_from_outside_alone,
             "a cap is hit from outside alone: a ray that leaves through it does not hit it"),
       gives("caps-as-diamonds", caps_as_diamonds,
@@ -75,6 +79,9 @@ std::vector<Hypothesis> models_of_cylinders() {
           "side-constant-wrong", side_constant_wrong,
           "the constant of the side's equation is (x/rx)² + (y/ry)² - 1: a radius, or its square, or "
           "nothing, is subtracted in place of 1"),
+      gives_one_of(
+          "side-with-z", side_with_z_of_direction,
+          "the coefficient of t² of the side is (dx/rx)² + (dy/ry)²: the direction's z must not be in it"),
       gives("direction-not-divided-by-radii", direction_not_divided_by_radii,
             "the side is right for a direction that is not divided by the radii: origin and direction both "
             "must be"),

@@ -4,6 +4,7 @@
 #include "properties/diagnosis/models/curved/cylinder_normals.hpp"
 #include "properties/diagnosis/models/curved/quadratic.hpp"
 #include "properties/diagnosis/models/flat/flat.hpp"
+#include "properties/diagnosis/models/flat/weights.hpp"
 #include "properties/diagnosis/models/hits/first_hit.hpp"
 #include "properties/diagnosis/models/hits/hits.hpp"
 #include "properties/diagnosis/models/hits/interval.hpp"
@@ -20,6 +21,14 @@ constexpr std::string_view zero_in_words =
 
 constexpr std::string_view exchanged_in_words =
     "the normals of two of the three pairs of faces are exchanged";
+
+Hypothesis given_undivided_weights() {
+  Hypothesis made =
+      gives_one_of("given-undivided", given_undivided,
+                   "the hit is right, and beta or gamma is given before it is divided by the determinant");
+  made.aspect = Aspect::coordinates;
+  return made;
+}
 
 }  // namespace
 
@@ -41,6 +50,11 @@ std::vector<Hypothesis> models_of_first_hits() {
             "the normal has the wrong sign where the transform mirrors, its determinant negative: it is that "
             "of "
             "the transformed edges, or the matrix's cofactors carry it",
+            gross, Aspect::normal),
+      gives("normal-flipped-by-edges", normal_flipped_by_edges,
+            "the normal has the wrong sign where the edges are left-handed: the sign of their determinant is "
+            "left "
+            "out",
             gross, Aspect::normal),
       gives(
           "normal-of-near-hit", normal_of_near_hit,
@@ -137,6 +151,7 @@ std::vector<Hypothesis> models_of_first_hits() {
       gives("barycentric-u-v-t", weights_and_t,
             "the barycentric coordinates are beta, gamma and t: alpha is missing, and t in its list", gross,
             Aspect::coordinates),
+      given_undivided_weights(),
       shows("alpha-wrong", weight_is_wrong<0>, "alpha is wrong, and beta and gamma are right", gross,
             Aspect::coordinates),
       shows("beta-wrong", weight_is_wrong<1>, "beta is wrong, and alpha and gamma are right", gross,

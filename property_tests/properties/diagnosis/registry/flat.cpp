@@ -200,6 +200,12 @@ std::vector<Hypothesis> models_of_flat_figures() {
             "t is -(n·o) / (n·d): the constant n·a of the figure's plane is missing"),
       gives_one_of("normal-no-cross-product", normal_is_no_cross_product,
                    "the answer is right for a normal that is a sum of u and v, or one of them: it is u × v"),
+      gives_one_of("vectors-as-points", vectors_as_points,
+                   "the plane's point is subtracted from u or v: these are vectors, and no points"),
+      gives(
+          "plane-through-mean", plane_through_mean,
+          "the plane goes through the mean of the vertices, and must through the first: they need not lie in "
+          "one plane"),
       gives("coefficients-missing", numerator_without_coefficients,
             "t is -(x + y + z + D) / (n·d): the plane's coefficients are missing in the numerator"),
       gives("flat-bounds-missed", flat_bounds_missed,

@@ -130,7 +130,10 @@ std::vector<Hypothesis> models_of_outlines() {
                    "one crossed side is enough: crossings must be counted, even or odd"),
       gives_to_all("one-way-sides", inside_by<InsideRule::upward>,
                    "a side counts as crossed in one direction alone, upward or downward"),
-      gives("never-inside", never_inside, "no point is ever said to be inside"),
+      gives("never-inside", never_inside,
+            "no point is ever said to be inside: where x is not compared, the sides crossed on both sides of "
+            "it "
+            "are even"),
       gives("taken-as-convex", inside_by<InsideRule::one_side>,
             "inside is where all sides turn one way: the polygon is taken for convex"),
       gives("fan-of-triangles", fan_of_triangles,

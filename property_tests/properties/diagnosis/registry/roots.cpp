@@ -105,6 +105,12 @@ std::vector<Hypothesis> models_of_roots() {
             "of the two roots q / a and c / q one has the wrong sign"),
       gives("discriminant-clamped", clamped_discriminant,
             "a negative discriminant is taken for 0: every line that passes by is said to touch"),
+      gives("one-root-doubled", by_formula<second_doubled, first_doubled>,
+            "of the two roots q / a and c / q one is doubled: a factor 2 too many, or too few in a "
+            "denominator"),
+      gives(
+          "one-root-halved", by_formula<second_halved, first_halved>,
+          "of the two roots q / a and c / q one is halved: a factor 2 too few, or too many in a denominator"),
       gives("sign-of-zero", sign_of_zero,
             "where b = 0 its sign is taken for 0, and with it q = -(b + sign(b)·√D) / 2: it must be 1 or -1"),
       gives("root-upside-down", by_formula<second_upside_down, first_upside_down>,

@@ -40,6 +40,9 @@ std::vector<Hypothesis> models_of_transforms() {
             "the direction is translated like a point: it is transformed with w = 1 and must be with w = 0"),
       gives("direction-not-transformed", read_as<direction_not_transformed>,
             "the direction is not taken into object space"),
+      gives("diagonal-alone", read_as<diagonal_alone>,
+            "of the matrix the diagonal alone is looked at, as if it scaled along the axes: what it turns or "
+            "shears is left out"),
       gives("transpose-as-inverse", read_as<with_transpose_for_inverse>,
             "the matrix's transpose is taken for its inverse"),
       gives("uniform-scale", read_as<with_uniform_scale>,

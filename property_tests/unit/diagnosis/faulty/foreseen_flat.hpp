@@ -17,6 +17,8 @@ inline constexpr Foreseen foreseen_faults_of_flat[] = {
     {"plane", "beyond-at-t-max"},
     {"triangle", "small-bounding-sphere"},
     {"polygon", "newell-wrong"},
+    {"plane", "vectors-as-points"},
+    {"polygon", "plane-through-mean"},
     {"triangle", "determinant-without-sign"},
     {"triangle", "edge-by-opposite-vertex"},
     {"triangle", "slope-small-1e-3"},

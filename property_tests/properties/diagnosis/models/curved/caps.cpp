@@ -99,6 +99,26 @@ Answers caps_as_diamonds(const Case& one, const Answer& /*exact*/) {
   });
 }
 
+Answers caps_outside_outline(const Case& one, const Answer& /*exact*/) {
+  return with_caps_where(one, [](double x, double y, const Cylinder<double>& c) {
+    return std::pow(x / c.rx, 2) + std::pow(y / c.ry, 2) >= 1;
+  });
+}
+
+Answers caps_at_opposite_t(const Case& one, const Answer& /*exact*/) {
+  const auto parts = parts_of(one, is_in_ellipse);
+  if (!parts) return {};
+  const Ray<double> ray = ray_in_object(*ray_question(one));
+  const auto& cylinder = *shape_in<Cylinder<double>>(one);
+  std::vector<double> all = parts->side;
+  for (const double z : {0.0, cylinder.height}) {
+    const double t = (ray.origin.z - z) / ray.direction.z;
+    const glm::dvec3 point = point_at(ray, t);
+    if (ray.direction.z != 0 && is_in_ellipse(point.x, point.y, cylinder)) all.push_back(t);
+  }
+  return {in_order(one, all)};
+}
+
 Answers caps_by_origin(const Case& one, const Answer& /*exact*/) {
   const auto parts = parts_of(one, [](double, double, const Cylinder<double>&) { return true; });
   if (!parts) return {};

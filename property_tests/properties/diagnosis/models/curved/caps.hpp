@@ -19,6 +19,10 @@ namespace rayproof::diagnosis {
 [[nodiscard]] Answers upper_cap_by_lower_point(const Case& one, const Answer& exact);
 [[nodiscard]] Answers lower_cap_by_upper_point(const Case& one, const Answer& exact);
 /// @}
+/// @{ The caps are hit outside of their outline; where t of their planes has the other sign.
+[[nodiscard]] Answers caps_outside_outline(const Case& one, const Answer& exact);
+[[nodiscard]] Answers caps_at_opposite_t(const Case& one, const Answer& exact);
+/// @}
 /// A ray that leaves through a cap does not hit it.
 [[nodiscard]] Answers caps_from_outside_alone(const Case& one, const Answer& exact);
 /// The upper cap is not looked at where the lower one is hit.

@@ -86,6 +86,21 @@ Answers side_constant_wrong(const Case& one, const Answer& /*exact*/) {
   return answers;
 }
 
+Answers side_with_z_of_direction(const Case& one, const Answer& /*exact*/) {
+  const auto equation = shape_in<Cylinder<double>>(one) == nullptr ? std::nullopt : reduced_equation(one);
+  Answers answers;
+  if (!equation) return answers;
+  const double z = ray_in_object(*ray_question(one)).direction.z;
+  const double a = equation->a + z * z, h = equation->h;
+  for (const double D : {h * h - a * equation->c, equation->discriminant() + z * z}) {
+    const FoundRoots roots = roots_by(-h, D, a);
+    answers.push_back(
+        with_side_hits(one, roots ? std::vector<double>(roots->begin(), roots->end()) : std::vector<double>{})
+            .front());
+  }
+  return answers;
+}
+
 Answers direction_not_divided_by_radii(const Case& one, const Answer& /*exact*/) {
   const auto* cylinder = shape_in<Cylinder<double>>(one);
   if (cylinder == nullptr) return {};

@@ -29,6 +29,10 @@ namespace rayproof::diagnosis {
 /// subtracted. An answer for each such mistake, always in the same order.
 [[nodiscard]] Answers side_constant_wrong(const Case& one, const Answer& exact);
 
+/// The coefficient of t² in the side's equation has the direction's z in it. An answer for each of two ways
+/// to find the discriminant.
+[[nodiscard]] Answers side_with_z_of_direction(const Case& one, const Answer& exact);
+
 /// The origin is divided by the radii, and the direction is not.
 [[nodiscard]] Answers direction_not_divided_by_radii(const Case& one, const Answer& exact);
 

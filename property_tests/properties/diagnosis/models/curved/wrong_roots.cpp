@@ -12,8 +12,8 @@ Answer with_roots_in_order(const Case& one, FoundRoots roots) {
   return with_roots(one, roots).front();
 }
 
-/// q / a and c / q, each times its sign.
-FoundRoots stable_with_signs(const ReducedEquation& e, double first, double second) {
+/// q / a and c / q, each times a factor.
+FoundRoots stable_times(const ReducedEquation& e, double first, double second) {
   FoundRoots roots = without_cancelling(e, e.discriminant());
   if (roots) *roots = {first * (*roots)[0], second * (*roots)[1]};
   return roots;
@@ -47,8 +47,13 @@ FoundRoots both_divided_by_a(const ReducedEquation& e) {
   return roots;
 }
 
-FoundRoots first_root_negated(const ReducedEquation& e) { return stable_with_signs(e, -1, 1); }
-FoundRoots second_root_negated(const ReducedEquation& e) { return stable_with_signs(e, 1, -1); }
+FoundRoots first_root_negated(const ReducedEquation& e) { return stable_times(e, -1, 1); }
+FoundRoots second_root_negated(const ReducedEquation& e) { return stable_times(e, 1, -1); }
+
+FoundRoots first_doubled(const ReducedEquation& e) { return stable_times(e, 2, 1); }
+FoundRoots second_doubled(const ReducedEquation& e) { return stable_times(e, 1, 2); }
+FoundRoots first_halved(const ReducedEquation& e) { return stable_times(e, 0.5, 1); }
+FoundRoots second_halved(const ReducedEquation& e) { return stable_times(e, 1, 0.5); }
 
 FoundRoots first_upside_down(const ReducedEquation& e) {
   FoundRoots roots = without_cancelling(e, e.discriminant());

@@ -18,6 +18,12 @@ namespace rayproof::diagnosis {
 [[nodiscard]] FoundRoots first_upside_down(const ReducedEquation& e);
 [[nodiscard]] FoundRoots second_upside_down(const ReducedEquation& e);
 /// @}
+/// @{ One of the two has a factor 2 too many, or too few.
+[[nodiscard]] FoundRoots first_doubled(const ReducedEquation& e);
+[[nodiscard]] FoundRoots second_doubled(const ReducedEquation& e);
+[[nodiscard]] FoundRoots first_halved(const ReducedEquation& e);
+[[nodiscard]] FoundRoots second_halved(const ReducedEquation& e);
+/// @}
 /// @{ In (-h ± √D) / a, h = b/2, one root alone is not divided.
 [[nodiscard]] FoundRoots first_undivided(const ReducedEquation& e);
 [[nodiscard]] FoundRoots second_undivided(const ReducedEquation& e);

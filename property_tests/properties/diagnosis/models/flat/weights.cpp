@@ -122,6 +122,20 @@ Answers edge_by_opposite_vertex(const Case& one, const Answer& /*exact*/) {
   return answers;
 }
 
+Answers given_undivided(const Case& one, const Answer& exact) {
+  const auto hit = triangle_hit(one);
+  const auto* answer = std::get_if<RayAnswer>(&exact);
+  if (!hit || answer == nullptr || !answer->barycentric) return {};
+  Answers answers;
+  for (const auto& [b, c] :
+       {std::pair(hit->size, 1.0), std::pair(1.0, hit->size), std::pair(hit->size, hit->size)}) {
+    RayAnswer wrong = *answer;
+    wrong.barycentric = *answer->barycentric * glm::dvec3(1, b, c);
+    answers.emplace_back(wrong);
+  }
+  return answers;
+}
+
 Answers undivided(const Case& one, double TriangleHit::*weight) {
   const auto hit = triangle_hit(one);
   if (!hit) return {};

@@ -38,6 +38,9 @@ inline void undivided_by_area(TriangleHit& hit) {
   hit.gamma *= hit.area_squared;
 }
 /// @}
+/// The hit is right, and of the weights that are given for b and c one, or both, is not divided by the
+/// determinant. An answer for each.
+[[nodiscard]] Answers given_undivided(const Case& one, const Answer& exact);
 /// The determinant is taken without its sign, of either order of its factors.
 [[nodiscard]] Answers determinant_without_sign(const Case& one, const Answer& exact);
 /// Of one edge the point's way is taken from the vertex opposite to it. An answer for each edge.

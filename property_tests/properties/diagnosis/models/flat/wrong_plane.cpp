@@ -15,17 +15,48 @@ Answers plane_through_zero(const Case& one, const Answer& /*exact*/) {
   return hit_at(one, hit->t, is_inside_outline(*hit));
 }
 
-Answers normal_is_no_cross_product(const Case& one, const Answer& /*exact*/) {
-  const auto* plane = shape_in<ParametricPlane>(one);
-  if (plane == nullptr) return {};
+namespace {
+
+/// The answers of planes through that point with these normals.
+Answers by_normals(const Case& one, const glm::dvec3& point, std::initializer_list<glm::dvec3> normals) {
   const Ray<double> ray = ray_in_object(*ray_question(one));
   Answers answers;
-  for (const glm::dvec3& normal : {plane->u + plane->v, plane->u - plane->v, plane->u, plane->v}) {
+  for (const glm::dvec3& normal : normals) {
     const double slope = glm::dot(normal, ray.direction);
-    const double t = glm::dot(normal, plane->point - ray.origin) / slope;
+    const double t = glm::dot(normal, point - ray.origin) / slope;
     answers.push_back(hit_at(one, t, slope != 0).front());
   }
   return answers;
+}
+
+}  // namespace
+
+Answers normal_is_no_cross_product(const Case& one, const Answer& /*exact*/) {
+  const auto* plane = shape_in<ParametricPlane>(one);
+  if (plane == nullptr) return {};
+  const auto& [point, u, v] = *plane;
+  return by_normals(one, point, {u + v, u - v, u, v});
+}
+
+Answers vectors_as_points(const Case& one, const Answer& /*exact*/) {
+  const auto* plane = shape_in<ParametricPlane>(one);
+  if (plane == nullptr) return {};
+  const auto& [point, u, v] = *plane;
+  const glm::dvec3 from_u = u - point, from_v = v - point;
+  return by_normals(one, point, {glm::cross(from_u, from_v), glm::cross(u, from_v), glm::cross(from_u, v)});
+}
+
+Answers plane_through_mean(const Case& one, const Answer& /*exact*/) {
+  const auto figure = shape_in<Polygon<double>>(one) == nullptr ? std::nullopt : flat_figure(one);
+  auto hit = figure ? plane_hit(one, *figure) : std::nullopt;
+  if (!hit) return {};
+  glm::dvec3 sum(0);
+  for (const glm::dvec3& vertex : figure->vertices) sum += vertex;
+  const glm::dvec3 mean = sum / static_cast<double>(figure->vertices.size());
+  const Ray<double> ray = ray_in_object(*ray_question(one));
+  hit->t = glm::dot(figure->normal, mean - ray.origin) / glm::dot(figure->normal, ray.direction);
+  hit->point = projected(point_at(ray, hit->t), hit->axis);
+  return hit_at(one, hit->t, is_inside_outline(*hit));
 }
 
 Answers newell_wrong(const Case& one, const Answer& /*exact*/) {

@@ -10,6 +10,10 @@ namespace rayproof::diagnosis {
 [[nodiscard]] Answers plane_through_zero(const Case& one, const Answer& exact);
 /// Another vector than u × v stands for the normal of a parametric plane: u + v, u - v, u or v.
 [[nodiscard]] Answers normal_is_no_cross_product(const Case& one, const Answer& exact);
+/// Of a parametric plane u, v or both are taken for points: its point is subtracted from them.
+[[nodiscard]] Answers vectors_as_points(const Case& one, const Answer& exact);
+/// A polygon's plane goes through the mean of its vertices, and must through the first.
+[[nodiscard]] Answers plane_through_mean(const Case& one, const Answer& exact);
 /// A component of Newell's normal, the sum of (b_i - b_j)·(c_i + c_j) over the sides ij, has another sign in
 /// one of the factors. An answer for each such mistake, always in the same order.
 [[nodiscard]] Answers newell_wrong(const Case& one, const Answer& exact);

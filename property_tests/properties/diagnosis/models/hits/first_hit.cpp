@@ -58,6 +58,13 @@ Answers normal_flipped_by_mirror(const Case& one, const Answer& exact) {
   return is_mirrored ? normal_flipped(one, exact) : Answers{};
 }
 
+Answers normal_flipped_by_edges(const Case& one, const Answer& exact) {
+  const auto* solid = shape_in<Parallelepiped<double>>(one);
+  if (solid == nullptr) return {};
+  const auto& [e, f, g] = solid->edges;
+  return glm::dot(e, glm::cross(f, g)) < 0 ? normal_flipped(one, exact) : Answers{};
+}
+
 Answers normal_of_near_hit(const Case& one, const Answer& exact) {
   if (ray_question(one) == nullptr || !finds_something(exact)) return {};
   const RayAnswer line = hits_of_line(one);

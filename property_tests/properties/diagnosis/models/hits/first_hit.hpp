@@ -16,6 +16,8 @@ namespace rayproof::diagnosis {
 [[nodiscard]] Answers normal_flipped(const Case& one, const Answer& exact);
 /// Turned round where the transform mirrors the object.
 [[nodiscard]] Answers normal_flipped_by_mirror(const Case& one, const Answer& exact);
+/// Turned round where the edges of a parallelepiped are left-handed.
+[[nodiscard]] Answers normal_flipped_by_edges(const Case& one, const Answer& exact);
 /// At the hit that lies behind the ray's beginning, where the ray starts inside.
 [[nodiscard]] Answers normal_of_near_hit(const Case& one, const Answer& exact);
 [[nodiscard]] std::optional<bool> normal_not_unit(const Case& one, const Answer& got, const Answer& exact);

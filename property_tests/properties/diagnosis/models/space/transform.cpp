@@ -46,6 +46,14 @@ std::vector<Case> with_transposed_transform(const Case& one) {
   return all;
 }
 
+std::vector<Case> diagonal_alone(const Case& one) {
+  return with_map(one, [](RayQuestion& /*asked*/, glm::dmat4& map) {
+    for (int column = 0; column < 3; ++column)
+      for (int row = 0; row < 3; ++row)
+        if (row != column) map[column][row] = 0;
+  });
+}
+
 std::vector<Case> translation_negated(const Case& one) {
   return with_map(
       one, [](RayQuestion& /*asked*/, glm::dmat4& map) { map[3] = glm::dvec4(-glm::dvec3(map[3]), 1); });

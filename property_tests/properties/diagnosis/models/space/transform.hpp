@@ -21,6 +21,8 @@ namespace rayproof::diagnosis {
 [[nodiscard]] std::vector<Case> translation_undone_last(const Case& one);
 /// @}
 
+/// Of the matrix the diagonal and the translation alone are looked at.
+[[nodiscard]] std::vector<Case> diagonal_alone(const Case& one);
 /// The direction is translated as if it were a point (w = 1).
 [[nodiscard]] std::vector<Case> direction_as_point(const Case& one);
 /// The direction stays what it is in the world.
