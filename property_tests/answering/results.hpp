@@ -71,7 +71,7 @@ struct ResultTaker {
   void end_outputs(bool is_t_returned) {
     if (numbers != (is_t_returned ? 2 : 3) || reply.hits.size() < 3) return;
     take_coordinates(reply.hits[1], reply.hits[2]);
-    reply.hits.resize(1);
+    reply.hits.erase(reply.hits.begin() + 1, reply.hits.end());
   }
 
  private:
