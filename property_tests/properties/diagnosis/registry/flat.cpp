@@ -214,7 +214,13 @@ std::vector<Hypothesis> models_of_flat_figures() {
             signed_in_words),
   };
   add_grazing<-2, -3, -4, -5, -6, -8, -12>(all);
-  add_small_slopes<-12, -10, -9, -8, -7, -6, -5, -4, -3, -2>(all);
+  all.push_back(of(
+      OfSizes::small,
+      gives("slope-type-epsilon", slope_below_epsilon_missed,
+            "a surface is missed where |n·d|, the determinant of a triangle's formula, is below the machine "
+            "epsilon of the type, 1.2e-7 or 2.2e-16: it is no measure of that")));
+  all.back().differs_by_precision = true;
+  add_small_slopes<-16, -15, -14, -13, -12, -10, -9, -8, -7, -6, -5, -4, -3, -2>(all);
   return all;
 }
 

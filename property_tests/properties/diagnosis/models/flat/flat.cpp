@@ -65,6 +65,10 @@ Answers misses_small_slope(const Case& one, const Answer& exact, double least) {
   return std::abs(slope) < least ? Answers{RayAnswer{}} : Answers{};
 }
 
+Answers slope_below_epsilon_missed(const Case& one, const Answer& exact) {
+  return misses_small_slope(one, exact, one.precision == Precision::float32 ? 0x1p-23 : 0x1p-52);
+}
+
 Answers misses_grazing(const Case& one, const Answer& exact, double sine) {
   const auto* answer = std::get_if<RayAnswer>(&exact);
   if (answer == nullptr || !answer->normal || !lies_in_a_plane(one)) return {};

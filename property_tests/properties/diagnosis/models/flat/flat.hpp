@@ -27,6 +27,9 @@ template <int power>
   return misses_small_slope(one, exact, std::pow(10.0, power));
 }
 
+/// The same where the limit is the machine epsilon of the case's precision.
+[[nodiscard]] Answers slope_below_epsilon_missed(const Case& one, const Answer& exact);
+
 /// @{ Only faces seen from the front are hit, or only those from the back; front is where the normal points.
 /// Of a solid: no ray that starts inside hits.
 [[nodiscard]] Answers culls_back(const Case& one, const Answer& exact);
