@@ -22,7 +22,7 @@ inline constexpr Foreseen foreseen_faults_of_flat[] = {
     {"triangle", "determinant-without-sign"},
     {"triangle", "edge-by-opposite-vertex"},
     {"triangle", "slope-small-1e-3"},
-    {"triangle", "slope-type-epsilon"},
+    {"plane", "slope-type-epsilon"},
     {"plane", "slope-small-1e-2"},
     {"point_in_polygon", "boundary-loose-1e-2"},
     {"plane", "plane-normal-by-matrix"},
