@@ -56,8 +56,8 @@ bool is_foreseen_by(const Finding& finding, const Finding& other) {
   const OfSizes sizes = finding.cause->of_sizes;
   const bool may_follow =
       finding.cause->predict == nullptr || sizes == OfSizes::small || sizes == OfSizes::limit;
-  if (!may_follow || model.predict == nullptr || model.is_one_of_many || sizes == model.of_sizes)
-    return false;
+  const bool says_the_same = sizes != OfSizes::nothing && sizes == model.of_sizes;
+  if (!may_follow || model.predict == nullptr || model.is_one_of_many || says_the_same) return false;
   const Answer &got = finding.evidence.got, &exact = finding.evidence.exact;
   if (!finding.evidence.no_answer.empty() || breaks_symmetry(finding)) return false;
   return std::ranges::any_of(model.predict(finding.one, exact), [&](const Answer& foreseen) {
