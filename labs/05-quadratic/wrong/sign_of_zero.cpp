@@ -1,4 +1,4 @@
-// Diagnosis: equations with b = 0 are not handled
+// Diagnosis: where b = 0 its sign is taken for 0, and with it q = -(b + sign(b)·√D) / 2: it must be 1 or -1
 #include "quadratic.hpp"
 
 #include <algorithm>

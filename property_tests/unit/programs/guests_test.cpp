@@ -32,8 +32,7 @@ class Guests : public testing::Test {
   /// The same of misbehaving.py with that fault. Where silence is to be found it is short; else the machine
   /// may be busy.
   [[nodiscard]] Ended check_fault(const std::string& fault) const {
-    const bool is_silent =
-        fault == "hang" || fault == "late" || fault == "leave_out" || fault == "hang_once";
+    const bool is_silent = fault == "hang" || fault == "late" || fault == "leave_out" || fault == "hang_once";
     return check(
         "python3 " + programs + "misbehaving.py " + fault,
         std::string("--shape sphere --precision float64 --family random,transformed --case-seconds ") +
