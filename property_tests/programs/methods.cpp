@@ -179,10 +179,10 @@ the domain, are defined above each struct in
 
 where polygon.hpp has those of point_in_polygon, too.
 
-In the listing of --json, null is no promise, every_number means that the domain
-is asked of all numbers of a case but 0, transformed is its N under a transform,
-for methods that take the transform themselves, and holds are the properties that the
-method is held to.
+In the listing of --json, null is no promise, every_number means that the
+domain is asked of all numbers of a case but 0, transformed is its N under a
+transform, for methods that take the transform themselves, and holds are the
+properties that the method is held to.
 
 Exit status: 0, or 2 for a wrong command line.)";
 
