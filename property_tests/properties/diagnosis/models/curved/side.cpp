@@ -11,10 +11,13 @@
 namespace rayproof::diagnosis {
 namespace {
 
+std::vector<double> listed(const FoundRoots& roots) {
+  return roots ? std::vector<double>(roots->begin(), roots->end()) : std::vector<double>{};
+}
+
 /// The roots of the equation, ascending; none where it has none.
 std::vector<double> roots_of(const ReducedEquation& equation) {
-  const FoundRoots roots = roots_by(-equation.h, equation.discriminant(), equation.a);
-  return roots ? std::vector<double>(roots->begin(), roots->end()) : std::vector<double>{};
+  return listed(roots_by(-equation.h, equation.discriminant(), equation.a));
 }
 
 /// Those of the side without end; none where the line passes it by, or of another shape.
@@ -92,12 +95,8 @@ Answers side_with_z_of_direction(const Case& one, const Answer& /*exact*/) {
   if (!equation) return answers;
   const double z = ray_in_object(*ray_question(one)).direction.z;
   const double a = equation->a + z * z, h = equation->h;
-  for (const double D : {h * h - a * equation->c, equation->discriminant() + z * z}) {
-    const FoundRoots roots = roots_by(-h, D, a);
-    answers.push_back(
-        with_side_hits(one, roots ? std::vector<double>(roots->begin(), roots->end()) : std::vector<double>{})
-            .front());
-  }
+  for (const double D : {h * h - a * equation->c, equation->discriminant() + z * z})
+    answers.push_back(with_side_hits(one, listed(roots_by(-h, D, a))).front());
   return answers;
 }
 

@@ -2,7 +2,7 @@
 
 #include <glm/vector_relational.hpp>
 
-#include "properties/diagnosis/models/plane_hit.hpp"
+#include "properties/diagnosis/models/outlines/outline_geometry.hpp"
 
 namespace rayproof::diagnosis {
 namespace {
@@ -19,9 +19,8 @@ std::optional<WeightedHit> hit_of_plane(const Case& one) {
   const auto hit = plane_hit(one);
   if (shape_in<Triangle<double>>(one) == nullptr || !hit) return std::nullopt;
   const glm::dvec2 a = hit->vertices[0], b = hit->vertices[1], c = hit->vertices[2];
-  const auto cross = [](const glm::dvec2& u, const glm::dvec2& v) { return u.x * v.y - u.y * v.x; };
-  const double whole = cross(b - a, c - a);
-  const double beta = cross(hit->point - a, c - a) / whole, gamma = cross(b - a, hit->point - a) / whole;
+  const double whole = turn(a, b, c);
+  const double beta = turn(a, hit->point, c) / whole, gamma = turn(a, b, hit->point) / whole;
   return WeightedHit{hit->t, {1 - beta - gamma, beta, gamma}, glm::length(figure->normal) / 2};
 }
 
