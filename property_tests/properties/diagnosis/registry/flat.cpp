@@ -40,33 +40,25 @@ Hypothesis tight_edges(FindingKind kind = gross) {
 
 template <int power>
 Hypothesis loose_areas() {
-  return of(
-      OfSizes::small,
-      gives(kept(fmt::format("areas-loose-1e{}", power)), areas_with_tolerance<power>,
-            kept(fmt::format("hits beside the triangle count where the three areas at the point add up to "
-                             "1e{} more than the whole: an absolute tolerance",
-                             power))));
+  return below_power("areas-loose", power, areas_with_tolerance<power>,
+                     "hits beside the triangle count where the three areas at the point add up to 1e{} more "
+                     "than the whole: an absolute tolerance");
 }
 
 template <int... power>
 void add_grazing(std::vector<Hypothesis>& all) {
-  (all.push_back(
-       of(OfSizes::small,
-          gives(kept(fmt::format("grazing-missed-1e{}", power)), grazing_missed<power>,
-                kept(fmt::format("a surface is missed at an angle below about 1e{}: a grazing ray is "
-                                 "taken for parallel",
-                                 power))))),
+  (all.push_back(below_power("grazing-missed", power, grazing_missed<power>,
+                             "a surface is missed at an angle below about 1e{}: a grazing ray is taken for "
+                             "parallel")),
    ...);
 }
 
 template <int... power>
 void add_small_slopes(std::vector<Hypothesis>& all) {
-  (all.push_back(of(
-       OfSizes::small,
-       gives(kept(fmt::format("slope-small-1e{}", power)), small_slope_missed<power>,
-             kept(fmt::format("a surface is missed where |n·d|, the determinant of a triangle's formula, is "
-                              "below about 1e{}: an absolute epsilon",
-                              power))))),
+  (all.push_back(
+       below_power("slope-small", power, small_slope_missed<power>,
+                   "a surface is missed where |n·d|, the determinant of a triangle's formula, is below "
+                   "about 1e{}: an absolute epsilon")),
    ...);
 }
 

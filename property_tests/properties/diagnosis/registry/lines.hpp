@@ -2,6 +2,8 @@
 /// \file
 /// What the lines of the registry are made by.
 
+#include <fmt/format.h>
+
 #include <deque>
 #include <string>
 
@@ -108,6 +110,13 @@ inline constexpr auto rounding = FindingKind::rounding;
 [[nodiscard]] constexpr Hypothesis of(OfSizes sizes, Hypothesis made) {
   made.of_sizes = sizes;
   return made;
+}
+
+/// A model of what is small taken for 0, below 10^power, for which there is a {} in the words.
+[[nodiscard]] inline Hypothesis below_power(std::string_view name, int power, Predict predict,
+                                            std::string_view words) {
+  return of(OfSizes::small, gives(kept(fmt::format("{}-1e{}", name, power)), predict,
+                                  kept(fmt::format(fmt::runtime(words), power))));
 }
 
 /// A hit that is left out where a number is exactly 0.

@@ -27,12 +27,9 @@ constexpr std::string_view angles_in_words =
 
 template <int power>
 Hypothesis loose_boundary() {
-  return of(
-      OfSizes::small,
-      gives(kept(fmt::format("boundary-loose-1e{}", power)), near_sides_boundary<power>,
-            kept(fmt::format("what lies beside a side is said to be on the boundary where the cross product "
-                             "is below about 1e{}: an absolute epsilon",
-                             power))));
+  return below_power("boundary-loose", power, near_sides_boundary<power>,
+                     "what lies beside a side is said to be on the boundary where the cross product is below "
+                     "about 1e{}: an absolute epsilon");
 }
 
 /// What is right inside and wrong outside may look at no side at all.
