@@ -61,13 +61,12 @@ struct OwnSpace {};
 template <class Method, class T, class N, class Shape>
 auto enclosed(const OwnSpace& /*space*/, const Ray<N>& ray, const Shape& shape) {
   using Wide = WiderThan<T, N>;
-  return Method::enclosed(convert<Wide>(ray), convert<Wide>(convert<N>(shape)));
+  return Method::enclosed(convert<Wide>(ray), convert<Wide>(shape));
 }
 template <class Method, class T, class N, class Shape>
 auto enclosed(const ObjectSpace<Bounded<double>>& space, const Ray<N>& ray, const Shape& shape) {
   using B = Bounded<N>;
-  return Method::enclosed_in_space(to_object(convert<B>(space), convert<B>(ray)),
-                                   convert<B>(convert<N>(shape)));
+  return Method::enclosed_in_space(to_object(convert<B>(space), convert<B>(ray)), convert<B>(shape));
 }
 
 /// The same by a method's quick phase, all hits or the nearest alone. What it is not sure of is NaN. Returns
@@ -78,11 +77,19 @@ RAYPROOF_FLAT bool solve_quickly(const Lanes<Problem>& given, const Space& given
                                  T* const (&out)[Columns], All all) {
   const Lanes<Problem> in = given;
   const Space space = given_space;
+  const auto shape = [&] {
+    auto wide = convert<WiderThan<T>>(in.shape);
+    if constexpr (std::same_as<Space, OwnSpace>) {
+      return prepared<Method>(wide);
+    } else {
+      return wide;
+    }
+  }();
   using N = Pack<double>;
   Mask<N> is_sure(true);
   const auto fill = [&](const N(&columns)[8], N(&to)[Columns]) {
     Ray<N> ray = ray_of<N>(columns);
-    auto known = enclosed<Method, T>(space, ray, in.shape);
+    auto known = enclosed<Method, T>(space, ray, shape);
     const auto keep = [&](const Mask<N>& is_sure_now, std::size_t wanted) {
       is_sure = is_sure && is_sure_now;
       for (std::size_t i = 0; i < wanted; ++i) to[i] = select(is_sure_now, to[i], N(not_a_number<N>));

@@ -34,7 +34,7 @@ template <class Method, template <class> class Shape, class T, class N>
 auto meet_shape(const Ray<N>& ray, const Shape<N>& shape) {
   if constexpr (batch::has_quick_phase<Method>) {
     using Wide = WiderThan<T, N>;
-    return rounded_nearest(ray, Method::enclosed(convert<Wide>(ray), convert<Wide>(shape)));
+    return rounded_nearest(ray, Method::enclosed(convert<Wide>(ray), prepared<Method>(convert<Wide>(shape))));
   } else {
     const auto roots = Method::roots(ray, shape);
     const N t = nearest(ray, roots);

@@ -95,6 +95,12 @@ template <std::same_as<double> T>
   return static_cast<float>(x);
 }
 
+/// Whether the compiler sees, where this becomes part of the code around it, that x is 0.
+template <std::floating_point T>
+[[nodiscard]] constexpr bool is_known_zero(T x) {
+  return __builtin_constant_p(x) && x == 0;
+}
+
 /// Between 1/x and 1.125/x for a normal number x > 0, as cheaply as an arithmetic can: for error bounds.
 template <std::same_as<double> T>
 [[nodiscard]] constexpr T reciprocal_bound(T x) {
@@ -138,7 +144,8 @@ inline constexpr Plain<T> not_a_number = std::numeric_limits<Plain<T>>::quiet_Na
 template <class T>
 inline constexpr int digits = std::numeric_limits<Plain<T>>::digits;
 
-/// What one operation is off by at most, in parts of its result.
+/// What one operation is off by at most, in parts of its result; a sum of numbers in several parts, in parts of
+/// the sizes of its terms.
 template <class T>
 inline constexpr Plain<T> unit_roundoff = std::numeric_limits<Plain<T>>::epsilon() / 2;
 

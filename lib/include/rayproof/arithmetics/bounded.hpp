@@ -66,7 +66,8 @@ struct Bounded : Comparable<Bounded<T>> {
   friend constexpr Bounded operator-(const Bounded& x) { return {-x.value, x.error}; }
   friend constexpr Bounded operator+(const Bounded& x, const Bounded& y) {
     const T z = x.value + y.value;
-    return of(z, x.error + y.error + running_error::of_sum(z));
+    const Error terms = running_error::size(x.value) + running_error::size(y.value);
+    return of(z, x.error + y.error + running_error::of_sum(z, terms));
   }
   friend constexpr Bounded operator-(const Bounded& x, const Bounded& y) { return x + (-y); }
   friend constexpr Bounded operator*(const Bounded& x, const Bounded& y) {
@@ -105,8 +106,9 @@ struct Bounded : Comparable<Bounded<T>> {
   /// Whether the exact numbers compare as the values do.
   [[nodiscard]] static constexpr Mask<T> apart(const Bounded& x, const Bounded& y) {
     const Mask<T> are_exact = x.error == Error(0) && y.error == Error(0);
-    return are_exact || running_error::distance(x.value, y.value) >
-                            running_error::up(running_error::up(x.error + y.error));
+    const Error together = x.error + y.error + running_error::doubt_of_distance(x.value, y.value);
+    return are_exact ||
+           running_error::distance(x.value, y.value) > running_error::up(running_error::up(together));
   }
 };
 

@@ -13,8 +13,9 @@ template <class T>
 [[nodiscard]] constexpr Bounded<T> select(const BoundedMaskOf<Mask<T>>& mask, const Bounded<T>& yes,
                                           const Bounded<T>& no) {
   const T chosen = select(mask.value, yes.value, no.value);
-  const Bounded<T> either =
-      Bounded<T>::of(chosen, running_error::distance(yes.value, no.value) + max(yes.error, no.error));
+  const Leading<T> apart =
+      running_error::distance(yes.value, no.value) + running_error::doubt_of_distance(yes.value, no.value);
+  const Bounded<T> either = Bounded<T>::of(chosen, apart + max(yes.error, no.error));
   return {chosen, select(mask.certain, select(mask.value, yes.error, no.error), either.error)};
 }
 

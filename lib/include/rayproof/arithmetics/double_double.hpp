@@ -13,14 +13,21 @@ namespace rayproof {
 
 /// high + low, where high is the sum rounded to double. `W` is double or a pack of them.
 ///
-/// Each operation is off by at most 15u² of its exact result and terms in u³, u = 2^-53: a sum by 3u², a
-/// product by 7u², a quotient by 15u², a root by 3.2u². Sums of two doubles are exact, and products, too. All
-/// holds while nothing over- or underflows; that is why a given number counts as NaN unless it is 0,
-/// infinite, or of a size from 2^-64 to 2^64: then no product of as many as eight does. What comes of numbers
-/// that are not finite is not finite either, but may be NaN where a double is infinite.
+/// With u = 2^-53 a product is off by at most 7u² of its exact result, a quotient by 15u², a root by 3.2u²,
+/// and a sum by 3u² of the sizes of its terms, |x| + |y|, all but for terms in u³. A sum that is exactly 0 is
+/// 0. Sums of two doubles are exact, and products, too. All holds while nothing over- or underflows; that is
+/// why a given number counts as NaN unless it is 0, infinite, or of a size from 2^-64 to 2^64: then no
+/// product of as many as eight does. What comes of numbers that are not finite is not finite either, but may
+/// be NaN where a double is infinite.
+///
+/// A sum: that of the lower parts is off by u²(|x| + |y|), and 2u²(|x| + |y|) more where it is added to what
+/// the sum of the upper parts, s, leaves. Where s leaves anything it is larger than what is added to it.
+/// Where not, |s| may be smaller than the sum of the lower parts, which is no more than half an ulp of each
+/// upper part: but then these are of neighbouring binades or of one, s is a multiple of the smaller ulp, and
+/// what is added to it less than two of these. So its exponent is no larger than that of s, or s is 0.
 ///
 /// Sources: M. Joldes, J.-M. Muller, V. Popescu, "Tight and Rigorous Error Bounds for Basic Building Blocks
-/// of Double-Word Arithmetic", 2017 (algorithms 6, 10, 17); V. Lefèvre, N. Louvet, J.-M. Muller, J. Picot, L.
+/// of Double-Word Arithmetic", 2017 (algorithms 5, 10, 17); V. Lefèvre, N. Louvet, J.-M. Muller, J. Picot, L.
 /// Rideau, "Accurate Calculation of Euclidean Norms Using Double-Word Arithmetic", 2023 (the root).
 template <class W>
 class DoubleDouble : public Comparable<DoubleDouble<W>> {
@@ -35,28 +42,30 @@ class DoubleDouble : public Comparable<DoubleDouble<W>> {
   requires std::is_arithmetic_v<Number>
   constexpr explicit DoubleDouble(Number same) : high_(static_cast<Plain>(same)), low_(0) {}
 
+  /// The same number in all lanes.
+  template <std::same_as<Plain> U>
+  requires(!std::is_arithmetic_v<W>) constexpr explicit DoubleDouble(const DoubleDouble<U>& same)
+      : high_(same.high()), low_(same.low()) {}
+
   [[nodiscard]] constexpr const W& high() const { return high_; }
   [[nodiscard]] constexpr const W& low() const { return low_; }
 
   friend constexpr DoubleDouble operator-(const DoubleDouble& x) { return {-x.high_, -x.low_}; }
 
   friend constexpr DoubleDouble operator+(const DoubleDouble& x, const DoubleDouble& y) {
-    const ErrorFree<W> high = two_sum(x.high_, y.high_), low = two_sum(x.low_, y.low_);
-    const DoubleDouble sum = of_ordered(high.rounded, high.rest + low.rounded);
-    return of_ordered(sum.high_, low.rest + sum.low_);
+    return with_rest(two_sum(x.high_, y.high_), sum(x.low_, y.low_));
   }
   friend constexpr DoubleDouble operator-(const DoubleDouble& x, const DoubleDouble& y) { return x + -y; }
 
-  /// With a double, an error say; an infinite x stays as it is.
+  /// One end of what x may be, where y is a bound on its error: off by u² of x and 2u of y. An infinite x
+  /// stays infinite and keeps its place among all numbers, but is no longer equal to anything.
   friend constexpr DoubleDouble operator+(const DoubleDouble& x, const W& y) {
-    const ErrorFree<W> high = two_sum(x.high_, y);
-    return select(abs(x.high_) < W(infinity<W>), of_ordered(high.rounded, high.rest + x.low_), x);
+    return of_ordered(x.high_, x.low_ + y);
   }
   friend constexpr DoubleDouble operator-(const DoubleDouble& x, const W& y) { return x + -y; }
 
   friend constexpr DoubleDouble operator*(const DoubleDouble& x, const DoubleDouble& y) {
-    const ErrorFree<W> high = two_product(x.high_, y.high_);
-    return of_ordered(high.rounded, high.rest + (x.high_ * y.low_ + x.low_ * y.high_));
+    return with_rest(two_product(x.high_, y.high_), sum(product(x.high_, y.low_), product(y.high_, x.low_)));
   }
 
   friend constexpr DoubleDouble operator/(const DoubleDouble& x, const DoubleDouble& y) {
@@ -106,10 +115,22 @@ class DoubleDouble : public Comparable<DoubleDouble<W>> {
     return {sum, small - (sum - large)};
   }
 
+  /// What the upper parts come to, exactly, and what there is to be added to it: nothing where the lower
+  /// parts are known to be 0, which those of given numbers are.
+  static constexpr DoubleDouble with_rest(const ErrorFree<W>& upper, const W& lower) {
+    if (is_known_zero(lower)) return {upper.rounded, upper.rest};
+    return of_ordered(upper.rounded, upper.rest + lower);
+  }
+  static constexpr W sum(const W& x, const W& y) {
+    return is_known_zero(x) ? y : is_known_zero(y) ? x : x + y;
+  }
+  static constexpr W product(const W& x, const W& y) { return is_known_zero(y) ? y : x * y; }
+
+  /// 0 and infinity are half their own size.
   static constexpr W usual(const W& given) {
     const W size = abs(given);
-    const Mask<W> is_usual = W(0x1p-64) <= size && size <= W(0x1p64);
-    return select(is_usual || size == W(0) || size == W(infinity<W>), given, W(not_a_number<W>));
+    const Mask<W> is_usual = size == max(W(0x1p-64), min(W(0x1p64), size));
+    return select(is_usual || W(0.5) * size == size, given, W(not_a_number<W>));
   }
 
   W high_, low_;
@@ -125,7 +146,7 @@ template <class W>
   return {v.x.high(), v.y.high(), v.z.high()};
 }
 
-/// 15u² and the terms in u³.
+/// 15u² and the terms in u³; of a sum it is more than three times what it is off by, in parts of |x| + |y|.
 template <class W>
 inline constexpr double unit_roundoff<DoubleDouble<W>> = 0x1p-102;
 

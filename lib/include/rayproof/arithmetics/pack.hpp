@@ -2,6 +2,7 @@
 /// \file
 /// The arithmetic of many numbers at once: one lane per ray, every lane rounded as the scalar kernel rounds.
 
+#include <bit>
 #include <concepts>
 #include <cstddef>
 #include <rayproof/arithmetic.hpp>
@@ -21,6 +22,12 @@
 #include <rayproof/rounding/as_written.hpp>
 
 namespace rayproof {
+
+/// The compiler's own vector, because the library's casts go through memory.
+template <class T, std::size_t size>
+struct CompilerVector {
+  using type [[gnu::vector_size(size * sizeof(T))]] = T;
+};
 
 /// As many `T` as a register of the instruction set holds that this source is compiled for. The width is part
 /// of the type, so that code for two instruction sets is never mistaken for the same code by the linker.
@@ -127,10 +134,28 @@ template <class T, class Abi>
   return select(x < y, y, x);
 }
 
-/// One fused instruction where the instruction set has it, else the C library's function lane by lane.
+/// One fused instruction where the instruction set has it, else the C library's function lane by lane. The
+/// instructions by name, since the compiler is told not to gather them from the lanes (as_written.hpp).
 template <class T, class Abi>
 [[nodiscard]] Pack<T, Abi> fma(const Pack<T, Abi>& x, const Pack<T, Abi>& y, const Pack<T, Abi>& z) {
   using Lanes = typename Pack<T, Abi>::Lanes;
+#ifdef __AVX512F__
+  if constexpr (std::same_as<Lanes, std::experimental::native_simd<float>>) {
+    return Lanes(_mm512_fmadd_ps(static_cast<__m512>(x.lanes()), static_cast<__m512>(y.lanes()),
+                                 static_cast<__m512>(z.lanes())));
+  } else if constexpr (std::same_as<Lanes, std::experimental::native_simd<double>>) {
+    return Lanes(_mm512_fmadd_pd(static_cast<__m512d>(x.lanes()), static_cast<__m512d>(y.lanes()),
+                                 static_cast<__m512d>(z.lanes())));
+  }
+#elif defined __FMA__ && defined __AVX__
+  if constexpr (std::same_as<Lanes, std::experimental::native_simd<float>>) {
+    return Lanes(_mm256_fmadd_ps(static_cast<__m256>(x.lanes()), static_cast<__m256>(y.lanes()),
+                                 static_cast<__m256>(z.lanes())));
+  } else if constexpr (std::same_as<Lanes, std::experimental::native_simd<double>>) {
+    return Lanes(_mm256_fmadd_pd(static_cast<__m256d>(x.lanes()), static_cast<__m256d>(y.lanes()),
+                                 static_cast<__m256d>(z.lanes())));
+  }
+#endif
   return Lanes([&](auto lane) {
     // The compiler's built-in, because an inline std::fma compiled here could be linked into code for older
     // machines.
@@ -140,6 +165,14 @@ template <class T, class Abi>
       return __builtin_fma(x.lanes()[lane], y.lanes()[lane], z.lanes()[lane]);
     }
   });
+}
+
+/// Whether the compiler sees that all lanes are 0. It looks at the first: a number that is known is in all
+/// lanes.
+template <class T, class Abi>
+[[nodiscard]] bool is_known_zero(const Pack<T, Abi>& x) {
+  const auto lanes = std::bit_cast<typename CompilerVector<T, Pack<T, Abi>::size>::type>(x.lanes());
+  return is_known_zero(T{lanes[0]});
 }
 
 /// Adding and taking away 2^(digits-1) rounds to a whole number; larger numbers are whole already.

@@ -2,19 +2,12 @@
 /// \file
 /// A pack of floats in double, between whose numbers products are exact: twice the registers.
 
-#include <bit>
 #include <rayproof/arithmetics/pack.hpp>
 #include <utility>
 
 #include <rayproof/rounding/as_written.hpp>
 
 namespace rayproof {
-
-/// The compiler's own vector, because the library's casts go through memory.
-template <class T, std::size_t size>
-struct CompilerVector {
-  using type [[gnu::vector_size(size * sizeof(T))]] = T;
-};
 
 /// The float lanes of a pack of doubles, and back.
 template <class Wide>

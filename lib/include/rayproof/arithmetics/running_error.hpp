@@ -58,8 +58,8 @@ template <class T>
   return abs(leading(x));
 }
 
-/// How far apart two numbers are, to within a rounding of its bound; infinite where one of them is, which the
-/// difference of two double-doubles need not be.
+/// How far apart two numbers are, to within `doubt_of_distance` and a rounding of its bound; infinite where
+/// one of them is, which the difference of two double-doubles need not be.
 template <class T>
 [[nodiscard]] constexpr Leading<T> distance(const T& x, const T& y) {
   const Leading<T> roughly = abs(leading(x) - leading(y));
@@ -69,6 +69,16 @@ template <class T>
     return select(roughly < Leading<T>(infinity<T>), size(x - y), roughly);
   }
 }
+template <class T>
+[[nodiscard]] constexpr Leading<T> doubt_of_distance(const T& x, const T& y) {
+  using E = Leading<T>;
+  if constexpr (is_word<T>) {
+    return E(0);
+  } else {
+    const E sizes = size(x) + size(y);
+    return select(sizes < E(infinity<T>), E(unit_roundoff<T>) * sizes, E(0));
+  }
+}
 
 /// Outweighs the roundings made in computing a bound itself: a sum of at most eight positive products.
 template <class E>
@@ -76,12 +86,13 @@ template <class E>
   return bound * E(1 + 32 * unit_roundoff<E>);
 }
 
-/// Bounds the rounding error of a sum whose rounded value is z; sums below 2·min are exact.
+/// Bounds the rounding error of a sum whose rounded value is z, and whose terms have this size together; sums
+/// below 2·min are exact.
 template <class T>
-[[nodiscard]] Leading<T> of_sum(const T& z) {
+[[nodiscard]] Leading<T> of_sum(const T& z, const Leading<T>& terms) {
   using E = Leading<T>;
   return select(size(z) < E(2 * std::numeric_limits<Plain<T>>::min()), E(0),
-                E(unit_roundoff<T>) * size(z) + E(tiny<T>));
+                E(unit_roundoff<T>) * (is_word<T> ? size(z) : terms) + E(tiny<T>));
 }
 
 /// Bounds the rounding error of a product or quotient z, and what underflow took from the terms of its bound.

@@ -26,6 +26,11 @@ struct Sized {
   requires std::constructible_from<W, Number>
   constexpr explicit Sized(const Number& given) : value(given), size(abs(leading(value))) {}
 
+  /// The same number in all lanes of a pack.
+  template <class U>
+  requires std::constructible_from<W, U>
+  constexpr explicit Sized(const Sized<U>& same) : value(same.value), size(same.size) {}
+
   friend constexpr Sized operator+(const Sized& x, const Sized& y) {
     return {x.value + y.value, x.size + y.size};
   }

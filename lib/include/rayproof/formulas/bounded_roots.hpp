@@ -4,6 +4,7 @@
 /// carry bounds on their own errors (Bounded).
 
 #include <rayproof/arithmetics/bounded.hpp>
+#include <rayproof/arithmetics/sized.hpp>
 #include <rayproof/formulas/exact_map.hpp>
 #include <rayproof/formulas/rounding_test.hpp>
 
@@ -42,10 +43,10 @@ template <class W>
 template <std::floating_point T>
 [[nodiscard]] Vec3<Bounded<WiderThan<T>>> bounded_cross(const glm::vec<3, T>& a, const glm::vec<3, T>& b) {
   using W = WiderThan<T>;
-  const auto rounded_once = [](const W& x) {
-    return Bounded<W>(x, unit_roundoff<W> * running_error::size(x));
+  const auto rounded_once = [](const Sized<W>& x) {
+    return Bounded<W>(x.value, running_error::of_sum(x.value, x.size));
   };
-  const vec3<W> n = cross(convert<W>(a), convert<W>(b));
+  const Vec3<Sized<W>> n = cross(sized<W>(convert<W>(a)), sized<W>(convert<W>(b)));
   return {rounded_once(n.x), rounded_once(n.y), rounded_once(n.z)};
 }
 

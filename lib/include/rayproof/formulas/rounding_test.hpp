@@ -99,16 +99,16 @@ template <class W>
 }
 
 /// The nearest hit alone, as `nearest`: the upper root is looked at where the lower one surely lies before
-/// the interval. Of a lower one that may lie on either side of its end no rounding is sure.
+/// the interval, or is NaN. Of a lower one that may lie on either side of its end no rounding is sure.
 template <class W>
 [[nodiscard]] constexpr Quick<W, Leading<W>> rounded_nearest(const Ray<Leading<W>>& ray,
                                                              const Enclosed<W>& wide) {
   using N = Leading<W>;
   const auto& [discriminant, lo, hi] = wide.roots;
   const Mask<W> is_hit = W(0) < discriminant;
-  const Mask<W> is_before = !(ray.t_min <= narrowed(lo, wide.lo_error));
+  const Mask<W> is_lo = ray.t_min <= leading(lo + wide.lo_error);
   const auto [t, is_t_sure] =
-      rounding_test(ray, select(is_before, hi, lo), select(is_before, wide.hi_error, wide.lo_error));
+      rounding_test(ray, select(is_lo, lo, hi), select(is_lo, wide.lo_error, wide.hi_error));
   return {select(is_hit && in_interval(ray, t), t, N(infinity<N>)), wide.is_sure && (!is_hit || is_t_sure)};
 }
 
@@ -133,12 +133,23 @@ template <class To, class From>
   return {convert<To>(roots), To(hit.u), To(hit.v)};
 }
 
+/// What a method's quick phase asks of a shape: what the method can find before the ray is known, or the
+/// shape as it is.
+template <class Method, class Shape>
+[[nodiscard]] constexpr auto prepared(const Shape& shape) {
+  if constexpr (requires { Method::prepared(shape); }) {
+    return Method::prepared(shape);
+  } else {
+    return shape;
+  }
+}
+
 /// A method's roots by its quick phase, `enclosed`, where that is sure; else by its `exact_roots`.
 template <class Method, std::floating_point T, template <class> class Shape>
 [[nodiscard]] auto quick_or_exact_roots(const Ray<T>& ray, const Shape<T>& shape) {
   using W = WiderThan<T>;
-  const auto quick =
-      rounded_roots(convert<double>(ray), Method::enclosed(convert<W>(ray), convert<W>(shape)));
+  const auto known = Method::enclosed(convert<W>(ray), prepared<Method>(convert<W>(shape)));
+  const auto quick = rounded_roots(convert<double>(ray), known);
   return quick.is_sure ? convert<T>(quick.answer) : Method::exact_roots(ray, shape);
 }
 

@@ -7,21 +7,16 @@
 
 namespace rayproof::parallelepiped {
 
-/// One pair of parallel faces: with n = eⱼ×eₖ, their planes are n·f and n·f + n·eᵢ ahead of a ray that gains
-/// n·d per unit of t, where f = corner - origin.
+/// One pair of parallel faces: with n = eⱼ×eₖ, their planes are `near_plane` = n·f and n·f + n·eᵢ ahead of a
+/// ray that gains `speed` = n·d per unit of t, where f = corner - origin; `apart` is n·eᵢ.
 ///
 /// Edges of the other handedness make n·eᵢ negative, and the second plane the first. Each pair has its own
-/// n·eᵢ: in real numbers all three are one determinant, but rounded ones may differ in sign. `ahead` and
-/// `thickness` are the names of n·f and n·eᵢ in a walkthrough.
+/// n·eᵢ: in real numbers all three are one determinant, but rounded ones may differ in sign.
 template <class T>
-[[nodiscard]] constexpr box::Slab<T> slab_between_faces(const vec3<T>& f, const vec3<T>& d, const vec3<T>& n,
-                                                        const vec3<T>& edge, const char* ahead,
-                                                        const char* thickness) {
-  const T near_plane = named(ahead, dot(n, f));
-  const T apart = named(thickness, dot(n, edge));
+[[nodiscard]] constexpr box::Slab<T> slab_between_faces(const T& speed, const T& near_plane, const T& apart) {
   const T far_plane = near_plane + apart;
   const Mask<T> is_mirrored = apart < T(0);
-  return box::slab_of(dot(n, d), select(is_mirrored, far_plane, near_plane),
+  return box::slab_of(speed, select(is_mirrored, far_plane, near_plane),
                       select(is_mirrored, near_plane, far_plane));
 }
 
@@ -62,9 +57,14 @@ struct FacePlanes {
         "solid.");
     const vec3<T> f = named("f", solid.corner - ray.origin);
     const vec3<T> d = ray.direction;
-    const box::Slab<T> slab0 = slab_between_faces<T>(f, d, n0, e0, "n₀·f", "n₀·e₀");
-    const box::Slab<T> slab1 = slab_between_faces<T>(f, d, n1, e1, "n₁·f", "n₁·e₁");
-    const box::Slab<T> slab2 = slab_between_faces<T>(f, d, n2, e2, "n₂·f", "n₂·e₂");
+    const auto slab = [&](const vec3<T>& n, const vec3<T>& edge, const char* ahead, const char* thickness) {
+      const T near_plane = named(ahead, dot(n, f));
+      const T apart = named(thickness, dot(n, edge));
+      return slab_between_faces<T>(dot(n, d), near_plane, apart);
+    };
+    const box::Slab<T> slab0 = slab(n0, e0, "n₀·f", "n₀·e₀");
+    const box::Slab<T> slab1 = slab(n1, e1, "n₁·f", "n₁·e₁");
+    const box::Slab<T> slab2 = slab(n2, e2, "n₂·f", "n₂·e₂");
     const auto [entry, exit] = box::overlap(slab0, slab1, slab2);
     return chord(entry, exit);
   }

@@ -7,6 +7,7 @@
 #include <rayproof/method/method.hpp>
 #include <rayproof/parallelepiped.hpp>
 #include <rayproof/parallelepiped/face_planes.hpp>
+#include <rayproof/parallelepiped/prepared.hpp>
 
 #include <rayproof/rounding/as_written.hpp>
 
@@ -87,32 +88,35 @@ struct Rounded {
     return box::exact_chord(ray, std::array{slab(1, 2), slab(2, 0), slab(0, 1)});
   }
 
+  /// What is known before the ray is.
+  template <class W>
+  [[nodiscard]] static constexpr Prepared<W> prepared(const Parallelepiped<W>& solid) {
+    return prepared_faces(solid);
+  }
+
   /// Three pairs of faces met in double on numbers that are floats, or in double-double on doubles, and what
   /// is known of it.
   ///
   /// With u the unit roundoff a normal, a cross product of two given edges, is off by no more than u of each
-  /// component, and f = corner - o of each of its. So n·d and the volume n·e are off by 4.1u times the sizes
-  /// of their terms, n·f by 5.1u, and n·f + n·e by 6.1u times the sizes of both.
+  /// component's size, and f = corner - o of each of its. So n·d and the volume n·e are off by 4.1u times the
+  /// sizes of their terms, n·f by 5.1u, and n·f + n·e by 6.1u times the sizes of both.
   template <class W>
-  [[nodiscard]] static constexpr Enclosed<W> enclosed(const Ray<W>& ray, const Parallelepiped<W>& solid) {
-    const auto& [e0, e1, e2] = solid.edges;
-    const vec3<W> f = solid.corner - ray.origin;
-    return box::enclosed_chord(bounded_slab<W>(f, ray.direction, cross(e1, e2), e0),
-                               bounded_slab<W>(f, ray.direction, cross(e2, e0), e1),
-                               bounded_slab<W>(f, ray.direction, cross(e0, e1), e2));
+  [[nodiscard]] static constexpr Enclosed<W> enclosed(const Ray<W>& ray, const Prepared<W>& solid) {
+    const auto f = sized<W>(solid.corner - ray.origin), d = sized<W>(ray.direction);
+    const auto& [first, second, third] = solid.pairs;
+    return box::enclosed_chord(bounded_slab<W>(f, d, first), bounded_slab<W>(f, d, second),
+                               bounded_slab<W>(f, d, third));
   }
 
  private:
-  /// The slab between the two faces with the normal n, which `edge` leads from one to the other. A ray is
-  /// surely parallel to them where each term of n·d is 0, and then surely inside or outside where it is clear
-  /// of both faces. Faces that may be one are not sure.
+  /// The slab between two faces. A ray is surely parallel to them where each term of n·d is 0, and then
+  /// surely inside or outside where it is clear of both faces. Faces that may be one are not sure.
   template <class W>
-  static constexpr box::BoundedSlab<W> bounded_slab(const vec3<W>& f, const vec3<W>& d, const vec3<W>& n,
-                                                    const vec3<W>& edge) {
-    const auto [entry, exit] = slab_between_faces<W>(f, d, n, edge, "n·f", "n·e");
-    const auto normal = sized<W>(n);
-    const Sized<W> speed = dot(normal, sized<W>(d)), apart = dot(normal, sized<W>(edge));
-    const Sized<W> near_plane = dot(normal, sized<W>(f)), far_plane = near_plane + apart;
+  static constexpr box::BoundedSlab<W> bounded_slab(const Vec3<Sized<W>>& f, const Vec3<Sized<W>>& d,
+                                                    const FacePair<W>& pair) {
+    const auto& [normal, apart] = pair;
+    const Sized<W> speed = dot(normal, d), near_plane = dot(normal, f), far_plane = near_plane + apart;
+    const auto [entry, exit] = slab_between_faces<W>(speed.value, near_plane.value, apart.value);
     using N = Leading<W>;
     const N per_speed = reciprocal_bound(abs(leading(speed.value)));
     const Mask<W> is_parallel = speed.size == N(0);

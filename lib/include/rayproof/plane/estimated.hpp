@@ -16,7 +16,7 @@ namespace rayproof::plane {
 /// what is known of it.
 ///
 /// Products of two given numbers are exact and their differences are rounded once, so that each component
-/// of u × v is off by no more than u of itself, and so is p - o. Then n·d is off by at most 4.1u times the
+/// of u × v is off by no more than u of its size, and so is p - o. Then n·d is off by at most 4.1u times the
 /// sum of its terms' sizes, n·(p - o) by 5.1u, n·o + D by 3.1u, a determinant of w = o - p and two given
 /// vectors by 6.1u. Whether the ray is parallel is sure where n·d is large beside its own error, or where
 /// each of its terms is 0. Where the plane or the ray's origin is not finite no hit and no miss is sure but
@@ -34,10 +34,11 @@ template <class W>
     return enclosed(ByEquation::roots(ray, plane), dot(n, d),
                     dot(n, sized<W>(ray.origin)).size + abs(leading(plane.d)));
   }
-  const auto n = sized<W>(normal_of(plane));
+  const bool is_parametric = plane.form == PlaneForm::parametric;
+  const auto n = is_parametric ? cross(sized<W>(plane.u), sized<W>(plane.v)) : sized<W>(plane.normal);
   const auto w = sized<W>(ray.origin - plane.point);
   const Sized<W> L = dot(n, d);
-  if (plane.form == PlaneForm::point_normal) {
+  if (!is_parametric) {
     return enclosed(ByPointAndNormal::roots(ray, plane), L, dot(n, w).size);
   }
   EnclosedHit<W> result = enclosed(ByParameters::roots(ray, plane), L, dot(n, w).size);

@@ -50,11 +50,13 @@ TEST(DoubleDouble, ComparesByBothParts) {
   EXPECT_TRUE(abs(-above) == above && abs(below - one) == one - below && abs(D(-0.0)) == D(0));
 }
 
-TEST(DoubleDouble, AddsADoubleAndLeavesAnInfinityAsItIs) {
+TEST(DoubleDouble, AddsAnErrorAndKeepsThePlaceOfAnInfinity) {
   EXPECT_TRUE(D(1) + 0x1p-90 == D(1) + D(0x1p-50) * D(0x1p-40));
   EXPECT_TRUE(D(1) - 0x1p-90 == D(1) - D(0x1p-50) * D(0x1p-40));
-  EXPECT_TRUE(D(infinity<D>) - 5.0 == D(infinity<D>));
-  EXPECT_TRUE(D(-infinity<D>) + 0.0 == D(-infinity<D>));
+  for (const D error_added : {D(infinity<D>) - 5.0, D(infinity<D>) + 0.0}) {
+    EXPECT_TRUE(D(1) < error_added && !(error_added < D(1)) && !(error_added < D(infinity<D>)));
+  }
+  EXPECT_TRUE(D(-infinity<D>) + 5.0 < D(-1) && !(D(-1) < D(-infinity<D>) + 5.0));
 }
 
 TEST(DoubleDouble, TakesTheRootOf0AndOfNoNegativeNumber) {
@@ -78,20 +80,47 @@ struct RandomDoubleDoubles {
   }
   D both() { return D(number()) + D(number()) * D(std::ldexp(1.0, -static_cast<int>(bits() % 60))); }
   D near(const D& x) { return bits() % 2 == 0 ? both() : -(x + x * D(std::ldexp(number(), -30))); }
+  /// -x, but for one or two units in the last place of its upper part, and with another lower part.
+  D opposite(const D& x) {
+    double upper = x.high();
+    for (auto steps = bits() % 3; steps > 0; --steps)
+      upper = std::nextafter(upper, bits() % 2 == 0 ? 0 : 1e9);
+    const double half_ulp = (std::nextafter(std::abs(upper), 1e9) - std::abs(upper)) / 2;
+    const double part = std::ldexp(static_cast<double>(bits() >> 11U), -53) * half_ulp;
+    return D(-upper) + (bits() % 2 == 0 ? part : -part);
+  }
 };
+
+/// Whether the upper part is the sum of both, rounded.
+bool is_normalized(const D& x) { return x.high() + x.low() == x.high(); }
 
 TEST(DoubleDouble, KeepsTheBoundOfEveryOperation) {
   RandomDoubleDoubles random;
   for (int i = 0; i < 200'000; ++i) {
     const D x = random.both(), y = random.near(x);
     const auto X = exact_of(x), Y = exact_of(y);
-    ASSERT_TRUE(is_within(u, exact_of(x + y), X + Y)) << i;
-    ASSERT_TRUE(is_within(u, exact_of(x - y), X - Y)) << i;
     ASSERT_TRUE(is_within(u, exact_of(x * y), X * Y)) << i;
     ASSERT_TRUE(is_within(u, exact_of(x / y) * Y, X)) << i;
-    ASSERT_TRUE(is_within(u, exact_of(x + y.high()), X + exact(y.high()))) << i;
+    const double error = x.high() * 0x1p-40 * y.high();
+    const auto off = magnitude(exact_of(x + error) - (X + exact(error)));
+    ASSERT_GE(sign(exact(0x1p-106) * magnitude(X) + exact(0x1p-52) * magnitude(exact(error)) - off), 0) << i;
     const auto root = exact_of(sqrt(abs(x)));
     ASSERT_TRUE(is_within(2 * u, root * root, magnitude(X))) << i;
+  }
+}
+
+TEST(DoubleDouble, AddsToWithinThreeRoundingsOfTheSizesOfTheTermsHoweverMuchCancels) {
+  constexpr double bound = 3.001 * 0x1p-106;
+  RandomDoubleDoubles random;
+  for (int i = 0; i < 300'000; ++i) {
+    const D x = random.both(), y = i % 3 == 0 ? random.opposite(x) : random.near(x);
+    const auto X = exact_of(x), Y = exact_of(y);
+    const auto allowed = exact(bound) * (magnitude(X) + magnitude(Y));
+    ASSERT_GE(sign(allowed - magnitude(exact_of(x + y) - (X + Y))), 0) << i;
+    ASSERT_GE(sign(allowed - magnitude(exact_of(x - y) - (X - Y))), 0) << i;
+    ASSERT_TRUE(is_normalized(x + y) && is_normalized(x - y)) << i;
+    ASSERT_TRUE(x + -x == D(0) && x - x == D(0)) << i;
+    ASSERT_EQ(x + y == D(0), sign(X + Y) == 0) << i;
   }
 }
 

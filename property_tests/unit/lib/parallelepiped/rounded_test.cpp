@@ -93,7 +93,7 @@ TEST(RoundedParallelepipedInDouble, TrustsOnlyWhatIsClear) {
   const Parallelepiped<double> leaning{{0, 0, 0},
                                        {glm::dvec3{2, 0, 0}, glm::dvec3{1, 1, 0}, glm::dvec3{0, 0, 1}}};
   const auto is_sure = [&](const Ray<double>& ray) {
-    return rounded_roots(ray, Rounded::enclosed(ray, leaning)).is_sure;
+    return rounded_roots(ray, Rounded::enclosed(ray, Rounded::prepared(leaning))).is_sure;
   };
   EXPECT_TRUE(is_sure({{1, 0.5, -1}, {0.25, 0.125, 1}}));
   EXPECT_TRUE(is_sure({{9, 0.5, -1}, {0.25, 0.125, 1}}));  // passes by
