@@ -169,8 +169,10 @@ class AnsweringFunction final : public Answering {
       // The one number of a function that is given the interval: what is no word for a miss is its hit.
       if (!said.verdict && !said.all_hits && knows)
         return std::isfinite(t) && (t >= 0 || options_.sees_whole_line);
-      // The one hit of a ray is not behind its origin; a function that says so is not helped.
-      if (said.verdict && !said.all_hits && !options_.sees_whole_line && t < 0) return true;
+      // The one hit of a ray is not behind its origin, nor endlessly far; a function that says so is not
+      // helped.
+      const bool is_behind = t < 0 && !options_.sees_whole_line;
+      if (said.verdict && !said.all_hits && (is_behind || std::isinf(t))) return true;
       return ray.t_min <= t && t <= ray.t_max && std::isfinite(t);
     });
     const bool is_of_first = !said.t || (!reply.hits.empty() &&

@@ -89,7 +89,7 @@ struct ResultTaker {
 
   void take_record(const auto& record) {
     if constexpr (requires { record.hit; }) reply.is_hit = static_cast<bool>(record.hit);
-    add(record.t);
+    if constexpr (requires { record.t; }) add(record.t);
     if constexpr (requires { record.point; })
       reply.point = to_dvec3(record.point);
     else if constexpr (requires { record.position; })
@@ -99,7 +99,7 @@ struct ResultTaker {
 
   void take_list(const auto& list) {
     for (const auto& one : list) {
-      if constexpr (Record<std::remove_cvref_t<decltype(one)>>) {
+      if constexpr (RecordOfT<std::remove_cvref_t<decltype(one)>>) {
         if (reply.hits.empty())
           take_record(one);
         else

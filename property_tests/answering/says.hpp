@@ -11,10 +11,19 @@
 
 namespace rayproof::answering {
 
+/// @{ A structure with t; with `hit`, whether there is one; with one of them, and a point or a normal beside
+/// it.
 template <class R>
-concept Record = requires(const R& r) {
+concept RecordOfT = requires(const R& r) {
   { r.t } -> std::convertible_to<double>;
 };
+template <class R>
+concept RecordOfHit = requires(const R& r) {
+  { r.hit } -> std::convertible_to<bool>;
+};
+template <class R>
+concept Record = RecordOfT<R> || RecordOfHit<R>;
+/// @}
 template <class R>
 concept Maybe = requires(const R& r) {
   r.has_value();
@@ -61,12 +70,11 @@ template <class R>
   else if constexpr (named_size<R>() > 0 || Pair<R>)
     return {.t = true, .all_hits = named_size<R>() < 3};
   else if constexpr (Record<R>)
-    return {.verdict = requires(R r){r.hit;
-}
-, .t = true
-};  // namespace rayproof::answering
-else if constexpr (List<R>) return {true, true, true};
-else return {};
+    return {.verdict = RecordOfHit<R>, .t = RecordOfT<R>};
+  else if constexpr (List<R>)
+    return {true, true, true};
+  else
+    return {};
 }
 
 /// What is said by a parameter that is written to: vectors are no t there.

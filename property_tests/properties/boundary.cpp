@@ -99,15 +99,20 @@ struct EdgeOf {
 BoundaryPlaces places_of(const Case& one, const RayQuestion& asked, RayAnswer exact, bool is_first_alone) {
   BoundaryPlaces places;
   if (exact.hits.count == 0) return exact.contact == Contact::in_surface ? only(in_surface) : places;
+  const bool is_inside_of_face = exact.contact == Contact::crossing;
+  const BoundaryPlace origin = enters_at_origin(exact)                               ? entering
+                               : is_inside_of_face && leaves_at_origin(asked, exact) ? leaving
+                                                                                     : at_origin;
   if (is_first_alone) exact.hits.count = 1;
   for (const double t : exact.hits.view()) {
-    if (t == asked.ray.t_min) places |= only(t == 0 ? at_origin : t_min);
+    if (t == asked.ray.t_min) places |= only(t == 0 ? origin : t_min);
     if (t == asked.ray.t_max) places |= only(t_max);
   }
   const auto* sphere = std::get_if<Sphere<double>>(&asked.shape);
   if (sphere != nullptr && sphere->radius == 0) return places | only(no_radius);
-  if (exact.contact == Contact::tangent) return places | only(tangent);
   const Ray<double> ray = ray_in_object(asked);
+  if (exact.contact == Contact::tangent)
+    return places | only(runs_along_axis(ray) ? tangent_along_axis : tangent);
   const auto edges = [&] { return std::visit(EdgeOf{ray, exact}, asked.shape); };
   if (const auto* cylinder = std::get_if<Cylinder<double>>(&asked.shape); cylinder && !cylinder->capped)
     return places | edges();
@@ -116,6 +121,22 @@ BoundaryPlaces places_of(const Case& one, const RayQuestion& asked, RayAnswer ex
 }
 
 }  // namespace
+
+bool runs_along_axis(const Ray<double>& ray) {
+  const glm::dvec3& d = ray.direction;
+  return int{d.x != 0} + int{d.y != 0} + int{d.z != 0} == 1;
+}
+
+bool enters_at_origin(const RayAnswer& exact) { return exact.hits.count > 1 && exact.hits.t[0] == 0; }
+
+bool leaves_at_origin(const RayQuestion& asked, const RayAnswer& exact) {
+  const auto* cylinder = std::get_if<Cylinder<double>>(&asked.shape);
+  const bool is_solid = std::holds_alternative<Sphere<double>>(asked.shape) ||
+                        std::holds_alternative<Box<double>>(asked.shape) ||
+                        std::holds_alternative<Parallelepiped<double>>(asked.shape) ||
+                        (cylinder != nullptr && cylinder->capped);
+  return is_solid && exact.hits.count == 1 && exact.hits.t[0] == 0 && asked.ray.t_max == infinity<double>;
+}
 
 BoundaryPlaces boundary_places(const Case& one, bool is_first_alone) {
   const Answer exact = oracle::answer(one);

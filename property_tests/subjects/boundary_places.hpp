@@ -10,8 +10,12 @@ namespace rayproof {
 /// What decides a case that lies exactly on a boundary. Code has a comparison for each of these, so that one
 /// may be open and the others closed.
 enum class BoundaryPlace {
-  tangent,    ///< a double root; a solid touched at one t
-  at_origin,  ///< a hit exactly at the ray's origin, where t_min is 0
+  tangent,  ///< a double root; a solid touched at one t
+  /// The same by a ray along an axis: who makes its direction a unit vector rounds nothing there, either.
+  tangent_along_axis,
+  at_origin,  ///< a hit exactly at the ray's origin, where t_min is 0, that is neither of the next two
+  entering,   ///< the same of a ray that enters there, and has a second hit
+  leaving,    ///< the same of a ray that leaves a solid there
   t_min,      ///< a hit exactly at a t_min that is not 0
   t_max,      ///< a hit exactly at t_max
   edge_a,     ///< the triangle's edge opposite to a, without its ends
@@ -30,7 +34,7 @@ enum class BoundaryPlace {
   level_rim = high_face,     ///< an open cylinder's rim, in whose plane the ray runs
   no_radius = low_face       ///< a sphere that is a point
 };
-inline constexpr std::size_t boundary_place_count = 13;
+inline constexpr std::size_t boundary_place_count = 16;
 
 /// Some of these places.
 using BoundaryPlaces = std::bitset<boundary_place_count>;

@@ -1,6 +1,7 @@
 #include "properties/engine/block.hpp"
 
 #include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
@@ -30,7 +31,7 @@ unsigned weight_of(std::span<const Outcome> outcomes) {
 /// The cases of a range that are for a guest, and what the properties ask beside them, asked all at once.
 class AskedTogether {
  public:
-  AskedTogether(const Unit& unit, std::uint64_t block_seed, unsigned begin, unsigned end) {
+  AskedTogether(const Unit& unit, std::uint64_t block_seed, unsigned begin, unsigned end, bool asks_others) {
     for (unsigned k = begin; k != end; ++k)
       if (Case one = case_of(unit, block_seed, k); is_for_guest(*unit.subject, one)) {
         cases_.push_back(std::move(one));
@@ -38,17 +39,19 @@ class AskedTogether {
       }
     for (std::size_t i = 0; i < numbers_.size(); ++i) {
       first_other_.push_back(cases_.size());
-      append_others(unit, cases_[i], numbers_[i]);
+      if (asks_others) append_others(unit, cases_[i], numbers_[i]);
     }
     first_other_.push_back(cases_.size());
     outcomes_.resize(cases_.size());
     unit.subject->start()->answer(cases_, outcomes_);
-    if (unit.others_failed != nullptr)
-      *unit.others_failed += weight_of(std::span(outcomes_).subspan(numbers_.size()));
   }
 
   /// How much the cases themselves count against asking more.
   [[nodiscard]] unsigned weight() const { return weight_of(std::span(outcomes_).first(numbers_.size())); }
+  /// The same of what is asked beside them.
+  [[nodiscard]] unsigned weight_of_others() const {
+    return weight_of(std::span(outcomes_).subspan(numbers_.size()));
+  }
 
   void put_into(BlockResult& result, const Unit& unit) const {
     for (std::size_t i = 0; i < numbers_.size(); ++i) {
@@ -63,7 +66,6 @@ class AskedTogether {
 
  private:
   void append_others(const Unit& unit, const Case& one, unsigned k) {
-    if (unit.others_failed != nullptr && *unit.others_failed >= enough_failures) return;
     std::vector<Case> others;
     for (const std::size_t p : unit.tested) {
       const Property& property = properties()[p];
@@ -115,29 +117,58 @@ Case case_of(const Unit& unit, std::uint64_t block_seed, unsigned k) {
   return unit.family->generate(combine(block_seed, k), unit.precision);
 }
 
+namespace {
+
+constexpr unsigned cases_in_range = 256;
+
+/// Four times as many, and whether to go on follows from the last four: the outcome is then the same however
+/// many threads there are.
+BlockResult run_block_of_program(const Unit& unit, std::uint64_t block_seed, unsigned cases,
+                                 const std::atomic<bool>& stop, const BlockResult& none) {
+  struct Part {
+    BlockResult result;
+    unsigned weight = 0, weight_of_others = 0;
+  };
+  BlockResult result = none;
+  constexpr unsigned at_once = 4 * cases_in_range;
+  unsigned failures = 0;
+  for (unsigned from = 0; from < cases && failures < enough_failures; from += at_once) {
+    const bool asks_others = unit.others_failed == nullptr || *unit.others_failed < enough_failures;
+    const unsigned end = std::min(cases, from + at_once);
+    std::vector<Part> parts((end - from + cases_in_range - 1) / cases_in_range, Part{none});
+    tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
+      if (stop || unit.subject->is_given_up()) return;
+      const unsigned begin = from + static_cast<unsigned>(i) * cases_in_range;
+      const unsigned size = std::min(end - begin, cases_in_range);
+      const AskedTogether asked(unit, block_seed, begin, begin + size, asks_others);
+      asked.put_into(parts[i].result, unit);
+      parts[i].result.tally.left_out += size - parts[i].result.tally.cases;
+      parts[i].weight = asked.weight();
+      parts[i].weight_of_others = asked.weight_of_others();
+    });
+    for (const Part& part : parts) {
+      result += part.result;
+      failures += part.weight;
+      if (unit.others_failed != nullptr) *unit.others_failed += part.weight_of_others;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
 BlockResult run_block(const Unit& unit, std::uint64_t block_seed, unsigned cases,
                       const std::atomic<bool>& stop) {
   using Range = tbb::blocked_range<unsigned>;
-  constexpr unsigned cases_at_a_time = 256;
-  const bool is_function = unit.subject->function != nullptr;
-  const std::span<oracle::JudgedAnswers> judged =
-      unit.judged != nullptr ? unit.judged->block(block_seed, cases) : std::span<oracle::JudgedAnswers>();
-  std::atomic<unsigned> failures = 0;
   BlockResult none;
   none.tally.properties.resize(properties().size());
   none.samples.resize(properties().size());
+  if (unit.subject->function == nullptr) return run_block_of_program(unit, block_seed, cases, stop, none);
+  const std::span<oracle::JudgedAnswers> judged =
+      unit.judged != nullptr ? unit.judged->block(block_seed, cases) : std::span<oracle::JudgedAnswers>();
   return tbb::parallel_reduce(
-      Range(0, cases, cases_at_a_time), none,
+      Range(0, cases, cases_in_range), none,
       [&](const Range& range, BlockResult result) {
-        if (!is_function) {
-          if (stop || failures >= enough_failures || unit.subject->is_given_up()) return result;
-          const std::uint64_t before = result.tally.cases;
-          const AskedTogether asked(unit, block_seed, range.begin(), range.end());
-          asked.put_into(result, unit);
-          result.tally.left_out += range.size() - (result.tally.cases - before);
-          failures += asked.weight();
-          return result;
-        }
         for (unsigned k = range.begin(); k != range.end(); ++k) {
           const Case one = case_of(unit, block_seed, k);
           Trial trial(*unit.subject, one, judged.empty() ? nullptr : &judged[k]);

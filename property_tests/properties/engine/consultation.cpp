@@ -39,8 +39,10 @@ Consultation::Consultation(const RunResult& result, const Samples& samples, Find
     complaint_.passing = in_turn(sample_->held, is_declared ? most_declared : most_passing);
   }
   add_right_answers(samples);
-  if (complaint_.failing.empty()) complaint_.failing.push_back(finding.one);
-  if (is_declared || finding.subject->has_own_contract) return;
+  const bool is_program = !is_declared && !finding.subject->has_own_contract;
+  // The simplest case is the nearest to what is right: a model that does not explain it is of the wrong size.
+  if (complaint_.failing.empty() || is_program) complaint_.failing.push_back(finding.one);
+  if (!is_program) return;
   add_neighbours();
   add_simple_twins();
 }

@@ -1,12 +1,13 @@
 #include "properties/guests/probe.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 
 #include "generators/generators.hpp"
 #include "properties/boundary.hpp"
-#include "properties/trial.hpp"
+#include "properties/guests/guest.hpp"
 
 namespace rayproof {
 namespace {
@@ -47,6 +48,16 @@ struct Share {
 
 constexpr unsigned long only_at(BoundaryPlace place) { return 1UL << static_cast<unsigned>(place); }
 
+/// Whether the verdict is wrong, of who gives all hits or the first alone.
+bool is_wrong(const Subject& guest, const Case& one, const Answer& given, bool is_first_alone) {
+  Answer said = completed(guest, one, given);
+  if (auto* hits = std::get_if<RayAnswer>(&said); hits != nullptr && is_first_alone) {
+    hits->nearest_only = true;
+    hits->hits.count = std::min<std::size_t>(hits->hits.count, 1);
+  }
+  return judged(one, said).wrong;
+}
+
 /// What the answers so far hold.
 struct Learnt {
   Share two{}, numbers{}, contact{}, point{}, normal{}, barycentric{}, boundary{};
@@ -62,11 +73,11 @@ struct Learnt {
     else if (std::get<Position>(exact) == Position::boundary)
       boundary.add(std::get<Position>(given) == Position::boundary);
     if (!is_exact_for_some_method(one)) return;
-    Trial trial(guest, one);
-    trial.know({.answer = given}, {});
     for (const bool is_first_alone : {false, true}) {
       const BoundaryPlaces places = boundary_places(one, is_first_alone);
-      if (places.any()) wrong_on.at(is_first_alone ? 1 : 0)[places.to_ulong()].add(trial.judgement().wrong);
+      if (places.any())
+        wrong_on.at(is_first_alone ? 1 : 0)[places.to_ulong()].add(
+            is_wrong(guest, one, given, is_first_alone));
     }
   }
 
@@ -85,10 +96,26 @@ struct Learnt {
     if ((topic == "polygon" || topic == "point_in_polygon") &&
         !wrong_at(edge, topic, abilities.all_hits).is_always())
       abilities.rules.reset(edge);
-    if (topic == "point_in_polygon" && !abilities.boundary) abilities.rules.reset();
+    if (topic == "point_in_polygon") put_vertices_into(abilities);
+    for (const auto& [places, share] : wrong_on.at(abilities.all_hits ? 0 : 1)) {
+      abilities.wrong_on_boundaries += share.count;
+      abilities.asked_on_boundaries += share.of;
+    }
   }
 
  private:
+  /// Who never says that a point is on the boundary has no rule there. Who knows all that lie on sides needs
+  /// no rounding to know a vertex: some that are taken for something else are a rule.
+  void put_vertices_into(Abilities& abilities) const {
+    using enum BoundaryPlace;
+    const auto at = [&](BoundaryPlace place) {
+      return wrong_at(static_cast<std::size_t>(place), "point_in_polygon", abilities.all_hits);
+    };
+    const unsigned on_sides = at(edge).count + at(level_side).count + at(upright_side).count;
+    if (on_sides == 0 && at(vertex).count >= 3) abilities.rules.set(static_cast<std::size_t>(vertex));
+    if (!abilities.boundary) abilities.rules.reset();
+  }
+
   /// How often it is wrong at a place: of the cases that lie on no other boundary, and, where the place is
   /// one of its own comparison whatever is met, on others alone that it is never wrong on.
   [[nodiscard]] Share wrong_at(std::size_t place, const std::string& topic, bool all_hits) const {

@@ -73,6 +73,18 @@ std::string left_out(const Subject& guest, const Property& property) {
   return "";
 }
 
+/// Why the boundary of a shape is not judged.
+std::string why_no_boundary(const Subject& guest) {
+  const auto& [wrong, asked] =
+      std::pair(guest.abilities.wrong_on_boundaries, guest.abilities.asked_on_boundaries);
+  if (wrong == 0) return fmt::format("all {} verdicts there are right", asked);
+  return fmt::format("{} of {} verdicts there are wrong, {}", wrong, asked,
+                     guest.topic == "polygon"
+                         ? "as those of a half-open one: of its sides some belong to it, as even and odd "
+                           "crossings have it"
+                         : "by no rule: there rounding decides");
+}
+
 /// "not judged: point, normal (…)", and what is judged in part; empty where nothing is left out.
 std::string not_judged(const Plan& plan, const Subject& guest, const Tally& tally) {
   std::map<std::string, std::vector<std::string_view>> by_reason;
@@ -81,11 +93,7 @@ std::string not_judged(const Plan& plan, const Subject& guest, const Tally& tall
     if (!plan.is_wanted[p] || is_for_own_methods(property)) continue;
     std::string reason = left_out(guest, property);
     if (is_one_of(property, {"boundary"}) && tally.properties[p].judged() == 0)
-      reason =
-          guest.topic == "polygon"
-              ? "its verdicts there are right, or it is half-open: of its sides some belong to it, as even "
-                "and odd crossings have it"
-              : "its verdicts there are right, or follow no single rule";
+      reason = why_no_boundary(guest);
     by_reason[reason].push_back(property.name);
   }
   by_reason.erase("");

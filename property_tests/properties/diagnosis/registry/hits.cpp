@@ -27,6 +27,13 @@ Hypothesis positive_alone() {
 
 std::vector<Hypothesis> models_of_hits() {
   return {
+      misses_zero("open-where-entering", open_where_entering,
+                  "a ray that begins on the surface and enters is given its exit: t > t_min is asked of the "
+                  "entry, and must be t >= t_min"),
+      misses_zero(
+          "open-where-leaving", open_where_leaving,
+          "a ray that begins on the surface and leaves it is missed: t > t_min is asked of the exit, and "
+          "must be t >= t_min"),
       misses_zero("open-at-t-min", open_at_t_min,
                   "a hit exactly at t_min is left out: the interval is taken for open there"),
       misses_zero("open-at-t-max", open_at_t_max,
@@ -129,6 +136,9 @@ std::vector<Hypothesis> models_of_hits() {
       gives("single-hit-twice", single_hit_twice,
             "where one hit alone is in the interval it is reported twice"),
       misses_zero("tangent-missed", misses_at<Contact::tangent>, "a ray that only touches is missed"),
+      misses_zero(
+          "tangent-missed-along-axes", misses_tangents_along_axes,
+          "a ray that only touches is missed where it runs along an axis; elsewhere rounding decides"),
       misses_zero("edge-missed", misses_at<Contact::edge>,
                   "every hit on an edge is missed: the shape is taken without its edges"),
       misses_zero("vertex-missed", misses_at<Contact::vertex>, "every hit on a vertex is missed"),

@@ -16,6 +16,9 @@ inline void PrintTo(const Foreseen& one, std::ostream* out) { *out << one.topic 
 inline constexpr Foreseen foreseen_faults[] = {
     {"sphere", "zero-as-no-end"},
     {"box", "t-min-cut-to-zero"},
+    {"sphere", "open-where-entering"},
+    {"box", "open-where-leaving"},
+    {"sphere", "tangent-missed-along-axes"},
     {"sphere", "radius-doubled-for-square"},
     {"sphere", "origin-ignored"},
     {"sphere", "origin-negated"},

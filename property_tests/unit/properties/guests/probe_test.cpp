@@ -28,6 +28,35 @@ Answer without_tangents(const Case& one) {
   return exact.contact == Contact::tangent ? RayAnswer{} : exact;
 }
 
+/// Without those tangents that a formula rounds nothing at, whatever it does to the direction.
+Answer without_plain_tangents(const Case& one) {
+  const auto& asked = std::get<RayQuestion>(one.question);
+  return runs_along_axis(asked.ray) ? without_tangents(one) : oracle::answer(one);
+}
+
+/// The nearest hit alone: of a ray that enters at its origin the exit.
+Answer gives_exit_on_entering(const Case& one) {
+  auto exact = std::get<RayAnswer>(oracle::answer(one));
+  const bool begins_there = std::get<RayQuestion>(one.question).ray.t_min == 0;
+  if (begins_there && enters_at_origin(exact)) exact.hits.t[0] = exact.hits.t[1];
+  exact.hits.count = std::min<std::size_t>(exact.hits.count, 1);
+  exact.nearest_only = true;
+  return exact;
+}
+
+Answer without_leaving(const Case& one) {
+  const auto exact = std::get<RayAnswer>(oracle::answer(one));
+  return leaves_at_origin(std::get<RayQuestion>(one.question), exact) ? RayAnswer{} : exact;
+}
+
+/// A vertex above all others it has no side from is called outside.
+Answer without_some_vertices(const Case& one) {
+  const auto& [point, vertices] = std::get<PointAndPolygon<double>>(one.question);
+  const bool is_highest = std::ranges::all_of(vertices, [y = point.y](const auto& v) { return v.y <= y; });
+  const bool is_vertex = boundary_places(one).test(static_cast<std::size_t>(BoundaryPlace::vertex));
+  return is_vertex && is_highest ? Answer(Position::outside) : oracle::answer(one);
+}
+
 Answer without_vertices(const Case& one) {
   const bool is_vertex = boundary_places(one).test(static_cast<std::size_t>(BoundaryPlace::vertex));
   return is_vertex ? Answer(Position::outside) : oracle::answer(one);
@@ -95,23 +124,30 @@ TEST(Probe, FindsOutWhatAnswersHold) {
 
 TEST(Probe, TakesForARuleOnlyWhatIsWrongOnMostBoundaries) {
   EXPECT_TRUE(learnt("sphere", oracle::answer).rules.none());
+  using enum BoundaryPlace;
   const auto only = [](BoundaryPlace one) { return BoundaryPlaces(1U << static_cast<unsigned>(one)); };
   EXPECT_EQ(learnt("sphere", without_tangents).rules,
-            only(BoundaryPlace::tangent) | only(BoundaryPlace::no_radius));
-  EXPECT_EQ(learnt("point_in_polygon", without_vertices).rules, only(BoundaryPlace::vertex));
+            only(tangent) | only(tangent_along_axis) | only(no_radius));
+  EXPECT_EQ(learnt("sphere", without_plain_tangents).rules, only(tangent_along_axis) | only(no_radius));
+  EXPECT_EQ(learnt("sphere", gives_exit_on_entering).rules, only(entering));
+  EXPECT_EQ(learnt("box", gives_exit_on_entering).rules, only(entering));
+  EXPECT_EQ(learnt("sphere", without_leaving).rules, only(leaving));
+  EXPECT_EQ(learnt("point_in_polygon", without_vertices).rules, only(vertex));
+  EXPECT_EQ(learnt("point_in_polygon", without_some_vertices).rules, only(vertex));
   EXPECT_TRUE(learnt("point_in_polygon", without_boundary).rules.none());
-  EXPECT_EQ(learnt("polygon", without_boundary_hits<true>).rules, only(BoundaryPlace::edge));
+  EXPECT_EQ(learnt("polygon", without_boundary_hits<true>).rules, only(edge));
   EXPECT_TRUE(learnt("polygon", without_boundary_hits<false>).rules.none());
-  EXPECT_EQ(learnt("plane", with_rays_in_planes).rules, only(BoundaryPlace::in_surface));
+  EXPECT_EQ(learnt("plane", with_rays_in_planes).rules, only(in_surface));
   // From a program that no finding was made of: it is right in the planes of the rims, and at closed caps.
-  EXPECT_EQ(learnt("cylinder", without_crossed_rims).rules,
-            only(BoundaryPlace::low_rim) | only(BoundaryPlace::high_rim));
-  EXPECT_EQ(learnt("plane", without_hits_at_origin).rules, only(BoundaryPlace::at_origin));
+  EXPECT_EQ(learnt("cylinder", without_crossed_rims).rules, only(low_rim) | only(high_rim));
+  EXPECT_EQ(learnt("plane", without_hits_at_origin).rules, only(at_origin));
   // In short numbers a triangle is hardly ever met but at its edges and vertices.
   for (const char* topic : {"triangle", "polygon", "cylinder"}) {
     SCOPED_TRACE(topic);
-    EXPECT_EQ(learnt(topic, without_hits_at_the_end).rules, only(BoundaryPlace::t_max));
-    EXPECT_EQ(learnt(topic, without_hits_at_origin).rules, only(BoundaryPlace::at_origin));
+    EXPECT_EQ(learnt(topic, without_hits_at_the_end).rules, only(t_max));
+    const bool is_solid = std::string(topic) == "cylinder";
+    EXPECT_EQ(learnt(topic, without_hits_at_origin).rules,
+              is_solid ? only(at_origin) | only(entering) : only(at_origin));
   }
 }
 

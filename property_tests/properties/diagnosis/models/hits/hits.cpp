@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "properties/boundary.hpp"
 #include "properties/claims/answers.hpp"
 #include "properties/diagnosis/examination/agreement.hpp"
 
@@ -150,6 +151,14 @@ Answers single_hit_twice(const Case& /*one*/, const Answer& exact) {
   RayAnswer twice = *answer;
   twice.hits.push_back(answer->hits.t[0]);
   return {twice};
+}
+
+Answers misses_tangents_along_axes(const Case& one, const Answer& exact) {
+  Answers missed = misses_at<Contact::tangent>(one, exact);
+  const RayQuestion* asked = ray_question(one);
+  if (missed.empty() || asked == nullptr) return {};
+  if (!runs_along_axis(ray_in_object(*asked))) missed.insert(missed.begin(), exact);
+  return missed;
 }
 
 Answers boundary_is_outside(const Case& /*one*/, const Answer& exact) {

@@ -44,6 +44,8 @@ template <Contact contact>
   if (answer == nullptr || answer->hits.count == 0 || answer->contact != contact) return {};
   return {RayAnswer{}};
 }
+/// A ray that touches, along an axis, is missed; of other such rays rounding decides.
+[[nodiscard]] Answers misses_tangents_along_axes(const Case& one, const Answer& exact);
 /// A hit on an edge or a vertex is missed; where `Position` is asked, the boundary is outside.
 [[nodiscard]] Answers boundary_is_outside(const Case& one, const Answer& exact);
 /// The boundary of a polygon in the plane is inside.

@@ -169,6 +169,21 @@ Answers open_at_zero(const Case& one, const Answer& exact) {
   return open_where(one, exact, [](const Ray<double>& /*ray*/, double t) { return t == 0; });
 }
 
+Answers open_where_entering(const Case& one, const Answer& exact) {
+  const auto* hits = std::get_if<RayAnswer>(&exact);
+  return hits != nullptr && enters_at_origin(*hits) ? open_at_zero(one, exact) : Answers{};
+}
+
+Answers open_where_leaving(const Case& one, const Answer& exact) {
+  const auto* hits = std::get_if<RayAnswer>(&exact);
+  const RayQuestion* asked = ray_question(one);
+  if (hits == nullptr || asked == nullptr || !leaves_at_origin(*asked, *hits)) return {};
+  Answers missed = open_at_zero(one, exact);
+  // Of a ray that only touches an edge or a corner there the entry may count.
+  if (!missed.empty() && hits->contact != Contact::crossing) missed.push_back(exact);
+  return missed;
+}
+
 std::optional<bool> hits_before_t_min(const Case& one, const Answer& got, const Answer& /*exact*/) {
   const Ray<double>* ray = ray_of(one);
   if (ray == nullptr) return std::nullopt;

@@ -40,6 +40,10 @@ namespace rayproof::diagnosis {
 /// @}
 /// A hit exactly at the ray's origin is left out, wherever the interval begins.
 [[nodiscard]] Answers open_at_zero(const Case& one, const Answer& exact);
+/// @{ The same of a ray that enters there, or leaves a solid there, alone.
+[[nodiscard]] Answers open_where_entering(const Case& one, const Answer& exact);
+[[nodiscard]] Answers open_where_leaving(const Case& one, const Answer& exact);
+/// @}
 /// A hit before t_min is reported, rightly computed or not.
 [[nodiscard]] std::optional<bool> hits_before_t_min(const Case& one, const Answer& got, const Answer& exact);
 
