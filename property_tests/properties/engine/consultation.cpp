@@ -2,8 +2,11 @@
 
 #include <cmath>
 #include <iterator>
+#include <numeric>
 
+#include "properties/claims/similarity.hpp"
 #include "properties/diagnosis/cures/cures.hpp"
+#include "properties/diagnosis/examination/examination.hpp"
 #include "properties/shrink/shrink.hpp"
 
 namespace rayproof::diagnosis {
@@ -39,17 +42,15 @@ Consultation::Consultation(const RunResult& result, const Samples& samples, Find
     complaint_.passing = in_turn(sample_->held, is_declared ? most_declared : most_passing);
   }
   add_right_answers(samples);
-  const bool is_program = !is_declared && !finding.subject->has_own_contract;
-  // The simplest case is the nearest to what is right: a model that does not explain it is of the wrong size.
-  if (complaint_.failing.empty() || is_program) complaint_.failing.push_back(finding.one);
-  if (!is_program) return;
+  if (complaint_.failing.empty()) complaint_.failing.push_back(finding.one);
+  if (is_declared || finding.subject->has_own_contract) return;
   add_neighbours();
   add_simple_twins();
 }
 
 std::vector<Finding> Consultation::findings(const std::vector<Diagnosis>& groups) {
   const Diagnosis& own = own_group(groups);
-  describe(finding_, own);
+  describe(finding_, of_its_size(own, finding_.one));
   std::vector<Finding> others;
   for (const Diagnosis& group : groups) {
     if (&group == &own || finding_.is_declared || stop_) continue;
@@ -109,6 +110,47 @@ const Diagnosis& Consultation::own_group(const std::vector<Diagnosis>& groups) c
   return *std::ranges::max_element(groups, {}, [](const Diagnosis& one) { return one.cases.size(); });
 }
 
+/// Models of what is small, or large, differ in where that begins. The simplest case is made larger, or
+/// smaller, step by step, until it is right: where the model of the group does not explain all that is wrong,
+/// or foresees what is right to be wrong, the one is taken that does so least.
+Diagnosis Consultation::of_its_size(const Diagnosis& group, const Case& simplest) const {
+  const auto is_of_size = [](const Hypothesis& one) {
+    return one.predict != nullptr && (one.of_sizes == OfSizes::small || one.of_sizes == OfSizes::limit);
+  };
+  if (group.cause == nullptr || !is_of_size(*group.cause) || finding_.is_declared ||
+      finding_.subject->has_own_contract)
+    return group;
+  std::vector<Case> steps{simplest}, failing, passing = complaint_.passing;
+  for (int k = 1; k <= 20; ++k)
+    steps.push_back(
+        scaled_twin(simplest, std::ldexp(1.0, group.cause->of_sizes == OfSizes::small ? k : -k), 1).one);
+  const std::vector<std::optional<Answer>> answers = complaint_.patient.ask(steps);
+  for (std::size_t k = 0; k < steps.size(); ++k)
+    if (answers[k])
+      (complaint_.patient.rule(steps[k], *answers[k]) == Ruling::broken ? failing : passing)
+          .push_back(steps[k]);
+  for (const std::size_t i : group.cases) failing.push_back(complaint_.failing[i]);
+  const Examination examination(complaint_.patient, failing, passing);
+  std::vector<std::size_t> all(failing.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  const auto misfit = [&](const Hypothesis& one) {
+    const std::vector<std::size_t> explained = examination.explained(one, all);
+    return all.size() - explained.size() + examination.contradictions(one, explained);
+  };
+  Diagnosis fitted = group;
+  std::size_t least = misfit(*group.cause);
+  for (const Hypothesis& one : hypotheses()) {
+    if (least == 0) break;
+    if (!is_of_size(one) || one.of_sizes != group.cause->of_sizes) continue;
+    const std::size_t own = misfit(one);
+    if (own >= least) continue;
+    least = own;
+    fitted.cause = &one;
+    fitted.sentence = one.sentence;
+  }
+  return fitted;
+}
+
 void Consultation::describe(Finding& finding, const Diagnosis& group) const {
   finding.cause = group.cause;
   finding.kind_of_fault = group.cause == nullptr ? std::nullopt : std::optional(group.kind);
@@ -156,7 +198,7 @@ std::optional<Finding> Consultation::of_group(const Diagnosis& group) const {
   Trial shrunk(*other.subject, other.one);
   if (ruling_of(*other.property, shrunk) != Ruling::broken) return std::nullopt;  // a program's mood
   other.evidence = other.property->show(shrunk);
-  describe(other, group);
+  describe(other, of_its_size(group, other.one));
   return other;
 }
 

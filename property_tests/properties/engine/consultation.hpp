@@ -38,6 +38,7 @@ class Consultation {
                                               std::span<const Hypothesis* const> causes) const;
   [[nodiscard]] bool is_ordinary(const Case& one) const;
   [[nodiscard]] const Diagnosis& own_group(const std::vector<Diagnosis>& groups) const;
+  [[nodiscard]] Diagnosis of_its_size(const Diagnosis& group, const Case& simplest) const;
   void describe(Finding& finding, const Diagnosis& group) const;
   [[nodiscard]] std::optional<Case> most_striking(const Diagnosis& group) const;
   [[nodiscard]] std::optional<Finding> of_group(const Diagnosis& group) const;
