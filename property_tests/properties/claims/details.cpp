@@ -125,14 +125,13 @@ Ruling touch(Trial& trial) {
 }
 
 std::string in_words(const glm::dvec3& v) { return fmt::format("[{:.9g}, {:.9g}, {:.9g}]", v.x, v.y, v.z); }
-std::string in_words(const std::optional<glm::dvec3>& v) { return v ? in_words(*v) : "none"; }
 
 template <std::optional<glm::dvec3> RayAnswer::*member>
 Evidence show(Trial& trial, const char* name, const std::string& error) {
   const auto exact = std::get<RayAnswer>(oracle::answer(trial.question())).*member;
-  return show_answer(
-      trial, fmt::format("the {} of the first hit is {}, {}; the exact one is {}", name,
-                         in_words(std::get<RayAnswer>(trial.claimed()).*member), error, in_words(exact)));
+  return show_answer(trial, fmt::format("the {} of the first hit is {}, {}; the exact one is {}", name,
+                                        in_words(*(std::get<RayAnswer>(trial.claimed()).*member)), error,
+                                        exact ? in_words(*exact) : "that of a face which meets there"));
 }
 
 Evidence show_point(Trial& trial) {

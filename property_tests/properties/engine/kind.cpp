@@ -61,9 +61,12 @@ bool is_foreseen_by(const Finding& finding, const Finding& other) {
   const Answer &got = finding.evidence.got, &exact = finding.evidence.exact;
   if (!finding.evidence.no_answer.empty() || breaks_symmetry(finding)) return false;
   return std::ranges::any_of(model.predict(finding.one, exact), [&](const Answer& foreseen) {
-    const Answer reported = diagnosis::as_reported(foreseen, got);
-    return diagnosis::agree(finding.one, got, reported, model.aspect) &&
-           !diagnosis::agree(finding.one, exact, reported, model.aspect);
+    // What the model leaves open is the subject's, right or wrong: a normal, where it says nothing of
+    // normals.
+    const auto agrees = [&](const Answer& answer) {
+      return diagnosis::agree(finding.one, answer, diagnosis::as_reported(foreseen, answer), model.aspect);
+    };
+    return agrees(got) && !agrees(exact);
   });
 }
 

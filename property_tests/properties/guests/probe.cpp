@@ -96,6 +96,7 @@ struct Learnt {
     if ((topic == "polygon" || topic == "point_in_polygon") &&
         !wrong_at(edge, topic, abilities.all_hits).is_always())
       abilities.rules.reset(edge);
+    if (topic == "box") put_faces_into(abilities);
     if (topic == "point_in_polygon") put_vertices_into(abilities);
     for (const auto& [places, share] : wrong_on.at(abilities.all_hits ? 0 : 1)) {
       abilities.wrong_on_boundaries += share.count;
@@ -104,6 +105,17 @@ struct Learnt {
   }
 
  private:
+  /// Where a ray runs in a face of a box, or begins on one, differences are 0 and nothing is rounded in any
+  /// formula: some of these that are wrong are a rule.
+  void put_faces_into(Abilities& abilities) const {
+    using enum BoundaryPlace;
+    for (const BoundaryPlace place : {at_origin, entering, leaving, low_face, high_face}) {
+      const auto number = static_cast<std::size_t>(place);
+      const Share share = wrong_at(number, "box", abilities.all_hits);
+      if (share.count >= 3 && !share.is_rarely()) abilities.rules.set(number);
+    }
+  }
+
   /// Who never says that a point is on the boundary has no rule there. Who knows all that lie on sides needs
   /// no rounding to know a vertex: some that are taken for something else are a rule.
   void put_vertices_into(Abilities& abilities) const {

@@ -138,7 +138,10 @@ std::string said_of_hit(Claim claim, const RayAnswer& got, const RayAnswer& exac
                                 : claim == Claim::normal
                                     ? std::pair{&RayAnswer::normal, "normal"}
                                     : std::pair{&RayAnswer::barycentric, "barycentric coordinates"};
-  return fmt::format("{} {} (exact {})", before, shown(got.*member), shown(exact.*member));
+  // On an edge the normal of each face that meets there is right.
+  const bool is_of_several = claim == Claim::normal && !exact.normal;
+  return fmt::format("{} {} (exact {})", before, shown(got.*member),
+                     is_of_several ? "that of a face which meets there" : shown(exact.*member));
 }
 
 }  // namespace
