@@ -31,9 +31,18 @@ std::printf("hit = %d, t1 = $g, t2 = $g\n", hit, hit * t[0], hit * t[1]);)",
   const int hit = vtkBox::IntersectWithLine(bounds.data(), &segment.start.x, &segment.end.x, s[0], s[1],
                                             nullptr, nullptr, faces[0], faces[1]);
   call.said(given("hit", hit), given("t1", hit * s[0]), given("t2", hit * s[1]));
+  // An end of the segment that is in the box has no face; where the line enters or leaves there, it is a hit
+  // all the same.
+  const dvec3 d = segment.end - segment.start;
+  const auto crosses_at = [&](const dvec3& end, const dvec3& rising, const dvec3& falling) {
+    return glm::any(glm::notEqual(d, dvec3(0)) && glm::mix(glm::equal(end, falling), glm::equal(end, rising),
+                                                           glm::greaterThan(d, dvec3(0))));
+  };
+  const bool counts[2] = {faces[0] >= 0 || crosses_at(segment.start, low, high),
+                          faces[1] >= 0 || crosses_at(segment.end, high, low)};
   if (hit != 0)
     for (const int i : {0, 1})
-      if (faces[i] >= 0) hits.push_back(segment.t_at(s[i]));
+      if (counts[i]) hits.push_back(segment.t_at(s[i]));
   return hits;
 }
 
