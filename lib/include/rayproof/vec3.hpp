@@ -44,9 +44,16 @@ template <class S, class A>
 template <class T>
 using vec3 = std::conditional_t<std::floating_point<T>, glm::vec<3, T>, Vec3<T>>;
 
+/// a·b + c·d + e·f, and a·b - c·d. An arithmetic of several parts has ways of its own, of fewer steps.
+template <class A, class B>
+[[nodiscard]] constexpr auto sum_of_products(const A& a, const B& b, const A& c, const B& d, const A& e,
+                                             const B& f) {
+  return a * b + c * d + e * f;
+}
+
 template <class A, class B>
 [[nodiscard]] constexpr auto dot(const Vec3<A>& a, const Vec3<B>& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
+  return sum_of_products(a.x, b.x, a.y, b.y, a.z, b.z);
 }
 
 /// GLM's own `dot` refuses non-IEEE types and may reorder under its SIMD switches; this one is always x, y,

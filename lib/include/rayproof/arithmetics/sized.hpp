@@ -40,12 +40,29 @@ struct Sized {
   friend constexpr Sized operator*(const Sized& x, const Sized& y) {
     return {x.value * y.value, x.size * y.size};
   }
+  friend constexpr Sized sum_of_products(const Sized& a, const Sized& b, const Sized& c, const Sized& d,
+                                         const Sized& e, const Sized& f) {
+    return {sum_of_products(a.value, b.value, c.value, d.value, e.value, f.value),
+            a.size * b.size + c.size * d.size + e.size * f.size};
+  }
 };
 
 /// A vector whose components count as given numbers.
 template <class W>
 [[nodiscard]] constexpr Vec3<Sized<W>> sized(const vec3<W>& v) {
   return {Sized<W>(v.x), Sized<W>(v.y), Sized<W>(v.z)};
+}
+
+/// a × b of two vectors that are given, with what its components may be off by, in unit roundoffs:
+/// themselves, where the difference of two exact products is rounded once, and the sizes of the products
+/// where that is a difference of numbers in several parts.
+template <class W>
+[[nodiscard]] constexpr Vec3<Sized<W>> sized_cross(const vec3<W>& a, const vec3<W>& b) {
+  if constexpr (std::same_as<W, Leading<W>>) {
+    return sized<W>(cross(a, b));
+  } else {
+    return cross(sized<W>(a), sized<W>(b));
+  }
 }
 
 }  // namespace rayproof

@@ -46,7 +46,7 @@ template <std::floating_point T>
   const auto rounded_once = [](const Sized<W>& x) {
     return Bounded<W>(x.value, running_error::of_sum(x.value, x.size));
   };
-  const Vec3<Sized<W>> n = cross(sized<W>(convert<W>(a)), sized<W>(convert<W>(b)));
+  const Vec3<Sized<W>> n = sized_cross<W>(convert<W>(a), convert<W>(b));
   return {rounded_once(n.x), rounded_once(n.y), rounded_once(n.z)};
 }
 

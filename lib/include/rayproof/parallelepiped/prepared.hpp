@@ -40,7 +40,7 @@ template <class W>
 [[nodiscard]] constexpr Prepared<W> prepared_faces(const Parallelepiped<W>& solid) {
   const auto pair = [&](std::size_t j, std::size_t k, std::size_t i) -> FacePair<W> {
     const auto& e = solid.edges;
-    const Vec3<Sized<W>> normal = cross(sized<W>(e[j]), sized<W>(e[k]));
+    const Vec3<Sized<W>> normal = sized_cross<W>(e[j], e[k]);
     return {normal, dot(normal, sized<W>(e[i]))};
   };
   return {solid.corner, {pair(1, 2, 0), pair(2, 0, 1), pair(0, 1, 2)}};

@@ -35,7 +35,7 @@ template <class W>
                     dot(n, sized<W>(ray.origin)).size + abs(leading(plane.d)));
   }
   const bool is_parametric = plane.form == PlaneForm::parametric;
-  const auto n = is_parametric ? cross(sized<W>(plane.u), sized<W>(plane.v)) : sized<W>(plane.normal);
+  const auto n = is_parametric ? sized_cross<W>(plane.u, plane.v) : sized<W>(plane.normal);
   const auto w = sized<W>(ray.origin - plane.point);
   const Sized<W> L = dot(n, d);
   if (!is_parametric) {

@@ -124,6 +124,21 @@ TEST(DoubleDouble, AddsToWithinThreeRoundingsOfTheSizesOfTheTermsHoweverMuchCanc
   }
 }
 
+TEST(DoubleDouble, SumsThreeProductsToWithinTheBoundOfTheirSizes) {
+  constexpr double bound = 21.01 * 0x1p-106;
+  RandomDoubleDoubles random;
+  for (int i = 0; i < 100'000; ++i) {
+    const D a = random.both(), b = random.both(), c = random.both(), e = random.both();
+    const D d = i % 2 == 0 ? random.both() : random.opposite(a * b) / c;  // of products that nearly cancel
+    const D f = i % 3 == 0 ? D(0) : random.both() * D(0x1p-30);
+    const auto ab = exact_of(a) * exact_of(b), cd = exact_of(c) * exact_of(d), ef = exact_of(e) * exact_of(f);
+    const D sum = sum_of_products(a, b, c, d, e, f);
+    const auto allowed = exact(bound) * (magnitude(ab) + magnitude(cd) + magnitude(ef));
+    ASSERT_GE(sign(allowed - magnitude(exact_of(sum) - (ab + cd + ef))), 0) << i;
+    ASSERT_TRUE(is_normalized(sum)) << i;
+  }
+}
+
 TEST(DoubleDouble, IsTheSameBitForBitInPacks) {
   using P = Pack<double>;
   RandomDoubleDoubles random;
