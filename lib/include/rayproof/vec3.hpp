@@ -44,7 +44,7 @@ template <class S, class A>
 template <class T>
 using vec3 = std::conditional_t<std::floating_point<T>, glm::vec<3, T>, Vec3<T>>;
 
-/// a·b + c·d + e·f, and a·b - c·d. An arithmetic of several parts has ways of its own, of fewer steps.
+/// a·b + c·d + e·f. An arithmetic of several parts has a way of its own, in fewer steps.
 template <class A, class B>
 [[nodiscard]] constexpr auto sum_of_products(const A& a, const B& b, const A& c, const B& d, const A& e,
                                              const B& f) {

@@ -79,6 +79,10 @@ struct Rounded {
   /// rounding test and for roundings of the bound: Q, which is found by the roots, lacks 2u·k|t| at most, and
   /// k² is below 2^-10/u here.
   ///
+  /// A sum of double-doubles is off by less than u/5 of the sizes of its terms, and not by u of itself; these
+  /// are together no more than twice what is counted above, |f| for f and t_c·d, r·S and |l|·S for r² and
+  /// |l|².
+  ///
   /// Nothing over- or underflows: floats are whole multiples of 2^-149, and no product is of more than six.
   template <class W>
   [[nodiscard]] static constexpr Enclosed<W> enclosed(const Ray<W>& ray, const Sphere<W>& sphere) {
