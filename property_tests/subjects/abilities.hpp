@@ -17,7 +17,7 @@ struct Abilities {
   bool boundary = true;  ///< says of a point that it is on the boundary of a polygon
   /// Where its wrong verdict is a rule of its own, and not what rounding makes of it.
   BoundaryPlaces rules{~0ULL};
-  unsigned wrong_on_boundaries = 0;  ///< verdicts, of so many cases:
+  unsigned wrong_on_boundaries = 0;  ///< verdicts, of this many cases:
   unsigned asked_on_boundaries = 0;
 };
 

@@ -144,8 +144,8 @@ inline constexpr Plain<T> not_a_number = std::numeric_limits<Plain<T>>::quiet_Na
 template <class T>
 inline constexpr int digits = std::numeric_limits<Plain<T>>::digits;
 
-/// What one operation is off by at most, in parts of its result; a sum of numbers in several parts, in parts of
-/// the sizes of its terms.
+/// What one operation is off by at most, in parts of its result; a sum of numbers in several parts, in parts
+/// of the sizes of its terms.
 template <class T>
 inline constexpr Plain<T> unit_roundoff = std::numeric_limits<Plain<T>>::epsilon() / 2;
 

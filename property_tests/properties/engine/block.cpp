@@ -125,7 +125,7 @@ constexpr unsigned cases_in_range = 256;
 /// many threads there are.
 BlockResult run_block_of_program(const Unit& unit, std::uint64_t block_seed, unsigned cases,
                                  const std::atomic<bool>& stop, const BlockResult& none) {
-  struct Part {
+  struct RangeResult {
     BlockResult result;
     unsigned weight = 0, weight_of_others = 0;
   };
@@ -135,7 +135,7 @@ BlockResult run_block_of_program(const Unit& unit, std::uint64_t block_seed, uns
   for (unsigned from = 0; from < cases && failures < enough_failures; from += at_once) {
     const bool asks_others = unit.others_failed == nullptr || *unit.others_failed < enough_failures;
     const unsigned end = std::min(cases, from + at_once);
-    std::vector<Part> parts((end - from + cases_in_range - 1) / cases_in_range, Part{none});
+    std::vector<RangeResult> parts((end - from + cases_in_range - 1) / cases_in_range, RangeResult{none});
     tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
       if (stop || unit.subject->is_given_up()) return;
       const unsigned begin = from + static_cast<unsigned>(i) * cases_in_range;
@@ -146,7 +146,7 @@ BlockResult run_block_of_program(const Unit& unit, std::uint64_t block_seed, uns
       parts[i].weight = asked.weight();
       parts[i].weight_of_others = asked.weight_of_others();
     });
-    for (const Part& part : parts) {
+    for (const RangeResult& part : parts) {
       result += part.result;
       failures += part.weight;
       if (unit.others_failed != nullptr) *unit.others_failed += part.weight_of_others;

@@ -129,22 +129,22 @@ TEST(result_of_a_function, that_is_nan_beside_a_hit_is_not_hidden) {
 }
 
 TEST(result_of_a_function, that_is_infinite_beside_a_hit_is_not_hidden) {
-  struct Answer {
+  struct HitWithT {
     bool hit;
     float t;
   };
-  const auto divides_by_0 = [](F3, F3, F3, float) -> Answer { return {true, infinity<float>}; };
+  const auto divides_by_0 = [](F3, F3, F3, float) -> HitWithT { return {true, infinity<float>}; };
   EXPECT_EQ(answer_of(sphere_case("-5"), divides_by_0), hit_at("\"inf\""));
   const auto all = [](F3, F3, F3, float) { return std::vector<float>{2, infinity<float>}; };
   EXPECT_EQ(answer_of(sphere_case("-5"), all), hit_at("2")) << "what is endlessly far is no hit of a list";
 }
 
 TEST(result_of_a_function, may_be_hit_and_a_point_without_t) {
-  struct Answer {
+  struct HitWithPoint {
     bool hit;
     F3 point;
   };
-  const auto f = [](F3 o, F3, F3, float) -> Answer { return {o.z < 0, {0, 0, -1}}; };
+  const auto f = [](F3 o, F3, F3, float) -> HitWithPoint { return {o.z < 0, {0, 0, -1}}; };
   EXPECT_EQ(answer_of(sphere_case("-5"), f), "{\"id\": 7, \"verdict\": \"hit\", \"point\": [0, 0, -1]}\n");
   EXPECT_EQ(answer_of(sphere_case("5"), f), "{\"id\": 7, \"verdict\": \"miss\"}\n");
 }

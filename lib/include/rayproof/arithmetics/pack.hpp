@@ -135,7 +135,7 @@ template <class T, class Abi>
 }
 
 /// One fused instruction where the instruction set has it, else the C library's function lane by lane. The
-/// instructions by name, since the compiler is told not to gather them from the lanes (as_written.hpp).
+/// instructions by name, since flags keep the compiler from gathering them from the lanes (as_written.hpp).
 template <class T, class Abi>
 [[nodiscard]] Pack<T, Abi> fma(const Pack<T, Abi>& x, const Pack<T, Abi>& y, const Pack<T, Abi>& z) {
   using Lanes = typename Pack<T, Abi>::Lanes;

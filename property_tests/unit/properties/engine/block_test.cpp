@@ -20,7 +20,7 @@ struct Failing final : Answerer {
   }
 };
 
-/// A block of a failing program's, by so many threads.
+/// A block of a failing program's, by this many threads.
 BlockResult block_by(std::size_t threads) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
   Subject failing = guest("sphere", nullptr);
