@@ -101,7 +101,8 @@ struct Rounded {
   /// component's size, and f = corner - o of each of its. So n·d and the volume n·e are off by 4.1u times the
   /// sizes of their terms, n·f by 5.1u, and n·f + n·e by 6.1u times the sizes of both.
   template <class W>
-  [[nodiscard]] static constexpr Enclosed<W> enclosed(const Ray<W>& ray, const Prepared<W>& solid) {
+  [[nodiscard, gnu::always_inline]] static constexpr Enclosed<W> enclosed(const Ray<W>& ray,
+                                                                          const Prepared<W>& solid) {
     const auto f = sized<W>(solid.corner - ray.origin), d = sized<W>(ray.direction);
     const auto& [first, second, third] = solid.pairs;
     return box::enclosed_chord(bounded_slab<W>(f, d, first), bounded_slab<W>(f, d, second),
@@ -112,8 +113,9 @@ struct Rounded {
   /// The slab between two faces. A ray is surely parallel to them where each term of n·d is 0, and then
   /// surely inside or outside where it is clear of both faces. Faces that may be one are not sure.
   template <class W>
-  static constexpr box::BoundedSlab<W> bounded_slab(const Vec3<Sized<W>>& f, const Vec3<Sized<W>>& d,
-                                                    const FacePair<W>& pair) {
+  [[gnu::always_inline]] static constexpr box::BoundedSlab<W> bounded_slab(const Vec3<Sized<W>>& f,
+                                                                           const Vec3<Sized<W>>& d,
+                                                                           const FacePair<W>& pair) {
     const auto& [normal, apart] = pair;
     const Sized<W> speed = dot(normal, d), near_plane = dot(normal, f), far_plane = near_plane + apart;
     const auto [entry, exit] = slab_between_faces<W>(speed.value, near_plane.value, apart.value);
