@@ -49,7 +49,7 @@ Answer without_leaving(const Case& one) {
   return leaves_at_origin(std::get<RayQuestion>(one.question), exact) ? RayAnswer{} : exact;
 }
 
-/// A vertex above all others it has no side from is called outside.
+/// A vertex that no other one is above is called outside.
 Answer without_some_vertices(const Case& one) {
   const auto& [point, vertices] = std::get<PointAndPolygon<double>>(one.question);
   const bool is_highest = std::ranges::all_of(vertices, [y = point.y](const auto& v) { return v.y <= y; });
@@ -120,6 +120,19 @@ TEST(Probe, FindsOutWhatAnswersHold) {
   EXPECT_FALSE(learnt("sphere", verdict_alone).numbers);
   EXPECT_TRUE(learnt("point_in_polygon", oracle::answer).boundary);
   EXPECT_FALSE(learnt("point_in_polygon", without_boundary).boundary);
+}
+
+/// The same of rays upwards alone.
+Answer gives_exit_on_some_faces(const Case& one) {
+  const bool is_upwards = std::get<RayQuestion>(one.question).ray.direction.y > 0;
+  return is_upwards ? gives_exit_on_entering(one) : nearest_alone(one);
+}
+
+TEST(Probe, TakesForARuleOfABoxesFacesWhatIsWrongInSomeCases) {
+  const BoundaryPlaces rules = learnt("box", gives_exit_on_some_faces).rules;
+  EXPECT_TRUE(rules.test(static_cast<std::size_t>(BoundaryPlace::entering)));
+  EXPECT_FALSE(rules.test(static_cast<std::size_t>(BoundaryPlace::leaving)));
+  EXPECT_TRUE(learnt("box", nearest_alone).rules.none());
 }
 
 TEST(Probe, TakesForARuleOnlyWhatIsWrongOnMostBoundaries) {
