@@ -204,7 +204,7 @@ bool CauseSearch::is_contradicted(const Hypothesis& one, const Indices& cases) c
 
 /// And small changes alone must not do as much as a cure that rounds the case anew.
 bool CauseSearch::is_proven(const Hypothesis& one, const Indices& cases, const Indices& left) const {
-  return is_part(cases, left) && !(one.perturbs && are_isolated(cases, 33));
+  return is_part(cases, left) && !(one.change != nullptr && one.perturbs && are_isolated(cases, 33));
 }
 
 }  // namespace rayproof::diagnosis

@@ -8,10 +8,10 @@ namespace rayproof::diagnosis {
 namespace {
 
 /// What a case counts that is explained so: a model foresees an answer digit by digit, and most cures of
-/// digits and boundaries help against other faults, too.
+/// digits and boundaries help against other faults, too, as do two cures at once.
 double weight_of(const Hypothesis& cause) {
   if (cause.change == nullptr) return 1.4;
-  return cause.kind == FindingKind::gross ? 1.0 : 0.8;
+  return cause.kind == FindingKind::gross && !cause.is_pair ? 1.0 : 0.8;
 }
 
 /// Of those that are nearly as good as the best the first in the table, which is the more specific one, is

@@ -83,7 +83,7 @@ struct Hypothesis {
   const OfSizes own = part.of_sizes, other = whole.of_sizes;
   if (own == OfSizes::zero) return other == OfSizes::small;
   // A cure says only that something small is taken for 0, a model says what.
-  if (own == OfSizes::small && other == own) return part.change != nullptr && whole.predict != nullptr;
+  if (own == OfSizes::small && other == own) return part.change != nullptr && whole.change == nullptr;
   if (own == OfSizes::extremes)
     return other == OfSizes::small || other == OfSizes::limit || other == OfSizes::type;
   return (own == OfSizes::small || own == OfSizes::limit) && other == OfSizes::type;

@@ -16,7 +16,7 @@ const std::vector<HypothesisTable>& hypothesis_tables() {
       {"Spheres, boxes and parallelepipeds", models_of_solids()},
       {"Corners of boxes", models_of_corners()},
       {"Slabs", models_of_slab_orders()},
-      {"Edges of boxes", models_of_edges()},
+      {"Edges of solids", models_of_edges()},
       {"Planes and triangles", models_of_flat_figures()},
       {"Points in polygons", models_of_outlines()},
       {"Points in triangles and faces", models_of_weights()},

@@ -39,6 +39,33 @@ TEST(DiagnosisOfEdges, KnowsABoxWhoseEdgesAreRoundedOff) {
   EXPECT_EQ(bears("rounded-edges", through_the_middle, RayAnswer{}), false);
 }
 
+TEST(DiagnosisOfEdges, KnowsACylinderWhoseRimsAreRoundedOff) {
+  const char* const at_rim =
+      R"({"ray": {"origin": [-2,0,-1], "direction": [1,0,1]}, "shape": {"type": "cylinder", "rx": 1, "ry": 1, "height": 1, "capped": true}})";
+  const double behind = 0.1 * (1 - std::sqrt(0.5));
+  EXPECT_EQ(bears("rounded-edges", at_rim, hit_at(1 + behind)), true);
+  EXPECT_EQ(bears("rounded-edges", at_rim, hit_at(1)), std::nullopt) << "that is right";
+  EXPECT_EQ(bears("rounded-edges", at_rim, hit_at(1.2)), false) << "no radius is so large";
+  const char* const elliptic =
+      R"({"ray": {"origin": [-3,0,-1], "direction": [1,0,1]}, "shape": {"type": "cylinder", "rx": 2, "ry": 1, "height": 1, "capped": true}})";
+  EXPECT_EQ(bears("rounded-edges", elliptic, hit_at(1 + behind)), std::nullopt);
+}
+
+TEST(DiagnosisOfEdges, KnowsASearchThatEndsBeforeTheSurface) {
+  const char* const sphere =
+      R"({"ray": {"origin": [0,0,-2], "direction": [0,0,0.5]}, "shape": {"type": "sphere", "center": [0,0,0], "radius": 1}})";
+  EXPECT_EQ(bears("stops-before-1e-3", sphere, hit_at(2 - 0.0019)), true) << "0.00095 before it";
+  EXPECT_EQ(bears("stops-before-1e-3", sphere, hit_at(2 - 0.0021)), false) << "0.00105 before it";
+  EXPECT_EQ(bears("stops-before-1e-2", sphere, hit_at(2 - 0.0021)), true);
+  EXPECT_EQ(bears("stops-before-1e-2", sphere, hit_at(2)), std::nullopt) << "that is right";
+  EXPECT_EQ(bears("stops-before-1e-2", sphere, hit_at(2 + 0.001)), std::nullopt) << "it lies behind it";
+  EXPECT_EQ(bears("stops-before-1e-2", sphere, RayAnswer{}), std::nullopt);
+  const char* const beside =
+      R"({"ray": {"origin": [0,1.005,-2], "direction": [0,0,1]}, "shape": {"type": "sphere", "center": [0,0,0], "radius": 1}})";
+  EXPECT_EQ(bears("stops-before-1e-2", beside, hit_at(2)), true) << "the sphere is missed by 0.005";
+  EXPECT_EQ(bears("stops-before-1e-3", beside, hit_at(2)), false);
+}
+
 TEST(DiagnosisOfEdges, KnowsASolidThatIsMissedThroughAnEdgeOrARim) {
   const char* const at_rim =
       R"({"ray": {"origin": [-2,0,-1], "direction": [1,0,1]}, "shape": {"type": "cylinder", "rx": 1, "ry": 1, "height": 1, "capped": true}})";
@@ -61,6 +88,15 @@ TEST(DiagnosisOfEdges, KnowsABoxOfARoundedCentre) {
   EXPECT_EQ(bears("rounded-centre", in_its_face, RayAnswer{}), true);
   EXPECT_EQ(bears("rounded-centre", in_its_face, hit_at(1)), std::nullopt);
   EXPECT_EQ(bears("rounded-centre", through_the_middle, RayAnswer{}), std::nullopt);
+}
+
+TEST(DiagnosisOfEdges, KnowsARayWhoseOriginIsRoundedAsItIsSeenFromABoxsMiddle) {
+  // 0.5 - 0.0001 is rounded by 1.1e-17, more than the last digit of t.
+  const char* const beside_a_face =
+      R"({"ray": {"origin": [0,0,0.0001], "direction": [0,0,-1]}, "shape": {"type": "box", "min": [0,0,0], "max": [1,1,1]}})";
+  EXPECT_EQ(bears("rounded-centre", beside_a_face, hit_at(0.5 - (0.5 - 0.0001))), true);
+  EXPECT_EQ(bears("rounded-centre", beside_a_face, hit_at(0.0001)), std::nullopt) << "that is right";
+  EXPECT_EQ(bears("rounded-centre", beside_a_face, hit_at(0.0002)), std::nullopt) << "that is no rounding";
 }
 
 TEST(DiagnosisOfDirections, TakesAwayWhatIsTinyBesideTheRest) {

@@ -3,9 +3,24 @@
 
 #include "properties/diagnosis/models/solids/box.hpp"
 #include "properties/diagnosis/models/solids/edges.hpp"
+#include "properties/diagnosis/models/solids/rounded_box.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
 
 namespace rayproof::diagnosis {
+namespace {
+
+/// A search along the ray, as by distances, that ends at a fixed length before the surface.
+template <int power>
+Hypothesis stops_before_by() {
+  return of(
+      OfSizes::small,
+      shows(kept(fmt::format("stops-before-1e{}", power)), stops_before<power>,
+            kept(fmt::format("hits lie before the surface by up to 1e{}, or beside it, whatever the "
+                             "scene's size: a search along the ray ends there, by an absolute tolerance",
+                             power))));
+}
+
+}  // namespace
 
 std::vector<Hypothesis> models_of_corners() {
   return {
@@ -61,10 +76,17 @@ std::vector<Hypothesis> models_of_corners() {
 std::vector<Hypothesis> models_of_edges() {
   return {
       shows("rounded-edges", has_rounded_edges,
-            "the edges and corners of a box are rounded off: a smaller box is met, with a margin around it"),
+            "the edges and corners of a box, or a cylinder's rims, are rounded off: a smaller solid is met, "
+            "with a margin around it"),
+      stops_before_by<-6>(),
+      stops_before_by<-5>(),
+      stops_before_by<-4>(),
+      stops_before_by<-3>(),
+      stops_before_by<-2>(),
       shows("rounded-centre", is_of_rounded_centre,
-            "right for the box whose centre and half lengths, or sizes, are rounded: far from the origin of "
-            "coordinates, or beside a long side, these lose the digits of min and max",
+            "right for the box whose centre and half lengths, or sizes, or its place beside the ray's "
+            "origin, are rounded: far from the origin of coordinates, or beside a long side, these lose the "
+            "digits of min and max",
             rounding),
       shows(
           "missed-through-edge", missed_through_edge,

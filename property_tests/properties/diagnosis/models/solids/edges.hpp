@@ -1,7 +1,9 @@
 #pragma once
 /// \file
-/// Models of faults with the edges of solids: rays through them, boxes whose edges are rounded off, and boxes
-/// whose faces are rounded.
+/// Models of faults with the edges of solids: rays through them, and edges that are rounded off; and of
+/// searches along the ray that stop too soon.
+
+#include <cmath>
 
 #include "properties/diagnosis/models/models.hpp"
 
@@ -12,11 +14,16 @@ namespace rayproof::diagnosis {
 /// decides.
 [[nodiscard]] std::optional<bool> missed_through_edge(const Case& one, const Answer& got,
                                                       const Answer& exact);
-/// The first hit of a box whose edges and corners are rounded off by up to an eighth of its smallest side: of
-/// a smaller box with a margin around it.
+/// The first hit of a solid whose edges and corners, or rims, are rounded off by up to an eighth of its
+/// thickness: of a smaller one with a margin around it.
 [[nodiscard]] std::optional<bool> has_rounded_edges(const Case& one, const Answer& got, const Answer& exact);
-/// The answer of the box that a rounded centre and rounded half lengths make, or min and a rounded size.
-[[nodiscard]] std::optional<bool> is_of_rounded_centre(const Case& one, const Answer& got,
-                                                       const Answer& exact);
+/// A hit before the surface, or beside a solid that is missed, no farther from it than `length`, in units of
+/// object space.
+[[nodiscard]] std::optional<bool> stops_before(const Case& one, const Answer& got, const Answer& exact,
+                                               double length);
+template <int power>
+[[nodiscard]] std::optional<bool> stops_before(const Case& one, const Answer& got, const Answer& exact) {
+  return stops_before(one, got, exact, std::pow(10.0, power));
+}
 
 }  // namespace rayproof::diagnosis
