@@ -25,13 +25,14 @@ std::string subject_of(const Case& one) {
   return fmt::format("{} in {}{}{}.", what, name_of(one.precision), one.note.empty() ? "" : ": ", one.note);
 }
 
-/// Side by side, in the proportions of a view but for a single one.
+/// Side by side: two in the proportions of a view; three are narrow, and higher, so that labels find room.
 std::vector<PixelBox> frames_of(std::size_t count, double width) {
   const double each = (width - sheet_margin) / static_cast<double>(count) - sheet_margin;
+  const double height = count == 1 ? 300 : count == 2 ? each / view_aspect : 230;
   std::vector<PixelBox> frames;
   for (std::size_t i = 0; i < count; ++i)
-    frames.push_back({sheet_margin + static_cast<double>(i) * (each + sheet_margin), frames_top, each,
-                      count == 1 ? 300 : each / view_aspect});
+    frames.push_back(
+        {sheet_margin + static_cast<double>(i) * (each + sheet_margin), frames_top, each, height});
   return frames;
 }
 
@@ -51,17 +52,15 @@ void draw_frame(CaseSheet& sheet, std::size_t i) {
   add_text(sheet.picture, Role::muted, {b.left, b.top - 8}, caption, 13);
 }
 
-/// A bar of 1, 2 or 5 times a power of ten in the frame's lower corner.
+/// A bar of 1, 2 or 5 times a power of ten at the right above the frame, where no label is.
 void draw_scale_bar(Picture& picture, const PixelBox& frame, double scale) {
-  const double length = grid_step(180 / scale);
+  const double length = grid_step(frame.width / 3 / scale);
   if (!std::isnormal(length)) return;
-  const double y = frame.bottom() - 14;
-  const double x = frame.left + 14;
-  const double end = x + length * scale;
+  const double y = frame.top - 12, end = frame.right(), x = end - length * scale;
   picture.elements.emplace_back(
       PixelLine{Role::muted, {{x, y - 4}, {x, y + 4}, {x, y}, {end, y}, {end, y - 4}, {end, y + 4}}});
   picture.elements.emplace_back(
-      Text{Role::muted, {end + 6, y + 4}, rough(length), Anchor::start, 12, false, true});
+      Text{Role::muted, {x - 6, y + 4}, rough(length), Anchor::end, 12, false, true});
 }
 
 constexpr double table_row = 24, exact_column = 130, claimed_column = 400, apart_column = 660;
@@ -116,7 +115,7 @@ void draw_subject(Picture& picture, const std::string& subject, const std::strin
 CaseSheet case_sheet(const CaseReport& report) {
   CaseSheet sheet{case_views(report)};
   Picture& picture = sheet.picture;
-  picture.width = sheet.stage.steps.size() > 2 ? 1200 : 900;
+  picture.width = 900;
   sheet.frames = frames_of(sheet.stage.steps.size(), picture.width);
   picture.title = headline_of(report.one, &report.exact, report.claim());
   const std::string subject = subject_of(report.one);
