@@ -5,6 +5,7 @@
 
 #include "properties/claims/answers.hpp"
 #include "properties/diagnosis/models/flat/weights.hpp"
+#include "properties/diagnosis/models/outlines/near_sides.hpp"
 #include "properties/diagnosis/models/outlines/outline.hpp"
 #include "properties/diagnosis/models/outlines/small_box.hpp"
 #include "properties/diagnosis/models/outlines/wrong_crossing.hpp"
@@ -18,6 +19,14 @@ Hypothesis loose_sides() {
   return gives(kept(fmt::format("sides-loose-1e{}", power)), near_sides_inside<power>,
                kept(fmt::format("what lies nearer to a side than about 1e{} of the polygon's size is said to "
                                 "be inside: a tolerance",
+                                power)));
+}
+
+template <int power>
+Hypothesis closed_gaps() {
+  return gives(kept(fmt::format("gaps-closed-1e{}", power)), gap_is_inside<power>,
+               kept(fmt::format("a gap between two sides that is narrower than about 1e{} of the polygon's "
+                                "size is said to be inside: the sides are taken for one, by a tolerance",
                                 power)));
 }
 
@@ -147,6 +156,10 @@ std::vector<Hypothesis> models_of_outlines() {
       loose_boundary<-4>(),
       loose_boundary<-3>(),
       loose_boundary<-2>(),
+      closed_gaps<-6>(),
+      closed_gaps<-5>(),
+      closed_gaps<-4>(),
+      closed_gaps<-3>(),
       loose_sides<-5>(),
       loose_sides<-4>(),
       loose_sides<-3>(),

@@ -76,6 +76,8 @@ inline constexpr Foreseen foreseen_faults_of_flat[] = {
     {"plane", "epsilon-1e-12"},
     {"point_in_polygon", "sides-loose-1e-3"},
     {"polygon", "sides-loose-1e-4"},
+    {"point_in_polygon", "gaps-closed-1e-3"},
+    {"polygon", "gaps-closed-1e-4"},
     {"plane", "term-of-n-d-z"},
     {"plane", "term-of-n-o-x"},
     {"plane", "reciprocal"},

@@ -43,7 +43,7 @@ Answers exchanged_in_projection(const Case& one, const Answer& exact) {
 bool is_on_third_side(const Case& one) {
   const auto* place = std::get_if<PointAndPolygon<double>>(&one.question);
   const auto seen = place == nullptr ? std::nullopt : point_and_outline(one);
-  return seen && sides_within(0, seen->point, seen->vertices) > 2;
+  return seen && sides_within(0, seen->point, seen->vertices).size() > 2;
 }
 
 Answers plane_of_corner(const Case& one, const Answer& /*exact*/) {
@@ -93,19 +93,6 @@ Answers endless_upright_boundary(const Case& one, const Answer& exact) {
   });
 }
 
-Answers near_sides_boundary(const Case& one, const Answer& exact, double limit) {
-  const auto* position = std::get_if<Position>(&exact);
-  if (position == nullptr || *position == Position::boundary) return {};
-  const auto seen = point_and_outline(one);
-  const Outline& outline = seen->vertices;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const glm::dvec2 &a = outline[i], &b = outline[(i + 1) % outline.size()];
-    if (std::abs(turn(a, b, seen->point)) < limit && is_in_bounds(seen->point, {a, b}))
-      return {Position::boundary};
-  }
-  return {};
-}
-
 Answers lost_on_bounds(const Case& one, const Answer& exact) {
   const auto* position = std::get_if<Position>(&exact);
   if (position == nullptr || *position != Position::boundary) return {};
@@ -114,17 +101,6 @@ Answers lost_on_bounds(const Case& one, const Answer& exact) {
   const glm::dvec2& p = seen.point;
   const bool is_on_border = p.x == low.x || p.x == high.x || p.y == low.y || p.y == high.y;
   return is_on_border ? Answers{Position::outside} : Answers{};
-}
-
-Answers near_sides_inside(const Case& one, const Answer& exact, double tolerance) {
-  if (finds_something(exact) || shape_in<Triangle<double>>(one) != nullptr) return {};
-  const auto seen = point_and_outline(one);
-  if (!seen || is_at_side(one.precision, seen->point, seen->vertices)) return {};
-  const auto [low, high] = bounds_of(seen->vertices);
-  const double near = tolerance * glm::length(high - low);
-  if (sides_within(near, seen->point, seen->vertices) == 0) return {};
-  if (ray_question(one) != nullptr) return hit_at(one, seen->t, true);
-  return {Position::inside, Position::boundary};
 }
 
 Answers never_inside(const Case& /*one*/, const Answer& exact) {

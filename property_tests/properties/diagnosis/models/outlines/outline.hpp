@@ -25,13 +25,6 @@ template <InsideRule rule, Sweep sweep = Sweep::along>
 /// The same of a polygon in space whose hit is looked for with its two coordinates exchanged.
 [[nodiscard]] Answers exchanged_in_projection(const Case& one, const Answer& exact);
 
-/// What is no farther from a side than a share of the polygon's size is said to be inside.
-[[nodiscard]] Answers near_sides_inside(const Case& one, const Answer& exact, double tolerance);
-template <int power>
-[[nodiscard]] Answers near_sides_inside(const Case& one, const Answer& exact) {
-  return near_sides_inside(one, exact, std::pow(10.0, power));
-}
-
 /// The polygon's plane is that of its first three vertices; where these lie on a line it is missed.
 [[nodiscard]] Answers plane_of_corner(const Case& one, const Answer& exact);
 
@@ -61,14 +54,6 @@ template <BoundaryPlace place>
 [[nodiscard]] Answers endless_boundary(const Case& one, const Answer& exact);
 /// The same of the line of an upright side alone, or of one without length.
 [[nodiscard]] Answers endless_upright_boundary(const Case& one, const Answer& exact);
-
-/// A point within a side's bounding box is said to be on the boundary where the cross product of the side and
-/// its way to the point is below a limit.
-[[nodiscard]] Answers near_sides_boundary(const Case& one, const Answer& exact, double limit);
-template <int power>
-[[nodiscard]] Answers near_sides_boundary(const Case& one, const Answer& exact) {
-  return near_sides_boundary(one, exact, std::pow(10.0, power));
-}
 
 /// A point of the boundary that lies on the border of the bounding box is said to be outside.
 [[nodiscard]] Answers lost_on_bounds(const Case& one, const Answer& exact);

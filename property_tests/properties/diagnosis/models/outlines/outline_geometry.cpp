@@ -55,17 +55,18 @@ bool is_on_one_side(const glm::dvec2& point, const Outline& outline) {
   return !(left && right);
 }
 
-std::ptrdiff_t sides_within(double distance, const glm::dvec2& point, const Outline& outline) {
-  std::ptrdiff_t sides = 0;
+std::vector<std::size_t> sides_within(double distance, const glm::dvec2& point, const Outline& outline) {
+  std::vector<std::size_t> sides;
   for (std::size_t i = 0; i < outline.size(); ++i)
-    sides += distance_to_side(point, outline[i], outline[(i + 1) % outline.size()]) <= distance ? 1 : 0;
+    if (distance_to_side(point, outline[i], outline[(i + 1) % outline.size()]) <= distance)
+      sides.push_back(i);
   return sides;
 }
 
 bool is_at_side(Precision precision, const glm::dvec2& point, const Outline& outline) {
   double size = glm::length(point);
   for (const glm::dvec2& vertex : outline) size = std::max(size, glm::length(vertex));
-  return sides_within(size * (precision == Precision::float32 ? 0x1p-18 : 0x1p-44), point, outline) > 0;
+  return !sides_within(size * (precision == Precision::float32 ? 0x1p-18 : 0x1p-44), point, outline).empty();
 }
 
 }  // namespace rayproof::diagnosis

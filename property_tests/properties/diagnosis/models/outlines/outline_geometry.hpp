@@ -49,8 +49,9 @@ template <class Counts>
 /// Whether all sides turn one way round the point.
 [[nodiscard]] bool is_on_one_side(const glm::dvec2& point, const Outline& outline);
 
-/// How many sides are no farther from the point than that.
-[[nodiscard]] std::ptrdiff_t sides_within(double distance, const glm::dvec2& point, const Outline& outline);
+/// The sides that are no farther from the point than that, by their first vertices.
+[[nodiscard]] std::vector<std::size_t> sides_within(double distance, const glm::dvec2& point,
+                                                    const Outline& outline);
 
 /// Whether the point is so near a side that rounding decides.
 [[nodiscard]] bool is_at_side(Precision precision, const glm::dvec2& point, const Outline& outline);
