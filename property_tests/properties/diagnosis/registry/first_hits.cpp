@@ -3,9 +3,11 @@
 
 #include "properties/diagnosis/models/curved/cylinder_normals.hpp"
 #include "properties/diagnosis/models/curved/quadratic.hpp"
+#include "properties/diagnosis/models/first_hit/normals.hpp"
+#include "properties/diagnosis/models/first_hit/points.hpp"
+#include "properties/diagnosis/models/first_hit/weights.hpp"
 #include "properties/diagnosis/models/flat/flat.hpp"
 #include "properties/diagnosis/models/flat/weights.hpp"
-#include "properties/diagnosis/models/hits/first_hit.hpp"
 #include "properties/diagnosis/models/hits/hits.hpp"
 #include "properties/diagnosis/models/hits/interval.hpp"
 #include "properties/diagnosis/models/outlines/outline.hpp"

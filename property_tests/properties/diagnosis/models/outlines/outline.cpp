@@ -2,7 +2,7 @@
 
 #include "properties/claims/answers.hpp"
 #include "properties/diagnosis/examination/agreement.hpp"
-#include "properties/diagnosis/models/surface_normals.hpp"
+#include "properties/diagnosis/models/first_hit/surface_normals.hpp"
 
 namespace rayproof::diagnosis {
 namespace {

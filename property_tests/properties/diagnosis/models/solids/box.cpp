@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "properties/diagnosis/models/surface_normals.hpp"
+#include "properties/diagnosis/models/first_hit/surface_normals.hpp"
 
 namespace rayproof::diagnosis {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "properties/diagnosis/models/surface_normals.hpp"
+#include "properties/diagnosis/models/first_hit/surface_normals.hpp"
 
 namespace rayproof::diagnosis {
 Answers normal_along_edge(const Case& one, const Answer& exact) {

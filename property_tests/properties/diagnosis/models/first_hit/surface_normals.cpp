@@ -1,4 +1,4 @@
-#include "properties/diagnosis/models/surface_normals.hpp"
+#include "properties/diagnosis/models/first_hit/surface_normals.hpp"
 
 #include <cmath>
 

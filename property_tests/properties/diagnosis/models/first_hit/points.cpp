@@ -1,0 +1,96 @@
+#include "properties/diagnosis/models/first_hit/points.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "properties/claims/answers.hpp"
+#include "properties/diagnosis/examination/agreement.hpp"
+#include "properties/edges.hpp"
+
+namespace rayproof::diagnosis {
+namespace {
+
+Answers with_point(const Answer& exact, const glm::dvec3& point) {
+  RayAnswer other = std::get<RayAnswer>(exact);
+  other.point = point;
+  return {other};
+}
+
+}  // namespace
+
+const RayAnswer* hit_with_point(const Answer& exact) {
+  const auto* answer = std::get_if<RayAnswer>(&exact);
+  return answer != nullptr && answer->point ? answer : nullptr;
+}
+
+Answers point_in_object(const Case& one, const Answer& exact) {
+  const RayAnswer* answer = hit_with_point(exact);
+  if (answer == nullptr || !ray_question(one)->transform) return {};
+  return with_point(exact, point_at(ray_in_object(*ray_question(one)), answer->hits.t[0]));
+}
+
+Answers point_without_origin(const Case& one, const Answer& exact) {
+  const RayAnswer* answer = hit_with_point(exact);
+  return answer == nullptr ? Answers{}
+                           : with_point(exact, answer->hits.t[0] * ray_question(one)->ray.direction);
+}
+
+Answers point_against_direction(const Case& one, const Answer& exact) {
+  const RayAnswer* answer = hit_with_point(exact);
+  return answer == nullptr ? Answers{}
+                           : with_point(exact, point_at(ray_question(one)->ray, -answer->hits.t[0]));
+}
+
+Answers point_by_unit_direction(const Case& one, const Answer& exact) {
+  const RayAnswer* answer = hit_with_point(exact);
+  if (answer == nullptr) return {};
+  Answers answers;
+  for (const Ray<double>& ray : {ray_question(one)->ray, ray_in_object(*ray_question(one))}) {
+    const double length = glm::length(ray.direction);  // in the world, or in object space
+    answers.push_back(
+        with_point(exact, point_at(ray_question(one)->ray, answer->hits.t[0] / length)).front());
+  }
+  return answers;
+}
+
+Answers point_from_shape(const Case& one, const Answer& exact) {
+  const RayAnswer* answer = hit_with_point(exact);
+  const auto place = answer == nullptr ? std::nullopt : some_point(ray_question(one)->shape);
+  return place ? with_point(exact, *answer->point - *place) : Answers{};
+}
+
+Answers point_of_far_hit(const Case& one, const Answer& exact) {
+  const RayAnswer* answer = hit_with_point(exact);
+  if (answer == nullptr || answer->hits.count < 2) return {};
+  return with_point(exact, point_at(ray_question(one)->ray, answer->hits.t[1]));
+}
+
+std::optional<bool> point_moved_along_normal(const Case& one, const Answer& got, const Answer& exact) {
+  const auto* mine = std::get_if<RayAnswer>(&got);
+  const RayAnswer* answer = hit_with_point(exact);
+  if (mine == nullptr || answer == nullptr || !mine->point || !answer->normal) return std::nullopt;
+  const glm::dvec3 way = *mine->point - *answer->point;
+  const double along = glm::dot(way, *answer->normal), far = size_of_scene(one);
+  if (std::abs(along) <= 64 * share_of_rounding(one.precision) * far) return std::nullopt;
+  return glm::length(way - along * *answer->normal) <= 0x1p-6 * std::abs(along);
+}
+
+std::optional<bool> point_beside_ray(const Case& one, const Answer& got, const Answer& exact) {
+  const auto* mine = std::get_if<RayAnswer>(&got);
+  if (mine == nullptr || !mine->point || !finds_something(exact)) return std::nullopt;
+  const Ray<double>& ray = ray_question(one)->ray;
+  const glm::dvec3 way = *mine->point - ray.origin, along = glm::normalize(ray.direction);
+  const double apart = glm::length(way - glm::dot(way, along) * along);
+  return apart > 0x1p-10 * std::max(size_of_scene(one), glm::length(*mine->point));
+}
+
+std::optional<bool> point_right_t_wrong(const Case& one, const Answer& got, const Answer& exact) {
+  const auto* mine = std::get_if<RayAnswer>(&got);
+  const RayAnswer* answer = hit_with_point(exact);
+  if (mine == nullptr || answer == nullptr || !mine->point) return std::nullopt;
+  if (mine->hits.count == 0 || are_close(one.precision, mine->hits.t[0], answer->hits.t[0], 0))
+    return std::nullopt;
+  return agree(one, got, exact, Aspect::point);
+}
+
+}  // namespace rayproof::diagnosis

@@ -1,0 +1,30 @@
+#pragma once
+/// \file
+/// Models of faults in the point of the first hit.
+
+#include "properties/diagnosis/models/models.hpp"
+
+namespace rayproof::diagnosis {
+
+/// The answer where it gives the point of a hit, else null.
+[[nodiscard]] const RayAnswer* hit_with_point(const Answer& exact);
+
+/// @{ Points: in the object's space; not from the ray's origin; at the farthest hit; right although t is
+/// wrong.
+[[nodiscard]] Answers point_in_object(const Case& one, const Answer& exact);
+[[nodiscard]] Answers point_without_origin(const Case& one, const Answer& exact);
+/// o + t·d/|d|; o - t·d; and in coordinates from the shape's own point, its centre or corner.
+[[nodiscard]] Answers point_by_unit_direction(const Case& one, const Answer& exact);
+[[nodiscard]] Answers point_against_direction(const Case& one, const Answer& exact);
+[[nodiscard]] Answers point_from_shape(const Case& one, const Answer& exact);
+/// Whether the point is off the surface by some length along the normal, as an origin of the next ray is.
+[[nodiscard]] std::optional<bool> point_moved_along_normal(const Case& one, const Answer& got,
+                                                           const Answer& exact);
+/// Whether the point lies beside the ray's line.
+[[nodiscard]] std::optional<bool> point_beside_ray(const Case& one, const Answer& got, const Answer& exact);
+[[nodiscard]] Answers point_of_far_hit(const Case& one, const Answer& exact);
+[[nodiscard]] std::optional<bool> point_right_t_wrong(const Case& one, const Answer& got,
+                                                      const Answer& exact);
+/// @}
+
+}  // namespace rayproof::diagnosis
