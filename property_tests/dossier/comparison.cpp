@@ -68,11 +68,27 @@ std::string places(const HandCalculation& right, const Quantity& quantity) {
   return quantity.name + std::string(list.starts_with("≈") ? " " : " = ") + list;
 }
 
-/// The nearest hit alone.
-HandCalculation nearest_of(HandCalculation right) {
-  right.hits = {right.hits.front()};
-  right.hits_as_text = {right.hits_as_text.front()};
-  return right;
+/// A title's digits: as few as tell the number from the other one.
+int digits_apart(double x, double other) {
+  int digits = 6;
+  while (digits < 17 && fmt::format("{:.{}g}", x, digits) == fmt::format("{:.{}g}", other, digits)) ++digits;
+  return digits;
+}
+
+/// "= 0.5", "≈ 0.73728": what a title says of a number.
+std::string in_title(double x, int digits) {
+  const std::string whole = fmt::format("{}", x), cut = fmt::format("{:.{}g}", x, digits);
+  return whole.size() <= cut.size() ? "= " + whole : "≈ " + cut;
+}
+
+/// The same of the nearest hit, with its name: "t = 9/112", "depth ≈ 0.1".
+std::string place_in_title(const HandCalculation& right, const Quantity& quantity, int digits) {
+  constexpr std::size_t few = 9;
+  const std::string& text = right.hits_as_text.front();
+  const std::string name = std::string(quantity.name) + " ";
+  if (quantity.factor == 1 && text.size() <= few && !text.starts_with("≈")) return name + "= " + text;
+  const double place = right.hits.front() * quantity.factor;
+  return name + (quantity.factor == 1 ? in_title(place, digits) : fmt::format("≈ {:.{}g}", place, digits));
 }
 
 /// "a triangle", "a plane".
@@ -110,8 +126,10 @@ void compare_numbers(Comparison& made, const HandCalculation& right, const Repro
   if (const auto t = t_said(library); t && differ(*t, right.hits.front())) {
     made.is_wrong = true;
     const Quantity quantity = quantity_of(library);
-    made.deed = fmt::format("gives {} = {} for a hit at {}", quantity.name, *t * quantity.factor,
-                            places(nearest_of(right), quantity));
+    const double given = *t * quantity.factor;
+    const int digits = digits_apart(given, right.hits.front() * quantity.factor);
+    made.deed = fmt::format("gives {} {} for a hit at {}", quantity.name, in_title(given, digits),
+                            place_in_title(right, quantity, digits));
     return;
   }
   const auto u = said(library, "u"), v = said(library, "v");
@@ -138,10 +156,11 @@ Comparison compare(const HandCalculation& right, const Reproduction& library, co
     if (is_hit != right.is_hit()) {
       made.is_wrong = true;
       const auto at = t_said(library);
+      constexpr int digits = 6;
       made.deed = right.is_hit() ? fmt::format("misses {} that is hit at {}", named(shape),
-                                               places(nearest_of(right), quantity))
-                  : at ? fmt::format("hits {} at {} = {} where there is no hit", named(shape), quantity.name,
-                                     *at * quantity.factor)
+                                               place_in_title(right, quantity, digits))
+                  : at ? fmt::format("hits {} at {} {} where there is no hit", named(shape), quantity.name,
+                                     in_title(*at * quantity.factor, digits))
                        : fmt::format("hits {} where there is no hit", named(shape));
     } else if (is_hit) {
       compare_numbers(made, right, library, precision);

@@ -35,6 +35,18 @@ TEST(AComparison, MeasuresByWhatTheLibraryMeasuresBy) {
   EXPECT_EQ(made.deed, "gives depth = 1.5 for a hit at depth ≈ 1");
 }
 
+TEST(AComparison, GivesATitleAsManyDigitsAsTellTheNumbersApart) {
+  const auto deed_of = [](double exact, const char* text, double given) {
+    return compare(hit_at(exact, text), library_that({{"hit", {1}}, {"t", {given}}}), "sphere",
+                   Precision::float64)
+        .deed;
+  };
+  EXPECT_EQ(deed_of(400.0002499980468, "≈ 400.0002499980468", 400.00024996894354),
+            "gives t ≈ 400.00024997 for a hit at t ≈ 400.00025");
+  EXPECT_EQ(deed_of(1.0 / 4096, "1/4096", 0.00024415552616119385),
+            "gives t ≈ 0.000244156 for a hit at t = 1/4096");
+}
+
 TEST(AComparison, ForgivesRounding) {
   EXPECT_FALSE(compare(hit_at(1.0 / 3, "1/3"),
                        library_that({{"hit", {1}}, {"t", {static_cast<double>(1.0F / 3)}}}), "box",
