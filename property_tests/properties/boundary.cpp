@@ -25,8 +25,10 @@ BoundaryPlaces only(BoundaryPlace place) {
 }
 
 /// The edge of a triangle that a point of these barycentric coordinates lies on.
-BoundaryPlaces edge_of(const glm::dvec3& weights) {
-  constexpr std::array edges{edge_a, edge_b, edge_c};
+BoundaryPlaces edge_of(const glm::dvec3& weights, bool is_behind) {
+  using Edges = std::array<BoundaryPlace, 3>;
+  const Edges edges =
+      is_behind ? Edges{edge_a_behind, edge_b_behind, edge_c_behind} : Edges{edge_a, edge_b, edge_c};
   BoundaryPlaces places;
   for (int i = 0; i < 3; ++i)
     if (weights[i] == 0) places |= only(edges.at(static_cast<std::size_t>(i)));
@@ -42,6 +44,17 @@ BoundaryPlaces faces_of(const glm::dvec3& origin, const glm::dvec3& direction) {
     if (is_same(origin[axis], 1)) places |= only(high_face);
   }
   return places.any() ? places : only(edge);
+}
+
+/// Whether a point is at the end of a polygon, in x or y.
+BoundaryPlaces ends_of(const PointAndPolygon<double>& asked) {
+  BoundaryPlaces places;
+  for (const auto coordinate : {&Vec2<double>::x, &Vec2<double>::y}) {
+    const auto [low, high] = std::ranges::minmax(asked.vertices, {}, coordinate);
+    if (asked.point.*coordinate == high.*coordinate) places |= only(greatest);
+    if (asked.point.*coordinate == low.*coordinate) places |= only(least);
+  }
+  return places;
 }
 
 /// Where on its boundary a point of a polygon is.
@@ -60,6 +73,10 @@ BoundaryPlace place_on(const PointAndPolygon<double>& asked) {
   return place;
 }
 
+BoundaryPlaces places_on(const PointAndPolygon<double>& asked) {
+  return only(place_on(asked)) | ends_of(asked);
+}
+
 /// Which edge, of a case that lies on one.
 struct EdgeOf {
   const Ray<double>& ray;  ///< in object space
@@ -69,8 +86,8 @@ struct EdgeOf {
   BoundaryPlaces operator()(const S& /*shape*/) const {
     return only(edge);
   }
-  BoundaryPlaces operator()(const Triangle<double>& /*triangle*/) const {
-    return exact.barycentric ? edge_of(*exact.barycentric) : only(edge);
+  BoundaryPlaces operator()(const Triangle<double>& triangle) const {
+    return exact.barycentric ? edge_of(*exact.barycentric, is_behind(triangle, ray)) : only(edge);
   }
   BoundaryPlaces operator()(const Box<double>& box) const {
     const glm::dvec3 size = glm::max(box.max - box.min, glm::dvec3(0x1p-1000));
@@ -127,6 +144,10 @@ bool runs_along_axis(const Ray<double>& ray) {
   return int{d.x != 0} + int{d.y != 0} + int{d.z != 0} == 1;
 }
 
+bool is_behind(const Triangle<double>& triangle, const Ray<double>& ray) {
+  return glm::dot(glm::cross(triangle.b - triangle.a, triangle.c - triangle.a), ray.direction) > 0;
+}
+
 bool enters_at_origin(const RayAnswer& exact) { return exact.hits.count > 1 && exact.hits.t[0] == 0; }
 
 bool leaves_at_origin(const RayQuestion& asked, const RayAnswer& exact) {
@@ -141,7 +162,7 @@ bool leaves_at_origin(const RayQuestion& asked, const RayAnswer& exact) {
 BoundaryPlaces boundary_places(const Case& one, bool is_first_alone) {
   const Answer exact = oracle::answer(one);
   if (const auto* position = std::get_if<Position>(&exact))
-    return *position == Position::boundary ? only(place_on(std::get<PointAndPolygon<double>>(one.question)))
+    return *position == Position::boundary ? places_on(std::get<PointAndPolygon<double>>(one.question))
                                            : BoundaryPlaces{};
   if (const auto* roots = std::get_if<QuadraticAnswer<double>>(&exact))
     return roots->kind == RootKind::twice ? only(tangent) : BoundaryPlaces{};

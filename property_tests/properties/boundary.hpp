@@ -14,6 +14,8 @@ namespace rayproof {
 
 /// Whether a ray runs along an axis.
 [[nodiscard]] bool runs_along_axis(const Ray<double>& ray);
+/// Whether the ray, in object space, comes from where the triangle's vertices turn clockwise.
+[[nodiscard]] bool is_behind(const Triangle<double>& triangle, const Ray<double>& ray);
 /// Whether the first hit is at the ray's origin and the second is where the ray leaves the shape again.
 [[nodiscard]] bool enters_at_origin(const RayAnswer& exact);
 /// Whether the ray leaves a solid at its origin, or touches it there, and meets nothing else.

@@ -28,11 +28,16 @@ enum class BoundaryPlace {
   high_rim,   ///< an open cylinder's rim at z = height
   edge,       ///< any other edge, or the boundary of a polygon
   // Of shapes without faces; a place is one of its shape.
-  in_surface = low_face,     ///< a line that runs inside a plane, a figure's plane or an open side: a miss
-  level_side = low_face,     ///< a level side of a polygon in the plane
-  upright_side = high_face,  ///< an upright one
-  level_rim = high_face,     ///< an open cylinder's rim, in whose plane the ray runs
-  no_radius = low_face       ///< a sphere that is a point
+  in_surface = low_face,      ///< a line that runs inside a plane, a figure's plane or an open side: a miss
+  level_side = low_face,      ///< a level side of a polygon in the plane
+  upright_side = high_face,   ///< an upright one
+  level_rim = high_face,      ///< an open cylinder's rim, in whose plane the ray runs
+  no_radius = low_face,       ///< a sphere that is a point
+  edge_a_behind = high_face,  ///< the triangle's edges, met from behind
+  edge_b_behind = low_rim,
+  edge_c_behind = high_rim,
+  greatest = at_origin,  ///< of a polygon in the plane beside another place: at its greatest x or y
+  least = entering       ///< the same at its least
 };
 inline constexpr std::size_t boundary_place_count = 16;
 

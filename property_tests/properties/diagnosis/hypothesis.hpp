@@ -54,6 +54,8 @@ struct Hypothesis {
   bool perturbs = true;
   /// The changed case is asked of a program that has been asked nothing before.
   bool is_asked_alone = false;
+  /// A cure of hits that are lost, not of what is found where there is nothing, or too soon.
+  bool is_of_lost_hits = false;
   bool is_pair = false;        ///< of two cures at once
   bool speaks_of_all = false;  ///< of every form of a shape, whatever forms the failing cases have
   /// Of what fits single cases by chance: the percentage of a sample that it must explain; else 0.

@@ -135,6 +135,8 @@ struct Learnt {
     const unsigned long own = 1UL << place;
     // A hit at the rim of a capped cylinder may fall between side and cap, and is nobody's fault.
     const unsigned long forgiven = topic == "cylinder" ? only_at(BoundaryPlace::edge) : 0;
+    const unsigned long beside =
+        topic == "point_in_polygon" ? only_at(BoundaryPlace::greatest) | only_at(BoundaryPlace::least) : 0;
     const auto is_rarely_wrong_on = [&](unsigned long places) {
       for (; places != 0; places &= places - 1) {
         const auto found = shares.find(places & -places);
@@ -144,7 +146,8 @@ struct Learnt {
     };
     Share share;
     for (const auto& [places, one] : shares)
-      if ((places & own) != 0 && (places & forgiven & ~own) == 0 && is_rarely_wrong_on(places & ~own))
+      if ((places & own) != 0 && (places & forgiven & ~own) == 0 &&
+          is_rarely_wrong_on(places & ~own & ~beside))
         share.add(one);
     return share;
   }

@@ -16,6 +16,14 @@ Examination::Examination(const Patient& patient, std::span<const Case> failing, 
       if (auto* ray = known.got ? std::get_if<RayAnswer>(&*known.got) : nullptr) ray->verdict_only = true;
 }
 
+/// Whether the subject finds nothing where there is something, or its first hit beyond the exact one.
+bool Examination::has_lost_a_hit(const Known& known) {
+  if (!known.got || !finds_something(known.asked.exact)) return false;
+  const std::vector<double> got = numbers_in(*known.got), exact = numbers_in(known.asked.exact);
+  return !finds_something(*known.got) || got.empty() || exact.empty() || got.front() > exact.front() ||
+         got.size() < exact.size();
+}
+
 std::vector<Examination::Known> Examination::ask(std::span<const Case> cases) const {
   const std::vector<std::optional<Answer>> answers = patient_.ask(cases);
   std::vector<Known> known;
@@ -70,7 +78,9 @@ std::vector<std::size_t> Examination::explained(const Hypothesis& hypothesis,
   if (hypothesis.change != nullptr) {
     const bool is_of_digits = hypothesis.kind == FindingKind::rounding && hypothesis.beyond_rounding.empty();
     for (const Cured& one : cured(hypothesis, cases))
-      if (!is_of_digits || !is_beyond_rounding(one.index)) all.push_back(one.index);
+      if (!(is_of_digits && is_beyond_rounding(one.index)) &&
+          !(hypothesis.is_of_lost_hits && !has_lost_a_hit(failing_.at(one.index))))
+        all.push_back(one.index);
     return all;
   }
   all = explained_by(hypothesis, cases, mistake ? *mistake : best_mistake(hypothesis, cases));

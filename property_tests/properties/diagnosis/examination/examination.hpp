@@ -63,6 +63,7 @@ class Examination {
   [[nodiscard]] bool is_confirmed(const Hypothesis& model, std::span<const std::size_t> explained) const;
   [[nodiscard]] std::size_t hits_lost(const Hypothesis& cure, std::span<const std::size_t> explained) const;
   [[nodiscard]] static bool is_excused(const Hypothesis& hypothesis, const Known& known);
+  [[nodiscard]] static bool has_lost_a_hit(const Known& known);
   /// The first of the cases to which the subject is right when it is asked each alone.
   [[nodiscard]] std::vector<std::size_t> cured_alone(std::span<const std::size_t> cases) const;
   /// Whether a model's hypothesis fits an answer; nothing where it has nothing to say. Of a model that stands

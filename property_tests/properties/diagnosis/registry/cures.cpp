@@ -107,10 +107,10 @@ std::vector<Hypothesis> cures_of_values() {
           cure("shape-at-zero", shape_at_zero,
                "right as soon as the shape is at the origin of coordinates: far from it digits cancel",
                rounding)),
-      vague(
+      of_lost_hits(vague(
           cure("nearer-the-middle", nearer_the_middle,
                "right as soon as the ray passes nearer to the middle of the shape: near its corners or ends "
-               "something is cut off")),
+               "something is cut off"))),
       vague(cure("farther-off", farther_off,
                  "right as soon as the ray passes farther away: the shape is taken for larger than it is")),
   };

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 #include "properties/claims/answers.hpp"
 #include "properties/diagnosis/models/flat/flat.hpp"
 #include "properties/diagnosis/models/flat/small_bounds.hpp"
@@ -64,6 +66,19 @@ void add_small_slopes(std::vector<Hypothesis>& all) {
 
 constexpr std::string_view signed_in_words =
     "the coordinate is left out in which the normal is largest with its sign: magnitudes must be compared";
+
+/// An edge that is left out on one side of the triangle: two branches for two signs of the determinant.
+template <int vertex, bool is_from_behind>
+Hypothesis edge_open_from() {
+  constexpr std::array edges{"bc", "ca", "ab"};
+  const char letter = "abc"[vertex];
+  return misses_zero(
+      kept(fmt::format("edge-{}-open-{}", letter, is_from_behind ? "behind" : "in-front")),
+      open_at_edge_from<vertex, is_from_behind>,
+      kept(fmt::format("hits on the edge {} are left out where the ray comes from {}: one of two branches "
+                       "asks with > where >= belongs",
+                       edges[vertex], is_from_behind ? "behind" : "in front")));
+}
 
 }  // namespace
 
@@ -138,11 +153,21 @@ std::vector<Hypothesis> models_of_flat_figures() {
                   "hits on the edge ca are left out: beta > 0 is asked, and must be beta >= 0"),
       misses_zero("edge-c-open", open_at_edge<2>,
                   "hits on the edge ab are left out: gamma > 0 is asked, and must be gamma >= 0"),
+      edge_open_from<0, false>(),
+      edge_open_from<1, false>(),
+      edge_open_from<2, false>(),
+      edge_open_from<0, true>(),
+      edge_open_from<1, true>(),
+      edge_open_from<2, true>(),
       tight_edges<-6>(boundary),
       tight_edges<-5>(),
       tight_edges<-4>(),
       tight_edges<-3>(),
       tight_edges<-2>(),
+      gives_one_of(
+          "patch-of-plane", patch_of_plane,
+          "a plane in the parametric form is hit only where its parameters are not large: it is taken for a "
+          "patch, which ends"),
       gives("triangle-bounds", triangle_bounds,
             "the whole bounding box of the triangle is hit, as far as its plane goes"),
       gives("whole-plane", read_as<as_plane>,

@@ -23,6 +23,13 @@ Hypothesis positive_alone() {
   return made;
 }
 
+/// Two hits taken for one by an absolute tolerance in t.
+template <int power>
+Hypothesis merged_hits() {
+  return below_power("hits-merged", power, near_hits_merged<power>,
+                     "two hits nearer than about 1e{} in t are given as one: they are taken for the same");
+}
+
 }  // namespace
 
 std::vector<Hypothesis> models_of_hits() {
@@ -118,6 +125,14 @@ std::vector<Hypothesis> models_of_hits() {
       shows("not-nearest", not_nearest,
             "a farther hit is reported in place of the nearest: that is kept which is found first, or last, "
             "and must be the one of the smallest t"),
+      merged_hits<-8>(),
+      merged_hits<-7>(),
+      merged_hits<-6>(),
+      merged_hits<-5>(),
+      merged_hits<-4>(),
+      merged_hits<-3>(),
+      merged_hits<-2>(),
+      merged_hits<-1>(),
       gives("second-hit-missing", first_alone, "of two answers only the first is given"),
       gives("nearest-twice", nearest_twice, "of two answers the first is given twice"),
       gives("farthest-twice", farthest_twice, "of two answers the second is given twice"),

@@ -88,6 +88,12 @@ inline constexpr auto rounding = FindingKind::rounding;
   return made;
 }
 
+/// A cure of lost hits alone.
+[[nodiscard]] constexpr Hypothesis of_lost_hits(Hypothesis cure) {
+  cure.is_of_lost_hits = true;
+  return cure;
+}
+
 /// A cure of digits that helps in other faults, too, of which the second sentence speaks.
 [[nodiscard]] constexpr Hypothesis of_digits_or(std::string_view beyond_rounding, Hypothesis cure) {
   cure.beyond_rounding = beyond_rounding;

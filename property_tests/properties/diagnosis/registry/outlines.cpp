@@ -100,6 +100,11 @@ std::vector<Hypothesis> models_of_outlines() {
             "a point of the boundary on the border of the bounding box is said to be outside: the box is "
             "compared by <= and >= where < and > belong",
             boundary),
+      gives("lost-at-greatest", lost_at_greatest,
+            "a point of the boundary at the greatest x or y of the polygon is said to be outside: the "
+            "bounding box "
+            "is compared by < where <= belongs",
+            boundary),
       gives("angles-without-sign", inside_by<InsideRule::angles>, angles_in_words),
       gives("angles-without-sign-or-more", inside_by<InsideRule::angles_or_more>, angles_in_words),
       angles_rounded(),

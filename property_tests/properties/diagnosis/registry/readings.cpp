@@ -133,6 +133,9 @@ std::vector<Hypothesis> models_of_readings() {
              "the answer is right for the shape's numbers, and a point's, rounded to floats, though the case "
              "is of float64",
              rounding)),
+      gives_to_most(
+          "shape-in-half", off_boundary_read_as<numbers_in_half>,
+          "the answer is right for the shape's numbers rounded to 11 bits: they are kept as half floats"),
       gives_to_all("whole-origin", read_as<truncated<origin>>,
                    "the answer is right for the origin cut off to whole numbers: it is read as integers"),
       gives_to_all("whole-direction", read_as<truncated<direction>>,

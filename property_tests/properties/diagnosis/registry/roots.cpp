@@ -50,12 +50,32 @@ void add_small_discriminants(std::vector<Hypothesis>& all) {
 }
 
 template <int... power>
+void add_nearly_double_roots(std::vector<Hypothesis>& all) {
+  (all.push_back(
+       gives(kept(fmt::format("nearly-double-1e{}", power)), nearly_double_root<power>,
+             kept(fmt::format("two roots are taken for a double one where D is below about 1e{} of b²: a "
+                              "tolerance relative to b²",
+                              power)))),
+   ...);
+}
+
+template <int... power>
 void add_small_a(std::vector<Hypothesis>& all) {
   (all.push_back(
        of(OfSizes::small, gives(kept(fmt::format("small-a-1e{}", power)), read_as<small_a_as_zero<power>>,
                                 kept(fmt::format("an a below about 1e{} is taken for 0, and the equation "
                                                  "for a linear one: an absolute epsilon",
                                                  power))))),
+   ...);
+}
+
+template <int... power>
+void add_small_a_beside_b(std::vector<Hypothesis>& all) {
+  (all.push_back(
+       gives(kept(fmt::format("small-a-beside-b-1e{}", power)), read_as<small_a_beside_b<power>>,
+             kept(fmt::format("an a below about 1e{} of b is taken for 0, and the equation for a linear "
+                              "one: a tolerance relative to b",
+                              power)))),
    ...);
 }
 
@@ -137,7 +157,9 @@ std::vector<Hypothesis> models_of_roots() {
             "a double root is not divided by a, or by 2a: it is -b/(2a)"),
       gives("linear-root-inverted", linear_root_inverted, "where a = 0 the root is -b/c, and must be -c/b"),
   };
+  add_small_a_beside_b<-8, -6, -5, -4, -3, -2>(all);
   add_small_a<-12, -10, -9, -8, -7, -6, -5, -4, -3, -2>(all);
+  add_nearly_double_roots<-8, -6, -5, -4, -3, -2>(all);
   add_small_discriminants<-12, -10, -9, -8, -7, -6, -5, -4, -3, -2>(all);
   add_terms<Product::direction_squared>(all, "term-of-d-d", "d·d");
   add_terms<Product::way_and_direction>(all, "term-of-l-d", "l·d, l = o - center,");

@@ -106,6 +106,9 @@ std::vector<Hypothesis> models_of_solids() {
             "only the three faces at min, or at the corner, are hit: the opposite ones are missing"),
       gives("parallelepiped-as-box", read_as<parallelepiped_as_box>,
             "the answer is right for the upright box between opposite corners"),
+      gives(
+          "zero-pivot-missed", zero_pivot_missed,
+          "missed where the first edge has x = 0, or the next pivot is 0: an elimination must exchange rows"),
       gives("left-handed-missed", left_handed_missed,
             "a solid whose edges are left-handed, their determinant negative, is missed"),
       gives("parallelepiped-as-bounds", read_as<parallelepiped_as_bounds>,

@@ -88,6 +88,18 @@ Answers caps_of_radius_ry(const Case& one, const Answer& /*exact*/) {
       one, [](double x, double y, const Cylinder<double>& c) { return std::hypot(x, y) <= c.ry; });
 }
 
+Answers caps_of_larger_radius(const Case& one, const Answer& /*exact*/) {
+  return with_caps_where(one, [](double x, double y, const Cylinder<double>& c) {
+    return std::hypot(x, y) <= std::max(c.rx, c.ry);
+  });
+}
+
+Answers caps_of_smaller_radius(const Case& one, const Answer& /*exact*/) {
+  return with_caps_where(one, [](double x, double y, const Cylinder<double>& c) {
+    return std::hypot(x, y) <= std::min(c.rx, c.ry);
+  });
+}
+
 Answers caps_of_rooted_radius(const Case& one, const Answer& /*exact*/) {
   return with_caps_where(one,
                          [](double x, double y, const Cylinder<double>& c) { return x * x + y * y <= c.rx; });

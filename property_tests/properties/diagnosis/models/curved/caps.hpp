@@ -6,7 +6,10 @@
 
 namespace rayproof::diagnosis {
 
-/// @{ The caps have another outline than the side: a circle of radius rx, of radius ry, or of the root of rx.
+/// @{ The caps have another outline than the side: a circle of radius rx, of radius ry, of the larger or
+/// smaller one, or of the root of rx.
+[[nodiscard]] Answers caps_of_larger_radius(const Case& one, const Answer& exact);
+[[nodiscard]] Answers caps_of_smaller_radius(const Case& one, const Answer& exact);
 [[nodiscard]] Answers caps_of_radius_rx(const Case& one, const Answer& exact);
 [[nodiscard]] Answers caps_of_radius_ry(const Case& one, const Answer& exact);
 [[nodiscard]] Answers caps_of_rooted_radius(const Case& one, const Answer& exact);

@@ -51,6 +51,13 @@ template <int power>
 [[nodiscard]] std::vector<Case> small_a_as_zero(const Case& one) {
   return with_small_a_as_zero(one, std::pow(10.0, power));
 }
+/// The same where a is smaller than 10^power of b.
+template <int power>
+[[nodiscard]] std::vector<Case> small_a_beside_b(const Case& one) {
+  const auto* equation = std::get_if<Quadratic<double>>(&one.question);
+  return equation == nullptr ? std::vector<Case>{}
+                             : with_small_a_as_zero(one, std::pow(10.0, power) * std::abs(equation->b));
+}
 /// A double root is the right one times a factor.
 [[nodiscard]] Answers double_root_times(const Answer& exact, double factor);
 [[nodiscard]] inline Answers double_root_halved(const Case& /*one*/, const Answer& exact) {

@@ -52,6 +52,16 @@ Answers small_discriminant(const Case& one, const Answer& exact, double limit) {
   return answers;
 }
 
+Answers nearly_double_root(const Case& one, const Answer& exact, double share) {
+  const auto equation = reduced_equation(one);
+  if (!equation || equation->a == 0) return {};
+  const double D = equation->discriminant();
+  if (D == 0 || !(std::abs(D) < share * equation->h * equation->h)) return {};
+  Answers answers = taken_for_zero(one, *equation);
+  if (D < 0) answers.push_back(exact);
+  return answers;
+}
+
 Answers negative_discriminant(const Case& one, const Answer& exact, double limit) {
   const auto equation = reduced_equation(one);
   if (!equation || !(equation->discriminant() < 0)) return {};

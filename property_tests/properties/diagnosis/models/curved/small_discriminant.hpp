@@ -16,6 +16,13 @@ template <int power>
   return small_discriminant(one, exact, std::pow(10.0, power));
 }
 
+/// One below a share of b² is taken for 0; a negative one may be, too.
+[[nodiscard]] Answers nearly_double_root(const Case& one, const Answer& exact, double share);
+template <int power>
+[[nodiscard]] Answers nearly_double_root(const Case& one, const Answer& exact) {
+  return nearly_double_root(one, exact, std::pow(10.0, power));
+}
+
 /// One that is negative by less than the limit is taken for 0.
 [[nodiscard]] Answers negative_discriminant(const Case& one, const Answer& exact, double limit);
 /// Every negative one is.

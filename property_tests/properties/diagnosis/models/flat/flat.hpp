@@ -99,6 +99,14 @@ template <int vertex>
   const bool is_on_edge = answer != nullptr && answer->barycentric && (*answer->barycentric)[vertex] == 0;
   return is_on_edge && is_exact_for_some_method(one) ? Answers{RayAnswer{}} : Answers{};
 }
+/// The same of rays from behind alone, or from in front alone.
+template <int vertex, bool is_from_behind>
+[[nodiscard]] Answers open_at_edge_from(const Case& one, const Answer& exact) {
+  const auto* triangle = shape_in<Triangle<double>>(one);
+  const bool is_there =
+      triangle != nullptr && is_behind(*triangle, ray_in_object(*ray_question(one))) == is_from_behind;
+  return is_there ? open_at_edge<vertex>(one, exact) : Answers{};
+}
 /// The part of the triangle's plane in its bounding box.
 [[nodiscard]] Answers triangle_bounds(const Case& one, const Answer& exact);
 /// A polygon or triangle whose normal is 0 along the axis, or along any where it is -1, is missed: its

@@ -1,5 +1,8 @@
 #include "properties/diagnosis/models/flat/wrong_plane.hpp"
 
+#include <algorithm>
+
+#include "properties/claims/answers.hpp"
 #include "properties/diagnosis/models/outlines/outline.hpp"
 #include "properties/diagnosis/models/plane_hit.hpp"
 
@@ -44,6 +47,25 @@ Answers vectors_as_points(const Case& one, const Answer& /*exact*/) {
   const auto& [point, u, v] = *plane;
   const glm::dvec3 from_u = u - point, from_v = v - point;
   return by_normals(one, point, {glm::cross(from_u, from_v), glm::cross(u, from_v), glm::cross(from_u, v)});
+}
+
+Answers patch_of_plane(const Case& one, const Answer& exact) {
+  const auto* plane = shape_in<ParametricPlane>(one);
+  if (plane == nullptr || !finds_something(exact)) return {};
+  const auto& [point, u, v] = *plane;
+  const double t = std::get<RayAnswer>(exact).hits.t[0];
+  const glm::dvec3 normal = glm::cross(u, v), way = point_at(ray_in_object(*ray_question(one)), t) - point;
+  const double square = glm::dot(normal, normal);
+  const double along_u = glm::dot(glm::cross(way, v), normal) / square;
+  const double along_v = glm::dot(glm::cross(u, way), normal) / square;
+  Answers answers;
+  // The widest first: of limits that explain as much it is the one.
+  for (const auto& [least, most] :
+       {std::pair(-1000.0, 1000.0), {-100, 100}, {-10, 10}, {-2, 2}, {-1, 1}, {0, 1}}) {
+    const bool is_in = least <= std::min(along_u, along_v) && std::max(along_u, along_v) <= most;
+    answers.push_back(is_in ? exact : Answer{RayAnswer{}});
+  }
+  return answers;
 }
 
 Answers plane_through_mean(const Case& one, const Answer& /*exact*/) {

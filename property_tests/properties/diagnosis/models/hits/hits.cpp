@@ -118,6 +118,14 @@ Answers both_are(std::size_t which, const Case& one, const Answer& exact) {
 
 }  // namespace
 
+Answers near_hits_merged(const Case& /*one*/, const Answer& exact, double apart) {
+  const auto* hits = std::get_if<RayAnswer>(&exact);
+  if (hits == nullptr || hits->hits.count < 2 || !(hits->hits.t[1] - hits->hits.t[0] < apart)) return {};
+  RayAnswer merged = *hits;
+  merged.hits.count = 1;
+  return {merged};
+}
+
 Answers nearest_twice(const Case& one, const Answer& exact) { return both_are(0, one, exact); }
 Answers farthest_twice(const Case& one, const Answer& exact) { return both_are(1, one, exact); }
 

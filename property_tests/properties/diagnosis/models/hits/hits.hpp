@@ -2,9 +2,18 @@
 /// \file
 /// Models of faults in the list of hits, or of roots, and its order.
 
+#include <cmath>
+
 #include "properties/diagnosis/models/models.hpp"
 
 namespace rayproof::diagnosis {
+
+/// Of two hits that are nearer to one another than 10^power in t the second is left out.
+[[nodiscard]] Answers near_hits_merged(const Case& one, const Answer& exact, double apart);
+template <int power>
+[[nodiscard]] Answers near_hits_merged(const Case& one, const Answer& exact) {
+  return near_hits_merged(one, exact, std::pow(10.0, power));
+}
 
 /// Nothing is ever hit, no point is ever inside, there never is a root.
 [[nodiscard]] Answers never_hits(const Case& one, const Answer& exact);

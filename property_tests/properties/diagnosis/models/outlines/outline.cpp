@@ -103,6 +103,14 @@ Answers lost_on_bounds(const Case& one, const Answer& exact) {
   return is_on_border ? Answers{Position::outside} : Answers{};
 }
 
+Answers lost_at_greatest(const Case& one, const Answer& exact) {
+  const auto* position = std::get_if<Position>(&exact);
+  if (position == nullptr || *position != Position::boundary) return {};
+  return boundary_places(one).test(static_cast<std::size_t>(BoundaryPlace::greatest))
+             ? Answers{Position::outside}
+             : Answers{};
+}
+
 Answers never_inside(const Case& /*one*/, const Answer& exact) {
   const auto* position = std::get_if<Position>(&exact);
   return position != nullptr && *position == Position::inside ? Answers{Position::outside} : Answers{};

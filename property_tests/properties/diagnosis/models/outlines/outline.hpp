@@ -58,6 +58,9 @@ template <BoundaryPlace place>
 /// A point of the boundary that lies on the border of the bounding box is said to be outside.
 [[nodiscard]] Answers lost_on_bounds(const Case& one, const Answer& exact);
 
+/// The same at its greatest x or y alone.
+[[nodiscard]] Answers lost_at_greatest(const Case& one, const Answer& exact);
+
 /// No point is ever said to be inside.
 [[nodiscard]] Answers never_inside(const Case& one, const Answer& exact);
 /// Inside is called outside, and outside inside.

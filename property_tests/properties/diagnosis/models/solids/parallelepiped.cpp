@@ -78,6 +78,21 @@ std::vector<Case> edges_transposed(const Case& one) {
   });
 }
 
+Answers zero_pivot_missed(const Case& one, const Answer& exact) {
+  glm::dvec3 first, second;
+  if (const auto* solid = shape_in<Parallelepiped<double>>(one)) {
+    first = solid->edges[0];
+    second = solid->edges[1];
+  } else if (const auto* triangle = shape_in<Triangle<double>>(one)) {
+    first = triangle->b - triangle->a;
+    second = triangle->c - triangle->a;
+  } else {
+    return {};
+  }
+  const bool has_zero = first.x == 0 || first.x * second.y == first.y * second.x;
+  return has_zero && finds_something(exact) ? Answers{RayAnswer{}} : Answers{};
+}
+
 Answers left_handed_missed(const Case& one, const Answer& exact) {
   const auto* solid = shape_in<Parallelepiped<double>>(one);
   if (solid == nullptr || !finds_something(exact)) return {};

@@ -57,6 +57,10 @@ template <int power>
   return small_volume_missed(one, exact, std::pow(10.0, power));
 }
 
+/// What is missed by an elimination that exchanges no rows: a parallelepiped, or a triangle, where the first
+/// edge has x = 0, or the next pivot is 0.
+[[nodiscard]] Answers zero_pivot_missed(const Case& one, const Answer& exact);
+
 /// A parallelepiped whose edges are left-handed, their determinant negative, is missed.
 [[nodiscard]] Answers left_handed_missed(const Case& one, const Answer& exact);
 

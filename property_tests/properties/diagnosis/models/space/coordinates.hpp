@@ -61,12 +61,19 @@ template <Vectors which>
 
 /// Every number of the shape is changed; of a point and a polygon, those of both.
 [[nodiscard]] std::vector<Case> with_numbers_of_shape(const Case& one, double (*change)(double x));
-/// @{ As whole numbers, cut off towards 0; as those of the shorter type.
+/// @{ As whole numbers, cut off towards 0; as those of the shorter type, or of 11 bits, as half floats have.
 [[nodiscard]] inline std::vector<Case> shape_cut_off(const Case& one) {
   return with_numbers_of_shape(one, [](double x) { return std::trunc(x); });
 }
 [[nodiscard]] inline std::vector<Case> numbers_in_float(const Case& one) {
   return with_numbers_of_shape(one, [](double x) { return double{static_cast<float>(x)}; });
+}
+[[nodiscard]] inline std::vector<Case> numbers_in_half(const Case& one) {
+  return with_numbers_of_shape(one, [](double x) {
+    constexpr double largest = 65504, quantum = 0x1p-24;
+    const double unit = std::max(quantum, x == 0 ? quantum : std::ldexp(1, std::ilogb(x) - 10));
+    return std::clamp(std::nearbyint(x / unit) * unit, -largest, largest);
+  });
 }
 /// @}
 
