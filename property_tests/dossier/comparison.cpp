@@ -68,7 +68,7 @@ std::string places(const HandCalculation& right, const Quantity& quantity) {
   return quantity.name + std::string(list.starts_with("≈") ? " " : " = ") + list;
 }
 
-/// A title's digits: as few as tell the number from the other one.
+/// A title's digits: as few as distinguish the number from the other one.
 int digits_apart(double x, double other) {
   int digits = 6;
   while (digits < 17 && fmt::format("{:.{}g}", x, digits) == fmt::format("{:.{}g}", other, digits)) ++digits;

@@ -77,9 +77,11 @@ Ruling boundary_of_guest(Trial& trial) {
   const Abilities& able = trial.subject().abilities;
   if (able.rules.none() || !trial.in_domain()) return Ruling::outside;
   const Case& one = trial.question();
-  if (!is_exact_for_some_method(one) || (boundary_places(one, !able.all_hits) & able.rules).none())
-    return Ruling::outside;
-  return trial.judgement().wrong ? Ruling::broken : Ruling::held;
+  if (!is_exact_for_some_method(one)) return Ruling::outside;
+  const BoundaryPlaces places = boundary_places(one, !able.all_hits);
+  if (places.none()) return Ruling::outside;
+  if (!trial.judgement().wrong) return Ruling::held;
+  return (places & able.rules).any() ? Ruling::broken : Ruling::outside;
 }
 
 /// Of a subject whose steps nobody knows. A verdict that is wrong by more than the bound of the best plain

@@ -35,7 +35,7 @@ TEST(AComparison, MeasuresByWhatTheLibraryMeasuresBy) {
   EXPECT_EQ(made.deed, "gives depth = 1.5 for a hit at depth ≈ 1");
 }
 
-TEST(AComparison, GivesATitleAsManyDigitsAsTellTheNumbersApart) {
+TEST(AComparison, GivesATitleAsManyDigitsAsDistinguishTheNumbers) {
   const auto deed_of = [](double exact, const char* text, double given) {
     return compare(hit_at(exact, text), library_that({{"hit", {1}}, {"t", {given}}}), "sphere",
                    Precision::float64)
