@@ -1,6 +1,7 @@
 #include "properties/diagnosis/models/flat/wrong_plane.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "properties/claims/answers.hpp"
 #include "properties/diagnosis/models/outlines/outline.hpp"
@@ -58,6 +59,7 @@ Answers patch_of_plane(const Case& one, const Answer& exact) {
   const double square = glm::dot(normal, normal);
   const double along_u = glm::dot(glm::cross(way, v), normal) / square;
   const double along_v = glm::dot(glm::cross(u, way), normal) / square;
+  if (!std::isfinite(along_u) || !std::isfinite(along_v)) return {};  // beyond what doubles hold
   Answers answers;
   // The widest first: of limits that explain as much it is the one.
   for (const auto& [least, most] :
