@@ -57,6 +57,22 @@ Answer without_some_vertices(const Case& one) {
   return is_vertex && is_highest ? Answer(Position::outside) : oracle::answer(one);
 }
 
+bool is_at(const Case& one, BoundaryPlace place) {
+  return boundary_places(one).test(static_cast<std::size_t>(place));
+}
+
+/// From a program with a bounding box that is compared by < above.
+Answer without_greatest(const Case& one) {
+  const Answer exact = oracle::answer(one);
+  const bool is_on_boundary = std::get<Position>(exact) == Position::boundary;
+  return is_on_boundary && is_at(one, BoundaryPlace::greatest) ? Answer(Position::outside) : exact;
+}
+
+/// From a program whose branch for one sign of the determinant asks v > 0.
+Answer without_edge_c_behind(const Case& one) {
+  return is_at(one, BoundaryPlace::edge_c_behind) ? Answer(RayAnswer{}) : oracle::answer(one);
+}
+
 Answer without_vertices(const Case& one) {
   const bool is_vertex = boundary_places(one).test(static_cast<std::size_t>(BoundaryPlace::vertex));
   return is_vertex ? Answer(Position::outside) : oracle::answer(one);
@@ -147,6 +163,8 @@ TEST(Probe, TakesForARuleOnlyWhatIsWrongOnMostBoundaries) {
   EXPECT_EQ(learnt("sphere", without_leaving).rules, only(leaving));
   EXPECT_EQ(learnt("point_in_polygon", without_vertices).rules, only(vertex));
   EXPECT_EQ(learnt("point_in_polygon", without_some_vertices).rules, only(vertex));
+  EXPECT_EQ(learnt("point_in_polygon", without_greatest).rules, only(greatest));
+  EXPECT_EQ(learnt("triangle", without_edge_c_behind).rules, only(edge_c_behind));
   EXPECT_TRUE(learnt("point_in_polygon", without_boundary).rules.none());
   EXPECT_EQ(learnt("polygon", without_boundary_hits<true>).rules, only(edge));
   EXPECT_TRUE(learnt("polygon", without_boundary_hits<false>).rules.none());
