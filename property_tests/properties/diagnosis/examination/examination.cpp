@@ -16,7 +16,8 @@ Examination::Examination(const Patient& patient, std::span<const Case> failing, 
       if (auto* ray = known.got ? std::get_if<RayAnswer>(&*known.got) : nullptr) ray->verdict_only = true;
 }
 
-/// Whether the subject finds nothing where there is something, or its first hit beyond the exact one.
+/// Whether the subject finds nothing where there is something, or fewer hits than there are, or its first one
+/// beyond the exact one.
 bool Examination::has_lost_a_hit(const Known& known) {
   if (!known.got || !finds_something(known.asked.exact)) return false;
   const std::vector<double> got = numbers_in(*known.got), exact = numbers_in(known.asked.exact);
