@@ -43,12 +43,12 @@ bool is_part(const Indices& cases, const Indices& left) {
 }  // namespace
 
 bool breaks_more_than_digits(const Hypothesis& one) {
-  const bool is_mark = one.recognise != nullptr && !one.is_vague;
+  const bool is_mark = one.recognise != nullptr && (!one.is_vague || one.is_throughout);
   return one.kind == FindingKind::gross && one.of_sizes == OfSizes::nothing && !is_mark;
 }
 
 bool is_refuted(const Hypothesis& one, std::size_t explained, std::size_t contradictions) {
-  const std::size_t admitted = one.speaks_of_all ? 1 : explained / 8;
+  const std::size_t admitted = one.speaks_of_all ? 1 : explained * one.admits / 100;
   return contradictions > std::max<std::size_t>(admitted, 1);
 }
 
@@ -77,17 +77,19 @@ std::vector<Diagnosis> CauseSearch::groups() const {
 
 Indices CauseSearch::explained_of_all(const Hypothesis& one, Examination::Mistake mistake) const {
   const Indices all = all_of(examination_.failing_count());
-  if (one.is_asked_alone) return depends_on_others(all) ? all : Indices{};
+  if (one.asked != Asking::in_turn) return is_of_the_asking(one, all) ? all : Indices{};
   const bool is_isolated = one.perturbs && are_isolated(all, 50);
-  const bool speaks_of_detail =
-      one.predict != nullptr && one.aspect == Aspect::hits && detail_of(patient_.claim).has_value();
+  const bool speaks_of_detail = (one.predict != nullptr || one.is_throughout) && one.aspect == Aspect::hits &&
+                                detail_of(patient_.claim).has_value();
   const bool is_asked = may_be(one, is_isolated) || speaks_of_detail;
   Indices cases = is_asked ? examination_.explained(one, all, mistake) : Indices{};
   return is_too_small_a_share(one, cases) ? Indices{} : cases;
 }
 
 Diagnosis CauseSearch::next(const Indices& left) const {
-  if (depends_on_others(left)) return {.cause = find_hypothesis("asked-alone"), .cases = left};
+  for (const std::string_view name : {"asked-alone", "asked-again"})
+    if (const Hypothesis* one = find_hypothesis(name); is_of_the_asking(*one, left))
+      return {.cause = one, .cases = left};
   for (const Hypothesis* one : known_)
     if (Indices cases = screened(*one, left); may_show(*one) && is_most(*one, cases, left))
       return {.cause = one, .cases = std::move(cases)};
@@ -98,7 +100,7 @@ Diagnosis CauseSearch::next(const Indices& left) const {
   if (!is_part(best.cases, left)) best = {};
   const bool is_isolated = are_isolated(left, 50);
   for (const Hypothesis& one : hypotheses()) {
-    if (one.predict != nullptr || one.is_asked_alone || !may_be(one, is_isolated)) continue;
+    if (one.predict != nullptr || one.asked != Asking::in_turn || !may_be(one, is_isolated)) continue;
     const Indices cases = screened(one, left);
     const bool is_enough = is_share(cases, left, most_for_a_cure);
     if (!is_enough && (cases.size() <= best.cases.size() || !is_proven(one, cases, left))) continue;
@@ -112,11 +114,11 @@ Diagnosis CauseSearch::next(const Indices& left) const {
   return best;
 }
 
-/// Whether the subject is right on the first few cases when it is asked each alone.
-bool CauseSearch::depends_on_others(const Indices& left) const {
+/// Whether the subject answers each of the first few cases otherwise when it is asked so.
+bool CauseSearch::is_of_the_asking(const Hypothesis& one, const Indices& left) const {
   constexpr std::size_t few = 4;
   const auto first = std::span<const std::size_t>(left).first(std::min(few, left.size()));
-  return examination_.explained(*find_hypothesis("asked-alone"), first).size() == first.size();
+  return examination_.explained(one, first).size() == first.size();
 }
 
 bool CauseSearch::may_show(const Hypothesis& one) const {
@@ -158,7 +160,7 @@ Diagnosis CauseSearch::best_model(const Indices& left) const {
     if (one.predict == nullptr || !may_be(one, false)) continue;
     if (patient_.counts_digits && breaks_more_than_digits(one)) continue;
     Indices cases = screened(one, left);
-    if (cases.size() <= most) continue;
+    if (10 * cases.size() <= most) continue;
     const std::size_t worth = balance(one, cases);
     if (worth <= most) continue;
     most = worth;
@@ -168,11 +170,14 @@ Diagnosis CauseSearch::best_model(const Indices& left) const {
   return best;
 }
 
-/// How many more cases a model explains than contradict it; 0 where it is refuted or fits by chance.
+/// How many more cases a model explains than contradict it, in tenths; 0 where it is refuted or fits by
+/// chance. One that says too much, of all transforms where it is seen under some, counts a tenth less.
 std::size_t CauseSearch::balance(const Hypothesis& model, const Indices& cases) const {
   if (cases.empty() || is_by_chance(model, cases)) return 0;
   const std::size_t against = examination_.contradictions(model, cases);
-  return is_refuted(model, cases.size(), against) ? 0 : cases.size() - against;
+  if (is_refuted(model, cases.size(), against)) return 0;
+  const bool says_too_much = !examination_.seen_where(model, cases).condition().empty();
+  return (says_too_much ? 9 : 10) * (cases.size() - against);
 }
 
 std::vector<const Hypothesis*> CauseSearch::likely_by_precision() const {

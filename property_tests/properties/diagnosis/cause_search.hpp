@@ -40,7 +40,7 @@ class CauseSearch {
   /// What explains most of the cases, or else the largest part of them; no cause where nothing explains
   /// enough.
   [[nodiscard]] Diagnosis next(const Indices& left) const;
-  [[nodiscard]] bool depends_on_others(const Indices& left) const;
+  [[nodiscard]] bool is_of_the_asking(const Hypothesis& one, const Indices& left) const;
   [[nodiscard]] bool may_show(const Hypothesis& one) const;
   [[nodiscard]] bool may_be(const Hypothesis& one, bool is_isolated) const;
   [[nodiscard]] bool are_isolated(const Indices& cases, std::size_t percent) const;

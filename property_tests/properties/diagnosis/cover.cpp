@@ -79,34 +79,57 @@ std::vector<Cover::Candidate> Cover::candidates() const {
       const bool is_refutable = !cases.empty() || (cause.speaks_of_all && cause.change == nullptr);
       const std::size_t against = is_refutable ? sheet.examination->contradictions(cause, cases, mistake) : 0;
       contradictions += against;
-      candidate.against += sheet.weight * static_cast<double>(against);
+      if (!cause.is_throughout) candidate.against += sheet.weight * static_cast<double>(against);
       candidate.explained.push_back(std::move(cases));
     }
-    if (is_shown_whole && !is_refuted(cause, explained, contradictions)) all.push_back(std::move(candidate));
+    if (!is_shown_whole || is_refuted(cause, explained, contradictions)) continue;
+    if (cause.is_throughout && !shows_in_numbers(candidate)) continue;
+    SeenWhere where;
+    for (std::size_t k = 0; k < sheets_.size(); ++k)
+      where += sheets_[k].examination->seen_where(cause, candidate.explained[k], mistake);
+    candidate.condition = where.condition();
+    all.push_back(std::move(candidate));
   }
   name_by_models(all);
   return all;
 }
 
+/// What all goes through shows in numbers, not in verdicts alone.
+bool Cover::shows_in_numbers(const Candidate& candidate) const {
+  double numbers = 0;
+  for (std::size_t k = 0; k < sheets_.size(); ++k)
+    numbers += sheets_[k].weight *
+               static_cast<double>(sheets_[k].examination->count_of_numbers(candidate.explained[k]));
+  return 4 * numbers > weight_of_common(candidate, candidate.explained);
+}
+
 /// A subject makes one mistake, whatever it is complained of: of few cases others would do as well.
 Examination::Mistake Cover::common_mistake(const Hypothesis& cause) const {
   if (!cause.is_one_of_many) return std::nullopt;
-  std::size_t mistakes = 0, best = 0, most = 0;
+  std::size_t mistakes = 0;
   for (const Sheet& sheet : sheets_) {
     const Examination& examination = *sheet.examination;
     mistakes = std::max(mistakes, examination.mistake_count(cause, all_of(examination.failing_count())));
   }
-  for (std::size_t mistake = 0; mistake < mistakes; ++mistake) {
-    std::size_t count = 0;
+  using Cases = std::vector<std::size_t>;
+  const auto over_all = [&](std::size_t mistake, auto&& counted) {
+    std::size_t sum = 0;
     for (const Sheet& sheet : sheets_) {
       const Examination& examination = *sheet.examination;
-      count += examination.explained(cause, all_of(examination.failing_count()), mistake).size();
+      sum += counted(examination, examination.explained(cause, all_of(examination.failing_count()), mistake));
     }
-    if (count <= most) continue;
-    most = count;
-    best = mistake;
-  }
-  return best;
+    return sum;
+  };
+  return best_balanced(
+      mistakes,
+      [&](std::size_t mistake) {
+        return over_all(mistake, [](const Examination&, const Cases& cases) { return cases.size(); });
+      },
+      [&](std::size_t mistake) {
+        return over_all(mistake, [&](const Examination& examination, const Cases& cases) {
+          return cases.empty() ? 0 : examination.contradictions(cause, cases, mistake);
+        });
+      });
 }
 
 /// Whether it is named for some complaint.
@@ -172,7 +195,9 @@ std::vector<Cover::Candidate> Cover::chosen() const {
       std::vector<Indices> gained(sheets_.size());
       for (std::size_t k = 0; k < sheets_.size(); ++k)
         if (is_group(one, k, left[k])) gained[k] = left[k];
-      worth.push_back(weight_of(*one.cause) * std::max(0.0, weight_of_common(one, gained) - one.against));
+      const double share = one.condition.empty() ? 1 : 0.9;  // it says too much
+      worth.push_back(weight_of(*one.cause) * share *
+                      std::max(0.0, weight_of_common(one, gained) - one.against));
     }
     const double most = worth.empty() ? 0 : std::ranges::max(worth);
     if (most == 0) return taken;
@@ -229,6 +254,10 @@ std::vector<Diagnosis> Cover::groups_of(std::size_t complaint, std::span<const C
     groups.push_back(std::move(best));
   }
   finish(groups, *sheets_[complaint].examination);
+  for (Diagnosis& group : groups) {
+    const auto named = std::ranges::find(causes, group.cause, &Candidate::cause);
+    if (group.cause != nullptr && named != causes.end()) group.sentence += named->condition;
+  }
   return groups;
 }
 

@@ -32,10 +32,12 @@ class Cover {
     const Hypothesis* cause = nullptr;
     std::vector<Indices> explained{};
     double against = 0;  ///< how many right answers contradict it, by the weight of their complaints
+    std::string_view condition{};  ///< where alone the fault shows, in words; empty where it is not so
   };
 
   [[nodiscard]] std::vector<Candidate> candidates() const;
   [[nodiscard]] Examination::Mistake common_mistake(const Hypothesis& cause) const;
+  [[nodiscard]] bool shows_in_numbers(const Candidate& candidate) const;
   [[nodiscard]] bool is_named(const Hypothesis& cause) const;
   [[nodiscard]] double weight_of_common(const Candidate& one, const std::vector<Indices>& others) const;
   [[nodiscard]] Candidate* model_of(const Candidate& cure, std::vector<Candidate>& candidates) const;

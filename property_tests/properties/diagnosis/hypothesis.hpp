@@ -22,6 +22,13 @@ enum class Keeps {
   verdict    ///< hit stays hit, miss stays miss
 };
 
+/// How a case is asked to see whether the answers depend on more than the case.
+enum class Asking {
+  in_turn,  ///< as all others
+  alone,    ///< of a program that has been asked nothing before
+  again     ///< a second time
+};
+
 /// What a fault has to do with the sizes of numbers: of two findings one may be a part of the other.
 enum class OfSizes {
   nothing,
@@ -52,14 +59,16 @@ struct Hypothesis {
   Keeps keeps = Keeps::question;
   /// The changed case differs in more than powers of two: no proof where any small change cures.
   bool perturbs = true;
-  /// The changed case is asked of a program that has been asked nothing before.
-  bool is_asked_alone = false;
+  Asking asked = Asking::in_turn;
   /// A cure of hits that are lost, not of what is found where there is nothing, or too soon.
   bool is_of_lost_hits = false;
   bool is_pair = false;        ///< of two cures at once
   bool speaks_of_all = false;  ///< of every form of a shape, whatever forms the failing cases have
   /// Of what fits single cases by chance: the percentage of a sample that it must explain; else 0.
   std::size_t least_share = 0;
+  /// How many right answers may contradict it, in percent of the cases that it explains: by other faults, and
+  /// by luck.
+  std::size_t admits = 12;
   /// A cure that must help, too, in most of what a model explains; empty where none need be.
   std::string_view confirmed_by{};
   /// The name of a model from which this one follows: where that is found, too, it alone is shown.
@@ -76,6 +85,8 @@ struct Hypothesis {
   bool (*shows_more)(const Case& one, const Answer& exact) = nullptr;
   /// Of a model whose numbers differ by precision: complaints of one precision take them for another size.
   bool differs_by_precision = false;
+  /// Of a mark of all that is said: what is said of the first hit bears it, too, and lost digits alone.
+  bool is_throughout = false;
   /// Of a model that foresees many answers, always in the same order: one of these must explain all cases.
   bool is_one_of_many = false;
 };

@@ -17,6 +17,8 @@ namespace rayproof::diagnosis {
 [[nodiscard]] std::vector<Hypothesis> models_of_corners();
 [[nodiscard]] std::vector<Hypothesis> models_of_axis_rays();
 [[nodiscard]] std::vector<Hypothesis> models_of_slab_orders();
+[[nodiscard]] std::vector<Hypothesis> models_of_sizes();
+[[nodiscard]] std::vector<Hypothesis> models_of_areas();
 [[nodiscard]] std::vector<Hypothesis> models_of_weights();
 [[nodiscard]] std::vector<Hypothesis> models_of_projections();
 [[nodiscard]] std::vector<Hypothesis> models_of_cylinders();

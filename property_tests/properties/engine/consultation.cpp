@@ -160,7 +160,8 @@ std::optional<Finding> Consultation::of_group(const Diagnosis& group) const {
 
 std::optional<std::size_t> Consultation::first_of(const Diagnosis& group, std::span<const Case> cases,
                                                   bool is_plain) const {
-  if (group.cause != nullptr && group.cause->is_asked_alone) return std::nullopt;  // nor is a simpler one
+  if (group.cause != nullptr && group.cause->asked != Asking::in_turn)
+    return std::nullopt;  // nor is a simpler one
   const std::vector<std::optional<Answer>> answers = complaint_.patient.ask(cases);
   for (std::size_t i = 0; i < cases.size(); ++i) {
     if (!answers[i] || complaint_.patient.rule(cases[i], *answers[i]) != Ruling::broken) continue;

@@ -42,12 +42,18 @@ std::string trouble_in(const Finding& finding) {
   return text;
 }
 
+/// What takes small numbers for 0 shows on boundaries no more than that 0 is such.
+bool is_boundary_of_sizes(const Finding& finding) {
+  return finding.property->name == "boundary" && finding.cause != nullptr &&
+         finding.cause->of_sizes == OfSizes::small;
+}
+
 /// The one that is shown: the gravest; of these what speaks of hits, from which wrong details follow, and the
 /// simplest.
 bool is_better(const Finding& one, const Finding& other, KindOf gravity) {
   const auto rank = [&](const Finding& some) {
-    return std::tuple(gravity(some), some.property->name == "digits", !is_of_hits(some),
-                      complexity(some.one));
+    return std::tuple(is_boundary_of_sizes(some), gravity(some), some.property->name == "digits",
+                      !is_of_hits(some), complexity(some.one));
   };
   return rank(one) < rank(other);
 }

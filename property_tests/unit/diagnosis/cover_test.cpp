@@ -111,5 +111,39 @@ TEST(Cover, TakesNoCureThatSilencesTheSubject) {
       << testing::PrintToString(causes);
 }
 
+/// Every hit of a sphere whose radius is off by up to a fifth of a percent, and t off by as much.
+Answer of_approximate_sphere(const Case& one) {
+  Case other = one;
+  auto& asked = std::get<RayQuestion>(other.question);
+  const double share = 1e-3 * (1.1 + std::sin(1e3 * asked.ray.direction.x + asked.ray.origin.y));
+  std::get<Sphere<double>>(asked.shape).radius *= 1 - share;
+  RayAnswer answer;
+  for (const double t : numbers_in(oracle::answer(on_whole_line(other))))
+    if (in_interval(asked.ray, t * (1 - share))) answer.hits.push_back(t * (1 - share));
+  return answer;
+}
+
+TEST(Cover, NamesOneApproximationInWhichVerdictsAndNumbersAreWrong) {
+  EXPECT_EQ(causes_of("sphere", of_approximate_sphere), Causes{"approximate-throughout"});
+}
+
+/// Back faces are culled where the transform mirrors.
+Answer culled_under_mirrors(const Case& one) {
+  const auto& transform = std::get<RayQuestion>(one.question).transform;
+  const bool is_mirrored = transform && glm::determinant(glm::dmat3(*transform)) < 0;
+  return is_mirrored ? answer<Fault::culls_back>(one) : oracle::answer(one);
+}
+
+TEST(Cover, SaysWhereAloneAFaultShows) {
+  const Subject subject = subject_of("triangle", culled_under_mirrors);
+  const Complaint found = complaint(subject, *find_property("verdict"), Precision::float64);
+  const std::vector<const Complaint*> only{&found};
+  const std::vector<Diagnosis> groups = diagnose_together(only).front();
+  ASSERT_EQ(groups.size(), 1U) << in_words(groups);
+  EXPECT_EQ(groups.front().cause, find_hypothesis("culls-back-faces")) << in_words(groups);
+  EXPECT_TRUE(groups.front().sentence.ends_with(", but only under a transform that mirrors"))
+      << groups.front().sentence;
+}
+
 }  // namespace
 }  // namespace rayproof::faulty

@@ -128,6 +128,22 @@ TEST(Diagnosis, NamesTheLengthAtWhichAnIterationStops) {
   EXPECT_TRUE(found.starts_with("stops-at-1e-3 ")) << found;
 }
 
+/// Every t off by up to a thousandth, by chance.
+Answer with_jitter(const Case& one) {
+  static Random random(7);
+  Answer answer = oracle::answer(one);
+  auto& ray = std::get<RayAnswer>(answer);
+  ray.point.reset();
+  for (double& t : ray.hits.t) t *= 1 + 1e-3 * random.uniform(-1, 1);
+  return answer;
+}
+
+TEST(Diagnosis, KnowsChanceByAskingTheSameCaseAgain) {
+  const Subject subject = subject_of("sphere", with_jitter);
+  const std::string found = in_words(faults_of(subject, *find_property("residual"), Precision::float32));
+  EXPECT_TRUE(found.starts_with("asked-again ")) << found;
+}
+
 TEST(Diagnosis, AsksNoRayThatBeginsBeforeItsOriginWhereItStartsNearer) {
   const Case far{.question = RayQuestion{.ray = {{100, 0, 0}, {-1, 0, 0}, 0, infinity<double>},
                                          .shape = Sphere<double>{{0, 0, 0}, 0x1p-13}}};

@@ -74,7 +74,8 @@ std::optional<bool> Examination::fits(const Hypothesis& hypothesis, const Known&
 
 std::vector<std::size_t> Examination::explained(const Hypothesis& hypothesis,
                                                 std::span<const std::size_t> cases, Mistake mistake) const {
-  if (hypothesis.is_asked_alone) return cured_alone(cases);
+  if (hypothesis.asked == Asking::alone) return cured_alone(cases);
+  if (hypothesis.asked == Asking::again) return changed_again(cases);
   std::vector<std::size_t> all;
   if (hypothesis.change != nullptr) {
     const bool is_of_digits = hypothesis.kind == FindingKind::rounding && hypothesis.beyond_rounding.empty();
@@ -109,16 +110,12 @@ std::size_t Examination::mistake_count(const Hypothesis& model, std::span<const 
 std::size_t Examination::best_mistake(const Hypothesis& hypothesis,
                                       std::span<const std::size_t> cases) const {
   if (!hypothesis.is_one_of_many) return 0;
-  const std::size_t mistakes = mistake_count(hypothesis, cases);
-  std::size_t best = 0, most = 0;
-  for (std::size_t mistake = 0; mistake < mistakes; ++mistake) {
-    const std::size_t count = explained_by(hypothesis, cases, mistake).size();
-    if (count > most) {
-      best = mistake;
-      most = count;
-    }
-  }
-  return best;
+  return best_balanced(
+      mistake_count(hypothesis, cases),
+      [&](std::size_t mistake) { return explained_by(hypothesis, cases, mistake).size(); },
+      [&](std::size_t mistake) {
+        return contradictions(hypothesis, explained_by(hypothesis, cases, mistake), mistake);
+      });
 }
 
 /// Whether the cure that the model asks for helps in most of a few of the cases.
@@ -141,6 +138,19 @@ std::vector<std::size_t> Examination::cured_alone(std::span<const std::size_t> c
     const auto answer = patient_.ask_alone(one);
     if (!answer || patient_.rule(one, *answer) != Ruling::held) break;  // each costs a process
     all.push_back(i);
+  }
+  return all;
+}
+
+std::vector<std::size_t> Examination::changed_again(std::span<const std::size_t> cases) const {
+  std::vector<Case> asked;
+  for (const std::size_t i : cases) asked.push_back(failing_.at(i).asked.one);
+  const std::vector<std::optional<Answer>> answers = patient_.ask(asked);
+  std::vector<std::size_t> all;
+  for (std::size_t k = 0; k < cases.size(); ++k) {
+    const std::optional<Answer>& before = failing_.at(cases[k]).got;
+    const bool is_same = !before || !answers[k] || numbers_in(*before) == numbers_in(*answers[k]);
+    if (!is_same) all.push_back(cases[k]);
   }
   return all;
 }
@@ -171,6 +181,13 @@ bool Examination::is_shown_whole(const Hypothesis& model, std::span<const std::s
   return std::ranges::any_of(explained, [&](std::size_t i) {
     return model.shows_more(failing_.at(i).asked.one, failing_.at(i).asked.exact);
   });
+}
+
+std::size_t Examination::count_of_numbers(std::span<const std::size_t> cases) const {
+  return static_cast<std::size_t>(std::ranges::count_if(cases, [&](std::size_t i) {
+    const Known& known = failing_.at(i);
+    return known.got && !oracle::judge(known.asked.one, *known.got).wrong;
+  }));
 }
 
 bool Examination::finds_nothing(std::span<const std::size_t> cases) const {

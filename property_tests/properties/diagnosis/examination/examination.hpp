@@ -2,10 +2,48 @@
 /// \file
 /// The subject's answers to the cases of a diagnosis, and how the hypotheses fit them.
 
+#include <algorithm>
+#include <array>
+
 #include "properties/diagnosis/patient.hpp"
 #include "properties/diagnosis/question.hpp"
 
 namespace rayproof::diagnosis {
+
+/// Of many mistakes that which explains most cases; of those that explain nearly as many, that which right
+/// answers contradict least: of two limits of which both explain what is seen, the wider one.
+template <class Explained, class Contradictions>
+[[nodiscard]] std::size_t best_balanced(std::size_t mistakes, Explained&& explained,
+                                        Contradictions&& contradictions) {
+  std::vector<std::size_t> counts;
+  for (std::size_t mistake = 0; mistake < mistakes; ++mistake) counts.push_back(explained(mistake));
+  const std::size_t most = counts.empty() ? 0 : std::ranges::max(counts);
+  std::size_t best = 0;
+  std::optional<std::size_t> least;
+  for (std::size_t mistake = 0; mistake < mistakes && most > 0; ++mistake) {
+    if (10 * counts[mistake] < 9 * most) continue;
+    const std::size_t against = contradictions(mistake);
+    if (least && against >= *least) continue;
+    least = against;
+    best = mistake;
+  }
+  return best;
+}
+
+/// How a case puts its shape into the world: as it is, by a transform, or by one that mirrors.
+enum class Placing { none, turned, mirrored };
+[[nodiscard]] Placing placing_of(const Case& one);
+
+/// Where a model's fault is seen, and where it is not though the model expects it.
+struct SeenWhere {
+  std::array<bool, 3> is_shown{};             ///< by placing: whether it explains a failing case
+  std::array<std::size_t, 3> contradicted{};  ///< on how many passing cases it expects wrong answers
+
+  SeenWhere& operator+=(const SeenWhere& more);
+  /// Where alone the fault shows, in words; empty where it is not so. It may be made in the way of mirrored
+  /// shapes alone, or of all that a transform places.
+  [[nodiscard]] std::string_view condition() const;
+};
 
 /// The cases of a diagnosis with the subject's answers and the exact ones.
 class Examination {
@@ -28,8 +66,13 @@ class Examination {
   [[nodiscard]] std::size_t contradictions(const Hypothesis& hypothesis,
                                            std::span<const std::size_t> explained,
                                            Mistake mistake = {}) const;
+  /// Where the hypothesis is seen that explains these failing cases; nowhere if it is no model.
+  [[nodiscard]] SeenWhere seen_where(const Hypothesis& hypothesis, std::span<const std::size_t> explained,
+                                     Mistake mistake = {}) const;
   /// Whether one of the failing cases that a model explains shows all that it says.
   [[nodiscard]] bool is_shown_whole(const Hypothesis& model, std::span<const std::size_t> explained) const;
+  /// In how many of these failing cases the verdict is right, and what is wrong is a number.
+  [[nodiscard]] std::size_t count_of_numbers(std::span<const std::size_t> cases) const;
   /// Whether the subject finds nothing in any of these failing cases.
   [[nodiscard]] bool finds_nothing(std::span<const std::size_t> cases) const;
   /// Whether the cases are quadratic equations.
@@ -62,10 +105,14 @@ class Examination {
                                          std::span<const std::size_t> cases) const;
   [[nodiscard]] bool is_confirmed(const Hypothesis& model, std::span<const std::size_t> explained) const;
   [[nodiscard]] std::size_t hits_lost(const Hypothesis& cure, std::span<const std::size_t> explained) const;
+  [[nodiscard]] bool speaks_against(const Hypothesis& hypothesis, const Known& known, std::size_t mistake,
+                                    bool finds_some) const;
   [[nodiscard]] static bool is_excused(const Hypothesis& hypothesis, const Known& known);
   [[nodiscard]] static bool has_lost_a_hit(const Known& known);
   /// The first of the cases to which the subject is right when it is asked each alone.
   [[nodiscard]] std::vector<std::size_t> cured_alone(std::span<const std::size_t> cases) const;
+  /// Those of the cases to which the subject gives other numbers when it is asked again.
+  [[nodiscard]] std::vector<std::size_t> changed_again(std::span<const std::size_t> cases) const;
   /// Whether a model's hypothesis fits an answer; nothing where it has nothing to say. Of a model that stands
   /// for many mistakes only the answer of that number is looked at.
   [[nodiscard]] std::optional<bool> fits(const Hypothesis& hypothesis, const Known& known,

@@ -15,7 +15,15 @@ std::vector<Hypothesis> cures_of_values() {
            "chance",
        .change = unchanged,
        .perturbs = false,
-       .is_asked_alone = true},
+       .asked = Asking::alone},
+      {.name = "asked-again",
+       .kind = gross,
+       .sentence =
+           "the answer is another one when the same case is asked again: it depends on chance, the time, or "
+           "memory that was never set",
+       .change = unchanged,
+       .perturbs = false,
+       .asked = Asking::again},
       exact_cure("minus-zero", without_minus_zero,
                  "right as soon as 0 stands for -0: the sign of zero is taken for a sign"),
       of(OfSizes::small,

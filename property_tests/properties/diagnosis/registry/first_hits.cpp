@@ -68,6 +68,10 @@ std::vector<Hypothesis> models_of_first_hits() {
       gives("normal-by-matrix", normal_by_matrix,
             "the normal is carried to the world by the matrix, and must be by its inverse transpose", gross,
             Aspect::normal),
+      gives("normal-by-columns", normal_by_columns,
+            "the normal is right where the matrix does not shear: it is carried by the columns over the "
+            "squares of their lengths, and must be by the inverse transpose",
+            gross, Aspect::normal),
       gives("normal-by-inverse", normal_by_inverse,
             "the normal is carried to the world by the inverse, which must be transposed", gross,
             Aspect::normal),

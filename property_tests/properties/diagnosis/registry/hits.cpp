@@ -2,6 +2,7 @@
 /// Faults in the interval and in the list of hits.
 
 #include "properties/diagnosis/models/hits/hits.hpp"
+#include "properties/diagnosis/models/curved/near_sphere.hpp"
 #include "properties/diagnosis/models/flat/flat.hpp"
 #include "properties/diagnosis/models/hits/interval.hpp"
 #include "properties/diagnosis/models/hits/line.hpp"
@@ -20,6 +21,16 @@ Hypothesis positive_alone() {
                "hits with t <= 0 are left out though the interval admits them: t > 0 is asked, and "
                "must be t >= t_min"));
   made.shows_more = has_first_hit_behind_origin;
+  return made;
+}
+
+/// That the far hit alone is given from inside is right, or another fault.
+Hypothesis far_hit_from_outside() {
+  Hypothesis made =
+      gives_one_of("far-hit-from-near", far_hit_from_near,
+                   "from outside, but near a sphere, the far hit alone is given: the origin is taken to lie "
+                   "inside, by a tolerance relative to the radius");
+  made.shows_more = starts_outside;
   return made;
 }
 
@@ -101,6 +112,11 @@ std::vector<Hypothesis> models_of_hits() {
       gives("near-hit-behind", near_hit_behind,
             "a ray that starts inside is said to hit behind its beginning: the near hit is not compared with "
             "t_min"),
+      far_hit_from_outside(),
+      gives_one_of(
+          "passing-near-rim-missed", passing_near_rim_missed,
+          "a sphere is missed near its rim: the distance of the line from its centre is compared with "
+          "the radius less a share of the origin's distance, a relative epsilon"),
       gives("inside-decides", inside_decides,
             "from inside the farther of the two hits is given, from outside the nearer one: where the origin "
             "lies decides, and t is not compared with t_min"),

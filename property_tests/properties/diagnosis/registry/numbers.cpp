@@ -55,6 +55,37 @@ void add_limits(std::vector<Hypothesis>& all) {
   (all.push_back(limit(power, drops_beyond<power>)), ...);
 }
 
+/// That small numbers are made 0 would be an epsilon.
+template <int decimals>
+Hypothesis few_decimals() {
+  Hypothesis made =
+      of(OfSizes::small,
+         gives_to_most(kept(fmt::format("decimals-{}", decimals)), rounded_to_decimals<decimals>,
+                       kept(fmt::format("every number is rounded to a multiple of 1e-{}: the code "
+                                        "prints too few decimals, or rounds",
+                                        decimals))));
+  made.shows_more = loses_decimals<decimals>;
+  return made;
+}
+
+template <int... decimals>
+void add_decimals(std::vector<Hypothesis>& all) {
+  (all.push_back(few_decimals<decimals>()), ...);
+}
+
+/// An approximation that all goes through.
+Hypothesis approximated_throughout() {
+  Hypothesis made =
+      shows("approximate-throughout", is_off_by_a_share,
+            "every hit is off by a small share of the scene, and verdicts are wrong by no more: something is "
+            "approximated, a square root, a curve by straight pieces, or a search that ends too soon");
+  made.least_share = 80;
+  made.admits = 60;  // what is approximated may be exact here and there, as a cap beside a side
+  made.is_vague = true;
+  made.is_throughout = true;
+  return made;
+}
+
 /// An iteration that stops at a fixed length: any loss of digits is near to it in some cases.
 Hypothesis stop(int power, Recognise recognise) {
   Hypothesis made = shows(kept(fmt::format("stops-at-1e{}", power)), recognise,
@@ -86,7 +117,7 @@ std::vector<Hypothesis> models_of_limits() {
 }
 
 std::vector<Hypothesis> models_of_numbers() {
-  return {
+  std::vector<Hypothesis> all{
       gives(
           "t-as-distance", scaled_by<length_of_direction>,
           "t is right divided by the direction's length: it is a distance, not in lengths of the direction"),
@@ -159,6 +190,8 @@ std::vector<Hypothesis> models_of_numbers() {
       gives("linear-root-negated", linear_root_negated,
             "where a = 0 the root has the wrong sign: it is -c/b"),
   };
+  add_decimals<1, 2, 3, 4, 5, 6>(all);
+  return all;
 }
 
 std::vector<Hypothesis> models_of_digits() {
@@ -192,6 +225,7 @@ std::vector<Hypothesis> models_of_digits() {
             rounding),
   };
   add_stops<-6, -5, -4, -3, -2, -1>(all);
+  all.push_back(approximated_throughout());
   return all;
 }
 

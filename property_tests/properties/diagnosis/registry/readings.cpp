@@ -17,11 +17,28 @@ Hypothesis whole_shape() {
   return made;
 }
 
+/// That all is moved to 0 would be small lengths taken for 0.
+template <int cells>
+Hypothesis shape_grid() {
+  Hypothesis made = gives_to_most(
+      kept(fmt::format("shape-grid-{}", cells)), off_boundary_read_as<shape_on_grid<cells>>,
+      kept(fmt::format("the answer is right for the shape's numbers rounded to 1/{}: they are kept in fixed "
+                       "point, or moved to a grid",
+                       cells)));
+  made.shows_more = has_number_on_grid<cells>;
+  return made;
+}
+
+template <int... cells>
+void add_grids(std::vector<Hypothesis>& all) {
+  (all.push_back(shape_grid<cells>()), ...);
+}
+
 }  // namespace
 
 std::vector<Hypothesis> models_of_readings() {
   using enum Vectors;
-  return {
+  std::vector<Hypothesis> all{
       gives("origin-ignored", read_as<without_origin>,
             "the answer is right for a ray from the origin of coordinates: the ray's origin is ignored"),
       gives("direction-as-origin", read_as<direction_as_origin>,
@@ -140,7 +157,11 @@ std::vector<Hypothesis> models_of_readings() {
                    "the answer is right for the origin cut off to whole numbers: it is read as integers"),
       gives_to_all("whole-direction", read_as<truncated<direction>>,
                    "the answer is right for the direction cut off to whole numbers: it is read as integers"),
+      gives("exponents-dropped", read_as<without_exponents>,
+            "the answer is right for numbers without their exponents: 1e-07 is read as 1"),
   };
+  add_grids<10, 16, 64, 100, 256, 1000, 1024, 65536>(all);
+  return all;
 }
 
 }  // namespace rayproof::diagnosis

@@ -7,57 +7,50 @@
 
 #include "properties/diagnosis/models/curved/cylinder.hpp"
 #include "properties/diagnosis/models/solids/loose.hpp"
-#include "properties/diagnosis/models/solids/parallelepiped.hpp"
 #include "properties/diagnosis/models/solids/solid_mistakes.hpp"
+#include "properties/diagnosis/models/space/small_shapes.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
 
 namespace rayproof::diagnosis {
 namespace {
 
-/// A model of an absolute epsilon of 10^power; "1e-4" follows the name, and stands for {} in the sentence.
-Hypothesis of_epsilon(std::string_view name, int power, Predict predict, std::string_view sentence) {
-  const std::string epsilon = fmt::format("1e{}", power);
-  return of(OfSizes::small, gives(kept(fmt::format("{}-{}", name, epsilon)), predict,
-                                  kept(fmt::format(fmt::runtime(sentence), epsilon))));
-}
-
 /// A solid that is larger, or smaller, by a fixed length: in a larger scene that is next to nothing.
 template <int... power>
 void add_loose(std::vector<Hypothesis>& all) {
-  (all.push_back(of_epsilon("solid-wider", power, read_as<widened_by<power>>,
-                            "the answer is right for a solid that is wider by {} at each end: a tolerance")),
+  (all.push_back(
+       below_power("solid-wider", power, read_as<widened_by<power>>,
+                   "the answer is right for a solid that is wider by 1e{} at each end: a tolerance")),
    ...);
-  (all.push_back(of_epsilon(
+  (all.push_back(below_power(
        "solid-narrower", power, narrowed_by<power>,
-       "the answer is right for a solid that is narrower by {} at each end: an absolute epsilon keeps its "
+       "the answer is right for a solid that is narrower by 1e{} at each end: an absolute epsilon keeps its "
        "ends out")),
    ...);
 }
 
 template <int... power>
 void add_along_axis(std::vector<Hypothesis>& all) {
-  (all.push_back(of_epsilon(
+  (all.push_back(below_power(
        "side-missed-along", power, side_missed_along<power>,
-       "the side is missed where dx² + dy² is below about {}: a ray nearly along the axis is taken for one "
+       "the side is missed where dx² + dy² is below about 1e{}: a ray nearly along the axis is taken for one "
        "along it, by an absolute epsilon")),
    ...);
 }
 
-template <int... power>
-void add_small_components(std::vector<Hypothesis>& all) {
-  (all.push_back(of_epsilon(
-       "small-component", power, small_components_as_zero<power>,
-       "a component of the direction below about {} is taken for 0: a ray nearly along a face is taken for "
-       "one along it, by an absolute epsilon")),
-   ...);
+/// That 0 alone is made as large many another fault would do.
+Hypothesis raised_component(int power, Predict predict,
+                            bool (*shows_more)(const Case& one, const Answer& exact)) {
+  Hypothesis made = below_power("raised-component", power, predict,
+                                "the answer is right where each component of the direction below 1e{}, 0 "
+                                "too, is made as large: so that "
+                                "nothing is divided by 0, and the ray runs askew");
+  made.shows_more = shows_more;
+  return made;
 }
 
 template <int... power>
-void add_small_volumes(std::vector<Hypothesis>& all) {
-  (all.push_back(of_epsilon(
-       "small-volume", power, small_volume_missed<power>,
-       "missed where the volume of the edges, a determinant, is below about {}: it is taken for 0, by "
-       "an absolute epsilon")),
+void add_raised_components(std::vector<Hypothesis>& all) {
+  (all.push_back(raised_component(power, read_as<components_raised<power>>, has_component_below<power>)),
    ...);
 }
 
@@ -104,8 +97,7 @@ std::vector<Hypothesis> models_of_slab_orders() {
   all.push_back(gives_one_of("one-by-transposed", one_by_transposed,
                              "of origin and direction one goes into the edges' frame by the transposed "
                              "matrix: rows are taken for columns"));
-  add_small_components<-8, -7, -6, -5, -4, -3, -2>(all);
-  add_small_volumes<-12, -10, -9, -8, -7, -6, -5, -4, -3, -2>(all);
+  add_raised_components<-12, -10, -9, -8, -7, -6, -5, -4, -3, -2>(all);
   add_loose<-8, -7, -6, -5, -4, -3, -2>(all);
   return all;
 }

@@ -242,6 +242,14 @@ inline constexpr Foreseen foreseen_faults[] = {
     {"sphere", "one-root-undivided"},
     {"parallelepiped", "small-volume-1e-3"},
     {"cylinder", "upper-cap-by-lower-point"},
+    {"sphere", "thin-solid-1e-12"},
+    {"cylinder", "thin-solid-1e-3"},
+    {"box", "raised-component-1e-3"},
+    {"sphere", "decimals-3"},
+    {"sphere", "exponents-dropped"},
+    {"sphere", "shape-grid-16"},
+    {"sphere", "passing-near-rim-missed"},
+    {"sphere", "far-hit-from-near"},
 };
 
 }  // namespace rayproof::faulty

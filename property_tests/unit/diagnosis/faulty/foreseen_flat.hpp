@@ -124,6 +124,9 @@ inline constexpr Foreseen foreseen_faults_of_flat[] = {
     {"point_in_polygon", "bounds-of-three"},
     {"polygon", "cross-product-y"},
     {"triangle", "flat-bounds-missed"},
+    {"triangle", "small-area-1e-3"},
+    {"polygon", "small-area-1e-2"},
+    {"triangle", "shape-grid-100"},
 };
 
 }  // namespace rayproof::faulty

@@ -111,6 +111,15 @@ Answers normal_by_matrix(const Case& one, const Answer& exact) {
   });
 }
 
+Answers normal_by_columns(const Case& one, const Answer& exact) {
+  if (!has_transform(one)) return {};
+  return with_normal(one, exact, [](const RayQuestion& asked, const glm::dvec3& normal) {
+    glm::dmat3 columns = linear(asked);
+    for (int i = 0; i < 3; ++i) columns[i] /= glm::dot(columns[i], columns[i]);
+    return columns * normal_in_object_space(asked, normal);
+  });
+}
+
 Answers normal_by_inverse(const Case& one, const Answer& exact) {
   if (!has_transform(one)) return {};
   return with_normal(one, exact, [](const RayQuestion& asked, const glm::dvec3& normal) {

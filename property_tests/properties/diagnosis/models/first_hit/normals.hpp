@@ -21,6 +21,9 @@ namespace rayproof::diagnosis {
 [[nodiscard]] std::optional<bool> normal_not_unit(const Case& one, const Answer& got, const Answer& exact);
 [[nodiscard]] Answers normal_in_object(const Case& one, const Answer& exact);
 [[nodiscard]] Answers normal_by_matrix(const Case& one, const Answer& exact);
+/// The normal is carried by the columns of the matrix, each over the square of its length: right of a turn
+/// and a scale along the axes of the object alone.
+[[nodiscard]] Answers normal_by_columns(const Case& one, const Answer& exact);
 /// The normal is carried by the inverse that is not transposed.
 [[nodiscard]] Answers normal_by_inverse(const Case& one, const Answer& exact);
 /// The normal, of length 1, is carried as a point: the translation is added to it.

@@ -133,6 +133,24 @@ std::optional<bool> has_approximate_root(const Case& one, const Answer& got, con
   return worst > std::max(0x1p-17, rounding) ? std::optional(true) : std::nullopt;
 }
 
+std::optional<bool> is_off_by_a_share(const Case& one, const Answer& got, const Answer& exact) {
+  const RayQuestion* asked = ray_question(one);
+  const auto* ray = std::get_if<RayAnswer>(&got);
+  if (asked == nullptr || ray == nullptr || ray->verdict_only) return std::nullopt;
+  const bool is_float = one.precision == Precision::float32;
+  constexpr double largest = 0x1p-5;
+  if (!std::ranges::all_of(numbers_in(got), [](double t) { return std::isfinite(t); })) return false;
+  const oracle::Judgement judgement = oracle::judge(one, got);
+  if (judgement.wrong) return judgement.margin * (is_float ? 0x1p-24 : 0x1p-53) < largest;
+  const std::optional<double> error = largest_error(got, exact);
+  const std::vector<double> numbers = numbers_in(exact);
+  if (!error || numbers.front() == 0) return std::nullopt;
+  if (*error <= (is_float ? 0x1p-22 : 0x1p-45) * std::abs(numbers.front())) return false;
+  const double share = *error * glm::length(asked->ray.direction) / size_of_scene(one);
+  if (share > largest) return false;
+  return share > (is_float ? 0x1p-18 : 0x1p-24) ? std::optional(true) : std::nullopt;
+}
+
 std::optional<bool> is_right_to_length(const Case& one, const Answer& got, const Answer& exact,
                                        double length) {
   const RayQuestion* asked = ray_question(one);

@@ -23,6 +23,9 @@ namespace rayproof::diagnosis {
 /// half the chord between them.
 [[nodiscard]] std::optional<bool> has_approximate_root(const Case& one, const Answer& got,
                                                        const Answer& exact);
+/// The hits are off by a small share of the scene, or a wrong verdict by no more: what an approximation does
+/// that all goes through. Hits that are right to their last digits speak against it.
+[[nodiscard]] std::optional<bool> is_off_by_a_share(const Case& one, const Answer& got, const Answer& exact);
 /// Every hit is right to about this length of the scene, whatever the scene's size, and no better.
 [[nodiscard]] std::optional<bool> is_right_to_length(const Case& one, const Answer& got, const Answer& exact,
                                                      double length);

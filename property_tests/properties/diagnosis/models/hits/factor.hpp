@@ -3,6 +3,7 @@
 /// Models of faults in the unit of t, or in a denominator: every number of the answer is the right one times
 /// a quantity of the case.
 
+#include <algorithm>
 #include <cmath>
 
 #include "properties/diagnosis/models/models.hpp"
@@ -23,7 +24,7 @@ using Quantity = std::optional<double> (*)(const Case&);
 [[nodiscard]] Answers absolute(const Case& one, const Answer& exact);
 /// Every t of the line is 1 / t, as far as the interval admits it then.
 [[nodiscard]] Answers reciprocal(const Case& one, const Answer& exact);
-/// Every number is made a whole one.
+/// Every number is made a whole one, or otherwise rounded.
 [[nodiscard]] Answers made_whole(const Case& one, const Answer& exact, double (*whole)(double));
 /// By rounding down, as a division of integers does in Python.
 [[nodiscard]] inline Answers rounded_down(const Case& one, const Answer& exact) {
@@ -36,6 +37,25 @@ using Quantity = std::optional<double> (*)(const Case&);
 /// By cutting off what follows the point, as an integer does in C++.
 [[nodiscard]] inline Answers cut_off(const Case& one, const Answer& exact) {
   return made_whole(one, exact, [](double x) { return std::trunc(x); });
+}
+
+/// To a number of decimals.
+template <int decimals>
+[[nodiscard]] Answers rounded_to_decimals(const Case& one, const Answer& exact) {
+  return made_whole(one, exact, [](double x) {
+    const double unit = std::pow(10.0, decimals);
+    return std::round(x * unit) / unit;
+  });
+}
+
+/// Whether a number that is not made 0 so loses more than a thousandth of it.
+template <int decimals>
+[[nodiscard]] bool loses_decimals(const Case& /*one*/, const Answer& exact) {
+  const double unit = std::pow(10.0, decimals);
+  return std::ranges::any_of(numbers_in(exact), [unit](double x) {
+    const double rounded = std::round(x * unit) / unit;
+    return rounded != 0 && std::abs(rounded - x) > 1e-3 * std::abs(x);
+  });
 }
 
 /// Every t or root is the right one times (or, with power -1, divided by) the quantity.

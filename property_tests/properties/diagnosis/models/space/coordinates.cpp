@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <string_view>
 
 #include "case/each_number.hpp"
+#include "case/json/number_text.hpp"
 
 namespace rayproof::diagnosis {
 namespace {
@@ -63,6 +65,29 @@ std::vector<Case> with_numbers_of_shape(const Case& one, double (*change)(double
                asked.shape);
     return true;
   });
+}
+
+bool has_moved_number(const Case& one, double (*change)(double x)) {
+  bool is_moved = false;
+  const auto look = [&](double x) { is_moved = is_moved || (change(x) != 0 && change(x) != x); };
+  if (const auto* place = std::get_if<PointAndPolygon<double>>(&one.question)) each_number(*place, look);
+  if (const RayQuestion* asked = ray_question(one))
+    std::visit([&](const auto& shape) { each_number(shape, look); }, asked->shape);
+  return is_moved;
+}
+
+std::vector<Case> without_exponents(const Case& one) {
+  Case changed = one;
+  bool has_exponent = false;
+  for (const CaseNumber& number : numbers_of(changed)) {
+    std::string text;
+    append_number(text, *number.value, one.precision);
+    const std::size_t exponent = text.find("e");
+    if (!std::isfinite(*number.value) || exponent == std::string::npos) continue;
+    *number.value = parse_number(std::string_view(text).substr(0, exponent)).value_or(*number.value);
+    has_exponent = true;
+  }
+  return has_exponent ? if_valid(std::move(changed)) : std::vector<Case>{};
 }
 
 bool has_area_cut_off(const Case& one, const Answer& /*exact*/) {

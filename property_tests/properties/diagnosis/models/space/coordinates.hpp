@@ -61,6 +61,19 @@ template <Vectors which>
 
 /// Every number of the shape is changed; of a point and a polygon, those of both.
 [[nodiscard]] std::vector<Case> with_numbers_of_shape(const Case& one, double (*change)(double x));
+/// Each rounded to a grid with that number of cells for each unit of length.
+template <int cells>
+[[nodiscard]] std::vector<Case> shape_on_grid(const Case& one) {
+  return with_numbers_of_shape(one, [](double x) { return std::round(x * cells) / cells; });
+}
+/// Whether something but 0 is left of a number of the shape that is moved so.
+[[nodiscard]] bool has_moved_number(const Case& one, double (*change)(double x));
+template <int cells>
+[[nodiscard]] bool has_number_on_grid(const Case& one, const Answer& /*exact*/) {
+  return has_moved_number(one, [](double x) { return std::round(x * cells) / cells; });
+}
+/// Every number that the case writes with an exponent is read without it: 1e-07 as 1.
+[[nodiscard]] std::vector<Case> without_exponents(const Case& one);
 /// @{ As whole numbers, cut off towards 0; as those of the shorter type, or of 11 bits, as half floats have.
 [[nodiscard]] inline std::vector<Case> shape_cut_off(const Case& one) {
   return with_numbers_of_shape(one, [](double x) { return std::trunc(x); });

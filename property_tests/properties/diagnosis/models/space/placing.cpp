@@ -68,10 +68,12 @@ std::vector<Case> with_transpose_for_inverse(const Case& one) {
 
 std::vector<Case> with_uniform_scale(const Case& one) {
   std::vector<Case> all;
-  for (int axis = 0; axis < 4; ++axis)
+  for (int axis = 0; axis < 5; ++axis)
     for (const Case& some : placed<Sphere<double>>(one, [&](const auto&sphere, const glm::dmat4&matrix) {
            const glm::dvec3 scale(glm::length(matrix[0]), glm::length(matrix[1]), glm::length(matrix[2]));
-           const double factor = axis < 3 ? scale[axis] : (scale.x + scale.y + scale.z) / 3;
+           const double mean = axis == 3 ? (scale.x + scale.y + scale.z) / 3
+                                         : std::cbrt(std::abs(glm::determinant(glm::dmat3(matrix))));
+           const double factor = axis < 3 ? scale[axis] : mean;
            return Sphere<double>{point_in(matrix, sphere.center), factor * sphere.radius};
          }))
       all.push_back(some);

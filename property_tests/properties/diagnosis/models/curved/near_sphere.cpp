@@ -1,0 +1,58 @@
+#include "properties/diagnosis/models/curved/near_sphere.hpp"
+
+#include <glm/geometric.hpp>
+
+#include "properties/claims/answers.hpp"
+
+namespace rayproof::diagnosis {
+namespace {
+
+/// The origin seen from the centre, the direction, and the radius.
+struct SeenFromCentre {
+  glm::dvec3 origin, direction;
+  double radius;
+};
+
+std::optional<SeenFromCentre> seen_from_centre(const Case& one) {
+  const auto* sphere = shape_in<Sphere<double>>(one);
+  if (sphere == nullptr) return std::nullopt;
+  const Ray<double> ray = ray_in_object(*ray_question(one));
+  return SeenFromCentre{ray.origin - sphere->center, ray.direction, sphere->radius};
+}
+
+}  // namespace
+
+Answers passing_near_rim_missed(const Case& one, const Answer& exact) {
+  const auto seen = seen_from_centre(one);
+  if (!seen || !finds_something(exact)) return {};
+  const double distance =
+      glm::length(glm::cross(seen->origin, seen->direction)) / glm::length(seen->direction);
+  Answers answers;
+  for (const double share : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7}) {
+    const bool is_near_rim = distance > seen->radius - share * glm::length(seen->origin);
+    answers.push_back(is_near_rim ? Answer{RayAnswer{}} : exact);
+  }
+  return answers;
+}
+
+Answers far_hit_from_near(const Case& one, const Answer& exact) {
+  const auto seen = seen_from_centre(one);
+  if (!seen) return {};
+  const RayAnswer line = hits_of_line(one);
+  Answers answers;
+  for (const double share : {0.2, 0.1, 0.05, 0.02, 0.01, 1e-3, 1e-4}) {
+    const bool is_near = glm::length(seen->origin) < (1 + share) * seen->radius;
+    RayAnswer far;
+    if (line.hits.count > 1 && in_interval(ray_question(one)->ray, line.hits.t[1]))
+      far.hits.push_back(line.hits.t[1]);
+    answers.push_back(is_near && line.hits.count > 1 ? Answer{far} : exact);
+  }
+  return answers;
+}
+
+bool starts_outside(const Case& one, const Answer& /*exact*/) {
+  const auto seen = seen_from_centre(one);
+  return seen && glm::length(seen->origin) > seen->radius;
+}
+
+}  // namespace rayproof::diagnosis

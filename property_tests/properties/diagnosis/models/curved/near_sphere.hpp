@@ -1,0 +1,19 @@
+#pragma once
+/// \file
+/// Models of a sphere that is taken for a little smaller or larger, by a share of some length.
+
+#include "properties/diagnosis/models/models.hpp"
+
+namespace rayproof::diagnosis {
+
+/// What passes the centre farther away than the radius, less a share of the origin's distance, is missed:
+/// one answer for each share from 10^-2 to 10^-7.
+[[nodiscard]] Answers passing_near_rim_missed(const Case& one, const Answer& exact);
+
+/// From nearer than the radius, and a share of it, the far hit alone is given: the origin is taken to lie
+/// inside. One answer for each share from a fifth to 10^-4.
+[[nodiscard]] Answers far_hit_from_near(const Case& one, const Answer& exact);
+/// Whether the origin lies outside.
+[[nodiscard]] bool starts_outside(const Case& one, const Answer& exact);
+
+}  // namespace rayproof::diagnosis

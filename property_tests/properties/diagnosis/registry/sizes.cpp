@@ -1,0 +1,70 @@
+/// \file
+/// Faults of what is small and taken for 0: shapes, volumes, and components of the direction.
+
+#include "properties/diagnosis/models/solids/parallelepiped.hpp"
+#include "properties/diagnosis/models/solids/slabs.hpp"
+#include "properties/diagnosis/models/space/small_shapes.hpp"
+#include "properties/diagnosis/registry/lines.hpp"
+
+namespace rayproof::diagnosis {
+namespace {
+
+template <int... power>
+void add_small_components(std::vector<Hypothesis>& all) {
+  (all.push_back(below_power(
+       "small-component", power, small_components_as_zero<power>,
+       "a component of the direction below about 1e{} is taken for 0: a ray nearly along a face is taken for "
+       "one along it, by an absolute epsilon")),
+   ...);
+}
+
+template <int... power>
+void add_small_volumes(std::vector<Hypothesis>& all) {
+  (all.push_back(below_power(
+       "small-volume", power, small_volume_missed<power>,
+       "missed where the volume of the edges, a determinant, is below about 1e{}: it is taken for 0, by "
+       "an absolute epsilon")),
+   ...);
+}
+
+/// That a size of 0 is missed alone would be less.
+Hypothesis small_shape(std::string_view name, int power, Predict predict, std::string_view words) {
+  Hypothesis made = below_power(name, power, predict, words);
+  made.shows_more = has_some_size;
+  made.least_share = 60;  // what is small another epsilon takes for 0, too
+  return made;
+}
+
+template <int... power>
+void add_thin_solids(std::vector<Hypothesis>& all) {
+  (all.push_back(small_shape("thin-solid", power, thin_solid_missed<power>,
+                             "a solid that is thinner than about 1e{} is missed, by an absolute epsilon: the "
+                             "radius of a sphere, a side of a box, a radius or the height of a cylinder")),
+   ...);
+}
+
+template <int... power>
+void add_small_areas(std::vector<Hypothesis>& all) {
+  (all.push_back(small_shape("small-area", power, small_area_missed<power>,
+                             "a triangle or polygon with an area below about 1e{} is missed, by an absolute "
+                             "epsilon")),
+   ...);
+}
+
+}  // namespace
+
+std::vector<Hypothesis> models_of_sizes() {
+  std::vector<Hypothesis> all;
+  add_small_components<-8, -7, -6, -5, -4, -3, -2>(all);
+  add_small_volumes<-12, -10, -9, -8, -7, -6, -5, -4, -3, -2>(all);
+  add_thin_solids<-12, -10, -9, -8, -7, -6, -5, -4, -3, -2>(all);
+  return all;
+}
+
+std::vector<Hypothesis> models_of_areas() {
+  std::vector<Hypothesis> all;
+  add_small_areas<-12, -10, -9, -8, -7, -6, -5, -4, -3, -2>(all);
+  return all;
+}
+
+}  // namespace rayproof::diagnosis
