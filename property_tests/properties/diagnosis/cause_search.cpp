@@ -177,6 +177,8 @@ std::size_t CauseSearch::balance(const Hypothesis& model, const Indices& cases) 
   const std::size_t against = examination_.contradictions(model, cases);
   if (is_refuted(model, cases.size(), against)) return 0;
   const bool says_too_much = !examination_.seen_where(model, cases).condition().empty();
+  const bool is_most_of_all = 10 * cases.size() >= 6 * examination_.failing_count();
+  if (says_too_much && !is_most_of_all) return 0;  // of few cases that is chance
   return (says_too_much ? 9 : 10) * (cases.size() - against);
 }
 

@@ -88,10 +88,19 @@ std::vector<Cover::Candidate> Cover::candidates() const {
     for (std::size_t k = 0; k < sheets_.size(); ++k)
       where += sheets_[k].examination->seen_where(cause, candidate.explained[k], mistake);
     candidate.condition = where.condition();
+    if (!candidate.condition.empty() && !is_most_somewhere(candidate)) continue;
     all.push_back(std::move(candidate));
   }
   name_by_models(all);
   return all;
+}
+
+/// Whether it explains most of what fails of one complaint: of few cases a model that is right under some
+/// transforms alone fits by chance.
+bool Cover::is_most_somewhere(const Candidate& candidate) const {
+  for (std::size_t k = 0; k < sheets_.size(); ++k)
+    if (10 * candidate.explained[k].size() >= 6 * sheets_[k].examination->failing_count()) return true;
+  return false;
 }
 
 /// What all goes through shows in numbers, not in verdicts alone.

@@ -37,6 +37,7 @@ class Cover {
 
   [[nodiscard]] std::vector<Candidate> candidates() const;
   [[nodiscard]] Examination::Mistake common_mistake(const Hypothesis& cause) const;
+  [[nodiscard]] bool is_most_somewhere(const Candidate& candidate) const;
   [[nodiscard]] bool shows_in_numbers(const Candidate& candidate) const;
   [[nodiscard]] bool is_named(const Hypothesis& cause) const;
   [[nodiscard]] double weight_of_common(const Candidate& one, const std::vector<Indices>& others) const;

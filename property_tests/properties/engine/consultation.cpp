@@ -66,8 +66,8 @@ void Consultation::add_right_answers(const Samples& samples) {
     if (is_ordinary(one)) complaint_.passing.push_back(std::move(one));
 }
 
-/// Cases like the few that fail, with other numbers, as far as they fail, too: a model must not fit a single
-/// one by chance.
+/// Cases like the few that fail, with other numbers: a model must not fit a single one by chance, nor
+/// contradict those that are right.
 void Consultation::add_neighbours() {
   constexpr std::size_t few = 16, tries = 64;
   const std::size_t found = complaint_.failing.size();
@@ -76,9 +76,12 @@ void Consultation::add_neighbours() {
   for (std::size_t k = 0; k < tries; ++k)
     std::ranges::move(varied(complaint_.failing[k % found], k), std::back_inserter(near));
   const std::vector<std::optional<Answer>> answers = complaint_.patient.ask(near);
-  for (std::size_t k = 0; k < near.size() && complaint_.failing.size() < few; ++k)
-    if (answers[k] && complaint_.patient.rule(near[k], *answers[k]) == Ruling::broken)
-      complaint_.failing.push_back(std::move(near[k]));
+  for (std::size_t k = 0; k < near.size() && complaint_.failing.size() < few; ++k) {
+    if (!answers[k]) continue;
+    const Ruling ruling = complaint_.patient.rule(near[k], *answers[k]);
+    if (ruling == Ruling::outside) continue;
+    (ruling == Ruling::broken ? complaint_.failing : complaint_.passing).push_back(std::move(near[k]));
+  }
 }
 
 /// What fails, with fewer digits, as far as it is right then: a model of more than rounding must not

@@ -16,11 +16,14 @@ bool says_no_more_than_whether(const Finding& finding) {
   return got == nullptr || got->verdict_only;
 }
 
-/// Whether the cure is of what is taken for 0, and none like it is known. What a known fault leaves lies near
-/// boundaries, and where digits are lost: other cures say nothing of it.
-bool is_of_small_numbers(const Hypothesis& cure, std::span<const Hypothesis* const> known) {
-  const auto is_alike = [](const Hypothesis* one) { return one->of_sizes == OfSizes::small; };
-  return cure.of_sizes == OfSizes::small && std::ranges::none_of(known, is_alike);
+bool is_of_small_numbers(const Hypothesis* one) { return one->of_sizes == OfSizes::small; }
+
+/// Whether a cause of what a known fault leaves may be believed: of what is small and taken for 0 if none
+/// like it is known; else a model alone. What is left lies near boundaries, and where digits are lost: cures
+/// say nothing of it.
+bool may_be_hidden(const Hypothesis& cause, std::span<const Hypothesis* const> known) {
+  if (is_of_small_numbers(&cause)) return std::ranges::none_of(known, is_of_small_numbers);
+  return cause.change == nullptr;
 }
 
 }  // namespace
@@ -62,8 +65,8 @@ std::vector<Finding> Consultation::findings_of_rest(const std::vector<Diagnosis>
     const Hypothesis* cause = group.cause;
     if (cause == nullptr || cause->is_vague || stop_ || std::ranges::count(known, cause) > 0) continue;
     if (100 * group.cases.size() < nearly_all * complaint_.failing.size()) continue;
-    if (cause->change == nullptr ? says_no_more_than_whether(finding_) : !is_of_small_numbers(*cause, known))
-      continue;
+    if (!may_be_hidden(*cause, known)) continue;
+    if (cause->change == nullptr && says_no_more_than_whether(finding_)) continue;
     // What explains most of the other cases, too, is the same fault in other words.
     const Examination examination(complaint_.patient, hiding_, {});
     if (2 * examination.explained(*cause, all_of(hiding_.size())).size() > hiding_.size()) continue;

@@ -77,6 +77,7 @@ std::string left_out(const Subject& guest, const Property& property) {
 std::string why_no_boundary(const Subject& guest) {
   const auto& [wrong, asked] =
       std::pair(guest.abilities.wrong_on_boundaries, guest.abilities.asked_on_boundaries);
+  if (asked == 0) return "no verdict was given there";
   if (wrong == 0) return fmt::format("all {} verdicts there are right", asked);
   return fmt::format("{} of {} verdicts there are wrong, {}", wrong, asked,
                      guest.topic == "polygon"

@@ -56,9 +56,10 @@ std::string text_failures(const std::vector<Finding>& findings) {
   std::string text;
   for (const std::vector<Finding>& group : alike(findings, false)) {
     const Finding& first = group.front();
-    text += fmt::format("{}{}       breaks '{}': {}\n       family {}; {}\n       {}\n", line_of(group),
+    const bool says_it_all = first.property->claim == Claim::answers;  // the first line does
+    text += fmt::format("{}{}       breaks '{}': {}\n       family {}{}\n       {}\n", line_of(group),
                         diagnosis_of(group), first.property->name, first.property->statement, first.family,
-                        first.evidence.note, write_case(first.one));
+                        says_it_all ? "" : "; " + first.evidence.note, write_case(first.one));
   }
   return text;
 }

@@ -18,6 +18,9 @@ constexpr int patient_starts = 16;
 constexpr milliseconds most_patience{15000};
 /// A crash is over at once, and one in many cases hides nothing of the others: a third of its time counts.
 constexpr int crashes_for_silence = 3;
+/// So many of its failures are heard however long they take: the first silence takes as long as ten later
+/// ones.
+constexpr std::uint64_t failures_heard = 8;
 /// So often may it fail without ever giving an answer.
 constexpr std::uint64_t first_failures = 6;
 
@@ -44,8 +47,9 @@ void Program::note_trouble(std::size_t count, Clock::duration lost, bool is_sile
   lost_ += in_milliseconds(lost) / (is_silence ? 1 : crashes_for_silence);
   if (!has_answered() && troubles_ >= first_failures)
     give_up(fmt::format("it failed on all of the first {} cases", troubles_.load()));
-  else if (milliseconds(lost_) >
-           std::clamp(patient_starts * milliseconds(slowest_start_), patience, most_patience))
+  else if (troubles_ >= failures_heard &&
+           milliseconds(lost_) >
+               std::clamp(patient_starts * milliseconds(slowest_start_), patience, most_patience))
     give_up(fmt::format("it failed on {} cases, which takes too long", troubles_.load()));
 }
 

@@ -22,11 +22,14 @@ struct FormOfCase {
   auto operator<=>(const FormOfCase&) const = default;
 };
 
-FormOfCase form_of(const Case& one) {
+/// One that is not confined to what is mirrored shows under all transforms.
+FormOfCase form_of(const Case& one, bool is_of_mirrored) {
   const RayQuestion* asked = ray_question(one);
   if (asked == nullptr) return {};
   const auto* cylinder = std::get_if<Cylinder<double>>(&asked->shape);
-  return {asked->shape.index(), cylinder != nullptr && cylinder->capped, placing_of(one)};
+  const Placing placing = placing_of(one);
+  return {asked->shape.index(), cylinder != nullptr && cylinder->capped,
+          placing == Placing::mirrored && !is_of_mirrored ? Placing::turned : placing};
 }
 
 }  // namespace
@@ -120,8 +123,12 @@ std::string_view SeenWhere::condition() const {
 std::size_t Examination::contradictions(const Hypothesis& hypothesis, std::span<const std::size_t> explained,
                                         Mistake mistake) const {
   if (hypothesis.change != nullptr) return hits_lost(hypothesis, explained);
+  constexpr std::size_t many = 24;  // of a few mirrored ones any model may be right
+  const bool is_of_mirrored = explained.size() >= many && std::ranges::all_of(explained, [&](std::size_t i) {
+                                return placing_of(failing_.at(i).asked.one) == Placing::mirrored;
+                              });
   std::set<FormOfCase> forms;
-  for (const std::size_t i : explained) forms.insert(form_of(failing_.at(i).asked.one));
+  for (const std::size_t i : explained) forms.insert(form_of(failing_.at(i).asked.one, is_of_mirrored));
   // Misses alone are foreseen by many a model: then nothing is excused.
   const auto finds = std::ranges::count_if(
       explained, [&](std::size_t i) { return finds_something(failing_.at(i).got.value_or(Answer{})); });
@@ -129,7 +136,8 @@ std::size_t Examination::contradictions(const Hypothesis& hypothesis, std::span<
   const std::size_t made = mistake ? *mistake : best_mistake(hypothesis, explained);
   std::size_t found = 0, against_found = 0, against = 0;
   for (const Known& known : passing_) {
-    if (!known.got || !(hypothesis.speaks_of_all || forms.contains(form_of(known.asked.one)))) continue;
+    if (!known.got || !(hypothesis.speaks_of_all || forms.contains(form_of(known.asked.one, is_of_mirrored))))
+      continue;
     const bool is_found = finds_something(*known.got);
     found += is_found ? 1 : 0;
     if (!speaks_against(hypothesis, known, made, finds_some)) continue;

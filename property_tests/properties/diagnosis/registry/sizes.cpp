@@ -31,7 +31,6 @@ void add_small_volumes(std::vector<Hypothesis>& all) {
 Hypothesis small_shape(std::string_view name, int power, Predict predict, std::string_view words) {
   Hypothesis made = below_power(name, power, predict, words);
   made.shows_more = has_some_size;
-  made.least_share = 60;  // what is small another epsilon takes for 0, too
   return made;
 }
 

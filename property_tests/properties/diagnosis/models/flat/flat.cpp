@@ -63,12 +63,7 @@ Answers misses_small_slope(const Case& one, const Answer& exact, double least) {
   const glm::dvec3 normal = plane ? plane->first : figure->normal;
   const double slope = glm::dot(normal, ray_in_object(*ray_question(one)).direction);
   constexpr double rounding = 1 + 1e-4;  // of a slope that is the least
-  const auto is_below = [&](double length) { return std::abs(slope) < least * rounding * length; };
-  // A subject that needs unit directions is asked for these.
-  const bool is_small = is_below(1),
-             is_small_of_unit = is_below(glm::length(ray_question(one)->ray.direction));
-  if (is_small && is_small_of_unit) return {RayAnswer{}};
-  return is_small || is_small_of_unit ? Answers{RayAnswer{}, exact} : Answers{};
+  return std::abs(slope) < least * rounding ? Answers{RayAnswer{}} : Answers{};
 }
 
 Answers slope_below_epsilon_missed(const Case& one, const Answer& exact) {
