@@ -18,8 +18,7 @@ constexpr int patient_starts = 16;
 constexpr milliseconds most_patience{15000};
 /// A crash is over at once, and one in many cases hides nothing of the others: a third of its time counts.
 constexpr int crashes_for_silence = 3;
-/// So many of its failures are heard however long they take: the first silence takes as long as ten later
-/// ones.
+/// Failures that are heard however long they take: the first silence takes as long as ten later ones.
 constexpr std::uint64_t failures_heard = 8;
 /// So often may it fail without ever giving an answer.
 constexpr std::uint64_t first_failures = 6;
