@@ -37,7 +37,8 @@ class Run {
     sort_by_subjects(std::span(result_.findings).subspan(of_families));
     leave_out_twins(result_.findings);
     diagnose_findings(result_, samples_, listener_, stop_);
-    put_together(result_.findings, kind_of, {is_named_boundary, is_avoided, is_part_of, is_extreme});
+    put_together(result_.findings, kind_of,
+                 {is_named_boundary, is_avoided, is_part_of, is_extreme, is_zero_alone});
     result_.was_interrupted = stop_;
     return std::move(result_);
   }

@@ -118,6 +118,11 @@ bool is_named_boundary(const Finding& finding) {
   return cause != nullptr && cause->change == nullptr && cause->kind == FindingKind::boundary;
 }
 
+bool is_zero_alone(const Finding& finding) {
+  return finding.property->claim == Claim::exact && finding.cause != nullptr &&
+         finding.cause->of_sizes == OfSizes::small;
+}
+
 bool is_part_of(const Finding& finding, const Finding& other) {
   if (finding.cause == nullptr || other.cause == nullptr) return false;
   if (is_normal_of_wrong_shape(finding, other) || is_point_of_coarse_t(finding, other)) return true;

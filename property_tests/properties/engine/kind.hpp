@@ -13,6 +13,8 @@ namespace rayproof {
 
 /// Whether a model names what is wrong on a boundary.
 [[nodiscard]] bool is_named_boundary(const Finding& finding);
+/// Whether it shows of a fault of small sizes only what it does on boundaries, where a number is 0.
+[[nodiscard]] bool is_zero_alone(const Finding& finding);
 
 /// Whether its cause says no more than a part of what the other's says.
 [[nodiscard]] bool is_part_of(const Finding& finding, const Finding& other);

@@ -42,17 +42,11 @@ std::string trouble_in(const Finding& finding) {
   return text;
 }
 
-/// What takes small numbers for 0 shows on boundaries no more than that 0 is such.
-bool is_boundary_of_sizes(const Finding& finding) {
-  return finding.property->name == "boundary" && finding.cause != nullptr &&
-         finding.cause->of_sizes == OfSizes::small;
-}
-
 /// The one that is shown: the gravest; of these what speaks of hits, from which wrong details follow, and the
 /// simplest.
-bool is_better(const Finding& one, const Finding& other, KindOf gravity) {
+bool is_better(const Finding& one, const Finding& other, KindOf gravity, const CauseSays& says) {
   const auto rank = [&](const Finding& some) {
-    return std::tuple(is_boundary_of_sizes(some), gravity(some), some.property->name == "digits",
+    return std::tuple(says.is_zero_alone(some), gravity(some), some.property->name == "digits",
                       !is_of_hits(some), complexity(some.one));
   };
   return rank(one) < rank(other);
@@ -164,7 +158,7 @@ void put_together(std::vector<Finding>& findings, KindOf gravity, const CauseSay
     }
     if (alike->second.front() != &one) continue;
     Finding fault = **std::ranges::min_element(
-        alike->second, [&](const Finding* a, const Finding* b) { return is_better(*a, *b, gravity); });
+        alike->second, [&](const Finding* a, const Finding* b) { return is_better(*a, *b, gravity, says); });
     fault.cases = cases_of(alike->second);
     kept.push_back(std::move(fault));
   }

@@ -20,6 +20,7 @@ struct CauseSays {
   bool (*is_avoided)(const Finding&) = nullptr;  ///< no more than that a small change avoids it
   bool (*is_part)(const Finding&, const Finding& of) = nullptr;  ///< of what the other's cause says
   bool (*is_extreme)(const Finding&) = nullptr;                  ///< its case has very large or small numbers
+  bool (*is_zero_alone)(const Finding&) = nullptr;  ///< of what is small only that it is wrong where it is 0
 };
 
 /// Makes one of the findings of a program that have one cause: the simplest case of the gravest kind, with

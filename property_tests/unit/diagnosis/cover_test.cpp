@@ -3,6 +3,7 @@
 #include <set>
 
 #include "properties/claims/answers.hpp"
+#include "properties/diagnosis/examination/examination.hpp"
 #include "subjects/default_contract.hpp"
 #include "unit/diagnosis/clinic.hpp"
 #include "unit/diagnosis/faulty/faulty.hpp"
@@ -125,6 +126,19 @@ Answer of_approximate_sphere(const Case& one) {
 
 TEST(Cover, NamesOneApproximationInWhichVerdictsAndNumbersAreWrong) {
   EXPECT_EQ(causes_of("sphere", of_approximate_sphere), Causes{"approximate-throughout"});
+}
+
+TEST(Cover, TakesOfMistakesThatExplainNearlyAsManyTheOneLeastContradicted) {
+  using Counts = std::vector<std::size_t>;
+  const auto best = [](const Counts& explained, const Counts& contradicted) {
+    const auto from = [](const Counts& counts) {
+      return [&](std::size_t mistake) { return counts[mistake]; };
+    };
+    return diagnosis::best_balanced(explained.size(), from(explained), from(contradicted));
+  };
+  EXPECT_EQ(best({10, 40, 37, 38}, {0, 9, 2, 5}), 2U);
+  EXPECT_EQ(best({10, 40, 30}, {0, 9, 0}), 1U) << "30 are far fewer than 40";
+  EXPECT_EQ(best({0, 0}, {5, 0}), 0U) << "nothing is explained";
 }
 
 /// Back faces are culled where the transform mirrors.

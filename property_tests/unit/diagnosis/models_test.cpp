@@ -140,6 +140,7 @@ TEST(Diagnosis, NamesWhatIsWronglySaidOfTheFirstHit) {
                                                {"box", "normal", "normal-of-near-hit"},
                                                {"triangle", "normal", "normal-flipped-by-mirror"},
                                                {"sphere", "normal", "normal-by-columns"},
+                                               {"sphere", "normal", "normal-of-far-hit"},
                                                {"triangle", "point", "point-by-other-weights"}}) {
     planted = find_hypothesis(model);
     const Subject subject = subject_of(topic, [](const Case& one) { return foreseen(*planted, one); });

@@ -32,6 +32,12 @@ Hypothesis given_undivided_weights() {
   return made;
 }
 
+Hypothesis normal_of_one_of(std::string_view name, Predict predict, std::string_view sentence) {
+  Hypothesis made = gives_one_of(name, predict, sentence);
+  made.aspect = Aspect::normal;
+  return made;
+}
+
 }  // namespace
 
 std::vector<Hypothesis> models_of_first_hits() {
@@ -63,6 +69,10 @@ std::vector<Hypothesis> models_of_first_hits() {
           "where the ray starts inside the normal is that of the hit behind its beginning, and must be that "
           "of the hit given",
           gross, Aspect::normal),
+      normal_of_one_of(
+          "normal-of-far-hit", normal_of_far_hit,
+          "the normal is that of the far hit: always, or where the ray heads to the middle, or where "
+          "it heads away"),
       shows("normal-not-unit", normal_not_unit, "the normal's direction is right, and its length is not 1",
             gross, Aspect::normal),
       gives("normal-by-matrix", normal_by_matrix,

@@ -34,6 +34,16 @@ Hypothesis far_hit_from_outside() {
   return made;
 }
 
+/// That tangents are missed would be less.
+Hypothesis near_rim_missed() {
+  Hypothesis made = gives_one_of(
+      "passing-near-rim-missed", passing_near_rim_missed,
+      "a sphere is missed near its rim: the distance of the line from its centre is compared with "
+      "the radius less a share of the origin's distance, a relative epsilon");
+  made.shows_more = passes_below_surface;
+  return made;
+}
+
 /// Two hits taken for one by an absolute tolerance in t.
 template <int power>
 Hypothesis merged_hits() {
@@ -113,10 +123,7 @@ std::vector<Hypothesis> models_of_hits() {
             "a ray that starts inside is said to hit behind its beginning: the near hit is not compared with "
             "t_min"),
       far_hit_from_outside(),
-      gives_one_of(
-          "passing-near-rim-missed", passing_near_rim_missed,
-          "a sphere is missed near its rim: the distance of the line from its centre is compared with "
-          "the radius less a share of the origin's distance, a relative epsilon"),
+      near_rim_missed(),
       gives("inside-decides", inside_decides,
             "from inside the farther of the two hits is given, from outside the nearer one: where the origin "
             "lies decides, and t is not compared with t_min"),

@@ -26,7 +26,8 @@ std::vector<Finding> left_of_two(bool (*is_extreme)(const Finding&)) {
   wrong.cases = 1000;
   std::vector<Finding> findings{silent, wrong};
   const auto no = [](const Finding&) { return false; };
-  put_together(findings, gravity, {no, no, [](const Finding&, const Finding&) { return false; }, is_extreme});
+  put_together(findings, gravity,
+               {no, no, [](const Finding&, const Finding&) { return false; }, is_extreme, no});
   return findings;
 }
 

@@ -28,11 +28,18 @@ Answers passing_near_rim_missed(const Case& one, const Answer& exact) {
   const double distance =
       glm::length(glm::cross(seen->origin, seen->direction)) / glm::length(seen->direction);
   Answers answers;
-  for (const double share : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7}) {
+  for (const double share : {1e-2, 1e-3, 1e-4, 1e-5}) {
     const bool is_near_rim = distance > seen->radius - share * glm::length(seen->origin);
     answers.push_back(is_near_rim ? Answer{RayAnswer{}} : exact);
   }
   return answers;
+}
+
+bool passes_below_surface(const Case& one, const Answer& /*exact*/) {
+  const auto seen = seen_from_centre(one);
+  const HitList line = hits_of_line(one).hits;
+  return seen && line.count > 1 &&
+         (line.t[1] - line.t[0]) * glm::length(seen->direction) > 0x1p-5 * seen->radius;
 }
 
 Answers far_hit_from_near(const Case& one, const Answer& exact) {

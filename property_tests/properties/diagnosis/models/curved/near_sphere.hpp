@@ -7,8 +7,10 @@
 namespace rayproof::diagnosis {
 
 /// What passes the centre farther away than the radius, less a share of the origin's distance, is missed:
-/// one answer for each share from 10^-2 to 10^-7.
+/// one answer for each share from 10^-2 to 10^-5.
 [[nodiscard]] Answers passing_near_rim_missed(const Case& one, const Answer& exact);
+/// Whether the ray passes deeper under the surface than a tangent, rounded, does.
+[[nodiscard]] bool passes_below_surface(const Case& one, const Answer& exact);
 
 /// From nearer than the radius, and a share of it, the far hit alone is given: the origin is taken to lie
 /// inside. One answer for each share from a fifth to 10^-4.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "oracle/oracle.hpp"
 #include "properties/claims/answers.hpp"
 #include "properties/diagnosis/examination/agreement.hpp"
 #include "properties/diagnosis/models/first_hit/points.hpp"
@@ -66,6 +67,22 @@ Answers normal_of_near_hit(const Case& one, const Answer& exact) {
     answers.emplace_back(other);
   }
   return answers;
+}
+
+Answers normal_of_far_hit(const Case& one, const Answer& exact) {
+  const auto* answer = std::get_if<RayAnswer>(&exact);
+  if (ray_question(one) == nullptr || answer == nullptr || answer->hits.count == 0) return {};
+  const HitList line = hits_of_line(one).hits;
+  if (line.count < 2 || answer->hits.t[0] != line.t[0]) return {};
+  Case back = on_whole_line(one);  // of the ray that runs back the far hit is the first
+  Ray<double>& ray = std::get<RayQuestion>(back.question).ray;
+  ray.direction = -ray.direction;
+  const std::vector<glm::dvec3> normals = normals_of_first_hit(back, oracle::answer(back));
+  if (normals.empty()) return {};
+  RayAnswer other = *answer;
+  other.normal = normals.front();
+  const bool heads_to_middle = line.t[0] + line.t[1] > 0;
+  return {other, heads_to_middle ? Answer{other} : exact, heads_to_middle ? exact : Answer{other}};
 }
 
 std::optional<bool> normal_not_unit(const Case& one, const Answer& got, const Answer& exact) {

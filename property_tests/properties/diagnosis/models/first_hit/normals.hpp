@@ -18,6 +18,8 @@ namespace rayproof::diagnosis {
 [[nodiscard]] Answers normal_flipped_by_edges(const Case& one, const Answer& exact);
 /// At the hit that lies behind the ray's beginning, where the ray starts inside.
 [[nodiscard]] Answers normal_of_near_hit(const Case& one, const Answer& exact);
+/// The normal is that of the far hit: always, or where the ray heads to the middle of its chord, or away.
+[[nodiscard]] Answers normal_of_far_hit(const Case& one, const Answer& exact);
 [[nodiscard]] std::optional<bool> normal_not_unit(const Case& one, const Answer& got, const Answer& exact);
 [[nodiscard]] Answers normal_in_object(const Case& one, const Answer& exact);
 [[nodiscard]] Answers normal_by_matrix(const Case& one, const Answer& exact);
