@@ -1,8 +1,6 @@
 #include "properties/diagnosis/cause_search.hpp"
 
 #include <algorithm>
-#include <iterator>
-#include <numeric>
 
 #include "properties/diagnosis/examination/agreement.hpp"
 
@@ -50,18 +48,6 @@ bool breaks_more_than_digits(const Hypothesis& one) {
 bool is_refuted(const Hypothesis& one, std::size_t explained, std::size_t contradictions) {
   const std::size_t admitted = one.speaks_of_all ? 1 : explained * one.admits / 100;
   return contradictions > std::max<std::size_t>(admitted, 1);
-}
-
-Indices all_of(std::size_t count) {
-  Indices all(count);
-  std::iota(all.begin(), all.end(), 0);
-  return all;
-}
-
-Indices without(const Indices& some, const Indices& others) {
-  Indices rest;
-  std::ranges::set_difference(some, others, std::back_inserter(rest));
-  return rest;
 }
 
 std::vector<Diagnosis> CauseSearch::groups() const {

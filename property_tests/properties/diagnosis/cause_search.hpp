@@ -4,16 +4,9 @@
 
 #include "properties/diagnosis/diagnose.hpp"
 #include "properties/diagnosis/examination/examination.hpp"
+#include "properties/diagnosis/indices.hpp"
 
 namespace rayproof::diagnosis {
-
-/// Failing cases, by index.
-using Indices = std::vector<std::size_t>;
-
-/// All indices below `count`.
-[[nodiscard]] Indices all_of(std::size_t count);
-/// Those of `some` that are not among `others`; both ascend.
-[[nodiscard]] Indices without(const Indices& some, const Indices& others);
 
 /// Whether it is a fault that would break more than count digits from afar.
 [[nodiscard]] bool breaks_more_than_digits(const Hypothesis& one);
