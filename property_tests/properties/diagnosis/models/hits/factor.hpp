@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "properties/claims/answers.hpp"
 #include "properties/diagnosis/models/models.hpp"
 
 namespace rayproof::diagnosis {
