@@ -15,33 +15,31 @@ namespace {
 
 /// That t = 0 is left out alone would be less.
 Hypothesis positive_alone() {
-  Hypothesis made =
+  return shown_by(
+      has_first_hit_behind_origin,
       of(OfSizes::small,
          gives("positive-t-alone", drops_not_positive,
                "hits with t <= 0 are left out though the interval admits them: t > 0 is asked, and "
-               "must be t >= t_min"));
-  made.shows_more = has_first_hit_behind_origin;
-  return made;
+               "must be t >= t_min")));
 }
 
 /// That the far hit alone is given from inside is right, or another fault.
 Hypothesis far_hit_from_outside() {
-  Hypothesis made =
+  return shown_by(
+      starts_outside,
       gives_one_of("far-hit-from-near", far_hit_from_near,
                    "from outside, but near a sphere, the far hit alone is given: the origin is taken to lie "
-                   "inside, by a tolerance relative to the radius");
-  made.shows_more = starts_outside;
-  return made;
+                   "inside, by a tolerance relative to the radius"));
 }
 
 /// That tangents are missed would be less.
 Hypothesis near_rim_missed() {
-  Hypothesis made = gives_one_of(
-      "passing-near-rim-missed", passing_near_rim_missed,
-      "a sphere is missed near its rim: the distance of the line from its centre is compared with "
-      "the radius less a share of the origin's distance, a relative epsilon");
-  made.shows_more = passes_below_surface;
-  return made;
+  return shown_by(
+      passes_below_surface,
+      gives_one_of(
+          "passing-near-rim-missed", passing_near_rim_missed,
+          "a sphere is missed near its rim: the distance of the line from its centre is compared with "
+          "the radius less a share of the origin's distance, a relative epsilon"));
 }
 
 /// Two hits taken for one by an absolute tolerance in t.

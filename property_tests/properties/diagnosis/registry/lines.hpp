@@ -100,6 +100,13 @@ inline constexpr auto rounding = FindingKind::rounding;
   return cure;
 }
 
+/// A model that says more than another one does: one case at least that it explains must show that.
+[[nodiscard]] constexpr Hypothesis shown_by(bool (*shows_more)(const Case& one, const Answer& exact),
+                                            Hypothesis made) {
+  made.shows_more = shows_more;
+  return made;
+}
+
 /// A model that follows from the one of that name.
 [[nodiscard]] constexpr Hypothesis following(std::string_view other, Hypothesis made) {
   made.follows_from = other;

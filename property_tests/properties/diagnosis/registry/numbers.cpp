@@ -18,9 +18,7 @@ namespace {
 
 /// What is nearer than that is taken to be at 0; that t = 0 is left out alone would be less.
 Hypothesis epsilon(std::string_view name, Predict predict, std::string_view sentence) {
-  Hypothesis made = of(OfSizes::small, gives(name, predict, sentence));
-  made.shows_more = has_first_hit_before_origin;
-  return made;
+  return shown_by(has_first_hit_before_origin, of(OfSizes::small, gives(name, predict, sentence)));
 }
 
 /// That a ray is missed is foreseen by culling, too: a t of the wrong sign must be given once.
@@ -58,14 +56,13 @@ void add_limits(std::vector<Hypothesis>& all) {
 /// That small numbers are made 0 would be an epsilon.
 template <int decimals>
 Hypothesis few_decimals() {
-  Hypothesis made =
+  return shown_by(
+      loses_decimals<decimals>,
       of(OfSizes::small,
          gives_to_most(kept(fmt::format("decimals-{}", decimals)), rounded_to_decimals<decimals>,
                        kept(fmt::format("every number is rounded to a multiple of 1e-{}: the code "
                                         "prints too few decimals, or rounds",
-                                        decimals))));
-  made.shows_more = loses_decimals<decimals>;
-  return made;
+                                        decimals)))));
 }
 
 template <int... decimals>

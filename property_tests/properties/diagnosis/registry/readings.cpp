@@ -9,24 +9,22 @@ namespace {
 
 /// That all is 0 alone would be small lengths taken for 0.
 Hypothesis whole_shape() {
-  Hypothesis made =
-      gives_to_all("whole-shape", with_shape_cut_off,
-                   "the answer is right for the shape's numbers, and a point's, cut off to whole "
-                   "ones: they are read as integers");
-  made.shows_more = has_area_cut_off;
-  return made;
+  return shown_by(has_area_cut_off,
+                  gives_to_all("whole-shape", with_shape_cut_off,
+                               "the answer is right for the shape's numbers, and a point's, cut off to whole "
+                               "ones: they are read as integers"));
 }
 
 /// That all is moved to 0 would be small lengths taken for 0.
 template <int cells>
 Hypothesis shape_grid() {
-  Hypothesis made = gives_to_most(
-      kept(fmt::format("shape-grid-{}", cells)), off_boundary_read_as<shape_on_grid<cells>>,
-      kept(fmt::format("the answer is right for the shape's numbers rounded to 1/{}: they are kept in fixed "
-                       "point, or moved to a grid",
-                       cells)));
-  made.shows_more = has_number_on_grid<cells>;
-  return made;
+  return shown_by(
+      has_number_on_grid<cells>,
+      gives_to_most(kept(fmt::format("shape-grid-{}", cells)), off_boundary_read_as<shape_on_grid<cells>>,
+                    kept(fmt::format(
+                        "the answer is right for the shape's numbers rounded to 1/{}: they are kept in fixed "
+                        "point, or moved to a grid",
+                        cells))));
 }
 
 template <int... cells>

@@ -29,9 +29,7 @@ void add_small_volumes(std::vector<Hypothesis>& all) {
 
 /// That a size of 0 is missed alone would be less.
 Hypothesis small_shape(std::string_view name, int power, Predict predict, std::string_view words) {
-  Hypothesis made = below_power(name, power, predict, words);
-  made.shows_more = has_some_size;
-  return made;
+  return shown_by(has_some_size, below_power(name, power, predict, words));
 }
 
 template <int... power>

@@ -40,12 +40,11 @@ void add_along_axis(std::vector<Hypothesis>& all) {
 /// That 0 alone is made as large many another fault would do.
 Hypothesis raised_component(int power, Predict predict,
                             bool (*shows_more)(const Case& one, const Answer& exact)) {
-  Hypothesis made = below_power("raised-component", power, predict,
-                                "the answer is right where each component of the direction below 1e{}, 0 "
-                                "too, is made as large: so that "
-                                "nothing is divided by 0, and the ray runs askew");
-  made.shows_more = shows_more;
-  return made;
+  return shown_by(shows_more,
+                  below_power("raised-component", power, predict,
+                              "the answer is right where each component of the direction below 1e{}, 0 "
+                              "too, is made as large: so that "
+                              "nothing is divided by 0, and the ray runs askew"));
 }
 
 template <int... power>
