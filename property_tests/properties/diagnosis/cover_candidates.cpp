@@ -67,7 +67,6 @@ Examination::Mistake Cover::common_mistake(const Hypothesis& cause) const {
     const Examination& examination = *sheet.examination;
     mistakes = std::max(mistakes, examination.mistake_count(cause, all_of(examination.failing_count())));
   }
-  using Cases = std::vector<std::size_t>;
   const auto over_all = [&](std::size_t mistake, auto&& counted) {
     std::size_t sum = 0;
     for (const Sheet& sheet : sheets_) {
@@ -79,10 +78,10 @@ Examination::Mistake Cover::common_mistake(const Hypothesis& cause) const {
   return best_balanced(
       mistakes,
       [&](std::size_t mistake) {
-        return over_all(mistake, [](const Examination&, const Cases& cases) { return cases.size(); });
+        return over_all(mistake, [](const Examination&, const Indices& cases) { return cases.size(); });
       },
       [&](std::size_t mistake) {
-        return over_all(mistake, [&](const Examination& examination, const Cases& cases) {
+        return over_all(mistake, [&](const Examination& examination, const Indices& cases) {
           return cases.empty() ? 0 : examination.contradictions(cause, cases, mistake);
         });
       });

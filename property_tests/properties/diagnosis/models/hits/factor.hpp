@@ -43,18 +43,14 @@ using Quantity = std::optional<double> (*)(const Case&);
 /// To a number of decimals.
 template <int decimals>
 [[nodiscard]] Answers rounded_to_decimals(const Case& one, const Answer& exact) {
-  return made_whole(one, exact, [](double x) {
-    const double unit = std::pow(10.0, decimals);
-    return std::round(x * unit) / unit;
-  });
+  return made_whole(one, exact, [](double x) { return on_grid(x, std::pow(10.0, decimals)); });
 }
 
 /// Whether a number that is not made 0 so loses more than a thousandth of it.
 template <int decimals>
 [[nodiscard]] bool loses_decimals(const Case& /*one*/, const Answer& exact) {
-  const double unit = std::pow(10.0, decimals);
-  return std::ranges::any_of(numbers_in(exact), [unit](double x) {
-    const double rounded = std::round(x * unit) / unit;
+  return std::ranges::any_of(numbers_in(exact), [](double x) {
+    const double rounded = on_grid(x, std::pow(10.0, decimals));
     return rounded != 0 && std::abs(rounded - x) > 1e-3 * std::abs(x);
   });
 }

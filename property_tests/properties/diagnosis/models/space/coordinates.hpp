@@ -64,13 +64,13 @@ template <Vectors which>
 /// Each rounded to a grid with that number of cells for each unit of length.
 template <int cells>
 [[nodiscard]] std::vector<Case> shape_on_grid(const Case& one) {
-  return with_numbers_of_shape(one, [](double x) { return std::round(x * cells) / cells; });
+  return with_numbers_of_shape(one, [](double x) { return on_grid(x, cells); });
 }
 /// Whether something but 0 is left of a number of the shape that is moved so.
 [[nodiscard]] bool has_moved_number(const Case& one, double (*change)(double x));
 template <int cells>
 [[nodiscard]] bool has_number_on_grid(const Case& one, const Answer& /*exact*/) {
-  return has_moved_number(one, [](double x) { return std::round(x * cells) / cells; });
+  return has_moved_number(one, [](double x) { return on_grid(x, cells); });
 }
 /// Every number that the case writes with an exponent is read without it: 1e-07 as 1.
 [[nodiscard]] std::vector<Case> without_exponents(const Case& one);
@@ -127,7 +127,7 @@ template <std::vector<Case> (*changes)(const Case&)>
 template <int cells>
 [[nodiscard]] std::vector<Case> point_on_grid(const Case& one) {
   return with_point(
-      one, [](double x, double n) { return std::round(x * n) / n; }, cells);
+      one, [](double x, double n) { return on_grid(x, n); }, cells);
 }
 /// @}
 
