@@ -16,8 +16,8 @@ template <class Method, class Rays>
 void hit_one_by_one(Rays& rays, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     const auto ray = rays.ray(i);
-    rays.t[i] = nearest(ray, rays.space ? roots_in_world<Method>(*rays.space, ray, rays.shape)
-                                        : Method::roots(ray, rays.shape));
+    rays.t[i] = rays.space ? nearest(ray, roots_in_world<Method>(*rays.space, ray, rays.shape))
+                           : nearest_hit<Method>(ray, rays.shape);
     one_at_a_time();
   }
 }

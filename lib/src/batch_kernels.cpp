@@ -5,6 +5,7 @@
 #include <rayproof/batch/kernels.hpp>
 
 #include "columns.hpp"
+#include "correction.hpp"
 
 namespace rayproof::batch {
 
@@ -14,12 +15,6 @@ namespace {
 template <class N, class T>
 Quadratic<N> problem_of(const Lanes<Quadratic<T>>& /*in*/, const N (&column)[3]) {
   return {column[0], column[1], column[2]};
-}
-
-/// One ray a lane.
-template <class N>
-Ray<N> ray_of(const N (&column)[8]) {
-  return {{column[0], column[1], column[2]}, {column[3], column[4], column[5]}, column[6], column[7]};
 }
 
 /// The same with the common shape. It is kept as plain numbers: g++ 12 copies packs inside structs in halves,
@@ -108,11 +103,15 @@ RAYPROOF_FLAT bool solve_quickly(const Lanes<Problem>& given, const Space& given
   run<N>(in.columns, out, in.size, fill, all ? Columns : 1, interval_of(in));
   return !std::experimental::all_of(is_sure);
 }
-/// A loop for each: the nearest hit needs less of the phase.
+/// A loop for each: the nearest hit needs less of the phase, and none of it where it is found by correction.
 template <class Method, class Problem, class T, std::size_t Columns>
 bool solve_in_own_space(const Lanes<Problem>& in, T* const (&out)[Columns], bool all) {
-  return all ? solve_quickly<Method>(in, OwnSpace(), out, std::true_type())
-             : solve_quickly<Method>(in, OwnSpace(), out, std::false_type());
+  if (all) return solve_quickly<Method>(in, OwnSpace(), out, std::true_type());
+  if constexpr (has_correction<Method>) {
+    if (correct<Method>(in, out[0])) return false;
+    if (!are_many_unsure(out[0], in.size)) return true;
+  }
+  return solve_quickly<Method>(in, OwnSpace(), out, std::false_type());
 }
 /// One loop for both, which compiles in half the time: hardly any of this phase could be left out.
 template <class Method, class Problem, class T, std::size_t Columns>

@@ -5,6 +5,7 @@
 /// its place.
 
 #include <rayproof/arithmetics/pack.hpp>
+#include <rayproof/ray.hpp>
 
 #include <algorithm>
 #include <array>
@@ -54,9 +55,10 @@ struct LaneAccess<T> {
 /// Calls `solve(in, out)` for every `width` lanes of the columns. The last lanes are padded with copies of
 /// the very last one, so that they take the same path as all others: the same loop, since all that `solve`
 /// calls becomes part of it, which a second one would have g++ do twice. Where 1 column is `wanted`, the
-/// others are not written. The last columns that are read may be null: `common` has a number for each of
-/// these, which stands in all lanes.
-template <class N, class T, std::size_t In, std::size_t Out, class Solve, std::size_t Common = 0>
+/// others are not written. What is written are `To`, as many lanes. The last columns that are read may be
+/// null: `common` has a number for each of these, which stands in all lanes.
+template <class N, class To = N, class T, std::size_t In, std::size_t Out, class Solve,
+          std::size_t Common = 0>
 void run(const T* const (&in)[In], T* const (&out)[Out], std::size_t size, const Solve& solve,
          std::size_t wanted = Out, const std::array<T, Common>& common = {}) {
   using Access = LaneAccess<N>;
@@ -80,15 +82,16 @@ void run(const T* const (&in)[In], T* const (&out)[Out], std::size_t size, const
   for (std::size_t column = 0; column < Out; ++column) target[column] = out[column];
   for (std::size_t end = whole;;) {
     N from[In];
-    N to[Out];
+    To to[Out];
     for (std::size_t i = 0; i < end; i += lanes) {
       for (std::size_t column = 0; column < always; ++column) from[column] = Access::load(source[column] + i);
       for (std::size_t c = 0; c < Common; ++c)
         from[always + c] = Access::load(source[always + c] + (i & moving[c]));
       solve(from, to);
-      Access::store(to[0], target[0] + i);
+      LaneAccess<To>::store(to[0], target[0] + i);
       if (wanted == 1) continue;
-      for (std::size_t column = 1; column < Out; ++column) Access::store(to[column], target[column] + i);
+      for (std::size_t column = 1; column < Out; ++column)
+        LaneAccess<To>::store(to[column], target[column] + i);
     }
     if (whole == size || source[0] == rest_in[0]) break;
 
@@ -104,6 +107,12 @@ void run(const T* const (&in)[In], T* const (&out)[Out], std::size_t size, const
   for (std::size_t column = 0; column < wanted; ++column) {
     for (std::size_t i = whole; i < size; ++i) out[column][i] = rest_out[column][i - whole];
   }
+}
+
+/// One ray a lane.
+template <class N>
+Ray<N> ray_of(const N (&column)[8]) {
+  return {{column[0], column[1], column[2]}, {column[3], column[4], column[5]}, column[6], column[7]};
 }
 
 /// A table of kernels, each of which `enter(kernel)` has given its function.

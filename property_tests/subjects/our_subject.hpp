@@ -56,13 +56,22 @@ template <class Topic, class Method>
   subject.takes_transforms = requires { Topical::template roots_in_world<Method, double>(Case()); };
   subject.answer_by([](const Case& one) {
     return in_precision(one.precision, [&]<class T>(T) -> Answer {
-      return Topical::template answer<Method, T>(one, solve_in<Topic, Method, T>(one));
+      auto answer = Topical::template answer<Method, T>(one, solve_in<Topic, Method, T>(one));
+      if constexpr (has_correction<Method>)
+        Topical::template put_nearest_hit<T>(
+            one, answer, [](const auto& ray, const auto& shape) { return nearest_hit<Method>(ray, shape); });
+      return answer;
     });
   });
   if constexpr (is_batched<Topic>)
     subject.answer_in_batch = [](const Case& one) {
       return in_precision(one.precision, [&]<class T>(T) -> Answer {
-        return Topical::template answer<Method, T>(one, Topical::template batch_roots<Method, T>(one));
+        auto answer = Topical::template answer<Method, T>(one, Topical::template batch_roots<Method, T>(one));
+        if constexpr (has_correction<Method>)
+          Topical::template put_nearest_hit<T>(one, answer, [](const auto& ray, const auto& shape) {
+            return batch::nearest_among_neighbours<Method>(ray, shape);
+          });
+        return answer;
       });
     };
   if constexpr (Method::contract.holds.contains(Claim::bounded))

@@ -115,6 +115,18 @@ struct Reading {
     return result;
   }
 
+  /// Makes the nearest hit of an answer what `nearest(ray, shape)` says, where the ray is in the shape's own
+  /// space: a method that finds it apart from the roots is to be judged by it.
+  template <class T, class Nearest>
+  static void put_nearest_hit(const Case& one, RayAnswer& answer, const Nearest& nearest) {
+    const auto& question = std::get<RayQuestion>(one.question);
+    if (question.transform) return;
+    const auto t = static_cast<double>(nearest(convert<T>(question.ray), convert<T>(shape(question))));
+    const bool is_hit = t < infinity<double> || (answer.hits.count > 0 && answer.hits.t[0] == t);
+    answer.hits.count = is_hit ? std::max<decltype(answer.hits.count)>(answer.hits.count, 1) : 0;
+    if (is_hit) answer.hits.t[0] = t;
+  }
+
   /// Why a ray misses a plane: it is parallel to it, or runs inside it. Of other shapes no more is said.
   template <class Method, class T>
   static Contact contact_of_miss([[maybe_unused]] const Problem<T>& asked) {

@@ -102,9 +102,9 @@ template <std::floating_point T>
 }
 
 /// Between 1/x and 1.125/x for a normal number x > 0, as cheaply as an arithmetic can: for error bounds.
-template <std::same_as<double> T>
+template <std::floating_point T>
 [[nodiscard]] constexpr T reciprocal_bound(T x) {
-  return (1 + 0x1p-50) / x;
+  return (1 + 4 * std::numeric_limits<T>::epsilon()) / x;
 }
 
 /// Base of an arithmetic with `<`, `<=` and `==`: its other comparisons, made of these.

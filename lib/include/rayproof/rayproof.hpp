@@ -5,6 +5,7 @@
 
 #include <rayproof/batch.hpp>
 #include <rayproof/camera.hpp>
+#include <rayproof/nearest_hit.hpp>
 #include <rayproof/object_list.hpp>
 #include <rayproof/object_tree.hpp>
 #include <rayproof/spawn.hpp>

@@ -51,6 +51,12 @@ template <class A, class B>
   return a * b + c * d + e * f;
 }
 
+/// x·y + z, with one rounding or two, as the arithmetic is faster at: where x·y is exact, and in bounds.
+template <class T>
+[[nodiscard]] constexpr T multiply_add(const T& x, const T& y, const T& z) {
+  return x * y + z;
+}
+
 template <class A, class B>
 [[nodiscard]] constexpr auto dot(const Vec3<A>& a, const Vec3<B>& b) {
   return sum_of_products(a.x, b.x, a.y, b.y, a.z, b.z);

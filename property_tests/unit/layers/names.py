@@ -18,7 +18,7 @@ SUFFIXES = {".hpp", ".cpp", ".py", ".md", ".sh", ".cmake", ".txt", ".jsonl"}
 # A definition: no forward declaration, no specialisation, no member defined outside its class.
 CLASS = re.compile(r"^[ \t]*(?:struct|class|enum(?: class)?)\s+(\w+)(?![\w:<]|\s*[;<])", re.MULTILINE)
 # What every topic has its own of, in the topic's namespace: the kernels of one formula, and what they are made of.
-PER_TOPIC = {"Topic", "Problem", "Centred", "Compensated", "Meeting", "Parity", "Printed", "PrintedParity", "Projected",
+PER_TOPIC = {"Correction", "Topic", "Problem", "Centred", "Compensated", "Meeting", "Parity", "Printed", "PrintedParity", "Projected",
              "Rounded", "Textbook", "Winding"}
 # The oracle's intervals owe nothing to the library's, which they judge; both are intervals. A kind is written with what
 # it is a kind of: json::Kind, Outcome::Kind.

@@ -51,6 +51,9 @@ class DoubleDouble : public Comparable<DoubleDouble<W>> {
   requires(!std::is_arithmetic_v<W>) constexpr explicit DoubleDouble(const DoubleDouble<U>& same)
       : high_(same.high()), low_(same.low()) {}
 
+  /// A given number of any size, for those who know what under- and overflow may do to it.
+  [[nodiscard]] static constexpr DoubleDouble of_any_size(const W& given) { return {given, W(0)}; }
+
   [[nodiscard]] constexpr const W& high() const { return high_; }
   [[nodiscard]] constexpr const W& low() const { return low_; }
 
@@ -175,6 +178,12 @@ inline constexpr double unit_roundoff<DoubleDouble<W>> = 0x1p-102;
 template <class W>
 [[nodiscard]] constexpr W narrowed(const DoubleDouble<W>& x, const W& more) {
   return x.high() + (x.low() + more);
+}
+
+/// The number rounded to double.
+template <class W>
+[[nodiscard]] constexpr const W& narrow(const DoubleDouble<W>& x) {
+  return x.high();
 }
 
 }  // namespace rayproof

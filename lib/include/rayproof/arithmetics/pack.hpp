@@ -167,6 +167,16 @@ template <class T, class Abi>
   });
 }
 
+/// Fused where the instruction set can.
+template <class T, class Abi>
+[[nodiscard]] Pack<T, Abi> multiply_add(const Pack<T, Abi>& x, const Pack<T, Abi>& y, const Pack<T, Abi>& z) {
+#ifdef __FMA__
+  return fma(x, y, z);
+#else
+  return x * y + z;
+#endif
+}
+
 /// Whether the compiler sees that all lanes are 0. It looks at the first: a number that is known is in all
 /// lanes.
 template <class T, class Abi>

@@ -58,15 +58,49 @@ class WidePack {
   using Doubles = typename CompilerVector<double, half>::type;
 
  public:
+  using Plain = double;
+
+  WidePack() = default;
   explicit WidePack(const Narrow& x)
       : first_(part<0>(x, std::make_index_sequence<half>())),
         second_(part<half>(x, std::make_index_sequence<half>())) {}
+  /// The same number in every lane.
+  explicit WidePack(double same) : first_(same), second_(same) {}
+
+  /// Reads as many consecutive floats as there are lanes: from memory widening is one step.
+  [[nodiscard]] static WidePack load(const float* from) {
+    return {load_floats<Half>(from), load_floats<Half>(from + half)};
+  }
 
   friend WidePack operator*(const WidePack& a, const WidePack& b) {
     return {a.first_ * b.first_, a.second_ * b.second_};
   }
+  friend WidePack operator+(const WidePack& a, const WidePack& b) {
+    return {a.first_ + b.first_, a.second_ + b.second_};
+  }
   friend WidePack operator-(const WidePack& a, const WidePack& b) {
     return {a.first_ - b.first_, a.second_ - b.second_};
+  }
+  friend WidePack operator-(const WidePack& a) { return {-a.first_, -a.second_}; }
+  friend WidePack abs(const WidePack& a) { return {abs(a.first_), abs(a.second_)}; }
+
+  /// One bool for each lane, in the two halves.
+  struct Lanes {
+    rayproof::Mask<Half> first, second;
+  };
+  friend Lanes operator<(const WidePack& a, const WidePack& b) {
+    return {a.first_ < b.first_, a.second_ < b.second_};
+  }
+  friend WidePack select(const Lanes& mask, const WidePack& yes, const WidePack& no) {
+    return {select(mask.first, yes.first_, no.first_), select(mask.second, yes.second_, no.second_)};
+  }
+
+  friend WidePack multiply_add(const WidePack& x, const WidePack& y, const WidePack& z) {
+    return {multiply_add(x.first_, y.first_, z.first_), multiply_add(x.second_, y.second_, z.second_)};
+  }
+  friend WidePack sum_of_products(const WidePack& a, const WidePack& b, const WidePack& c, const WidePack& d,
+                                  const WidePack& e, const WidePack& f) {
+    return multiply_add(e, f, multiply_add(c, d, a * b));
   }
 
   /// Each lane rounded to float once.
@@ -79,7 +113,7 @@ class WidePack {
   static Half part(const Narrow& x, std::index_sequence<i...> /*lanes*/) {
     const auto all = std::bit_cast<Floats>(x.lanes());
     const auto some = __builtin_shufflevector(all, all, int{from + i}...);
-    return std::bit_cast<typename Half::Lanes>(__builtin_convertvector(some, Doubles));
+    return from_float_lanes<Half>(some);
   }
 
   template <std::size_t... i>

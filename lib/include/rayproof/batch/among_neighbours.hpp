@@ -55,22 +55,45 @@ struct MixedRoots {
   }
 };
 
-/// The roots of one ray's problem, answered in a batch of many. The ray is in the world where `space` is
-/// given. In every other lane it has the ends of its interval in columns, in the rest in common with all.
+/// One ray among others. It is in the world where `space` is given. In every other lane it has the ends of
+/// its interval in columns, in the rest in common with all.
+template <class Method, class T>
+struct MixedRays {
+  MixedLanes<T, 8, mixed_lanes<Method>> lanes;
+  RayBatch<T> batch;
+
+  MixedRays(const Ray<T>& ray, const std::optional<ObjectSpace<T>>& space)
+      : lanes({ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x, ray.direction.y, ray.direction.z,
+               ray.t_min, ray.t_max}) {
+    const auto& c = lanes.column;
+    batch = {{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, ray.t_min, ray.t_max, space};
+    if (lanes.lane % 2 == 1) {
+      batch = {batch.origin, batch.direction, not_a_number<T>, not_a_number<T>, space, c[6], c[7]};
+    }
+  }
+  MixedRays(const MixedRays&) = delete;  // the batch looks at the lanes
+  MixedRays& operator=(const MixedRays&) = delete;
+};
+
+/// The roots of one ray's problem, answered in a batch of many.
 template <class Method, class T, class Shape>
 [[nodiscard]] auto roots_among_neighbours(const Ray<T>& ray, const Shape& shape,
                                           const std::optional<ObjectSpace<T>>& space = {},
                                           InstructionSet set = preferred_instruction_set()) {
-  const auto& [o, d, t_min, t_max] = ray;
-  const MixedLanes<T, 8, mixed_lanes<Method>> lanes({o.x, o.y, o.z, d.x, d.y, d.z, t_min, t_max});
-  const auto& c = lanes.column;
-  RayBatch<T> rays{{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, t_min, t_max, space};
-  if (lanes.lane % 2 == 1) {
-    rays = {rays.origin, rays.direction, not_a_number<T>, not_a_number<T>, space, c[6], c[7]};
-  }
+  const MixedRays<Method, T> rays(ray, space);
   MixedRoots<T, decltype(Method::roots(ray, shape)), mixed_lanes<Method>> roots;
-  batch_roots<Method>(rays, shape, roots.arrays(), set);
-  return roots.at(lanes.lane);
+  batch_roots<Method>(rays.batch, shape, roots.arrays(), set);
+  return roots.at(rays.lanes.lane);
+}
+
+/// The nearest hit alone of one ray, answered in a batch of many.
+template <class Method, class T, class Shape>
+[[nodiscard]] T nearest_among_neighbours(const Ray<T>& ray, const Shape& shape,
+                                         InstructionSet set = preferred_instruction_set()) {
+  const MixedRays<Method, T> rays(ray, {});
+  std::array<T, mixed_lanes<Method>> t{};
+  nearest_hits<Method>(rays.batch, shape, std::span<T>(t), set);
+  return t[rays.lanes.lane];
 }
 
 /// The roots of one equation, answered in a batch of many.

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <rayproof/arithmetics/bounded.hpp>
 #include <rayproof/batch/instruction_set.hpp>
+#include <rayproof/nearest_hit.hpp>
 #include <rayproof/topics.hpp>
 #include <rayproof/transform.hpp>
 #include <tuple>
@@ -73,8 +74,8 @@ template <class Method>
 inline constexpr bool has_quick_phase = requires {
   &Method::template enclosed<AnyNumber>;
 };
-/// The same of rays that are in the world. In packs it runs for rays in float alone: with the digits that
-/// doubles take, these kernels would nearly double the time to compile.
+/// Whether there is a quick phase of rays that are in the world. In packs it runs for rays in float alone:
+/// with the digits that doubles take, these kernels would nearly double the time to compile.
 template <class Method>
 inline constexpr bool has_quick_phase_in_world = requires {
   &Method::template enclosed_in_space<AnyNumber>;
@@ -86,6 +87,9 @@ template <class Method>
 inline constexpr bool has_kernels = (runs_in_packs<Method> || has_quick_phase<Method>)&&  //
                                     Method::contract.standing
                                     != Standing::printed;
+
+/// No more problems are given to a kernel with a quick phase at once.
+inline constexpr std::size_t quick_block = 512;
 
 /// One method's kernel in one precision.
 template <class Method, class Problem>

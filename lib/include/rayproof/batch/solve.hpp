@@ -48,9 +48,8 @@ void solve_one(const Lanes<Problem>& in, std::size_t i, T* const (&out)[Columns]
 template <class Problem, class T, std::size_t Columns, class Run, class Solve>
 void run_quick_kernel(const Lanes<Problem>& in, T* const (&out)[Columns], bool all, const Run& run,
                       const Solve& solve) {
-  constexpr std::size_t block = 512;
-  for (std::size_t from = 0; from < in.size; from += block) {
-    const auto part = part_of(in, from, std::min(block, in.size - from));
+  for (std::size_t from = 0; from < in.size; from += quick_block) {
+    const auto part = part_of(in, from, std::min(quick_block, in.size - from));
     T* results[Columns] = {};
     for (std::size_t i = 0; i < (all ? Columns : 1); ++i) results[i] = out[i] + from;
     if (!run(part, results)) continue;

@@ -1,5 +1,6 @@
 #pragma once
 #include <rayproof/box.hpp>
+#include <rayproof/box/correction.hpp>
 #include <rayproof/box/exact_slab.hpp>
 #include <rayproof/box/slabs.hpp>
 #include <rayproof/box/slabs_inverse.hpp>
@@ -30,6 +31,9 @@ struct Rounded {
       .hit = box_hit_bounds,
       .domain = {.reach_float = 1000, .reach_double = 480, .every_number = true},
       .holds = robust_claims | hit_claims | Claims{Claim::ulp, Claim::rounded}};
+
+  /// What packs try first where the nearest hit alone is asked for.
+  using Correction = box::Correction;
 
   template <std::floating_point T>
   [[nodiscard]] static Roots<T> roots(const Ray<T>& ray, const Box<T>& box) {

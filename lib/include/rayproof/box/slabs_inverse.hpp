@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <rayproof/box.hpp>
 #include <rayproof/box/slab.hpp>
 #include <rayproof/method/method.hpp>
@@ -33,6 +34,12 @@ struct SlabsInverse {
   /// From the last entry to the first exit, not yet compared.
   template <class T>
   [[nodiscard]] static constexpr Slab<T> common_interval(const Ray<T>& ray, const Box<T>& box) {
+    const auto [x, y, z] = slabs(ray, box);
+    return overlap(x, y, z);
+  }
+
+  template <class T>
+  [[nodiscard]] static constexpr std::array<Slab<T>, 3> slabs(const Ray<T>& ray, const Box<T>& box) {
     step<T>("Invert the direction, once for all boxes",
             "Each plane then costs a multiplication in place of a division.");
     const vec3<T> d = ray.direction;
@@ -52,7 +59,7 @@ struct SlabsInverse {
         named_slab("y_in", "y_out", slab_of(d.y, below.y, above.y, below.y * per_d.y, above.y * per_d.y));
     const Slab<T> z =
         named_slab("z_in", "z_out", slab_of(d.z, below.z, above.z, below.z * per_d.z, above.z * per_d.z));
-    return overlap(x, y, z);
+    return {x, y, z};
   }
 };
 

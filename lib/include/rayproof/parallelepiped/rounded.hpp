@@ -6,6 +6,7 @@
 #include <rayproof/formulas/quotient_error.hpp>
 #include <rayproof/method/method.hpp>
 #include <rayproof/parallelepiped.hpp>
+#include <rayproof/parallelepiped/correction.hpp>
 #include <rayproof/parallelepiped/face_planes.hpp>
 #include <rayproof/parallelepiped/prepared.hpp>
 
@@ -37,6 +38,9 @@ struct Rounded {
       .hit = parallelepiped_hit_bounds,
       .domain = {.reach_float = 1000, .reach_double = 120, .every_number = true},
       .holds = robust_claims | hit_claims | Claims{Claim::residual, Claim::ulp, Claim::rounded}};
+
+  /// What packs try first where the nearest hit alone is asked for.
+  using Correction = parallelepiped::Correction;
 
   template <std::floating_point T>
   [[nodiscard]] static Roots<T> roots(const Ray<T>& ray, const Parallelepiped<T>& solid) {

@@ -3,6 +3,7 @@
 #include <rayproof/formulas/exact_rounding.hpp>
 #include <rayproof/method/method.hpp>
 #include <rayproof/plane.hpp>
+#include <rayproof/plane/correction.hpp>
 #include <rayproof/plane/estimated.hpp>
 
 #include <rayproof/rounding/as_written.hpp>
@@ -34,6 +35,9 @@ struct Rounded {
       .holds = robust_claims | hit_claims |
                Claims{Claim::coordinates, Claim::residual, Claim::ulp, Claim::rounded}};
   static constexpr bool has_parameters = true;  ///< the answer's u and v say where on the plane the hit is
+
+  /// What packs try first where the nearest hit alone is asked for.
+  using Correction = plane::Correction;
 
   template <std::floating_point T>
   [[nodiscard]] static FlatHit<T> roots(const Ray<T>& ray, const Plane<T>& plane) {

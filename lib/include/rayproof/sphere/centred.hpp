@@ -36,8 +36,20 @@ struct Centred {
       .domain = {.reach_float = 26},
       .holds = robust_claims | hit_claims | Claims{Claim::residual, Claim::bounded}};
 
+  /// What a sphere cuts out of a line: about t_c a length in t whose half, squared, is D·per_a.
+  template <class T>
+  struct CutOut {
+    T t_c, D, per_a;
+  };
+
   template <class T>
   [[nodiscard]] static constexpr Roots<T> roots(const Ray<T>& ray, const Sphere<T>& sphere) {
+    const auto [t_c, D, per_a] = cut_out(ray, sphere);
+    return ends_of_chord(t_c, D, per_a);
+  }
+
+  template <class T>
+  [[nodiscard]] static constexpr CutOut<T> cut_out(const Ray<T>& ray, const Sphere<T>& sphere) {
     step<T>("Measure the ray from the centre",
             "f points from the centre to o; the sphere's position enters only through it.");
     const vec3<T> f = named("f", ray.origin - sphere.center);
@@ -52,8 +64,7 @@ struct Centred {
 
     step<T>(steps::compare_with_radius);
     const T D = named("D", sphere.radius * sphere.radius - dot(l, l));
-
-    return ends_of_chord(t_c, D, per_a);
+    return {t_c, D, per_a};
   }
 };
 

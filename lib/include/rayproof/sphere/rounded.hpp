@@ -2,6 +2,7 @@
 #include <rayproof/formulas/bounded_roots.hpp>
 #include <rayproof/formulas/exact_map.hpp>
 #include <rayproof/sphere/compensated.hpp>
+#include <rayproof/sphere/correction.hpp>
 
 #include <rayproof/rounding/as_written.hpp>
 
@@ -26,6 +27,9 @@ struct Rounded {
       .hit = sphere_hit_bounds,
       .domain = Compensated::contract.domain,
       .holds = robust_claims | hit_claims | Claims{Claim::residual, Claim::ulp, Claim::rounded}};
+
+  /// What packs try first where the nearest hit alone is asked for.
+  using Correction = sphere::Correction;
 
   template <std::floating_point T>
   [[nodiscard]] static Roots<T> roots(const Ray<T>& ray, const Sphere<T>& sphere) {

@@ -33,7 +33,13 @@ struct ClearSides {
   Volume<T> D;          ///< U + V + W in real numbers
   Volume<T> at_origin;  ///< t = at_origin / D
 
-  [[nodiscard]] static constexpr ClearSides of(const Ray<T>& ray, const Triangle<T>& triangle) {
+  /// Where products may underflow, `least` is added to every size.
+  [[nodiscard]] static constexpr ClearSides of(const Ray<T>& ray, const Triangle<T>& triangle,
+                                               const N& least = N(0)) {
+    const auto size = [&](const vec3<T>& x) {
+      const N sum = abs(leading(x.x)) + abs(leading(x.y)) + abs(leading(x.z));
+      return is_known_zero(least) ? sum : sum + least;
+    };
     const vec3<T> d = ray.direction;
     const vec3<T> a = triangle.a - ray.origin;
     const vec3<T> b = triangle.b - ray.origin;
@@ -82,11 +88,6 @@ struct ClearSides {
             error_of(u, V),
             error_of(v, W),
             (is_hit && has_digits) || is_miss()};
-  }
-
- private:
-  static constexpr N size(const vec3<T>& x) {
-    return abs(leading(x.x)) + abs(leading(x.y)) + abs(leading(x.z));
   }
 };
 

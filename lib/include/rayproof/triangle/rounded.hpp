@@ -4,6 +4,7 @@
 #include <rayproof/method/method.hpp>
 #include <rayproof/triangle.hpp>
 #include <rayproof/triangle/clear_sides.hpp>
+#include <rayproof/triangle/correction.hpp>
 #include <rayproof/triangle/plucker.hpp>
 
 #include <rayproof/rounding/as_written.hpp>
@@ -36,6 +37,9 @@ struct Rounded {
       .domain = {.reach_float = 1000, .reach_double = 200, .every_number = true},
       .holds = robust_claims | hit_claims |
                Claims{Claim::coordinates, Claim::residual, Claim::ulp, Claim::rounded}};
+
+  /// What packs try first where the nearest hit alone is asked for.
+  using Correction = triangle::Correction;
 
   template <std::floating_point T>
   [[nodiscard]] static FlatHit<T> roots(const Ray<T>& ray, const Triangle<T>& triangle) {

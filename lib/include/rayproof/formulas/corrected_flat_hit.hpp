@@ -1,0 +1,70 @@
+#pragma once
+/// \file
+/// The hit of a ray with the plane of a flat figure, corrected.
+
+#include <rayproof/arithmetics/sized.hpp>
+#include <rayproof/formulas/newton_step.hpp>
+
+#include <rayproof/rounding/as_written.hpp>
+
+namespace rayproof {
+
+/// normal·(q - point) + d = 0, where each component of the normal is off by at most 4u of `size`, u the unit
+/// roundoff, and the rest is given.
+template <class W>
+struct PlaneEquation {
+  vec3<W> normal;
+  double size;
+  vec3<W> point;
+  W d;
+};
+template <class To, class From>
+[[nodiscard]] constexpr PlaneEquation<To> convert(const PlaneEquation<From>& plane) {
+  return {convert<To>(plane.normal), plane.size, convert<To>(plane.point), To(plane.d)};
+}
+template <class W>
+[[nodiscard]] constexpr PlaneEquation<W> plane_equation(const Vec3<Sized<W>>& n, const vec3<W>& point,
+                                                        const W& d) {
+  return {{n.x.value, n.y.value, n.z.value}, max(n.x.size, max(n.y.size, n.z.size)), point, d};
+}
+
+/// The sum of a vector's magnitudes.
+template <class N>
+[[nodiscard]] constexpr N sum_of_magnitudes(const vec3<N>& v) {
+  return abs(v.x) + abs(v.y) + abs(v.z);
+}
+
+/// f(t) = n·(o - p + t·d) + D, whose slope is n·d. `wide` is the ray with more digits.
+template <class N, class W>
+[[nodiscard]] constexpr Linear<N> flat_residual(const Ray<N>& ray, const Ray<W>& wide, const W& t,
+                                                const PlaneEquation<W>& plane) {
+  const vec3<W> w = wide.origin - plane.point, d = wide.direction;
+  const vec3<W> q{multiply_add(t, d.x, w.x), multiply_add(t, d.y, w.y), multiply_add(t, d.z, w.z)};
+  return {narrow(dot(plane.normal, q) + plane.d), dot(narrowed_vector<N>(plane.normal), ray.direction)};
+}
+
+/// The zero of that function, rounded, in which |n| is no component's size more than `size_of_n`.
+///
+/// u is W's unit roundoff: o - p and its sum with t·d, which is exact, are rounded once each, to u of |o - p|
+/// and |t·d|; n is off by 4u of its size, and three products and sums by 4u. So f is off by 10u times the
+/// sizes of its terms, and n·d, which is found without more digits, by four of N's unit roundoffs times its
+/// own.
+///
+/// `least_error` is added to what may underflow before a product with it is formed.
+template <class W, class N>
+[[nodiscard]] constexpr Quick<N, N> corrected_flat_hit(const Ray<N>& ray, const N& t, const Linear<N>& f,
+                                                       const N& size_of_n, const vec3<N>& point,
+                                                       const N& size_of_d) {
+  const N n = size_of_n + N(least_error<N>);
+  const N size_of_slope = n * sum_of_magnitudes<N>(ray.direction);
+  const N size = n * sum_of_magnitudes<N>(ray.origin - point) + abs(t) * size_of_slope + size_of_d;
+  const N error = N(12 * unit_roundoff<W>) * size + N(least_error<N>);
+  const auto slope_error = [&](const N& /*step*/) {
+    return N(6 * unit_roundoff<N>) * size_of_slope + N(least_error<N>);
+  };
+  return newton_step(t, f.value, error, f.slope, slope_error);
+}
+
+}  // namespace rayproof
+
+#include <rayproof/rounding/as_before.hpp>

@@ -1,0 +1,46 @@
+#pragma once
+/// \file
+/// The nearest hit alone, which the methods `rounded` find in fewer steps than both roots.
+
+#include <rayproof/formulas/newton_step.hpp>
+#include <rayproof/roots.hpp>
+
+#include <rayproof/rounding/as_written.hpp>
+
+namespace rayproof {
+
+/// Whether a method's nearest hit is found by correcting a plain one, wherever that leaves no doubt.
+template <class Method>
+inline constexpr bool has_correction = requires {
+  typename Method::Correction;
+};
+
+/// The nearest hit by a correction, and whether it is sure to be the exact one rounded once.
+template <class Correction, std::floating_point T, template <class> class Shape>
+[[nodiscard]] Quick<T, T> corrected_nearest(const Ray<T>& ray, const Shape<T>& shape) {
+  using W = WiderThan<T>;
+  const auto known = prepared<Correction>(convert<W>(shape));
+  const auto wide = [](const glm::vec<3, T>& v) {
+    return vec3<W>{with_more_digits<W>(v.x), with_more_digits<W>(v.y), with_more_digits<W>(v.z)};
+  };
+  const CorrectionStart<T> start = Correction::start(ray, shape);
+  const CorrectionStart<W> wide_start{with_more_digits<W>(start.t), with_more_digits<W>(start.face)};
+  const Ray<W> wide_ray{wide(ray.origin), wide(ray.direction)};
+  return Correction::nearest(ray, start, Correction::residual(ray, wide_ray, start, wide_start, known),
+                             known);
+}
+
+/// The nearest hit of a ray in the shape's own space: the smallest root in [t_min, t_max], or infinity for a
+/// miss; bit for bit `nearest(ray, Method::roots(ray, shape))`.
+template <class Method, std::floating_point T, template <class> class Shape>
+[[nodiscard]] T nearest_hit(const Ray<T>& ray, const Shape<T>& shape) {
+  if constexpr (has_correction<Method>) {
+    const auto [t, is_sure] = corrected_nearest<typename Method::Correction>(ray, shape);
+    if (is_sure) return t;
+  }
+  return nearest(ray, Method::roots(ray, shape));
+}
+
+}  // namespace rayproof
+
+#include <rayproof/rounding/as_before.hpp>

@@ -1,0 +1,45 @@
+#pragma once
+#include <rayproof/formulas/corrected_flat_hit.hpp>
+#include <rayproof/triangle/clear_sides.hpp>
+
+#include <rayproof/rounding/as_written.hpp>
+
+namespace rayproof::triangle {
+
+/// The verdict of the three sides without more digits, where it is clear, and their t, corrected.
+struct Correction {
+  /// What is known before the ray is. Edges are rounded once, and so are products of two.
+  template <class W>
+  [[nodiscard]] static constexpr PlaneEquation<W> prepared(const Triangle<W>& triangle) {
+    return plane_equation<W>(cross(sized<W>(triangle.b - triangle.a), sized<W>(triangle.c - triangle.a)),
+                             triangle.a, W(0));
+  }
+
+  /// The t of a hit; infinity for a miss, and NaN where neither is clear.
+  template <class N>
+  [[nodiscard]] static constexpr CorrectionStart<N> start(const Ray<N>& ray, const Triangle<N>& triangle) {
+    const auto sides = ClearSides<N>::of(ray, triangle, N(least_length<N>));
+    const N t = sides.at_origin.value / sides.D.value;
+    return {select(sides.is_inside(), t, select(sides.is_miss(), N(infinity<N>), N(not_a_number<N>))), N(0)};
+  }
+
+  template <class N, class W>
+  [[nodiscard]] static constexpr Linear<N> residual(const Ray<N>& ray, const Ray<W>& wide,
+                                                    const CorrectionStart<N>& /*narrow*/,
+                                                    const CorrectionStart<W>& start,
+                                                    const PlaneEquation<W>& plane) {
+    return flat_residual(ray, wide, start.t, plane);
+  }
+
+  template <class N, class W>
+  [[nodiscard]] static constexpr Quick<N, N> nearest(const Ray<N>& ray, const CorrectionStart<N>& start,
+                                                     const Linear<N>& f, const PlaneEquation<W>& plane) {
+    return nearest_root(ray, start.t,
+                        corrected_flat_hit<W>(ray, start.t, f, N(plane.size), narrowed_vector<N>(plane.point),
+                                              abs(narrow(plane.d))));
+  }
+};
+
+}  // namespace rayproof::triangle
+
+#include <rayproof/rounding/as_before.hpp>
