@@ -17,7 +17,7 @@ from generate import Planted  # noqa: E402
 INCLUDE = HERE.parents[1] / "lib" / "include" / "rayproof"
 TOPICS = tuple(re.findall(r"^#include <rayproof/(\w+)/methods.hpp>", (INCLUDE / "topics.hpp").read_text(encoding="utf-8"),
                           re.MULTILINE))
-SHARED = ("roots.hpp", "ray.hpp", "transform.hpp", "normals.hpp", "vec3.hpp", "arithmetic.hpp",
+SHARED = ("roots.hpp", "ray.hpp", "nearest_hit.hpp", "transform.hpp", "normals.hpp", "vec3.hpp", "arithmetic.hpp",
           "arithmetics/error_free.hpp", "arithmetics/double_double.hpp", "arithmetics/expansion.hpp",
           "arithmetics/growing_expansion.hpp")
 COMPILED = sorted([*HERE.glob("planted/*.?pp"), *HERE.glob("generator/*.py")])

@@ -75,6 +75,80 @@ TEST(Correction, IsSureOfNearlyEveryOrdinaryRay) {
   });
 }
 
+/// A number that is the next, or the next but one, on either side, or the same.
+template <class T>
+T neighbour_of(T x, Random& random) {
+  const T end = random.one_in(2) ? infinity<T> : -infinity<T>;
+  for (int steps = random.between(0, 2); steps > 0; --steps) x = std::nextafter(x, end);
+  return x;
+}
+
+/// Rays whose interval begins or ends at the lower or the upper root, or beside it.
+template <class Method, template <class> class Shape, class T>
+void expect_exact_at_ends(const RayTopic<Shape>* /*topic*/) {
+  Random random(47);
+  const auto number = [&] { return T(3) * draw::symmetric<T>(random); };
+  int hits = 0;
+  for (int i = 0; i < 20000; ++i) {
+    Shape<T> shape;
+    draw_of(shape, random, number);
+    const vec3<T> origin = vector_of<T>(number), direction = vector_of<T>(number);
+    Ray<T> ray{origin, direction, -infinity<T>, infinity<T>};
+    const Roots<T> roots = Method::exact_roots(ray, shape);
+    if (!(roots.discriminant >= 0)) continue;
+    ++hits;
+    const T t = neighbour_of(random.one_in(2) ? roots.lo : roots.hi, random);
+    (random.one_in(2) ? ray.t_min : ray.t_max) = t;
+    const T exact = nearest(ray, Method::exact_roots(ray, shape));
+    const auto corrected = corrected_nearest<typename Method::Correction>(ray, shape);
+    if (corrected.is_sure) {
+      EXPECT_TRUE(same_bits(corrected.answer, exact)) << corrected.answer << " for " << exact;
+    }
+  }
+  EXPECT_GT(hits, 100);
+}
+
+TEST(Correction, IsSureOfNothingFalseWhereTheIntervalEndsBesideAHit) {
+  for_each_correction([]<class Method, template <class> class Shape>(std::type_identity<Method>,
+                                                                     const RayTopic<Shape>* topic) {
+    expect_exact_at_ends<Method, Shape, float>(topic);
+    expect_exact_at_ends<Method, Shape, double>(topic);
+  });
+}
+
+/// Rays enough for several blocks and a part of one, met with one shape by packs.
+template <class Method, template <class> class Shape, class T>
+void expect_exact_in_packs(InstructionSet set) {
+  Random random(17);
+  const auto number = [&] { return static_cast<T>(random.between(-64, 64)) / 16; };
+  constexpr std::size_t size = 1300;
+  for (int i = 0; i < 8; ++i) {
+    Shape<T> shape;
+    draw_of(shape, random, number);
+    std::vector<T> column[6], t(size);
+    for (auto& c : column)
+      for (std::size_t k = 0; k < size; ++k) c.push_back(number());
+    const RayBatch<T> rays{{column[0], column[1], column[2]}, {column[3], column[4], column[5]}};
+    nearest_hits<Method>(rays, shape, std::span<T>(t), set);
+    for (std::size_t k = 0; k < size; ++k) {
+      const Ray<T> ray{{column[0][k], column[1][k], column[2][k]},
+                       {column[3][k], column[4][k], column[5][k]}};
+      EXPECT_TRUE(same_bits(t[k], nearest(ray, Method::exact_roots(ray, shape)))) << "ray " << k;
+    }
+  }
+}
+
+TEST(Correction, InPacksLeavesTheExactAnswerBlockAfterBlock) {
+  for_each_correction([]<class Method, template <class> class Shape>(std::type_identity<Method>,
+                                                                     const RayTopic<Shape>* /*topic*/) {
+    for (const InstructionSet set : available_instruction_sets()) {
+      SCOPED_TRACE(std::string(name_of(set)));
+      expect_exact_in_packs<Method, Shape, float>(set);
+      expect_exact_in_packs<Method, Shape, double>(set);
+    }
+  });
+}
+
 TEST(Correction, IsRightWhereItIsSureOfSmallWholeNumbers) {
   const auto whole = []<class T>(Random& random, T) { return static_cast<T>(random.between(-3, 3)); };
   in_both_precisions(whole, [](const Counted& counted, int all) { EXPECT_GT(counted.sure, all / 10); });

@@ -9,8 +9,8 @@ namespace rayproof::box {
 
 /// The nearest hit of SlabsInverse, corrected: with the face that is met f(t) = o + t·d - plane on its axis.
 struct Correction {
-  /// An end is off by 3.01u of itself, u the unit roundoff, and by what underflows; there is none where the
-  /// ray runs along the slab. A box that is not finite leaves all in doubt.
+  /// An end is off by 3.01u of itself, u the unit roundoff, and two roundings more, and by what underflows;
+  /// there is none where the ray runs along the slab. A box that is not finite leaves all in doubt.
   template <class N>
   [[nodiscard]] static constexpr CorrectionStart<N> start(const Ray<N>& ray, const Box<N>& box) {
     const auto slabs = SlabsInverse::slabs(ray, box);
@@ -18,7 +18,7 @@ struct Correction {
     const N nothing = N(0) * (sum(box.min) + sum(box.max));
     const auto directed = [&](const Slab<N>& slab, const N& d) -> DirectedSlab<N> {
       const auto error_of = [&](const N& t) {
-        const N error = N(4 * unit_roundoff<N>) * abs(t) + N(least_error<N>);
+        const N error = N(5.5 * unit_roundoff<N>) * abs(t) + N(least_error<N>);
         return select(d == N(0), nothing, error + nothing);
       };
       return {slab.entry, slab.exit, error_of(slab.entry), error_of(slab.exit), d < N(0)};

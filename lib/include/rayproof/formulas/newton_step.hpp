@@ -77,14 +77,16 @@ template <class N, class SlopeError>
   return {low, low == high && N(0x1p10) * doubt_of_slope < size};
 }
 
-/// The nearest hit of a ray whose line surely meets a face at t, which Newton's step made `root` of; or at
-/// infinity, which is nowhere. An end of the interval is not sure: the exact t may lie on either side.
+/// The nearest hit of a ray whose line surely meets a face near t, at `root`; or at infinity, which is
+/// nowhere. A root on an end of the interval is not sure, since the exact t may lie on either side; nor is
+/// one on the other side of t_min than t, by which the face was chosen.
 template <class N>
 [[nodiscard]] constexpr Quick<N, N> nearest_root(const Ray<N>& ray, const N& t, const Quick<N, N>& root) {
   const Mask<N> is_miss = t == N(infinity<N>);
-  const Mask<N> is_on_end = root.answer == ray.t_min || root.answer == ray.t_max;
+  const Mask<N> is_on_one_side = N(0) < (root.answer - ray.t_min) * (t - ray.t_min);
+  const Mask<N> is_off_end = root.answer < ray.t_max || ray.t_max < root.answer;
   return {select(in_interval(ray, root.answer) && !is_miss, root.answer, N(infinity<N>)),
-          (root.is_sure && !is_on_end) || is_miss};
+          (root.is_sure && is_on_one_side && is_off_end) || is_miss};
 }
 
 }  // namespace rayproof

@@ -7,7 +7,7 @@
 
 namespace rayproof::parallelepiped {
 
-/// The nearest hit of FacePlanes, corrected: with the plane of the face that is met.
+/// The nearest hit of three pairs of parallel planes, corrected: with the plane of the face that is met.
 struct Correction {
   template <class W>
   [[nodiscard]] static constexpr Prepared<W> prepared(const Parallelepiped<W>& solid) {

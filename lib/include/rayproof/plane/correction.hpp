@@ -6,7 +6,7 @@
 
 namespace rayproof::plane {
 
-/// The hit of ByEquation, corrected.
+/// The hit of ByEquation, corrected, with f(t) = n·p(t) + D of any of the plane's forms.
 struct Correction {
   /// What is known before the ray is.
   template <class W>

@@ -6,8 +6,25 @@
 
 namespace rayproof::sphere {
 
-/// The nearest hit of Centred, corrected: with l = o + t·d - c the root of f(t) = |l|² - r² is found from the
-/// value and the slope 2·l·d at a t that is as short as the ray's own numbers.
+/// The nearest hit of Centred, corrected: the zero of f(t) = |l|² - r² with l = o + t·d - c is found from f
+/// and half its slope, g = l·d, at a t that is as short as the ray's own numbers. Whatever t is, what is sure
+/// is right.
+///
+/// In real numbers f(t + x) = f(t) + 2g·x + a·x² with a = |d|². The discriminant g² - a·f(t) is the same for
+/// every t, and its sign the verdict.
+///
+/// u is the unit roundoff of more digits. o - c and l are rounded once, products of given numbers are exact:
+/// l is off by u(|o - c| + |l|), and |l|² - r² by u(|o - c|² + 7|l|² + 4r²). With |o - c| <= |l| + |t||d| and
+/// |l|² <= |f| + r² that is less than u(9|f| + 13r² + 2t²a), and the first term far less than a rounding to
+/// N.
+///
+/// A hit is sure where Newton's step is: the slope's error, a·x and more, is then less than a 2^10th of it,
+/// so that a·f is less than g²/384, and g, off by u·(4|l| + |o - c|)·|d|, by less than 2^-27 of itself. Where
+/// g < 0 it is the lower root. The other one lies 2√(g² - a·f)/a away, which is more than 1.99|g|/a.
+///
+/// A miss is sure where a·f > 4g² beside f's error: the error of g adds less than a·f/2 to g².
+///
+/// Nothing of this underflows, and what overflows is never sure, where a is no less than `least_error`.
 struct Correction {
   /// Where to begin: the root that seems to be the nearest hit, or of a miss the t nearest to the centre.
   template <class N>
@@ -17,23 +34,7 @@ struct Correction {
     return {select(ray.t_min <= lo, lo, hi), N(0)};
   }
 
-  /// The nearest hit, infinity for a miss; `wide` is the ray, and `t_wide` is t, with more digits. Whatever t
-  /// is, what is sure is right.
-  ///
-  /// In real numbers f(t + x) = f(t) + 2g·x + a·x² with g = l·d and a = |d|². The discriminant g² - a·f(t)
-  /// is the same for every t, and its sign the verdict.
-  ///
-  /// u is W's unit roundoff. o - c and l are rounded once, products of given numbers are exact: l is off by
-  /// u(|o - c| + |l|), and |l|² - r² by u(|o - c|² + 7|l|² + 4r²). With |o - c| <= |l| + |t||d| and |l|² <=
-  /// |f| + r² that is less than u(9|f| + 13r² + 2t²a), and the first term far less than a rounding to N.
-  ///
-  /// A hit is sure where Newton's step is: the slope's error, a·x and more, is then less than a 2^10th of it,
-  /// so that a·f is less than g²/384, and g, off by u·(4|l| + |o - c|)·|d|, by less than 2^-27 of itself.
-  /// Where g < 0 it is the lower root. The other one lies 2√(g² - a·f)/a away, which is more than 1.99|g|/a.
-  ///
-  /// A miss is sure where a·f > 4g² > 0 beside f's error. The error of g adds less than a·f/2 to g².
-  ///
-  /// Nothing of this underflows, and what overflows is never sure, where a is no less than `least_error`.
+  /// f and g, found with more digits.
   template <class N, class W>
   [[nodiscard]] static constexpr Linear<N> residual(const Ray<N>& /*ray*/, const Ray<W>& wide,
                                                     const CorrectionStart<N>& /*narrow*/,
@@ -44,6 +45,8 @@ struct Correction {
     const vec3<W> l{multiply_add(t, d.x, f.x), multiply_add(t, d.y, f.y), multiply_add(t, d.z, f.z)};
     return {narrow(dot(l, l) - sphere.radius * sphere.radius), narrow(dot(l, d))};
   }
+
+  /// The nearest hit from f and g, infinity for a miss.
   template <class N, class W>
   [[nodiscard]] static constexpr Quick<N, N> nearest(const Ray<N>& ray, const CorrectionStart<N>& start,
                                                      const Linear<N>& f, const Sphere<W>& sphere) {

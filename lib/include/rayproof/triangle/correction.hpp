@@ -20,7 +20,8 @@ struct Correction {
   [[nodiscard]] static constexpr CorrectionStart<N> start(const Ray<N>& ray, const Triangle<N>& triangle) {
     const auto sides = ClearSides<N>::of(ray, triangle, N(least_length<N>));
     const N t = sides.at_origin.value / sides.D.value;
-    return {select(sides.is_inside(), t, select(sides.is_miss(), N(infinity<N>), N(not_a_number<N>))), N(0)};
+    const Mask<N> is_hit = sides.is_inside() && t < N(infinity<N>);
+    return {select(sides.is_miss(), N(infinity<N>), select(is_hit, t, N(not_a_number<N>))), N(0)};
   }
 
   template <class N, class W>
