@@ -74,7 +74,9 @@ template <class Topic, class Method>
         return answer;
       });
     };
-  if constexpr (Method::contract.holds.contains(Claim::bounded))
+  if constexpr (has_correction<Method>)
+    subject.bounded_hits = [](const Case& one) { return Topical::template corrected_hits<Method>(one); };
+  else if constexpr (Method::contract.holds.contains(Claim::bounded))
     subject.bounded_hits = [](const Case& one) {
       return in_precision(one.precision, [&]<class T>(T) {
         const auto roots = solve_in<Topic, Method, Bounded<T>>(one);

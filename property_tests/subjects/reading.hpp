@@ -127,6 +127,19 @@ struct Reading {
     if (is_hit) answer.hits.t[0] = t;
   }
 
+  /// Where a method's correction has the exact t of the nearest hit of a case in float, and a bound on its
+  /// error with the rounding of this sum; nothing where it is in doubt, or of a miss. Doubles do not hold
+  /// that of a case in double.
+  template <class Method>
+  static std::vector<std::pair<double, double>> corrected_hits(const Case& one) {
+    const auto& question = std::get<RayQuestion>(one.question);
+    if (question.transform || one.precision != Precision::float32) return {};
+    const auto [answer, is_sure, t, step, doubt] = corrected_nearest<typename Method::Correction>(
+        convert<float>(question.ray), convert<float>(shape(question)));
+    if (!is_sure || !(answer < infinity<float>)) return {};
+    return {{double{t} - double{step}, double{doubt} + 0x1p-53 * std::abs(double{t})}};
+  }
+
   /// Why a ray misses a plane: it is parallel to it, or runs inside it. Of other shapes no more is said.
   template <class Method, class T>
   static Contact contact_of_miss([[maybe_unused]] const Problem<T>& asked) {

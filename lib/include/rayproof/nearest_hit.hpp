@@ -15,9 +15,10 @@ inline constexpr bool has_correction = requires {
   typename Method::Correction;
 };
 
-/// The nearest hit by a correction, and whether it is sure to be the exact one rounded once.
+/// The nearest hit by a correction, infinity for a miss, and whether it is sure to be the exact one rounded
+/// once.
 template <class Correction, std::floating_point T, template <class> class Shape>
-[[nodiscard]] Quick<T, T> corrected_nearest(const Ray<T>& ray, const Shape<T>& shape) {
+[[nodiscard]] Corrected<T> corrected_nearest(const Ray<T>& ray, const Shape<T>& shape) {
   using W = WiderThan<T>;
   const auto known = prepared<Correction>(convert<W>(shape));
   const auto wide = [](const glm::vec<3, T>& v) {
@@ -35,8 +36,8 @@ template <class Correction, std::floating_point T, template <class> class Shape>
 template <class Method, std::floating_point T, template <class> class Shape>
 [[nodiscard]] T nearest_hit(const Ray<T>& ray, const Shape<T>& shape) {
   if constexpr (has_correction<Method>) {
-    const auto [t, is_sure] = corrected_nearest<typename Method::Correction>(ray, shape);
-    if (is_sure) return t;
+    const auto corrected = corrected_nearest<typename Method::Correction>(ray, shape);
+    if (corrected.is_sure) return corrected.answer;
   }
   return nearest(ray, Method::roots(ray, shape));
 }

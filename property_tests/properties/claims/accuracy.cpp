@@ -111,7 +111,7 @@ Ruling bounded(Trial& trial) {
 }
 
 Evidence show_bounded(Trial& trial) {
-  std::string text = "the running-error arithmetic claims";
+  std::string text = "it claims";
   for (const auto& [t, bound] : trial.subject().bounded_hits(trial.question()))
     text += fmt::format(" {} ± {}", t, bound);
   return show_answer(trial, text);

@@ -26,10 +26,11 @@ Counted expect_exact_where_sure(Random& random, int count, const Number& number)
     const vec3<T> origin = vector_of<T>(number), direction = vector_of<T>(number);
     const Ray<T> ray{origin, direction, random.one_in(4) ? number() : T(0),
                      random.one_in(4) ? number() : infinity<T>};
-    const auto [t, is_sure] = corrected_nearest<typename Method::Correction>(ray, shape);
+    const auto corrected = corrected_nearest<typename Method::Correction>(ray, shape);
+    const T t = corrected.answer;
     const T exact = nearest(ray, Method::exact_roots(ray, shape));
     EXPECT_TRUE(same_bits(nearest_hit<Method>(ray, shape), exact)) << "for " << exact;
-    if (!is_sure) continue;
+    if (!corrected.is_sure) continue;
     ++counted.sure;
     counted.hits += t < infinity<T> ? 1 : 0;
     EXPECT_TRUE(same_bits(t, exact)) << "sure of " << t << " for " << exact;

@@ -45,11 +45,11 @@ struct Correction {
 
   /// f is off by u(|o - plane| + |f|), W's unit roundoff, and its slope is given.
   template <class N, class W>
-  [[nodiscard]] static constexpr Quick<N, N> nearest(const Ray<N>& ray, const CorrectionStart<N>& start,
-                                                     const Linear<N>& f, const Box<W>& /*box*/) {
+  [[nodiscard]] static constexpr Corrected<N> nearest(const Ray<N>& ray, const CorrectionStart<N>& start,
+                                                      const Linear<N>& f, const Box<W>& /*box*/) {
     const N error = N(2 * unit_roundoff<W>) * abs(start.t * f.slope) + N(least_error<N>);
     const auto slope_error = [](const N& /*step*/) { return N(0); };
-    return nearest_root(ray, start.t, newton_step(start.t, f.value, error, f.slope, slope_error));
+    return nearest_root(ray, newton_step(start.t, f.value, error, f.slope, slope_error));
   }
 };
 

@@ -30,9 +30,9 @@ struct Rounded {
       .ulp = {.measured = 0.5, .promised = 0.501},
       .hit = box_hit_bounds,
       .domain = {.reach_float = 1000, .reach_double = 480, .every_number = true},
-      .holds = robust_claims | hit_claims | Claims{Claim::ulp, Claim::rounded}};
+      .holds = robust_claims | hit_claims | Claims{Claim::ulp, Claim::rounded, Claim::bounded}};
 
-  /// What packs try first where the nearest hit alone is asked for.
+  /// What is tried first where the nearest hit alone is asked for.
   using Correction = box::Correction;
 
   template <std::floating_point T>

@@ -52,9 +52,9 @@ template <class N, class W>
 ///
 /// `least_error` is added to what may underflow before a product with it is formed.
 template <class W, class N>
-[[nodiscard]] constexpr Quick<N, N> corrected_flat_hit(const Ray<N>& ray, const N& t, const Linear<N>& f,
-                                                       const N& size_of_n, const vec3<N>& point,
-                                                       const N& size_of_d) {
+[[nodiscard]] constexpr Corrected<N> corrected_flat_hit(const Ray<N>& ray, const N& t, const Linear<N>& f,
+                                                        const N& size_of_n, const vec3<N>& point,
+                                                        const N& size_of_d) {
   const N n = size_of_n + N(least_error<N>);
   const N size_of_slope = n * sum_of_magnitudes<N>(ray.direction);
   const N size = n * sum_of_magnitudes<N>(ray.origin - point) + abs(t) * size_of_slope + size_of_d;

@@ -53,6 +53,15 @@ struct Linear {
   N value, slope;
 };
 
+/// A zero that was found from t: `answer` is the exact one rounded once where it is sure, and the exact one
+/// lies within `doubt` of t - step.
+template <class N>
+struct Corrected {
+  N answer;
+  Mask<N> is_sure;
+  N t, step, doubt;
+};
+
 /// The zero x of a function near t, rounded once: t less `value` over `slope`, the function's at t. It is
 /// sure where every number that x may be rounds to one; ±0 is +0.
 ///
@@ -65,8 +74,8 @@ struct Linear {
 /// With e and q these bounds, q less than |slope|/2^10, |m| is nearly |slope|, and the step, value
 /// over slope, is off by less than (e + |step|·(q + 3u·|slope|))·(1 + 2^-9) / |slope| and its own rounding.
 template <class N, class SlopeError>
-[[nodiscard]] constexpr Quick<N, N> newton_step(const N& t, const N& value, const N& error, const N& slope,
-                                                const SlopeError& slope_error) {
+[[nodiscard]] constexpr Corrected<N> newton_step(const N& t, const N& value, const N& error, const N& slope,
+                                                 const SlopeError& slope_error) {
   const N size = abs(slope);
   const N per_size = reciprocal_bound(min(size, N(1 / least_error<N>)));
   const N step = value / slope;
@@ -74,19 +83,19 @@ template <class N, class SlopeError>
   const N doubt_of_slope = N(8 * unit_roundoff<N>) * size + slope_error(longest);
   const N doubt = (error + longest * doubt_of_slope) * per_size;
   const N low = t - (step + doubt), high = t - (step - doubt);
-  return {low, low == high && N(0x1p10) * doubt_of_slope < size};
+  return {low, low == high && N(0x1p10) * doubt_of_slope < size, t, step, doubt};
 }
 
-/// The nearest hit of a ray whose line surely meets a face near t, at `root`; or at infinity, which is
-/// nowhere. A root on an end of the interval is not sure, since the exact t may lie on either side; nor is
-/// one on the other side of t_min than t, by which the face was chosen.
+/// The nearest hit of a ray whose line surely meets a face at `root`; or, where t is infinite, nowhere. A
+/// root on an end of the interval is not sure, since the exact t may lie on either side; nor is one on the
+/// other side of t_min than t, by which the face was chosen.
 template <class N>
-[[nodiscard]] constexpr Quick<N, N> nearest_root(const Ray<N>& ray, const N& t, const Quick<N, N>& root) {
-  const Mask<N> is_miss = t == N(infinity<N>);
-  const Mask<N> is_on_one_side = N(0) < (root.answer - ray.t_min) * (t - ray.t_min);
+[[nodiscard]] constexpr Corrected<N> nearest_root(const Ray<N>& ray, const Corrected<N>& root) {
+  const Mask<N> is_miss = root.t == N(infinity<N>);
+  const Mask<N> is_on_one_side = N(0) < (root.answer - ray.t_min) * (root.t - ray.t_min);
   const Mask<N> is_off_end = root.answer < ray.t_max || ray.t_max < root.answer;
   return {select(in_interval(ray, root.answer) && !is_miss, root.answer, N(infinity<N>)),
-          (root.is_sure && is_on_one_side && is_off_end) || is_miss};
+          (root.is_sure && is_on_one_side && is_off_end) || is_miss, root.t, root.step, root.doubt};
 }
 
 }  // namespace rayproof

@@ -67,8 +67,8 @@ struct Correction {
   }
 
   template <class N, class W>
-  [[nodiscard]] static constexpr Quick<N, N> nearest(const Ray<N>& ray, const CorrectionStart<N>& start,
-                                                     const Linear<N>& f, const Prepared<W>& solid) {
+  [[nodiscard]] static constexpr Corrected<N> nearest(const Ray<N>& ray, const CorrectionStart<N>& start,
+                                                      const Linear<N>& f, const Prepared<W>& solid) {
     const auto& pairs = solid.pairs;
     const N which = abs(start.face);
     const auto of_pair = [&](const auto& member) {
@@ -79,7 +79,7 @@ struct Correction {
       return max(size_in<N>(pair.normal.x), max(size_in<N>(pair.normal.y), size_in<N>(pair.normal.z)));
     });
     const N apart = of_pair([](const auto& pair) { return size_in<N>(pair.apart); });
-    return nearest_root(ray, start.t,
+    return nearest_root(ray,
                         corrected_flat_hit<W>(ray, start.t, f, n, narrowed_vector<N>(solid.corner), apart));
   }
 };

@@ -33,10 +33,10 @@ struct Rounded {
               {.measured = 0.992, .promised = 1.01, .is_proven = true}},
       .domain = {.reach_float = 1000, .reach_double = 200, .every_number = true},
       .holds = robust_claims | hit_claims |
-               Claims{Claim::coordinates, Claim::residual, Claim::ulp, Claim::rounded}};
+               Claims{Claim::coordinates, Claim::residual, Claim::ulp, Claim::rounded, Claim::bounded}};
   static constexpr bool has_parameters = true;  ///< the answer's u and v say where on the plane the hit is
 
-  /// What packs try first where the nearest hit alone is asked for.
+  /// What is tried first where the nearest hit alone is asked for.
   using Correction = plane::Correction;
 
   template <std::floating_point T>

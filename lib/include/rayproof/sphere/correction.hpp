@@ -48,8 +48,8 @@ struct Correction {
 
   /// The nearest hit from f and g, infinity for a miss.
   template <class N, class W>
-  [[nodiscard]] static constexpr Quick<N, N> nearest(const Ray<N>& ray, const CorrectionStart<N>& start,
-                                                     const Linear<N>& f, const Sphere<W>& sphere) {
+  [[nodiscard]] static constexpr Corrected<N> nearest(const Ray<N>& ray, const CorrectionStart<N>& start,
+                                                      const Linear<N>& f, const Sphere<W>& sphere) {
     const N t = start.t;
     const auto& [value, g] = f;
     const W rr = sphere.radius * sphere.radius;
@@ -58,7 +58,7 @@ struct Correction {
     const N k(16 * unit_roundoff<W>);
     const N error = k * t * t * a + (k * narrow(rr) + N(least_error<N>));
     const auto curvature = [&](const N& step) { return N(1.5) * a * step; };
-    const auto [root, is_root] = newton_step(t, value, error, N(2) * g, curvature);
+    const auto [root, is_root, from, step, doubt] = newton_step(t, value, error, N(2) * g, curvature);
 
     const N from_start = a * (root - ray.t_min), between = max(N(1.99) * g, N(0));
     const Mask<N> is_nearest = (from_start - between) * g < N(0);
@@ -67,7 +67,7 @@ struct Correction {
     const N least_value = min(value, N(1 / least_error<N>)) - N(8) * error;
     const Mask<N> is_sure_miss = N(4) * g * g < a * least_value;
     return {select(is_root && in_interval(ray, root), root, N(infinity<N>)),
-            (is_sure_hit || is_sure_miss) && N(least_error<N>) < a};
+            (is_sure_hit || is_sure_miss) && N(least_error<N>) < a, from, step, doubt};
   }
 };
 

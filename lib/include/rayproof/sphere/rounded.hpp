@@ -26,9 +26,10 @@ struct Rounded {
       .ulp = {.measured = 0.5, .promised = 0.501},
       .hit = sphere_hit_bounds,
       .domain = Compensated::contract.domain,
-      .holds = robust_claims | hit_claims | Claims{Claim::residual, Claim::ulp, Claim::rounded}};
+      .holds =
+          robust_claims | hit_claims | Claims{Claim::residual, Claim::ulp, Claim::rounded, Claim::bounded}};
 
-  /// What packs try first where the nearest hit alone is asked for.
+  /// What is tried first where the nearest hit alone is asked for.
   using Correction = sphere::Correction;
 
   template <std::floating_point T>

@@ -33,11 +33,10 @@ struct Correction {
   }
 
   template <class N, class W>
-  [[nodiscard]] static constexpr Quick<N, N> nearest(const Ray<N>& ray, const CorrectionStart<N>& start,
-                                                     const Linear<N>& f, const PlaneEquation<W>& plane) {
-    return nearest_root(ray, start.t,
-                        corrected_flat_hit<W>(ray, start.t, f, N(plane.size), narrowed_vector<N>(plane.point),
-                                              abs(narrow(plane.d))));
+  [[nodiscard]] static constexpr Corrected<N> nearest(const Ray<N>& ray, const CorrectionStart<N>& start,
+                                                      const Linear<N>& f, const PlaneEquation<W>& plane) {
+    return nearest_root(ray, corrected_flat_hit<W>(ray, start.t, f, N(plane.size),
+                                                   narrowed_vector<N>(plane.point), abs(narrow(plane.d))));
   }
 };
 

@@ -36,9 +36,9 @@ struct Rounded {
               {.measured = 1.22, .promised = 2, .is_proven = true}},
       .domain = {.reach_float = 1000, .reach_double = 200, .every_number = true},
       .holds = robust_claims | hit_claims |
-               Claims{Claim::coordinates, Claim::residual, Claim::ulp, Claim::rounded}};
+               Claims{Claim::coordinates, Claim::residual, Claim::ulp, Claim::rounded, Claim::bounded}};
 
-  /// What packs try first where the nearest hit alone is asked for.
+  /// What is tried first where the nearest hit alone is asked for.
   using Correction = triangle::Correction;
 
   template <std::floating_point T>
