@@ -171,6 +171,28 @@ TEST(Correction, IsRightWhereItIsSureOfNumbersOfAnySize) {
   in_both_precisions(extreme, [](const Counted& /*counted*/, int /*all*/) {});
 }
 
+/// Triangles whose sides are of products near the greatest number, where one overflows and another would take
+/// it back.
+TEST(Correction, IsSureOfNothingFalseWhereATrianglesSidesOverflow) {
+  using T = float;
+  Random random(53);
+  for (int i = 0; i < 20000; ++i) {
+    const int most = std::numeric_limits<T>::max_exponent, of_shape = random.between(-most / 4, most / 4);
+    const int of_direction = std::min(most - 2 * of_shape - random.between(4, 12), most - 8);
+    const auto number = [&](int exponent) {
+      return std::ldexp(static_cast<T>(random.between(-9, 9)), exponent);
+    };
+    Triangle<T> triangle;
+    draw_of(triangle, random, [&] { return number(of_shape); });
+    const Ray<T> ray{vector_of<T>([&] { return number(of_shape); }),
+                     vector_of<T>([&] { return number(of_direction); })};
+    const auto corrected = corrected_nearest<triangle::Correction>(ray, triangle);
+    if (corrected.is_sure) {
+      EXPECT_TRUE(same_bits(corrected.answer, nearest(ray, triangle::Rounded::exact_roots(ray, triangle))));
+    }
+  }
+}
+
 }  // namespace
 
 }  // namespace rayproof

@@ -20,8 +20,13 @@ struct Correction {
   [[nodiscard]] static constexpr CorrectionStart<N> start(const Ray<N>& ray, const Triangle<N>& triangle) {
     const auto sides = ClearSides<N>::of(ray, triangle, N(least_length<N>));
     const N t = sides.at_origin.value / sides.D.value;
-    const Mask<N> is_hit = sides.is_inside() && t < N(infinity<N>);
-    return {select(sides.is_miss(), N(infinity<N>), select(is_hit, t, N(not_a_number<N>))), N(0)};
+    // The terms of a side come to 1/(16u) of its error at most: none of these overflows, and none does before
+    // another that would take it back.
+    const N error = max(sides.U.error, max(sides.V.error, sides.W.error));
+    const Mask<N> is_moderate = error < N(1 / least_error<N>);
+    const Mask<N> is_hit = is_moderate && sides.is_inside() && t < N(infinity<N>);
+    const Mask<N> is_miss = is_moderate && sides.is_miss();
+    return {select(is_miss, N(infinity<N>), select(is_hit, t, N(not_a_number<N>))), N(0)};
   }
 
   template <class N, class W>
