@@ -58,8 +58,10 @@ template <class Topic, class Method>
     return in_precision(one.precision, [&]<class T>(T) -> Answer {
       auto answer = Topical::template answer<Method, T>(one, solve_in<Topic, Method, T>(one));
       if constexpr (has_correction<Method>)
-        Topical::template put_nearest_hit<T>(
-            one, answer, [](const auto& ray, const auto& shape) { return nearest_hit<Method>(ray, shape); });
+        Topical::template put_nearest_hit<T>(one, answer, [](const auto& ray, const auto& shape) {
+          const auto corrected = corrected_nearest<typename Method::Correction>(ray, shape);
+          return corrected.is_sure ? corrected.answer : nearest(ray, Method::roots(ray, shape));
+        });
       return answer;
     });
   });

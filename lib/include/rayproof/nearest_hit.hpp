@@ -32,10 +32,12 @@ template <class Correction, std::floating_point T, template <class> class Shape>
 }
 
 /// The nearest hit of a ray in the shape's own space: the smallest root in [t_min, t_max], or infinity for a
-/// miss; bit for bit `nearest(ray, Method::roots(ray, shape))`.
+/// miss; bit for bit `nearest(ray, Method::roots(ray, shape))`. One ray in double is met faster by a
+/// correction; of one in float the roots take no longer, since it is in packs that floats are twice as fast
+/// as doubles.
 template <class Method, std::floating_point T, template <class> class Shape>
 [[nodiscard]] T nearest_hit(const Ray<T>& ray, const Shape<T>& shape) {
-  if constexpr (has_correction<Method>) {
+  if constexpr (has_correction<Method> && std::same_as<T, double>) {
     const auto corrected = corrected_nearest<typename Method::Correction>(ray, shape);
     if (corrected.is_sure) return corrected.answer;
   }
