@@ -57,6 +57,13 @@ template <class T>
   return x * y + z;
 }
 
+/// The same of each component: x·v + w.
+template <class T, class V>
+requires std::same_as<V, vec3<T>>
+[[nodiscard]] constexpr V multiply_add(const T& x, const V& v, const V& w) {
+  return {multiply_add(x, v.x, w.x), multiply_add(x, v.y, w.y), multiply_add(x, v.z, w.z)};
+}
+
 template <class A, class B>
 [[nodiscard]] constexpr auto dot(const Vec3<A>& a, const Vec3<B>& b) {
   return sum_of_products(a.x, b.x, a.y, b.y, a.z, b.z);

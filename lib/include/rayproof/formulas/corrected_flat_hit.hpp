@@ -38,8 +38,7 @@ template <class N>
 template <class N, class W>
 [[nodiscard]] constexpr Linear<N> flat_residual(const Ray<N>& ray, const Ray<W>& wide, const W& t,
                                                 const PlaneEquation<W>& plane) {
-  const vec3<W> w = wide.origin - plane.point, d = wide.direction;
-  const vec3<W> q{multiply_add(t, d.x, w.x), multiply_add(t, d.y, w.y), multiply_add(t, d.z, w.z)};
+  const vec3<W> w = wide.origin - plane.point, q = multiply_add(t, wide.direction, w);
   return {narrow(dot(plane.normal, q) + plane.d), dot(narrowed_vector<N>(plane.normal), ray.direction)};
 }
 
@@ -64,6 +63,24 @@ template <class W, class N>
   };
   return newton_step(t, f.value, error, f.slope, slope_error);
 }
+
+/// The correction of a figure in one plane, from where a method of its own starts it.
+struct InOnePlane {
+  template <class N, class W>
+  [[nodiscard]] static constexpr Linear<N> residual(const Ray<N>& ray, const Ray<W>& wide,
+                                                    const CorrectionStart<N>& /*narrow*/,
+                                                    const CorrectionStart<W>& start,
+                                                    const PlaneEquation<W>& plane) {
+    return flat_residual(ray, wide, start.t, plane);
+  }
+
+  template <class N, class W>
+  [[nodiscard]] static constexpr Corrected<N> nearest(const Ray<N>& ray, const CorrectionStart<N>& start,
+                                                      const Linear<N>& f, const PlaneEquation<W>& plane) {
+    return nearest_root(ray, corrected_flat_hit<W>(ray, start.t, f, N(plane.size),
+                                                   narrowed_vector<N>(plane.point), abs(narrow(plane.d))));
+  }
+};
 
 }  // namespace rayproof
 

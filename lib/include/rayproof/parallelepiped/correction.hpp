@@ -61,8 +61,7 @@ struct Correction {
                     of_pair([](const auto& pair) { return pair.normal.z.value; })};
     const W apart = of_pair([](const auto& pair) { return pair.apart.value; });
     const vec3<W> w = wide.origin - solid.corner, d = wide.direction;
-    const W& t = start.t;
-    const vec3<W> q{multiply_add(t, d.x, w.x), multiply_add(t, d.y, w.y), multiply_add(t, d.z, w.z)};
+    const vec3<W> q = multiply_add(start.t, d, w);
     return {narrow(dot(n, q) - select(start.face < W(0), apart, W(0))), narrow(dot(n, d))};
   }
 

@@ -7,7 +7,7 @@
 namespace rayproof::plane {
 
 /// The hit of ByEquation, corrected, with f(t) = n·p(t) + D of any of the plane's forms.
-struct Correction {
+struct Correction : InOnePlane {
   /// What is known before the ray is.
   template <class W>
   [[nodiscard]] static constexpr PlaneEquation<W> prepared(const Plane<W>& plane) {
@@ -22,21 +22,6 @@ struct Correction {
   template <class N>
   [[nodiscard]] static constexpr CorrectionStart<N> start(const Ray<N>& ray, const Plane<N>& plane) {
     return {ByEquation::roots(ray, plane).lo, N(0)};
-  }
-
-  template <class N, class W>
-  [[nodiscard]] static constexpr Linear<N> residual(const Ray<N>& ray, const Ray<W>& wide,
-                                                    const CorrectionStart<N>& /*narrow*/,
-                                                    const CorrectionStart<W>& start,
-                                                    const PlaneEquation<W>& plane) {
-    return flat_residual(ray, wide, start.t, plane);
-  }
-
-  template <class N, class W>
-  [[nodiscard]] static constexpr Corrected<N> nearest(const Ray<N>& ray, const CorrectionStart<N>& start,
-                                                      const Linear<N>& f, const PlaneEquation<W>& plane) {
-    return nearest_root(ray, corrected_flat_hit<W>(ray, start.t, f, N(plane.size),
-                                                   narrowed_vector<N>(plane.point), abs(narrow(plane.d))));
   }
 };
 

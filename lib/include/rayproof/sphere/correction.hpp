@@ -40,9 +40,8 @@ struct Correction {
                                                     const CorrectionStart<N>& /*narrow*/,
                                                     const CorrectionStart<W>& start,
                                                     const Sphere<W>& sphere) {
-    const W t = start.t;
     const vec3<W> d = wide.direction, f = wide.origin - sphere.center;
-    const vec3<W> l{multiply_add(t, d.x, f.x), multiply_add(t, d.y, f.y), multiply_add(t, d.z, f.z)};
+    const vec3<W> l = multiply_add(start.t, d, f);
     return {narrow(dot(l, l) - sphere.radius * sphere.radius), narrow(dot(l, d))};
   }
 

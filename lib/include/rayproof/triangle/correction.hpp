@@ -7,7 +7,7 @@
 namespace rayproof::triangle {
 
 /// The verdict of the three sides without more digits, where it is clear, and their t, corrected.
-struct Correction {
+struct Correction : InOnePlane {
   /// What is known before the ray is. Edges are rounded once, and so are products of two.
   template <class W>
   [[nodiscard]] static constexpr PlaneEquation<W> prepared(const Triangle<W>& triangle) {
@@ -27,21 +27,6 @@ struct Correction {
     const Mask<N> is_hit = is_moderate && sides.is_inside() && t < N(infinity<N>);
     const Mask<N> is_miss = is_moderate && sides.is_miss();
     return {select(is_miss, N(infinity<N>), select(is_hit, t, N(not_a_number<N>))), N(0)};
-  }
-
-  template <class N, class W>
-  [[nodiscard]] static constexpr Linear<N> residual(const Ray<N>& ray, const Ray<W>& wide,
-                                                    const CorrectionStart<N>& /*narrow*/,
-                                                    const CorrectionStart<W>& start,
-                                                    const PlaneEquation<W>& plane) {
-    return flat_residual(ray, wide, start.t, plane);
-  }
-
-  template <class N, class W>
-  [[nodiscard]] static constexpr Corrected<N> nearest(const Ray<N>& ray, const CorrectionStart<N>& start,
-                                                      const Linear<N>& f, const PlaneEquation<W>& plane) {
-    return nearest_root(ray, corrected_flat_hit<W>(ray, start.t, f, N(plane.size),
-                                                   narrowed_vector<N>(plane.point), abs(narrow(plane.d))));
   }
 };
 
