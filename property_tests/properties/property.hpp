@@ -60,6 +60,7 @@ struct Property {
 [[nodiscard]] std::vector<Property> symmetry_properties();
 [[nodiscard]] std::vector<Property> safety_properties();
 [[nodiscard]] std::vector<Property> details_properties();
+[[nodiscard]] std::vector<Property> doubt_properties();
 [[nodiscard]] std::vector<Property> exact_properties();
 [[nodiscard]] std::vector<Property> protocol_properties();
 

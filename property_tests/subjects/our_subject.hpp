@@ -76,9 +76,10 @@ template <class Topic, class Method>
         return answer;
       });
     };
-  if constexpr (has_correction<Method>)
+  if constexpr (has_correction<Method>) {
     subject.bounded_hits = [](const Case& one) { return Topical::template corrected_hits<Method>(one); };
-  else if constexpr (Method::contract.holds.contains(Claim::bounded))
+    subject.is_in_doubt = [](const Case& one) { return Topical::template is_in_doubt<Method>(one); };
+  } else if constexpr (Method::contract.holds.contains(Claim::bounded))
     subject.bounded_hits = [](const Case& one) {
       return in_precision(one.precision, [&]<class T>(T) {
         const auto roots = solve_in<Topic, Method, Bounded<T>>(one);

@@ -140,6 +140,18 @@ struct Reading {
     return {{double{t} - double{step}, double{doubt} + 0x1p-53 * std::abs(double{t})}};
   }
 
+  /// Whether a method's correction leaves the nearest hit in doubt; no ray that the map moves is corrected.
+  template <class Method>
+  static bool is_in_doubt(const Case& one) {
+    const auto& question = std::get<RayQuestion>(one.question);
+    if (question.transform) return false;
+    return in_precision(one.precision, [&]<class T>(T) {
+      return !corrected_nearest<typename Method::Correction>(convert<T>(question.ray),
+                                                             convert<T>(shape(question)))
+                  .is_sure;
+    });
+  }
+
   /// Why a ray misses a plane: it is parallel to it, or runs inside it. Of other shapes no more is said.
   template <class Method, class T>
   static Contact contact_of_miss([[maybe_unused]] const Problem<T>& asked) {

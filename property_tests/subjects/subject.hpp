@@ -65,6 +65,9 @@ struct Subject {
   /// The answers in the running-error arithmetic: each hit's t and the bound on its error; null where there
   /// is none.
   std::vector<std::pair<double, double>> (*bounded_hits)(const Case&) = nullptr;
+  /// Whether the method's bounds leave the case in doubt, so that slower arithmetic decides it; null where it
+  /// has none.
+  bool (*is_in_doubt)(const Case&) = nullptr;
   /// Whether the method rounds nothing on the case, the ray's way into object space included; null where
   /// nobody knows.
   bool (*is_exact_on)(const Case&) = nullptr;

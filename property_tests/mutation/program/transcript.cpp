@@ -20,6 +20,9 @@ Answer record_answer(const Case& one) {
 std::vector<std::pair<double, double>> record_bounds(const Case& one) {
   return clerk.transcript->bounds.emplace_back(one, clerk.subject->bounded_hits(one)).second;
 }
+bool record_doubt(const Case& one) {
+  return clerk.transcript->doubts.emplace_back(one, clerk.subject->is_in_doubt(one)).second;
+}
 bool record_exactness(const Case& one) {
   return clerk.transcript->exactness.emplace_back(one, clerk.subject->is_exact_on(one)).second;
 }
@@ -68,6 +71,7 @@ Subject recorded(const Subject& subject, Transcript& transcript) {
   Subject recording = subject;
   recording.answer_by(record_answer);
   if (subject.bounded_hits != nullptr) recording.bounded_hits = record_bounds;
+  if (subject.is_in_doubt != nullptr) recording.is_in_doubt = record_doubt;
   if (subject.is_exact_on != nullptr) recording.is_exact_on = record_exactness;
   return recording;
 }
@@ -80,6 +84,9 @@ bool repeats(const Subject& subject, const Transcript& transcript) {
          std::ranges::all_of(
              transcript.exactness,
              [&](const auto& said) { return subject.is_exact_on(said.first) == said.second; }) &&
+         std::ranges::all_of(
+             transcript.doubts,
+             [&](const auto& said) { return subject.is_in_doubt(said.first) == said.second; }) &&
          std::ranges::all_of(transcript.bounds, [&](const auto& said) {
            return std::ranges::equal(subject.bounded_hits(said.first), said.second, same_bound);
          });

@@ -15,7 +15,7 @@ namespace rayproof::mutation {
 struct Transcript {
   std::vector<std::pair<Case, Answer>> answers{};
   std::vector<std::pair<Case, std::vector<std::pair<double, double>>>> bounds{};
-  std::vector<std::pair<Case, bool>> exactness{};
+  std::vector<std::pair<Case, bool>> doubts{}, exactness{};
 };
 
 /// Bit for bit, -0 and 0 apart.

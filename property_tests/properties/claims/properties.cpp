@@ -9,7 +9,7 @@ const std::vector<Property>& properties() {
   static const std::vector<Property> all = [] {
     std::vector<Property> gathered;
     for (const auto theme : {accuracy_properties, symmetry_properties, safety_properties, details_properties,
-                             exact_properties, protocol_properties})
+                             doubt_properties, exact_properties, protocol_properties})
       for (const Property& property : theme()) gathered.push_back(property);
     std::stable_sort(gathered.begin(), gathered.end(),
                      [](const Property& a, const Property& b) { return a.claim < b.claim; });

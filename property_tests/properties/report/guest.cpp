@@ -58,7 +58,7 @@ bool is_one_of(const Property& property, std::initializer_list<std::string_view>
 /// What is never asked of a guest.
 bool is_for_own_methods(const Property& property) {
   return is_one_of(property,
-                   {"batch", "bounded", "exact", "robust-verdict", "robust-residual", "ulp", "nan"});
+                   {"batch", "bounded", "sure", "exact", "robust-verdict", "robust-residual", "ulp", "nan"});
 }
 
 /// Why a property is not judged: what the guest leaves out; empty where it leaves out nothing.
