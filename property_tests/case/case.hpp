@@ -20,6 +20,11 @@ enum class Precision { float32, float64 };
   return precision == Precision::float32 ? "float32" : "float64";
 }
 
+/// ε, the unit roundoff.
+[[nodiscard]] constexpr double roundoff_of(Precision precision) {
+  return precision == Precision::float32 ? 0x1p-24 : 0x1p-53;
+}
+
 /// The precision of that name; float64 of any other.
 [[nodiscard]] constexpr Precision precision_named(std::string_view name) {
   return name == name_of(Precision::float32) ? Precision::float32 : Precision::float64;

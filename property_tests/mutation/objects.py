@@ -20,7 +20,7 @@ TOPICS = tuple(re.findall(r"^#include <rayproof/(\w+)/methods.hpp>", (INCLUDE / 
 SHARED = ("roots.hpp", "ray.hpp", "nearest_hit.hpp", "transform.hpp", "normals.hpp", "vec3.hpp", "arithmetic.hpp",
           "arithmetics/error_free.hpp", "arithmetics/double_double.hpp", "arithmetics/expansion.hpp",
           "arithmetics/growing_expansion.hpp")
-COMPILED = sorted([*HERE.glob("planted/*.?pp"), *HERE.glob("generator/*.py")])
+COMPILED = sorted([*HERE.glob("planted/*.?pp"), *HERE.glob("generator/*.py"), *HERE.glob("../subjects/*.hpp")])
 ERROR = re.compile(r"^(\S+?/planted/\w+/rayproof/(\S+?)):(\d+):(\d+): (?:fatal )?error: (.*)$", re.MULTILINE)
 INCLUDED = re.compile(r"^#include <rayproof/(\S+)>", re.MULTILINE)
 ROOM = 5000  # numbers for each header, so that those of the others stay when one is changed

@@ -59,8 +59,7 @@ template <class Topic, class Method>
       auto answer = Topical::template answer<Method, T>(one, solve_in<Topic, Method, T>(one));
       if constexpr (has_correction<Method>)
         Topical::template put_nearest_hit<T>(one, answer, [](const auto& ray, const auto& shape) {
-          const auto corrected = corrected_nearest<typename Method::Correction>(ray, shape);
-          return corrected.is_sure ? corrected.answer : nearest(ray, Method::roots(ray, shape));
+          return corrected_hit<Method>(ray, shape);
         });
       return answer;
     });

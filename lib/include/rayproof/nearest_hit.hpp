@@ -31,6 +31,13 @@ template <class Correction, std::floating_point T, template <class> class Shape>
                              known);
 }
 
+/// The nearest hit by a method's correction, or by its roots where that is in doubt.
+template <class Method, std::floating_point T, template <class> class Shape>
+[[nodiscard]] T corrected_hit(const Ray<T>& ray, const Shape<T>& shape) {
+  const auto corrected = corrected_nearest<typename Method::Correction>(ray, shape);
+  return corrected.is_sure ? corrected.answer : nearest(ray, Method::roots(ray, shape));
+}
+
 /// The nearest hit of a ray in the shape's own space: the smallest root in [t_min, t_max], or infinity for a
 /// miss; bit for bit `nearest(ray, Method::roots(ray, shape))`. One ray in double is met faster by a
 /// correction; of one in float the roots take no longer, since it is in packs that floats are twice as fast
@@ -38,10 +45,10 @@ template <class Correction, std::floating_point T, template <class> class Shape>
 template <class Method, std::floating_point T, template <class> class Shape>
 [[nodiscard]] T nearest_hit(const Ray<T>& ray, const Shape<T>& shape) {
   if constexpr (has_correction<Method> && std::same_as<T, double>) {
-    const auto corrected = corrected_nearest<typename Method::Correction>(ray, shape);
-    if (corrected.is_sure) return corrected.answer;
+    return corrected_hit<Method>(ray, shape);
+  } else {
+    return nearest(ray, Method::roots(ray, shape));
   }
-  return nearest(ray, Method::roots(ray, shape));
 }
 
 }  // namespace rayproof

@@ -17,7 +17,7 @@ namespace {
 Scaled size_of_point(const Ray<double>& ray, const Quotient& t, Precision precision) {
   const Scaled smallest = precision == Precision::float32 ? Scaled(1, -149) : Scaled(1, -1074);
   return norm(ray.origin) + abs(t.estimate()) * norm(ray.direction) +
-         smallest / Scaled(unit_roundoff(precision));
+         smallest / Scaled(roundoff_of(precision));
 }
 
 /// |claimed - p(t)|; a coordinate that overflows counts as off by nothing where that of p(t) does.
@@ -83,7 +83,7 @@ class DetailsJudge {
   }
 
   void judge_normal(Details& details) const {
-    SurfaceParts parts = exact_.parts(t_, Scaled(unit_roundoff(precision_)));
+    SurfaceParts parts = exact_.parts(t_, Scaled(roundoff_of(precision_)));
     if (parts.empty()) return;
     const auto by_distance = [](const SurfacePart& a, const SurfacePart& b) { return a.apart < b.apart; };
     std::iter_swap(parts.begin(), std::ranges::min_element(parts, by_distance));
@@ -108,7 +108,7 @@ class DetailsJudge {
     }
     details.coordinates = units(error.absolute);
     details.rounded_coordinates = units(error.relative);
-    details.condition = value(exact_.condition_of_coordinates(Scaled(unit_roundoff(precision_))));
+    details.condition = value(exact_.condition_of_coordinates(Scaled(roundoff_of(precision_))));
   }
 
   [[nodiscard]] Details judge() const {

@@ -39,7 +39,7 @@ template <class Judge>
 /// A measure in units of ε.
 template <class Size>
 [[nodiscard]] double in_units(const Size& measure, Precision precision) {
-  return value(measure / Size(unit_roundoff(precision)));
+  return value(measure / Size(roundoff_of(precision)));
 }
 
 /// Whether `claimed` has another count of hits than the exact one, as far as it speaks of that.

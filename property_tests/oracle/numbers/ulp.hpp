@@ -33,9 +33,4 @@ namespace rayproof::oracle {
   return std::abs(claimed - exact) / ulp_of(exact, precision);
 }
 
-/// ε, the unit roundoff of the precision.
-[[nodiscard]] inline double unit_roundoff(Precision precision) {
-  return precision == Precision::float32 ? 0x1p-24 : 0x1p-53;
-}
-
 }  // namespace rayproof::oracle

@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "oracle/numbers/ulp.hpp"
 #include "properties/claims/promise.hpp"
 #include "properties/numbers.hpp"
 #include "properties/property.hpp"
@@ -79,7 +78,7 @@ bool has_ordinary_numbers(const Case& one) {
 
 bool is_ordinary(const Case& one) {
   const auto exact = std::get<RayAnswer>(oracle::answer(one));
-  const double unit = oracle::unit_roundoff(one.precision);
+  const double unit = roundoff_of(one.precision);
   return has_ordinary_verdict(one, exact, unit) &&
          (exact.hits.count == 0 || oracle::judge(one, exact).ulp <= 0.5 - near_middle) &&
          std::ranges::all_of(exact.hits.view(), [&](double t) { return is_ordinary_at(t, one, unit); });

@@ -41,7 +41,7 @@ bool gives_one_twice(Trial& trial) {
   const std::vector<double> exact = numbers_in(answer);
   if (exact.size() != 2) return false;
   const double apart = (exact[1] - exact[0]) / std::max(std::abs(exact[0]), std::abs(exact[1]));
-  const double unit = trial.question().precision == Precision::float32 ? 0x1p-24 : 0x1p-53;
+  const double unit = roundoff_of(trial.question().precision);
   const double far = trial.judgement().far;
   return apart > 4 * alike && apart * apart > merging * unit * far * far && !is_met_between(trial, answer);
 }

@@ -24,8 +24,6 @@ bool has_extreme_numbers(Case one) {
   });
 }
 
-double roundoff_of(Precision precision) { return precision == Precision::float32 ? 0x1p-24 : 0x1p-53; }
-
 /// Whether two vectors are the same but for the last digits; where one is left out nothing can be compared.
 bool is_near(const std::optional<glm::dvec3>& got, const std::optional<glm::dvec3>& exact) {
   return got && exact && glm::length(*got - *exact) <= small_share * std::max(1.0, glm::length(*exact));

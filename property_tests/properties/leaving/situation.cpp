@@ -112,7 +112,7 @@ RayQuestion Situation::leaves_from(const glm::dvec3& origin) const {
 
 Situation Situation::turned(spawn::Side side, const glm::dvec3& direction) const {
   Situation other = *this;
-  const double least = thinnest_inside * oracle::unit_roundoff(precision()) * extent.size;
+  const double least = thinnest_inside * roundoff_of(precision()) * extent.size;
   other.what.side = extent.width < least ? spawn::Side::front : side;
   other.what.direction = direction;
   if (other.is_turned_back != (other.what.side == spawn::Side::back)) {
@@ -137,7 +137,7 @@ std::optional<Situation> situation_of(Departing what) {
   made.piece = oracle::piece_of(made.question().shape, left.own_normal);
   made.extent = oracle::extent_of(made.question(), made.from.hit);
   if (!(made.extent.size >= smallest_scene && made.extent.size <= largest_scene)) return std::nullopt;
-  const double roundoff = oracle::unit_roundoff(made.precision()) * made.extent.size;
+  const double roundoff = roundoff_of(made.precision()) * made.extent.size;
   if (made.extent.width < thinnest_left(made.question().shape) * roundoff) return std::nullopt;
   return made.turned(made.what.side, made.what.direction);
 }

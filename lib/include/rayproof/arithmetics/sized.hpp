@@ -47,16 +47,6 @@ struct Sized {
   }
 };
 
-/// The size without the digits beyond N's.
-template <class N, class W>
-[[nodiscard]] constexpr N size_in(const Sized<W>& x) {
-  if constexpr (std::same_as<N, Leading<W>>) {
-    return x.size;
-  } else {
-    return narrow(x.size);
-  }
-}
-
 /// A vector whose components count as given numbers.
 template <class W>
 [[nodiscard]] constexpr Vec3<Sized<W>> sized(const vec3<W>& v) {

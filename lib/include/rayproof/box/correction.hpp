@@ -10,22 +10,18 @@ namespace rayproof::box {
 /// The nearest hit of SlabsInverse, corrected: with the face that is met f(t) = o + t·d - plane on its axis.
 struct Correction {
   /// An end is off by 3.01u of itself, u the unit roundoff, and two roundings more, and by what underflows;
-  /// there is none where the ray runs along the slab. A box that is not finite leaves all in doubt.
+  /// there is none where the ray runs along the slab. An endless slab leaves all in doubt.
   template <class N>
   [[nodiscard]] static constexpr CorrectionStart<N> start(const Ray<N>& ray, const Box<N>& box) {
-    const auto slabs = SlabsInverse::slabs(ray, box);
-    const auto sum = [](const vec3<N>& v) { return v.x + v.y + v.z; };
-    const N nothing = N(0) * (sum(box.min) + sum(box.max));
-    const auto directed = [&](const Slab<N>& slab, const N& d) -> DirectedSlab<N> {
+    const auto directed = [](const Slab<N>& slab, const N& d, const N& width) -> DirectedSlab<N> {
       const auto error_of = [&](const N& t) {
-        const N error = N(5.5 * unit_roundoff<N>) * abs(t) + N(least_error<N>);
-        return select(d == N(0), nothing, error + nothing);
+        return select(d == N(0), N(0) * width, N(5.5 * unit_roundoff<N>) * abs(t) + N(least_error<N>));
       };
       return {slab.entry, slab.exit, error_of(slab.entry), error_of(slab.exit), d < N(0)};
     };
-    const auto& [x, y, z] = slabs;
-    const auto& d = ray.direction;
-    return nearest_end(ray, directed(x, d.x), directed(y, d.y), directed(z, d.z));
+    const auto& [x, y, z] = SlabsInverse::slabs(ray, box);
+    const vec3<N> d = ray.direction, width = box.max - box.min;
+    return nearest_end(ray, directed(x, d.x, width.x), directed(y, d.y, width.y), directed(z, d.z, width.z));
   }
 
   template <class N, class W>

@@ -22,6 +22,7 @@ struct DirectedSlab {
 template <class N>
 struct Largest {
   N value, low, high, which;
+  Mask<N> is_known;    ///< every bound is finite
   Mask<N> is_certain;  ///< of which one it is
 
   /// \param x, error three numbers and bounds on their errors
@@ -32,7 +33,8 @@ struct Largest {
     const N larger = max(high[0], high[1]), smaller = min(high[0], high[1]);
     const N second = max(smaller, min(larger, high[2]));
     const N which = select(x[0] == value, N(1), select(x[1] == value, N(2), N(3)));
-    return {value, low, max(larger, high[2]), which, second < low};
+    const Mask<N> is_known = error[0] + error[1] + error[2] < N(infinity<N>);
+    return {value, low, max(larger, high[2]), which, is_known, second < low};
   }
 };
 
@@ -43,9 +45,7 @@ template <class N>
   const auto entry =
       Largest<N>::of({x.entry, y.entry, z.entry}, {x.entry_error, y.entry_error, z.entry_error});
   const auto exit = Largest<N>::of({-x.exit, -y.exit, -z.exit}, {x.exit_error, y.exit_error, z.exit_error});
-  const N errors =
-      (x.entry_error + y.entry_error + z.entry_error) + (x.exit_error + y.exit_error + z.exit_error);
-  const Mask<N> is_known = errors < N(infinity<N>);
+  const Mask<N> is_known = entry.is_known && exit.is_known;
   const Mask<N> is_hit = entry.high < -exit.high, is_miss = -exit.low < entry.low;
 
   const Mask<N> is_entry = ray.t_min <= entry.value;

@@ -22,10 +22,17 @@ template <class To, class From>
 [[nodiscard]] constexpr PlaneEquation<To> convert(const PlaneEquation<From>& plane) {
   return {convert<To>(plane.normal), plane.size, convert<To>(plane.point), To(plane.d)};
 }
+
+/// The size of the component that has the largest.
+template <class W>
+[[nodiscard]] constexpr Leading<W> largest_size(const Vec3<Sized<W>>& v) {
+  return max(v.x.size, max(v.y.size, v.z.size));
+}
+
 template <class W>
 [[nodiscard]] constexpr PlaneEquation<W> plane_equation(const Vec3<Sized<W>>& n, const vec3<W>& point,
                                                         const W& d) {
-  return {{n.x.value, n.y.value, n.z.value}, max(n.x.size, max(n.y.size, n.z.size)), point, d};
+  return {{n.x.value, n.y.value, n.z.value}, largest_size(n), point, d};
 }
 
 /// The sum of a vector's magnitudes.

@@ -7,11 +7,28 @@
 
 namespace rayproof::parallelepiped {
 
+/// A solid before it meets a ray, and the largest sizes of a normal's component and of what it makes of the
+/// edge that leads from face to face.
+template <class W>
+struct SizedFaces {
+  Prepared<W> faces;
+  double size_of_n = 0, size_of_apart = 0;
+};
+template <class To, class From>
+[[nodiscard]] constexpr SizedFaces<To> convert(const SizedFaces<From>& solid) {
+  return {convert<To>(solid.faces), solid.size_of_n, solid.size_of_apart};
+}
+
 /// The nearest hit of three pairs of parallel planes, corrected: with the plane of the face that is met.
 struct Correction {
   template <class W>
-  [[nodiscard]] static constexpr Prepared<W> prepared(const Parallelepiped<W>& solid) {
-    return prepared_faces(solid);
+  [[nodiscard]] static constexpr SizedFaces<W> prepared(const Parallelepiped<W>& solid) {
+    SizedFaces<W> sized{prepared_faces(solid)};
+    for (const FacePair<W>& pair : sized.faces.pairs) {
+      sized.size_of_n = max(sized.size_of_n, largest_size(pair.normal));
+      sized.size_of_apart = max(sized.size_of_apart, pair.apart.size);
+    }
+    return sized;
   }
 
   /// With u the unit roundoff a normal is off by 2u of its size, f = corner - o by u, so that n·d is off by
@@ -49,8 +66,8 @@ struct Correction {
   [[nodiscard]] static constexpr Linear<N> residual(const Ray<N>& /*ray*/, const Ray<W>& wide,
                                                     const CorrectionStart<N>& /*narrow*/,
                                                     const CorrectionStart<W>& start,
-                                                    const Prepared<W>& solid) {
-    const auto& pairs = solid.pairs;
+                                                    const SizedFaces<W>& solid) {
+    const auto& pairs = solid.faces.pairs;
     const auto which = abs(start.face);
     const auto is_first = which < W(1.5), is_third = W(2.5) < which;
     const auto of_pair = [&](const auto& member) {
@@ -60,26 +77,17 @@ struct Correction {
                     of_pair([](const auto& pair) { return pair.normal.y.value; }),
                     of_pair([](const auto& pair) { return pair.normal.z.value; })};
     const W apart = of_pair([](const auto& pair) { return pair.apart.value; });
-    const vec3<W> w = wide.origin - solid.corner, d = wide.direction;
+    const vec3<W> w = wide.origin - solid.faces.corner, d = wide.direction;
     const vec3<W> q = multiply_add(start.t, d, w);
     return {narrow(dot(n, q) - select(start.face < W(0), apart, W(0))), narrow(dot(n, d))};
   }
 
   template <class N, class W>
   [[nodiscard]] static constexpr Corrected<N> nearest(const Ray<N>& ray, const CorrectionStart<N>& start,
-                                                      const Linear<N>& f, const Prepared<W>& solid) {
-    const auto& pairs = solid.pairs;
-    const N which = abs(start.face);
-    const auto of_pair = [&](const auto& member) {
-      return select(which == N(1), member(pairs[0]),
-                    select(which == N(2), member(pairs[1]), member(pairs[2])));
-    };
-    const N n = of_pair([](const auto& pair) {
-      return max(size_in<N>(pair.normal.x), max(size_in<N>(pair.normal.y), size_in<N>(pair.normal.z)));
-    });
-    const N apart = of_pair([](const auto& pair) { return size_in<N>(pair.apart); });
-    return nearest_root(ray,
-                        corrected_flat_hit<W>(ray, start.t, f, n, narrowed_vector<N>(solid.corner), apart));
+                                                      const Linear<N>& f, const SizedFaces<W>& solid) {
+    return nearest_root(
+        ray, corrected_flat_hit<W>(ray, start.t, f, N(solid.size_of_n),
+                                   narrowed_vector<N>(solid.faces.corner), N(solid.size_of_apart)));
   }
 };
 

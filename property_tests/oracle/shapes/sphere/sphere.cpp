@@ -114,7 +114,7 @@ class SphereJudge {
                         .far = sizes.far,
                         .smallest = sizes.smallest,
                         .largest = sizes.largest};
-    const double unit = sizes.unit * unit_roundoff(precision);
+    const double unit = sizes.unit * roundoff_of(precision);
     const std::size_t judged = claimed.verdict_only ? 0 : claimed.hits.count;
     for (std::size_t i = 0; i < judged; ++i) {
       const double t = claimed.hits.t[i];

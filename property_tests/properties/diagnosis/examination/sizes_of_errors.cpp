@@ -26,7 +26,7 @@ bool Examination::is_beyond_rounding(std::size_t i) const {
   const Known& known = failing_.at(i);
   if (!known.got) return false;
   const auto& [one, exact] = known.asked;
-  const double unit = one.precision == Precision::float32 ? 0x1p-24 : 0x1p-53;
+  const double unit = roundoff_of(one.precision);
   const oracle::Judgement judgement = oracle::judge(one, *known.got);
   const double lost = generous * judgement.far * judgement.far;
   const double error = judgement.wrong ? judgement.margin : judgement.residual;

@@ -151,7 +151,7 @@ TEST_P(Margin, OfAnExcusedVerdictHasAnInputOfAnotherVerdictWithinTheBand) {
           judgement.smallest >= -28 && judgement.largest <= 28 && judgement.far < 0x1p28;
       if (!is_in_domain || judgement.margin > band) continue;
       ++excused;
-      if (!VerdictSearch(one, 2 * band * unit_roundoff(one.precision)).finds_another_verdict())
+      if (!VerdictSearch(one, 2 * band * roundoff_of(one.precision)).finds_another_verdict())
         unexplained.push_back(family.name + " " + write_case(one));
     }
   }

@@ -100,7 +100,7 @@ std::optional<bool> divides_by_what_cancels(const Case& one, const Answer& got, 
   const auto equation = reduced_equation(one);
   if (!pairs || !(std::abs(equation->a) > 0)) return std::nullopt;
   const auto [x, y, p, q] = *pairs;
-  const double size = pairs->size(), unit = one.precision == Precision::float32 ? 0x1p-24 : 0x1p-53;
+  const double size = pairs->size(), unit = roundoff_of(one.precision);
   const double off_in_sum = std::abs((x + y) - (p + q)), off_in_product = std::abs(x * y - p * q);
   if (!(off_in_sum > few * unit * size)) return std::nullopt;
   // c is a difference of squares, whose rounding the product bears.

@@ -141,7 +141,7 @@ std::optional<bool> is_off_by_a_share(const Case& one, const Answer& got, const 
   constexpr double largest = 0x1p-5;
   if (!std::ranges::all_of(numbers_in(got), [](double t) { return std::isfinite(t); })) return false;
   const oracle::Judgement judgement = oracle::judge(one, got);
-  if (judgement.wrong) return judgement.margin * (is_float ? 0x1p-24 : 0x1p-53) < largest;
+  if (judgement.wrong) return judgement.margin * roundoff_of(one.precision) < largest;
   const std::optional<double> error = largest_error(got, exact);
   const std::vector<double> numbers = numbers_in(exact);
   if (!error || numbers.front() == 0) return std::nullopt;

@@ -22,7 +22,7 @@ std::optional<bool> beyond_end_by_rounding(const Case& one, const Answer& got, c
   constexpr double few = 8;
   const RayQuestion* asked = ray_question(one);
   if (asked == nullptr) return std::nullopt;
-  const double unit = one.precision == Precision::float32 ? 0x1p-24 : 0x1p-53;
+  const double unit = roundoff_of(one.precision);
   const auto is_beyond = [&](double t) {
     const double end = t < asked->ray.t_min ? asked->ray.t_min : asked->ray.t_max;
     return !in_interval(asked->ray, t) && std::abs(t - end) <= few * unit * std::abs(end);

@@ -81,7 +81,7 @@ bool is_off_by_few_units(const Case& one, const std::vector<double>& numbers,
   const RayQuestion& asked = *ray_question(one);
   if (box == nullptr || asked.transform || numbers.empty() || numbers.size() > right.size()) return false;
   const glm::dvec3 largest = glm::max(glm::abs(box->min), glm::abs(box->max));
-  const double unit = one.precision == Precision::float32 ? 0x1p-24 : 0x1p-53;
+  const double unit = roundoff_of(one.precision);
   const double off = farthest(numbers, right) * glm::length(asked.ray.direction);
   return off > 0 && off <= few * unit * std::max({largest.x, largest.y, largest.z});
 }
