@@ -1,9 +1,10 @@
 /// \file
 /// Faults with cylinders.
 
-#include "properties/diagnosis/models/curved/caps.hpp"
-#include "properties/diagnosis/models/curved/cylinder.hpp"
-#include "properties/diagnosis/models/curved/side.hpp"
+#include "properties/diagnosis/models/cylinders/caps.hpp"
+#include "properties/diagnosis/models/cylinders/ends.hpp"
+#include "properties/diagnosis/models/cylinders/readings.hpp"
+#include "properties/diagnosis/models/cylinders/side.hpp"
 #include "properties/diagnosis/models/solids/solid.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
 

@@ -1,15 +1,17 @@
 /// \file
 /// Faults in what is said of the first hit, and classes of cases that are not handled.
 
-#include "properties/diagnosis/models/curved/cylinder_normals.hpp"
 #include "properties/diagnosis/models/curved/quadratic.hpp"
+#include "properties/diagnosis/models/cylinders/normals.hpp"
 #include "properties/diagnosis/models/first_hit/normals.hpp"
 #include "properties/diagnosis/models/first_hit/points.hpp"
 #include "properties/diagnosis/models/first_hit/weights.hpp"
 #include "properties/diagnosis/models/flat/flat.hpp"
 #include "properties/diagnosis/models/flat/weights.hpp"
+#include "properties/diagnosis/models/hits/contacts.hpp"
 #include "properties/diagnosis/models/hits/hits.hpp"
 #include "properties/diagnosis/models/hits/interval.hpp"
+#include "properties/diagnosis/models/hits/values.hpp"
 #include "properties/diagnosis/models/outlines/outline.hpp"
 #include "properties/diagnosis/models/solids/box.hpp"
 #include "properties/diagnosis/models/space/details_of_shapes.hpp"

@@ -4,9 +4,11 @@
 #include "properties/diagnosis/models/hits/hits.hpp"
 #include "properties/diagnosis/models/curved/near_sphere.hpp"
 #include "properties/diagnosis/models/flat/flat.hpp"
+#include "properties/diagnosis/models/hits/contacts.hpp"
 #include "properties/diagnosis/models/hits/interval.hpp"
 #include "properties/diagnosis/models/hits/line.hpp"
 #include "properties/diagnosis/models/hits/starts.hpp"
+#include "properties/diagnosis/models/hits/values.hpp"
 #include "properties/diagnosis/models/outlines/outline.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "properties/diagnosis/models/curved/cylinder.hpp"
+#include "properties/diagnosis/models/cylinders/ends.hpp"
 #include "properties/diagnosis/models/solids/loose.hpp"
 #include "properties/diagnosis/models/solids/solid_mistakes.hpp"
 #include "properties/diagnosis/models/space/small_shapes.hpp"

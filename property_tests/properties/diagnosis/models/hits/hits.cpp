@@ -15,24 +15,6 @@ const RayAnswer* hit_of(const Answer& exact) {
   return answer != nullptr && answer->hits.count > 0 ? answer : nullptr;
 }
 
-bool is_contact(const Answer& exact, Contact contact) {
-  const auto* answer = std::get_if<RayAnswer>(&exact);
-  return answer != nullptr && answer->contact == contact;
-}
-
-/// Whether the normal of a plane is along an axis, so that nothing of it is rounded; of other shapes always.
-bool has_normal_along_axis(const Case& one) {
-  const auto is_along = [](const glm::dvec3& n) { return (n.x != 0) + (n.y != 0) + (n.z != 0) == 1; };
-  if (const auto* plane = shape_in<ImplicitPlane>(one)) return is_along(plane->normal);
-  if (const auto* plane = shape_in<PointNormalPlane>(one)) return is_along(plane->normal);
-  return true;
-}
-
-Answers if_position(const Answer& exact, Position from, Position to) {
-  const auto* position = std::get_if<Position>(&exact);
-  return position != nullptr && *position == from ? Answers{to} : Answers{};
-}
-
 }  // namespace
 
 Answers never_hits(const Case& /*one*/, const Answer& exact) {
@@ -159,87 +141,6 @@ Answers single_hit_twice(const Case& /*one*/, const Answer& exact) {
   RayAnswer twice = *answer;
   twice.hits.push_back(answer->hits.t[0]);
   return {twice};
-}
-
-Answers misses_tangents_along_axes(const Case& one, const Answer& exact) {
-  Answers missed = misses_at<Contact::tangent>(one, exact);
-  const RayQuestion* asked = ray_question(one);
-  if (missed.empty() || asked == nullptr) return {};
-  if (!runs_along_axis(ray_in_object(*asked))) missed.insert(missed.begin(), exact);
-  return missed;
-}
-
-Answers boundary_is_outside(const Case& /*one*/, const Answer& exact) {
-  if (std::holds_alternative<Position>(exact))
-    return if_position(exact, Position::boundary, Position::outside);
-  const RayAnswer* answer = hit_of(exact);
-  const bool is_on_it =
-      answer != nullptr && (answer->contact == Contact::edge || answer->contact == Contact::vertex);
-  return is_on_it ? Answers{RayAnswer{}} : Answers{};
-}
-
-Answers boundary_is_inside(const Case& /*one*/, const Answer& exact) {
-  return if_position(exact, Position::boundary, Position::inside);
-}
-
-std::optional<bool> in_surface_is_hit(const Case& one, const Answer& got, const Answer& exact) {
-  if (!is_contact(exact, Contact::in_surface)) return std::nullopt;
-  if (finds_something(got)) return true;
-  // It may say so at t = 0 alone, and where a normal that is made a unit vector keeps n·d = 0.
-  const bool may_miss = !in_interval(ray_question(one)->ray, 0.0) || !has_normal_along_axis(one);
-  return may_miss ? std::nullopt : std::optional(false);
-}
-
-Answers in_surface_is_parallel(const Case& /*one*/, const Answer& exact) {
-  if (!is_contact(exact, Contact::in_surface)) return {};
-  RayAnswer parallel;
-  parallel.contact = Contact::parallel;
-  return {parallel};
-}
-
-Answers no_reason(const Case& /*one*/, const Answer& exact) {
-  const auto* answer = std::get_if<RayAnswer>(&exact);
-  if (answer == nullptr || answer->hits.count > 0 || answer->contact == Contact::none) return {};
-  return {RayAnswer{}};
-}
-
-std::optional<bool> is_infinite(const Case& one, const Answer& got, const Answer& exact) {
-  constexpr double large = 0x1p40;  // beyond that something may overflow
-  Case sizes = one;
-  for (const CaseNumber& number : numbers_of(sizes)) {
-    const double size = std::abs(*number.value);
-    if (std::isfinite(size) && size != 0 && (size > large || size < 1 / large)) return std::nullopt;
-  }
-  const auto is_infinity = [](double x) { return std::isinf(x); };
-  if (std::ranges::any_of(numbers_in(exact), is_infinity)) return std::nullopt;
-  return std::ranges::any_of(numbers_in(got), is_infinity) ? std::optional(true) : std::nullopt;
-}
-
-Answers all_at_zero(const Case& one, const Answer& /*exact*/) {
-  const RayQuestion* asked = ray_question(one);
-  RayAnswer line;
-  if (asked == nullptr || (line = hits_of_line(one)).hits.count == 0) return {};
-  line.hits.t.fill(0);
-  const auto admits = [&](double t) { return in_interval(asked->ray, t); };
-  Answers answers{hits_where(line, admits)};
-  line.hits.count = 1;  // equal ones may be given once
-  answers.emplace_back(hits_where(line, admits));
-  // A product that is 0 but for its rounding may lie on either side of an end.
-  if (asked->ray.t_min == 0 || asked->ray.t_max == 0) answers.emplace_back(RayAnswer{});
-  return answers;
-}
-
-std::optional<bool> is_all_zero(const Case& /*one*/, const Answer& got, const Answer& exact) {
-  const auto is_zero = [](double x) { return x == 0; };
-  const std::vector<double> numbers = numbers_in(got);
-  if (numbers.empty() || std::ranges::any_of(numbers_in(exact), is_zero)) return std::nullopt;
-  return std::ranges::all_of(numbers, is_zero);
-}
-
-std::optional<bool> is_nan(const Case& /*one*/, const Answer& got, const Answer& exact) {
-  const auto is_number = [](double x) { return std::isfinite(x); };
-  if (!std::ranges::all_of(numbers_in(exact), is_number)) return std::nullopt;
-  return std::ranges::any_of(numbers_in(got), [](double x) { return std::isnan(x); });
 }
 
 }  // namespace rayproof::diagnosis

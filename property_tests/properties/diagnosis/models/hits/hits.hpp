@@ -46,32 +46,4 @@ template <class Question>
 /// One crossing in the interval is reported twice.
 [[nodiscard]] Answers single_hit_twice(const Case& one, const Answer& exact);
 
-/// A hit that first touches in that manner is missed.
-template <Contact contact>
-[[nodiscard]] Answers misses_at(const Case& /*one*/, const Answer& exact) {
-  const auto* answer = std::get_if<RayAnswer>(&exact);
-  if (answer == nullptr || answer->hits.count == 0 || answer->contact != contact) return {};
-  return {RayAnswer{}};
-}
-/// A ray that touches, along an axis, is missed; of other such rays rounding decides.
-[[nodiscard]] Answers misses_tangents_along_axes(const Case& one, const Answer& exact);
-/// A hit on an edge or a vertex is missed; where `Position` is asked, the boundary is outside.
-[[nodiscard]] Answers boundary_is_outside(const Case& one, const Answer& exact);
-/// The boundary of a polygon in the plane is inside.
-[[nodiscard]] Answers boundary_is_inside(const Case& one, const Answer& exact);
-/// A ray that runs inside the surface is a hit, or its contact is something else.
-[[nodiscard]] std::optional<bool> in_surface_is_hit(const Case& one, const Answer& got, const Answer& exact);
-/// A ray that runs inside a plane is called parallel.
-[[nodiscard]] Answers in_surface_is_parallel(const Case& one, const Answer& exact);
-/// The reason why a ray misses is not given.
-[[nodiscard]] Answers no_reason(const Case& one, const Answer& exact);
-/// A number of the answer is infinite, in ordinary numbers, and none should be.
-[[nodiscard]] std::optional<bool> is_infinite(const Case& one, const Answer& got, const Answer& exact);
-/// The line's hits are all given at t = 0, if the interval admits that.
-[[nodiscard]] Answers all_at_zero(const Case& one, const Answer& exact);
-/// Every t of the answer is 0, and none should be.
-[[nodiscard]] std::optional<bool> is_all_zero(const Case& one, const Answer& got, const Answer& exact);
-/// A number that is no number, or infinite.
-[[nodiscard]] std::optional<bool> is_nan(const Case& one, const Answer& got, const Answer& exact);
-
 }  // namespace rayproof::diagnosis

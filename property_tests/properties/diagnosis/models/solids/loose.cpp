@@ -1,7 +1,7 @@
 #include "properties/diagnosis/models/solids/loose.hpp"
 
 #include "properties/claims/answers.hpp"
-#include "properties/diagnosis/models/curved/cylinder.hpp"
+#include "properties/diagnosis/models/cylinders/ends.hpp"
 
 namespace rayproof::diagnosis {
 

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "properties/claims/answers.hpp"
-#include "properties/diagnosis/models/curved/cylinder.hpp"
 #include "properties/diagnosis/models/curved/root_formula.hpp"
 #include "properties/diagnosis/models/plane_hit.hpp"
 
@@ -17,14 +16,6 @@ template <class DoChange>
 std::vector<Case> with_sphere(const Case& one, DoChange&& change) {
   return with_shape<Sphere<double>>(one, [&](RayQuestion& /*asked*/, Sphere<double>& sphere) {
     change(sphere);
-    return true;
-  });
-}
-
-template <class DoChange>
-std::vector<Case> with_cylinder(const Case& one, DoChange&& change) {
-  return with_shape<Cylinder<double>>(one, [&](RayQuestion& /*asked*/, Cylinder<double>& cylinder) {
-    change(cylinder);
     return true;
   });
 }
@@ -54,42 +45,6 @@ std::vector<Case> sphere_at_zero(const Case& one) {
 std::vector<Case> sphere_mirrored(const Case& one) {
   return with_sphere(one, [](Sphere<double>& sphere) { sphere.center = -sphere.center; });
 }
-
-std::vector<Case> with_caps(const Case& one) {
-  return with_cylinder(one, [](Cylinder<double>& cylinder) { cylinder.capped = true; });
-}
-std::vector<Case> without_caps(const Case& one) {
-  return with_cylinder(one, [](Cylinder<double>& cylinder) { cylinder.capped = false; });
-}
-std::vector<Case> circular_rx(const Case& one) {
-  return with_cylinder(one, [](Cylinder<double>& cylinder) { cylinder.ry = cylinder.rx; });
-}
-std::vector<Case> circular_ry(const Case& one) {
-  return with_cylinder(one, [](Cylinder<double>& cylinder) { cylinder.rx = cylinder.ry; });
-}
-std::vector<Case> radii_exchanged(const Case& one) {
-  return with_cylinder(one, [](Cylinder<double>& cylinder) { std::swap(cylinder.rx, cylinder.ry); });
-}
-std::vector<Case> radii_squared(const Case& one) {
-  return with_cylinder(one, [](Cylinder<double>& cylinder) {
-    cylinder.rx *= cylinder.rx;
-    cylinder.ry *= cylinder.ry;
-  });
-}
-namespace {
-
-/// The cylinder lower by that share of its height.
-std::vector<Case> lowered(const Case& one, double share) {
-  return with_shape<Cylinder<double>>(one, [share](RayQuestion& asked, const Cylinder<double>& cylinder) {
-    lift(asked, -share * cylinder.height);
-    return true;
-  });
-}
-
-}  // namespace
-
-std::vector<Case> middle_at_zero(const Case& one) { return lowered(one, 0.5); }
-std::vector<Case> top_at_zero(const Case& one) { return lowered(one, 1); }
 
 Answers sphere_without_sign(const Case& one, const Answer& /*exact*/) {
   const auto equation = sphere_equation(one);

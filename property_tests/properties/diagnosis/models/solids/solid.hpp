@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Models of faults with spheres, boxes and cylinders.
+/// Models of faults with spheres and boxes.
 
 #include "properties/diagnosis/models/models.hpp"
 
@@ -72,18 +72,6 @@ template <int times>
 /// @{ A box of size 0 along an axis is missed; a box whose max is its size.
 [[nodiscard]] Answers flat_box_missed(const Case& one, const Answer& exact);
 [[nodiscard]] std::vector<Case> max_as_size(const Case& one);
-/// @}
-
-/// @{ Readings of a cylinder: with caps, without them; a circular one of radius rx, of ry; with
-/// rx and ry exchanged; squared radii; from -height/2 to height/2; from -height to 0.
-[[nodiscard]] std::vector<Case> with_caps(const Case& one);
-[[nodiscard]] std::vector<Case> without_caps(const Case& one);
-[[nodiscard]] std::vector<Case> circular_rx(const Case& one);
-[[nodiscard]] std::vector<Case> circular_ry(const Case& one);
-[[nodiscard]] std::vector<Case> radii_exchanged(const Case& one);
-[[nodiscard]] std::vector<Case> radii_squared(const Case& one);
-[[nodiscard]] std::vector<Case> middle_at_zero(const Case& one);
-[[nodiscard]] std::vector<Case> top_at_zero(const Case& one);
 /// @}
 
 }  // namespace rayproof::diagnosis

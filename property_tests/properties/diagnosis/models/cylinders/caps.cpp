@@ -1,4 +1,4 @@
-#include "properties/diagnosis/models/curved/caps.hpp"
+#include "properties/diagnosis/models/cylinders/caps.hpp"
 
 #include <algorithm>
 #include <cmath>

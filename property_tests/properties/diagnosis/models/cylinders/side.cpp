@@ -1,12 +1,12 @@
-#include "properties/diagnosis/models/curved/side.hpp"
+#include "properties/diagnosis/models/cylinders/side.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "properties/claims/answers.hpp"
-#include "properties/diagnosis/models/curved/caps.hpp"
 #include "properties/diagnosis/models/curved/root_formula.hpp"
+#include "properties/diagnosis/models/cylinders/caps.hpp"
 
 namespace rayproof::diagnosis {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Models of faults with the ends of a cylinder.
+/// Models of faults with the ends of a cylinder, and of rays along its axis.
 
 #include <cmath>
 
@@ -32,9 +32,6 @@ namespace rayproof::diagnosis {
 [[nodiscard]] Answers without_rims(const Case& one, const Answer& exact);
 /// @}
 
-/// The upright box round the cylinder.
-[[nodiscard]] std::vector<Case> cylinder_as_box(const Case& one);
-
 /// A cylinder without end or caps.
 [[nodiscard]] std::vector<Case> endless_cylinder(const Case& one);
 
@@ -49,40 +46,6 @@ void lift(RayQuestion& asked, double by);
 template <int power>
 [[nodiscard]] Answers side_missed_along(const Case& one, const Answer& /*exact*/) {
   return side_missed_along(one, std::pow(10.0, power));
-}
-
-/// @{ Readings: radii doubled, halved, their roots, their mean for both, 1; height doubled, halved,
-/// 1.
-[[nodiscard]] std::vector<Case> radii_doubled(const Case& one);
-[[nodiscard]] std::vector<Case> radii_halved(const Case& one);
-[[nodiscard]] std::vector<Case> radii_rooted(const Case& one);
-[[nodiscard]] std::vector<Case> radii_mean(const Case& one);
-[[nodiscard]] std::vector<Case> height_doubled(const Case& one);
-[[nodiscard]] std::vector<Case> height_halved(const Case& one);
-[[nodiscard]] std::vector<Case> radii_one(const Case& one);
-[[nodiscard]] std::vector<Case> height_one(const Case& one);
-/// @}
-/// The cylinder along another axis of its own space, each axis in the place of the one before.
-template <int axis>
-[[nodiscard]] std::vector<Case> cylinder_along(const Case& one) {
-  return with_shape<Cylinder<double>>(one, [](RayQuestion& asked, Cylinder<double>& /*cylinder*/) {
-    asked.ray = ray_in_object(asked);
-    asked.transform.reset();
-    std::swap(asked.ray.origin[axis], asked.ray.origin.z);
-    std::swap(asked.ray.direction[axis], asked.ray.direction.z);
-    return true;
-  });
-}
-/// The same with the axes in turn, x for y for z.
-template <int axis>
-[[nodiscard]] std::vector<Case> cylinder_turned_to(const Case& one) {
-  return with_shape<Cylinder<double>>(one, [](RayQuestion& asked, Cylinder<double>& /*cylinder*/) {
-    asked.ray = ray_in_object(asked);
-    asked.transform.reset();
-    for (glm::dvec3* v : {&asked.ray.origin, &asked.ray.direction})
-      *v = {(*v)[(axis + 1) % 3], (*v)[(axis + 2) % 3], (*v)[axis]};
-    return true;
-  });
 }
 
 }  // namespace rayproof::diagnosis

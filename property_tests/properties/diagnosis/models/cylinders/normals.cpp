@@ -1,4 +1,4 @@
-#include "properties/diagnosis/models/curved/cylinder_normals.hpp"
+#include "properties/diagnosis/models/cylinders/normals.hpp"
 
 #include <cmath>
 

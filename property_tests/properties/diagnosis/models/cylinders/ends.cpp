@@ -1,13 +1,13 @@
-#include "properties/diagnosis/models/curved/cylinder.hpp"
+#include "properties/diagnosis/models/cylinders/ends.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "properties/boundary.hpp"
 #include "properties/claims/answers.hpp"
-#include "properties/diagnosis/models/curved/caps.hpp"
 #include "properties/diagnosis/models/curved/root_formula.hpp"
-#include "properties/diagnosis/models/curved/side.hpp"
+#include "properties/diagnosis/models/cylinders/caps.hpp"
+#include "properties/diagnosis/models/cylinders/side.hpp"
 #include "properties/edges.hpp"
 
 namespace rayproof::diagnosis {
@@ -122,50 +122,6 @@ std::vector<Case> endless_cylinder(const Case& one) {
   });
 }
 
-namespace {
-
-template <class DoChange>
-std::vector<Case> read_otherwise(const Case& one, DoChange&& change) {
-  return with_shape<Cylinder<double>>(one, [&](RayQuestion& /*asked*/, Cylinder<double>& cylinder) {
-    change(cylinder);
-    return true;
-  });
-}
-
-std::vector<Case> with_radii_times(const Case& one, double factor) {
-  return read_otherwise(one, [factor](Cylinder<double>& cylinder) {
-    cylinder.rx *= factor;
-    cylinder.ry *= factor;
-  });
-}
-
-}  // namespace
-
-std::vector<Case> radii_doubled(const Case& one) { return with_radii_times(one, 2); }
-std::vector<Case> radii_halved(const Case& one) { return with_radii_times(one, 0.5); }
-std::vector<Case> radii_rooted(const Case& one) {
-  return read_otherwise(one, [](Cylinder<double>& cylinder) {
-    cylinder.rx = std::sqrt(cylinder.rx);
-    cylinder.ry = std::sqrt(cylinder.ry);
-  });
-}
-std::vector<Case> radii_mean(const Case& one) {
-  return read_otherwise(one, [](Cylinder<double>& c) { c.rx = c.ry = (c.rx + c.ry) / 2; });
-}
-std::vector<Case> height_doubled(const Case& one) {
-  return read_otherwise(one, [](Cylinder<double>& cylinder) { cylinder.height *= 2; });
-}
-std::vector<Case> height_halved(const Case& one) {
-  return read_otherwise(one, [](Cylinder<double>& cylinder) { cylinder.height /= 2; });
-}
-
-std::vector<Case> radii_one(const Case& one) {
-  return read_otherwise(one, [](Cylinder<double>& cylinder) { cylinder.rx = cylinder.ry = 1; });
-}
-std::vector<Case> height_one(const Case& one) {
-  return read_otherwise(one, [](Cylinder<double>& cylinder) { cylinder.height = 1; });
-}
-
 Answers missed_along_axis(const Case& one, const Answer& exact) {
   if (shape_in<Cylinder<double>>(one) == nullptr || !finds_something(exact)) return {};
   const glm::dvec3 d = glm::abs(ray_in_object(*ray_question(one)).direction);
@@ -185,16 +141,6 @@ Answers side_missed_along(const Case& one, double least) {
   Answers answers = with_side_hits(one, {});
   if (is_scaled != is_plain) answers.push_back(oracle::answer(one));
   return answers;
-}
-
-std::vector<Case> cylinder_as_box(const Case& one) {
-  return with_question(one, [](RayQuestion& asked) {
-    const auto* cylinder = std::get_if<Cylinder<double>>(&asked.shape);
-    if (cylinder == nullptr) return false;
-    const glm::dvec3 corner(cylinder->rx, cylinder->ry, 0);
-    asked.shape = Box<double>{-corner, corner + glm::dvec3(0, 0, cylinder->height)};
-    return true;
-  });
 }
 
 Answers caps_without_rim(const Case& one, const Answer& /*exact*/) {
