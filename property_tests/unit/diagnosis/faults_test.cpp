@@ -144,6 +144,25 @@ TEST(Diagnosis, KnowsChanceByAskingTheSameCaseAgain) {
   EXPECT_TRUE(found.starts_with("asked-again ")) << found;
 }
 
+/// The verdict alone, of a box that is larger by a tenth on every side.
+Answer whether_a_larger_box_is_met(const Case& one) {
+  Case larger = one;
+  auto& box = std::get<Box<double>>(std::get<RayQuestion>(larger.question).shape);
+  box.min -= 0.1;
+  box.max += 0.1;
+  RayAnswer verdict{.verdict_only = true};
+  if (std::get<RayAnswer>(oracle::answer(larger)).hits.count > 0)
+    verdict.hits.push_back(std::numeric_limits<double>::quiet_NaN());
+  return verdict;
+}
+
+TEST(Diagnosis, TakesAVerdictWithoutATForTheSameWhenAskedAgain) {
+  const Subject subject = subject_of("box", whether_a_larger_box_is_met);
+  const std::string found = in_words(faults_of(subject, *find_property("verdict"), Precision::float32));
+  EXPECT_FALSE(found.empty());
+  EXPECT_EQ(found.find("asked-again"), std::string::npos) << found;
+}
+
 TEST(Diagnosis, AsksNoRayThatBeginsBeforeItsOriginWhereItStartsNearer) {
   const Case far{.question = RayQuestion{.ray = {{100, 0, 0}, {-1, 0, 0}, 0, infinity<double>},
                                          .shape = Sphere<double>{{0, 0, 0}, 0x1p-13}}};

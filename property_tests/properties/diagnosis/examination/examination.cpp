@@ -149,8 +149,7 @@ std::vector<std::size_t> Examination::changed_again(std::span<const std::size_t>
   std::vector<std::size_t> all;
   for (std::size_t k = 0; k < cases.size(); ++k) {
     const std::optional<Answer>& before = failing_.at(cases[k]).got;
-    const bool is_same = !before || !answers[k] || numbers_in(*before) == numbers_in(*answers[k]);
-    if (!is_same) all.push_back(cases[k]);
+    if (before && answers[k] && !same(*before, *answers[k])) all.push_back(cases[k]);
   }
   return all;
 }

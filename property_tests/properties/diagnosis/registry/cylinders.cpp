@@ -108,6 +108,9 @@ std::vector<Hypothesis> models_of_cylinders() {
             "the answer is right for rx² and ry²: the radii are squared once too often"),
       gives("radii-rooted", read_as<radii_rooted>,
             "the answer is right for the roots of the radii: r is taken for r²"),
+      gives(
+          "missed-along-axis-inside", missed_along_axis_inside,
+          "a ray along the axis that starts inside is missed: the cap ahead of it is one that it leaves by"),
       gives("missed-along-axis", missed_along_axis,
             "every ray along the axis is missed, also where it hits a cap"),
       gives("radii-doubled", read_as<radii_doubled>, "the answer is right for twice the radii"),

@@ -145,6 +145,10 @@ std::vector<Hypothesis> models_of_hits() {
           "last-hit-alone", last_hit_alone,
           "of the line's hits the farthest one alone is looked at, in place of the nearest in the interval"),
       gives("farthest-hit", farthest_alone, "the farthest hit is reported in place of the nearest"),
+      gives(
+          "smallest-hit", smallest_alone,
+          "of the hits in the interval the one of the smallest |t| is reported: t must be compared with its "
+          "sign, since the interval may begin before 0"),
       shows("not-nearest", not_nearest,
             "a farther hit is reported in place of the nearest: that is kept which is found first, or last, "
             "and must be the one of the smallest t"),

@@ -15,6 +15,8 @@ inline void PrintTo(const Foreseen& one, std::ostream* out) { *out << one.topic 
 
 inline constexpr Foreseen foreseen_faults[] = {
     {"sphere", "zero-as-no-end"},
+    {"sphere", "smallest-hit"},
+    {"cylinder", "missed-along-axis-inside"},
     {"box", "t-min-cut-to-zero"},
     {"sphere", "open-where-entering"},
     {"box", "open-where-leaving"},

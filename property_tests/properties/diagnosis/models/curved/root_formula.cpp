@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "properties/claims/answers.hpp"
-#include "properties/diagnosis/models/cylinders/caps.hpp"
+#include "properties/diagnosis/models/cylinder_parts.hpp"
 
 namespace rayproof::diagnosis {
 namespace {

@@ -2,7 +2,7 @@
 /// \file
 /// Models of faults with the caps of a cylinder.
 
-#include "properties/diagnosis/models/models.hpp"
+#include "properties/diagnosis/models/cylinder_parts.hpp"
 
 namespace rayproof::diagnosis {
 
@@ -32,14 +32,5 @@ namespace rayproof::diagnosis {
 [[nodiscard]] Answers first_cap_alone(const Case& one, const Answer& exact);
 /// A hit on the side is reported before one on a cap, even where that is nearer.
 [[nodiscard]] Answers side_before_caps(const Case& one, const Answer& exact);
-
-/// By how much the side of a cylinder goes on below its lower and above its upper end.
-struct SideEnds {
-  double below = 0, above = 0;
-};
-
-/// The answer where the side of a cylinder without end is met at these t: those between its ends, and the
-/// caps'.
-[[nodiscard]] Answers with_side_hits(const Case& one, std::vector<double> side, const SideEnds& ends = {});
 
 }  // namespace rayproof::diagnosis

@@ -132,6 +132,13 @@ Answers missed_along_axis(const Case& one, const Answer& exact) {
   return across < 0x1p-20 * d.z ? Answers{RayAnswer{}, exact} : Answers{};
 }
 
+Answers missed_along_axis_inside(const Case& one, const Answer& exact) {
+  const auto* cylinder = shape_in<Cylinder<double>>(one);
+  if (cylinder == nullptr) return {};
+  const double z = ray_in_object(*ray_question(one)).origin.z;
+  return 0 < z && z < cylinder->height ? missed_along_axis(one, exact) : Answers{};
+}
+
 Answers side_missed_along(const Case& one, double least) {
   const auto equation = shape_in<Cylinder<double>>(one) == nullptr ? std::nullopt : reduced_equation(one);
   if (!equation) return {};

@@ -38,8 +38,10 @@ namespace rayproof::diagnosis {
 /// The object moved along its own z axis.
 void lift(RayQuestion& asked, double by);
 
-/// A ray along the axis is missed.
+/// @{ A ray along the axis is missed, or one that starts between the planes of both ends alone.
 [[nodiscard]] Answers missed_along_axis(const Case& one, const Answer& exact);
+[[nodiscard]] Answers missed_along_axis_inside(const Case& one, const Answer& exact);
+/// @}
 
 /// The side is missed by rays nearly along the axis: where dx² + dy², in radii or not, is below a limit.
 [[nodiscard]] Answers side_missed_along(const Case& one, double least);

@@ -71,6 +71,13 @@ Answers farthest_alone(const Case& /*one*/, const Answer& exact) {
   return {last};
 }
 
+Answers smallest_alone(const Case& one, const Answer& exact) {
+  const RayAnswer* answer = hit_of(exact);
+  if (answer == nullptr || answer->hits.count < 2) return {};
+  const bool is_first = std::abs(answer->hits.t[0]) <= std::abs(answer->hits.t[1]);
+  return is_first ? Answers{} : farthest_alone(one, exact);
+}
+
 Answers first_alone(const Case& /*one*/, const Answer& exact) {
   if (numbers_in(exact).size() < 2) return {};
   Answer first = exact;

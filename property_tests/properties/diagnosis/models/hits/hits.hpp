@@ -33,6 +33,8 @@ template <class Question>
 [[nodiscard]] Answers plus_root_first(const Case& one, const Answer& exact);
 /// The farthest hit alone in place of the nearest.
 [[nodiscard]] Answers farthest_alone(const Case& one, const Answer& exact);
+/// Of the hits in the interval the one of the smallest |t| alone, in place of the nearest.
+[[nodiscard]] Answers smallest_alone(const Case& one, const Answer& exact);
 /// One of two hits or roots is left out: the second.
 [[nodiscard]] Answers first_alone(const Case& one, const Answer& exact);
 /// @{ One of two hits or roots is given twice, the nearest or the farthest, and the other is not.

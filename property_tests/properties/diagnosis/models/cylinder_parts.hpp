@@ -1,0 +1,31 @@
+#pragma once
+/// \file
+/// The side and the caps of a cylinder apart.
+
+#include "properties/diagnosis/models/models.hpp"
+
+namespace rayproof::diagnosis {
+
+/// Whether a point of the plane of a cap belongs to the cap.
+using IsInCap = bool (*)(double x, double y, const Cylinder<double>& cylinder);
+
+/// That of the caps there are: within the ellipse of the radii.
+[[nodiscard]] bool is_in_ellipse(double x, double y, const Cylinder<double>& cylinder);
+
+/// The t at which the line meets the caps that are those, ascending.
+[[nodiscard]] std::vector<double> hits_of_caps(const Case& one, const Cylinder<double>& cylinder,
+                                               IsInCap is_in_cap);
+
+/// The hits in the ray's interval, ascending, as many as an answer holds.
+[[nodiscard]] RayAnswer in_order(const Case& one, std::vector<double> hits);
+
+/// By how much the side of a cylinder goes on below its lower and above its upper end.
+struct SideEnds {
+  double below = 0, above = 0;
+};
+
+/// The answer where the side of a cylinder without end is met at these t: those between its ends, and the
+/// caps'.
+[[nodiscard]] Answers with_side_hits(const Case& one, std::vector<double> side, const SideEnds& ends = {});
+
+}  // namespace rayproof::diagnosis
