@@ -8,7 +8,6 @@
 #include <rayproof/topics.hpp>
 #include <string_view>
 
-#include "properties/boundary.hpp"
 #include "properties/guests/allowance.hpp"
 #include "properties/trial.hpp"
 
@@ -36,20 +35,11 @@ struct Promise {
   return bound.far_power == 0 ? bound.promised : bound.promised * std::pow(far, bound.far_power);
 }
 
-/// The ratio by which plain methods suffer. It is endless where a triangle has no area, or is seen edge-on; a
-/// guest is not excused by that where nothing need be rounded.
-[[nodiscard]] inline double far_of(Trial& trial) {
-  const double far = trial.judgement().far;
-  const bool is_decided =
-      std::isinf(far) && !trial.subject().has_own_contract && is_exact_for_some_method(trial.question());
-  return is_decided ? 1 : far;
-}
-
 /// Under a transform the ray has been rounded before the
 /// method sees it: then nobody is held to more than the robust bound, and no ulp is promised.
 [[nodiscard]] inline Promise promise_for(Trial& trial) {
   const Contract& contract = trial.subject().contract;
-  const double far = far_of(trial);
+  const double far = trial.judgement().far;
   const double allowed = trial.subject().has_own_contract ? 1 : allowed_of_hits(trial.question());
   const Promise promise{allowed * promised(contract.verdict, far), allowed * promised(contract.residual, far),
                         contract.ulp.promised};
