@@ -67,6 +67,15 @@ bool is_ordinary_at(double t, const Case& one, double unit) {
          oracle::judge_details(one, bare).normal.value_or(infinity<double>) * unit >= near;
 }
 
+/// How many ulps the exact hits of an ordinary ray are from their rounded ones at most: half of one, and a
+/// quarter of one beside a power of two, below which numbers lie twice as dense.
+double most_ulps(const RayAnswer& exact) {
+  int exponent = 0;
+  const bool is_at_power = std::ranges::any_of(
+      exact.hits.view(), [&](double t) { return std::abs(std::frexp(t, &exponent)) == 0.5; });
+  return (is_at_power ? 0.25 : 0.5) - near_middle;
+}
+
 /// Whether all numbers of a case but zeros and endless ends are of ordinary size.
 bool has_ordinary_numbers(const Case& one) {
   bool is_within = true;
@@ -80,7 +89,7 @@ bool is_ordinary(const Case& one) {
   const auto exact = std::get<RayAnswer>(oracle::answer(one));
   const double unit = roundoff_of(one.precision);
   return has_ordinary_verdict(one, exact, unit) &&
-         (exact.hits.count == 0 || oracle::judge(one, exact).ulp <= 0.5 - near_middle) &&
+         (exact.hits.count == 0 || oracle::judge(one, exact).ulp <= most_ulps(exact)) &&
          std::ranges::all_of(exact.hits.view(), [&](double t) { return is_ordinary_at(t, one, unit); });
 }
 
