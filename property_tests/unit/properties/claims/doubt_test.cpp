@@ -58,5 +58,13 @@ TEST(SureProperty, DoubtIsFairBesideATangentAnEdgeAFaceTheOriginAndAMiddle) {
   EXPECT_EQ(rule(ray + R"([0.5,0.5,4097], "direction": [0.1,0.1,-4096])" + plane, always), Ruling::broken);
 }
 
+TEST(SureProperty, TheMiddleBelowAPowerOfTwoIsAQuarterOfAnUlpAway) {
+  const std::string before =
+      R"({"precision": "float64", "ray": {"origin": [20,0,0], "direction": [1,0,0]}, "shape": )";
+  EXPECT_EQ(rule(before + R"({"type": "plane", "normal": [-1,0,0], "d": 4.000000000000001}})", always),
+            Ruling::held);
+  EXPECT_EQ(rule(before + R"({"type": "plane", "normal": [-1,0,0], "d": 4}})", always), Ruling::broken);
+}
+
 }  // namespace
 }  // namespace rayproof

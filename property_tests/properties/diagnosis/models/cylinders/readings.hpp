@@ -20,8 +20,7 @@ namespace rayproof::diagnosis {
 [[nodiscard]] std::vector<Case> middle_at_zero(const Case& one);
 [[nodiscard]] std::vector<Case> top_at_zero(const Case& one);
 /// @}
-/// @{ Readings: radii doubled, halved, their roots, their mean for both, 1; height doubled, halved,
-/// 1.
+/// @{ Radii doubled, halved, their roots, their mean for both, 1; height doubled, halved, 1.
 [[nodiscard]] std::vector<Case> radii_doubled(const Case& one);
 [[nodiscard]] std::vector<Case> radii_halved(const Case& one);
 [[nodiscard]] std::vector<Case> radii_rooted(const Case& one);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "properties/boundary.hpp"
 #include "properties/claims/answers.hpp"
 #include "properties/diagnosis/examination/agreement.hpp"
 
