@@ -51,6 +51,13 @@ SizeOf<R> normal_size_of(const Triangle<double>& triangle) {
   return std::max(ab, bc) * std::max(std::min(ab, bc), ca);
 }
 
+/// 1 over the steepness. Of a triangle with no edge from a it is 1: its normal is 0 in rounded numbers, too,
+/// and no digit of it is lost.
+template <class Size>
+double far_of(const Triangle<double>& triangle, const Size& steepness) {
+  return triangle.b == triangle.a || triangle.c == triangle.a ? 1 : value(1 / steepness);
+}
+
 /// As the quick judge sees it.
 class TriangleMeeting : public FlatMeeting {
  public:
@@ -65,7 +72,7 @@ class TriangleMeeting : public FlatMeeting {
         std::max({length_of(triangle_.a), length_of(triangle_.b), length_of(triangle_.c)});
     measure_by(position, normal_size_of<Estimate>(triangle_));
   }
-  [[nodiscard]] double far() const { return value(1 / steepness_of(met(), sizes())); }
+  [[nodiscard]] double far() const { return far_of(triangle_, steepness_of(met(), sizes())); }
 
  private:
   const Triangle<double>& triangle_;
@@ -84,8 +91,9 @@ class TriangleIntersection final : public OutlinedIntersection {
     return std::array{weight(volumes_[0]), weight(volumes_[1]), weight(volumes_[2])};
   }
 
-  /// 1 over the steepness.
-  [[nodiscard]] double far() const override { return 1 / value(steepness()); }
+  [[nodiscard]] double far() const override {
+    return far_of({corners_[0], corners_[1], corners_[2]}, steepness());
+  }
   /// How large the volumes may be over their sum, with the vertices as far from the origin as they are; under
   /// a transform as far as its rounding may put them.
   [[nodiscard]] Scaled condition_of_coordinates(const Scaled& /*roundoff*/) const override {

@@ -43,10 +43,11 @@ struct NormalsOfFaces {
   }
 };
 
+/// So is every ray at a face without area, whose normal is 0.
 bool is_nearly_along_a_face(const RayQuestion& asked) {
   const glm::dvec3 d = asked.ray.direction;
   return std::ranges::any_of(std::visit(NormalsOfFaces{}, asked.shape), [&](const glm::dvec3& n) {
-    return std::abs(glm::dot(n, d)) < near * glm::length(n) * glm::length(d);
+    return std::abs(glm::dot(n, d)) <= near * glm::length(n) * glm::length(d);
   });
 }
 

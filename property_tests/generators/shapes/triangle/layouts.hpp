@@ -129,7 +129,9 @@ namespace rayproof::triangle_family {
     triangle.b = point_in_a_room(random);
     triangle.c = triangle.a + random.uniform(-1, 2) * (triangle.b - triangle.a);
   }
-  return looked_at_exactly(random, triangle, exactly_on_the_rim(random, triangle));
+  Scene scene = looked_at_exactly(random, triangle, exactly_on_the_rim(random, triangle));
+  if (random.one_in(3)) scene.origin += whole_vector(random, 2);  // past it
+  return scene;
 }
 
 [[nodiscard]] inline Scene coplanar(Random& random) {

@@ -191,6 +191,8 @@ std::vector<Hypothesis> classes_of_cases() {
                                             "equations with a = b = 0 are not handled")),
       shows("parallel-hit", parallel_is_hit,
             "a ray along the plane, parallel to it or inside it, is reported as a hit"),
+      shows("no-area-hit", no_area_is_hit,
+            "a figure without area is reported as a hit: its normal is 0, and must be asked for"),
       shows("zero-slope-hit", zero_slope_is_hit,
             "a ray along the plane, or a figure without area, is reported as a hit: a division by 0 is not "
             "kept from"),

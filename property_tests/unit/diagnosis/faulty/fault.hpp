@@ -59,6 +59,7 @@ enum class Fault {
   one_edge_open,
   lambda_sign,
   drops_z,
+  no_area_hit,
   // plane
   constant_sign,
   constant_ignored,

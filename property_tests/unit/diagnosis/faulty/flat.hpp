@@ -68,6 +68,7 @@ template <class T>
   const auto e1 = triangle.b - triangle.a, e2 = triangle.c - triangle.a;
   const auto p = cross(ray.direction, e2);
   const T det = dot(e1, p);
+  if (fault == Fault::no_area_hit && cross(e1, e2) == glm::vec<3, T>(0)) return {{{T(0), p}}};
   if (fault == Fault::culls_back && det < 0) return {};
   if (det == 0 || (fault == Fault::absolute_epsilon && std::abs(det) < T(1e-2))) return {};
   const auto s = ray.origin - triangle.a, q = cross(s, e1);

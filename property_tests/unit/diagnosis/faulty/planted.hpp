@@ -71,6 +71,7 @@ inline const Planted planted[] = {
     {"triangle", answer<one_edge_open>, "boundary", "edge-a-open"},
     {"triangle", answer<lambda_sign>, "verdict", "lambda2-second-sign"},
     {"triangle", answer<drops_z>, "verdict", "upright-z"},
+    {"triangle", answer<no_area_hit>, "verdict", "no-area-hit"},
     {"plane", answer<constant_sign>, "residual", "constant-negated"},
     {"plane", answer<constant_ignored>, "residual", "constant-ignored"},
     {"plane", answer<unit_normal>, "residual", "constant-as-distance"},

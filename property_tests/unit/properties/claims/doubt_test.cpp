@@ -58,6 +58,13 @@ TEST(SureProperty, DoubtIsFairBesideATangentAnEdgeAFaceTheOriginAndAMiddle) {
   EXPECT_EQ(rule(ray + R"([0.5,0.5,4097], "direction": [0.1,0.1,-4096])" + plane, always), Ruling::broken);
 }
 
+TEST(SureProperty, DoubtIsFairOfATriangleWithoutArea) {
+  const std::string passing_by =
+      R"({"precision": "float32", "ray": {"origin": [0,1,0], "direction": [0,0,1]}, "shape": {"type": "triangle", "a": [0,0,0], "b": [0,0,0], "c": )";
+  EXPECT_EQ(rule(passing_by + "[1,0,0]}}", always), Ruling::held) << "two vertices in one point";
+  EXPECT_EQ(rule(passing_by + "[0,0,0]}}", always), Ruling::held) << "three";
+}
+
 TEST(SureProperty, TheMiddleBelowAPowerOfTwoIsAQuarterOfAnUlpAway) {
   const std::string before =
       R"({"precision": "float64", "ray": {"origin": [20,0,0], "direction": [1,0,0]}, "shape": )";

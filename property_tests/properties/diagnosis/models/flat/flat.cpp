@@ -210,11 +210,15 @@ std::optional<bool> parallel_is_hit(const Case& one, const Answer& got, const An
   return may_miss ? std::nullopt : std::optional(false);
 }
 
-std::optional<bool> zero_slope_is_hit(const Case& one, const Answer& got, const Answer& exact) {
+std::optional<bool> no_area_is_hit(const Case& /*one*/, const Answer& got, const Answer& exact) {
   const auto* answer = std::get_if<RayAnswer>(&exact);
-  const bool has_no_area = answer != nullptr && answer->contact == Contact::degenerate;
-  if (!has_no_area) return parallel_is_hit(one, got, exact);
-  return std::get<RayAnswer>(got).hits.count > 0 ? std::optional(true) : std::nullopt;
+  if (answer == nullptr || answer->contact != Contact::degenerate) return std::nullopt;
+  return finds_something(got) ? std::optional(true) : std::nullopt;
+}
+
+std::optional<bool> zero_slope_is_hit(const Case& one, const Answer& got, const Answer& exact) {
+  const std::optional<bool> along = parallel_is_hit(one, got, exact);
+  return along ? along : no_area_is_hit(one, got, exact);
 }
 
 template <int term>

@@ -127,7 +127,9 @@ template <int axis>
 [[nodiscard]] Answers culls_by_first_corner(const Case& one, const Answer& exact);
 /// A ray along the plane is reported as a hit.
 [[nodiscard]] std::optional<bool> parallel_is_hit(const Case& one, const Answer& got, const Answer& exact);
-/// The same, or a figure without area: what divides by n·d, n of length 0 or not, divides by 0.
+/// A figure without area is reported as a hit.
+[[nodiscard]] std::optional<bool> no_area_is_hit(const Case& one, const Answer& got, const Answer& exact);
+/// Either of the two: what divides by n·d, n of length 0 or not, divides by 0.
 [[nodiscard]] std::optional<bool> zero_slope_is_hit(const Case& one, const Answer& got, const Answer& exact);
 
 /// The sign of one term of λ1 or λ2 is wrong, in the barycentric coordinates of the projection along the
