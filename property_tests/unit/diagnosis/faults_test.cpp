@@ -163,6 +163,20 @@ TEST(Diagnosis, TakesAVerdictWithoutATForTheSameWhenAskedAgain) {
   EXPECT_EQ(found.find("asked-again"), std::string::npos) << found;
 }
 
+/// The verdict alone, and always the same.
+Answer always_a_hit(const Case& /*any*/) {
+  RayAnswer verdict{.verdict_only = true};
+  verdict.hits.push_back(std::numeric_limits<double>::quiet_NaN());
+  return verdict;
+}
+
+TEST(Diagnosis, NeverSaysOfVerdictsAloneThatANumberIsNaN) {
+  const Subject subject = subject_of("triangle", always_a_hit);
+  const std::string found = in_words(faults_of(subject, *find_property("verdict"), Precision::float32));
+  EXPECT_FALSE(found.empty());
+  EXPECT_EQ(found.find("is-nan"), std::string::npos) << found;
+}
+
 TEST(Diagnosis, AsksNoRayThatBeginsBeforeItsOriginWhereItStartsNearer) {
   const Case far{.question = RayQuestion{.ray = {{100, 0, 0}, {-1, 0, 0}, 0, infinity<double>},
                                          .shape = Sphere<double>{{0, 0, 0}, 0x1p-13}}};
