@@ -144,16 +144,20 @@ TEST(Diagnosis, KnowsChanceByAskingTheSameCaseAgain) {
   EXPECT_TRUE(found.starts_with("asked-again ")) << found;
 }
 
+/// No t: what a program of verdicts says.
+Answer verdict_alone(bool is_hit) {
+  RayAnswer verdict{.verdict_only = true};
+  if (is_hit) verdict.hits.push_back(std::numeric_limits<double>::quiet_NaN());
+  return verdict;
+}
+
 /// The verdict alone, of a box that is larger by a tenth on every side.
 Answer whether_a_larger_box_is_met(const Case& one) {
   Case larger = one;
   auto& box = std::get<Box<double>>(std::get<RayQuestion>(larger.question).shape);
   box.min -= 0.1;
   box.max += 0.1;
-  RayAnswer verdict{.verdict_only = true};
-  if (std::get<RayAnswer>(oracle::answer(larger)).hits.count > 0)
-    verdict.hits.push_back(std::numeric_limits<double>::quiet_NaN());
-  return verdict;
+  return verdict_alone(std::get<RayAnswer>(oracle::answer(larger)).hits.count > 0);
 }
 
 TEST(Diagnosis, TakesAVerdictWithoutATForTheSameWhenAskedAgain) {
@@ -163,12 +167,7 @@ TEST(Diagnosis, TakesAVerdictWithoutATForTheSameWhenAskedAgain) {
   EXPECT_EQ(found.find("asked-again"), std::string::npos) << found;
 }
 
-/// The verdict alone, and always the same.
-Answer always_a_hit(const Case& /*any*/) {
-  RayAnswer verdict{.verdict_only = true};
-  verdict.hits.push_back(std::numeric_limits<double>::quiet_NaN());
-  return verdict;
-}
+Answer always_a_hit(const Case& /*any*/) { return verdict_alone(true); }
 
 TEST(Diagnosis, NeverSaysOfVerdictsAloneThatANumberIsNaN) {
   const Subject subject = subject_of("triangle", always_a_hit);
