@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <glm/matrix.hpp>
+#include <optional>
 
 #include "oracle/oracle.hpp"
 #include "properties/trial.hpp"
@@ -57,20 +58,27 @@ BoundaryPlaces ends_of(const PointAndPolygon<double>& asked) {
   return places;
 }
 
-/// Where on its boundary a point of a polygon is.
+/// Whether the point lies on the side ab, in numbers so short that nothing is rounded.
+bool is_on_side(const Vec2<double>& point, const Vec2<double>& a, const Vec2<double>& b) {
+  const auto is_between = [](double x, double from, double to) {
+    return std::min(from, to) <= x && x <= std::max(from, to);
+  };
+  return is_between(point.x, a.x, b.x) && is_between(point.y, a.y, b.y) &&
+         (b.x - a.x) * (point.y - a.y) == (b.y - a.y) * (point.x - a.x);
+}
+
+/// Where on its boundary a point of a polygon is; on the closing side, where it lies on no other one.
 BoundaryPlace place_on(const PointAndPolygon<double>& asked) {
   const auto& [point, vertices] = asked;
-  BoundaryPlace place = edge;
+  std::optional<BoundaryPlace> place;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const auto &a = vertices[i], &b = vertices[(i + 1) % vertices.size()];
+    const bool is_closing = i + 1 == vertices.size();
+    const auto &a = vertices[i], &b = vertices[is_closing ? 0 : i + 1];
     if (a.x == point.x && a.y == point.y) return vertex;
-    const auto is_between = [](double x, double from, double to) {
-      return std::min(from, to) <= x && x <= std::max(from, to);
-    };
-    if (a.y == b.y && point.y == a.y && is_between(point.x, a.x, b.x)) place = level_side;
-    if (a.x == b.x && point.x == a.x && is_between(point.y, a.y, b.y)) place = upright_side;
+    if (!is_on_side(point, a, b) || (is_closing && place)) continue;
+    place = is_closing ? closing_side : a.y == b.y ? level_side : a.x == b.x ? upright_side : edge;
   }
-  return place;
+  return place.value_or(edge);
 }
 
 BoundaryPlaces places_on(const PointAndPolygon<double>& asked) {
@@ -99,7 +107,8 @@ struct EdgeOf {
                     inverse * ray.direction / glm::length(inverse * ray.direction));
   }
   BoundaryPlaces operator()(const Cylinder<double>& cylinder) const {
-    if (cylinder.capped) return only(edge);
+    const bool is_along_axis = ray.direction.x == 0 && ray.direction.y == 0;
+    if (cylinder.capped) return only(is_along_axis ? along_side : edge);
     BoundaryPlaces places;
     for (const double t : exact.hits.view()) {
       const double z = ray.origin.z + t * ray.direction.z;

@@ -32,12 +32,14 @@ enum class BoundaryPlace {
   level_side = low_face,      ///< a level side of a polygon in the plane
   upright_side = high_face,   ///< an upright one
   level_rim = high_face,      ///< an open cylinder's rim, in whose plane the ray runs
+  along_side = edge_a,        ///< a line in the side of a capped cylinder, which meets both its rims
   no_radius = low_face,       ///< a sphere that is a point
   edge_a_behind = high_face,  ///< the triangle's edges, met from behind
   edge_b_behind = low_rim,
   edge_c_behind = high_rim,
-  greatest = at_origin,  ///< of a polygon in the plane beside another place: at its greatest x or y
-  least = entering       ///< the same at its least
+  closing_side = leaving,  ///< the side from the last vertex to the first
+  greatest = at_origin,    ///< of a polygon in the plane beside another place: at its greatest x or y
+  least = entering         ///< the same at its least
 };
 inline constexpr std::size_t boundary_place_count = 16;
 

@@ -49,6 +49,10 @@ std::vector<Finding> Consultation::findings(const std::vector<Diagnosis>& groups
   const Diagnosis& own = own_group(groups);
   describe(finding_, of_its_size(own, finding_.one));
   std::vector<Finding> others;
+  if (is_of_wrong_plane(own)) {
+    finding_.cause = nullptr;
+    return others;
+  }
   for (const Diagnosis& group : groups) {
     if (&group == &own || finding_.is_declared || stop_) continue;
     if (auto other = of_group(group)) others.push_back(std::move(*other));
@@ -101,6 +105,15 @@ void Consultation::add_simple_twins() {
 /// Whether the subject promises anything of the case: beyond that models may overflow as it does.
 bool Consultation::is_ordinary(const Case& one) const {
   return finding_.subject->function == nullptr || Trial(*finding_.subject, one).in_domain();
+}
+
+/// Whether what is said of a plane's misses is wrong in more ways than the cause says: it follows from what
+/// is computed of the plane, and so do its faults.
+bool Consultation::is_of_wrong_plane(const Diagnosis& own) const {
+  if (finding_.property->claim != Claim::contact || topic_of(finding_.one) != "plane" || own.cause == nullptr)
+    return false;
+  const auto is_explained = [&](const Case& one) { return explains(complaint_.patient, *own.cause, one); };
+  return !is_explained(finding_.one) || !std::ranges::all_of(complaint_.failing, is_explained);
 }
 
 /// The group whose cause explains the finding's own case; the largest where none does.

@@ -37,6 +37,7 @@ class Consultation {
   [[nodiscard]] std::vector<Case> unexplained(std::vector<Case> left,
                                               std::span<const Hypothesis* const> causes) const;
   [[nodiscard]] bool is_ordinary(const Case& one) const;
+  [[nodiscard]] bool is_of_wrong_plane(const Diagnosis& own) const;
   [[nodiscard]] const Diagnosis& own_group(const std::vector<Diagnosis>& groups) const;
   [[nodiscard]] Diagnosis of_its_size(const Diagnosis& group, const Case& simplest) const;
   void describe(Finding& finding, const Diagnosis& group) const;

@@ -49,11 +49,14 @@ void merge_near_hits(const Case& one, HitList& hits) {
 }
 
 /// Puts in the exact hits at a rim that are left out, where that makes up the number of hits. Point and
-/// normal are of the first hit that was given: nothing is said of one that is put in before it.
+/// normal are of the first hit that was given: nothing is said of one that is put in before it. A ray along
+/// the axis meets the caps alone: between side and cap it cannot fall.
 void add_hits_at_rims(const Case& one, RayAnswer& answer) {
   const HitList& hits = answer.hits;
   const auto* asked = std::get_if<RayQuestion>(&one.question);
   if (asked == nullptr || !std::holds_alternative<Cylinder<double>>(asked->shape) || hits.count > 1) return;
+  const glm::dvec3& sight = asked->ray.direction;
+  if (!asked->transform && sight.x == 0 && sight.y == 0) return;
   const auto exact = std::get<RayAnswer>(oracle::answer(one));
   if (exact.hits.count <= hits.count) return;
   HitList all;

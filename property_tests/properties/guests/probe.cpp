@@ -123,7 +123,8 @@ struct Learnt {
     const auto at = [&](BoundaryPlace place) {
       return wrong_at(static_cast<std::size_t>(place), "point_in_polygon", abilities.all_hits);
     };
-    const unsigned on_sides = at(edge).count + at(level_side).count + at(upright_side).count;
+    const unsigned on_sides =
+        at(edge).count + at(level_side).count + at(upright_side).count + at(closing_side).count;
     if (on_sides == 0 && at(vertex).count >= 3) abilities.rules.set(static_cast<std::size_t>(vertex));
     if (!abilities.boundary) abilities.rules.reset();
   }

@@ -103,6 +103,17 @@ Scene tiny_normal(Random& random, Precision precision) {
   return in_some_form(random, sheet, scene);
 }
 
+/// u and v nearly along one line: what takes them for dependent misses the plane.
+Scene skewed(Random& random) {
+  Sheet sheet = in_a_room(random);
+  const double angle = std::exp2(random.uniform(-7, -2)), length = std::exp2(random.uniform(-2, 2));
+  const glm::dvec3 along = normalize(sheet.u), across = draw::perpendicular(random, along);
+  sheet.v = (random.one_in(2) ? length : -length) * (std::cos(angle) * along + std::sin(angle) * across);
+  Scene scene = looked_at(random, sheet, somewhere(random, sheet));
+  scene.shape = sheet;
+  return scene;
+}
+
 /// For the interval: half the time in whole numbers, so that the hit is exactly where the ray was aimed.
 Scene met(Random& random) {
   const bool exactly = random.one_in(2);
@@ -152,6 +163,10 @@ std::vector<Family> plane_families() {
                     {in_reach, {"hit", 0.95}}),
       laid_out<tiny_normal>("tiny_normal", "the numbers that give the plane's slope are tiny",
                             {in_reach, {"hit", 0.95}}),
+      laid_out<skewed>(
+          "skewed",
+          "u and v, of ordinary lengths, are 1/128 to 1/4 apart in angle or run against each other so",
+          {in_reach, {"hit", 0.95}}),
       cut_short<met>({in_reach, {"hit", 0.49}, {"miss", 0.35}, {"in surface", 0.03}, {"behind", 0.3}}),
       placed<met>({{"in reach", 0.97}, {"hit", 0.25}, {"miss", 0.4}}),
       transformed<everyday, in_plane>(

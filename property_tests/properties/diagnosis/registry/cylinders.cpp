@@ -108,6 +108,9 @@ std::vector<Hypothesis> models_of_cylinders() {
             "the answer is right for rx² and ry²: the radii are squared once too often"),
       gives("radii-rooted", read_as<radii_rooted>,
             "the answer is right for the roots of the radii: r is taken for r²"),
+      gives("missed-along-side", missed_along_side,
+            "a ray along the axis that runs in the side is missed: it meets both rims, which are the solid's",
+            boundary),
       gives(
           "missed-along-axis-inside", missed_along_axis_inside,
           "a ray along the axis that starts inside is missed: the cap ahead of it is one that it leaves by"),

@@ -46,6 +46,10 @@ std::vector<Hypothesis> models_of_first_hits() {
   return {
       gives("contact-parallel", in_surface_is_parallel, "a ray inside the plane is called parallel", gross,
             Aspect::contact),
+      gives("contacts-exchanged", reasons_exchanged,
+            "a ray inside the plane is called parallel, and one parallel to it is said to be inside: the two "
+            "are exchanged",
+            gross, Aspect::contact),
       gives("no-reason", no_reason, "it does not say why the ray misses", gross, Aspect::contact),
       gives("normal-faces-ray", normal_faces_ray,
             "the normal is turned to face the ray, whatever side the surface says", gross, Aspect::normal),
@@ -149,6 +153,9 @@ std::vector<Hypothesis> models_of_first_hits() {
             gross, Aspect::point),
       gives("point-from-shape", point_from_shape,
             "the point is given from the shape's centre, corner or first vertex, which is not added", gross,
+            Aspect::point),
+      gives("point-at-foot", point_at_foot,
+            "the point is the foot of the perpendicular from the ray's origin, and must be o + t·d", gross,
             Aspect::point),
       gives("point-of-far-hit", point_of_far_hit, "the point is the far hit's", gross, Aspect::point),
       shows("point-moved", point_moved_along_normal,

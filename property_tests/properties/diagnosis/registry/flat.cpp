@@ -217,6 +217,9 @@ std::vector<Hypothesis> models_of_flat_figures() {
             "t is -(n·o) / (n·d): the constant n·a of the figure's plane is missing"),
       gives_one_of("normal-no-cross-product", normal_is_no_cross_product,
                    "the answer is right for a normal that is a sum of u and v, or one of them: it is u × v"),
+      shows("skewed-missed", skewed_is_missed,
+            "a plane is missed whose u and v are at a small angle: they are taken for dependent, by an "
+            "epsilon that is too large"),
       gives_one_of("vectors-as-points", vectors_as_points,
                    "the plane's point is subtracted from u or v: these are vectors, and no points"),
       gives(

@@ -191,6 +191,10 @@ std::vector<Hypothesis> models_of_hits() {
             "a point on a level side is not said to be on the boundary", boundary),
       gives("upright-side-not-on-boundary", lost_at<BoundaryPlace::upright_side>,
             "a point on an upright side is not said to be on the boundary", boundary),
+      gives("closing-side-not-on-boundary", lost_at<BoundaryPlace::closing_side>,
+            "a point on the side from the last vertex to the first is not said to be on the boundary: that "
+            "side is not looked at there",
+            boundary),
       gives("side-not-on-boundary", lost_between_vertices,
             "a point on a side, and not at a vertex, is not said to be on the boundary", boundary),
       gives("boundary-outside", boundary_is_outside, "the boundary is taken for outside: the set is open",

@@ -68,6 +68,9 @@ enum class Fault {
   no_coefficients,
   in_plane_hit,
   parallel_hit,  ///< at t = 0
+  skewed_missed,
+  contacts_exchanged,
+  point_at_foot,
   // polygon and point in polygon
   closed_sides,
   open_sides,

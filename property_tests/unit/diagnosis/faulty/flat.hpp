@@ -18,7 +18,8 @@ template <class T>
   if (slope == 0) {
     if (fault == Fault::in_plane_hit && over == 0) return {{{0, normal}}};
     if (fault == Fault::parallel_hit) return {{{0, normal}}};
-    return {{}, over == 0 ? Contact::in_surface : Contact::parallel};
+    const bool is_inside = (over == 0) != (fault == Fault::contacts_exchanged);
+    return {{}, is_inside ? Contact::in_surface : Contact::parallel};
   }
   if (fault == Fault::one_sided && slope > 0) return {};
   if (fault == Fault::absolute_epsilon && std::abs(slope) < T(1e-6)) return {};
@@ -37,6 +38,8 @@ template <class T>
 template <class T>
 [[nodiscard]] FoundHits<T> find(const Ray<T>& ray, const ParametricPlane& plane, Fault fault) {
   const glm::vec<3, T> normal = cross(glm::vec<3, T>(plane.u), glm::vec<3, T>(plane.v));
+  const double sides = glm::length(plane.u) * glm::length(plane.v);
+  if (fault == Fault::skewed_missed && glm::length(normal) < T(0.1 * sides)) return {};
   return find_plane<T>(ray, normal, -dot(normal, glm::vec<3, T>(plane.point)), fault);
 }
 

@@ -99,6 +99,7 @@ inline constexpr Foreseen foreseen_faults[] = {
     {"parallelepiped", "missed-along-slab"},
     {"parallelepiped", "endless-edge-2"},
     {"cylinder", "missed-along-axis"},
+    {"cylinder", "missed-along-side"},
     {"cylinder", "radii-rooted"},
     {"parallelepiped", "half-endless-edge-1"},
     {"quadratic", "rounded-down"},

@@ -110,6 +110,7 @@ inline constexpr Foreseen foreseen_faults_of_flat[] = {
     {"point_in_polygon", "bounds-but-one"},
     {"point_in_polygon", "endless-upright-boundary"},
     {"point_in_polygon", "side-not-on-boundary"},
+    {"point_in_polygon", "closing-side-not-on-boundary"},
     {"point_in_polygon", "shape-in-float"},
     {"point_in_polygon", "whole-shape"},
     {"triangle", "way-from-other-vertex"},

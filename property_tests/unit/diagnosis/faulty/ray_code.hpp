@@ -105,6 +105,8 @@ template <class T, class Find>
   answer.point = glm::dvec3(fault == Fault::point_in_object ? point_at(object, t) : point_at(world, t));
   if (fault == Fault::point_without_origin) answer.point = glm::dvec3(t * world.direction);
   answer.normal = world_normal<T>(asked, hits.front().normal, fault);
+  if (fault == Fault::point_at_foot)
+    answer.point = asked.ray.origin - dot(asked.ray.origin - *answer.point, *answer.normal) * *answer.normal;
   answer.barycentric = hits.front().barycentric;
   if (answer.barycentric && fault == Fault::barycentric_order)
     std::swap(answer.barycentric->x, answer.barycentric->z);

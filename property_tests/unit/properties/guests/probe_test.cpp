@@ -68,6 +68,16 @@ Answer without_greatest(const Case& one) {
   return is_on_boundary && is_at(one, BoundaryPlace::greatest) ? Answer(Position::outside) : exact;
 }
 
+Answer without_closing_side(const Case& one) {
+  return is_at(one, BoundaryPlace::closing_side) ? Answer(Position::inside) : oracle::answer(one);
+}
+
+/// A line along a capped cylinder's axis is inside where x² + y² < 1, and must be where it is <= 1.
+Answer without_lines_in_side(const Case& one) {
+  const bool is_capped = std::get<Cylinder<double>>(std::get<RayQuestion>(one.question).shape).capped;
+  return is_capped && is_at(one, BoundaryPlace::along_side) ? Answer(RayAnswer{}) : oracle::answer(one);
+}
+
 /// From a program whose branch for one sign of the determinant asks v > 0.
 Answer without_edge_c_behind(const Case& one) {
   return is_at(one, BoundaryPlace::edge_c_behind) ? Answer(RayAnswer{}) : oracle::answer(one);
@@ -164,6 +174,8 @@ TEST(Probe, TakesForARuleOnlyWhatIsWrongOnMostBoundaries) {
   EXPECT_EQ(learnt("point_in_polygon", without_vertices).rules, only(vertex));
   EXPECT_EQ(learnt("point_in_polygon", without_some_vertices).rules, only(vertex));
   EXPECT_EQ(learnt("point_in_polygon", without_greatest).rules, only(greatest));
+  EXPECT_EQ(learnt("point_in_polygon", without_closing_side).rules, only(closing_side));
+  EXPECT_EQ(learnt("cylinder", without_lines_in_side).rules, only(along_side));
   EXPECT_EQ(learnt("triangle", without_edge_c_behind).rules, only(edge_c_behind));
   EXPECT_TRUE(learnt("point_in_polygon", without_boundary).rules.none());
   EXPECT_EQ(learnt("polygon", without_boundary_hits<true>).rules, only(edge));

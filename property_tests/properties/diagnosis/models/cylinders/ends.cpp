@@ -139,6 +139,12 @@ Answers missed_along_axis_inside(const Case& one, const Answer& exact) {
   return 0 < z && z < cylinder->height ? missed_along_axis(one, exact) : Answers{};
 }
 
+Answers missed_along_side(const Case& one, const Answer& exact) {
+  if (shape_in<Cylinder<double>>(one) == nullptr || !finds_something(exact)) return {};
+  const bool is_there = boundary_places(one).test(static_cast<std::size_t>(BoundaryPlace::along_side));
+  return is_there ? Answers{RayAnswer{}} : Answers{};
+}
+
 Answers side_missed_along(const Case& one, double least) {
   const auto equation = shape_in<Cylinder<double>>(one) == nullptr ? std::nullopt : reduced_equation(one);
   if (!equation) return {};

@@ -43,6 +43,9 @@ void lift(RayQuestion& asked, double by);
 [[nodiscard]] Answers missed_along_axis_inside(const Case& one, const Answer& exact);
 /// @}
 
+/// A ray in the side of a capped cylinder, which runs along the axis from rim to rim, is missed.
+[[nodiscard]] Answers missed_along_side(const Case& one, const Answer& exact);
+
 /// The side is missed by rays nearly along the axis: where dx² + dy², in radii or not, is below a limit.
 [[nodiscard]] Answers side_missed_along(const Case& one, double least);
 template <int power>

@@ -65,6 +65,14 @@ Answers point_of_far_hit(const Case& one, const Answer& exact) {
   return with_point(exact, point_at(ray_question(one)->ray, answer->hits.t[1]));
 }
 
+Answers point_at_foot(const Case& one, const Answer& exact) {
+  const RayAnswer* answer = hit_with_point(exact);
+  if (answer == nullptr || !answer->normal || topic_of(one) != "plane") return {};
+  const glm::dvec3& origin = ray_question(one)->ray.origin;
+  const double height = glm::dot(origin - *answer->point, *answer->normal);
+  return with_point(exact, origin - height * *answer->normal);
+}
+
 std::optional<bool> point_moved_along_normal(const Case& one, const Answer& got, const Answer& exact) {
   const auto* mine = std::get_if<RayAnswer>(&got);
   const RayAnswer* answer = hit_with_point(exact);

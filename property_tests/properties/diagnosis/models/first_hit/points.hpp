@@ -20,6 +20,8 @@ namespace rayproof::diagnosis {
 /// Whether the point is off the surface by some length along the normal, as an origin of the next ray is.
 [[nodiscard]] std::optional<bool> point_moved_along_normal(const Case& one, const Answer& got,
                                                            const Answer& exact);
+/// The point of a plane that is nearest to the ray's origin.
+[[nodiscard]] Answers point_at_foot(const Case& one, const Answer& exact);
 /// Whether the point lies beside the ray's line.
 [[nodiscard]] std::optional<bool> point_beside_ray(const Case& one, const Answer& got, const Answer& exact);
 [[nodiscard]] Answers point_of_far_hit(const Case& one, const Answer& exact);

@@ -70,6 +70,14 @@ Answers patch_of_plane(const Case& one, const Answer& exact) {
   return answers;
 }
 
+std::optional<bool> skewed_is_missed(const Case& one, const Answer& got, const Answer& exact) {
+  constexpr double small_angle = 0.25;
+  const auto* plane = shape_in<ParametricPlane>(one);
+  if (plane == nullptr || finds_something(got) || !finds_something(exact)) return std::nullopt;
+  const double area = glm::length(glm::cross(plane->u, plane->v));
+  return area <= small_angle * glm::length(plane->u) * glm::length(plane->v);
+}
+
 Answers plane_through_mean(const Case& one, const Answer& /*exact*/) {
   const auto figure = shape_in<Polygon<double>>(one) == nullptr ? std::nullopt : flat_figure(one);
   auto hit = figure ? plane_hit(one, *figure) : std::nullopt;

@@ -14,6 +14,8 @@ namespace rayproof::diagnosis {
 [[nodiscard]] Answers vectors_as_points(const Case& one, const Answer& exact);
 /// A plane in the parametric form is hit only where both parameters lie within some limits.
 [[nodiscard]] Answers patch_of_plane(const Case& one, const Answer& exact);
+/// A parametric plane is missed whose u and v are less than about 1/4 apart in angle.
+[[nodiscard]] std::optional<bool> skewed_is_missed(const Case& one, const Answer& got, const Answer& exact);
 /// A polygon's plane goes through the mean of its vertices, and must through the first.
 [[nodiscard]] Answers plane_through_mean(const Case& one, const Answer& exact);
 /// A component of Newell's normal, the sum of (b_i - b_j)·(c_i + c_j) over the sides ij, has another sign in

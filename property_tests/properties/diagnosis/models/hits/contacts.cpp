@@ -24,6 +24,13 @@ Answers if_position(const Answer& exact, Position from, Position to) {
   return position != nullptr && *position == from ? Answers{to} : Answers{};
 }
 
+/// A miss for that reason; under a transform rounding may turn the ray out of the plane.
+Answers misses_by(const Case& one, Contact reason, const Answer& exact) {
+  RayAnswer miss;
+  miss.contact = reason;
+  return ray_question(one)->transform ? Answers{miss, exact} : Answers{miss};
+}
+
 }  // namespace
 
 Answers misses_tangents_along_axes(const Case& one, const Answer& exact) {
@@ -53,11 +60,13 @@ std::optional<bool> in_surface_is_hit(const Case& one, const Answer& got, const 
   return may_miss ? std::nullopt : std::optional(false);
 }
 
-Answers in_surface_is_parallel(const Case& /*one*/, const Answer& exact) {
-  if (!is_contact(exact, Contact::in_surface)) return {};
-  RayAnswer parallel;
-  parallel.contact = Contact::parallel;
-  return {parallel};
+Answers in_surface_is_parallel(const Case& one, const Answer& exact) {
+  return is_contact(exact, Contact::in_surface) ? misses_by(one, Contact::parallel, exact) : Answers{};
+}
+
+Answers reasons_exchanged(const Case& one, const Answer& exact) {
+  if (is_contact(exact, Contact::in_surface)) return misses_by(one, Contact::parallel, exact);
+  return is_contact(exact, Contact::parallel) ? misses_by(one, Contact::in_surface, exact) : Answers{};
 }
 
 Answers no_reason(const Case& /*one*/, const Answer& exact) {

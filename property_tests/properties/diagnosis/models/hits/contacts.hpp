@@ -23,6 +23,8 @@ template <Contact contact>
 [[nodiscard]] std::optional<bool> in_surface_is_hit(const Case& one, const Answer& got, const Answer& exact);
 /// A ray that runs inside a plane is called parallel.
 [[nodiscard]] Answers in_surface_is_parallel(const Case& one, const Answer& exact);
+/// Rays inside the plane are called parallel, and those parallel to it are said to be inside.
+[[nodiscard]] Answers reasons_exchanged(const Case& one, const Answer& exact);
 /// The reason why a ray misses is not given.
 [[nodiscard]] Answers no_reason(const Case& one, const Answer& exact);
 
